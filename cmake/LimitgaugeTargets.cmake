@@ -1,0 +1,33 @@
+# Warnings and sanitizers shared by every target of the project.
+add_library(limitgauge_options INTERFACE)
+target_compile_options(limitgauge_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  # The same input gives the same bytes wherever it is built: no fused multiply-add.
+  -ffp-contract=off)
+if(LIMITGAUGE_WERROR)
+  target_compile_options(limitgauge_options INTERFACE -Werror)
+endif()
+if(LIMITGAUGE_SANITIZE)
+  target_compile_options(limitgauge_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(limitgauge_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# limitgauge_library(NAME FOLDERS dir... SOURCES file... PUBLIC target... PRIVATE lib...)
+#
+# A library of one house. Its headers are reached through a view of the source tree that holds
+# this library's folders and nothing else, so an include against the arrows does not compile.
+function(limitgauge_library name)
+  cmake_parse_arguments(LIB "" "" "FOLDERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(limitgauge_${name} STATIC ${LIB_SOURCES})
+  add_library(limitgauge::${name} ALIAS limitgauge_${name})
+  set(view ${CMAKE_BINARY_DIR}/include/${name})
+  foreach(folder ${LIB_FOLDERS})
+    get_filename_component(parent ${view}/${folder} DIRECTORY)
+    file(MAKE_DIRECTORY ${parent})
+    file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${folder} ${view}/${folder} SYMBOLIC)
+  endforeach()
+  target_include_directories(limitgauge_${name} PUBLIC ${view})
+  target_link_libraries(limitgauge_${name}
+    PUBLIC ${LIB_PUBLIC} PRIVATE limitgauge_options ${LIB_PRIVATE})
+endfunction()

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/model/vec3.h"
+
+namespace limitgauge::model {
+
+enum class CutterType { flat, ball, bull, taper };
+
+/// A cylinder of a shank or holder; parts are listed from the tip side up.
+struct CylinderPart {
+  double diameter_mm = 0;
+  double length_mm = 0;
+};
+
+/// A rotating cutter about +Z with its tip at the origin.
+///  flat:  cylinder of `diameter_mm`
+///  ball:  hemisphere of that diameter, then the cylinder; corner_radius = diameter / 2
+///  bull:  cylinder whose bottom edge is rounded by `corner_radius_mm`
+///  taper: cone of half angle `taper_angle_deg` rising from a tip of `diameter_mm` whose edge is
+///         rounded by `corner_radius_mm`, tangent to the cone
+/// Only the lowest `flute_length_mm` cuts. Above it stand the shank parts, then the holder parts;
+/// with an empty shank the fluted part is taken to end at the holder.
+struct Cutter {
+  std::string id;
+  CutterType type = CutterType::ball;
+  double diameter_mm = 0;
+  double corner_radius_mm = 0;
+  double taper_angle_deg = 0;
+  double flute_length_mm = 0;
+  std::vector<CylinderPart> shank;
+  std::vector<CylinderPart> holder;
+
+  double radius_mm() const { return diameter_mm / 2; }
+};
+
+/// Greatest radius of the fluted part, in mm (a taper is widest at the end of its flutes).
+double largest_radius_mm(const Cutter& cutter);
+/// Throws std::invalid_argument naming the figure that makes no cutter (zero diameter, a corner
+/// radius above the radius, flutes shorter than the corner radius, NaN, ...).
+void require_valid(const Cutter& cutter);
+/// `ball:D=6`, `flat:D=8`, `bull:D=8,r=1`, `taper:D=1,r=0.5,angle=5`, with optional `L=` flute
+/// length (default: four diameters), `shank=D:L`, `holder=D:L`, repeated from the tip up.
+/// Throws InputError with the column in `text`.
+Cutter parse_cutter(std::string_view text);
+/// The text form that parse_cutter reads back.
+std::string to_text(const Cutter& cutter);
+const char* name(CutterType type);
+
+}  // namespace limitgauge::model

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "engine/model/toolpath.h"
+
+namespace limitgauge::model {
+
+enum class MotionKind : std::uint8_t { rapid, feed, arc };
+/// G17, G18, G19.
+enum class ArcPlane : std::uint8_t { xy = 17, zx = 18, yz = 19 };
+
+/// A canonical motion of a program: machine frame, mm.
+struct Motion {
+  MotionKind kind = MotionKind::rapid;
+  ArcPlane plane = ArcPlane::xy;
+  std::uint32_t line = 0;
+  float feed_mm_min = 0;
+  Vec3 to;
+  double centre1 = 0, centre2 = 0;  ///< arc centre in the plane's first and second axis, absolute
+  double turns = 0;                 ///< of the arc, signed: positive is counter-clockwise
+  bool position_known = true;       ///< every axis has been programmed by the end of this motion
+};
+
+/// An auxiliary word that does not move the tool and was therefore not acted on.
+struct IgnoredWord {
+  std::uint32_t line = 0;
+  std::string word;
+};
+
+/// A program as read: canonical motions, and what was set aside.
+struct Program {
+  std::string name;
+  std::vector<Motion> motions;
+  std::vector<IgnoredWord> ignored;
+};
+
+/// Reads RS274/NGC text: G0-G3 (IJK incremental or absolute by G90.1/91.1, R, helical, full
+/// circles, G17-19), G4, G20/21, G40, G49, G54, G61/64, G80, G90/91, G94, M0-M9, M30, N, S, T, F,
+/// both kinds of comment, block delete, `%`. A word that is not understood is an InputError with
+/// line and column, never skipped.
+Program read_program(const std::filesystem::path& path);
+Program read_program(std::istream& in, const std::string& name_in_errors);
+
+/// Straight moves for `program`, arcs as chords within `chord_error_mm` (recorded in the result).
+/// Motions before every axis is known give no move: the path starts where the position is known.
+Toolpath to_toolpath(const Program& program, double chord_error_mm);
+
+/// How a toolpath is written as RS274.
+struct WriterOptions {
+  std::string program_name;
+  std::string comment;
+  int decimals = 4;
+  double spindle_rpm = 0;  ///< 0: no S word
+  int tool_number = 1;
+};
+/// Writes `path` as G-code and gives every move the line that it stands on. The coordinates in
+/// `path` are rounded to what is written, so that the program read back is the same path.
+void write_program(Toolpath& path, const WriterOptions& options, std::ostream& out);
+
+}  // namespace limitgauge::model

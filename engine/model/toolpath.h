@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/model/vec3.h"
+
+namespace limitgauge::model {
+
+enum class MoveKind : std::uint8_t { rapid, feed };
+
+/// A straight move of the tool tip (CL point) to `to`. A rapid is taken to be straight too; every
+/// report says so, since a machine's own rapid need not be.
+struct Move {
+  Vec3 to;                 ///< mm, part frame
+  float feed_mm_min = 0;   ///< of a feed move
+  std::uint32_t line = 0;  ///< program line, from 1; 0 where there is no program
+  MoveKind kind = MoveKind::rapid;
+};
+
+/// What one cutter does in one stage: straight moves from `start`.
+struct Toolpath {
+  Vec3 start;               ///< where the tip is before the first move
+  std::vector<Move> moves;
+  double chord_error_mm = 0;  ///< largest distance between a programmed arc and its chords
+};
+
+/// Where move `i` of `path` begins.
+inline const Vec3& move_from(const Toolpath& path, std::size_t i) {
+  return i == 0 ? path.start : path.moves[i - 1].to;
+}
+
+struct ToolpathLengths {
+  double cut_mm = 0, rapid_mm = 0;
+  double time_s = 0;  ///< at the programmed feeds and the given rapid rate, no acceleration
+};
+ToolpathLengths lengths(const Toolpath& path, double rapid_mm_min);
+
+}  // namespace limitgauge::model

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "engine/model/cage.h"
+#include "engine/model/run_control.h"
+
+namespace limitgauge::engine::surface {
+
+class PatchModel;  // CELL patches with their limit meshes; see patch_model.h
+
+/// What the finish model is built for.
+struct ModelRequest {
+  double precision_mm = 0.01;       ///< bound on the chord error of the limit mesh
+  double largest_offset_mm = 0;     ///< largest normal offset asked of it later (cutter + allowance)
+  int largest_depth = 10;
+};
+
+/// Table 1 of the paper, for result.json.
+struct ModelFigures {
+  int patches = 0;
+  int depth_min = 0, depth_max = 0;
+  double seconds = 0;
+  std::size_t memory_bytes = 0;
+};
+
+/// The engine's view of the design surface: an immutable value, cheap to copy.
+class FinishModel {
+ public:
+  /// Refines every patch of `cage` to the depth its bound asks for (paper sections 3 and 4).
+  FinishModel(const model::Cage& cage, const ModelRequest& request,
+              const model::RunControl& control);
+  const ModelFigures& figures() const { return figures_; }
+  const PatchModel& patches() const { return *patches_; }
+
+ private:
+  std::shared_ptr<const PatchModel> patches_;
+  ModelFigures figures_;
+};
+
+}  // namespace limitgauge::engine::surface

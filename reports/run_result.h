@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/model/cage.h"
+#include "engine/strategy/stage_path.h"
+#include "simulator/collision.h"
+#include "verifier/deviation.h"
+
+namespace limitgauge::reports {
+
+/// The design surface's part of result.json.
+struct SurfaceResult {
+  std::string cage;                 ///< file name as the job states it
+  model::CageSummary summary;
+  model::BoundaryRule boundary = model::BoundaryRule::edge_only;
+  model::Box3 bbox_mm;              ///< of the limit surface, exact
+  double area_mm2 = 0;
+  int depth_min = 0, depth_max = 0;
+  int sampling_interval_min = 1, sampling_interval_max = 1;
+  double seconds = 0;
+  std::size_t memory_bytes = 0;
+};
+
+/// One stage as asked for and as it came out. A stage that was not run has only its request part.
+struct StageResult {
+  std::string name, tool;
+  model::Cutter cutter;
+  std::string strategy;             ///< empty when `program` names a file
+  std::string program;
+  double allowance_mm = 0, step_mm = 0, tolerance_mm = 0;
+  verifier::GateLimits limits;
+  verifier::GateDecision decision;
+
+  struct Ran {
+    std::shared_ptr<const model::Toolpath> path;
+    int planes = 0;
+    int sampling_interval_min = 1, sampling_interval_max = 1;
+    double cut_length_mm = 0, rapid_length_mm = 0, machining_time_s = 0;
+    double plan_seconds = 0;
+    std::size_t path_memory_bytes = 0;
+    std::vector<std::string> ignored_words;  ///< "line: word" of auxiliaries in a foreign program
+
+    double voxel_mm = 0, removed_volume_mm3 = 0, simulation_seconds = 0;
+    std::size_t peak_memory_bytes = 0;
+    std::optional<simulator::StockModel> stock;
+    simulator::CollisionReport collisions;
+
+    verifier::StageDeviation deviation;
+  };
+  std::optional<Ran> ran;
+  double seconds = 0;
+};
+
+/// Everything a report shows.
+struct RunResult {
+  std::string job;            ///< the job's name
+  std::string created;        ///< ISO 8601, UTC
+  std::string version;
+  unsigned threads = 1;
+  verifier::Verdict verdict = verifier::Verdict::not_run;
+  model::Stock raw_stock;
+  SurfaceResult surface;
+  std::vector<StageResult> stages;
+  std::vector<std::string> assumptions;  ///< stated in the report: straight rapids, start unknown, ...
+};
+
+}  // namespace limitgauge::reports

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/model/vec3.h"
+
+namespace limitgauge::verifier {
+
+/// A certified interval in mm: some point reaches `low`, no point exceeds `high`.
+struct Interval {
+  double low = 0, high = 0;
+  double width() const { return high - low; }
+};
+
+enum class Verdict { pass, fail, indeterminate, not_run };
+const char* name(Verdict verdict);
+
+/// A place on the limit surface: `patch` counts quads of the cage (an n-gon's corner quads in
+/// order), u and v run from 0 to 1.
+struct SurfacePlace {
+  int patch = 0;
+  double u = 0, v = 0;
+  model::Vec3 point;
+};
+
+/// A clustered gouge or leftover; its deepest place, and the move responsible (for a leftover: the
+/// nearest pass that left it). Ordered by depth, deepest first.
+struct Finding {
+  SurfacePlace place;
+  double depth_mm = 0;
+  double area_mm2 = 0;      ///< of the sampled surface that belongs to the cluster
+  std::size_t stage = 0;    ///< stage whose move is named (an earlier one may have gouged)
+  std::size_t move = 0;     ///< index in that stage's path
+  std::uint32_t line = 0;   ///< its program line
+};
+
+/// Area-weighted distribution of deviation minus allowance over the reachable surface.
+struct Histogram {
+  std::vector<double> edges_mm;   ///< ascending, one more than there are bins
+  std::vector<double> area_mm2;
+};
+
+/// One line of the uncertainty budget: a worst-case bound, never a standard deviation.
+struct UncertaintyTerm {
+  std::string source;
+  double bound_mm = 0;
+  bool in_certificate = true;  ///< false: concerns the voxel figures only
+};
+
+/// The sampled deviation field for maps: a grid mesh over the limit surface.
+struct DeviationField {
+  struct Sample {
+    SurfacePlace place;
+    model::Vec3 normal;
+    float deviation_mm = 0;    ///< δ − allowance
+    bool reachable = true;
+    std::uint32_t stage = 0, move = 0, line = 0;  ///< nearest pass
+    float area_mm2 = 0;        ///< share of the surface this sample stands for
+  };
+  std::vector<Sample> samples;
+  std::vector<std::array<std::uint32_t, 4>> quads;  ///< counter-clockwise, indices of samples
+};
+
+/// What one stage's verification found; all deviations are measured against the allowance surface.
+struct StageDeviation {
+  Interval gouge_mm, uncut_mm;      ///< certified
+  double coverage = 0;              ///< share of the reachable area within both gate limits
+  double mean_mm = 0, rms_mm = 0, p01_mm = 0, p50_mm = 0, p99_mm = 0;
+  double voxel_gouge_mm = 0, voxel_uncut_mm = 0;  ///< the voxel instrument's readings
+  double surface_area_mm2 = 0, reachable_area_mm2 = 0, unreachable_area_mm2 = 0;
+  double undecided_area_mm2 = 0;    ///< rim where reachability was not settled; counted reachable
+  double unavoidable_uncut_mm = 0;
+  Histogram histogram;
+  std::vector<Finding> gouges, uncuts;
+  DeviationField field;
+  std::vector<UncertaintyTerm> budget;
+  std::size_t cells = 0;            ///< cells examined by the branch and bound
+  bool reached_resolution = true;   ///< both widths are within what was asked for
+  double resolution_mm = 0;         ///< the width asked for
+  double seconds = 0;
+};
+
+/// Gate limits; a figure that is not limited is measured but cannot fail.
+struct GateLimits {
+  bool has_gouge = false, has_uncut = false, has_coverage = false;
+  double gouge_mm = 0, uncut_mm = 0, coverage = 0;
+};
+
+/// The three-valued decision, with the reason for each figure in words.
+struct GateDecision {
+  Verdict verdict = Verdict::not_run;
+  std::vector<std::string> reasons;
+};
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/model/cage.h"
+#include "engine/model/vec3.h"
+
+namespace limitgauge::verifier {
+
+/// Position and first derivatives of the limit surface, mm and mm per unit of parameter.
+/// `normal` is the unit normal towards the machining side; at an extraordinary vertex it comes from
+/// the limit tangent masks, since the derivatives there mean nothing but their span.
+struct SurfaceSample {
+  model::Vec3 position, du, dv, normal;
+};
+
+class SurfaceTree;
+
+/// The exact Catmull-Clark limit surface of a cage: rational-free bicubic Bézier pieces, refined
+/// locally around every irregularity until what is left is below double precision (design: Stam's
+/// idea by explicit refinement). Shares no code with the engine. An immutable value, cheap to copy.
+/// Patches are numbered as OpenSubdiv numbers faces: base faces in file order, an n-gon's corner
+/// quads in order; hole faces keep their number but have no surface.
+class ReferenceSurface {
+ public:
+  /// Throws std::invalid_argument for a cage with defects (see model::find_defects).
+  explicit ReferenceSurface(const model::Cage& cage);
+
+  int patch_count() const;
+  /// False for holes, and for boundary faces under BoundaryRule::none.
+  bool has_surface(int patch) const;
+  /// u, v in [0, 1]. Error below 1e-12 of the model's size.
+  SurfaceSample evaluate(int patch, double u, double v) const;
+  /// Exact to 1e-9 mm: extremes of the surface, not of its control points.
+  const model::Box3& bounding_box() const;
+  /// By Gauss quadrature on the pieces; relative error below 1e-6.
+  double area_mm2() const;
+
+  const SurfaceTree& tree() const { return *tree_; }
+
+ private:
+  std::shared_ptr<const SurfaceTree> tree_;
+};
+
+}  // namespace limitgauge::verifier

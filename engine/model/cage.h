@@ -35,11 +35,11 @@ struct Corner {
 struct Cage {
   std::string name;
   std::vector<Vec3> vertices;
-  std::vector<Index> face_corners;         ///< corners of all faces, one face after the other
-  std::vector<Index> face_offsets = {0};   ///< faces + 1 entries into face_corners
+  std::vector<Index> face_corners;        ///< corners of all faces, one face after the other
+  std::vector<Index> face_offsets = {0};  ///< faces + 1 entries into face_corners
   std::vector<Crease> creases;
   std::vector<Corner> corners;
-  std::vector<Index> holes;                ///< faces that are no surface but shape it
+  std::vector<Index> holes;  ///< faces that are no surface but shape it
   BoundaryRule boundary = BoundaryRule::edge_only;
 
   Index face_count() const { return static_cast<Index>(face_offsets.size()) - 1; }
@@ -75,7 +75,7 @@ CageSummary summarize(const Cage& cage);
 struct CageDefect {
   enum class Kind { non_manifold_edge, non_manifold_vertex, flipped_face, degenerate_face };
   Kind kind{};
-  Index face = 0;             ///< the face where it was met
+  Index face = 0;               ///< the face where it was met
   std::vector<Index> vertices;  ///< the vertices concerned
 };
 /// All defects, in order of faces; empty for a usable cage.

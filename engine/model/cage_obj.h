@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <istream>
+#include <ostream>
 #include <string>
 
 #include "engine/model/cage.h"

@@ -6,8 +6,8 @@ namespace {
 std::string message(const SourcePlace& place, const std::string& wrong,
                     const std::string& expected) {
   std::string text = place.file;
-  if (place.line > 0) text += ":" + std::to_string(place.line);
-  if (place.line > 0 && place.column > 0) text += ":" + std::to_string(place.column);
+  if (place.line > 0) text.append(":").append(std::to_string(place.line));
+  if (place.line > 0 && place.column > 0) text.append(":").append(std::to_string(place.column));
   text += (text.empty() ? "error: " : ": error: ") + wrong;
   if (!expected.empty()) text += "; expected " + expected;
   return text;

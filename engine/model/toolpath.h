@@ -21,7 +21,7 @@ struct Move {
 
 /// What one cutter does in one stage: straight moves from `start`.
 struct Toolpath {
-  Vec3 start;               ///< where the tip is before the first move
+  Vec3 start;  ///< where the tip is before the first move
   std::vector<Move> moves;
   double chord_error_mm = 0;  ///< largest distance between a programmed arc and its chords
 };

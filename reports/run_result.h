@@ -15,10 +15,10 @@ namespace limitgauge::reports {
 
 /// The design surface's part of result.json.
 struct SurfaceResult {
-  std::string cage;                 ///< file name as the job states it
+  std::string cage;  ///< file name as the job states it
   model::CageSummary summary;
   model::BoundaryRule boundary = model::BoundaryRule::edge_only;
-  model::Box3 bbox_mm;              ///< of the limit surface, exact
+  model::Box3 bbox_mm;  ///< of the limit surface, exact
   double area_mm2 = 0;
   int depth_min = 0, depth_max = 0;
   int sampling_interval_min = 1, sampling_interval_max = 1;
@@ -30,7 +30,7 @@ struct SurfaceResult {
 struct StageResult {
   std::string name, tool;
   model::Cutter cutter;
-  std::string strategy;             ///< empty when `program` names a file
+  std::string strategy;  ///< empty when `program` names a file
   std::string program;
   double allowance_mm = 0, step_mm = 0, tolerance_mm = 0;
   verifier::GateLimits limits;
@@ -58,15 +58,16 @@ struct StageResult {
 
 /// Everything a report shows.
 struct RunResult {
-  std::string job;            ///< the job's name
-  std::string created;        ///< ISO 8601, UTC
+  std::string job;      ///< the job's name
+  std::string created;  ///< ISO 8601, UTC
   std::string version;
   unsigned threads = 1;
   verifier::Verdict verdict = verifier::Verdict::not_run;
   model::Stock raw_stock;
   SurfaceResult surface;
   std::vector<StageResult> stages;
-  std::vector<std::string> assumptions;  ///< stated in the report: straight rapids, start unknown, ...
+  std::vector<std::string>
+      assumptions;  ///< stated in the report: straight rapids, start unknown, ...
 };
 
 }  // namespace limitgauge::reports

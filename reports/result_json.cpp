@@ -1,0 +1,241 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "reports/report.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no NaN and no infinity: a figure that is one is a bug of whoever measured it.
+double finite(const char* key, double value) {
+  if (!std::isfinite(value))
+    throw std::domain_error(std::string("result.json: ") + key + " is not a finite number");
+  return value;
+}
+
+Json point(const char* key, const model::Vec3& p) {
+  return Json::array({finite(key, p.x), finite(key, p.y), finite(key, p.z)});
+}
+
+Json texts(const std::vector<std::string>& lines) {
+  Json out = Json::array();
+  for (const std::string& line : lines) out.push_back(clean_text(line));
+  return out;
+}
+
+Json numbers(const char* key, const std::vector<double>& values) {
+  Json out = Json::array();
+  for (const double v : values) out.push_back(finite(key, v));
+  return out;
+}
+
+Json interval(const char* key, const verifier::Interval& i) {
+  return {{"low", finite(key, i.low)}, {"high", finite(key, i.high)}};
+}
+
+const char* rule_name(model::BoundaryRule rule) {
+  switch (rule) {
+    case model::BoundaryRule::none:
+      return "none";
+    case model::BoundaryRule::edge_and_corner:
+      return "edge_and_corner";
+    case model::BoundaryRule::edge_only:
+      break;
+  }
+  return "edge_only";
+}
+
+Json surface_part(const SurfaceResult& s) {
+  return {
+      {"cage", clean_text(s.cage)},
+      {"patches", s.summary.patches},
+      {"faces", s.summary.faces},
+      {"vertices", s.summary.vertices},
+      {"boundary_edges", s.summary.boundary_edges},
+      {"extraordinary_vertices", s.summary.extraordinary_vertices},
+      {"creases", s.summary.creases},
+      {"corners", s.summary.corners},
+      {"holes", s.summary.holes},
+      {"boundary_rule", rule_name(s.boundary)},
+      {"bbox_mm", Json::array({point("surface.bbox_mm", s.bbox_mm.low),
+                               point("surface.bbox_mm", s.bbox_mm.high)})},
+      {"area_mm2", finite("surface.area_mm2", s.area_mm2)},
+      {"depth", {{"min", s.depth_min}, {"max", s.depth_max}}},
+      {"sampling_interval", {{"min", s.sampling_interval_min}, {"max", s.sampling_interval_max}}},
+      {"seconds", finite("surface.seconds", s.seconds)},
+      {"memory_bytes", s.memory_bytes}};
+}
+
+Json stock_part(const model::Stock& stock) {
+  if (const auto* box = std::get_if<model::BoxStock>(&stock))
+    return {{"shape", "box"},
+            {"corner_mm", point("stock.corner_mm", box->corner_mm)},
+            {"size_mm", point("stock.size_mm", box->size_mm)}};
+  const auto& bar = std::get<model::CylinderStock>(stock);
+  return {{"shape", "cylinder"},
+          {"base_mm", point("stock.base_mm", bar.base_mm)},
+          {"diameter_mm", finite("stock.diameter_mm", bar.diameter_mm)},
+          {"height_mm", finite("stock.height_mm", bar.height_mm)}};
+}
+
+Json toolpath_part(const StageResult::Ran& r) {
+  return {
+      {"moves", r.path ? r.path->moves.size() : 0},
+      {"planes", r.planes},
+      {"sampling_interval", {{"min", r.sampling_interval_min}, {"max", r.sampling_interval_max}}},
+      {"cut_length_mm", finite("toolpath.cut_length_mm", r.cut_length_mm)},
+      {"rapid_length_mm", finite("toolpath.rapid_length_mm", r.rapid_length_mm)},
+      {"machining_time_s", finite("toolpath.machining_time_s", r.machining_time_s)},
+      {"chord_error_mm", finite("toolpath.chord_error_mm", r.path ? r.path->chord_error_mm : 0)},
+      {"ignored_words", texts(r.ignored_words)},
+      {"seconds", finite("toolpath.seconds", r.plan_seconds)},
+      {"memory_bytes", r.path_memory_bytes}};
+}
+
+Json collision(const simulator::Collision& c, bool with_part) {
+  Json out = {{"line", c.line},
+              {"move", c.move},
+              {"x", finite("collision.x", c.point.x)},
+              {"y", finite("collision.y", c.point.y)},
+              {"z", finite("collision.z", c.point.z)},
+              {"depth_mm", finite("collision.depth_mm", c.depth_mm)}};
+  if (with_part) out["part"] = clean_text(c.part);
+  return out;
+}
+
+Json collisions(const std::vector<simulator::Collision>& all, bool with_part) {
+  Json out = Json::array();
+  for (const simulator::Collision& c : all) out.push_back(collision(c, with_part));
+  return out;
+}
+
+Json simulation_part(const StageResult::Ran& r) {
+  return {{"voxel_mm", finite("simulation.voxel_mm", r.voxel_mm)},
+          {"removed_volume_mm3", finite("simulation.removed_volume_mm3", r.removed_volume_mm3)},
+          {"seconds", finite("simulation.seconds", r.simulation_seconds)},
+          {"peak_memory_bytes", r.peak_memory_bytes},
+          {"rapid_collisions", collisions(r.collisions.rapid, false)},
+          {"holder_collisions", collisions(r.collisions.holder, true)}};
+}
+
+Json findings(const RunResult& result, const std::vector<verifier::Finding>& all) {
+  Json out = Json::array();
+  for (const verifier::Finding& f : all) {
+    const model::Vec3& p = f.place.point;
+    out.push_back(
+        {{"x", finite("finding.x", p.x)},
+         {"y", finite("finding.y", p.y)},
+         {"z", finite("finding.z", p.z)},
+         {"depth_mm", finite("finding.depth_mm", f.depth_mm)},
+         {"area_mm2", finite("finding.area_mm2", f.area_mm2)},
+         {"patch", f.place.patch},
+         {"u", finite("finding.u", f.place.u)},
+         {"v", finite("finding.v", f.place.v)},
+         {"stage", f.stage < result.stages.size() ? clean_text(result.stages[f.stage].name) : ""},
+         {"line", f.line},
+         {"move", f.move}});
+  }
+  return out;
+}
+
+Json budget_part(const std::vector<verifier::UncertaintyTerm>& terms) {
+  Json out = Json::array();
+  for (const verifier::UncertaintyTerm& t : terms)
+    out.push_back({{"source", clean_text(t.source)},
+                   {"bound_mm", finite("uncertainty.bound_mm", t.bound_mm)},
+                   {"in_certificate", t.in_certificate}});
+  return out;
+}
+
+Json deviation_part(const RunResult& result, const verifier::StageDeviation& d) {
+  return {
+      {"gouge_mm", interval("deviation.gouge_mm", d.gouge_mm)},
+      {"uncut_mm", interval("deviation.uncut_mm", d.uncut_mm)},
+      {"coverage", finite("deviation.coverage", d.coverage)},
+      {"mean_mm", finite("deviation.mean_mm", d.mean_mm)},
+      {"rms_mm", finite("deviation.rms_mm", d.rms_mm)},
+      {"p01_mm", finite("deviation.p01_mm", d.p01_mm)},
+      {"p50_mm", finite("deviation.p50_mm", d.p50_mm)},
+      {"p99_mm", finite("deviation.p99_mm", d.p99_mm)},
+      {"voxel_gouge_mm", finite("deviation.voxel_gouge_mm", d.voxel_gouge_mm)},
+      {"voxel_uncut_mm", finite("deviation.voxel_uncut_mm", d.voxel_uncut_mm)},
+      {"surface_area_mm2", finite("deviation.surface_area_mm2", d.surface_area_mm2)},
+      {"reachable_area_mm2", finite("deviation.reachable_area_mm2", d.reachable_area_mm2)},
+      {"unreachable_area_mm2", finite("deviation.unreachable_area_mm2", d.unreachable_area_mm2)},
+      {"undecided_area_mm2", finite("deviation.undecided_area_mm2", d.undecided_area_mm2)},
+      {"unavoidable_uncut_mm", finite("deviation.unavoidable_uncut_mm", d.unavoidable_uncut_mm)},
+      {"resolution_mm", finite("deviation.resolution_mm", d.resolution_mm)},
+      {"reached_resolution", d.reached_resolution},
+      {"cells", d.cells},
+      {"seconds", finite("deviation.seconds", d.seconds)},
+      {"histogram",
+       {{"edges_mm", numbers("histogram.edges_mm", d.histogram.edges_mm)},
+        {"area_mm2", numbers("histogram.area_mm2", d.histogram.area_mm2)}}},
+      {"gouges", findings(result, d.gouges)},
+      {"uncuts", findings(result, d.uncuts)},
+      {"uncertainty", budget_part(d.budget)}};
+}
+
+/// Only the figures that the job limits.
+Json gate_part(const verifier::GateLimits& l) {
+  Json out = Json::object();
+  if (l.has_gouge) out["gouge_mm"] = finite("gate.gouge_mm", l.gouge_mm);
+  if (l.has_uncut) out["uncut_mm"] = finite("gate.uncut_mm", l.uncut_mm);
+  if (l.has_coverage) out["coverage"] = finite("gate.coverage", l.coverage);
+  return out;
+}
+
+Json cutter_part(const model::Cutter& c) {
+  return {{"type", model::name(c.type)},
+          {"diameter_mm", finite("cutter.diameter_mm", c.diameter_mm)},
+          {"corner_radius_mm", finite("cutter.corner_radius_mm", c.corner_radius_mm)},
+          {"flute_length_mm", finite("cutter.flute_length_mm", c.flute_length_mm)},
+          {"taper_angle_deg", finite("cutter.taper_angle_deg", c.taper_angle_deg)}};
+}
+
+Json stage_part(const RunResult& result, const StageResult& s) {
+  Json out = {{"name", clean_text(s.name)}, {"tool", clean_text(s.tool)}};
+  out["cutter"] = cutter_part(s.cutter);
+  if (s.program.empty()) {
+    out["strategy"] = clean_text(s.strategy);
+  } else {
+    out["program"] = clean_text(s.program);
+  }
+  out["allowance_mm"] = finite("stage.allowance_mm", s.allowance_mm);
+  out["step_mm"] = finite("stage.step_mm", s.step_mm);
+  out["tolerance_mm"] = finite("stage.tolerance_mm", s.tolerance_mm);
+  out["gate"] = gate_part(s.limits);
+  out["verdict"] = verifier::name(s.ran ? s.decision.verdict : verifier::Verdict::not_run);
+  out["reasons"] = texts(s.decision.reasons);
+  if (s.ran) {
+    out["toolpath"] = toolpath_part(*s.ran);
+    out["simulation"] = simulation_part(*s.ran);
+    out["deviation"] = deviation_part(result, s.ran->deviation);
+  }
+  out["seconds"] = finite("stage.seconds", s.seconds);
+  return out;
+}
+
+}  // namespace
+
+void write_result_json(const RunResult& result, std::ostream& out) {
+  Json root = {{"schema", "limitgauge.result/1"},
+               {"job", clean_text(result.job)},
+               {"version", clean_text(result.version)},
+               {"created", clean_text(result.created)},
+               {"threads", result.threads},
+               {"verdict", verifier::name(result.verdict)}};
+  root["stock"] = stock_part(result.raw_stock);
+  root["surface"] = surface_part(result.surface);
+  root["stages"] = Json::array();
+  for (const StageResult& stage : result.stages)
+    root["stages"].push_back(stage_part(result, stage));
+  root["assumptions"] = texts(result.assumptions);
+  out << root.dump(1) << '\n';
+}
+
+}  // namespace limitgauge::reports

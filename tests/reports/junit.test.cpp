@@ -1,0 +1,90 @@
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "reports/report.h"
+#include "tests/reports/sample_result.h"
+#include "tests/support/catch.h"
+
+using namespace limitgauge;
+using namespace limitgauge::reports;
+
+namespace {
+
+std::string text_of(const RunResult& result) {
+  std::ostringstream out;
+  write_junit(result, out);
+  return out.str();
+}
+
+pugi::xml_document parsed(const RunResult& result) {
+  pugi::xml_document document;
+  const std::string text = text_of(result);
+  REQUIRE(document.load_string(text.c_str()));
+  return document;
+}
+
+/// The totals as attributes say them, and as a count of the elements gives them.
+void require_counts(const pugi::xml_node& node, int tests, int failures, int errors, int skipped) {
+  CHECK(node.attribute("tests").as_int() == tests);
+  CHECK(node.attribute("failures").as_int() == failures);
+  CHECK(node.attribute("errors").as_int() == errors);
+  CHECK(node.attribute("skipped").as_int() == skipped);
+  CHECK(node.select_nodes(".//testcase").size() == std::size_t(tests));
+  CHECK(node.select_nodes(".//failure").size() == std::size_t(failures));
+  CHECK(node.select_nodes(".//error").size() == std::size_t(errors));
+  CHECK(node.select_nodes(".//skipped").size() == std::size_t(skipped));
+}
+
+}  // namespace
+
+TEST_CASE("a passed job has a case for each stage and figure", "[unit][junit]") {
+  const pugi::xml_document document = parsed(sample_result(Outcome::passed));
+  require_counts(document.child("testsuites"), 15, 0, 0, 0);
+  CHECK(document.select_nodes("/testsuites/testsuite").size() == 3);
+  CHECK(document.select_node("//testsuite[@name='finish']/testcase[@name='coverage']"));
+}
+
+TEST_CASE("a failed stage has failures, the stage after it is skipped", "[unit][junit]") {
+  const pugi::xml_document document = parsed(sample_result(Outcome::failed));
+  require_counts(document.child("testsuites"), 15, 3, 0, 5);
+  const auto failure =
+      document.select_node("//testsuite[@name='semi-finish']/testcase[@name='gouge']/failure");
+  REQUIRE(failure);
+  CHECK_THAT(failure.node().attribute("message").value(), ContainsSubstring("limit 50 µm"));
+  CHECK_THAT(failure.node().attribute("message").value(), ContainsSubstring("patch "));
+  require_counts(document.select_node("//testsuite[@name='finish']").node(), 5, 0, 0, 5);
+}
+
+TEST_CASE("an undecided figure is an error", "[unit][junit]") {
+  const pugi::xml_document document = parsed(sample_result(Outcome::indeterminate));
+  require_counts(document.child("testsuites"), 15, 0, 1, 0);
+  CHECK(document.select_node("//testsuite[@name='finish']/testcase[@name='uncut']/error"));
+}
+
+TEST_CASE("a figure without a limit is skipped", "[unit][junit]") {
+  RunResult result = sample_result(Outcome::passed);
+  result.stages[0].limits.has_uncut = false;
+  const pugi::xml_document document = parsed(result);
+  require_counts(document.child("testsuites"), 15, 0, 0, 1);
+  CHECK_THAT(document.select_node("//skipped").node().attribute("message").value(),
+             ContainsSubstring("no limit stated"));
+}
+
+TEST_CASE("a verdict that no figure explains is kept", "[unit][junit]") {
+  RunResult result = sample_result(Outcome::passed);
+  result.stages[0].decision = {verifier::Verdict::fail, {"for a reason of its own"}};
+  const pugi::xml_document document = parsed(result);
+  require_counts(document.child("testsuites"), 16, 1, 0, 0);
+  CHECK(document.select_node("//testcase[@name='verdict']/failure"));
+}
+
+TEST_CASE("hostile names leave the file well-formed", "[unit][junit]") {
+  RunResult result = sample_result(Outcome::failed);
+  const std::string hostile = "]]>&<a b=\"'\">\x01\x1F\xFE\xC3(";
+  result.job = result.stages[0].name = result.stages[1].name = hostile;
+  result.stages[1].decision.reasons = {hostile};
+  const pugi::xml_document document = parsed(result);
+  CHECK(document.child("testsuites").attribute("name").as_string() ==
+        std::string("]]>&<a b=\"'\">\uFFFD\uFFFD\uFFFD\uFFFD("));
+  for (const char c : text_of(result)) CHECK((static_cast<unsigned char>(c) >= 0x20 || c == '\n'));
+}

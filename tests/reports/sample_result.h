@@ -1,0 +1,16 @@
+#pragma once
+
+#include "reports/run_result.h"
+
+namespace limitgauge::reports {
+
+/// How the last stage of the sample job came out.
+enum class Outcome { passed, failed, indeterminate };
+
+/// A job of three stages (rough, semi, finish) on a wavy shell of 6x5 patches, 80x65 mm, made of
+/// closed forms: no other part of the project had a hand in its figures. With `failed`, the second
+/// stage fails and the third was not run; with `indeterminate`, the third is undecided.
+/// `samples_per_edge` samples along each patch edge.
+RunResult sample_result(Outcome outcome, int samples_per_edge = 9);
+
+}  // namespace limitgauge::reports

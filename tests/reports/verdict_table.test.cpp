@@ -1,0 +1,54 @@
+#include <sstream>
+
+#include "reports/report.h"
+#include "reports/text.h"
+#include "tests/reports/sample_result.h"
+#include "tests/support/catch.h"
+
+using namespace limitgauge;
+using namespace limitgauge::reports;
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("the table shows interval, relation and limit", "[unit][table]") {
+  const auto lines = lines_of(verdict_table(sample_result(Outcome::failed), false));
+  INFO(verdict_table(sample_result(Outcome::failed), false));
+  REQUIRE(lines.size() >= 5);
+  CHECK_THAT(lines[1], ContainsSubstring("rough") && ContainsSubstring("pass") &&
+                           ContainsSubstring("≤ 1 mm"));
+  CHECK_THAT(lines[2], ContainsSubstring("fail") && ContainsSubstring("> 50 µm"));
+  CHECK_THAT(lines[3], ContainsSubstring("not run") && ContainsSubstring("–"));
+  CHECK(lines.back() == "verdict: fail");
+  CHECK_THAT(verdict_table(sample_result(Outcome::indeterminate), false),
+             ContainsSubstring("? 10 µm"));
+}
+
+TEST_CASE("the table fits 100 columns and stays aligned", "[unit][table]") {
+  RunResult result = sample_result(Outcome::failed);
+  result.stages[0].name = std::string(70, 'n');
+  result.stages[1].tool = "ein sehr länglicher Fräser ohne Ende";
+  result.stages[1].decision.reasons.push_back(std::string(30, 'x') + " " + std::string(60, 'y') +
+                                              " " + std::string(50, 'z'));
+  const auto lines = lines_of(verdict_table(result, false));
+  for (const std::string& line : lines) CHECK(code_points(line) <= 100);
+  // The last column is flush right in the four rows of the table.
+  for (int row = 1; row < 4; ++row) CHECK(code_points(lines[row]) == code_points(lines[0]));
+}
+
+TEST_CASE("colour changes nothing but the colour", "[unit][table]") {
+  const RunResult result = sample_result(Outcome::failed);
+  std::string coloured = verdict_table(result, true);
+  CHECK_THAT(coloured, ContainsSubstring("\x1b[1;31mfail\x1b[0m"));
+  for (std::size_t at; (at = coloured.find('\x1b')) != std::string::npos;)
+    coloured.erase(at, coloured.find('m', at) - at + 1);
+  CHECK(coloured == verdict_table(result, false));
+}

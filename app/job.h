@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/model/cage.h"
+#include "engine/model/cutter.h"
+#include "engine/model/stock.h"
+#include "engine/strategy/stage_path.h"
+#include "verifier/deviation.h"
+
+namespace limitgauge::app {
+
+/// What a stage asks of the planner; only of stages that are planned here.
+struct StagePlan {
+  engine::strategy::Strategy strategy = engine::strategy::Strategy::zigzag;
+  double step_mm = 0;       ///< level distance of a contour, plane distance of a zigzag
+  double tolerance_mm = 0;  ///< machining tolerance of the toolpath
+  double feed_mm_min = 0;
+  double plunge_feed_mm_min = 0;
+  std::optional<double> floor_z_mm;  ///< empty: chosen from the surface and the cutter
+};
+
+/// One stage of a job: either planned here (`plan`) or read from a program.
+struct JobStage {
+  std::string name;
+  model::Cutter cutter;
+  std::optional<StagePlan> plan;
+  std::filesystem::path program;  ///< where `plan` is empty
+  std::string program_as_stated;  ///< as the job or the command line names it
+  double allowance_mm = 0;        ///< material the stage must leave, along the surface normal
+  verifier::GateLimits limits;
+};
+
+/// A job as the file states it, defaults filled in; paths are resolved against the job file.
+struct Job {
+  std::string name;
+  std::filesystem::path cage;
+  std::string cage_as_stated;
+  double precision_mm = 0.01;  ///< bound on the chord error of the engine's limit mesh
+  model::Placement placement;
+  model::Stock stock;
+  double rapid_mm_min = 5000;
+  double clearance_mm = 5;  ///< height of rapids above the stock
+  std::vector<JobStage> stages;
+  std::optional<double> voxel_mm;       ///< empty: "auto"
+  std::optional<double> resolution_mm;  ///< empty: "auto"
+  bool pictures = true;
+  /// Values that the job left to a default, in words, for the report's assumptions.
+  std::vector<std::string> defaulted;
+};
+
+/// Share of the feed at which the cutter plunges where the job says nothing.
+inline constexpr double kDefaultPlungeShare = 1.0 / 3.0;
+
+}  // namespace limitgauge::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "app/job.h"
+
+namespace limitgauge::app {
+
+/// What the readers of a job's parts share.
+struct JobContext {
+  std::filesystem::path folder;  ///< of the job file
+  std::vector<std::string> defaulted;
+};
+
+model::Stock read_stock(const toml::table& stock);
+/// The tools by their ids; two of one id are an error.
+std::vector<model::Cutter> read_tools(const std::vector<const toml::table*>& tools,
+                                      JobContext& context);
+/// The stages in order; two of one name, or a tool that is not among `tools`, are an error.
+std::vector<JobStage> read_stages(const std::vector<const toml::table*>& stages,
+                                  const std::vector<model::Cutter>& tools, JobContext& context);
+
+}  // namespace limitgauge::app

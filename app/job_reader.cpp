@@ -1,0 +1,131 @@
+#include "app/job_reader.h"
+
+#include <algorithm>
+
+#include "app/job_overrides.h"
+#include "app/job_parts.h"
+#include "app/toml_table.h"
+#include "app/words.h"
+#include "engine/model/text_file.h"
+
+namespace limitgauge::app {
+namespace {
+
+toml::table parse(const std::string& text, const std::string& name_in_errors) {
+  try {
+    return toml::parse(text, name_in_errors);
+  } catch (const toml::parse_error& error) {
+    model::SourcePlace place = place_of(error.source());
+    place.file = name_in_errors;
+    throw model::InputError(place, std::string(error.description()), "TOML");
+  }
+}
+
+void read_placement(const TomlTable& surface, Job& job) {
+  if (!surface.has("transform")) return;
+  const TomlTable transform(surface.table("transform"), "\"transform\" of [surface]",
+                            {"scale", "rotate_z", "translate"});
+  if (transform.has("scale")) job.placement.scale = transform.positive("scale");
+  if (transform.has("rotate_z")) job.placement.rotate_z_deg = transform.number("rotate_z");
+  if (transform.has("translate")) job.placement.translate_mm = transform.vec3("translate");
+}
+
+void read_surface(const toml::table& table, Job& job, JobContext& context) {
+  const TomlTable surface(table, "[surface]", {"cage", "precision", "transform"});
+  job.cage_as_stated = surface.text("cage");
+  job.cage = context.folder / job.cage_as_stated;
+  if (!std::filesystem::is_regular_file(job.cage)) {
+    throw model::InputError(surface.place("cage"), "no file \"" + job.cage_as_stated + "\"",
+                            "a cage as OBJ");
+  }
+  if (surface.has("precision")) {
+    job.precision_mm = surface.positive("precision");
+  } else {
+    context.defaulted.push_back("surface precision " + words(job.precision_mm) + " mm (default)");
+  }
+  read_placement(surface, job);
+}
+
+void read_machine(const TomlTable& root, Job& job, JobContext& context) {
+  static const toml::table none;
+  const TomlTable machine(root.has("machine") ? root.table("machine") : none, "[machine]",
+                          {"rapid", "clearance"});
+  if (machine.has("rapid")) {
+    job.rapid_mm_min = machine.positive("rapid");
+  } else {
+    context.defaulted.push_back("rapid rate " + words(job.rapid_mm_min) + " mm/min (default)");
+  }
+  if (machine.has("clearance")) {
+    job.clearance_mm = machine.positive("clearance");
+  } else {
+    context.defaulted.push_back("clearance of rapids above the stock " + words(job.clearance_mm) +
+                                " mm (default)");
+  }
+}
+
+void read_settings(const TomlTable& root, Job& job) {
+  if (root.has("simulation")) {
+    const TomlTable simulation(root.table("simulation"), "[simulation]", {"voxel"});
+    if (simulation.has("voxel")) job.voxel_mm = simulation.positive_or_auto("voxel");
+  }
+  if (root.has("verification")) {
+    const TomlTable verification(root.table("verification"), "[verification]", {"resolution"});
+    if (verification.has("resolution")) {
+      job.resolution_mm = verification.positive_or_auto("resolution");
+    }
+  }
+  if (root.has("report")) {
+    const TomlTable report(root.table("report"), "[report]", {"pictures"});
+    if (report.has("pictures")) job.pictures = report.boolean("pictures");
+  }
+}
+
+std::string read_name(const TomlTable& root) {
+  const std::string name = root.text("name");
+  if (!is_plain_name(name)) {
+    throw model::InputError(root.place("name"), "\"" + name + "\" cannot name a folder",
+                            "letters, digits, '.', '_', '-'");
+  }
+  return name;
+}
+
+Job read_root(const toml::table& table, JobContext& context) {
+  const TomlTable root(table, "the job",
+                       {"name", "surface", "stock", "machine", "tool", "stage", "simulation",
+                        "verification", "report"});
+  Job job;
+  job.name = read_name(root);
+  read_surface(root.table("surface"), job, context);
+  job.stock = read_stock(root.table("stock"));
+  read_machine(root, job, context);
+  const std::vector<model::Cutter> tools = read_tools(root.tables("tool"), context);
+  job.stages = read_stages(root.tables("stage"), tools, context);
+  read_settings(root, job);
+  job.defaulted = std::move(context.defaulted);
+  return job;
+}
+
+}  // namespace
+
+bool is_plain_name(std::string_view name) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '_' || c == '-';
+  };
+  return !name.empty() && name.size() <= 100 && name.front() != '.' && name.front() != '-' &&
+         std::all_of(name.begin(), name.end(), plain);
+}
+
+Job read_job_text(const std::string& text, const std::string& name_in_errors,
+                  const std::filesystem::path& folder, std::span<const std::string> overrides) {
+  toml::table table = parse(text, name_in_errors);
+  apply_overrides(table, overrides);
+  JobContext context{folder, {}};
+  return read_root(table, context);
+}
+
+Job read_job(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  return read_job_text(model::read_text_file(file), file.string(), file.parent_path(), overrides);
+}
+
+}  // namespace limitgauge::app

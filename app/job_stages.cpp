@@ -1,0 +1,135 @@
+#include "app/job_parts.h"
+#include "app/job_reader.h"
+#include "app/nearest_key.h"
+#include "app/toml_table.h"
+#include "app/words.h"
+
+namespace limitgauge::app {
+namespace {
+
+using engine::strategy::Strategy;
+
+Strategy read_strategy(const TomlTable& stage) {
+  const std::string word = stage.one_of("strategy", {"contour", "zigzag", "steep_shallow", "rest"});
+  if (word == "contour") return Strategy::contour;
+  if (word == "zigzag") return Strategy::zigzag;
+  throw model::InputError(stage.place("strategy"),
+                          "strategy \"" + word + "\" is not available in this release",
+                          "\"contour\" or \"zigzag\"");
+}
+
+StagePlan read_plan(const TomlTable& stage, const std::string& name, JobContext& context) {
+  StagePlan plan;
+  plan.strategy = read_strategy(stage);
+  plan.step_mm = stage.positive("step");
+  plan.tolerance_mm = stage.positive("tolerance");
+  plan.feed_mm_min = stage.positive("feed");
+  if (stage.has("floor")) plan.floor_z_mm = stage.number("floor");
+  if (stage.has("plunge_feed")) {
+    plan.plunge_feed_mm_min = stage.positive("plunge_feed");
+    return plan;
+  }
+  plan.plunge_feed_mm_min = plan.feed_mm_min * kDefaultPlungeShare;
+  context.defaulted.push_back("stage " + name + ": plunge feed " + words(plan.plunge_feed_mm_min) +
+                              " mm/min (default: a third of the feed)");
+  return plan;
+}
+
+/// A stage that reads a program plans nothing: figures of a plan beside it would be ignored.
+void refuse_plan_keys(const TomlTable& stage) {
+  for (const char* key : {"step", "tolerance", "feed", "plunge_feed", "floor"}) {
+    if (!stage.has(key)) continue;
+    throw model::InputError(stage.place(key),
+                            "\"" + std::string(key) + "\" beside \"program\" would change nothing",
+                            "it only beside \"strategy\"");
+  }
+}
+
+void read_source(const TomlTable& stage, JobStage& result, JobContext& context) {
+  const bool planned = stage.has("strategy");
+  if (planned == stage.has("program")) {
+    throw model::InputError(
+        planned ? stage.place("program") : stage.place(),
+        "stage \"" + result.name + "\" has " +
+            (planned ? "both strategy and program" : "neither strategy nor program"),
+        "one of the two");
+  }
+  if (planned) {
+    result.plan = read_plan(stage, result.name, context);
+    return;
+  }
+  refuse_plan_keys(stage);
+  result.program_as_stated = stage.text("program");
+  result.program = context.folder / result.program_as_stated;
+  if (!std::filesystem::is_regular_file(result.program)) {
+    throw model::InputError(stage.place("program"), "no file \"" + result.program_as_stated + "\"",
+                            "a program");
+  }
+}
+
+verifier::GateLimits read_gate(const TomlTable& stage) {
+  verifier::GateLimits limits;
+  if (!stage.has("gate")) return limits;
+  const TomlTable gate(stage.table("gate"), "[stage.gate]", {"gouge", "uncut", "coverage"});
+  limits.has_gouge = gate.has("gouge");
+  limits.has_uncut = gate.has("uncut");
+  limits.has_coverage = gate.has("coverage");
+  if (limits.has_gouge) limits.gouge_mm = gate.positive("gouge");
+  if (limits.has_uncut) limits.uncut_mm = gate.positive("uncut");
+  if (limits.has_coverage) limits.coverage = gate.share("coverage");
+  return limits;
+}
+
+const model::Cutter& find_tool(const TomlTable& stage, const std::vector<model::Cutter>& tools) {
+  const std::string id = stage.text("tool");
+  std::vector<std::string_view> ids;
+  for (const model::Cutter& tool : tools) {
+    if (tool.id == id) return tool;
+    ids.push_back(tool.id);
+  }
+  throw model::InputError(stage.place("tool"), "no tool has the id \"" + id + "\"",
+                          "\"" + nearest_key(id, ids) + "\" or another id of a [[tool]]");
+}
+
+std::string read_name(const TomlTable& stage, const std::vector<JobStage>& before) {
+  const std::string name = stage.text("name");
+  if (!is_plain_name(name)) {
+    throw model::InputError(stage.place("name"), "\"" + name + "\" cannot name a folder",
+                            "letters, digits, '.', '_', '-'");
+  }
+  for (const JobStage& other : before) {
+    if (other.name != name) continue;
+    throw model::InputError(stage.place("name"), "a second stage \"" + name + "\"",
+                            "names that differ");
+  }
+  return name;
+}
+
+JobStage read_stage(const toml::table& table, const std::vector<JobStage>& before,
+                    const std::vector<model::Cutter>& tools, JobContext& context) {
+  const TomlTable stage(table, "[[stage]]",
+                        {"name", "tool", "strategy", "program", "step", "allowance", "tolerance",
+                         "feed", "plunge_feed", "floor", "gate"});
+  JobStage result;
+  result.name = read_name(stage, before);
+  result.cutter = find_tool(stage, tools);
+  read_source(stage, result, context);
+  if (stage.has("allowance")) {
+    result.allowance_mm = stage.not_negative("allowance");
+  } else {
+    context.defaulted.push_back("stage " + result.name + ": allowance 0 mm (default)");
+  }
+  result.limits = read_gate(stage);
+  return result;
+}
+
+}  // namespace
+
+std::vector<JobStage> read_stages(const std::vector<const toml::table*>& stages,
+                                  const std::vector<model::Cutter>& tools, JobContext& context) {
+  std::vector<JobStage> all;
+  for (const toml::table* table : stages) all.push_back(read_stage(*table, all, tools, context));
+  return all;
+}
+
+}  // namespace limitgauge::app

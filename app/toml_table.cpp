@@ -1,0 +1,172 @@
+#include "app/toml_table.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "app/nearest_key.h"
+
+namespace limitgauge::app {
+namespace {
+
+std::string type_name(const toml::node& node) {
+  std::ostringstream out;
+  out << node.type();
+  return out.str();
+}
+
+std::string listed(std::initializer_list<std::string_view> choices) {
+  std::string text;
+  for (const std::string_view choice : choices) {
+    text += (text.empty() ? "\"" : ", \"") + std::string(choice) + "\"";
+  }
+  return text;
+}
+
+std::string shown(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+}  // namespace
+
+model::SourcePlace place_of(const toml::source_region& source) {
+  model::SourcePlace place;
+  if (source.path) place.file = *source.path;
+  // What comes from a command line has no line worth naming.
+  if (place.file.rfind("--set ", 0) == 0) return place;
+  place.line = static_cast<int>(source.begin.line);
+  place.column = static_cast<int>(source.begin.column);
+  return place;
+}
+
+TomlTable::TomlTable(const toml::table& table, std::string where,
+                     std::initializer_list<std::string_view> known)
+    : table_(&table), where_(std::move(where)) {
+  const std::vector<std::string_view> keys(known);
+  for (const auto& [key, value] : table) {
+    if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
+    const model::SourcePlace stated = place_of(key.source());
+    throw model::InputError(stated.file.empty() ? place_of(value.source()) : stated,
+                            "unknown key \"" + std::string(key.str()) + "\" in " + where_,
+                            "\"" + nearest_key(key.str(), keys) + "\" or another known key");
+  }
+}
+
+model::SourcePlace TomlTable::place(std::string_view key) const {
+  const toml::node* found = table_->get(key);
+  return found == nullptr ? place() : place_of(found->source());
+}
+
+void TomlTable::refuse(std::string_view key, const std::string& wrong,
+                       const std::string& expected) const {
+  throw model::InputError(place(key), "\"" + std::string(key) + "\" in " + where_ + " " + wrong,
+                          expected);
+}
+
+const toml::node& TomlTable::node(std::string_view key) const {
+  const toml::node* found = table_->get(key);
+  if (found == nullptr) {
+    throw model::InputError(place(), "missing key \"" + std::string(key) + "\" in " + where_,
+                            "the key to be stated");
+  }
+  return *found;
+}
+
+std::string TomlTable::text(std::string_view key) const {
+  const toml::node& found = node(key);
+  if (!found.is_string()) refuse(key, "is of type " + type_name(found), "a text");
+  if (found.ref<std::string>().empty()) refuse(key, "is empty", "a text");
+  return found.ref<std::string>();
+}
+
+std::string TomlTable::one_of(std::string_view key,
+                              std::initializer_list<std::string_view> choices) const {
+  const std::string value = text(key);
+  if (std::find(choices.begin(), choices.end(), value) == choices.end()) {
+    refuse(key, "is \"" + value + "\"", "one of " + listed(choices));
+  }
+  return value;
+}
+
+double TomlTable::number(std::string_view key) const {
+  const toml::node& found = node(key);
+  if (!found.is_number()) refuse(key, "is of type " + type_name(found), "a number");
+  const double value = *found.value<double>();
+  if (!std::isfinite(value)) refuse(key, "is " + shown(value), "a finite number");
+  return value;
+}
+
+double TomlTable::positive(std::string_view key) const {
+  const double value = number(key);
+  if (!(value > 0)) refuse(key, "is " + shown(value), "a number above zero");
+  return value;
+}
+
+double TomlTable::not_negative(std::string_view key) const {
+  const double value = number(key);
+  if (!(value >= 0)) refuse(key, "is " + shown(value), "a number that is not negative");
+  return value;
+}
+
+double TomlTable::share(std::string_view key) const {
+  const double value = number(key);
+  if (!(value >= 0 && value <= 1)) refuse(key, "is " + shown(value), "a share from 0 to 1");
+  return value;
+}
+
+bool TomlTable::boolean(std::string_view key) const {
+  const toml::node& found = node(key);
+  if (!found.is_boolean()) refuse(key, "is of type " + type_name(found), "true or false");
+  return *found.value<bool>();
+}
+
+model::Vec3 TomlTable::vec3(std::string_view key) const {
+  const toml::node& found = node(key);
+  const toml::array* list = found.as_array();
+  if (list == nullptr) refuse(key, "is of type " + type_name(found), "an array of three numbers");
+  if (list->size() != 3) {
+    refuse(key, "has " + std::to_string(list->size()) + " entries", "an array of three numbers");
+  }
+  model::Vec3 value;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::optional<double> entry = list->get(axis)->value<double>();
+    if (!entry || !std::isfinite(*entry)) {
+      refuse(key, "has an entry that is no finite number", "an array of three numbers");
+    }
+    value[axis] = *entry;
+  }
+  return value;
+}
+
+const toml::table& TomlTable::table(std::string_view key) const {
+  const toml::node& found = node(key);
+  if (!found.is_table()) refuse(key, "is of type " + type_name(found), "a table");
+  return *found.as_table();
+}
+
+std::vector<const toml::table*> TomlTable::tables(std::string_view key) const {
+  const toml::node& found = node(key);
+  const toml::array* list = found.as_array();
+  if (list == nullptr || list->empty()) {
+    refuse(key, "is of type " + type_name(found),
+           "one or more tables [[" + std::string(key) + "]]");
+  }
+  std::vector<const toml::table*> all;
+  for (const toml::node& entry : *list) {
+    if (!entry.is_table()) refuse(key, "has an entry that is no table", "tables only");
+    all.push_back(entry.as_table());
+  }
+  return all;
+}
+
+std::optional<double> TomlTable::positive_or_auto(std::string_view key) const {
+  const toml::node& found = node(key);
+  if (!found.is_string()) return positive(key);
+  if (found.ref<std::string>() != "auto") {
+    refuse(key, "is \"" + found.ref<std::string>() + "\"", "a number above zero or \"auto\"");
+  }
+  return std::nullopt;
+}
+
+}  // namespace limitgauge::app

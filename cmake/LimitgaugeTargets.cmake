@@ -1,3 +1,5 @@
+get_filename_component(LIMITGAUGE_ROOT ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
+
 # Warnings and sanitizers shared by every target of the project.
 add_library(limitgauge_options INTERFACE)
 target_compile_options(limitgauge_options INTERFACE
@@ -19,13 +21,17 @@ endif()
 # this library's folders and nothing else, so an include against the arrows does not compile.
 function(limitgauge_library name)
   cmake_parse_arguments(LIB "" "" "FOLDERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  if(NOT LIB_SOURCES)
+    file(WRITE ${CMAKE_BINARY_DIR}/empty_${name}.cpp "")
+    set(LIB_SOURCES ${CMAKE_BINARY_DIR}/empty_${name}.cpp)
+  endif()
   add_library(limitgauge_${name} STATIC ${LIB_SOURCES})
   add_library(limitgauge::${name} ALIAS limitgauge_${name})
   set(view ${CMAKE_BINARY_DIR}/include/${name})
   foreach(folder ${LIB_FOLDERS})
     get_filename_component(parent ${view}/${folder} DIRECTORY)
     file(MAKE_DIRECTORY ${parent})
-    file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${folder} ${view}/${folder} SYMBOLIC)
+    file(CREATE_LINK ${LIMITGAUGE_ROOT}/${folder} ${view}/${folder} SYMBOLIC)
   endforeach()
   target_include_directories(limitgauge_${name} PUBLIC ${view})
   target_link_libraries(limitgauge_${name}

@@ -32,15 +32,15 @@ struct SurfacePlace {
 struct Finding {
   SurfacePlace place;
   double depth_mm = 0;
-  double area_mm2 = 0;      ///< of the sampled surface that belongs to the cluster
-  std::size_t stage = 0;    ///< stage whose move is named (an earlier one may have gouged)
-  std::size_t move = 0;     ///< index in that stage's path
-  std::uint32_t line = 0;   ///< its program line
+  double area_mm2 = 0;     ///< of the sampled surface that belongs to the cluster
+  std::size_t stage = 0;   ///< stage whose move is named (an earlier one may have gouged)
+  std::size_t move = 0;    ///< index in that stage's path
+  std::uint32_t line = 0;  ///< its program line
 };
 
 /// Area-weighted distribution of deviation minus allowance over the reachable surface.
 struct Histogram {
-  std::vector<double> edges_mm;   ///< ascending, one more than there are bins
+  std::vector<double> edges_mm;  ///< ascending, one more than there are bins
   std::vector<double> area_mm2;
 };
 
@@ -56,10 +56,10 @@ struct DeviationField {
   struct Sample {
     SurfacePlace place;
     model::Vec3 normal;
-    float deviation_mm = 0;    ///< δ − allowance
+    float deviation_mm = 0;  ///< δ − allowance
     bool reachable = true;
     std::uint32_t stage = 0, move = 0, line = 0;  ///< nearest pass
-    float area_mm2 = 0;        ///< share of the surface this sample stands for
+    float area_mm2 = 0;                           ///< share of the surface this sample stands for
   };
   std::vector<Sample> samples;
   std::vector<std::array<std::uint32_t, 4>> quads;  ///< counter-clockwise, indices of samples
@@ -67,20 +67,20 @@ struct DeviationField {
 
 /// What one stage's verification found; all deviations are measured against the allowance surface.
 struct StageDeviation {
-  Interval gouge_mm, uncut_mm;      ///< certified
-  double coverage = 0;              ///< share of the reachable area within both gate limits
+  Interval gouge_mm, uncut_mm;  ///< certified
+  double coverage = 0;          ///< share of the reachable area within both gate limits
   double mean_mm = 0, rms_mm = 0, p01_mm = 0, p50_mm = 0, p99_mm = 0;
   double voxel_gouge_mm = 0, voxel_uncut_mm = 0;  ///< the voxel instrument's readings
   double surface_area_mm2 = 0, reachable_area_mm2 = 0, unreachable_area_mm2 = 0;
-  double undecided_area_mm2 = 0;    ///< rim where reachability was not settled; counted reachable
+  double undecided_area_mm2 = 0;  ///< rim where reachability was not settled; counted reachable
   double unavoidable_uncut_mm = 0;
   Histogram histogram;
   std::vector<Finding> gouges, uncuts;
   DeviationField field;
   std::vector<UncertaintyTerm> budget;
-  std::size_t cells = 0;            ///< cells examined by the branch and bound
-  bool reached_resolution = true;   ///< both widths are within what was asked for
-  double resolution_mm = 0;         ///< the width asked for
+  std::size_t cells = 0;           ///< cells examined by the branch and bound
+  bool reached_resolution = true;  ///< both widths are within what was asked for
+  double resolution_mm = 0;        ///< the width asked for
   double seconds = 0;
 };
 

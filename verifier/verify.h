@@ -31,8 +31,8 @@ struct StockReading {
 struct StageCheck {
   double allowance_mm = 0;
   GateLimits limits;
-  double resolution_mm = 0;         ///< widest certified interval asked for; > 0
-  double field_spacing_mm = 0.25;   ///< largest distance between samples of the deviation field
+  double resolution_mm = 0;        ///< widest certified interval asked for; > 0
+  double field_spacing_mm = 0.25;  ///< largest distance between samples of the deviation field
   std::size_t largest_cell_count = 50'000'000;  ///< where branch and bound gives up
 };
 

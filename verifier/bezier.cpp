@@ -1,0 +1,118 @@
+#include "verifier/bezier.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using Line = std::array<double, 4>;
+
+/// B-spline to Bézier coefficients in one variable.
+constexpr Line to_bezier(const Line& p) {
+  return {(p[0] + 4 * p[1] + p[2]) / 6, (2 * p[1] + p[2]) / 3, (p[1] + 2 * p[2]) / 3,
+          (p[1] + 4 * p[2] + p[3]) / 6};
+}
+
+/// Applies `line(Line) -> Line` to all rows (stride 1) or columns (stride 4) of a coordinate.
+template <int kStride, class F>
+void each_line(std::array<double, 16>& c, F&& line) {
+  constexpr int kAcross = kStride == 1 ? 4 : 1;
+  for (int n = 0; n < 4; ++n) {
+    double* at = c.data() + n * kAcross;
+    const Line out = line(Line{at[0], at[kStride], at[2 * kStride], at[3 * kStride]});
+    for (int k = 0; k < 4; ++k) at[k * kStride] = out[k];
+  }
+}
+
+constexpr Line lower_part(const Line& p, double t) {
+  const double a = p[0] + (p[1] - p[0]) * t, b = p[1] + (p[2] - p[1]) * t,
+               c = p[2] + (p[3] - p[2]) * t, d = a + (b - a) * t, e = b + (c - b) * t;
+  return {p[0], a, d, d + (e - d) * t};
+}
+constexpr Line upper_part(const Line& p, double t) {
+  const double a = p[0] + (p[1] - p[0]) * t, b = p[1] + (p[2] - p[1]) * t,
+               c = p[2] + (p[3] - p[2]) * t, d = a + (b - a) * t, e = b + (c - b) * t;
+  return {d + (e - d) * t, e, c, p[3]};
+}
+
+template <int kStride>
+Bezier part(const Bezier& b, double t, bool upper) {
+  Bezier out = b;
+  for (auto* c : {&out.x, &out.y, &out.z})
+    each_line<kStride>(*c,
+                       [&](const Line& p) { return upper ? upper_part(p, t) : lower_part(p, t); });
+  return out;
+}
+
+template <int kStride>
+Bezier between(const Bezier& b, double t0, double t1) {
+  Bezier out = t1 < 1 ? part<kStride>(b, t1, false) : b;
+  return t0 > 0 ? part<kStride>(out, t0 / t1, true) : out;
+}
+
+struct Basis {
+  Line value, first, second;
+};
+constexpr Basis basis(double t) {
+  const double s = 1 - t;
+  return {{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t},
+          {-3 * s * s, 3 * s * (s - 2 * t), 3 * t * (2 * s - t), 3 * t * t},
+          {6 * s, 6 * t - 12 * s, 6 * s - 12 * t, 6 * t}};
+}
+
+Vec3 combine(const Bezier& b, const Line& in_u, const Line& in_v) {
+  Vec3 sum;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) sum += (in_u[i] * in_v[j]) * b.control(4 * j + i);
+  return sum;
+}
+
+}  // namespace
+
+Bezier from_bspline(const std::array<Vec3, 16>& grid) {
+  Bezier b;
+  for (int k = 0; k < 16; ++k) b.set(k, grid[k]);
+  for (auto* c : {&b.x, &b.y, &b.z}) {
+    each_line<1>(*c, to_bezier);
+    each_line<4>(*c, to_bezier);
+  }
+  return b;
+}
+
+Vec3 point(const Bezier& b, double u, double v) {
+  return combine(b, basis(u).value, basis(v).value);
+}
+
+BezierJet jet(const Bezier& b, double u, double v) {
+  const Basis bu = basis(u), bv = basis(v);
+  return {combine(b, bu.value, bv.value), combine(b, bu.first, bv.value),
+          combine(b, bu.value, bv.first), combine(b, bu.second, bv.value),
+          combine(b, bu.first, bv.first), combine(b, bu.value, bv.second)};
+}
+
+std::array<Bezier, 2> split_u(const Bezier& b) {
+  return {part<1>(b, 0.5, false), part<1>(b, 0.5, true)};
+}
+std::array<Bezier, 2> split_v(const Bezier& b) {
+  return {part<4>(b, 0.5, false), part<4>(b, 0.5, true)};
+}
+
+Bezier restrict(const Bezier& b, double u0, double u1, double v0, double v1) {
+  return between<4>(between<1>(b, u0, u1), v0, v1);
+}
+
+model::Box3 control_box(const Bezier& b) {
+  model::Box3 box;
+  for (int k = 0; k < 16; ++k) box.add(b.control(k));
+  return box;
+}
+
+double control_radius(const Bezier& b, const Vec3& centre) {
+  double squared = 0;
+  for (int k = 0; k < 16; ++k) {
+    const double dx = b.x[k] - centre.x, dy = b.y[k] - centre.y, dz = b.z[k] - centre.z;
+    squared = std::max(squared, dx * dx + dy * dy + dz * dz);
+  }
+  return std::sqrt(squared);
+}
+
+}  // namespace limitgauge::verifier

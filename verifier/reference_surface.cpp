@@ -1,0 +1,54 @@
+#include "verifier/reference_surface.h"
+
+#include <algorithm>
+
+#include "verifier/surface_tree.h"
+
+namespace limitgauge::verifier {
+
+using model::Vec3;
+
+SurfaceSample SurfaceTree::evaluate(int patch, double u, double v) const {
+  const Node* node = &nodes_[roots_[patch]];
+  double scale = 1;
+  while (node->kind == Node::Kind::inner) {
+    const bool right = u >= 0.5, upper = v >= 0.5;
+    u = 2 * u - (right ? 1 : 0);
+    v = 2 * v - (upper ? 1 : 0);
+    scale *= 2;
+    node = &nodes_[node->child[upper ? (right ? 2 : 3) : (right ? 1 : 0)]];
+  }
+  if (node->kind == Node::Kind::speck) {
+    const Speck& s = specks_[node->index];
+    return {s.position, s.tangent_u, s.tangent_v, s.normal};
+  }
+  const BezierJet j = jet(pieces_[node->index].shape, u, v);
+  return {j.position, j.du * scale, j.dv * scale, normalized(cross(j.du, j.dv))};
+}
+
+double SurfaceTree::speck_radius_mm() const {
+  double radius = 0;
+  for (const Speck& s : specks_) radius = std::max(radius, s.radius_mm);
+  return radius;
+}
+
+ReferenceSurface::ReferenceSurface(const model::Cage& cage)
+    : tree_(std::make_shared<const SurfaceTree>(cage)) {}
+
+int ReferenceSurface::patch_count() const {
+  return tree_->patch_count();
+}
+bool ReferenceSurface::has_surface(int patch) const {
+  return tree_->has_surface(patch);
+}
+SurfaceSample ReferenceSurface::evaluate(int patch, double u, double v) const {
+  return tree_->evaluate(patch, u, v);
+}
+const model::Box3& ReferenceSurface::bounding_box() const {
+  return tree_->bounding_box();
+}
+double ReferenceSurface::area_mm2() const {
+  return tree_->area_mm2();
+}
+
+}  // namespace limitgauge::verifier

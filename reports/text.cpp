@@ -156,7 +156,7 @@ std::string grouped(std::uint64_t count) {
 }
 
 LengthUnit unit_for(double largest_mm) {
-  return std::abs(largest_mm) < 0.1 ? LengthUnit{1000, "µm"} : LengthUnit{1, "mm"};
+  return std::abs(largest_mm) <= 0.1 ? LengthUnit{1000, "µm"} : LengthUnit{1, "mm"};
 }
 
 std::string measured_length(double mm) {
@@ -171,11 +171,12 @@ std::string stated_length(double mm) {
   return shortest(std::round(mm * unit.per_mm * 1e9) / 1e9) + " " + unit.symbol;
 }
 
-std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit) {
+std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit,
+                             int digits) {
   const double low = interval_mm.low * unit.per_mm, high = interval_mm.high * unit.per_mm;
   if (low == 0 && high == 0) return "[0, 0]";
   const double width = high - low;
-  const int decimals = std::min(4, significant_decimals(width > 0 ? width : high, 2));
+  const int decimals = std::min(4, significant_decimals(width > 0 ? width : high, digits));
   return "[" + fixed(rounded_outwards(low, decimals, -1), decimals) + ", " +
          fixed(rounded_outwards(high, decimals, +1), decimals) + "]";
 }

@@ -33,15 +33,16 @@ struct LengthUnit {
   double per_mm = 1;
   const char* symbol = "mm";
 };
-/// Micrometres where every length shown beside each other is below 0.1 mm, millimetres else.
+/// Micrometres where every length shown beside each other is at most 0.1 mm, millimetres else.
 LengthUnit unit_for(double largest_mm);
 /// A measured length, three significant digits and its unit: "0.445 µm", "1.25 mm".
 std::string measured_length(double mm);
 /// A stated length, all its digits and its unit: "10 µm", "0.2 mm".
 std::string stated_length(double mm);
-/// A certified interval without its unit, rounded outwards so that what is shown stays true, with
-/// as many decimals as its width deserves: "[0.445, 0.511]".
-std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit);
+/// A certified interval without its unit, rounded outwards so that what is shown stays true, to
+/// `digits` significant digits of its width: "[0.445, 0.511]".
+std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit,
+                             int digits);
 
 /// "0.8 s", "12.4 s", "3 min 05 s", "1 h 02 min".
 std::string duration_text(double seconds);

@@ -12,8 +12,8 @@ class PatchModel;  // CELL patches with their limit meshes; see patch_model.h
 
 /// What the finish model is built for.
 struct ModelRequest {
-  double precision_mm = 0.01;       ///< bound on the chord error of the limit mesh
-  double largest_offset_mm = 0;     ///< largest normal offset asked of it later (cutter + allowance)
+  double precision_mm = 0.01;    ///< bound on the chord error of the limit mesh
+  double largest_offset_mm = 0;  ///< largest normal offset asked of it later (cutter + allowance)
   int largest_depth = 10;
 };
 

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/surface/corner_ring.h"
+#include "engine/surface/limit_patch.h"
+
+namespace limitgauge::engine::surface {
+
+/// Where edge `c` of a patch lies in the padded array: from corner c to corner c + 1.
+struct PatchSide {
+  int base = 0;     ///< index of corner c
+  int along = 0;    ///< to the next point of the edge
+  int outward = 0;  ///< to the strip across the edge
+};
+
+/// CELL, inner layer (paper section 3): the control points of one subdivision surface patch at
+/// some depth. The array A_c of (2^depth + 1)² points is stored with a border one point wide; its
+/// four sides are the strips A_e of the neighbours. Its four corners are not used: corners refine
+/// through their rings A_v. Patches refine independently of each other.
+class CellPatch {
+ public:
+  /// Depth 0 of the quad `face`, whose half-edges give the four sides in order.
+  CellPatch(const OuterMesh& mesh, Index face);
+
+  /// Figure 3: corners by their rings, sides by A_c and A_e, the interior by A_c; then the strips.
+  void refine();
+  int depth() const { return depth_; }
+  int cells() const { return 1 << depth_; }
+  /// Depth from which no semi-sharp tag is left, so that limit masks hold.
+  int smallest_limit_depth() const;
+  LimitPatch limit() const;
+
+  /// Control point (u, v), -1 to cells() + 1; a border point exists where has_border says so.
+  const Vec3& control(int u, int v) const { return net_[at(u, v)]; }
+  bool has_border(int side) const { return !open_[side]; }
+  /// Whether the surface has a crease along `side` at this depth (boundaries included).
+  bool sharp_side(int side) const { return is_sharp(sharpness_[side]); }
+  const CornerRing& ring(int corner) const { return rings_[corner]; }
+  std::size_t memory_bytes() const { return net_.capacity() * sizeof(Vec3); }
+
+ private:
+  int width() const { return cells() + 3; }
+  int at(int u, int v) const { return (v + 1) * width() + u + 1; }
+  PatchSide side(int c, int cells) const;
+  void refine_interior(std::vector<Vec3>& fine) const;
+  void refine_side(int c, std::vector<Vec3>& fine) const;
+  void refine_strip(int c, std::vector<Vec3>& fine) const;
+  void place_corners(std::vector<Vec3>& net, int cells) const;
+  void limit_interior(LimitPatch& limit) const;
+  void limit_side(int c, LimitPatch& limit) const;
+  void limit_corners(LimitPatch& limit) const;
+
+  int depth_ = 0;
+  std::vector<Vec3> net_;
+  std::vector<CornerRing> rings_;  ///< four
+  std::array<bool, 4> open_{};
+  std::array<double, 4> sharpness_{};
+};
+
+}  // namespace limitgauge::engine::surface

@@ -1,0 +1,29 @@
+#include "engine/surface/finish_model.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "engine/surface/patch_model.h"
+
+namespace limitgauge::engine::surface {
+
+FinishModel::FinishModel(const model::Cage& cage, const ModelRequest& request,
+                         const model::RunControl& control) {
+  if (!(request.precision_mm > 0)) throw std::invalid_argument("precision_mm must be positive");
+  const auto begin = std::chrono::steady_clock::now();
+  const auto built = std::make_shared<const PatchModel>(cage, request, control);
+  patches_ = built;
+  figures_.patches = static_cast<int>(built->patches().size());
+  if (figures_.patches == 0) throw std::invalid_argument("the cage has no face that is surface");
+  figures_.depth_min = figures_.depth_max = built->patches().front().limit.depth;
+  for (const ModelPatch& patch : built->patches()) {
+    figures_.depth_min = std::min(figures_.depth_min, patch.limit.depth);
+    figures_.depth_max = std::max(figures_.depth_max, patch.limit.depth);
+  }
+  figures_.memory_bytes = built->memory_bytes();
+  figures_.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace limitgauge::engine::surface

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/model/run_control.h"
+#include "engine/surface/chord_bound.h"
+#include "engine/surface/finish_model.h"
+#include "engine/surface/limit_patch.h"
+#include "engine/surface/outer_mesh.h"
+
+namespace limitgauge::engine::surface {
+
+/// One patch of the finish model: its limit mesh, its place in the outer layer, and the chord
+/// bounds of every depth that was looked at.
+struct ModelPatch {
+  Index first_half_edge = 0;  ///< side c of the patch is half-edge first_half_edge + c
+  LimitPatch limit;
+  std::vector<ChordBound> bounds;  ///< by depth; those below the first depth looked at are infinite
+};
+
+/// The finish model (paper sections 3 and 4): patches of independent depth over the outer layer.
+/// Patches that share an edge or a vertex hold bitwise equal points where they both sample it, and
+/// bitwise equal normals where the surface is smooth across.
+class PatchModel {
+ public:
+  PatchModel(const model::Cage& cage, const ModelRequest& request,
+             const model::RunControl& control);
+
+  const OuterMesh& outer() const { return outer_; }
+  const std::vector<ModelPatch>& patches() const { return patches_; }
+  /// The patch on which half-edge `h` lies and its side, or nothing where it is a hole.
+  bool has_patch(Index h) const { return patch_of_face_[outer_.face_of[h]] >= 0; }
+  int patch_at(Index h) const { return patch_of_face_[outer_.face_of[h]]; }
+  int side_at(Index h) const { return h - outer_.face_offsets[outer_.face_of[h]]; }
+  /// Whether the surface ends at half-edge `h`: an open boundary or the border of a hole.
+  bool ends_at(Index h) const { return outer_.open(h) || !has_patch(outer_.twin[h]); }
+  /// Whether the surface has an infinitely sharp crease along `h`.
+  bool creased_at(Index h) const { return is_infinite(outer_.edge_sharpness[outer_.edge[h]]); }
+
+  model::Box3 bounding_box() const { return box_; }
+  /// Least depth at which the offset mesh of patch `p` keeps within `error_mm`; the patch's own
+  /// depth where none does.
+  int depth_for(int p, double error_mm) const;
+  std::size_t memory_bytes() const;
+
+ private:
+  void build_patch(std::size_t p, const ModelRequest& request);
+  void share_edges();
+  void copy_edge(Index from, Index to);
+
+  OuterMesh outer_;
+  std::vector<int> patch_of_face_;
+  std::vector<ModelPatch> patches_;
+  model::Box3 box_;
+};
+
+/// Index of point `t` of `side` of a patch with `cells` cells a side, row by row.
+int side_index(int side, int t, int cells);
+
+}  // namespace limitgauge::engine::surface

@@ -23,9 +23,13 @@ struct Motion {
   float feed_mm_min = 0;
   Vec3 to;
   double centre1 = 0, centre2 = 0;  ///< arc centre in the plane's first and second axis, absolute
-  double turns = 0;                 ///< of the arc, signed: positive is counter-clockwise
+  double turns = 0;                 ///< of an arc, whole or begun; positive: counter-clockwise
   bool position_known = true;       ///< every axis has been programmed by the end of this motion
 };
+
+/// `LINE rapid X Y Z`, `LINE feed X Y Z` or `LINE arc PLANE X Y Z C1 C2 TURNS`, in the shortest
+/// decimals that read back as the same numbers.
+std::string to_text(const Motion& motion);
 
 /// An auxiliary word that does not move the tool and was therefore not acted on.
 struct IgnoredWord {

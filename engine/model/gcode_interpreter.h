@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "engine/model/gcode_statement.h"
+#include "engine/model/program.h"
+
+namespace limitgauge::model {
+
+/// Carries out the blocks of a program in RS274/NGC's order of execution and keeps its canonical
+/// motions. Power-on state as LinuxCNC's: G17 G21 G40 G49 G54 G80 G90 G91.1 G94, no feed rate; axes
+/// never programmed stand at 0 and are not known.
+class GcodeInterpreter {
+ public:
+  explicit GcodeInterpreter(Program& program) : program_(program) {}
+
+  /// Returns false when the block ends the program (M2, M30).
+  bool execute(const GcodeStatement& statement);
+
+ private:
+  void list_ignored(const GcodeStatement& statement);
+  void list_messages(const GcodeBlock& block);
+  void check_companions(const GcodeStatement& statement) const;
+  void set_feed(const GcodeStatement& statement);
+  void change_tool(const GcodeStatement& statement);
+  void set_modes(const GcodeStatement& statement);
+  std::optional<int> motion_of(const GcodeStatement& statement) const;
+  void move(const GcodeStatement& statement, int code);
+  void require_feed(const GcodeStatement& statement) const;
+  Vec3 end_of(const GcodeStatement& statement);
+  void arc(const GcodeStatement& statement, bool counter_clockwise, Motion& motion) const;
+  std::array<double, 2> centre_words(const GcodeStatement& statement) const;
+  double turns(const GcodeStatement& statement) const;
+  void add_ignored(std::uint32_t line, std::string word);
+
+  Program& program_;
+  Vec3 position_mm_;
+  std::array<bool, 3> known_{};
+  double unit_mm_ = 1;
+  double feed_mm_min_ = 0;
+  ArcPlane plane_ = ArcPlane::xy;
+  bool incremental_ = false, centre_absolute_ = false;
+  std::optional<int> motion_mode_;
+  std::optional<double> selected_tool_, loaded_tool_;
+};
+
+}  // namespace limitgauge::model

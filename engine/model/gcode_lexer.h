@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/model/error.h"
+
+namespace limitgauge::model {
+
+/// A letter and its number. `text` is the word as it stands in the program, `column` counts from 1.
+struct GcodeWord {
+  char letter = 0;  ///< upper case
+  double value = 0;
+  std::uint32_t column = 0;
+  std::string_view text;
+};
+
+/// A comment as it stands in the program, with its parentheses.
+struct GcodeComment {
+  std::uint32_t column = 0;
+  std::string_view text;
+};
+
+/// One line of a program.
+struct GcodeBlock {
+  std::uint32_t line = 0;
+  bool block_delete = false;  ///< the line begins with `/`
+  std::vector<GcodeWord> words;
+  std::vector<GcodeComment> comments;
+
+  void clear();
+};
+
+/// Cuts RS274/NGC text into blocks of words. Blanks may stand anywhere, inside numbers too; letters
+/// may be lower case. Line numbers are checked for form and dropped. A first line `%` makes the
+/// next `%` end the program, and then one is required unless the reader stops before.
+class GcodeLexer {
+ public:
+  /// `text` must outlive the lexer and its blocks.
+  GcodeLexer(std::string_view text, std::string name);
+
+  /// Reads the next line into `block`; false at the end of the program.
+  bool next(GcodeBlock& block);
+  SourcePlace place(std::uint32_t line, std::uint32_t column) const;
+
+ private:
+  bool take_percent();
+  void read_line(GcodeBlock& block);
+  void read_comment(GcodeBlock& block);
+  void read_word(GcodeBlock& block);
+  double read_number(std::size_t word_begin);
+  double read_spaced_number(std::size_t word_begin);
+  void skip_blanks();
+  void end_line();
+  bool at_line_end() const { return at_ >= text_.size() || text_[at_] == '\n'; }
+  std::uint32_t column_of(std::size_t at) const {
+    return static_cast<std::uint32_t>(at - line_begin_ + 1);
+  }
+  [[noreturn]] void fail(std::size_t at, const std::string& wrong,
+                         const std::string& expected) const;
+
+  std::string_view text_;
+  std::string name_;
+  std::size_t at_ = 0, line_begin_ = 0;
+  std::uint32_t line_ = 1;
+  bool in_percents_ = false, started_ = false;
+};
+
+}  // namespace limitgauge::model

@@ -10,11 +10,11 @@ namespace limitgauge::simulator {
 
 /// A body of the tool assembly that met material it must not cut.
 struct Collision {
-  std::size_t move = 0;     ///< index in the path
-  std::uint32_t line = 0;   ///< program line
-  model::Vec3 point;        ///< deepest place found, mm
-  double depth_mm = 0;      ///< a lower bound on how deep the body stands in the material there
-  std::string part;         ///< "cutter" (rapid), "shank" or "holder"
+  std::size_t move = 0;    ///< index in the path
+  std::uint32_t line = 0;  ///< program line
+  model::Vec3 point;       ///< deepest place found, mm
+  double depth_mm = 0;     ///< a lower bound on how deep the body stands in the material there
+  std::string part;        ///< "cutter" (rapid), "shank" or "holder"
 };
 
 struct CollisionReport {

@@ -33,6 +33,8 @@ struct StockPoint {
   double residual_mm = 0;  ///< |exact level set| there after projection; a bound on its error
 };
 
+class Material;
+
 /// What stands at one moment: a narrow-band level set φ in mm, negative inside the material,
 /// φ = max(raw stock, −min over moves of the swept distance). An immutable value, cheap to copy.
 /// The result of cutting does not depend on the number of threads or the order of moves.
@@ -51,13 +53,15 @@ class StockModel {
   StockModel cut(const Pass& pass, const model::RunControl& control) const;
 
   double voxel_mm() const;
-  double band_mm() const;          ///< |φ| is exact up to here and constant beyond
-  double volume_mm3() const;       ///< from the level set; error of second order in the voxel
+  double band_mm() const;     ///< |φ| is exact up to here and constant beyond
+  double volume_mm3() const;  ///< from the level set; error of second order in the voxel
   std::size_t memory_bytes() const;
   /// φ at `p_mm` by trilinear interpolation, clamped to ±band_mm().
   double value(const model::Vec3& p_mm) const;
   /// φ at `p_mm` computed from the raw stock and all moves cut so far, not interpolated.
   double exact_value(const model::Vec3& p_mm) const;
+  /// The exact material behind exact_value(), with gradients; lives as long as this model.
+  const Material& material() const;
   /// Points of the surface, one per band voxel that it crosses, in a fixed order.
   std::vector<StockPoint> surface_points(const model::RunControl& control) const;
   /// Closed, manifold surface mesh.

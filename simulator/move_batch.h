@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "simulator/sweep_index.h"
+
+namespace limitgauge::simulator {
+
+/// Moves that may matter in one block, with what the inner loops read laid out in columns.
+class MoveBatch {
+ public:
+  void clear();
+  void push(const SweepIndex& pass, std::uint32_t slot);
+  /// Makes this the moves of `from` named by their places in it.
+  void take(const MoveBatch& from, const std::vector<std::uint32_t>& places);
+  std::size_t size() const { return slot.size(); }
+
+  /// Below this height a ball's top does not matter for any move of the batch.
+  double below_tops_mm(const CutterProfile& profile) const;
+
+  std::vector<std::uint32_t> slot;
+  // Ball moves: the centre's start (the lower end of a vertical move, whose upper end is of no
+  // account below the tops), the level direction, run, rise, and inverses of their lengths.
+  std::vector<double> x, y, z, along_x, along_y, run, rise, inverse_run, inverse_length2;
+  double lowest_tip = 0;
+};
+
+/// Distances and gradients of a batch at one point.
+struct BatchSamples {
+  std::vector<double> distance, gx, gy, gz;
+  void resize(std::size_t n);
+};
+
+/// Samples of all moves of a batch of ball moves, valid where the tops do not matter.
+void sample_balls(const MoveBatch& batch, double radius, const model::Vec3& p, BatchSamples& out);
+/// Least distance of a batch of ball moves at eight points.
+std::array<double, 8> least_ball_distances(const MoveBatch& batch, double radius,
+                                           const std::array<model::Vec3, 8>& points);
+
+}  // namespace limitgauge::simulator

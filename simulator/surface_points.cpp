@@ -1,0 +1,103 @@
+#include "simulator/surface_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace limitgauge::simulator {
+namespace {
+
+using model::Vec3;
+
+// Far below the micrometre that anybody measures, far above rounding.
+constexpr double kGoodEnough = 1e-10;
+constexpr int kMostSteps = 24;
+constexpr std::size_t kChunk = 256;
+
+// The shortest step that brings both linearised values to zero; only the first one where the two
+// gradients are too nearly parallel to say more.
+Vec3 step_to_both(const MaterialSample& a, const MaterialSample& b) {
+  const double aa = dot(a.gradient, a.gradient), bb = dot(b.gradient, b.gradient);
+  const double ab = dot(a.gradient, b.gradient), det = aa * bb - ab * ab;
+  if (det <= 1e-12 * aa * bb) return a.gradient * (-a.value / aa);
+  const double la = (b.value * ab - a.value * bb) / det;
+  const double lb = (a.value * ab - b.value * aa) / det;
+  return a.gradient * la + b.gradient * lb;
+}
+
+Vec3 step_to_three(const MaterialSample& a, const MaterialSample& b, const MaterialSample& c) {
+  const Vec3 bc = cross(b.gradient, c.gradient);
+  const double det = dot(a.gradient, bc);
+  if (std::abs(det) < 1e-6) return step_to_both(a, b);
+  return (bc * a.value + cross(c.gradient, a.gradient) * b.value +
+          cross(a.gradient, b.gradient) * c.value) *
+         (-1 / det);
+}
+
+// The makers met so far, the last one first; those that do not bind here are left out of a step.
+class Makers {
+ public:
+  void meet(SurfaceMaker maker) {
+    const auto end = known_.begin() + count_;
+    auto at = std::find(known_.begin(), end, maker);
+    if (at == end && count_ < known_.size()) ++count_, at = known_.begin() + count_ - 1;
+    if (at == known_.end()) at = known_.end() - 1;
+    *at = maker;
+    std::rotate(known_.begin(), at, at + 1);
+  }
+
+  Vec3 step(const Material& material, const MaterialSample& now, const Vec3& p) const {
+    std::array<MaterialSample, 3> binding{now};
+    std::size_t n = 1;
+    const Vec3 alone = now.gradient * (-now.value);
+    for (std::size_t k = 1; k < count_; ++k) {
+      const MaterialSample s = material.sample_of(known_[k], p);
+      // Would the plain step leave this maker's side of the surface?
+      if (s.value + dot(s.gradient, alone) > 0) binding[n++] = s;
+    }
+    if (n == 3) return step_to_three(binding[0], binding[1], binding[2]);
+    return n == 2 ? step_to_both(binding[0], binding[1]) : alone;
+  }
+
+ private:
+  std::array<SurfaceMaker, 3> known_{};
+  std::size_t count_ = 0;
+};
+
+Vec3 shortened(const Vec3& step, double most) {
+  const double l = length(step);
+  return l > most ? step * (most / l) : step;
+}
+
+}  // namespace
+
+StockPoint project_to_surface(const Material& material, const Vec3& start, double voxel_mm) {
+  Vec3 p = start;
+  MaterialSample now = material.sample(p);
+  StockPoint best{p, std::abs(now.value)};
+  Makers makers;
+  for (int step = 0; step < kMostSteps && best.residual_mm > kGoodEnough; ++step) {
+    makers.meet(now.maker);
+    p += shortened(makers.step(material, now, p), voxel_mm);
+    now = material.sample(p, now.maker);
+    if (std::abs(now.value) < best.residual_mm) best = {p, std::abs(now.value)};
+  }
+  return best;
+}
+
+std::vector<StockPoint> project_surface(const Material& material, const StockGrid& grid,
+                                        const model::RunControl& control) {
+  const std::vector<Index3> voxels = grid.surface_voxels();
+  std::vector<StockPoint> points(voxels.size());
+  const std::size_t chunks = (voxels.size() + kChunk - 1) / kChunk;
+  model::parallel_for(chunks, control.threads, [&](std::size_t chunk) {
+    control.check();
+    const std::size_t end = std::min(voxels.size(), (chunk + 1) * kChunk);
+    for (std::size_t i = chunk * kChunk; i < end; ++i)
+      points[i] =
+          project_to_surface(material, grid.lattice().point(voxels[i]), grid.lattice().voxel_mm);
+  });
+  return points;
+}
+
+}  // namespace limitgauge::simulator

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "simulator/material.h"
+#include "simulator/stock_grid.h"
+
+namespace limitgauge::simulator {
+
+/// Moves `start` onto the zero set of the exact material by Newton steps; where two or three makers
+/// meet in an edge, onto the edge. The residual is the |φ| that is left.
+StockPoint project_to_surface(const Material& material, const model::Vec3& start, double voxel_mm);
+
+/// One projected point for each surface voxel of the grid, in its order.
+std::vector<StockPoint> project_surface(const Material& material, const StockGrid& grid,
+                                        const model::RunControl& control);
+
+}  // namespace limitgauge::simulator

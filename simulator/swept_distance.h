@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/model/vec3.h"
+#include "simulator/cutter_profile.h"
+
+namespace limitgauge::simulator {
+
+/// Signed distance to a swept cutter at a point, and where along the move it is attained.
+struct SweptSample {
+  double distance = 0;   ///< mm, negative inside
+  model::Vec3 gradient;  ///< a subgradient: distance(q) >= distance + gradient·(q − p)
+  double t = 0;          ///< position along the move, 0 at its start and 1 at its end
+};
+
+/// A straight move of a cutter's tip with what the distance needs, worked out once.
+struct SweptMove {
+  SweptMove(const model::Vec3& from, const model::Vec3& to, std::uint32_t index_in_path);
+
+  model::Vec3 start, delta;         ///< mm
+  double run = 0;                   ///< level length, mm
+  double along_x = 1, along_y = 0;  ///< level direction, a unit vector
+  double inverse_length2 = 0;       ///< 1 / |delta|², 0 for a move of no length
+  double inverse_run2 = 0;          ///< 1 / run², 0 for a vertical move
+  std::uint32_t index = 0;          ///< in the path
+
+  bool level() const { return delta.z == 0; }
+  bool vertical() const { return run == 0; }
+};
+
+/// f(p) = least signed distance from p to the fluted part over all positions along the move.
+/// Outside the swept space that is the exact distance to it; inside it is minus the depth in the
+/// cutter where that is deepest. f is convex in p and 1-Lipschitz. Closed forms for ball cutters
+/// below the flutes' top, for level moves and for vertical moves of a flat; otherwise a safeguarded
+/// convex minimisation along the move, to 1e-10 mm.
+SweptSample swept_distance(const CutterProfile& profile, const SweptMove& move,
+                           const model::Vec3& p);
+
+/// e such that f(p + δ) <= f(p) + gradient·δ + e for all |δ| <= reach, where `at` is the sample at
+/// p. Follows from a ball inside the cutter that touches the nearest place of its surface.
+double curvature_bound(const CutterProfile& profile, const SweptMove& move, const model::Vec3& p,
+                       const SweptSample& at, double reach);
+
+}  // namespace limitgauge::simulator

@@ -1,0 +1,172 @@
+#include "simulator/swept_distance.h"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "engine/model/cutter.h"
+#include "tests/simulator/profile_oracle.h"
+#include "tests/support/catch.h"
+
+namespace {
+
+using namespace limitgauge;
+using model::Cutter;
+using model::CutterType;
+using model::Vec3;
+using simulator::CutterProfile;
+using simulator::swept_distance;
+using simulator::SweptMove;
+using simulator::SweptSample;
+
+Cutter make(CutterType type, double diameter, double corner, double angle, double flutes) {
+  Cutter c;
+  c.id = "t", c.type = type, c.diameter_mm = diameter, c.corner_radius_mm = corner;
+  c.taper_angle_deg = angle, c.flute_length_mm = flutes;
+  return c;
+}
+
+std::array<Cutter, 8> cutters() {
+  return {make(CutterType::flat, 8, 0, 0, 12),    make(CutterType::flat, 6, 0, 0, 2),
+          make(CutterType::ball, 6, 3, 0, 10),    make(CutterType::ball, 4, 2, 0, 2),
+          make(CutterType::bull, 8, 1, 0, 9),     make(CutterType::bull, 6, 2.5, 0, 4),
+          make(CutterType::taper, 1, 0.5, 5, 12), make(CutterType::taper, 3, 0.4, 30, 6)};
+}
+
+struct Draw {
+  std::mt19937_64 random;
+  double in(double low, double high) { return std::uniform_real_distribution<>(low, high)(random); }
+  Vec3 vec(double half) { return {in(-half, half), in(-half, half), in(-half, half)}; }
+  // Sloped, level, vertical, zero-length and very short moves.
+  Vec3 delta() {
+    const Vec3 d = vec(4);
+    switch (random() % 8) {
+      case 0:
+        return {d.x, d.y, 0};
+      case 1:
+        return {0, 0, d.z};
+      case 2:
+        return {};
+      case 3:
+        return d * 0.01;
+      default:
+        return d;
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("swept distance agrees with dense sampling of an independent profile",
+          "[property][swept_distance]") {
+  Draw draw{std::mt19937_64(20261)};
+  double worst = 0, wrong_sign = 0;
+  for (const Cutter& cutter : cutters()) {
+    const CutterProfile profile(cutter);
+    const simulator::test::ProfileOracle oracle(cutter);
+    for (int i = 0; i < 3000; ++i) {
+      const Vec3 from = draw.vec(2), to = from + draw.delta();
+      const Vec3 p = from + Vec3{draw.in(-8, 8), draw.in(-8, 8), draw.in(-4, 16)};
+      const double d = swept_distance(profile, SweptMove(from, to, 0), p).distance;
+      const double brute = simulator::test::brute_swept_distance(oracle, from, to, p, 200);
+      worst = std::max(worst, std::abs(d - brute));
+      if ((d < 0) != (brute < 0)) wrong_sign = std::max(wrong_sign, std::abs(brute));
+    }
+  }
+  // The golden section ends at 1e-12 of the move; what is left is the closed forms' rounding and
+  // the minimisation's 1e-10.
+  CHECK(worst <= 1e-8);
+  CHECK(wrong_sign <= 1e-9);
+}
+
+TEST_CASE("gradients support the convex swept distance", "[property][swept_distance]") {
+  Draw draw{std::mt19937_64(20262)};
+  double violation = 0;
+  for (const Cutter& cutter : cutters()) {
+    const CutterProfile profile(cutter);
+    for (int i = 0; i < 4000; ++i) {
+      const Vec3 from = draw.vec(2);
+      const SweptMove move(from, from + draw.delta(), 0);
+      const Vec3 p = from + Vec3{draw.in(-6, 6), draw.in(-6, 6), draw.in(-3, 13)};
+      const Vec3 q = p + draw.vec(draw.in(0.01, 3));
+      const SweptSample a = swept_distance(profile, move, p);
+      const double b = swept_distance(profile, move, q).distance;
+      violation = std::max(violation, a.distance + dot(a.gradient, q - p) - b);
+    }
+  }
+  CHECK(violation <= 1e-9);
+}
+
+TEST_CASE("curvature bound holds above the swept distance", "[property][swept_distance]") {
+  Draw draw{std::mt19937_64(20263)};
+  double violation = -1;
+  int tight = 0;
+  for (const Cutter& cutter : cutters()) {
+    const CutterProfile profile(cutter);
+    for (int i = 0; i < 4000; ++i) {
+      const Vec3 from = draw.vec(2);
+      const SweptMove move(from, from + draw.delta(), 0);
+      const Vec3 p = from + Vec3{draw.in(-5, 5), draw.in(-5, 5), draw.in(-2, 12)};
+      const double reach = draw.in(0.01, 1);
+      const SweptSample a = swept_distance(profile, move, p);
+      const double e = simulator::curvature_bound(profile, move, p, a, reach);
+      tight += e < reach;
+      for (int k = 0; k < 4; ++k) {
+        const Vec3 step = normalized(draw.vec(1)) * reach;
+        const double b = swept_distance(profile, move, p + step).distance;
+        violation = std::max(violation, b - a.distance - dot(a.gradient, step) - e);
+      }
+    }
+  }
+  CHECK(violation <= 1e-9);
+  CHECK(tight > 16000);  // a bound that is always the Lipschitz one would be useless
+}
+
+TEST_CASE("tree bound never exceeds the profile's distance", "[property][swept_distance]") {
+  Draw draw{std::mt19937_64(20264)};
+  double violation = -1;
+  for (const Cutter& cutter : cutters()) {
+    const CutterProfile profile(cutter);
+    for (int i = 0; i < 4000; ++i) {
+      const double rho = draw.in(0, 8), low = draw.in(-5, 14), high = low + draw.in(0, 3);
+      const double bound = profile.lower_bound(rho, low, high);
+      const double d = profile.sample(rho + draw.in(0, 2), draw.in(low, high)).distance;
+      violation = std::max(violation, bound - d);
+    }
+  }
+  CHECK(violation <= 1e-12);
+}
+
+TEST_CASE("a ball move below its flutes' top is the capsule", "[unit][swept_distance]") {
+  const CutterProfile profile(make(CutterType::ball, 6, 3, 0, 20));
+  const SweptMove move({0, 0, 0}, {10, 0, 5}, 0);
+  // Below the middle of the move, straight under the centre line's normal (−1, 0, 2)/√5.
+  const Vec3 foot{5, 0, 5.5};
+  const Vec3 p = foot + Vec3{1, 0, -2} * (4.25 / std::sqrt(5.0));
+  const SweptSample s = swept_distance(profile, move, p);
+  CHECK(s.distance == Approx(1.25).margin(1e-12));
+  CHECK(s.t == Approx(0.5).margin(1e-12));
+  CHECK(dot(s.gradient, Vec3{1, 0, -2}) == Approx(std::sqrt(5.0)).margin(1e-12));
+}
+
+TEST_CASE("a flat plunge cuts from its lowest tip to its highest flute", "[unit][swept_distance]") {
+  const CutterProfile profile(make(CutterType::flat, 8, 0, 0, 10));
+  const SweptMove move({1, 2, 5}, {1, 2, -3}, 0);
+  CHECK(swept_distance(profile, move, {1, 2, -4}).distance == Approx(1).margin(1e-12));
+  CHECK(swept_distance(profile, move, {1, 2, 16.5}).distance == Approx(1.5).margin(1e-12));
+  CHECK(swept_distance(profile, move, {7, 2, 6}).distance == Approx(2).margin(1e-12));
+  CHECK(swept_distance(profile, move, {4, 2, 6}).distance == Approx(-1).margin(1e-12));
+  CHECK(swept_distance(profile, move, {8, 2, -6}).distance ==
+        Approx(std::sqrt(9.0 + 9.0)).margin(1e-12));
+}
+
+TEST_CASE("a taper that rises along a slope cuts under its wall", "[unit][swept_distance]") {
+  // A 45 degree cone with a sharp tip that climbs at 45 degrees: the lower side of the swept space
+  // is the tip's path and, across the move, the cone's wall.
+  const CutterProfile profile(make(CutterType::taper, 0.2, 0.1, 45, 8));
+  const SweptMove move({0, 0, 0}, {6, 0, 6}, 0);
+  // The tip's ball (radius 0.1, no disc) runs along the line through (0, 0, 0.1).
+  const Vec3 on_line{3, 0, 3.1};
+  const Vec3 below = on_line + Vec3{1, 0, -1} * (0.6 / std::sqrt(2.0));
+  CHECK(swept_distance(profile, move, below).distance == Approx(0.5).margin(1e-9));
+}

@@ -12,7 +12,7 @@ GateFigure length_figure(const char* what, const verifier::Interval& interval, b
                          double limit_mm) {
   const LengthUnit unit = unit_for(std::max(interval.high, has_limit ? limit_mm : 0.0));
   GateFigure figure{
-      what, Standing::no_limit, interval_numbers(interval, unit, 1) + " " + unit.symbol, {}};
+      what, Standing::no_limit, interval_numbers(interval, unit) + " " + unit.symbol, {}};
   if (!has_limit) return figure;
   figure.standing = standing_of(interval, limit_mm);
   figure.limit = shortest(std::stod(fixed(limit_mm * unit.per_mm, 9))) + " " + unit.symbol;

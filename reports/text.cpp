@@ -171,12 +171,12 @@ std::string stated_length(double mm) {
   return shortest(std::round(mm * unit.per_mm * 1e9) / 1e9) + " " + unit.symbol;
 }
 
-std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit,
-                             int digits) {
+std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit) {
   const double low = interval_mm.low * unit.per_mm, high = interval_mm.high * unit.per_mm;
   if (low == 0 && high == 0) return "[0, 0]";
   const double width = high - low;
-  const int decimals = std::min(4, significant_decimals(width > 0 ? width : high, digits));
+  const int decimals = width > 0 ? std::clamp(int(std::ceil(-std::log10(width / 5))), 0, 4)
+                                 : std::min(4, significant_decimals(high, 3));
   return "[" + fixed(rounded_outwards(low, decimals, -1), decimals) + ", " +
          fixed(rounded_outwards(high, decimals, +1), decimals) + "]";
 }

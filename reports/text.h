@@ -39,10 +39,9 @@ LengthUnit unit_for(double largest_mm);
 std::string measured_length(double mm);
 /// A stated length, all its digits and its unit: "10 µm", "0.2 mm".
 std::string stated_length(double mm);
-/// A certified interval without its unit, rounded outwards so that what is shown stays true, to
-/// `digits` significant digits of its width: "[0.445, 0.511]".
-std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit,
-                             int digits);
+/// A certified interval without its unit, rounded outwards so that what is shown stays true, by no
+/// more than a fifth of its width: "[0.44, 0.52]".
+std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit);
 
 /// "0.8 s", "12.4 s", "3 min 05 s", "1 h 02 min".
 std::string duration_text(double seconds);

@@ -45,13 +45,12 @@ TEST_CASE("lengths come with the unit that suits them", "[unit][text]") {
 
 TEST_CASE("an interval is rounded outwards", "[unit][text]") {
   const LengthUnit um{1000, "µm"};
-  CHECK(interval_numbers({0.0004451, 0.0005101}, um, 2) == "[0.445, 0.511]");
-  CHECK(interval_numbers({0.0094, 0.0126}, um, 2) == "[9.4, 12.6]");
+  CHECK(interval_numbers({0.0004451, 0.0005101}, um) == "[0.44, 0.52]");
+  CHECK(interval_numbers({0.0094, 0.0126}, um) == "[9.4, 12.6]");
   // A limit of 10 µm exceeded by a nanometre's hundredth must not be shown as 10.
-  CHECK(interval_numbers({0.009, 0.01000001}, um, 2) == "[9.0, 10.1]");
-  CHECK(interval_numbers({0.0004451, 0.0005101}, um, 1) == "[0.44, 0.52]");
-  CHECK(interval_numbers({0, 0}, um, 2) == "[0, 0]");
-  CHECK(interval_numbers({0.05, 0.05}, um, 2) == "[50, 50]");
+  CHECK(interval_numbers({0.009, 0.01000001}, um) == "[9.0, 10.1]");
+  CHECK(interval_numbers({0, 0}, um) == "[0, 0]");
+  CHECK(interval_numbers({0.05, 0.05}, um) == "[50.0, 50.0]");
 }
 
 TEST_CASE("times, sizes and shares", "[unit][text]") {

@@ -1,0 +1,106 @@
+#include "reports/picture/deviation_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/picture/raster.h"
+
+namespace limitgauge::reports {
+namespace {
+
+using Sample = verifier::DeviationField::Sample;
+
+constexpr Rgba kHatchDark{110, 114, 120}, kHatchLight{196, 199, 203};
+constexpr Rgba kBorder{20, 24, 30, 70};
+constexpr int kOversampling = 2;
+constexpr int kHatchPeriod = 14;  ///< oversampled pixels
+
+/// What the uppermost surface holds at each pixel.
+struct MapLayers {
+  explicit MapLayers(int width, int height)
+      : depth(width, height),
+        deviation_mm(std::size_t(width) * height, 0.f),
+        reachable(std::size_t(width) * height, 0.f) {}
+  DepthBuffer depth;
+  std::vector<float> deviation_mm, reachable;
+};
+
+void fill_layers(MapLayers& layers, const verifier::DeviationField& field, const MapFrame& frame) {
+  const auto corner = [&](std::uint32_t i) {
+    const PixelPoint p = frame.pixel(field.samples[i].place.point);
+    return ScreenPoint{p.x, p.y, field.samples[i].place.point.z};
+  };
+  const auto fill = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const Sample &sa = field.samples[a], &sb = field.samples[b], &sc = field.samples[c];
+    layers.depth.fill_triangle(
+        {corner(a), corner(b), corner(c)}, [&](std::size_t i, const auto& w) {
+          layers.deviation_mm[i] = static_cast<float>(
+              w[0] * sa.deviation_mm + w[1] * sb.deviation_mm + w[2] * sc.deviation_mm);
+          layers.reachable[i] =
+              static_cast<float>(w[0] * sa.reachable + w[1] * sb.reachable + w[2] * sc.reachable);
+        });
+  };
+  for (const auto& q : field.quads) fill(q[0], q[1], q[2]), fill(q[0], q[2], q[3]);
+}
+
+Rgba hatch(std::size_t pixel, int width) {
+  const auto x = pixel % width, y = pixel / width;
+  return (x + y) % kHatchPeriod < kHatchPeriod / 3 ? kHatchDark : kHatchLight;
+}
+
+/// Whether the edge from `a` to `b` lies on the border of their patch.
+bool on_border(const Sample& a, const Sample& b) {
+  const auto same_end = [](double p, double q) { return p == q && (p == 0 || p == 1); };
+  return a.place.patch == b.place.patch &&
+         (same_end(a.place.u, b.place.u) || same_end(a.place.v, b.place.v));
+}
+
+/// Borders are met from both patches: collect them as coverage first, then blend once.
+void draw_borders(Image& image, const verifier::DeviationField& field, const MapFrame& frame) {
+  Image mask(image.width(), image.height());
+  for (const auto& quad : field.quads) {
+    for (int k = 0; k < 4; ++k) {
+      const Sample &a = field.samples[quad[k]], &b = field.samples[quad[(k + 1) % 4]];
+      if (!on_border(a, b)) continue;
+      draw_stroke(mask, {frame.pixel(a.place.point), frame.pixel(b.place.point)}, 1.0,
+                  {kBorder.r, kBorder.g, kBorder.b, 255});
+    }
+  }
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (mask.at(x, y).a > 0) image.blend(x, y, kBorder, mask.at(x, y).a / 255.0);
+}
+
+}  // namespace
+
+MapFrame map_frame(const verifier::DeviationField& field, int largest_width, int largest_height) {
+  model::Box3 box;
+  for (const Sample& s : field.samples) box.add(s.place.point);
+  if (box.empty()) return {};
+  const double margin_px = 12;
+  const model::Vec3 size = box.size();
+  const double scale = std::min((largest_width - 2 * margin_px) / std::max(size.x, 1e-9),
+                                (largest_height - 2 * margin_px) / std::max(size.y, 1e-9));
+  return {box.low.x - margin_px / scale, box.high.y + margin_px / scale, scale,
+          int(std::ceil(size.x * scale + 2 * margin_px)),
+          int(std::ceil(size.y * scale + 2 * margin_px))};
+}
+
+Image draw_map(const verifier::DeviationField& field, const DeviationScale& scale,
+               const MapFrame& frame) {
+  MapFrame fine = frame;
+  fine.pixels_per_mm *= kOversampling, fine.width *= kOversampling, fine.height *= kOversampling;
+  MapLayers layers(fine.width, fine.height);
+  fill_layers(layers, field, fine);
+  Image image(fine.width, fine.height);
+  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+    if (layers.depth.is_empty(i)) continue;
+    image.pixels()[i] =
+        layers.reachable[i] < 0.5f ? hatch(i, fine.width) : scale.colour(layers.deviation_mm[i]);
+  }
+  Image out = image.halved();
+  draw_borders(out, field, frame);
+  return out;
+}
+
+}  // namespace limitgauge::reports

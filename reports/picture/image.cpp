@@ -1,0 +1,83 @@
+#include "reports/picture/image.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace limitgauge::reports {
+namespace {
+
+std::uint8_t channel(double value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+}
+
+/// The mean of four pixels, each colour weighed by its alpha.
+Rgba mean(const Rgba& p, const Rgba& q, const Rgba& r, const Rgba& s) {
+  double sum[3] = {}, alpha = 0;
+  for (const Rgba* c : {&p, &q, &r, &s}) {
+    sum[0] += c->r * c->a, sum[1] += c->g * c->a, sum[2] += c->b * c->a;
+    alpha += c->a;
+  }
+  if (alpha == 0) return {0, 0, 0, 0};
+  return {channel(sum[0] / alpha), channel(sum[1] / alpha), channel(sum[2] / alpha),
+          channel(alpha / 4)};
+}
+
+}  // namespace
+
+Rgba mixed(const Rgba& from, const Rgba& to, double t) {
+  const auto mix = [t](double a, double b) { return channel(a + (b - a) * t); };
+  return {mix(from.r, to.r), mix(from.g, to.g), mix(from.b, to.b), mix(from.a, to.a)};
+}
+
+Image::Image(int width, int height, Rgba fill)
+    : width_(width), height_(height), pixels_(std::size_t(width) * height, fill) {}
+
+void Image::blend(int x, int y, const Rgba& colour, double coverage) {
+  if (!holds(x, y)) return;
+  Rgba& under = at(x, y);
+  const double over = std::clamp(coverage, 0.0, 1.0) * colour.a / 255.0;
+  const double below = under.a / 255.0 * (1 - over), alpha = over + below;
+  if (alpha == 0) return;
+  const auto mix = [&](double a, double b) { return channel((a * over + b * below) / alpha); };
+  under = {mix(colour.r, under.r), mix(colour.g, under.g), mix(colour.b, under.b),
+           channel(alpha * 255)};
+}
+
+void Image::draw(const Image& other, int x0, int y0) {
+  for (int y = 0; y < other.height(); ++y)
+    for (int x = 0; x < other.width(); ++x) blend(x0 + x, y0 + y, other.at(x, y), 1);
+}
+
+void Image::fill(int x0, int y0, int width, int height, const Rgba& colour) {
+  for (int y = std::max(y0, 0); y < std::min(y0 + height, height_); ++y)
+    for (int x = std::max(x0, 0); x < std::min(x0 + width, width_); ++x) at(x, y) = colour;
+}
+
+Image Image::halved() const {
+  Image out(width_ / 2, height_ / 2);
+  for (int y = 0; y < out.height(); ++y)
+    for (int x = 0; x < out.width(); ++x)
+      out.at(x, y) = mean(at(2 * x, 2 * y), at(2 * x + 1, 2 * y), at(2 * x, 2 * y + 1),
+                          at(2 * x + 1, 2 * y + 1));
+  return out;
+}
+
+std::string png_bytes(const Image& image) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width());
+  png.height = static_cast<png_uint_32>(image.height());
+  png.format = PNG_FORMAT_RGBA;
+  static_assert(sizeof(Rgba) == 4);
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, image.pixels().data(), 0, nullptr))
+    throw std::runtime_error(std::string("libpng: ") + png.message);
+  bytes.resize(size);
+  return bytes;
+}
+
+}  // namespace limitgauge::reports

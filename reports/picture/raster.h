@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace limitgauge::reports {
+
+/// A point on the screen: x right and y down in pixels, the nearer the greater z.
+struct ScreenPoint {
+  double x = 0, y = 0, z = 0;
+};
+
+/// What is nearest at each pixel so far.
+class DepthBuffer {
+ public:
+  DepthBuffer(int width, int height)
+      : width_(width),
+        height_(height),
+        depth_(std::size_t(width) * height, -std::numeric_limits<float>::infinity()) {}
+  int width() const { return width_; }
+  int height() const { return height_; }
+  bool is_empty(std::size_t pixel) const { return std::isinf(depth_[pixel]); }
+
+  /// Calls `paint(pixel, weights)` for each pixel whose centre lies in the triangle where it is
+  /// nearer than all before; `weights` are the barycentric coordinates (an orthographic view:
+  /// linear on the screen). Either orientation.
+  template <typename Paint>
+  void fill_triangle(const std::array<ScreenPoint, 3>& t, Paint&& paint);
+
+ private:
+  int width_, height_;
+  std::vector<float> depth_;
+};
+
+template <typename Paint>
+void DepthBuffer::fill_triangle(const std::array<ScreenPoint, 3>& t, Paint&& paint) {
+  const auto& [a, b, c] = t;
+  const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+  if (area == 0) return;
+  const auto first = [](double low) { return std::max(0, int(std::ceil(low - 0.5))); };
+  const auto last = [](double high, int size) {
+    return std::min(size - 1, int(std::floor(high - 0.5)));
+  };
+  const int x0 = first(std::min({a.x, b.x, c.x})), x1 = last(std::max({a.x, b.x, c.x}), width_);
+  const int y0 = first(std::min({a.y, b.y, c.y})), y1 = last(std::max({a.y, b.y, c.y}), height_);
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) {
+      const double px = x + 0.5, py = y + 0.5;
+      const double wb = ((px - a.x) * (c.y - a.y) - (c.x - a.x) * (py - a.y)) / area;
+      const double wc = ((b.x - a.x) * (py - a.y) - (px - a.x) * (b.y - a.y)) / area;
+      const double wa = 1 - wb - wc;
+      if (wa < 0 || wb < 0 || wc < 0) continue;
+      const auto z = static_cast<float>(wa * a.z + wb * b.z + wc * c.z);
+      const std::size_t pixel = std::size_t(y) * width_ + x;
+      if (z <= depth_[pixel]) continue;
+      depth_[pixel] = z;
+      paint(pixel, std::array<double, 3>{wa, wb, wc});
+    }
+  }
+}
+
+}  // namespace limitgauge::reports

@@ -1,0 +1,104 @@
+#include "reports/picture/stock_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/picture/raster.h"
+#include "reports/picture/strokes.h"
+
+namespace limitgauge::reports {
+namespace {
+
+using model::Vec3;
+
+constexpr int kOversampling = 2;
+constexpr int kMargin = 24;
+constexpr Rgba kInk{96, 104, 116};
+
+/// A parallel view: where the viewer stands, and what is right and up on the screen.
+struct View {
+  Vec3 towards = model::normalized({0.52, -0.95, 0.80});
+  Vec3 right = model::normalized(model::cross({0, 0, 1}, towards));
+  Vec3 up = model::cross(towards, right);
+  double scale = 1, left = 0, top = 0;  ///< pixels per mm, then mm on the screen's axes
+
+  ScreenPoint project(const Vec3& p) const {
+    return {(model::dot(p, right) - left) * scale, (top - model::dot(p, up)) * scale,
+            model::dot(p, towards)};
+  }
+};
+
+/// Sets the view so that all of `mesh` fits `width` pixels; gives the height.
+int fit(View& view, const simulator::StockMesh& mesh, int width) {
+  model::Box3 seen;
+  for (const Vec3& p : mesh.vertices)
+    seen.add(Vec3{model::dot(p, view.right), model::dot(p, view.up), 0});
+  const Vec3 size = seen.size();
+  view.scale = (width - 2.0 * kMargin) / std::max({size.x, size.y, 1e-9});
+  view.left = seen.low.x - kMargin / view.scale, view.top = seen.high.y + kMargin / view.scale;
+  return int(std::ceil(size.y * view.scale)) + 2 * kMargin;
+}
+
+/// Area-weighted normals at the vertices: what the stock's facets stand for.
+std::vector<Vec3> vertex_normals(const simulator::StockMesh& mesh) {
+  std::vector<Vec3> normals(mesh.vertices.size());
+  for (const auto& t : mesh.triangles) {
+    const Vec3& a = mesh.vertices[t[0]];
+    const Vec3 n = model::cross(mesh.vertices[t[1]] - a, mesh.vertices[t[2]] - a);
+    for (const auto corner : t) normals[corner] += n;
+  }
+  return normals;
+}
+
+/// Steel in the light of a window behind the viewer's left shoulder and of the sky.
+Rgba shaded(const Vec3& normal, const View& view) {
+  const Vec3 n = model::normalized(normal);
+  const Vec3 window = model::normalized(view.towards * 0.5 + view.up * 0.75 - view.right * 0.7);
+  const double sky = 0.5 + 0.5 * n.z, lit = std::max(0.0, model::dot(n, window));
+  const Vec3 half = model::normalized(window + view.towards);
+  const double shine = 0.22 * std::pow(std::max(0.0, model::dot(n, half)), 40);
+  const auto tone = [&](double base) {
+    const double value = base * (0.26 + 0.24 * sky + 0.55 * lit) + 255 * shine;
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+  };
+  return {tone(196), tone(204), tone(216)};
+}
+
+void draw_axes(Image& image, const View& view) {
+  constexpr double kLength = 46;
+  const PixelPoint origin{kMargin + 34.0, image.height() - kMargin - 26.0};
+  const struct {
+    const char* letter;
+    Vec3 direction;
+  } axes[] = {{"X", {1, 0, 0}}, {"Y", {0, 1, 0}}, {"Z", {0, 0, 1}}};
+  for (const auto& axis : axes) {
+    const double dx = model::dot(axis.direction, view.right) * kLength;
+    const double dy = -model::dot(axis.direction, view.up) * kLength;
+    draw_stroke(image, {origin, {origin.x + dx, origin.y + dy}}, 3, kInk);
+    draw_text(image, axis.letter, {origin.x + 1.28 * dx - 6, origin.y + 1.28 * dy + 9},
+              {18, kInk, 0.15});
+  }
+}
+
+}  // namespace
+
+Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width) {
+  View view;
+  const int fine_width = largest_width * kOversampling;
+  const int fine_height = fit(view, mesh, fine_width) / 2 * 2;
+  Image fine(fine_width, std::max(fine_height, 2));
+  DepthBuffer depth(fine.width(), fine.height());
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  for (const auto& t : mesh.triangles) {
+    const auto corner = [&](int k) { return view.project(mesh.vertices[t[k]]); };
+    depth.fill_triangle({corner(0), corner(1), corner(2)}, [&](std::size_t i, const auto& w) {
+      fine.pixels()[i] =
+          shaded(normals[t[0]] * w[0] + normals[t[1]] * w[1] + normals[t[2]] * w[2], view);
+    });
+  }
+  Image image = fine.halved();
+  draw_axes(image, view);
+  return image;
+}
+
+}  // namespace limitgauge::reports

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "reports/picture/image.h"
+#include "simulator/stock_model.h"
+
+namespace limitgauge::reports {
+
+/// The stock's surface, seen from the front right and above in parallel projection, shaded, on a
+/// transparent ground, with the axes in a corner. `largest_width` in pixels.
+Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width);
+
+}  // namespace limitgauge::reports

@@ -1,0 +1,79 @@
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "engine/model/error.h"
+#include "reports/picture/deviation_map.h"
+#include "reports/picture/stock_picture.h"
+#include "reports/report.h"
+#include "reports/vtp.h"
+
+namespace limitgauge::reports {
+namespace {
+
+constexpr int kStockPictureWidth = 1000;
+
+void write_bytes(const std::string& bytes, const std::filesystem::path& file) {
+  if (bytes.empty()) return;
+  std::ofstream out(file, std::ios::binary);
+  out << bytes;
+  out.close();
+  if (!out) throw model::ResourceError("cannot write " + file.string());
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw model::ResourceError("cannot make " + folder.string() + ": " + error.message());
+}
+
+/// A stage's name becomes a folder: it must not lead anywhere else.
+std::filesystem::path plain_name(const std::string& name) {
+  const std::filesystem::path path(name);
+  if (name.empty() || name == "." || name == ".." || path.filename() != path)
+    throw std::invalid_argument("stage name is no folder name: " + name);
+  return path;
+}
+
+std::string deviation_png(const StageResult& stage) {
+  const verifier::StageDeviation& d = stage.ran->deviation;
+  if (d.field.quads.empty()) return {};
+  return png_bytes(draw_deviation_picture(d, stage.limits));
+}
+
+std::string stock_png(const simulator::StockMesh& mesh) {
+  if (mesh.triangles.empty()) return {};
+  return png_bytes(draw_stock_picture(mesh, kStockPictureWidth));
+}
+
+}  // namespace
+
+StagePictures draw_pictures(const StageResult& stage) {
+  if (!stage.ran) return {};
+  StagePictures pictures{deviation_png(stage), {}};
+  if (stage.ran->stock) pictures.stock_png = stock_png(stage.ran->stock->surface_mesh());
+  return pictures;
+}
+
+StagePictures write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
+                                const StageFileOptions& options) {
+  if (!stage.ran) return {};
+  const StageResult::Ran& ran = *stage.ran;
+  const std::filesystem::path into = folder / plain_name(stage.name);
+  make_folder(into);
+  if (ran.path) write_toolpath_vtp(*ran.path, into / "toolpath.vtp");
+  write_deviation_vtp(ran.deviation.field, into / "deviation.vtp");
+  StagePictures pictures;
+  if (options.pictures) pictures.deviation_png = deviation_png(stage);
+  if (ran.stock) {
+    ran.stock->write_vdb(into / "stock.vdb");
+    const simulator::StockMesh mesh = ran.stock->surface_mesh();
+    write_stock_vtp(mesh, into / "stock.vtp");
+    if (options.pictures) pictures.stock_png = stock_png(mesh);
+  }
+  write_bytes(pictures.deviation_png, into / "deviation.png");
+  write_bytes(pictures.stock_png, into / "stock.png");
+  return pictures;
+}
+
+}  // namespace limitgauge::reports

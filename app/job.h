@@ -13,6 +13,9 @@
 
 namespace limitgauge::app {
 
+/// The job file's word for `strategy`.
+const char* strategy_name(engine::strategy::Strategy strategy);
+
 /// What a stage asks of the planner; only of stages that are planned here.
 struct StagePlan {
   engine::strategy::Strategy strategy = engine::strategy::Strategy::zigzag;

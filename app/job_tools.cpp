@@ -15,8 +15,7 @@ std::vector<model::CylinderPart> read_parts(const TomlTable& tool, std::string_v
   std::vector<model::CylinderPart> parts;
   if (!tool.has(key)) return parts;
   const auto add = [&](const toml::table& part) {
-    const TomlTable reader(part, "\"" + std::string(key) + "\" of " + tool.where(),
-                           {"diameter", "length"});
+    const TomlTable reader(part, std::string(key) + " of " + tool.where(), {"diameter", "length"});
     parts.push_back({reader.positive("diameter"), reader.positive("length")});
   };
   if (tool.is_table(key)) {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <atomic>
+#include <iosfwd>
+
+#include "app/command_line.h"
+
+namespace limitgauge::app {
+
+/// Exit codes of the program.
+enum class ExitCode { pass = 0, fail = 1, indeterminate = 2, bad_input = 3, resources = 4 };
+
+/// Where a command prints, and how it is stopped.
+struct Console {
+  std::ostream& out;
+  std::ostream& errors;
+  bool out_is_terminal = false, errors_are_terminal = false;
+  const std::atomic<bool>* stop = nullptr;
+};
+
+ExitCode execute(const RunCommand& command, const CommonOptions& common, const Console& console);
+ExitCode execute(const PlanCommand& command, const CommonOptions& common, const Console& console);
+ExitCode execute(const VerifyCommand& command, const CommonOptions& common, const Console& console);
+ExitCode execute(const InspectCommand& command, const CommonOptions& common,
+                 const Console& console);
+
+/// Parses the command line, executes it and turns every error into a message and an exit code.
+ExitCode run_command_line(int argc, const char* const* argv, const Console& console);
+
+}  // namespace limitgauge::app

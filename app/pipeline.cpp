@@ -1,0 +1,242 @@
+#include "app/pipeline.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <sstream>
+
+#include "app/output_files.h"
+#include "app/stage_planner.h"
+#include "reports/report.h"
+#include "simulator/collision.h"
+#include "verifier/verify.h"
+
+namespace limitgauge::app {
+namespace {
+
+using verifier::Verdict;
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::size_t peak_memory_bytes() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+  constexpr std::size_t kUnit = 1024;  // Linux counts in kilobytes.
+  return static_cast<std::size_t>(usage.ru_maxrss) * kUnit;
+}
+
+reports::StageResult stage_as_asked(const JobStage& asked) {
+  reports::StageResult stage;
+  stage.name = asked.name;
+  stage.tool = asked.cutter.id;
+  stage.cutter = asked.cutter;
+  stage.program = asked.program_as_stated;
+  stage.allowance_mm = asked.allowance_mm;
+  stage.limits = asked.limits;
+  if (!asked.plan) return stage;
+  stage.strategy = strategy_name(asked.plan->strategy);
+  stage.step_mm = asked.plan->step_mm;
+  stage.tolerance_mm = asked.plan->tolerance_mm;
+  return stage;
+}
+
+/// Where the four parts meet: the state of one run between its stages.
+class Bench {
+ public:
+  Bench(const Job& job, const RunInputs& inputs, const std::filesystem::path& folder,
+        const RunOptions& options)
+      : job_(job), inputs_(inputs), folder_(folder), options_(options), planner_(job, inputs) {}
+
+  reports::RunResult run();
+
+ private:
+  model::RunControl control(const std::string& phase) const;
+  void run_stage(std::size_t index, reports::StageResult& stage);
+  void make_path(std::size_t index, reports::StageResult::Ran& ran);
+  void cut(const JobStage& asked, reports::StageResult::Ran& ran);
+  void measure(std::size_t index, reports::StageResult::Ran& ran);
+  void finish_surface(reports::SurfaceResult& surface) const;
+
+  const Job& job_;
+  const RunInputs& inputs_;
+  const std::filesystem::path& folder_;
+  const RunOptions& options_;
+  StagePlanner planner_;
+  std::optional<simulator::StockModel> stock_;
+  std::vector<verifier::Pass> passes_;
+  std::vector<verifier::StockReading> readings_;
+};
+
+model::RunControl Bench::control(const std::string& phase) const {
+  options_.watch.phase(phase);
+  model::RunControl control{options_.threads, options_.stop, options_.watch.progress};
+  control.check();
+  return control;
+}
+
+void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
+  const JobStage& asked = job_.stages[index];
+  const Stopwatch watch;
+  PlannedStage planned = planner_.plan(index, control(asked.name + ": planning"));
+  const std::filesystem::path folder = folder_ / asked.name;
+  make_folder(folder);
+  write_file(folder / "toolpath.ngc", [&](std::ostream& out) { out << planned.program; });
+  ran.plan_seconds = watch.seconds();
+  ran.planes = planned.path.planes;
+  ran.sampling_interval_min = planned.path.sampling_interval_min;
+  ran.sampling_interval_max = planned.path.sampling_interval_max;
+  ran.path_memory_bytes = planned.path.memory_bytes;
+  ran.ignored_words = std::move(planned.ignored_words);
+  ran.path = std::make_shared<const model::Toolpath>(std::move(planned.path.path));
+  const model::ToolpathLengths sums = lengths(*ran.path, job_.rapid_mm_min);
+  ran.cut_length_mm = sums.cut_mm;
+  ran.rapid_length_mm = sums.rapid_mm;
+  ran.machining_time_s = sums.time_s;
+}
+
+void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
+  const Stopwatch watch;
+  const simulator::Pass pass{asked.cutter, ran.path};
+  const simulator::StockModel before = *stock_;
+  stock_ = before.cut(pass, control(asked.name + ": cutting"));
+  ran.collisions = find_collisions(before, pass, inputs_.settings.collision_tolerance_mm,
+                                   control(asked.name + ": looking for collisions"));
+  readings_.clear();
+  for (const simulator::StockPoint& point :
+       stock_->surface_points(control(asked.name + ": reading the stock"))) {
+    readings_.push_back({point.position, point.residual_mm});
+  }
+  ran.voxel_mm = stock_->voxel_mm();
+  ran.removed_volume_mm3 = before.volume_mm3() - stock_->volume_mm3();
+  ran.stock = stock_;
+  ran.simulation_seconds = watch.seconds();
+  ran.peak_memory_bytes = peak_memory_bytes();
+}
+
+void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
+  const JobStage& asked = job_.stages[index];
+  passes_.push_back({asked.cutter, ran.path});
+  verifier::StageCheck check;
+  check.allowance_mm = asked.allowance_mm;
+  check.limits = asked.limits;
+  check.resolution_mm = inputs_.settings.resolution_mm[index];
+  ran.deviation = measure_stage(inputs_.surface, job_.stock, passes_, readings_, check,
+                                control(asked.name + ": measuring"));
+}
+
+void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
+  const Stopwatch watch;
+  reports::StageResult::Ran& ran = stage.ran.emplace();
+  make_path(index, ran);
+  cut(job_.stages[index], ran);
+  measure(index, ran);
+  stage.decision = decide(ran.deviation, stage.limits, ran.collisions.rapid.size(),
+                          ran.collisions.holder.size());
+  control(stage.name + ": writing");
+  write_stage_files(stage, folder_, {job_.pictures});
+  stage.seconds = watch.seconds();
+  std::ostringstream line;
+  line << stage.name << ": " << name(stage.decision.verdict) << "; planned "
+       << ran.path->moves.size() << " moves in " << ran.plan_seconds << " s, cut in "
+       << ran.simulation_seconds << " s, measured in " << ran.deviation.seconds << " s";
+  options_.watch.note(line.str());
+}
+
+void Bench::finish_surface(reports::SurfaceResult& surface) const {
+  const std::optional<engine::surface::ModelFigures> figures = planner_.figures();
+  if (!figures) return;
+  surface.depth_min = figures->depth_min;
+  surface.depth_max = figures->depth_max;
+  surface.seconds = figures->seconds;
+  surface.memory_bytes = figures->memory_bytes;
+}
+
+reports::SurfaceResult surface_as_read(const Job& job, const RunInputs& inputs) {
+  reports::SurfaceResult surface;
+  surface.cage = job.cage_as_stated;
+  surface.summary = summarize(inputs.cage);
+  surface.boundary = inputs.cage.boundary;
+  surface.bbox_mm = inputs.surface.bounding_box();
+  surface.area_mm2 = inputs.surface.area_mm2();
+  return surface;
+}
+
+/// Widest range of sampling intervals over the stages that were planned.
+void join_sampling(reports::RunResult& result) {
+  bool first = true;
+  for (const reports::StageResult& stage : result.stages) {
+    if (!stage.ran || stage.strategy.empty()) continue;
+    const auto& ran = *stage.ran;
+    int& low = result.surface.sampling_interval_min;
+    int& high = result.surface.sampling_interval_max;
+    low = first ? ran.sampling_interval_min : std::min(low, ran.sampling_interval_min);
+    high = first ? ran.sampling_interval_max : std::max(high, ran.sampling_interval_max);
+    first = false;
+  }
+}
+
+reports::RunResult Bench::run() {
+  reports::RunResult result;
+  result.job = job_.name;
+  result.created = options_.created;
+  result.version = LIMITGAUGE_VERSION;
+  result.threads = options_.threads;
+  result.raw_stock = job_.stock;
+  result.surface = surface_as_read(job_, inputs_);
+  result.assumptions = assumptions(job_, inputs_.settings);
+  for (const JobStage& asked : job_.stages) result.stages.push_back(stage_as_asked(asked));
+  stock_.emplace(job_.stock, inputs_.settings.voxel_mm, inputs_.settings.memory_limit_bytes);
+  result.verdict = Verdict::pass;
+  for (std::size_t i = 0; i < result.stages.size() && result.verdict == Verdict::pass; ++i) {
+    run_stage(i, result.stages[i]);
+    result.verdict = result.stages[i].decision.verdict;
+  }
+  finish_surface(result.surface);
+  join_sampling(result);
+  return result;
+}
+
+}  // namespace
+
+reports::RunResult run_job(const Job& job, const RunInputs& inputs,
+                           const std::filesystem::path& folder, const RunOptions& options) {
+  return Bench(job, inputs, folder, options).run();
+}
+
+void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::path& folder,
+              const RunOptions& options) {
+  StagePlanner planner(job, inputs);
+  for (std::size_t i = 0; i < job.stages.size(); ++i) {
+    const std::string& name = job.stages[i].name;
+    options.watch.phase(name + ": planning");
+    const PlannedStage planned =
+        planner.plan(i, {options.threads, options.stop, options.watch.progress});
+    make_folder(folder / name);
+    write_file(folder / name / "toolpath.ngc", [&](std::ostream& out) { out << planned.program; });
+    reports::write_toolpath_vtp(planned.path.path, folder / name / "toolpath.vtp");
+    options.watch.note(name + ": " + std::to_string(planned.path.path.moves.size()) + " moves");
+  }
+}
+
+void write_report(const reports::RunResult& result, const std::filesystem::path& folder) {
+  using Writer = void (*)(const reports::RunResult&, std::ostream&);
+  const auto write = [&](const char* file, Writer writer) {
+    write_file(folder / file, [&](std::ostream& out) { writer(result, out); });
+  };
+  write("report.html", reports::write_html);
+  write("junit.xml", reports::write_junit);
+  // Last: what looks for a finished run looks for this file.
+  write("result.json", reports::write_result_json);
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "app/job.h"
+#include "app/run_inputs.h"
+#include "engine/model/run_control.h"
+#include "reports/run_result.h"
+
+namespace limitgauge::app {
+
+/// How a run is watched. Neither call changes a result.
+struct RunWatch {
+  /// A phase begins ("rough: cutting"); its progress follows through `progress`.
+  std::function<void(const std::string&)> phase = [](const std::string&) {};
+  std::function<void(double fraction)> progress = [](double) {};
+  /// A line for those who want to know more.
+  std::function<void(const std::string&)> note = [](const std::string&) {};
+};
+
+struct RunOptions {
+  unsigned threads = 1;
+  const std::atomic<bool>* stop = nullptr;
+  RunWatch watch;
+  std::string created;  ///< ISO 8601, UTC; stands in the result as it is
+};
+
+/// Runs the job's stages into `folder`: path, cut, measurement, gate; the files of a stage are
+/// written as soon as it has been judged. Stops after a stage that does not pass; the later ones
+/// are then `not_run`. Throws InputError for a stage that cannot be planned, ResourceError,
+/// Interrupted, verifier::InstrumentDisagreement.
+reports::RunResult run_job(const Job& job, const RunInputs& inputs,
+                           const std::filesystem::path& folder, const RunOptions& options);
+
+/// Plans the job's stages into `folder`: toolpath.ngc and toolpath.vtp a stage.
+void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::path& folder,
+              const RunOptions& options);
+
+/// result.json, junit.xml and report.html into `folder`. Throws ResourceError.
+void write_report(const reports::RunResult& result, const std::filesystem::path& folder);
+
+}  // namespace limitgauge::app

@@ -1,0 +1,194 @@
+#include <chrono>
+#include <ctime>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+#include "app/commands.h"
+#include "app/job_reader.h"
+#include "app/output_folder.h"
+#include "app/pipeline.h"
+#include "app/progress.h"
+#include "engine/model/error.h"
+#include "reports/report.h"
+
+namespace limitgauge::app {
+namespace {
+
+std::string now_utc() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  std::ostringstream text;
+  text << std::put_time(&parts, "%Y-%m-%dT%H:%M:%SZ");
+  return text.str();
+}
+
+RunOptions options_for(const CommonOptions& common, const Console& console,
+                       ProgressLine& progress) {
+  RunOptions options;
+  options.threads = common.threads;
+  options.stop = console.stop;
+  options.created = now_utc();
+  options.watch.phase = [&progress](const std::string& what) { progress.phase(what); };
+  options.watch.progress = [&progress](double fraction) { progress.update(fraction); };
+  if (common.verbose) {
+    options.watch.note = [&progress, &console](const std::string& line) {
+      progress.clear();
+      console.errors << line << std::endl;
+    };
+  }
+  return options;
+}
+
+ExitCode exit_code(verifier::Verdict verdict) {
+  switch (verdict) {
+    case verifier::Verdict::pass:
+      return ExitCode::pass;
+    case verifier::Verdict::fail:
+      return ExitCode::fail;
+    default:
+      return ExitCode::indeterminate;
+  }
+}
+
+/// Does `work` in the folder; an error that is not the user's keeps what was finished.
+template <class Work>
+void work_in(OutputFolder& folder, const Work& work) {
+  folder.prepare();
+  try {
+    work();
+    folder.finish();
+  } catch (const model::InputError&) {
+    throw;
+  } catch (const model::Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    const std::string why = error.what();
+    const std::filesystem::path kept = folder.keep_incomplete(
+        "This run did not come to its end: " + why +
+        "\nStages with a deviation.vtp were finished; nothing else here is a result.");
+    throw model::ResourceError(why + "\nlimitgauge: what was finished is kept in " + kept.string());
+  }
+}
+
+void print_result(const reports::RunResult& result, const OutputFolder& folder,
+                  const CommonOptions& common, const Console& console) {
+  if (common.quiet) return;
+  console.out << reports::verdict_table(result, console.out_is_terminal)
+              << "report: " << (folder.target() / "report.html").string() << std::endl;
+}
+
+ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
+                        const CommonOptions& common, const Console& console) {
+  const RunInputs inputs = load_inputs(job);
+  OutputFolder folder(output, common.force);
+  reports::RunResult result;
+  {
+    ProgressLine progress(console.errors, console.errors_are_terminal && !common.quiet);
+    const RunOptions options = options_for(common, console, progress);
+    work_in(folder, [&] {
+      result = run_job(job, inputs, folder.working(), options);
+      write_report(result, folder.working());
+    });
+  }
+  print_result(result, folder, common, console);
+  return exit_code(result.verdict);
+}
+
+std::filesystem::path or_default(const std::filesystem::path& stated, const std::string& name) {
+  return stated.empty() ? std::filesystem::path("limitgauge-out") / name : stated;
+}
+
+/// The argument of an option as the file in its errors.
+template <class Parse>
+auto parse_option(const std::string& option, const std::string& text, const Parse& parse) {
+  try {
+    return parse(text);
+  } catch (const model::InputError& error) {
+    const int column = error.place().column;
+    throw UsageError(option + " " + text +
+                     (column > 0 ? " (column " + std::to_string(column) + ")" : std::string()) +
+                     ": " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(option + " " + text + ": " + error.what());
+  }
+}
+
+model::Stock stock_of(const std::string& text) {
+  for (const char* later : {"mesh:", "vdb:"}) {
+    if (text.rfind(later, 0) == 0) {
+      throw UsageError("--stock " + text + " is not available in this release; expected box:...");
+    }
+  }
+  return parse_option("--stock", text, [](const std::string& spec) {
+    model::Stock stock = model::parse_stock(spec);
+    require_valid(stock);
+    return stock;
+  });
+}
+
+model::Cutter tool_of(const std::string& text) {
+  return parse_option("--tool", text, [](const std::string& spec) {
+    model::Cutter cutter = model::parse_cutter(spec);
+    require_valid(cutter);
+    if (cutter.id.empty()) cutter.id = spec;
+    return cutter;
+  });
+}
+
+/// A name for folders out of a file name: what is not plain becomes '_'.
+std::string plain_name(const std::filesystem::path& file) {
+  std::string name = file.stem().string();
+  for (char& c : name) {
+    if (!is_plain_name(std::string("a") + c)) c = '_';
+  }
+  return is_plain_name(name) ? name : "program";
+}
+
+Job job_of(const VerifyCommand& command) {
+  Job job;
+  job.name = plain_name(command.program);
+  job.cage = command.cage;
+  job.cage_as_stated = command.cage.string();
+  job.stock = stock_of(command.stock);
+  JobStage stage;
+  stage.name = "program";
+  stage.cutter = tool_of(command.tool);
+  stage.program = command.program;
+  stage.program_as_stated = command.program.string();
+  stage.allowance_mm = command.allowance_mm;
+  stage.limits = command.limits;
+  job.stages.push_back(std::move(stage));
+  return job;
+}
+
+}  // namespace
+
+ExitCode execute(const RunCommand& command, const CommonOptions& common, const Console& console) {
+  Job job = read_job(command.job, common.overrides);
+  if (common.no_pictures) job.pictures = false;
+  return run_and_report(job, or_default(command.output, job.name), common, console);
+}
+
+ExitCode execute(const VerifyCommand& command, const CommonOptions& common,
+                 const Console& console) {
+  Job job = job_of(command);
+  if (common.no_pictures) job.pictures = false;
+  return run_and_report(job, or_default(command.output, job.name), common, console);
+}
+
+ExitCode execute(const PlanCommand& command, const CommonOptions& common, const Console& console) {
+  const Job job = read_job(command.job, common.overrides);
+  const RunInputs inputs = load_inputs(job);
+  OutputFolder folder(or_default(command.output, job.name + "-plan"), common.force);
+  {
+    ProgressLine progress(console.errors, console.errors_are_terminal && !common.quiet);
+    const RunOptions options = options_for(common, console, progress);
+    work_in(folder, [&] { plan_job(job, inputs, folder.working(), options); });
+  }
+  if (!common.quiet) console.out << "toolpaths: " << folder.target().string() << std::endl;
+  return ExitCode::pass;
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/job.h"
+#include "app/settings.h"
+#include "engine/model/toolpath.h"
+#include "verifier/reference_surface.h"
+
+namespace limitgauge::app {
+
+/// A program as a stage's path.
+struct ForeignPath {
+  model::Toolpath path;
+  std::vector<std::string> ignored_words;  ///< "line: word" that moves nothing
+  std::string text;                        ///< the program itself
+};
+
+/// Everything a job reads, read and checked before anything is computed or written.
+struct RunInputs {
+  model::Cage cage;  ///< placed
+  verifier::ReferenceSurface surface;
+  Settings settings;
+  std::vector<std::optional<ForeignPath>> programs;  ///< a stage; empty for those planned here
+};
+
+/// Throws InputError for a cage or program that cannot be used.
+RunInputs load_inputs(const Job& job);
+
+}  // namespace limitgauge::app

@@ -1,0 +1,107 @@
+#include "app/settings.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "app/words.h"
+#include "verifier/verify.h"
+
+namespace limitgauge::app {
+namespace {
+
+constexpr double kVoxelsPerGate = 10;
+constexpr double kSmallestVoxel_mm = 0.05;
+constexpr double kLargestVoxel_mm = 0.25;
+constexpr double kVoxelWithoutGate_mm = 0.1;
+constexpr double kShareOfMemory = 0.75;
+
+std::size_t memory_limit() {
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  const long page_bytes = sysconf(_SC_PAGE_SIZE);
+  if (pages <= 0 || page_bytes <= 0) return std::numeric_limits<std::size_t>::max();
+  return static_cast<std::size_t>(kShareOfMemory * static_cast<double>(pages) *
+                                  static_cast<double>(page_bytes));
+}
+
+double corner_radius_mm(const model::Cutter& cutter) {
+  return cutter.type == model::CutterType::ball ? cutter.radius_mm() : cutter.corner_radius_mm;
+}
+
+void state_stage(const JobStage& stage, double resolution_mm, double floor_z_mm,
+                 bool automatic_resolution, std::vector<std::string>& said) {
+  const std::string head = "stage " + stage.name + ": ";
+  if (automatic_resolution) {
+    said.push_back(head + "resolution " + words(resolution_mm) +
+                   " mm (auto: a tenth of the tightest gate limit)");
+  }
+  if (stage.plan && !stage.plan->floor_z_mm) {
+    said.push_back(head + "lowest tip height z " + words(floor_z_mm) +
+                   " mm (default: lowest point of the surface less the cutter's corner radius)");
+  }
+  if (!stage.plan) {
+    said.push_back(head + "arcs as chords within " + words(chord_error_mm(resolution_mm)) + " mm");
+    said.push_back(head + "the tool is taken to be " + model::to_text(stage.cutter) +
+                   "; tool numbers and length offsets of the program are not acted on");
+  }
+}
+
+}  // namespace
+
+double automatic_voxel_mm(const Job& job) {
+  double tightest = std::numeric_limits<double>::infinity();
+  for (const JobStage& stage : job.stages) {
+    if (stage.limits.has_gouge) tightest = std::min(tightest, stage.limits.gouge_mm);
+    if (stage.limits.has_uncut) tightest = std::min(tightest, stage.limits.uncut_mm);
+  }
+  if (tightest == std::numeric_limits<double>::infinity()) return kVoxelWithoutGate_mm;
+  return std::clamp(kVoxelsPerGate * tightest, kSmallestVoxel_mm, kLargestVoxel_mm);
+}
+
+double automatic_floor_mm(const model::Cutter& cutter, const model::Box3& surface) {
+  return surface.low.z - corner_radius_mm(cutter);
+}
+
+double chord_error_mm(double resolution_mm) {
+  return resolution_mm / 4;
+}
+
+Settings choose_settings(const Job& job, const model::Box3& surface) {
+  Settings settings;
+  settings.voxel_mm = job.voxel_mm.value_or(automatic_voxel_mm(job));
+  // The grid places a sharp edge within one voxel: a shallower contact may be none.
+  settings.collision_tolerance_mm = settings.voxel_mm;
+  settings.memory_limit_bytes = memory_limit();
+  for (const JobStage& stage : job.stages) {
+    settings.resolution_mm.push_back(
+        job.resolution_mm.value_or(verifier::automatic_resolution_mm(stage.limits)));
+    settings.floor_z_mm.push_back(
+        !stage.plan ? std::numeric_limits<double>::quiet_NaN()
+                    : stage.plan->floor_z_mm.value_or(automatic_floor_mm(stage.cutter, surface)));
+  }
+  return settings;
+}
+
+std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
+  std::vector<std::string> said = {
+      "rapids are straight moves of the tool tip; a machine's own rapid need not be straight",
+      "cage, stock and programs share one frame in millimetres; no alignment is made",
+      "machining time: programmed feeds and a rapid rate of " + words(job.rapid_mm_min) +
+          " mm/min, no acceleration",
+      "collisions: contacts shallower than " + words(settings.collision_tolerance_mm) +
+          " mm (one voxel) count as none",
+  };
+  if (!job.voxel_mm) {
+    said.push_back("voxel " + words(settings.voxel_mm) +
+                   " mm (auto: ten times the tightest gate limit, within 0.05 and 0.25 mm)");
+  }
+  said.insert(said.end(), job.defaulted.begin(), job.defaulted.end());
+  for (std::size_t i = 0; i < job.stages.size(); ++i) {
+    state_stage(job.stages[i], settings.resolution_mm[i], settings.floor_z_mm[i],
+                !job.resolution_mm, said);
+  }
+  return said;
+}
+
+}  // namespace limitgauge::app

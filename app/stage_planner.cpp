@@ -1,0 +1,78 @@
+#include "app/stage_planner.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include "engine/model/error.h"
+#include "engine/model/program.h"
+
+namespace limitgauge::app {
+
+std::optional<engine::surface::ModelFigures> StagePlanner::figures() const {
+  if (!model_) return std::nullopt;
+  return model_->figures();
+}
+
+const engine::surface::FinishModel& StagePlanner::finish_model(const model::RunControl& control) {
+  if (model_) return *model_;
+  engine::surface::ModelRequest request;
+  request.precision_mm = job_.precision_mm;
+  for (const JobStage& stage : job_.stages) {
+    if (!stage.plan) continue;
+    request.largest_offset_mm = std::max(
+        request.largest_offset_mm, model::largest_radius_mm(stage.cutter) + stage.allowance_mm);
+  }
+  model_.emplace(inputs_.cage, request, control);
+  return *model_;
+}
+
+engine::strategy::StageRequest StagePlanner::request(std::size_t stage) const {
+  const JobStage& asked = job_.stages[stage];
+  engine::strategy::StageRequest request;
+  request.strategy = asked.plan->strategy;
+  request.cutter = asked.cutter;
+  request.step_mm = asked.plan->step_mm;
+  request.allowance_mm = asked.allowance_mm;
+  request.tolerance_mm = asked.plan->tolerance_mm;
+  request.feed_mm_min = asked.plan->feed_mm_min;
+  request.plunge_feed_mm_min = asked.plan->plunge_feed_mm_min;
+  request.clearance_mm = job_.clearance_mm;
+  request.floor_z_mm = inputs_.settings.floor_z_mm[stage];
+  request.stock = job_.stock;
+  return request;
+}
+
+PlannedStage StagePlanner::plan_own(std::size_t stage, const model::RunControl& control) {
+  PlannedStage planned;
+  try {
+    planned.path = plan_stage(finish_model(control), request(stage), control);
+  } catch (const std::invalid_argument& error) {
+    throw model::InputError({}, "stage \"" + job_.stages[stage].name + "\": " + error.what(),
+                            "a stage that a path can serve");
+  }
+  model::WriterOptions options;
+  options.program_name = job_.name + " " + job_.stages[stage].name;
+  options.comment = model::to_text(job_.stages[stage].cutter);
+  options.tool_number = static_cast<int>(stage) + 1;
+  std::ostringstream out;
+  write_program(planned.path.path, options, out);
+  planned.program = std::move(out).str();
+  return planned;
+}
+
+PlannedStage StagePlanner::take_program(std::size_t stage) const {
+  const ForeignPath& foreign = *inputs_.programs[stage];
+  PlannedStage planned;
+  planned.path.path = foreign.path;
+  planned.path.memory_bytes = foreign.path.moves.size() * sizeof(model::Move);
+  planned.program = foreign.text;
+  planned.ignored_words = foreign.ignored_words;
+  return planned;
+}
+
+PlannedStage StagePlanner::plan(std::size_t stage, const model::RunControl& control) {
+  return job_.stages[stage].plan ? plan_own(stage, control) : take_program(stage);
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+
+#include "app/pipeline.h"
+#include "app/run_inputs.h"
+#include "engine/strategy/stage_path.h"
+#include "engine/surface/finish_model.h"
+
+namespace limitgauge::app {
+
+/// A stage's toolpath with its program: planned, or taken from the stage's program.
+struct PlannedStage {
+  engine::strategy::StagePath path;
+  std::string program;  ///< the text that stands in toolpath.ngc
+  std::vector<std::string> ignored_words;
+};
+
+/// Makes the paths of a job's stages. The engine's model is built at the first stage that needs
+/// it, once for all.
+class StagePlanner {
+ public:
+  StagePlanner(const Job& job, const RunInputs& inputs) : job_(job), inputs_(inputs) {}
+
+  /// Throws InputError where the stage asks for something that no path can serve.
+  PlannedStage plan(std::size_t stage, const model::RunControl& control);
+  /// Figures of the model; empty as long as no stage needed it.
+  std::optional<engine::surface::ModelFigures> figures() const;
+
+ private:
+  const engine::surface::FinishModel& finish_model(const model::RunControl& control);
+  engine::strategy::StageRequest request(std::size_t stage) const;
+  PlannedStage plan_own(std::size_t stage, const model::RunControl& control);
+  PlannedStage take_program(std::size_t stage) const;
+
+  const Job& job_;
+  const RunInputs& inputs_;
+  std::optional<engine::surface::FinishModel> model_;
+};
+
+}  // namespace limitgauge::app

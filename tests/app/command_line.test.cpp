@@ -1,0 +1,94 @@
+#include "app/command_line.h"
+
+#include "tests/support/catch.h"
+
+namespace limitgauge::app {
+namespace {
+
+CommandLine parse(std::vector<const char*> words) {
+  words.insert(words.begin(), "limitgauge");
+  return parse_command_line(static_cast<int>(words.size()), words.data());
+}
+
+std::string error_of(const std::vector<const char*>& words) {
+  try {
+    parse(words);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST_CASE("run takes a job and the common options", "[unit][command_line]") {
+  const CommandLine line = parse({"run", "a.toml", "-o", "out", "--threads", "3", "--set", "a=1",
+                                  "--set", "b=[1, 2]", "--force", "--no-pictures", "--quiet"});
+  const auto& run = std::get<RunCommand>(line.command);
+  CHECK(run.job == "a.toml");
+  CHECK(run.output == "out");
+  CHECK(line.common.threads == 3);
+  CHECK(line.common.overrides == std::vector<std::string>{"a=1", "b=[1, 2]"});
+  CHECK(line.common.force);
+  CHECK(line.common.no_pictures);
+  CHECK(line.common.quiet);
+}
+
+TEST_CASE("threads default to all of them", "[unit][command_line]") {
+  CHECK(parse({"plan", "a.toml"}).common.threads >= 1);
+}
+
+TEST_CASE("verify gates only what it is told", "[unit][command_line]") {
+  const std::vector<const char*> words = {"verify",   "--cage",          "c.obj",
+                                          "--stock",  "box:1,1,1@0,0,0", "--tool",
+                                          "ball:D=6", "--program",       "p.ngc"};
+  const CommandLine open_line = parse(words);
+  const auto& open = std::get<VerifyCommand>(open_line.command);
+  CHECK_FALSE(open.limits.has_gouge);
+  CHECK_FALSE(open.limits.has_uncut);
+  CHECK(open.allowance_mm == 0);
+  std::vector<const char*> more = words;
+  for (const char* word : {"--gouge", "0.01", "--uncut", "0.02", "--allowance", "0.2"}) {
+    more.push_back(word);
+  }
+  const CommandLine gated_line = parse(more);
+  const auto& gated = std::get<VerifyCommand>(gated_line.command);
+  CHECK(gated.limits.has_gouge);
+  CHECK(gated.limits.gouge_mm == 0.01);
+  CHECK(gated.limits.uncut_mm == 0.02);
+  CHECK(gated.allowance_mm == 0.2);
+  more.back() = "-1";
+  CHECK_THAT(error_of(more), ContainsSubstring("--allowance"));
+}
+
+TEST_CASE("usage that cannot be obeyed is refused", "[unit][command_line]") {
+  CHECK_THAT(error_of({}), ContainsSubstring("subcommand"));
+  CHECK_THAT(error_of({"run"}), ContainsSubstring("JOB is required"));
+  CHECK_THAT(error_of({"rnu", "a.toml"}), ContainsSubstring("expected \"run\""));
+  CHECK_THAT(error_of({"run", "a.toml", "--thread", "2"}), ContainsSubstring("--thread"));
+  CHECK_THAT(error_of({"run", "a.toml", "--threads", "0"}), ContainsSubstring("--threads"));
+  CHECK_THAT(error_of({"inspect", "c.obj", "--samples", "5"}), ContainsSubstring("--csv"));
+  CHECK_THAT(error_of({"inspect", "c.obj", "--samples", "1", "--csv", "a.csv"}),
+             ContainsSubstring("--samples"));
+  CHECK_THAT(error_of({"inspect", "c.obj", "--set", "a=1"}), ContainsSubstring("--set"));
+  CHECK_THAT(error_of({"run", "a.toml", "--quiet", "--verbose"}), ContainsSubstring("contradict"));
+  for (const char* later : {"compare", "study", "history", "view"}) {
+    CHECK_THAT(error_of({later}), ContainsSubstring("not in this release"));
+  }
+}
+
+TEST_CASE("help names what there is and nothing else", "[unit][command_line]") {
+  const CommandLine all = parse({"--help"});
+  const std::string& text = std::get<PrintCommand>(all.command).text;
+  for (const char* word : {"run", "plan", "verify", "inspect", "Exit codes"}) {
+    CHECK_THAT(text, ContainsSubstring(word));
+  }
+  for (const char* word : {"compare", "study", "history", "view"}) {
+    CHECK_THAT(text, !ContainsSubstring(word));
+  }
+  const CommandLine verify = parse({"verify", "--help"});
+  CHECK_THAT(std::get<PrintCommand>(verify.command).text, ContainsSubstring("--stock"));
+  const CommandLine version = parse({"--version"});
+  CHECK_THAT(std::get<PrintCommand>(version.command).text, ContainsSubstring("limitgauge 0."));
+}
+
+}  // namespace
+}  // namespace limitgauge::app

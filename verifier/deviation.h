@@ -36,6 +36,7 @@ struct Finding {
   std::size_t stage = 0;   ///< stage whose move is named (an earlier one may have gouged)
   std::size_t move = 0;    ///< index in that stage's path
   std::uint32_t line = 0;  ///< its program line
+  bool raw_stock = false;  ///< a face of the raw stock is nearest, no move: the names above are 0
 };
 
 /// Area-weighted distribution of deviation minus allowance over the reachable surface.
@@ -58,7 +59,8 @@ struct DeviationField {
     model::Vec3 normal;
     float deviation_mm = 0;  ///< δ − allowance
     bool reachable = true;
-    std::uint32_t stage = 0, move = 0, line = 0;  ///< nearest pass
+    bool raw_stock = false;  ///< a face of the raw stock is nearest, not a move
+    std::uint32_t stage = 0, move = 0, line = 0;  ///< nearest pass; all 0 where the raw stock ends
     float area_mm2 = 0;                           ///< share of the surface this sample stands for
   };
   std::vector<Sample> samples;

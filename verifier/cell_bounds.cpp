@@ -1,0 +1,156 @@
+#include "verifier/cell_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using Values = std::array<double, 16>;
+
+constexpr int kLineSearches = 6;
+/// Bodies whose values at the control points are compared when the upper bound is improved.
+constexpr std::size_t kMixed = 24;
+
+struct Range {
+  double low = 0, high = 0;
+};
+
+/// Extremes of the plane value + g·(P_k − m) over the control points.
+Range plane_range(const Bezier& cell, const Vec3& m, const BodyDistance& d) {
+  const double base = d.value - dot(d.gradient, m);
+  Range r{1e300, -1e300};
+  for (int k = 0; k < 16; ++k) {
+    const double at =
+        base + d.gradient.x * cell.x[k] + d.gradient.y * cell.y[k] + d.gradient.z * cell.z[k];
+    r.low = std::min(r.low, at);
+    r.high = std::max(r.high, at);
+  }
+  return r;
+}
+
+double largest(const Values& v) {
+  return *std::max_element(v.begin(), v.end());
+}
+double least(const Values& v) {
+  return *std::min_element(v.begin(), v.end());
+}
+
+/// Moves `a` to the point of the segment from `a` to `b` whose largest entry is least: the upper
+/// envelope of sixteen lines, walked from corner to corner.
+void mix(Values& a, const Values& b) {
+  double at = 0;
+  std::size_t top = std::max_element(a.begin(), a.end()) - a.begin();
+  for (int corner = 0; corner < 16; ++corner) {
+    const double slope = b[top] - a[top];
+    if (slope >= 0) break;
+    double next = 1;
+    std::size_t over = top;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const double steeper = (b[k] - a[k]) - slope;
+      if (steeper <= 0) continue;
+      const double crossing = (a[top] - a[k]) / steeper;
+      if (crossing >= at && crossing < next) next = crossing, over = k;
+    }
+    at = next;
+    if (over == top) break;
+    top = over;
+  }
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] += at * (b[k] - a[k]);
+}
+
+}  // namespace
+
+CellBounder::Scored CellBounder::score(const Bezier& cell, const Vec3& middle, BodyRef body,
+                                       BodyDistance& distance) const {
+  distance = space_.distance(body, middle);
+  if (!space_.is_concave(body)) {
+    const Range plane = plane_range(cell, middle, distance);
+    return {body, distance.value, plane.low - distance.slack_mm, 0};
+  }
+  Values at{};
+  space_.values(body, cell, at);
+  return {body, distance.value, least(at), plane_range(cell, middle, distance).high};
+}
+
+double CellBounder::upper_of(const Bezier& cell, const Vec3& middle, BodyRef body) {
+  if (space_.is_concave(body)) {
+    BodyDistance distance;
+    return score(cell, middle, body, distance).upper;
+  }
+  Values at{};
+  space_.values(body, cell, at);
+  return largest(at);
+}
+
+void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates) {
+  const Vec3 middle = point(cell, 0.5, 0.5);
+  const double upper = upper_of(cell, middle, space_.nearest(middle).body);
+  candidates.clear();
+  // d_i changes by at most the radius within the cell.
+  space_.within(middle, upper + control_radius(cell, middle), candidates);
+}
+
+double CellBounder::improve_upper(const Bezier& cell, double upper, double good_enough) {
+  const std::size_t count = std::min(kMixed, scored_.size());
+  std::partial_sort(scored_.begin(), scored_.begin() + static_cast<std::ptrdiff_t>(count),
+                    scored_.end(), [](const Scored& a, const Scored& b) {
+                      if (a.value != b.value) return a.value < b.value;
+                      return a.body.pass != b.body.pass ? a.body.pass < b.body.pass
+                                                        : a.body.index < b.body.index;
+                    });
+  values_.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    if (!space_.is_concave(scored_[i].body))
+      space_.values(scored_[i].body, cell, values_.emplace_back());
+  if (values_.size() < 2) return upper;
+  const auto first =
+      std::min_element(values_.begin(), values_.end(),
+                       [](const Values& a, const Values& b) { return largest(a) < largest(b); });
+  Values mean = *first;
+  double best = largest(mean);
+  for (int step = 0; step < kLineSearches && best > good_enough; ++step) {
+    const std::size_t worst = std::max_element(mean.begin(), mean.end()) - mean.begin();
+    const auto towards =
+        std::min_element(values_.begin(), values_.end(),
+                         [&](const Values& a, const Values& b) { return a[worst] < b[worst]; });
+    mix(mean, *towards);
+    const double now = largest(mean);
+    const bool stuck = best - now < 1e-3 * std::abs(best - good_enough);
+    best = std::min(best, now);
+    if (stuck) break;
+  }
+  return std::min(best, upper);
+}
+
+CellBounds CellBounder::bound(const Bezier& cell, std::vector<BodyRef>& candidates,
+                              double good_enough) {
+  CellBounds out;
+  out.middle = point(cell, 0.5, 0.5);
+  scored_.clear();
+  out.nearest.distance.value = std::numeric_limits<double>::infinity();
+  for (const BodyRef body : candidates) {
+    BodyDistance distance;
+    scored_.push_back(score(cell, out.middle, body, distance));
+    if (distance.value < out.nearest.distance.value) out.nearest = {body, distance};
+  }
+  out.upper = upper_of(cell, out.middle, out.nearest.body);
+  const auto drop = [&] {
+    std::erase_if(scored_, [&](const Scored& s) { return s.lower > out.upper; });
+  };
+  drop();
+  if (out.upper > good_enough) {
+    out.upper = improve_upper(cell, out.upper, good_enough);
+    drop();
+  }
+  out.lower = std::numeric_limits<double>::infinity();
+  candidates.clear();
+  for (const Scored& s : scored_) {
+    out.lower = std::min(out.lower, s.lower);
+    candidates.push_back(s.body);
+  }
+  return out;
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "verifier/removed_space.h"
+
+namespace limitgauge::verifier {
+
+/// What is known of δ on one cell.
+struct CellBounds {
+  model::Vec3 middle;  ///< a point of the surface
+  Nearest nearest;     ///< δ there
+  double lower = 0, upper = 0;
+};
+
+/// Bounds of δ = min over i of d_i on a Bézier cell with control points P_k and middle m.
+///
+/// Every d_i is convex, so for any weights w_i ≥ 0 with Σ w_i = 1 and every point s of the cell
+///   δ(s) ≤ Σ w_i d_i(s) ≤ max over k of Σ w_i d_i(P_k),
+/// the last because s is a convex combination of the P_k. One body alone is only first-order right
+/// along the cusp between two passes; the mean of the two is second-order. The weights are chosen
+/// by a few exact line searches towards the body that is lowest at the worst control point.
+///
+/// Every d_i lies above its supporting plane at m, so
+///   δ(s) ≥ min over i of [ d_i(m) + min over k of g_i·(P_k − m) ].
+/// A body whose term exceeds the upper bound is nearest nowhere in the cell and is dropped, for
+/// this cell and all its parts. The side of a round bar is concave: there plane and corner values
+/// swap.
+class CellBounder {
+ public:
+  explicit CellBounder(const RemovedSpace& space) : space_(space) {}
+
+  /// The bodies that can be nearest somewhere in `cell`, found through the tree.
+  void find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates);
+  /// `candidates` must hold every body that can be nearest somewhere in the cell; those that cannot
+  /// are removed. The upper bound is not improved any further once it is below `good_enough`.
+  CellBounds bound(const Bezier& cell, std::vector<BodyRef>& candidates, double good_enough);
+
+ private:
+  using Values = std::array<double, 16>;
+  struct Scored {
+    BodyRef body;
+    double value = 0, lower = 0, upper = 0;
+  };
+
+  Scored score(const Bezier& cell, const model::Vec3& middle, BodyRef body,
+               BodyDistance& distance) const;
+  double upper_of(const Bezier& cell, const model::Vec3& middle, BodyRef body);
+  double improve_upper(const Bezier& cell, double upper, double good_enough);
+
+  const RemovedSpace& space_;
+  std::vector<Scored> scored_;
+  std::vector<Values> values_;
+};
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,243 @@
+#include "verifier/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+constexpr std::size_t kBatch = 128;
+/// Cells are not split below this: the interval then stays as wide as it is.
+constexpr double kSmallestCell_mm = 1e-6;
+/// Parts of one cell looked at before it is given up, so that one bad spot cannot hold up a run.
+constexpr std::size_t kPartsPerCell = 400'000;
+/// Part of the resolution that branch and bound may use; the rest is for rounding.
+constexpr double kShare = 0.95;
+
+/// What is known so far of one figure.
+struct Figure {
+  double low = 0;
+  double high = 0;
+  std::optional<Witness> witness;
+
+  void see(double depth_mm, const SurfacePlace& place, BodyRef body) {
+    if (depth_mm > low) low = depth_mm, witness = Witness{place, depth_mm, body};
+  }
+  void cover(double bound_mm) { high = std::max(high, bound_mm); }
+  void merge(const Figure& other) {
+    if (other.low > low) low = other.low, witness = other.witness;
+    high = std::max(high, other.high);
+  }
+};
+
+struct Outcome {
+  Figure gouge, uncut;
+  std::size_t cells = 0;
+  bool complete = true;
+};
+
+/// First look at a cell of the list.
+struct FirstLook {
+  CellBounds bounds;
+  double gouge_bound = 0, uncut_bound = 0;
+};
+
+Vec3 normal_at_middle(const Bezier& b) {
+  const BezierJet j = jet(b, 0.5, 0.5);
+  return normalized(cross(j.du, j.dv));
+}
+
+/// Depth-first refinement of one cell of the list, from what the batches before it have found.
+class CellSearch {
+ public:
+  CellSearch(const RemovedSpace& space, const Reachability& reachability,
+             const CertificateRequest& request, const Outcome& before)
+      : bounder_(space), reachability_(reachability), request_(request) {
+    out_.gouge.low = before.gouge.low;
+    out_.uncut.low = before.uncut.low;
+  }
+
+  Outcome run(const SurfaceCell& cell) {
+    std::vector<BodyRef> candidates;
+    bounder_.find_candidates(cell.shape, candidates);
+    search(cell, std::move(candidates), true, true);
+    return out_;
+  }
+
+ private:
+  void search(const SurfaceCell& cell, std::vector<BodyRef> candidates, bool gouge_open,
+              bool uncut_open) {
+    ++out_.cells;
+    const double a = request_.allowance_mm, slack = kShare * request_.resolution_mm;
+    const double good_enough =
+        uncut_open ? a + out_.uncut.low + slack : std::numeric_limits<double>::infinity();
+    const CellBounds b = bounder_.bound(cell.shape, candidates, good_enough);
+    const double here = b.nearest.distance.value - a;
+    const SurfacePlace place{cell.patch, cell.u_at(0.5), cell.v_at(0.5), b.middle};
+    out_.gouge.see(-here, place, b.nearest.body);
+    if (uncut_open && here > out_.uncut.low) see_uncut(cell, place, here, b.nearest.body);
+
+    const double gouge_bound = a - b.lower, uncut_bound = b.upper - a;
+    if (gouge_open && gouge_bound <= out_.gouge.low + slack) {
+      out_.gouge.cover(gouge_bound);
+      gouge_open = false;
+    }
+    if (uncut_open && uncut_bound <= out_.uncut.low + slack) {
+      out_.uncut.cover(uncut_bound);
+      uncut_open = false;
+    }
+    if (uncut_open && reachability_.surely_unreachable(cell.shape)) uncut_open = false;
+    if (!gouge_open && !uncut_open) return;
+    if (out_.cells > kPartsPerCell || control_radius(cell.shape, b.middle) < kSmallestCell_mm) {
+      if (gouge_open) out_.gouge.cover(gouge_bound);
+      if (uncut_open) out_.uncut.cover(uncut_bound);
+      out_.complete = false;
+      return;
+    }
+    const auto halves = split_in_u(cell.shape, b) ? split_u(cell) : split_v(cell);
+    search(halves[0], candidates, gouge_open, uncut_open);
+    search(halves[1], std::move(candidates), gouge_open, uncut_open);
+  }
+
+  void see_uncut(const SurfaceCell& cell, const SurfacePlace& place, double depth_mm,
+                 BodyRef body) {
+    const Vec3 normal = normal_at_middle(cell.shape);
+    if (reachability_.touching_tip(place.point, normal)) out_.uncut.see(depth_mm, place, body);
+  }
+
+  /// Split where δ changes most: across the passes far more than along them, but never into
+  /// slivers.
+  static bool split_in_u(const Bezier& b, const CellBounds& bounds) {
+    const Vec3 along_u = b.control(7) - b.control(4) + b.control(11) - b.control(8),
+               along_v = b.control(13) - b.control(1) + b.control(14) - b.control(2);
+    const double wide = length(along_u), tall = length(along_v);
+    if (wide > 8 * tall || tall > 8 * wide) return wide > tall;
+    const Vec3& g = bounds.nearest.distance.gradient;
+    const double bend_u = std::abs(dot(g, along_u)), bend_v = std::abs(dot(g, along_v));
+    return bend_u + 0.02 * wide >= bend_v + 0.02 * tall;
+  }
+
+  CellBounder bounder_;
+  const Reachability& reachability_;
+  const CertificateRequest& request_;
+  Outcome out_;
+};
+
+/// Bounds of every cell of the list, and the best samples among their middles.
+std::vector<FirstLook> look_at_all(const SurfaceCells& cells, const RemovedSpace& space,
+                                   const CertificateRequest& request,
+                                   const model::RunControl& control) {
+  std::vector<FirstLook> looks(cells.cells().size());
+  constexpr std::size_t kChunk = 256;
+  model::parallel_for(
+      (looks.size() + kChunk - 1) / kChunk, control.threads, [&](std::size_t chunk) {
+        control.check();
+        CellBounder bounder(space);
+        std::vector<BodyRef> candidates;
+        for (std::size_t i = chunk * kChunk; i < std::min(looks.size(), (chunk + 1) * kChunk);
+             ++i) {
+          const Bezier& shape = cells.cells()[i].shape;
+          bounder.find_candidates(shape, candidates);
+          looks[i].bounds =
+              bounder.bound(shape, candidates, std::numeric_limits<double>::infinity());
+          looks[i].gouge_bound = request.allowance_mm - looks[i].bounds.lower;
+          looks[i].uncut_bound = looks[i].bounds.upper - request.allowance_mm;
+        }
+      });
+  return looks;
+}
+
+SurfacePlace middle_of(const SurfaceCell& cell, const CellBounds& bounds) {
+  return {cell.patch, cell.u_at(0.5), cell.v_at(0.5), bounds.middle};
+}
+
+/// The deepest gouge, and the largest uncut at a point that can be touched, among the middles.
+Outcome best_samples(const SurfaceCells& cells, const std::vector<FirstLook>& looks,
+                     const Reachability& reachability, double allowance_mm) {
+  Outcome out;
+  std::vector<std::size_t> by_uncut(looks.size());
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    by_uncut[i] = i;
+    const CellBounds& b = looks[i].bounds;
+    out.gouge.see(allowance_mm - b.nearest.distance.value, middle_of(cells.cells()[i], b),
+                  b.nearest.body);
+  }
+  std::stable_sort(by_uncut.begin(), by_uncut.end(), [&](std::size_t i, std::size_t j) {
+    return looks[i].bounds.nearest.distance.value > looks[j].bounds.nearest.distance.value;
+  });
+  for (const std::size_t i : by_uncut) {
+    const CellBounds& b = looks[i].bounds;
+    const double depth = b.nearest.distance.value - allowance_mm;
+    if (depth <= 0) break;
+    if (!reachability.touching_tip(b.middle, normal_at_middle(cells.cells()[i].shape))) continue;
+    out.uncut.see(depth, middle_of(cells.cells()[i], b), b.nearest.body);
+    break;
+  }
+  return out;
+}
+
+Interval interval_of(const Figure& figure, double allowance_for_errors_mm) {
+  return {
+      std::max(0.0, figure.low - allowance_for_errors_mm),
+      std::max({0.0, figure.high + allowance_for_errors_mm, figure.low - allowance_for_errors_mm})};
+}
+
+}  // namespace
+
+Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
+                    const Reachability& reachability, const CertificateRequest& request,
+                    const model::RunControl& control) {
+  const std::vector<FirstLook> looks = look_at_all(cells, space, request, control);
+  Outcome sum = best_samples(cells, looks, reachability, request.allowance_mm);
+  sum.cells = looks.size();
+
+  const double slack = kShare * request.resolution_mm;
+  const auto excess = [&](const FirstLook& l) {
+    return std::max(l.gouge_bound - sum.gouge.low, l.uncut_bound - sum.uncut.low);
+  };
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < looks.size(); ++i) order.emplace_back(-excess(looks[i]), i);
+  std::sort(order.begin(), order.end());
+
+  for (std::size_t at = 0; at < order.size(); at += kBatch) {
+    control.check();
+    control.report(static_cast<double>(at) / static_cast<double>(order.size()));
+    const std::size_t count = std::min(kBatch, order.size() - at);
+    std::vector<Outcome> found(count);
+    const Outcome before = sum;
+    model::parallel_for(count, control.threads, [&](std::size_t k) {
+      const std::size_t i = order[at + k].second;
+      const FirstLook& look = looks[i];
+      const bool settled = look.gouge_bound <= before.gouge.low + slack &&
+                           look.uncut_bound <= before.uncut.low + slack;
+      if (settled || before.cells > request.largest_cell_count) {
+        found[k].gouge.cover(look.gouge_bound);
+        found[k].uncut.cover(look.uncut_bound);
+        found[k].complete = settled;
+        return;
+      }
+      found[k] = CellSearch(space, reachability, request, before).run(cells.cells()[i]);
+    });
+    for (const Outcome& o : found) {
+      sum.gouge.merge(o.gouge);
+      sum.uncut.merge(o.uncut);
+      sum.cells += o.cells;
+      sum.complete = sum.complete && o.complete;
+    }
+  }
+
+  const double errors = kRounding_mm + space.chord_error_mm();
+  Certificate out;
+  out.gouge_mm = interval_of(sum.gouge, errors);
+  out.uncut_mm = interval_of(sum.uncut, errors);
+  out.gouge = sum.gouge.witness;
+  out.uncut = sum.uncut.witness;
+  out.cells = sum.cells;
+  out.reached_resolution = out.gouge_mm.width() <= request.resolution_mm &&
+                           out.uncut_mm.width() <= request.resolution_mm;
+  return out;
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,115 @@
+#include "verifier/deviation_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+constexpr int kProbe = 8;
+constexpr int kMostSamplesAlongPatch = 4096;
+
+/// Steps in u so that no step along any of a few u-lines is longer than the spacing on average.
+int steps_along(const ReferenceSurface& surface, int patch, bool in_u, double spacing_mm) {
+  double longest = 0;
+  for (int line = 0; line <= kProbe; ++line) {
+    double sum = 0;
+    Vec3 last;
+    for (int k = 0; k <= kProbe; ++k) {
+      const double a = static_cast<double>(k) / kProbe, b = static_cast<double>(line) / kProbe;
+      const Vec3 p = surface.evaluate(patch, in_u ? a : b, in_u ? b : a).position;
+      if (k > 0) sum = std::max(sum, distance(p, last));
+      last = p;
+    }
+    longest = std::max(longest, sum * kProbe);
+  }
+  const double steps = std::ceil(longest / spacing_mm);
+  return static_cast<int>(std::clamp(steps, 2.0, static_cast<double>(kMostSamplesAlongPatch)));
+}
+
+void sample_patch(const ReferenceSurface& surface, int patch, double spacing_mm,
+                  DeviationField& field) {
+  const int nu = steps_along(surface, patch, true, spacing_mm),
+            nv = steps_along(surface, patch, false, spacing_mm);
+  const auto base = static_cast<std::uint32_t>(field.samples.size());
+  for (int j = 0; j <= nv; ++j)
+    for (int i = 0; i <= nu; ++i) {
+      const double u = static_cast<double>(i) / nu, v = static_cast<double>(j) / nv;
+      const SurfaceSample s = surface.evaluate(patch, u, v);
+      DeviationField::Sample sample;
+      sample.place = {patch, u, v, s.position};
+      sample.normal = s.normal;
+      field.samples.push_back(sample);
+    }
+  const auto at = [&](int i, int j) { return base + static_cast<std::uint32_t>(j * (nu + 1) + i); };
+  for (int j = 0; j < nv; ++j)
+    for (int i = 0; i < nu; ++i)
+      field.quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+}
+
+/// A quarter of each quad's area goes to each of its corners.
+void share_out_areas(DeviationField& field) {
+  for (const auto& quad : field.quads) {
+    const auto p = [&](int k) { return field.samples[quad[k]].place.point; };
+    const double area = length(cross(p(2) - p(0), p(3) - p(1))) / 2;
+    for (const std::uint32_t k : quad) field.samples[k].area_mm2 += static_cast<float>(area / 4);
+  }
+}
+
+}  // namespace
+
+DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm) {
+  DeviationField field;
+  for (int patch = 0; patch < surface.patch_count(); ++patch)
+    if (surface.has_surface(patch)) sample_patch(surface, patch, spacing_mm, field);
+  share_out_areas(field);
+  return field;
+}
+
+std::vector<Vec3> measure_field(DeviationField& field, const RemovedSpace& space,
+                                const Reachability& reachability, std::span<const Pass> passes,
+                                double allowance_mm, const model::RunControl& control) {
+  std::vector<Vec3> tips(field.samples.size());
+  constexpr std::size_t kChunk = 512;
+  model::parallel_for((tips.size() + kChunk - 1) / kChunk, control.threads, [&](std::size_t chunk) {
+    control.check();
+    for (std::size_t i = chunk * kChunk; i < std::min(tips.size(), (chunk + 1) * kChunk); ++i) {
+      DeviationField::Sample& s = field.samples[i];
+      const Nearest nearest = space.nearest(s.place.point);
+      s.deviation_mm = static_cast<float>(nearest.distance.value - allowance_mm);
+      s.raw_stock = space.is_stock(nearest.body);
+      if (!s.raw_stock) {
+        s.stage = nearest.body.pass, s.move = nearest.body.index;
+        s.line = passes[s.stage].path->moves[s.move].line;
+      }
+      const auto tip = reachability.touching_tip(s.place.point, s.normal);
+      s.reachable = tip.has_value();
+      if (tip) tips[i] = *tip;
+    }
+  });
+  return tips;
+}
+
+double unavoidable_uncut_mm(const DeviationField& field, const std::vector<Vec3>& tips,
+                            const model::Cutter& cutter, double allowance_mm,
+                            const model::RunControl& control) {
+  std::vector<SweptBody> positions;
+  std::vector<std::size_t> unreachable;
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    if (field.samples[i].reachable)
+      positions.emplace_back(tips[i], tips[i]);
+    else
+      unreachable.push_back(i);
+  }
+  if (positions.empty() || unreachable.empty()) return 0;
+  const RemovedSpace best_possible(cutter, std::move(positions));
+  std::vector<double> left(unreachable.size());
+  model::parallel_for(left.size(), control.threads, [&](std::size_t k) {
+    left[k] = best_possible.nearest(field.samples[unreachable[k]].place.point).distance.value;
+  });
+  return std::max(0.0, *std::max_element(left.begin(), left.end()) - allowance_mm);
+}
+
+}  // namespace limitgauge::verifier

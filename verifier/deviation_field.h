@@ -1,0 +1,29 @@
+#pragma once
+
+#include "engine/model/run_control.h"
+#include "verifier/deviation.h"
+#include "verifier/reachability.h"
+#include "verifier/reference_surface.h"
+#include "verifier/removed_space.h"
+
+namespace limitgauge::verifier {
+
+/// Samples of S on a grid of parameters in every patch, no two neighbours further apart than
+/// `spacing_mm` (as measured along the patch's grid lines), each with the area it stands for.
+/// Deviations are not filled in yet.
+DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm);
+
+/// Fills in δ − allowance, reachability and the nearest pass of every sample. Returns the tip that
+/// touches each reachable sample, beside the samples.
+std::vector<model::Vec3> measure_field(DeviationField& field, const RemovedSpace& space,
+                                       const Reachability& reachability,
+                                       std::span<const Pass> passes, double allowance_mm,
+                                       const model::RunControl& control);
+
+/// Greatest distance that even the best toolpath leaves at an unreachable sample: to the nearest of
+/// the cutter positions that touch a reachable sample. Good to the field's spacing.
+double unavoidable_uncut_mm(const DeviationField& field, const std::vector<model::Vec3>& tips,
+                            const model::Cutter& cutter, double allowance_mm,
+                            const model::RunControl& control);
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "verifier/verify.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+/// Micrometres below a tenth of a millimetre, millimetres above.
+std::string length_text(double mm) {
+  char text[48];
+  if (std::abs(mm) < 0.1)
+    std::snprintf(text, sizeof text, "%.4g um", mm * 1000);
+  else
+    std::snprintf(text, sizeof text, "%.4g mm", mm);
+  return text;
+}
+
+Verdict judge(const Interval& figure, double limit_mm) {
+  if (figure.high <= limit_mm) return Verdict::pass;
+  return figure.low > limit_mm ? Verdict::fail : Verdict::indeterminate;
+}
+
+std::string sentence(const char* what, const Interval& figure, double limit_mm, Verdict verdict) {
+  const std::string range = std::string(what) + " certified between " + length_text(figure.low) +
+                            " and " + length_text(figure.high) + ", limit " + length_text(limit_mm);
+  switch (verdict) {
+    case Verdict::pass:
+      return range + ": within the limit everywhere";
+    case Verdict::fail:
+      return range + ": beyond the limit";
+    default:
+      return range + ": cannot be decided at this resolution";
+  }
+}
+
+void worsen(Verdict& verdict, Verdict by) {
+  const auto rank = [](Verdict v) {
+    return v == Verdict::fail ? 2 : v == Verdict::indeterminate ? 1 : 0;
+  };
+  if (rank(by) > rank(verdict)) verdict = by;
+}
+
+void judge_length(GateDecision& out, const char* what, const Interval& figure, double limit_mm) {
+  const Verdict verdict = judge(figure, limit_mm);
+  out.reasons.push_back(sentence(what, figure, limit_mm, verdict));
+  worsen(out.verdict, verdict);
+}
+
+void judge_collisions(GateDecision& out, const char* what, std::size_t count) {
+  if (count == 0) return;
+  out.reasons.push_back(std::to_string(count) + " " + what);
+  worsen(out.verdict, Verdict::fail);
+}
+
+}  // namespace
+
+const char* name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::fail:
+      return "fail";
+    case Verdict::indeterminate:
+      return "indeterminate";
+    case Verdict::not_run:
+      break;
+  }
+  return "not_run";
+}
+
+double automatic_resolution_mm(const GateLimits& limits) {
+  constexpr double kUnlimited_mm = 0.001;
+  double tightest = std::numeric_limits<double>::infinity();
+  if (limits.has_gouge && limits.gouge_mm > 0) tightest = std::min(tightest, limits.gouge_mm);
+  if (limits.has_uncut && limits.uncut_mm > 0) tightest = std::min(tightest, limits.uncut_mm);
+  return std::isfinite(tightest) ? tightest / 10 : kUnlimited_mm;
+}
+
+GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
+                    std::size_t rapid_collisions, std::size_t holder_collisions) {
+  GateDecision out{Verdict::pass, {}};
+  if (limits.has_gouge) judge_length(out, "gouge", deviation.gouge_mm, limits.gouge_mm);
+  if (limits.has_uncut) {
+    judge_length(out, "uncut", deviation.uncut_mm, limits.uncut_mm);
+    if (deviation.voxel_uncut_mm > limits.uncut_mm && deviation.uncut_mm.high <= limits.uncut_mm) {
+      // δ is the distance to the nearest removed space: beside a thin wall it stays small.
+      out.reasons.push_back("material stands " + length_text(deviation.voxel_uncut_mm) +
+                            " over the allowance surface, limit " + length_text(limits.uncut_mm));
+      worsen(out.verdict, Verdict::fail);
+    }
+  }
+  if (limits.has_coverage) {
+    const bool enough = deviation.coverage >= limits.coverage;
+    char text[128];
+    std::snprintf(text, sizeof text, "coverage %.4f of the reachable area, least accepted %.4f: %s",
+                  deviation.coverage, limits.coverage, enough ? "enough" : "too little");
+    out.reasons.emplace_back(text);
+    if (!enough) worsen(out.verdict, Verdict::fail);
+  }
+  judge_collisions(out, "rapid move(s) through standing material", rapid_collisions);
+  judge_collisions(out, "collision(s) of shank or holder", holder_collisions);
+  return out;
+}
+
+}  // namespace limitgauge::verifier

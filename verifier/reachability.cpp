@@ -1,0 +1,154 @@
+#include "verifier/reachability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "verifier/swept_body.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using std::numbers::pi;
+
+/// Directions tried where a level spot lets the flat of a cutter touch in any of them.
+constexpr int kDirections = 16;
+constexpr double kLevel = 1e-9;  // sine of the slope below which a spot is level
+constexpr int kDeepest = 60;
+constexpr double kSmallest_mm = 1e-6;
+/// Finest spacing of tip positions tried on the circle of a flat cutter's contact positions.
+constexpr int kCircleSamples = 64;
+
+double slope_sine(const CutterProfile& p) {
+  return p.slope / std::sqrt(1 + p.slope * p.slope);
+}
+
+/// Signed distance to the cutter standing at `tip`, its wall going up without end, with a
+/// supporting plane.
+BodyDistance standing(const CutterProfile& profile, const Vec3& tip, const Vec3& p) {
+  const double dx = p.x - tip.x, dy = p.y - tip.y, rho = std::sqrt(dx * dx + dy * dy);
+  const ProfileDistance d = open_distance(profile, rho, p.z - tip.z);
+  const double scale = rho > 0 ? d.by_rho / rho : 0;
+  return {d.value, {dx * scale, dy * scale, d.by_height}, 0};
+}
+
+double standing_bound(const CutterProfile& profile, const Vec3& tip, const model::Box3& box) {
+  const double dx = std::max({box.low.x - tip.x, 0.0, tip.x - box.high.x});
+  const double dy = std::max({box.low.y - tip.y, 0.0, tip.y - box.high.y});
+  return open_distance(profile, std::sqrt(dx * dx + dy * dy), box.high.z - tip.z).value;
+}
+
+}  // namespace
+
+Reachability::Below Reachability::comes_below(const Bezier& cell, const Vec3& tip, double limit_mm,
+                                              int depth) const {
+  const Vec3 middle = point(cell, 0.5, 0.5);
+  const BodyDistance d = standing(profile_, tip, middle);
+  if (d.value < limit_mm) return Below::found;
+  double lower = d.value;
+  for (int k = 0; k < 16; ++k)
+    lower = std::min(lower, d.value + dot(d.gradient, cell.control(k) - middle));
+  if (lower >= limit_mm) return Below::none;
+  if (depth > kDeepest || control_radius(cell, middle) < kSmallest_mm) return Below::undecided;
+  Below worst = Below::none;
+  const double wide =
+      distance(cell.control(0), cell.control(3)) + distance(cell.control(12), cell.control(15));
+  const double tall =
+      distance(cell.control(0), cell.control(12)) + distance(cell.control(3), cell.control(15));
+  for (const Bezier& half : wide >= tall ? split_u(cell) : split_v(cell)) {
+    const Below part = comes_below(half, tip, limit_mm, depth + 1);
+    if (part == Below::found) return part;
+    if (part == Below::undecided) worst = part;
+  }
+  return worst;
+}
+
+Reachability::Below Reachability::comes_below(const Vec3& tip, double limit_mm) const {
+  struct Entry {
+    std::uint32_t node;
+    double bound;
+  };
+  thread_local std::vector<Entry> stack;
+  stack.clear();
+  const auto& nodes = cells_.nodes();
+  const auto bound_of = [&](std::uint32_t n) {
+    return standing_bound(profile_, tip, nodes[n].box);
+  };
+  if (!nodes.empty()) stack.push_back({0, bound_of(0)});
+  Below worst = Below::none;
+  while (!stack.empty()) {
+    const auto [at, bound] = stack.back();
+    stack.pop_back();
+    if (bound >= limit_mm) continue;
+    const SurfaceCells::Node& node = nodes[at];
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      const Below part = comes_below(cells_.cells()[k].shape, tip, limit_mm, 0);
+      if (part == Below::found) return part;
+      if (part == Below::undecided) worst = part;
+    }
+    if (node.count > 0) continue;
+    const Entry left{at + 1, bound_of(at + 1)}, right{node.right, bound_of(node.right)};
+    const bool left_first = left.bound <= right.bound;
+    stack.push_back(left_first ? right : left);
+    stack.push_back(left_first ? left : right);
+  }
+  return worst;
+}
+
+std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) const {
+  if (n.z < slope_sine(profile_)) return std::nullopt;
+  const Vec3 core =
+      p + n * (profile_.rounding_mm + allowance_mm_) - Vec3{0, 0, profile_.rounding_mm};
+  const double limit = allowance_mm_ - kContact_mm;
+  const double level = std::hypot(n.x, n.y);
+  if (level > kLevel || profile_.flat_mm <= 0) {
+    const double scale = level > 0 ? profile_.flat_mm / level : 0;
+    const Vec3 tip = core + Vec3{n.x * scale, n.y * scale, 0};
+    return comes_below(tip, limit) == Below::none ? std::optional(tip) : std::nullopt;
+  }
+  for (int k = -1; k < kDirections; ++k) {
+    const double angle = 2 * pi * k / kDirections, reach = k < 0 ? 0 : profile_.flat_mm;
+    const Vec3 tip = core + Vec3{reach * std::cos(angle), reach * std::sin(angle), 0};
+    if (comes_below(tip, limit) == Below::none) return tip;
+  }
+  return std::nullopt;
+}
+
+bool Reachability::surely_unreachable(const Bezier& cell) const {
+  const auto cone = normal_cone(cell);
+  if (!cone) return false;
+  const double tilt = std::acos(std::clamp(cone->axis.z, -1.0, 1.0)), spread = cone->half_angle_rad;
+  if (tilt - spread > pi / 2 - std::asin(slope_sine(profile_))) return true;
+
+  const Vec3 middle = point(cell, 0.5, 0.5);
+  // Every contact position of the cell is this near to one of those tried below.
+  const double turn = 2 * std::sin(std::min(spread, pi) / 2);
+  double stray = control_radius(cell, middle) + (profile_.rounding_mm + allowance_mm_) * turn;
+  const Vec3 core = middle + cone->axis * (profile_.rounding_mm + allowance_mm_) -
+                    Vec3{0, 0, profile_.rounding_mm};
+  const double flat = profile_.flat_mm;
+  const auto blocked = [&](const Vec3& tip) {
+    return comes_below(tip, allowance_mm_ - kContact_mm - stray) == Below::found;
+  };
+  if (flat <= 0) return blocked(core);
+  const bool all_round = tilt <= spread + kLevel;
+  const double aside = std::atan2(cone->axis.y, cone->axis.x);
+  const double half_arc =
+      all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
+  const int samples = std::max(1, static_cast<int>(std::ceil(kCircleSamples * half_arc / pi)));
+  const double half_step = half_arc / samples;
+  // A level spot may be touched by any point of the flat: rings inwards at the same spacing.
+  const int rings = all_round ? kCircleSamples / 6 : 1;
+  stray += flat * half_step + (all_round ? flat / (2 * rings) : 0);
+  for (int r = 0; r < rings; ++r) {
+    const double reach = flat * (1 - static_cast<double>(r) / rings);
+    for (int k = 0; k < samples; ++k) {
+      const double angle = aside - half_arc + half_step * (2 * k + 1);
+      if (!blocked(core + Vec3{reach * std::cos(angle), reach * std::sin(angle), 0})) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include "verifier/cutter_profile.h"
+#include "verifier/surface_cells.h"
+
+namespace limitgauge::verifier {
+
+/// Which points of S a cutter can touch, at distance `allowance`, without coming closer than that
+/// to S anywhere. The cutter's wall counts as going up without end; flutes, shank and holder are
+/// judged as collisions. Contact on a point with normal n:
+///   tip = s + (rounding + a)·n + flat·n_xy/|n_xy| − rounding·z,
+/// and no contact where n points further down than the wall allows (n_z < sin of the taper).
+class Reachability {
+ public:
+  /// A position counts as free of gouges when it comes no closer than the allowance less this.
+  static constexpr double kContact_mm = 1e-4;
+
+  Reachability(const SurfaceCells& cells, const CutterProfile& profile, double allowance_mm)
+      : cells_(cells), profile_(profile), allowance_mm_(allowance_mm) {}
+
+  /// A gouge-free tip position that touches the surface at `p` with normal `n`, if one was proven.
+  std::optional<model::Vec3> touching_tip(const model::Vec3& p, const model::Vec3& n) const;
+  /// Proof that no point of the cell can be touched. False means "not proven".
+  bool surely_unreachable(const Bezier& cell) const;
+
+ private:
+  enum class Below { none, found, undecided };
+  /// Whether some point of S is nearer than `limit_mm` to the cutter with its tip at `tip`.
+  Below comes_below(const model::Vec3& tip, double limit_mm) const;
+  Below comes_below(const Bezier& cell, const model::Vec3& tip, double limit_mm, int depth) const;
+
+  const SurfaceCells& cells_;
+  CutterProfile profile_;
+  double allowance_mm_;
+};
+
+/// A cone that holds every normal of a cell: unit axis and half angle (Sederberg and Meyers 1988).
+struct NormalCone {
+  model::Vec3 axis;
+  double half_angle_rad = 0;
+};
+std::optional<NormalCone> normal_cone(const Bezier& cell);
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,196 @@
+#include "verifier/removed_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace limitgauge::verifier {
+
+using model::Box3;
+using model::Vec3;
+
+namespace {
+
+constexpr std::uint32_t kLeafBodies = 6;
+constexpr std::uint32_t kCylinderSide = 2;
+
+/// A stack on the heap of the thread, kept between queries: a tree over millions of moves is deep.
+std::vector<std::uint32_t>& query_stack() {
+  thread_local std::vector<std::uint32_t> stack;
+  stack.clear();
+  return stack;
+}
+
+}  // namespace
+
+RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes)
+    : stock_(stock) {
+  for (const Pass& pass : passes) {
+    const model::Toolpath& path = *pass.path;
+    std::vector<SweptBody> bodies;
+    bodies.reserve(path.moves.size());
+    for (std::size_t i = 0; i < path.moves.size(); ++i)
+      bodies.emplace_back(model::move_from(path, i), path.moves[i].to);
+    passes_.push_back(index_bodies(pass.cutter, std::move(bodies)));
+    chord_error_mm_ = std::max(chord_error_mm_, path.chord_error_mm);
+  }
+}
+
+RemovedSpace::RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions) {
+  passes_.push_back(index_bodies(cutter, std::move(positions)));
+}
+
+RemovedSpace::PassBodies RemovedSpace::index_bodies(const model::Cutter& cutter,
+                                                    std::vector<SweptBody> bodies) {
+  PassBodies p{CutterProfile(cutter), std::move(bodies), {}, {}};
+  p.order.resize(p.bodies.size());
+  std::iota(p.order.begin(), p.order.end(), 0U);
+  if (!p.bodies.empty()) build(p, 0, static_cast<std::uint32_t>(p.bodies.size()));
+  return p;
+}
+
+/// Halves by the middle of the bodies along the longest side of their centres' box.
+std::uint32_t RemovedSpace::build(PassBodies& p, std::uint32_t first, std::uint32_t count) {
+  const auto here = static_cast<std::uint32_t>(p.nodes.size());
+  p.nodes.emplace_back();
+  Box3 tips, centres;
+  for (std::uint32_t k = first; k < first + count; ++k) {
+    const SweptBody& body = p.bodies[p.order[k]];
+    tips.add(body.from), tips.add(body.to);
+    centres.add((body.from + body.to) * 0.5);
+  }
+  p.nodes[here].tips = tips;
+  if (count <= kLeafBodies) {
+    p.nodes[here].first = first, p.nodes[here].count = count;
+    return here;
+  }
+  const Vec3 size = centres.size();
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::uint32_t half = count / 2;
+  const auto begin = p.order.begin() + first;
+  std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
+    const double ca = p.bodies[a].from[axis] + p.bodies[a].to[axis],
+                 cb = p.bodies[b].from[axis] + p.bodies[b].to[axis];
+    return ca != cb ? ca < cb : a < b;
+  });
+  build(p, first, half);
+  const std::uint32_t right = build(p, first + half, count - half);
+  p.nodes[here].right = right;
+  return here;
+}
+
+void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) const {
+  const PassBodies& bodies = passes_[pass];
+  if (bodies.nodes.empty()) return;
+  struct Entry {
+    std::uint32_t node;
+    double bound;
+  };
+  thread_local std::vector<Entry> stack;
+  stack.assign(1, {0, box_bound(bodies.profile, bodies.nodes[0].tips, p)});
+  while (!stack.empty()) {
+    const auto [at, bound] = stack.back();
+    stack.pop_back();
+    if (bound > best.distance.value) continue;
+    const Node& node = bodies.nodes[at];
+    if (node.count > 0) {
+      for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+        const std::uint32_t i = bodies.order[k];
+        const BodyDistance d = body_distance(bodies.profile, bodies.bodies[i], p);
+        // Among equals the first move is the one named.
+        const bool earlier = BodyRef{pass, i}.pass < best.body.pass ||
+                             (pass == best.body.pass && i < best.body.index);
+        if (d.value < best.distance.value || (d.value == best.distance.value && earlier))
+          best = {{pass, i}, d};
+      }
+      continue;
+    }
+    const Entry left{at + 1, box_bound(bodies.profile, bodies.nodes[at + 1].tips, p)};
+    const Entry right{node.right, box_bound(bodies.profile, bodies.nodes[node.right].tips, p)};
+    const bool left_first = left.bound <= right.bound;
+    stack.push_back(left_first ? right : left);
+    stack.push_back(left_first ? left : right);
+  }
+}
+
+Nearest RemovedSpace::nearest(const Vec3& p) const {
+  const auto outside = static_cast<std::uint32_t>(passes_.size());
+  Nearest best{{outside, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
+  for (std::uint32_t face = 0; face < stock_faces(); ++face) {
+    const BodyDistance d = stock_distance(face, p);
+    if (d.value < best.distance.value) best = {{outside, face}, d};
+  }
+  // The last pass is most often the nearest: begin with it, so that the others are cut off early.
+  for (std::uint32_t k = outside; k-- > 0;) nearest_in(k, p, best);
+  return best;
+}
+
+void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
+  auto& stack = query_stack();
+  for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
+    const PassBodies& bodies = passes_[pass];
+    if (bodies.nodes.empty()) continue;
+    stack.assign(1, 0);
+    while (!stack.empty()) {
+      const std::uint32_t at = stack.back();
+      stack.pop_back();
+      const Node& node = bodies.nodes[at];
+      if (box_bound(bodies.profile, node.tips, p) > limit_mm) continue;
+      if (node.count == 0) {
+        stack.push_back(node.right);
+        stack.push_back(at + 1);
+        continue;
+      }
+      for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
+        if (body_value(bodies.profile, bodies.bodies[bodies.order[k]], p) <= limit_mm)
+          out.push_back({pass, bodies.order[k]});
+    }
+  }
+  const auto outside = static_cast<std::uint32_t>(passes_.size());
+  for (std::uint32_t face = 0; face < stock_faces(); ++face)
+    if (stock_distance(face, p).value <= limit_mm) out.push_back({outside, face});
+}
+
+BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p) const {
+  if (is_stock(body)) return stock_distance(body.index, p);
+  const PassBodies& pass = passes_[body.pass];
+  return body_distance(pass.profile, pass.bodies[body.index], p);
+}
+
+void RemovedSpace::values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const {
+  if (!is_stock(body)) {
+    const PassBodies& pass = passes_[body.pass];
+    return body_values(pass.profile, pass.bodies[body.index], cell, out);
+  }
+  for (int k = 0; k < 16; ++k) out[k] = stock_distance(body.index, cell.control(k)).value;
+}
+
+bool RemovedSpace::is_concave(BodyRef body) const {
+  return is_stock(body) && stock_ && std::holds_alternative<model::CylinderStock>(*stock_) &&
+         body.index == kCylinderSide;
+}
+
+std::uint32_t RemovedSpace::stock_faces() const {
+  if (!stock_) return 0;
+  return std::holds_alternative<model::BoxStock>(*stock_) ? 6 : 3;
+}
+
+/// Distance inwards from one face of the raw stock, negative outside it.
+BodyDistance RemovedSpace::stock_distance(std::uint32_t face, const Vec3& p) const {
+  const Box3 box = model::bounding_box(*stock_);
+  if (std::holds_alternative<model::BoxStock>(*stock_)) {
+    const int axis = static_cast<int>(face / 2);
+    Vec3 inwards;
+    inwards[axis] = face % 2 == 0 ? 1 : -1;
+    return {face % 2 == 0 ? p[axis] - box.low[axis] : box.high[axis] - p[axis], inwards, 0};
+  }
+  if (face != kCylinderSide)
+    return {face == 0 ? p.z - box.low.z : box.high.z - p.z, {0, 0, face == 0 ? 1.0 : -1.0}, 0};
+  const auto& bar = std::get<model::CylinderStock>(*stock_);
+  const double dx = p.x - bar.base_mm.x, dy = p.y - bar.base_mm.y, rho = std::hypot(dx, dy);
+  const double scale = rho > 0 ? -1 / rho : 0;
+  return {bar.diameter_mm / 2 - rho, {dx * scale, dy * scale, 0}, 0};
+}
+
+}  // namespace limitgauge::verifier

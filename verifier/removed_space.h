@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/model/stock.h"
+#include "verifier/swept_body.h"
+#include "verifier/verify.h"
+
+namespace limitgauge::verifier {
+
+/// One of the bodies whose union is the removed space: a move of a pass, or what lies outside one
+/// face of the raw stock (which counts as the pass after the last).
+struct BodyRef {
+  std::uint32_t pass = 0, index = 0;
+  friend bool operator==(const BodyRef&, const BodyRef&) = default;
+};
+
+/// δ at a point: the signed distance to the nearest removed body, and that body.
+struct Nearest {
+  BodyRef body;
+  BodyDistance distance;
+};
+
+/// All that has been cut so far and all that lies outside the raw stock. δ(p) is the least of the
+/// bodies' signed distances: exact outside the removed space, with the right sign everywhere;
+/// inside, the depth into one body (design: a union's true depth can be larger).
+class RemovedSpace {
+ public:
+  RemovedSpace(const model::Stock& stock, std::span<const Pass> passes);
+  /// The union of single positions of one cutter in endless stock.
+  RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions);
+
+  Nearest nearest(const model::Vec3& p) const;
+  /// All bodies with d(p) ≤ limit_mm, in a fixed order, appended to `out`.
+  void within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
+
+  BodyDistance distance(BodyRef body, const model::Vec3& p) const;
+  /// d at the sixteen control points of `cell`.
+  void values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const;
+  /// The side of a round bar: its distance is concave, not convex.
+  bool is_concave(BodyRef body) const;
+  bool is_stock(BodyRef body) const { return body.pass == passes_.size(); }
+  /// Largest distance between a programmed arc and the chords that stand for it, over all passes.
+  double chord_error_mm() const { return chord_error_mm_; }
+
+ private:
+  struct Node {
+    model::Box3 tips;
+    std::uint32_t first = 0, count = 0;  ///< of a leaf: bodies in `order`
+    std::uint32_t right = 0;             ///< of an inner node; the left child follows the node
+  };
+  struct PassBodies {
+    CutterProfile profile;
+    std::vector<SweptBody> bodies;
+    std::vector<std::uint32_t> order;
+    std::vector<Node> nodes;
+  };
+
+  static PassBodies index_bodies(const model::Cutter& cutter, std::vector<SweptBody> bodies);
+  static std::uint32_t build(PassBodies& p, std::uint32_t first, std::uint32_t count);
+  void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best) const;
+  std::uint32_t stock_faces() const;
+  BodyDistance stock_distance(std::uint32_t face, const model::Vec3& p) const;
+
+  std::optional<model::Stock> stock_;
+  std::vector<PassBodies> passes_;
+  double chord_error_mm_ = 0;
+};
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,124 @@
+#include "verifier/stock_readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "verifier/closest_point.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+/// What two evaluations of the same swept surface may differ by, beyond the projection's residual:
+/// both work in double precision, so this is far above rounding and far below any gate.
+constexpr double kAgreement_mm = 1e-6;
+
+struct Reading {
+  bool near = false;        ///< within sight of S, and the two instruments were compared
+  bool counts = false;      ///< has a foot on S whose machining side it faces
+  double deviation_mm = 0;  ///< δ − a as this point shows it
+  double mismatch_mm = 0;   ///< beyond what is allowed for
+  Vec3 foot, normal;
+};
+
+Reading read_point(const SurfaceCells& cells, const RemovedSpace& space, const StockReading& point,
+                   double sight_mm, double allowance_mm) {
+  Reading out;
+  const auto foot = closest_point(cells, point.position, sight_mm);
+  if (!foot) return out;
+  out.near = true;
+  const Nearest removed = space.nearest(point.position);
+  out.mismatch_mm = std::abs(removed.distance.value) - point.error_mm - kAgreement_mm;
+  const Vec3 air = -removed.distance.gradient;
+  out.counts = foot->perpendicular && dot(air, foot->normal) > 0;
+  const double side = dot(point.position - foot->place.point, foot->normal) >= 0 ? 1 : -1;
+  out.deviation_mm = side * foot->distance_mm - allowance_mm;
+  out.foot = foot->place.point, out.normal = foot->normal;
+  return out;
+}
+
+std::string place_text(const Vec3& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.4f, %.4f, %.4f)", p.x, p.y, p.z);
+  return text;
+}
+
+[[noreturn]] void disagree(const Vec3& p, const char* what, double analytic_mm, double voxel_mm) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s: analytic instrument %.6f mm, voxel instrument %.6f mm",
+                what, analytic_mm, voxel_mm);
+  throw InstrumentDisagreement("the two instruments disagree at " + place_text(p) + ": " + text);
+}
+
+void require_agreement(const std::vector<Reading>& read, std::span<const StockReading> readings,
+                       const RemovedSpace& space) {
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < read.size(); ++i)
+    if (read[i].mismatch_mm > read[worst].mismatch_mm) worst = i;
+  if (read.empty() || read[worst].mismatch_mm <= 0) return;
+  const Vec3& p = readings[worst].position;
+  disagree(p, "distance of a simulated stock point from the cut surface",
+           space.nearest(p).distance.value, readings[worst].error_mm);
+}
+
+/// The surface of the stock passes within δ of the witness: the voxel instrument must have seen it.
+void require_seen(const Certificate& certificate, std::span<const StockReading> readings,
+                  const StageCheck& check) {
+  if (!certificate.uncut || readings.empty() || check.voxel_mm <= 0) return;
+  const Vec3& at = certificate.uncut->place.point;
+  double squared = std::numeric_limits<double>::infinity();
+  for (const StockReading& r : readings)
+    squared = std::min(squared, length_squared(r.position - at));
+  const double expected = certificate.uncut->depth_mm + check.allowance_mm;
+  // A voxel that the surface crosses has a point on it within two of its diagonals.
+  const double reach = expected + 2 * std::numbers::sqrt3 * check.voxel_mm;
+  if (std::sqrt(squared) > reach)
+    disagree(at, "distance to the cut surface from the certified leftover", expected,
+             std::sqrt(squared));
+}
+
+/// The largest leftover whose foot can be touched.
+double largest_reachable(const std::vector<Reading>& read, const Reachability& reachability) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < read.size(); ++i)
+    if (read[i].counts && read[i].deviation_mm > 0) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return read[i].deviation_mm > read[j].deviation_mm;
+  });
+  for (const std::size_t i : order)
+    if (reachability.touching_tip(read[i].foot, read[i].normal)) return read[i].deviation_mm;
+  return 0;
+}
+
+}  // namespace
+
+VoxelFigures read_stock(const SurfaceCells& cells, const RemovedSpace& space,
+                        const Reachability& reachability, const Certificate& certificate,
+                        std::span<const StockReading> readings, const StageCheck& check,
+                        const model::RunControl& control) {
+  const double deepest = std::max(certificate.gouge_mm.high, certificate.uncut_mm.high);
+  // Far enough to see what the certificate speaks of and leftovers that stand well away from S.
+  const double sight = 2 * (check.allowance_mm + deepest) + 10 * check.voxel_mm;
+  std::vector<Reading> read(readings.size());
+  constexpr std::size_t kChunk = 1024;
+  model::parallel_for((read.size() + kChunk - 1) / kChunk, control.threads, [&](std::size_t chunk) {
+    control.check();
+    for (std::size_t i = chunk * kChunk; i < std::min(read.size(), (chunk + 1) * kChunk); ++i)
+      read[i] = read_point(cells, space, readings[i], sight, check.allowance_mm);
+  });
+  require_agreement(read, readings, space);
+  require_seen(certificate, readings, check);
+  VoxelFigures figures;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    if (read[i].near)
+      figures.largest_error_mm = std::max(figures.largest_error_mm, readings[i].error_mm);
+    if (read[i].counts) figures.gouge_mm = std::max(figures.gouge_mm, -read[i].deviation_mm);
+  }
+  figures.uncut_mm = largest_reachable(read, reachability);
+  return figures;
+}
+
+}  // namespace limitgauge::verifier

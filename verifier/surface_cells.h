@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "verifier/surface_tree.h"
+
+namespace limitgauge::verifier {
+
+/// A rectangle of a patch's parameters and the polynomial over it.
+struct SurfaceCell {
+  Bezier shape;
+  int patch = 0;
+  double u = 0, v = 0, size_u = 1, size_v = 1;
+
+  double u_at(double s) const { return u + s * size_u; }
+  double v_at(double t) const { return v + t * size_v; }
+};
+std::array<SurfaceCell, 2> split_u(const SurfaceCell& cell);
+std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell);
+
+/// The limit surface as small cells under a tree of boxes, shared by every search over it. Pieces
+/// that lie within kOmitted_mm of an irregular vertex are stood for by the vertex: a function that
+/// changes by at most a millimetre a millimetre is wrong there by at most kOmitted_mm.
+class SurfaceCells {
+ public:
+  static constexpr double kOmitted_mm = 1e-8;
+  /// Cells are split until their control points lie within `radius_mm` of their middle.
+  SurfaceCells(const SurfaceTree& tree, double radius_mm);
+
+  const std::vector<SurfaceCell>& cells() const { return cells_; }
+
+  struct Node {
+    model::Box3 box;
+    std::uint32_t first = 0, count = 0;  ///< of a leaf: consecutive cells
+    std::uint32_t right = 0;             ///< of an inner node; the left child follows the node
+  };
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+ private:
+  std::uint32_t build(std::vector<std::uint32_t>& order, const std::vector<model::Box3>& boxes,
+                      std::uint32_t first, std::uint32_t count);
+  std::vector<SurfaceCell> cells_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limitgauge::e2e {
+
+/// An empty folder of one test, removed at its end.
+class Scratch {
+ public:
+  Scratch();
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  /// Names of what stands in it, hidden files included, sorted.
+  std::vector<std::string> entries() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct Outcome {
+  int exit_code = -1;  ///< minus the signal that ended the program
+  std::string out, errors;
+};
+
+struct Conditions {
+  std::optional<std::chrono::milliseconds> interrupt_after;  ///< SIGINT then
+  std::optional<std::size_t> largest_file_bytes;             ///< stands in for a full disk
+};
+
+/// Runs the built program in `folder` and waits for its end.
+Outcome limitgauge(const Scratch& folder, const std::vector<std::string>& arguments,
+                   const Conditions& conditions = {});
+
+std::string read_text(const std::filesystem::path& file);
+void write_text(const std::filesystem::path& file, const std::string& text);
+/// A file below fixtures/.
+std::string fixture(const std::string& name);
+
+}  // namespace limitgauge::e2e

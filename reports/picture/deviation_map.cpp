@@ -43,8 +43,7 @@ void fill_layers(MapLayers& layers, const verifier::DeviationField& field, const
   for (const auto& q : field.quads) fill(q[0], q[1], q[2]), fill(q[0], q[2], q[3]);
 }
 
-Rgba hatch(std::size_t pixel, int width) {
-  const auto x = pixel % width, y = pixel / width;
+Rgba hatch(std::size_t x, std::size_t y) {
   return (x + y) % kHatchPeriod < kHatchPeriod / 3 ? kHatchDark : kHatchLight;
 }
 
@@ -86,6 +85,13 @@ MapFrame map_frame(const verifier::DeviationField& field, int largest_width, int
           int(std::ceil(size.y * scale + 2 * margin_px))};
 }
 
+void draw_hatch(Image& image, int left, int top, int size) {
+  Image fine(size * kOversampling, size * kOversampling);
+  for (int y = 0; y < fine.height(); ++y)
+    for (int x = 0; x < fine.width(); ++x) fine.at(x, y) = hatch(x, y);
+  image.draw(fine.halved(), left, top);
+}
+
 Image draw_map(const verifier::DeviationField& field, const DeviationScale& scale,
                const MapFrame& frame) {
   MapFrame fine = frame;
@@ -95,8 +101,8 @@ Image draw_map(const verifier::DeviationField& field, const DeviationScale& scal
   Image image(fine.width, fine.height);
   for (std::size_t i = 0; i < image.pixels().size(); ++i) {
     if (layers.depth.is_empty(i)) continue;
-    image.pixels()[i] =
-        layers.reachable[i] < 0.5f ? hatch(i, fine.width) : scale.colour(layers.deviation_mm[i]);
+    image.pixels()[i] = layers.reachable[i] < 0.5f ? hatch(i % fine.width, i / fine.width)
+                                                   : scale.colour(layers.deviation_mm[i]);
   }
   Image out = image.halved();
   draw_borders(out, field, frame);

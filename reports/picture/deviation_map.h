@@ -25,6 +25,9 @@ MapFrame map_frame(const verifier::DeviationField& field, int largest_width, int
 Image draw_map(const verifier::DeviationField& field, const DeviationScale& scale,
                const MapFrame& frame);
 
+/// A square of the hatching that stands for unreachable surface.
+void draw_hatch(Image& image, int left, int top, int size);
+
 /// deviation.png: the map with its colour bar in numbers, a scale, and the worst gouge and the
 /// worst uncut marked, on white.
 Image draw_deviation_picture(const verifier::StageDeviation& deviation,

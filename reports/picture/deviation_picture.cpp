@@ -8,7 +8,7 @@
 namespace limitgauge::reports {
 namespace {
 
-constexpr Rgba kInk{28, 32, 38}, kWhite{255, 255, 255}, kHatchGrey{150, 153, 158};
+constexpr Rgba kInk{28, 32, 38}, kWhite{255, 255, 255};
 constexpr int kMargin = 36;
 constexpr int kLegendWidth = 330;
 constexpr int kFooter = 120;
@@ -26,12 +26,8 @@ void draw_bar_tick(Image& image, const DeviationScale& scale, double deviation_m
                    int left, int width, const PixelPoint& at) {
   draw_stroke(image, {{double(is_limit ? left : left + width), at.y}, {left + width + 10.0, at.y}},
               2, kInk);
-  const LengthUnit unit =
-      unit_for(deviation_mm < 0 ? scale.gouge().limit_mm : scale.uncut().limit_mm);
-  std::string label = deviation_mm == 0 ? "0" : stated_length(std::abs(deviation_mm));
-  if (deviation_mm != 0)
-    label = (deviation_mm < 0 ? "–" : "+") +
-            three_digits(std::abs(deviation_mm) * unit.per_mm).append(" ").append(unit.symbol);
+  std::string label = deviation_mm == 0 ? "0" : deviation_mm < 0 ? "–" : "+";
+  if (deviation_mm != 0) label += stated_length(std::abs(deviation_mm));
   if (is_limit) label += " limit";
   draw_text(image, label, {left + width + 20.0, at.y + kText.height / 2}, kText);
 }
@@ -92,7 +88,7 @@ Image draw_deviation_picture(const verifier::StageDeviation& d,
   draw_worst(image, d.gouges, frame, "G", "gouge", {kMargin + 4.0, foot + 56});
   draw_worst(image, d.uncuts, frame, "U", "uncut", {kMargin + 420.0, foot + 56});
   if (d.unreachable_area_mm2 > 0) {
-    image.fill(kMargin + 840, int(foot) + 34, 26, 26, kHatchGrey);
+    draw_hatch(image, kMargin + 840, int(foot) + 32, 28);
     draw_text(image, "not reachable", {kMargin + 880.0, foot + 56}, kText);
   }
   return image;

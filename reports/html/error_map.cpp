@@ -1,0 +1,66 @@
+#include "reports/html/error_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/html/charts.h"
+#include "reports/html/markup.h"
+#include "reports/picture/deviation_map.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports::html {
+namespace {
+
+constexpr int kMapWidth = 1100, kMapHeight = 900;
+constexpr std::size_t kMarkersPerKind = 3;
+/// Below this share of the limits the gate's colours show next to nothing.
+constexpr double kFaint = 0.3;
+
+std::string markers(const std::vector<verifier::Finding>& findings, char letter,
+                    const MapFrame& frame) {
+  std::string out;
+  for (std::size_t i = 0; i < std::min(findings.size(), kMarkersPerKind); ++i) {
+    const PixelPoint p = frame.pixel(findings[i].place.point);
+    out += fmt::format("<span class=\"marker\" style=\"left:{}%;top:{}%\"><i>{}{}</i></span>",
+                       fixed(100 * p.x / frame.width, 2), fixed(100 * p.y / frame.height, 2),
+                       letter, i + 1);
+  }
+  return out;
+}
+
+std::string map_figure(const verifier::StageDeviation& d, const DeviationScale& scale,
+                       std::string_view caption) {
+  const MapFrame frame = map_frame(d.field, kMapWidth, kMapHeight);
+  const std::string image = png_uri(png_bytes(draw_map(d.field, scale, frame)));
+  const std::string hatched =
+      d.unreachable_area_mm2 > 0 ? " Hatched: the cutter cannot reach there." : "";
+  return fmt::format(
+      "<figure class=\"map\"><figcaption>{}{} Fine lines: patch borders.</figcaption>"
+      "<div class=\"frame\"><img src=\"{}\" width=\"{}\" height=\"{}\" "
+      "alt=\"Map of deviation seen from +Z, X to the right, Y up\">{}{}</div>{}</figure>\n",
+      caption, hatched, image, frame.width, frame.height, markers(d.gouges, 'G', frame),
+      markers(d.uncuts, 'U', frame), colour_legend(scale));
+}
+
+bool is_faint(const verifier::StageDeviation& d, const verifier::GateLimits& l) {
+  return (l.has_gouge || l.has_uncut) && (!l.has_gouge || d.gouge_mm.high < kFaint * l.gouge_mm) &&
+         (!l.has_uncut || d.uncut_mm.high < kFaint * l.uncut_mm);
+}
+
+}  // namespace
+
+std::string error_maps(const StageResult& stage) {
+  const verifier::StageDeviation& d = stage.ran->deviation;
+  if (d.field.quads.empty()) return {};
+  const bool faint = is_faint(d, stage.limits);
+  std::string out = map_figure(d, DeviationScale::for_gate(d, stage.limits),
+                               "Deviation seen from +Z, colours scaled by the gate limits: pale is "
+                               "in tolerance, dark is beyond a limit.");
+  if (faint)
+    out += map_figure(d, DeviationScale::magnified(d),
+                      "The same at the scale of what was measured, far inside the limits.");
+  return "<div class=\"maps\">" + out + "</div>\n";
+}
+
+}  // namespace limitgauge::reports::html

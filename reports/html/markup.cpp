@@ -1,0 +1,107 @@
+#include "reports/html/markup.h"
+
+#include <fmt/format.h>
+
+#include "reports/text.h"
+
+namespace limitgauge::reports::html {
+namespace {
+
+constexpr std::string_view kBase64 =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+struct Look {
+  const char* css;
+  const char* sign;
+  const char* word;
+};
+
+std::string badge_of(const Look& look) {
+  return fmt::format("<span class=\"badge {}\"><span aria-hidden=\"true\">{}</span> {}</span>",
+                     look.css, look.sign, look.word);
+}
+
+Look look_of(verifier::Verdict verdict) {
+  switch (verdict) {
+    case verifier::Verdict::pass:
+      return {"pass", "✓", "Passed"};
+    case verifier::Verdict::fail:
+      return {"fail", "✕", "Failed"};
+    case verifier::Verdict::indeterminate:
+      return {"open", "?", "Undecided"};
+    case verifier::Verdict::not_run:
+      break;
+  }
+  return {"none", "–", "Not run"};
+}
+
+Look look_of(Standing standing) {
+  switch (standing) {
+    case Standing::within:
+      return {"pass", "✓", "within"};
+    case Standing::beyond:
+      return {"fail", "✕", "beyond"};
+    case Standing::undecided:
+      return {"open", "?", "undecided"};
+    case Standing::no_limit:
+      return {"none", "–", "no limit"};
+    case Standing::not_run:
+      break;
+  }
+  return {"none", "–", "not run"};
+}
+
+}  // namespace
+
+std::string table(std::string_view caption, const std::vector<Column>& columns,
+                  const std::vector<std::vector<std::string>>& rows) {
+  std::string out = "<div class=\"scroll\"><table>";
+  if (!caption.empty()) out += fmt::format("<caption>{}</caption>", caption);
+  out += "<thead><tr>";
+  for (const Column& c : columns)
+    out += fmt::format("<th scope=\"col\"{}>{}</th>", c.is_number ? " class=\"num\"" : "", c.title);
+  out += "</tr></thead><tbody>\n";
+  for (const auto& row : rows) {
+    out += "<tr>";
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      out += fmt::format("<td data-label=\"{}\"{}>{}</td>", columns[i].title,
+                         columns[i].is_number ? " class=\"num\"" : "", row.at(i));
+    out += "</tr>\n";
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+std::string terms(const std::vector<Term>& list) {
+  std::string out = "<dl>";
+  for (const Term& t : list)
+    out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", t.name, t.value);
+  return out + "</dl>\n";
+}
+
+std::string badge(verifier::Verdict verdict) {
+  return badge_of(look_of(verdict));
+}
+std::string badge(Standing standing) {
+  return badge_of(look_of(standing));
+}
+const char* word(verifier::Verdict verdict) {
+  return look_of(verdict).word;
+}
+const char* css_class(verifier::Verdict verdict) {
+  return look_of(verdict).css;
+}
+
+std::string png_uri(std::string_view bytes) {
+  std::string out = "data:image/png;base64,";
+  out.reserve(out.size() + (bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned word = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      word = word << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= n ? kBase64[word >> (18 - 6 * k) & 63] : '=';
+  }
+  return out;
+}
+
+}  // namespace limitgauge::reports::html

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/gate_figures.h"
+#include "verifier/deviation.h"
+
+namespace limitgauge::reports::html {
+
+/// One column of a table; numbers stand flush right. On a narrow page a row becomes a block of
+/// lines, each with its column's title.
+struct Column {
+  std::string title;
+  bool is_number = false;
+};
+/// A table with `caption` from cells that are markup already.
+std::string table(std::string_view caption, const std::vector<Column>& columns,
+                  const std::vector<std::vector<std::string>>& rows);
+
+/// A list of terms and values; both are markup already.
+struct Term {
+  std::string name, value;
+};
+std::string terms(const std::vector<Term>& list);
+
+/// The verdict as a coloured word with a sign that needs no colour.
+std::string badge(verifier::Verdict verdict);
+std::string badge(Standing standing);
+/// "Passed", "Failed", "Undecided", "Not run".
+const char* word(verifier::Verdict verdict);
+/// Class name that carries the verdict's colour.
+const char* css_class(verifier::Verdict verdict);
+
+/// `bytes` as the data: URI of a PNG.
+std::string png_uri(std::string_view bytes);
+
+}  // namespace limitgauge::reports::html

@@ -1,0 +1,218 @@
+#include <fmt/format.h>
+
+#include <ostream>
+#include <variant>
+
+#include "reports/embedded.h"
+#include "reports/gate_figures.h"
+#include "reports/html/markup.h"
+#include "reports/html/stage_section.h"
+#include "reports/report.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports {
+namespace {
+
+using namespace html;
+
+std::string stock_text(const model::Stock& stock) {
+  if (const auto* box = std::get_if<model::BoxStock>(&stock)) {
+    const model::Vec3& s = box->size_mm;
+    return fmt::format("block {} × {} × {} mm", shortest(s.x), shortest(s.y), shortest(s.z));
+  }
+  const auto& bar = std::get<model::CylinderStock>(stock);
+  return fmt::format("bar ⌀{} × {} mm", shortest(bar.diameter_mm), shortest(bar.height_mm));
+}
+
+verifier::Verdict verdict_of(const StageResult& stage) {
+  return stage.ran ? stage.decision.verdict : verifier::Verdict::not_run;
+}
+
+const char* verdict_sentence(verifier::Verdict verdict) {
+  switch (verdict) {
+    case verifier::Verdict::pass:
+      return "Every gate figure is proven inside its limit.";
+    case verifier::Verdict::fail:
+      return "At least one gate figure is proven beyond its limit.";
+    case verifier::Verdict::indeterminate:
+      return "Nothing is proven beyond a limit, but a certified interval still holds one: neither "
+             "pass nor fail can be stated at this resolution.";
+    case verifier::Verdict::not_run:
+      break;
+  }
+  return "No stage was run.";
+}
+
+/// What decided the verdict: the reasons of the stages that did not pass, or of all.
+std::string reasons_list(const RunResult& result) {
+  std::string out;
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    const StageResult& stage = result.stages[i];
+    const verifier::Verdict verdict = verdict_of(stage);
+    if (verdict == verifier::Verdict::pass && result.verdict != verifier::Verdict::pass) continue;
+    for (const std::string& reason : stage.decision.reasons)
+      out += fmt::format("<li><a href=\"#{}\">{}</a>: {}</li>\n", stage_anchor(i),
+                         escape_markup(stage.name), escape_markup(reason));
+  }
+  return out.empty() ? out : "<ul class=\"reasons\">" + out + "</ul>\n";
+}
+
+std::string masthead(const RunResult& result) {
+  return fmt::format(
+             "<header><p class=\"kind\">Limitgauge · certificate of toolpath verification</p>"
+             "<h1>{}</h1>\n<div class=\"verdict {}\"><p class=\"word\">{}</p><p>{}</p>{}</div>\n",
+             escape_markup(result.job), css_class(result.verdict), badge(result.verdict),
+             verdict_sentence(result.verdict), reasons_list(result)) +
+         terms({{"Created", escape_markup(result.created)},
+                {"Design surface", escape_markup(result.surface.cage)},
+                {"Stock", stock_text(result.raw_stock)},
+                {"Program version", "limitgauge " + escape_markup(result.version)},
+                {"Threads", std::to_string(result.threads)}}) +
+         "</header>\n";
+}
+
+std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) {
+  const std::vector<GateFigure> f = gate_figures(stage);
+  const auto figure = [&](std::size_t i) {
+    if (f[i].standing == Standing::not_run) return std::string("–");
+    return f[i].measured + (f[i].limit.empty() ? "" : "<small>limit " + f[i].limit + "</small>");
+  };
+  const std::size_t hits =
+      stage.ran ? stage.ran->collisions.rapid.size() + stage.ran->collisions.holder.size() : 0;
+  return {fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),
+          fmt::format("{}<small>{}</small>", escape_markup(stage.tool), cutter_text(stage.cutter)),
+          path_source(stage),
+          stated_length(stage.allowance_mm),
+          figure(0),
+          figure(1),
+          figure(2),
+          stage.ran ? grouped(hits) : "–",
+          stage.ran ? duration_text(stage.seconds) : "–",
+          badge(verdict_of(stage))};
+}
+
+std::string stage_table(const RunResult& result) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < result.stages.size(); ++i)
+    rows.push_back(stage_row(result.stages[i], i));
+  return "<section><h2>Stages</h2>\n" +
+         table("Gouge and uncut are certified intervals against the stage's own allowance surface.",
+               {{"Stage"},
+                {"Tool"},
+                {"Path"},
+                {"Allowance", true},
+                {"Gouge", true},
+                {"Uncut", true},
+                {"Coverage", true},
+                {"Collisions", true},
+                {"Time", true},
+                {"Verdict"}},
+               rows) +
+         "</section>\n";
+}
+
+std::string span_text(int low, int high) {
+  return low == high ? std::to_string(low) : fmt::format("{} to {}", low, high);
+}
+
+std::string surface_section(const SurfaceResult& s) {
+  const model::Vec3 size = s.bbox_mm.size();
+  return "<section><h2>Design surface</h2>\n" +
+         terms(
+             {{"Size of the limit surface", fmt::format("{} × {} × {} mm", fixed(size.x, 3),
+                                                        fixed(size.y, 3), fixed(size.z, 3))},
+              {"Area", three_digits(s.area_mm2) + " mm²"},
+              {"Patches", grouped(std::uint64_t(s.summary.patches))},
+              {"Faces of the cage", grouped(std::uint64_t(s.summary.faces))},
+              {"Boundary edges", grouped(std::uint64_t(s.summary.boundary_edges))},
+              {"Extraordinary vertices", grouped(std::uint64_t(s.summary.extraordinary_vertices))},
+              {"Subdivision depth", span_text(s.depth_min, s.depth_max)},
+              {"Sampling interval", span_text(s.sampling_interval_min, s.sampling_interval_max)},
+              {"Model built in", duration_text(s.seconds)},
+              {"Model memory", bytes_text(s.memory_bytes)}}) +
+         "</section>\n";
+}
+
+std::string path_table(const RunResult& result) {
+  std::vector<std::vector<std::string>> rows;
+  for (const StageResult& stage : result.stages) {
+    if (!stage.ran) continue;
+    const StageResult::Ran& r = *stage.ran;
+    rows.push_back({escape_markup(stage.name), path_source(stage),
+                    stage.step_mm > 0 ? stated_length(stage.step_mm) : "–",
+                    grouped(std::uint64_t(std::max(r.planes, 0))),
+                    span_text(r.sampling_interval_min, r.sampling_interval_max),
+                    grouped(r.path ? r.path->moves.size() : 0), duration_text(r.machining_time_s),
+                    duration_text(r.plan_seconds), bytes_text(r.path_memory_bytes)});
+  }
+  if (rows.empty()) return {};
+  return "<section><h2>Toolpaths</h2>\n" +
+         table("",
+               {{"Stage"},
+                {"Path"},
+                {"Path interval", true},
+                {"Planes", true},
+                {"Sampling interval", true},
+                {"Moves", true},
+                {"Machining time", true},
+                {"Planned in", true},
+                {"Memory", true}},
+               rows) +
+         "</section>\n";
+}
+
+constexpr const char* kDecisionRule = R"(<section><h2>How it was decided</h2>
+<p>Deviation is the signed distance from each point of the exact limit surface to the space that was
+removed, less the stage's allowance. Positive is material still standing (uncut), negative is cut too
+deep (gouge). Part and simulation share one frame; nothing was fitted.</p>
+<ul><li><strong>Passed</strong>: the upper end of every certified interval is inside its limit, so that
+no point of the surface exceeds it; coverage is at least what is asked for; there is no collision.</li>
+<li><strong>Failed</strong>: the lower end of an interval is beyond its limit, so that some point
+truly exceeds it; or coverage is too small; or something collided.</li>
+<li><strong>Undecided</strong>: a limit lies inside a certified interval at the finest resolution
+allowed.</li></ul>
+<p>This is the rule of ISO 14253-1 in spirit: conformance is proven to pass and non-conformance is
+proven to fail. The bounds are worst cases, not standard deviations, and carry no coverage factor. The
+ratio of limit to interval width stands beside each figure; below 4 : 1 it is marked, and 10 : 1 or
+better is aimed for.</p></section>
+)";
+
+std::string assumptions_section(const std::vector<std::string>& assumptions) {
+  if (assumptions.empty()) return {};
+  std::string items;
+  for (const std::string& a : assumptions) items += "<li>" + escape_markup(a) + "</li>\n";
+  return "<section><h2>Assumptions</h2><ul>" + items + "</ul></section>\n";
+}
+
+std::string head(const RunResult& result) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+      // Nothing is loaded and nothing runs, whatever a file's text holds.
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+      "style-src 'unsafe-inline'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n"
+      "<title>{}: {} – Limitgauge</title>\n<style>\n{}</style></head>\n<body><main>\n",
+      escape_markup(result.job), word(result.verdict), embedded::report_css());
+}
+
+}  // namespace
+
+void write_html(const RunResult& result, std::span<const StagePictures> pictures,
+                std::ostream& out) {
+  out << head(result) << masthead(result) << stage_table(result);
+  for (std::size_t i = 0; i < result.stages.size(); ++i)
+    out << stage_section(result, i, i < pictures.size() ? &pictures[i] : nullptr);
+  out << surface_section(result.surface) << path_table(result) << kDecisionRule
+      << assumptions_section(result.assumptions)
+      << "<footer><p>All lengths in mm or µm as stated. The same figures, digit for digit, are in "
+         "result.json beside this page.</p></footer>\n</main></body></html>\n";
+}
+
+void write_html(const RunResult& result, std::ostream& out) {
+  std::vector<StagePictures> pictures;
+  for (const StageResult& stage : result.stages) pictures.push_back(draw_pictures(stage));
+  write_html(result, pictures, out);
+}
+
+}  // namespace limitgauge::reports

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "reports/report.h"
+
+namespace limitgauge::reports::html {
+
+/// The stage's part of the page; `pictures` may be null for a page without pictures.
+std::string stage_section(const RunResult& result, std::size_t index,
+                          const StagePictures* pictures);
+/// Where stage_section can be linked to.
+std::string stage_anchor(std::size_t index);
+/// "contour", or the program's name; escaped.
+std::string path_source(const StageResult& stage);
+/// "⌀8 mm flat"; escaped.
+std::string cutter_text(const model::Cutter& cutter);
+
+}  // namespace limitgauge::reports::html

@@ -63,6 +63,7 @@ void CageTags::read() {
 
 std::array<int, 3> CageTags::read_counts() {
   const ObjWord word = lexer_.word();
+  if (word.text.empty()) fail(word, "the tag has no values", "counts and values as in 2/1/0");
   std::array<int, 3> counts{};
   std::string_view rest = word.text;
   for (std::size_t i = 0; i < counts.size(); ++i) {

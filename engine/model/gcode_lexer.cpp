@@ -171,15 +171,14 @@ double GcodeLexer::read_spaced_number(std::size_t word_begin) {
     if (!is_blank(c)) gathered += c, end = at_ + 1;
   }
   const bool unsigned_empty = gathered.empty() || gathered == "+" || gathered == "-";
-  if (unsigned_empty && !at_line_end() && (text_[at_] == '[' || is_letter(text_[at_])))
-    fail(word_begin, "a word whose number is an expression or missing",
-         "a plain number; expressions are not supported in this release");
+  if (unsigned_empty && !at_line_end() && text_[at_] == '[')
+    fail(at_, "expressions are not supported in this release", "a plain number");
   if (unsigned_empty && !at_line_end() && text_[at_] == '#')
     fail(at_, "parameters are not supported in this release", "a plain number");
   const std::optional<double> value = parse_number(gathered);
   if (!value)
     fail(word_begin, "the number of " + shown(text_[word_begin]) + " is missing or malformed",
-         "digits and one decimal point");
+         "digits and one decimal point; functions are not supported in this release");
   at_ = end;
   return *value;
 }

@@ -9,8 +9,6 @@ namespace limitgauge::model {
 namespace {
 
 constexpr int kG80 = 800;
-/// RS274/NGC: at most four M words a block.
-constexpr int kMostMCodes = 4;
 constexpr std::string_view kCarriedOut = "FIJKPQRSTXYZ";
 
 /// `value` as a whole number, where it is one within RS274/NGC's 0.001.
@@ -25,13 +23,11 @@ std::optional<int> whole(double value) {
 
 GcodeStatement::GcodeStatement(const GcodeBlock& block, const GcodeLexer& lexer)
     : block_(block), lexer_(lexer) {
-  int m_codes = 0;
   for (const GcodeWord& word : block.words) {
     if (word.letter == 'G') {
       add_g(word);
     } else if (word.letter == 'M') {
       add_m(word);
-      if (++m_codes > kMostMCodes) fail(word, "a fifth M code in one block", "at most four");
     } else {
       add_other(word);
     }

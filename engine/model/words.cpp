@@ -13,6 +13,10 @@ namespace {
 /// Longer words are nobody's typing error, and the distance takes quadratic time.
 constexpr std::size_t kLongestComparedWord = 64;
 
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -20,7 +24,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::size_t diagonal = row[0];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      const std::size_t replaced = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
       diagonal = row[j];
       row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
     }
@@ -55,13 +59,15 @@ std::string nearest_word(std::string_view word, const std::string_view* known, s
     if (edits < best_distance) best = known[i], best_distance = edits;
   }
   const std::size_t allowed = std::max<std::size_t>(1, std::max(word.size(), best.size()) / 3);
-  return best_distance <= allowed ? std::string(best) : std::string();
+  return best_distance <= allowed && best_distance < word.size() ? std::string(best)
+                                                                 : std::string();
 }
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string quoted = "'";
-  quoted.append(text.substr(0, kLongest));
+  // What is shown may come from anywhere: no control characters reach the reader's terminal.
+  for (const char c : text.substr(0, kLongest)) quoted += c >= ' ' && c <= '~' ? c : '?';
   quoted.append(text.size() > kLongest ? "...'" : "'");
   return quoted;
 }

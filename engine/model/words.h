@@ -14,10 +14,11 @@ std::optional<double> parse_number(std::string_view text);
 /// shorter. Negative zero is written as 0.
 std::string shortest(double value);
 /// Of `known`, the word that the fewest edits turn `word` into; empty where none is near enough to
-/// be what was meant (more than a third of the letters would change).
+/// be what was meant (more than a third of the letters would change). Case does not count.
 std::string nearest_word(std::string_view word, const std::string_view* known, std::size_t count);
 
-/// `text` between single quotes, cut short where it is long, for error messages.
+/// `text` between single quotes, cut short where it is long and with `?` for all but
+/// printable ASCII, for error messages.
 std::string in_quotes(std::string_view text);
 
 }  // namespace limitgauge::model

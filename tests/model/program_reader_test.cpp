@@ -1,0 +1,145 @@
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "engine/model/error.h"
+#include "engine/model/program.h"
+#include "tests/model/fixture_files.h"
+#include "tests/support/catch.h"
+
+using namespace limitgauge::model;
+using namespace limitgauge::model::test;
+
+namespace {
+
+Program read(const std::string& text) {
+  std::istringstream in(text);
+  return read_program(in, "text.ngc");
+}
+
+std::string moves_text(const Program& program) {
+  std::string text;
+  for (const Motion& motion : program.motions) text += to_text(motion) + "\n";
+  return text;
+}
+
+std::string ignored_text(const Program& program) {
+  std::string text;
+  for (const IgnoredWord& ignored : program.ignored)
+    text.append(std::to_string(ignored.line)).append(" ").append(ignored.word).append("\n");
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("every good program gives its canonical moves", "[unit][program]") {
+  const auto files = fixture_files("programs/good", ".ngc");
+  REQUIRE(files.size() >= 14);
+  for (const std::filesystem::path& path : files) {
+    CAPTURE(path);
+    const Program program = read_program(path);
+    CHECK(program.name == path.stem());
+    CHECK(moves_text(program) == text_beside(path, ".moves"));
+    CHECK(ignored_text(program) == text_beside(path, ".ignored"));
+  }
+}
+
+TEST_CASE("every bad program gets its one error", "[unit][program]") {
+  const auto files = fixture_files("programs/bad", ".ngc");
+  REQUIRE(files.size() >= 80);
+  for (const std::filesystem::path& path : files) {
+    const std::string error = message_of<InputError>([&] { read_program(path); });
+    CHECK(error + "\n" == path.string() + ":" + text_beside(path, ".error"));
+  }
+}
+
+TEST_CASE("a position is known once every axis was programmed in G90", "[unit][program]") {
+  const Program program = read("G0 Z5\nX0\nG91 Y1\nG90 X1 Y2\n");
+  REQUIRE(program.motions.size() == 4);
+  CHECK_FALSE(program.motions[0].position_known);
+  CHECK_FALSE(program.motions[2].position_known);
+  CHECK(program.motions[3].position_known);
+}
+
+TEST_CASE("a feed rate in inches keeps its speed after a change to millimetres",
+          "[unit][program]") {
+  const Program program = read("G20 G0 X0 Y0 Z0\nF10\nG21 G1 X1\nF20 G20 X1\n");
+  CHECK(program.motions[1].feed_mm_min == 254.0F);
+  // F is carried out before G20 of the same block, in RS274/NGC's order.
+  CHECK(program.motions[2].feed_mm_min == 20.0F);
+}
+
+TEST_CASE("arc radii may differ by LinuxCNC's tolerance", "[unit][program]") {
+  const std::string start = "G0 X0 Y0 Z0 F10\n";
+  // 0.02 mm apart: within 0.0283 mm.
+  CHECK_NOTHROW(read(start + "G2 X2 I1.01\n"));
+  // 0.2 mm apart at a radius of 300 mm: beyond 0.0283 mm, but within a thousandth.
+  CHECK_NOTHROW(read(start + "G2 X600 I300.1\n"));
+  CHECK_THROWS_AS(read(start + "G2 X600 I300.2\n"), InputError);
+  // 4 mm apart at 10 m: within a thousandth, but beyond 2.83 mm.
+  CHECK_THROWS_AS(read(start + "G2 X20000 I10002\n"), InputError);
+}
+
+TEST_CASE("a byte order mark, tabs and a missing last line end", "[unit][program]") {
+  CHECK(moves_text(read("\xEF\xBB\xBFg0\tx1\ty2 z3")) == "1 rapid 1 2 3\n");
+}
+
+TEST_CASE("a radius a little too small for its chord makes a half circle", "[unit][program]") {
+  const Program program = read("G0 X0 Y0 Z0 F10\nG2 X10 R4.9995\n");
+  CHECK(program.motions[1].centre1 == 5);
+  CHECK(program.motions[1].centre2 == 0);
+}
+
+TEST_CASE("arcs by radius pass through start and end on the asked side", "[property][program]") {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> number(-50, 50);
+  for (int round = 0; round < 500; ++round) {
+    const double x = number(random), y = number(random);
+    const double half_chord = std::hypot(x, y) / 2,
+                 radius = half_chord * (1.01 + static_cast<double>(random() % 5));
+    const bool clockwise = random() % 2 == 0, long_way = random() % 2 == 0;
+    std::ostringstream text;
+    text.precision(17);
+    text << std::fixed << "G0 X0 Y0 Z0 F10\n"
+         << (clockwise ? "G2" : "G3") << " X" << x << " Y" << y << " R"
+         << (long_way ? -radius : radius) << "\n";
+    const Motion arc = read(text.str()).motions.at(1);
+    // Centres lie up to 250 mm away; a few roundings of that are 1e-13.
+    CHECK(std::hypot(arc.centre1, arc.centre2) == Approx(radius).epsilon(1e-12));
+    CHECK(std::hypot(arc.centre1 - x, arc.centre2 - y) == Approx(radius).epsilon(1e-12));
+    // Left of the chord lies the centre of a short counter-clockwise arc.
+    const double left = x * arc.centre2 - y * arc.centre1;
+    CHECK((left > 0) == (clockwise == long_way));
+  }
+}
+
+TEST_CASE("programs with any bytes changed give motions or an InputError", "[property][program]") {
+  const std::string whole =
+      "%\n(part) N10 G21 G90\nG0 X0 Y0 Z5 T1 M6\nS100 M3\nG1 Z-1.5 F100\nG2 X10 I5 P2 ; arc\n"
+      "G18 G3 X20 R5\n/G4 P1\nM5\n%\n";
+  std::mt19937 random(9);
+  const std::string alphabet = "GMXYZIJKRFPSTNO0123456789.-+ ()%/;\n\r\t#[]\xFF";
+  for (int round = 0; round < 5000; ++round) {
+    std::string text = whole;
+    for (int change = 0; change < 3; ++change)
+      text[random() % text.size()] = alphabet[random() % alphabet.size()];
+    try {
+      for (const Motion& motion : read(text).motions) CHECK(is_finite(motion.to));
+    } catch (const InputError& error) {
+      CHECK(error.place().line > 0);
+      CHECK(error.place().column > 0);
+    }
+  }
+}
+
+TEST_CASE("the text of motions has the shortest decimals", "[unit][program]") {
+  Motion motion;
+  motion.line = 7;
+  motion.to = {0.1, -0.0, 1e-7};
+  CHECK(to_text(motion) == "7 rapid 0.1 0 1e-07");
+  motion.kind = MotionKind::arc;
+  motion.plane = ArcPlane::yz;
+  motion.centre1 = 2.5;
+  motion.turns = -3;
+  CHECK(to_text(motion) == "7 arc 19 0.1 0 1e-07 2.5 0 -3");
+}

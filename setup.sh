@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# The one list of Debian packages (12 and 13) that building, testing and reporting need.
+# Installs those that are missing; does nothing, and needs no network, where all are there.
+set -euo pipefail
+
+packages=(
+  # build
+  g++ cmake ninja-build ccache git ca-certificates
+  # simulator: OpenVDB with what its headers and its library need
+  libopenvdb-dev libtbb-dev libimath-dev libboost-dev
+  # reports
+  nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev
+  # command line and job files
+  libcli11-dev libtomlplusplus-dev
+  # tests: the framework, a second reader of our VTK files, a validator of XML, a browser
+  catch2 libvtk9-dev libxml2-utils chromium
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "setup.sh: these packages are missing and sudo is not there: ${missing[*]}" >&2; exit 1; }
+  as_root=(sudo)
+fi
+export DEBIAN_FRONTEND=noninteractive
+echo "setup.sh: installing ${missing[*]}"
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"

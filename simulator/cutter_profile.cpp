@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace limitgauge::simulator {
@@ -82,6 +83,15 @@ double CutterProfile::lower_bound(double rho, double z_low, double z_high) const
   // top; the top is a half-space of its own.
   MeridianSample s = wedge(rho - (top_radius_ - corner_), z_high - corner_, 0, 1);
   return std::max(s.distance - corner_, z_low - length_);
+}
+
+double CutterProfile::nose_height(double rho) const {
+  if (rho <= disc_) return 0;
+  if (rho > top_radius_) return std::numeric_limits<double>::infinity();
+  const double x = rho - disc_;
+  if (x <= corner_ * cos_) return corner_ - std::sqrt(corner_ * corner_ - x * x);
+  if (sin_ == 0) return corner_;
+  return corner_ * (1 - sin_) + (x - corner_ * cos_) * cos_ / sin_;
 }
 
 }  // namespace limitgauge::simulator

@@ -31,6 +31,9 @@ class CutterProfile {
   /// A lower bound of the distance for every radius >= rho and every height in [z_low, z_high].
   double lower_bound(double rho, double z_low, double z_high) const;
 
+  /// Height of the lowest point of the profile at radius `rho`; infinite beyond the largest radius.
+  double nose_height(double rho) const;
+
   double disc_radius() const { return disc_; }
   double corner_radius() const { return corner_; }
   double length() const { return length_; }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -302,6 +303,41 @@ std::vector<Index3> StockGrid::surface_voxels() const {
       if (*v < 0 && *v > deepest && on_surface(accessor, v.getCoord()))
         found.push_back(index3(v.getCoord()));
   return found;
+}
+
+ColumnTops StockGrid::column_tops() const {
+  const Tree& tree = impl_->grid->tree();
+  const Lattice& lattice = impl_->lattice;
+  openvdb::CoordBBox box;
+  if (!tree.evalLeafBoundingBox(box))
+    return {lattice.origin_mm, kLeafEdge * lattice.voxel_mm, 1, 1,
+            {-std::numeric_limits<double>::infinity()}};
+  const Coord low = box.min() & ~(kLeafEdge - 1);
+  ColumnTops tops;
+  tops.edge_mm = kLeafEdge * lattice.voxel_mm;
+  tops.corner_mm = lattice.point(index3(low)) - Vec3{0.5, 0.5, 0.5} * lattice.voxel_mm;
+  tops.nx = (box.max().x() - low.x()) / kLeafEdge + 1;
+  tops.ny = (box.max().y() - low.y()) / kLeafEdge + 1;
+  tops.top_mm.assign(static_cast<std::size_t>(tops.nx) * tops.ny,
+                     -std::numeric_limits<double>::infinity());
+  const auto raise = [&](const Coord& at, int z) {
+    const int i = (at.x() - low.x()) / kLeafEdge, j = (at.y() - low.y()) / kLeafEdge;
+    double& top = tops.top_mm[static_cast<std::size_t>(j) * tops.nx + i];
+    top = std::max(top, lattice.origin_mm.z + (z + 1) * lattice.voxel_mm);
+  };
+  auto tile = tree.cbeginValueAll();
+  for (tile.setMaxDepth(Tree::ValueAllCIter::LEAF_DEPTH - 1); tile; ++tile) {
+    if (*tile >= 0) continue;
+    const openvdb::CoordBBox b = tile.getBoundingBox();
+    for (int x = b.min().x(); x <= b.max().x(); x += kLeafEdge)
+      for (int y = b.min().y(); y <= b.max().y(); y += kLeafEdge) raise({x, y, 0}, b.max().z());
+  }
+  // Material thinner than a voxel may miss every centre, but none by more than half a diagonal.
+  const double near = 0.8661 * lattice.voxel_mm;
+  for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf)
+    for (int n = 0; n < static_cast<int>(Leaf::SIZE); ++n)
+      if (leaf->getValue(n) <= near) raise(leaf->origin(), leaf->offsetToGlobalCoord(n).z());
+  return tops;
 }
 
 StockMesh StockGrid::mesh() const {

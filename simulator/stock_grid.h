@@ -17,6 +17,14 @@ namespace limitgauge::simulator {
 /// Half width of the narrow band in voxels.
 inline constexpr double kBandVoxels = 3;
 
+/// How high material may stand over the square columns of a regular grid in x and y.
+struct ColumnTops {
+  model::Vec3 corner_mm;  ///< lower corner of the first column; z is of no account
+  double edge_mm = 0;
+  int nx = 0, ny = 0;
+  std::vector<double> top_mm;  ///< x fastest; minus infinity where nothing stands
+};
+
 /// The narrow-band level set itself: the one place that knows OpenVDB. An immutable value, cheap
 /// to copy.
 class StockGrid {
@@ -35,6 +43,9 @@ class StockGrid {
   std::size_t memory_bytes() const;
   /// Voxels inside the material with one of their six neighbours outside, in the tree's order.
   std::vector<Index3> surface_voxels() const;
+  /// An upper bound of the material's height over each column of one leaf's width. A column takes
+  /// in half a voxel around its voxels' centres.
+  ColumnTops column_tops() const;
   StockMesh mesh() const;
   /// Throws ResourceError when the file cannot be written.
   void write(const std::filesystem::path& file) const;

@@ -34,6 +34,7 @@ struct StockPoint {
 };
 
 class Material;
+class StockGrid;
 
 /// What stands at one moment: a narrow-band level set φ in mm, negative inside the material,
 /// φ = max(raw stock, −min over moves of the swept distance). An immutable value, cheap to copy.
@@ -62,6 +63,8 @@ class StockModel {
   double exact_value(const model::Vec3& p_mm) const;
   /// The exact material behind exact_value(), with gradients; lives as long as this model.
   const Material& material() const;
+  /// The level set itself; lives as long as this model.
+  const StockGrid& grid() const;
   /// Points of the surface, one per band voxel that it crosses, in a fixed order.
   std::vector<StockPoint> surface_points(const model::RunControl& control) const;
   /// Closed, manifold surface mesh.

@@ -21,7 +21,7 @@ using simulator::SweptSample;
 
 Cutter make(CutterType type, double diameter, double corner, double angle, double flutes) {
   Cutter c;
-  c.id = "t", c.type = type, c.diameter_mm = diameter, c.corner_radius_mm = corner;
+  c.type = type, c.diameter_mm = diameter, c.corner_radius_mm = corner;
   c.taper_angle_deg = angle, c.flute_length_mm = flutes;
   return c;
 }

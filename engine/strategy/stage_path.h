@@ -16,20 +16,20 @@ enum class Strategy { contour, zigzag };
 struct StageRequest {
   Strategy strategy = Strategy::zigzag;
   model::Cutter cutter;
-  double step_mm = 0;        ///< level distance of a contour, plane distance of a zigzag
-  double allowance_mm = 0;   ///< material left along the normal of the limit surface
-  double tolerance_mm = 0;   ///< the path may leave the exact cutter location surface by this much
+  double step_mm = 0;       ///< level distance of a contour, plane distance of a zigzag
+  double allowance_mm = 0;  ///< material left along the normal of the limit surface
+  double tolerance_mm = 0;  ///< the path may leave the exact cutter location surface by this much
   double feed_mm_min = 0;
   double plunge_feed_mm_min = 0;
-  double clearance_mm = 0;   ///< height of rapids above the stock
-  double floor_z_mm = 0;     ///< lowest tip height that the stage may use
-  model::Stock stock;        ///< raw stock of the job
+  double clearance_mm = 0;  ///< height of rapids above the stock
+  double floor_z_mm = 0;    ///< lowest tip height that the stage may use
+  model::Stock stock;       ///< raw stock of the job
 };
 
 /// A stage's toolpath and the figures of the paper's Tables 2 and 3.
 struct StagePath {
   model::Toolpath path;
-  int planes = 0;              ///< section planes or levels
+  int planes = 0;                                            ///< section planes or levels
   int sampling_interval_min = 1, sampling_interval_max = 1;  ///< equation 10
   double seconds = 0;
   std::size_t memory_bytes = 0;  ///< of the toolpath

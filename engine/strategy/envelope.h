@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+namespace limitgauge::engine::strategy {
+
+/// A point of a drive plane: distance along it and height, mm.
+struct PlanePoint {
+  double s = 0, z = 0;
+  friend bool operator==(const PlanePoint&, const PlanePoint&) = default;
+};
+
+/// A straight piece of some curve in a drive plane.
+struct PlaneSegment {
+  PlanePoint from, to;
+};
+
+/// The upper envelope of curves in a drive plane (design: it is the gouge-free path of the cutter's
+/// centre): runs of ascending s, each a polyline; steps between curves are vertical pieces.
+/// Between runs there is nothing.
+struct Envelope {
+  std::vector<std::vector<PlanePoint>> runs;
+
+  /// Largest height over [from, to]; minus infinity where there is nothing.
+  double highest(double from, double to) const;
+};
+
+/// Exact to the segments and their crossings. Slits up to `slit_mm` wide are closed: rounding
+/// opens them between curves that meet.
+Envelope upper_envelope(std::vector<PlaneSegment> segments, double slit_mm);
+
+}  // namespace limitgauge::engine::strategy

@@ -1,0 +1,131 @@
+#include "engine/strategy/isoline.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+
+namespace limitgauge::engine::strategy {
+namespace {
+
+/// An edge of the node grid: node index times two, plus one for the edge upwards.
+using EdgeId = std::int64_t;
+
+/// A directed piece of an isoline through one cell.
+struct Piece {
+  EdgeId from = 0, to = 0;
+};
+
+class SquareMarch {
+ public:
+  SquareMarch(const Raster& raster, const std::vector<float>& field, const Window& window,
+              double value)
+      : raster_(raster), field_(field), window_(window), value_(value) {}
+
+  std::vector<Isoline> run() {
+    for (int j = window_.first_row; j < window_.last_row; ++j)
+      for (int i = window_.first_column; i < window_.last_column; ++i) add_cell(i, j);
+    for (std::size_t k = 0; k < pieces_.size(); ++k) starts_.emplace(pieces_[k].from, k);
+    std::vector<Isoline> lines;
+    std::unordered_map<EdgeId, char> arrived;
+    for (const Piece& p : pieces_) arrived.emplace(p.to, 1);
+    used_.assign(pieces_.size(), 0);
+    for (std::size_t k = 0; k < pieces_.size(); ++k)
+      if (!arrived.count(pieces_[k].from)) lines.push_back(follow(k));
+    for (std::size_t k = 0; k < pieces_.size(); ++k)
+      if (!used_[k]) lines.push_back(follow(k));
+    return lines;
+  }
+
+ private:
+  std::size_t node(int i, int j) const { return static_cast<std::size_t>(j) * raster_.columns + i; }
+  bool inside(int i, int j) const { return field_[node(i, j)] >= value_; }
+  EdgeId right_of(int i, int j) const { return static_cast<EdgeId>(node(i, j)) * 2; }
+  EdgeId up_of(int i, int j) const { return static_cast<EdgeId>(node(i, j)) * 2 + 1; }
+
+  /// Crossed edges counter-clockwise; a piece runs from where the border of the cell leaves the
+  /// higher side to where it enters it, so that the higher side lies on its left.
+  void add_cell(int i, int j) {
+    const std::array<bool, 4> high = {inside(i, j), inside(i + 1, j), inside(i + 1, j + 1),
+                                      inside(i, j + 1)};
+    if (high[0] == high[1] && high[1] == high[2] && high[2] == high[3]) return;
+    const std::array<EdgeId, 4> edge = {right_of(i, j), up_of(i + 1, j), right_of(i, j + 1),
+                                        up_of(i, j)};
+    std::array<EdgeId, 2> leaving{}, entering{};
+    int n = 0, m = 0;
+    for (int c = 0; c < 4; ++c) {
+      if (high[c] && !high[(c + 1) % 4]) leaving[n++] = edge[c];
+      if (!high[c] && high[(c + 1) % 4]) entering[m++] = edge[c];
+    }
+    if (n == 1) {
+      pieces_.push_back({leaving[0], entering[0]});
+      return;
+    }
+    add_saddle(i, j, high[0], edge);
+  }
+
+  /// The two high corners join through the cell when its mean is high.
+  void add_saddle(int i, int j, bool first_high, const std::array<EdgeId, 4>& e) {
+    const double mean = (static_cast<double>(field_[node(i, j)]) + field_[node(i + 1, j)] +
+                         field_[node(i, j + 1)] + field_[node(i + 1, j + 1)]) /
+                        4;
+    const bool joined = mean >= value_;
+    if (first_high && joined) {
+      pieces_.push_back({e[0], e[1]});
+      pieces_.push_back({e[2], e[3]});
+    } else if (first_high) {
+      pieces_.push_back({e[0], e[3]});
+      pieces_.push_back({e[2], e[1]});
+    } else if (joined) {
+      pieces_.push_back({e[1], e[2]});
+      pieces_.push_back({e[3], e[0]});
+    } else {
+      pieces_.push_back({e[1], e[0]});
+      pieces_.push_back({e[3], e[2]});
+    }
+  }
+
+  FlatPoint crossing(EdgeId id) const {
+    const auto at = static_cast<std::size_t>(id / 2);
+    const bool up = id % 2 == 1;
+    const std::size_t next = at + (up ? static_cast<std::size_t>(raster_.columns) : 1);
+    const double a = field_[at], b = field_[next];
+    // Infinite heights meet finite ones half way.
+    const double t = std::isfinite(a) && std::isfinite(b) ? (value_ - a) / (b - a) : 0.5;
+    const auto column = static_cast<double>(at % static_cast<std::size_t>(raster_.columns));
+    const auto row = static_cast<double>(at / static_cast<std::size_t>(raster_.columns));
+    return {raster_.x(column + (up ? 0 : t)), raster_.y(row + (up ? t : 0))};
+  }
+
+  Isoline follow(std::size_t k) {
+    Isoline line;
+    line.points.push_back(crossing(pieces_[k].from));
+    for (;;) {
+      used_[k] = 1;
+      line.points.push_back(crossing(pieces_[k].to));
+      const auto next = starts_.find(pieces_[k].to);
+      if (next == starts_.end()) return line;
+      k = next->second;
+      if (used_[k]) break;
+    }
+    line.closed = true;
+    return line;
+  }
+
+  const Raster& raster_;
+  const std::vector<float>& field_;
+  Window window_;
+  double value_;
+  std::vector<Piece> pieces_;
+  std::unordered_map<EdgeId, std::size_t> starts_;
+  std::vector<char> used_;
+};
+
+}  // namespace
+
+std::vector<Isoline> isolines(const Raster& raster, const std::vector<float>& field,
+                              const Window& window, double value) {
+  return SquareMarch(raster, field, window, value).run();
+}
+
+}  // namespace limitgauge::engine::strategy

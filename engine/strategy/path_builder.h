@@ -1,0 +1,61 @@
+#pragma once
+
+#include <utility>
+
+#include "engine/model/toolpath.h"
+#include "engine/strategy/stage_path.h"
+
+namespace limitgauge::engine::strategy {
+
+/// Writes the moves of a stage: cuts at the feed, plunges at the plunge feed, rapids only straight
+/// up and across at the clear height.
+class PathBuilder {
+ public:
+  PathBuilder(const StageRequest& request, double clear_z_mm)
+      : feed_(static_cast<float>(request.feed_mm_min)),
+        plunge_feed_(static_cast<float>(request.plunge_feed_mm_min)),
+        clear_z_(clear_z_mm) {}
+
+  bool down() const { return down_; }
+  const model::Vec3& position() const { return at_; }
+  double clear_z() const { return clear_z_; }
+
+  void cut_to(const model::Vec3& p) { add(p, feed_, model::MoveKind::feed); }
+  /// Retracts, crosses above everything and plunges to `p`.
+  void enter_at(const model::Vec3& p) {
+    retract();
+    const model::Vec3 above{p.x, p.y, clear_z_};
+    if (empty_) {
+      path_.start = at_ = above;
+      empty_ = false;
+    } else {
+      add(above, 0, model::MoveKind::rapid);
+    }
+    add(p, plunge_feed_, model::MoveKind::feed);
+    down_ = true;
+  }
+  void retract() {
+    if (!down_) return;
+    add({at_.x, at_.y, clear_z_}, 0, model::MoveKind::rapid);
+    down_ = false;
+  }
+  model::Toolpath take() {
+    retract();
+    return std::move(path_);
+  }
+
+ private:
+  void add(const model::Vec3& p, float feed, model::MoveKind kind) {
+    if (p == at_) return;
+    path_.moves.push_back({p, feed, 0, kind});
+    at_ = p;
+  }
+
+  model::Toolpath path_;
+  model::Vec3 at_;
+  float feed_, plunge_feed_;
+  double clear_z_;
+  bool down_ = false, empty_ = true;
+};
+
+}  // namespace limitgauge::engine::strategy

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/surface/grid_section.h"
+#include "engine/surface/patch_model.h"
+
+namespace limitgauge::engine::surface {
+
+/// The patches of a model as sampled for one stage: multi-resolution sampling (equation 10) takes
+/// each patch at the least depth that keeps `error_mm`, moved out along its normals by `offset_mm`
+/// (equation 6; zero gives the limit mesh). Where neighbours differ in depth the finer one follows
+/// the coarser one's edge, so that smooth edges have no cracks.
+struct OffsetModel {
+  std::vector<Grid> grids;                 ///< one a patch
+  std::vector<int> depths;                 ///< one a patch
+  int interval_min = 1, interval_max = 1;  ///< equation 10: 2^(depth of the model - sampled depth)
+  double excess_mm = 0;  ///< by how much the worst patch's bound exceeds the error asked for
+};
+OffsetModel sample_offset(const PatchModel& model, double offset_mm, double error_mm);
+
+/// One curve of a whole section, merged over the outer layer.
+struct SectionCurve {
+  std::vector<Vec3> points;
+  bool closed = false;  ///< the first point is not repeated
+};
+/// The section of `sampled` by a plane (paper section 5): curves of the patches joined across
+/// edges; across creases of a non-zero offset the surface itself is open.
+std::vector<SectionCurve> section(const PatchModel& model, const OffsetModel& sampled,
+                                  const AxisPlane& plane);
+
+}  // namespace limitgauge::engine::surface

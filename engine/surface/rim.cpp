@@ -1,0 +1,189 @@
+#include "engine/surface/rim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+namespace limitgauge::engine::surface {
+namespace {
+
+/// A turn of the rim between chords above which a ball fills the wedge between two tubes, rad.
+constexpr double kSharpTurn = 0.3;
+
+/// One cage edge of the rim: from vertex to vertex, as points.
+struct RimEdge {
+  Index from = 0, to = 0;
+  std::vector<Vec3> points;
+  bool used = false;
+};
+
+std::vector<Vec3> side_points(const Grid& grid, int side) {
+  const int cells = grid.columns - 1;
+  std::vector<Vec3> points;
+  for (int t = 0; t <= cells; ++t) points.push_back(grid.points[side_index(side, t, cells)]);
+  return points;
+}
+
+std::vector<RimEdge> rim_edges(const PatchModel& model, const OffsetModel& mesh) {
+  std::vector<RimEdge> edges;
+  const OuterMesh& outer = model.outer();
+  for (Index h = 0; h < outer.half_edge_count(); ++h) {
+    if (!model.has_patch(h)) continue;
+    const bool border = model.ends_at(h);
+    if (!border && !(model.creased_at(h) && h < outer.twin[h])) continue;
+    edges.push_back({outer.origin[h], outer.target(h),
+                     side_points(mesh.grids[model.patch_at(h)], model.side_at(h)), false});
+  }
+  return edges;
+}
+
+double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 d = b - a, e = c - b;
+  return std::atan2(length(cross(d, e)), dot(d, e));
+}
+
+/// Joins rim edges end to end where exactly two meet.
+class LineBuilder {
+ public:
+  explicit LineBuilder(std::vector<RimEdge> edges) : edges_(std::move(edges)) {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      at_[edges_[e].from].push_back(e);
+      at_[edges_[e].to].push_back(e);
+    }
+  }
+
+  std::vector<std::vector<Vec3>> lines() {
+    std::vector<std::vector<Vec3>> found;
+    for (const bool loops : {false, true})
+      for (std::size_t e = 0; e < edges_.size(); ++e) {
+        if (edges_[e].used) continue;
+        if (loops || at_[edges_[e].from].size() != 2)
+          found.push_back(line_from(e, edges_[e].from));
+        else if (at_[edges_[e].to].size() != 2)
+          found.push_back(line_from(e, edges_[e].to));
+      }
+    return found;
+  }
+
+ private:
+  std::vector<Vec3> line_from(std::size_t e, Index vertex) {
+    std::vector<Vec3> line;
+    for (;;) {
+      RimEdge& edge = edges_[e];
+      edge.used = true;
+      if (edge.from != vertex) std::reverse(edge.points.begin(), edge.points.end());
+      vertex = edge.from != vertex ? edge.from : edge.to;
+      line.insert(line.end(), edge.points.begin() + (line.empty() ? 0 : 1), edge.points.end());
+      const auto& here = at_[vertex];
+      if (here.size() != 2) return line;
+      const std::size_t next = here[0] == e ? here[1] : here[0];
+      if (edges_[next].used) return line;
+      e = next;
+    }
+  }
+
+  std::vector<RimEdge> edges_;
+  std::map<Index, std::vector<std::size_t>> at_;
+};
+
+void add_cones(const PatchModel& model, const OffsetModel& mesh, std::vector<Vec3>& points) {
+  const OuterMesh& outer = model.outer();
+  for (Index h = 0; h < outer.half_edge_count(); ++h) {
+    const Index v = outer.origin[h];
+    if (!model.has_patch(h) || !is_infinite(outer.vertex_sharpness[v])) continue;
+    const Grid& grid = mesh.grids[model.patch_at(h)];
+    points.push_back(grid.points[side_index(model.side_at(h), 0, grid.columns - 1)]);
+  }
+}
+
+/// Whether the tube's upper half swings round between two points: its line passes the vertical.
+bool swings(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 d{b.x - a.x, b.y - a.y, 0}, e{c.x - b.x, c.y - b.y, 0};
+  return std::atan2(length(cross(d, e)), dot(d, e)) > kSharpTurn;
+}
+
+bool same_place(const Vec3& a, const Vec3& b) {
+  // Ends of rim edges at one vertex are bitwise equal but for rounding at dart vertices.
+  constexpr double kRounding = 1e-9;
+  return distance(a, b) <= kRounding;
+}
+
+Vec3 direction_at(const std::vector<Vec3>& line, std::size_t i) {
+  const std::size_t last = line.size() - 1;
+  const bool loop = same_place(line.front(), line.back());
+  const Vec3 before = i > 0 ? line[i - 1] : loop ? line[last - 1] : line[0];
+  const Vec3 after = i < last ? line[i + 1] : loop ? line[1] : line[last];
+  return normalized(after - before);
+}
+
+/// Steps over half a turn that keep the facets' sagitta within `error_mm`.
+int half_turn_steps(double radius_mm, double error_mm) {
+  const double half = std::acos(1 / (1 + error_mm / radius_mm));
+  return std::max(8, static_cast<int>(std::ceil(std::numbers::pi / (2 * half))));
+}
+
+}  // namespace
+
+Rim find_rim(const PatchModel& model, const OffsetModel& limit_mesh) {
+  Rim rim;
+  add_cones(model, limit_mesh, rim.points);
+  for (std::vector<Vec3>& line : LineBuilder(rim_edges(model, limit_mesh)).lines()) {
+    const bool loop = same_place(line.front(), line.back());
+    if (!loop) rim.points.insert(rim.points.end(), {line.front(), line.back()});
+    if (loop && turn(line[line.size() - 2], line[0], line[1]) > kSharpTurn)
+      rim.points.push_back(line[0]);
+    for (std::size_t i = 1; i + 1 < line.size(); ++i)
+      if (turn(line[i - 1], line[i], line[i + 1]) > kSharpTurn ||
+          swings(line[i - 1], line[i], line[i + 1]))
+        rim.points.insert(rim.points.end(), {line[i - 1], line[i], line[i + 1]});
+    rim.lines.push_back(std::move(line));
+  }
+  const auto less = [](const Vec3& a, const Vec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  std::sort(rim.points.begin(), rim.points.end(), less);
+  rim.points.erase(std::unique(rim.points.begin(), rim.points.end()), rim.points.end());
+  return rim;
+}
+
+Grid rolling_tube(const std::vector<Vec3>& line, double radius_mm, double error_mm) {
+  const int steps = half_turn_steps(radius_mm, error_mm);
+  Grid grid{steps + 1, static_cast<int>(line.size()), {}};
+  const double half_step = std::numbers::pi / (2 * steps);
+  Vec3 level{1, 0, 0};
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Vec3 along = direction_at(line, i);
+    const Vec3 flat = cross(along, Vec3{0, 0, 1});
+    // A vertical piece has no upper half: its top end is a rim point or its neighbours' ring.
+    if (length_squared(flat) > 0) level = normalized(flat);
+    const Vec3 up = normalized(cross(level, along));
+    double bend = 0;
+    if (i > 0 && i + 1 < line.size())
+      bend = std::min(kSharpTurn, turn(line[i - 1], line[i], line[i + 1]));
+    const double r = radius_mm / (std::cos(half_step) * std::cos(bend / 2));
+    for (int k = 0; k <= steps; ++k) {
+      const double angle = std::numbers::pi * k / steps;
+      grid.points.push_back(line[i] + (level * std::cos(angle) + up * std::sin(angle)) * r);
+    }
+  }
+  return grid;
+}
+
+Grid rolling_ball(const Vec3& point, double radius_mm, double error_mm) {
+  const int steps = half_turn_steps(radius_mm, error_mm / 2);
+  const int quarter = (steps + 1) / 2;
+  const double around = std::numbers::pi / steps, rise = std::numbers::pi / 2 / quarter;
+  const double r = radius_mm / (std::cos(around / 2) * std::cos(rise / 2));
+  Grid grid{2 * steps + 1, quarter + 1, {}};
+  for (int v = 0; v <= quarter; ++v)
+    for (int u = 0; u <= 2 * steps; ++u) {
+      const double a = u % (2 * steps) * around, b = v * rise;
+      grid.points.push_back(
+          point + Vec3{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)} * r);
+    }
+  return grid;
+}
+
+}  // namespace limitgauge::engine::surface

@@ -61,7 +61,11 @@ struct Placement {
 /// The cage moved by `placement`; a rotation by a multiple of 90° is exact.
 Cage placed(const Cage& cage, const Placement& placement);
 
-/// Topology figures of a cage, as `inspect` and result.json show them.
+/// Topology figures of a cage, as `inspect` and result.json show them. Vertices that no face has do
+/// not count. `patches` is the number of quads after n-gons have been split: one for a quad, n for
+/// another n-gon, holes included. A vertex's valence is the number of its edges. Extraordinary are
+/// interior vertices of a valence other than 4 and boundary vertices of more than two faces.
+/// All indices of the cage must be in range, as in a cage that was read or has no defects.
 struct CageSummary {
   Index vertices = 0, faces = 0, patches = 0, boundary_edges = 0, extraordinary_vertices = 0;
   Index creases = 0, corners = 0, holes = 0;
@@ -78,8 +82,12 @@ struct CageDefect {
   Index face = 0;               ///< the face where it was met
   std::vector<Index> vertices;  ///< the vertices concerned
 };
-/// All defects, in order of faces; empty for a usable cage.
+/// All defects, in order of faces; empty for a usable cage. Where faces are degenerate (fewer than
+/// three corners, a vertex twice or out of range), only those are reported. An edge of more than
+/// two faces is met at its third, one that two faces run through the same way at the second, a
+/// vertex where faces meet in a point only at the first face that does so.
 std::vector<CageDefect> find_defects(const Cage& cage);
+/// One line for people; faces and vertices count from 1, as in OBJ files.
 std::string describe(const CageDefect& defect);
 
 }  // namespace limitgauge::model

@@ -21,7 +21,9 @@ struct CylinderPart {
 ///  ball:  hemisphere of that diameter, then the cylinder; corner_radius = diameter / 2
 ///  bull:  cylinder whose bottom edge is rounded by `corner_radius_mm`
 ///  taper: cone of half angle `taper_angle_deg` rising from a tip of `diameter_mm` whose edge is
-///         rounded by `corner_radius_mm`, tangent to the cone
+///         rounded by `corner_radius_mm`, tangent to the cone: the rounding's centre lies
+///         diameter / 2 - corner_radius off the axis, so that corner_radius = diameter / 2 makes a
+///         ball tip of that diameter
 /// Only the lowest `flute_length_mm` cuts. Above it stand the shank parts, then the holder parts;
 /// with an empty shank the fluted part is taken to end at the holder.
 struct Cutter {

@@ -96,7 +96,7 @@ void GcodeInterpreter::list_ignored(const GcodeStatement& statement) {
   for (const GcodeWord& word : statement.block().words) {
     if (!is_ignored(statement, word)) continue;
     std::string text = plain(word);
-    const bool takes_p = word.letter == 'G' && !is_arc(motion_of(statement));
+    const bool takes_p = word.letter == 'G';
     if (const GcodeWord* p = statement.word('P'); takes_p && p) text.append(" ").append(plain(*p));
     if (const GcodeWord* q = statement.word('Q'); takes_p && q) text.append(" ").append(plain(*q));
     add_ignored(statement.block().line, std::move(text));
@@ -125,6 +125,8 @@ void GcodeInterpreter::check_companions(const GcodeStatement& statement) const {
 
 /// Before a change of units in the same block, as RS274/NGC orders it.
 void GcodeInterpreter::set_feed(const GcodeStatement& statement) {
+  // LinuxCNC forgets the feed rate whenever a feed mode is programmed.
+  if (statement.g(GGroup::feed_mode)) feed_mm_min_ = 0;
   const GcodeWord* const f = statement.word('F');
   if (!f) return;
   if (f->value < 0) statement.fail(*f, "a negative feed rate", "0 or more");
@@ -260,7 +262,7 @@ PlanePoint GcodeInterpreter::centre_words(const GcodeStatement& statement) const
 /// turn.
 double GcodeInterpreter::turns(const GcodeStatement& statement) const {
   const GcodeWord* const p = statement.word('P');
-  if (!p || statement.g(GGroup::path_control) == 640) return 1;
+  if (!p) return 1;
   const double count = std::round(p->value);
   if (std::abs(p->value - count) > 0.001 || count < 1 || count > kMostTurns)
     statement.fail(*p, in_quotes(p->text) + " turns of an arc", "an integer from 1 to 10000");

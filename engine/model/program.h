@@ -47,24 +47,39 @@ struct Program {
 /// Reads RS274/NGC text: G0-G3 (IJK incremental or absolute by G90.1/91.1, R, helical, full
 /// circles, G17-19), G4, G20/21, G40, G49, G54, G61/64, G80, G90/91, G94, M0-M9, M30, N, S, T, F,
 /// both kinds of comment, block delete, `%`. A word that is not understood is an InputError with
-/// line and column, never skipped.
+/// line and column, never skipped. The motions are those of LinuxCNC (its order of execution, arc
+/// tolerances and count of turns), with these choices where it asks the machine:
+///  - lines that begin with `/` are carried out (the switch is off) and listed as ignored `/`;
+///  - axes that were never programmed stand at 0 and leave position_known false;
+///  - a program may end without M2 or M30, unless it began with `%`; nothing behind its end is
+///  read;
+///  - M6 with a second tool number is refused, since one cutter is verified at a time.
+/// Comments that a controller acts on, as `(MSG, text)`, are listed as ignored.
 Program read_program(const std::filesystem::path& path);
 Program read_program(std::istream& in, const std::string& name_in_errors);
 
-/// Straight moves for `program`, arcs as chords within `chord_error_mm` (recorded in the result).
+/// Straight moves for `program`, arcs as chords of at most a quarter turn whose ends lie on the arc
+/// and which stay within `chord_error_mm` of it; the largest error made is recorded in the result.
+/// An arc that ends within 1e-6 radians beyond its start is a full turn.
 /// Motions before every axis is known give no move: the path starts where the position is known.
+/// Throws std::invalid_argument unless 0 < chord_error_mm < infinity, ResourceError for more than
+/// 400 million moves.
 Toolpath to_toolpath(const Program& program, double chord_error_mm);
 
 /// How a toolpath is written as RS274.
 struct WriterOptions {
   std::string program_name;
   std::string comment;
-  int decimals = 4;
+  int decimals = 4;        ///< 0 to 9
   double spindle_rpm = 0;  ///< 0: no S word
   int tool_number = 1;
 };
 /// Writes `path` as G-code and gives every move the line that it stands on. The coordinates in
-/// `path` are rounded to what is written, so that the program read back is the same path.
+/// `path` are rounded to what is written, and rapids lose their feed rate, so that the program read
+/// back is the same path; a move that rounding leaves without length is still written as one. The
+/// tool goes to the start's height first, then over the start. Throws std::invalid_argument before
+/// anything is written for points beyond ±1e9 mm, feed moves without a feed rate and options out of
+/// range; ResourceError where `out` fails.
 void write_program(Toolpath& path, const WriterOptions& options, std::ostream& out);
 
 }  // namespace limitgauge::model

@@ -26,7 +26,8 @@ class Sweep {
       const double a = stops_[i], b = stops_[i + 1];
       std::erase_if(active_, [&](std::size_t k) { return segments_[k].to.s <= a; });
       while (next < segments_.size() && segments_[next].from.s <= a) active_.push_back(next++);
-      if (!active_.empty()) span(a, b);
+      // Between curves that meet, rounding leaves slits through which lower curves would show.
+      if (!active_.empty() && b - a > slit_mm_) span(a, b);
     }
     return std::move(envelope_);
   }

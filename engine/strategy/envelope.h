@@ -25,8 +25,8 @@ struct Envelope {
   double highest(double from, double to) const;
 };
 
-/// Exact to the segments and their crossings. Slits up to `slit_mm` wide are closed: rounding
-/// opens them between curves that meet.
+/// Exact to the segments and their crossings, but for stretches of up to `slit_mm`, which are
+/// bridged: rounding opens slits between curves that meet.
 Envelope upper_envelope(std::vector<PlaneSegment> segments, double slit_mm);
 
 }  // namespace limitgauge::engine::strategy

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -61,6 +62,8 @@ class ZigzagPlanner {
     interval_min_ = offset.interval_min;
     interval_max_ = offset.interval_max;
     std::vector<surface::Grid> grids = std::move(offset.grids);
+    grids.insert(grids.end(), std::make_move_iterator(offset.corners.begin()),
+                 std::make_move_iterator(offset.corners.end()));
     const surface::Rim rim =
         surface::find_rim(model_, surface::sample_offset(model_, 0, mesh_error));
     const double rim_error = kRimShare * request_.tolerance_mm;

@@ -30,6 +30,59 @@ CellPatch::CellPatch(const OuterMesh& mesh, Index face) : net_(net_size(1)) {
   place_corners(net_, 1);
 }
 
+const Vec3& CellPatch::from_corner(int c, int along, int inward) const {
+  const PatchSide s = side(c, cells());
+  return net_[s.base + along * s.along - inward * s.outward];
+}
+
+CornerRing CellPatch::ring_on_first_side(int c) const {
+  const auto p = [&](int t, int w) { return from_corner(c, t, w); };
+  const double s = sharpness_[c];
+  if (open_[c])
+    return CornerRing(
+        {p(1, 0), {p(2, 0), p(1, 1), p(0, 0)}, {p(2, 1), p(0, 1)}, {s, 0, s}, false, 1});
+  return CornerRing({p(1, 0),
+                     {p(1, 1), p(0, 0), p(1, -1), p(2, 0)},
+                     {p(0, 1), p(0, -1), p(2, -1), p(2, 1)},
+                     {0, s, 0, s},
+                     true,
+                     0});
+}
+
+CornerRing CellPatch::ring_inside(int c) const {
+  const auto p = [&](int t, int w) { return from_corner(c, t, w); };
+  return CornerRing({p(1, 1),
+                     {p(0, 1), p(1, 0), p(2, 1), p(1, 2)},
+                     {p(0, 0), p(2, 0), p(2, 2), p(0, 2)},
+                     {0, 0, 0, 0},
+                     true,
+                     0});
+}
+
+CornerRing CellPatch::ring_on_last_side(int c) const {
+  const auto p = [&](int t, int w) { return from_corner(c, t, w); };
+  const double s = sharpness_[(c + 3) % 4];
+  if (open_[(c + 3) % 4])
+    return CornerRing(
+        {p(0, 1), {p(0, 0), p(1, 1), p(0, 2)}, {p(1, 0), p(1, 2)}, {s, 0, s}, false, 0});
+  return CornerRing({p(0, 1),
+                     {p(0, 0), p(1, 1), p(0, 2), p(-1, 1)},
+                     {p(1, 0), p(1, 2), p(-1, 2), p(-1, 0)},
+                     {s, 0, s, 0},
+                     true,
+                     0});
+}
+
+CellPatch CellPatch::corner_cell(int c) const {
+  CellPatch cell;
+  cell.net_.resize(net_size(1));
+  cell.rings_ = {rings_[c], ring_on_first_side(c), ring_inside(c), ring_on_last_side(c)};
+  cell.open_ = {open_[c], false, false, open_[(c + 3) % 4]};
+  cell.sharpness_ = {sharpness_[c], 0, 0, sharpness_[(c + 3) % 4]};
+  cell.place_corners(cell.net_, 1);
+  return cell;
+}
+
 PatchSide CellPatch::side(int c, int cells) const {
   const int w = cells + 3;
   const int origin = w + 1;

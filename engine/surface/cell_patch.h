@@ -24,12 +24,18 @@ class CellPatch {
   /// Depth 0 of the quad `face`, whose half-edges give the four sides in order.
   CellPatch(const OuterMesh& mesh, Index face);
 
+  /// The cell at corner `c` of this patch as a patch of its own, at depth 0: so that a corner whose
+  /// surface bends more and more refines without the rest. Needs depth 2 or more.
+  CellPatch corner_cell(int c) const;
+
   /// Figure 3: corners by their rings, sides by A_c and A_e, the interior by A_c; then the strips.
   void refine();
   int depth() const { return depth_; }
   int cells() const { return 1 << depth_; }
   /// Depth from which no semi-sharp tag is left, so that limit masks hold.
   int smallest_limit_depth() const;
+  /// Whether semi-sharp tags are left.
+  bool tagged() const { return smallest_limit_depth() > depth_; }
   LimitPatch limit() const;
 
   /// Control point (u, v), -1 to cells() + 1; a border point exists where has_border says so.
@@ -41,6 +47,11 @@ class CellPatch {
   std::size_t memory_bytes() const { return net_.capacity() * sizeof(Vec3); }
 
  private:
+  CellPatch() = default;
+  CornerRing ring_on_first_side(int c) const;
+  CornerRing ring_inside(int c) const;
+  CornerRing ring_on_last_side(int c) const;
+  const Vec3& from_corner(int c, int along, int inward) const;
   int width() const { return cells() + 3; }
   int at(int u, int v) const { return (v + 1) * width() + u + 1; }
   PatchSide side(int c, int cells) const;

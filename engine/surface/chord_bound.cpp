@@ -92,6 +92,14 @@ struct CellBounds {
   static constexpr double kOffsetMargin = 1.5;
 
   bool at_corner(int u, int v) const { return (u == 0 || u == m - 1) && (v == 0 || v == m - 1); }
+  double& offset_bound_at(int u, int v, ChordBound& bound) const {
+    const int low = m / 4, high = m - m / 4;
+    if (v < low && u < low) return bound.corner_offset_mm[0];
+    if (v < low && u >= high) return bound.corner_offset_mm[1];
+    if (v >= high && u >= high) return bound.corner_offset_mm[2];
+    if (v >= high && u < low) return bound.corner_offset_mm[3];
+    return bound.offset_mm;
+  }
   Vec3 sample(int u, int v, double by) const {
     const int i = limit.index(u, v);
     return limit.points[i] + limit.normals[i] * by;
@@ -125,11 +133,12 @@ ChordBound chord_bound(const CellPatch& patch, const LimitPatch& limit, double o
         if (cell.at_corner(u, v))
           here = std::max(here, CellBounds::kExtraordinaryMargin * cell.sampled(u, v, 0, upper));
         bound.limit_mm = std::max(bound.limit_mm, here);
+        double& offset = cell.offset_bound_at(u, v, bound);
+        offset = std::max(offset, here);
         if (offset_mm > 0)
-          bound.offset_mm = std::max(
-              bound.offset_mm, CellBounds::kOffsetMargin * cell.sampled(u, v, offset_mm, upper));
+          offset =
+              std::max(offset, CellBounds::kOffsetMargin * cell.sampled(u, v, offset_mm, upper));
       }
-  bound.offset_mm = std::max(bound.offset_mm, bound.limit_mm);
   return bound;
 }
 

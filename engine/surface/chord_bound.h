@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "engine/surface/cell_patch.h"
 
 namespace limitgauge::engine::surface {
@@ -8,7 +10,9 @@ namespace limitgauge::engine::surface {
 /// its first diagonal), mm.
 struct ChordBound {
   double limit_mm = 0;   ///< of the limit surface
-  double offset_mm = 0;  ///< of the surface moved out along its normals
+  double offset_mm = 0;  ///< of the surface moved out along its normals, but for the corners
+  /// The same over the quarter at each corner: normals may turn ever faster towards a vertex.
+  std::array<double, 4> corner_offset_mm{};
 };
 
 /// Bounds at the patch's present depth, from second differences seen along each triangle's normal:

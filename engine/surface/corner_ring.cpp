@@ -6,6 +6,14 @@
 
 namespace limitgauge::engine::surface {
 
+CornerRing::CornerRing(Parts parts)
+    : centre_(parts.centre),
+      edges_(std::move(parts.edges)),
+      faces_(std::move(parts.faces)),
+      sharpness_(std::move(parts.sharpness)),
+      closed_(parts.closed),
+      own_(parts.own) {}
+
 CornerRing::CornerRing(const OuterMesh& mesh, Index corner)
     : centre_(mesh.points[mesh.origin[corner]]),
       own_sharpness_(mesh.vertex_sharpness[mesh.origin[corner]]) {

@@ -13,6 +13,16 @@ namespace limitgauge::engine::surface {
 /// any depth, and it carries the tags of its edges. An open ring has one face less than edges.
 class CornerRing {
  public:
+  /// What a ring is made of, counter-clockwise; see the class.
+  struct Parts {
+    Vec3 centre;
+    std::vector<Vec3> edges, faces;
+    std::vector<double> sharpness;  ///< one an edge
+    bool closed = true;
+    int own = 0;  ///< the edge with which the patch's face begins
+  };
+  /// A ring inside a refined patch, away from tags of vertices.
+  explicit CornerRing(Parts parts);
   /// The ring of the corner at which half-edge `corner` of a quad mesh starts.
   CornerRing(const OuterMesh& mesh, Index corner);
 

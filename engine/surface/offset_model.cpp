@@ -145,8 +145,14 @@ OffsetModel sample_offset(const PatchModel& model, double offset_mm, double erro
     const LimitPatch& limit = model.patches()[p].limit;
     sampled.depths.push_back(model.depth_for(p, error_mm));
     sampled.grids.push_back(sampled_grid(limit, sampled.depths.back(), offset_mm));
-    const double bound = model.patches()[p].bounds[sampled.depths.back()].offset_mm;
-    sampled.excess_mm = std::max(sampled.excess_mm, bound - error_mm);
+    const ModelPatch& patch = model.patches()[p];
+    const ChordBound& bound = patch.bounds[sampled.depths.back()];
+    sampled.excess_mm = std::max(
+        {sampled.excess_mm, bound.limit_mm - error_mm,
+         offset_mm > 0 ? std::max(bound.offset_mm - error_mm, patch.corner_excess_mm) : 0});
+    if (offset_mm > 0)
+      for (const LimitPatch& corner : patch.corners)
+        sampled.corners.push_back(sampled_grid(corner, corner.depth, offset_mm));
     const int interval = 1 << (limit.depth - sampled.depths.back());
     sampled.interval_min = p == 0 ? interval : std::min(sampled.interval_min, interval);
     sampled.interval_max = std::max(sampled.interval_max, interval);

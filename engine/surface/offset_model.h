@@ -12,8 +12,10 @@ namespace limitgauge::engine::surface {
 /// (equation 6; zero gives the limit mesh). Where neighbours differ in depth the finer one follows
 /// the coarser one's edge, so that smooth edges have no cracks.
 struct OffsetModel {
-  std::vector<Grid> grids;                 ///< one a patch
-  std::vector<int> depths;                 ///< one a patch
+  std::vector<Grid> grids;  ///< one a patch
+  std::vector<int> depths;  ///< one a patch
+  /// Finer pieces over the corners of the grids; none where the offset is zero.
+  std::vector<Grid> corners;
   int interval_min = 1, interval_max = 1;  ///< equation 10: 2^(depth of the model - sampled depth)
   double excess_mm = 0;  ///< by how much the worst patch's bound exceeds the error asked for
 };

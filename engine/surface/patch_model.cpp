@@ -11,10 +11,15 @@ constexpr int kNoPatch = -1;
 constexpr double kMeshShare = 0.25;
 /// Depth from which bounds are looked at: fewer cells are all corners.
 constexpr int kFirstDepth = 2;
+/// Depth at which the cell at a corner is a quarter of the patch's side.
+constexpr int kCornerDepth = 2;
+/// Quarters of quarters taken at a corner: the last is 4^-8 of the patch's side.
+constexpr int kMostQuarters = 8;
+constexpr int kDeepestCorner = 7;
 
 ChordBound no_bound() {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {kInfinity, kInfinity};
+  return {kInfinity, kInfinity, {kInfinity, kInfinity, kInfinity, kInfinity}};
 }
 
 }  // namespace
@@ -61,13 +66,43 @@ void PatchModel::build_patch(std::size_t p, const ModelRequest& request) {
     patch.bounds.push_back(no_bound());
   }
   const double wanted = kMeshShare * request.precision_mm;
+  std::vector<CellPatch> corners;
   for (;;) {
+    if (corners.empty() && cell.depth() == kCornerDepth && !cell.tagged())
+      for (int c = 0; c < 4; ++c) corners.push_back(cell.corner_cell(c));
     patch.limit = cell.limit();
     patch.bounds.push_back(chord_bound(cell, patch.limit, request.largest_offset_mm));
-    const bool enough = patch.bounds.back().offset_mm <= wanted;
-    if (enough || cell.depth() >= request.largest_depth) return;
+    const ChordBound& bound = patch.bounds.back();
+    const bool enough = std::max(bound.offset_mm, bound.limit_mm) <= wanted;
+    if (enough || cell.depth() >= request.largest_depth) break;
     cell.refine();
   }
+  for (std::size_t c = 0; c < corners.size(); ++c)
+    if (patch.bounds.back().corner_offset_mm[c] > wanted)
+      build_corner(patch, std::move(corners[c]), request);
+}
+
+void PatchModel::build_corner(ModelPatch& patch, CellPatch cell, const ModelRequest& request) {
+  const double wanted = kMeshShare * request.precision_mm;
+  for (int quarter = 0; quarter < kMostQuarters; ++quarter) {
+    while (cell.depth() < kCornerDepth) cell.refine();
+    CellPatch inner = cell.corner_cell(0);
+    ChordBound bound;
+    LimitPatch limit;
+    for (;;) {
+      limit = cell.limit();
+      bound = chord_bound(cell, limit, request.largest_offset_mm);
+      const auto& c = bound.corner_offset_mm;
+      bound.offset_mm = std::max({bound.offset_mm, c[1], c[2], c[3]});
+      if (bound.offset_mm <= wanted || cell.depth() >= kDeepestCorner) break;
+      cell.refine();
+    }
+    patch.corners.push_back(std::move(limit));
+    patch.corner_excess_mm = std::max(patch.corner_excess_mm, bound.offset_mm - wanted);
+    if (bound.corner_offset_mm[0] <= wanted) return;
+    cell = std::move(inner);
+  }
+  // What is left is a speck: a ball at the vertex covers it but for its own size.
 }
 
 void PatchModel::copy_edge(Index from, Index to) {
@@ -93,14 +128,17 @@ void PatchModel::share_edges() {
 int PatchModel::depth_for(int p, double error_mm) const {
   const std::vector<ChordBound>& bounds = patches_[p].bounds;
   for (std::size_t d = 0; d < bounds.size(); ++d)
-    if (bounds[d].offset_mm <= error_mm) return static_cast<int>(d);
+    if (std::max(bounds[d].offset_mm, bounds[d].limit_mm) <= error_mm) return static_cast<int>(d);
   return patches_[p].limit.depth;
 }
 
 std::size_t PatchModel::memory_bytes() const {
   std::size_t sum = 0;
-  for (const ModelPatch& patch : patches_)
+  for (const ModelPatch& patch : patches_) {
     sum += (patch.limit.points.capacity() + patch.limit.normals.capacity()) * sizeof(Vec3);
+    for (const LimitPatch& corner : patch.corners)
+      sum += (corner.points.capacity() + corner.normals.capacity()) * sizeof(Vec3);
+  }
   return sum;
 }
 

@@ -17,6 +17,10 @@ struct ModelPatch {
   Index first_half_edge = 0;  ///< side c of the patch is half-edge first_half_edge + c
   LimitPatch limit;
   std::vector<ChordBound> bounds;  ///< by depth; those below the first depth looked at are infinite
+  /// Corners whose offset needs more depth than the rest: the quarter at the corner again, and the
+  /// quarter of that, and so on. They lie over the coarser mesh, which stays as it is.
+  std::vector<LimitPatch> corners;
+  double corner_excess_mm = 0;  ///< what the innermost of them lacks
 };
 
 /// The finish model (paper sections 3 and 4): patches of independent depth over the outer layer.
@@ -45,6 +49,7 @@ class PatchModel {
   std::size_t memory_bytes() const;
 
  private:
+  void build_corner(ModelPatch& patch, CellPatch cell, const ModelRequest& request);
   void build_patch(std::size_t p, const ModelRequest& request);
   void share_edges();
   void copy_edge(Index from, Index to);

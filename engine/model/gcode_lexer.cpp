@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+/// RS274/NGC has no use for more; a file that is one long line must not fill the memory.
+constexpr std::size_t kMostItems = 100;
+
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r';
 }
@@ -100,6 +103,8 @@ void GcodeLexer::read_line(GcodeBlock& block) {
   }
   for (; !at_line_end(); skip_blanks()) {
     started_ = true;
+    if (block.words.size() + block.comments.size() > kMostItems)
+      fail(at_, "more than 100 words and comments in one line", "a line that ends sooner");
     const char c = text_[at_];
     if (is_letter(c)) {
       read_word(block);

@@ -29,7 +29,10 @@ void set_counts(pugi::xml_node node, const Counts& counts) {
 
 std::string joined(const std::vector<std::string>& lines) {
   std::string all;
-  for (const std::string& line : lines) all += (all.empty() ? "" : "\n") + clean_text(line);
+  for (const std::string& line : lines) {
+    if (!all.empty()) all += '\n';
+    all += clean_text(line);
+  }
   return all;
 }
 

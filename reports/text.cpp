@@ -177,15 +177,18 @@ std::string interval_numbers(const verifier::Interval& interval_mm, const Length
   const double width = high - low;
   const int decimals = width > 0 ? std::clamp(int(std::ceil(-std::log10(width / 5))), 0, 4)
                                  : std::min(4, significant_decimals(high, 3));
-  return "[" + fixed(rounded_outwards(low, decimals, -1), decimals) + ", " +
-         fixed(rounded_outwards(high, decimals, +1), decimals) + "]";
+  return std::string("[")
+      .append(fixed(rounded_outwards(low, decimals, -1), decimals))
+      .append(", ")
+      .append(fixed(rounded_outwards(high, decimals, +1), decimals))
+      .append("]");
 }
 
 std::string duration_text(double seconds) {
   if (seconds < 0.95) return fixed(seconds, seconds < 0.095 ? 2 : 1) + " s";
   if (seconds < 59.95) return fixed(seconds, 1) + " s";
   const auto whole = static_cast<std::uint64_t>(std::llround(seconds));
-  const auto two = [](std::uint64_t n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+  const auto two = [](std::uint64_t n) { return std::to_string(100 + n).substr(1); };
   if (whole < 3600) return std::to_string(whole / 60) + " min " + two(whole % 60) + " s";
   return std::to_string(whole / 3600) + " h " + two(whole % 3600 / 60) + " min";
 }

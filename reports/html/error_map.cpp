@@ -60,7 +60,7 @@ std::string error_maps(const StageResult& stage) {
   if (faint)
     out += map_figure(d, DeviationScale::magnified(d),
                       "The same at the scale of what was measured, far inside the limits.");
-  return "<div class=\"maps\">" + out + "</div>\n";
+  return out;
 }
 
 }  // namespace limitgauge::reports::html

@@ -64,8 +64,9 @@ std::string table(std::string_view caption, const std::vector<Column>& columns,
   for (const auto& row : rows) {
     out += "<tr>";
     for (std::size_t i = 0; i < columns.size(); ++i)
-      out += fmt::format("<td data-label=\"{}\"{}>{}</td>", columns[i].title,
-                         columns[i].is_number ? " class=\"num\"" : "", row.at(i));
+      out += fmt::format("<td data-label=\"{}\" class=\"{}{}\"><div>{}</div></td>",
+                         columns[i].title, columns[i].is_number ? "num" : "word",
+                         row.at(i).empty() ? " blank" : "", row.at(i));
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>\n";
@@ -89,6 +90,25 @@ const char* word(verifier::Verdict verdict) {
 }
 const char* css_class(verifier::Verdict verdict) {
   return look_of(verdict).css;
+}
+
+std::string typeset(const std::string& number) {
+  const std::size_t exponent = number.find("e-");
+  std::string out;
+  for (const char c : number.substr(0, exponent)) {
+    if (c == '-') {
+      out += "−";
+    } else {
+      out += c;
+    }
+  }
+  if (exponent == std::string::npos) return out;
+  return fmt::format("{} × 10<sup>−{}</sup>", out, std::stoi(number.substr(exponent + 2)));
+}
+
+std::string coordinates(const model::Vec3& p) {
+  return fmt::format("<span class=\"xyz\">{}, {}, {}</span>", typeset(fixed(p.x, 3)),
+                     typeset(fixed(p.y, 3)), typeset(fixed(p.z, 3)));
 }
 
 std::string png_uri(std::string_view bytes) {

@@ -43,6 +43,29 @@ const char* verdict_sentence(verifier::Verdict verdict) {
   return "No stage was run.";
 }
 
+/// Where the figure that keeps the stage from passing is worst, and which program line made it.
+std::string worst_place(const StageResult& stage, const RunResult& result) {
+  if (!stage.ran) return {};
+  const verifier::StageDeviation& d = stage.ran->deviation;
+  const std::vector<GateFigure> figures = gate_figures(stage);
+  std::string out;
+  for (const auto& [i, findings] : {std::pair{0, &d.gouges}, {1, &d.uncuts}}) {
+    const bool passes =
+        figures[i].standing == Standing::within || figures[i].standing == Standing::no_limit;
+    if (passes || findings->empty()) continue;
+    const verifier::Finding& f = findings->front();
+    const bool known = f.stage < result.stages.size();
+    out += fmt::format("<li>Worst {}: <strong>{}</strong> at {} mm (X, Y, Z), patch {}",
+                       figures[i].name, measured_length(f.depth_mm), coordinates(f.place.point),
+                       f.place.patch);
+    if (f.line > 0)
+      out += fmt::format(", <strong>program line {}</strong>{}", f.line,
+                         known ? " of " + escape_markup(result.stages[f.stage].name) : "");
+    out += "</li>\n";
+  }
+  return out;
+}
+
 /// What decided the verdict: the reasons of the stages that did not pass, or of all.
 std::string reasons_list(const RunResult& result) {
   std::string out;
@@ -53,6 +76,7 @@ std::string reasons_list(const RunResult& result) {
     for (const std::string& reason : stage.decision.reasons)
       out += fmt::format("<li><a href=\"#{}\">{}</a>: {}</li>\n", stage_anchor(i),
                          escape_markup(stage.name), escape_markup(reason));
+    out += worst_place(stage, result);
   }
   return out.empty() ? out : "<ul class=\"reasons\">" + out + "</ul>\n";
 }

@@ -16,9 +16,13 @@ namespace {
 
 constexpr std::size_t kLongestList = 20;
 
-std::string coordinates(const model::Vec3& p) {
-  return fmt::format("<span class=\"xyz\">{}, {}, {}</span>", fixed(p.x, 3), fixed(p.y, 3),
-                     fixed(p.z, 3));
+std::string signed_length(double mm) {
+  return typeset(measured_length(mm));
+}
+
+/// Metres from a metre on.
+std::string travel(double mm) {
+  return mm < 1000 ? three_digits(mm) + " mm" : three_digits(mm / 1000) + " m";
 }
 
 std::string more_note(std::size_t total) {
@@ -96,7 +100,7 @@ std::string gate_table(const StageResult& stage) {
                                        : i < 2 ? "≤ "
                                                : "") +
                                           f.limit,
-                    i < 2 ? ratios[i] : "–", badge(f.standing)});
+                    i < 2 ? ratios[i] : "", badge(f.standing)});
   }
   return table(
       "Gate figures. An interval is proven: some point reaches its lower end, no point of "
@@ -113,11 +117,11 @@ std::string gate_table(const StageResult& stage) {
 std::string deviation_terms(const verifier::StageDeviation& d) {
   const auto area = [](double mm2) { return three_digits(mm2) + " mm²"; };
   return "<h4>Deviation</h4>" +
-         terms({{"Mean", measured_length(d.mean_mm)},
-                {"Root mean square", measured_length(d.rms_mm)},
-                {"1st percentile", measured_length(d.p01_mm)},
-                {"Median", measured_length(d.p50_mm)},
-                {"99th percentile", measured_length(d.p99_mm)},
+         terms({{"Mean", signed_length(d.mean_mm)},
+                {"Root mean square", signed_length(d.rms_mm)},
+                {"1st percentile", signed_length(d.p01_mm)},
+                {"Median", signed_length(d.p50_mm)},
+                {"99th percentile", signed_length(d.p99_mm)},
                 {"Second instrument (voxels): gouge", measured_length(d.voxel_gouge_mm)},
                 {"Second instrument (voxels): uncut", measured_length(d.voxel_uncut_mm)},
                 {"Reachable area", area(d.reachable_area_mm2)},
@@ -135,8 +139,8 @@ std::string path_terms(const StageResult::Ran& r) {
   return "<h4>Toolpath</h4>" +
          terms({{"Moves", grouped(r.path ? r.path->moves.size() : 0)},
                 {"Section planes or levels", grouped(std::uint64_t(std::max(r.planes, 0)))},
-                {"Cutting length", three_digits(r.cut_length_mm / 1000) + " m"},
-                {"Rapid length", three_digits(r.rapid_length_mm / 1000) + " m"},
+                {"Cutting length", travel(r.cut_length_mm)},
+                {"Rapid length", travel(r.rapid_length_mm)},
                 {"Machining time", duration_text(r.machining_time_s)},
                 {"Planning took", duration_text(r.plan_seconds)}});
 }
@@ -156,7 +160,7 @@ std::string budget_table(const std::vector<verifier::UncertaintyTerm>& budget) {
   std::vector<std::vector<std::string>> rows;
   for (const verifier::UncertaintyTerm& t : budget)
     rows.push_back({escape_markup(t.source),
-                    t.bound_mm == 0 ? "0" : three_digits(t.bound_mm * 1000),
+                    t.bound_mm == 0 ? "0" : typeset(three_digits(t.bound_mm * 1000)),
                     t.in_certificate ? "part of every interval above" : "voxel figures only"});
   return table("Uncertainty budget: worst-case bounds, no coverage factor.",
                {{"Source"}, {"Bound in µm", true}, {"Concerns"}}, rows);
@@ -185,25 +189,28 @@ std::string measured_part(const RunResult& result, const StageResult& stage,
                           const StagePictures* pictures) {
   const StageResult::Ran& ran = *stage.ran;
   const verifier::StageDeviation& d = ran.deviation;
-  std::string out = gate_table(stage);
+  std::string out = gate_table(stage) + "<div class=\"plates\">";
+  if (pictures) out += error_maps(stage);
+  out += histogram_chart(d, stage.limits) + stock_figure(pictures) + "</div>\n";
   out += findings_table(result, d.gouges, "Gouges, deepest first", 'G');
   out += findings_table(result, d.uncuts, "Material left standing, highest first", 'U');
   out += collisions_table(ran.collisions.rapid, "Rapids through standing material");
   out += collisions_table(ran.collisions.holder, "Shank or holder in the material");
-  if (pictures) out += error_maps(stage);
-  out += histogram_chart(d, stage.limits);
   out += "<div class=\"figures\"><div>" + deviation_terms(d) + "</div><div>" + path_terms(ran) +
          simulation_terms(ran) + "</div></div>\n";
-  out += stock_figure(pictures);
   return out + ignored_words(ran.ignored_words) + budget_table(d.budget);
 }
 
 std::string request_line(const StageResult& stage) {
-  std::string out =
-      escape_markup(stage.tool) + ", " + cutter_text(stage.cutter) + " · " + path_source(stage);
-  if (stage.step_mm > 0) out += " · path interval " + stated_length(stage.step_mm);
-  out += " · allowance " + stated_length(stage.allowance_mm);
-  if (stage.tolerance_mm > 0) out += " · path tolerance " + stated_length(stage.tolerance_mm);
+  std::vector<std::string> parts = {escape_markup(stage.tool) + ", " + cutter_text(stage.cutter),
+                                    path_source(stage)};
+  if (stage.step_mm > 0) parts.push_back("path interval " + stated_length(stage.step_mm));
+  parts.push_back("allowance " + stated_length(stage.allowance_mm));
+  if (stage.tolerance_mm > 0)
+    parts.push_back("path tolerance " + stated_length(stage.tolerance_mm));
+  std::string out;
+  for (const std::string& part : parts)
+    out += fmt::format("{}<span class=\"part\">{}</span>", out.empty() ? "" : " · ", part);
   return out;
 }
 

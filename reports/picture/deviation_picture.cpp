@@ -22,8 +22,8 @@ void draw_marker(Image& image, const PixelPoint& at, const char* letter) {
   draw_text(image, letter, label, {22, kInk, 0.16});
 }
 
-void draw_bar_tick(Image& image, const DeviationScale& scale, double deviation_mm, bool is_limit,
-                   int left, int width, const PixelPoint& at) {
+void draw_bar_tick(Image& image, double deviation_mm, bool is_limit, int left, int width,
+                   const PixelPoint& at) {
   draw_stroke(image, {{double(is_limit ? left : left + width), at.y}, {left + width + 10.0, at.y}},
               2, kInk);
   std::string label = deviation_mm == 0 ? "0" : deviation_mm < 0 ? "–" : "+";
@@ -43,7 +43,7 @@ void draw_bar(Image& image, const DeviationScale& scale, int left, int top, int 
     const bool is_limit =
         (i == 1 && scale.gouge().has_limit) || (i == 3 && scale.uncut().has_limit);
     const double y = top + (1 - scale.position(ticks[i])) / 2 * height;
-    draw_bar_tick(image, scale, ticks[i], is_limit, left, kWidth, {0, y});
+    draw_bar_tick(image, ticks[i], is_limit, left, kWidth, {0, y});
   }
 }
 

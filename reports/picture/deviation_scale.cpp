@@ -66,7 +66,8 @@ DeviationScale DeviationScale::for_gate(const verifier::StageDeviation& d,
 }
 
 DeviationScale DeviationScale::magnified(const verifier::StageDeviation& d) {
-  return {side(false, 0, d.gouge_mm.high), side(false, 0, d.uncut_mm.high)};
+  const Side both = side(false, 0, std::max(d.gouge_mm.high, d.uncut_mm.high));
+  return {both, both};
 }
 
 double DeviationScale::position(double deviation_mm) const {

@@ -23,7 +23,7 @@ class DeviationScale {
   /// measured.
   static DeviationScale for_gate(const verifier::StageDeviation& deviation,
                                  const verifier::GateLimits& limits);
-  /// Scaled by what was measured alone, however small.
+  /// Scaled by what was measured alone, however small; the same on both sides.
   static DeviationScale magnified(const verifier::StageDeviation& deviation);
 
   const Side& gouge() const { return gouge_; }

@@ -14,27 +14,38 @@ using model::Vec3;
 // Refining a contact that is already proven stops here; the header promises a lower bound.
 constexpr int kMostRefinements = 4000;
 
+// What bounds the depth somewhere: a maker of the stock before, or a move of the pass itself.
+struct Cover {
+  bool of_pass = false;
+  SurfaceMaker maker;  // of the pass: its slot
+};
+
 // Depth in the material, its gradient, and by how much it may rise above its tangent.
 struct Depth {
   double value = 0;
   Vec3 gradient;
   double bend = 0;
+  Cover cover;
 };
 
-Depth depth_at(const MaterialAtMove& m, const Vec3& p, double reach) {
-  const MaterialSample before = m.before->sample(p);
-  const auto swept = m.pass->nearest(p, -before.value, m.end);
-  if (swept) {
-    const double bend =
-        curvature_bound(m.pass->profile(), m.pass->move(swept->slot), p, swept->at, reach);
-    return {swept->at.distance, swept->at.gradient, bend};
+// The depth under one cover alone: never less than the depth under all of them.
+Depth depth_under(const MaterialAtMove& m, const Cover& cover, const Vec3& p, const Vec3& half) {
+  if (!cover.of_pass && cover.maker.pass == 0) {
+    // The raw stock is convex: its depth lies below its tangents.
+    const MaterialSample raw = m.before->sample_of({}, p);
+    return {-raw.value, -raw.gradient, 0, cover};
   }
-  // The raw stock is convex: its depth lies below its tangents.
-  if (before.maker.pass == 0) return {-before.value, -before.gradient, 0};
-  const SweepIndex& pass = *m.before->passes()[before.maker.pass - 1];
-  const SweptSample at = pass.distance(before.maker.slot, p);
-  return {at.distance, at.gradient,
-          curvature_bound(pass.profile(), pass.move(before.maker.slot), p, at, reach)};
+  const SweepIndex& pass = cover.of_pass ? *m.pass : *m.before->passes()[cover.maker.pass - 1];
+  const SweptSample at = pass.distance(cover.maker.slot, p);
+  const double bend = outside_bound(pass.profile(), pass.move(cover.maker.slot), p, at, half);
+  return {at.distance, at.gradient, bend, cover};
+}
+
+// The cover that gives the depth at p, looking first at `guess`.
+Cover cover_at(const MaterialAtMove& m, const Vec3& p, const Cover& guess) {
+  const MaterialSample before = m.before->sample(p, guess.of_pass ? SurfaceMaker{} : guess.maker);
+  const auto swept = m.pass->nearest(p, -before.value, m.end);
+  return swept ? Cover{true, {0, swept->slot}} : Cover{false, before.maker};
 }
 
 // Largest value of v·δ over the box |δ_a| <= half_a.
@@ -56,6 +67,7 @@ double depth_bound(const Depth& d, const SweptSample& body, const Vec3& half) {
 struct Block {
   Vec3 middle, half;
   double bound = 0;
+  Cover cover;
   friend bool operator<(const Block& a, const Block& b) { return a.bound < b.bound; }
 };
 
@@ -77,7 +89,7 @@ class Search {
 
   std::optional<Contact> run(const Box3& where) {
     if (where.empty()) return std::nullopt;
-    look_at({where.centre(), where.size() * 0.5, 0});
+    look_at({where.centre(), where.size() * 0.5, 0, {}});
     int refinements = 0;
     while (!queue_.empty()) {
       const Block block = queue_.top();
@@ -96,20 +108,30 @@ class Search {
     const double reach = length(block.half);
     const SweptSample s = swept_distance(body_, move_, block.middle);
     if (s.distance > reach) return;
-    const Depth d = depth_at(material_, block.middle, reach);
-    block.bound = depth_bound(d, s, block.half);
+    // What covers the block around this one mostly covers it too, and saves the search.
+    if (bound_under(block, s) <= enough()) return;
+    block.cover = cover_at(material_, block.middle, block.cover);
+    block.bound = bound_under(block, s);
     if (block.bound <= enough()) return;
-    offer(block.middle, s, d);
+    offer(block, s);
     // Smaller blocks than this cannot hide a contact of 1.5 tolerances from their middle.
     if (reach > tolerance_ / 4) queue_.push(block);
   }
 
+  double bound_under(const Block& block, const SweptSample& body) const {
+    return depth_bound(depth_under(material_, block.cover, block.middle, block.half), body,
+                       block.half);
+  }
+
   // The middle itself, or the body's nearest point where the middle is outside the body.
-  void offer(const Vec3& middle, const SweptSample& s, const Depth& d) {
+  void offer(const Block& block, const SweptSample& s) {
     const double least = best_ ? best_->depth_mm : tolerance_;
-    if (d.value + std::max(0.0, s.distance) <= least) return;
-    const Vec3 p = s.distance > 0 ? middle - s.gradient * s.distance : middle;
-    const double depth = s.distance > 0 ? depth_at(material_, p, 0).value : d.value;
+    const double outside = std::max(0.0, s.distance);
+    const double depth_here = depth_under(material_, block.cover, block.middle, {}).value;
+    if (depth_here + outside <= least) return;
+    const Vec3 p = block.middle - s.gradient * outside;
+    const Cover cover = outside > 0 ? cover_at(material_, p, block.cover) : block.cover;
+    const double depth = depth_under(material_, cover, p, {}).value;
     if (depth > least) best_ = Contact{p, depth};
   }
 

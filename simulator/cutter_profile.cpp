@@ -78,11 +78,10 @@ bool CutterProfile::flat_below(double rho, double z, double reach) const {
   return rho + reach <= disc_ && -z - reach >= wall + reach && -z - reach >= z + reach - length_;
 }
 
-double CutterProfile::lower_bound(double rho, double z_low, double z_high) const {
-  // The cutter stands inside this wider one without taper, whose distance falls with z up to its
-  // top; the top is a half-space of its own.
-  MeridianSample s = wedge(rho - (top_radius_ - corner_), z_high - corner_, 0, 1);
-  return std::max(s.distance - corner_, z_low - length_);
+bool CutterProfile::upright_between(double z_low, double z_high) const {
+  // A block may end where the wall does, and miss it by rounding.
+  constexpr double kRounding = 1e-9;
+  return sin_ == 0 && z_low >= corner_ - kRounding && z_high <= length_ + kRounding;
 }
 
 double CutterProfile::nose_height(double rho) const {

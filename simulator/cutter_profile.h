@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/model/cutter.h"
 
 namespace limitgauge::simulator {
@@ -28,8 +31,16 @@ class CutterProfile {
   double inscribed_radius(double rho, double z) const;
   /// True where the distance is −z for every point within `reach` of (rho, z).
   bool flat_below(double rho, double z, double reach) const;
+  /// True where the profile is a plain cylinder at all heights from `z_low` to `z_high`.
+  bool upright_between(double z_low, double z_high) const;
   /// A lower bound of the distance for every radius >= rho and every height in [z_low, z_high].
-  double lower_bound(double rho, double z_low, double z_high) const;
+  double lower_bound(double rho, double z_low, double z_high) const {
+    // The cutter stands inside a wider one without taper, whose distance falls with z up to its
+    // top; the top is a half-space of its own.
+    const double x = rho - (top_radius_ - corner_), below = corner_ - z_high;
+    const double nose = x > 0 && below > 0 ? std::sqrt(x * x + below * below) : std::max(x, below);
+    return std::max(nose - corner_, z_low - length_);
+  }
 
   /// Height of the lowest point of the profile at radius `rho`; infinite beyond the largest radius.
   double nose_height(double rho) const;

@@ -310,7 +310,10 @@ ColumnTops StockGrid::column_tops() const {
   const Lattice& lattice = impl_->lattice;
   openvdb::CoordBBox box;
   if (!tree.evalLeafBoundingBox(box))
-    return {lattice.origin_mm, kLeafEdge * lattice.voxel_mm, 1, 1,
+    return {lattice.origin_mm,
+            kLeafEdge * lattice.voxel_mm,
+            1,
+            1,
             {-std::numeric_limits<double>::infinity()}};
   const Coord low = box.min() & ~(kLeafEdge - 1);
   ColumnTops tops;

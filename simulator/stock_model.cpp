@@ -67,7 +67,9 @@ const Material& StockModel::material() const {
   return state_->material;
 }
 
-const StockGrid& StockModel::grid() const { return state_->grid; }
+const StockGrid& StockModel::grid() const {
+  return state_->grid;
+}
 
 std::size_t StockModel::memory_bytes() const {
   std::size_t bytes = state_->grid.memory_bytes();

@@ -71,9 +71,10 @@ Vec3 shortened(const Vec3& step, double most) {
 
 }  // namespace
 
-StockPoint project_to_surface(const Material& material, const Vec3& start, double voxel_mm) {
+StockPoint project_to_surface(const Material& material, const Vec3& start, double voxel_mm,
+                              SurfaceMaker& hint) {
   Vec3 p = start;
-  MaterialSample now = material.sample(p);
+  MaterialSample now = material.sample(p, hint);
   StockPoint best{p, std::abs(now.value)};
   Makers makers;
   for (int step = 0; step < kMostSteps && best.residual_mm > kGoodEnough; ++step) {
@@ -82,6 +83,7 @@ StockPoint project_to_surface(const Material& material, const Vec3& start, doubl
     now = material.sample(p, now.maker);
     if (std::abs(now.value) < best.residual_mm) best = {p, std::abs(now.value)};
   }
+  hint = now.maker;
   return best;
 }
 
@@ -93,9 +95,10 @@ std::vector<StockPoint> project_surface(const Material& material, const StockGri
   model::parallel_for(chunks, control.threads, [&](std::size_t chunk) {
     control.check();
     const std::size_t end = std::min(voxels.size(), (chunk + 1) * kChunk);
+    SurfaceMaker hint;
     for (std::size_t i = chunk * kChunk; i < end; ++i)
-      points[i] =
-          project_to_surface(material, grid.lattice().point(voxels[i]), grid.lattice().voxel_mm);
+      points[i] = project_to_surface(material, grid.lattice().point(voxels[i]),
+                                     grid.lattice().voxel_mm, hint);
   });
   return points;
 }

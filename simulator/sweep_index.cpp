@@ -104,6 +104,7 @@ std::optional<NearestMove> SweepIndex::nearest(const Vec3& p, double bound,
     if (low >= bound || node.least_index >= end) continue;
     for (std::uint32_t s = node.first; s < node.first + node.count; ++s) {
       if (moves_[s].index >= end) continue;
+      if (cannot_be_below(profile_, moves_[s], p, bound)) continue;
       const SweptSample d = distance(s, p);
       if (d.distance < bound) bound = d.distance, best = NearestMove{s, d};
     }

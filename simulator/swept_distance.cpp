@@ -143,4 +143,18 @@ double curvature_bound(const CutterProfile& profile, const SweptMove& move, cons
   return std::min(2 * reach, reach * reach / (2 * to_centre) + turned);
 }
 
+double outside_bound(const CutterProfile& profile, const SweptMove& move, const Vec3& p,
+                     const SweptSample& at, const Vec3& half) {
+  const double general = curvature_bound(profile, move, p, at, length(half));
+  const Vec3 q = p - (move.start + move.delta * at.t);
+  const double rho = std::sqrt(q.x * q.x + q.y * q.y),
+               level = std::sqrt(half.x * half.x + half.y * half.y);
+  if (!profile.upright_between(q.z - half.z, q.z + half.z) || rho <= 0) return general;
+  // At those heights the cutter is a cylinder, and the level distance to its axis bends by 1/ρ.
+  const Vec3 outward{q.x / rho, q.y / rho, 0};
+  const double turned = length(half) * distance(outward, at.gradient);
+  const double offset = rho - profile.largest_radius() - at.distance;
+  return std::min(general, offset + level * level / (2 * rho) + turned);
+}
+
 }  // namespace limitgauge::simulator

@@ -37,9 +37,35 @@ struct SweptMove {
 SweptSample swept_distance(const CutterProfile& profile, const SweptMove& move,
                            const model::Vec3& p);
 
+/// True where a quick look shows that f(p) is not below `bound`. False says nothing.
+inline bool cannot_be_below(const CutterProfile& profile, const SweptMove& m, const model::Vec3& p,
+                            double bound) {
+  const double reach = bound + profile.corner_radius();
+  if (reach <= 0) return profile.is_ball();
+  // Distance to the line of the corner's centres: only a ball's corner has a single one.
+  const double qx = p.x - m.start.x, qy = p.y - m.start.y;
+  const double along = qx * m.along_x + qy * m.along_y, across = qy * m.along_x - qx * m.along_y;
+  const double wide = profile.largest_radius() + bound;
+  const double over = std::max(along - m.run, -along);
+  if (wide > 0 && (across * across >= wide * wide || over >= wide)) return true;
+  if (!profile.is_ball() || m.vertical()) return false;
+  const double qz = p.z - m.start.z - profile.corner_radius();
+  const double t_level = std::clamp(along, 0.0, m.run);
+  if (qz * m.run >= m.delta.z * t_level) return false;
+  const double t = std::clamp((along * m.run + qz * m.delta.z) * m.inverse_length2, 0.0, 1.0);
+  const double ea = along - t * m.run, ez = qz - t * m.delta.z;
+  return ea * ea + across * across + ez * ez >= reach * reach;
+}
+
 /// e such that f(p + δ) <= f(p) + gradient·δ + e for all |δ| <= reach, where `at` is the sample at
 /// p. Follows from a ball inside the cutter that touches the nearest place of its surface.
 double curvature_bound(const CutterProfile& profile, const SweptMove& move, const model::Vec3& p,
                        const SweptSample& at, double reach);
+
+/// e such that f(p + δ) <= max(0, f(p) + gradient·δ + e) for all |δ_a| <= half_a: what a search for
+/// places outside the swept space needs. Tighter than curvature_bound beside the edges of the
+/// cutter, where a block that keeps to the height of a wall never sees the edge.
+double outside_bound(const CutterProfile& profile, const SweptMove& move, const model::Vec3& p,
+                     const SweptSample& at, const model::Vec3& half);
 
 }  // namespace limitgauge::simulator

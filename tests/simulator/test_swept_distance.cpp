@@ -122,6 +122,29 @@ TEST_CASE("curvature bound holds above the swept distance", "[property][swept_di
   CHECK(tight > 16000);  // a bound that is always the Lipschitz one would be useless
 }
 
+TEST_CASE("outside bound holds above the positive swept distance", "[property][swept_distance]") {
+  Draw draw{std::mt19937_64(20265)};
+  double violation = -1;
+  for (const Cutter& cutter : cutters()) {
+    const CutterProfile profile(cutter);
+    for (int i = 0; i < 4000; ++i) {
+      const Vec3 from = draw.vec(2);
+      const SweptMove move(from, from + draw.delta(), 0);
+      const Vec3 p = from + Vec3{draw.in(-5, 5), draw.in(-5, 5), draw.in(-2, 12)};
+      const Vec3 half{draw.in(0.01, 1), draw.in(0.01, 1), draw.in(0.01, 1)};
+      const SweptSample a = swept_distance(profile, move, p);
+      const double e = simulator::outside_bound(profile, move, p, a, half);
+      for (int k = 0; k < 4; ++k) {
+        const Vec3 u = draw.vec(1), step{u.x * half.x, u.y * half.y, u.z * half.z};
+        const double b = swept_distance(profile, move, p + step).distance;
+        const double bound = a.distance + dot(a.gradient, step) + e;
+        violation = std::max(violation, b - std::max(0.0, bound));
+      }
+    }
+  }
+  CHECK(violation <= 2e-9);
+}
+
 TEST_CASE("tree bound never exceeds the profile's distance", "[property][swept_distance]") {
   Draw draw{std::mt19937_64(20264)};
   double violation = -1;

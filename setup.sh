@@ -12,8 +12,8 @@ packages=(
   nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev
   # command line and job files
   libcli11-dev libtomlplusplus-dev
-  # tests: the framework, a second reader of our VTK files, a validator of XML, a browser
-  catch2 libvtk9-dev libxml2-utils chromium
+  # tests: the framework, a second reader of our VTK files, a validator of our JSON
+  catch2 libvtk9-dev python3 python3-jsonschema
 )
 
 missing=()

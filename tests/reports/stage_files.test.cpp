@@ -1,0 +1,85 @@
+#include <filesystem>
+#include <fstream>
+
+#include "engine/model/error.h"
+#include "reports/report.h"
+#include "tests/reports/sample_result.h"
+#include "tests/reports/temporary_folder.h"
+#include "tests/support/catch.h"
+
+using namespace limitgauge;
+using namespace limitgauge::reports;
+
+namespace {
+
+std::string content(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  REQUIRE(in);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The finish stage of the sample with a real, coarse stock: the raw block and one pass through it.
+StageResult stage_with_stock() {
+  StageResult stage = sample_result(Outcome::passed, 5).stages[2];
+  auto slot = std::make_shared<model::Toolpath>();
+  slot->start = {-60, 0, 5};
+  slot->moves.push_back({{60, 0, 5}, 1000, 1, model::MoveKind::feed});
+  const simulator::StockModel raw(model::BoxStock{{-45, -40, -20}, {90, 80, 30}}, 1.0,
+                                  std::size_t(1) << 30);
+  stage.ran->stock = raw.cut({stage.cutter, slot}, {});
+  return stage;
+}
+
+}  // namespace
+
+TEST_CASE("a stage that ran leaves its files, twice the same", "[unit][files]") {
+  const TemporaryFolder a, b;
+  const StageResult stage = stage_with_stock();
+  const StagePictures pictures = write_stage_files(stage, a.path(), {});
+  write_stage_files(stage, b.path(), {});
+  for (const char* name :
+       {"toolpath.vtp", "deviation.vtp", "stock.vtp", "deviation.png", "stock.png"}) {
+    INFO(name);
+    CHECK_FALSE(content(a.path() / "finish" / name).empty());
+    CHECK(content(a.path() / "finish" / name) == content(b.path() / "finish" / name));
+  }
+  CHECK_FALSE(content(a.path() / "finish" / "stock.vdb").empty());
+  CHECK(content(a.path() / "finish" / "stock.png") == pictures.stock_png);
+  CHECK(content(a.path() / "finish" / "deviation.png") == pictures.deviation_png);
+  const StagePictures drawn = draw_pictures(stage);
+  CHECK((drawn.stock_png == pictures.stock_png && drawn.deviation_png == pictures.deviation_png));
+}
+
+TEST_CASE("pictures can be left out", "[unit][files]") {
+  const TemporaryFolder folder;
+  write_stage_files(sample_result(Outcome::passed, 3).stages[0], folder.path(),
+                    {.pictures = false});
+  CHECK(std::filesystem::exists(folder.path() / "rough" / "deviation.vtp"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "rough" / "deviation.png"));
+}
+
+TEST_CASE("a stage that was not run leaves nothing", "[unit][files]") {
+  const TemporaryFolder folder;
+  const StagePictures pictures =
+      write_stage_files(sample_result(Outcome::failed, 3).stages[2], folder.path(), {});
+  CHECK(std::filesystem::is_empty(folder.path()));
+  CHECK((pictures.deviation_png.empty() && pictures.stock_png.empty()));
+}
+
+TEST_CASE("a stage's name never leads out of the folder", "[unit][files]") {
+  const TemporaryFolder folder;
+  StageResult stage = sample_result(Outcome::passed, 3).stages[0];
+  for (const char* name : {"..", ".", "", "../up", "/tmp", "a/b"}) {
+    stage.name = name;
+    CHECK_THROWS_AS(write_stage_files(stage, folder.path() / "in", {}), std::invalid_argument);
+  }
+  CHECK(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_CASE("a folder that cannot be made is out of resources", "[unit][files]") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "file") << "in the way";
+  CHECK_THROWS_AS(
+      write_stage_files(sample_result(Outcome::passed, 3).stages[0], folder.path() / "file", {}),
+      model::ResourceError);
+}

@@ -1,0 +1,63 @@
+"""validate_samples.py WRITE_SAMPLES: every sample result.json holds against the shipped schema, by a
+validator that is not ours, and results that break the contract do not."""
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import jsonschema
+
+scratch = tempfile.TemporaryDirectory(prefix="limitgauge-")
+folder = pathlib.Path(scratch.name)
+subprocess.run([sys.argv[1], folder], check=True)
+schema = json.loads((folder / "schema.json").read_text())
+jsonschema.Draft202012Validator.check_schema(schema)
+validator = jsonschema.Draft202012Validator(schema)
+
+results = {name: json.loads((folder / name / "result.json").read_text())
+           for name in ("passed", "failed", "undecided")}
+for name, result in results.items():
+    for error in validator.iter_errors(result):
+        sys.exit(f"{name}: {error.json_path}: {error.message}")
+
+
+def broken(change):
+    result = copy.deepcopy(results["failed"])
+    change(result)
+    return result
+
+
+def set_at(*path, value):
+    def change(node):
+        for key in path[:-1]:
+            node = node[key]
+        node[path[-1]] = value
+    return change
+
+
+def drop(*path):
+    def change(node):
+        for key in path[:-1]:
+            node = node[key]
+        del node[path[-1]]
+    return change
+
+
+changes = {
+    "no verdict": drop("verdict"),
+    "unknown verdict": set_at("verdict", value="maybe"),
+    "other schema": set_at("schema", value="limitgauge.result/2"),
+    "negative gouge": set_at("stages", 0, "deviation", "gouge_mm", "low", value=-1e-9),
+    "null figure": set_at("stages", 0, "deviation", "mean_mm", value=None),
+    "run stage without deviation": drop("stages", 0, "deviation"),
+    "stage that was not run with deviation": set_at("stages", 2, "deviation", value={}),
+    "neither strategy nor program": drop("stages", 0, "strategy"),
+    "finding without line": drop("stages", 1, "deviation", "gouges", 0, "line"),
+    "box of one corner": set_at("surface", "bbox_mm", value=[[0, 0, 0]]),
+}
+for what, change in changes.items():
+    if validator.is_valid(broken(change)):
+        sys.exit(f"the schema lets pass: {what}")
+print(f"{len(results)} results hold, {len(changes)} broken ones are refused")

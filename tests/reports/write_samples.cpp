@@ -1,0 +1,35 @@
+// write_samples FOLDER: the reports of a passed, a failed and an undecided sample job, for checks
+// by readers that are not ours.
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "reports/report.h"
+#include "tests/reports/sample_result.h"
+
+using namespace limitgauge::reports;
+
+namespace {
+
+void write_all(const RunResult& result, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::vector<StagePictures> pictures;
+  for (const StageResult& stage : result.stages)
+    pictures.push_back(write_stage_files(stage, folder, {}));
+  std::ofstream json(folder / "result.json"), junit(folder / "junit.xml"),
+      page(folder / "report.html");
+  write_result_json(result, json);
+  write_junit(result, junit);
+  write_html(result, pictures, page);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const std::filesystem::path folder(argv[1]);
+  write_all(sample_result(Outcome::passed, 41), folder / "passed");
+  write_all(sample_result(Outcome::failed, 41), folder / "failed");
+  write_all(sample_result(Outcome::indeterminate, 41), folder / "undecided");
+  std::ofstream(folder / "schema.json") << result_schema();
+}

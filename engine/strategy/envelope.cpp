@@ -45,12 +45,15 @@ class Sweep {
   }
 
   void add(PlanePoint p) {
+    if (p != envelope_.runs.back().back()) envelope_.runs.back().push_back(p);
+  }
+  /// Goes on with the run that ends at `p`, or begins one after a gap.
+  void begin_at(PlanePoint p) {
     auto& runs = envelope_.runs;
-    if (runs.empty() || p.s - runs.back().back().s > slit_mm_) {
+    if (runs.empty() || p.s - runs.back().back().s > slit_mm_)
       runs.push_back({p});
-    } else if (p != runs.back().back()) {
-      runs.back().push_back(p);
-    }
+    else
+      add(p);
   }
 
   /// The active segment that is highest at `s`, and just after it among equals.
@@ -71,7 +74,7 @@ class Sweep {
   void span(double a, double b) {
     double s = a;
     std::size_t top = highest_at(a, b);
-    add({a, height_at(segments_[top], a)});
+    begin_at({a, height_at(segments_[top], a)});
     for (;;) {
       double crossing = b;
       std::size_t taker = top;

@@ -89,7 +89,7 @@ struct CellBounds {
   // cells, so its peak inside the cell may be larger; at an extraordinary corner it may grow
   // geometrically towards the corner.
   static constexpr double kExtraordinaryMargin = 2.0;
-  static constexpr double kOffsetMargin = 1.5;
+  static constexpr double kSampleMargin = 1.5;
 
   bool at_corner(int u, int v) const { return (u == 0 || u == m - 1) && (v == 0 || v == m - 1); }
   double& offset_bound_at(int u, int v, ChordBound& bound) const {
@@ -121,11 +121,27 @@ struct CellBounds {
   }
 };
 
+/// Of the curve along a side, from the second differences of its points.
+double outline_bound(const LimitPatch& limit, int side) {
+  const int m = limit.cells();
+  double largest = 0;
+  for (int t = 1; t < m; ++t) {
+    const Vec3 a = limit.points[limit.side_index(side, t - 1)];
+    const Vec3 b = limit.points[limit.side_index(side, t)];
+    const Vec3 c = limit.points[limit.side_index(side, t + 1)];
+    largest = std::max(largest, length(a - b * 2.0 + c));
+  }
+  return CellBounds::kSampleMargin * largest / 8;
+}
+
 }  // namespace
 
-ChordBound chord_bound(const CellPatch& patch, const LimitPatch& limit, double offset_mm) {
+ChordBound chord_bound(const CellPatch& patch, const LimitPatch& limit, double offset_mm,
+                       const std::array<bool, 4>& rim) {
   const CellBounds cell{patch, limit, offset_mm, ControlKnown(patch), patch.cells()};
   ChordBound bound;
+  for (int side = 0; side < 4; ++side)
+    if (rim[side]) bound.limit_mm = std::max(bound.limit_mm, outline_bound(limit, side));
   for (int v = 0; v < cell.m; ++v)
     for (int u = 0; u < cell.m; ++u)
       for (const bool upper : {false, true}) {
@@ -137,7 +153,7 @@ ChordBound chord_bound(const CellPatch& patch, const LimitPatch& limit, double o
         offset = std::max(offset, here);
         if (offset_mm > 0)
           offset =
-              std::max(offset, CellBounds::kOffsetMargin * cell.sampled(u, v, offset_mm, upper));
+              std::max(offset, CellBounds::kSampleMargin * cell.sampled(u, v, offset_mm, upper));
       }
   return bound;
 }

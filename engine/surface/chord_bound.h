@@ -21,6 +21,10 @@ struct ChordBound {
 /// surface lie in the hull of the control net's second differences, so the bound is rigorous;
 /// cells at extraordinary corners and the offset use the differences of the limit points
 /// themselves with a margin of two and a half respectively.
-ChordBound chord_bound(const CellPatch& patch, const LimitPatch& limit, double offset_mm);
+///
+/// Sides flagged in `rim` count with the whole second differences of their curves, since a rim's
+/// outline matters within the surface too.
+ChordBound chord_bound(const CellPatch& patch, const LimitPatch& limit, double offset_mm,
+                       const std::array<bool, 4>& rim);
 
 }  // namespace limitgauge::engine::surface

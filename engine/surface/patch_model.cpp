@@ -24,20 +24,6 @@ ChordBound no_bound() {
 
 }  // namespace
 
-int side_index(int side, int t, int cells) {
-  const int row = cells + 1;
-  switch (side) {
-    case 0:
-      return t;
-    case 1:
-      return t * row + cells;
-    case 2:
-      return cells * row + cells - t;
-    default:
-      return (cells - t) * row;
-  }
-}
-
 PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& request,
                        const model::RunControl& control)
     : outer_(make_outer_mesh(cage)) {
@@ -66,12 +52,17 @@ void PatchModel::build_patch(std::size_t p, const ModelRequest& request) {
     patch.bounds.push_back(no_bound());
   }
   const double wanted = kMeshShare * request.precision_mm;
+  std::array<bool, 4> rim{};
+  for (int side = 0; side < 4; ++side) {
+    const Index h = patch.first_half_edge + side;
+    rim[side] = ends_at(h) || creased_at(h);
+  }
   std::vector<CellPatch> corners;
   for (;;) {
     if (corners.empty() && cell.depth() == kCornerDepth && !cell.tagged())
       for (int c = 0; c < 4; ++c) corners.push_back(cell.corner_cell(c));
     patch.limit = cell.limit();
-    patch.bounds.push_back(chord_bound(cell, patch.limit, request.largest_offset_mm));
+    patch.bounds.push_back(chord_bound(cell, patch.limit, request.largest_offset_mm, rim));
     const ChordBound& bound = patch.bounds.back();
     const bool enough = std::max(bound.offset_mm, bound.limit_mm) <= wanted;
     if (enough || cell.depth() >= request.largest_depth) break;
@@ -91,7 +82,7 @@ void PatchModel::build_corner(ModelPatch& patch, CellPatch cell, const ModelRequ
     LimitPatch limit;
     for (;;) {
       limit = cell.limit();
-      bound = chord_bound(cell, limit, request.largest_offset_mm);
+      bound = chord_bound(cell, limit, request.largest_offset_mm, {});
       const auto& c = bound.corner_offset_mm;
       bound.offset_mm = std::max({bound.offset_mm, c[1], c[2], c[3]});
       if (bound.offset_mm <= wanted || cell.depth() >= kDeepestCorner) break;

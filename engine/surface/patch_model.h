@@ -60,7 +60,4 @@ class PatchModel {
   model::Box3 box_;
 };
 
-/// Index of point `t` of `side` of a patch with `cells` cells a side, row by row.
-int side_index(int side, int t, int cells);
-
 }  // namespace limitgauge::engine::surface

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <ostream>
 
+#include "app/words.h"
 #include "engine/model/program.h"
 
 namespace limitgauge::app {
@@ -31,7 +32,7 @@ void print_motion(std::ostream& out, const Motion& motion) {
   out << ' ' << fixed(motion.to.x) << ' ' << fixed(motion.to.y) << ' ' << fixed(motion.to.z);
   if (motion.kind == MotionKind::arc) {
     out << ' ' << fixed(motion.centre1) << ' ' << fixed(motion.centre2) << ' '
-        << fixed(motion.turns);
+        << words(motion.turns);
   }
   out << '\n';
 }

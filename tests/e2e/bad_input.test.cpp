@@ -48,7 +48,7 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
       {{"run", "no_toml.toml"}, "no_toml.toml:1:"},
       {{"run", "nowhere.toml"}, "nowhere.toml"},
       {{"run", "program.toml"}, "bad.ngc:3:"},
-      {{"plan", "typo.toml"}, "typo.toml:39:1"},
+      {{"plan", "typo.toml"}, "typo.toml:37:1"},
       {{"run", "typo.toml", "--set", "nonsense"}, "--set nonsense: error"},
       {verify("butterfly.obj", box, ball, "good.ngc"), "butterfly.obj"},
       {verify("index.obj", box, ball, "good.ngc"), "index.obj:5:"},

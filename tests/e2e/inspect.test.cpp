@@ -65,6 +65,7 @@ TEST_CASE("inspect writes reference points and normals", "[e2e][inspect]") {
   CHECK(rows.back()[0] == 11);
 }
 
+// TURNS as LinuxCNC's canonical arcs count them: 1 is counter-clockwise up to one full circle.
 TEST_CASE("inspect lists canonical moves", "[e2e][inspect]") {
   const Scratch scratch;
   write_text(scratch / "a.ngc",
@@ -75,7 +76,7 @@ TEST_CASE("inspect lists canonical moves", "[e2e][inspect]") {
         "2 rapid 0.000000 0.000000 5.000000\n"
         "3 feed 0.000000 0.000000 -1.000000\n"
         "4 feed 10.000000 0.000000 -1.000000\n"
-        "5 arc 17 10.000000 10.000000 -1.000000 10.000000 5.000000 0.500000\n"
+        "5 arc 17 10.000000 10.000000 -1.000000 10.000000 5.000000 1\n"
         "7 rapid 10.000000 10.000000 25.400000\n");
 }
 

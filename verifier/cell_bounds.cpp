@@ -9,6 +9,8 @@ namespace {
 using model::Vec3;
 using Values = std::array<double, 16>;
 
+/// Bounds of two bodies that agree but for rounding: neither rules the other out.
+constexpr double kEqual_mm = 1e-9;
 constexpr int kLineSearches = 6;
 /// Bodies whose values at the control points are compared when the upper bound is improved.
 constexpr std::size_t kMixed = 24;
@@ -137,7 +139,7 @@ CellBounds CellBounder::bound(const Bezier& cell, std::vector<BodyRef>& candidat
   }
   out.upper = upper_of(cell, out.middle, out.nearest.body);
   const auto drop = [&] {
-    std::erase_if(scored_, [&](const Scored& s) { return s.lower > out.upper; });
+    std::erase_if(scored_, [&](const Scored& s) { return s.lower > out.upper + kEqual_mm; });
   };
   drop();
   if (out.upper > good_enough) {

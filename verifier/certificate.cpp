@@ -77,7 +77,9 @@ class CellSearch {
     const double here = b.nearest.distance.value - a;
     const SurfacePlace place{cell.patch, cell.u_at(0.5), cell.v_at(0.5), b.middle};
     out_.gouge.see(-here, place, b.nearest.body);
-    if (uncut_open && here > out_.uncut.low) see_uncut(cell, place, here, b.nearest.body);
+    // Only where the middle itself cannot be touched is there hope to prove it of the whole cell.
+    const bool out_of_reach =
+        uncut_open && here > out_.uncut.low && !see_uncut(cell, place, here, b.nearest.body);
 
     const double gouge_bound = a - b.lower, uncut_bound = b.upper - a;
     if (gouge_open && gouge_bound <= out_.gouge.low + slack) {
@@ -88,7 +90,8 @@ class CellSearch {
       out_.uncut.cover(uncut_bound);
       uncut_open = false;
     }
-    if (uncut_open && reachability_.surely_unreachable(cell.shape)) uncut_open = false;
+    if (uncut_open && out_of_reach && reachability_.surely_unreachable(cell.shape))
+      uncut_open = false;
     if (!gouge_open && !uncut_open) return;
     if (out_.cells > kPartsPerCell || control_radius(cell.shape, b.middle) < kSmallestCell_mm) {
       if (gouge_open) out_.gouge.cover(gouge_bound);
@@ -101,10 +104,12 @@ class CellSearch {
     search(halves[1], std::move(candidates), gouge_open, uncut_open);
   }
 
-  void see_uncut(const SurfaceCell& cell, const SurfacePlace& place, double depth_mm,
+  /// Takes the leftover into account if its place can be touched; false if that was not proven.
+  bool see_uncut(const SurfaceCell& cell, const SurfacePlace& place, double depth_mm,
                  BodyRef body) {
-    const Vec3 normal = normal_at_middle(cell.shape);
-    if (reachability_.touching_tip(place.point, normal)) out_.uncut.see(depth_mm, place, body);
+    if (!reachability_.touching_tip(place.point, normal_at_middle(cell.shape))) return false;
+    out_.uncut.see(depth_mm, place, body);
+    return true;
   }
 
   /// Split where δ changes most: across the passes far more than along them, but never into

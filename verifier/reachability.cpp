@@ -17,8 +17,9 @@ constexpr int kDirections = 16;
 constexpr double kLevel = 1e-9;  // sine of the slope below which a spot is level
 constexpr int kDeepest = 60;
 constexpr double kSmallest_mm = 1e-6;
-/// Finest spacing of tip positions tried on the circle of a flat cutter's contact positions.
-constexpr int kCircleSamples = 64;
+/// Contact positions tried around the circle of a flat cutter, and rings of them inwards.
+constexpr int kCircleSamples = 24;
+constexpr int kRings = 4;
 
 double slope_sine(const CutterProfile& p) {
   return p.slope / std::sqrt(1 + p.slope * p.slope);
@@ -39,32 +40,34 @@ double standing_bound(const CutterProfile& profile, const Vec3& tip, const model
   return open_distance(profile, std::sqrt(dx * dx + dy * dy), box.high.z - tip.z).value;
 }
 
-}  // namespace
-
-Reachability::Below Reachability::comes_below(const Bezier& cell, const Vec3& tip, double limit_mm,
-                                              int depth) const {
+/// Searches one cell for a point nearer than the limit; empty where that stays undecided.
+std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, const Vec3& tip,
+                              double limit_mm, int depth) {
   const Vec3 middle = point(cell, 0.5, 0.5);
-  const BodyDistance d = standing(profile_, tip, middle);
-  if (d.value < limit_mm) return Below::found;
+  const BodyDistance d = standing(profile, tip, middle);
+  if (d.value < limit_mm) return true;
   double lower = d.value;
   for (int k = 0; k < 16; ++k)
     lower = std::min(lower, d.value + dot(d.gradient, cell.control(k) - middle));
-  if (lower >= limit_mm) return Below::none;
-  if (depth > kDeepest || control_radius(cell, middle) < kSmallest_mm) return Below::undecided;
-  Below worst = Below::none;
+  if (lower >= limit_mm) return false;
+  if (depth > kDeepest || control_radius(cell, middle) < kSmallest_mm) return std::nullopt;
   const double wide =
       distance(cell.control(0), cell.control(3)) + distance(cell.control(12), cell.control(15));
   const double tall =
       distance(cell.control(0), cell.control(12)) + distance(cell.control(3), cell.control(15));
+  std::optional<bool> result = false;
   for (const Bezier& half : wide >= tall ? split_u(cell) : split_v(cell)) {
-    const Below part = comes_below(half, tip, limit_mm, depth + 1);
-    if (part == Below::found) return part;
-    if (part == Below::undecided) worst = part;
+    const auto part = any_below(profile, half, tip, limit_mm, depth + 1);
+    if (part && *part) return part;
+    if (!part) result = part;
   }
-  return worst;
+  return result;
 }
 
-Reachability::Below Reachability::comes_below(const Vec3& tip, double limit_mm) const {
+}  // namespace
+
+Reachability::Below Reachability::comes_below(const CutterProfile& profile, const Vec3& tip,
+                                              double limit_mm) const {
   struct Entry {
     std::uint32_t node;
     double bound;
@@ -72,10 +75,10 @@ Reachability::Below Reachability::comes_below(const Vec3& tip, double limit_mm) 
   thread_local std::vector<Entry> stack;
   stack.clear();
   const auto& nodes = cells_.nodes();
-  const auto bound_of = [&](std::uint32_t n) {
-    return standing_bound(profile_, tip, nodes[n].box);
+  const auto entry = [&](std::uint32_t n) {
+    return Entry{n, standing_bound(profile, tip, nodes[n].box)};
   };
-  if (!nodes.empty()) stack.push_back({0, bound_of(0)});
+  if (!nodes.empty()) stack.push_back(entry(0));
   Below worst = Below::none;
   while (!stack.empty()) {
     const auto [at, bound] = stack.back();
@@ -83,12 +86,12 @@ Reachability::Below Reachability::comes_below(const Vec3& tip, double limit_mm) 
     if (bound >= limit_mm) continue;
     const SurfaceCells::Node& node = nodes[at];
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      const Below part = comes_below(cells_.cells()[k].shape, tip, limit_mm, 0);
-      if (part == Below::found) return part;
-      if (part == Below::undecided) worst = part;
+      const auto part = any_below(profile, cells_.cells()[k].shape, tip, limit_mm, 0);
+      if (part && *part) return Below::found;
+      if (!part) worst = Below::undecided;
     }
     if (node.count > 0) continue;
-    const Entry left{at + 1, bound_of(at + 1)}, right{node.right, bound_of(node.right)};
+    const Entry left = entry(at + 1), right = entry(node.right);
     const bool left_first = left.bound <= right.bound;
     stack.push_back(left_first ? right : left);
     stack.push_back(left_first ? left : right);
@@ -105,12 +108,12 @@ std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) con
   if (level > kLevel || profile_.flat_mm <= 0) {
     const double scale = level > 0 ? profile_.flat_mm / level : 0;
     const Vec3 tip = core + Vec3{n.x * scale, n.y * scale, 0};
-    return comes_below(tip, limit) == Below::none ? std::optional(tip) : std::nullopt;
+    return comes_below(profile_, tip, limit) == Below::none ? std::optional(tip) : std::nullopt;
   }
   for (int k = -1; k < kDirections; ++k) {
     const double angle = 2 * pi * k / kDirections, reach = k < 0 ? 0 : profile_.flat_mm;
     const Vec3 tip = core + Vec3{reach * std::cos(angle), reach * std::sin(angle), 0};
-    if (comes_below(tip, limit) == Below::none) return tip;
+    if (comes_below(profile_, tip, limit) == Below::none) return tip;
   }
   return std::nullopt;
 }
@@ -122,30 +125,32 @@ bool Reachability::surely_unreachable(const Bezier& cell) const {
   if (tilt - spread > pi / 2 - std::asin(slope_sine(profile_))) return true;
 
   const Vec3 middle = point(cell, 0.5, 0.5);
-  // Every contact position of the cell is this near to one of those tried below.
-  const double turn = 2 * std::sin(std::min(spread, pi) / 2);
-  double stray = control_radius(cell, middle) + (profile_.rounding_mm + allowance_mm_) * turn;
-  const Vec3 core = middle + cone->axis * (profile_.rounding_mm + allowance_mm_) -
-                    Vec3{0, 0, profile_.rounding_mm};
+  const double reach = profile_.rounding_mm + allowance_mm_;
+  const Vec3 core = middle + cone->axis * reach - Vec3{0, 0, profile_.rounding_mm};
+  // Every contact position of the cell has its core this near to one of those tried below ...
+  const double stray =
+      control_radius(cell, middle) + reach * 2 * std::sin(std::min(spread, pi) / 2);
+  const double limit = allowance_mm_ - kContact_mm - stray;
   const double flat = profile_.flat_mm;
-  const auto blocked = [&](const Vec3& tip) {
-    return comes_below(tip, allowance_mm_ - kContact_mm - stray) == Below::found;
-  };
-  if (flat <= 0) return blocked(core);
+  if (flat <= 0) return comes_below(profile_, core, limit) == Below::found;
   const bool all_round = tilt <= spread + kLevel;
   const double aside = std::atan2(cone->axis.y, cone->axis.x);
   const double half_arc =
       all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
   const int samples = std::max(1, static_cast<int>(std::ceil(kCircleSamples * half_arc / pi)));
-  const double half_step = half_arc / samples;
-  // A level spot may be touched by any point of the flat: rings inwards at the same spacing.
-  const int rings = all_round ? kCircleSamples / 6 : 1;
-  stray += flat * half_step + (all_round ? flat / (2 * rings) : 0);
+  const int rings = all_round ? kRings : 1;
+  const double half_step = half_arc / samples, half_ring = all_round ? flat / (2 * kRings) : 0;
+  // ... and its axis this near in plan: a cutter whose flat is smaller by that much lies inside all
+  // those placed around it, so what it cuts into, they do.
+  CutterProfile inner = profile_;
+  inner.flat_mm = flat - std::hypot(flat * half_step, half_ring);
+  if (inner.flat_mm < 0) return false;
   for (int r = 0; r < rings; ++r) {
-    const double reach = flat * (1 - static_cast<double>(r) / rings);
+    const double out = all_round ? flat - half_ring * (2 * r + 1) : flat;
     for (int k = 0; k < samples; ++k) {
       const double angle = aside - half_arc + half_step * (2 * k + 1);
-      if (!blocked(core + Vec3{reach * std::cos(angle), reach * std::sin(angle), 0})) return false;
+      const Vec3 tip = core + Vec3{out * std::cos(angle), out * std::sin(angle), 0};
+      if (comes_below(inner, tip, limit) != Below::found) return false;
     }
   }
   return true;

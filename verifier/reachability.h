@@ -27,9 +27,8 @@ class Reachability {
 
  private:
   enum class Below { none, found, undecided };
-  /// Whether some point of S is nearer than `limit_mm` to the cutter with its tip at `tip`.
-  Below comes_below(const model::Vec3& tip, double limit_mm) const;
-  Below comes_below(const Bezier& cell, const model::Vec3& tip, double limit_mm, int depth) const;
+  /// Whether some point of S is nearer than `limit_mm` to the cutter `profile` with its tip at `tip`.
+  Below comes_below(const CutterProfile& profile, const model::Vec3& tip, double limit_mm) const;
 
   const SurfaceCells& cells_;
   CutterProfile profile_;

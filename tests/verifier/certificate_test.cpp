@@ -1,0 +1,185 @@
+#include <cmath>
+#include <random>
+
+#include "tests/support/cages.h"
+#include "tests/support/catch.h"
+#include "tests/support/rasters.h"
+#include "verifier/removed_space.h"
+#include "verifier/verify.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using namespace tests;
+
+const model::Stock kBlock = model::BoxStock{{-60, -60, -60}, {120, 120, 120}};
+
+StageDeviation measure(const ReferenceSurface& surface, const model::Cutter& cutter,
+                       model::Toolpath path, double resolution_mm, double allowance_mm = 0) {
+  const Pass pass{cutter, shared(std::move(path))};
+  StageCheck check;
+  check.resolution_mm = resolution_mm;
+  check.allowance_mm = allowance_mm;
+  check.field_spacing_mm = 1;
+  return measure_stage(surface, kBlock, {&pass, 1}, {}, check, {2});
+}
+
+/// δ under a cusp: the distance from the plane to two balls half a step away. The height of the
+/// cusp over the plane, R − √(R² − p²/4), is more by p⁴/(64·R³): 2 nm at R3 and 0.25 mm.
+double scallop(double radius, double step) {
+  return std::sqrt(radius * radius + step * step / 4) - radius;
+}
+
+}  // namespace
+
+TEST_CASE("a ball raster on a plane leaves the closed-form scallop", "[unit]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  for (const auto& [radius, step] : {std::pair{3.0, 0.25}, {3.0, 0.1}, {1.0, 0.2}, {5.0, 1.0}}) {
+    const auto d = measure(plane, ball_cutter(radius),
+                           raster(10, step, 5, [](double, double) { return 0.0; }), 0.0005);
+    const double h = scallop(radius, step);
+    CAPTURE(radius, step, h, d.uncut_mm.low, d.uncut_mm.high);
+    CHECK(d.uncut_mm.low <= h);
+    CHECK(d.uncut_mm.high >= h);
+    CHECK(d.uncut_mm.width() <= 0.0005);
+    CHECK(d.gouge_mm.low == 0);
+    CHECK(d.gouge_mm.high <= 0.0005);
+    CHECK(d.reached_resolution);
+  }
+}
+
+TEST_CASE("scallop on a slope, measured normal to it", "[unit]") {
+  const double slope = 0.75;  // rises along x: rows along y follow the contours
+  const double cosine = 1 / std::sqrt(1 + slope * slope), radius = 3, step = 0.2;
+  const ReferenceSurface plane(plane_cage(5, slope, 0));
+  // The tip of a ball that touches the plane under its centre line.
+  const auto tip = [&](double x, double) { return slope * x + radius / cosine - radius; };
+  const auto d = measure(plane, ball_cutter(radius), raster(12, step, 6, tip), 0.0005);
+  const double h = scallop(radius, step / cosine);
+  CHECK(d.uncut_mm.low <= h);
+  CHECK(d.uncut_mm.high >= h);
+  CHECK(d.uncut_mm.width() <= 0.0005);
+  CHECK(d.gouge_mm.low == 0);
+}
+
+TEST_CASE("a pass sunk by two micrometres is a gouge of two micrometres", "[unit]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const auto path =
+      raster(10, 0.1, 5, [](double x, double) { return std::abs(x - 1) < 1e-9 ? -0.002 : 0.0; });
+  const auto d = measure(plane, ball_cutter(3), path, 0.0005);
+  CHECK(d.gouge_mm.low <= 0.002);
+  CHECK(d.gouge_mm.high >= 0.002);
+  CHECK(d.gouge_mm.low > 0.0014);
+  REQUIRE(!d.gouges.empty());
+  CHECK(std::abs(d.gouges.front().place.point.x - 1) < 0.1);
+  const auto clean = measure(plane, ball_cutter(3),
+                             raster(10, 0.1, 5, [](double, double) { return 0.0; }), 0.0005);
+  CHECK(clean.gouge_mm.low == 0);
+  CHECK(clean.gouge_mm.high <= 0.0005);
+}
+
+TEST_CASE("a flat cutter over a plane leaves what it stands above", "[unit]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  for (const double height : {0.0, 0.2, -0.03}) {
+    const auto d = measure(plane, flat_cutter(4),
+                           raster(12, 6, 12, [&](double, double) { return height; }), 0.001);
+    CAPTURE(height, d.uncut_mm.low, d.uncut_mm.high, d.gouge_mm.low, d.gouge_mm.high);
+    CHECK(d.uncut_mm.low == Approx(std::max(0.0, height)).margin(1e-6));
+    CHECK(d.uncut_mm.high == Approx(std::max(0.0, height)).margin(0.001));
+    CHECK(d.gouge_mm.low == Approx(std::max(0.0, -height)).margin(1e-6));
+  }
+}
+
+TEST_CASE("allowance shifts what is uncut and what is gouged", "[unit]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const auto d = measure(plane, ball_cutter(3),
+                         raster(10, 0.1, 5, [](double, double) { return 0.19; }), 0.0005, 0.2);
+  CHECK(d.gouge_mm.low == Approx(0.01).margin(1e-6));
+  CHECK(d.gouge_mm.high == Approx(0.01).margin(0.0005));
+  CHECK(d.uncut_mm.low == 0);
+}
+
+TEST_CASE("intervals hold what dense sampling finds", "[property]") {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> wobble(-0.05, 0.05), height(-1, 1);
+  const model::Cutter cutters[] = {ball_cutter(3),
+                                   flat_cutter(2),
+                                   {"bull", model::CutterType::bull, 6, 1, 0, 60, {}, {}},
+                                   {"taper", model::CutterType::taper, 2, 1, 8, 60, {}, {}}};
+  for (int n = 0; n < 24; ++n) {
+    const model::Cage cage = grid_cage(
+        4, 4,
+        [&](int i, int j) {
+          return Vec3{3.0 * i - 6, 3.0 * j - 6, height(random)};
+        },
+        model::BoundaryRule::edge_only);
+    const ReferenceSurface surface(cage);
+    const model::Cutter& cutter = cutters[n % 4];
+    model::Toolpath path = raster(7, 0.7, 1, [&](double x, double y) {
+      return 0.3 * std::sin(x + 0.5 * y) + wobble(random);
+    });
+    const Pass pass{cutter, shared(path)};
+    StageCheck check;
+    check.resolution_mm = 0.002;
+    check.field_spacing_mm = 1;
+    const StageDeviation d = measure_stage(surface, kBlock, {&pass, 1}, {}, check, {2});
+    const RemovedSpace space(kBlock, {&pass, 1});
+    double deepest = 0, highest = 0;
+    for (int patch = 0; patch < surface.patch_count(); ++patch)
+      for (int j = 0; j <= 60; ++j)
+        for (int i = 0; i <= 60; ++i) {
+          const double delta =
+              space.nearest(surface.evaluate(patch, i / 60.0, j / 60.0).position).distance.value;
+          deepest = std::max(deepest, -delta);
+          highest = std::max(highest, delta);
+        }
+    CAPTURE(n, cutter.id);
+    CHECK(deepest <= d.gouge_mm.high + 1e-12);
+    CHECK(d.gouge_mm.width() <= 0.002);
+    // 61 samples a patch side, 0.05 mm apart, where δ changes by at most 1 mm a mm.
+    CHECK(deepest >= d.gouge_mm.low - 0.04);
+    // Uncut is certified on the reachable part only: no more than what stands anywhere.
+    CHECK(d.uncut_mm.low <= highest + 0.04);
+  }
+}
+
+TEST_CASE("the verdict does not depend on threads, on the order of moves or on their splitting",
+          "[property]") {
+  const ReferenceSurface surface(star_cage(5, 1));
+  const auto tip = [](double x, double y) { return 0.8 + 0.02 * std::sin(x) * y; };
+  const model::Toolpath path = raster(14, 0.8, 2, tip);
+  StageCheck check;
+  check.resolution_mm = 0.001;
+  check.field_spacing_mm = 1;
+  check.limits = {true, true, false, 0.1, 5, 0};
+  const auto run = [&](model::Toolpath p, unsigned threads) {
+    const Pass pass{ball_cutter(3), shared(std::move(p))};
+    return measure_stage(surface, kBlock, {&pass, 1}, {}, check, {threads});
+  };
+  const StageDeviation one = run(path, 1), two = run(path, 3);
+  CHECK(one.gouge_mm.low == two.gouge_mm.low);
+  CHECK(one.gouge_mm.high == two.gouge_mm.high);
+  CHECK(one.uncut_mm.low == two.uncut_mm.low);
+  CHECK(one.uncut_mm.high == two.uncut_mm.high);
+  CHECK(one.cells == two.cells);
+
+  model::Toolpath reversed;
+  reversed.start = path.moves.back().to;
+  for (std::size_t i = path.moves.size(); i-- > 0;) feed_to(reversed, model::move_from(path, i));
+  model::Toolpath split;
+  split.start = path.start;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    feed_to(split, lerp(model::move_from(path, i), path.moves[i].to, 0.375));
+    feed_to(split, path.moves[i].to);
+  }
+  for (const StageDeviation& other : {run(reversed, 2), run(split, 2)}) {
+    CHECK(other.gouge_mm.low <= one.gouge_mm.high);
+    CHECK(one.gouge_mm.low <= other.gouge_mm.high);
+    CHECK(other.uncut_mm.low <= one.uncut_mm.high);
+    CHECK(one.uncut_mm.low <= other.uncut_mm.high);
+    CHECK(decide(other, check.limits, 0, 0).verdict == decide(one, check.limits, 0, 0).verdict);
+  }
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,54 @@
+#include "tests/support/catch.h"
+#include "verifier/verify.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+StageDeviation with(Interval gouge, Interval uncut, double coverage = 1) {
+  StageDeviation d;
+  d.gouge_mm = gouge;
+  d.uncut_mm = uncut;
+  d.coverage = coverage;
+  return d;
+}
+const GateLimits kLimits{true, true, true, 0.01, 0.02, 0.99};
+
+}  // namespace
+
+TEST_CASE("conformance must be proven to pass, non-conformance to fail", "[unit]") {
+  CHECK(decide(with({0, 0.01}, {0, 0.02}), kLimits, 0, 0).verdict == Verdict::pass);
+  CHECK(decide(with({0.0101, 0.02}, {0, 0}), kLimits, 0, 0).verdict == Verdict::fail);
+  CHECK(decide(with({0.0099, 0.0101}, {0, 0}), kLimits, 0, 0).verdict == Verdict::indeterminate);
+  CHECK(decide(with({0, 0}, {0.019, 0.021}), kLimits, 0, 0).verdict == Verdict::indeterminate);
+  CHECK(decide(with({0, 0}, {0.021, 0.03}), kLimits, 0, 0).verdict == Verdict::fail);
+  CHECK(decide(with({0, 0}, {0, 0}, 0.98), kLimits, 0, 0).verdict == Verdict::fail);
+}
+
+TEST_CASE("a proven failure outweighs an open question", "[unit]") {
+  CHECK(decide(with({0.0099, 0.0101}, {0.03, 0.04}), kLimits, 0, 0).verdict == Verdict::fail);
+}
+
+TEST_CASE("collisions fail a stage whatever its figures", "[unit]") {
+  CHECK(decide(with({0, 0}, {0, 0}), kLimits, 1, 0).verdict == Verdict::fail);
+  CHECK(decide(with({0, 0}, {0, 0}), {}, 0, 2).verdict == Verdict::fail);
+}
+
+TEST_CASE("figures without a limit cannot fail", "[unit]") {
+  CHECK(decide(with({5, 6}, {7, 8}, 0), {}, 0, 0).verdict == Verdict::pass);
+}
+
+TEST_CASE("material that stands beside removed space fails the uncut gate", "[unit]") {
+  StageDeviation wall = with({0, 0}, {0.001, 0.002});
+  wall.voxel_uncut_mm = 3;
+  const GateDecision decision = decide(wall, kLimits, 0, 0);
+  CHECK(decision.verdict == Verdict::fail);
+  CHECK_THAT(decision.reasons.at(2), ContainsSubstring("material stands 3 mm"));
+}
+
+TEST_CASE("automatic resolution is a tenth of the tightest limit", "[unit]") {
+  CHECK(automatic_resolution_mm(kLimits) == Approx(0.001));
+  CHECK(automatic_resolution_mm({true, true, false, 0.05, 0.004, 0}) == Approx(0.0004));
+  CHECK(automatic_resolution_mm({}) == Approx(0.001));
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,110 @@
+#include "verifier/reachability.h"
+
+#include "tests/support/cages.h"
+#include "tests/support/catch.h"
+#include "tests/support/rasters.h"
+#include "verifier/reference_surface.h"
+#include "verifier/verify.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using namespace tests;
+
+/// The bowl z = k·r²: a ball of R > 1/(2k) touches on the circle r² = R² − 1/(4k²) at the deepest
+/// and leaves (2kR − 1)²/(4k) on the axis.
+constexpr double kBowl = 0.05, kRadius = 12;
+const double kContactCircle = std::sqrt(kRadius * kRadius - 1 / (4 * kBowl * kBowl));
+
+Vec3 bowl_point(double x, double y) {
+  return {x, y, kBowl * (x * x + y * y)};
+}
+Vec3 bowl_normal(double x, double y) {
+  return normalized(Vec3{-2 * kBowl * x, -2 * kBowl * y, 1});
+}
+
+}  // namespace
+
+TEST_CASE("a ball too large for a bowl reaches down to the contact circle", "[unit]") {
+  const ReferenceSurface bowl(paraboloid_cage(24, kBowl));
+  const SurfaceCells cells(bowl.tree(), 0.5);
+  const Reachability reach(cells, CutterProfile(ball_cutter(kRadius)), 0);
+  for (const double angle : {0.0, 0.7, 2.9}) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    // Contact tolerance 1e-4 mm: the penetration grows with the square of the distance inwards.
+    const double in = 0.9 * kContactCircle, out = 1.02 * kContactCircle;
+    CHECK_FALSE(reach.touching_tip(bowl_point(in * c, in * s), bowl_normal(in * c, in * s)));
+    CHECK(reach.touching_tip(bowl_point(out * c, out * s), bowl_normal(out * c, out * s)));
+  }
+  const Reachability small(cells, CutterProfile(ball_cutter(3)), 0);
+  CHECK(small.touching_tip({0, 0, 0}, {0, 0, 1}));
+  const Reachability with_allowance(cells, CutterProfile(ball_cutter(9.5)), 1);
+  CHECK_FALSE(with_allowance.touching_tip({0, 0, 0}, {0, 0, 1}));
+}
+
+TEST_CASE("what a large ball leaves in a bowl is unavoidable and not the toolpath's fault",
+          "[unit]") {
+  const ReferenceSurface bowl(paraboloid_cage(24, kBowl));
+  // The ball rolls in the bowl as deep as it goes: its centre on the axis at the lowest, else
+  // touching.
+  const auto tip = [](double x, double y) {
+    const double r = std::hypot(x, y);
+    const double lowest = (kBowl * kContactCircle * kContactCircle) + 1 / (2 * kBowl) - kRadius;
+    if (r < 1e-9) return lowest;
+    // Least height at which the ball centred over (x, y) clears the bowl, by search over contacts.
+    double z = -1e300;
+    for (double c = -23; c <= 23; c += 0.01) {
+      const double across = c - r;
+      if (std::abs(across) > kRadius) continue;
+      z = std::max(z, kBowl * c * c + std::sqrt(kRadius * kRadius - across * across) - kRadius);
+    }
+    return z;
+  };
+  const Pass pass{ball_cutter(kRadius), shared(raster(12, 1.5, 1.5, tip))};
+  StageCheck check;
+  check.resolution_mm = 0.01;
+  check.field_spacing_mm = 0.5;
+  const model::Stock block = model::BoxStock{{-60, -60, -60}, {120, 120, 120}};
+  const StageDeviation d = measure_stage(bowl, block, {&pass, 1}, {}, check, {2});
+  const double left = std::pow(2 * kBowl * kRadius - 1, 2) / (4 * kBowl);
+  CHECK(d.unavoidable_uncut_mm == Approx(left).margin(0.01));
+  const double flat_disc = kContactCircle * kContactCircle * 3.14159265;
+  // The disc inside the contact circle, measured on the bowl: a little more than in plan; the field
+  // resolves the rim to its spacing.
+  CHECK(d.unreachable_area_mm2 > 0.9 * flat_disc);
+  CHECK(d.unreachable_area_mm2 < 1.6 * flat_disc);
+}
+
+TEST_CASE("undersides cannot be touched, walls can by a straight cutter only", "[unit]") {
+  const ReferenceSurface cube(cube_cage());
+  const SurfaceCells cells(cube.tree(), 0.1);
+  const Reachability ball(cells, CutterProfile(ball_cutter(1)), 0);
+  CHECK_FALSE(ball.touching_tip(cube.evaluate(0, 0.5, 0.5).position, {0, 0, -1}));
+  CHECK(ball.touching_tip(cube.evaluate(1, 0.5, 0.5).position, {0, 0, 1}));
+  const SurfaceSample side = cube.evaluate(2, 0.5, 0.5);
+  CHECK(side.normal.z == Approx(0).margin(1e-12));
+  const Reachability taper(
+      cells, CutterProfile({"t", model::CutterType::taper, 1, 0.5, 5, 20, {}, {}}), 0);
+  CHECK_FALSE(taper.touching_tip(side.position, side.normal));
+}
+
+TEST_CASE("normal cones hold the normals of their cell", "[property]") {
+  const ReferenceSurface surface(star_cage(7, 5));
+  const SurfaceCells cells(surface.tree(), 0.8);
+  int cones = 0;
+  for (const SurfaceCell& cell : cells.cells()) {
+    const auto cone = normal_cone(cell.shape);
+    if (!cone) continue;
+    ++cones;
+    for (double s = 0; s <= 1; s += 0.25)
+      for (double t = 0; t <= 1; t += 0.25) {
+        const BezierJet j = jet(cell.shape, s, t);
+        const double cosine = dot(normalized(cross(j.du, j.dv)), cone->axis);
+        CHECK(std::acos(std::min(1.0, cosine)) <= cone->half_angle_rad + 1e-6);
+      }
+  }
+  CHECK(cones > 100);
+}
+
+}  // namespace limitgauge::verifier

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace limitgauge::simulator {
 namespace {
@@ -62,17 +63,26 @@ bool BlockCutter::balls_below_tops(const MoveBatch& moves, double highest) const
   return pass_.profile().is_ball() && highest <= moves.below_tops_mm(pass_.profile());
 }
 
-void BlockCutter::sample(Level& level, const Vec3& p) const {
+// A move that is farther than the nearest one by a diagonal cannot matter and is not worked out;
+// one that swallows the whole block ends the search.
+void BlockCutter::sample(Level& level, const Vec3& p, double half_diagonal) const {
   if (balls_below_tops(level.moves, p.z))
     return sample_balls(level.moves, pass_.profile().corner_radius(), p, level.samples);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
   const std::size_t n = level.moves.size();
   level.samples.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const SweptSample s = pass_.distance(level.moves.slot[i], p);
+  double least = kFar;
+  for (std::size_t i = 0; i < n && least >= -(half_diagonal + band_); ++i) {
+    const std::uint32_t slot = level.moves.slot[i];
+    const bool far = cannot_be_below(pass_.profile(), pass_.move(slot), p,
+                                     least + 2 * half_diagonal + 2 * kSlack);
+    const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass_.distance(slot, p);
+    least = std::min(least, s.distance);
     level.samples.distance[i] = s.distance;
     level.samples.gx[i] = s.gradient.x;
     level.samples.gy[i] = s.gradient.y;
     level.samples.gz[i] = s.gradient.z;
+    if (least < -(half_diagonal + band_)) level.samples.resize(i + 1);
   }
 }
 
@@ -113,7 +123,7 @@ void BlockCutter::keep_that_matter(Level& level, const Vec3& middle, int edge) c
 BlockCutter::Reach BlockCutter::narrow(Level& level, const Index3& corner, int edge) {
   if (level.moves.size() == 0) return Reach::none;
   const Vec3 middle = lattice_.middle(corner, edge);
-  sample(level, middle);
+  sample(level, middle, lattice_.half_diagonal(edge));
   const double least =
       *std::min_element(level.samples.distance.begin(), level.samples.distance.end());
   const Reach reach = reach_of(least, lattice_.half_diagonal(edge) + band_);

@@ -50,7 +50,7 @@ class BlockCutter {
     std::vector<std::uint32_t> kept;
   };
   Reach narrow(Level& level, const Index3& corner, int edge);
-  void sample(Level& level, const model::Vec3& p) const;
+  void sample(Level& level, const model::Vec3& p, double half_diagonal) const;
   void keep_that_matter(Level& level, const model::Vec3& middle, int edge) const;
   std::size_t reference_move(const Level& level, const model::Vec3& middle, double reach,
                              double& bound) const;

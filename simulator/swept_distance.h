@@ -40,6 +40,7 @@ SweptSample swept_distance(const CutterProfile& profile, const SweptMove& move,
 /// True where a quick look shows that f(p) is not below `bound`. False says nothing.
 inline bool cannot_be_below(const CutterProfile& profile, const SweptMove& m, const model::Vec3& p,
                             double bound) {
+  if (m.start.z + std::min(0.0, m.delta.z) - p.z >= bound) return true;  // the tip stays above
   const double reach = bound + profile.corner_radius();
   if (reach <= 0) return profile.is_ball();
   // Distance to the line of the corner's centres: only a ball's corner has a single one.

@@ -31,9 +31,9 @@ double negative_share(const std::array<double, 8>& f) {
   for (const auto& path : kPaths) {
     std::array<double, 4> v{f[0], f[path[0]], f[path[1]], f[7]};
     std::sort(v.begin(), v.end());
-    share += sorted_share(v) / 6;
+    share += sorted_share(v);
   }
-  return share;
+  return share / 6;
 }
 
 }  // namespace limitgauge::simulator

@@ -160,6 +160,33 @@ TEST_CASE("tree bound never exceeds the profile's distance", "[property][swept_d
   CHECK(violation <= 1e-12);
 }
 
+TEST_CASE("the profile's largest radius is the cutter's", "[unit][swept_distance]") {
+  for (const Cutter& cutter : cutters())
+    CHECK(CutterProfile(cutter).largest_radius() ==
+          Approx(model::largest_radius_mm(cutter)).margin(1e-12));
+}
+
+TEST_CASE("a quick look never rejects a move that is nearer than the bound",
+          "[property][swept_distance]") {
+  Draw draw{std::mt19937_64(20266)};
+  int rejected = 0, wrongly = 0;
+  for (const Cutter& cutter : cutters()) {
+    const CutterProfile profile(cutter);
+    for (int i = 0; i < 8000; ++i) {
+      const Vec3 from = draw.vec(2);
+      const SweptMove move(from, from + draw.delta(), 0);
+      const Vec3 p = from + Vec3{draw.in(-8, 8), draw.in(-8, 8), draw.in(-4, 14)};
+      const double d = swept_distance(profile, move, p).distance;
+      const double bound = d + draw.in(-1, 1);
+      if (!simulator::cannot_be_below(profile, move, p, bound)) continue;
+      ++rejected;
+      wrongly += d < bound - 1e-12;
+    }
+  }
+  CHECK(wrongly == 0);
+  CHECK(rejected > 5000);
+}
+
 TEST_CASE("a ball move below its flutes' top is the capsule", "[unit][swept_distance]") {
   const CutterProfile profile(make(CutterType::ball, 6, 3, 0, 20));
   const SweptMove move({0, 0, 0}, {10, 0, 5}, 0);

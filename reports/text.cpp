@@ -156,7 +156,7 @@ std::string grouped(std::uint64_t count) {
 }
 
 LengthUnit unit_for(double largest_mm) {
-  return std::abs(largest_mm) <= 0.1 ? LengthUnit{1000, "µm"} : LengthUnit{1, "mm"};
+  return std::abs(largest_mm) < 0.1 ? LengthUnit{1000, "µm"} : LengthUnit{1, "mm"};
 }
 
 std::string measured_length(double mm) {

@@ -33,7 +33,7 @@ struct LengthUnit {
   double per_mm = 1;
   const char* symbol = "mm";
 };
-/// Micrometres where every length shown beside each other is at most 0.1 mm, millimetres else.
+/// Micrometres where every length shown beside each other is below 0.1 mm, millimetres else.
 LengthUnit unit_for(double largest_mm);
 /// A measured length, three significant digits and its unit: "0.445 µm", "1.25 mm".
 std::string measured_length(double mm);

@@ -23,8 +23,7 @@ class SquareMarch {
       : raster_(raster), field_(field), window_(window), value_(value) {}
 
   std::vector<Isoline> run() {
-    for (int j = window_.first_row; j < window_.last_row; ++j)
-      for (int i = window_.first_column; i < window_.last_column; ++i) add_cell(i, j);
+    scan();
     for (std::size_t k = 0; k < pieces_.size(); ++k) starts_.emplace(pieces_[k].from, k);
     std::vector<Isoline> lines;
     std::unordered_map<EdgeId, char> arrived;
@@ -38,6 +37,28 @@ class SquareMarch {
   }
 
  private:
+  /// Most cells are not crossed: rows of flags find those that are without branching.
+  void scan() {
+    const int columns = window_.last_column - window_.first_column + 1;
+    std::vector<std::uint8_t> below = high_row(window_.first_row), mixed(below.size());
+    for (int j = window_.first_row; j < window_.last_row; ++j) {
+      std::vector<std::uint8_t> above = high_row(j + 1);
+      for (int i = 0; i + 1 < columns; ++i)
+        mixed[i] = static_cast<std::uint8_t>((below[i] ^ below[i + 1]) | (below[i] ^ above[i]) |
+                                             (below[i] ^ above[i + 1]));
+      const auto end = mixed.begin() + (columns - 1);
+      for (auto at = std::find(mixed.begin(), end, 1); at != end; at = std::find(at + 1, end, 1))
+        add_cell(window_.first_column + static_cast<int>(at - mixed.begin()), j);
+      below = std::move(above);
+    }
+  }
+  std::vector<std::uint8_t> high_row(int j) const {
+    const int columns = window_.last_column - window_.first_column + 1;
+    std::vector<std::uint8_t> high(static_cast<std::size_t>(columns));
+    const float* row = &field_[node(window_.first_column, j)];
+    for (int i = 0; i < columns; ++i) high[i] = row[i] >= value_;
+    return high;
+  }
   std::size_t node(int i, int j) const { return static_cast<std::size_t>(j) * raster_.columns + i; }
   bool inside(int i, int j) const { return field_[node(i, j)] >= value_; }
   EdgeId right_of(int i, int j) const { return static_cast<EdgeId>(node(i, j)) * 2; }

@@ -110,12 +110,31 @@ bool same_place(const Vec3& a, const Vec3& b) {
   return distance(a, b) <= kRounding;
 }
 
+bool smooth_loop(const std::vector<Vec3>& line) {
+  return line.size() > 3 && same_place(line.front(), line.back()) &&
+         turn(line[line.size() - 2], line[0], line[1]) <= kSharpTurn &&
+         !swings(line[line.size() - 2], line[0], line[1]);
+}
+
 Vec3 direction_at(const std::vector<Vec3>& line, std::size_t i) {
   const std::size_t last = line.size() - 1;
-  const bool loop = same_place(line.front(), line.back());
+  const bool loop = smooth_loop(line);
   const Vec3 before = i > 0 ? line[i - 1] : loop ? line[last - 1] : line[0];
   const Vec3 after = i < last ? line[i + 1] : loop ? line[1] : line[last];
   return normalized(after - before);
+}
+
+/// Pieces between sharp turns, so that a ring never stands askew to both its chords.
+std::vector<std::vector<Vec3>> smooth_pieces(const std::vector<Vec3>& line) {
+  std::vector<std::vector<Vec3>> pieces = {{line.front()}};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    pieces.back().push_back(line[i]);
+    const bool inner = i + 1 < line.size();
+    if (inner && (turn(line[i - 1], line[i], line[i + 1]) > kSharpTurn ||
+                  swings(line[i - 1], line[i], line[i + 1])))
+      pieces.push_back({line[i]});
+  }
+  return pieces;
 }
 
 /// Steps over half a turn that keep the facets' sagitta within `error_mm`.
@@ -129,17 +148,11 @@ int half_turn_steps(double radius_mm, double error_mm) {
 Rim find_rim(const PatchModel& model, const OffsetModel& limit_mesh) {
   Rim rim;
   add_cones(model, limit_mesh, rim.points);
-  for (std::vector<Vec3>& line : LineBuilder(rim_edges(model, limit_mesh)).lines()) {
-    const bool loop = same_place(line.front(), line.back());
-    if (!loop) rim.points.insert(rim.points.end(), {line.front(), line.back()});
-    if (loop && turn(line[line.size() - 2], line[0], line[1]) > kSharpTurn)
-      rim.points.push_back(line[0]);
-    for (std::size_t i = 1; i + 1 < line.size(); ++i)
-      if (turn(line[i - 1], line[i], line[i + 1]) > kSharpTurn ||
-          swings(line[i - 1], line[i], line[i + 1]))
-        rim.points.insert(rim.points.end(), {line[i - 1], line[i], line[i + 1]});
-    rim.lines.push_back(std::move(line));
-  }
+  for (const std::vector<Vec3>& line : LineBuilder(rim_edges(model, limit_mesh)).lines())
+    for (std::vector<Vec3>& piece : smooth_pieces(line)) {
+      if (!smooth_loop(piece)) rim.points.insert(rim.points.end(), {piece.front(), piece.back()});
+      rim.lines.push_back(std::move(piece));
+    }
   const auto less = [](const Vec3& a, const Vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   };

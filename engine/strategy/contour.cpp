@@ -197,6 +197,13 @@ class ContourPlanner {
   void ramp_in(const std::vector<FlatPoint>& loop, double z, double above,
                PathBuilder& path) const {
     path.enter_at({loop.front().x, loop.front().y, above});
+    double round = 0;
+    for (std::size_t k = 1; k < loop.size(); ++k) round += distance(loop[k - 1], loop[k]);
+    // A loop that reduction drew together to a point has no way to ramp along.
+    if (round <= rule_.reduction_mm) {
+      path.cut_to({loop.front().x, loop.front().y, z});
+      return;
+    }
     double height = above;
     for (std::size_t i = 1; height > z; i = i % (loop.size() - 1) + 1) {
       const FlatPoint a = loop[i - 1], b = loop[i];

@@ -81,7 +81,7 @@ class ZigzagPlanner {
   void place_rows() {
     const model::Box3 box = model_.bounding_box();
     const double low = box.low.x - reach_, width = box.size().x + 2 * reach_;
-    constexpr double kWholeStep = 1e-6;
+    constexpr double kWholeStep = 0.1;  // of a step: the mesh is a little smaller than the surface
     const int count =
         std::max(1, static_cast<int>(std::floor(width / request_.step_mm + kWholeStep)));
     const double first = low + (width - (count - 1) * request_.step_mm) / 2;

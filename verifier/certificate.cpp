@@ -44,11 +44,6 @@ struct FirstLook {
   double gouge_bound = 0, uncut_bound = 0;
 };
 
-Vec3 normal_at_middle(const Bezier& b) {
-  const BezierJet j = jet(b, 0.5, 0.5);
-  return normalized(cross(j.du, j.dv));
-}
-
 /// Depth-first refinement of one cell of the list, from what the batches before it have found.
 class CellSearch {
  public:
@@ -93,7 +88,10 @@ class CellSearch {
     if (uncut_open && out_of_reach && reachability_.surely_unreachable(cell.shape))
       uncut_open = false;
     if (!gouge_open && !uncut_open) return;
-    if (out_.cells > kPartsPerCell || control_radius(cell.shape, b.middle) < kSmallestCell_mm) {
+    const bool tiny = control_radius(cell.shape, b.middle) < kSmallestCell_mm;
+    // A spot of a nanometre counts as its middle does: far below the contact tolerance.
+    if (uncut_open && out_of_reach && tiny) uncut_open = false;
+    if (tiny || out_.cells > kPartsPerCell) {
       if (gouge_open) out_.gouge.cover(gouge_bound);
       if (uncut_open) out_.uncut.cover(uncut_bound);
       out_.complete = false;
@@ -107,7 +105,7 @@ class CellSearch {
   /// Takes the leftover into account if its place can be touched; false if that was not proven.
   bool see_uncut(const SurfaceCell& cell, const SurfacePlace& place, double depth_mm,
                  BodyRef body) {
-    if (!reachability_.touching_tip(place.point, normal_at_middle(cell.shape))) return false;
+    if (!reachability_.touching_tip(place.point, middle_normal(cell))) return false;
     out_.uncut.see(depth_mm, place, body);
     return true;
   }
@@ -176,7 +174,7 @@ Outcome best_samples(const SurfaceCells& cells, const std::vector<FirstLook>& lo
     const CellBounds& b = looks[i].bounds;
     const double depth = b.nearest.distance.value - allowance_mm;
     if (depth <= 0) break;
-    if (!reachability.touching_tip(b.middle, normal_at_middle(cells.cells()[i].shape))) continue;
+    if (!reachability.touching_tip(b.middle, middle_normal(cells.cells()[i]))) continue;
     out.uncut.see(depth, middle_of(cells.cells()[i], b), b.nearest.body);
     break;
   }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "verifier/reachability.h"
 
@@ -9,43 +8,44 @@ namespace {
 
 using model::Vec3;
 
-struct Cone {
-  Vec3 axis;
-  double cosine = 1;
-};
+constexpr double kChoose2[] = {1, 2, 1}, kChoose3[] = {1, 3, 3, 1},
+                 kChoose5[] = {1, 5, 10, 10, 5, 1};
 
-std::optional<Cone> cone_of(std::span<const Vec3> directions) {
-  Vec3 sum;
-  for (const Vec3& d : directions) sum += normalized(d);
-  Cone cone{normalized(sum), 1};
-  for (const Vec3& d : directions) {
-    const double l = length(d);
-    if (!(l > 0)) return std::nullopt;
-    cone.cosine = std::min(cone.cosine, dot(d, cone.axis) / l);
-  }
-  return cone.cosine > 0 ? std::optional(cone) : std::nullopt;
+/// Bézier coefficients of S_u × S_v, of degree 5 in both, up to a common positive factor.
+std::array<Vec3, 36> normal_coefficients(const Bezier& cell) {
+  std::array<Vec3, 36> out{};
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 along_u =
+          (cell.control(4 * j + i + 1) - cell.control(4 * j + i)) * (kChoose2[i] * kChoose3[j]);
+      for (int l = 0; l < 3; ++l)
+        for (int k = 0; k < 4; ++k) {
+          const Vec3 along_v = cell.control(4 * (l + 1) + k) - cell.control(4 * l + k);
+          out[6 * (j + l) + i + k] += cross(along_u, along_v) * (kChoose3[k] * kChoose2[l]);
+        }
+    }
+  for (int n = 0; n < 6; ++n)
+    for (int m = 0; m < 6; ++m) out[6 * n + m] = out[6 * n + m] / (kChoose5[m] * kChoose5[n]);
+  return out;
 }
 
 }  // namespace
 
 std::optional<NormalCone> normal_cone(const Bezier& cell) {
-  std::array<Vec3, 12> along_u, along_v;
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 3; ++i) {
-      along_u[3 * j + i] = cell.control(4 * j + i + 1) - cell.control(4 * j + i);
-      along_v[3 * j + i] = cell.control(4 * (i + 1) + j) - cell.control(4 * i + j);
-    }
-  const auto u = cone_of(along_u), v = cone_of(along_v);
-  if (!u || !v) return std::nullopt;
-  const Vec3 normal = cross(u->axis, v->axis);
-  const double sine = length(normal), cosine = std::abs(dot(u->axis, v->axis));
-  const double su2 = 1 - u->cosine * u->cosine, sv2 = 1 - v->cosine * v->cosine;
-  const double su = std::sqrt(std::max(0.0, su2)), sv = std::sqrt(std::max(0.0, sv2));
-  const double bound = std::sqrt(su * su + 2 * su * sv * cosine + sv * sv);
-  // The two cones must not meet, or the cross product may vanish or turn over.
-  if (std::asin(su) + std::asin(sv) >= std::asin(std::min(1.0, sine)) || bound >= sine)
-    return std::nullopt;
-  return NormalCone{normal / sine, std::asin(bound / sine)};
+  const std::array<Vec3, 36> coefficients = normal_coefficients(cell);
+  Vec3 sum;
+  for (const Vec3& c : coefficients) sum += normalized(c);
+  const Vec3 axis = normalized(sum);
+  double cosine = 1;
+  for (const Vec3& c : coefficients) {
+    const double l = length(c);
+    if (!(l > 0)) return std::nullopt;
+    cosine = std::min(cosine, dot(c, axis) / l);
+  }
+  // Every normal is a positive combination of the coefficients; so is it within a convex cone.
+  if (cosine <= 0) return std::nullopt;
+  constexpr double kRoundingAngle = 1e-7;  // of acos near one
+  return NormalCone{axis, std::acos(std::min(1.0, cosine)) + kRoundingAngle};
 }
 
 }  // namespace limitgauge::verifier

@@ -27,7 +27,8 @@ class Reachability {
 
  private:
   enum class Below { none, found, undecided };
-  /// Whether some point of S is nearer than `limit_mm` to the cutter `profile` with its tip at `tip`.
+  /// Whether some point of S is nearer than `limit_mm` to the cutter `profile` with its tip at
+  /// `tip`.
   Below comes_below(const CutterProfile& profile, const model::Vec3& tip, double limit_mm) const;
 
   const SurfaceCells& cells_;
@@ -35,7 +36,8 @@ class Reachability {
   double allowance_mm_;
 };
 
-/// A cone that holds every normal of a cell: unit axis and half angle (Sederberg and Meyers 1988).
+/// A cone that holds every normal of a cell: unit axis and half angle. The normal S_u × S_v is a
+/// Bézier patch of degree (5, 5), and its directions lie in the cone of its coefficients.
 struct NormalCone {
   model::Vec3 axis;
   double half_angle_rad = 0;

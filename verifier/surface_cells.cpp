@@ -47,6 +47,12 @@ void split_until(const SurfaceCell& cell, double radius_mm, std::vector<SurfaceC
 
 }  // namespace
 
+Vec3 middle_normal(const SurfaceCell& cell) {
+  const BezierJet j = jet(cell.shape, 0.5, 0.5);
+  const Vec3 normal = cross(j.du, j.dv);
+  return length_squared(normal) > 0 ? normalized(normal) : cell.vertex_normal;
+}
+
 std::array<SurfaceCell, 2> split_u(const SurfaceCell& cell) {
   const auto [a, b] = split_u(cell.shape);
   return {part(cell, a, true, 0), part(cell, b, true, 1)};
@@ -62,6 +68,7 @@ SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm) {
     specks[s.square.patch].push_back(s.position);
     SurfaceCell cell{{}, s.square.patch, s.square.u, s.square.v, s.square.size, s.square.size};
     for (int k = 0; k < 16; ++k) cell.shape.set(k, s.position);
+    cell.vertex_normal = s.normal;
     cells_.push_back(cell);
   }
   for (const Piece& piece : tree.pieces()) {

@@ -13,9 +13,13 @@ struct SurfaceCell {
   int patch = 0;
   double u = 0, v = 0, size_u = 1, size_v = 1;
 
+  model::Vec3 vertex_normal = {};  ///< of a cell that is one point: an irregular vertex
+
   double u_at(double s) const { return u + s * size_u; }
   double v_at(double t) const { return v + t * size_v; }
 };
+/// Unit normal at the middle.
+model::Vec3 middle_normal(const SurfaceCell& cell);
 std::array<SurfaceCell, 2> split_u(const SurfaceCell& cell);
 std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell);
 

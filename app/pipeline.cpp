@@ -130,6 +130,7 @@ void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   check.allowance_mm = asked.allowance_mm;
   check.limits = asked.limits;
   check.resolution_mm = inputs_.settings.resolution_mm[index];
+  check.voxel_mm = stock_->voxel_mm();
   ran.deviation = measure_stage(inputs_.surface, job_.stock, passes_, readings_, check,
                                 control(asked.name + ": measuring"));
 }

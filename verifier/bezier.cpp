@@ -35,18 +35,43 @@ constexpr Line upper_part(const Line& p, double t) {
 }
 
 template <int kStride>
-Bezier part(const Bezier& b, double t, bool upper) {
+Bezier between(const Bezier& b, double t0, double t1) {
   Bezier out = b;
-  for (auto* c : {&out.x, &out.y, &out.z})
-    each_line<kStride>(*c,
-                       [&](const Line& p) { return upper ? upper_part(p, t) : lower_part(p, t); });
+  for (auto* c : {&out.x, &out.y, &out.z}) {
+    if (t1 < 1) each_line<kStride>(*c, [&](const Line& p) { return lower_part(p, t1); });
+    if (t0 > 0) each_line<kStride>(*c, [&](const Line& p) { return upper_part(p, t0 / t1); });
+  }
   return out;
 }
 
+/// Both halves of four lines at once: the loop over the lines runs in vector registers.
 template <int kStride>
-Bezier between(const Bezier& b, double t0, double t1) {
-  Bezier out = t1 < 1 ? part<kStride>(b, t1, false) : b;
-  return t0 > 0 ? part<kStride>(out, t0 / t1, true) : out;
+void halve(const std::array<double, 16>& c, std::array<double, 16>& low,
+           std::array<double, 16>& high) {
+  constexpr int kAcross = kStride == 1 ? 4 : 1;
+  for (int n = 0; n < 4; ++n) {
+    const int at = n * kAcross;
+    const double p0 = c[at], p1 = c[at + kStride], p2 = c[at + 2 * kStride],
+                 p3 = c[at + 3 * kStride];
+    const double a = (p0 + p1) / 2, b = (p1 + p2) / 2, d = (p2 + p3) / 2;
+    const double e = (a + b) / 2, f = (b + d) / 2, g = (e + f) / 2;
+    low[at] = p0, low[at + kStride] = a, low[at + 2 * kStride] = e, low[at + 3 * kStride] = g;
+    high[at] = g, high[at + kStride] = f, high[at + 2 * kStride] = d, high[at + 3 * kStride] = p3;
+  }
+}
+
+template <int kStride>
+std::array<Bezier, 2> halves(const Bezier& b) {
+  std::array<Bezier, 2> out;
+  halve<kStride>(b.x, out[0].x, out[1].x);
+  halve<kStride>(b.y, out[0].y, out[1].y);
+  halve<kStride>(b.z, out[0].z, out[1].z);
+  return out;
+}
+
+double middle_of(const std::array<double, 16>& c) {
+  const auto row = [&](int j) { return c[j] + 3 * (c[j + 1] + c[j + 2]) + c[j + 3]; };
+  return (row(0) + 3 * (row(4) + row(8)) + row(12)) / 64;
 }
 
 struct Basis {
@@ -89,11 +114,15 @@ BezierJet jet(const Bezier& b, double u, double v) {
           combine(b, bu.first, bv.first), combine(b, bu.value, bv.second)};
 }
 
+Vec3 middle(const Bezier& b) {
+  return {middle_of(b.x), middle_of(b.y), middle_of(b.z)};
+}
+
 std::array<Bezier, 2> split_u(const Bezier& b) {
-  return {part<1>(b, 0.5, false), part<1>(b, 0.5, true)};
+  return halves<1>(b);
 }
 std::array<Bezier, 2> split_v(const Bezier& b) {
-  return {part<4>(b, 0.5, false), part<4>(b, 0.5, true)};
+  return halves<4>(b);
 }
 
 Bezier restrict(const Bezier& b, double u0, double u1, double v0, double v1) {

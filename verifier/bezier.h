@@ -24,6 +24,8 @@ struct BezierJet {
 /// i).
 Bezier from_bspline(const std::array<model::Vec3, 16>& grid);
 model::Vec3 point(const Bezier& b, double u, double v);
+/// The point at (1/2, 1/2).
+model::Vec3 middle(const Bezier& b);
 BezierJet jet(const Bezier& b, double u, double v);
 /// The halves [0, 1/2] and [1/2, 1] in u, or in v (de Casteljau).
 std::array<Bezier, 2> split_u(const Bezier& b);

@@ -87,11 +87,11 @@ double CellBounder::upper_of(const Bezier& cell, const Vec3& middle, BodyRef bod
 }
 
 void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates) {
-  const Vec3 middle = point(cell, 0.5, 0.5);
-  const double upper = upper_of(cell, middle, space_.nearest(middle).body);
+  const Vec3 centre = middle(cell);
+  const double upper = upper_of(cell, centre, space_.nearest(centre).body);
   candidates.clear();
   // d_i changes by at most the radius within the cell.
-  space_.within(middle, upper + control_radius(cell, middle), candidates);
+  space_.within(centre, upper + control_radius(cell, centre) + kEqual_mm, candidates);
 }
 
 double CellBounder::improve_upper(const Bezier& cell, double upper, double good_enough) {
@@ -129,7 +129,7 @@ double CellBounder::improve_upper(const Bezier& cell, double upper, double good_
 CellBounds CellBounder::bound(const Bezier& cell, std::vector<BodyRef>& candidates,
                               double good_enough) {
   CellBounds out;
-  out.middle = point(cell, 0.5, 0.5);
+  out.middle = middle(cell);
   scored_.clear();
   out.nearest.distance.value = std::numeric_limits<double>::infinity();
   for (const BodyRef body : candidates) {

@@ -12,9 +12,17 @@ constexpr std::size_t kBatch = 128;
 /// Cells are not split below this: the interval then stays as wide as it is.
 constexpr double kSmallestCell_mm = 1e-6;
 /// Parts of one cell looked at before it is given up, so that one bad spot cannot hold up a run.
-constexpr std::size_t kPartsPerCell = 400'000;
+constexpr std::size_t kPartsPerCell = 50'000;
 /// Part of the resolution that branch and bound may use; the rest is for rounding.
 constexpr double kShare = 0.95;
+
+/// How far a bound may lie above what is known to be reached.
+double slack_mm(const CertificateRequest& request, double low_mm, double limit_mm) {
+  constexpr double kSettledShare = 0.05;
+  const double width = low_mm > limit_mm ? std::max(request.resolution_mm, kSettledShare * low_mm)
+                                         : request.resolution_mm;
+  return kShare * width;
+}
 
 /// What is known so far of one figure.
 struct Figure {
@@ -65,9 +73,9 @@ class CellSearch {
   void search(const SurfaceCell& cell, std::vector<BodyRef> candidates, bool gouge_open,
               bool uncut_open) {
     ++out_.cells;
-    const double a = request_.allowance_mm, slack = kShare * request_.resolution_mm;
+    const double a = request_.allowance_mm;
     const double good_enough =
-        uncut_open ? a + out_.uncut.low + slack : std::numeric_limits<double>::infinity();
+        uncut_open ? a + uncut_goal() : std::numeric_limits<double>::infinity();
     const CellBounds b = bounder_.bound(cell.shape, candidates, good_enough);
     const double here = b.nearest.distance.value - a;
     const SurfacePlace place{cell.patch, cell.u_at(0.5), cell.v_at(0.5), b.middle};
@@ -77,11 +85,11 @@ class CellSearch {
         uncut_open && here > out_.uncut.low && !see_uncut(cell, place, here, b.nearest.body);
 
     const double gouge_bound = a - b.lower, uncut_bound = b.upper - a;
-    if (gouge_open && gouge_bound <= out_.gouge.low + slack) {
+    if (gouge_open && gouge_bound <= gouge_goal()) {
       out_.gouge.cover(gouge_bound);
       gouge_open = false;
     }
-    if (uncut_open && uncut_bound <= out_.uncut.low + slack) {
+    if (uncut_open && uncut_bound <= uncut_goal()) {
       out_.uncut.cover(uncut_bound);
       uncut_open = false;
     }
@@ -100,6 +108,13 @@ class CellSearch {
     const auto halves = split_in_u(cell.shape, b) ? split_u(cell) : split_v(cell);
     search(halves[0], candidates, gouge_open, uncut_open);
     search(halves[1], std::move(candidates), gouge_open, uncut_open);
+  }
+
+  double gouge_goal() const {
+    return out_.gouge.low + slack_mm(request_, out_.gouge.low, request_.gouge_limit_mm);
+  }
+  double uncut_goal() const {
+    return out_.uncut.low + slack_mm(request_, out_.uncut.low, request_.uncut_limit_mm);
   }
 
   /// Takes the leftover into account if its place can be touched; false if that was not proven.
@@ -196,7 +211,6 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
   Outcome sum = best_samples(cells, looks, reachability, request.allowance_mm);
   sum.cells = looks.size();
 
-  const double slack = kShare * request.resolution_mm;
   const auto excess = [&](const FirstLook& l) {
     return std::max(l.gouge_bound - sum.gouge.low, l.uncut_bound - sum.uncut.low);
   };
@@ -213,8 +227,11 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
     model::parallel_for(count, control.threads, [&](std::size_t k) {
       const std::size_t i = order[at + k].second;
       const FirstLook& look = looks[i];
-      const bool settled = look.gouge_bound <= before.gouge.low + slack &&
-                           look.uncut_bound <= before.uncut.low + slack;
+      const double gouge_goal =
+          before.gouge.low + slack_mm(request, before.gouge.low, request.gouge_limit_mm);
+      const double uncut_goal =
+          before.uncut.low + slack_mm(request, before.uncut.low, request.uncut_limit_mm);
+      const bool settled = look.gouge_bound <= gouge_goal && look.uncut_bound <= uncut_goal;
       if (settled || before.cells > request.largest_cell_count) {
         found[k].gouge.cover(look.gouge_bound);
         found[k].uncut.cover(look.uncut_bound);

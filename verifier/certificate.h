@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "engine/model/run_control.h"
@@ -12,6 +13,10 @@ namespace limitgauge::verifier {
 
 struct CertificateRequest {
   double allowance_mm = 0;
+  /// Limits of the gate: a figure proven to be beyond its limit is not narrowed down further than
+  /// to a twentieth of itself, for its verdict is settled.
+  double gouge_limit_mm = std::numeric_limits<double>::infinity();
+  double uncut_limit_mm = std::numeric_limits<double>::infinity();
   double resolution_mm = 0;            ///< widest interval wanted
   std::size_t largest_cell_count = 0;  ///< where refinement ends all the same
 };

@@ -12,6 +12,8 @@ using model::Vec3;
 constexpr int kNewtonSteps = 20;
 /// Newton has settled when a step is below this part of the cell: squared, it is below rounding.
 constexpr double kSettled = 1e-9;
+/// Relative change of the squared distance that is lost in rounding.
+constexpr double kLevel = 1e-13;
 /// Halvings of a cell in which Newton did not settle.
 constexpr int kHalvings = 12;
 /// Sine of the angle between connection and normal up to which a foot counts as perpendicular: far
@@ -65,7 +67,8 @@ bool newton(const SurfaceCell& cell, const Vec3& p, const Window& w, double& s, 
       }
       const BezierJet there = jet(cell.shape, s1, t1);
       const double now = length_squared(there.position - p);
-      if (now <= squared) {
+      // Near the foot the distance is level to rounding: there a Newton step is trusted as it is.
+      if (now <= squared + kLevel * (squared + 1)) {
         s = s1, t = t1, j = there, squared = now;
         break;
       }

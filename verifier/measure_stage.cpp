@@ -13,6 +13,10 @@
 namespace limitgauge::verifier {
 namespace {
 
+/// Contact tolerance of reachability, for the certificate and for the sampled field: a tenth of a
+/// micrometre where a verdict hangs on it, a micrometre for maps and areas.
+constexpr double kContact_mm = 1e-4, kMapContact_mm = 1e-3;
+
 /// Where branch and bound starts: small enough that few moves matter to a cell, and no more than a
 /// few hundred thousand cells on a large part.
 double first_cell_radius_mm(const ReferenceSurface& surface) {
@@ -32,7 +36,7 @@ std::vector<UncertaintyTerm> budget_of(const RemovedSpace& space, const StageChe
       {"rounding in double precision", kRounding_mm - SurfaceCells::kOmitted_mm, true},
       {"arcs stood for by chords", space.chord_error_mm(), true},
       {"width of the certified interval asked for", check.resolution_mm, true},
-      {"contact tolerance of reachability", Reachability::kContact_mm, true},
+      {"contact tolerance of reachability", kContact_mm, true},
       {"stock points: residual after projection onto the swept surface", voxels.largest_error_mm,
        false},
       {"stock points: spacing, finer features are seen by the certificate only", check.voxel_mm,
@@ -50,11 +54,17 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   const auto start = std::chrono::steady_clock::now();
   const SurfaceCells cells(surface.tree(), first_cell_radius_mm(surface));
   const RemovedSpace space(raw_stock, passes);
-  const Reachability reachability(cells, CutterProfile(passes.back().cutter), check.allowance_mm);
+  const CutterProfile cutter(passes.back().cutter);
+  const Reachability reachability(cells, cutter, check.allowance_mm, kContact_mm);
+  const Reachability for_maps(cells, cutter, check.allowance_mm, kMapContact_mm);
 
+  const double unlimited = std::numeric_limits<double>::infinity();
   const Certificate certificate =
       certify(cells, space, reachability,
-              {check.allowance_mm, check.resolution_mm, check.largest_cell_count}, control);
+              {check.allowance_mm, check.limits.has_gouge ? check.limits.gouge_mm : unlimited,
+               check.limits.has_uncut ? check.limits.uncut_mm : unlimited, check.resolution_mm,
+               check.largest_cell_count},
+              control);
   StageDeviation out;
   out.gouge_mm = certificate.gouge_mm;
   out.uncut_mm = certificate.uncut_mm;
@@ -69,7 +79,7 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
 
   out.field = sample_surface(surface, check.field_spacing_mm);
   const std::vector<model::Vec3> tips =
-      measure_field(out.field, space, reachability, passes, check.allowance_mm, control);
+      measure_field(out.field, space, for_maps, passes, check.allowance_mm, control);
   out.unavoidable_uncut_mm =
       unavoidable_uncut_mm(out.field, tips, passes.back().cutter, check.allowance_mm, control);
   summarize_field(out, check.limits);

@@ -43,14 +43,14 @@ double standing_bound(const CutterProfile& profile, const Vec3& tip, const model
 /// Searches one cell for a point nearer than the limit; empty where that stays undecided.
 std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, const Vec3& tip,
                               double limit_mm, int depth) {
-  const Vec3 middle = point(cell, 0.5, 0.5);
-  const BodyDistance d = standing(profile, tip, middle);
+  const Vec3 centre = middle(cell);
+  const BodyDistance d = standing(profile, tip, centre);
   if (d.value < limit_mm) return true;
   double lower = d.value;
   for (int k = 0; k < 16; ++k)
-    lower = std::min(lower, d.value + dot(d.gradient, cell.control(k) - middle));
+    lower = std::min(lower, d.value + dot(d.gradient, cell.control(k) - centre));
   if (lower >= limit_mm) return false;
-  if (depth > kDeepest || control_radius(cell, middle) < kSmallest_mm) return std::nullopt;
+  if (depth > kDeepest || control_radius(cell, centre) < kSmallest_mm) return std::nullopt;
   const double wide =
       distance(cell.control(0), cell.control(3)) + distance(cell.control(12), cell.control(15));
   const double tall =
@@ -103,7 +103,7 @@ std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) con
   if (n.z < slope_sine(profile_)) return std::nullopt;
   const Vec3 core =
       p + n * (profile_.rounding_mm + allowance_mm_) - Vec3{0, 0, profile_.rounding_mm};
-  const double limit = allowance_mm_ - kContact_mm;
+  const double limit = allowance_mm_ - contact_mm_;
   const double level = std::hypot(n.x, n.y);
   if (level > kLevel || profile_.flat_mm <= 0) {
     const double scale = level > 0 ? profile_.flat_mm / level : 0;
@@ -124,13 +124,13 @@ bool Reachability::surely_unreachable(const Bezier& cell) const {
   const double tilt = std::acos(std::clamp(cone->axis.z, -1.0, 1.0)), spread = cone->half_angle_rad;
   if (tilt - spread > pi / 2 - std::asin(slope_sine(profile_))) return true;
 
-  const Vec3 middle = point(cell, 0.5, 0.5);
+  const Vec3 centre = middle(cell);
   const double reach = profile_.rounding_mm + allowance_mm_;
-  const Vec3 core = middle + cone->axis * reach - Vec3{0, 0, profile_.rounding_mm};
+  const Vec3 core = centre + cone->axis * reach - Vec3{0, 0, profile_.rounding_mm};
   // Every contact position of the cell has its core this near to one of those tried below ...
   const double stray =
-      control_radius(cell, middle) + reach * 2 * std::sin(std::min(spread, pi) / 2);
-  const double limit = allowance_mm_ - kContact_mm - stray;
+      control_radius(cell, centre) + reach * 2 * std::sin(std::min(spread, pi) / 2);
+  const double limit = allowance_mm_ - contact_mm_ - stray;
   const double flat = profile_.flat_mm;
   if (flat <= 0) return comes_below(profile_, core, limit) == Below::found;
   const bool all_round = tilt <= spread + kLevel;

@@ -14,11 +14,11 @@ namespace limitgauge::verifier {
 /// and no contact where n points further down than the wall allows (n_z < sin of the taper).
 class Reachability {
  public:
-  /// A position counts as free of gouges when it comes no closer than the allowance less this.
-  static constexpr double kContact_mm = 1e-4;
-
-  Reachability(const SurfaceCells& cells, const CutterProfile& profile, double allowance_mm)
-      : cells_(cells), profile_(profile), allowance_mm_(allowance_mm) {}
+  /// A position counts as free of gouges when it comes no closer than the allowance less
+  /// `contact_mm`: the smaller, the longer a proof takes. Larger values count more as reachable.
+  Reachability(const SurfaceCells& cells, const CutterProfile& profile, double allowance_mm,
+               double contact_mm)
+      : cells_(cells), profile_(profile), allowance_mm_(allowance_mm), contact_mm_(contact_mm) {}
 
   /// A gouge-free tip position that touches the surface at `p` with normal `n`, if one was proven.
   std::optional<model::Vec3> touching_tip(const model::Vec3& p, const model::Vec3& n) const;
@@ -33,7 +33,7 @@ class Reachability {
 
   const SurfaceCells& cells_;
   CutterProfile profile_;
-  double allowance_mm_;
+  double allowance_mm_, contact_mm_;
 };
 
 /// A cone that holds every normal of a cell: unit axis and half angle. The normal S_u × S_v is a

@@ -36,7 +36,7 @@ double extent_v(const Bezier& b) {
 }
 
 void split_until(const SurfaceCell& cell, double radius_mm, std::vector<SurfaceCell>& out) {
-  if (control_radius(cell.shape, point(cell.shape, 0.5, 0.5)) <= radius_mm) {
+  if (control_radius(cell.shape, middle(cell.shape)) <= radius_mm) {
     out.push_back(cell);
     return;
   }

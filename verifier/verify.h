@@ -34,7 +34,7 @@ struct StageCheck {
   double resolution_mm = 0;        ///< widest certified interval asked for; > 0
   double field_spacing_mm = 0.25;  ///< largest distance between samples of the deviation field
   double voxel_mm = 0;             ///< spacing of the stock readings; 0 when there are none
-  std::size_t largest_cell_count = 50'000'000;  ///< where branch and bound gives up
+  std::size_t largest_cell_count = 5'000'000;  ///< where branch and bound gives up
 };
 
 /// Resolution "auto": a tenth of the tightest gate limit, 1 µm where nothing is limited.

@@ -107,7 +107,7 @@ TEST_CASE("intervals hold what dense sampling finds", "[property]") {
                                    flat_cutter(2),
                                    {"bull", model::CutterType::bull, 6, 1, 0, 60, {}, {}},
                                    {"taper", model::CutterType::taper, 2, 1, 8, 60, {}, {}}};
-  for (int n = 0; n < 24; ++n) {
+  for (int n = 0; n < 12; ++n) {
     const model::Cage cage = grid_cage(
         4, 4,
         [&](int i, int j) {
@@ -121,7 +121,7 @@ TEST_CASE("intervals hold what dense sampling finds", "[property]") {
     });
     const Pass pass{cutter, shared(path)};
     StageCheck check;
-    check.resolution_mm = 0.002;
+    check.resolution_mm = 0.01;
     check.field_spacing_mm = 1;
     const StageDeviation d = measure_stage(surface, kBlock, {&pass, 1}, {}, check, {2});
     const RemovedSpace space(kBlock, {&pass, 1});
@@ -136,7 +136,7 @@ TEST_CASE("intervals hold what dense sampling finds", "[property]") {
         }
     CAPTURE(n, cutter.id);
     CHECK(deepest <= d.gouge_mm.high + 1e-12);
-    CHECK(d.gouge_mm.width() <= 0.002);
+    CHECK(d.gouge_mm.width() <= 0.01);
     // 61 samples a patch side, 0.05 mm apart, where δ changes by at most 1 mm a mm.
     CHECK(deepest >= d.gouge_mm.low - 0.04);
     // Uncut is certified on the reachable part only: no more than what stands anywhere.

@@ -29,7 +29,7 @@ Vec3 bowl_normal(double x, double y) {
 TEST_CASE("a ball too large for a bowl reaches down to the contact circle", "[unit]") {
   const ReferenceSurface bowl(paraboloid_cage(24, kBowl));
   const SurfaceCells cells(bowl.tree(), 0.5);
-  const Reachability reach(cells, CutterProfile(ball_cutter(kRadius)), 0);
+  const Reachability reach(cells, CutterProfile(ball_cutter(kRadius)), 0, 1e-4);
   for (const double angle : {0.0, 0.7, 2.9}) {
     const double c = std::cos(angle), s = std::sin(angle);
     // Contact tolerance 1e-4 mm: the penetration grows with the square of the distance inwards.
@@ -37,9 +37,9 @@ TEST_CASE("a ball too large for a bowl reaches down to the contact circle", "[un
     CHECK_FALSE(reach.touching_tip(bowl_point(in * c, in * s), bowl_normal(in * c, in * s)));
     CHECK(reach.touching_tip(bowl_point(out * c, out * s), bowl_normal(out * c, out * s)));
   }
-  const Reachability small(cells, CutterProfile(ball_cutter(3)), 0);
+  const Reachability small(cells, CutterProfile(ball_cutter(3)), 0, 1e-4);
   CHECK(small.touching_tip({0, 0, 0}, {0, 0, 1}));
-  const Reachability with_allowance(cells, CutterProfile(ball_cutter(9.5)), 1);
+  const Reachability with_allowance(cells, CutterProfile(ball_cutter(9.5)), 1, 1e-4);
   CHECK_FALSE(with_allowance.touching_tip({0, 0, 0}, {0, 0, 1}));
 }
 
@@ -79,13 +79,13 @@ TEST_CASE("what a large ball leaves in a bowl is unavoidable and not the toolpat
 TEST_CASE("undersides cannot be touched, walls can by a straight cutter only", "[unit]") {
   const ReferenceSurface cube(cube_cage());
   const SurfaceCells cells(cube.tree(), 0.1);
-  const Reachability ball(cells, CutterProfile(ball_cutter(1)), 0);
+  const Reachability ball(cells, CutterProfile(ball_cutter(1)), 0, 1e-4);
   CHECK_FALSE(ball.touching_tip(cube.evaluate(0, 0.5, 0.5).position, {0, 0, -1}));
   CHECK(ball.touching_tip(cube.evaluate(1, 0.5, 0.5).position, {0, 0, 1}));
   const SurfaceSample side = cube.evaluate(2, 0.5, 0.5);
   CHECK(side.normal.z == Approx(0).margin(1e-12));
   const Reachability taper(
-      cells, CutterProfile({"t", model::CutterType::taper, 1, 0.5, 5, 20, {}, {}}), 0);
+      cells, CutterProfile({"t", model::CutterType::taper, 1, 0.5, 5, 20, {}, {}}), 0, 1e-4);
   CHECK_FALSE(taper.touching_tip(side.position, side.normal));
 }
 

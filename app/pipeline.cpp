@@ -63,6 +63,8 @@ class Bench {
   model::RunControl control(const std::string& phase) const;
   void run_stage(std::size_t index, reports::StageResult& stage);
   void make_path(std::size_t index, reports::StageResult::Ran& ran);
+  double readings_within_mm(const JobStage& asked) const;
+  model::Box3 near_surface(const JobStage& asked) const;
   void cut(const JobStage& asked, reports::StageResult::Ran& ran);
   void measure(std::size_t index, reports::StageResult::Ran& ran);
   void finish_surface(reports::SurfaceResult& surface) const;
@@ -104,6 +106,21 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   ran.machining_time_s = sums.time_s;
 }
 
+double Bench::readings_within_mm(const JobStage& asked) const {
+  // Well beyond what a gate speaks of; the floor and the sides of the stock are far from the part.
+  constexpr double kVoxels = 10;
+  return kVoxels * stock_->voxel_mm() +
+         2 * (asked.allowance_mm + std::max(asked.limits.gouge_mm, asked.limits.uncut_mm));
+}
+
+/// The box of the surface with room around it, and everything above it: a leftover may be as high
+/// as the raw stock.
+model::Box3 Bench::near_surface(const JobStage& asked) const {
+  model::Box3 box = inputs_.surface.bounding_box().grown(readings_within_mm(asked));
+  box.high.z = std::max(box.high.z, model::bounding_box(job_.stock).high.z + stock_->voxel_mm());
+  return box;
+}
+
 void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
   const Stopwatch watch;
   const simulator::Pass pass{asked.cutter, ran.path};
@@ -113,7 +130,7 @@ void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
                                    control(asked.name + ": looking for collisions"));
   readings_.clear();
   for (const simulator::StockPoint& point :
-       stock_->surface_points(control(asked.name + ": reading the stock"))) {
+       stock_->surface_points(near_surface(asked), control(asked.name + ": reading the stock"))) {
     readings_.push_back({point.position, point.residual_mm});
   }
   ran.voxel_mm = stock_->voxel_mm();
@@ -131,6 +148,7 @@ void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   check.limits = asked.limits;
   check.resolution_mm = inputs_.settings.resolution_mm[index];
   check.voxel_mm = stock_->voxel_mm();
+  check.readings_within_mm = readings_within_mm(asked);
   ran.deviation = measure_stage(inputs_.surface, job_.stock, passes_, readings_, check,
                                 control(asked.name + ": measuring"));
 }

@@ -14,6 +14,7 @@ namespace {
 constexpr double kVoxelsPerGate = 10;
 constexpr double kSmallestVoxel_mm = 0.05;
 constexpr double kLargestVoxel_mm = 0.25;
+constexpr double kMostSurfaceVoxels = 5e6;
 constexpr double kVoxelWithoutGate_mm = 0.1;
 constexpr double kShareOfMemory = 0.75;
 
@@ -55,8 +56,14 @@ double automatic_voxel_mm(const Job& job) {
     if (stage.limits.has_gouge) tightest = std::min(tightest, stage.limits.gouge_mm);
     if (stage.limits.has_uncut) tightest = std::min(tightest, stage.limits.uncut_mm);
   }
-  if (tightest == std::numeric_limits<double>::infinity()) return kVoxelWithoutGate_mm;
-  return std::clamp(kVoxelsPerGate * tightest, kSmallestVoxel_mm, kLargestVoxel_mm);
+  if (tightest == std::numeric_limits<double>::infinity())
+    tightest = kVoxelWithoutGate_mm / kVoxelsPerGate;
+  const double wanted = std::clamp(kVoxelsPerGate * tightest, kSmallestVoxel_mm, kLargestVoxel_mm);
+  // A grid costs time and memory by the surface of the stock; the verdict comes from the
+  // certificate.
+  const model::Vec3 size = model::bounding_box(job.stock).size();
+  const double surface_mm2 = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  return std::max(wanted, std::ceil(std::sqrt(surface_mm2 / kMostSurfaceVoxels) * 100) / 100);
 }
 
 double automatic_floor_mm(const model::Cutter& cutter, const model::Box3& surface) {
@@ -93,8 +100,10 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
           " mm (one voxel) count as none",
   };
   if (!job.voxel_mm) {
-    said.push_back("voxel " + words(settings.voxel_mm) +
-                   " mm (auto: ten times the tightest gate limit, within 0.05 and 0.25 mm)");
+    said.push_back(
+        "voxel " + words(settings.voxel_mm) +
+        " mm (auto: ten times the tightest gate limit, within 0.05 and 0.25 mm, or as fine as five "
+        "million voxels cover the surface of the stock)");
   }
   said.insert(said.end(), job.defaulted.begin(), job.defaulted.end());
   for (std::size_t i = 0; i < job.stages.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "simulator/stock_model.h"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -78,7 +79,13 @@ std::size_t StockModel::memory_bytes() const {
 }
 
 std::vector<StockPoint> StockModel::surface_points(const model::RunControl& control) const {
-  return project_surface(state_->material, state_->grid, control);
+  constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+  const model::Vec3 corner{kEverywhere, kEverywhere, kEverywhere};
+  return surface_points({-corner, corner}, control);
+}
+std::vector<StockPoint> StockModel::surface_points(const model::Box3& region,
+                                                   const model::RunControl& control) const {
+  return project_surface(state_->material, state_->grid, region, control);
 }
 StockMesh StockModel::surface_mesh() const {
   return state_->grid.mesh();

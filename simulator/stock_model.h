@@ -67,6 +67,9 @@ class StockModel {
   const StockGrid& grid() const;
   /// Points of the surface, one per band voxel that it crosses, in a fixed order.
   std::vector<StockPoint> surface_points(const model::RunControl& control) const;
+  /// Those of them that lie in `region`, by the centre of their voxel.
+  std::vector<StockPoint> surface_points(const model::Box3& region,
+                                         const model::RunControl& control) const;
   /// Closed, manifold surface mesh.
   StockMesh surface_mesh() const;
   void write_vdb(const std::filesystem::path& file) const;  ///< throws ResourceError

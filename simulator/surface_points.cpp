@@ -88,8 +88,10 @@ StockPoint project_to_surface(const Material& material, const Vec3& start, doubl
 }
 
 std::vector<StockPoint> project_surface(const Material& material, const StockGrid& grid,
+                                        const model::Box3& region,
                                         const model::RunControl& control) {
-  const std::vector<Index3> voxels = grid.surface_voxels();
+  std::vector<Index3> voxels = grid.surface_voxels();
+  std::erase_if(voxels, [&](const Index3& v) { return !region.contains(grid.lattice().point(v)); });
   std::vector<StockPoint> points(voxels.size());
   const std::size_t chunks = (voxels.size() + kChunk - 1) / kChunk;
   model::parallel_for(chunks, control.threads, [&](std::size_t chunk) {

@@ -13,8 +13,10 @@ namespace limitgauge::simulator {
 StockPoint project_to_surface(const Material& material, const model::Vec3& start, double voxel_mm,
                               SurfaceMaker& hint);
 
-/// One projected point for each surface voxel of the grid, in its order.
+/// One projected point for each surface voxel of the grid whose centre lies in `region`, in its
+/// order.
 std::vector<StockPoint> project_surface(const Material& material, const StockGrid& grid,
+                                        const model::Box3& region,
                                         const model::RunControl& control);
 
 }  // namespace limitgauge::simulator

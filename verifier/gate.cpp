@@ -11,7 +11,7 @@ namespace {
 std::string length_text(double mm) {
   char text[48];
   if (std::abs(mm) < 0.1)
-    std::snprintf(text, sizeof text, "%.4g um", mm * 1000);
+    std::snprintf(text, sizeof text, "%.4g µm", mm * 1000);
   else
     std::snprintf(text, sizeof text, "%.4g mm", mm);
   return text;

@@ -33,7 +33,9 @@ struct StageCheck {
   GateLimits limits;
   double resolution_mm = 0;        ///< widest certified interval asked for; > 0
   double field_spacing_mm = 0.25;  ///< largest distance between samples of the deviation field
-  double voxel_mm = 0;             ///< spacing of the stock readings; 0 when there are none
+  /// Stock readings are complete within this distance of S sideways and below, and all above.
+  double readings_within_mm = 0;
+  double voxel_mm = 0;  ///< spacing of the stock readings; 0 when there are none
   std::size_t largest_cell_count = 5'000'000;  ///< where branch and bound gives up
 };
 

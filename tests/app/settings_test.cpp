@@ -19,6 +19,9 @@ TEST_CASE("voxel auto follows the tightest gate within its bounds", "[unit][sett
   CHECK(automatic_voxel_mm(job) == Approx(0.25));
   job.stages[0].limits.has_gouge = false;
   CHECK(automatic_voxel_mm(job) == Approx(0.1));
+  // 300 × 300 × 80 mm have 276,000 mm² of surface: five million voxels of 0.235 mm.
+  job.stock = model::BoxStock{{0, 0, 0}, {300, 300, 80}};
+  CHECK(automatic_voxel_mm(job) == Approx(0.24));
 }
 
 TEST_CASE("the floor lets a ball roll over the lowest edge", "[unit][settings]") {

@@ -1,0 +1,50 @@
+#include <benchmark/benchmark.h>
+
+#include "tests/benchmark/dome_finish.h"
+#include "tests/support/cages.h"
+#include "verifier/certificate.h"
+#include "verifier/closest_point.h"
+#include "verifier/verify.h"
+
+namespace limitgauge::benchmarks {
+namespace {
+
+/// Certifying the shared finish stage on a dome of 60 × 60 mm; the argument is the width asked for
+/// in nanometres.
+void certify_finish(benchmark::State& state) {
+  const verifier::ReferenceSurface dome(tests::paraboloid_cage(30, -kBend));
+  const verifier::SurfaceCells cells(dome.tree(), 0.3);
+  const verifier::Pass pass{ball(), dome_finish()};
+  const verifier::RemovedSpace space(kBlock, {&pass, 1});
+  const verifier::Reachability reach(cells, verifier::CutterProfile(pass.cutter), 0, 1e-4);
+  verifier::CertificateRequest request;
+  request.resolution_mm = static_cast<double>(state.range(0)) * 1e-6;
+  request.largest_cell_count = 20'000'000;
+  for (auto _ : state) {
+    const verifier::Certificate c = certify(cells, space, reach, request, {2, nullptr, {}});
+    state.counters["cells"] = static_cast<double>(c.cells);
+    state.counters["uncut_width_nm"] = c.uncut_mm.width() * 1e6;
+  }
+}
+BENCHMARK(certify_finish)
+    ->Arg(1000)
+    ->Arg(300)
+    ->Arg(100)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void closest_point_queries(benchmark::State& state) {
+  const verifier::ReferenceSurface dome(tests::paraboloid_cage(30, -kBend));
+  const verifier::SurfaceCells cells(dome.tree(), 0.3);
+  double turn = 0;
+  for (auto _ : state) {
+    turn += 0.7548776662466927;  // steps that fill the interval evenly
+    const double x = 56 * (turn - std::floor(turn)) - 28,
+                 y = 56 * (17 * turn - std::floor(17 * turn)) - 28;
+    benchmark::DoNotOptimize(closest_point(cells, {x, y, 0.5 - kBend * (x * x + y * y)}, 5));
+  }
+}
+BENCHMARK(closest_point_queries);
+
+}  // namespace
+}  // namespace limitgauge::benchmarks

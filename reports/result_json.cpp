@@ -166,7 +166,6 @@ Json deviation_part(const RunResult& result, const verifier::StageDeviation& d) 
       {"surface_area_mm2", finite("deviation.surface_area_mm2", d.surface_area_mm2)},
       {"reachable_area_mm2", finite("deviation.reachable_area_mm2", d.reachable_area_mm2)},
       {"unreachable_area_mm2", finite("deviation.unreachable_area_mm2", d.unreachable_area_mm2)},
-      {"undecided_area_mm2", finite("deviation.undecided_area_mm2", d.undecided_area_mm2)},
       {"unavoidable_uncut_mm", finite("deviation.unavoidable_uncut_mm", d.unavoidable_uncut_mm)},
       {"resolution_mm", finite("deviation.resolution_mm", d.resolution_mm)},
       {"reached_resolution", d.reached_resolution},

@@ -43,7 +43,6 @@ struct Figure {
 struct Outcome {
   Figure gouge, uncut;
   std::size_t cells = 0;
-  bool complete = true;
 };
 
 /// First look at a cell of the list.
@@ -102,7 +101,6 @@ class CellSearch {
     if (tiny || out_.cells > kPartsPerCell) {
       if (gouge_open) out_.gouge.cover(gouge_bound);
       if (uncut_open) out_.uncut.cover(uncut_bound);
-      out_.complete = false;
       return;
     }
     const auto halves = split_in_u(cell.shape, b) ? split_u(cell) : split_v(cell);
@@ -235,7 +233,6 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
       if (settled || before.cells > request.largest_cell_count) {
         found[k].gouge.cover(look.gouge_bound);
         found[k].uncut.cover(look.uncut_bound);
-        found[k].complete = settled;
         return;
       }
       found[k] = CellSearch(space, reachability, request, before).run(cells.cells()[i]);
@@ -244,7 +241,6 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
       sum.gouge.merge(o.gouge);
       sum.uncut.merge(o.uncut);
       sum.cells += o.cells;
-      sum.complete = sum.complete && o.complete;
     }
   }
 

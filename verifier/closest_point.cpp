@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "verifier/nearest_first.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -119,29 +121,13 @@ std::optional<ClosestPoint> closest_point(const SurfaceCells& cells, const Vec3&
                                           double within_mm) {
   Foot best;
   best.squared = within_mm * within_mm;
-  struct Entry {
-    std::uint32_t node;
-    double squared;
-  };
-  thread_local std::vector<Entry> stack;
-  stack.clear();
-  if (!cells.nodes().empty()) stack.push_back({0, distance_squared(cells.nodes()[0].box, p)});
-  while (!stack.empty()) {
-    const auto [at, squared] = stack.back();
-    stack.pop_back();
-    if (squared >= best.squared) continue;
-    const SurfaceCells::Node& node = cells.nodes()[at];
-    if (node.count > 0) {
-      for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
-        in_cell(cells.cells()[k], p, best);
-      continue;
-    }
-    const Entry left{at + 1, distance_squared(cells.nodes()[at + 1].box, p)};
-    const Entry right{node.right, distance_squared(cells.nodes()[node.right].box, p)};
-    const bool left_first = left.squared <= right.squared;
-    stack.push_back(left_first ? right : left);
-    stack.push_back(left_first ? left : right);
-  }
+  nearest_first(
+      cells.nodes(), [&](const SurfaceCells::Node& node) { return distance_squared(node.box, p); },
+      [&](double squared) { return squared >= best.squared; },
+      [&](const SurfaceCells::Node& leaf) {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+          in_cell(cells.cells()[k], p, best);
+      });
   if (best.cell == nullptr) return std::nullopt;
   return describe(best, p);
 }

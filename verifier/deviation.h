@@ -74,7 +74,6 @@ struct StageDeviation {
   double mean_mm = 0, rms_mm = 0, p01_mm = 0, p50_mm = 0, p99_mm = 0;
   double voxel_gouge_mm = 0, voxel_uncut_mm = 0;  ///< the voxel instrument's readings
   double surface_area_mm2 = 0, reachable_area_mm2 = 0, unreachable_area_mm2 = 0;
-  double undecided_area_mm2 = 0;  ///< rim where reachability was not settled; counted reachable
   double unavoidable_uncut_mm = 0;
   Histogram histogram;
   std::vector<Finding> gouges, uncuts;

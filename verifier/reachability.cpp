@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "verifier/nearest_first.h"
 #include "verifier/swept_body.h"
 
 namespace limitgauge::verifier {
@@ -25,15 +26,6 @@ double slope_sine(const CutterProfile& p) {
   return p.slope / std::sqrt(1 + p.slope * p.slope);
 }
 
-/// Signed distance to the cutter standing at `tip`, its wall going up without end, with a
-/// supporting plane.
-BodyDistance standing(const CutterProfile& profile, const Vec3& tip, const Vec3& p) {
-  const double dx = p.x - tip.x, dy = p.y - tip.y, rho = std::sqrt(dx * dx + dy * dy);
-  const ProfileDistance d = open_distance(profile, rho, p.z - tip.z);
-  const double scale = rho > 0 ? d.by_rho / rho : 0;
-  return {d.value, {dx * scale, dy * scale, d.by_height}, 0};
-}
-
 double standing_bound(const CutterProfile& profile, const Vec3& tip, const model::Box3& box) {
   const double dx = std::max({box.low.x - tip.x, 0.0, tip.x - box.high.x});
   const double dy = std::max({box.low.y - tip.y, 0.0, tip.y - box.high.y});
@@ -44,7 +36,7 @@ double standing_bound(const CutterProfile& profile, const Vec3& tip, const model
 std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, const Vec3& tip,
                               double limit_mm, int depth) {
   const Vec3 centre = middle(cell);
-  const BodyDistance d = standing(profile, tip, centre);
+  const BodyDistance d = standing_distance(profile, tip, centre);
   if (d.value < limit_mm) return true;
   double lower = d.value;
   for (int k = 0; k < 16; ++k)
@@ -68,34 +60,21 @@ std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, 
 
 Reachability::Below Reachability::comes_below(const CutterProfile& profile, const Vec3& tip,
                                               double limit_mm) const {
-  struct Entry {
-    std::uint32_t node;
-    double bound;
-  };
-  thread_local std::vector<Entry> stack;
-  stack.clear();
-  const auto& nodes = cells_.nodes();
-  const auto entry = [&](std::uint32_t n) {
-    return Entry{n, standing_bound(profile, tip, nodes[n].box)};
-  };
-  if (!nodes.empty()) stack.push_back(entry(0));
   Below worst = Below::none;
-  while (!stack.empty()) {
-    const auto [at, bound] = stack.back();
-    stack.pop_back();
-    if (bound >= limit_mm) continue;
-    const SurfaceCells::Node& node = nodes[at];
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      const auto part = any_below(profile, cells_.cells()[k].shape, tip, limit_mm, 0);
-      if (part && *part) return Below::found;
-      if (!part) worst = Below::undecided;
-    }
-    if (node.count > 0) continue;
-    const Entry left = entry(at + 1), right = entry(node.right);
-    const bool left_first = left.bound <= right.bound;
-    stack.push_back(left_first ? right : left);
-    stack.push_back(left_first ? left : right);
-  }
+  nearest_first(
+      cells_.nodes(),
+      [&](const SurfaceCells::Node& node) { return standing_bound(profile, tip, node.box); },
+      [&](double bound) { return bound >= limit_mm || worst == Below::found; },
+      [&](const SurfaceCells::Node& leaf) {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+          const auto part = any_below(profile, cells_.cells()[k].shape, tip, limit_mm, 0);
+          if (!part) worst = Below::undecided;
+          if (part && *part) {
+            worst = Below::found;
+            return;
+          }
+        }
+      });
   return worst;
 }
 

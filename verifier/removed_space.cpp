@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "verifier/nearest_first.h"
+
 namespace limitgauge::verifier {
 
 using model::Box3;
@@ -82,36 +84,20 @@ std::uint32_t RemovedSpace::build(PassBodies& p, std::uint32_t first, std::uint3
 
 void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) const {
   const PassBodies& bodies = passes_[pass];
-  if (bodies.nodes.empty()) return;
-  struct Entry {
-    std::uint32_t node;
-    double bound;
-  };
-  thread_local std::vector<Entry> stack;
-  stack.assign(1, {0, box_bound(bodies.profile, bodies.nodes[0].tips, p)});
-  while (!stack.empty()) {
-    const auto [at, bound] = stack.back();
-    stack.pop_back();
-    if (bound > best.distance.value) continue;
-    const Node& node = bodies.nodes[at];
-    if (node.count > 0) {
-      for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-        const std::uint32_t i = bodies.order[k];
-        const BodyDistance d = body_distance(bodies.profile, bodies.bodies[i], p);
-        // Among equals the first move is the one named.
-        const bool earlier = BodyRef{pass, i}.pass < best.body.pass ||
-                             (pass == best.body.pass && i < best.body.index);
-        if (d.value < best.distance.value || (d.value == best.distance.value && earlier))
-          best = {{pass, i}, d};
-      }
-      continue;
-    }
-    const Entry left{at + 1, box_bound(bodies.profile, bodies.nodes[at + 1].tips, p)};
-    const Entry right{node.right, box_bound(bodies.profile, bodies.nodes[node.right].tips, p)};
-    const bool left_first = left.bound <= right.bound;
-    stack.push_back(left_first ? right : left);
-    stack.push_back(left_first ? left : right);
-  }
+  nearest_first(
+      bodies.nodes, [&](const Node& node) { return box_bound(bodies.profile, node.tips, p); },
+      [&](double bound) { return bound > best.distance.value; },
+      [&](const Node& leaf) {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+          const std::uint32_t i = bodies.order[k];
+          const BodyDistance d = body_distance(bodies.profile, bodies.bodies[i], p);
+          // Among equals the first move is the one named.
+          const bool earlier =
+              pass < best.body.pass || (pass == best.body.pass && i < best.body.index);
+          if (d.value < best.distance.value || (d.value == best.distance.value && earlier))
+            best = {{pass, i}, d};
+        }
+      });
 }
 
 Nearest RemovedSpace::nearest(const Vec3& p) const {

@@ -28,18 +28,6 @@ BodyDistance ball_distance(const CutterProfile& profile, const SweptBody& body, 
   return {l - profile.rounding_mm, l > 0 ? offset / l : Vec3{}, 0};
 }
 
-/// Distance to the cutter at one position of its tip.
-struct AtPosition {
-  ProfileDistance profile;
-  Vec3 gradient;
-};
-AtPosition at_position(const CutterProfile& profile, const Vec3& tip, const Vec3& p) {
-  const double dx = p.x - tip.x, dy = p.y - tip.y, rho = std::sqrt(dx * dx + dy * dy);
-  const ProfileDistance d = open_distance(profile, rho, p.z - tip.z);
-  const double scale = rho > 0 ? d.by_rho / rho : 0;
-  return {d, {dx * scale, dy * scale, d.by_height}};
-}
-
 /// A level move's nearest position is the nearest in plan; a vertical one's is the lowest.
 double level_parameter(const SweptBody& body, const Vec3& p) {
   const Vec3 d = body.to - body.from;
@@ -51,17 +39,14 @@ double level_parameter(const SweptBody& body, const Vec3& p) {
 /// The convex function of t is minimised by bisection on the sign of its slope.
 BodyDistance sloped_distance(const CutterProfile& profile, const SweptBody& body, const Vec3& p) {
   const Vec3 d = body.to - body.from;
-  const auto slope_at = [&](const AtPosition& at) { return -dot(at.gradient, d); };
-  const auto at = [&](double t) { return at_position(profile, body.from + d * t, p); };
-  const auto result = [](const AtPosition& a, double slack) {
-    return BodyDistance{a.profile.value, a.gradient, slack};
-  };
-  const AtPosition first = at(0), last = at(1);
-  if (slope_at(first) >= 0) return result(first, 0);
-  if (slope_at(last) <= 0) return result(last, 0);
+  const auto slope_at = [&](const BodyDistance& at) { return -dot(at.gradient, d); };
+  const auto at = [&](double t) { return standing_distance(profile, body.from + d * t, p); };
+  const BodyDistance first = at(0), last = at(1);
+  if (slope_at(first) >= 0) return first;
+  if (slope_at(last) <= 0) return last;
   // Secant steps, halved in between where they stay on one side; ends within 1e-10 mm of the move.
   double low = 0, high = 1;
-  AtPosition falling = first, rising = last;
+  BodyDistance falling = first, rising = last;
   const double span = length(d);
   for (int n = 0; n < 120 && (high - low) * span > 1e-10; ++n) {
     const double f = slope_at(falling), r = slope_at(rising);
@@ -69,7 +54,7 @@ BodyDistance sloped_distance(const CutterProfile& profile, const SweptBody& body
     const double inner = (high - low) * 1e-3;
     const double t = n % 2 == 0 ? std::clamp(secant, low + inner, high - inner) : (low + high) / 2;
     if (t <= low || t >= high) break;
-    const AtPosition here = at(t);
+    const BodyDistance here = at(t);
     if (slope_at(here) < 0)
       low = t, falling = here;
     else
@@ -78,8 +63,8 @@ BodyDistance sloped_distance(const CutterProfile& profile, const SweptBody& body
   // At a kink no single position has a level slope, but a mean of the two sides' planes does.
   const double f = slope_at(falling), r = slope_at(rising);
   const double weight = r - f > 0 ? r / (r - f) : 0.5;
-  const double value = std::min(falling.profile.value, rising.profile.value);
-  const double spread = std::abs(falling.profile.value - rising.profile.value);
+  const double value = std::min(falling.value, rising.value);
+  const double spread = std::abs(falling.value - rising.value);
   const double slack = spread + span * (high - low) * 4;
   return {value, falling.gradient * weight + rising.gradient * (1 - weight), slack};
 }
@@ -91,8 +76,8 @@ BodyDistance open_body_distance(const CutterProfile& profile, const SweptBody& b
   const bool vertical = body.from.x == body.to.x && body.from.y == body.to.y;
   if (!level && !vertical) return sloped_distance(profile, body, p);
   const double t = vertical ? 0 : level_parameter(body, p);
-  const AtPosition at = at_position(profile, lerp(body.from, body.to, t), p);
-  return {at.profile.value, at.gradient, 0};
+  const BodyDistance at = standing_distance(profile, lerp(body.from, body.to, t), p);
+  return at;
 }
 
 double top_of(const CutterProfile& profile, const SweptBody& body) {
@@ -103,6 +88,13 @@ double top_of(const CutterProfile& profile, const SweptBody& body) {
 
 SweptBody::SweptBody(const Vec3& a, const Vec3& b) : from(a), to(b) {
   if (a.x == b.x && a.y == b.y && b.z < a.z) std::swap(from, to);
+}
+
+BodyDistance standing_distance(const CutterProfile& profile, const Vec3& tip, const Vec3& p) {
+  const double dx = p.x - tip.x, dy = p.y - tip.y, rho = std::sqrt(dx * dx + dy * dy);
+  const ProfileDistance d = open_distance(profile, rho, p.z - tip.z);
+  const double scale = rho > 0 ? d.by_rho / rho : 0;
+  return {d.value, {dx * scale, dy * scale, d.by_height}, 0};
 }
 
 BodyDistance body_distance(const CutterProfile& profile, const SweptBody& body, const Vec3& p) {

@@ -22,6 +22,10 @@ struct BodyDistance {
   double slack_mm = 0;
 };
 
+/// Signed distance from `p` to the cutter with its tip at `tip`, its wall going up without end.
+BodyDistance standing_distance(const CutterProfile& profile, const model::Vec3& tip,
+                               const model::Vec3& p);
+
 /// The least signed distance from `p` to the cutter over all positions of the move:
 ///   d(p) = max( min over t of open(p − tip(t)), p.z − (highest tip + flute length) ).
 /// Convex in p (a partial minimum of a jointly convex function; the top is a half space), with the

@@ -126,7 +126,6 @@ std::string deviation_terms(const verifier::StageDeviation& d) {
                 {"Second instrument (voxels): uncut", measured_length(d.voxel_uncut_mm)},
                 {"Reachable area", area(d.reachable_area_mm2)},
                 {"Unreachable area", area(d.unreachable_area_mm2)},
-                {"Rim left undecided, counted reachable", area(d.undecided_area_mm2)},
                 {"Unavoidable uncut", measured_length(d.unavoidable_uncut_mm)},
                 {"Cells examined", grouped(d.cells)},
                 {"Interval width asked for",

@@ -86,9 +86,10 @@ double CellBounder::upper_of(const Bezier& cell, const Vec3& middle, BodyRef bod
   return largest(at);
 }
 
-void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates) {
+void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates,
+                                  std::optional<BodyRef> hint) {
   const Vec3 centre = middle(cell);
-  const double upper = upper_of(cell, centre, space_.nearest(centre).body);
+  const double upper = upper_of(cell, centre, space_.nearest(centre, hint).body);
   candidates.clear();
   // d_i changes by at most the radius within the cell.
   space_.within(centre, upper + control_radius(cell, centre) + kEqual_mm, candidates);

@@ -31,8 +31,10 @@ class CellBounder {
  public:
   explicit CellBounder(const RemovedSpace& space) : space_(space) {}
 
-  /// The bodies that can be nearest somewhere in `cell`, found through the tree.
-  void find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates);
+  /// The bodies that can be nearest somewhere in `cell`, found through the tree; `hint` as in
+  /// RemovedSpace::nearest.
+  void find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates,
+                       std::optional<BodyRef> hint = {});
   /// `candidates` must hold every body that can be nearest somewhere in the cell; those that cannot
   /// are removed. The upper bound is not improved any further once it is below `good_enough`.
   CellBounds bound(const Bezier& cell, std::vector<BodyRef>& candidates, double good_enough);

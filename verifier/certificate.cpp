@@ -61,9 +61,9 @@ class CellSearch {
     out_.uncut.low = before.uncut.low;
   }
 
-  Outcome run(const SurfaceCell& cell) {
+  Outcome run(const SurfaceCell& cell, BodyRef hint) {
     std::vector<BodyRef> candidates;
-    bounder_.find_candidates(cell.shape, candidates);
+    bounder_.find_candidates(cell.shape, candidates, hint);
     search(cell, std::move(candidates), true, true);
     return out_;
   }
@@ -152,12 +152,14 @@ std::vector<FirstLook> look_at_all(const SurfaceCells& cells, const RemovedSpace
         control.check();
         CellBounder bounder(space);
         std::vector<BodyRef> candidates;
+        std::optional<BodyRef> hint;
         for (std::size_t i = chunk * kChunk; i < std::min(looks.size(), (chunk + 1) * kChunk);
              ++i) {
           const Bezier& shape = cells.cells()[i].shape;
-          bounder.find_candidates(shape, candidates);
+          bounder.find_candidates(shape, candidates, hint);
           looks[i].bounds =
               bounder.bound(shape, candidates, std::numeric_limits<double>::infinity());
+          hint = looks[i].bounds.nearest.body;
           looks[i].gouge_bound = request.allowance_mm - looks[i].bounds.lower;
           looks[i].uncut_bound = looks[i].bounds.upper - request.allowance_mm;
         }
@@ -235,7 +237,8 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
         found[k].uncut.cover(look.uncut_bound);
         return;
       }
-      found[k] = CellSearch(space, reachability, request, before).run(cells.cells()[i]);
+      found[k] = CellSearch(space, reachability, request, before)
+                     .run(cells.cells()[i], look.bounds.nearest.body);
     });
     for (const Outcome& o : found) {
       sum.gouge.merge(o.gouge);

@@ -75,9 +75,11 @@ std::vector<Vec3> measure_field(DeviationField& field, const RemovedSpace& space
   constexpr std::size_t kChunk = 512;
   model::parallel_for((tips.size() + kChunk - 1) / kChunk, control.threads, [&](std::size_t chunk) {
     control.check();
+    std::optional<BodyRef> hint;
     for (std::size_t i = chunk * kChunk; i < std::min(tips.size(), (chunk + 1) * kChunk); ++i) {
       DeviationField::Sample& s = field.samples[i];
-      const Nearest nearest = space.nearest(s.place.point);
+      const Nearest nearest = space.nearest(s.place.point, hint);
+      hint = nearest.body;
       s.deviation_mm = static_cast<float>(nearest.distance.value - allowance_mm);
       s.raw_stock = space.is_stock(nearest.body);
       if (!s.raw_stock) {

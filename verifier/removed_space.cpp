@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint32_t kLeafBodies = 6;
 constexpr std::uint32_t kCylinderSide = 2;
+constexpr double kEqual_mm = 1e-12;
 
 /// A stack on the heap of the thread, kept between queries: a tree over millions of moves is deep.
 std::vector<std::uint32_t>& query_stack() {
@@ -28,37 +29,51 @@ std::vector<std::uint32_t>& query_stack() {
 
 RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes)
     : stock_(stock) {
-  for (const Pass& pass : passes) {
-    const model::Toolpath& path = *pass.path;
-    std::vector<SweptBody> bodies;
-    bodies.reserve(path.moves.size());
-    for (std::size_t i = 0; i < path.moves.size(); ++i)
-      bodies.emplace_back(model::move_from(path, i), path.moves[i].to);
-    passes_.push_back(index_bodies(pass.cutter, std::move(bodies)));
-    chord_error_mm_ = std::max(chord_error_mm_, path.chord_error_mm);
-  }
+  for (const Pass& pass : passes) add_sweep({CutterProfile(pass.cutter), 0, pass.path});
 }
 
 RemovedSpace::RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions) {
-  passes_.push_back(index_bodies(cutter, std::move(positions)));
+  passes_.push_back(index_bodies(CutterProfile(cutter), std::move(positions)));
 }
 
-RemovedSpace::PassBodies RemovedSpace::index_bodies(const model::Cutter& cutter,
+RemovedSpace::RemovedSpace(std::span<const Sweep> sweeps) {
+  for (const Sweep& sweep : sweeps) add_sweep(sweep);
+}
+
+void RemovedSpace::add_sweep(const Sweep& sweep) {
+  const model::Toolpath& path = *sweep.path;
+  const Vec3 lift{0, 0, sweep.lift_mm};
+  std::vector<SweptBody> bodies;
+  bodies.reserve(path.moves.size());
+  for (std::size_t i = 0; i < path.moves.size(); ++i)
+    bodies.emplace_back(model::move_from(path, i) + lift, path.moves[i].to + lift);
+  passes_.push_back(index_bodies(sweep.profile, std::move(bodies)));
+  chord_error_mm_ = std::max(chord_error_mm_, path.chord_error_mm);
+}
+
+RemovedSpace::PassBodies RemovedSpace::index_bodies(const CutterProfile& profile,
                                                     std::vector<SweptBody> bodies) {
-  PassBodies p{CutterProfile(cutter), std::move(bodies), {}, {}};
-  p.order.resize(p.bodies.size());
-  std::iota(p.order.begin(), p.order.end(), 0U);
-  if (!p.bodies.empty()) build(p, 0, static_cast<std::uint32_t>(p.bodies.size()));
+  PassBodies p{profile, {}, {}, {}, {}};
+  p.index.resize(bodies.size());
+  p.place.resize(bodies.size());
+  std::iota(p.index.begin(), p.index.end(), 0U);
+  if (!bodies.empty()) build(p, bodies, 0, static_cast<std::uint32_t>(bodies.size()));
+  p.bodies.reserve(bodies.size());
+  for (std::uint32_t k = 0; k < p.index.size(); ++k) {
+    p.bodies.push_back(bodies[p.index[k]]);
+    p.place[p.index[k]] = k;
+  }
   return p;
 }
 
 /// Halves by the middle of the bodies along the longest side of their centres' box.
-std::uint32_t RemovedSpace::build(PassBodies& p, std::uint32_t first, std::uint32_t count) {
+std::uint32_t RemovedSpace::build(PassBodies& p, const std::vector<SweptBody>& bodies,
+                                  std::uint32_t first, std::uint32_t count) {
   const auto here = static_cast<std::uint32_t>(p.nodes.size());
   p.nodes.emplace_back();
   Box3 tips, centres;
   for (std::uint32_t k = first; k < first + count; ++k) {
-    const SweptBody& body = p.bodies[p.order[k]];
+    const SweptBody& body = bodies[p.index[k]];
     tips.add(body.from), tips.add(body.to);
     centres.add((body.from + body.to) * 0.5);
   }
@@ -70,14 +85,14 @@ std::uint32_t RemovedSpace::build(PassBodies& p, std::uint32_t first, std::uint3
   const Vec3 size = centres.size();
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const std::uint32_t half = count / 2;
-  const auto begin = p.order.begin() + first;
+  const auto begin = p.index.begin() + first;
   std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-    const double ca = p.bodies[a].from[axis] + p.bodies[a].to[axis],
-                 cb = p.bodies[b].from[axis] + p.bodies[b].to[axis];
+    const double ca = bodies[a].from[axis] + bodies[a].to[axis],
+                 cb = bodies[b].from[axis] + bodies[b].to[axis];
     return ca != cb ? ca < cb : a < b;
   });
-  build(p, first, half);
-  const std::uint32_t right = build(p, first + half, count - half);
+  build(p, bodies, first, half);
+  const std::uint32_t right = build(p, bodies, first + half, count - half);
   p.nodes[here].right = right;
   return here;
 }
@@ -86,29 +101,35 @@ void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) 
   const PassBodies& bodies = passes_[pass];
   nearest_first(
       bodies.nodes, [&](const Node& node) { return box_bound(bodies.profile, node.tips, p); },
-      [&](double bound) { return bound > best.distance.value; },
+      // Bodies at the same distance but for rounding are all looked at: which of them is named must
+      // not depend on where the search began.
+      [&](double bound) { return bound > best.distance.value + kEqual_mm; },
       [&](const Node& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const std::uint32_t i = bodies.order[k];
-          const BodyDistance d = body_distance(bodies.profile, bodies.bodies[i], p);
+          const std::uint32_t i = bodies.index[k];
+          const double d = body_value(bodies.profile, bodies.bodies[k], p);
           // Among equals the first move is the one named.
           const bool earlier =
               pass < best.body.pass || (pass == best.body.pass && i < best.body.index);
-          if (d.value < best.distance.value || (d.value == best.distance.value && earlier))
-            best = {{pass, i}, d};
+          if (d < best.distance.value || (d == best.distance.value && earlier))
+            best = {{pass, i}, {d, {}, 0}};
         }
       });
 }
 
-Nearest RemovedSpace::nearest(const Vec3& p) const {
+Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint) const {
   const auto outside = static_cast<std::uint32_t>(passes_.size());
-  Nearest best{{outside, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
+  Nearest best{{outside + 1, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
+  if (hint) best = {*hint, {distance(*hint, p).value, {}, 0}};
   for (std::uint32_t face = 0; face < stock_faces(); ++face) {
     const BodyDistance d = stock_distance(face, p);
     if (d.value < best.distance.value) best = {{outside, face}, d};
+    if (d.value == best.distance.value && best.body.pass == outside && face <= best.body.index)
+      best = {{outside, face}, d};
   }
   // The last pass is most often the nearest: begin with it, so that the others are cut off early.
   for (std::uint32_t k = outside; k-- > 0;) nearest_in(k, p, best);
+  if (!is_stock(best.body)) best.distance = distance(best.body, p);
   return best;
 }
 
@@ -129,8 +150,8 @@ void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& 
         continue;
       }
       for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
-        if (body_value(bodies.profile, bodies.bodies[bodies.order[k]], p) <= limit_mm)
-          out.push_back({pass, bodies.order[k]});
+        if (body_value(bodies.profile, bodies.bodies[k], p) <= limit_mm)
+          out.push_back({pass, bodies.index[k]});
     }
   }
   const auto outside = static_cast<std::uint32_t>(passes_.size());
@@ -141,13 +162,13 @@ void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& 
 BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p) const {
   if (is_stock(body)) return stock_distance(body.index, p);
   const PassBodies& pass = passes_[body.pass];
-  return body_distance(pass.profile, pass.bodies[body.index], p);
+  return body_distance(pass.profile, pass.of_move(body.index), p);
 }
 
 void RemovedSpace::values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const {
   if (!is_stock(body)) {
     const PassBodies& pass = passes_[body.pass];
-    return body_values(pass.profile, pass.bodies[body.index], cell, out);
+    return body_values(pass.profile, pass.of_move(body.index), cell, out);
   }
   for (int k = 0; k < 16; ++k) out[k] = stock_distance(body.index, cell.control(k)).value;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,6 +11,14 @@
 #include "verifier/verify.h"
 
 namespace limitgauge::verifier {
+
+/// What one profile sweeps along a path: the fluted part of a cutter, or a part of its shank or
+/// holder, whose lower end is `lift_mm` above the tip.
+struct Sweep {
+  CutterProfile profile;
+  double lift_mm = 0;
+  std::shared_ptr<const model::Toolpath> path;
+};
 
 /// One of the bodies whose union is the removed space: a move of a pass, or what lies outside one
 /// face of the raw stock (which counts as the pass after the last).
@@ -32,8 +41,11 @@ class RemovedSpace {
   RemovedSpace(const model::Stock& stock, std::span<const Pass> passes);
   /// The union of single positions of one cutter in endless stock.
   RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions);
+  /// The union of sweeps in endless stock; BodyRef::pass counts the sweeps.
+  explicit RemovedSpace(std::span<const Sweep> sweeps);
 
-  Nearest nearest(const model::Vec3& p) const;
+  /// The nearest body; among equals the first. A `hint`, any body, saves time where it is near.
+  Nearest nearest(const model::Vec3& p, std::optional<BodyRef> hint = {}) const;
   /// All bodies with d(p) ≤ limit_mm, in a fixed order, appended to `out`.
   void within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
 
@@ -49,18 +61,23 @@ class RemovedSpace {
  private:
   struct Node {
     model::Box3 tips;
-    std::uint32_t first = 0, count = 0;  ///< of a leaf: bodies in `order`
+    std::uint32_t first = 0, count = 0;  ///< of a leaf: consecutive bodies
     std::uint32_t right = 0;             ///< of an inner node; the left child follows the node
   };
   struct PassBodies {
     CutterProfile profile;
-    std::vector<SweptBody> bodies;
-    std::vector<std::uint32_t> order;
+    std::vector<SweptBody> bodies;     ///< in the order of the leaves, so that a leaf lies together
+    std::vector<std::uint32_t> index;  ///< beside bodies: of the move
+    std::vector<std::uint32_t> place;  ///< by move: where its body is
     std::vector<Node> nodes;
+
+    const SweptBody& of_move(std::uint32_t move) const { return bodies[place[move]]; }
   };
 
-  static PassBodies index_bodies(const model::Cutter& cutter, std::vector<SweptBody> bodies);
-  static std::uint32_t build(PassBodies& p, std::uint32_t first, std::uint32_t count);
+  void add_sweep(const Sweep& sweep);
+  static PassBodies index_bodies(const CutterProfile& profile, std::vector<SweptBody> bodies);
+  static std::uint32_t build(PassBodies& p, const std::vector<SweptBody>& bodies,
+                             std::uint32_t first, std::uint32_t count);
   void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best) const;
   std::uint32_t stock_faces() const;
   BodyDistance stock_distance(std::uint32_t face, const model::Vec3& p) const;

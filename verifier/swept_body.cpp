@@ -22,6 +22,10 @@ inline Vec3 offset_from_strip(const SweptBody& body, double rounding, const Vec3
   return {wx - t * d.x, wy - t * d.y, above ? 0.0 : wz - t * d.z};
 }
 
+double ball_value(const CutterProfile& profile, const SweptBody& body, const Vec3& p) {
+  return length(offset_from_strip(body, profile.rounding_mm, p)) - profile.rounding_mm;
+}
+
 BodyDistance ball_distance(const CutterProfile& profile, const SweptBody& body, const Vec3& p) {
   const Vec3 offset = offset_from_strip(body, profile.rounding_mm, p);
   const double l = length(offset);
@@ -36,11 +40,11 @@ double level_parameter(const SweptBody& body, const Vec3& p) {
   return std::clamp(((p.x - body.from.x) * d.x + (p.y - body.from.y) * d.y) / level, 0.0, 1.0);
 }
 
-/// The convex function of t is minimised by bisection on the sign of its slope.
-BodyDistance sloped_distance(const CutterProfile& profile, const SweptBody& body, const Vec3& p) {
-  const Vec3 d = body.to - body.from;
-  const auto slope_at = [&](const BodyDistance& at) { return -dot(at.gradient, d); };
-  const auto at = [&](double t) { return standing_distance(profile, body.from + d * t, p); };
+/// The least of a convex function of t, given with its gradient in p, by secant steps and bisection
+/// on the sign of its slope along the move `d`.
+template <class At>
+BodyDistance least_along(const Vec3& d, At&& at) {
+  const auto slope_at = [&](const BodyDistance& here) { return -dot(here.gradient, d); };
   const BodyDistance first = at(0), last = at(1);
   if (slope_at(first) >= 0) return first;
   if (slope_at(last) <= 0) return last;
@@ -69,19 +73,46 @@ BodyDistance sloped_distance(const CutterProfile& profile, const SweptBody& body
   return {value, falling.gradient * weight + rising.gradient * (1 - weight), slack};
 }
 
-BodyDistance open_body_distance(const CutterProfile& profile, const SweptBody& body,
-                                const Vec3& p) {
-  if (profile.flat_mm <= 0 && profile.slope == 0) return ball_distance(profile, body, p);
-  const bool level = body.from.z == body.to.z;
-  const bool vertical = body.from.x == body.to.x && body.from.y == body.to.y;
-  if (!level && !vertical) return sloped_distance(profile, body, p);
-  const double t = vertical ? 0 : level_parameter(body, p);
-  const BodyDistance at = standing_distance(profile, lerp(body.from, body.to, t), p);
-  return at;
+bool is_level(const SweptBody& body) {
+  return body.from.z == body.to.z;
+}
+bool is_vertical(const SweptBody& body) {
+  return body.from.x == body.to.x && body.from.y == body.to.y;
 }
 
-double top_of(const CutterProfile& profile, const SweptBody& body) {
-  return std::max(body.from.z, body.to.z) + profile.top_mm;
+/// Without the top.
+BodyDistance open_body_distance(const CutterProfile& profile, const SweptBody& body,
+                                const Vec3& p) {
+  if (profile.is_ball()) return ball_distance(profile, body, p);
+  // Widening upwards, a vertical move reaches furthest from its lowest position.
+  if (is_vertical(body)) return standing_distance(profile, body.from, p);
+  if (is_level(body))
+    return standing_distance(profile, lerp(body.from, body.to, level_parameter(body, p)), p);
+  return least_along(body.to - body.from, [&](double t) {
+    return standing_distance(profile, lerp(body.from, body.to, t), p);
+  });
+}
+
+BodyDistance closed_body_distance(const CutterProfile& profile, const SweptBody& body,
+                                  const Vec3& p) {
+  const Vec3 d = body.to - body.from;
+  if (is_level(body))
+    return closed_standing_distance(profile, lerp(body.from, body.to, level_parameter(body, p)), p);
+  return least_along(d, [&](double t) {
+    return closed_standing_distance(profile, lerp(body.from, body.to, t), p);
+  });
+}
+
+/// The top cannot matter where the point, and the point of the wall nearest to it, lie below it at
+/// every position of the move, by more than the depth in the cutter.
+bool below_tops(const CutterProfile& profile, const SweptBody& body, double z, double open) {
+  const double lowest_top = std::min(body.from.z, body.to.z) + profile.top_mm;
+  return z - lowest_top + profile.slope * std::max(open, 0.0) <= std::min(open, 0.0);
+}
+
+BodyDistance in_space(const ProfileDistance& d, double rho, double dx, double dy) {
+  const double scale = rho > 0 ? d.by_rho / rho : 0;
+  return {d.value, {dx * scale, dy * scale, d.by_height}, 0};
 }
 
 }  // namespace
@@ -92,31 +123,34 @@ SweptBody::SweptBody(const Vec3& a, const Vec3& b) : from(a), to(b) {
 
 BodyDistance standing_distance(const CutterProfile& profile, const Vec3& tip, const Vec3& p) {
   const double dx = p.x - tip.x, dy = p.y - tip.y, rho = std::sqrt(dx * dx + dy * dy);
-  const ProfileDistance d = open_distance(profile, rho, p.z - tip.z);
-  const double scale = rho > 0 ? d.by_rho / rho : 0;
-  return {d.value, {dx * scale, dy * scale, d.by_height}, 0};
+  return in_space(open_distance(profile, rho, p.z - tip.z), rho, dx, dy);
+}
+
+BodyDistance closed_standing_distance(const CutterProfile& profile, const Vec3& tip,
+                                      const Vec3& p) {
+  const double dx = p.x - tip.x, dy = p.y - tip.y, rho = std::sqrt(dx * dx + dy * dy);
+  return in_space(closed_distance(profile, rho, p.z - tip.z), rho, dx, dy);
 }
 
 BodyDistance body_distance(const CutterProfile& profile, const SweptBody& body, const Vec3& p) {
-  const double over = p.z - top_of(profile, body);
   const BodyDistance open = open_body_distance(profile, body, p);
-  if (over > open.value) return {over, {0, 0, 1}, 0};
-  return open;
+  if (below_tops(profile, body, p.z, open.value)) return open;
+  return closed_body_distance(profile, body, p);
 }
 
 double body_value(const CutterProfile& profile, const SweptBody& body, const Vec3& p) {
+  if (profile.is_ball()) {
+    const double open = ball_value(profile, body, p);
+    if (below_tops(profile, body, p.z, open)) return open;
+  }
   return body_distance(profile, body, p).value;
 }
 
 void body_values(const CutterProfile& profile, const SweptBody& body, const Bezier& cell,
                  std::array<double, 16>& out) {
-  if (profile.flat_mm <= 0 && profile.slope == 0) {
-    const double top = top_of(profile, body);
-    for (int k = 0; k < 16; ++k) {
-      const Vec3 p{cell.x[k], cell.y[k], cell.z[k]};
-      const Vec3 offset = offset_from_strip(body, profile.rounding_mm, p);
-      out[k] = std::max(std::sqrt(dot(offset, offset)) - profile.rounding_mm, p.z - top);
-    }
+  if (profile.is_ball() &&
+      below_tops(profile, body, control_box(cell).high.z, -profile.rounding_mm)) {
+    for (int k = 0; k < 16; ++k) out[k] = ball_value(profile, body, cell.control(k));
     return;
   }
   for (int k = 0; k < 16; ++k) out[k] = body_value(profile, body, cell.control(k));
@@ -125,6 +159,11 @@ void body_values(const CutterProfile& profile, const SweptBody& body, const Bezi
 double box_bound(const CutterProfile& profile, const model::Box3& tips, const Vec3& p) {
   const double dx = std::max({tips.low.x - p.x, 0.0, p.x - tips.high.x});
   const double dy = std::max({tips.low.y - p.y, 0.0, p.y - tips.high.y});
+  if (profile.is_ball()) {
+    const double dz = std::max(0.0, tips.low.z + profile.rounding_mm - p.z);
+    const double open = std::sqrt(dx * dx + dy * dy + dz * dz) - profile.rounding_mm;
+    return std::max(open, p.z - (tips.high.z + profile.top_mm));
+  }
   // The body only widens upwards, so the lowest tip reaches furthest.
   const double open = open_distance(profile, std::sqrt(dx * dx + dy * dy), p.z - tips.low.z).value;
   return std::max(open, p.z - (tips.high.z + profile.top_mm));

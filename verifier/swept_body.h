@@ -22,15 +22,16 @@ struct BodyDistance {
   double slack_mm = 0;
 };
 
-/// Signed distance from `p` to the cutter with its tip at `tip`, its wall going up without end.
+/// Signed distance from `p` to the cutter with its tip at `tip`, its wall going up without end, and
+/// to the cutter that ends at its top.
 BodyDistance standing_distance(const CutterProfile& profile, const model::Vec3& tip,
                                const model::Vec3& p);
+BodyDistance closed_standing_distance(const CutterProfile& profile, const model::Vec3& tip,
+                                      const model::Vec3& p);
 
-/// The least signed distance from `p` to the cutter over all positions of the move:
-///   d(p) = max( min over t of open(p − tip(t)), p.z − (highest tip + flute length) ).
-/// Convex in p (a partial minimum of a jointly convex function; the top is a half space), with the
-/// sign and zero set of the swept volume and its exact distance outside; inside, the depth into
-/// one position of the cutter. On a sloped move the top is taken at the move's highest end.
+/// The least signed distance from `p` to the cutter over all positions of the move. Convex in p (a
+/// partial minimum of a jointly convex function), with the sign and zero set of the swept volume
+/// and its exact distance outside; inside, the depth into one position of the cutter.
 BodyDistance body_distance(const CutterProfile& profile, const SweptBody& body,
                            const model::Vec3& p);
 double body_value(const CutterProfile& profile, const SweptBody& body, const model::Vec3& p);

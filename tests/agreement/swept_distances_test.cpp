@@ -16,7 +16,12 @@ using model::Vec3;
 const Cutter kCutters[] = {{"ball", CutterType::ball, 6, 3, 0, 60, {}, {}},
                            {"flat", CutterType::flat, 8, 0, 0, 60, {}, {}},
                            {"bull", CutterType::bull, 10, 2, 0, 60, {}, {}},
-                           {"taper", CutterType::taper, 2, 0.5, 8, 60, {}, {}}};
+                           {"taper", CutterType::taper, 2, 0.5, 8, 60, {}, {}},
+                           // Flutes so short that their top matters to many of the points.
+                           {"short ball", CutterType::ball, 6, 3, 0, 4, {}, {}},
+                           {"short flat", CutterType::flat, 8, 0, 0, 5, {}, {}},
+                           {"short bull", CutterType::bull, 10, 2, 0, 4, {}, {}},
+                           {"short taper", CutterType::taper, 2, 0.5, 8, 6, {}, {}}};
 
 }  // namespace
 

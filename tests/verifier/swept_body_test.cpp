@@ -20,6 +20,8 @@ const std::vector<Cutter>& cutters() {
       {"bull", CutterType::bull, 10, 2, 0, 40, {}, {}},
       {"taper", CutterType::taper, 4, 1, 10, 40, {}, {}},
       {"taper ball", CutterType::taper, 1, 0.5, 5, 40, {}, {}},
+      {"short bull", CutterType::bull, 10, 2, 0, 4, {}, {}},
+      {"short taper", CutterType::taper, 3, 0.5, 20, 5, {}, {}},
   };
   return all;
 }
@@ -64,6 +66,20 @@ TEST_CASE("profile distances agree with the outline", "[unit]") {
   }
 }
 
+TEST_CASE("the flat top ends the profile, exactly so beyond its rim", "[unit]") {
+  const CutterProfile bull(Cutter{"bull", CutterType::bull, 10, 2, 0, 4, {}, {}});
+  CHECK(closed_distance(bull, 2, 7).value == Approx(3));
+  CHECK(closed_distance(bull, 8, 8).value == Approx(5));  // rim at (5, 4)
+  CHECK(closed_distance(bull, 4, 3.5).value == Approx(-0.5));
+  CHECK(closed_distance(bull, 6, 3.5).value == Approx(1));
+  const CutterProfile taper(Cutter{"taper", CutterType::taper, 2, 0, 45, 10, {}, {}});
+  CHECK(taper.top_radius_mm() == Approx(11));
+  CHECK(closed_distance(taper, 14, 14).value == Approx(5));  // rim at (11, 10)
+  CHECK(closed_distance(taper, 12, 9.5).value == Approx(std::sqrt(1.25)));
+  CHECK(closed_distance(taper, 12, 8.5).value == Approx(2.5 / std::sqrt(2)));  // wall below the rim
+  CHECK(closed_distance(taper, 2, 13).value == Approx(3));
+}
+
 TEST_CASE("swept distance is the least over positions of the move", "[property]") {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> part(-6, 6);
@@ -81,7 +97,8 @@ TEST_CASE("swept distance is the least over positions of the move", "[property]"
       for (int k = 0; k <= 4000; ++k) {
         const Vec3 tip = lerp(a, b, k / 4000.0);
         brute = std::min(
-            brute, open_distance(profile, std::hypot(p.x - tip.x, p.y - tip.y), p.z - tip.z).value);
+            brute,
+            closed_distance(profile, std::hypot(p.x - tip.x, p.y - tip.y), p.z - tip.z).value);
       }
       CAPTURE(c.id, n, a.x, a.y, a.z, b.x, b.y, b.z, p.x, p.y, p.z);
       const double d = body_value(profile, body, p);

@@ -87,12 +87,15 @@ double CellBounder::upper_of(const Bezier& cell, const Vec3& middle, BodyRef bod
 }
 
 void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates,
-                                  std::optional<BodyRef> hint) {
+                                  std::optional<BodyRef> hint, double limit_mm) {
   const Vec3 centre = middle(cell);
-  const double upper = upper_of(cell, centre, space_.nearest(centre, hint).body);
   candidates.clear();
   // d_i changes by at most the radius within the cell.
-  space_.within(centre, upper + control_radius(cell, centre) + kEqual_mm, candidates);
+  const double radius = control_radius(cell, centre) + kEqual_mm;
+  const Nearest nearest = space_.nearest(centre, hint);
+  if (nearest.distance.value > limit_mm + radius) return;
+  const double upper = upper_of(cell, centre, nearest.body);
+  space_.within(centre, std::min(upper, limit_mm) + radius, candidates);
 }
 
 double CellBounder::improve_upper(const Bezier& cell, double upper, double good_enough) {

@@ -31,10 +31,12 @@ class CellBounder {
  public:
   explicit CellBounder(const RemovedSpace& space) : space_(space) {}
 
-  /// The bodies that can be nearest somewhere in `cell`, found through the tree; `hint` as in
-  /// RemovedSpace::nearest.
+  /// The bodies that can be nearest somewhere in `cell`, and no further than `limit_mm` there,
+  /// found through the tree; `hint` as in RemovedSpace::nearest. None only where there are none so
+  /// near.
   void find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates,
-                       std::optional<BodyRef> hint = {});
+                       std::optional<BodyRef> hint = {},
+                       double limit_mm = std::numeric_limits<double>::infinity());
   /// `candidates` must hold every body that can be nearest somewhere in the cell; those that cannot
   /// are removed. The upper bound is not improved any further once it is below `good_enough`.
   CellBounds bound(const Bezier& cell, std::vector<BodyRef>& candidates, double good_enough);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace limitgauge::verifier {
 namespace {
@@ -16,12 +17,14 @@ constexpr std::size_t kPartsPerCell = 50'000;
 /// Part of the resolution that branch and bound may use; the rest is for rounding.
 constexpr double kShare = 0.95;
 
-/// How far a bound may lie above what is known to be reached.
-double slack_mm(const CertificateRequest& request, double low_mm, double limit_mm) {
-  constexpr double kSettledShare = 0.05;
-  const double width = low_mm > limit_mm ? std::max(request.resolution_mm, kSettledShare * low_mm)
-                                         : request.resolution_mm;
-  return kShare * width;
+/// How wide an interval may be whose low end is known so far.
+double wanted_width_mm(const CertificateRequest& request, double low_mm, double limit_mm,
+                       double errors_mm) {
+  constexpr double kSettledShare = 0.05, kFinestShare = 0.01;
+  const double asked = request.resolution_mm;
+  if (low_mm > limit_mm + errors_mm) return std::max(asked, kSettledShare * low_mm);
+  const double room = limit_mm - errors_mm - low_mm;
+  return room > 0 && room < asked ? std::max(room, kFinestShare * asked) : asked;
 }
 
 /// What is known so far of one figure.
@@ -45,6 +48,24 @@ struct Outcome {
   std::size_t cells = 0;
 };
 
+/// Up to where a bound need not be improved, by what is known to be reached.
+struct Goals {
+  const CertificateRequest& request;
+  double errors_mm = 0;
+
+  double gouge(double low_mm) const {
+    return low_mm + kShare * wanted_width_mm(request, low_mm, request.gouge_limit_mm, errors_mm);
+  }
+  double uncut(double low_mm) const {
+    return low_mm + kShare * wanted_width_mm(request, low_mm, request.uncut_limit_mm, errors_mm);
+  }
+};
+
+/// Bodies further than this from everything in a cell say nothing of a gouge.
+double limit_of_interest(const Reachability* reachability, const CertificateRequest& request) {
+  return reachability ? std::numeric_limits<double>::infinity() : request.allowance_mm;
+}
+
 /// First look at a cell of the list.
 struct FirstLook {
   CellBounds bounds;
@@ -54,17 +75,18 @@ struct FirstLook {
 /// Depth-first refinement of one cell of the list, from what the batches before it have found.
 class CellSearch {
  public:
-  CellSearch(const RemovedSpace& space, const Reachability& reachability,
-             const CertificateRequest& request, const Outcome& before)
-      : bounder_(space), reachability_(reachability), request_(request) {
+  CellSearch(const RemovedSpace& space, const Reachability* reachability,
+             const CertificateRequest& request, const Goals& goals, const Outcome& before)
+      : bounder_(space), reachability_(reachability), request_(request), goals_(goals) {
     out_.gouge.low = before.gouge.low;
     out_.uncut.low = before.uncut.low;
   }
 
   Outcome run(const SurfaceCell& cell, BodyRef hint) {
     std::vector<BodyRef> candidates;
-    bounder_.find_candidates(cell.shape, candidates, hint);
-    search(cell, std::move(candidates), true, true);
+    bounder_.find_candidates(cell.shape, candidates, hint,
+                             limit_of_interest(reachability_, request_));
+    search(cell, std::move(candidates), true, reachability_ != nullptr);
     return out_;
   }
 
@@ -92,7 +114,7 @@ class CellSearch {
       out_.uncut.cover(uncut_bound);
       uncut_open = false;
     }
-    if (uncut_open && out_of_reach && reachability_.surely_unreachable(cell.shape))
+    if (uncut_open && out_of_reach && reachability_->surely_unreachable(cell.shape))
       uncut_open = false;
     if (!gouge_open && !uncut_open) return;
     const bool tiny = control_radius(cell.shape, b.middle) < kSmallestCell_mm;
@@ -108,17 +130,13 @@ class CellSearch {
     search(halves[1], std::move(candidates), gouge_open, uncut_open);
   }
 
-  double gouge_goal() const {
-    return out_.gouge.low + slack_mm(request_, out_.gouge.low, request_.gouge_limit_mm);
-  }
-  double uncut_goal() const {
-    return out_.uncut.low + slack_mm(request_, out_.uncut.low, request_.uncut_limit_mm);
-  }
+  double gouge_goal() const { return goals_.gouge(out_.gouge.low); }
+  double uncut_goal() const { return goals_.uncut(out_.uncut.low); }
 
   /// Takes the leftover into account if its place can be touched; false if that was not proven.
   bool see_uncut(const SurfaceCell& cell, const SurfacePlace& place, double depth_mm,
                  BodyRef body) {
-    if (!reachability_.touching_tip(place.point, middle_normal(cell))) return false;
+    if (!reachability_->touching_tip(place.point, middle_normal(cell))) return false;
     out_.uncut.see(depth_mm, place, body);
     return true;
   }
@@ -136,13 +154,15 @@ class CellSearch {
   }
 
   CellBounder bounder_;
-  const Reachability& reachability_;
+  const Reachability* reachability_;
   const CertificateRequest& request_;
+  const Goals& goals_;
   Outcome out_;
 };
 
 /// Bounds of every cell of the list, and the best samples among their middles.
 std::vector<FirstLook> look_at_all(const SurfaceCells& cells, const RemovedSpace& space,
+                                   const Reachability* reachability,
                                    const CertificateRequest& request,
                                    const model::RunControl& control) {
   std::vector<FirstLook> looks(cells.cells().size());
@@ -156,12 +176,15 @@ std::vector<FirstLook> look_at_all(const SurfaceCells& cells, const RemovedSpace
         for (std::size_t i = chunk * kChunk; i < std::min(looks.size(), (chunk + 1) * kChunk);
              ++i) {
           const Bezier& shape = cells.cells()[i].shape;
-          bounder.find_candidates(shape, candidates, hint);
+          bounder.find_candidates(shape, candidates, hint,
+                                  limit_of_interest(reachability, request));
+          looks[i].bounds.nearest.distance.value = std::numeric_limits<double>::infinity();
+          if (candidates.empty()) continue;
           looks[i].bounds =
               bounder.bound(shape, candidates, std::numeric_limits<double>::infinity());
           hint = looks[i].bounds.nearest.body;
           looks[i].gouge_bound = request.allowance_mm - looks[i].bounds.lower;
-          looks[i].uncut_bound = looks[i].bounds.upper - request.allowance_mm;
+          if (reachability) looks[i].uncut_bound = looks[i].bounds.upper - request.allowance_mm;
         }
       });
   return looks;
@@ -171,29 +194,32 @@ SurfacePlace middle_of(const SurfaceCell& cell, const CellBounds& bounds) {
   return {cell.patch, cell.u_at(0.5), cell.v_at(0.5), bounds.middle};
 }
 
-/// The deepest gouge, and the largest uncut at a point that can be touched, among the middles.
-Outcome best_samples(const SurfaceCells& cells, const std::vector<FirstLook>& looks,
-                     const Reachability& reachability, double allowance_mm) {
-  Outcome out;
-  std::vector<std::size_t> by_uncut(looks.size());
+/// The deepest gouge among the middles.
+void see_gouges(const SurfaceCells& cells, const std::vector<FirstLook>& looks, double allowance_mm,
+                Figure& gouge) {
   for (std::size_t i = 0; i < looks.size(); ++i) {
-    by_uncut[i] = i;
     const CellBounds& b = looks[i].bounds;
-    out.gouge.see(allowance_mm - b.nearest.distance.value, middle_of(cells.cells()[i], b),
-                  b.nearest.body);
+    gouge.see(allowance_mm - b.nearest.distance.value, middle_of(cells.cells()[i], b),
+              b.nearest.body);
   }
-  std::stable_sort(by_uncut.begin(), by_uncut.end(), [&](std::size_t i, std::size_t j) {
+}
+
+/// The largest uncut among the middles that can be touched.
+void see_uncut(const SurfaceCells& cells, const std::vector<FirstLook>& looks,
+               const Reachability& reachability, double allowance_mm, Figure& uncut) {
+  std::vector<std::size_t> order(looks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
     return looks[i].bounds.nearest.distance.value > looks[j].bounds.nearest.distance.value;
   });
-  for (const std::size_t i : by_uncut) {
+  for (const std::size_t i : order) {
     const CellBounds& b = looks[i].bounds;
     const double depth = b.nearest.distance.value - allowance_mm;
     if (depth <= 0) break;
     if (!reachability.touching_tip(b.middle, middle_normal(cells.cells()[i]))) continue;
-    out.uncut.see(depth, middle_of(cells.cells()[i], b), b.nearest.body);
+    uncut.see(depth, middle_of(cells.cells()[i], b), b.nearest.body);
     break;
   }
-  return out;
 }
 
 Interval interval_of(const Figure& figure, double allowance_for_errors_mm) {
@@ -205,10 +231,14 @@ Interval interval_of(const Figure& figure, double allowance_for_errors_mm) {
 }  // namespace
 
 Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
-                    const Reachability& reachability, const CertificateRequest& request,
+                    const Reachability* reachability, const CertificateRequest& request,
                     const model::RunControl& control) {
-  const std::vector<FirstLook> looks = look_at_all(cells, space, request, control);
-  Outcome sum = best_samples(cells, looks, reachability, request.allowance_mm);
+  const std::vector<FirstLook> looks = look_at_all(cells, space, reachability, request, control);
+  const double errors = kRounding_mm + space.chord_error_mm();
+  const Goals goals{request, errors};
+  Outcome sum;
+  see_gouges(cells, looks, request.allowance_mm, sum.gouge);
+  if (reachability) see_uncut(cells, looks, *reachability, request.allowance_mm, sum.uncut);
   sum.cells = looks.size();
 
   const auto excess = [&](const FirstLook& l) {
@@ -227,17 +257,14 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
     model::parallel_for(count, control.threads, [&](std::size_t k) {
       const std::size_t i = order[at + k].second;
       const FirstLook& look = looks[i];
-      const double gouge_goal =
-          before.gouge.low + slack_mm(request, before.gouge.low, request.gouge_limit_mm);
-      const double uncut_goal =
-          before.uncut.low + slack_mm(request, before.uncut.low, request.uncut_limit_mm);
-      const bool settled = look.gouge_bound <= gouge_goal && look.uncut_bound <= uncut_goal;
+      const bool settled = look.gouge_bound <= goals.gouge(before.gouge.low) &&
+                           look.uncut_bound <= goals.uncut(before.uncut.low);
       if (settled || before.cells > request.largest_cell_count) {
         found[k].gouge.cover(look.gouge_bound);
         found[k].uncut.cover(look.uncut_bound);
         return;
       }
-      found[k] = CellSearch(space, reachability, request, before)
+      found[k] = CellSearch(space, reachability, request, goals, before)
                      .run(cells.cells()[i], look.bounds.nearest.body);
     });
     for (const Outcome& o : found) {
@@ -247,7 +274,6 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
     }
   }
 
-  const double errors = kRounding_mm + space.chord_error_mm();
   Certificate out;
   out.gouge_mm = interval_of(sum.gouge, errors);
   out.uncut_mm = interval_of(sum.uncut, errors);

@@ -17,7 +17,9 @@ struct CertificateRequest {
   /// to a twentieth of itself, for its verdict is settled.
   double gouge_limit_mm = std::numeric_limits<double>::infinity();
   double uncut_limit_mm = std::numeric_limits<double>::infinity();
-  double resolution_mm = 0;            ///< widest interval wanted
+  /// Widest interval wanted. Where a limit lies within an interval of that width, it is narrowed
+  /// further, down to a hundredth of it, until the verdict is settled.
+  double resolution_mm = 0;
   std::size_t largest_cell_count = 0;  ///< where refinement ends all the same
 };
 
@@ -43,10 +45,11 @@ struct Certificate {
 /// distance: coordinates below 10 m, far above the true error.
 inline constexpr double kRounding_mm = 1e-9 + SurfaceCells::kOmitted_mm;
 
+/// Without `reachability` gouge alone is certified and uncut is empty, as for a shank.
 /// Branch and bound over the cells, worst first. Batches of fixed size see the best values of the
 /// batches before them only, so the result is the same for any number of threads.
 Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
-                    const Reachability& reachability, const CertificateRequest& request,
+                    const Reachability* reachability, const CertificateRequest& request,
                     const model::RunControl& control);
 
 }  // namespace limitgauge::verifier

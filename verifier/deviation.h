@@ -27,16 +27,33 @@ struct SurfacePlace {
   model::Vec3 point;
 };
 
+/// A pass near a finding: a move that it is bounded by.
+struct NearPass {
+  std::size_t stage = 0, move = 0;
+  std::uint32_t line = 0;
+  double distance_mm = 0;  ///< from the finding's deepest place to the space swept by the move
+};
+
 /// A clustered gouge or leftover; its deepest place, and the move responsible (for a leftover: the
 /// nearest pass that left it). Ordered by depth, deepest first.
 struct Finding {
   SurfacePlace place;
   double depth_mm = 0;
-  double area_mm2 = 0;     ///< of the sampled surface that belongs to the cluster
+  double area_mm2 = 0;     ///< of the surface deeper than the threshold that belongs to the cluster
+  model::Box3 extent_mm;   ///< box of the cluster
   std::size_t stage = 0;   ///< stage whose move is named (an earlier one may have gouged)
   std::size_t move = 0;    ///< index in that stage's path
   std::uint32_t line = 0;  ///< its program line
   bool raw_stock = false;  ///< a face of the raw stock is nearest, no move: the names above are 0
+  std::string body = "cutter";   ///< of a gouge: "cutter", "shank" or "holder", numbered if several
+  std::vector<NearPass> passes;  ///< of a leftover: the passes around it, nearest first, at most 3
+};
+
+/// Gouge by one body of the assembly of one stage's cutter: "cutter" is its fluted part.
+struct BodyFigure {
+  std::size_t stage = 0;
+  std::string body;
+  Interval gouge_mm;
 };
 
 /// Area-weighted distribution of deviation minus allowance over the reachable surface.
@@ -69,14 +86,20 @@ struct DeviationField {
 
 /// What one stage's verification found; all deviations are measured against the allowance surface.
 struct StageDeviation {
-  Interval gouge_mm, uncut_mm;  ///< certified
-  double coverage = 0;          ///< share of the reachable area within both gate limits
+  Interval gouge_mm, uncut_mm;  ///< certified; gouge by any body of any assembly
+  /// By body: the fluted parts of all stages together first, then shanks and holders.
+  std::vector<BodyFigure> bodies;
+  double coverage = 0;  ///< share of the reachable area within both gate limits
   double mean_mm = 0, rms_mm = 0, p01_mm = 0, p50_mm = 0, p99_mm = 0;
   double voxel_gouge_mm = 0, voxel_uncut_mm = 0;  ///< the voxel instrument's readings
   double surface_area_mm2 = 0, reachable_area_mm2 = 0, unreachable_area_mm2 = 0;
   double unavoidable_uncut_mm = 0;
   Histogram histogram;
   std::vector<Finding> gouges, uncuts;
+  /// Depth from which places are findings: the gate limit, or half of `low` where nothing limits.
+  double gouge_threshold_mm = 0, uncut_threshold_mm = 0;
+  /// The findings hold every place deeper than the threshold and a resolution.
+  bool findings_complete = true;
   DeviationField field;
   std::vector<UncertaintyTerm> budget;
   std::size_t cells = 0;           ///< cells examined by the branch and bound

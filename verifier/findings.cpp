@@ -1,46 +1,25 @@
 #include "verifier/findings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <tuple>
 
 namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
 
-struct Hit {
-  SurfacePlace place;
-  double depth_mm = 0, area_mm2 = 0;
-  std::size_t stage = 0, move = 0;
-  std::uint32_t line = 0;
-  bool raw_stock = false;
-};
-
-/// Union of hits that lie within a reach of each other, by a grid of buckets as wide as the reach.
+/// Union of spots that lie close together, by a grid of buckets wider than any reach.
 class Clusters {
  public:
-  Clusters(const std::vector<Hit>& hits, double reach_mm) : parent_(hits.size()) {
+  explicit Clusters(const std::vector<Spot>& spots) : spots_(spots), parent_(spots.size()) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    using Key = std::tuple<long, long, long>;
-    std::map<Key, std::vector<std::size_t>> buckets;
-    const auto cell = [&](double x) { return std::lround(std::floor(x / reach_mm)); };
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-      const Vec3& p = hits[i].place.point;
-      const Key at{cell(p.x), cell(p.y), cell(p.z)};
-      for (long dx = -1; dx <= 1; ++dx)
-        for (long dy = -1; dy <= 1; ++dy)
-          for (long dz = -1; dz <= 1; ++dz) {
-            const auto near =
-                buckets.find({std::get<0>(at) + dx, std::get<1>(at) + dy, std::get<2>(at) + dz});
-            if (near == buckets.end()) continue;
-            for (const std::size_t j : near->second)
-              if (distance(hits[j].place.point, p) <= reach_mm) parent_[root(i)] = root(j);
-          }
-      buckets[at].push_back(i);
-    }
+    double widest = 0;
+    for (const Spot& s : spots) widest = std::max(widest, s.radius_mm);
+    bucket_mm_ = kTogether_mm + 2 * widest;
+    for (std::size_t i = 0; i < spots.size(); ++i) join(i);
   }
   std::size_t root(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
@@ -48,51 +27,107 @@ class Clusters {
   }
 
  private:
+  using Key = std::array<long, 3>;
+
+  void join(std::size_t i) {
+    const Vec3& p = spots_[i].place.point;
+    Key at{};
+    for (int k = 0; k < 3; ++k) at[k] = std::lround(std::floor(p[k] / bucket_mm_));
+    for (long n = 0; n < 27; ++n) {
+      const auto near =
+          buckets_.find({at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1});
+      if (near == buckets_.end()) continue;
+      for (const std::size_t j : near->second)
+        if (distance(spots_[j].place.point, p) <=
+            kTogether_mm + spots_[i].radius_mm + spots_[j].radius_mm)
+          parent_[root(i)] = root(j);
+    }
+    buckets_[at].push_back(i);
+  }
+
+  const std::vector<Spot>& spots_;
   std::vector<std::size_t> parent_;
+  std::map<Key, std::vector<std::size_t>> buckets_;
+  double bucket_mm_ = 0;
 };
 
-std::vector<Hit> hits_of(const DeviationField& field, Side side, double threshold_mm) {
-  std::vector<Hit> hits;
-  for (const DeviationField::Sample& s : field.samples) {
-    const double depth = side == Side::gouge ? -static_cast<double>(s.deviation_mm)
-                                             : static_cast<double>(s.deviation_mm);
-    if (depth <= threshold_mm || (side == Side::uncut && !s.reachable)) continue;
-    hits.push_back(
-        {s.place, depth, static_cast<double>(s.area_mm2), s.stage, s.move, s.line, s.raw_stock});
+void name_move(Finding& f, BodyRef body, std::span<const Pass> passes, std::size_t first_stage) {
+  f.stage = first_stage + body.pass;
+  f.raw_stock = f.stage >= passes.size();
+  f.move = f.raw_stock ? 0 : body.index;
+  f.line = f.raw_stock ? 0 : passes[f.stage].path->moves[f.move].line;
+  if (f.raw_stock) f.stage = 0;
+}
+
+bool neighbours(const NearPass& taken, BodyRef body) {
+  constexpr std::size_t kNear = 3;
+  const std::size_t apart =
+      taken.move > body.index ? taken.move - body.index : body.index - taken.move;
+  return taken.stage == body.pass && apart <= kNear;
+}
+
+std::vector<NearPass> passes_around(const Finding& f, const RemovedSpace& space,
+                                    std::span<const Pass> passes, double reach_mm) {
+  constexpr std::size_t kMost = 3;
+  std::vector<BodyRef> bodies;
+  space.within(f.place.point, reach_mm, bodies);
+  std::vector<std::pair<double, BodyRef>> order;
+  for (const BodyRef body : bodies)
+    if (!space.is_stock(body)) order.emplace_back(space.distance(body, f.place.point).value, body);
+  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    if (a.second.pass != b.second.pass) return a.second.pass < b.second.pass;
+    return a.second.index < b.second.index;
+  });
+  std::vector<NearPass> out;
+  for (const auto& [distance_mm, body] : order) {
+    if (out.size() == kMost) break;
+    if (std::any_of(out.begin(), out.end(),
+                    [&](const NearPass& taken) { return neighbours(taken, body); }))
+      continue;
+    out.push_back(
+        {body.pass, body.index, passes[body.pass].path->moves[body.index].line, distance_mm});
   }
-  return hits;
+  return out;
 }
 
 }  // namespace
 
-std::vector<Finding> find_clusters(const DeviationField& field, Side side, double threshold_mm,
-                                   const std::optional<Witness>& witness,
-                                   std::span<const Pass> passes, double spacing_mm) {
-  std::vector<Hit> hits = hits_of(field, side, threshold_mm);
-  if (witness) {
-    Hit hit{witness->place, witness->depth_mm, 0, 0, 0, 0, witness->body.pass >= passes.size()};
-    if (!hit.raw_stock) {
-      hit.stage = witness->body.pass, hit.move = witness->body.index;
-      hit.line = passes[hit.stage].path->moves[hit.move].line;
-    }
-    hits.push_back(hit);
-  }
-  Clusters clusters(hits, 2 * spacing_mm);
-  std::map<std::size_t, Finding> by_root;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    Finding& f = by_root[clusters.root(i)];
-    f.area_mm2 += hits[i].area_mm2;
-    if (hits[i].depth_mm <= f.depth_mm) continue;
-    f.place = hits[i].place, f.depth_mm = hits[i].depth_mm;
-    f.stage = hits[i].stage, f.move = hits[i].move, f.line = hits[i].line;
-    f.raw_stock = hits[i].raw_stock;
-  }
-  std::vector<Finding> findings;
-  for (const auto& [root, finding] : by_root) findings.push_back(finding);
+void keep_deepest(std::vector<Finding>& findings) {
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return a.depth_mm > b.depth_mm; });
   if (findings.size() > kMostFindings) findings.resize(kMostFindings);
+}
+
+std::vector<Finding> gather_findings(const Exceedance& found, const std::optional<Witness>& witness,
+                                     std::span<const Pass> passes, std::size_t first_stage,
+                                     const std::string& body) {
+  std::vector<Spot> spots = found.spots;
+  if (witness) spots.push_back({witness->place, witness->depth_mm, 0, 0, witness->body});
+  Clusters clusters(spots);
+  std::map<std::size_t, Finding> by_root;
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    const Spot& spot = spots[i];
+    Finding& f = by_root[clusters.root(i)];
+    f.area_mm2 += spot.area_mm2;
+    f.extent_mm.add(spot.place.point);
+    if (spot.depth_mm <= f.depth_mm) continue;
+    f.place = spot.place, f.depth_mm = spot.depth_mm, f.body = body;
+    name_move(f, spot.body, passes, first_stage);
+  }
+  std::vector<Finding> findings;
+  for (auto& [root, finding] : by_root) findings.push_back(std::move(finding));
   return findings;
+}
+
+void name_passes(std::vector<Finding>& leftovers, const RemovedSpace& space,
+                 std::span<const Pass> passes, double allowance_mm) {
+  // A pass that bounds a leftover is not much further away than the nearest.
+  constexpr double kShare = 1.5, kFurther_mm = 0.05;
+  for (Finding& f : leftovers) {
+    const double nearest = std::max(0.0, f.depth_mm + allowance_mm);
+    f.passes = passes_around(f, space, passes, kShare * nearest + kFurther_mm);
+  }
 }
 
 }  // namespace limitgauge::verifier

@@ -1,18 +1,27 @@
 #pragma once
 
-#include "verifier/certificate.h"
+#include "verifier/exceedance.h"
 #include "verifier/verify.h"
 
 namespace limitgauge::verifier {
 
-enum class Side { gouge, uncut };
-
-/// Samples deeper than `threshold_mm` on one side, and the certificate's witness, gathered into
-/// findings: neighbours on the surface belong together. Deepest first, at most kMostFindings.
-/// Uncut counts on the reachable part only.
+/// At most this many findings of a kind are kept, the deepest.
 inline constexpr std::size_t kMostFindings = 200;
-std::vector<Finding> find_clusters(const DeviationField& field, Side side, double threshold_mm,
-                                   const std::optional<Witness>& witness,
-                                   std::span<const Pass> passes, double spacing_mm);
+/// Spots with less than this between them belong to one finding.
+inline constexpr double kTogether_mm = 0.4;
+
+/// Gathers spots, and the certificate's witness, into findings, deepest first. Bodies count
+/// their passes from `first_stage`; `body` says what swept them.
+std::vector<Finding> gather_findings(const Exceedance& found, const std::optional<Witness>& witness,
+                                     std::span<const Pass> passes, std::size_t first_stage,
+                                     const std::string& body);
+
+/// Names the passes around each leftover: bodies of `space` about as near as the nearest, no two of
+/// them neighbours in their program.
+void name_passes(std::vector<Finding>& leftovers, const RemovedSpace& space,
+                 std::span<const Pass> passes, double allowance_mm);
+
+/// Deepest first; the most that are kept.
+void keep_deepest(std::vector<Finding>& findings);
 
 }  // namespace limitgauge::verifier

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "verifier/assembly.h"
 #include "verifier/certificate.h"
 #include "verifier/deviation_field.h"
 #include "verifier/findings.h"
@@ -24,6 +25,40 @@ double first_cell_radius_mm(const ReferenceSurface& surface) {
   return std::max(kSmall_mm, std::sqrt(surface.area_mm2() / kCells));
 }
 
+CertificateRequest request_of(const StageCheck& check) {
+  const double unlimited = std::numeric_limits<double>::infinity();
+  return {check.allowance_mm, check.limits.has_gouge ? check.limits.gouge_mm : unlimited,
+          check.limits.has_uncut ? check.limits.uncut_mm : unlimited, check.resolution_mm,
+          check.largest_cell_count};
+}
+
+/// The deepest gouge of several bodies: the largest low, and the largest high.
+void join_figures(StageDeviation& out, const Certificate& cutter,
+                  const std::vector<BodySweep>& bodies) {
+  out.gouge_mm = cutter.gouge_mm;
+  out.uncut_mm = cutter.uncut_mm;
+  out.cells = cutter.cells;
+  out.reached_resolution = cutter.reached_resolution;
+  out.bodies.push_back({0, "cutter", cutter.gouge_mm});
+  for (const BodySweep& b : bodies) {
+    const Certificate& c = b.certificate;
+    out.gouge_mm.low = std::max(out.gouge_mm.low, c.gouge_mm.low);
+    out.gouge_mm.high = std::max(out.gouge_mm.high, c.gouge_mm.high);
+    out.cells += c.cells;
+    out.reached_resolution = out.reached_resolution && c.reached_resolution;
+    out.bodies.push_back({b.stage, b.body, c.gouge_mm});
+  }
+}
+
+/// What findings are looked for in.
+struct Measured {
+  const SurfaceCells& cells;
+  const RemovedSpace& space;
+  const Reachability& reachability;
+  std::span<const Pass> passes;
+  const StageCheck& check;
+};
+
 double finding_threshold_mm(bool limited, double limit_mm, const Interval& figure,
                             double resolution_mm) {
   return limited ? limit_mm : std::max(figure.low / 2, resolution_mm);
@@ -44,6 +79,53 @@ std::vector<UncertaintyTerm> budget_of(const RemovedSpace& space, const StageChe
   };
 }
 
+/// Findings on one side of one space; searched for only where something may exceed the threshold.
+std::vector<Finding> findings_of(const Measured& m, const RemovedSpace& space, Side side,
+                                 double threshold_mm, const Interval& figure,
+                                 const std::optional<Witness>& witness, std::size_t first_stage,
+                                 const std::string& body, bool& complete,
+                                 const model::RunControl& control) {
+  Exceedance found;
+  if (figure.high > threshold_mm) {
+    ExceedanceRequest request;
+    request.side = side;
+    request.allowance_mm = m.check.allowance_mm;
+    request.threshold_mm = threshold_mm;
+    request.slack_mm = m.check.resolution_mm;
+    found = find_exceedance(m.cells, space, &m.reachability, request, control);
+  }
+  complete = complete && found.complete;
+  return gather_findings(found, witness, m.passes, first_stage, body);
+}
+
+void find_gouges(StageDeviation& out, const Measured& m, const Certificate& cutter,
+                 const std::vector<BodySweep>& bodies, const model::RunControl& control) {
+  const GateLimits& limits = m.check.limits;
+  const double threshold = out.gouge_threshold_mm =
+      finding_threshold_mm(limits.has_gouge, limits.gouge_mm, out.gouge_mm, m.check.resolution_mm);
+  out.gouges = findings_of(m, m.space, Side::gouge, threshold, cutter.gouge_mm, cutter.gouge, 0,
+                           "cutter", out.findings_complete, control);
+  for (const BodySweep& b : bodies) {
+    if (!b.space) continue;
+    const auto more =
+        findings_of(m, *b.space, Side::gouge, threshold, b.certificate.gouge_mm,
+                    b.certificate.gouge, b.stage, b.body, out.findings_complete, control);
+    out.gouges.insert(out.gouges.end(), more.begin(), more.end());
+  }
+  keep_deepest(out.gouges);
+}
+
+void find_leftovers(StageDeviation& out, const Measured& m, const Certificate& certificate,
+                    const model::RunControl& control) {
+  const GateLimits& limits = m.check.limits;
+  out.uncut_threshold_mm =
+      finding_threshold_mm(limits.has_uncut, limits.uncut_mm, out.uncut_mm, m.check.resolution_mm);
+  out.uncuts = findings_of(m, m.space, Side::uncut, out.uncut_threshold_mm, certificate.uncut_mm,
+                           certificate.uncut, 0, "cutter", out.findings_complete, control);
+  keep_deepest(out.uncuts);
+  name_passes(out.uncuts, m.space, m.passes, m.check.allowance_mm);
+}
+
 }  // namespace
 
 StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock& raw_stock,
@@ -58,19 +140,12 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   const Reachability reachability(cells, cutter, check.allowance_mm, kContact_mm);
   const Reachability for_maps(cells, cutter, check.allowance_mm, kMapContact_mm);
 
-  const double unlimited = std::numeric_limits<double>::infinity();
-  const Certificate certificate =
-      certify(cells, space, reachability,
-              {check.allowance_mm, check.limits.has_gouge ? check.limits.gouge_mm : unlimited,
-               check.limits.has_uncut ? check.limits.uncut_mm : unlimited, check.resolution_mm,
-               check.largest_cell_count},
-              control);
+  const CertificateRequest request = request_of(check);
+  const Certificate certificate = certify(cells, space, &reachability, request, control);
+  const std::vector<BodySweep> bodies = certify_assemblies(cells, passes, request, control);
   StageDeviation out;
-  out.gouge_mm = certificate.gouge_mm;
-  out.uncut_mm = certificate.uncut_mm;
-  out.cells = certificate.cells;
-  out.reached_resolution = certificate.reached_resolution;
   out.resolution_mm = check.resolution_mm;
+  join_figures(out, certificate, bodies);
 
   const VoxelFigures voxels =
       read_stock(cells, space, reachability, certificate, readings, check, control);
@@ -84,15 +159,9 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
       unavoidable_uncut_mm(out.field, tips, passes.back().cutter, check.allowance_mm, control);
   summarize_field(out, check.limits);
 
-  const GateLimits& limits = check.limits;
-  out.gouges = find_clusters(
-      out.field, Side::gouge,
-      finding_threshold_mm(limits.has_gouge, limits.gouge_mm, out.gouge_mm, check.resolution_mm),
-      certificate.gouge, passes, check.field_spacing_mm);
-  out.uncuts = find_clusters(
-      out.field, Side::uncut,
-      finding_threshold_mm(limits.has_uncut, limits.uncut_mm, out.uncut_mm, check.resolution_mm),
-      certificate.uncut, passes, check.field_spacing_mm);
+  const Measured measured{cells, space, reachability, passes, check};
+  find_gouges(out, measured, certificate, bodies, control);
+  find_leftovers(out, measured, certificate, control);
   out.budget = budget_of(space, check, voxels);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return out;

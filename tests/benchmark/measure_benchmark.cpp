@@ -21,7 +21,7 @@ void certify_finish(benchmark::State& state) {
   request.resolution_mm = static_cast<double>(state.range(0)) * 1e-6;
   request.largest_cell_count = 20'000'000;
   for (auto _ : state) {
-    const verifier::Certificate c = certify(cells, space, reach, request, {2, nullptr, {}});
+    const verifier::Certificate c = certify(cells, space, &reach, request, {2, nullptr, {}});
     state.counters["cells"] = static_cast<double>(c.cells);
     state.counters["uncut_width_nm"] = c.uncut_mm.width() * 1e6;
   }

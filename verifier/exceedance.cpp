@@ -1,0 +1,124 @@
+#include "verifier/exceedance.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+constexpr double kSmallestCell_mm = 1e-6;
+/// Where the middle cannot be touched, smaller parts are not looked at for others that can.
+constexpr double kRim_mm = 0.01;
+constexpr std::size_t kChunk = 64;
+
+/// Gauss-Legendre, two points a side: the cells are small.
+double area_of(const Bezier& cell) {
+  constexpr double kNode[] = {0.21132486540518713, 0.7886751345948129};
+  double sum = 0;
+  for (const double u : kNode)
+    for (const double v : kNode) {
+      const BezierJet j = jet(cell, u, v);
+      sum += length(cross(j.du, j.dv)) / 4;
+    }
+  return sum;
+}
+
+class SpotSearch {
+ public:
+  SpotSearch(const RemovedSpace& space, const Reachability* reachability,
+             const ExceedanceRequest& request, std::size_t cell_limit)
+      : bounder_(space), reachability_(reachability), request_(request), cell_limit_(cell_limit) {}
+
+  void run(const SurfaceCell& cell) {
+    std::vector<BodyRef> candidates;
+    const double far = request_.side == Side::gouge ? request_.allowance_mm
+                                                    : std::numeric_limits<double>::infinity();
+    bounder_.find_candidates(cell.shape, candidates, hint_, far);
+    if (!candidates.empty()) search(cell, std::move(candidates));
+  }
+  Exceedance take() { return std::move(out_); }
+
+ private:
+  struct Depths {
+    double least = 0, here = 0, most = 0;
+  };
+
+  Depths depths_of(const CellBounds& b) const {
+    const double a = request_.allowance_mm, here = b.nearest.distance.value;
+    if (request_.side == Side::gouge) return {a - b.upper, a - here, a - b.lower};
+    return {b.lower - a, here - a, b.upper - a};
+  }
+
+  void search(const SurfaceCell& cell, std::vector<BodyRef> candidates) {
+    const double good_enough = request_.side == Side::uncut
+                                   ? request_.allowance_mm + request_.threshold_mm
+                                   : std::numeric_limits<double>::infinity();
+    const CellBounds b = bounder_.bound(cell.shape, candidates, good_enough);
+    hint_ = b.nearest.body;
+    const Depths depth = depths_of(b);
+    if (depth.most <= request_.threshold_mm + request_.slack_mm) return;
+    const double radius = control_radius(cell.shape, b.middle);
+    const bool spot = depth.here > request_.threshold_mm &&
+                      (radius <= request_.spot_radius_mm || depth.least > request_.threshold_mm);
+    const bool touched = request_.side == Side::gouge || !spot ||
+                         reachability_->touching_tip(b.middle, middle_normal(cell)).has_value();
+    if (spot && touched) {
+      out_.spots.push_back({{cell.patch, cell.u_at(0.5), cell.v_at(0.5), b.middle},
+                            depth.here,
+                            area_of(cell.shape),
+                            radius,
+                            b.nearest.body});
+      return;
+    }
+    if (!touched && (radius <= kRim_mm || reachability_->surely_unreachable(cell.shape))) return;
+    if (++cells_ > cell_limit_) out_.complete = false;
+    if (cells_ > cell_limit_ || radius < kSmallestCell_mm) return;
+    const auto halves = longer_in_u(cell.shape) ? split_u(cell) : split_v(cell);
+    search(halves[0], candidates);
+    search(halves[1], std::move(candidates));
+  }
+
+  static bool longer_in_u(const Bezier& b) {
+    const double wide = length(b.control(7) - b.control(4) + b.control(11) - b.control(8)),
+                 tall = length(b.control(13) - b.control(1) + b.control(14) - b.control(2));
+    return wide >= tall;
+  }
+
+  CellBounder bounder_;
+  const Reachability* reachability_;
+  const ExceedanceRequest& request_;
+  std::size_t cells_ = 0, cell_limit_;
+  std::optional<BodyRef> hint_;
+  Exceedance out_;
+};
+
+}  // namespace
+
+Exceedance find_exceedance(const SurfaceCells& cells, const RemovedSpace& space,
+                           const Reachability* reachability, const ExceedanceRequest& request,
+                           const model::RunControl& control) {
+  const std::size_t chunks = (cells.cells().size() + kChunk - 1) / kChunk;
+  std::vector<Exceedance> parts(chunks);
+  // Each chunk has its own share of the effort, so that the result does not depend on their order;
+  // exceedances are local, so the shares add up to more than the whole.
+  constexpr std::size_t kLeastShare = 20'000;
+  const std::size_t share = std::max(kLeastShare, 4 * request.largest_cell_count / (chunks + 1));
+  model::parallel_for(chunks, control.threads, [&](std::size_t chunk) {
+    control.check();
+    SpotSearch search(space, reachability, request, share);
+    for (std::size_t i = chunk * kChunk; i < std::min(cells.cells().size(), (chunk + 1) * kChunk);
+         ++i)
+      search.run(cells.cells()[i]);
+    parts[chunk] = search.take();
+  });
+  Exceedance out;
+  for (Exceedance& part : parts) {
+    out.complete = out.complete && part.complete;
+    out.spots.insert(out.spots.end(), part.spots.begin(), part.spots.end());
+  }
+  return out;
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,340 @@
+#include "tests/defects/bench.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <memory>
+#include <set>
+
+#include "simulator/stock_model.h"
+
+namespace limitgauge::tests::defects {
+namespace {
+
+using model::Vec3;
+using verifier::Finding;
+using verifier::StageDeviation;
+
+constexpr double kSpacing_mm = 0.12;
+constexpr double kFieldSpacing_mm = 0.4;
+constexpr double kVoxel_mm = 0.15;
+constexpr double kAllowanceTwin_mm = 0.1;
+/// Two implementations of the same distance, each ended within 1e-9 mm.
+constexpr double kSame_mm = 5e-9;
+/// Findings come from a field that is stored in single precision.
+constexpr double kSameInField_mm = 1e-6;
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+model::BoxStock block_around(const model::Box3& part) {
+  constexpr double kAside_mm = 8, kBelow_mm = 6, kAbove_mm = 1;
+  const Vec3 low = part.low - Vec3{kAside_mm, kAside_mm, kBelow_mm};
+  return {low, part.high + Vec3{kAside_mm, kAside_mm, kAbove_mm} - low};
+}
+
+/// The moves of one path that another does not make.
+using Segment = std::array<double, 6>;
+Segment segment(const model::Toolpath& path, std::size_t i) {
+  const Vec3 &a = model::move_from(path, i), &b = path.moves[i].to;
+  return {a.x, a.y, a.z, b.x, b.y, b.z};
+}
+std::set<Segment> segments(const model::Toolpath& path) {
+  std::set<Segment> out;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) out.insert(segment(path, i));
+  return out;
+}
+std::vector<Segment> difference(const std::set<Segment>& a, const std::set<Segment>& b) {
+  std::vector<Segment> out;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+double distance_in_plan(const Segment& s, const Vec3& p) {
+  const double dx = s[3] - s[0], dy = s[4] - s[1], l2 = dx * dx + dy * dy;
+  const double t =
+      l2 > 0 ? std::clamp(((p.x - s[0]) * dx + (p.y - s[1]) * dy) / l2, 0.0, 1.0) : 0.0;
+  return std::hypot(p.x - s[0] - t * dx, p.y - s[1] - t * dy);
+}
+
+/// A program, the cutter and the allowance it is judged with, and the oracles about it.
+struct Run {
+  model::Toolpath path;
+  model::Cutter cutter;
+  double allowance_mm = 0;
+  DeviationOracle oracle;
+
+  Run(const SampledSurface& surface, const model::BoxStock& stock, const std::string& text,
+      const model::Cutter& used, double allowance)
+      : path(read_back(text)),
+        cutter(used),
+        allowance_mm(allowance),
+        oracle(surface, stock, used, path) {}
+};
+
+/// The unharmed program with what it is known to keep.
+struct Twin {
+  Sound sound;
+  Run run;
+  ReachOracle reach;
+  verifier::GateLimits limits;
+  std::set<Segment> segments_of;
+};
+
+class PairBench {
+ public:
+  explicit PairBench(const PairPlan& plan)
+      : plan_(plan),
+        surface_(plan.cage),
+        samples_(surface_, kSpacing_mm),
+        stock_(block_around(surface_.bounding_box())),
+        name_(plan.surface_name + ", " + plan.cutter.id) {}
+
+  PairResult run() {
+    std::optional<Twin> plain, allowing;
+    for (const Mishap& mishap : plan_.mishaps) {
+      const bool allowance = mishap.kind == Kind::wrong_allowance;
+      std::optional<Twin>& twin = allowance ? allowing : plain;
+      if (!twin) make_twin(allowance ? kAllowanceTwin_mm : 0, twin);
+      out_.cases.push_back(judge(*twin, mishap));
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void make_twin(double allowance_mm, std::optional<Twin>& twin) {
+    const RasterRequest request{plan_.cutter, allowance_mm, plan_.step_mm, plan_.across};
+    const double safe_z = stock_.corner_mm.z + stock_.size_mm.z + 2;
+    Sound sound{samples_,      program_of(gouge_free_rows(samples_, request), safe_z, plan_.modal),
+                plan_.cutter,  allowance_mm,
+                plan_.step_mm, plan_.across,
+                safe_z};
+    Run run(samples_, stock_, sound.program.text(), plan_.cutter, allowance_mm);
+    twin.emplace(Twin{std::move(sound),
+                      std::move(run),
+                      ReachOracle(samples_, plan_.cutter, allowance_mm),
+                      {},
+                      {}});
+    twin->segments_of = segments(twin->run.path);
+    judge_twin(*twin);
+  }
+
+  void judge_twin(Twin& twin) {
+    const Stopwatch watch;
+    TwinResult result;
+    result.pair = name_;
+    result.allowance_mm = twin.sound.allowance_mm;
+    result.voxels = plan_.voxels_every > 0;
+    try {
+      const StageDeviation d = measure(twin.run, {}, result.voxels);
+      twin.limits = {true, true, false, d.gouge_mm.high, d.uncut_mm.high, 0};
+      judge_gouge(twin.run, d, result.gouge);
+      judge_uncut(twin.run, twin.reach, d, result.uncut);
+      const verifier::GateLimits gate = {true,
+                                         true,
+                                         false,
+                                         result.gouge.truth_mm + plan_.resolution_mm,
+                                         result.uncut.truth_mm + plan_.resolution_mm,
+                                         0};
+      result.verdict = certified_verdict(d, gate);
+      if (result.voxels && !voxels_agree(twin.run, d, gate))
+        result.broken = "the voxel figure fails a gate that no material stands above";
+      result.reached_resolution = d.reached_resolution;
+    } catch (const std::exception& error) {
+      result.broken = error.what();
+    }
+    result.seconds = watch.seconds();
+    out_.twins.push_back(result);
+  }
+
+  CaseResult judge(Twin& twin, const Mishap& mishap) {
+    const Stopwatch watch;
+    CaseResult result;
+    result.pair = name_;
+    result.mishap = mishap;
+    const std::size_t turn = out_.cases.size() + plan_.turn;
+    result.voxels = plan_.voxels_every > 0 && turn % plan_.voxels_every == 0;
+    result.gated = turn % 4 == 3;
+    try {
+      const Planted planted = plant(twin.sound, mishap);
+      const Run run(samples_, stock_, planted.text, planted.cutter, planted.allowance_mm);
+      const StageDeviation d =
+          measure(run, result.gated ? twin.limits : verifier::GateLimits{}, result.voxels);
+      result.cells = d.cells;
+      result.reached_resolution = d.reached_resolution;
+      judge_sides(twin, run, d, result);
+    } catch (const std::exception& error) {
+      result.broken = error.what();
+    }
+    result.seconds = watch.seconds();
+    return result;
+  }
+
+  void judge_sides(Twin& twin, const Run& run, const StageDeviation& d, CaseResult& result) {
+    judge_gouge(run, d, result.gouge);
+    const bool same_reach = run.cutter.diameter_mm == twin.run.cutter.diameter_mm &&
+                            run.allowance_mm == twin.run.allowance_mm;
+    if (same_reach) {
+      judge_uncut(run, twin.reach, d, result.uncut);
+    } else {
+      ReachOracle reach(samples_, run.cutter, run.allowance_mm);
+      judge_uncut(run, reach, d, result.uncut);
+    }
+    result.gouge.gate_mm = twin.limits.gouge_mm;
+    result.uncut.gate_mm = twin.limits.uncut_mm;
+    const auto fails = [&](bool gouge) {
+      verifier::GateLimits limits = twin.limits;
+      limits.has_gouge = gouge, limits.has_uncut = !gouge;
+      return certified_verdict(d, limits) == verifier::Verdict::fail;
+    };
+    result.gouge.failed = fails(true);
+    result.uncut.failed = fails(false);
+    for (SideResult* side : {&result.gouge, &result.uncut})
+      side->due = side->truth_mm > side->gate_mm + plan_.resolution_mm;
+    find_places(twin, run, d, result);
+  }
+
+  /// The decision by the certified intervals alone.
+  static verifier::Verdict certified_verdict(StageDeviation d, const verifier::GateLimits& limits) {
+    d.voxel_uncut_mm = 0;
+    return decide(d, limits, 0, 0).verdict;
+  }
+
+  /// Readings of the simulated stock must not fail a gate that the height of what stands keeps.
+  bool voxels_agree(const Run& run, const StageDeviation& d, verifier::GateLimits gate) const {
+    double height = 0;
+    for (const Finding& f : d.uncuts) {
+      const Extreme here{f.depth_mm, {f.place.patch, f.place.u, f.place.v}};
+      height = std::max(height, run.oracle.height(run.allowance_mm, here));
+    }
+    gate.uncut_mm = std::max(gate.uncut_mm, height + plan_.resolution_mm);
+    return decide(d, gate, 0, 0).verdict != verifier::Verdict::fail;
+  }
+
+  StageDeviation measure(const Run& run, const verifier::GateLimits& limits, bool voxels) const {
+    verifier::StageCheck check;
+    check.allowance_mm = run.allowance_mm;
+    check.limits = limits;
+    check.resolution_mm = plan_.resolution_mm;
+    check.field_spacing_mm = kFieldSpacing_mm;
+    const auto path = std::make_shared<const model::Toolpath>(run.path);
+    std::vector<verifier::StockReading> readings;
+    if (voxels) {
+      check.voxel_mm = kVoxel_mm;
+      check.readings_within_mm = 10 * kVoxel_mm + 2 * run.allowance_mm;
+      readings = read_stock(run, path, check.readings_within_mm);
+    }
+    const verifier::Pass pass{run.cutter, path};
+    return measure_stage(surface_, stock_, {&pass, 1}, readings, check, {1, nullptr, {}});
+  }
+
+  std::vector<verifier::StockReading> read_stock(const Run& run,
+                                                 const std::shared_ptr<const model::Toolpath>& path,
+                                                 double within_mm) const {
+    constexpr std::size_t kMemory = std::size_t{4} << 30;
+    const model::RunControl control{1, nullptr, {}};
+    const simulator::StockModel cut =
+        simulator::StockModel(stock_, kVoxel_mm, kMemory).cut({run.cutter, path}, control);
+    model::Box3 region = surface_.bounding_box().grown(within_mm);
+    region.high.z = std::max(region.high.z, stock_.corner_mm.z + stock_.size_mm.z + kVoxel_mm);
+    std::vector<verifier::StockReading> readings;
+    for (const simulator::StockPoint& p : cut.surface_points(region, control))
+      readings.push_back({p.position, p.residual_mm});
+    return readings;
+  }
+
+  static std::vector<Place> places_of(const std::vector<Finding>& findings) {
+    constexpr std::size_t kFirst = 2;
+    std::vector<Place> out;
+    for (std::size_t k = 0; k < std::min(kFirst, findings.size()); ++k)
+      out.push_back({findings[k].place.patch, findings[k].place.u, findings[k].place.v});
+    return out;
+  }
+
+  void judge_gouge(const Run& run, const StageDeviation& d, SideResult& side) const {
+    const Extreme truth = run.oracle.deepest(run.allowance_mm, places_of(d.gouges));
+    side.certified = d.gouge_mm;
+    side.truth_mm = truth.depth_mm;
+    side.union_truth_mm = run.oracle.deepest_in_union(run.allowance_mm, truth);
+    side.contained =
+        truth.depth_mm <= d.gouge_mm.high + kSame_mm && truth.depth_mm >= d.gouge_mm.low - kSame_mm;
+  }
+
+  void judge_uncut(const Run& run, ReachOracle& reach, const StageDeviation& d,
+                   SideResult& side) const {
+    const Extreme truth = run.oracle.highest(run.allowance_mm, reach, places_of(d.uncuts));
+    side.certified = d.uncut_mm;
+    side.truth_mm = truth.depth_mm;
+    // The certified low end may be reached where contact is within the stated tolerance only.
+    double reached = truth.depth_mm;
+    for (const Finding& f : d.uncuts) {
+      if (reached >= d.uncut_mm.low - kSame_mm) break;
+      const verifier::SurfaceSample s = surface_.evaluate(f.place.patch, f.place.u, f.place.v);
+      if (reach.at(s.position, s.normal) != Reach::no)
+        reached = std::max(reached, run.oracle.delta(s.position) - run.allowance_mm);
+    }
+    side.contained =
+        truth.depth_mm <= d.uncut_mm.high + kSame_mm && reached >= d.uncut_mm.low - kSameInField_mm;
+  }
+
+  void find_places(const Twin& twin, const Run& run, const StageDeviation& d,
+                   CaseResult& result) const {
+    const std::set<Segment> now = segments(run.path);
+    const std::vector<Segment> made = difference(now, twin.segments_of),
+                               lost = difference(twin.segments_of, now);
+    const double wide = simulator::CutterProfile(run.cutter).largest_radius() + 2 * plan_.step_mm;
+    const bool other_program = !made.empty() || !lost.empty();
+    const auto beside = [&](const Vec3& p) {
+      const auto near = [&](const Segment& s) { return distance_in_plan(s, p) <= wide; };
+      return !other_program || std::any_of(made.begin(), made.end(), near) ||
+             std::any_of(lost.begin(), lost.end(), near);
+    };
+    const double a = run.allowance_mm, a_twin = twin.run.allowance_mm;
+    for (const Finding& f : d.gouges) {
+      const Vec3& p = f.place.point;
+      const double depth = a - run.oracle.delta(p);
+      if (std::abs(depth - f.depth_mm) > kSameInField_mm) {
+        result.broken = "a gouge's depth is not what the simulator says there";
+        return;
+      }
+      if (depth <= result.gouge.gate_mm) continue;
+      if (a_twin - twin.run.oracle.delta(p) > result.gouge.gate_mm || !beside(p)) continue;
+      result.gouge.located = true;
+      const bool cut_there = !f.raw_stock && std::abs(run.oracle.of_move(f.move, p).distance -
+                                                      (a - depth)) <= kSameInField_mm;
+      const bool touched =
+          !other_program || (!f.raw_stock && !twin.segments_of.contains(segment(run.path, f.move)));
+      const bool line = !f.raw_stock && f.line == run.path.moves[f.move].line && f.line > 0;
+      result.gouge.named = cut_there && touched && line;
+      break;
+    }
+    for (const Finding& f : d.uncuts) {
+      const Vec3& p = f.place.point;
+      if (run.oracle.delta(p) - a <= result.uncut.gate_mm || !beside(p)) continue;
+      if (twin.run.oracle.delta(p) - a_twin > result.uncut.gate_mm) continue;
+      result.uncut.located = true;
+      break;
+    }
+  }
+
+  const PairPlan& plan_;
+  verifier::ReferenceSurface surface_;
+  SampledSurface samples_;
+  model::BoxStock stock_;
+  std::string name_;
+  PairResult out_;
+};
+
+}  // namespace
+
+PairResult run_pair(const PairPlan& plan) {
+  return PairBench(plan).run();
+}
+
+}  // namespace limitgauge::tests::defects

@@ -1,0 +1,139 @@
+// The planted-defect suite: the verifier is given programs that harm the part in known ways, and
+// their unharmed twins.
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <numbers>
+#include <string_view>
+
+#include "engine/model/run_control.h"
+#include "tests/defects/surfaces.h"
+#include "tests/defects/table.h"
+
+namespace limitgauge::tests::defects {
+namespace {
+
+constexpr double kResolution_mm = 0.0002;
+constexpr double kSmallest_mm = 0.0005, kLargest_mm = 2;
+constexpr std::size_t kVoxelsEvery = 8;
+
+struct Options {
+  std::size_t sample = 0;  ///< cases; 0: all
+  unsigned threads = 2;
+  std::string surface, cutter;  ///< only these
+  std::string cases_file;
+};
+
+/// Mishaps on one surface with one cutter in the full run.
+constexpr Kind kProgramme[] = {
+    Kind::sunk_pass,    Kind::rapid_through, Kind::shifted_pass,    Kind::wrong_length,
+    Kind::missing_pass, Kind::wrong_radius,  Kind::skipped_line,    Kind::rotated_offset,
+    Kind::sunk_pass,    Kind::raised_pass,   Kind::swapped_units,   Kind::rapid_through,
+    Kind::wrong_length, Kind::skipped_line,  Kind::wrong_allowance, Kind::wrong_allowance};
+
+/// Sizes spread evenly over the logarithm by the golden ratio, so that any part of the suite has
+/// small and large ones of every kind.
+Mishap mishap(Kind kind, std::size_t number) {
+  const double turn = std::fmod(static_cast<double>(number) * std::numbers::phi, 1.0);
+  return {kind, kSmallest_mm * std::pow(kLargest_mm / kSmallest_mm, turn),
+          static_cast<unsigned>(1000 + number)};
+}
+
+std::vector<PairPlan> full_plan(const Options& options) {
+  const std::vector<NamedCage> surfaces = suite_surfaces(LIMITGAUGE_FIXTURES);
+  const std::vector<model::Cutter> cutters = suite_cutters();
+  std::vector<PairPlan> plans;
+  std::size_t number = 0;
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+    for (std::size_t c = 0; c < cutters.size(); ++c) {
+      constexpr double kSteps_mm[] = {0.3, 0.5, 0.4, 0.7, 0.35};
+      PairPlan plan{
+          surfaces[s].name, surfaces[s].cage,      cutters[c], 0, 0, false, {}, kResolution_mm,
+          kVoxelsEvery,     s * cutters.size() + c};
+      plan.step_mm = kSteps_mm[(s + 2 * c) % std::size(kSteps_mm)];
+      plan.across = static_cast<int>((s + c) % 2);
+      plan.modal = (s + c) % 3 == 0;
+      for (const Kind kind : kProgramme) plan.mishaps.push_back(mishap(kind, number++));
+      const bool wanted = (options.surface.empty() || options.surface == plan.surface_name) &&
+                          (options.cutter.empty() || options.cutter == plan.cutter.id);
+      if (wanted) plans.push_back(plan);
+    }
+  return plans;
+}
+
+/// Every surface and every cutter, each with a few mishaps; other kinds from pair to pair.
+std::vector<PairPlan> sample_of(const std::vector<PairPlan>& all, std::size_t cases) {
+  constexpr std::size_t kPerPair = 4, kCutters = 4;
+  std::vector<PairPlan> out;
+  const std::size_t surfaces = all.size() / kCutters;
+  for (std::size_t k = 0; k * kPerPair < cases; ++k) {
+    PairPlan plan = all[(k % surfaces) * kCutters + k % kCutters];
+    // The last two kinds need a twin of their own.
+    const std::size_t kinds = plan.mishaps.size() - 2;
+    std::vector<Mishap> few;
+    for (std::size_t m = 0; m < kPerPair; ++m) few.push_back(plan.mishaps[(k * 3 + m * 4) % kinds]);
+    plan.mishaps = few;
+    plan.voxels_every = k % 4 == 0 ? kPerPair : 0;
+    out.push_back(plan);
+  }
+  return out;
+}
+
+bool read_options(int count, char** words, Options& options) {
+  for (int i = 1; i + 1 < count; i += 2) {
+    const std::string_view key = words[i], value = words[i + 1];
+    const auto number = [&](auto& to) {
+      return std::from_chars(value.data(), value.data() + value.size(), to).ec == std::errc{};
+    };
+    const bool good = key == "--sample"    ? number(options.sample)
+                      : key == "--threads" ? number(options.threads)
+                      : key == "--surface" ? (options.surface = value, true)
+                      : key == "--cutter"  ? (options.cutter = value, true)
+                      : key == "--cases"   ? (options.cases_file = value, true)
+                                           : false;
+    if (!good) return false;
+  }
+  return count % 2 == 1;
+}
+
+int run(const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<PairPlan> plans = full_plan(options);
+  if (options.sample > 0) plans = sample_of(plans, options.sample);
+  std::vector<PairResult> results(plans.size());
+  model::parallel_for(plans.size(), options.threads, [&](std::size_t k) {
+    const auto begun = std::chrono::steady_clock::now();
+    results[k] = run_pair(plans[k]);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    std::fprintf(stderr, "%s, %s: %zu cases, %.1f s\n", plans[k].surface_name.c_str(),
+                 plans[k].cutter.id.c_str(), results[k].cases.size(), took.count());
+  });
+  write_tables(std::cout, results, kResolution_mm);
+  write_failures(std::cerr, results);
+  if (!options.cases_file.empty()) {
+    std::ofstream cases(options.cases_file);
+    write_cases(cases, results);
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  std::fprintf(stderr, "%.0f s\n", took.count());
+  return summarize(results).good() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace limitgauge::tests::defects
+
+int main(int count, char** words) {
+  using namespace limitgauge::tests::defects;
+  Options options;
+  if (!read_options(count, words, options)) {
+    std::fprintf(stderr,
+                 "usage: limitgauge_defects [--sample CASES] [--threads N] [--surface NAME] "
+                 "[--cutter ID] [--cases FILE.tsv]\n");
+    return 2;
+  }
+  return run(options);
+}

@@ -1,0 +1,254 @@
+#include "tests/defects/table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <set>
+
+namespace limitgauge::tests::defects {
+namespace {
+
+using verifier::Verdict;
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char text[240];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+std::string micrometres(double mm) {
+  const double um = mm * 1000;
+  return um < 10 ? format("%.3f", um) : um < 1000 ? format("%.1f", um) : format("%.0f", um);
+}
+
+struct Band {
+  const char* name;
+  double from_mm, to_mm;
+};
+constexpr Band kBands[] = {
+    {"under 0.5 µm", 0, 0.5e-3}, {"0.5–1 µm", 0.5e-3, 1e-3}, {"1–3 µm", 1e-3, 3e-3},
+    {"3–10 µm", 3e-3, 0.01},     {"10–30 µm", 0.01, 0.03},   {"30–100 µm", 0.03, 0.1},
+    {"0.1–0.3 mm", 0.1, 0.3},    {"0.3–2 mm", 0.3, 2},       {"over 2 mm", 2, 1e9}};
+
+/// One side of one case that has something to be found.
+struct Entry {
+  const CaseResult* made_by;
+  const SideResult* side;
+  bool is_gouge;
+};
+
+std::vector<Entry> due_entries(const std::vector<PairResult>& results) {
+  std::vector<Entry> out;
+  for (const PairResult& pair : results)
+    for (const CaseResult& c : pair.cases) {
+      if (c.gouge.due) out.push_back({&c, &c.gouge, true});
+      if (c.uncut.due) out.push_back({&c, &c.uncut, false});
+    }
+  return out;
+}
+
+/// How far the depth found is from the oracle's. Cases that were narrowed only as far as the
+/// verdict needs say nothing of that.
+std::vector<double> errors_of(const std::vector<Entry>& entries) {
+  std::vector<double> out;
+  for (const Entry& e : entries)
+    if (!e.made_by->gated)
+      out.push_back(std::max(std::abs(e.side->certified.low - e.side->truth_mm),
+                             std::abs(e.side->certified.high - e.side->truth_mm)));
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+void write_row(std::ostream& out, const std::string& name, const std::vector<Entry>& entries,
+               bool with_moves) {
+  if (entries.empty()) return;
+  const auto count = [&](const std::function<bool(const SideResult&)>& what) {
+    return static_cast<std::size_t>(std::count_if(entries.begin(), entries.end(),
+                                                  [&](const Entry& e) { return what(*e.side); }));
+  };
+  const std::size_t found = count([](const SideResult& s) { return s.failed; });
+  out << "| " << name << " | " << entries.size() << " | " << found << " | "
+      << entries.size() - found << " | " << count([](const SideResult& s) { return s.located; });
+  if (with_moves) out << " | " << count([](const SideResult& s) { return s.named; });
+  out << " | " << count([](const SideResult& s) { return s.contained; });
+  const std::vector<double> errors = errors_of(entries);
+  if (errors.empty())
+    out << " | – | –";
+  else
+    out << " | " << micrometres(errors[errors.size() / 2]) << " | " << micrometres(errors.back());
+  out << " |\n";
+}
+
+void write_side(std::ostream& out, const std::vector<Entry>& all, bool gouges) {
+  out << "| depth | cases | detected | missed | located |" << (gouges ? " line named |" : "")
+      << " interval holds truth | median error, µm | worst error, µm |\n|---|---|---|---|---|"
+      << (gouges ? "---|" : "") << "---|---|---|\n";
+  std::vector<Entry> side;
+  for (const Entry& e : all)
+    if (e.is_gouge == gouges) side.push_back(e);
+  for (const Band& band : kBands) {
+    std::vector<Entry> here;
+    for (const Entry& e : side)
+      if (e.side->truth_mm >= band.from_mm && e.side->truth_mm < band.to_mm) here.push_back(e);
+    write_row(out, band.name, here, gouges);
+  }
+  write_row(out, "**all**", side, gouges);
+}
+
+void write_kinds(std::ostream& out, const std::vector<PairResult>& results,
+                 const std::vector<Entry>& all) {
+  out << "| mishap | programs | harmless | findings due | detected | missed | located | interval "
+         "holds truth | median error, µm | worst error, µm |\n"
+         "|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const Kind kind : kKinds) {
+    std::size_t planted = 0, harmless = 0;
+    for (const PairResult& pair : results)
+      for (const CaseResult& c : pair.cases)
+        if (c.mishap.kind == kind) ++planted, harmless += !c.gouge.due && !c.uncut.due;
+    std::vector<Entry> here;
+    for (const Entry& e : all)
+      if (e.made_by->mishap.kind == kind) here.push_back(e);
+    if (here.empty()) continue;
+    write_row(out, format("%s | %zu | %zu", name(kind), planted, harmless), here, false);
+  }
+}
+
+/// Deep gouges: the depth into one body, as δ is defined, against the depth in all that was cut.
+void write_union(std::ostream& out, const std::vector<Entry>& all) {
+  out << "| depth in the union | cases | read within 1 % or the width | median share read | least "
+         "share read |\n|---|---|---|---|---|\n";
+  constexpr double kNear = 0.01, kWidth_mm = 0.001;
+  for (const Band& band : kBands) {
+    std::vector<double> shares;
+    std::size_t near = 0;
+    for (const Entry& e : all) {
+      const double depth = e.side->union_truth_mm;
+      if (!e.is_gouge || depth < band.from_mm || depth >= band.to_mm) continue;
+      const double read = e.side->certified.high;
+      shares.push_back(std::min(1.0, read / depth));
+      near += read >= depth - std::max(kNear * depth, kWidth_mm);
+    }
+    if (shares.empty()) continue;
+    std::sort(shares.begin(), shares.end());
+    out << "| " << band.name << " | " << shares.size() << " | " << near << " | "
+        << format("%.3f", shares[shares.size() / 2]) << " | " << format("%.3f", shares.front())
+        << " |\n";
+  }
+}
+
+void write_head(std::ostream& out, const Summary& s, double resolution_mm) {
+  out << s.cases << " programs with a planted mishap on " << s.surfaces << " surfaces with "
+      << s.cutters << " cutters, " << s.twins
+      << " unharmed twins; certified width asked for: " << micrometres(resolution_mm)
+      << " µm; the simulator's readings compared in " << s.with_voxels << " runs.\n\n"
+      << "Findings due: " << s.due << ", missed: " << s.missed
+      << ". False alarms: " << s.false_alarms << " of " << s.twins << " twins ("
+      << s.undecided_twins
+      << " not decided at that width). Intervals without the truth: " << s.uncontained
+      << ". Contradictions: " << s.broken << ".\n\n";
+}
+
+}  // namespace
+
+Summary summarize(const std::vector<PairResult>& results) {
+  Summary s;
+  std::set<std::string> surfaces, cutters;
+  for (const PairResult& pair : results) {
+    for (const TwinResult& t : pair.twins) {
+      const std::size_t comma = t.pair.rfind(", ");
+      surfaces.insert(t.pair.substr(0, comma)), cutters.insert(t.pair.substr(comma));
+      ++s.twins;
+      s.false_alarms += t.verdict == Verdict::fail;
+      s.undecided_twins += t.verdict == Verdict::indeterminate;
+      s.uncontained += t.broken.empty() && !(t.gouge.contained && t.uncut.contained);
+      s.broken += !t.broken.empty();
+      s.with_voxels += t.voxels;
+    }
+    for (const CaseResult& c : pair.cases) {
+      ++s.cases;
+      s.broken += !c.broken.empty();
+      s.with_voxels += c.voxels;
+      s.uncontained += c.broken.empty() && !(c.gouge.contained && c.uncut.contained);
+      s.misnamed += c.gouge.due && !c.gouge.named;
+      for (const SideResult* side : {&c.gouge, &c.uncut}) {
+        s.due += side->due;
+        s.missed += side->due && !side->failed;
+        s.misplaced += side->due && !side->located;
+      }
+    }
+  }
+  s.surfaces = surfaces.size(), s.cutters = cutters.size();
+  return s;
+}
+
+void write_tables(std::ostream& out, const std::vector<PairResult>& results, double resolution_mm) {
+  const std::vector<Entry> all = due_entries(results);
+  write_head(out, summarize(results), resolution_mm);
+  out << "Gouges deeper than the twin's gate by more than the width:\n\n";
+  write_side(out, all, true);
+  out << "\nLeftovers, where the cutter can reach:\n\n";
+  write_side(out, all, false);
+  out << "\nBy mishap, gouges and leftovers together; harmless: nothing beyond the twin's gate by "
+         "more than the width:\n\n";
+  write_kinds(out, results, all);
+  out << "\nGouges against the depth in all that was cut (δ is the depth into one move, so that "
+         "deep ones may be read too shallow):\n\n";
+  write_union(out, all);
+}
+
+void write_failures(std::ostream& out, const std::vector<PairResult>& results) {
+  const auto say = [&](const char* what, const SideResult& s) {
+    out << format(
+        "  %s: truth %.6f, certified [%.6f, %.6f], gate %.6f mm; due %d failed %d located "
+        "%d named %d holds %d\n",
+        what, s.truth_mm, s.certified.low, s.certified.high, s.gate_mm, s.due, s.failed, s.located,
+        s.named, s.contained);
+  };
+  for (const PairResult& pair : results) {
+    for (const TwinResult& t : pair.twins) {
+      const bool good =
+          t.broken.empty() && t.verdict == Verdict::pass && t.gouge.contained && t.uncut.contained;
+      if (good) continue;
+      out << "twin " << t.pair << ", allowance " << t.allowance_mm << ": "
+          << verifier::name(t.verdict) << (t.reached_resolution ? "" : ", resolution not reached")
+          << " " << t.broken << "\n";
+      say("gouge", t.gouge);
+      say("uncut", t.uncut);
+    }
+    for (const CaseResult& c : pair.cases) {
+      const auto bad = [](const SideResult& s, bool gouge) {
+        return !s.contained || (s.due && (!s.failed || !s.located || (gouge && !s.named)));
+      };
+      if (c.broken.empty() && !bad(c.gouge, true) && !bad(c.uncut, false)) continue;
+      out << "case " << c.pair << ", " << name(c.mishap.kind)
+          << format(", size %.6g mm, seed %u%s ", c.mishap.size_mm, c.mishap.seed,
+                    c.gated ? ", gated" : "")
+          << c.broken << "\n";
+      say("gouge", c.gouge);
+      say("uncut", c.uncut);
+    }
+  }
+}
+
+void write_cases(std::ostream& out, const std::vector<PairResult>& results) {
+  out << "pair\tmishap\tsize\tseed\tgouge\tgouge_union\tgouge_low\tgouge_high\tgouge_gate\tuncut\t"
+         "uncut_low\tuncut_high\tuncut_gate\tcells\tseconds\n";
+  for (const PairResult& pair : results) {
+    for (const TwinResult& t : pair.twins)
+      out << t.pair << "\ttwin\t" << t.allowance_mm << "\t0\t"
+          << format("%.7f\t%.7f\t%.7f\t%.7f\t0\t%.7f\t%.7f\t%.7f\t0\t0\t%.2f\n", t.gouge.truth_mm,
+                    t.gouge.union_truth_mm, t.gouge.certified.low, t.gouge.certified.high,
+                    t.uncut.truth_mm, t.uncut.certified.low, t.uncut.certified.high, t.seconds);
+    for (const CaseResult& c : pair.cases)
+      out << c.pair << "\t" << name(c.mishap.kind)
+          << format("\t%.6g\t%u\t%.7f\t%.7f\t%.7f\t%.7f\t%.7f\t", c.mishap.size_mm, c.mishap.seed,
+                    c.gouge.truth_mm, c.gouge.union_truth_mm, c.gouge.certified.low,
+                    c.gouge.certified.high, c.gouge.gate_mm)
+          << format("%.7f\t%.7f\t%.7f\t%.7f\t%zu\t%.2f\n", c.uncut.truth_mm, c.uncut.certified.low,
+                    c.uncut.certified.high, c.uncut.gate_mm, c.cells, c.seconds);
+  }
+}
+
+}  // namespace limitgauge::tests::defects

@@ -91,6 +91,27 @@ Vec3 combine(const Bezier& b, const Line& in_u, const Line& in_v) {
   return sum;
 }
 
+/// The four columns of a coordinate, combined along v: contiguous, so they share a register.
+Line columns(const std::array<double, 16>& c, const Line& in_v) {
+  Line sum;
+  for (int i = 0; i < 4; ++i)
+    sum[i] = (in_v[0] * c[i] + in_v[1] * c[4 + i]) + (in_v[2] * c[8 + i] + in_v[3] * c[12 + i]);
+  return sum;
+}
+double along(const Line& a, const Line& b) {
+  return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
+}
+
+struct Scalars {
+  double value, du, dv, duu, duv, dvv;
+};
+Scalars jet_of(const std::array<double, 16>& c, const Basis& u, const Basis& v) {
+  const Line value = columns(c, v.value), first = columns(c, v.first),
+             second = columns(c, v.second);
+  return {along(value, u.value),  along(value, u.first), along(first, u.value),
+          along(value, u.second), along(first, u.first), along(second, u.value)};
+}
+
 }  // namespace
 
 Bezier from_bspline(const std::array<Vec3, 16>& grid) {
@@ -109,9 +130,9 @@ Vec3 point(const Bezier& b, double u, double v) {
 
 BezierJet jet(const Bezier& b, double u, double v) {
   const Basis bu = basis(u), bv = basis(v);
-  return {combine(b, bu.value, bv.value), combine(b, bu.first, bv.value),
-          combine(b, bu.value, bv.first), combine(b, bu.second, bv.value),
-          combine(b, bu.first, bv.first), combine(b, bu.value, bv.second)};
+  const Scalars x = jet_of(b.x, bu, bv), y = jet_of(b.y, bu, bv), z = jet_of(b.z, bu, bv);
+  return {{x.value, y.value, z.value}, {x.du, y.du, z.du},    {x.dv, y.dv, z.dv},
+          {x.duu, y.duu, z.duu},       {x.duv, y.duv, z.duv}, {x.dvv, y.dvv, z.dvv}};
 }
 
 Vec3 middle(const Bezier& b) {

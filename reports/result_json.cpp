@@ -122,23 +122,55 @@ Json simulation_part(const StageResult::Ran& r) {
           {"holder_collisions", collisions(r.collisions.holder, true)}};
 }
 
+Json corner(const char* field, const model::Vec3& p) {
+  return {finite(field, p.x), finite(field, p.y), finite(field, p.z)};
+}
+
+std::string stage_name(const RunResult& result, std::size_t stage) {
+  return stage < result.stages.size() ? clean_text(result.stages[stage].name) : "";
+}
+
+Json near_passes(const RunResult& result, const std::vector<verifier::NearPass>& passes) {
+  Json out = Json::array();
+  for (const verifier::NearPass& p : passes)
+    out.push_back({{"stage", stage_name(result, p.stage)},
+                   {"line", p.line},
+                   {"move", p.move},
+                   {"distance_mm", finite("finding.distance_mm", p.distance_mm)}});
+  return out;
+}
+
 Json findings(const RunResult& result, const std::vector<verifier::Finding>& all) {
   Json out = Json::array();
   for (const verifier::Finding& f : all) {
     const model::Vec3& p = f.place.point;
-    out.push_back(
-        {{"x", finite("finding.x", p.x)},
-         {"y", finite("finding.y", p.y)},
-         {"z", finite("finding.z", p.z)},
-         {"depth_mm", finite("finding.depth_mm", f.depth_mm)},
-         {"area_mm2", finite("finding.area_mm2", f.area_mm2)},
-         {"patch", f.place.patch},
-         {"u", finite("finding.u", f.place.u)},
-         {"v", finite("finding.v", f.place.v)},
-         {"stage", f.stage < result.stages.size() ? clean_text(result.stages[f.stage].name) : ""},
-         {"line", f.line},
-         {"move", f.move}});
+    Json finding = {
+        {"x", finite("finding.x", p.x)},
+        {"y", finite("finding.y", p.y)},
+        {"z", finite("finding.z", p.z)},
+        {"depth_mm", finite("finding.depth_mm", f.depth_mm)},
+        {"area_mm2", finite("finding.area_mm2", f.area_mm2)},
+        {"patch", f.place.patch},
+        {"u", finite("finding.u", f.place.u)},
+        {"v", finite("finding.v", f.place.v)},
+        {"stage", stage_name(result, f.stage)},
+        {"line", f.line},
+        {"move", f.move},
+        {"body", clean_text(f.body)},
+        {"extent_mm",
+         {corner("finding.extent", f.extent_mm.low), corner("finding.extent", f.extent_mm.high)}}};
+    if (!f.passes.empty()) finding["passes"] = near_passes(result, f.passes);
+    out.push_back(std::move(finding));
   }
+  return out;
+}
+
+Json bodies_part(const RunResult& result, const std::vector<verifier::BodyFigure>& bodies) {
+  Json out = Json::array();
+  for (const verifier::BodyFigure& b : bodies)
+    out.push_back({{"stage", stage_name(result, b.stage)},
+                   {"body", clean_text(b.body)},
+                   {"gouge_mm", interval("bodies.gouge_mm", b.gouge_mm)}});
   return out;
 }
 
@@ -174,6 +206,10 @@ Json deviation_part(const RunResult& result, const verifier::StageDeviation& d) 
       {"histogram",
        {{"edges_mm", numbers("histogram.edges_mm", d.histogram.edges_mm)},
         {"area_mm2", numbers("histogram.area_mm2", d.histogram.area_mm2)}}},
+      {"bodies", bodies_part(result, d.bodies)},
+      {"gouge_threshold_mm", finite("deviation.gouge_threshold_mm", d.gouge_threshold_mm)},
+      {"uncut_threshold_mm", finite("deviation.uncut_threshold_mm", d.uncut_threshold_mm)},
+      {"findings_complete", d.findings_complete},
       {"gouges", findings(result, d.gouges)},
       {"uncuts", findings(result, d.uncuts)},
       {"uncertainty", budget_part(d.budget)}};

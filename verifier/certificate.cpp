@@ -12,8 +12,9 @@ using model::Vec3;
 constexpr std::size_t kBatch = 128;
 /// Cells are not split below this: the interval then stays as wide as it is.
 constexpr double kSmallestCell_mm = 1e-6;
-/// Parts of one cell looked at before it is given up, so that one bad spot cannot hold up a run.
-constexpr std::size_t kPartsPerCell = 50'000;
+/// Share of all the effort that one cell may take before it is given up, so that one bad spot
+/// cannot hold up a run.
+constexpr double kShareOfCell = 0.01;
 /// Part of the resolution that branch and bound may use; the rest is for rounding.
 constexpr double kShare = 0.95;
 
@@ -120,7 +121,8 @@ class CellSearch {
     const bool tiny = control_radius(cell.shape, b.middle) < kSmallestCell_mm;
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (uncut_open && out_of_reach && tiny) uncut_open = false;
-    if (tiny || out_.cells > kPartsPerCell) {
+    if (tiny || static_cast<double>(out_.cells) >
+                    kShareOfCell * static_cast<double>(request_.largest_cell_count)) {
       if (gouge_open) out_.gouge.cover(gouge_bound);
       if (uncut_open) out_.uncut.cover(uncut_bound);
       return;

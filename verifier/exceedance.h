@@ -27,8 +27,8 @@ struct ExceedanceRequest {
   Side side = Side::gouge;
   double allowance_mm = 0;
   double threshold_mm = 0;
-  double slack_mm = 0;          ///< > 0
-  double spot_radius_mm = 0.1;  ///< spots are no larger where the depth varies about the threshold
+  double slack_mm = 0;           ///< > 0
+  double spot_radius_mm = 0.03;  ///< spots are no larger where the depth varies about the threshold
   std::size_t largest_cell_count = 2'000'000;
 };
 

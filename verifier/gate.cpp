@@ -22,9 +22,10 @@ Verdict judge(const Interval& figure, double limit_mm) {
   return figure.low > limit_mm ? Verdict::fail : Verdict::indeterminate;
 }
 
-std::string sentence(const char* what, const Interval& figure, double limit_mm, Verdict verdict) {
-  const std::string range = std::string(what) + " certified between " + length_text(figure.low) +
-                            " and " + length_text(figure.high) + ", limit " + length_text(limit_mm);
+std::string sentence(const std::string& what, const Interval& figure, double limit_mm,
+                     Verdict verdict) {
+  const std::string range = what + " certified between " + length_text(figure.low) + " and " +
+                            length_text(figure.high) + ", limit " + length_text(limit_mm);
   switch (verdict) {
     case Verdict::pass:
       return range + ": within the limit everywhere";
@@ -42,7 +43,17 @@ void worsen(Verdict& verdict, Verdict by) {
   if (rank(by) > rank(verdict)) verdict = by;
 }
 
-void judge_length(GateDecision& out, const char* what, const Interval& figure, double limit_mm) {
+/// "gouge", and by which body if not by the flutes alone.
+std::string gouge_by(const StageDeviation& deviation) {
+  std::string what = "gouge";
+  for (const BodyFigure& b : deviation.bodies)
+    if (b.body != "cutter" && b.gouge_mm.low > 0 && b.gouge_mm.low >= deviation.gouge_mm.low)
+      what += " by the " + b.body;
+  return what;
+}
+
+void judge_length(GateDecision& out, const std::string& what, const Interval& figure,
+                  double limit_mm) {
   const Verdict verdict = judge(figure, limit_mm);
   out.reasons.push_back(sentence(what, figure, limit_mm, verdict));
   worsen(out.verdict, verdict);
@@ -81,7 +92,7 @@ double automatic_resolution_mm(const GateLimits& limits) {
 GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
                     std::size_t rapid_collisions, std::size_t holder_collisions) {
   GateDecision out{Verdict::pass, {}};
-  if (limits.has_gouge) judge_length(out, "gouge", deviation.gouge_mm, limits.gouge_mm);
+  if (limits.has_gouge) judge_length(out, gouge_by(deviation), deviation.gouge_mm, limits.gouge_mm);
   if (limits.has_uncut) {
     judge_length(out, "uncut", deviation.uncut_mm, limits.uncut_mm);
     if (deviation.voxel_uncut_mm > limits.uncut_mm && deviation.uncut_mm.high <= limits.uncut_mm) {

@@ -20,22 +20,28 @@ struct Reading {
   bool near = false;        ///< within sight of S, and the two instruments were compared
   bool counts = false;      ///< has a foot on S whose machining side it faces
   double deviation_mm = 0;  ///< δ − a as this point shows it
+  double gouge_mm = 0;      ///< depth of the foot beyond the stock's tangent plane at this point
   double mismatch_mm = 0;   ///< beyond what is allowed for
   Vec3 foot, normal;
 };
 
 Reading read_point(const SurfaceCells& cells, const RemovedSpace& space, const StockReading& point,
-                   double sight_mm, double allowance_mm) {
+                   double sight_mm, double allowance_mm, std::optional<BodyRef>& hint) {
   Reading out;
   const auto foot = closest_point(cells, point.position, sight_mm);
   if (!foot) return out;
   out.near = true;
-  const Nearest removed = space.nearest(point.position);
+  const Nearest removed = space.nearest(point.position, hint);
+  hint = removed.body;
   out.mismatch_mm = std::abs(removed.distance.value) - point.error_mm - kAgreement_mm;
   const Vec3 air = -removed.distance.gradient;
-  out.counts = foot->perpendicular && dot(air, foot->normal) > 0;
+  const double facing = dot(air, foot->normal);
+  out.counts = foot->perpendicular && facing > 0;
   const double side = dot(point.position - foot->place.point, foot->normal) >= 0 ? 1 : -1;
   out.deviation_mm = side * foot->distance_mm - allowance_mm;
+  // How far the allowance surface lies beyond the plane of the stock there: no cut from aside,
+  // under an edge of S, counts as one from above.
+  out.gouge_mm = -out.deviation_mm * facing;
   out.foot = foot->place.point, out.normal = foot->normal;
   return out;
 }
@@ -81,6 +87,19 @@ void require_seen(const Certificate& certificate, std::span<const StockReading> 
              std::sqrt(squared));
 }
 
+/// All within its depth of the deepest gouge has been removed: no point of the stock lies there.
+void require_gone(const Certificate& certificate, std::span<const StockReading> readings,
+                  const StageCheck& check) {
+  if (!certificate.gouge) return;
+  const Vec3& at = certificate.gouge->place.point;
+  const double gone = certificate.gouge->depth_mm - check.allowance_mm;
+  for (const StockReading& r : readings) {
+    const double near = distance(r.position, at);
+    if (near + r.error_mm + kAgreement_mm < gone)
+      disagree(at, "distance of the stock from the certified gouge", gone, near);
+  }
+}
+
 /// The largest leftover whose foot can be touched.
 double largest_reachable(const std::vector<Reading>& read, const Reachability& reachability) {
   std::vector<std::size_t> order;
@@ -107,16 +126,18 @@ VoxelFigures read_stock(const SurfaceCells& cells, const RemovedSpace& space,
   constexpr std::size_t kChunk = 1024;
   model::parallel_for((read.size() + kChunk - 1) / kChunk, control.threads, [&](std::size_t chunk) {
     control.check();
+    std::optional<BodyRef> hint;
     for (std::size_t i = chunk * kChunk; i < std::min(read.size(), (chunk + 1) * kChunk); ++i)
-      read[i] = read_point(cells, space, readings[i], sight, check.allowance_mm);
+      read[i] = read_point(cells, space, readings[i], sight, check.allowance_mm, hint);
   });
   require_agreement(read, readings, space);
   require_seen(certificate, readings, check);
+  require_gone(certificate, readings, check);
   VoxelFigures figures;
   for (std::size_t i = 0; i < read.size(); ++i) {
     if (read[i].near)
       figures.largest_error_mm = std::max(figures.largest_error_mm, readings[i].error_mm);
-    if (read[i].counts) figures.gouge_mm = std::max(figures.gouge_mm, -read[i].deviation_mm);
+    if (read[i].counts) figures.gouge_mm = std::max(figures.gouge_mm, read[i].gouge_mm);
   }
   figures.uncut_mm = largest_reachable(read, reachability);
   return figures;

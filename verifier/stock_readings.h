@@ -7,7 +7,9 @@ namespace limitgauge::verifier {
 
 /// The voxel instrument (actual → nominal): what the points of the simulated stock say.
 struct VoxelFigures {
-  double gouge_mm = 0;  ///< deepest point under the allowance surface
+  /// Deepest foot beyond the stock's tangent plane: the depth of a point under the allowance
+  /// surface, times the cosine between S and the stock there.
+  double gouge_mm = 0;
   double uncut_mm = 0;  ///< highest point over it, where the surface can be touched
   double largest_error_mm = 0;
 };
@@ -15,8 +17,8 @@ struct VoxelFigures {
 /// Reads every stock point near S: the foot of its perpendicular on S, and how far above the
 /// allowance surface it stands. A point whose air side faces away from S (the underside of the
 /// stock) says nothing of S. Each point must lie on the surface that the analytic instrument
-/// computes for the cut stock, and each certified leftover must have stock points where it says:
-/// otherwise InstrumentDisagreement with both readings.
+/// computes for the cut stock; each certified leftover must have stock points where it says, and a
+/// certified gouge none: otherwise InstrumentDisagreement with both readings.
 VoxelFigures read_stock(const SurfaceCells& cells, const RemovedSpace& space,
                         const Reachability& reachability, const Certificate& certificate,
                         std::span<const StockReading> readings, const StageCheck& check,

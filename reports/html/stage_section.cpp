@@ -31,6 +31,38 @@ std::string more_note(std::size_t total) {
                      kLongestList, grouped(total));
 }
 
+/// Sides of the box of a cluster, rounded for reading.
+std::string extent_text(const model::Box3& box) {
+  if (box.empty()) return "–";
+  const model::Vec3 size = box.size();
+  return fixed(size.x, 2) + " × " + fixed(size.y, 2) + " × " + fixed(size.z, 2);
+}
+
+/// The program lines of the passes around a leftover, or the body that gouged.
+std::string left_by(const verifier::Finding& f) {
+  if (f.passes.empty()) return escape_markup(f.body);
+  std::string lines;
+  for (const verifier::NearPass& p : f.passes)
+    if (p.line > 0) lines += (lines.empty() ? "lines " : ", ") + std::to_string(p.line);
+  return lines.empty() ? "–" : lines;
+}
+
+/// What each body of the assembly does to the part; nothing to say where all is well above it.
+std::string bodies_table(const RunResult& result, const verifier::StageDeviation& d) {
+  if (d.bodies.size() < 2) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (const verifier::BodyFigure& b : d.bodies) {
+    const bool flutes = b.body == "cutter";
+    rows.push_back({escape_markup(b.body),
+                    flutes || b.stage >= result.stages.size()
+                        ? "all so far"
+                        : escape_markup(result.stages[b.stage].name),
+                    measured_length(b.gouge_mm.low), measured_length(b.gouge_mm.high)});
+  }
+  return table("Gouge by body of the assembly, certified",
+               {{"Body"}, {"Stage"}, {"At least", true}, {"At most", true}}, rows);
+}
+
 std::string findings_table(const RunResult& result, const std::vector<verifier::Finding>& findings,
                            std::string_view caption, char letter) {
   if (findings.empty()) return {};
@@ -40,21 +72,24 @@ std::string findings_table(const RunResult& result, const std::vector<verifier::
     const std::string stage =
         f.stage < result.stages.size() ? escape_markup(result.stages[f.stage].name) : "–";
     rows.push_back({fmt::format("{}{}", letter, i + 1), measured_length(f.depth_mm),
-                    three_digits(f.area_mm2) + " mm²", coordinates(f.place.point),
-                    std::to_string(f.place.patch), fixed(f.place.u, 4), fixed(f.place.v, 4), stage,
-                    f.line > 0 ? std::to_string(f.line) : "–", grouped(f.move)});
+                    three_digits(f.area_mm2) + " mm²", extent_text(f.extent_mm),
+                    coordinates(f.place.point), std::to_string(f.place.patch), fixed(f.place.u, 4),
+                    fixed(f.place.v, 4), stage, f.line > 0 ? std::to_string(f.line) : "–",
+                    grouped(f.move), left_by(f)});
   }
   return table(caption,
                {{"No."},
                 {"Depth", true},
                 {"Area", true},
+                {"Extent in mm", true},
                 {"X, Y, Z in mm", true},
                 {"Patch", true},
                 {"u", true},
                 {"v", true},
                 {"Stage"},
                 {"Line", true},
-                {"Move", true}},
+                {"Move", true},
+                {"By"}},
                rows) +
          more_note(findings.size());
 }
@@ -193,6 +228,7 @@ std::string measured_part(const RunResult& result, const StageResult& stage,
   out += histogram_chart(d, stage.limits) + stock_figure(pictures) + "</div>\n";
   out += findings_table(result, d.gouges, "Gouges, deepest first", 'G');
   out += findings_table(result, d.uncuts, "Material left standing, highest first", 'U');
+  out += bodies_table(result, d);
   out += collisions_table(ran.collisions.rapid, "Rapids through standing material");
   out += collisions_table(ran.collisions.holder, "Shank or holder in the material");
   out += "<div class=\"figures\"><div>" + deviation_terms(d) + "</div><div>" + path_terms(ran) +

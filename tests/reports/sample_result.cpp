@@ -68,7 +68,12 @@ verifier::DeviationField make_field(const Shape& shape, int n) {
 
 verifier::Finding finding_at(const verifier::DeviationField::Sample& s, double depth, double area,
                              std::size_t stage) {
-  return {s.place, depth, area, stage, s.move, s.line};
+  verifier::Finding f;
+  f.place = s.place, f.depth_mm = depth, f.area_mm2 = area;
+  f.extent_mm.add(s.place.point - Vec3{1, 1, 0.1}),
+      f.extent_mm.add(s.place.point + Vec3{1, 1, 0.1});
+  f.stage = stage, f.move = s.move, f.line = s.line;
+  return f;
 }
 
 void fill_histogram(verifier::StageDeviation& d, double low, double high) {
@@ -128,6 +133,7 @@ verifier::StageDeviation measured(const Shape& shape, const verifier::GateLimits
   d.gouge_mm = {gouge, gouge + interval_mm};
   d.uncut_mm = {uncut, uncut + interval_mm};
   if (gouge > 0) d.gouges.push_back(finding_at(*lowest, gouge, 3.2, stage));
+  d.bodies = {{0, "cutter", d.gouge_mm}, {stage, "holder", {0, 0}}};
   if (uncut > 0) d.uncuts.push_back(finding_at(*highest, uncut, 0.4, stage));
   for (std::size_t i = 1; i < 4; ++i)
     d.uncuts.push_back(

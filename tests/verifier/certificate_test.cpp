@@ -1,10 +1,9 @@
+#include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
-#include "verifier/removed_space.h"
 #include "verifier/verify.h"
 
 namespace limitgauge::verifier {
@@ -100,48 +99,37 @@ TEST_CASE("allowance shifts what is uncut and what is gouged", "[unit]") {
   CHECK(d.uncut_mm.low == 0);
 }
 
-TEST_CASE("intervals hold what dense sampling finds", "[property]") {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> wobble(-0.05, 0.05), height(-1, 1);
-  const model::Cutter cutters[] = {ball_cutter(3),
-                                   flat_cutter(2),
-                                   {"bull", model::CutterType::bull, 6, 1, 0, 60, {}, {}},
-                                   {"taper", model::CutterType::taper, 2, 1, 8, 60, {}, {}}};
-  for (int n = 0; n < 12; ++n) {
-    const model::Cage cage = grid_cage(
-        4, 4,
-        [&](int i, int j) {
-          return Vec3{3.0 * i - 6, 3.0 * j - 6, height(random)};
-        },
-        model::BoundaryRule::edge_only);
-    const ReferenceSurface surface(cage);
-    const model::Cutter& cutter = cutters[n % 4];
-    model::Toolpath path = raster(7, 0.7, 1, [&](double x, double y) {
-      return 0.3 * std::sin(x + 0.5 * y) + wobble(random);
-    });
-    const Pass pass{cutter, shared(path)};
-    StageCheck check;
-    check.resolution_mm = 0.01;
-    check.field_spacing_mm = 1;
-    const StageDeviation d = measure_stage(surface, kBlock, {&pass, 1}, {}, check, {2});
-    const RemovedSpace space(kBlock, {&pass, 1});
-    double deepest = 0, highest = 0;
-    for (int patch = 0; patch < surface.patch_count(); ++patch)
-      for (int j = 0; j <= 60; ++j)
-        for (int i = 0; i <= 60; ++i) {
-          const double delta =
-              space.nearest(surface.evaluate(patch, i / 60.0, j / 60.0).position).distance.value;
-          deepest = std::max(deepest, -delta);
-          highest = std::max(highest, delta);
-        }
-    CAPTURE(n, cutter.id);
-    CHECK(deepest <= d.gouge_mm.high + 1e-12);
-    CHECK(d.gouge_mm.width() <= 0.01);
-    // 61 samples a patch side, 0.05 mm apart, where δ changes by at most 1 mm a mm.
-    CHECK(deepest >= d.gouge_mm.low - 0.04);
-    // Uncut is certified on the reachable part only: no more than what stands anywhere.
-    CHECK(d.uncut_mm.low <= highest + 0.04);
+TEST_CASE("a limit within the width asked for is decided all the same", "[unit]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const double radius = 3, step = 0.3, h = scallop(radius, step);
+  const Pass pass{ball_cutter(radius),
+                  shared(raster(10, step, 5, [](double, double) { return 0.0; }))};
+  StageCheck check;
+  check.field_spacing_mm = 1;
+  check.resolution_mm = 0.001;
+  // Three hundredths and one hundredth of the width to either side of the truth.
+  for (const double off : {3e-5, 1e-5, -1e-5, -3e-5}) {
+    check.limits = {false, true, false, 0, h + off, 0};
+    const StageDeviation d = measure_stage(plane, kBlock, {&pass, 1}, {}, check, {2});
+    CAPTURE(off, h, d.uncut_mm.low, d.uncut_mm.high);
+    CHECK(d.uncut_mm.low <= h);
+    CHECK(d.uncut_mm.high >= h);
+    CHECK(decide(d, check.limits, 0, 0).verdict == (off > 0 ? Verdict::pass : Verdict::fail));
   }
+}
+
+TEST_CASE("the error of an arc's chords is part of the interval", "[unit]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  model::Toolpath path = raster(10, 0.1, 5, [](double, double) { return -0.01; });
+  path.chord_error_mm = 0.002;
+  const auto d = measure(plane, ball_cutter(3), path, 0.01);
+  CHECK(d.gouge_mm.low <= 0.008);
+  CHECK(d.gouge_mm.high >= 0.012);
+  const auto chords = std::find_if(d.budget.begin(), d.budget.end(), [](const auto& term) {
+    return term.source.find("chords") != std::string::npos;
+  });
+  REQUIRE(chords != d.budget.end());
+  CHECK(chords->bound_mm == 0.002);
 }
 
 TEST_CASE("the verdict does not depend on threads, on the order of moves or on their splitting",

@@ -24,6 +24,10 @@ ExitCode execute(const VerifyCommand& command, const CommonOptions& common, cons
 ExitCode execute(const InspectCommand& command, const CommonOptions& common,
                  const Console& console);
 
+/// Says what the exception being handled means to the user and gives its exit code; to be called
+/// from within a catch block.
+ExitCode report_exception(const Console& console);
+
 /// Parses the command line, executes it and turns every error into a message and an exit code.
 ExitCode run_command_line(int argc, const char* const* argv, const Console& console);
 

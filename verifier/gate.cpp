@@ -59,6 +59,15 @@ void judge_length(GateDecision& out, const std::string& what, const Interval& fi
   worsen(out.verdict, verdict);
 }
 
+/// In a hole that is deeper than the cutter is wide δ stays small: it measures to the nearest
+/// material, aside. Where a corner goes into S the voxel figure exceeds δ by a fifth at most (a
+/// right angle), so at twice the certified depth there is a hole.
+bool is_deeper_than_wide(const StageDeviation& deviation, const GateLimits& limits) {
+  constexpr double kHole = 2;
+  return deviation.gouge_mm.high <= limits.gouge_mm && deviation.voxel_gouge_mm > limits.gouge_mm &&
+         deviation.voxel_gouge_mm > kHole * deviation.gouge_mm.high;
+}
+
 void judge_collisions(GateDecision& out, const char* what, std::size_t count) {
   if (count == 0) return;
   out.reasons.push_back(std::to_string(count) + " " + what);
@@ -92,7 +101,14 @@ double automatic_resolution_mm(const GateLimits& limits) {
 GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
                     std::size_t rapid_collisions, std::size_t holder_collisions) {
   GateDecision out{Verdict::pass, {}};
-  if (limits.has_gouge) judge_length(out, gouge_by(deviation), deviation.gouge_mm, limits.gouge_mm);
+  if (limits.has_gouge) {
+    judge_length(out, gouge_by(deviation), deviation.gouge_mm, limits.gouge_mm);
+    if (is_deeper_than_wide(deviation, limits)) {
+      out.reasons.push_back("the stock lies " + length_text(deviation.voxel_gouge_mm) +
+                            " under the allowance surface, limit " + length_text(limits.gouge_mm));
+      worsen(out.verdict, Verdict::fail);
+    }
+  }
   if (limits.has_uncut) {
     judge_length(out, "uncut", deviation.uncut_mm, limits.uncut_mm);
     if (deviation.voxel_uncut_mm > limits.uncut_mm && deviation.uncut_mm.high <= limits.uncut_mm) {

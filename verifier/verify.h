@@ -55,7 +55,9 @@ class InstrumentDisagreement : public std::runtime_error {
 };
 
 /// The gate's decision rule: pass when every `high` is within its limit, fail when some `low` is
-/// beyond it, indeterminate between. `collisions` beyond zero fail the stage.
+/// beyond it, indeterminate between. Two things that δ, measured to the nearest removed space or
+/// material, cannot see are taken from the voxel instrument: thin walls and holes deeper than wide.
+/// Collisions beyond zero fail the stage.
 GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
                     std::size_t rapid_collisions, std::size_t holder_collisions);
 

@@ -45,6 +45,17 @@ TEST_CASE("material that stands beside removed space fails the uncut gate", "[un
   CHECK_THAT(decision.reasons.at(2), ContainsSubstring("material stands 3 mm"));
 }
 
+TEST_CASE("a hole that is deeper than wide fails the gouge gate, a corner does not", "[unit]") {
+  StageDeviation hole = with({0.008, 0.009}, {0, 0});
+  hole.voxel_gouge_mm = 1.2;
+  const GateDecision decision = decide(hole, kLimits, 0, 0);
+  CHECK(decision.verdict == Verdict::fail);
+  CHECK_THAT(decision.reasons.at(1), ContainsSubstring("the stock lies 1.2 mm under"));
+  StageDeviation corner = with({0.009, 0.0095}, {0, 0});
+  corner.voxel_gouge_mm = 0.0115;
+  CHECK(decide(corner, kLimits, 0, 0).verdict == Verdict::pass);
+}
+
 TEST_CASE("automatic resolution is a tenth of the tightest limit", "[unit]") {
   CHECK(automatic_resolution_mm(kLimits) == Approx(0.001));
   CHECK(automatic_resolution_mm({true, true, false, 0.05, 0.004, 0}) == Approx(0.0004));

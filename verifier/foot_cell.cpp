@@ -11,8 +11,8 @@ namespace {
 using model::Vec3;
 
 constexpr int kNewtonSteps = 30;
-/// Differences of distance that may be rounding, for coordinates up to 10 m.
-constexpr double kLevel_mm = 2e-13;
+/// Part of the coordinates that differences of distance may be by rounding alone.
+constexpr double kRounding = 2e-15;
 /// Relative change of the squared distance that is lost in rounding.
 constexpr double kLevel = 1e-14;
 /// Halvings of a step that does not lead down.
@@ -125,22 +125,42 @@ Candidate descend(const Bezier& shape, const Vec3& p, const Window& w, double s,
   }
 }
 
-/// See Foot::aside_mm.
-double aside_mm(const FootCell& cell, double s, double t, const Vec3& p) {
-  const BezierJet j = jet(cell.shape, s, t);
+/// How a place is held, see Foot::aside_mm.
+void describe_hold(const FootCell& cell, const Vec3& p, Foot& foot) {
+  const BezierJet j = jet(cell.shape, foot.s, foot.t);
   const Vec3 r = j.position - p;
-  if (cell.is_point) return length(r - cell.vertex_normal * dot(r, cell.vertex_normal));
-  const double gs = dot(r, j.du), gt = dot(r, j.dv);
-  const bool held_s = gs > 0 ? s <= 0 && cell.ends[3] : s >= 1 && cell.ends[1];
-  const bool held_t = gt > 0 ? t <= 0 && cell.ends[0] : t >= 1 && cell.ends[2];
-  const double du = length(j.du), dv = length(j.dv);
-  return std::hypot(held_s || du <= 0 ? 0 : gs / du, held_t || dv <= 0 ? 0 : gt / dv);
+  if (cell.is_point) {
+    foot.aside_mm = length(r - cell.vertex_normal * dot(r, cell.vertex_normal));
+    return;
+  }
+  double aside[2] = {};
+  const auto look = [&](double at, const Vec3& along, int low_side, int high_side, double& out) {
+    const double pull = dot(r, along), size = length(along);
+    const int side = pull > 0 ? low_side : high_side;
+    const bool held = (pull > 0 ? at <= 0 : at >= 1) && cell.sides[side] != SurfaceFeature::smooth;
+    if (!held && size > 0) out = std::abs(pull) / size;
+    if (held && cell.sides[side] == SurfaceFeature::crease) foot.at_crease = true;
+  };
+  look(foot.s, j.du, 3, 1, aside[0]);
+  look(foot.t, j.dv, 0, 2, aside[1]);
+  foot.aside_mm = std::hypot(aside[0], aside[1]);
+}
+
+bool more_surely(const Foot& a, const Foot& b) {
+  const double aside_a = a.aside_mm > kSettled_mm ? a.aside_mm : 0,
+               aside_b = b.aside_mm > kSettled_mm ? b.aside_mm : 0;
+  if (aside_a != aside_b) return aside_a < aside_b;
+  return a.at_crease != b.at_crease ? b.at_crease : a.squared < b.squared;
 }
 
 class CellSearch {
  public:
   CellSearch(const FootCell& cell, std::uint32_t index, const Vec3& p, Foot& best)
-      : cell_(cell), index_(index), p_(p), best_(best) {}
+      : cell_(cell),
+        index_(index),
+        p_(p),
+        best_(best),
+        size_mm_(std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) {}
 
   void run() {
     const Vec3 r = cell_.middle.position - p_;
@@ -163,7 +183,8 @@ class CellSearch {
     const Candidate found =
         descend(cell_.shape, p_, {}, 0.5 + first.ds, 0.5 + first.dt, c, half_best());
     offer(found);
-    if (found.lower < half_needed()) split(distance_polynomial(cell_.shape, p_), {}, 0);
+    if (std::max(found.lower, 0.0) < half_needed())
+      split(distance_polynomial(cell_.shape, p_), {}, 0);
   }
 
   void settle(const Vec3& best_place) {
@@ -175,19 +196,24 @@ class CellSearch {
 
  private:
   /// Half the square of the best and what may be as near.
-  double half_best() const { return best_.squared / 2 + std::sqrt(best_.squared) * kLevel_mm; }
+  double half_best() const { return (best_.squared + level_squared()) / 2; }
+  /// What may be rounding in the difference of two squared distances like the best.
+  double level_squared() const {
+    const double far = std::sqrt(best_.squared);
+    return 2 * far * kRounding * (size_mm_ + far);
+  }
   /// Half of the square of what is kFootTolerance_mm nearer than the best.
   double half_needed() const {
     return std::max(0.0, best_.squared / 2 - std::sqrt(best_.squared) * kFootTolerance_mm);
   }
 
   void offer(const Candidate& c) {
-    const double level = 2 * std::sqrt(best_.squared) * kLevel_mm;
+    const double level = level_squared();
     const bool first = best_.cell == Foot::kNone;
     if (c.squared > best_.squared + level || (first && c.squared >= best_.squared)) return;
-    const double aside = aside_mm(cell_, c.s, c.t, p_);
-    if (first || c.squared < best_.squared - level || aside < best_.aside_mm)
-      best_ = {c.squared, index_, c.s, c.t, aside};
+    Foot foot{c.squared, index_, c.s, c.t};
+    describe_hold(cell_, p_, foot);
+    if (first || c.squared < best_.squared - level || more_surely(foot, best_)) best_ = foot;
   }
 
   /// Branch and bound where the Hessian may be indefinite.
@@ -223,6 +249,7 @@ class CellSearch {
   std::uint32_t index_;
   const Vec3& p_;
   Foot& best_;
+  double size_mm_;
 };
 
 }  // namespace

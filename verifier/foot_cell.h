@@ -32,8 +32,8 @@ struct FootCell {
   double u = 0, v = 0, size_u = 1, size_v = 1;
   model::Vec3 vertex_normal, vertex_u, vertex_v;  ///< of a cell that is one point
   bool is_point = false;
-  /// Sides (t = 0, s = 1, t = 1, s = 0) on a boundary or crease: there a foot may be held.
-  std::array<bool, 4> ends{};
+  /// Of the sides t = 0, s = 1, t = 1, s = 0: on a boundary or crease, where a foot may be held.
+  std::array<SurfaceFeature, 4> sides{};
 
   double u_at(double s) const { return u + s * size_u; }
   double v_at(double t) const { return v + t * size_v; }
@@ -50,20 +50,21 @@ struct Foot {
   double squared = std::numeric_limits<double>::infinity();
   std::uint32_t cell = kNone;
   double s = 0.5, t = 0.5;
-  /// How far the connection runs aside of a perpendicular (of a side, where the side ends a smooth
-  /// piece): zero at a foot, and where a cell merely ends before the foot, how far before.
+  /// How far the connection runs aside of the normals in the place, less what a boundary or crease
+  /// holds up: zero at a foot, and where a cell merely ends before the foot, how far before.
   double aside_mm = std::numeric_limits<double>::infinity();
+  bool at_crease = false;  ///< a crease holds it up; the foot may lie beyond
 };
 
 /// Takes over into `best` the nearest point of cell number `index` if it is nearer than `best`, or
-/// as near but for rounding and less aside: distances are level about a foot, so that they tell
-/// its place to 1e-8 only.
-/// Proven: no point of the cell is nearer than the `best` left behind by more than
-/// kFootTolerance_mm (see closest_point.h).
+/// as near but for rounding and more surely a foot: distances are level about a foot, so that they
+/// tell its place to 1e-8 only. Proven: no point of the cell is nearer than the `best` left behind
+/// by more than kFootTolerance_mm (see closest_point.h).
 inline constexpr double kFootTolerance_mm = 1e-10;
 void nearer_in(const FootCell& cell, std::uint32_t index, const model::Vec3& p, Foot& best);
 
-/// Looks for a place less aside, downhill from the point of the cell next to `best`.
+/// Looks for a place that is more surely a foot, downhill from the point of the cell next to
+/// `best`.
 void settle_in(const FootCell& cell, std::uint32_t index, const model::Vec3& p,
                const model::Vec3& best_place, Foot& best);
 /// A foot that is no more than this aside needs no settling.

@@ -86,10 +86,11 @@ bool is_even(const FootCell& cell, const HessianRange& h) {
          (h.uu_low > 0 && h.uu_low * h.vv_low - twist * twist >= kToSpare * area);
 }
 
-void mark_ends(FootCell& cell, const PatchFeatures& features) {
-  const auto sharp = [&](int k) { return features.sides[k] != SurfaceFeature::smooth; };
-  cell.ends = {cell.v <= 0 && sharp(0), cell.u + cell.size_u >= 1 && sharp(1),
-               cell.v + cell.size_v >= 1 && sharp(2), cell.u <= 0 && sharp(3)};
+void mark_sides(FootCell& cell, const PatchFeatures& features) {
+  const std::array<bool, 4> on_side = {cell.v <= 0, cell.u + cell.size_u >= 1,
+                                       cell.v + cell.size_v >= 1, cell.u <= 0};
+  for (int k = 0; k < 4; ++k)
+    if (on_side[k]) cell.sides[k] = features.sides[k];
 }
 
 void halve_until_even(FootCell cell, int depth, std::vector<FootCell>& out) {
@@ -132,7 +133,7 @@ std::vector<FootCell> foot_cells(const SurfaceTree& tree) {
       continue;
     halve_until_even(whole(piece), 0, cells);
   }
-  for (FootCell& cell : cells) mark_ends(cell, tree.features().of(cell.patch));
+  for (FootCell& cell : cells) mark_sides(cell, tree.features().of(cell.patch));
   return cells;
 }
 

@@ -188,7 +188,7 @@ FootTree::Lane FootTree::bounds(const Node& node, const std::array<float, 3>& p)
 void FootTree::nearest(const Vec3& p, Foot& best) const {
   if (nodes_.empty()) return;
   search(p, best);
-  if (best.cell == Foot::kNone || best.aside_mm <= kSettled_mm) return;
+  if (best.cell == Foot::kNone || (best.aside_mm <= kSettled_mm && !best.at_crease)) return;
   // The cell that has the foot itself may have been left out as nearer within the tolerance only.
   const Vec3 place = point(cells_[best.cell].shape, best.s, best.t);
   each_near(place, kSettling_mm, [&](const FootCell& cell, const Foot&) {

@@ -59,35 +59,33 @@ void name_move(Finding& f, BodyRef body, std::span<const Pass> passes, std::size
   if (f.raw_stock) f.stage = 0;
 }
 
-bool neighbours(const NearPass& taken, BodyRef body) {
-  constexpr std::size_t kNear = 3;
-  const std::size_t apart =
-      taken.move > body.index ? taken.move - body.index : body.index - taken.move;
-  return taken.stage == body.pass && apart <= kNear;
-}
-
-std::vector<NearPass> passes_around(const Finding& f, const RemovedSpace& space,
+/// The nearest body of each run of consecutive moves that are all near: what leaves and comes back
+/// is another pass.
+std::vector<NearPass> passes_around(const Vec3& p, const RemovedSpace& space,
                                     std::span<const Pass> passes, double reach_mm) {
   constexpr std::size_t kMost = 3;
   std::vector<BodyRef> bodies;
-  space.within(f.place.point, reach_mm, bodies);
-  std::vector<std::pair<double, BodyRef>> order;
-  for (const BodyRef body : bodies)
-    if (!space.is_stock(body)) order.emplace_back(space.distance(body, f.place.point).value, body);
-  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
-    if (a.first != b.first) return a.first < b.first;
-    if (a.second.pass != b.second.pass) return a.second.pass < b.second.pass;
-    return a.second.index < b.second.index;
+  space.within(p, reach_mm, bodies);
+  std::erase_if(bodies, [&](BodyRef body) { return space.is_stock(body); });
+  std::sort(bodies.begin(), bodies.end(), [](BodyRef a, BodyRef b) {
+    return a.pass != b.pass ? a.pass < b.pass : a.index < b.index;
   });
   std::vector<NearPass> out;
-  for (const auto& [distance_mm, body] : order) {
-    if (out.size() == kMost) break;
-    if (std::any_of(out.begin(), out.end(),
-                    [&](const NearPass& taken) { return neighbours(taken, body); }))
-      continue;
-    out.push_back(
-        {body.pass, body.index, passes[body.pass].path->moves[body.index].line, distance_mm});
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyRef body = bodies[i];
+    const NearPass here{body.pass, body.index, passes[body.pass].path->moves[body.index].line,
+                        space.distance(body, p).value};
+    const bool goes_on =
+        i > 0 && bodies[i - 1].pass == body.pass && bodies[i - 1].index + 1 == body.index;
+    if (!goes_on)
+      out.push_back(here);
+    else if (here.distance_mm < out.back().distance_mm)
+      out.back() = here;
   }
+  std::stable_sort(out.begin(), out.end(), [](const NearPass& a, const NearPass& b) {
+    return a.distance_mm < b.distance_mm;
+  });
+  if (out.size() > kMost) out.resize(kMost);
   return out;
 }
 
@@ -126,7 +124,7 @@ void name_passes(std::vector<Finding>& leftovers, const RemovedSpace& space,
   constexpr double kShare = 1.5, kFurther_mm = 0.05;
   for (Finding& f : leftovers) {
     const double nearest = std::max(0.0, f.depth_mm + allowance_mm);
-    f.passes = passes_around(f, space, passes, kShare * nearest + kFurther_mm);
+    f.passes = passes_around(f.place.point, space, passes, kShare * nearest + kFurther_mm);
   }
 }
 

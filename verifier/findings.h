@@ -16,8 +16,8 @@ std::vector<Finding> gather_findings(const Exceedance& found, const std::optiona
                                      std::span<const Pass> passes, std::size_t first_stage,
                                      const std::string& body);
 
-/// Names the passes around each leftover: bodies of `space` about as near as the nearest, no two of
-/// them neighbours in their program.
+/// Names the passes around each leftover: moves about as near as the nearest, one of each run of
+/// consecutive moves.
 void name_passes(std::vector<Finding>& leftovers, const RemovedSpace& space,
                  std::span<const Pass> passes, double allowance_mm);
 

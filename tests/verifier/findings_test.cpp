@@ -90,6 +90,8 @@ TEST_CASE("a leftover names the passes on both sides of it", "[unit]") {
     CHECK(p.line == path.moves[p.move].line);
     sides.push_back(path.moves[p.move].to.x);
   }
+  for (std::size_t k = 1; k < f.passes.size(); ++k)
+    CHECK(f.passes[k].distance_mm >= f.passes[k - 1].distance_mm);
   CHECK(std::min(sides[0], sides[1]) == Approx(0.8));
   CHECK(std::max(sides[0], sides[1]) == Approx(1.2));
 }

@@ -62,7 +62,8 @@ std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell) {
   return {part(cell, a, false, 0), part(cell, b, false, 1)};
 }
 
-SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm) {
+SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
+    : feet_(tree), features_(tree.features()) {
   std::map<int, std::vector<Vec3>> specks;
   for (const Speck& s : tree.specks()) {
     specks[s.square.patch].push_back(s.position);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "verifier/foot_tree.h"
 #include "verifier/surface_tree.h"
 
 namespace limitgauge::verifier {
@@ -40,12 +41,17 @@ class SurfaceCells {
     std::uint32_t right = 0;             ///< of an inner node; the left child follows the node
   };
   const std::vector<Node>& nodes() const { return nodes_; }
+  /// The same surface as closest-point searches see it: its own cells, whatever `radius_mm` is.
+  const FootTree& feet() const { return feet_; }
+  const SurfaceFeatures& features() const { return features_; }
 
  private:
   std::uint32_t build(std::vector<std::uint32_t>& order, const std::vector<model::Box3>& boxes,
                       std::uint32_t first, std::uint32_t count);
   std::vector<SurfaceCell> cells_;
   std::vector<Node> nodes_;
+  FootTree feet_;
+  SurfaceFeatures features_;
 };
 
 }  // namespace limitgauge::verifier

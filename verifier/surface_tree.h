@@ -7,6 +7,7 @@
 #include "engine/model/cage.h"
 #include "verifier/bezier.h"
 #include "verifier/reference_surface.h"
+#include "verifier/surface_features.h"
 
 namespace limitgauge::verifier {
 
@@ -44,6 +45,7 @@ class SurfaceTree {
   double speck_radius_mm() const;
   const model::Box3& bounding_box() const { return bounding_box_; }
   double area_mm2() const { return area_mm2_; }
+  const SurfaceFeatures& features() const { return features_; }
 
  private:
   friend class SurfaceTreeBuilder;
@@ -56,6 +58,7 @@ class SurfaceTree {
   std::vector<Node> nodes_;
   std::vector<Piece> pieces_;
   std::vector<Speck> specks_;
+  SurfaceFeatures features_;
   model::Box3 bounding_box_;
   double area_mm2_ = 0;
 };

@@ -157,6 +157,7 @@ SurfaceTree::SurfaceTree(const model::Cage& cage) {
       for (const Neighbourhood& n : refine(neighbourhoods.of(f))) builder.add_patch(n);
     }
   }
+  features_ = SurfaceFeatures(cage);
   bounding_box_ = exact_bounding_box(*this);
   area_mm2_ = surface_area_mm2(*this);
 }

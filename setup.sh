@@ -14,8 +14,8 @@ packages=(
   libcli11-dev libtomlplusplus-dev
   # tests: the framework, a second reader of our VTK files, a validator of our JSON
   catch2 libvtk9-dev python3 python3-jsonschema
-  # benchmarks
-  libbenchmark-dev
+  # benchmarks: the harness, and the closest-point tree that ours is compared with
+  libbenchmark-dev libcgal-dev
 )
 
 missing=()

@@ -19,10 +19,18 @@ for run in json.load(open(sys.argv[1]))["benchmarks"]:
     if run.get("run_type") == "iteration":
         runs.setdefault(run["run_name"], []).append(run["real_time"])
 
+def median_ratio(over, under):
+    return statistics.median(a / b for a, b in zip(runs[over], runs[under]))
+
 def ratio(name, over, under):
-    pairs = [a / b for a, b in zip(runs[over], runs[under])]
-    print(name, f"{statistics.median(pairs):.3g}")
+    print(name, f"{median_ratio(over, under):.3g}")
 
 ratio("certify_1um_vs_cut", "certify_finish/1000/real_time", "cut_finish/100/real_time")
 ratio("certify_100nm_vs_1um", "certify_finish/100/real_time", "certify_finish/1000/real_time")
+# The worst of all surfaces and distances.
+surfaces = [run.removeprefix("closest_point_exact") for run in runs
+            if run.startswith("closest_point_exact")]
+worst = max(median_ratio("closest_point_exact" + s, "closest_point_cgal_aabb" + s)
+            for s in surfaces)
+print("closest_point_vs_cgal_aabb", f"{worst:.3g}")
 PY

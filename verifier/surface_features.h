@@ -35,7 +35,6 @@ class SurfaceFeatures {
   SurfaceFeatures() = default;
   explicit SurfaceFeatures(const model::Cage& cage);
   const PatchFeatures& of(int patch) const { return patches_[patch]; }
-  bool empty() const { return patches_.empty(); }
 
  private:
   std::vector<PatchFeatures> patches_;

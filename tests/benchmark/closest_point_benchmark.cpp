@@ -122,7 +122,7 @@ void closest_point_cgal_aabb(benchmark::State& state) {
 /// mixture.
 void cases(benchmark::internal::Benchmark* b) {
   for (const int surface : {0, 1})
-    for (const int off_um : {0, 500, 20000}) b->Args({surface, off_um});
+    for (const int off_um : {0, 500}) b->Args({surface, off_um});
   b->Unit(benchmark::kMillisecond);
 }
 void mixtures(benchmark::internal::Benchmark* b) {

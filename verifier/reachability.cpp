@@ -26,12 +26,6 @@ double slope_sine(const CutterProfile& p) {
   return p.slope / std::sqrt(1 + p.slope * p.slope);
 }
 
-double standing_bound(const CutterProfile& profile, const Vec3& tip, const model::Box3& box) {
-  const double dx = std::max({box.low.x - tip.x, 0.0, tip.x - box.high.x});
-  const double dy = std::max({box.low.y - tip.y, 0.0, tip.y - box.high.y});
-  return open_distance(profile, std::sqrt(dx * dx + dy * dy), box.high.z - tip.z).value;
-}
-
 /// Searches one cell for a point nearer than the limit; empty where that stays undecided.
 std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, const Vec3& tip,
                               double limit_mm, int depth) {
@@ -58,6 +52,12 @@ std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, 
 
 }  // namespace
 
+double standing_bound(const CutterProfile& profile, const Vec3& tip, const model::Box3& box) {
+  const double dx = std::max({box.low.x - tip.x, 0.0, tip.x - box.high.x});
+  const double dy = std::max({box.low.y - tip.y, 0.0, tip.y - box.high.y});
+  return open_distance(profile, std::sqrt(dx * dx + dy * dy), box.high.z - tip.z).value;
+}
+
 Reachability::Below Reachability::comes_below(const CutterProfile& profile, const Vec3& tip,
                                               double limit_mm) const {
   Below worst = Below::none;
@@ -79,7 +79,7 @@ Reachability::Below Reachability::comes_below(const CutterProfile& profile, cons
 }
 
 std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) const {
-  if (n.z < slope_sine(profile_)) return std::nullopt;
+  if (n.z < slope_sine(profile_) - kLevel) return std::nullopt;
   const Vec3 core =
       p + n * (profile_.rounding_mm + allowance_mm_) - Vec3{0, 0, profile_.rounding_mm};
   const double limit = allowance_mm_ - contact_mm_;

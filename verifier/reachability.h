@@ -25,6 +25,10 @@ class Reachability {
   /// Proof that no point of the cell can be touched. False means "not proven".
   bool surely_unreachable(const Bezier& cell) const;
 
+  const CutterProfile& profile() const { return profile_; }
+  double allowance_mm() const { return allowance_mm_; }
+  double contact_mm() const { return contact_mm_; }
+
  private:
   enum class Below { none, found, undecided };
   /// Whether some point of S is nearer than `limit_mm` to the cutter `profile` with its tip at
@@ -36,6 +40,9 @@ class Reachability {
   double allowance_mm_, contact_mm_;
 };
 
+/// A lower bound of the signed distance from the points of `box` to the cutter standing at `tip`.
+double standing_bound(const CutterProfile& profile, const model::Vec3& tip, const model::Box3& box);
+
 /// A cone that holds every normal of a cell: unit axis and half angle. The normal S_u × S_v is a
 /// Bézier patch of degree (5, 5), and its directions lie in the cone of its coefficients.
 struct NormalCone {
@@ -43,5 +50,7 @@ struct NormalCone {
   double half_angle_rad = 0;
 };
 std::optional<NormalCone> normal_cone(const Bezier& cell);
+/// The same round a given unit axis.
+std::optional<NormalCone> normal_cone(const Bezier& cell, const model::Vec3& axis);
 
 }  // namespace limitgauge::verifier

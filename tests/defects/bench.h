@@ -25,6 +25,7 @@ struct SideResult {
 
 struct CaseResult {
   std::string pair;
+  double resolution_mm = 0;
   Mishap mishap;
   SideResult gouge, uncut;
   bool voxels = false;  ///< the simulator's readings were compared

@@ -18,7 +18,10 @@ constexpr double kSureContact_mm = 5e-5, kMaybeContact_mm = 2e-4;
 constexpr double kFinest_mm = 1e-5, kFinestReached_mm = 1e-4;
 constexpr std::size_t kGougeStarts = 16, kUncutStarts = 5;
 constexpr double kStartsApart_mm = 0.25;
-constexpr int kDirectionsOut = 96;
+constexpr int kDirectionsOut = 64;
+constexpr std::size_t kUnionPlaces = 5;
+/// δ changes by no more than the way gone, but for rounding.
+constexpr double kSlack_mm = 1e-9;
 
 simulator::Pass pass_of(const model::Cutter& cutter, const model::Toolpath& path) {
   return {cutter, std::make_shared<const model::Toolpath>(path)};
@@ -101,12 +104,18 @@ DeviationOracle::DeviationOracle(const SampledSurface& surface, const model::Box
     : surface_(surface), stock_(stock), cutter_(cutter), index_(pass_of(cutter, path)) {
   for (std::size_t i = 0; i < path.moves.size(); ++i)
     moves_.emplace_back(model::move_from(path, i), path.moves[i].to, static_cast<std::uint32_t>(i));
-  for (const auto& node : surface.nodes())
-    at_nodes_.push_back(static_cast<float>(delta(node.point)));
+  at_nodes_.reserve(surface.nodes().size());
+  double last = std::numeric_limits<double>::infinity();
+  Vec3 from;
+  for (const auto& node : surface.nodes()) {
+    last = delta(node.point, last + distance(from, node.point));
+    from = node.point;
+    at_nodes_.push_back(static_cast<float>(last));
+  }
 }
 
-double DeviationOracle::delta(const Vec3& p) const {
-  double least = std::numeric_limits<double>::infinity();
+double DeviationOracle::delta(const Vec3& p, double at_most) const {
+  double least = at_most + kSlack_mm;
   for (int axis = 0; axis < 3; ++axis)
     least = std::min({least, p[axis] - stock_.corner_mm[axis],
                       stock_.corner_mm[axis] + stock_.size_mm[axis] - p[axis]});
@@ -130,10 +139,15 @@ Extreme DeviationOracle::deepest(double allowance_mm, const std::vector<Place>& 
     starts.push_back(nodes[k].place);
   Extreme best{0, {}};
   for (const Place& start : starts) {
-    double found = 0;
+    double found = 0, last = std::numeric_limits<double>::infinity();
+    Vec3 from;
     const Place place = surface_.climb(
         start,
-        [&](const Place&, const SurfaceSample& s) { return allowance_mm - delta(s.position); },
+        [&](const Place&, const SurfaceSample& s) {
+          last = delta(s.position, last + distance(from, s.position));
+          from = s.position;
+          return allowance_mm - last;
+        },
         kFinest_mm, found);
     if (found > best.depth_mm) best = {found, place};
   }
@@ -180,10 +194,11 @@ double DeviationOracle::height(double allowance_mm, const Extreme& highest) cons
 
 double DeviationOracle::way_out(const Vec3& p, const Vec3& direction, double shorter_than) const {
   constexpr double kOn_mm = 1e-7;
-  for (double t = 0; t < shorter_than;) {
-    const double inside = -delta(p + direction * t);
+  double inside = 0;
+  for (double t = 0; t < shorter_than; t += inside) {
+    // As far as the last step went, δ has risen at the most: to nothing.
+    inside = -delta(p + direction * t, kOn_mm);
     if (inside <= kOn_mm) return t;
-    t += inside;
   }
   return shorter_than;
 }
@@ -217,8 +232,8 @@ double DeviationOracle::deepest_in_union(double allowance_mm, const Extreme& dee
   double depth = deepest.depth_mm;
   const Vec3 worst = surface_.at(deepest.place).position;
   if (delta(worst) < 0) depth = std::max(depth, allowance_mm + depth_in_union(worst));
-  constexpr std::size_t kPlaces = 8;
-  for (const std::size_t k : spread_starts(nodes, value, kPlaces, [](std::size_t) { return true; }))
+  for (const std::size_t k :
+       spread_starts(nodes, value, kUnionPlaces, [](std::size_t) { return true; }))
     depth = std::max(depth, allowance_mm + depth_in_union(nodes[k].point));
   return depth;
 }

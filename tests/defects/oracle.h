@@ -43,7 +43,9 @@ class DeviationOracle {
                   const model::Cutter& cutter, const model::Toolpath& path);
 
   /// min over moves of the swept distance, and over the faces of the block of the depth in it.
-  double delta(const model::Vec3& p) const;
+  double delta(const model::Vec3& p) const {
+    return delta(p, std::numeric_limits<double>::infinity());
+  }
   /// The move with the least swept distance at `p` and that distance.
   simulator::SweptSample of_move(std::size_t move, const model::Vec3& p) const;
   /// max of a − δ; `hints` are further places to begin from.
@@ -58,6 +60,8 @@ class DeviationOracle {
   double deepest_in_union(double allowance_mm, const Extreme& deepest) const;
 
  private:
+  /// δ where it is known to be no more than `at_most`: the search is cut off there.
+  double delta(const model::Vec3& p, double at_most) const;
   double depth_in_union(const model::Vec3& p) const;
   double way_out(const model::Vec3& p, const model::Vec3& direction, double shorter_than) const;
 

@@ -9,8 +9,8 @@ namespace {
 using model::Vec3;
 
 constexpr double kCoarse_mm = 0.5;
-constexpr double kChord_mm = 0.00012;
-constexpr int kMostHalvings = 7;
+constexpr double kChord_mm = 0.00015;
+constexpr int kMostHalvings = 6;
 /// A cutter that touches with its side only rolls off an edge there: the row ends.
 constexpr double kLastOfCorner = 0.95;
 
@@ -84,6 +84,7 @@ class RowTracer {
       if (!tip) continue;
       deepest = std::max(deepest, tip->tip_z - chord.z);
       if (t == 0.5) middle = Vec3{chord.x, chord.y, tip->tip_z};
+      if (deepest > kChord_mm && depth < kMostHalvings) break;
     }
     if (deepest <= kChord_mm || depth == kMostHalvings || !middle) {
       if (deepest > kChord_mm) out.back().z += deepest;

@@ -11,10 +11,15 @@ using verifier::SurfaceSample;
 
 constexpr double kBin_mm = 0.5;
 constexpr double kNone = -std::numeric_limits<double>::infinity();
-constexpr double kFinestContact_mm = 1e-5;
+/// The height found is lower than the contact by the square of this over a radius of curvature.
+constexpr double kFinestContact_mm = 1.5e-4;
+/// A start that lies lower than a contact found by more than this is not worth the climb.
+constexpr double kHopeless_mm = 0.1;
 /// A sample beside the contact lies lower than it by no more than this: steps of 0.12 mm on slopes
 /// that reach 2, at the edge of a flat.
 constexpr double kSlack_mm = 0.25;
+/// A step must gain this much of its square, in mm, lest a search creeps.
+constexpr double kLeastGain = 0.003;
 constexpr std::size_t kMostStarts = 8;
 constexpr double kApart_mm = 0.4;
 
@@ -163,7 +168,8 @@ void SampledSurface::climb_on_nose(const Nose& nose, double x, double y, Touch& 
       if (!s) continue;
       const double rho = std::hypot(s->position.x - x, s->position.y - y);
       const double value = s->position.z - nose.height(rho);
-      if (value > touch.tip_z) touch = {value, trial, rho}, here = *s, better = true;
+      if (value > touch.tip_z + kLeastGain * step * step)
+        touch = {value, trial, rho}, here = *s, better = true;
     }
     if (!better) step /= 2;
   }
@@ -172,6 +178,7 @@ void SampledSurface::climb_on_nose(const Nose& nose, double x, double y, Touch& 
 std::optional<Touch> SampledSurface::drop(const Nose& nose, double x, double y) const {
   std::optional<Touch> best;
   for (const Seen& s : starts(nose, x, y)) {
+    if (best && s.value < best->tip_z - kHopeless_mm) break;
     const Node& node = nodes_[s.node];
     Touch touch{s.value, node.place, std::hypot(node.point.x - x, node.point.y - y)};
     climb_on_nose(nose, x, y, touch);
@@ -195,7 +202,8 @@ Place SampledSurface::climb(const Place& start, const Field& field, double fines
                         std::clamp(place.v + sv * std::sin(angle), 0.0, 1.0)};
       const SurfaceSample s = at(trial);
       const double found = field(trial, s);
-      if (found > value) value = found, place = trial, here = s, better = true;
+      if (found > value + kLeastGain * step * step)
+        value = found, place = trial, here = s, better = true;
     }
     // An irrational part of a turn: on a ridge some direction runs along it sooner or later.
     turn += better ? 0 : std::numbers::phi;

@@ -138,10 +138,19 @@ void write_union(std::ostream& out, const std::vector<Entry>& all) {
   }
 }
 
-void write_head(std::ostream& out, const Summary& s, double resolution_mm) {
+std::string widths_of(const std::vector<PairResult>& results) {
+  std::set<double> widths;
+  for (const PairResult& pair : results)
+    for (const CaseResult& c : pair.cases) widths.insert(c.resolution_mm);
+  std::string text;
+  for (const double width : widths) text += (text.empty() ? "" : " or ") + micrometres(width);
+  return text;
+}
+
+void write_head(std::ostream& out, const Summary& s, const std::vector<PairResult>& results) {
   out << s.cases << " programs with a planted mishap on " << s.surfaces << " surfaces with "
       << s.cutters << " cutters, " << s.twins
-      << " unharmed twins; certified width asked for: " << micrometres(resolution_mm)
+      << " unharmed twins; certified width asked for: " << widths_of(results)
       << " µm; the simulator's readings compared in " << s.with_voxels << " runs.\n\n"
       << "Findings due: " << s.due << ", missed: " << s.missed
       << ". False alarms: " << s.false_alarms << " of " << s.twins << " twins ("
@@ -183,9 +192,9 @@ Summary summarize(const std::vector<PairResult>& results) {
   return s;
 }
 
-void write_tables(std::ostream& out, const std::vector<PairResult>& results, double resolution_mm) {
+void write_tables(std::ostream& out, const std::vector<PairResult>& results) {
   const std::vector<Entry> all = due_entries(results);
-  write_head(out, summarize(results), resolution_mm);
+  write_head(out, summarize(results), results);
   out << "Gouges deeper than the twin's gate by more than the width:\n\n";
   write_side(out, all, true);
   out << "\nLeftovers, where the cutter can reach:\n\n";

@@ -21,7 +21,7 @@ struct Summary {
 
 Summary summarize(const std::vector<PairResult>& results);
 /// The tables as Markdown.
-void write_tables(std::ostream& out, const std::vector<PairResult>& results, double resolution_mm);
+void write_tables(std::ostream& out, const std::vector<PairResult>& results);
 /// One line a case that went wrong, and one a twin; enough to run it again.
 void write_failures(std::ostream& out, const std::vector<PairResult>& results);
 /// One line a case, tab-separated.

@@ -114,10 +114,11 @@ double Bench::readings_within_mm(const JobStage& asked) const {
 }
 
 /// The box of the surface with room around it, and everything above it: a leftover may be as high
-/// as the raw stock.
+/// as the raw stock. Below, as far as holes are looked for.
 model::Box3 Bench::near_surface(const JobStage& asked) const {
   model::Box3 box = inputs_.surface.bounding_box().grown(readings_within_mm(asked));
   box.high.z = std::max(box.high.z, model::bounding_box(job_.stock).high.z + stock_->voxel_mm());
+  box.low.z = std::min(box.low.z, inputs_.surface.bounding_box().low.z - verifier::kStockSight_mm);
   return box;
 }
 

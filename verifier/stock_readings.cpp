@@ -17,7 +17,6 @@ using model::Vec3;
 constexpr double kAgreement_mm = 1e-6;
 
 struct Reading {
-  bool near = false;        ///< within sight of S, and the two instruments were compared
   bool counts = false;      ///< has a foot on S whose machining side it faces
   double deviation_mm = 0;  ///< δ − a as this point shows it
   double gouge_mm = 0;      ///< depth of the foot beyond the stock's tangent plane at this point
@@ -25,26 +24,67 @@ struct Reading {
   Vec3 foot, normal;
 };
 
-Reading read_point(const SurfaceCells& cells, const RemovedSpace& space, const StockReading& point,
-                   double sight_mm, double allowance_mm, std::optional<BodyRef>& hint) {
-  Reading out;
-  const auto foot = closest_point(cells, point.position, sight_mm);
-  if (!foot) return out;
-  out.near = true;
-  const Nearest removed = space.nearest(point.position, hint);
-  hint = removed.body;
-  out.mismatch_mm = std::abs(removed.distance.value) - point.error_mm - kAgreement_mm;
-  const Vec3 air = -removed.distance.gradient;
-  const double facing = dot(air, foot->normal);
-  out.counts = foot->perpendicular && facing > 0;
-  const double side = dot(point.position - foot->place.point, foot->normal) >= 0 ? 1 : -1;
-  out.deviation_mm = side * foot->distance_mm - allowance_mm;
-  // How far the allowance surface lies beyond the plane of the stock there: no cut from aside,
-  // under an edge of S, counts as one from above.
-  out.gouge_mm = -out.deviation_mm * facing;
-  out.foot = foot->place.point, out.normal = foot->normal;
-  return out;
-}
+class Reader {
+ public:
+  Reader(const SurfaceCells& cells, const RemovedSpace& space, const Certificate& certificate,
+         const StageCheck& check)
+      : cells_(cells),
+        space_(space),
+        certificate_(certificate),
+        allowance_mm_(check.allowance_mm),
+        sight_mm_(sight_mm(certificate, check)) {}
+
+  Reading read(const StockReading& point) {
+    Reading out;
+    const Nearest removed = space_.nearest(point.position, hint_);
+    hint_ = removed.body;
+    out.mismatch_mm = std::abs(removed.distance.value) - point.error_mm - kAgreement_mm;
+    const Vec3 air = -removed.distance.gradient;
+    // The underside of the raw stock faces nothing that a cutter from above is to leave.
+    if (space_.is_stock(removed.body) && air.z < 0) return out;
+    const auto foot = closest_point(cells_, point.position, sight_mm_);
+    if (!foot) return out;
+    const double facing = dot(air, foot->normal);
+    if (!foot->perpendicular || facing <= 0) return out;
+    out.foot = foot->place.point, out.normal = foot->normal;
+    const double side = dot(point.position - out.foot, out.normal) >= 0 ? 1 : -1;
+    out.deviation_mm = side * foot->distance_mm - allowance_mm_;
+    // How far the allowance surface lies beyond the plane of the stock there: no cut from aside,
+    // under an edge of S, counts as one from above.
+    out.gouge_mm = -out.deviation_mm * facing;
+    out.counts = is_certified(out) || is_one_piece(out, point.position);
+    return out;
+  }
+
+ private:
+  /// Far enough to see what the certificate speaks of, and leftovers and holes well away from S.
+  static double sight_mm(const Certificate& certificate, const StageCheck& check) {
+    const double deepest = std::max(certificate.gouge_mm.high, certificate.uncut_mm.high);
+    return std::max(kStockSight_mm, 2 * (check.allowance_mm + deepest) + 10 * check.voxel_mm);
+  }
+  bool is_certified(const Reading& r) const {
+    return r.gouge_mm <= certificate_.gouge_mm.high && r.deviation_mm <= certificate_.uncut_mm.high;
+  }
+  /// Between the allowance surface and the stock point all is material (of a leftover) or none (of
+  /// a gouge): no stock that stands elsewhere over S, with air between, and no floor beside the
+  /// part.
+  bool is_one_piece(const Reading& r, const Vec3& point) const {
+    constexpr int kParts = 8;
+    const Vec3 from = r.foot + r.normal * allowance_mm_;
+    for (int k = 1; k < kParts; ++k) {
+      const double delta =
+          space_.nearest(lerp(from, point, double(k) / kParts), hint_).distance.value;
+      if ((delta > 0) != (r.deviation_mm > 0)) return false;
+    }
+    return true;
+  }
+
+  const SurfaceCells& cells_;
+  const RemovedSpace& space_;
+  const Certificate& certificate_;
+  double allowance_mm_, sight_mm_;
+  std::optional<BodyRef> hint_;
+};
 
 std::string place_text(const Vec3& p) {
   char text[96];
@@ -119,24 +159,20 @@ VoxelFigures read_stock(const SurfaceCells& cells, const RemovedSpace& space,
                         const Reachability& reachability, const Certificate& certificate,
                         std::span<const StockReading> readings, const StageCheck& check,
                         const model::RunControl& control) {
-  const double deepest = std::max(certificate.gouge_mm.high, certificate.uncut_mm.high);
-  // Far enough to see what the certificate speaks of and leftovers that stand well away from S.
-  const double sight = 2 * (check.allowance_mm + deepest) + 10 * check.voxel_mm;
   std::vector<Reading> read(readings.size());
   constexpr std::size_t kChunk = 1024;
   model::parallel_for((read.size() + kChunk - 1) / kChunk, control.threads, [&](std::size_t chunk) {
     control.check();
-    std::optional<BodyRef> hint;
+    Reader reader(cells, space, certificate, check);
     for (std::size_t i = chunk * kChunk; i < std::min(read.size(), (chunk + 1) * kChunk); ++i)
-      read[i] = read_point(cells, space, readings[i], sight, check.allowance_mm, hint);
+      read[i] = reader.read(readings[i]);
   });
   require_agreement(read, readings, space);
   require_seen(certificate, readings, check);
   require_gone(certificate, readings, check);
   VoxelFigures figures;
   for (std::size_t i = 0; i < read.size(); ++i) {
-    if (read[i].near)
-      figures.largest_error_mm = std::max(figures.largest_error_mm, readings[i].error_mm);
+    figures.largest_error_mm = std::max(figures.largest_error_mm, readings[i].error_mm);
     if (read[i].counts) figures.gouge_mm = std::max(figures.gouge_mm, read[i].gouge_mm);
   }
   figures.uncut_mm = largest_reachable(read, reachability);

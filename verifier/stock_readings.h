@@ -14,11 +14,13 @@ struct VoxelFigures {
   double largest_error_mm = 0;
 };
 
-/// Reads every stock point near S: the foot of its perpendicular on S, and how far above the
-/// allowance surface it stands. A point whose air side faces away from S (the underside of the
-/// stock) says nothing of S. Each point must lie on the surface that the analytic instrument
-/// computes for the cut stock; each certified leftover must have stock points where it says, and a
-/// certified gouge none: otherwise InstrumentDisagreement with both readings.
+/// Reads every stock point within sight of S (kStockSight_mm, or more where more is certified): the
+/// foot of its perpendicular on S, and how far above the allowance surface it stands. A point whose
+/// air side faces away from S says nothing of S; beyond what is certified a point counts only where
+/// there is nothing but material (or nothing but air) between it and S. Each point must lie on the
+/// surface that the analytic instrument computes for the cut stock; each certified leftover must
+/// have stock points where it says, and a certified gouge none: otherwise InstrumentDisagreement
+/// with both readings.
 VoxelFigures read_stock(const SurfaceCells& cells, const RemovedSpace& space,
                         const Reachability& reachability, const Certificate& certificate,
                         std::span<const StockReading> readings, const StageCheck& check,

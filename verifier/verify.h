@@ -27,6 +27,9 @@ struct StockReading {
   double error_mm = 0;  ///< bound on its distance from the true surface of the cut stock
 };
 
+/// How far from S at least a point of the stock is seen to be a leftover or the bottom of a hole.
+inline constexpr double kStockSight_mm = 3;
+
 /// What a stage is measured for.
 struct StageCheck {
   double allowance_mm = 0;

@@ -102,4 +102,48 @@ TEST_CASE("a cut from aside under the edge of S is no deep gouge", "[unit]") {
   CHECK(d.gouge_mm.low == Approx(0.005).margin(0.0005));
 }
 
+TEST_CASE("a narrow pocket far deeper than its cutter is wide shows in the stock", "[unit]") {
+  // Slots of a flat cutter of 0.4 mm, side by side and 2 mm deep: to the analytic instrument no
+  // place is deeper in a slot than 0.2 mm.
+  Bench bench;
+  model::Toolpath path;
+  path.start = {-1, -1, 5};
+  for (int row = 0; row <= 10; ++row) {
+    const double x = -1 + 0.2 * row, y = row % 2 ? 1 : -1;
+    feed_to(path, {x, y, -2});
+    feed_to(path, {x, -y, -2});
+  }
+  bench.pass = {flat_cutter(0.2), shared(path)};
+  bench.readings.clear();
+  for (double x = -1; x <= 1; x += 0.1)
+    for (double y = -1; y <= 1; y += 0.1) bench.readings.push_back({{x, y, -2}, 1e-9});
+  bench.check.limits = {true, false, false, 0.5, 0, 0};
+  const StageDeviation d = bench.measure();
+  CHECK(d.gouge_mm.high < 0.3);
+  CHECK(d.voxel_gouge_mm == Approx(2));
+  CHECK(decide(d, bench.check.limits, 0, 0).verdict == Verdict::fail);
+}
+
+TEST_CASE("stock beside the part, with air between, is neither leftover nor gouge", "[unit]") {
+  // A block 3 mm over the tilted plane's lower end, 6 mm beside it: along the normal of the plane
+  // it stands over S. And the floor beside its upper end lies under S along the normal.
+  Bench bench;
+  bench.plane = ReferenceSurface(plane_cage(4, 0.5, 0));
+  const double cosine = 1 / std::sqrt(1.25);
+  bench.pass = {ball_cutter(kRadius), shared(raster(8, 0.2, 16, [&](double x, double) {
+                  return 0.5 * x + kRadius / cosine - kRadius;
+                }))};
+  bench.readings.clear();
+  const StageDeviation alone = bench.measure();
+  // The points are made up, so they state an error as large as their distance from the cut surface.
+  for (double y = -3; y <= 3; y += 0.5) {
+    bench.readings.push_back({{-6, y, 6}, 20});
+    bench.readings.push_back({{6, y, -6}, 20});
+  }
+  bench.check.readings_within_mm = 0;
+  const StageDeviation d = bench.measure();
+  CHECK(d.voxel_gouge_mm <= alone.gouge_mm.high);
+  CHECK(d.voxel_uncut_mm <= alone.uncut_mm.high);
+}
+
 }  // namespace limitgauge::verifier

@@ -18,7 +18,8 @@ class CellContact {
   bool too_steep() const { return tilt_ - alpha_ > steepest_; }
   /// Every normal lets the cutter touch, to an angle far below any tolerance.
   bool touchable() const { return tilt_ + alpha_ <= steepest_ + kAngle; }
-  /// All normals are vertical: the flat may touch with any of its points.
+  /// All normals are vertical to 1e-6: the flat may touch with any of its points, and misses the
+  /// others by less than a millionth of its width.
   bool level() const { return tilt_ + alpha_ <= kAngle; }
   /// The flat's direction e is not bounded: the cutter is taken to stand anywhere around.
   bool turning() const { return turning_; }

@@ -40,6 +40,12 @@ Span along(const Box3& box, const Vec3& d) {
   const double by = h.x * std::abs(d.x) + h.y * std::abs(d.y) + h.z * std::abs(d.z);
   return {at - by, at + by};
 }
+/// Holds f·x + g·y for every x of one box and y of the other.
+Box3 mixed(double f, const Box3& a, double g, const Box3& b) {
+  const Vec3 c = a.centre() * f + b.centre() * g,
+             h = (a.size() * std::abs(f) + b.size() * std::abs(g)) * 0.5;
+  return {c - h, c + h};
+}
 double longest(const Box3& box) {
   const auto far = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
   return length(
@@ -60,7 +66,14 @@ struct Clearance {
 /// Spans over a rectangle: components of the first derivatives, normal parts of the second.
 struct LocalContact::Spans {
   Span ut, ub, vt, vb, uz, vz, uu, uv, vv;
-  double u = 0, v = 0;  ///< greatest lengths of the first derivatives
+  double u = 0, v = 0;          ///< greatest lengths of the first derivatives
+  double own_u = 0, own_v = 0;  ///< the same by the patch's own parameters
+};
+
+/// Parameters (x, y) in which S is nearly a plane in square millimetres about a cell's middle,
+/// where bounds on products of derivatives are tightest: u = x·u_x + y·u_y, v = y·v_y.
+struct LocalContact::Square {
+  double u_x = 1, u_y = 0, v_y = 1;
 };
 
 namespace {
@@ -155,7 +168,7 @@ ParameterRect LocalContact::clipped(int patch, const ParameterRect& own,
 }
 
 LocalContact::Spans LocalContact::spans_over(const ClearedRect& area, const CellContact& contact,
-                                             const Vec3& t, const Vec3& b) const {
+                                             const Square& q, const Vec3& t, const Vec3& b) const {
   Spans s;
   const Vec3 &n = contact.normal(), z{0, 0, 1};
   const double lean = 2 * std::sin(contact.alpha() / 2);
@@ -167,12 +180,19 @@ LocalContact::Spans LocalContact::spans_over(const ClearedRect& area, const Cell
       const bool swapped = placed.turns % 2 == 1;
       const Box3& along_u = swapped ? h.v : h.u;
       const Box3& along_v = swapped ? h.u : h.v;
-      const Box3 u = placed.turns == 1 || placed.turns == 2 ? negated(along_u) : along_u;
-      const Box3 v = placed.turns >= 2 ? negated(along_v) : along_v;
-      const Box3 uv = swapped ? negated(h.uv) : h.uv;
-      const Box3 &uu = swapped ? h.vv : h.uu, &vv = swapped ? h.uu : h.vv;
-      s.ut.add(along(u, t)), s.ub.add(along(u, b)), s.uz.add(along(u, z));
-      s.vt.add(along(v, t)), s.vb.add(along(v, b)), s.vz.add(along(v, z));
+      const Box3 own_u = placed.turns == 1 || placed.turns == 2 ? negated(along_u) : along_u;
+      const Box3 own_v = placed.turns >= 2 ? negated(along_v) : along_v;
+      const Box3 own_uv = swapped ? negated(h.uv) : h.uv;
+      const Box3 &own_uu = swapped ? h.vv : h.uu, &own_vv = swapped ? h.uu : h.vv;
+      const Box3 u = mixed(q.u_x, own_u, 0, own_v), v = mixed(q.u_y, own_u, q.v_y, own_v);
+      const Box3 uu = mixed(q.u_x * q.u_x, own_uu, 0, own_uv),
+                 uv = mixed(q.u_x * q.u_y, own_uu, q.u_x * q.v_y, own_uv),
+                 vv = mixed(1, mixed(q.u_y * q.u_y, own_uu, 2 * q.u_y * q.v_y, own_uv),
+                            q.v_y * q.v_y, own_vv);
+      s.own_u = std::max(s.own_u, longest(own_u)), s.own_v = std::max(s.own_v, longest(own_v));
+      s.uz.add(along(own_u, z)), s.vz.add(along(own_v, z));
+      s.ut.add(along(u, t)), s.ub.add(along(u, b));
+      s.vt.add(along(v, t)), s.vb.add(along(v, b));
       s.uu.add(along(uu, n).widened(lean * longest(uu)));
       s.uv.add(along(uv, n).widened(lean * longest(uv)));
       s.vv.add(along(vv, n).widened(lean * longest(vv)));
@@ -186,11 +206,20 @@ bool LocalContact::proven(const ClearedRect& area, const SurfaceCell& cell,
                           const CellContact& contact) const {
   const Vec3& e = contact.direction();
   const Vec3 b{-e.y, e.x, 0}, t = cross(b, contact.normal());
-  const Spans s = spans_over(area, contact, t, b);
+  const BezierJet j = jet(cell.shape, 0.5, 0.5);
+  const Vec3 along_u = j.du / cell.size_u, along_v = j.dv / cell.size_v;
+  Square q;
+  q.u_x = 1 / length(along_u);
+  const double skew = dot(along_v, along_u) * q.u_x * q.u_x;
+  q.v_y = 1 / length(along_v - along_u * skew);
+  q.u_y = -skew * q.v_y;
+  if (!std::isfinite(q.u_x) || !std::isfinite(q.v_y)) return false;
+  const Spans s = spans_over(area, contact, q, t, b);
   const ParameterRect own = rect_of(cell);
   const double du = std::max(own.u1 - area.rect.u0, area.rect.u1 - own.u0),
                dv = std::max(own.v1 - area.rect.v0, area.rect.v1 - own.v0);
-  const double far = s.u * du + s.v * dv, rise = largest(s.uz) * du + largest(s.vz) * dv;
+  const double y = dv / q.v_y, x = (du + std::abs(q.u_y) * y) / q.u_x;
+  const double far = s.own_u * du + s.own_v * dv, rise = largest(s.uz) * du + largest(s.vz) * dv;
   const double reach = contact.profile().rounding_mm + allowance_mm_;
   // What may be cut into, less a normal turned by up to 1e-6 on a wall.
   const double slack = contact_mm_ - 1e-6 * far;
@@ -201,8 +230,8 @@ bool LocalContact::proven(const ClearedRect& area, const SurfaceCell& cell,
     const Span uu = c.along * square(ut) + c.across * square(ub) + (-1.0) * s.uu,
                uv = c.along * (ut * vt) + c.across * (ub * vb) + (-1.0) * s.uv,
                vv = c.along * square(vt) + c.across * square(vb) + (-1.0) * s.vv;
-    const double on_u = slack / (du * du), on_v = slack / (dv * dv);
-    if (positive(uu.widened(0) + Span{on_u, on_u}, uv, vv + Span{on_v, on_v})) return true;
+    const double on_u = slack / (x * x), on_v = slack / (y * y);
+    if (positive(uu + Span{on_u, on_u}, uv, vv + Span{on_v, on_v})) return true;
   }
   return false;
 }

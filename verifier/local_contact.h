@@ -30,11 +30,12 @@ class LocalContact {
     model::Box3 u, v, uu, uv, vv;
   };
   struct Spans;
+  struct Square;
 
   static DerivativeHull hull_of(const SurfaceCell& cell);
   ParameterRect clipped(int patch, const ParameterRect& own, ParameterRect wanted) const;
-  Spans spans_over(const ClearedRect& area, const CellContact& contact, const model::Vec3& t,
-                   const model::Vec3& b) const;
+  Spans spans_over(const ClearedRect& area, const CellContact& contact, const Square& q,
+                   const model::Vec3& t, const model::Vec3& b) const;
   bool proven(const ClearedRect& area, const SurfaceCell& cell, const CellContact& contact) const;
 
   ParameterIndex index_;

@@ -20,10 +20,12 @@ SurfaceSample SurfaceTree::evaluate(int patch, double u, double v) const {
   }
   if (node->kind == Node::Kind::speck) {
     const Speck& s = specks_[node->index];
-    return {s.position, s.tangent_u, s.tangent_v, s.normal};
+    return {s.position, s.tangent_u, s.tangent_v, s.normal, {}, {}, {}, true, s.plane};
   }
   const BezierJet j = jet(pieces_[node->index].shape, u, v);
-  return {j.position, j.du * scale, j.dv * scale, normalized(cross(j.du, j.dv))};
+  const double second = scale * scale;
+  return {j.position,     j.du * scale,   j.dv * scale,  normalized(cross(j.du, j.dv)),
+          j.duu * second, j.duv * second, j.dvv * second};
 }
 
 double SurfaceTree::speck_radius_mm() const {

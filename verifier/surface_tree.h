@@ -27,6 +27,7 @@ struct Piece {
 /// surface over `square` lies within `radius_mm` of `position`.
 struct Speck {
   model::Vec3 position, tangent_u, tangent_v, normal;
+  TangentPlane plane = TangentPlane::everywhere;
   double radius_mm = 0;
   ParameterSquare square;
 };

@@ -20,9 +20,8 @@ namespace {
 constexpr int kDeepest = 110;
 /// Refinement ends where the neighbourhood is smaller than this part of the model.
 constexpr double kSmallest = 1e-15;
-/// Where no mask gives the tangent plane (darts, corners with several faces) it is read off the
-/// surface this many refinements closer: the difference to the limit, 2^-24 of the change of normal
-/// over the first neighbourhood, then equals the digits lost in differences.
+/// Where the masks give no plane, because the cage is folded flat at the vertex, it is read off the
+/// surface this many refinements closer.
 constexpr int kTangentSteps = 24;
 
 ParameterSquare child_square(const ParameterSquare& s, int k) {
@@ -72,7 +71,7 @@ std::optional<VertexLimit::Tangents> tangents_nearby(const Neighbourhood& across
   const auto piece = regular_piece(across);
   if (!piece) return std::nullopt;
   const BezierJet j = jet(*piece, k == 1 || k == 2 ? 1 : 0, k >= 2 ? 1 : 0);
-  return VertexLimit::Tangents{j.du, j.dv};
+  return VertexLimit::Tangents{j.du, j.dv, TangentPlane::none};
 }
 
 }  // namespace
@@ -130,6 +129,7 @@ class SurfaceTreeBuilder {
     if (const auto& t = approach.tangents) {
       speck.tangent_u = t->first, speck.tangent_v = t->second;
       speck.normal = normalized(cross(t->first, t->second));
+      speck.plane = t->plane;
     }
     tree_.specks_.push_back(speck);
     return add(SurfaceTree::Node::Kind::speck, tree_.specks_.size() - 1);

@@ -320,8 +320,11 @@ class PairBench {
     }
     for (const Finding& f : d.uncuts) {
       const Vec3& p = f.place.point;
-      if (run.oracle.delta(p) - a <= result.uncut.gate_mm || !beside(p)) continue;
-      if (twin.run.oracle.delta(p) - a_twin > result.uncut.gate_mm) continue;
+      // Worse than the twin there: another allowance or cutter moves the rim of what can be
+      // reached.
+      const double left = run.oracle.delta(p) - a, left_by_twin = twin.run.oracle.delta(p) - a_twin;
+      if (left <= result.uncut.gate_mm || !beside(p)) continue;
+      if (left <= left_by_twin + plan_.resolution_mm) continue;
       result.uncut.located = true;
       break;
     }

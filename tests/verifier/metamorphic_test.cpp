@@ -242,7 +242,7 @@ bool same(const Interval& a, const Interval& b) {
 
 }  // namespace
 
-TEST_CASE("a part turned by 90° about Z or moved has the same verdict", "[property][metamorphic]") {
+TEST_CASE("a part turned by 90° about Z or moved has the same verdict", "[e2e][metamorphic]") {
   for (const Setup& s : setups()) {
     const Measured base = measured(s);
     Setup turned = s;
@@ -256,7 +256,7 @@ TEST_CASE("a part turned by 90° about Z or moved has the same verdict", "[prope
   }
 }
 
-TEST_CASE("a part ten times larger or smaller has the same verdict", "[property][metamorphic]") {
+TEST_CASE("a part ten times larger or smaller has the same verdict", "[e2e][metamorphic]") {
   for (const Setup& s : setups()) {
     const Measured base = measured(s);
     check_same(base, scaled(s, 10), "ten times larger", 10);
@@ -269,7 +269,7 @@ TEST_CASE("a mirrored part with reversed faces has the same verdict", "[property
 }
 
 TEST_CASE("moves split, merged, reversed or in another order have the same verdict",
-          "[property][metamorphic]") {
+          "[e2e][metamorphic]") {
   for (const Setup& s : setups()) {
     const Measured base = measured(s);
     check_same(base, split_moves(s), "split");
@@ -287,7 +287,7 @@ TEST_CASE("a cage subdivided once has the same verdict", "[property][metamorphic
   }
 }
 
-TEST_CASE("one, two and three threads give the same bits", "[property][metamorphic]") {
+TEST_CASE("one, two and three threads give the same bits", "[e2e][metamorphic]") {
   for (const Setup& s : setups()) {
     CAPTURE(s.name);
     // Limits below the figures, so that there are findings to compare.

@@ -92,7 +92,12 @@ struct StageDeviation {
   double coverage = 0;  ///< share of the reachable area within both gate limits
   double mean_mm = 0, rms_mm = 0, p01_mm = 0, p50_mm = 0, p99_mm = 0;
   double voxel_gouge_mm = 0, voxel_uncut_mm = 0;  ///< the voxel instrument's readings
-  double surface_area_mm2 = 0, reachable_area_mm2 = 0, unreachable_area_mm2 = 0;
+  double surface_area_mm2 = 0;
+  double reachable_area_mm2 = 0, unreachable_area_mm2 = 0;  ///< by samples, which leave no rim
+  /// Parts of the surface of which all points were proven to be in reach, none was, or neither.
+  struct ProvenReach {
+    double reachable_mm2 = 0, unreachable_mm2 = 0, undecided_mm2 = 0;
+  } proven_reach;
   double unavoidable_uncut_mm = 0;
   Histogram histogram;
   std::vector<Finding> gouges, uncuts;

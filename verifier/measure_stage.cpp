@@ -6,6 +6,7 @@
 #include "verifier/certificate.h"
 #include "verifier/deviation_field.h"
 #include "verifier/findings.h"
+#include "verifier/reach_map.h"
 #include "verifier/statistics.h"
 #include "verifier/stock_readings.h"
 #include "verifier/surface_tree.h"
@@ -17,6 +18,9 @@ namespace {
 /// Contact tolerance of reachability, for the certificate and for the sampled field: a tenth of a
 /// micrometre where a verdict hangs on it, a micrometre for maps and areas.
 constexpr double kContact_mm = 1e-4, kMapContact_mm = 1e-3;
+
+/// How finely the rim of what can be reached is resolved, and for how long.
+constexpr ReachOptions kReachEffort{0.05, 100'000};
 
 /// Where branch and bound starts: small enough that few moves matter to a cell, and no more than a
 /// few hundred thousand cells on a large part.
@@ -152,9 +156,12 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   out.voxel_gouge_mm = voxels.gouge_mm;
   out.voxel_uncut_mm = voxels.uncut_mm;
 
+  const ReachMap reach = classify_reach(cells, for_maps, kReachEffort, control);
+  out.proven_reach = {reach.reachable_area_mm2(), reach.unreachable_area_mm2(),
+                      reach.undecided_area_mm2()};
   out.field = sample_surface(surface, check.field_spacing_mm);
   const std::vector<model::Vec3> tips =
-      measure_field(out.field, space, for_maps, passes, check.allowance_mm, control);
+      measure_field(out.field, space, for_maps, reach, passes, check.allowance_mm, control);
   out.unavoidable_uncut_mm =
       unavoidable_uncut_mm(out.field, tips, passes.back().cutter, check.allowance_mm, control);
   summarize_field(out, check.limits);

@@ -78,20 +78,27 @@ Reachability::Below Reachability::comes_below(const CutterProfile& profile, cons
   return worst;
 }
 
+Vec3 Reachability::core_touching(const Vec3& p, const Vec3& n) const {
+  return p + n * (profile_.rounding_mm + allowance_mm_) - Vec3{0, 0, profile_.rounding_mm};
+}
+
+std::optional<Vec3> Reachability::contact_tip(const Vec3& p, const Vec3& n) const {
+  if (n.z < slope_sine(profile_) - kLevel) return std::nullopt;
+  const double level = std::hypot(n.x, n.y);
+  if (level <= kLevel && profile_.flat_mm > 0) return std::nullopt;
+  const double scale = level > 0 ? profile_.flat_mm / level : 0;
+  return core_touching(p, n) + Vec3{n.x * scale, n.y * scale, 0};
+}
+
 std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) const {
   if (n.z < slope_sine(profile_) - kLevel) return std::nullopt;
-  const Vec3 core =
-      p + n * (profile_.rounding_mm + allowance_mm_) - Vec3{0, 0, profile_.rounding_mm};
   const double limit = allowance_mm_ - contact_mm_;
-  const double level = std::hypot(n.x, n.y);
-  if (level > kLevel || profile_.flat_mm <= 0) {
-    const double scale = level > 0 ? profile_.flat_mm / level : 0;
-    const Vec3 tip = core + Vec3{n.x * scale, n.y * scale, 0};
-    return comes_below(profile_, tip, limit) == Below::none ? std::optional(tip) : std::nullopt;
-  }
+  if (const auto tip = contact_tip(p, n))
+    return comes_below(profile_, *tip, limit) == Below::none ? tip : std::nullopt;
   for (int k = -1; k < kDirections; ++k) {
     const double angle = 2 * pi * k / kDirections, reach = k < 0 ? 0 : profile_.flat_mm;
-    const Vec3 tip = core + Vec3{reach * std::cos(angle), reach * std::sin(angle), 0};
+    const Vec3 tip =
+        core_touching(p, n) + Vec3{reach * std::cos(angle), reach * std::sin(angle), 0};
     if (comes_below(profile_, tip, limit) == Below::none) return tip;
   }
   return std::nullopt;

@@ -22,6 +22,15 @@ class Reachability {
 
   /// A gouge-free tip position that touches the surface at `p` with normal `n`, if one was proven.
   std::optional<model::Vec3> touching_tip(const model::Vec3& p, const model::Vec3& n) const;
+  /// Where the tip is that touches the surface at `p` with normal `n`, whatever it cuts into
+  /// elsewhere. Empty where the wall leans too far, and where S is level under a flat, which can
+  /// touch it from any side.
+  std::optional<model::Vec3> contact_tip(const model::Vec3& p, const model::Vec3& n) const;
+  /// Proof that the cutter standing with its tip at `tip` is free of gouges. False means "not
+  /// proven".
+  bool surely_free(const model::Vec3& tip) const {
+    return comes_below(profile_, tip, allowance_mm_ - contact_mm_) == Below::none;
+  }
   /// Proof that no point of the cell can be touched. False means "not proven".
   bool surely_unreachable(const Bezier& cell) const;
 
@@ -31,6 +40,8 @@ class Reachability {
 
  private:
   enum class Below { none, found, undecided };
+  /// Lowest point of the core, on the axis' side of the contact, before the flat moves it aside.
+  model::Vec3 core_touching(const model::Vec3& p, const model::Vec3& n) const;
   /// Whether some point of S is nearer than `limit_mm` to the cutter `profile` with its tip at
   /// `tip`.
   Below comes_below(const CutterProfile& profile, const model::Vec3& tip, double limit_mm) const;

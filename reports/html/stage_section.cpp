@@ -161,6 +161,9 @@ std::string deviation_terms(const verifier::StageDeviation& d) {
                 {"Second instrument (voxels): uncut", measured_length(d.voxel_uncut_mm)},
                 {"Reachable area", area(d.reachable_area_mm2)},
                 {"Unreachable area", area(d.unreachable_area_mm2)},
+                {"Proven in reach, out of reach, neither",
+                 area(d.proven_reach.reachable_mm2) + ", " + area(d.proven_reach.unreachable_mm2) +
+                     ", " + area(d.proven_reach.undecided_mm2)},
                 {"Unavoidable uncut", measured_length(d.unavoidable_uncut_mm)},
                 {"Cells examined", grouped(d.cells)},
                 {"Interval width asked for",

@@ -15,6 +15,8 @@ constexpr double kSmallestCell_mm = 1e-6;
 /// Share of all the effort that one cell may take before it is given up, so that one bad spot
 /// cannot hold up a run.
 constexpr double kShareOfCell = 0.01;
+/// Points of one cell whose reach may be searched for, each over all of S.
+constexpr std::size_t kReachQuestions = 20'000;
 /// Part of the resolution that branch and bound may use; the rest is for rounding.
 constexpr double kShare = 0.95;
 
@@ -63,8 +65,8 @@ struct Goals {
 };
 
 /// Bodies further than this from everything in a cell say nothing of a gouge.
-double limit_of_interest(const Reachability* reachability, const CertificateRequest& request) {
-  return reachability ? std::numeric_limits<double>::infinity() : request.allowance_mm;
+double limit_of_interest(const ReachQuery* reach, const CertificateRequest& request) {
+  return reach ? std::numeric_limits<double>::infinity() : request.allowance_mm;
 }
 
 /// First look at a cell of the list.
@@ -76,18 +78,17 @@ struct FirstLook {
 /// Depth-first refinement of one cell of the list, from what the batches before it have found.
 class CellSearch {
  public:
-  CellSearch(const RemovedSpace& space, const Reachability* reachability,
-             const CertificateRequest& request, const Goals& goals, const Outcome& before)
-      : bounder_(space), reachability_(reachability), request_(request), goals_(goals) {
+  CellSearch(const RemovedSpace& space, const ReachQuery* reach, const CertificateRequest& request,
+             const Goals& goals, const Outcome& before)
+      : bounder_(space), reach_(reach), request_(request), goals_(goals) {
     out_.gouge.low = before.gouge.low;
     out_.uncut.low = before.uncut.low;
   }
 
   Outcome run(const SurfaceCell& cell, BodyRef hint) {
     std::vector<BodyRef> candidates;
-    bounder_.find_candidates(cell.shape, candidates, hint,
-                             limit_of_interest(reachability_, request_));
-    search(cell, std::move(candidates), true, reachability_ != nullptr);
+    bounder_.find_candidates(cell.shape, candidates, hint, limit_of_interest(reach_, request_));
+    search(cell, std::move(candidates), true, reach_ != nullptr);
     return out_;
   }
 
@@ -115,12 +116,16 @@ class CellSearch {
       out_.uncut.cover(uncut_bound);
       uncut_open = false;
     }
-    if (uncut_open && out_of_reach && reachability_->surely_unreachable(cell.shape))
-      uncut_open = false;
+    if (uncut_open && out_of_reach && prove_unreachable(cell)) uncut_open = false;
     if (!gouge_open && !uncut_open) return;
     const bool tiny = control_radius(cell.shape, b.middle) < kSmallestCell_mm;
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (uncut_open && out_of_reach && tiny) uncut_open = false;
+    if (reach_questions_ > kReachQuestions && uncut_open) {
+      out_.uncut.cover(uncut_bound);
+      uncut_open = false;
+      if (!gouge_open) return;
+    }
     if (tiny || static_cast<double>(out_.cells) >
                     kShareOfCell * static_cast<double>(request_.largest_cell_count)) {
       if (gouge_open) out_.gouge.cover(gouge_bound);
@@ -138,9 +143,14 @@ class CellSearch {
   /// Takes the leftover into account if its place can be touched; false if that was not proven.
   bool see_uncut(const SurfaceCell& cell, const SurfacePlace& place, double depth_mm,
                  BodyRef body) {
-    if (!reachability_->touching_tip(place.point, middle_normal(cell))) return false;
+    if (!reach_->is_proven(place)) ++reach_questions_;
+    if (!reach_->can_be_touched(place, middle_normal(cell))) return false;
     out_.uncut.see(depth_mm, place, body);
     return true;
+  }
+
+  bool prove_unreachable(const SurfaceCell& cell) {
+    return reach_questions_ <= kReachQuestions && reach_->surely_unreachable(cell);
   }
 
   /// Split where δ changes most: across the passes far more than along them, but never into
@@ -156,16 +166,16 @@ class CellSearch {
   }
 
   CellBounder bounder_;
-  const Reachability* reachability_;
+  const ReachQuery* reach_;
   const CertificateRequest& request_;
   const Goals& goals_;
+  std::size_t reach_questions_ = 0;
   Outcome out_;
 };
 
 /// Bounds of every cell of the list, and the best samples among their middles.
 std::vector<FirstLook> look_at_all(const SurfaceCells& cells, const RemovedSpace& space,
-                                   const Reachability* reachability,
-                                   const CertificateRequest& request,
+                                   const ReachQuery* reach, const CertificateRequest& request,
                                    const model::RunControl& control) {
   std::vector<FirstLook> looks(cells.cells().size());
   constexpr std::size_t kChunk = 256;
@@ -178,15 +188,14 @@ std::vector<FirstLook> look_at_all(const SurfaceCells& cells, const RemovedSpace
         for (std::size_t i = chunk * kChunk; i < std::min(looks.size(), (chunk + 1) * kChunk);
              ++i) {
           const Bezier& shape = cells.cells()[i].shape;
-          bounder.find_candidates(shape, candidates, hint,
-                                  limit_of_interest(reachability, request));
+          bounder.find_candidates(shape, candidates, hint, limit_of_interest(reach, request));
           looks[i].bounds.nearest.distance.value = std::numeric_limits<double>::infinity();
           if (candidates.empty()) continue;
           looks[i].bounds =
               bounder.bound(shape, candidates, std::numeric_limits<double>::infinity());
           hint = looks[i].bounds.nearest.body;
           looks[i].gouge_bound = request.allowance_mm - looks[i].bounds.lower;
-          if (reachability) looks[i].uncut_bound = looks[i].bounds.upper - request.allowance_mm;
+          if (reach) looks[i].uncut_bound = looks[i].bounds.upper - request.allowance_mm;
         }
       });
   return looks;
@@ -208,7 +217,7 @@ void see_gouges(const SurfaceCells& cells, const std::vector<FirstLook>& looks, 
 
 /// The largest uncut among the middles that can be touched.
 void see_uncut(const SurfaceCells& cells, const std::vector<FirstLook>& looks,
-               const Reachability& reachability, double allowance_mm, Figure& uncut) {
+               const ReachQuery& reach, double allowance_mm, Figure& uncut) {
   std::vector<std::size_t> order(looks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
@@ -218,8 +227,9 @@ void see_uncut(const SurfaceCells& cells, const std::vector<FirstLook>& looks,
     const CellBounds& b = looks[i].bounds;
     const double depth = b.nearest.distance.value - allowance_mm;
     if (depth <= 0) break;
-    if (!reachability.touching_tip(b.middle, middle_normal(cells.cells()[i]))) continue;
-    uncut.see(depth, middle_of(cells.cells()[i], b), b.nearest.body);
+    const SurfacePlace place = middle_of(cells.cells()[i], b);
+    if (!reach.can_be_touched(place, middle_normal(cells.cells()[i]))) continue;
+    uncut.see(depth, place, b.nearest.body);
     break;
   }
 }
@@ -232,15 +242,14 @@ Interval interval_of(const Figure& figure, double allowance_for_errors_mm) {
 
 }  // namespace
 
-Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
-                    const Reachability* reachability, const CertificateRequest& request,
-                    const model::RunControl& control) {
-  const std::vector<FirstLook> looks = look_at_all(cells, space, reachability, request, control);
+Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, const ReachQuery* reach,
+                    const CertificateRequest& request, const model::RunControl& control) {
+  const std::vector<FirstLook> looks = look_at_all(cells, space, reach, request, control);
   const double errors = kRounding_mm + space.chord_error_mm();
   const Goals goals{request, errors};
   Outcome sum;
   see_gouges(cells, looks, request.allowance_mm, sum.gouge);
-  if (reachability) see_uncut(cells, looks, *reachability, request.allowance_mm, sum.uncut);
+  if (reach) see_uncut(cells, looks, *reach, request.allowance_mm, sum.uncut);
   sum.cells = looks.size();
 
   const auto excess = [&](const FirstLook& l) {
@@ -266,7 +275,7 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
         found[k].uncut.cover(look.uncut_bound);
         return;
       }
-      found[k] = CellSearch(space, reachability, request, goals, before)
+      found[k] = CellSearch(space, reach, request, goals, before)
                      .run(cells.cells()[i], look.bounds.nearest.body);
     });
     for (const Outcome& o : found) {

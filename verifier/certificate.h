@@ -6,7 +6,7 @@
 #include "engine/model/run_control.h"
 #include "verifier/cell_bounds.h"
 #include "verifier/deviation.h"
-#include "verifier/reachability.h"
+#include "verifier/reach_query.h"
 #include "verifier/surface_cells.h"
 
 namespace limitgauge::verifier {
@@ -45,11 +45,10 @@ struct Certificate {
 /// distance: coordinates below 10 m, far above the true error.
 inline constexpr double kRounding_mm = 1e-9 + SurfaceCells::kOmitted_mm;
 
-/// Without `reachability` gouge alone is certified and uncut is empty, as for a shank.
+/// Without `reach` gouge alone is certified and uncut is empty, as for a shank.
 /// Branch and bound over the cells, worst first. Batches of fixed size see the best values of the
 /// batches before them only, so the result is the same for any number of threads.
-Certificate certify(const SurfaceCells& cells, const RemovedSpace& space,
-                    const Reachability* reachability, const CertificateRequest& request,
-                    const model::RunControl& control);
+Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, const ReachQuery* reach,
+                    const CertificateRequest& request, const model::RunControl& control);
 
 }  // namespace limitgauge::verifier

@@ -58,16 +58,6 @@ void share_out_areas(DeviationField& field) {
   }
 }
 
-/// A gouge-free tip that touches the sample, if one was proven.
-std::optional<Vec3> tip_at(const DeviationField::Sample& s, const Reachability& reachability,
-                           const ReachMap& reach) {
-  const Reach proven = reach.at(s.place.patch, s.place.u, s.place.v);
-  if (proven == Reach::unreachable) return std::nullopt;
-  if (proven == Reach::reachable)
-    if (const auto tip = reachability.contact_tip(s.place.point, s.normal)) return tip;
-  return reachability.touching_tip(s.place.point, s.normal);
-}
-
 }  // namespace
 
 DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm) {
@@ -79,9 +69,8 @@ DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm
 }
 
 std::vector<Vec3> measure_field(DeviationField& field, const RemovedSpace& space,
-                                const Reachability& reachability, const ReachMap& reach,
-                                std::span<const Pass> passes, double allowance_mm,
-                                const model::RunControl& control) {
+                                const ReachQuery& reach, std::span<const Pass> passes,
+                                double allowance_mm, const model::RunControl& control) {
   std::vector<Vec3> tips(field.samples.size());
   constexpr std::size_t kChunk = 512;
   model::parallel_for((tips.size() + kChunk - 1) / kChunk, control.threads, [&](std::size_t chunk) {
@@ -97,7 +86,7 @@ std::vector<Vec3> measure_field(DeviationField& field, const RemovedSpace& space
         s.stage = nearest.body.pass, s.move = nearest.body.index;
         s.line = passes[s.stage].path->moves[s.move].line;
       }
-      const auto tip = tip_at(s, reachability, reach);
+      const auto tip = reach.touching_tip(s.place, s.normal);
       s.reachable = tip.has_value();
       if (tip) tips[i] = *tip;
     }

@@ -2,8 +2,7 @@
 
 #include "engine/model/run_control.h"
 #include "verifier/deviation.h"
-#include "verifier/reach_map.h"
-#include "verifier/reachability.h"
+#include "verifier/reach_query.h"
 #include "verifier/reference_surface.h"
 #include "verifier/removed_space.h"
 
@@ -14,13 +13,11 @@ namespace limitgauge::verifier {
 /// Deviations are not filled in yet.
 DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm);
 
-/// Fills in δ − allowance, reachability and the nearest pass of every sample. Where `reach` has
-/// proven nothing of a sample's cell, the sample is tried by itself. Returns the tip that touches
-/// each reachable sample, beside the samples.
+/// Fills in δ − allowance, reachability and the nearest pass of every sample. Returns the tip that
+/// touches each reachable sample, beside the samples.
 std::vector<model::Vec3> measure_field(DeviationField& field, const RemovedSpace& space,
-                                       const Reachability& reachability, const ReachMap& reach,
-                                       std::span<const Pass> passes, double allowance_mm,
-                                       const model::RunControl& control);
+                                       const ReachQuery& reach, std::span<const Pass> passes,
+                                       double allowance_mm, const model::RunControl& control);
 
 /// Greatest distance that even the best toolpath leaves at an unreachable sample: to the nearest of
 /// the cutter positions that touch a reachable sample. Good to the field's spacing.

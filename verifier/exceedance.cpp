@@ -27,9 +27,9 @@ double area_of(const Bezier& cell) {
 
 class SpotSearch {
  public:
-  SpotSearch(const RemovedSpace& space, const Reachability* reachability,
-             const ExceedanceRequest& request, std::size_t cell_limit)
-      : bounder_(space), reachability_(reachability), request_(request), cell_limit_(cell_limit) {}
+  SpotSearch(const RemovedSpace& space, const ReachQuery* reach, const ExceedanceRequest& request,
+             std::size_t cell_limit)
+      : bounder_(space), reach_(reach), request_(request), cell_limit_(cell_limit) {}
 
   void run(const SurfaceCell& cell) {
     std::vector<BodyRef> candidates;
@@ -62,17 +62,14 @@ class SpotSearch {
     const double radius = control_radius(cell.shape, b.middle);
     const bool spot = depth.here > request_.threshold_mm &&
                       (radius <= request_.spot_radius_mm || depth.least > request_.threshold_mm);
-    const bool touched = request_.side == Side::gouge || !spot ||
-                         reachability_->touching_tip(b.middle, middle_normal(cell)).has_value();
+    const SurfacePlace place{cell.patch, cell.u_at(0.5), cell.v_at(0.5), b.middle};
+    const bool touched =
+        request_.side == Side::gouge || !spot || reach_->can_be_touched(place, middle_normal(cell));
     if (spot && touched) {
-      out_.spots.push_back({{cell.patch, cell.u_at(0.5), cell.v_at(0.5), b.middle},
-                            depth.here,
-                            area_of(cell.shape),
-                            radius,
-                            b.nearest.body});
+      out_.spots.push_back({place, depth.here, area_of(cell.shape), radius, b.nearest.body});
       return;
     }
-    if (!touched && (radius <= kRim_mm || reachability_->surely_unreachable(cell.shape))) return;
+    if (!touched && (radius <= kRim_mm || reach_->surely_unreachable(cell))) return;
     if (++cells_ > cell_limit_) out_.complete = false;
     if (cells_ > cell_limit_ || radius < kSmallestCell_mm) return;
     const auto halves = longer_in_u(cell.shape) ? split_u(cell) : split_v(cell);
@@ -87,7 +84,7 @@ class SpotSearch {
   }
 
   CellBounder bounder_;
-  const Reachability* reachability_;
+  const ReachQuery* reach_;
   const ExceedanceRequest& request_;
   std::size_t cells_ = 0, cell_limit_;
   std::optional<BodyRef> hint_;
@@ -97,7 +94,7 @@ class SpotSearch {
 }  // namespace
 
 Exceedance find_exceedance(const SurfaceCells& cells, const RemovedSpace& space,
-                           const Reachability* reachability, const ExceedanceRequest& request,
+                           const ReachQuery* reach, const ExceedanceRequest& request,
                            const model::RunControl& control) {
   const std::size_t chunks = (cells.cells().size() + kChunk - 1) / kChunk;
   std::vector<Exceedance> parts(chunks);
@@ -107,7 +104,7 @@ Exceedance find_exceedance(const SurfaceCells& cells, const RemovedSpace& space,
   const std::size_t share = std::max(kLeastShare, 4 * request.largest_cell_count / (chunks + 1));
   model::parallel_for(chunks, control.threads, [&](std::size_t chunk) {
     control.check();
-    SpotSearch search(space, reachability, request, share);
+    SpotSearch search(space, reach, request, share);
     for (std::size_t i = chunk * kChunk; i < std::min(cells.cells().size(), (chunk + 1) * kChunk);
          ++i)
       search.run(cells.cells()[i]);

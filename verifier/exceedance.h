@@ -33,9 +33,9 @@ struct ExceedanceRequest {
 };
 
 /// Divides the cells whose bounds exceed the threshold until each part is below it (plus slack),
-/// wholly above it, or a spot whose middle is above it. `reachability` is asked for uncut only.
+/// wholly above it, or a spot whose middle is above it. `reach` is asked for uncut only.
 Exceedance find_exceedance(const SurfaceCells& cells, const RemovedSpace& space,
-                           const Reachability* reachability, const ExceedanceRequest& request,
+                           const ReachQuery* reach, const ExceedanceRequest& request,
                            const model::RunControl& control);
 
 }  // namespace limitgauge::verifier

@@ -59,13 +59,13 @@ void judge_length(GateDecision& out, const std::string& what, const Interval& fi
   worsen(out.verdict, verdict);
 }
 
-/// In a hole that is deeper than the cutter is wide δ stays small: it measures to the nearest
-/// material, aside. Where a corner goes into S the voxel figure exceeds δ by a fifth at most (a
-/// right angle), so at twice the certified depth there is a hole.
-bool is_deeper_than_wide(const StageDeviation& deviation, const GateLimits& limits) {
-  constexpr double kHole = 2;
-  return deviation.gouge_mm.high <= limits.gouge_mm && deviation.voxel_gouge_mm > limits.gouge_mm &&
-         deviation.voxel_gouge_mm > kHole * deviation.gouge_mm.high;
+/// δ measures to the nearest removed space or material: beside a thin wall, and in a hole that is
+/// deeper than wide, it stays small, and the stock points show the height. Of cusps and of corners
+/// that go into S they show somewhat more than δ too (under half as much again up to cusps of two
+/// fifths of the radius, a fifth at right angles), so only twice the certified figure counts.
+bool shows_more(double voxel_mm, const Interval& certified, double limit_mm) {
+  constexpr double kTwice = 2;
+  return certified.high <= limit_mm && voxel_mm > limit_mm && voxel_mm > kTwice * certified.high;
 }
 
 void judge_collisions(GateDecision& out, const char* what, std::size_t count) {
@@ -103,7 +103,7 @@ GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
   GateDecision out{Verdict::pass, {}};
   if (limits.has_gouge) {
     judge_length(out, gouge_by(deviation), deviation.gouge_mm, limits.gouge_mm);
-    if (is_deeper_than_wide(deviation, limits)) {
+    if (shows_more(deviation.voxel_gouge_mm, deviation.gouge_mm, limits.gouge_mm)) {
       out.reasons.push_back("the stock lies " + length_text(deviation.voxel_gouge_mm) +
                             " under the allowance surface, limit " + length_text(limits.gouge_mm));
       worsen(out.verdict, Verdict::fail);
@@ -111,8 +111,7 @@ GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
   }
   if (limits.has_uncut) {
     judge_length(out, "uncut", deviation.uncut_mm, limits.uncut_mm);
-    if (deviation.voxel_uncut_mm > limits.uncut_mm && deviation.uncut_mm.high <= limits.uncut_mm) {
-      // δ is the distance to the nearest removed space: beside a thin wall it stays small.
+    if (shows_more(deviation.voxel_uncut_mm, deviation.uncut_mm, limits.uncut_mm)) {
       out.reasons.push_back("material stands " + length_text(deviation.voxel_uncut_mm) +
                             " over the allowance surface, limit " + length_text(limits.uncut_mm));
       worsen(out.verdict, Verdict::fail);

@@ -6,7 +6,7 @@
 #include "verifier/certificate.h"
 #include "verifier/deviation_field.h"
 #include "verifier/findings.h"
-#include "verifier/reach_map.h"
+#include "verifier/reach_query.h"
 #include "verifier/statistics.h"
 #include "verifier/stock_readings.h"
 #include "verifier/surface_tree.h"
@@ -15,12 +15,11 @@
 namespace limitgauge::verifier {
 namespace {
 
-/// Contact tolerance of reachability, for the certificate and for the sampled field: a tenth of a
-/// micrometre where a verdict hangs on it, a micrometre for maps and areas.
-constexpr double kContact_mm = 1e-4, kMapContact_mm = 1e-3;
+/// Contact tolerance of reachability: a tenth of a micrometre, far below any gate.
+constexpr double kContact_mm = 1e-4;
 
 /// How finely the rim of what can be reached is resolved, and for how long.
-constexpr ReachOptions kReachEffort{0.05, 100'000};
+constexpr ReachOptions kReachEffort{0.05, 60'000};
 
 /// Where branch and bound starts: small enough that few moves matter to a cell, and no more than a
 /// few hundred thousand cells on a large part.
@@ -58,7 +57,7 @@ void join_figures(StageDeviation& out, const Certificate& cutter,
 struct Measured {
   const SurfaceCells& cells;
   const RemovedSpace& space;
-  const Reachability& reachability;
+  const ReachQuery& reach;
   std::span<const Pass> passes;
   const StageCheck& check;
 };
@@ -96,7 +95,7 @@ std::vector<Finding> findings_of(const Measured& m, const RemovedSpace& space, S
     request.allowance_mm = m.check.allowance_mm;
     request.threshold_mm = threshold_mm;
     request.slack_mm = m.check.resolution_mm;
-    found = find_exceedance(m.cells, space, &m.reachability, request, control);
+    found = find_exceedance(m.cells, space, &m.reach, request, control);
   }
   complete = complete && found.complete;
   return gather_findings(found, witness, m.passes, first_stage, body);
@@ -141,32 +140,32 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   const SurfaceCells cells(surface.tree(), first_cell_radius_mm(surface));
   const RemovedSpace space(raw_stock, passes);
   const CutterProfile cutter(passes.back().cutter);
-  const Reachability reachability(cells, cutter, check.allowance_mm, kContact_mm);
-  const Reachability for_maps(cells, cutter, check.allowance_mm, kMapContact_mm);
+  const Reachability search(cells, cutter, check.allowance_mm, kContact_mm);
+  const ReachMap proven = classify_reach(cells, search, kReachEffort, control);
+  const ReachQuery reach(search, proven);
 
   const CertificateRequest request = request_of(check);
-  const Certificate certificate = certify(cells, space, &reachability, request, control);
+  const Certificate certificate = certify(cells, space, &reach, request, control);
   const std::vector<BodySweep> bodies = certify_assemblies(cells, passes, request, control);
   StageDeviation out;
   out.resolution_mm = check.resolution_mm;
   join_figures(out, certificate, bodies);
 
   const VoxelFigures voxels =
-      read_stock(cells, space, reachability, certificate, readings, check, control);
+      read_stock(cells, space, reach, certificate, readings, check, control);
   out.voxel_gouge_mm = voxels.gouge_mm;
   out.voxel_uncut_mm = voxels.uncut_mm;
 
-  const ReachMap reach = classify_reach(cells, for_maps, kReachEffort, control);
-  out.proven_reach = {reach.reachable_area_mm2(), reach.unreachable_area_mm2(),
-                      reach.undecided_area_mm2()};
+  out.proven_reach = {proven.reachable_area_mm2(), proven.unreachable_area_mm2(),
+                      proven.undecided_area_mm2()};
   out.field = sample_surface(surface, check.field_spacing_mm);
   const std::vector<model::Vec3> tips =
-      measure_field(out.field, space, for_maps, reach, passes, check.allowance_mm, control);
+      measure_field(out.field, space, reach, passes, check.allowance_mm, control);
   out.unavoidable_uncut_mm =
       unavoidable_uncut_mm(out.field, tips, passes.back().cutter, check.allowance_mm, control);
   summarize_field(out, check.limits);
 
-  const Measured measured{cells, space, reachability, passes, check};
+  const Measured measured{cells, space, reach, passes, check};
   find_gouges(out, measured, certificate, bodies, control);
   find_leftovers(out, measured, certificate, control);
   out.budget = budget_of(space, check, voxels);

@@ -206,6 +206,12 @@ ReachMap::ReachMap(std::vector<Entry> entries) : entries_(std::move(entries)) {
   index_ = std::make_unique<const ParameterIndex>(cells);
 }
 
+Reach ReachMap::of(const SurfaceCell& cell) const {
+  const auto k = index_->find(cell.patch, cell.u_at(0.5), cell.v_at(0.5));
+  if (!k || !rect_of(entries_[*k].cell).holds(rect_of(cell))) return Reach::undecided;
+  return entries_[*k].reach;
+}
+
 Reach ReachMap::at(int patch, double u, double v) const {
   const auto k = index_->find(patch, u, v);
   return k ? entries_[*k].reach : Reach::undecided;

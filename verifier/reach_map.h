@@ -39,6 +39,8 @@ class ReachMap {
   const std::vector<Entry>& entries() const { return entries_; }
   /// What is proven of the point of S at a patch's parameters; undecided at an irregular vertex.
   Reach at(int patch, double u, double v) const;
+  /// What is proven of all points of `cell`, a part of one of the entries; undecided otherwise.
+  Reach of(const SurfaceCell& cell) const;
 
  private:
   std::vector<Entry> entries_;

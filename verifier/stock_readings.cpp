@@ -21,7 +21,8 @@ struct Reading {
   double deviation_mm = 0;  ///< δ − a as this point shows it
   double gouge_mm = 0;      ///< depth of the foot beyond the stock's tangent plane at this point
   double mismatch_mm = 0;   ///< beyond what is allowed for
-  Vec3 foot, normal;
+  SurfacePlace foot;
+  Vec3 normal;
 };
 
 class Reader {
@@ -46,8 +47,8 @@ class Reader {
     if (!foot) return out;
     const double facing = dot(air, foot->normal);
     if (!foot->perpendicular || facing <= 0) return out;
-    out.foot = foot->place.point, out.normal = foot->normal;
-    const double side = dot(point.position - out.foot, out.normal) >= 0 ? 1 : -1;
+    out.foot = foot->place, out.normal = foot->normal;
+    const double side = dot(point.position - out.foot.point, out.normal) >= 0 ? 1 : -1;
     out.deviation_mm = side * foot->distance_mm - allowance_mm_;
     // How far the allowance surface lies beyond the plane of the stock there: no cut from aside,
     // under an edge of S, counts as one from above.
@@ -70,7 +71,7 @@ class Reader {
   /// part.
   bool is_one_piece(const Reading& r, const Vec3& point) const {
     constexpr int kParts = 8;
-    const Vec3 from = r.foot + r.normal * allowance_mm_;
+    const Vec3 from = r.foot.point + r.normal * allowance_mm_;
     for (int k = 1; k < kParts; ++k) {
       const double delta =
           space_.nearest(lerp(from, point, double(k) / kParts), hint_).distance.value;
@@ -141,7 +142,7 @@ void require_gone(const Certificate& certificate, std::span<const StockReading> 
 }
 
 /// The largest leftover whose foot can be touched.
-double largest_reachable(const std::vector<Reading>& read, const Reachability& reachability) {
+double largest_reachable(const std::vector<Reading>& read, const ReachQuery& reach) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < read.size(); ++i)
     if (read[i].counts && read[i].deviation_mm > 0) order.push_back(i);
@@ -149,14 +150,14 @@ double largest_reachable(const std::vector<Reading>& read, const Reachability& r
     return read[i].deviation_mm > read[j].deviation_mm;
   });
   for (const std::size_t i : order)
-    if (reachability.touching_tip(read[i].foot, read[i].normal)) return read[i].deviation_mm;
+    if (reach.can_be_touched(read[i].foot, read[i].normal)) return read[i].deviation_mm;
   return 0;
 }
 
 }  // namespace
 
 VoxelFigures read_stock(const SurfaceCells& cells, const RemovedSpace& space,
-                        const Reachability& reachability, const Certificate& certificate,
+                        const ReachQuery& reach, const Certificate& certificate,
                         std::span<const StockReading> readings, const StageCheck& check,
                         const model::RunControl& control) {
   std::vector<Reading> read(readings.size());
@@ -175,7 +176,7 @@ VoxelFigures read_stock(const SurfaceCells& cells, const RemovedSpace& space,
     figures.largest_error_mm = std::max(figures.largest_error_mm, readings[i].error_mm);
     if (read[i].counts) figures.gouge_mm = std::max(figures.gouge_mm, read[i].gouge_mm);
   }
-  figures.uncut_mm = largest_reachable(read, reachability);
+  figures.uncut_mm = largest_reachable(read, reach);
   return figures;
 }
 

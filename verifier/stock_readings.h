@@ -22,7 +22,7 @@ struct VoxelFigures {
 /// have stock points where it says, and a certified gouge none: otherwise InstrumentDisagreement
 /// with both readings.
 VoxelFigures read_stock(const SurfaceCells& cells, const RemovedSpace& space,
-                        const Reachability& reachability, const Certificate& certificate,
+                        const ReachQuery& reach, const Certificate& certificate,
                         std::span<const StockReading> readings, const StageCheck& check,
                         const model::RunControl& control);
 

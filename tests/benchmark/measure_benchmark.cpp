@@ -16,7 +16,10 @@ void certify_finish(benchmark::State& state) {
   const verifier::SurfaceCells cells(dome.tree(), 0.3);
   const verifier::Pass pass{ball(), dome_finish()};
   const verifier::RemovedSpace space(kBlock, {&pass, 1});
-  const verifier::Reachability reach(cells, verifier::CutterProfile(pass.cutter), 0, 1e-4);
+  const verifier::Reachability search(cells, verifier::CutterProfile(pass.cutter), 0, 1e-4);
+  const verifier::ReachMap proven =
+      verifier::classify_reach(cells, search, {0.05, 60'000}, {2, nullptr, {}});
+  const verifier::ReachQuery reach(search, proven);
   verifier::CertificateRequest request;
   request.resolution_mm = static_cast<double>(state.range(0)) * 1e-6;
   request.largest_cell_count = 20'000'000;

@@ -12,8 +12,9 @@ packages=(
   nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev
   # command line and job files
   libcli11-dev libtomlplusplus-dev
-  # tests: the framework, a second reader of our VTK files, a validator of our JSON
-  catch2 libvtk9-dev python3 python3-jsonschema
+  # tests: the framework, a second reader of our VTK files, a validator of our JSON, another
+  # evaluator of our surfaces
+  catch2 libvtk9-dev python3 python3-jsonschema libosd-dev
   # benchmarks: the harness, and the closest-point tree that ours is compared with
   libbenchmark-dev libcgal-dev
 )

@@ -89,7 +89,8 @@ class Search {
     LowestTip::Proof proof;
     const Tried* worst = nullptr;
     for (int n = 0; n < kProofs; ++n) {
-      close_cells();
+      do close_cells();
+      while (reopen());
       worst = worst_tried();
       if (!worst || best_ <= 0) break;
       const std::size_t left =
@@ -242,8 +243,7 @@ class Search {
   }
 
   void settle_or_split(const Open& open, double upper) {
-    const Vec3 m = middle(open.cell.shape);
-    if (upper <= good_enough() || control_radius(open.cell.shape, m) < kSmallest_mm) {
+    if (upper <= good_enough() || is_spot(open.cell)) {
       closed_.push_back({open.cell, upper});
       return;
     }
@@ -261,18 +261,31 @@ class Search {
                                                                       : split_v(cell);
   }
 
-  /// The worst point has a better position than was thought: cells are measured by a smaller value.
+  /// The worst point has a better position than was thought.
   void add_better(const Vec3& s, const Vec3& tip) {
     extra_.push_back(lowest_.improved(tip, s, settle(lowest_.distance(tip, s))));
     added_ = RemovedSpace(cutter_, positions_of(extra_));
     revalue();
-    const auto reopened = std::partition(closed_.begin(), closed_.end(),
-                                         [&](const Open& o) { return o.upper <= good_enough(); });
-    for (auto it = reopened; it != closed_.end(); ++it) {
+  }
+
+  /// Closed cells that are not good enough any more, since the worst value fell.
+  bool reopen() {
+    if (seen_ >= options_.largest_cell_count) return false;
+    const double enough = good_enough();
+    const auto again = std::partition(closed_.begin(), closed_.end(), [&](const Open& o) {
+      return o.upper <= enough || is_spot(o.cell);
+    });
+    if (again == closed_.end()) return false;
+    for (auto it = again; it != closed_.end(); ++it) {
       open_.push_back(std::move(*it));
       std::push_heap(open_.begin(), open_.end(), lower_of);
     }
-    closed_.erase(reopened, closed_.end());
+    closed_.erase(again, closed_.end());
+    return true;
+  }
+
+  static bool is_spot(const SurfaceCell& cell) {
+    return control_radius(cell.shape, middle(cell.shape)) < kSmallest_mm;
   }
 
   const model::Cutter& cutter_;

@@ -12,6 +12,8 @@ using Values = std::array<double, 16>;
 /// Bounds of two bodies that agree but for rounding: neither rules the other out.
 constexpr double kEqual_mm = 1e-9;
 constexpr int kLineSearches = 6;
+/// An edge counts as sharp where its rounding is below so many radii of the cell.
+constexpr double kSharp = 8;
 /// Bodies whose values at the control points are compared when the upper bound is improved.
 constexpr std::size_t kMixed = 24;
 
@@ -98,7 +100,7 @@ void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& cand
   space_.within(centre, std::min(upper, limit_mm) + radius, candidates);
 }
 
-double CellBounder::improve_upper(const Bezier& cell, double upper, double good_enough) {
+double CellBounder::improve_upper(const Bezier& cell, double upper, double low_enough) {
   const std::size_t count = std::min(kMixed, scored_.size());
   std::partial_sort(scored_.begin(), scored_.begin() + static_cast<std::ptrdiff_t>(count),
                     scored_.end(), [](const Scored& a, const Scored& b) {
@@ -116,22 +118,51 @@ double CellBounder::improve_upper(const Bezier& cell, double upper, double good_
                        [](const Values& a, const Values& b) { return largest(a) < largest(b); });
   Values mean = *first;
   double best = largest(mean);
-  for (int step = 0; step < kLineSearches && best > good_enough; ++step) {
+  for (int step = 0; step < kLineSearches && best > low_enough; ++step) {
     const std::size_t worst = std::max_element(mean.begin(), mean.end()) - mean.begin();
     const auto towards =
         std::min_element(values_.begin(), values_.end(),
                          [&](const Values& a, const Values& b) { return a[worst] < b[worst]; });
     mix(mean, *towards);
     const double now = largest(mean);
-    const bool stuck = best - now < 1e-3 * std::abs(best - good_enough);
+    const bool stuck = best - now < 1e-3 * std::abs(best - low_enough);
     best = std::min(best, now);
     if (stuck) break;
   }
   return std::min(best, upper);
 }
 
+double CellBounder::mixed_lower(const Bezier& cell, const Vec3& middle, BodyRef body) const {
+  // The corners see the faces on both sides of an edge; from under S the edge itself is seen.
+  const Vec3 along_u = cell.control(7) - cell.control(4) + cell.control(11) - cell.control(8),
+             along_v = cell.control(13) - cell.control(1) + cell.control(14) - cell.control(2);
+  const Vec3 under = middle - normalized(cross(along_u, along_v)) * control_radius(cell, middle);
+  const Vec3 points[] = {middle,           under,           cell.control(0), cell.control(3),
+                         cell.control(12), cell.control(15)};
+  constexpr std::size_t kPlanes = std::size(points);
+  // Planes with their signs changed, so that the largest entry is to be made least, as above.
+  std::array<Values, kPlanes> planes{};
+  double slack_mm = 0;
+  for (std::size_t n = 0; n < kPlanes; ++n) {
+    const BodyDistance d = space_.distance(body, points[n]);
+    slack_mm = std::max(slack_mm, d.slack_mm);
+    for (int k = 0; k < 16; ++k)
+      planes[n][k] = -(d.value + dot(d.gradient, cell.control(k) - points[n]));
+  }
+  Values mean =
+      *std::min_element(planes.begin(), planes.end(),
+                        [](const Values& a, const Values& b) { return largest(a) < largest(b); });
+  for (int step = 0; step < kLineSearches; ++step) {
+    const std::size_t worst = std::max_element(mean.begin(), mean.end()) - mean.begin();
+    mix(mean,
+        *std::min_element(planes.begin(), planes.end(),
+                          [&](const Values& a, const Values& b) { return a[worst] < b[worst]; }));
+  }
+  return -largest(mean) - slack_mm;
+}
+
 CellBounds CellBounder::bound(const Bezier& cell, std::vector<BodyRef>& candidates,
-                              double good_enough) {
+                              double low_enough, double high_enough) {
   CellBounds out;
   out.middle = middle(cell);
   scored_.clear();
@@ -146,13 +177,16 @@ CellBounds CellBounder::bound(const Bezier& cell, std::vector<BodyRef>& candidat
     std::erase_if(scored_, [&](const Scored& s) { return s.lower > out.upper + kEqual_mm; });
   };
   drop();
-  if (out.upper > good_enough) {
-    out.upper = improve_upper(cell, out.upper, good_enough);
+  if (out.upper > low_enough) {
+    out.upper = improve_upper(cell, out.upper, low_enough);
     drop();
   }
   out.lower = std::numeric_limits<double>::infinity();
   candidates.clear();
-  for (const Scored& s : scored_) {
+  const double sharp_mm = kSharp * control_radius(cell, out.middle);
+  for (Scored& s : scored_) {
+    if (s.lower < high_enough && space_.rounding_mm(s.body) < sharp_mm && !space_.is_stock(s.body))
+      s.lower = std::max(s.lower, mixed_lower(cell, out.middle, s.body));
     out.lower = std::min(out.lower, s.lower);
     candidates.push_back(s.body);
   }

@@ -24,6 +24,11 @@ struct CellBounds {
 ///
 /// Every d_i lies above its supporting plane at m, so
 ///   δ(s) ≥ min over i of [ d_i(m) + min over k of g_i·(P_k − m) ].
+/// Where a sharp edge of a body touches the cell, the plane at m is only first-order right: there
+/// supporting planes at several points x are mixed, which for any weights is a supporting plane
+/// too,
+///   d_i(s) ≥ Σ w_x (d_i(x) + g_x·(s − x)),
+/// so that the mean is level along the cell.
 /// A body whose term exceeds the upper bound is nearest nowhere in the cell and is dropped, for
 /// this cell and all its parts. The side of a round bar is concave: there plane and corner values
 /// swap.
@@ -38,8 +43,10 @@ class CellBounder {
                        std::optional<BodyRef> hint = {},
                        double limit_mm = std::numeric_limits<double>::infinity());
   /// `candidates` must hold every body that can be nearest somewhere in the cell; those that cannot
-  /// are removed. The upper bound is not improved any further once it is below `good_enough`.
-  CellBounds bound(const Bezier& cell, std::vector<BodyRef>& candidates, double good_enough);
+  /// are removed. The upper bound is not improved any further once it is below `low_enough`, nor
+  /// the lower bound once it is above `high_enough`.
+  CellBounds bound(const Bezier& cell, std::vector<BodyRef>& candidates, double low_enough,
+                   double high_enough = -std::numeric_limits<double>::infinity());
 
  private:
   using Values = std::array<double, 16>;
@@ -51,7 +58,8 @@ class CellBounder {
   Scored score(const Bezier& cell, const model::Vec3& middle, BodyRef body,
                BodyDistance& distance) const;
   double upper_of(const Bezier& cell, const model::Vec3& middle, BodyRef body);
-  double improve_upper(const Bezier& cell, double upper, double good_enough);
+  double improve_upper(const Bezier& cell, double upper, double low_enough);
+  double mixed_lower(const Bezier& cell, const model::Vec3& middle, BodyRef body) const;
 
   const RemovedSpace& space_;
   std::vector<Scored> scored_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace limitgauge::verifier {
@@ -9,14 +10,13 @@ namespace {
 
 using model::Vec3;
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t kBatch = 128;
 /// Cells are not split below this: the interval then stays as wide as it is.
 constexpr double kSmallestCell_mm = 1e-6;
 /// Share of all the effort that one cell may take before it is given up, so that one bad spot
 /// cannot hold up a run.
 constexpr double kShareOfCell = 0.01;
-/// Points of one cell whose reach may be searched for, each over all of S.
-constexpr std::size_t kReachQuestions = 20'000;
 /// Part of the resolution that branch and bound may use; the rest is for rounding.
 constexpr double kShare = 0.95;
 
@@ -66,7 +66,7 @@ struct Goals {
 
 /// Bodies further than this from everything in a cell say nothing of a gouge.
 double limit_of_interest(const ReachQuery* reach, const CertificateRequest& request) {
-  return reach ? std::numeric_limits<double>::infinity() : request.allowance_mm;
+  return reach ? kInfinite : request.allowance_mm;
 }
 
 /// First look at a cell of the list.
@@ -97,9 +97,9 @@ class CellSearch {
               bool uncut_open) {
     ++out_.cells;
     const double a = request_.allowance_mm;
-    const double good_enough =
-        uncut_open ? a + uncut_goal() : std::numeric_limits<double>::infinity();
-    const CellBounds b = bounder_.bound(cell.shape, candidates, good_enough);
+    const double low_enough = uncut_open ? a + uncut_goal() : kInfinite;
+    const double high_enough = gouge_open ? a - gouge_goal() : -kInfinite;
+    const CellBounds b = bounder_.bound(cell.shape, candidates, low_enough, high_enough);
     const double here = b.nearest.distance.value - a;
     const SurfacePlace place{cell.patch, cell.u_at(0.5), cell.v_at(0.5), b.middle};
     out_.gouge.see(-here, place, b.nearest.body);
@@ -116,16 +116,11 @@ class CellSearch {
       out_.uncut.cover(uncut_bound);
       uncut_open = false;
     }
-    if (uncut_open && out_of_reach && prove_unreachable(cell)) uncut_open = false;
+    if (uncut_open && out_of_reach && reach_->surely_unreachable(cell)) uncut_open = false;
     if (!gouge_open && !uncut_open) return;
     const bool tiny = control_radius(cell.shape, b.middle) < kSmallestCell_mm;
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (uncut_open && out_of_reach && tiny) uncut_open = false;
-    if (reach_questions_ > kReachQuestions && uncut_open) {
-      out_.uncut.cover(uncut_bound);
-      uncut_open = false;
-      if (!gouge_open) return;
-    }
     if (tiny || static_cast<double>(out_.cells) >
                     kShareOfCell * static_cast<double>(request_.largest_cell_count)) {
       if (gouge_open) out_.gouge.cover(gouge_bound);
@@ -143,14 +138,9 @@ class CellSearch {
   /// Takes the leftover into account if its place can be touched; false if that was not proven.
   bool see_uncut(const SurfaceCell& cell, const SurfacePlace& place, double depth_mm,
                  BodyRef body) {
-    if (!reach_->is_proven(place)) ++reach_questions_;
     if (!reach_->can_be_touched(place, middle_normal(cell))) return false;
     out_.uncut.see(depth_mm, place, body);
     return true;
-  }
-
-  bool prove_unreachable(const SurfaceCell& cell) {
-    return reach_questions_ <= kReachQuestions && reach_->surely_unreachable(cell);
   }
 
   /// Split where δ changes most: across the passes far more than along them, but never into
@@ -169,7 +159,6 @@ class CellSearch {
   const ReachQuery* reach_;
   const CertificateRequest& request_;
   const Goals& goals_;
-  std::size_t reach_questions_ = 0;
   Outcome out_;
 };
 
@@ -189,10 +178,9 @@ std::vector<FirstLook> look_at_all(const SurfaceCells& cells, const RemovedSpace
              ++i) {
           const Bezier& shape = cells.cells()[i].shape;
           bounder.find_candidates(shape, candidates, hint, limit_of_interest(reach, request));
-          looks[i].bounds.nearest.distance.value = std::numeric_limits<double>::infinity();
+          looks[i].bounds.nearest.distance.value = kInfinite;
           if (candidates.empty()) continue;
-          looks[i].bounds =
-              bounder.bound(shape, candidates, std::numeric_limits<double>::infinity());
+          looks[i].bounds = bounder.bound(shape, candidates, kInfinite, -kInfinite);
           hint = looks[i].bounds.nearest.body;
           looks[i].gouge_bound = request.allowance_mm - looks[i].bounds.lower;
           if (reach) looks[i].uncut_bound = looks[i].bounds.upper - request.allowance_mm;

@@ -8,6 +8,7 @@ namespace {
 
 using model::Vec3;
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kSmallestCell_mm = 1e-6;
 /// Where the middle cannot be touched, smaller parts are not looked at for others that can.
 constexpr double kRim_mm = 0.01;
@@ -33,8 +34,7 @@ class SpotSearch {
 
   void run(const SurfaceCell& cell) {
     std::vector<BodyRef> candidates;
-    const double far = request_.side == Side::gouge ? request_.allowance_mm
-                                                    : std::numeric_limits<double>::infinity();
+    const double far = request_.side == Side::gouge ? request_.allowance_mm : kInfinite;
     bounder_.find_candidates(cell.shape, candidates, hint_, far);
     if (!candidates.empty()) search(cell, std::move(candidates));
   }
@@ -52,10 +52,11 @@ class SpotSearch {
   }
 
   void search(const SurfaceCell& cell, std::vector<BodyRef> candidates) {
-    const double good_enough = request_.side == Side::uncut
-                                   ? request_.allowance_mm + request_.threshold_mm
-                                   : std::numeric_limits<double>::infinity();
-    const CellBounds b = bounder_.bound(cell.shape, candidates, good_enough);
+    const bool gouge = request_.side == Side::gouge;
+    const double level = gouge ? request_.allowance_mm - request_.threshold_mm - request_.slack_mm
+                               : request_.allowance_mm + request_.threshold_mm;
+    const CellBounds b = bounder_.bound(cell.shape, candidates, gouge ? kInfinite : level,
+                                        gouge ? level : -kInfinite);
     hint_ = b.nearest.body;
     const Depths depth = depths_of(b);
     if (depth.most <= request_.threshold_mm + request_.slack_mm) return;

@@ -12,10 +12,6 @@ class ReachQuery {
   ReachQuery(const Reachability& search, const ReachMap& proven)
       : search_(search), proven_(proven) {}
 
-  /// Whether the map answers, so that there is nothing to search.
-  bool is_proven(const SurfacePlace& place) const {
-    return proven_.at(place.patch, place.u, place.v) != Reach::undecided;
-  }
   /// A proof that a gouge-free position touches S at the place, where its unit normal is `normal`.
   bool can_be_touched(const SurfacePlace& place, const model::Vec3& normal) const;
   /// That position.

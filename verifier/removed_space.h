@@ -54,6 +54,10 @@ class RemovedSpace {
   void values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const;
   /// The side of a round bar: its distance is concave, not convex.
   bool is_concave(BodyRef body) const;
+  /// Radius of the smallest rounding of a body's edges, in mm; none of a face of the stock.
+  double rounding_mm(BodyRef body) const {
+    return is_stock(body) ? 0 : passes_[body.pass].profile.rounding_mm;
+  }
   bool is_stock(BodyRef body) const { return body.pass == passes_.size(); }
   /// Largest distance between a programmed arc and the chords that stand for it, over all passes.
   double chord_error_mm() const { return chord_error_mm_; }

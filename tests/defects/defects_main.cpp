@@ -19,8 +19,8 @@
 namespace limitgauge::tests::defects {
 namespace {
 
-/// Widest certified interval. Along the sharp edge of a flat bounds close in the first order only.
-constexpr double kResolution_mm = 0.0002, kFlatResolution_mm = 0.003;
+/// Widest certified interval.
+constexpr double kResolution_mm = 0.0002;
 constexpr double kSmallest_mm = 0.0005, kLargest_mm = 2;
 constexpr std::size_t kVoxelsEvery = 12;
 
@@ -57,8 +57,7 @@ std::vector<PairPlan> full_plan(const Options& options) {
       constexpr double kSteps_mm[] = {0.3, 0.5, 0.4, 0.7, 0.35};
       PairPlan plan{surfaces[s].name, surfaces[s].cage,      cutters[c], 0, 0, false, {}, 0,
                     kVoxelsEvery,     s * cutters.size() + c};
-      plan.resolution_mm =
-          cutters[c].type == model::CutterType::flat ? kFlatResolution_mm : kResolution_mm;
+      plan.resolution_mm = kResolution_mm;
       plan.step_mm = kSteps_mm[(s + 2 * c) % std::size(kSteps_mm)];
       plan.across = static_cast<int>((s + c) % 2);
       plan.modal = (s + c) % 3 == 0;

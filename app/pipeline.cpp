@@ -185,7 +185,7 @@ reports::SurfaceResult surface_as_read(const Job& job, const RunInputs& inputs) 
   reports::SurfaceResult surface;
   surface.cage = job.cage_as_stated;
   surface.summary = summarize(inputs.cage);
-  surface.boundary = inputs.cage.boundary;
+  surface.rules = inputs.surface.rules();
   surface.bbox_mm = inputs.surface.bounding_box();
   surface.area_mm2 = inputs.surface.area_mm2();
   return surface;

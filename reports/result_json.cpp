@@ -49,6 +49,19 @@ const char* rule_name(model::BoundaryRule rule) {
   return "edge_only";
 }
 
+Json rules_part(const verifier::SurfaceRules& r) {
+  return {{"scheme", "catmull-clark"},
+          {"boundary", rule_name(r.boundary)},
+          {"creases", "uniform"},
+          {"infinite_sharpness", finite("rules.infinite_sharpness", r.infinite_sharpness)},
+          {"sharp_edges", r.sharp_edges},
+          {"semi_sharp_edges", r.semi_sharp_edges},
+          {"sharp_vertices", r.sharp_vertices},
+          {"semi_sharp_vertices", r.semi_sharp_vertices},
+          {"darts", r.darts},
+          {"holes", r.holes}};
+}
+
 Json surface_part(const SurfaceResult& s) {
   return {
       {"cage", clean_text(s.cage)},
@@ -60,7 +73,8 @@ Json surface_part(const SurfaceResult& s) {
       {"creases", s.summary.creases},
       {"corners", s.summary.corners},
       {"holes", s.summary.holes},
-      {"boundary_rule", rule_name(s.boundary)},
+      {"boundary_rule", rule_name(s.rules.boundary)},
+      {"rules", rules_part(s.rules)},
       {"bbox_mm", Json::array({point("surface.bbox_mm", s.bbox_mm.low),
                                point("surface.bbox_mm", s.bbox_mm.high)})},
       {"area_mm2", finite("surface.area_mm2", s.area_mm2)},

@@ -10,6 +10,7 @@
 #include "engine/strategy/stage_path.h"
 #include "simulator/collision.h"
 #include "verifier/deviation.h"
+#include "verifier/surface_rules.h"
 
 namespace limitgauge::reports {
 
@@ -17,7 +18,7 @@ namespace limitgauge::reports {
 struct SurfaceResult {
   std::string cage;  ///< file name as the job states it
   model::CageSummary summary;
-  model::BoundaryRule boundary = model::BoundaryRule::edge_only;
+  verifier::SurfaceRules rules;
   model::Box3 bbox_mm;  ///< of the limit surface, exact
   double area_mm2 = 0;
   int depth_min = 0, depth_max = 0;

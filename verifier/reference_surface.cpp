@@ -35,7 +35,7 @@ double SurfaceTree::speck_radius_mm() const {
 }
 
 ReferenceSurface::ReferenceSurface(const model::Cage& cage)
-    : tree_(std::make_shared<const SurfaceTree>(cage)) {}
+    : tree_(std::make_shared<const SurfaceTree>(cage)), rules_(rules_of(cage)) {}
 
 int ReferenceSurface::patch_count() const {
   return tree_->patch_count();

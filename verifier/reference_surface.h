@@ -4,6 +4,7 @@
 
 #include "engine/model/cage.h"
 #include "engine/model/vec3.h"
+#include "verifier/surface_rules.h"
 
 namespace limitgauge::verifier {
 
@@ -57,10 +58,14 @@ class ReferenceSurface {
   /// By Gauss quadrature on the pieces; relative error below 1e-6.
   double area_mm2() const;
 
+  /// What the surface was made by.
+  const SurfaceRules& rules() const { return rules_; }
+
   const SurfaceTree& tree() const { return *tree_; }
 
  private:
   std::shared_ptr<const SurfaceTree> tree_;
+  SurfaceRules rules_;
 };
 
 }  // namespace limitgauge::verifier

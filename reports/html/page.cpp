@@ -139,6 +139,29 @@ std::string span_text(int low, int high) {
   return low == high ? std::to_string(low) : fmt::format("{} to {}", low, high);
 }
 
+/// The rules that shape this cage's surface, in words.
+std::string rules_text(const verifier::SurfaceRules& r) {
+  std::string text = "Catmull-Clark, boundary ";
+  switch (r.boundary) {
+    case model::BoundaryRule::none:
+      text += "none (faces at it are no surface)";
+      break;
+    case model::BoundaryRule::edge_and_corner:
+      text += "edge and corner";
+      break;
+    case model::BoundaryRule::edge_only:
+      text += "edge only";
+      break;
+  }
+  const auto add = [&](model::Index count, const char* what) {
+    if (count > 0) text += fmt::format(", {} {}", count, what);
+  };
+  add(r.sharp_edges, "sharp edges"), add(r.semi_sharp_edges, "semi-sharp edges, uniform");
+  add(r.sharp_vertices, "sharp vertices"), add(r.semi_sharp_vertices, "semi-sharp vertices");
+  add(r.darts, "darts"), add(r.holes, "holes");
+  return text;
+}
+
 std::string surface_section(const SurfaceResult& s) {
   const model::Vec3 size = s.bbox_mm.size();
   return "<section><h2>Design surface</h2>\n" +
@@ -150,6 +173,7 @@ std::string surface_section(const SurfaceResult& s) {
               {"Faces of the cage", grouped(std::uint64_t(s.summary.faces))},
               {"Boundary edges", grouped(std::uint64_t(s.summary.boundary_edges))},
               {"Extraordinary vertices", grouped(std::uint64_t(s.summary.extraordinary_vertices))},
+              {"Rules of the surface", rules_text(s.rules)},
               {"Subdivision depth", span_text(s.depth_min, s.depth_max)},
               {"Sampling interval", span_text(s.sampling_interval_min, s.sampling_interval_max)},
               {"Model built in", duration_text(s.seconds)},

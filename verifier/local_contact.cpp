@@ -65,9 +65,15 @@ struct Clearance {
 
 /// Spans over a rectangle: components of the first derivatives, normal parts of the second.
 struct LocalContact::Spans {
-  Span ut, ub, vt, vb, uz, vz, uu, uv, vv;
-  double u = 0, v = 0;          ///< greatest lengths of the first derivatives
-  double own_u = 0, own_v = 0;  ///< the same by the patch's own parameters
+  Span ut, ub, un, vt, vb, vn, uz, vz, uu, uv, vv;
+  double u = 0, v = 0;  ///< greatest lengths of the first derivatives
+
+  /// Greatest length of S over steps (±x, ±y): the integral of U·x + V·y, any two of which have a
+  /// product that lies in the span of x²U·U′ + xy(U·V′ + V·U′) + y²V·V′.
+  double longest(double x, double y) const {
+    const double skew = largest(ut * vt + ub * vb + un * vn);
+    return std::sqrt(u * u * x * x + 2 * skew * x * y + v * v * y * y);
+  }
 };
 
 /// Parameters (x, y) in which S is nearly a plane in square millimetres about a cell's middle,
@@ -91,7 +97,10 @@ std::vector<Clearance> clearances(const CellContact& c, double reach, double far
     out.push_back({0, 0, 0});
     return out;
   }
-  const double k = 1 / (c.profile().flat_mm + reach * std::sin(top) + far);
+  // No point of the cutter near the contact lies further from its axis; a straight wall ends it.
+  double furthest = c.profile().flat_mm + reach * std::sin(top) + far;
+  if (c.profile().slope == 0) furthest = std::min(furthest, c.profile().flat_mm + reach);
+  const double k = 1 / furthest;
   const double across = std::sin(low) * k, turn = c.beta() + c.alpha();
   out.push_back({0, across, c.beta()});
   const double free = std::min(low, std::numbers::pi / 2 - std::atan(c.profile().slope) - top);
@@ -101,7 +110,7 @@ std::vector<Clearance> clearances(const CellContact& c, double reach, double far
   if (y > reach * std::sin(free))
     bend = std::min(bend, 2 * (y * std::tan(free) - reach * (1 / std::cos(free) - 1)) / (y * y));
   // (|w_t| − x)² ≥ (1 − η)·w_t² − (1/η − 1)·x² with x = k·w_b²/2, for η = 1/2, and shares of it.
-  for (const double share : {0.05, 0.25, 1.0}) {
+  for (const double share : {0.02, 0.05, 0.12, 0.25, 0.5, 1.0}) {
     const double meridian = share * bend / 2, rest = across - meridian * 2 * k * k * far * far / 4;
     if (rest < 0) continue;
     out.push_back({meridian, rest, turn});
@@ -189,10 +198,9 @@ LocalContact::Spans LocalContact::spans_over(const ClearedRect& area, const Cell
                  uv = mixed(q.u_x * q.u_y, own_uu, q.u_x * q.v_y, own_uv),
                  vv = mixed(1, mixed(q.u_y * q.u_y, own_uu, 2 * q.u_y * q.v_y, own_uv),
                             q.v_y * q.v_y, own_vv);
-      s.own_u = std::max(s.own_u, longest(own_u)), s.own_v = std::max(s.own_v, longest(own_v));
       s.uz.add(along(own_u, z)), s.vz.add(along(own_v, z));
-      s.ut.add(along(u, t)), s.ub.add(along(u, b));
-      s.vt.add(along(v, t)), s.vb.add(along(v, b));
+      s.ut.add(along(u, t)), s.ub.add(along(u, b)), s.un.add(along(u, n));
+      s.vt.add(along(v, t)), s.vb.add(along(v, b)), s.vn.add(along(v, n));
       s.uu.add(along(uu, n).widened(lean * longest(uu)));
       s.uv.add(along(uv, n).widened(lean * longest(uv)));
       s.vv.add(along(vv, n).widened(lean * longest(vv)));
@@ -219,7 +227,7 @@ bool LocalContact::proven(const ClearedRect& area, const SurfaceCell& cell,
   const double du = std::max(own.u1 - area.rect.u0, area.rect.u1 - own.u0),
                dv = std::max(own.v1 - area.rect.v0, area.rect.v1 - own.v0);
   const double y = dv / q.v_y, x = (du + std::abs(q.u_y) * y) / q.u_x;
-  const double far = s.own_u * du + s.own_v * dv, rise = largest(s.uz) * du + largest(s.vz) * dv;
+  const double far = s.longest(x, y), rise = largest(s.uz) * du + largest(s.vz) * dv;
   const double reach = contact.profile().rounding_mm + allowance_mm_;
   // What may be cut into, less a normal turned by up to 1e-6 on a wall.
   const double slack = contact_mm_ - 1e-6 * far;
@@ -244,7 +252,8 @@ std::optional<ClearedRect> LocalContact::clear(const SurfaceCell& cell,
   if (!(u > 0) || !(v > 0)) return std::nullopt;
   const double h = contact.radius();
   double last = 0;
-  for (const double margin : {std::max(6 * h, 3 * usual_radius_mm_), 6 * h, 2.5 * h}) {
+  for (const double margin :
+       {std::max(6 * h, 3 * usual_radius_mm_), 6 * h, 5 * h, 4.4 * h, 3.8 * h, 3.2 * h}) {
     if (margin == last) continue;
     last = margin;
     const ParameterRect wanted{own.u0 - margin / u, own.u1 + margin / u, own.v0 - margin / v,

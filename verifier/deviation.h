@@ -98,7 +98,8 @@ struct StageDeviation {
   struct ProvenReach {
     double reachable_mm2 = 0, unreachable_mm2 = 0, undecided_mm2 = 0;
   } proven_reach;
-  double unavoidable_uncut_mm = 0;
+  /// What no toolpath with this cutter can remove, certified: `low` for a point of the surface.
+  Interval unavoidable_uncut_mm;
   Histogram histogram;
   std::vector<Finding> gouges, uncuts;
   /// Depth from which places are findings: the gate limit, or half of `low` where nothing limits.

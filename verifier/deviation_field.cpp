@@ -94,24 +94,4 @@ std::vector<Vec3> measure_field(DeviationField& field, const RemovedSpace& space
   return tips;
 }
 
-double unavoidable_uncut_mm(const DeviationField& field, const std::vector<Vec3>& tips,
-                            const model::Cutter& cutter, double allowance_mm,
-                            const model::RunControl& control) {
-  std::vector<SweptBody> positions;
-  std::vector<std::size_t> unreachable;
-  for (std::size_t i = 0; i < tips.size(); ++i) {
-    if (field.samples[i].reachable)
-      positions.emplace_back(tips[i], tips[i]);
-    else
-      unreachable.push_back(i);
-  }
-  if (positions.empty() || unreachable.empty()) return 0;
-  const RemovedSpace best_possible(cutter, std::move(positions));
-  std::vector<double> left(unreachable.size());
-  model::parallel_for(left.size(), control.threads, [&](std::size_t k) {
-    left[k] = best_possible.nearest(field.samples[unreachable[k]].place.point).distance.value;
-  });
-  return std::max(0.0, *std::max_element(left.begin(), left.end()) - allowance_mm);
-}
-
 }  // namespace limitgauge::verifier

@@ -19,10 +19,4 @@ std::vector<model::Vec3> measure_field(DeviationField& field, const RemovedSpace
                                        const ReachQuery& reach, std::span<const Pass> passes,
                                        double allowance_mm, const model::RunControl& control);
 
-/// Greatest distance that even the best toolpath leaves at an unreachable sample: to the nearest of
-/// the cutter positions that touch a reachable sample. Good to the field's spacing.
-double unavoidable_uncut_mm(const DeviationField& field, const std::vector<model::Vec3>& tips,
-                            const model::Cutter& cutter, double allowance_mm,
-                            const model::RunControl& control);
-
 }  // namespace limitgauge::verifier

@@ -10,6 +10,7 @@
 #include "verifier/statistics.h"
 #include "verifier/stock_readings.h"
 #include "verifier/surface_tree.h"
+#include "verifier/unavoidable.h"
 #include "verifier/verify.h"
 
 namespace limitgauge::verifier {
@@ -17,6 +18,9 @@ namespace {
 
 /// Contact tolerance of reachability: a tenth of a micrometre, far below any gate.
 constexpr double kContact_mm = 1e-4;
+
+/// Width to which the unavoidable uncut is certified, where the verdict asks for no less.
+constexpr double kUnavoidable_mm = 5e-3;
 
 /// How finely the rim of what can be reached is resolved, and for how long.
 constexpr ReachOptions kReachEffort{0.05, 60'000};
@@ -129,6 +133,19 @@ void find_leftovers(StageDeviation& out, const Measured& m, const Certificate& c
   name_passes(out.uncuts, m.space, m.passes, m.check.allowance_mm);
 }
 
+/// Certified with the positions that touch the reachable samples; it gates nothing.
+Interval unavoidable_of(const SurfaceCells& cells, const ReachMap& proven,
+                        const Reachability& search, const DeviationField& field,
+                        const std::vector<model::Vec3>& tips, const model::Cutter& cutter,
+                        const StageCheck& check, const model::RunControl& control) {
+  std::vector<model::Vec3> free_tips;
+  for (std::size_t i = 0; i < tips.size(); ++i)
+    if (field.samples[i].reachable) free_tips.push_back(tips[i]);
+  UnavoidableOptions options;
+  options.resolution_mm = std::max(kUnavoidable_mm, check.resolution_mm);
+  return unavoidable_uncut(cells, proven, search, free_tips, cutter, options, control).uncut_mm;
+}
+
 }  // namespace
 
 StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock& raw_stock,
@@ -162,7 +179,7 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   const std::vector<model::Vec3> tips =
       measure_field(out.field, space, reach, passes, check.allowance_mm, control);
   out.unavoidable_uncut_mm =
-      unavoidable_uncut_mm(out.field, tips, passes.back().cutter, check.allowance_mm, control);
+      unavoidable_of(cells, proven, search, out.field, tips, passes.back().cutter, check, control);
   summarize_field(out, check.limits);
 
   const Measured measured{cells, space, reach, passes, check};

@@ -164,7 +164,8 @@ std::string deviation_terms(const verifier::StageDeviation& d) {
                 {"Proven in reach, out of reach, neither",
                  area(d.proven_reach.reachable_mm2) + ", " + area(d.proven_reach.unreachable_mm2) +
                      ", " + area(d.proven_reach.undecided_mm2)},
-                {"Unavoidable uncut", measured_length(d.unavoidable_uncut_mm)},
+                {"Unavoidable uncut", measured_length(d.unavoidable_uncut_mm.low) + " to " +
+                                          measured_length(d.unavoidable_uncut_mm.high)},
                 {"Cells examined", grouped(d.cells)},
                 {"Interval width asked for",
                  stated_length(d.resolution_mm) +

@@ -264,7 +264,7 @@ TEST_CASE("a part ten times larger or smaller has the same verdict", "[e2e][meta
   }
 }
 
-TEST_CASE("a mirrored part with reversed faces has the same verdict", "[property][metamorphic]") {
+TEST_CASE("a mirrored part with reversed faces has the same verdict", "[e2e][metamorphic]") {
   for (const Setup& s : setups()) check_same(measured(s), mirrored(s), "mirrored");
 }
 
@@ -279,7 +279,7 @@ TEST_CASE("moves split, merged, reversed or in another order have the same verdi
   }
 }
 
-TEST_CASE("a cage subdivided once has the same verdict", "[property][metamorphic]") {
+TEST_CASE("a cage subdivided once has the same verdict", "[e2e][metamorphic]") {
   for (const Setup& s : setups()) {
     Setup finer = s;
     finer.cage = refine_uniformly(s.cage);

@@ -207,7 +207,7 @@ TEST_CASE("refinement leaves the tangent plane of a vertex where it is", "[prope
   }
 }
 
-TEST_CASE("normals at irregular vertices are the limit of those along the diagonal", "[property]") {
+TEST_CASE("normals at irregular vertices are the limit of those along the diagonal", "[slow]") {
   for (const Case& c : vertex_cases()) {
     const ReferenceSurface surface(centred(c.cage));
     for (int face = 0; face < c.faces; ++face) {

@@ -25,7 +25,7 @@ int levels_for(const model::Cage& cage, int most_faces) {
 
 }  // namespace
 
-TEST_CASE("every kind of vertex agrees with uniform refinement", "[property]") {
+TEST_CASE("every kind of vertex agrees with uniform refinement", "[slow]") {
   ErrorTable all;
   for (const model::Cage& cage : feature_cages()) {
     const ErrorTable own = evaluator_errors(cage, levels_for(cage, 2500));
@@ -43,7 +43,7 @@ TEST_CASE("every kind of vertex agrees with uniform refinement", "[property]") {
   if (std::getenv("LIMITGAUGE_TABLES") != nullptr) WARN("errors by kind of vertex\n" << all.text());
 }
 
-TEST_CASE("every kind of vertex of real cages agrees with uniform refinement", "[property]") {
+TEST_CASE("every kind of vertex of real cages agrees with uniform refinement", "[slow]") {
   const char* folder = std::getenv("LIMITGAUGE_CAGES");
   if (folder == nullptr) return;  // only where such a folder is given
   ErrorTable all;

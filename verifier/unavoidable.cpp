@@ -35,8 +35,9 @@ struct Tried {
   Vec3 tip;
 };
 
-/// Positions that touch the middles of cells: the classification proved those of reachable cells.
-std::vector<Vec3> tips_of(const ReachMap& map, const Reachability& reachability,
+/// Positions that touch the middles of cells: the classification proved those of reachable cells;
+/// where it has no proof they are searched for, if asked.
+std::vector<Vec3> tips_of(const ReachMap& map, const Reachability& reachability, bool with_search,
                           const model::RunControl& control) {
   const auto& entries = map.entries();
   std::vector<std::optional<Vec3>> found(entries.size());
@@ -47,7 +48,7 @@ std::vector<Vec3> tips_of(const ReachMap& map, const Reachability& reachability,
     const auto c = CellContact::of(cell.shape, reachability.profile(), reachability.allowance_mm());
     if (entries[k].reach == Reach::reachable && c && (round || (!c->turning() && !c->level())))
       found[k] = c->tip();
-    else
+    else if (with_search)
       found[k] = reachability.touching_tip(middle(cell.shape), middle_normal(cell));
   });
   std::vector<Vec3> tips;
@@ -308,7 +309,7 @@ Unavoidable unavoidable_uncut(const SurfaceCells& cells, const ReachMap& map,
                               const model::Cutter& cutter, const UnavoidableOptions& options,
                               const model::RunControl& control) {
   if (cells.cells().empty()) return {{0, 0}, {}, true, 0, 0, 0};
-  std::vector<Vec3> tips = tips_of(map, reachability, control);
+  std::vector<Vec3> tips = tips_of(map, reachability, free_tips.empty(), control);
   tips.insert(tips.end(), free_tips.begin(), free_tips.end());
   tips.push_back(retracted(cells, reachability.allowance_mm()));
   Search search(cells, reachability, std::move(tips), cutter, options, control);

@@ -34,7 +34,8 @@ struct Unavoidable {
 ///
 /// `map` must be of the same `cells` and `reachability`, and `reachability` of `cutter`. All
 /// `free_tips` must be proven gouge-free with a contact tolerance no larger than that of
-/// `reachability`; more of them save time, none are needed. The same for any number of threads.
+/// `reachability`; more of them save time; where there are none, they
+/// are searched for. The same for any number of threads.
 Unavoidable unavoidable_uncut(const SurfaceCells& cells, const ReachMap& map,
                               const Reachability& reachability,
                               std::span<const model::Vec3> free_tips, const model::Cutter& cutter,

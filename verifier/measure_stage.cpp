@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include "verifier/assembly.h"
 #include "verifier/certificate.h"
@@ -22,8 +23,13 @@ constexpr double kContact_mm = 1e-4;
 /// Width to which the unavoidable uncut is certified, where the verdict asks for no less.
 constexpr double kUnavoidable_mm = 5e-3;
 
-/// How finely the rim of what can be reached is resolved, and for how long.
-constexpr ReachOptions kReachEffort{0.05, 60'000};
+/// How finely the rim of what can be reached is resolved, and for how long. To a cutter as wide as
+/// the part every cell is near every other: then each is looked at once.
+ReachOptions reach_effort(const CutterProfile& cutter, double area_mm2) {
+  const double radius = cutter.rounding_mm + cutter.flat_mm;
+  const bool wide = std::numbers::pi * radius * radius > area_mm2 / 2;
+  return {0.05, wide ? std::size_t{1} : std::size_t{60'000}};
+}
 
 /// Where branch and bound starts: small enough that few moves matter to a cell, and no more than a
 /// few hundred thousand cells on a large part.
@@ -158,7 +164,8 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   const RemovedSpace space(raw_stock, passes);
   const CutterProfile cutter(passes.back().cutter);
   const Reachability search(cells, cutter, check.allowance_mm, kContact_mm);
-  const ReachMap proven = classify_reach(cells, search, kReachEffort, control);
+  const ReachMap proven =
+      classify_reach(cells, search, reach_effort(cutter, surface.area_mm2()), control);
   const ReachQuery reach(search, proven);
 
   const CertificateRequest request = request_of(check);

@@ -64,8 +64,9 @@ void judge_length(GateDecision& out, const std::string& what, const Interval& fi
 /// that go into S they show somewhat more than δ too (under half as much again up to cusps of two
 /// fifths of the radius, a fifth at right angles), so only twice the certified figure counts.
 bool shows_more(double voxel_mm, const Interval& certified, double limit_mm) {
-  constexpr double kTwice = 2;
-  return certified.high <= limit_mm && voxel_mm > limit_mm && voxel_mm > kTwice * certified.high;
+  constexpr double kTwice = 2, kLeast_mm = 1e-3;  // stock points have errors of their own
+  return certified.high <= limit_mm && voxel_mm > limit_mm &&
+         voxel_mm > kTwice * std::max(certified.high, kLeast_mm);
 }
 
 void judge_collisions(GateDecision& out, const char* what, std::size_t count) {

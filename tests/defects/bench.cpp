@@ -144,7 +144,7 @@ class PairBench {
                                          true,
                                          false,
                                          result.gouge.truth_mm + plan_.resolution_mm,
-                                         result.uncut.truth_mm + plan_.resolution_mm,
+                                         allowed_uncut_mm(twin, d) + plan_.resolution_mm,
                                          0};
       result.verdict = certified_verdict(d, gate);
       if (result.voxels && !voxels_agree(twin.run, d, gate))
@@ -202,6 +202,13 @@ class PairBench {
     for (SideResult* side : {&result.gouge, &result.uncut})
       side->due = side->truth_mm > side->gate_mm + plan_.resolution_mm;
     find_places(twin, run, d, result);
+  }
+
+  /// The most that a right verdict may call uncut: the tolerance of contact counts as reached.
+  static double allowed_uncut_mm(Twin& twin, const StageDeviation& d) {
+    return twin.run.oracle
+        .highest(twin.run.allowance_mm, twin.reach, Reach::maybe, places_of(d.uncuts))
+        .depth_mm;
   }
 
   /// The decision by the certified intervals alone.
@@ -272,7 +279,8 @@ class PairBench {
 
   void judge_uncut(const Run& run, ReachOracle& reach, const StageDeviation& d,
                    SideResult& side) const {
-    const Extreme truth = run.oracle.highest(run.allowance_mm, reach, places_of(d.uncuts));
+    const Extreme truth =
+        run.oracle.highest(run.allowance_mm, reach, Reach::sure, places_of(d.uncuts));
     side.certified = d.uncut_mm;
     side.truth_mm = truth.depth_mm;
     // The certified low end may be reached where contact is within the stated tolerance only.

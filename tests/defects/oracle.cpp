@@ -154,14 +154,14 @@ Extreme DeviationOracle::deepest(double allowance_mm, const std::vector<Place>& 
   return best;
 }
 
-Extreme DeviationOracle::highest(double allowance_mm, ReachOracle& reach,
+Extreme DeviationOracle::highest(double allowance_mm, ReachOracle& reach, Reach least,
                                  const std::vector<Place>& hints) const {
   const auto& nodes = surface_.nodes();
   std::vector<double> value(nodes.size());
   for (std::size_t k = 0; k < nodes.size(); ++k) value[k] = at_nodes_[k] - allowance_mm;
   std::vector<Place> starts = hints;
   for (const std::size_t k : spread_starts(nodes, value, kUncutStarts, [&](std::size_t node) {
-         return reach.of_node(node) == Reach::sure;
+         return reach.of_node(node) >= least;
        }))
     starts.push_back(nodes[k].place);
   Extreme best{0, {}};
@@ -173,7 +173,7 @@ Extreme DeviationOracle::highest(double allowance_mm, ReachOracle& reach,
         [&](const Place&, const SurfaceSample& s) {
           const double here = delta(s.position) - allowance_mm;
           // Only a step upwards is worth the question whether it can be reached.
-          if (here <= reached || reach.at(s.position, s.normal) != Reach::sure) return kNowhere;
+          if (here <= reached || reach.at(s.position, s.normal) < least) return kNowhere;
           return reached = here;
         },
         kFinestReached_mm, found);

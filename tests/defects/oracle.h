@@ -50,8 +50,10 @@ class DeviationOracle {
   simulator::SweptSample of_move(std::size_t move, const model::Vec3& p) const;
   /// max of a − δ; `hints` are further places to begin from.
   Extreme deepest(double allowance_mm, const std::vector<Place>& hints) const;
-  /// max of δ − a over the places that can surely be reached.
-  Extreme highest(double allowance_mm, ReachOracle& reach, const std::vector<Place>& hints) const;
+  /// max of δ − a over the places whose reach is `least` or better: surely reached, or reached
+  /// within the tolerance of contact, which on a wall takes in a strip below its equator.
+  Extreme highest(double allowance_mm, ReachOracle& reach, Reach least,
+                  const std::vector<Place>& hints) const;
   /// How high the material stands over the highest place, along its normal: by p⁴/(64·R³) more than
   /// δ between two balls a step p apart.
   double height(double allowance_mm, const Extreme& highest) const;

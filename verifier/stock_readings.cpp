@@ -77,7 +77,22 @@ class Reader {
           space_.nearest(lerp(from, point, double(k) / kParts), hint_).distance.value;
       if ((delta > 0) != (r.deviation_mm > 0)) return false;
     }
-    return true;
+    return r.deviation_mm > 0 || lies_under_surface(point);
+  }
+  /// Whether S passes straight above the point. A cutter that reached it took all above it away as
+  /// well: with S there, it went through S; without, it came past the rim. By steps upwards that
+  /// are no longer than S is far.
+  bool lies_under_surface(Vec3 point) const {
+    constexpr double kOn_mm = 1e-6;
+    constexpr int kMostSteps = 200;  // enough for walls of 5 degrees; steeper ones count as above
+    const double top = cells_.nodes().front().box.high.z;
+    for (int step = 0; step < kMostSteps && point.z <= top; ++step) {
+      const auto nearest = closest_point(cells_, point, top - point.z + kOn_mm);
+      if (!nearest) return false;
+      if (nearest->distance_mm <= kOn_mm) return true;
+      point.z += nearest->distance_mm;
+    }
+    return point.z <= top;
   }
 
   const SurfaceCells& cells_;

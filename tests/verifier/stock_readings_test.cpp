@@ -102,6 +102,33 @@ TEST_CASE("a cut from aside under the edge of S is no deep gouge", "[unit]") {
   CHECK(d.gouge_mm.low == Approx(0.005).margin(0.0005));
 }
 
+TEST_CASE("a ball that passes beside a sloped rim and reaches under it makes no deep gouge",
+          "[unit]") {
+  // z = x/2 up to x = 4, and a ball whose side takes 1 µm of the rim: along the normals of S beside
+  // the rim the stock begins 0.4 mm further down, but beyond the rim, where S is no more.
+  Bench bench;
+  bench.plane = ReferenceSurface(plane_cage(4, 0.5, 0));
+  const double radius = 1, x = 4.999;
+  model::Toolpath path;
+  path.start = {x, -8, 2 - radius};
+  feed_to(path, {x, 8, 2 - radius});
+  bench.pass = {ball_cutter(radius), shared(path)};
+  bench.readings.clear();
+  const Vec3 down = normalized(Vec3{0.5, 0, -1});
+  for (double y = -3; y <= 3; y += 0.5)
+    for (double inside : {2e-4, 5e-4, 8e-4}) {
+      // From the foot to where its normal leaves the ball.
+      const Vec3 to_foot = Vec3{4 - inside, y, 2 - inside / 2} - Vec3{x, y, 2};
+      const double b = dot(to_foot, down);
+      const double out = -b + std::sqrt(b * b - length_squared(to_foot) + radius * radius);
+      bench.readings.push_back({Vec3{x, y, 2} + to_foot + down * out, 1e-9});
+    }
+  bench.check.readings_within_mm = 0;
+  const StageDeviation d = bench.measure();
+  CHECK(d.gouge_mm.high < 0.002);
+  CHECK(d.voxel_gouge_mm <= d.gouge_mm.high);
+}
+
 TEST_CASE("a narrow pocket far deeper than its cutter is wide shows in the stock", "[unit]") {
   // Slots of a flat cutter of 0.4 mm, side by side and 2 mm deep: to the analytic instrument no
   // place is deeper in a slot than 0.2 mm.

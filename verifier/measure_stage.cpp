@@ -23,12 +23,13 @@ constexpr double kContact_mm = 1e-4;
 /// Width to which the unavoidable uncut is certified, where the verdict asks for no less.
 constexpr double kUnavoidable_mm = 5e-3;
 
-/// How finely the rim of what can be reached is resolved, and for how long. To a cutter as wide as
-/// the part every cell is near every other: then each is looked at once.
+/// How finely the rim of what can be reached is resolved, and for how long. The contact of a flat
+/// moves far as the normal turns, so its proofs take smaller cells. To a cutter as wide as the part
+/// every cell is near every other: then each is looked at once.
 ReachOptions reach_effort(const CutterProfile& cutter, double area_mm2) {
   const double radius = cutter.rounding_mm + cutter.flat_mm;
-  const bool wide = std::numbers::pi * radius * radius > area_mm2 / 2;
-  return {0.05, wide ? std::size_t{1} : std::size_t{60'000}};
+  if (std::numbers::pi * radius * radius > area_mm2 / 2) return {0.05, 1};
+  return {0.05, cutter.flat_mm > 0 ? std::size_t{250'000} : std::size_t{60'000}};
 }
 
 /// Where branch and bound starts: small enough that few moves matter to a cell, and no more than a

@@ -66,6 +66,9 @@ class Classifier {
     if (contact->level() && reachability_.profile().flat_mm > 0)
       return decide_level(open, *contact);
     if (contact->touchable() && prove(open, *contact)) return Reach::reachable;
+    // Where all else of S is cleared, only what is left of it can be cut into: its middles have
+    // been looked at.
+    if (open.cleared && !contact->turning() && !open.witness) return Reach::undecided;
     return refute(open, *contact) ? Reach::unreachable : Reach::undecided;
   }
 

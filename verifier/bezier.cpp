@@ -146,6 +146,20 @@ std::array<Bezier, 2> split_v(const Bezier& b) {
   return halves<4>(b);
 }
 
+InnerChords inner_chords(const Bezier& b) {
+  return {b.control(7) - b.control(4) + b.control(11) - b.control(8),
+          b.control(13) - b.control(1) + b.control(14) - b.control(2)};
+}
+
+bool longer_in_u(const Bezier& b) {
+  const auto apart = [&](int k, int l) { return distance(b.control(k), b.control(l)); };
+  return apart(0, 3) + apart(12, 15) >= apart(0, 12) + apart(3, 15);
+}
+
+std::array<Bezier, 2> halved(const Bezier& b) {
+  return longer_in_u(b) ? split_u(b) : split_v(b);
+}
+
 Bezier restrict(const Bezier& b, double u0, double u1, double v0, double v1) {
   return between<4>(between<1>(b, u0, u1), v0, v1);
 }

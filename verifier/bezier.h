@@ -30,6 +30,15 @@ BezierJet jet(const Bezier& b, double u, double v);
 /// The halves [0, 1/2] and [1/2, 1] in u, or in v (de Casteljau).
 std::array<Bezier, 2> split_u(const Bezier& b);
 std::array<Bezier, 2> split_v(const Bezier& b);
+/// The chords of the two inner rows of control points along u, added, and those along v.
+struct InnerChords {
+  model::Vec3 u, v;
+};
+InnerChords inner_chords(const Bezier& b);
+/// Whether the sides along u are at least as long, from corner to corner, as those along v.
+bool longer_in_u(const Bezier& b);
+/// The halves of the longer way, by longer_in_u.
+std::array<Bezier, 2> halved(const Bezier& b);
 /// The part of `b` over [u0, u1] × [v0, v1], reparametrised to [0, 1]².
 Bezier restrict(const Bezier& b, double u0, double u1, double v0, double v1);
 /// Box of the control points; contains the patch.

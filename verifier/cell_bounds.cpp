@@ -134,9 +134,8 @@ double CellBounder::improve_upper(const Bezier& cell, double upper, double low_e
 
 double CellBounder::mixed_lower(const Bezier& cell, const Vec3& middle, BodyRef body) const {
   // The corners see the faces on both sides of an edge; from under S the edge itself is seen.
-  const Vec3 along_u = cell.control(7) - cell.control(4) + cell.control(11) - cell.control(8),
-             along_v = cell.control(13) - cell.control(1) + cell.control(14) - cell.control(2);
-  const Vec3 under = middle - normalized(cross(along_u, along_v)) * control_radius(cell, middle);
+  const InnerChords chords = inner_chords(cell);
+  const Vec3 under = middle - normalized(cross(chords.u, chords.v)) * control_radius(cell, middle);
   const Vec3 points[] = {middle,           under,           cell.control(0), cell.control(3),
                          cell.control(12), cell.control(15)};
   constexpr std::size_t kPlanes = std::size(points);

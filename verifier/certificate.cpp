@@ -146,12 +146,11 @@ class CellSearch {
   /// Split where δ changes most: across the passes far more than along them, but never into
   /// slivers.
   static bool split_in_u(const Bezier& b, const CellBounds& bounds) {
-    const Vec3 along_u = b.control(7) - b.control(4) + b.control(11) - b.control(8),
-               along_v = b.control(13) - b.control(1) + b.control(14) - b.control(2);
-    const double wide = length(along_u), tall = length(along_v);
+    const InnerChords chords = inner_chords(b);
+    const double wide = length(chords.u), tall = length(chords.v);
     if (wide > 8 * tall || tall > 8 * wide) return wide > tall;
     const Vec3& g = bounds.nearest.distance.gradient;
-    const double bend_u = std::abs(dot(g, along_u)), bend_v = std::abs(dot(g, along_v));
+    const double bend_u = std::abs(dot(g, chords.u)), bend_v = std::abs(dot(g, chords.v));
     return bend_u + 0.02 * wide >= bend_v + 0.02 * tall;
   }
 

@@ -73,15 +73,10 @@ class SpotSearch {
     if (!touched && (radius <= kRim_mm || reach_->surely_unreachable(cell))) return;
     if (++cells_ > cell_limit_) out_.complete = false;
     if (cells_ > cell_limit_ || radius < kSmallestCell_mm) return;
-    const auto halves = longer_in_u(cell.shape) ? split_u(cell) : split_v(cell);
+    const InnerChords chords = inner_chords(cell.shape);
+    const auto halves = length(chords.u) >= length(chords.v) ? split_u(cell) : split_v(cell);
     search(halves[0], candidates);
     search(halves[1], std::move(candidates));
-  }
-
-  static bool longer_in_u(const Bezier& b) {
-    const double wide = length(b.control(7) - b.control(4) + b.control(11) - b.control(8)),
-                 tall = length(b.control(13) - b.control(1) + b.control(14) - b.control(2));
-    return wide >= tall;
   }
 
   CellBounder bounder_;

@@ -22,11 +22,6 @@ constexpr double kSteep = 1e-2;
 constexpr int kHalvings = 8;
 constexpr int kRaises = 40;
 
-bool longer_in_u(const Bezier& b) {
-  return length(b.control(3) - b.control(0)) + length(b.control(15) - b.control(12)) >=
-         length(b.control(12) - b.control(0)) + length(b.control(15) - b.control(3));
-}
-
 }  // namespace
 
 /// Positions whose axis stands within `half` of (x, y) along both axes.
@@ -59,7 +54,7 @@ void LowestTip::descend(const Bezier& cell, Query& query) const {
   for (int k = 0; k < 16; ++k)
     lower = std::min(lower, d.value + dot(d.gradient, cell.control(k) - centre));
   if (lower >= query.enough() || control_radius(cell, centre) < kSmallest_mm) return;
-  for (const Bezier& half : longer_in_u(cell) ? split_u(cell) : split_v(cell)) descend(half, query);
+  for (const Bezier& half : halved(cell)) descend(half, query);
 }
 
 void LowestTip::look(Query& query) const {

@@ -41,13 +41,6 @@ double quadrature(const Bezier& b) {
   return sum;
 }
 
-std::array<SurfaceCell, 2> halved(const SurfaceCell& cell) {
-  const auto apart = [&](int a, int b) {
-    return distance(cell.shape.control(a), cell.shape.control(b));
-  };
-  return apart(0, 3) + apart(12, 15) >= apart(0, 12) + apart(3, 15) ? split_u(cell) : split_v(cell);
-}
-
 class Classifier {
  public:
   Classifier(const SurfaceCells& cells, const Reachability& reachability)

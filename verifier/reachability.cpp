@@ -37,12 +37,8 @@ std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, 
     lower = std::min(lower, d.value + dot(d.gradient, cell.control(k) - centre));
   if (lower >= limit_mm) return false;
   if (depth > kDeepest || control_radius(cell, centre) < kSmallest_mm) return std::nullopt;
-  const double wide =
-      distance(cell.control(0), cell.control(3)) + distance(cell.control(12), cell.control(15));
-  const double tall =
-      distance(cell.control(0), cell.control(12)) + distance(cell.control(3), cell.control(15));
   std::optional<bool> result = false;
-  for (const Bezier& half : wide >= tall ? split_u(cell) : split_v(cell)) {
+  for (const Bezier& half : halved(cell)) {
     const auto part = any_below(profile, half, tip, limit_mm, depth + 1);
     if (part && *part) return part;
     if (!part) result = part;

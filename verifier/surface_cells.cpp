@@ -61,6 +61,9 @@ std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell) {
   const auto [a, b] = split_v(cell.shape);
   return {part(cell, a, false, 0), part(cell, b, false, 1)};
 }
+std::array<SurfaceCell, 2> halved(const SurfaceCell& cell) {
+  return longer_in_u(cell.shape) ? split_u(cell) : split_v(cell);
+}
 
 SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
     : feet_(tree), features_(tree.features()) {

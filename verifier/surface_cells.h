@@ -23,6 +23,8 @@ struct SurfaceCell {
 model::Vec3 middle_normal(const SurfaceCell& cell);
 std::array<SurfaceCell, 2> split_u(const SurfaceCell& cell);
 std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell);
+/// The halves of the longer way, by longer_in_u.
+std::array<SurfaceCell, 2> halved(const SurfaceCell& cell);
 
 /// The limit surface as small cells under a tree of boxes, shared by every search over it. Pieces
 /// that lie within kOmitted_mm of an irregular vertex are stood for by the vertex: a function that

@@ -254,14 +254,6 @@ class Search {
     }
   }
 
-  static std::array<SurfaceCell, 2> halved(const SurfaceCell& cell) {
-    const auto apart = [&](int a, int b) {
-      return model::distance(cell.shape.control(a), cell.shape.control(b));
-    };
-    return apart(0, 3) + apart(12, 15) >= apart(0, 12) + apart(3, 15) ? split_u(cell)
-                                                                      : split_v(cell);
-  }
-
   /// The worst point has a better position than was thought.
   void add_better(const Vec3& s, const Vec3& tip) {
     extra_.push_back(lowest_.improved(tip, s, settle(lowest_.distance(tip, s))));

@@ -164,6 +164,20 @@ Bezier restrict(const Bezier& b, double u0, double u1, double v0, double v1) {
   return between<4>(between<1>(b, u0, u1), v0, v1);
 }
 
+double area_mm2(const Bezier& b) {
+  constexpr double kNode[] = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
+                              0.9061798459386640};
+  constexpr double kWeight[] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                0.4786286704993665, 0.2369268850561891};
+  double sum = 0;
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 5; ++i) {
+      const BezierJet at = jet(b, (1 + kNode[i]) / 2, (1 + kNode[j]) / 2);
+      sum += kWeight[i] * kWeight[j] * length(cross(at.du, at.dv)) / 4;
+    }
+  return sum;
+}
+
 model::Box3 control_box(const Bezier& b) {
   model::Box3 box;
   for (int k = 0; k < 16; ++k) box.add(b.control(k));

@@ -41,6 +41,9 @@ bool longer_in_u(const Bezier& b);
 std::array<Bezier, 2> halved(const Bezier& b);
 /// The part of `b` over [u0, u1] × [v0, v1], reparametrised to [0, 1]².
 Bezier restrict(const Bezier& b, double u0, double u1, double v0, double v1);
+/// Area by Gauss-Legendre quadrature, five points a side: exact to rounding where the patch is
+/// small against its bends.
+double area_mm2(const Bezier& b);
 /// Box of the control points; contains the patch.
 model::Box3 control_box(const Bezier& b);
 /// Greatest distance from `centre` to a control point: every point of the patch is within it.

@@ -14,18 +14,6 @@ constexpr double kSmallestCell_mm = 1e-6;
 constexpr double kRim_mm = 0.01;
 constexpr std::size_t kChunk = 64;
 
-/// Gauss-Legendre, two points a side: the cells are small.
-double area_of(const Bezier& cell) {
-  constexpr double kNode[] = {0.21132486540518713, 0.7886751345948129};
-  double sum = 0;
-  for (const double u : kNode)
-    for (const double v : kNode) {
-      const BezierJet j = jet(cell, u, v);
-      sum += length(cross(j.du, j.dv)) / 4;
-    }
-  return sum;
-}
-
 class SpotSearch {
  public:
   SpotSearch(const RemovedSpace& space, const ReachQuery* reach, const ExceedanceRequest& request,
@@ -67,7 +55,7 @@ class SpotSearch {
     const bool touched =
         request_.side == Side::gouge || !spot || reach_->can_be_touched(place, middle_normal(cell));
     if (spot && touched) {
-      out_.spots.push_back({place, depth.here, area_of(cell.shape), radius, b.nearest.body});
+      out_.spots.push_back({place, depth.here, area_mm2(cell.shape), radius, b.nearest.body});
       return;
     }
     if (!touched && (radius <= kRim_mm || reach_->surely_unreachable(cell))) return;

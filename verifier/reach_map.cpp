@@ -27,20 +27,6 @@ struct Open {
   std::vector<std::uint32_t> pending;  ///< with `cleared`: all other cells not proven so
 };
 
-double quadrature(const Bezier& b) {
-  constexpr double kNode[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
-                              0.8611363115940526};
-  constexpr double kWeight[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
-                                0.3478548451374538};
-  double sum = 0;
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 4; ++i) {
-      const BezierJet at = jet(b, (1 + kNode[i]) / 2, (1 + kNode[j]) / 2);
-      sum += kWeight[i] * kWeight[j] * length(cross(at.du, at.dv)) / 4;
-    }
-  return sum;
-}
-
 class Classifier {
  public:
   Classifier(const SurfaceCells& cells, const Reachability& reachability)
@@ -237,7 +223,7 @@ ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachabil
                             halve[i] = found[i].reach == Reach::undecided && !last &&
                                        control_radius(open.cell.shape, middle(open.cell.shape)) >
                                            options.smallest_radius_mm;
-                            if (!halve[i]) found[i].area_mm2 = quadrature(open.cell.shape);
+                            if (!halve[i]) found[i].area_mm2 = area_mm2(open.cell.shape);
                           }
                         });
     std::vector<Open> next;

@@ -52,23 +52,7 @@ double extreme(const SurfaceTree& tree, int axis, double sign) {
   return sign * maximum.best();
 }
 
-constexpr std::array<double, 5> kNode = {-0.9061798459386640, -0.5384693101056831, 0.0,
-                                         0.5384693101056831, 0.9061798459386640};
-constexpr std::array<double, 5> kWeight = {0.2369268850561891, 0.4786286704993665,
-                                           0.5688888888888889, 0.4786286704993665,
-                                           0.2369268850561891};
-
-double quadrature(const Bezier& b) {
-  double sum = 0;
-  for (int j = 0; j < 5; ++j)
-    for (int i = 0; i < 5; ++i) {
-      const BezierJet at = jet(b, (1 + kNode[i]) / 2, (1 + kNode[j]) / 2);
-      sum += kWeight[i] * kWeight[j] * length(cross(at.du, at.dv)) / 4;
-    }
-  return sum;
-}
-
-double area(const Bezier& b, double whole, double tolerance_mm2, int depth) {
+double refined_area(const Bezier& b, double whole, double tolerance_mm2, int depth) {
   std::array<Bezier, 4> part;
   const auto [left, right] = split_u(b);
   const auto [l0, l1] = split_v(left);
@@ -76,10 +60,10 @@ double area(const Bezier& b, double whole, double tolerance_mm2, int depth) {
   part = {l0, l1, r0, r1};
   std::array<double, 4> areas{};
   double sum = 0;
-  for (int k = 0; k < 4; ++k) sum += areas[k] = quadrature(part[k]);
+  for (int k = 0; k < 4; ++k) sum += areas[k] = area_mm2(part[k]);
   if (std::abs(sum - whole) <= tolerance_mm2 || depth > 12) return sum;
   sum = 0;
-  for (int k = 0; k < 4; ++k) sum += area(part[k], areas[k], tolerance_mm2, depth + 1);
+  for (int k = 0; k < 4; ++k) sum += refined_area(part[k], areas[k], tolerance_mm2, depth + 1);
   return sum;
 }
 
@@ -98,10 +82,10 @@ model::Box3 exact_bounding_box(const SurfaceTree& tree) {
 double surface_area_mm2(const SurfaceTree& tree) {
   std::vector<double> rough;
   double total = 0;
-  for (const Piece& p : tree.pieces()) total += rough.emplace_back(quadrature(p.shape));
+  for (const Piece& p : tree.pieces()) total += rough.emplace_back(area_mm2(p.shape));
   double sum = 0;
   for (std::size_t k = 0; k < rough.size(); ++k)
-    sum += area(tree.pieces()[k].shape, rough[k], 1e-8 * total, 0);
+    sum += refined_area(tree.pieces()[k].shape, rough[k], 1e-8 * total, 0);
   return sum;
 }
 

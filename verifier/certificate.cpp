@@ -12,8 +12,6 @@ using model::Vec3;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t kBatch = 128;
-/// Cells are not split below this: the interval then stays as wide as it is.
-constexpr double kSmallestCell_mm = 1e-6;
 /// Share of all the effort that one cell may take before it is given up, so that one bad spot
 /// cannot hold up a run.
 constexpr double kShareOfCell = 0.01;

@@ -9,7 +9,6 @@ namespace {
 using model::Vec3;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kSmallestCell_mm = 1e-6;
 /// Where the middle cannot be touched, smaller parts are not looked at for others that can.
 constexpr double kRim_mm = 0.01;
 constexpr std::size_t kChunk = 64;

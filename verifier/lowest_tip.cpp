@@ -14,7 +14,6 @@ namespace {
 using model::Vec3;
 
 constexpr double kRounding_mm = 1e-9;
-constexpr double kSmallest_mm = 1e-6;
 /// Share of its depth by which a deepest point may be missed: any deep point serves.
 constexpr double kCoarse = 0.1;
 /// A plane steeper than this says less about heights than the square's nearest corner.
@@ -53,7 +52,7 @@ void LowestTip::descend(const Bezier& cell, Query& query) const {
   double lower = d.value;
   for (int k = 0; k < 16; ++k)
     lower = std::min(lower, d.value + dot(d.gradient, cell.control(k) - centre));
-  if (lower >= query.enough() || control_radius(cell, centre) < kSmallest_mm) return;
+  if (lower >= query.enough() || control_radius(cell, centre) < kSmallestCell_mm) return;
   for (const Bezier& half : halved(cell)) descend(half, query);
 }
 
@@ -115,7 +114,7 @@ std::optional<Vec3> LowestTip::lowered(Vec3 tip, double by_mm, double margin_mm)
 Vec3 LowestTip::improved(const Vec3& tip, const Vec3& s, double settle_mm) const {
   constexpr int kDirections = 8;
   constexpr double kTurn = 2.399963229728653;  // the golden angle: never the same directions twice
-  const double margin = std::max(settle_mm / 8, 2 * kSmallest_mm);
+  const double margin = std::max(settle_mm / 8, 2 * kSmallestCell_mm);
   Vec3 best = tip;
   double value = distance(best, s);
   const auto lower = [&](double by) {
@@ -199,7 +198,7 @@ LowestTip::Proof LowestTip::prove(const Vec3& s, double goal_mm,
   open.push({s.x, s.y, half, proof.low_mm, {}});
   while (!open.empty()) {
     Square at = open.top();
-    if (++proof.squares > largest_square_count || at.half < kSmallest_mm) break;
+    if (++proof.squares > largest_square_count || at.half < kSmallestCell_mm) break;
     open.pop();
     if (at.inside) at.low = raise_low(at, s, goal_mm, *at.inside);
     const auto z = highest_z(s, std::hypot(at.x - s.x, at.y - s.y), goal_mm);

@@ -17,7 +17,6 @@ using std::numbers::pi;
 constexpr int kDirections = 16;
 constexpr double kLevel = 1e-9;  // sine of the slope below which a spot is level
 constexpr int kDeepest = 60;
-constexpr double kSmallest_mm = 1e-6;
 /// Contact positions tried around the circle of a flat cutter, and rings of them inwards.
 constexpr int kCircleSamples = 24;
 constexpr int kRings = 4;
@@ -36,7 +35,7 @@ std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, 
   for (int k = 0; k < 16; ++k)
     lower = std::min(lower, d.value + dot(d.gradient, cell.control(k) - centre));
   if (lower >= limit_mm) return false;
-  if (depth > kDeepest || control_radius(cell, centre) < kSmallest_mm) return std::nullopt;
+  if (depth > kDeepest || control_radius(cell, centre) < kSmallestCell_mm) return std::nullopt;
   std::optional<bool> result = false;
   for (const Bezier& half : halved(cell)) {
     const auto part = any_below(profile, half, tip, limit_mm, depth + 1);

@@ -26,6 +26,10 @@ std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell);
 /// The halves of the longer way, by longer_in_u.
 std::array<SurfaceCell, 2> halved(const SurfaceCell& cell);
 
+/// Searches halve no cell whose control points lie this near to its middle: what they ask stays
+/// undecided there.
+inline constexpr double kSmallestCell_mm = 1e-6;
+
 /// The limit surface as small cells under a tree of boxes, shared by every search over it. Pieces
 /// that lie within kOmitted_mm of an irregular vertex are stood for by the vertex: a function that
 /// changes by at most a millimetre a millimetre is wrong there by at most kOmitted_mm.

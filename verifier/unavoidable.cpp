@@ -13,7 +13,6 @@ namespace {
 using model::Vec3;
 
 constexpr std::size_t kBatch = 32;
-constexpr double kSmallest_mm = 1e-6;
 /// Added to the upper end: rounding, and the points that stand for S at irregular vertices.
 constexpr double kSlack_mm = 1e-9 + SurfaceCells::kOmitted_mm;
 /// Better positions that proofs of the lower end may turn up before they are given up.
@@ -278,7 +277,7 @@ class Search {
   }
 
   static bool is_spot(const SurfaceCell& cell) {
-    return control_radius(cell.shape, middle(cell.shape)) < kSmallest_mm;
+    return control_radius(cell.shape, middle(cell.shape)) < kSmallestCell_mm;
   }
 
   const model::Cutter& cutter_;

@@ -104,9 +104,7 @@ double CellBounder::improve_upper(const Bezier& cell, double upper, double low_e
   const std::size_t count = std::min(kMixed, scored_.size());
   std::partial_sort(scored_.begin(), scored_.begin() + static_cast<std::ptrdiff_t>(count),
                     scored_.end(), [](const Scored& a, const Scored& b) {
-                      if (a.value != b.value) return a.value < b.value;
-                      return a.body.pass != b.body.pass ? a.body.pass < b.body.pass
-                                                        : a.body.index < b.body.index;
+                      return a.value != b.value ? a.value < b.value : a.body < b.body;
                     });
   values_.clear();
   for (std::size_t i = 0; i < count; ++i)

@@ -99,7 +99,7 @@ class CellSearch {
     const double high_enough = gouge_open ? a - gouge_goal() : -kInfinite;
     const CellBounds b = bounder_.bound(cell.shape, candidates, low_enough, high_enough);
     const double here = b.nearest.distance.value - a;
-    const SurfacePlace place{cell.patch, cell.u_at(0.5), cell.v_at(0.5), b.middle};
+    const SurfacePlace place = middle_place(cell, b.middle);
     out_.gouge.see(-here, place, b.nearest.body);
     // Only where the middle itself cannot be touched is there hope to prove it of the whole cell.
     const bool out_of_reach =
@@ -186,16 +186,12 @@ std::vector<FirstLook> look_at_all(const SurfaceCells& cells, const RemovedSpace
   return looks;
 }
 
-SurfacePlace middle_of(const SurfaceCell& cell, const CellBounds& bounds) {
-  return {cell.patch, cell.u_at(0.5), cell.v_at(0.5), bounds.middle};
-}
-
 /// The deepest gouge among the middles.
 void see_gouges(const SurfaceCells& cells, const std::vector<FirstLook>& looks, double allowance_mm,
                 Figure& gouge) {
   for (std::size_t i = 0; i < looks.size(); ++i) {
     const CellBounds& b = looks[i].bounds;
-    gouge.see(allowance_mm - b.nearest.distance.value, middle_of(cells.cells()[i], b),
+    gouge.see(allowance_mm - b.nearest.distance.value, middle_place(cells.cells()[i], b.middle),
               b.nearest.body);
   }
 }
@@ -212,7 +208,7 @@ void see_uncut(const SurfaceCells& cells, const std::vector<FirstLook>& looks,
     const CellBounds& b = looks[i].bounds;
     const double depth = b.nearest.distance.value - allowance_mm;
     if (depth <= 0) break;
-    const SurfacePlace place = middle_of(cells.cells()[i], b);
+    const SurfacePlace place = middle_place(cells.cells()[i], b.middle);
     if (!reach.can_be_touched(place, middle_normal(cells.cells()[i]))) continue;
     uncut.see(depth, place, b.nearest.body);
     break;

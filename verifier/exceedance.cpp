@@ -50,7 +50,7 @@ class SpotSearch {
     const double radius = control_radius(cell.shape, b.middle);
     const bool spot = depth.here > request_.threshold_mm &&
                       (radius <= request_.spot_radius_mm || depth.least > request_.threshold_mm);
-    const SurfacePlace place{cell.patch, cell.u_at(0.5), cell.v_at(0.5), b.middle};
+    const SurfacePlace place = middle_place(cell, b.middle);
     const bool touched =
         request_.side == Side::gouge || !spot || reach_->can_be_touched(place, middle_normal(cell));
     if (spot && touched) {

@@ -67,9 +67,7 @@ std::vector<NearPass> passes_around(const Vec3& p, const RemovedSpace& space,
   std::vector<BodyRef> bodies;
   space.within(p, reach_mm, bodies);
   std::erase_if(bodies, [&](BodyRef body) { return space.is_stock(body); });
-  std::sort(bodies.begin(), bodies.end(), [](BodyRef a, BodyRef b) {
-    return a.pass != b.pass ? a.pass < b.pass : a.index < b.index;
-  });
+  std::sort(bodies.begin(), bodies.end());
   std::vector<NearPass> out;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyRef body = bodies[i];

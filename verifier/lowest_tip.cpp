@@ -49,10 +49,9 @@ void LowestTip::descend(const Bezier& cell, Query& query) const {
   const Vec3 centre = middle(cell);
   const BodyDistance d = standing_distance(profile_, query.tip, centre);
   if (d.value < query.least) query.least = d.value, query.found = centre;
-  double lower = d.value;
-  for (int k = 0; k < 16; ++k)
-    lower = std::min(lower, d.value + dot(d.gradient, cell.control(k) - centre));
-  if (lower >= query.enough() || control_radius(cell, centre) < kSmallestCell_mm) return;
+  if (least_by_plane(d, centre, cell) >= query.enough() ||
+      control_radius(cell, centre) < kSmallestCell_mm)
+    return;
   for (const Bezier& half : halved(cell)) descend(half, query);
 }
 

@@ -31,10 +31,7 @@ std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, 
   const Vec3 centre = middle(cell);
   const BodyDistance d = standing_distance(profile, tip, centre);
   if (d.value < limit_mm) return true;
-  double lower = d.value;
-  for (int k = 0; k < 16; ++k)
-    lower = std::min(lower, d.value + dot(d.gradient, cell.control(k) - centre));
-  if (lower >= limit_mm) return false;
+  if (least_by_plane(d, centre, cell) >= limit_mm) return false;
   if (depth > kDeepest || control_radius(cell, centre) < kSmallestCell_mm) return std::nullopt;
   std::optional<bool> result = false;
   for (const Bezier& half : halved(cell)) {

@@ -106,13 +106,11 @@ void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) 
       [&](double bound) { return bound > best.distance.value + kEqual_mm; },
       [&](const Node& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const std::uint32_t i = bodies.index[k];
           const double d = body_value(bodies.profile, bodies.bodies[k], p);
           // Among equals the first move is the one named.
-          const bool earlier =
-              pass < best.body.pass || (pass == best.body.pass && i < best.body.index);
-          if (d < best.distance.value || (d == best.distance.value && earlier))
-            best = {{pass, i}, {d, {}, 0}};
+          const BodyRef body{pass, bodies.index[k]};
+          if (d < best.distance.value || (d == best.distance.value && body < best.body))
+            best = {body, {d, {}, 0}};
         }
       });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -24,7 +25,7 @@ struct Sweep {
 /// face of the raw stock (which counts as the pass after the last).
 struct BodyRef {
   std::uint32_t pass = 0, index = 0;
-  friend bool operator==(const BodyRef&, const BodyRef&) = default;
+  friend auto operator<=>(const BodyRef&, const BodyRef&) = default;
 };
 
 /// δ at a point: the signed distance to the nearest removed body, and that body.

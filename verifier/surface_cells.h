@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "verifier/deviation.h"
 #include "verifier/foot_tree.h"
 #include "verifier/surface_tree.h"
 
@@ -19,6 +20,10 @@ struct SurfaceCell {
   double u_at(double s) const { return u + s * size_u; }
   double v_at(double t) const { return v + t * size_v; }
 };
+/// The middle's place; `point` is where it lies.
+inline SurfacePlace middle_place(const SurfaceCell& cell, const model::Vec3& point) {
+  return {cell.patch, cell.u_at(0.5), cell.v_at(0.5), point};
+}
 /// Unit normal at the middle.
 model::Vec3 middle_normal(const SurfaceCell& cell);
 std::array<SurfaceCell, 2> split_u(const SurfaceCell& cell);

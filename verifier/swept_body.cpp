@@ -121,6 +121,13 @@ SweptBody::SweptBody(const Vec3& a, const Vec3& b) : from(a), to(b) {
   if (a.x == b.x && a.y == b.y && b.z < a.z) std::swap(from, to);
 }
 
+double least_by_plane(const BodyDistance& d, const Vec3& at, const Bezier& cell) {
+  double least = d.value;
+  for (int k = 0; k < 16; ++k)
+    least = std::min(least, d.value + dot(d.gradient, cell.control(k) - at));
+  return least;
+}
+
 BodyDistance standing_distance(const CutterProfile& profile, const Vec3& tip, const Vec3& p) {
   const double dx = p.x - tip.x, dy = p.y - tip.y, rho = std::sqrt(dx * dx + dy * dy);
   return in_space(open_distance(profile, rho, p.z - tip.z), rho, dx, dy);

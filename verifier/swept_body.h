@@ -22,6 +22,10 @@ struct BodyDistance {
   double slack_mm = 0;
 };
 
+/// The least over `cell` that the supporting plane at `at` leaves to `d`, a distance there without
+/// slack.
+double least_by_plane(const BodyDistance& d, const model::Vec3& at, const Bezier& cell);
+
 /// Signed distance from `p` to the cutter with its tip at `tip`, its wall going up without end, and
 /// to the cutter that ends at its top.
 BodyDistance standing_distance(const CutterProfile& profile, const model::Vec3& tip,

@@ -166,7 +166,7 @@ class Search {
     if (value > enough && may_try) {
       tip = lowest_.improved(tip, m, settle(value));
       value = lowest_.distance(tip, m);
-      out.tried = Tried{{cell.patch, cell.u_at(0.5), cell.v_at(0.5), m}, value, tip};
+      out.tried = Tried{middle_place(cell, m), value, tip};
     }
     out.upper =
         std::min({out.upper, value + control_radius(cell.shape, m), by_one(cell.shape, tip)});

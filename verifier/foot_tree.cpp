@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+
+#include "verifier/box_tree.h"
 
 // Rounding. Let e = 2⁻²⁴, p − x the way from a query to a point of a box and M the size of the
 // model. A local coordinate a·(p − c) is computed with an error of at most √3·e·(6·|p − c| + |c|) ≤
@@ -109,16 +112,8 @@ class FootTreeBuilder {
 
   std::vector<Range> halves(std::size_t begin, std::size_t end) {
     if (end - begin < 2) return {{begin, end}};
-    Box3 centres;
-    for (std::size_t i = begin; i < end; ++i) centres.add(boxes_[order_[i]].centre());
-    const Vec3 size = centres.size();
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    halve_by_centres(std::span(order_).subspan(begin, end - begin), boxes_);
     const std::size_t half = begin + (end - begin) / 2;
-    std::nth_element(order_.begin() + begin, order_.begin() + half, order_.begin() + end,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       const double ca = boxes_[a].centre()[axis], cb = boxes_[b].centre()[axis];
-                       return ca != cb ? ca < cb : a < b;
-                     });
     return {{begin, half}, {half, end}};
   }
 

@@ -58,9 +58,9 @@ void LowestTip::descend(const Bezier& cell, Query& query) const {
 void LowestTip::look(Query& query) const {
   nearest_first(
       cells_.nodes(),
-      [&](const SurfaceCells::Node& node) { return standing_bound(profile_, query.tip, node.box); },
+      [&](const BoxNode& node) { return standing_bound(profile_, query.tip, node.box); },
       [&](double bound) { return bound >= query.enough(); },
-      [&](const SurfaceCells::Node& leaf) {
+      [&](const BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
           descend(cells_.cells()[k].shape, query);
       });

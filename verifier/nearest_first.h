@@ -3,15 +3,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "verifier/box_tree.h"
+
 namespace limitgauge::verifier {
 
 /// Walks a tree of boxes, the nearer child first. `bound(node)` is a lower bound of what a node
 /// holds; `beyond(bound)` says that nothing so far away is of interest, and is asked again when a
-/// node's turn comes, since the search may have closed in; `visit(leaf)` looks at a leaf. A node
-/// has `count` (above zero for a leaf) and `right`; the left child follows its parent. Not to be
+/// node's turn comes, since the search may have closed in; `visit(leaf)` looks at a leaf. Not to be
 /// called from within its own `visit` for the same kind of search: the stack is kept between calls.
-template <class Node, class Bound, class Beyond, class Visit>
-void nearest_first(const std::vector<Node>& nodes, Bound&& bound, Beyond&& beyond, Visit&& visit) {
+template <class Bound, class Beyond, class Visit>
+void nearest_first(const std::vector<BoxNode>& nodes, Bound&& bound, Beyond&& beyond, Visit&& visit) {
   struct Entry {
     std::uint32_t node;
     double bound;
@@ -23,7 +24,7 @@ void nearest_first(const std::vector<Node>& nodes, Bound&& bound, Beyond&& beyon
     const Entry at = stack.back();
     stack.pop_back();
     if (beyond(at.bound)) continue;
-    const Node& node = nodes[at.node];
+    const BoxNode& node = nodes[at.node];
     if (node.count > 0) {
       visit(node);
       continue;

@@ -87,11 +87,11 @@ class Classifier {
     bool cut = false;
     nearest_first(
         cells_.nodes(),
-        [&](const SurfaceCells::Node& node) {
+        [&](const BoxNode& node) {
           return standing_bound(c.profile(), c.tip(), node.box) - c.stray();
         },
         [&](double bound) { return cut || bound >= limit_; },
-        [&](const SurfaceCells::Node& leaf) {
+        [&](const BoxNode& leaf) {
           if (below_contact_plane(c, leaf.box)) return;
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
             if (clears(c, cleared, cells_.cells()[k], witness)) continue;
@@ -146,9 +146,9 @@ class Classifier {
     double best = limit_;
     nearest_first(
         cells_.nodes(),
-        [&](const SurfaceCells::Node& node) { return standing_bound(profile, tip, node.box); },
+        [&](const BoxNode& node) { return standing_bound(profile, tip, node.box); },
         [&](double bound) { return bound >= best; },
-        [&](const SurfaceCells::Node& leaf) {
+        [&](const BoxNode& leaf) {
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
             const Vec3 p = middle(cells_.cells()[k].shape);
             const double d = standing_distance(profile, tip, p).value;

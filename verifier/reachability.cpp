@@ -55,9 +55,9 @@ Reachability::Below Reachability::comes_below(const CutterProfile& profile, cons
   Below worst = Below::none;
   nearest_first(
       cells_.nodes(),
-      [&](const SurfaceCells::Node& node) { return standing_bound(profile, tip, node.box); },
+      [&](const BoxNode& node) { return standing_bound(profile, tip, node.box); },
       [&](double bound) { return bound >= limit_mm || worst == Below::found; },
-      [&](const SurfaceCells::Node& leaf) {
+      [&](const BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
           const auto part = any_below(profile, cells_.cells()[k].shape, tip, limit_mm, 0);
           if (!part) worst = Below::undecided;

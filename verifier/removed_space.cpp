@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "verifier/nearest_first.h"
 
@@ -53,11 +52,11 @@ void RemovedSpace::add_sweep(const Sweep& sweep) {
 
 RemovedSpace::PassBodies RemovedSpace::index_bodies(const CutterProfile& profile,
                                                     std::vector<SweptBody> bodies) {
-  PassBodies p{profile, {}, {}, {}, {}};
-  p.index.resize(bodies.size());
+  std::vector<Box3> tips(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) tips[i].add(bodies[i].from), tips[i].add(bodies[i].to);
+  BoxTree tree = box_tree(tips, kLeafBodies);
+  PassBodies p{profile, {}, std::move(tree.order), {}, std::move(tree.nodes)};
   p.place.resize(bodies.size());
-  std::iota(p.index.begin(), p.index.end(), 0U);
-  if (!bodies.empty()) build(p, bodies, 0, static_cast<std::uint32_t>(bodies.size()));
   p.bodies.reserve(bodies.size());
   for (std::uint32_t k = 0; k < p.index.size(); ++k) {
     p.bodies.push_back(bodies[p.index[k]]);
@@ -66,45 +65,14 @@ RemovedSpace::PassBodies RemovedSpace::index_bodies(const CutterProfile& profile
   return p;
 }
 
-/// Halves by the middle of the bodies along the longest side of their centres' box.
-std::uint32_t RemovedSpace::build(PassBodies& p, const std::vector<SweptBody>& bodies,
-                                  std::uint32_t first, std::uint32_t count) {
-  const auto here = static_cast<std::uint32_t>(p.nodes.size());
-  p.nodes.emplace_back();
-  Box3 tips, centres;
-  for (std::uint32_t k = first; k < first + count; ++k) {
-    const SweptBody& body = bodies[p.index[k]];
-    tips.add(body.from), tips.add(body.to);
-    centres.add((body.from + body.to) * 0.5);
-  }
-  p.nodes[here].tips = tips;
-  if (count <= kLeafBodies) {
-    p.nodes[here].first = first, p.nodes[here].count = count;
-    return here;
-  }
-  const Vec3 size = centres.size();
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::uint32_t half = count / 2;
-  const auto begin = p.index.begin() + first;
-  std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-    const double ca = bodies[a].from[axis] + bodies[a].to[axis],
-                 cb = bodies[b].from[axis] + bodies[b].to[axis];
-    return ca != cb ? ca < cb : a < b;
-  });
-  build(p, bodies, first, half);
-  const std::uint32_t right = build(p, bodies, first + half, count - half);
-  p.nodes[here].right = right;
-  return here;
-}
-
 void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) const {
   const PassBodies& bodies = passes_[pass];
   nearest_first(
-      bodies.nodes, [&](const Node& node) { return box_bound(bodies.profile, node.tips, p); },
+      bodies.nodes, [&](const BoxNode& node) { return box_bound(bodies.profile, node.box, p); },
       // Bodies at the same distance but for rounding are all looked at: which of them is named must
       // not depend on where the search began.
       [&](double bound) { return bound > best.distance.value + kEqual_mm; },
-      [&](const Node& leaf) {
+      [&](const BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
           const double d = body_value(bodies.profile, bodies.bodies[k], p);
           // Among equals the first move is the one named.
@@ -140,8 +108,8 @@ void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& 
     while (!stack.empty()) {
       const std::uint32_t at = stack.back();
       stack.pop_back();
-      const Node& node = bodies.nodes[at];
-      if (box_bound(bodies.profile, node.tips, p) > limit_mm) continue;
+      const BoxNode& node = bodies.nodes[at];
+      if (box_bound(bodies.profile, node.box, p) > limit_mm) continue;
       if (node.count == 0) {
         stack.push_back(node.right);
         stack.push_back(at + 1);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/model/stock.h"
+#include "verifier/box_tree.h"
 #include "verifier/swept_body.h"
 #include "verifier/verify.h"
 
@@ -64,25 +65,18 @@ class RemovedSpace {
   double chord_error_mm() const { return chord_error_mm_; }
 
  private:
-  struct Node {
-    model::Box3 tips;
-    std::uint32_t first = 0, count = 0;  ///< of a leaf: consecutive bodies
-    std::uint32_t right = 0;             ///< of an inner node; the left child follows the node
-  };
   struct PassBodies {
     CutterProfile profile;
     std::vector<SweptBody> bodies;     ///< in the order of the leaves, so that a leaf lies together
     std::vector<std::uint32_t> index;  ///< beside bodies: of the move
     std::vector<std::uint32_t> place;  ///< by move: where its body is
-    std::vector<Node> nodes;
+    std::vector<BoxNode> nodes;        ///< over the boxes of the bodies' tips
 
     const SweptBody& of_move(std::uint32_t move) const { return bodies[place[move]]; }
   };
 
   void add_sweep(const Sweep& sweep);
   static PassBodies index_bodies(const CutterProfile& profile, std::vector<SweptBody> bodies);
-  static std::uint32_t build(PassBodies& p, const std::vector<SweptBody>& bodies,
-                             std::uint32_t first, std::uint32_t count);
   void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best) const;
   std::uint32_t stock_faces() const;
   BodyDistance stock_distance(std::uint32_t face, const model::Vec3& p) const;

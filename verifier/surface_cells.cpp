@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace limitgauge::verifier {
 
-using model::Box3;
 using model::Vec3;
 
 namespace {
@@ -84,44 +82,15 @@ SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
       continue;
     split_until({piece.shape, q.patch, q.u, q.v, q.size, q.size}, radius_mm, cells_);
   }
-  if (cells_.empty()) return;
-  std::vector<Box3> boxes;
+  std::vector<model::Box3> boxes;
+  boxes.reserve(cells_.size());
   for (const SurfaceCell& cell : cells_) boxes.push_back(control_box(cell.shape));
-  std::vector<std::uint32_t> order(cells_.size());
-  std::iota(order.begin(), order.end(), 0U);
-  build(order, boxes, 0, static_cast<std::uint32_t>(order.size()));
+  BoxTree tree_of_cells = box_tree(boxes, kLeafCells);
   std::vector<SurfaceCell> sorted;
   sorted.reserve(cells_.size());
-  for (const std::uint32_t i : order) sorted.push_back(cells_[i]);
+  for (const std::uint32_t i : tree_of_cells.order) sorted.push_back(cells_[i]);
   cells_ = std::move(sorted);
-}
-
-std::uint32_t SurfaceCells::build(std::vector<std::uint32_t>& order, const std::vector<Box3>& boxes,
-                                  std::uint32_t first, std::uint32_t count) {
-  const auto here = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.emplace_back();
-  Box3 box, centres;
-  for (std::uint32_t k = first; k < first + count; ++k) {
-    box.add(boxes[order[k]]);
-    centres.add(boxes[order[k]].centre());
-  }
-  nodes_[here].box = box;
-  if (count <= kLeafCells) {
-    nodes_[here].first = first, nodes_[here].count = count;
-    return here;
-  }
-  const Vec3 size = centres.size();
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::uint32_t half = count / 2;
-  const auto begin = order.begin() + first;
-  std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-    const double ca = boxes[a].centre()[axis], cb = boxes[b].centre()[axis];
-    return ca != cb ? ca < cb : a < b;
-  });
-  build(order, boxes, first, half);
-  const std::uint32_t right = build(order, boxes, first + half, count - half);
-  nodes_[here].right = right;
-  return here;
+  nodes_ = std::move(tree_of_cells.nodes);
 }
 
 }  // namespace limitgauge::verifier

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
+#include "verifier/box_tree.h"
 #include "verifier/deviation.h"
 #include "verifier/foot_tree.h"
 #include "verifier/surface_tree.h"
@@ -46,21 +46,15 @@ class SurfaceCells {
 
   const std::vector<SurfaceCell>& cells() const { return cells_; }
 
-  struct Node {
-    model::Box3 box;
-    std::uint32_t first = 0, count = 0;  ///< of a leaf: consecutive cells
-    std::uint32_t right = 0;             ///< of an inner node; the left child follows the node
-  };
-  const std::vector<Node>& nodes() const { return nodes_; }
+  /// The tree over the control boxes of the cells, which lie in the order of its leaves.
+  const std::vector<BoxNode>& nodes() const { return nodes_; }
   /// The same surface as closest-point searches see it: its own cells, whatever `radius_mm` is.
   const FootTree& feet() const { return feet_; }
   const SurfaceFeatures& features() const { return features_; }
 
  private:
-  std::uint32_t build(std::vector<std::uint32_t>& order, const std::vector<model::Box3>& boxes,
-                      std::uint32_t first, std::uint32_t count);
   std::vector<SurfaceCell> cells_;
-  std::vector<Node> nodes_;
+  std::vector<BoxNode> nodes_;
   FootTree feet_;
   SurfaceFeatures features_;
 };

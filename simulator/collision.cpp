@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "engine/model/chunks.h"
 #include "simulator/clearance_map.h"
 #include "simulator/contact_search.h"
 #include "simulator/material.h"
@@ -114,13 +115,11 @@ CollisionReport find_collisions(const StockModel& before, const Pass& pass, doub
     throw std::invalid_argument("the collision tolerance must be a positive number");
   if (!pass.path) throw std::invalid_argument("a pass without a path");
   const CollisionFinder finder(before, pass, tolerance_mm);
-  const std::size_t moves = pass.path->moves.size(), chunks = (moves + kChunk - 1) / kChunk;
+  const std::size_t moves = pass.path->moves.size(), chunks = model::chunk_count(moves, kChunk);
   std::vector<CollisionFinder::Found> found(moves);
   std::atomic<std::size_t> done = 0;
-  model::parallel_for(chunks, control.threads, [&](std::size_t chunk) {
-    control.check();
-    const std::size_t end = std::min(moves, (chunk + 1) * kChunk);
-    for (std::size_t i = chunk * kChunk; i < end; ++i) found[i] = finder.look_at(i);
+  model::parallel_chunks(moves, kChunk, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) found[i] = finder.look_at(i);
     control.report(static_cast<double>(++done) / static_cast<double>(chunks));
   });
   CollisionReport report;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/model/chunks.h"
+
 namespace limitgauge::simulator {
 namespace {
 
@@ -93,12 +95,9 @@ std::vector<StockPoint> project_surface(const Material& material, const StockGri
   std::vector<Index3> voxels = grid.surface_voxels();
   std::erase_if(voxels, [&](const Index3& v) { return !region.contains(grid.lattice().point(v)); });
   std::vector<StockPoint> points(voxels.size());
-  const std::size_t chunks = (voxels.size() + kChunk - 1) / kChunk;
-  model::parallel_for(chunks, control.threads, [&](std::size_t chunk) {
-    control.check();
-    const std::size_t end = std::min(voxels.size(), (chunk + 1) * kChunk);
+  model::parallel_chunks(voxels.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     SurfaceMaker hint;
-    for (std::size_t i = chunk * kChunk; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i)
       points[i] = project_to_surface(material, grid.lattice().point(voxels[i]),
                                      grid.lattice().voxel_mm, hint);
   });

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/model/chunks.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -165,24 +167,21 @@ std::vector<FirstLook> look_at_all(const SurfaceCells& cells, const RemovedSpace
                                    const model::RunControl& control) {
   std::vector<FirstLook> looks(cells.cells().size());
   constexpr std::size_t kChunk = 256;
-  model::parallel_for(
-      (looks.size() + kChunk - 1) / kChunk, control.threads, [&](std::size_t chunk) {
-        control.check();
-        CellBounder bounder(space);
-        std::vector<BodyRef> candidates;
-        std::optional<BodyRef> hint;
-        for (std::size_t i = chunk * kChunk; i < std::min(looks.size(), (chunk + 1) * kChunk);
-             ++i) {
-          const Bezier& shape = cells.cells()[i].shape;
-          bounder.find_candidates(shape, candidates, hint, limit_of_interest(reach, request));
-          looks[i].bounds.nearest.distance.value = kInfinite;
-          if (candidates.empty()) continue;
-          looks[i].bounds = bounder.bound(shape, candidates, kInfinite, -kInfinite);
-          hint = looks[i].bounds.nearest.body;
-          looks[i].gouge_bound = request.allowance_mm - looks[i].bounds.lower;
-          if (reach) looks[i].uncut_bound = looks[i].bounds.upper - request.allowance_mm;
-        }
-      });
+  model::parallel_chunks(looks.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    CellBounder bounder(space);
+    std::vector<BodyRef> candidates;
+    std::optional<BodyRef> hint;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Bezier& shape = cells.cells()[i].shape;
+      bounder.find_candidates(shape, candidates, hint, limit_of_interest(reach, request));
+      looks[i].bounds.nearest.distance.value = kInfinite;
+      if (candidates.empty()) continue;
+      looks[i].bounds = bounder.bound(shape, candidates, kInfinite, -kInfinite);
+      hint = looks[i].bounds.nearest.body;
+      looks[i].gouge_bound = request.allowance_mm - looks[i].bounds.lower;
+      if (reach) looks[i].uncut_bound = looks[i].bounds.upper - request.allowance_mm;
+    }
+  });
   return looks;
 }
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <set>
 
+#include "engine/model/chunks.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -118,13 +120,9 @@ std::vector<std::optional<ClosestPoint>> closest_points(const SurfaceCells& cell
                                                         double within_mm,
                                                         const model::RunControl& control) {
   std::vector<std::optional<ClosestPoint>> out(points.size());
-  model::parallel_for((points.size() + kChunk - 1) / kChunk, control.threads,
-                      [&](std::size_t chunk) {
-                        control.check();
-                        const std::size_t end = std::min(points.size(), (chunk + 1) * kChunk);
-                        for (std::size_t i = chunk * kChunk; i < end; ++i)
-                          out[i] = closest_point(cells, points[i], within_mm);
-                      });
+  model::parallel_chunks(points.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) out[i] = closest_point(cells, points[i], within_mm);
+  });
   return out;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/model/chunks.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -73,10 +75,9 @@ std::vector<Vec3> measure_field(DeviationField& field, const RemovedSpace& space
                                 double allowance_mm, const model::RunControl& control) {
   std::vector<Vec3> tips(field.samples.size());
   constexpr std::size_t kChunk = 512;
-  model::parallel_for((tips.size() + kChunk - 1) / kChunk, control.threads, [&](std::size_t chunk) {
-    control.check();
+  model::parallel_chunks(tips.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     std::optional<BodyRef> hint;
-    for (std::size_t i = chunk * kChunk; i < std::min(tips.size(), (chunk + 1) * kChunk); ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       DeviationField::Sample& s = field.samples[i];
       const Nearest nearest = space.nearest(s.place.point, hint);
       hint = nearest.body;

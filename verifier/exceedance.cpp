@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/model/chunks.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -79,20 +81,18 @@ class SpotSearch {
 Exceedance find_exceedance(const SurfaceCells& cells, const RemovedSpace& space,
                            const ReachQuery* reach, const ExceedanceRequest& request,
                            const model::RunControl& control) {
-  const std::size_t chunks = (cells.cells().size() + kChunk - 1) / kChunk;
+  const std::size_t chunks = model::chunk_count(cells.cells().size(), kChunk);
   std::vector<Exceedance> parts(chunks);
   // Each chunk has its own share of the effort, so that the result does not depend on their order;
   // exceedances are local, so the shares add up to more than the whole.
   constexpr std::size_t kLeastShare = 20'000;
   const std::size_t share = std::max(kLeastShare, 4 * request.largest_cell_count / (chunks + 1));
-  model::parallel_for(chunks, control.threads, [&](std::size_t chunk) {
-    control.check();
-    SpotSearch search(space, reach, request, share);
-    for (std::size_t i = chunk * kChunk; i < std::min(cells.cells().size(), (chunk + 1) * kChunk);
-         ++i)
-      search.run(cells.cells()[i]);
-    parts[chunk] = search.take();
-  });
+  model::parallel_chunks(cells.cells().size(), kChunk, control,
+                         [&](std::size_t begin, std::size_t end) {
+                           SpotSearch search(space, reach, request, share);
+                           for (std::size_t i = begin; i < end; ++i) search.run(cells.cells()[i]);
+                           parts[begin / kChunk] = search.take();
+                         });
   Exceedance out;
   for (Exceedance& part : parts) {
     out.complete = out.complete && part.complete;

@@ -12,7 +12,8 @@ namespace limitgauge::verifier {
 /// node's turn comes, since the search may have closed in; `visit(leaf)` looks at a leaf. Not to be
 /// called from within its own `visit` for the same kind of search: the stack is kept between calls.
 template <class Bound, class Beyond, class Visit>
-void nearest_first(const std::vector<BoxNode>& nodes, Bound&& bound, Beyond&& beyond, Visit&& visit) {
+void nearest_first(const std::vector<BoxNode>& nodes, Bound&& bound, Beyond&& beyond,
+                   Visit&& visit) {
   struct Entry {
     std::uint32_t node;
     double bound;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/model/chunks.h"
 #include "verifier/cell_contact.h"
 #include "verifier/local_contact.h"
 #include "verifier/nearest_first.h"
@@ -145,8 +146,7 @@ class Classifier {
     const CutterProfile& profile = reachability_.profile();
     double best = limit_;
     nearest_first(
-        cells_.nodes(),
-        [&](const BoxNode& node) { return standing_bound(profile, tip, node.box); },
+        cells_.nodes(), [&](const BoxNode& node) { return standing_bound(profile, tip, node.box); },
         [&](double bound) { return bound >= best; },
         [&](const BoxNode& leaf) {
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
@@ -213,19 +213,16 @@ ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachabil
     std::vector<ReachMap::Entry> found(level.size());
     std::vector<char> halve(level.size());
     constexpr std::size_t kChunk = 64;
-    model::parallel_for((level.size() + kChunk - 1) / kChunk, control.threads,
-                        [&](std::size_t chunk) {
-                          control.check();
-                          for (std::size_t i = chunk * kChunk;
-                               i < std::min(level.size(), (chunk + 1) * kChunk); ++i) {
-                            Open& open = level[i];
-                            found[i] = {open.cell, classifier.decide(open), 0};
-                            halve[i] = found[i].reach == Reach::undecided && !last &&
-                                       control_radius(open.cell.shape, middle(open.cell.shape)) >
-                                           options.smallest_radius_mm;
-                            if (!halve[i]) found[i].area_mm2 = area_mm2(open.cell.shape);
-                          }
-                        });
+    model::parallel_chunks(level.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        Open& open = level[i];
+        found[i] = {open.cell, classifier.decide(open), 0};
+        halve[i] =
+            found[i].reach == Reach::undecided && !last &&
+            control_radius(open.cell.shape, middle(open.cell.shape)) > options.smallest_radius_mm;
+        if (!halve[i]) found[i].area_mm2 = area_mm2(open.cell.shape);
+      }
+    });
     std::vector<Open> next;
     for (std::size_t i = 0; i < level.size(); ++i) {
       if (!halve[i]) {

@@ -54,8 +54,7 @@ Reachability::Below Reachability::comes_below(const CutterProfile& profile, cons
                                               double limit_mm) const {
   Below worst = Below::none;
   nearest_first(
-      cells_.nodes(),
-      [&](const BoxNode& node) { return standing_bound(profile, tip, node.box); },
+      cells_.nodes(), [&](const BoxNode& node) { return standing_bound(profile, tip, node.box); },
       [&](double bound) { return bound >= limit_mm || worst == Below::found; },
       [&](const BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {

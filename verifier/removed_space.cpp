@@ -53,7 +53,8 @@ void RemovedSpace::add_sweep(const Sweep& sweep) {
 RemovedSpace::PassBodies RemovedSpace::index_bodies(const CutterProfile& profile,
                                                     std::vector<SweptBody> bodies) {
   std::vector<Box3> tips(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) tips[i].add(bodies[i].from), tips[i].add(bodies[i].to);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    tips[i].add(bodies[i].from), tips[i].add(bodies[i].to);
   BoxTree tree = box_tree(tips, kLeafBodies);
   PassBodies p{profile, {}, std::move(tree.order), {}, std::move(tree.nodes)};
   p.place.resize(bodies.size());

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "engine/model/chunks.h"
 #include "verifier/closest_point.h"
 
 namespace limitgauge::verifier {
@@ -177,11 +178,9 @@ VoxelFigures read_stock(const SurfaceCells& cells, const RemovedSpace& space,
                         const model::RunControl& control) {
   std::vector<Reading> read(readings.size());
   constexpr std::size_t kChunk = 1024;
-  model::parallel_for((read.size() + kChunk - 1) / kChunk, control.threads, [&](std::size_t chunk) {
-    control.check();
+  model::parallel_chunks(read.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     Reader reader(cells, space, certificate, check);
-    for (std::size_t i = chunk * kChunk; i < std::min(read.size(), (chunk + 1) * kChunk); ++i)
-      read[i] = reader.read(readings[i]);
+    for (std::size_t i = begin; i < end; ++i) read[i] = reader.read(readings[i]);
   });
   require_agreement(read, readings, space);
   require_seen(certificate, readings, check);

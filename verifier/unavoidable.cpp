@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/model/chunks.h"
 #include "verifier/cell_bounds.h"
 #include "verifier/cell_contact.h"
 #include "verifier/lowest_tip.h"
@@ -119,10 +120,9 @@ class Search {
     for (const ReachMap::Entry& e : map.entries())
       if (e.reach != Reach::reachable) open_.push_back({e.cell, 0});
     constexpr std::size_t kChunk = 256;
-    model::parallel_for((open_.size() + kChunk - 1) / kChunk, control_.threads, [&](std::size_t c) {
-      control_.check();
+    model::parallel_chunks(open_.size(), kChunk, control_, [&](std::size_t begin, std::size_t end) {
       std::optional<BodyRef> hint;
-      for (std::size_t i = c * kChunk; i < std::min(open_.size(), (c + 1) * kChunk); ++i) {
+      for (std::size_t i = begin; i < end; ++i) {
         const Vec3 m = middle(open_[i].cell.shape);
         const Nearest nearest = given_.nearest(m, hint);
         hint = nearest.body;

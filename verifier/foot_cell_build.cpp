@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <span>
 
 #include "verifier/distance_polynomial.h"
@@ -119,20 +118,9 @@ void halve_until_even(FootCell cell, int depth, std::vector<FootCell>& out) {
 
 std::vector<FootCell> foot_cells(const SurfaceTree& tree) {
   std::vector<FootCell> cells;
-  std::map<int, std::vector<Vec3>> vertices;
-  for (const Speck& s : tree.specks()) {
-    vertices[s.square.patch].push_back(s.position);
-    cells.push_back(vertex_cell(s));
-  }
-  for (const Piece& piece : tree.pieces()) {
-    const auto near = vertices.find(piece.square.patch);
-    if (near != vertices.end() &&
-        std::any_of(near->second.begin(), near->second.end(), [&](const Vec3& p) {
-          return control_radius(piece.shape, p) < kFootOmitted_mm;
-        }))
-      continue;
-    halve_until_even(whole(piece), 0, cells);
-  }
+  for (const Speck& s : tree.specks()) cells.push_back(vertex_cell(s));
+  for (const Piece* piece : tree.pieces_beyond(kFootOmitted_mm))
+    halve_until_even(whole(*piece), 0, cells);
   for (FootCell& cell : cells) mark_sides(cell, tree.features().of(cell.patch));
   return cells;
 }

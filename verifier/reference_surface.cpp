@@ -1,6 +1,7 @@
 #include "verifier/reference_surface.h"
 
 #include <algorithm>
+#include <map>
 
 #include "verifier/surface_tree.h"
 
@@ -28,10 +29,18 @@ SurfaceSample SurfaceTree::evaluate(int patch, double u, double v) const {
           j.duu * second, j.duv * second, j.dvv * second};
 }
 
-double SurfaceTree::speck_radius_mm() const {
-  double radius = 0;
-  for (const Speck& s : specks_) radius = std::max(radius, s.radius_mm);
-  return radius;
+std::vector<const Piece*> SurfaceTree::pieces_beyond(double omitted_mm) const {
+  std::map<int, std::vector<Vec3>> specks;
+  for (const Speck& s : specks_) specks[s.square.patch].push_back(s.position);
+  std::vector<const Piece*> beyond;
+  for (const Piece& piece : pieces_) {
+    const auto near = specks.find(piece.square.patch);
+    if (near == specks.end() ||
+        std::none_of(near->second.begin(), near->second.end(),
+                     [&](const Vec3& p) { return control_radius(piece.shape, p) < omitted_mm; }))
+      beyond.push_back(&piece);
+  }
+  return beyond;
 }
 
 ReferenceSurface::ReferenceSurface(const model::Cage& cage)

@@ -1,7 +1,6 @@
 #include "verifier/surface_cells.h"
 
 #include <algorithm>
-#include <map>
 
 namespace limitgauge::verifier {
 
@@ -65,22 +64,15 @@ std::array<SurfaceCell, 2> halved(const SurfaceCell& cell) {
 
 SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
     : feet_(tree), features_(tree.features()) {
-  std::map<int, std::vector<Vec3>> specks;
   for (const Speck& s : tree.specks()) {
-    specks[s.square.patch].push_back(s.position);
     SurfaceCell cell{{}, s.square.patch, s.square.u, s.square.v, s.square.size, s.square.size};
     for (int k = 0; k < 16; ++k) cell.shape.set(k, s.position);
     cell.vertex_normal = s.normal;
     cells_.push_back(cell);
   }
-  for (const Piece& piece : tree.pieces()) {
-    const ParameterSquare& q = piece.square;
-    const auto near = specks.find(q.patch);
-    if (near != specks.end() &&
-        std::any_of(near->second.begin(), near->second.end(),
-                    [&](const Vec3& p) { return control_radius(piece.shape, p) < kOmitted_mm; }))
-      continue;
-    split_until({piece.shape, q.patch, q.u, q.v, q.size, q.size}, radius_mm, cells_);
+  for (const Piece* piece : tree.pieces_beyond(kOmitted_mm)) {
+    const ParameterSquare& q = piece->square;
+    split_until({piece->shape, q.patch, q.u, q.v, q.size, q.size}, radius_mm, cells_);
   }
   std::vector<model::Box3> boxes;
   boxes.reserve(cells_.size());

@@ -24,11 +24,10 @@ struct Piece {
 };
 
 /// What is left around an irregular vertex when refinement has reached double precision: the
-/// surface over `square` lies within `radius_mm` of `position`.
+/// surface over `square` is `position`.
 struct Speck {
   model::Vec3 position, tangent_u, tangent_v, normal;
   TangentPlane plane = TangentPlane::everywhere;
-  double radius_mm = 0;
   ParameterSquare square;
 };
 
@@ -42,8 +41,9 @@ class SurfaceTree {
   SurfaceSample evaluate(int patch, double u, double v) const;
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<Speck>& specks() const { return specks_; }
-  /// Greatest radius of a speck: how far the description is from exact.
-  double speck_radius_mm() const;
+  /// The pieces but for those that lie within `omitted_mm` of a speck of their patch, which can
+  /// stand for them.
+  std::vector<const Piece*> pieces_beyond(double omitted_mm) const;
   const model::Box3& bounding_box() const { return bounding_box_; }
   double area_mm2() const { return area_mm2_; }
   const SurfaceFeatures& features() const { return features_; }

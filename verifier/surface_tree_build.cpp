@@ -96,9 +96,8 @@ class SurfaceTreeBuilder {
       return add(SurfaceTree::Node::Kind::piece, tree_.pieces_.size() - 1);
     }
     const auto corner = lone_corner(n);
-    const double size = spread(n);
-    if (corner && (depth >= kDeepest || size <= kSmallest * model_size_))
-      return add_speck(n, *corner, square, size, approach);
+    if (corner && (depth >= kDeepest || spread(n) <= kSmallest * model_size_))
+      return add_speck(n, *corner, square, approach);
     // Tangents come from the largest neighbourhood that gives them: the direction is the same at
     // every level, and differences of tiny neighbourhoods lose digits.
     if (corner && approach.steps == 0) approach.tangents = vertex_limit(n, *corner).tangents;
@@ -121,10 +120,9 @@ class SurfaceTreeBuilder {
   }
 
   std::int32_t add_speck(const Neighbourhood& n, int corner, const ParameterSquare& square,
-                         double size, const Approach& approach) {
+                         const Approach& approach) {
     Speck speck;
     speck.position = vertex_limit(n, corner).position;
-    speck.radius_mm = size;
     speck.square = square;
     if (const auto& t = approach.tangents) {
       speck.tangent_u = t->first, speck.tangent_v = t->second;

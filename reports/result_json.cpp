@@ -136,10 +136,6 @@ Json simulation_part(const StageResult::Ran& r) {
           {"holder_collisions", collisions(r.collisions.holder, true)}};
 }
 
-Json corner(const char* field, const model::Vec3& p) {
-  return {finite(field, p.x), finite(field, p.y), finite(field, p.z)};
-}
-
 std::string stage_name(const RunResult& result, std::size_t stage) {
   return stage < result.stages.size() ? clean_text(result.stages[stage].name) : "";
 }
@@ -172,7 +168,7 @@ Json findings(const RunResult& result, const std::vector<verifier::Finding>& all
         {"move", f.move},
         {"body", clean_text(f.body)},
         {"extent_mm",
-         {corner("finding.extent", f.extent_mm.low), corner("finding.extent", f.extent_mm.high)}}};
+         {point("finding.extent", f.extent_mm.low), point("finding.extent", f.extent_mm.high)}}};
     if (!f.passes.empty()) finding["passes"] = near_passes(result, f.passes);
     out.push_back(std::move(finding));
   }
@@ -265,7 +261,7 @@ Json stage_part(const RunResult& result, const StageResult& s) {
   out["step_mm"] = finite("stage.step_mm", s.step_mm);
   out["tolerance_mm"] = finite("stage.tolerance_mm", s.tolerance_mm);
   out["gate"] = gate_part(s.limits);
-  out["verdict"] = verifier::name(s.ran ? s.decision.verdict : verifier::Verdict::not_run);
+  out["verdict"] = verifier::name(s.verdict());
   out["reasons"] = texts(s.decision.reasons);
   if (s.ran) {
     out["toolpath"] = toolpath_part(*s.ran);

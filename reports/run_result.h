@@ -55,6 +55,9 @@ struct StageResult {
   };
   std::optional<Ran> ran;
   double seconds = 0;
+
+  /// The decision's; of a stage that was not run, just that.
+  verifier::Verdict verdict() const { return ran ? decision.verdict : verifier::Verdict::not_run; }
 };
 
 /// Everything a report shows.

@@ -41,16 +41,12 @@ std::string verdict_word(verifier::Verdict verdict) {
   return word;
 }
 
-verifier::Verdict verdict_of(const StageResult& stage) {
-  return stage.ran ? stage.decision.verdict : verifier::Verdict::not_run;
-}
-
 Row row_of(const StageResult& stage) {
   const std::vector<GateFigure> figures = gate_figures(stage);
   return {clean_text(stage.name),
           clean_text(stage.tool),
           clean_text(stage.program.empty() ? stage.strategy : stage.program),
-          verdict_word(verdict_of(stage)),
+          verdict_word(stage.verdict()),
           against_limit(figures[0]),
           against_limit(figures[1]),
           stage.ran ? figures[2].measured : "–",
@@ -137,9 +133,9 @@ std::string verdict_table(const RunResult& result, bool colour) {
   const Widths widths = fitted_widths(rows);
   std::string out = line_of(rows[0], widths, verifier::Verdict::not_run, false);
   for (std::size_t i = 0; i < result.stages.size(); ++i)
-    out += line_of(rows[i + 1], widths, verdict_of(result.stages[i]), colour);
+    out += line_of(rows[i + 1], widths, result.stages[i].verdict(), colour);
   for (const StageResult& stage : result.stages) {
-    if (verdict_of(stage) == verifier::Verdict::pass) continue;
+    if (stage.verdict() == verifier::Verdict::pass) continue;
     for (const std::string& reason : stage.decision.reasons)
       out += wrapped(clean_text(stage.name) + ": " + clean_text(reason), 4);
   }

@@ -24,10 +24,6 @@ std::string stock_text(const model::Stock& stock) {
   return fmt::format("bar ⌀{} × {} mm", shortest(bar.diameter_mm), shortest(bar.height_mm));
 }
 
-verifier::Verdict verdict_of(const StageResult& stage) {
-  return stage.ran ? stage.decision.verdict : verifier::Verdict::not_run;
-}
-
 const char* verdict_sentence(verifier::Verdict verdict) {
   switch (verdict) {
     case verifier::Verdict::pass:
@@ -71,7 +67,7 @@ std::string reasons_list(const RunResult& result) {
   std::string out;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     const StageResult& stage = result.stages[i];
-    const verifier::Verdict verdict = verdict_of(stage);
+    const verifier::Verdict verdict = stage.verdict();
     if (verdict == verifier::Verdict::pass && result.verdict != verifier::Verdict::pass) continue;
     for (const std::string& reason : stage.decision.reasons)
       out += fmt::format("<li><a href=\"#{}\">{}</a>: {}</li>\n", stage_anchor(i),
@@ -112,7 +108,7 @@ std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) 
           figure(2),
           stage.ran ? grouped(hits) : "–",
           stage.ran ? duration_text(stage.seconds) : "–",
-          badge(verdict_of(stage))};
+          badge(stage.verdict())};
 }
 
 std::string stage_table(const RunResult& result) {

@@ -271,7 +271,7 @@ std::string cutter_text(const model::Cutter& cutter) {
 std::string stage_section(const RunResult& result, std::size_t index,
                           const StagePictures* pictures) {
   const StageResult& stage = result.stages[index];
-  const auto verdict = stage.ran ? stage.decision.verdict : verifier::Verdict::not_run;
+  const verifier::Verdict verdict = stage.verdict();
   std::string reasons;
   for (const std::string& reason : stage.decision.reasons)
     reasons += "<li>" + escape_markup(reason) + "</li>";

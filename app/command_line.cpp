@@ -60,6 +60,16 @@ void add_plan(CLI::App& app, Parsed& parsed) {
   add_common(*parsed.plan_app, parsed);
 }
 
+CLI::Validator number_above_zero(bool or_zero) {
+  return CLI::Validator(
+      [or_zero](const std::string& text) {
+        const double value = std::strtod(text.c_str(), nullptr);
+        if (std::isfinite(value) && (value > 0 || (or_zero && value == 0))) return "";
+        return or_zero ? "is no number from zero up" : "is no number above zero";
+      },
+      or_zero ? "NUMBER>=0" : "NUMBER>0");
+}
+
 void add_limit(CLI::App& app, const std::string& option, double& value, bool& stated,
                const std::string& help) {
   app.add_option_function<double>(
@@ -69,12 +79,7 @@ void add_limit(CLI::App& app, const std::string& option, double& value, bool& st
            stated = true;
          },
          help)
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            const double limit = std::strtod(text.c_str(), nullptr);
-            return std::isfinite(limit) && limit > 0 ? "" : "is no number above zero";
-          },
-          "NUMBER>0"));
+      ->check(number_above_zero(false));
 }
 
 void add_verify(CLI::App& app, Parsed& parsed) {
@@ -90,12 +95,7 @@ void add_verify(CLI::App& app, Parsed& parsed) {
       ->required();
   sub.add_option("--program", verify.program, "Program (G-code)")->required();
   sub.add_option("--allowance", verify.allowance_mm, "Material to be left (default: 0 mm)")
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            const double value = std::strtod(text.c_str(), nullptr);
-            return std::isfinite(value) && value >= 0 ? "" : "is no number from zero up";
-          },
-          "NUMBER>=0"));
+      ->check(number_above_zero(true));
   add_limit(sub, "--gouge", verify.limits.gouge_mm, verify.limits.has_gouge,
             "Largest gouge that passes, mm (default: measured, not gated)");
   add_limit(sub, "--uncut", verify.limits.uncut_mm, verify.limits.has_uncut,

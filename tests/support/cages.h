@@ -64,6 +64,20 @@ inline model::Cage cube_cage() {
   return cage;
 }
 
+/// A cube whose edges and corners are sharp: all of them, or those of two opposite faces.
+inline model::Cage sharp_cube(bool all) {
+  model::Cage cage = cube_cage();
+  for (int a = 0; a < 8; ++a)
+    for (const int bit : {1, 2, 4})
+      if ((a & bit) == 0 && (all || bit != 4)) cage.creases.push_back({{a, a | bit}, 10});
+  return cage;
+}
+
+inline model::Cage scaled(model::Cage cage, double by) {
+  for (model::Vec3& v : cage.vertices) v *= by;
+  return cage;
+}
+
 /// A vertex of `valence` quads in two rings, waved so that the limit surface is not flat. Open.
 inline model::Cage star_cage(int valence, double wave_mm) {
   model::Cage cage;

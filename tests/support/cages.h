@@ -52,6 +52,26 @@ inline model::Cage paraboloid_cage(double half_mm, double k) {
       model::BoundaryRule::none);
 }
 
+/// z(x) over [−half, half]², straight along y, from the control heights of a cubic B-spline.
+inline model::Cage profile_cage(int n, double half_mm,
+                                const std::function<double(double)>& control) {
+  const double h = 2 * half_mm / n;
+  return grid_cage(
+      n + 2, n + 2,
+      [=](int i, int j) {
+        const double a = i - 1 - n / 2.0, b = j - 1 - n / 2.0;
+        return model::Vec3{a * h, b * h, control(a * h)};
+      },
+      model::BoundaryRule::none);
+}
+
+/// z = k·x² over [−half, half]², straight along y; control heights as in `paraboloid_cage`.
+inline model::Cage trough_cage(double half_mm, double k) {
+  const int n = 4;
+  const double h = 2 * half_mm / n;
+  return profile_cage(n, half_mm, [=](double x) { return k * (x * x - h * h / 3); });
+}
+
 /// The cube [−1, 1]³, faces outwards. Limit of a control vertex: 1/2 of it.
 inline model::Cage cube_cage() {
   model::Cage cage;

@@ -11,19 +11,6 @@ using namespace tests;
 
 constexpr double kTrough = 0.05, kRadius = 12, kHalf = 20;
 
-/// z = k·x² over [−half, half]², straight along y; control heights as in `paraboloid_cage`.
-model::Cage trough_cage() {
-  constexpr int n = 4;
-  constexpr double h = 2 * kHalf / n;
-  return grid_cage(
-      n + 2, n + 2,
-      [](int i, int j) {
-        const double a = i - 1 - n / 2.0, b = j - 1 - n / 2.0;
-        return model::Vec3{a * h, b * h, kTrough * h * h * (a * a - 1.0 / 3)};
-      },
-      model::BoundaryRule::none);
-}
-
 /// How deep a ball that touches the trough at x cuts into its other side, by search.
 double cut_by_ball(double x) {
   const double steep = std::sqrt(1 + 4 * kTrough * kTrough * x * x);
@@ -54,7 +41,7 @@ double arc(double x) {
 
 TEST_CASE("certified areas of a trough that a ball does not fit bracket the closed form",
           "[property]") {
-  const ReferenceSurface surface(trough_cage());
+  const ReferenceSurface surface(trough_cage(kHalf, kTrough));
   const SurfaceCells cells(surface.tree(), 1);
   const double contact = 1e-3;
   const double edge = contact_edge(contact);

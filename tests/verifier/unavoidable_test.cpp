@@ -8,20 +8,7 @@
 namespace limitgauge::verifier {
 namespace {
 
-using model::Vec3;
 using namespace tests;
-
-/// z(x) over [−half, half]², straight along y, from the control heights of a cubic B-spline.
-model::Cage profile_cage(int n, double half_mm, const std::function<double(double)>& control) {
-  const double h = 2 * half_mm / n;
-  return grid_cage(
-      n + 2, n + 2,
-      [=](int i, int j) {
-        const double a = i - 1 - n / 2.0, b = j - 1 - n / 2.0;
-        return Vec3{a * h, b * h, control(a * h)};
-      },
-      model::BoundaryRule::none);
-}
 
 struct Setting {
   double allowance_mm = 0, contact_mm = 1e-3, cell_mm = 1, rim_mm = 0.1;
@@ -73,7 +60,7 @@ TEST_CASE("unavoidable uncut of a ball in a bowl is bracketed", "[property]") {
 
 TEST_CASE("unavoidable uncut of a ball in a trough is bracketed", "[property]") {
   const double left = std::pow(2 * kBend * kRadius - 1, 2) / (4 * kBend);
-  const auto cage = profile_cage(4, 20, [](double x) { return kBend * (x * x - 100.0 / 3); });
+  const auto cage = trough_cage(20, kBend);
   const UnavoidableOptions options;
   const Setting set{0, 1e-4, 1, 0.2};
   const Unavoidable u = measured(cage, ball_cutter(kRadius), set, options);

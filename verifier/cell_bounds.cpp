@@ -158,6 +158,22 @@ double CellBounder::mixed_lower(const Bezier& cell, const Vec3& middle, BodyRef 
   return -largest(mean) - slack_mm;
 }
 
+bool CellBounder::sharp(BodyRef body, double radius_mm) const {
+  return !space_.is_stock(body) && space_.rounding_mm(body) < kSharp * radius_mm;
+}
+
+bool CellBounder::surely_outside(const Bezier& cell, double margin_mm) {
+  const Vec3 centre = middle(cell);
+  const double radius = control_radius(cell, centre);
+  near_.clear();
+  space_.within(centre, margin_mm + radius, near_);
+  return std::all_of(near_.begin(), near_.end(), [&](BodyRef body) {
+    BodyDistance distance;
+    if (score(cell, centre, body, distance).lower >= margin_mm) return true;
+    return sharp(body, radius) && mixed_lower(cell, centre, body) >= margin_mm;
+  });
+}
+
 CellBounds CellBounder::bound(const Bezier& cell, std::vector<BodyRef>& candidates,
                               double low_enough, double high_enough) {
   CellBounds out;
@@ -180,9 +196,9 @@ CellBounds CellBounder::bound(const Bezier& cell, std::vector<BodyRef>& candidat
   }
   out.lower = std::numeric_limits<double>::infinity();
   candidates.clear();
-  const double sharp_mm = kSharp * control_radius(cell, out.middle);
+  const double radius = control_radius(cell, out.middle);
   for (Scored& s : scored_) {
-    if (s.lower < high_enough && space_.rounding_mm(s.body) < sharp_mm && !space_.is_stock(s.body))
+    if (s.lower < high_enough && sharp(s.body, radius))
       s.lower = std::max(s.lower, mixed_lower(cell, out.middle, s.body));
     out.lower = std::min(out.lower, s.lower);
     candidates.push_back(s.body);

@@ -47,6 +47,8 @@ class CellBounder {
   /// the lower bound once it is above `high_enough`.
   CellBounds bound(const Bezier& cell, std::vector<BodyRef>& candidates, double low_enough,
                    double high_enough = -std::numeric_limits<double>::infinity());
+  /// Proof that δ ≥ `margin_mm` on all of the cell. False means "not proven".
+  bool surely_outside(const Bezier& cell, double margin_mm);
 
  private:
   using Values = std::array<double, 16>;
@@ -60,8 +62,11 @@ class CellBounder {
   double upper_of(const Bezier& cell, const model::Vec3& middle, BodyRef body);
   double improve_upper(const Bezier& cell, double upper, double low_enough);
   double mixed_lower(const Bezier& cell, const model::Vec3& middle, BodyRef body) const;
+  /// Whether that improves the lower bound: a sharp edge in a cell of that size.
+  bool sharp(BodyRef body, double radius_mm) const;
 
   const RemovedSpace& space_;
+  std::vector<BodyRef> near_;
   std::vector<Scored> scored_;
   std::vector<Values> values_;
 };

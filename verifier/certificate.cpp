@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/model/chunks.h"
+#include "verifier/union_depth.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -48,6 +49,9 @@ struct Figure {
 
 struct Outcome {
   Figure gouge, uncut;
+  /// The largest a − δ with δ the depth in the union, as far as ways out of it were found: what is
+  /// to be covered, where `gouge.low` is what is proven to be reached.
+  double gouge_in_union = 0;
   std::size_t cells = 0;
 };
 
@@ -79,10 +83,15 @@ struct FirstLook {
 class CellSearch {
  public:
   CellSearch(const RemovedSpace& space, const ReachQuery* reach, const CertificateRequest& request,
-             const Goals& goals, const Outcome& before)
-      : bounder_(space), reach_(reach), request_(request), goals_(goals) {
+             const Goals& goals, const Outcome& before, double longest_mm)
+      : bounder_(space),
+        depth_(space, longest_mm),
+        reach_(reach),
+        request_(request),
+        goals_(goals) {
     out_.gouge.low = before.gouge.low;
     out_.uncut.low = before.uncut.low;
+    out_.gouge_in_union = before.gouge_in_union;
   }
 
   Outcome run(const SurfaceCell& cell, BodyRef hint) {
@@ -108,10 +117,7 @@ class CellSearch {
         uncut_open && here > out_.uncut.low && !see_uncut(cell, place, here, b.nearest.body);
 
     const double gouge_bound = a - b.lower, uncut_bound = b.upper - a;
-    if (gouge_open && gouge_bound <= gouge_goal()) {
-      out_.gouge.cover(gouge_bound);
-      gouge_open = false;
-    }
+    if (gouge_open && gouge_bound <= gouge_goal()) gouge_open = !covers_union(cell, b);
     if (uncut_open && uncut_bound <= uncut_goal()) {
       out_.uncut.cover(uncut_bound);
       uncut_open = false;
@@ -123,7 +129,7 @@ class CellSearch {
     if (uncut_open && out_of_reach && tiny) uncut_open = false;
     if (tiny || static_cast<double>(out_.cells) >
                     kShareOfCell * static_cast<double>(request_.largest_cell_count)) {
-      if (gouge_open) out_.gouge.cover(gouge_bound);
+      if (gouge_open) give_up_gouge(cell, b);
       if (uncut_open) out_.uncut.cover(uncut_bound);
       return;
     }
@@ -132,7 +138,48 @@ class CellSearch {
     search(halves[1], std::move(candidates), gouge_open, uncut_open);
   }
 
+  /// Covers the cell by a bound of the gouge in the union, where δ alone bounds that into one body.
+  bool covers_union(const SurfaceCell& cell, const CellBounds& b) {
+    const double a = request_.allowance_mm;
+    if (b.lower >= 0) {  // outside all bodies δ is the distance itself
+      out_.gouge.cover(a - b.lower);
+      return true;
+    }
+    if (depth_.surely_within(cell.shape, b, union_goal() - a)) {
+      out_.gouge.cover(union_goal());
+      return true;
+    }
+    const double radius = control_radius(cell.shape, b.middle);
+    const UnionDepth::Exit exit = depth_.exit(cell.shape, b, union_goal() - a - radius);
+    out_.gouge_in_union = std::max(out_.gouge_in_union, a + exit.length_mm);
+    const double bound = a + exit.length_mm + radius;
+    if (bound > union_goal() && !depth_.surely_within(cell.shape, exit.direction, union_goal() - a))
+      return false;
+    out_.gouge.cover(std::min(bound, union_goal()));
+    return true;
+  }
+
+  void give_up_gouge(const SurfaceCell& cell, const CellBounds& b) {
+    const double a = request_.allowance_mm;
+    double bound = a - b.lower;
+    if (b.lower < 0)
+      bound = std::max(bound, a + depth_.exit(cell.shape, b, 0).length_mm +
+                                  control_radius(cell.shape, b.middle));
+    out_.gouge.cover(bound);
+  }
+
   double gouge_goal() const { return goals_.gouge(out_.gouge.low); }
+  /// Where the union is deeper than one body, the interval is that much wider whatever is done:
+  /// then a tenth of that more saves most of the effort.
+  double union_goal() const {
+    constexpr double kShareOfGap = 0.1;
+    const double low = out_.gouge.low, known = std::max(low, out_.gouge_in_union);
+    const double fine = goals_.gouge(known), coarse = known + kShareOfGap * (known - low);
+    const double limit = request_.gouge_limit_mm - goals_.errors_mm;
+    const bool decides = known <= limit && coarse > limit;
+    return decides ? fine : std::max(fine, coarse);
+  }
+
   double uncut_goal() const { return goals_.uncut(out_.uncut.low); }
 
   /// Takes the leftover into account if its place can be touched; false if that was not proven.
@@ -155,6 +202,7 @@ class CellSearch {
   }
 
   CellBounder bounder_;
+  UnionDepth depth_;
   const ReachQuery* reach_;
   const CertificateRequest& request_;
   const Goals& goals_;
@@ -227,6 +275,8 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, const 
   const std::vector<FirstLook> looks = look_at_all(cells, space, reach, request, control);
   const double errors = kRounding_mm + space.chord_error_mm();
   const Goals goals{request, errors};
+  // No gate allows a gouge as deep as the part is large.
+  const double longest = length(cells.nodes().front().box.size());
   Outcome sum;
   see_gouges(cells, looks, request.allowance_mm, sum.gouge);
   if (reach) see_uncut(cells, looks, *reach, request.allowance_mm, sum.uncut);
@@ -248,19 +298,21 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, const 
     model::parallel_for(count, control.threads, [&](std::size_t k) {
       const std::size_t i = order[at + k].second;
       const FirstLook& look = looks[i];
-      const bool settled = look.gouge_bound <= goals.gouge(before.gouge.low) &&
+      const bool settled = look.bounds.lower >= 0 &&
+                           look.gouge_bound <= goals.gouge(before.gouge.low) &&
                            look.uncut_bound <= goals.uncut(before.uncut.low);
       if (settled || before.cells > request.largest_cell_count) {
         found[k].gouge.cover(look.gouge_bound);
         found[k].uncut.cover(look.uncut_bound);
         return;
       }
-      found[k] = CellSearch(space, reach, request, goals, before)
+      found[k] = CellSearch(space, reach, request, goals, before, longest)
                      .run(cells.cells()[i], look.bounds.nearest.body);
     });
     for (const Outcome& o : found) {
       sum.gouge.merge(o.gouge);
       sum.uncut.merge(o.uncut);
+      sum.gouge_in_union = std::max(sum.gouge_in_union, o.gouge_in_union);
       sum.cells += o.cells;
     }
   }

@@ -33,7 +33,7 @@ struct Witness {
 /// Two-sided bounds of the deepest gouge, max (a − δ), over S and of the largest uncut, max (δ −
 /// a), over the part of S that is not surely unreachable; never negative. `low` is δ at a point of
 /// S (for uncut: at one that can be touched), less what chords and rounding may add; `high` is a
-/// bound on every cell.
+/// bound on every cell, of a gouge on its depth in the union of all bodies (UnionDepth).
 struct Certificate {
   Interval gouge_mm, uncut_mm;
   std::optional<Witness> gouge, uncut;

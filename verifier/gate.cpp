@@ -63,10 +63,10 @@ void judge_length(GateDecision& out, const std::string& what, const Interval& fi
 /// deeper than wide, it stays small, and the stock points show the height. Of cusps and of corners
 /// that go into S they show somewhat more than δ too (under half as much again up to cusps of two
 /// fifths of the radius, a fifth at right angles), so only twice the certified figure counts.
-bool shows_more(double voxel_mm, const Interval& certified, double limit_mm) {
+bool shows_more(double voxel_mm, double certified_mm, double limit_mm) {
   constexpr double kTwice = 2, kLeast_mm = 1e-3;  // stock points have errors of their own
-  return certified.high <= limit_mm && voxel_mm > limit_mm &&
-         voxel_mm > kTwice * std::max(certified.high, kLeast_mm);
+  return certified_mm <= limit_mm && voxel_mm > limit_mm &&
+         voxel_mm > kTwice * std::max(certified_mm, kLeast_mm);
 }
 
 void judge_collisions(GateDecision& out, const char* what, std::size_t count) {
@@ -104,7 +104,7 @@ GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
   GateDecision out{Verdict::pass, {}};
   if (limits.has_gouge) {
     judge_length(out, gouge_by(deviation), deviation.gouge_mm, limits.gouge_mm);
-    if (shows_more(deviation.voxel_gouge_mm, deviation.gouge_mm, limits.gouge_mm)) {
+    if (shows_more(deviation.voxel_gouge_mm, deviation.gouge_mm.low, limits.gouge_mm)) {
       out.reasons.push_back("the stock lies " + length_text(deviation.voxel_gouge_mm) +
                             " under the allowance surface, limit " + length_text(limits.gouge_mm));
       worsen(out.verdict, Verdict::fail);
@@ -112,7 +112,7 @@ GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
   }
   if (limits.has_uncut) {
     judge_length(out, "uncut", deviation.uncut_mm, limits.uncut_mm);
-    if (shows_more(deviation.voxel_uncut_mm, deviation.uncut_mm, limits.uncut_mm)) {
+    if (shows_more(deviation.voxel_uncut_mm, deviation.uncut_mm.high, limits.uncut_mm)) {
       out.reasons.push_back("material stands " + length_text(deviation.voxel_uncut_mm) +
                             " over the allowance surface, limit " + length_text(limits.uncut_mm));
       worsen(out.verdict, Verdict::fail);

@@ -37,7 +37,7 @@ struct Nearest {
 
 /// All that has been cut so far and all that lies outside the raw stock. δ(p) is the least of the
 /// bodies' signed distances: exact outside the removed space, with the right sign everywhere;
-/// inside, the depth into one body (design: a union's true depth can be larger).
+/// inside, the depth into one body (a union's true depth can be larger, see UnionDepth).
 class RemovedSpace {
  public:
   RemovedSpace(const model::Stock& stock, std::span<const Pass> passes);

@@ -143,7 +143,7 @@ class PairBench {
       const verifier::GateLimits gate = {true,
                                          true,
                                          false,
-                                         result.gouge.truth_mm + plan_.resolution_mm,
+                                         result.gouge.union_truth_mm + plan_.resolution_mm,
                                          allowed_uncut_mm(twin, d) + plan_.resolution_mm,
                                          0};
       result.verdict = certified_verdict(d, gate);

@@ -48,6 +48,33 @@ TEST_CASE("a ball raster on a plane leaves the closed-form scallop", "[unit]") {
   }
 }
 
+TEST_CASE("a gouge by two cuts that end in one another is covered to its depth in both", "[unit]") {
+  // Two trenches of a flat cutter of 2 mm, side by side and 3 mm deep, overlapping by 0.2 mm: in
+  // the middle S lies 1 mm deep in one of them, and 1.9 mm in both.
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  model::Toolpath path;
+  path.start = {-0.9, -8, -3};
+  for (const Vec3& to : {Vec3{-0.9, 8, -3}, Vec3{0.9, 8, -3}, Vec3{0.9, -8, -3}}) feed_to(path, to);
+  const auto d = measure(plane, flat_cutter(1), path, 0.01);
+  CHECK(d.gouge_mm.low >= 0.99);
+  CHECK(d.gouge_mm.low <= 1);
+  CHECK(d.gouge_mm.high >= 1.9);
+  CHECK(d.gouge_mm.high <= 2.1);  // a tenth of the gap more
+}
+
+TEST_CASE("a flat's steps in a slope are as deep in all passes as in one", "[unit]") {
+  // On a plane of 45 degrees each row of a flat goes as far down at its corner as the rows are
+  // apart: what stands are steps whose outer corners touch S, and whose inner ones lie under it. A
+  // point of S between two outer corners is half a step from the floor and from the wall.
+  const ReferenceSurface plane(plane_cage(5, 1, 0));
+  const double step = 0.2;
+  const auto d =
+      measure(plane, flat_cutter(1),
+              raster(9, step, 9, [&](double x, double) { return x + 1 - step; }), 0.0005);
+  CHECK(d.gouge_mm.low == Approx(step / 2).margin(0.0005));
+  CHECK(d.gouge_mm.high == Approx(step / 2).margin(0.0005));
+}
+
 TEST_CASE("scallop on a slope, measured normal to it", "[unit]") {
   const double slope = 0.75;  // rises along x: rows along y follow the contours
   const double cosine = 1 / std::sqrt(1 + slope * slope), radius = 3, step = 0.2;

@@ -130,8 +130,8 @@ TEST_CASE("a ball that passes beside a sloped rim and reaches under it makes no 
 }
 
 TEST_CASE("a narrow pocket far deeper than its cutter is wide shows in the stock", "[unit]") {
-  // Slots of a flat cutter of 0.4 mm, side by side and 2 mm deep: to the analytic instrument no
-  // place is deeper in a slot than 0.2 mm.
+  // Slots of a flat cutter of 0.4 mm, side by side and 2 mm deep: no place is deeper in a slot than
+  // 0.2 mm, which is all that is proven to be reached; the way out of all of them is longer.
   Bench bench;
   model::Toolpath path;
   path.start = {-1, -1, 5};
@@ -146,7 +146,8 @@ TEST_CASE("a narrow pocket far deeper than its cutter is wide shows in the stock
     for (double y = -1; y <= 1; y += 0.1) bench.readings.push_back({{x, y, -2}, 1e-9});
   bench.check.limits = {true, false, false, 0.5, 0, 0};
   const StageDeviation d = bench.measure();
-  CHECK(d.gouge_mm.high < 0.3);
+  CHECK(d.gouge_mm.low < 0.3);
+  CHECK(d.gouge_mm.high >= 1.1);  // from the middle to a wall of the pocket
   CHECK(d.voxel_gouge_mm == Approx(2));
   CHECK(decide(d, bench.check.limits, 0, 0).verdict == Verdict::fail);
 }

@@ -100,6 +100,12 @@ class CellSearch {
     search(cell, std::move(candidates), true, reach_ != nullptr);
     return out_;
   }
+  /// Without refinement: what is known is all there will be.
+  Outcome cover(const SurfaceCell& cell, const FirstLook& look) {
+    give_up_gouge(cell, look.bounds, look.gouge_bound);
+    out_.uncut.cover(look.uncut_bound);
+    return out_;
+  }
 
  private:
   void search(const SurfaceCell& cell, std::vector<BodyRef> candidates, bool gouge_open,
@@ -129,7 +135,7 @@ class CellSearch {
     if (uncut_open && out_of_reach && tiny) uncut_open = false;
     if (tiny || static_cast<double>(out_.cells) >
                     kShareOfCell * static_cast<double>(request_.largest_cell_count)) {
-      if (gouge_open) give_up_gouge(cell, b);
+      if (gouge_open) give_up_gouge(cell, b, gouge_bound);
       if (uncut_open) out_.uncut.cover(uncut_bound);
       return;
     }
@@ -159,13 +165,11 @@ class CellSearch {
     return true;
   }
 
-  void give_up_gouge(const SurfaceCell& cell, const CellBounds& b) {
-    const double a = request_.allowance_mm;
-    double bound = a - b.lower;
-    if (b.lower < 0)
-      bound = std::max(bound, a + depth_.exit(cell.shape, b, 0).length_mm +
-                                  control_radius(cell.shape, b.middle));
-    out_.gouge.cover(bound);
+  void give_up_gouge(const SurfaceCell& cell, const CellBounds& b, double gouge_bound) {
+    out_.gouge.cover(gouge_bound);
+    if (b.lower >= 0) return;
+    const double around = request_.allowance_mm + control_radius(cell.shape, b.middle);
+    out_.gouge.cover(around + depth_.exit(cell.shape, b, union_goal() - around).length_mm);
   }
 
   double gouge_goal() const { return goals_.gouge(out_.gouge.low); }
@@ -301,13 +305,15 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, const 
       const bool settled = look.bounds.lower >= 0 &&
                            look.gouge_bound <= goals.gouge(before.gouge.low) &&
                            look.uncut_bound <= goals.uncut(before.uncut.low);
-      if (settled || before.cells > request.largest_cell_count) {
+      if (settled) {
         found[k].gouge.cover(look.gouge_bound);
         found[k].uncut.cover(look.uncut_bound);
         return;
       }
-      found[k] = CellSearch(space, reach, request, goals, before, longest)
-                     .run(cells.cells()[i], look.bounds.nearest.body);
+      CellSearch search(space, reach, request, goals, before, longest);
+      found[k] = before.cells > request.largest_cell_count
+                     ? search.cover(cells.cells()[i], look)
+                     : search.run(cells.cells()[i], look.bounds.nearest.body);
     });
     for (const Outcome& o : found) {
       sum.gouge.merge(o.gouge);

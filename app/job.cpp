@@ -3,7 +3,17 @@
 namespace limitgauge::app {
 
 const char* strategy_name(engine::strategy::Strategy strategy) {
-  return strategy == engine::strategy::Strategy::contour ? "contour" : "zigzag";
+  switch (strategy) {
+    case engine::strategy::Strategy::contour:
+      return "contour";
+    case engine::strategy::Strategy::zigzag:
+      return "zigzag";
+    case engine::strategy::Strategy::steep_shallow:
+      return "steep_shallow";
+    case engine::strategy::Strategy::rest:
+      break;
+  }
+  return "rest";
 }
 
 }  // namespace limitgauge::app

@@ -18,11 +18,7 @@ const char* strategy_name(engine::strategy::Strategy strategy);
 
 /// What a stage asks of the planner; only of stages that are planned here.
 struct StagePlan {
-  engine::strategy::Strategy strategy = engine::strategy::Strategy::zigzag;
-  double step_mm = 0;       ///< level distance of a contour, plane distance of a zigzag
-  double tolerance_mm = 0;  ///< machining tolerance of the toolpath
-  double feed_mm_min = 0;
-  double plunge_feed_mm_min = 0;
+  engine::strategy::CutOptions cut;
   std::optional<double> floor_z_mm;  ///< empty: chosen from the surface and the cutter
 };
 

@@ -1,43 +1,15 @@
+#include "app/job_cut.h"
 #include "app/job_parts.h"
 #include "app/job_reader.h"
 #include "app/nearest_key.h"
 #include "app/toml_table.h"
-#include "app/words.h"
 
 namespace limitgauge::app {
 namespace {
 
-using engine::strategy::Strategy;
-
-Strategy read_strategy(const TomlTable& stage) {
-  const std::string word = stage.one_of("strategy", {"contour", "zigzag", "steep_shallow", "rest"});
-  if (word == "contour") return Strategy::contour;
-  if (word == "zigzag") return Strategy::zigzag;
-  throw model::InputError(stage.place("strategy"),
-                          "strategy \"" + word + "\" is not available in this release",
-                          "\"contour\" or \"zigzag\"");
-}
-
-StagePlan read_plan(const TomlTable& stage, const std::string& name, JobContext& context) {
-  StagePlan plan;
-  plan.strategy = read_strategy(stage);
-  plan.step_mm = stage.positive("step");
-  plan.tolerance_mm = stage.positive("tolerance");
-  plan.feed_mm_min = stage.positive("feed");
-  if (stage.has("floor")) plan.floor_z_mm = stage.number("floor");
-  if (stage.has("plunge_feed")) {
-    plan.plunge_feed_mm_min = stage.positive("plunge_feed");
-    return plan;
-  }
-  plan.plunge_feed_mm_min = plan.feed_mm_min * kDefaultPlungeShare;
-  context.defaulted.push_back("stage " + name + ": plunge feed " + words(plan.plunge_feed_mm_min) +
-                              " mm/min (default: a third of the feed)");
-  return plan;
-}
-
 /// A stage that reads a program plans nothing: figures of a plan beside it would be ignored.
 void refuse_plan_keys(const TomlTable& stage) {
-  for (const char* key : {"step", "tolerance", "feed", "plunge_feed", "floor"}) {
+  for (const char* key : kCutKeys) {
     if (!stage.has(key)) continue;
     throw model::InputError(stage.place(key),
                             "\"" + std::string(key) + "\" beside \"program\" would change nothing",
@@ -108,8 +80,7 @@ std::string read_name(const TomlTable& stage, const std::vector<JobStage>& befor
 JobStage read_stage(const toml::table& table, const std::vector<JobStage>& before,
                     const std::vector<model::Cutter>& tools, JobContext& context) {
   const TomlTable stage(table, "[[stage]]",
-                        {"name", "tool", "strategy", "program", "step", "allowance", "tolerance",
-                         "feed", "plunge_feed", "floor", "gate"});
+                        {"name", "tool", "strategy", "program", "allowance", "gate"}, kCutKeys);
   JobStage result;
   result.name = read_name(stage, before);
   result.cutter = find_tool(stage, tools);

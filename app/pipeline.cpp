@@ -44,9 +44,9 @@ reports::StageResult stage_as_asked(const JobStage& asked) {
   stage.allowance_mm = asked.allowance_mm;
   stage.limits = asked.limits;
   if (!asked.plan) return stage;
-  stage.strategy = strategy_name(asked.plan->strategy);
-  stage.step_mm = asked.plan->step_mm;
-  stage.tolerance_mm = asked.plan->tolerance_mm;
+  stage.strategy = strategy_name(asked.plan->cut.strategy);
+  stage.step_mm = asked.plan->cut.step_mm;
+  stage.tolerance_mm = asked.plan->cut.tolerance_mm;
   return stage;
 }
 

@@ -30,13 +30,9 @@ const engine::surface::FinishModel& StagePlanner::finish_model(const model::RunC
 engine::strategy::StageRequest StagePlanner::request(std::size_t stage) const {
   const JobStage& asked = job_.stages[stage];
   engine::strategy::StageRequest request;
-  request.strategy = asked.plan->strategy;
+  request.cut = asked.plan->cut;
   request.cutter = asked.cutter;
-  request.step_mm = asked.plan->step_mm;
   request.allowance_mm = asked.allowance_mm;
-  request.tolerance_mm = asked.plan->tolerance_mm;
-  request.feed_mm_min = asked.plan->feed_mm_min;
-  request.plunge_feed_mm_min = asked.plan->plunge_feed_mm_min;
   request.clearance_mm = job_.clearance_mm;
   request.floor_z_mm = inputs_.settings.floor_z_mm[stage];
   request.stock = job_.stock;

@@ -41,9 +41,11 @@ model::SourcePlace place_of(const toml::source_region& source) {
 }
 
 TomlTable::TomlTable(const toml::table& table, std::string where,
-                     std::initializer_list<std::string_view> known)
+                     std::initializer_list<std::string_view> known,
+                     std::span<const char* const> known_too)
     : table_(&table), where_(std::move(where)) {
-  const std::vector<std::string_view> keys(known);
+  std::vector<std::string_view> keys(known);
+  keys.insert(keys.end(), known_too.begin(), known_too.end());
   for (const auto& [key, value] : table) {
     if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
     const model::SourcePlace stated = place_of(key.source());
@@ -112,6 +114,13 @@ double TomlTable::not_negative(std::string_view key) const {
 double TomlTable::share(std::string_view key) const {
   const double value = number(key);
   if (!(value >= 0 && value <= 1)) refuse(key, "is " + shown(value), "a share from 0 to 1");
+  return value;
+}
+
+double TomlTable::between(std::string_view key, double above, double below) const {
+  const double value = number(key);
+  if (!(value > above && value < below))
+    refuse(key, "is " + shown(value), "a number between " + shown(above) + " and " + shown(below));
   return value;
 }
 

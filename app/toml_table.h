@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,8 @@ model::SourcePlace place_of(const toml::source_region& source);
 class TomlTable {
  public:
   TomlTable(const toml::table& table, std::string where,
-            std::initializer_list<std::string_view> known);
+            std::initializer_list<std::string_view> known,
+            std::span<const char* const> known_too = {});
 
   bool has(std::string_view key) const { return table_->contains(key); }
   bool is_table(std::string_view key) const { return (*table_)[key].is_table(); }
@@ -36,7 +38,8 @@ class TomlTable {
   double number(std::string_view key) const;
   double positive(std::string_view key) const;
   double not_negative(std::string_view key) const;
-  double share(std::string_view key) const;  ///< from 0 to 1
+  double share(std::string_view key) const;                                ///< from 0 to 1
+  double between(std::string_view key, double above, double below) const;  ///< ends excluded
   bool boolean(std::string_view key) const;
   model::Vec3 vec3(std::string_view key) const;
   const toml::table& table(std::string_view key) const;

@@ -58,12 +58,12 @@ class ContourPlanner {
   double pixel() const {
     constexpr double kFinest = 0.05, kCoarsest = 0.2, kMostPixels = 4e6;
     const Vec3 size = stock_.grown(2 * radius_ + request_.allowance_mm).size();
-    return std::max(std::clamp(2 * request_.tolerance_mm, kFinest, kCoarsest),
+    return std::max(std::clamp(2 * request_.cut.tolerance_mm, kFinest, kCoarsest),
                     std::sqrt(size.x * size.y / kMostPixels));
   }
 
   void build_map() {
-    const double mesh_error = kMeshShare * request_.tolerance_mm;
+    const double mesh_error = kMeshShare * request_.cut.tolerance_mm;
     surface::OffsetModel mesh = surface::sample_offset(model_, 0, mesh_error);
     interval_min_ = mesh.interval_min;
     interval_max_ = mesh.interval_max;
@@ -88,16 +88,17 @@ class ContourPlanner {
     const bool ball = request_.cutter.type == model::CutterType::ball;
     const bool flat = request_.cutter.type == model::CutterType::flat;
     const double corner = ball ? radius_ : flat ? 0.0 : request_.cutter.corner_radius_mm;
-    const double rise = std::min(request_.step_mm, corner);
+    const double rise = std::min(request_.cut.step_mm, corner);
     return radius_ - corner + std::sqrt(corner * corner - (corner - rise) * (corner - rise));
   }
 
   void place_levels() {
     const double top = stock_.high.z, floor = request_.floor_z_mm;
     constexpr double kWholeStep = 1e-6;
-    const auto count = static_cast<int>(std::ceil((top - floor) / request_.step_mm - kWholeStep));
+    const auto count =
+        static_cast<int>(std::ceil((top - floor) / request_.cut.step_mm - kWholeStep));
     for (int k = 1; k <= count; ++k)
-      levels_.push_back({std::max(floor, top - k * request_.step_mm), 0});
+      levels_.push_back({std::max(floor, top - k * request_.cut.step_mm), 0});
   }
 
   /// Levels whose forbidden regions are equal share their loops.

@@ -12,8 +12,8 @@ namespace limitgauge::engine::strategy {
 class PathBuilder {
  public:
   PathBuilder(const StageRequest& request, double clear_z_mm)
-      : feed_(static_cast<float>(request.feed_mm_min)),
-        plunge_feed_(static_cast<float>(request.plunge_feed_mm_min)),
+      : feed_(static_cast<float>(request.cut.feed_mm_min)),
+        plunge_feed_(static_cast<float>(request.cut.plunge_feed_mm_min)),
         clear_z_(clear_z_mm) {}
 
   bool down() const { return down_; }

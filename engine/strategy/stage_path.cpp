@@ -22,18 +22,21 @@ void require_positive(double value, const std::string& name) {
 void require_valid(const StageRequest& request) {
   model::require_valid(request.cutter);
   model::require_valid(request.stock);
-  require_positive(request.step_mm, "step");
-  require_positive(request.tolerance_mm, "tolerance");
-  require_positive(request.feed_mm_min, "feed");
-  require_positive(request.plunge_feed_mm_min, "plunge_feed");
+  require_positive(request.cut.step_mm, "step");
+  require_positive(request.cut.tolerance_mm, "tolerance");
+  require_positive(request.cut.feed_mm_min, "feed");
+  require_positive(request.cut.plunge_feed_mm_min, "plunge_feed");
   require_positive(request.clearance_mm, "clearance");
   require(std::isfinite(request.allowance_mm) && request.allowance_mm >= 0,
           "allowance must be zero or more");
   require(std::isfinite(request.floor_z_mm), "floor must be a finite height");
+  require(request.cut.strategy == Strategy::contour || request.cut.strategy == Strategy::zigzag,
+          "strategy: expected contour or zigzag");
   require(request.cutter.type != model::CutterType::taper,
           "cutter: a taper is served by no strategy; expected flat, ball or bull");
-  require(request.strategy != Strategy::zigzag || request.cutter.type == model::CutterType::ball,
-          "cutter: zigzag serves ball cutters only; use contour for this one");
+  require(
+      request.cut.strategy != Strategy::zigzag || request.cutter.type == model::CutterType::ball,
+      "cutter: zigzag serves ball cutters only; use contour for this one");
 }
 
 }  // namespace
@@ -42,8 +45,9 @@ StagePath plan_stage(const surface::FinishModel& model, const StageRequest& requ
                      const model::RunControl& control) {
   require_valid(request);
   const auto begin = std::chrono::steady_clock::now();
-  StagePath stage = request.strategy == Strategy::zigzag ? plan_zigzag(model, request, control)
-                                                         : plan_contour(model, request, control);
+  StagePath stage = request.cut.strategy == Strategy::zigzag
+                        ? plan_zigzag(model, request, control)
+                        : plan_contour(model, request, control);
   stage.memory_bytes = stage.path.moves.size() * sizeof(model::Move);
   stage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return stage;

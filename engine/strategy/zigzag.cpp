@@ -53,7 +53,7 @@ class ZigzagPlanner {
 
  private:
   void build_sections() {
-    const double mesh_error = kMeshShare * request_.tolerance_mm;
+    const double mesh_error = kMeshShare * request_.cut.tolerance_mm;
     surface::OffsetModel offset = surface::sample_offset(model_, reach_, mesh_error);
     if (offset.excess_mm > 0) {
       reach_ += offset.excess_mm;
@@ -66,7 +66,7 @@ class ZigzagPlanner {
                  std::make_move_iterator(offset.corners.end()));
     const surface::Rim rim =
         surface::find_rim(model_, surface::sample_offset(model_, 0, mesh_error));
-    const double rim_error = kRimShare * request_.tolerance_mm;
+    const double rim_error = kRimShare * request_.cut.tolerance_mm;
     for (const auto& line : rim.lines)
       grids.push_back(surface::rolling_tube(line, reach_, rim_error));
     for (const Vec3& point : rim.points)
@@ -83,10 +83,10 @@ class ZigzagPlanner {
     const double low = box.low.x - reach_, width = box.size().x + 2 * reach_;
     constexpr double kWholeStep = 0.1;  // of a step: the mesh is a little smaller than the surface
     const int count =
-        std::max(1, static_cast<int>(std::floor(width / request_.step_mm + kWholeStep)));
-    const double first = low + (width - (count - 1) * request_.step_mm) / 2;
+        std::max(1, static_cast<int>(std::floor(width / request_.cut.step_mm + kWholeStep)));
+    const double first = low + (width - (count - 1) * request_.cut.step_mm) / 2;
     rows_.resize(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) rows_[i].x = first + i * request_.step_mm;
+    for (int i = 0; i < count; ++i) rows_[i].x = first + i * request_.cut.step_mm;
   }
 
   void build_rows() {
@@ -115,7 +115,7 @@ class ZigzagPlanner {
     }
     row.centre = upper_envelope(std::move(segments), kSlit);
     for (auto& run : row.centre.runs)
-      run = reduced(run, kReductionShare * request_.tolerance_mm,
+      run = reduced(run, kReductionShare * request_.cut.tolerance_mm,
                     [](const PlanePoint& p) { return std::pair(p.s, p.z); });
   }
 
@@ -142,11 +142,11 @@ class ZigzagPlanner {
   std::optional<double> link_height(const Row& a, const Row& b, double y0, double y1) const {
     const double step = std::abs(b.x - a.x);
     constexpr double kNeighbours = 1.5;
-    if (step > kNeighbours * request_.step_mm || step >= reach_) return std::nullopt;
+    if (step > kNeighbours * request_.cut.step_mm || step >= reach_) return std::nullopt;
     const double low = std::min(y0, y1) - step, high = std::max(y0, y1) + step;
     const double z = std::max(a.centre.highest(low, high), b.centre.highest(low, high));
     const double sagitta = reach_ - std::sqrt(reach_ * reach_ - step * step);
-    return tip_z(z + sagitta + request_.tolerance_mm);
+    return tip_z(z + sagitta + request_.cut.tolerance_mm);
   }
 
   double clear_height() const {

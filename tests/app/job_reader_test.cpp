@@ -7,7 +7,7 @@
 namespace limitgauge::app {
 namespace {
 
-using engine::strategy::Strategy;
+using namespace engine::strategy;
 
 struct BadJob {
   std::string from, to, error;
@@ -31,16 +31,16 @@ TEST_CASE("a job is read with its defaults stated", "[unit][job]") {
   const JobStage& stage = job.stages[0];
   CHECK(stage.cutter.corner_radius_mm == 3);
   CHECK(stage.cutter.flute_length_mm == 24);
-  CHECK(stage.plan->strategy == Strategy::zigzag);
-  CHECK(stage.plan->step_mm == 0.1);
-  CHECK(stage.plan->plunge_feed_mm_min == Approx(500));
+  CHECK(stage.plan->cut.strategy == Strategy::zigzag);
+  CHECK(stage.plan->cut.step_mm == 0.1);
+  CHECK(stage.plan->cut.plunge_feed_mm_min == Approx(500));
   CHECK_FALSE(stage.plan->floor_z_mm.has_value());
   CHECK(stage.limits.has_gouge);
   CHECK_FALSE(stage.limits.has_uncut);
   CHECK_FALSE(job.voxel_mm.has_value());
   CHECK_FALSE(job.resolution_mm.has_value());
   CHECK(job.pictures);
-  // precision, rapid, clearance, flutes, plunge feed, allowance: six figures were left open.
+  // precision, rapid, clearance, flutes, the stage's cut, allowance: six were left open.
   CHECK(job.defaulted.size() == 6);
 }
 
@@ -76,6 +76,10 @@ allowance = 0.1
 tolerance = 0.03
 feed = 900
 plunge_feed = 200
+link_feed = 700
+direction = "conventional"
+entry = "helix"
+ramp_angle = 5
 floor = -1.5
 [stage.gate]
 gouge = 0.04
@@ -106,9 +110,13 @@ pictures = false
   CHECK(stage.cutter.shank.size() == 1);
   REQUIRE(stage.cutter.holder.size() == 2);
   CHECK(stage.cutter.holder[1].diameter_mm == 40);
-  CHECK(stage.plan->strategy == Strategy::contour);
+  CHECK(stage.plan->cut.strategy == Strategy::contour);
   CHECK(stage.plan->floor_z_mm == -1.5);
-  CHECK(stage.plan->plunge_feed_mm_min == 200);
+  CHECK(stage.plan->cut.plunge_feed_mm_min == 200);
+  CHECK(stage.plan->cut.link_feed_mm_min == 700);
+  CHECK(stage.plan->cut.direction == CutDirection::conventional);
+  CHECK(stage.plan->cut.entry == Entry::helix);
+  CHECK(stage.plan->cut.ramp_angle_deg == 5);
   CHECK(stage.allowance_mm == 0.1);
   CHECK(stage.limits.coverage == 0.9);
   CHECK(stage.limits.uncut_mm == 0.05);
@@ -156,9 +164,12 @@ TEST_CASE("a bad job is refused with its place and what was expected", "[unit][j
       {"tool = \"ball3\"", "tool = \"ball4\"",
        "job.toml:14:8: error: no tool has the id \"ball4\"; expected \"ball3\" or another id of a "
        "[[tool]]"},
-      {"strategy = \"zigzag\"", "strategy = \"rest\"",
-       "job.toml:15:12: error: strategy \"rest\" is not available in this release; expected "
-       "\"contour\" or \"zigzag\""},
+      {"strategy = \"zigzag\"", "strategy = \"spiral\"",
+       "job.toml:15:12: error: \"strategy\" in [[stage]] is \"spiral\"; expected one of "
+       "\"contour\", \"zigzag\", \"steep_shallow\", \"rest\""},
+      {"strategy = \"zigzag\"", "strategy = \"zigzag\"\nsteep_angle = 30",
+       "job.toml:16:15: error: \"steep_angle\" changes nothing of strategy \"zigzag\"; expected a "
+       "key that this strategy uses"},
       {"strategy = \"zigzag\"", "strategy = \"zigzag\"\nprogram = \"a.ngc\"",
        "job.toml:16:11: error: stage \"finish\" has both strategy and program; expected one of the "
        "two"},
@@ -220,7 +231,7 @@ TEST_CASE("overrides count as if they stood in the file", "[unit][job]") {
   const Job job = read(
       good_job(), {"stage.finish.step=0.25", "tool.ball3.diameter=4", "simulation.voxel=0.3",
                    "stage.finish.gate.uncut=0.02", "name=other", "verification.resolution=auto"});
-  CHECK(job.stages[0].plan->step_mm == 0.25);
+  CHECK(job.stages[0].plan->cut.step_mm == 0.25);
   CHECK(job.stages[0].cutter.diameter_mm == 4);
   CHECK(job.stages[0].limits.uncut_mm == 0.02);
   CHECK(job.stages[0].limits.gouge_mm == 0.01);

@@ -47,10 +47,10 @@ TEST_CASE("what was chosen is said", "[unit][settings]") {
   std::string all;
   for (const std::string& line : assumptions(job, choose_settings(job, kSurface)))
     all += line + "\n";
-  for (const char* said : {"rapids are straight", "voxel 0.1 mm (auto", "resolution 0.001 mm (auto",
-                           "lowest tip height z -5.5 mm (default",
-                           "plunge feed 500 mm/min (default", "flute length 24 mm (default",
-                           "surface precision 0.01 mm (default)", "allowance 0 mm (default)"}) {
+  for (const char* said :
+       {"rapids are straight", "voxel 0.1 mm (auto", "resolution 0.001 mm (auto",
+        "lowest tip height z -5.5 mm (default", "plunge_feed = 500", "flute length 24 mm (default",
+        "surface precision 0.01 mm (default)", "allowance 0 mm (default)"}) {
     CHECK_THAT(all, ContainsSubstring(said));
   }
 }

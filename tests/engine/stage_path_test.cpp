@@ -15,12 +15,12 @@ namespace {
 
 strategy::StageRequest zigzag_request(const model::Box3& part) {
   strategy::StageRequest r;
-  r.strategy = strategy::Strategy::zigzag;
+  r.cut.strategy = strategy::Strategy::zigzag;
   r.cutter = model::parse_cutter("ball:D=6");
-  r.step_mm = 0.5;
-  r.tolerance_mm = 0.01;
-  r.feed_mm_min = 1000;
-  r.plunge_feed_mm_min = 300;
+  r.cut.step_mm = 0.5;
+  r.cut.tolerance_mm = 0.01;
+  r.cut.feed_mm_min = 1000;
+  r.cut.plunge_feed_mm_min = 300;
   r.clearance_mm = 5;
   r.floor_z_mm = part.low.z - 3;
   r.stock = model::BoxStock{part.low - Vec3{2, 2, 5}, part.size() + Vec3{4, 4, 6}};
@@ -29,11 +29,11 @@ strategy::StageRequest zigzag_request(const model::Box3& part) {
 
 strategy::StageRequest contour_request(const model::Box3& part) {
   strategy::StageRequest r = zigzag_request(part);
-  r.strategy = strategy::Strategy::contour;
+  r.cut.strategy = strategy::Strategy::contour;
   r.cutter = model::parse_cutter("flat:D=8");
-  r.step_mm = 1;
+  r.cut.step_mm = 1;
   r.allowance_mm = 0.2;
-  r.tolerance_mm = 0.05;
+  r.cut.tolerance_mm = 0.05;
   return r;
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("a ball zigzag never goes below the surface", "[property][zigzag]") {
   REQUIRE(stage.path.moves.size() > 100);
   const auto found = test::probe(stage.path, request.cutter, allowance, dense_points(cage), 0.2, 3);
   INFO("at " << found.where.x << " " << found.where.y << " " << found.where.z);
-  CHECK(found.gouge_mm <= request.tolerance_mm);
+  CHECK(found.gouge_mm <= request.cut.tolerance_mm);
 }
 
 TEST_CASE("a ball zigzag over a plane touches it everywhere", "[property][zigzag]") {
@@ -84,8 +84,8 @@ TEST_CASE("a ball zigzag over a plane touches it everywhere", "[property][zigzag
     const Vec3 middle = (model::move_from(stage.path, i) + stage.path.moves[i].to) * 0.5;
     const double height = dot(middle + Vec3{0, 0, 3}, normal);
     if (std::abs(middle.x) > 6 || std::abs(middle.y) > 6) continue;
-    CHECK(height > 3 - request.tolerance_mm);
-    touching += height < 3 + request.tolerance_mm;
+    CHECK(height > 3 - request.cut.tolerance_mm);
+    touching += height < 3 + request.cut.tolerance_mm;
   }
   // Rows are 0.5 mm apart: those within 6 mm of the middle follow the plane in one move each.
   CHECK(touching >= 23);
@@ -169,7 +169,7 @@ TEST_CASE("the same path for any number of threads", "[property][contour][zigzag
 TEST_CASE("requests that no path can serve are refused by name", "[unit][contour][zigzag]") {
   const surface::FinishModel finish(cage_named("plane"), {0.01, 4.2, 10}, {});
   auto request = zigzag_request(finish.patches().bounding_box());
-  request.step_mm = 0;
+  request.cut.step_mm = 0;
   CHECK_THROWS_WITH(plan_stage(finish, request, {}), ContainsSubstring("step"));
   request = zigzag_request(finish.patches().bounding_box());
   request.allowance_mm = -1;

@@ -9,6 +9,7 @@
 #include "engine/model/cutter.h"
 #include "engine/model/stock.h"
 #include "engine/strategy/stage_path.h"
+#include "reports/published.h"
 #include "verifier/deviation.h"
 
 namespace limitgauge::app {
@@ -47,6 +48,7 @@ struct Job {
   std::optional<double> voxel_mm;       ///< empty: "auto"
   std::optional<double> resolution_mm;  ///< empty: "auto"
   bool pictures = true;
+  std::optional<reports::PublishedFigures> published;
   /// Values that the job left to a default, in words, for the report's assumptions.
   std::vector<std::string> defaulted;
 };

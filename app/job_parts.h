@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/job.h"
+#include "app/toml_table.h"
 
 namespace limitgauge::app {
 
@@ -19,6 +20,8 @@ model::Stock read_stock(const toml::table& stock);
 /// The tools by their ids; two of one id are an error.
 std::vector<model::Cutter> read_tools(const std::vector<const toml::table*>& tools,
                                       JobContext& context);
+/// Figures of a publication to stand beside the run's own.
+reports::PublishedFigures read_published(const TomlTable& root);
 /// The stages in order; two of one name, or a tool that is not among `tools`, are an error.
 std::vector<JobStage> read_stages(const std::vector<const toml::table*>& stages,
                                   const std::vector<model::Cutter>& tools, JobContext& context);

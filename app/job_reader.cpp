@@ -92,7 +92,7 @@ std::string read_name(const TomlTable& root) {
 Job read_root(const toml::table& table, JobContext& context) {
   const TomlTable root(table, "the job",
                        {"name", "surface", "stock", "machine", "tool", "stage", "simulation",
-                        "verification", "report"});
+                        "verification", "report", "published"});
   Job job;
   job.name = read_name(root);
   read_surface(root.table("surface"), job, context);
@@ -101,6 +101,7 @@ Job read_root(const toml::table& table, JobContext& context) {
   const std::vector<model::Cutter> tools = read_tools(root.tables("tool"), context);
   job.stages = read_stages(root.tables("stage"), tools, context);
   read_settings(root, job);
+  if (root.has("published")) job.published = read_published(root);
   job.defaulted = std::move(context.defaulted);
   return job;
 }

@@ -97,6 +97,7 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   ran.planes = planned.path.planes;
   ran.sampling_interval_min = planned.path.sampling_interval_min;
   ran.sampling_interval_max = planned.path.sampling_interval_max;
+  ran.sampling_intervals = std::move(planned.path.sampling_intervals);
   ran.path_memory_bytes = planned.path.memory_bytes;
   ran.ignored_words = std::move(planned.ignored_words);
   ran.path = std::make_shared<const model::Toolpath>(std::move(planned.path.path));
@@ -214,6 +215,7 @@ reports::RunResult Bench::run() {
   result.raw_stock = job_.stock;
   result.surface = surface_as_read(job_, inputs_);
   result.assumptions = assumptions(job_, inputs_.settings);
+  result.published = job_.published;
   for (const JobStage& asked : job_.stages) result.stages.push_back(stage_as_asked(asked));
   stock_.emplace(job_.stock, inputs_.settings.voxel_mm, inputs_.settings.memory_limit_bytes);
   result.verdict = Verdict::pass;

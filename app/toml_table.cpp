@@ -28,6 +28,13 @@ std::string shown(double value) {
   return out.str();
 }
 
+std::optional<int> whole_number(const toml::node& node) {
+  constexpr std::int64_t kLargest = 1'000'000'000;
+  const std::optional<std::int64_t> value = node.value_exact<std::int64_t>();
+  if (!value || *value < 0 || *value > kLargest) return std::nullopt;
+  return static_cast<int>(*value);
+}
+
 }  // namespace
 
 model::SourcePlace place_of(const toml::source_region& source) {
@@ -122,6 +129,21 @@ double TomlTable::between(std::string_view key, double above, double below) cons
   if (!(value > above && value < below))
     refuse(key, "is " + shown(value), "a number between " + shown(above) + " and " + shown(below));
   return value;
+}
+
+int TomlTable::whole(std::string_view key) const {
+  const std::optional<int> value = whole_number(node(key));
+  if (!value) refuse(key, "is no whole number from 0 to a billion", "a whole number");
+  return *value;
+}
+
+std::pair<int, int> TomlTable::whole_pair(std::string_view key) const {
+  const toml::array* list = node(key).as_array();
+  if (list != nullptr && list->size() == 2) {
+    const std::optional<int> low = whole_number(*list->get(0)), high = whole_number(*list->get(1));
+    if (low && high && *low <= *high) return {*low, *high};
+  }
+  refuse(key, "is no pair of ascending whole numbers", "an array as [7, 10]");
 }
 
 bool TomlTable::boolean(std::string_view key) const {

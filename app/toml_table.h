@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/model/error.h"
@@ -40,6 +41,8 @@ class TomlTable {
   double not_negative(std::string_view key) const;
   double share(std::string_view key) const;                                ///< from 0 to 1
   double between(std::string_view key, double above, double below) const;  ///< ends excluded
+  int whole(std::string_view key) const;                                   ///< 0 to a billion
+  std::pair<int, int> whole_pair(std::string_view key) const;              ///< ascending
   bool boolean(std::string_view key) const;
   model::Vec3 vec3(std::string_view key) const;
   const toml::table& table(std::string_view key) const;

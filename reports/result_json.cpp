@@ -79,6 +79,7 @@ Json surface_part(const SurfaceResult& s) {
                                point("surface.bbox_mm", s.bbox_mm.high)})},
       {"area_mm2", finite("surface.area_mm2", s.area_mm2)},
       {"depth", {{"min", s.depth_min}, {"max", s.depth_max}}},
+      {"depths", s.depths},
       {"sampling_interval", {{"min", s.sampling_interval_min}, {"max", s.sampling_interval_max}}},
       {"seconds", finite("surface.seconds", s.seconds)},
       {"memory_bytes", s.memory_bytes}};
@@ -101,6 +102,7 @@ Json toolpath_part(const StageResult::Ran& r) {
       {"moves", r.path ? r.path->moves.size() : 0},
       {"planes", r.planes},
       {"sampling_interval", {{"min", r.sampling_interval_min}, {"max", r.sampling_interval_max}}},
+      {"sampling_intervals", r.sampling_intervals},
       {"cut_length_mm", finite("toolpath.cut_length_mm", r.cut_length_mm)},
       {"rapid_length_mm", finite("toolpath.rapid_length_mm", r.rapid_length_mm)},
       {"machining_time_s", finite("toolpath.machining_time_s", r.machining_time_s)},

@@ -8,6 +8,7 @@
 
 #include "engine/model/cage.h"
 #include "engine/strategy/stage_path.h"
+#include "reports/published.h"
 #include "simulator/collision.h"
 #include "verifier/deviation.h"
 #include "verifier/surface_rules.h"
@@ -22,6 +23,7 @@ struct SurfaceResult {
   model::Box3 bbox_mm;  ///< of the limit surface, exact
   double area_mm2 = 0;
   int depth_min = 0, depth_max = 0;
+  std::vector<int> depths;  ///< of the finish model, one a patch; empty where none was built
   int sampling_interval_min = 1, sampling_interval_max = 1;
   double seconds = 0;
   std::size_t memory_bytes = 0;
@@ -41,6 +43,7 @@ struct StageResult {
     std::shared_ptr<const model::Toolpath> path;
     int planes = 0;
     int sampling_interval_min = 1, sampling_interval_max = 1;
+    std::vector<int> sampling_intervals;  ///< one a patch
     double cut_length_mm = 0, rapid_length_mm = 0, machining_time_s = 0;
     double plan_seconds = 0;
     std::size_t path_memory_bytes = 0;
@@ -72,6 +75,7 @@ struct RunResult {
   std::vector<StageResult> stages;
   std::vector<std::string>
       assumptions;  ///< stated in the report: straight rapids, start unknown, ...
+  std::optional<PublishedFigures> published;
 };
 
 }  // namespace limitgauge::reports

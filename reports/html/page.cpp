@@ -5,6 +5,7 @@
 
 #include "reports/embedded.h"
 #include "reports/gate_figures.h"
+#include "reports/html/engine_section.h"
 #include "reports/html/markup.h"
 #include "reports/html/stage_section.h"
 #include "reports/report.h"
@@ -131,10 +132,6 @@ std::string stage_table(const RunResult& result) {
          "</section>\n";
 }
 
-std::string span_text(int low, int high) {
-  return low == high ? std::to_string(low) : fmt::format("{} to {}", low, high);
-}
-
 /// The rules that shape this cage's surface, in words.
 std::string rules_text(const verifier::SurfaceRules& r) {
   std::string text = "Catmull-Clark, boundary ";
@@ -169,39 +166,7 @@ std::string surface_section(const SurfaceResult& s) {
               {"Faces of the cage", grouped(std::uint64_t(s.summary.faces))},
               {"Boundary edges", grouped(std::uint64_t(s.summary.boundary_edges))},
               {"Extraordinary vertices", grouped(std::uint64_t(s.summary.extraordinary_vertices))},
-              {"Rules of the surface", rules_text(s.rules)},
-              {"Subdivision depth", span_text(s.depth_min, s.depth_max)},
-              {"Sampling interval", span_text(s.sampling_interval_min, s.sampling_interval_max)},
-              {"Model built in", duration_text(s.seconds)},
-              {"Model memory", bytes_text(s.memory_bytes)}}) +
-         "</section>\n";
-}
-
-std::string path_table(const RunResult& result) {
-  std::vector<std::vector<std::string>> rows;
-  for (const StageResult& stage : result.stages) {
-    if (!stage.ran) continue;
-    const StageResult::Ran& r = *stage.ran;
-    rows.push_back({escape_markup(stage.name), path_source(stage),
-                    stage.step_mm > 0 ? stated_length(stage.step_mm) : "–",
-                    grouped(std::uint64_t(std::max(r.planes, 0))),
-                    span_text(r.sampling_interval_min, r.sampling_interval_max),
-                    grouped(r.path ? r.path->moves.size() : 0), duration_text(r.machining_time_s),
-                    duration_text(r.plan_seconds), bytes_text(r.path_memory_bytes)});
-  }
-  if (rows.empty()) return {};
-  return "<section><h2>Toolpaths</h2>\n" +
-         table("",
-               {{"Stage"},
-                {"Path"},
-                {"Path interval", true},
-                {"Planes", true},
-                {"Sampling interval", true},
-                {"Moves", true},
-                {"Machining time", true},
-                {"Planned in", true},
-                {"Memory", true}},
-               rows) +
+              {"Rules of the surface", rules_text(s.rules)}}) +
          "</section>\n";
 }
 
@@ -247,7 +212,7 @@ void write_html(const RunResult& result, std::span<const StagePictures> pictures
   out << head(result) << masthead(result) << stage_table(result);
   for (std::size_t i = 0; i < result.stages.size(); ++i)
     out << stage_section(result, i, i < pictures.size() ? &pictures[i] : nullptr);
-  out << surface_section(result.surface) << path_table(result) << kDecisionRule
+  out << surface_section(result.surface) << engine_section(result) << kDecisionRule
       << assumptions_section(result.assumptions)
       << "<footer><p>All lengths in mm or µm as stated. The same figures, digit for digit, are in "
          "result.json beside this page.</p></footer>\n</main></body></html>\n";

@@ -279,5 +279,34 @@ TEST_CASE("the jobs that ship are in order", "[unit][job]") {
   }
 }
 
+TEST_CASE("published figures of a job are read as they stand", "[unit][job]") {
+  const std::string text = good_job() + R"(
+[published]
+source = "a paper, Table 1"
+patches = 29
+depth = [7, 10]
+seconds = 71.5
+[[published.stage]]
+name = "finish"
+planes = 872
+memory_mb = 21.8
+)";
+  const Job job = read(text);
+  REQUIRE(job.published);
+  CHECK(job.published->source == "a paper, Table 1");
+  CHECK(job.published->patches == 29);
+  CHECK(job.published->depth == std::pair(7, 10));
+  CHECK_FALSE(job.published->sampling_interval);
+  CHECK(job.published->seconds == 71.5);
+  REQUIRE(job.published->stages.size() == 1);
+  CHECK(job.published->stages[0].planes == 872);
+  CHECK_FALSE(job.published->stages[0].seconds);
+  CHECK(job.published->stages[0].memory_mb == 21.8);
+  CHECK_THAT(error_of(good_job() + "[published]\nsource = \"x\"\ndepth = [9, 7]\n"),
+             ContainsSubstring("is no pair of ascending whole numbers"));
+  CHECK_THAT(error_of(good_job() + "[published]\nsource = \"x\"\npatches = 2.5\n"),
+             ContainsSubstring("is no whole number"));
+}
+
 }  // namespace
 }  // namespace limitgauge::app

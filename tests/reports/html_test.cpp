@@ -208,3 +208,19 @@ TEST_CASE("numbers are set as numbers", "[unit][html]") {
   CHECK(html::png_uri("Man") == "data:image/png;base64,TWFu");
   CHECK(html::png_uri("Many") == "data:image/png;base64,TWFueQ==");
 }
+
+TEST_CASE("published figures stand beside the run's own", "[unit][html]") {
+  RunResult result = sample_result(Outcome::passed);
+  CHECK_FALSE(page_of(result).find("published") != std::string::npos);
+  PublishedFigures published;
+  published.source = "A <paper>, Tables 1 and 3";
+  published.patches = 29;
+  published.depth = {7, 10};
+  published.memory_mb = 276.776;
+  published.stages.push_back({result.stages[0].name, 90, 10.438, 1.657});
+  result.published = published;
+  const std::string page = page_of(result);
+  require_nesting(page);
+  for (const std::string shown : {"A &lt;paper&gt;, Tables 1 and 3", "7 to 10", "277 MB", "1.66 MB"})
+    CHECK(contains(page, shown));
+}

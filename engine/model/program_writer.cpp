@@ -182,7 +182,7 @@ void write_move(Move& move, ModalState& state, int decimals, ProgramText& text) 
     state.feed_mm_min = move.feed_mm_min;
   }
   move.to = state.at = values(to);
-  move.line = text.line_number();
+  move.set_line(text.line_number());
   text.end_line();
 }
 

@@ -16,13 +16,6 @@ constexpr double kMostTurns = 10000;
 constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
 constexpr std::array<char, 3> kCentres = {'I', 'J', 'K'};
 
-/// First, second and perpendicular axis of a plane.
-std::array<int, 3> axes_of(ArcPlane plane) {
-  if (plane == ArcPlane::zx) return {2, 0, 1};
-  if (plane == ArcPlane::yz) return {1, 2, 0};
-  return {0, 1, 2};
-}
-
 bool is_arc(std::optional<int> motion) {
   return motion == 20 || motion == 30;
 }

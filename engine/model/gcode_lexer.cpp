@@ -14,6 +14,8 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// RS274/NGC has no use for more; a file that is one long line must not fill the memory.
 constexpr std::size_t kMostItems = 100;
 
+constexpr std::size_t kProgramDigits = 8;
+
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r';
 }
@@ -134,15 +136,28 @@ void GcodeLexer::read_comment(GcodeBlock& block) {
 void GcodeLexer::read_word(GcodeBlock& block) {
   const std::size_t begin = at_;
   const char letter = upper(text_[at_++]);
-  if (letter == 'O')
-    fail(begin, "O words (subroutines, loops, program numbers) are not supported in this release",
-         "a program without them");
+  if (letter == 'O') return read_program_number(block, begin);
+  words_read_ = true;
   const double value = read_number(begin);
   if (letter == 'N') {
     if (!block.words.empty()) fail(begin, "N after other words", "N at the beginning of the line");
     return;
   }
   block.words.push_back({letter, value, column_of(begin), text_.substr(begin, at_ - begin)});
+}
+
+/// Fanuc names a program behind its first `%`; every other O word means subroutines or loops.
+void GcodeLexer::read_program_number(const GcodeBlock& block, std::size_t word_begin) {
+  const bool may_stand = in_percents_ && !words_read_ && block.comments.empty();
+  const std::size_t digits = at_;
+  while (at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9') ++at_;
+  const std::size_t count = at_ - digits;
+  skip_blanks();
+  const bool alone = at_line_end() || text_[at_] == '(' || text_[at_] == ';';
+  if (!may_stand || count == 0 || count > kProgramDigits || !alone)
+    fail(word_begin, "O words other than a program's number are not supported in this release",
+         "O and up to 8 digits alone behind the first '%', or none");
+  words_read_ = true;
 }
 
 double GcodeLexer::read_number(std::size_t word_begin) {

@@ -35,7 +35,8 @@ struct GcodeBlock {
 
 /// Cuts RS274/NGC text into blocks of words. Blanks may stand anywhere, inside numbers too; letters
 /// may be lower case. Line numbers are checked for form and dropped. A first line `%` makes the
-/// next `%` end the program, and then one is required unless the reader stops before.
+/// next `%` end the program, and then one is required unless the reader stops before; an O word
+/// before all others is then the program's number, and dropped.
 class GcodeLexer {
  public:
   /// `text` must outlive the lexer and its blocks.
@@ -50,6 +51,7 @@ class GcodeLexer {
   void read_line(GcodeBlock& block);
   void read_comment(GcodeBlock& block);
   void read_word(GcodeBlock& block);
+  void read_program_number(const GcodeBlock& block, std::size_t word_begin);
   double read_number(std::size_t word_begin);
   double read_spaced_number(std::size_t word_begin);
   void skip_blanks();
@@ -65,7 +67,7 @@ class GcodeLexer {
   std::string name_;
   std::size_t at_ = 0, line_begin_ = 0;
   std::uint32_t line_ = 1;
-  bool in_percents_ = false, started_ = false;
+  bool in_percents_ = false, started_ = false, words_read_ = false;
 };
 
 }  // namespace limitgauge::model

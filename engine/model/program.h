@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <istream>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "engine/model/dialect.h"
 #include "engine/model/toolpath.h"
 
 namespace limitgauge::model {
@@ -14,6 +17,13 @@ namespace limitgauge::model {
 enum class MotionKind : std::uint8_t { rapid, feed, arc };
 /// G17, G18, G19.
 enum class ArcPlane : std::uint8_t { xy = 17, zx = 18, yz = 19 };
+
+/// First, second and perpendicular axis of a plane.
+constexpr std::array<int, 3> axes_of(ArcPlane plane) {
+  if (plane == ArcPlane::zx) return {2, 0, 1};
+  if (plane == ArcPlane::yz) return {1, 2, 0};
+  return {0, 1, 2};
+}
 
 /// A canonical motion of a program: machine frame, mm.
 struct Motion {
@@ -46,9 +56,10 @@ struct Program {
 
 /// Reads RS274/NGC text: G0-G3 (IJK incremental or absolute by G90.1/91.1, R, helical, full
 /// circles, G17-19), G4, G20/21, G40, G49, G54, G61/64, G80, G90/91, G94, M0-M9, M30, N, S, T, F,
-/// both kinds of comment, block delete, `%`. A word that is not understood is an InputError with
-/// line and column, never skipped. The motions are those of LinuxCNC (its order of execution, arc
-/// tolerances and count of turns), with these choices where it asks the machine:
+/// both kinds of comment, block delete, `%` and a program number `O1234` behind it. A word that is
+/// not understood is an InputError with line and column, never skipped. The motions are those of
+/// LinuxCNC (its order of execution, arc tolerances and count of turns), with these choices where
+/// it asks the machine:
 ///  - lines that begin with `/` are carried out (the switch is off) and listed as ignored `/`;
 ///  - axes that were never programmed stand at 0 and leave position_known false;
 ///  - a program may end without M2 or M30, unless it began with `%`; nothing behind its end is
@@ -66,20 +77,28 @@ Program read_program(std::istream& in, const std::string& name_in_errors);
 /// 400 million moves.
 Toolpath to_toolpath(const Program& program, double chord_error_mm);
 
-/// How a toolpath is written as RS274.
+/// How a toolpath is written as a program.
 struct WriterOptions {
-  std::string program_name;
-  std::string comment;
-  int decimals = 4;        ///< 0 to 9
+  std::string program_name = {};
+  std::string comment = {};
+  int decimals = 4;        ///< 0 to what the dialect takes
   double spindle_rpm = 0;  ///< 0: no S word
-  int tool_number = 1;
+  int tool_number = 1;     ///< 0 to 9999; Fanuc: the program's number too, where it is not 0
+  Dialect dialect = Dialect::linuxcnc;
+  /// Arcs may stand for runs of feed moves within this; empty: moves only (arc_fit.h).
+  std::optional<double> arc_tolerance_mm = std::nullopt;
+  /// N words, from 1 to 99999 and then from 1 again.
+  bool line_numbers = false;
 };
 /// Writes `path` as G-code and gives every move the line that it stands on. The coordinates in
-/// `path` are rounded to what is written, and rapids lose their feed rate, so that the program read
-/// back is the same path; a move that rounding leaves without length is still written as one. The
-/// tool goes to the start's height first, then over the start. Throws std::invalid_argument before
-/// anything is written for points beyond ±1e9 mm, feed moves without a feed rate and options out of
-/// range; ResourceError where `out` fails.
+/// `path` are rounded to what is written, rapids lose their feed rate, and feed rates are rounded
+/// where the dialect's are, so that the program read back is the same path; a move that rounding
+/// leaves without length is still written as one. Where arcs are asked for, the program read back
+/// is another path within their tolerance of this one: read_program and to_toolpath give it. The
+/// tool goes to the start's height first, then over the start; no length offset is set, since the
+/// coordinates are those of the tool's tip. Throws std::invalid_argument before anything is written
+/// for points and feed rates beyond what the dialect takes, feed moves without a feed rate and
+/// options out of range; ResourceError where `out` fails.
 void write_program(Toolpath& path, const WriterOptions& options, std::ostream& out);
 
 }  // namespace limitgauge::model

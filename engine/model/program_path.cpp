@@ -30,9 +30,7 @@ struct Sweep {
 
 Sweep sweep_of(const Motion& arc, const Vec3& start) {
   Sweep sweep;
-  sweep.axes = arc.plane == ArcPlane::zx   ? std::array{2, 0, 1}
-               : arc.plane == ArcPlane::yz ? std::array{1, 2, 0}
-                                           : std::array{0, 1, 2};
+  sweep.axes = axes_of(arc.plane);
   const auto [first, second, normal] = sweep.axes;
   const double x1 = start[first] - arc.centre1, y1 = start[second] - arc.centre2;
   const double x2 = arc.to[first] - arc.centre1, y2 = arc.to[second] - arc.centre2;

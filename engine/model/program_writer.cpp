@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -6,209 +5,292 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "engine/model/error.h"
+#include "engine/model/arc_fit.h"
+#include "engine/model/feed_text.h"
+#include "engine/model/fixed_number.h"
 #include "engine/model/program.h"
-#include "engine/model/words.h"
+#include "engine/model/text_blocks.h"
 
 namespace limitgauge::model {
 namespace {
 
-constexpr int kMostDecimals = 9;
 constexpr int kSpindleDecimals = 3;
-constexpr std::size_t kBlockBytes = 1 << 16;
+constexpr int kMostToolNumber = 9999;
+/// RS274/NGC's and Fanuc's; Grbl takes more.
+constexpr int kLastLineNumber = 99999;
 /// As the reader's limit; the fixed notation of such a number fits the buffer.
 constexpr double kLargestCoordinateMm = 1e9;
+constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
+constexpr std::array<char, 3> kCentres = {'I', 'J', 'K'};
 
-/// A number in fixed decimals without trailing zeros, and what a reader will make of it.
-struct FixedNumber {
-  std::array<char, 32> digits{};
-  std::size_t length = 0;
-  double value = 0;
-
-  std::string_view text() const { return {digits.data(), length}; }
-};
-
-FixedNumber fixed(double value, int decimals) {
-  FixedNumber number;
-  const auto [end, error] =
-      std::to_chars(number.digits.data(), number.digits.data() + number.digits.size(), value,
-                    std::chars_format::fixed, decimals);
-  number.length = end - number.digits.data();
-  if (decimals > 0) {
-    number.length = number.text().find_last_not_of('0') + 1;
-    if (number.text().back() == '.') --number.length;
-  }
-  if (number.text() == "-0") number.digits[0] = '0', number.length = 1;
-  std::from_chars(number.digits.data(), number.digits.data() + number.length, number.value);
-  return number;
-}
-
-/// Builds the text in blocks and counts its lines.
+/// Words with blanks between them; N words where they are asked for.
 class ProgramText {
  public:
-  explicit ProgramText(std::ostream& out) : out_(out) {}
+  ProgramText(std::ostream& out, bool line_numbers) : text_(out), line_numbers_(line_numbers) {}
 
-  void line(std::string_view words) {
-    text_.append(words);
-    end_line();
-  }
-  /// One word, with a blank between it and the word before.
   void word(char letter, std::string_view number) {
-    if (text_.size() > line_begin_) text_.push_back(' ');
-    text_.push_back(letter);
+    begin_word();
+    text_.append({&letter, 1});
     text_.append(number);
   }
-  void end_line() {
-    text_.push_back('\n');
-    ++line_;
-    if (text_.size() >= kBlockBytes) flush();
-    line_begin_ = text_.size();
+  void words(std::string_view words) {
+    begin_word();
+    text_.append(words);
   }
-  void flush() {
-    out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
-    text_.clear();
-    if (!out_) throw ResourceError("the program cannot be written; is the disk full?");
-  }
-  std::uint32_t line_number() const { return line_; }
+  void end_line() { text_.end_line(); }
+  /// A comment, `%` or a program's number.
+  void plain_line(std::string_view line) { text_.line(line); }
+  void flush() { text_.flush(); }
+  std::uint32_t line_number() const { return text_.line_number(); }
 
  private:
-  std::ostream& out_;
-  std::string text_;
-  std::size_t line_begin_ = 0;
-  std::uint32_t line_ = 1;
+  void begin_word() {
+    if (!text_.at_line_begin()) return text_.append(" ");
+    if (!line_numbers_) return;
+    number_ = number_ % kLastLineNumber + 1;
+    text_.append("N" + std::to_string(number_) + " ");
+  }
+
+  TextBlocks text_;
+  bool line_numbers_;
+  int number_ = 0;
 };
 
-std::array<FixedNumber, 3> rounded(const Vec3& point, int decimals) {
-  return {fixed(point.x, decimals), fixed(point.y, decimals), fixed(point.z, decimals)};
+/// Largest size of a number that the dialect takes with so many decimals.
+double largest_number(const DialectRules& rule, int decimals) {
+  return std::min(kLargestCoordinateMm, std::pow(10.0, rule.most_digits - decimals) - 1);
 }
 
-Vec3 values(const std::array<FixedNumber, 3>& point) {
-  return {point[0].value, point[1].value, point[2].value};
-}
-
-/// Parentheses and line ends would end a comment, and not every controller reads more than ASCII.
-std::string comment_line(std::string_view text) {
-  std::string line = "(";
-  for (const char c : text) {
-    const bool printable = c >= ' ' && c <= '~';
-    line += c == '(' ? '[' : c == ')' ? ']' : printable ? c : ' ';
-  }
-  return line + ")";
-}
-
-/// A feed rate that reads back as the same float. Shortest digits of the float first; they could
-/// round twice on their way through a double.
-std::string feed_text(float feed_mm_min) {
-  std::array<char, 64> digits{};
-  const auto shortest_end = std::to_chars(digits.data(), digits.data() + digits.size(), feed_mm_min,
-                                          std::chars_format::fixed);
-  const std::string_view text(digits.data(), shortest_end.ptr - digits.data());
-  const std::optional<double> read = parse_number(text);
-  if (read && static_cast<float>(*read) == feed_mm_min) return std::string(text);
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(),
-                                 static_cast<double>(feed_mm_min), std::chars_format::fixed);
-  return std::string(digits.data(), end.ptr);
-}
-
-void require_point(const Vec3& point) {
+void require_point(const Vec3& point, double largest_mm) {
   for (const int axis : {0, 1, 2}) {
-    if (!(std::abs(point[axis]) <= kLargestCoordinateMm))
+    if (!(std::abs(point[axis]) <= largest_mm))
       throw std::invalid_argument("a toolpath point is not finite or beyond any machine");
   }
 }
 
-void require_feed(const Move& move) {
-  constexpr float kSlowest = 1e-6F, kFastest = 1e9F;
-  if (move.kind == MoveKind::feed &&
-      !(move.feed_mm_min >= kSlowest && move.feed_mm_min <= kFastest))
-    throw std::invalid_argument("a feed move's feed rate must lie between 1e-6 and 1e9 mm/min");
+void require_feed(const Move& move, const DialectRules& rule) {
+  const double slowest = rule.feed_decimals ? std::pow(10.0, -*rule.feed_decimals) : 1e-6;
+  const double fastest = rule.feed_decimals ? largest_number(rule, *rule.feed_decimals) : 1e9;
+  if (move.kind == MoveKind::feed && !(move.feed_mm_min >= static_cast<float>(slowest) &&
+                                       move.feed_mm_min <= static_cast<float>(fastest)))
+    throw std::invalid_argument("a feed move's feed rate is 0, or beyond what the dialect takes");
 }
 
-void write_header(const WriterOptions& options, ProgramText& text) {
-  if (!options.program_name.empty()) text.line(comment_line(options.program_name));
-  for (std::string_view rest = options.comment; !rest.empty();) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    text.line(comment_line(rest.substr(0, end)));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  text.line("G21 G90 G94 G17 G40 G49");
-  text.word('T', std::to_string(options.tool_number));
-  text.line(" M6");
-  if (options.spindle_rpm > 0) {
-    text.word('M', "3");
-    text.word('S', fixed(options.spindle_rpm, kSpindleDecimals).text());
-    text.end_line();
-  }
+void require_options(const WriterOptions& options, const DialectRules& rule) {
+  if (options.decimals < 0 || options.decimals > rule.most_decimals)
+    throw std::invalid_argument("a program is written with 0 to " +
+                                std::to_string(rule.most_decimals) + " decimals");
+  if (options.tool_number < 0 || options.tool_number > kMostToolNumber)
+    throw std::invalid_argument("tool number must lie between 0 and 9999");
+  if (!(options.spindle_rpm >= 0 && options.spindle_rpm <= 1e9))
+    throw std::invalid_argument("spindle speed must lie between 0 and 1e9");
+  if (options.arc_tolerance_mm &&
+      !(*options.arc_tolerance_mm > 0 && std::isfinite(*options.arc_tolerance_mm)))
+    throw std::invalid_argument("the tolerance of arcs must be greater than 0");
 }
 
-/// The tool goes to its height first, then over the place.
-void write_start(const Toolpath& path, int decimals, ProgramText& text) {
-  const std::array<FixedNumber, 3> to = rounded(path.start, decimals);
-  text.word('G', "0");
-  text.word('Z', to[2].text());
-  text.end_line();
-  text.word('X', to[0].text());
-  text.word('Y', to[1].text());
-  text.end_line();
+void require_writable(const Toolpath& path, const WriterOptions& options) {
+  const DialectRules& rule = rules(options.dialect);
+  require_options(options, rule);
+  const double largest_mm = largest_number(rule, options.decimals);
+  require_point(path.start, largest_mm);
+  for (const Move& move : path.moves) require_point(move.to, largest_mm), require_feed(move, rule);
 }
 
 /// What the controller holds from earlier lines.
 struct ModalState {
   Vec3 at;
-  MoveKind kind = MoveKind::rapid;
+  int motion = 0;
+  ArcPlane plane = ArcPlane::xy;
   float feed_mm_min = 0;
 };
 
-void write_axes(const std::array<FixedNumber, 3>& to, const ModalState& state, ProgramText& text) {
-  constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
+class Writer {
+ public:
+  Writer(Toolpath& path, const WriterOptions& options, std::ostream& out)
+      : path_(path),
+        options_(options),
+        rule_(rules(options.dialect)),
+        text_(out, options.line_numbers) {}
+
+  void write();
+
+ private:
+  FixedNumber number(double value) const {
+    return fixed(value, options_.decimals, rule_.point_always);
+  }
+  void write_header();
+  void write_comments();
+  void write_spindle();
+  void write_start();
+  void write_moves_and_arcs();
+  void write_move(Move& move);
+  void write_arc(const FittedArc& arc, std::size_t first);
+  void write_axes(const std::array<FixedNumber, 3>& to);
+  void write_motion(int motion);
+  void write_feed(float feed_mm_min);
+  float rounded_feed(float feed_mm_min) const;
+  void round_path();
+  void write_footer();
+
+  Toolpath& path_;
+  const WriterOptions& options_;
+  const DialectRules& rule_;
+  ProgramText text_;
+  ModalState state_;
+};
+
+void Writer::write() {
+  write_header();
+  write_start();
+  if (options_.arc_tolerance_mm) {
+    write_moves_and_arcs();
+  } else {
+    for (Move& move : path_.moves) write_move(move);
+  }
+  write_footer();
+}
+
+void Writer::write_header() {
+  if (rule_.percents) {
+    text_.plain_line("%");
+    const std::string digits = std::to_string(std::max(1, options_.tool_number));
+    text_.plain_line("O" + std::string(4 - digits.size(), '0') + digits);
+  }
+  write_comments();
+  for (std::string_view rest = rule_.modes; !rest.empty();) {
+    const std::size_t end = rest.find('\n');
+    text_.words(rest.substr(0, end));
+    text_.end_line();
+    rest.remove_prefix(end + 1);
+  }
+  if (options_.arc_tolerance_mm && rule_.arc_mode) text_.words("G91.1"), text_.end_line();
+  write_spindle();
+}
+
+void Writer::write_comments() {
+  for (const std::string& text : {options_.program_name, options_.comment}) {
+    for (const std::string& line : comment_lines(options_.dialect, text)) text_.plain_line(line);
+  }
+}
+
+void Writer::write_spindle() {
+  if (rule_.tool_change) {
+    text_.word('T', std::to_string(options_.tool_number));
+    text_.words("M6");
+    text_.end_line();
+  }
+  if (options_.spindle_rpm == 0) return;
+  const int decimals = rule_.feed_decimals ? 0 : kSpindleDecimals;
+  text_.word('M', "3");
+  text_.word('S', fixed(options_.spindle_rpm, decimals).text());
+  text_.end_line();
+}
+
+/// The tool goes to its height first, then over the place.
+void Writer::write_start() {
+  path_.start = rounded(path_.start, options_.decimals);
+  text_.word('G', "0");
+  text_.word('Z', number(path_.start.z).text());
+  text_.end_line();
+  text_.word('X', number(path_.start.x).text());
+  text_.word('Y', number(path_.start.y).text());
+  text_.end_line();
+  state_.at = path_.start;
+}
+
+void Writer::write_footer() {
+  text_.words("M5");
+  text_.end_line();
+  text_.words("M30");
+  text_.end_line();
+  if (rule_.percents) text_.plain_line("%");
+  text_.flush();
+}
+
+/// Arcs go through the points as they are written.
+void Writer::round_path() {
+  for (Move& move : path_.moves) {
+    move.to = rounded(move.to, options_.decimals);
+    if (move.kind == MoveKind::feed) move.feed_mm_min = rounded_feed(move.feed_mm_min);
+  }
+}
+
+void Writer::write_moves_and_arcs() {
+  round_path();
+  ArcFitter fitter(path_, *options_.arc_tolerance_mm, options_.decimals);
+  for (std::size_t i = 0; i < path_.moves.size();) {
+    if (const std::optional<FittedArc> arc = fitter.from(i)) {
+      write_arc(*arc, i);
+      i += arc->moves;
+    } else {
+      write_move(path_.moves[i++]);
+    }
+  }
+}
+
+void Writer::write_move(Move& move) {
+  const std::array<FixedNumber, 3> to = {number(move.to.x), number(move.to.y), number(move.to.z)};
+  const bool rapid = move.kind == MoveKind::rapid;
+  write_motion(rapid ? 0 : 1);
+  write_axes(to);
+  move.feed_mm_min = rapid ? 0 : rounded_feed(move.feed_mm_min);
+  if (!rapid) write_feed(move.feed_mm_min);
+  move.to = state_.at = {to[0].value, to[1].value, to[2].value};
+  move.set_line(text_.line_number());
+  text_.end_line();
+}
+
+void Writer::write_arc(const FittedArc& arc, std::size_t first) {
+  const auto [one, two, normal] = axes_of(arc.plane);
+  const Move& last = path_.moves[first + arc.moves - 1];
+  if (arc.plane != state_.plane) text_.word('G', std::to_string(static_cast<int>(arc.plane)));
+  state_.plane = arc.plane;
+  write_motion(arc.counter_clockwise ? 3 : 2);
+  text_.word(kAxes[one], number(last.to[one]).text());
+  text_.word(kAxes[two], number(last.to[two]).text());
+  text_.word(kCentres[one], number(arc.offset[0]).text());
+  text_.word(kCentres[two], number(arc.offset[1]).text());
+  write_feed(last.feed_mm_min);
+  state_.at = last.to;
+  for (std::size_t i = first; i < first + arc.moves; ++i)
+    path_.moves[i].set_line(text_.line_number());
+  text_.end_line();
+}
+
+void Writer::write_motion(int motion) {
+  if (motion != state_.motion) text_.word('G', std::to_string(motion));
+  state_.motion = motion;
+}
+
+void Writer::write_axes(const std::array<FixedNumber, 3>& to) {
   bool written = false;
   for (int axis = 0; axis < 3; ++axis) {
-    if (to[axis].value == state.at[axis]) continue;
-    text.word(kAxes[axis], to[axis].text());
+    if (to[axis].value == state_.at[axis]) continue;
+    text_.word(kAxes[axis], to[axis].text());
     written = true;
   }
   // A move of no length must still be a line with a motion on it.
-  if (!written) text.word(kAxes[0], to[0].text());
+  if (!written) text_.word(kAxes[0], to[0].text());
 }
 
-void write_move(Move& move, ModalState& state, int decimals, ProgramText& text) {
-  const std::array<FixedNumber, 3> to = rounded(move.to, decimals);
-  if (move.kind != state.kind) text.word('G', move.kind == MoveKind::rapid ? "0" : "1");
-  state.kind = move.kind;
-  write_axes(to, state, text);
-  if (move.kind == MoveKind::rapid) move.feed_mm_min = 0;
-  if (move.kind == MoveKind::feed && move.feed_mm_min != state.feed_mm_min) {
-    text.word('F', feed_text(move.feed_mm_min));
-    state.feed_mm_min = move.feed_mm_min;
-  }
-  move.to = state.at = values(to);
-  move.line = text.line_number();
-  text.end_line();
+float Writer::rounded_feed(float feed_mm_min) const {
+  if (!rule_.feed_decimals) return feed_mm_min;
+  return static_cast<float>(fixed(feed_mm_min, *rule_.feed_decimals).value);
 }
 
-void require_writable(const Toolpath& path, const WriterOptions& options) {
-  if (options.decimals < 0 || options.decimals > kMostDecimals)
-    throw std::invalid_argument("a program is written with 0 to 9 decimals");
-  if (options.tool_number < 0) throw std::invalid_argument("tool number must not be negative");
-  if (!(options.spindle_rpm >= 0 && options.spindle_rpm <= 1e9))
-    throw std::invalid_argument("spindle speed must lie between 0 and 1e9");
-  require_point(path.start);
-  for (const Move& move : path.moves) require_point(move.to), require_feed(move);
+void Writer::write_feed(float feed_mm_min) {
+  if (feed_mm_min == state_.feed_mm_min) return;
+  state_.feed_mm_min = feed_mm_min;
+  if (!rule_.feed_decimals) return text_.word('F', feed_text(feed_mm_min));
+  text_.word('F', fixed(feed_mm_min, *rule_.feed_decimals, rule_.point_always).text());
 }
 
 }  // namespace
 
 void write_program(Toolpath& path, const WriterOptions& options, std::ostream& out) {
   require_writable(path, options);
-  ProgramText text(out);
-  write_header(options, text);
-  write_start(path, options.decimals, text);
-  path.start = values(rounded(path.start, options.decimals));
-  ModalState state{path.start};
-  for (Move& move : path.moves) write_move(move, state, options.decimals, text);
-  text.line("M5");
-  text.line("M30");
-  text.flush();
+  Writer(path, options, out).write();
 }
 
 }  // namespace limitgauge::model

@@ -77,6 +77,16 @@ TEST_CASE("paths that cannot be written are refused before anything is", "[unit]
   refused(good, {"", "", -1, 0, 1});
   refused(good, {"", "", 4, -5, 1});
   refused(good, {"", "", 4, 0, -1});
+  refused(good, {.tool_number = 10000});
+  refused(good, {.arc_tolerance_mm = 0.0});
+  refused(good, {.arc_tolerance_mm = std::nan("")});
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::grbl}) {
+    refused(good, {.decimals = 5, .dialect = dialect});
+    // Eight digits: four before the point and four behind it.
+    refused({{10000, 0, 0}, 100, 0, MoveKind::feed}, {.dialect = dialect});
+    refused({{1, 2, 3}, 100000, 0, MoveKind::feed}, {.dialect = dialect});
+    refused({{1, 2, 3}, 0.0004F, 0, MoveKind::feed}, {.dialect = dialect});
+  }
 }
 
 TEST_CASE("a disk that takes no more is a ResourceError", "[unit][program]") {

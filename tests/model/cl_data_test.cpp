@@ -1,0 +1,201 @@
+#include "engine/model/cl_data.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+
+#include "engine/model/error.h"
+#include "tests/support/catch.h"
+
+using namespace limitgauge::model;
+
+namespace {
+
+ClData read(const std::string& text) {
+  std::istringstream in(text);
+  return read_cl_data(in, "cl.apt");
+}
+
+std::string written(const Toolpath& path, const std::string& cutter, const ClOptions& options) {
+  std::ostringstream out;
+  write_cl_data(path, parse_cutter(cutter), options, out);
+  return out.str();
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+Toolpath small_path() {
+  Toolpath path;
+  path.start = {0, 0, 10};
+  path.moves = {
+      {{1.00004, 2, 10}, 0, 0, MoveKind::rapid}, {{1, 2, -0.5}, 300, 0, MoveKind::feed},
+      {{1, 2.5, -0.5}, 300, 0, MoveKind::feed},  {{1, 2.5, 10}, 0, 0, MoveKind::rapid},
+      {{1, 2.5, 9}, 300, 0, MoveKind::feed},     {{1, 2.5, 8.25}, 333.3333F, 0, MoveKind::feed}};
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("CL data, letter by letter", "[unit][cl]") {
+  CHECK(written(small_path(), "ball:D=6", {"dome finish", 2, 4}) ==
+        "PARTNO dome finish\nUNITS/MM\nCUTTER/6,3\nLOADTL/2\nFROM/0,0,10\n"
+        "RAPID\nGOTO/1,2,10\nFEDRAT/300,MMPM\nGOTO/1,2,-0.5\nGOTO/1,2.5,-0.5\n"
+        "RAPID\nGOTO/1,2.5,10\nGOTO/1,2.5,9\nFEDRAT/333.3333,MMPM\nGOTO/1,2.5,8.25\nFINI\n");
+}
+
+TEST_CASE("every cutter has its figures", "[unit][cl]") {
+  const auto cutter_line = [](const std::string& cutter) {
+    const std::string text = written({}, cutter, {});
+    const std::size_t begin = text.find("CUTTER");
+    return text.substr(begin, text.find("LOADTL") - begin);
+  };
+  CHECK(cutter_line("flat:D=8") == "CUTTER/8\n");
+  CHECK(cutter_line("bull:D=8,r=1.5") == "CUTTER/8,1.5\n");
+  CHECK(cutter_line("taper:D=2,angle=45,L=10") == "CUTTER/2,0,1,0,0,45,10\n");
+  // Seven figures of seventeen digits do not fit 72 columns.
+  const std::string text =
+      written({}, "taper:D=1.234567890123,r=0.371234567,angle=7.77777777777,L=12.345678901", {});
+  CHECK_THAT(text, ContainsSubstring("$\n"));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 72);
+  const ClCutter taper = *read(text).cutter;
+  CHECK(taper == cl_cutter(parse_cutter(
+                     "taper:D=1.234567890123,r=0.371234567,angle=7.77777777777,L=12.345678901")));
+  // The upper line touches the corner circle: both are as far from its centre as its radius.
+  const double angle = taper.upper_angle * std::acos(-1.0) / 180;
+  const double off = (taper.diameter / 2 - taper.centre_radius) * std::cos(angle) +
+                     taper.centre_height * std::sin(angle);
+  CHECK(off == Approx(taper.corner_radius));
+}
+
+TEST_CASE("short forms of a cutter say the same as seven figures", "[unit][cl]") {
+  for (const char* text : {"flat:D=8", "ball:D=6", "bull:D=8,r=1.5"}) {
+    ClCutter expected = cl_cutter(parse_cutter(text));
+    expected.height = 0;
+    CHECK(*read(written({}, text, {})).cutter == expected);
+  }
+}
+
+TEST_CASE("CL data are read as a path", "[unit][cl]") {
+  const ClData data = read(
+      "\xEF\xBB\xBFpartno/ two words \r\n$$ a remark\nPPRINT anything, $ at all/\nunits / inches\n"
+      "SPINDL/RPM,12000,CLW\nCOOLNT/ON\nLOADTL/3\nRAPID\nGOTO/1,2,$ \n 3 $$ start\nFEDRAT/IPM,10\n"
+      "GOTO/1,2,2,0,0,1\nUNITS/MM\nfedrat/200\nGOTO/0,.5,-1.e1\nRAPID\nGOTO/0,0,0\n\n"
+      "GOTO/0,0,1\nFINI\nnothing is read here");
+  CHECK(data.part == "two words");
+  CHECK(data.tool == 3);
+  CHECK_FALSE(data.cutter.has_value());
+  CHECK(data.path.start == Vec3{25.4, 50.8, 3 * 25.4});
+  REQUIRE(data.path.moves.size() == 4);
+  CHECK(data.path.moves[0].to == Vec3{25.4, 50.8, 50.8});
+  CHECK(data.path.moves[0].feed_mm_min == 254.0F);
+  CHECK(data.path.moves[0].line == 12);
+  CHECK(data.path.moves[1].to == Vec3{0, 0.5, -10});
+  CHECK(data.path.moves[1].feed_mm_min == 200.0F);
+  CHECK(data.path.moves[2].kind == MoveKind::rapid);
+  CHECK(data.path.moves[3].kind == MoveKind::feed);
+}
+
+TEST_CASE("CL data that cannot be used are refused with their place", "[unit][cl]") {
+  const std::string feed = "FEDRAT/100\n", end = "FINI\n";
+  CHECK(error_of("FROM/1,2\n" + end) ==
+        "cl.apt:1:1: error: FROM with 2 figures; expected 3, or 6 with a tool axis");
+  CHECK(error_of("FROM/0,0,0\nGOTO/1,2,x\n" + end) ==
+        "cl.apt:2:10: error: 'X' is not a number; expected a number");
+  CHECK(error_of("FROM/0,0,0\nGOTO/1,2,3\n" + end) ==
+        "cl.apt:2:1: error: a feed move without a feed rate; expected FEDRAT or RAPID before it");
+  CHECK_THAT(error_of("GOTTO/1,2,3\n" + end),
+             ContainsSubstring("cl.apt:1:1: ") && ContainsSubstring("'GOTO'"));
+  CHECK_THAT(error_of("GODLTA/1,2,3\n" + end), ContainsSubstring("not supported"));
+  CHECK_THAT(error_of("GOTO/1,2,3,0,1,0\n" + end), ContainsSubstring("1:12: error: a tilted"));
+  CHECK_THAT(error_of("GOTO/1,2,\n" + end), ContainsSubstring("1:10: error: the statement ends"));
+  CHECK_THAT(error_of("GOTO/1,2,3 4\n" + end), ContainsSubstring("1:12: error: '4' after"));
+  CHECK_THAT(error_of("GOTO/1,2,1e20\n" + end), ContainsSubstring("beyond any machine"));
+  CHECK_THAT(error_of("GOTO/1,2,3\nFROM/1,2,3\n" + end), ContainsSubstring("2:1: error: FROM"));
+  CHECK_THAT(error_of("FEDRAT/0\n" + end), ContainsSubstring("feed rate '0'"));
+  CHECK_THAT(error_of("FEDRAT/MMPM\n" + end), ContainsSubstring("without its number"));
+  CHECK_THAT(error_of("FEDRAT/1,2\n" + end), ContainsSubstring("a second feed rate"));
+  CHECK_THAT(error_of("UNITS/FEET\n" + end), ContainsSubstring("unknown unit"));
+  CHECK_THAT(error_of("LOADTL/1\nLOADTL/2\n" + end), ContainsSubstring("second tool"));
+  CHECK_THAT(error_of("CUTTER/1\nCUTTER/2\n" + end), ContainsSubstring("second cutter"));
+  CHECK_THAT(error_of("LOADTL/1.5\n" + end), ContainsSubstring("an integer"));
+  CHECK_THAT(error_of("(x)\n" + end), ContainsSubstring("1:1: error: '(' begins no word"));
+  CHECK(error_of(feed) ==
+        "cl.apt:2:1: error: the program does not end; it may have been cut off; "
+        "expected FINI");
+}
+
+TEST_CASE("random paths are the same after writing and reading CL data", "[property][cl]") {
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> number(-200, 200);
+  for (int round = 0; round < 100; ++round) {
+    const int decimals = static_cast<int>(random() % 10);
+    const double unit = std::pow(10, -decimals);
+    Toolpath path;
+    path.start = {number(random), number(random), number(random)};
+    float feed = 100;
+    for (int i = 0; i < 100; ++i) {
+      if (random() % 4 == 0) feed = static_cast<float>(std::pow(10, 1 + number(random) / 100));
+      const bool rapid = random() % 4 == 0;
+      path.moves.emplace_back(Vec3{number(random), number(random), number(random)},
+                              rapid ? 0.0F : feed, 0, rapid ? MoveKind::rapid : MoveKind::feed);
+    }
+    const std::string text = written(path, "ball:D=6", {"part", 1, decimals});
+    const ClData data = read(text);
+    REQUIRE(data.path.moves.size() == path.moves.size());
+    CHECK(distance(data.path.start, path.start) <= unit);
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      CHECK(distance(data.path.moves[i].to, path.moves[i].to) <= unit);
+      CHECK(data.path.moves[i].kind == path.moves[i].kind);
+      CHECK(data.path.moves[i].feed_mm_min == path.moves[i].feed_mm_min);
+    }
+    // What was read is what was written, exactly.
+    CHECK(written(data.path, "ball:D=6", {"part", 1, decimals}) == text);
+  }
+}
+
+TEST_CASE("CL data with any bytes changed give a path or an InputError", "[property][cl]") {
+  const std::string whole =
+      "PARTNO part\nUNITS/MM\nCUTTER/6,3\nLOADTL/1\nFROM/0,0,10\nRAPID\nGOTO/1,2,10 $$ x\n"
+      "FEDRAT/300,MMPM\nGOTO/1,$\n2,-0.5\nGOTO/1,2.5,-0.5,0,0,1\nFINI\n";
+  std::mt19937 random(22);
+  const std::string alphabet = "GOTFEDRAPIMN0123456789.-+,/$ \n\r\t(\xFF";
+  for (int round = 0; round < 6000; ++round) {
+    std::string text = whole.substr(0, round % 3 == 0 ? random() % whole.size() + 1 : whole.size());
+    for (int change = 0; change < 3; ++change)
+      text[random() % text.size()] = alphabet[random() % alphabet.size()];
+    try {
+      for (const Move& move : read(text).path.moves) CHECK(is_finite(move.to));
+    } catch (const InputError& error) {
+      CHECK(error.place().line > 0);
+      CHECK(error.place().column > 0);
+    }
+  }
+}
+
+TEST_CASE("paths that are no CL data are refused before anything is written", "[unit][cl]") {
+  const auto refused = [](const Move& move, const ClOptions& options) {
+    Toolpath path;
+    path.moves = {move};
+    std::ostringstream out;
+    CHECK_THROWS_AS(write_cl_data(path, parse_cutter("ball:D=6"), options, out),
+                    std::invalid_argument);
+    CHECK(out.str().empty());
+  };
+  refused({{std::nan(""), 0, 0}, 100, 0, MoveKind::feed}, {});
+  refused({{1, 2, 3}, 0, 0, MoveKind::feed}, {});
+  refused({{1, 2, 3}, 100, 0, MoveKind::feed}, {"", 1, 10});
+  refused({{1, 2, 3}, 100, 0, MoveKind::feed}, {"", -1, 4});
+  std::ostringstream out;
+  out.setstate(std::ios::badbit);
+  CHECK_THROWS_AS(write_cl_data({}, parse_cutter("ball:D=6"), {}, out), ResourceError);
+}

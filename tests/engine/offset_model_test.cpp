@@ -1,4 +1,4 @@
-#include "engine/surface/offset_model.h"
+#include "engine/surface/sections.h"
 
 #include "tests/engine/cages.h"
 #include "tests/support/catch.h"

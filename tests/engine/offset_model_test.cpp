@@ -1,4 +1,4 @@
-#include "engine/surface/sections.h"
+#include "engine/surface/offset_model.h"
 
 #include "tests/engine/cages.h"
 #include "tests/support/catch.h"
@@ -43,51 +43,4 @@ TEST_CASE("offsets of a bowl meet their closed form", "[unit][surface]") {
         CHECK(distance(offset.grids[p].at(u, v), centre) < 1e-10);
       }
   }
-}
-
-TEST_CASE("a horizontal section of a bowl is one closed circle", "[unit][section]") {
-  const double k = 0.01;
-  const PatchModel model(test::paraboloid_cage(10, 10, k), {0.01, 0, 10}, {});
-  const OffsetModel mesh = sample_offset(model, 0, 0.0025);
-  // 0 < z < 16 stays inside |x|, |y| < 40; 4 goes through grid lines of the patches at x = ±20.
-  const double z = GENERATE(1.0, 4.0, 9.7);
-  const auto curves = section(model, mesh, {2, z});
-  REQUIRE(curves.size() == 1);
-  CHECK(curves[0].closed);
-  for (const Vec3& p : curves[0].points) {
-    CHECK(p.z == z);
-    // Chords over z by 0.0025 at most: over the radius by 0.0025 / (2 k r).
-    const double r = std::sqrt(z / k);
-    CHECK(std::hypot(p.x, p.y) == Approx(r).margin(1.1 * 0.0025 / (2 * k * r)));
-  }
-}
-
-TEST_CASE("sections through cracks of unequal depth stay closed", "[property][section]") {
-  // A bump on one side makes neighbouring patches differ in depth.
-  model::Cage cage = test::grid_cage(
-      8, 5, [](double x, double y) { return x == 1 && y == 1 ? 9.0 : -0.1 * (x * x + y * y); });
-  const PatchModel model(cage, {0.01, 0, 10}, {});
-  const OffsetModel mesh = sample_offset(model, 0, 0.0025);
-  const auto [low, high] = std::minmax_element(mesh.depths.begin(), mesh.depths.end());
-  REQUIRE(*high > *low);
-  for (int i = -60; i <= 20; ++i) {
-    for (const auto& curve : section(model, mesh, {2, i * 0.07})) {
-      if (curve.closed) continue;
-      // An open curve ends at the open boundary only.
-      for (const Vec3& end : {curve.points.front(), curve.points.back()})
-        CHECK(std::max(std::abs(end.x), std::abs(end.y)) > 19);
-    }
-  }
-}
-
-TEST_CASE("a plane through extraordinary vertices gives whole curves", "[unit][section]") {
-  const PatchModel model(test::cube_cage(10), {0.01, 0, 8}, {});
-  const OffsetModel mesh = sample_offset(model, 0, 0.0025);
-  for (const int axis : {0, 1, 2})
-    for (const double value : {-5.0, 0.0, 5.0}) {
-      const auto curves = section(model, mesh, {axis, value});
-      REQUIRE(curves.size() == 1);
-      CHECK(curves[0].closed);
-      for (const Vec3& p : curves[0].points) CHECK(p[axis] == value);
-    }
 }

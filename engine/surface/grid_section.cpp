@@ -97,7 +97,9 @@ void GridSection::trace(const SectionStarts& starts, std::size_t plane, double v
   for (int i = starts.line_offsets[plane]; i < starts.line_offsets[plane + 1]; ++i) {
     chains.emplace_back();
     chains.back().first = side_of(starts.lines[i]);
+    chains.back().points.reserve(scratch.points + scratch.points / 16);
     walk.follow(starts.lines[i], chains.back(), visited);
+    scratch.points = chains.back().points.size();
   }
   for (int i = first_ring; i < last_ring; ++i) {
     if (scratch.visited[triangle_of(starts.rings[i], grid_.columns)]) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -71,6 +72,7 @@ struct SectionStarts {
 struct SectionScratch {
   std::vector<std::uint8_t> visited;  ///< one a triangle
   std::vector<int> triangles;         ///< those visited
+  std::size_t points = 0;             ///< of the chain before: the next is much like it
 };
 
 /// A grid and a quadtree of coordinate ranges along one axis: the paper's section 5 for one patch.

@@ -39,24 +39,30 @@ std::optional<int> SectionMerge::after(int piece) const {
   return found->chain;
 }
 
+std::vector<int> SectionMerge::chain_from(int piece, bool& closed) {
+  std::vector<int> order;
+  std::optional<int> at = piece;
+  for (; at && !pieces_[*at].used; at = after(*at)) {
+    pieces_[*at].used = true;
+    order.push_back(*at);
+  }
+  closed = at.has_value() || pieces_[piece].chain.closed;
+  return order;
+}
+
 SectionCurve SectionMerge::follow(int piece) {
   SectionCurve curve;
-  std::optional<int> at = piece;
-  while (at && !pieces_[*at].used) {
-    Piece& next = pieces_[*at];
-    next.used = true;
-    if (curve.points.empty())
-      curve.points = std::move(next.chain.points);
-    else
-      curve.points.insert(curve.points.end(), next.chain.points.begin() + 1,
-                          next.chain.points.end());
-    curve.closed = next.chain.closed;
-    at = after(*at);
+  const std::vector<int> order = chain_from(piece, curve.closed);
+  curve.points = std::move(pieces_[piece].chain.points);
+  if (pieces_[piece].chain.closed) return curve;
+  std::size_t total = curve.points.size();
+  for (std::size_t i = 1; i < order.size(); ++i) total += pieces_[order[i]].chain.points.size() - 1;
+  curve.points.reserve(total);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const std::vector<Vec3>& next = pieces_[order[i]].chain.points;
+    curve.points.insert(curve.points.end(), next.begin() + 1, next.end());
   }
-  if (at) {
-    curve.closed = true;
-    curve.points.pop_back();
-  }
+  if (curve.closed) curve.points.pop_back();
   return curve;
 }
 

@@ -40,6 +40,8 @@ class SectionMerge {
   };
   std::optional<Crossing> crossing(int patch, const SectionEnd& end) const;
   std::optional<int> after(int piece) const;
+  /// The pieces from `piece` on, one leading to the next.
+  std::vector<int> chain_from(int piece, bool& closed);
   SectionCurve follow(int piece);
 
   const PatchModel& model_;

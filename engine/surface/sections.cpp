@@ -9,7 +9,7 @@ namespace limitgauge::engine::surface {
 namespace {
 
 /// Planes cut by one thread at a time, sharing scratch memory.
-constexpr std::size_t kPlanesAChunk = 8;
+constexpr std::size_t kPlanesAChunk = 32;
 
 }  // namespace
 
@@ -33,21 +33,22 @@ std::vector<std::vector<SectionCurve>> sections(const PatchModel& model, const O
   model::parallel_chunks(trees.size(), 1, control,
                          [&](std::size_t g, std::size_t) { starts[g] = trees[g].starts(values); });
   std::vector<std::vector<SectionCurve>> curves(values.size());
-  model::parallel_chunks(values.size(), kPlanesAChunk, control,
-                         [&](std::size_t begin, std::size_t end) {
-                           SectionScratch scratch;
-                           SectionMerge merge(model, sampled);
-                           std::vector<SectionChain> chains;
-                           for (std::size_t k = begin; k < end; ++k) {
-                             for (std::size_t g = 0; g < trees.size(); ++g) {
-                               if (starts[g].empty()) continue;
-                               chains.clear();
-                               trees[g].trace(starts[g], k, values[k], scratch, chains);
-                               merge.add(static_cast<int>(g), chains);
-                             }
-                             curves[k] = merge.curves();
-                           }
-                         });
+  model::parallel_chunks(
+      values.size(), kPlanesAChunk, control, [&](std::size_t begin, std::size_t end) {
+        // Patch by patch: neighbouring planes go through the same memory.
+        SectionScratch scratch;
+        std::vector<SectionMerge> merges(end - begin, SectionMerge(model, sampled));
+        std::vector<SectionChain> chains;
+        for (std::size_t g = 0; g < trees.size(); ++g) {
+          if (starts[g].empty()) continue;
+          for (std::size_t k = begin; k < end; ++k) {
+            chains.clear();
+            trees[g].trace(starts[g], k, values[k], scratch, chains);
+            merges[k - begin].add(static_cast<int>(g), chains);
+          }
+        }
+        for (std::size_t k = begin; k < end; ++k) curves[k] = merges[k - begin].curves();
+      });
   return curves;
 }
 

@@ -68,12 +68,14 @@ TriangleMarch::TriangleMarch(const Grid& grid, const AxisPlane& plane)
     : grid_(grid), plane_(plane), coordinate_(coordinate_of(plane.axis)) {}
 
 /// From below to above whichever triangle asks, so that neighbours get the same point bit by bit.
-Vec3 TriangleMarch::crossing(int below, int above) const {
-  const Vec3 &a = grid_.points[below], &b = grid_.points[above];
-  const double low = a.*coordinate_;
-  Vec3 p = lerp(a, b, (plane_.value - low) / (b.*coordinate_ - low));
+void TriangleMarch::add_crossing(const Vec3& below, const Vec3& above,
+                                 std::vector<Vec3>& points) const {
+  const double low = below.*coordinate_;
+  const double t = (plane_.value - low) / (above.*coordinate_ - low);
+  Vec3& p =
+      points.emplace_back(below.x + (above.x - below.x) * t, below.y + (above.y - below.y) * t,
+                          below.z + (above.z - below.z) * t);
   p.*coordinate_ = plane_.value;
-  return p;
 }
 
 void TriangleMarch::follow(const GridEntry& start, SectionChain& chain,
@@ -81,23 +83,24 @@ void TriangleMarch::follow(const GridEntry& start, SectionChain& chain,
   const auto corners = corners_of_edges(grid_.columns);
   const unsigned columns = static_cast<unsigned>(grid_.columns - 1);
   const unsigned rows = static_cast<unsigned>(grid_.rows - 1);
+  const Vec3* points = grid_.points.data();
   GridEntry at = start;
   const int a = at.v * grid_.columns + at.u;
   int above = a + corners[number(at.edge)].from, below = a + corners[number(at.edge)].to;
   for (;;) {
-    chain.points.push_back(crossing(below, above));
+    add_crossing(points[below], points[above], chain.points);
     if (visited) {
       visited->triangles.push_back(triangle_of(at, grid_.columns));
       visited->visited[visited->triangles.back()] = 1;
     }
     const int opposite = at.v * grid_.columns + at.u + corners[number(at.edge)].opposite;
-    const bool high = grid_.points[opposite].*coordinate_ >= plane_.value;
+    const bool high = points[opposite].*coordinate_ >= plane_.value;
     (high ? above : below) = opposite;
     const GridEntry out{at.u, at.v, high ? kNext[number(at.edge)] : kPrevious[number(at.edge)]};
     const Passage& passage = kPassages[number(out.edge)];
     at = {at.u + passage.du, at.v + passage.dv, passage.into};
     if (static_cast<unsigned>(at.u) >= columns || static_cast<unsigned>(at.v) >= rows) {
-      chain.points.push_back(crossing(below, above));
+      add_crossing(points[below], points[above], chain.points);
       chain.last = side_of(out);
       return;
     }

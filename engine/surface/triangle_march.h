@@ -19,7 +19,7 @@ class TriangleMarch {
   void follow(const GridEntry& start, SectionChain& chain, SectionScratch* visited) const;
 
  private:
-  Vec3 crossing(int below, int above) const;
+  void add_crossing(const Vec3& below, const Vec3& above, std::vector<Vec3>& points) const;
 
   const Grid& grid_;
   AxisPlane plane_;

@@ -53,7 +53,7 @@ std::vector<CutPass> rim_passes(const std::vector<Line>& lines, const LimitLocat
   for (Line line : lines) {
     std::reverse(line.begin(), line.end());  // the part on the right
     const bool loop = is_closed(line);
-    for (auto& run : track_tips(limit.surface, line, track_rule(request))) {
+    for (auto& run : track_tips(limit.surface, line, track_rule(limit, request))) {
       const bool closed = loop && is_closed(run);
       if (closed) run.pop_back();
       if (run.size() > 1) passes.push_back(make_pass(std::move(run), closed, request));
@@ -64,13 +64,14 @@ std::vector<CutPass> rim_passes(const std::vector<Line>& lines, const LimitLocat
 
 std::vector<CutPass> outline_passes(const LimitLocations& limit, const StageRequest& request,
                                     const model::RunControl& control) {
-  const TrackRule rule = track_rule(request);
+  const TrackRule rule = track_rule(limit, request);
   WaterlineRequest wanted;
-  wanted.window = limit.surface.extent().grown(2 * rule.spacing_mm);
+  wanted.window = limit.surface.fluted_extent().grown(2 * rule.spacing_mm);
   wanted.spacing_mm = rule.spacing_mm;
   wanted.tolerance_mm = rule.lift_mm + rule.reduction_mm;
   std::vector<CutPass> passes;
-  for (auto& level : waterlines(limit.surface, {request.floor_z_mm}, wanted, control))
+  for (auto& level : waterlines(
+           limit.surface, {std::max(request.floor_z_mm, limit.lowest_contact_mm)}, wanted, control))
     for (Waterline& line : level)
       passes.push_back(make_pass(std::move(line.tips), line.closed, request));
   return passes;

@@ -16,11 +16,8 @@ class Marker {
  public:
   Marker(const LimitLocations& limit, const model::Cutter& cutter, const Raster& nodes)
       : limit_(limit), reach_{CellMask(nodes), std::numeric_limits<double>::infinity()} {
-    const double corner = cutter.type == model::CutterType::ball   ? cutter.radius_mm()
-                          : cutter.type == model::CutterType::flat ? 0.0
-                                                                   : cutter.corner_radius_mm;
-    flat_ = cutter.radius_mm() - corner;
-    corner_ = corner;
+    corner_ = corner_radius_mm(cutter);
+    flat_ = cutter.radius_mm() - corner_;
   }
 
   void add(const surface::LimitPatch& patch, int depth) {

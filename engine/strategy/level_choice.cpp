@@ -70,8 +70,7 @@ class Chooser {
     std::vector<double> heights;
     for (std::size_t i = 0; i < cut_.set.size(); ++i) {
       const SlopeCell& cell = slopes_.cells[i];
-      if (cut_.set[i] && !steep_.set[i] && cell.slope_rad < kLevelSlope_rad &&
-          cell.low_mm >= low_)
+      if (cut_.set[i] && !steep_.set[i] && cell.slope_rad < kLevelSlope_rad && cell.low_mm >= low_)
         heights.push_back(cell.high_mm);
     }
     std::sort(heights.begin(), heights.end(), std::greater<>());

@@ -5,6 +5,11 @@
 
 namespace limitgauge::engine::strategy {
 
+double corner_radius_mm(const model::Cutter& cutter) {
+  if (cutter.type == model::CutterType::ball) return cutter.radius_mm();
+  return cutter.type == model::CutterType::flat ? 0.0 : cutter.corner_radius_mm;
+}
+
 LimitLocations limit_locations(const surface::PatchModel& model, const StageRequest& request) {
   const double error = kLimitMeshShare * request.cut.tolerance_mm;
   surface::OffsetModel mesh = surface::sample_offset(model, 0, error);
@@ -16,7 +21,9 @@ LimitLocations limit_locations(const surface::PatchModel& model, const StageRequ
   for (std::size_t p = 0; p < mesh.depths.size(); ++p)
     intervals.push_back(1 << (model.patches()[p].limit.depth - mesh.depths[p]));
   CutterLocations surface(mesh.grids, request.cutter, kept);
-  return {std::move(surface), std::move(mesh), std::move(intervals), part, kept};
+  constexpr double kRounding_mm = 1e-6;
+  const double lowest = part.low.z - corner_radius_mm(request.cutter) - kRounding_mm;
+  return {std::move(surface), std::move(mesh), std::move(intervals), part, kept, lowest};
 }
 
 }  // namespace limitgauge::engine::strategy

@@ -16,11 +16,6 @@ constexpr double kWholeStep = 0.1;
 constexpr double kSteepestCosine = 0.2588;
 constexpr std::size_t kSamplesAChunk = 64;
 
-double corner_radius(const model::Cutter& cutter) {
-  if (cutter.type == model::CutterType::ball) return cutter.radius_mm();
-  return cutter.type == model::CutterType::flat ? 0.0 : cutter.corner_radius_mm;
-}
-
 /// Directions to the bit for the angles that matter most.
 Vec3 direction_of(double angle_deg) {
   const double quarter = angle_deg / 90;
@@ -55,7 +50,7 @@ class Placer {
     model::Box3 box;  // in rows' coordinates
     for (const surface::Grid& grid : limit_.mesh.grids)
       for (const Vec3& p : grid.points)
-        box.add({dot(p, places_.direction), dot(p, places_.left), 0});
+        box.add(Vec3{dot(p, places_.direction), dot(p, places_.left), 0});
     box = box.grown(request_.cutter.radius_mm() + limit_.kept_mm);
     places_.along_low = box.low.x;
     places_.along_high = box.high.x;
@@ -92,17 +87,19 @@ class Placer {
     const auto count =
         1 + static_cast<std::size_t>((places_.along_high - places_.along_low) / spacing);
     std::vector<double> allowed(count, step);
-    model::parallel_chunks(count, kSamplesAChunk, control_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const double along = places_.along_low + static_cast<double>(i) * spacing;
-        const Vec3 a = places_.at(along, across), b = places_.at(along, across + step);
-        const auto za = limit_.surface.tip_z(a.x, a.y), zb = limit_.surface.tip_z(b.x, b.y);
-        if (!za || !zb) continue;
-        const double rise = std::max(*zb, request_.floor_z_mm) - std::max(*za, request_.floor_z_mm);
-        const double cosine = step / std::hypot(step, rise);
-        if (cosine > kSteepestCosine) allowed[i] = std::min(step, distance * cosine);
-      }
-    });
+    model::parallel_chunks(
+        count, kSamplesAChunk, control_, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) {
+            const double along = places_.along_low + static_cast<double>(i) * spacing;
+            const Vec3 a = places_.at(along, across), b = places_.at(along, across + step);
+            const auto za = limit_.surface.tip_z(a.x, a.y), zb = limit_.surface.tip_z(b.x, b.y);
+            if (!za || !zb) continue;
+            const double rise =
+                std::max(*zb, request_.floor_z_mm) - std::max(*za, request_.floor_z_mm);
+            const double cosine = step / std::hypot(step, rise);
+            if (cosine > kSteepestCosine) allowed[i] = std::min(step, distance * cosine);
+          }
+        });
     return *std::min_element(allowed.begin(), allowed.end());
   }
 
@@ -117,7 +114,7 @@ class Placer {
 
 double tip_distance_mm(const StageRequest& request) {
   if (!request.cut.scallop_mm) return request.cut.step_mm;
-  const double r = corner_radius(request.cutter), h = std::min(*request.cut.scallop_mm, r);
+  const double r = corner_radius_mm(request.cutter), h = std::min(*request.cut.scallop_mm, r);
   if (r <= 0)
     throw std::invalid_argument(
         "scallop: a cutter without a corner radius leaves steps, not cusps; give a step only");

@@ -32,7 +32,7 @@ void trim_floor(std::vector<std::vector<Vec3>>& runs, double floor) {
 
 }  // namespace
 
-TrackRule track_rule(const StageRequest& request) {
+TrackRule track_rule(const LimitLocations& limit, const StageRequest& request) {
   const double tolerance = request.cut.tolerance_mm;
   TrackRule rule;
   // Rows see nothing narrower than a step across; neither need they along.
@@ -41,13 +41,14 @@ TrackRule track_rule(const StageRequest& request) {
   rule.above_mm = kAboveShare * tolerance;
   rule.reduction_mm = kReductionShare * tolerance;
   rule.floor_z_mm = request.floor_z_mm;
+  rule.lowest_mm = limit.lowest_contact_mm;
   return rule;
 }
 
 DriveRows make_sampled_rows(const LimitLocations& limit, const StageRequest& request,
                             const model::RunControl& control) {
   const RowPlaces places = place_rows(limit, request, control);
-  const TrackRule rule = track_rule(request);
+  const TrackRule rule = track_rule(limit, request);
   DriveRows made;
   made.sampling_intervals = limit.sampling_intervals;
   made.rows.resize(places.across.size());

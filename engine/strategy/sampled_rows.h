@@ -14,7 +14,7 @@ namespace limitgauge::engine::strategy {
 /// Error budget, in shares of the stage's tolerance: twice a quarter for the limit mesh, a fifth by
 /// which the path is raised so that no chord cuts into the surface, a tenth for what a chord passes
 /// over, 0.15 for points left out. Nothing of it is below the surface.
-TrackRule track_rule(const StageRequest& request);
+TrackRule track_rule(const LimitLocations& limit, const StageRequest& request);
 
 /// make_rows for any cutter, from the cutter location surface of the limit mesh: points along each
 /// row by halving, see track_tips. Where the surface ends a row ends, one radius of the cutter

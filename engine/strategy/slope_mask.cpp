@@ -112,9 +112,9 @@ SlopeCells measure_slopes(const TipRaster& tips, double lowest_mm) {
   slopes.cells.reserve(tips.z.size());
   for (int j = 0; j + 1 < tips.raster.rows; ++j)
     for (int i = 0; i + 1 < tips.raster.columns; ++i)
-      slopes.cells.push_back(measure_cell(
-          {tips.at(i, j), tips.at(i + 1, j), tips.at(i + 1, j + 1), tips.at(i, j + 1)},
-          tips.raster.pixel_mm, lowest_mm));
+      slopes.cells.push_back(
+          measure_cell({tips.at(i, j), tips.at(i + 1, j), tips.at(i + 1, j + 1), tips.at(i, j + 1)},
+                       tips.raster.pixel_mm, lowest_mm));
   return slopes;
 }
 

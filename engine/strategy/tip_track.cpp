@@ -34,7 +34,8 @@ class Tracker {
  private:
   Sample at(const Vec3& p) const {
     const auto z = locations_.tip_z(p.x, p.y);
-    return {{p.x, p.y, z ? std::max(*z, rule_.floor_z_mm) : 0.0}, z.has_value()};
+    const bool touches = z && *z >= rule_.lowest_mm;
+    return {{p.x, p.y, touches ? std::max(*z, rule_.floor_z_mm) : 0.0}, touches};
   }
   Sample between(const Sample& a, const Sample& b) const { return at((a.p + b.p) * 0.5); }
 
@@ -74,7 +75,7 @@ class Tracker {
     const double cosine = run / std::hypot(run, b.p.z - a.p.z);
     for (std::size_t k = 0; k < inner.size(); ++k) {
       if (!inner[k]->covered) return false;
-      const double share = static_cast<double>(k + 1) / (inner.size() + 1);
+      const double share = static_cast<double>(k + 1) / static_cast<double>(inner.size() + 1);
       const double gap = a.p.z + (b.p.z - a.p.z) * share - inner[k]->p.z;
       if (gap * cosine > rule_.above_mm || -gap > rule_.lift_mm) return false;
     }

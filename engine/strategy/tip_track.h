@@ -9,11 +9,12 @@ namespace limitgauge::engine::strategy {
 /// How closely a track follows the cutter location surface; lengths mm. A track lies above the
 /// surface by at most `lift_mm + above_mm + reduction_mm`, and never below it.
 struct TrackRule {
-  double spacing_mm = 0;  ///< of the first samples: a dip narrower than this may be bridged
-  double lift_mm = 0;     ///< the whole track is raised by this, so that chords may cut corners
-  double above_mm = 0;    ///< chords may pass over the surface by this, along its normal
+  double spacing_mm = 0;    ///< of the first samples: a dip narrower than this may be bridged
+  double lift_mm = 0;       ///< the whole track is raised by this, so that chords may cut corners
+  double above_mm = 0;      ///< chords may pass over the surface by this, along its normal
   double reduction_mm = 0;  ///< distance of points left out from the chords that replace them
   double floor_z_mm = 0;    ///< the tip never goes below
+  double lowest_mm = 0;     ///< where it might sink below this, nothing to be cut is under it
 };
 
 /// The way of the tip above the straight lines from point to point of `way` (its heights are not

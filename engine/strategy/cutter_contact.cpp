@@ -14,7 +14,8 @@ struct Lean {
   bool upright = false;
 
   explicit Lean(const Vec3& normal) {
-    const double across = std::hypot(normal.x, normal.y), up = std::abs(normal.z);
+    const double across = std::sqrt(normal.x * normal.x + normal.y * normal.y);
+    const double up = std::abs(normal.z);
     upright = !(across < kUpright * up);
     if (upright) return;
     gx = normal.x / normal.z;

@@ -25,6 +25,12 @@ double arc_slope(const CutterShape::Ring& ring, double d) {
   return out / std::sqrt((s - out) * (s + out));
 }
 
+/// Inverse of arc_height() on the arc and beyond it.
+double arc_distance(const CutterShape::Ring& ring, double height_mm) {
+  const double up = std::min(0.0, height_mm - ring.height_mm), s = ring.rounding_mm;
+  return ring.radius_mm + std::sqrt(std::max(0.0, (s - up) * (s + up)));
+}
+
 double ring_support(const CutterShape::Ring& ring, double steepness, double root) {
   return ring.radius_mm * steepness + ring.rounding_mm * root - ring.height_mm;
 }
@@ -74,6 +80,13 @@ double CutterShape::height(double d) const {
 double CutterShape::slope(double d) const {
   if (d <= first_.end_mm || !coned_) return arc_slope(first_.ring, d);
   return d <= last_.begin_mm ? cone_slope_ : arc_slope(last_.ring, d);
+}
+
+double CutterShape::distance_below(double height_mm) const {
+  if (height_mm < bottom_mm()) return -1;
+  if (!coned_ || height_mm <= cone_z_mm_) return arc_distance(first_.ring, height_mm);
+  const double d = first_.end_mm + (height_mm - cone_z_mm_) / cone_slope_;
+  return d <= last_.begin_mm ? d : arc_distance(last_.ring, height_mm);
 }
 
 double CutterShape::support(double steepness) const {

@@ -45,6 +45,9 @@ class CutterShape {
   double height(double d) const;
   /// p'(d); infinite where the side is upright.
   double slope(double d) const;
+  /// The greatest distance, up to the reach, at which the lower side is no higher than `height_mm`
+  /// above the tip; negative where it is higher everywhere.
+  double distance_below(double height_mm) const;
   /// How high over the plane z + g . (x, y) = c a tip on it must be lifted so that the body only
   /// touches the plane; `steepness` is |g|.
   double support(double steepness) const;

@@ -10,6 +10,8 @@ namespace {
 /// Shorter ones, seen from above, are upright: mm.
 constexpr double kUprightLength_mm = 1e-12;
 constexpr int kMostSteps = 80;
+/// Share of a square that its rounding may take.
+constexpr double kRounding = 1e-14;
 
 /// A segment as seen from the axis: at the place s its distance is hypot(aside, s) and its height
 /// top - rise (end - s), with rise >= 0; s runs over [begin, end].
@@ -120,7 +122,8 @@ class SlantSearch {
 
 void lift_over_upright(const CutterShape& shape, const Vec3& from, const Vec3& to,
                        GreatestLift& greatest) {
-  const double d = std::min(std::hypot(from.x, from.y), std::hypot(to.x, to.y));
+  const double d =
+      std::sqrt(std::min(from.x * from.x + from.y * from.y, to.x * to.x + to.y * to.y));
   if (d <= shape.reach_mm() + kReachSlack_mm)
     greatest.take(std::max(from.z, to.z) - shape.height(d));
 }
@@ -129,13 +132,16 @@ void lift_over_upright(const CutterShape& shape, const Vec3& from, const Vec3& t
 
 void lift_over_edge(const CutterShape& shape, const Vec3& from, const Vec3& to,
                     GreatestLift& greatest) {
-  if (std::max(from.z, to.z) - shape.bottom_mm() <= greatest.known) return;
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  // Only as far out as the higher end could still lift beyond what is known.
+  const double reach = shape.distance_below(std::max(from.z, to.z) - greatest.known);
+  if (reach < 0) return;
+  const double dx = to.x - from.x, dy = to.y - from.y, squared = dx * dx + dy * dy;
+  const double area = dx * from.y - dy * from.x, wide = reach + kReachSlack_mm;
+  if (area * area > wide * wide * squared * (1 + kRounding)) return;
+  const double length = std::sqrt(squared);
   if (length < kUprightLength_mm) return lift_over_upright(shape, from, to, greatest);
   const Slant slant(from, to, length);
-  const double reach = shape.reach_mm() + kReachSlack_mm;
-  if (slant.aside > reach) return;
-  const double half = slant.place(reach);
+  const double half = slant.place(wide);
   const double low = std::max(slant.begin, -half), high = std::min(slant.end, half);
   if (low > high) return;
   const double nearest = slant.distance(std::clamp(0.0, low, high));

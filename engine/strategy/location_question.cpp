@@ -27,7 +27,7 @@ double plane_lift(const LocationNode& node, const Vec3& tip) {
 }
 
 /// A part of a move, in shares of it.
-struct Part {
+struct Share {
   double begin = 0, end = 1;
 
   void cut(double from, double way, double low, double high) {
@@ -43,13 +43,23 @@ struct Part {
 
 }  // namespace
 
-double PlaceQuestion::bound(const LocationNode& node) const {
-  const double dx = gap(node.low_x, node.high_x, tip_.x, tip_.x);
-  const double dy = gap(node.low_y, node.high_y, tip_.y, tip_.y);
+double PlaceQuestion::bound(const LocationNode& node, double known) const {
+  if (body_.has_planes && plane_lift(node, tip_) + kBoundSlack_mm <= known) return kNothing;
+  const TopBox box = top_box(node);
+  const double dx = gap(box.low_x, box.high_x, tip_.x, tip_.x);
+  const double dy = gap(box.low_y, box.high_y, tip_.y, tip_.y);
   const double squared = dx * dx + dy * dy, reach = body_.shape.reach_mm() + kReachSlack_mm;
   if (squared > reach * reach) return kNothing;
-  const double lift = node.high_z - height_at(body_.shape, squared) - tip_.z;
+  const double lift = box.high_z - height_at(body_.shape, squared) - tip_.z;
   return kBoundSlack_mm + (body_.has_planes ? std::min(lift, plane_lift(node, tip_)) : lift);
+}
+
+bool PlaceQuestion::concerns(const TopBox& box, double known) const {
+  const double reach = body_.shape.distance_below(box.high_z - tip_.z - known + kBoundSlack_mm);
+  const double dx = gap(box.low_x, box.high_x, tip_.x, tip_.x);
+  const double dy = gap(box.low_y, box.high_y, tip_.y, tip_.y);
+  const double wide = reach + kReachSlack_mm;
+  return reach >= 0 && dx * dx + dy * dy <= wide * wide;
 }
 
 void PlaceQuestion::ask(const Corners& corners, GreatestLift& greatest) const {
@@ -65,27 +75,53 @@ MoveQuestion::MoveQuestion(const AskingBody& body, const Vec3& from, const Vec3&
   left_y_ = way_.x / length;
 }
 
-double MoveQuestion::bound(const LocationNode& node) const {
+MoveQuestion::Part MoveQuestion::within(const TopBox& box, double reach) const {
   // A little wider: the division that finds the ends of the part rounds.
-  const double reach = body_.shape.reach_mm() + 2 * kReachSlack_mm;
-  Part part;
-  part.cut(from_.x, way_.x, node.low_x - reach, node.high_x + reach);
-  part.cut(from_.y, way_.y, node.low_y - reach, node.high_y + reach);
-  if (part.begin > part.end) return kNothing;
-  const Vec3 a = from_ + way_ * part.begin, b = from_ + way_ * part.end;
-  const double dx = gap(node.low_x, node.high_x, std::min(a.x, b.x), std::max(a.x, b.x));
-  const double dy = gap(node.low_y, node.high_y, std::min(a.y, b.y), std::max(a.y, b.y));
-  const double half_x = (node.high_x - node.low_x) / 2.0, x = node.low_x + half_x - from_.x;
-  const double half_y = (node.high_y - node.low_y) / 2.0, y = node.low_y + half_y - from_.y;
+  const double wide = reach + 2 * kReachSlack_mm;
+  Share share;
+  share.cut(from_.x, way_.x, box.low_x - wide, box.high_x + wide);
+  share.cut(from_.y, way_.y, box.low_y - wide, box.high_y + wide);
+  if (share.begin > share.end) return {};
+  Part part{from_ + way_ * share.begin, from_ + way_ * share.end, 0, false};
+  const Vec3 &a = part.from, &b = part.to;
+  const double dx = gap(box.low_x, box.high_x, std::min(a.x, b.x), std::max(a.x, b.x));
+  const double dy = gap(box.low_y, box.high_y, std::min(a.y, b.y), std::max(a.y, b.y));
+  const double half_x = (box.high_x - box.low_x) / 2, x = box.low_x + half_x - from_.x;
+  const double half_y = (box.high_y - box.low_y) / 2, y = box.low_y + half_y - from_.y;
   const double aside =
       std::abs(left_x_ * x + left_y_ * y) - std::abs(left_x_) * half_x - std::abs(left_y_) * half_y;
   const double away = std::max(0.0, aside - kReachSlack_mm);
-  const double squared = std::max(dx * dx + dy * dy, away * away);
-  if (squared > reach * reach) return kNothing;
-  const double lift =
-      node.high_z - height_at(body_.shape, squared) - std::min(a.z, b.z) + kBoundSlack_mm;
-  if (!body_.has_planes) return lift;
-  return std::min(lift, std::max(plane_lift(node, a), plane_lift(node, b)) + kBoundSlack_mm);
+  part.squared_mm2 = std::max(dx * dx + dy * dy, away * away);
+  part.empty = part.squared_mm2 > wide * wide;
+  return part;
+}
+
+MoveQuestion::Part MoveQuestion::concerned(const TopBox& box, double known) const {
+  Part part = within(box, body_.shape.reach_mm());
+  // The lowest tip of a part says how far the box can matter; that makes the part shorter.
+  constexpr int kRounds = 2;
+  for (int round = 0; round < kRounds && !part.empty; ++round) {
+    const double low = std::min(part.from.z, part.to.z);
+    const double reach = body_.shape.distance_below(box.high_z - low - known + kBoundSlack_mm);
+    if (reach < 0) return {};
+    part = within(box, reach);
+  }
+  return part;
+}
+
+double MoveQuestion::bound(const LocationNode& node, double known) const {
+  const TopBox box = top_box(node);
+  const Part part = concerned(box, known);
+  if (part.empty) return kNothing;
+  double lift = box.high_z - height_at(body_.shape, part.squared_mm2);
+  lift -= std::min(part.from.z, part.to.z);
+  if (body_.has_planes)
+    lift = std::min(lift, std::max(plane_lift(node, part.from), plane_lift(node, part.to)));
+  return lift + kBoundSlack_mm;
+}
+
+bool MoveQuestion::concerns(const TopBox& box, double known) const {
+  return !concerned(box, known).empty;
 }
 
 void MoveQuestion::ask(const Corners& corners, GreatestLift& greatest) const {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
 #include "engine/strategy/cutter_contact.h"
+#include "engine/strategy/location_question.h"
 #include "engine/strategy/location_tree.h"
 
 namespace limitgauge::engine::strategy {
@@ -11,8 +13,7 @@ namespace limitgauge::engine::strategy {
 /// An end that no lift reaches.
 inline constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
-/// The greatest lift over all triangles of a tree. A `Question` gives `bound(node)`, no less than
-/// the lift over anything in the node, and `ask(corners, greatest)`.
+/// The greatest lift over all triangles of a tree, as a PlaceQuestion or MoveQuestion asks.
 template <class Question>
 class LocationSearch {
  public:
@@ -49,7 +50,7 @@ class LocationSearch {
     ++opened_;
     const int begin = size_;
     for (int node = first; node < first + count; ++node) {
-      const double bound = question_.bound(tree_.nodes()[node]);
+      const double bound = question_.bound(tree_.nodes()[node], greatest_.known);
       if (bound <= greatest_.known) continue;
       int at = size_++;
       for (; at > begin && stack_[at - 1].bound > bound; --at) stack_[at] = stack_[at - 1];
@@ -60,11 +61,17 @@ class LocationSearch {
   void ask_leaf(const LocationLeaf& cells) {
     const surface::Grid& grid = tree_.grid(cells.grid);
     for (int v = cells.v; v < cells.v_end; ++v)
-      for (int u = cells.u; u < cells.u_end; ++u) {
-        const Vec3 &p = grid.at(u, v), &q = grid.at(u + 1, v + 1);
-        question_.ask({p, grid.at(u + 1, v), q}, greatest_);
-        question_.ask({p, q, grid.at(u, v + 1)}, greatest_);
-      }
+      for (int u = cells.u; u < cells.u_end; ++u)
+        ask_cell(grid.at(u, v), grid.at(u + 1, v), grid.at(u + 1, v + 1), grid.at(u, v + 1));
+  }
+
+  void ask_cell(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+    const TopBox box{std::min({p.x, q.x, r.x, s.x}), std::min({p.y, q.y, r.y, s.y}),
+                     std::max({p.x, q.x, r.x, s.x}), std::max({p.y, q.y, r.y, s.y}),
+                     std::max({p.z, q.z, r.z, s.z})};
+    if (!question_.concerns(box, greatest_.known)) return;
+    question_.ask({p, q, r}, greatest_);
+    question_.ask({p, r, s}, greatest_);
   }
 
   const LocationTree& tree_;

@@ -73,7 +73,7 @@ TEST_CASE("tip heights are the greatest over every point of every triangle",
     if (!found) continue;
     // Looks may stop short of the greatest at a kink of the function, never beyond it.
     CHECK(*found >= brute - 1e-9);
-    CHECK(*found <= brute + 1e-4);
+    CHECK(*found <= brute + 5e-4);
   }
 }
 

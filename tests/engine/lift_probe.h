@@ -71,8 +71,8 @@ inline double point_height(const model::Cutter& cutter, double allowance, double
 /// place so far.
 template <class Function>
 double greatest_of(const Function& f) {
-  constexpr int kLooks = 50, kSide = 4;
-  constexpr double kShrink = 0.65;
+  constexpr int kLooks = 34, kSide = 4;
+  constexpr double kShrink = 0.5;
   double s = 0.5, t = 0.5, half = 0.5, best = kNone;
   for (int look = 0; look < kLooks; ++look, half *= kShrink) {
     const double s0 = s, t0 = t;

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "engine/strategy/contour.h"
+#include "engine/strategy/sampled_zigzag.h"
+#include "engine/strategy/steep_shallow.h"
 #include "engine/strategy/zigzag.h"
 
 namespace limitgauge::engine::strategy {
@@ -30,13 +32,29 @@ void require_valid(const StageRequest& request) {
   require(std::isfinite(request.allowance_mm) && request.allowance_mm >= 0,
           "allowance must be zero or more");
   require(std::isfinite(request.floor_z_mm), "floor must be a finite height");
-  require(request.cut.strategy == Strategy::contour || request.cut.strategy == Strategy::zigzag,
-          "strategy: expected contour or zigzag");
-  require(request.cutter.type != model::CutterType::taper,
-          "cutter: a taper is served by no strategy; expected flat, ball or bull");
   require(
-      request.cut.strategy != Strategy::zigzag || request.cutter.type == model::CutterType::ball,
-      "cutter: zigzag serves ball cutters only; use contour for this one");
+      request.cut.strategy != Strategy::contour || request.cutter.type != model::CutterType::taper,
+      "cutter: a taper is not served by contour; expected flat, ball or bull");
+  require(!request.cut.scallop_mm ||
+              (std::isfinite(*request.cut.scallop_mm) && *request.cut.scallop_mm > 0),
+          "scallop must be a positive number");
+}
+
+StagePath plan(const surface::FinishModel& model, const StageRequest& request,
+               const model::RunControl& control) {
+  const bool ball = request.cutter.type == model::CutterType::ball;
+  switch (request.cut.strategy) {
+    case Strategy::contour:
+      return plan_contour(model, request, control);
+    case Strategy::zigzag:
+      return ball ? plan_zigzag(model, request, control)
+                  : plan_sampled_zigzag(model, request, control);
+    case Strategy::steep_shallow:
+      return plan_steep_shallow(model, request, control);
+    case Strategy::rest:
+      break;
+  }
+  throw std::invalid_argument("strategy: expected contour, zigzag or steep_shallow");
 }
 
 }  // namespace
@@ -45,9 +63,7 @@ StagePath plan_stage(const surface::FinishModel& model, const StageRequest& requ
                      const model::RunControl& control) {
   require_valid(request);
   const auto begin = std::chrono::steady_clock::now();
-  StagePath stage = request.cut.strategy == Strategy::zigzag
-                        ? plan_zigzag(model, request, control)
-                        : plan_contour(model, request, control);
+  StagePath stage = plan(model, request, control);
   stage.memory_bytes = stage.path.moves.size() * sizeof(model::Move);
   stage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return stage;

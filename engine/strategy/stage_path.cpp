@@ -32,8 +32,6 @@ void require_valid(const StageRequest& request) {
   require(std::isfinite(request.floor_z_mm), "floor must be a finite height");
   require(request.cut.strategy == Strategy::contour || request.cut.strategy == Strategy::zigzag,
           "strategy: expected contour or zigzag");
-  require(request.cutter.type != model::CutterType::taper,
-          "cutter: a taper is served by no strategy; expected flat, ball or bull");
   require(
       request.cut.strategy != Strategy::zigzag || request.cutter.type == model::CutterType::ball,
       "cutter: zigzag serves ball cutters only; use contour for this one");

@@ -99,4 +99,35 @@ HeightMap make_height_map(const Raster& raster, const std::vector<surface::Grid>
   return map;
 }
 
+HeightMap coarsened(const HeightMap& map, int factor) {
+  const Raster& fine = map.raster;
+  const double shift = (factor - 1) / 2.0;
+  const Raster raster{fine.x(shift), fine.y(shift), fine.pixel_mm * factor,
+                      (fine.columns + factor - 1) / factor, (fine.rows + factor - 1) / factor};
+  HeightMap coarse{raster,
+                   std::vector<float>(raster.size(), -std::numeric_limits<float>::infinity())};
+  for (int j = 0; j < fine.rows; ++j) {
+    const float* from = &map.z[static_cast<std::size_t>(j) * fine.columns];
+    float* to = &coarse.z[static_cast<std::size_t>(j / factor) * raster.columns];
+    for (int i = 0; i < fine.columns; ++i) to[i / factor] = std::max(to[i / factor], from[i]);
+  }
+  return coarse;
+}
+
+Window overlap(const Window& a, const Window& b) {
+  return {std::max(a.first_column, b.first_column), std::max(a.first_row, b.first_row),
+          std::min(a.last_column, b.last_column), std::min(a.last_row, b.last_row)};
+}
+
+Window covering(const Raster& r, const model::Box3& box) {
+  const auto before = [&](double at) { return static_cast<int>(std::floor(at / r.pixel_mm)); };
+  const auto after = [&](double at) { return static_cast<int>(std::ceil(at / r.pixel_mm)); };
+  return overlap(whole(r), {before(box.low.x - r.x0), before(box.low.y - r.y0),
+                            after(box.high.x - r.x0), after(box.high.y - r.y0)});
+}
+
+Raster part_of(const Raster& r, const Window& w) {
+  return {r.x(w.first_column), r.y(w.first_row), r.pixel_mm, w.columns(), w.rows()};
+}
+
 }  // namespace limitgauge::engine::strategy

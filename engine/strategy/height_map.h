@@ -28,5 +28,27 @@ struct HeightMap {
   std::vector<float> z;
 };
 HeightMap make_height_map(const Raster& raster, const std::vector<surface::Grid>& grids);
+/// The same with `factor` times larger pixels: the highest of the pixels that each one holds.
+HeightMap coarsened(const HeightMap& map, int factor);
+
+/// Columns and rows of a raster, first and last included.
+struct Window {
+  int first_column = 0, first_row = 0, last_column = -1, last_row = -1;
+
+  bool empty() const { return first_column > last_column || first_row > last_row; }
+  int columns() const { return last_column - first_column + 1; }
+  int rows() const { return last_row - first_row + 1; }
+};
+inline Window whole(const Raster& r) {
+  return {0, 0, r.columns - 1, r.rows - 1};
+}
+Window overlap(const Window& a, const Window& b);
+inline Window grown(const Window& w, int by) {
+  return {w.first_column - by, w.first_row - by, w.last_column + by, w.last_row + by};
+}
+/// The pixels of `raster` that cover the box's XY extent; none outside the raster.
+Window covering(const Raster& raster, const model::Box3& box);
+/// The pixels of `window` as a raster of their own.
+Raster part_of(const Raster& raster, const Window& window);
 
 }  // namespace limitgauge::engine::strategy

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
-#include <unordered_map>
+#include <limits>
+#include <optional>
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -16,23 +19,60 @@ struct Piece {
   EdgeId from = 0, to = 0;
 };
 
+/// Which piece begins at an edge: open addressing, since a curve has thousands.
+class EdgeTable {
+ public:
+  explicit EdgeTable(std::size_t count)
+      : mask_(std::bit_ceil(2 * count + 1) - 1), slots_(mask_ + 1) {}
+
+  void add(EdgeId edge, std::size_t piece) { slots_[slot_of(edge)] = {edge, piece, true}; }
+  std::optional<std::size_t> find(EdgeId edge) const {
+    const Slot& slot = slots_[slot_of(edge)];
+    if (!slot.taken) return std::nullopt;
+    return slot.piece;
+  }
+
+ private:
+  struct Slot {
+    EdgeId edge = 0;
+    std::size_t piece = 0;
+    bool taken = false;
+  };
+  std::size_t slot_of(EdgeId edge) const {
+    constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15ULL;
+    std::size_t at = (static_cast<std::uint64_t>(edge) * kGolden >> 32) & mask_;
+    while (slots_[at].taken && slots_[at].edge != edge) at = (at + 1) & mask_;
+    return at;
+  }
+
+  std::size_t mask_;
+  std::vector<Slot> slots_;
+};
+
+float rounded_up(double value) {
+  const auto nearest = static_cast<float>(value);
+  return static_cast<double>(nearest) < value
+             ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
+             : nearest;
+}
+
 class SquareMarch {
  public:
   SquareMarch(const Raster& raster, const std::vector<float>& field, const Window& window,
               double value)
-      : raster_(raster), field_(field), window_(window), value_(value) {}
+      : raster_(raster), field_(field), window_(window), value_(value), least_(rounded_up(value)) {}
 
   std::vector<Isoline> run() {
     scan();
-    for (std::size_t k = 0; k < pieces_.size(); ++k) starts_.emplace(pieces_[k].from, k);
+    EdgeTable starts(pieces_.size()), arrived(pieces_.size());
+    for (std::size_t k = 0; k < pieces_.size(); ++k) starts.add(pieces_[k].from, k);
+    for (std::size_t k = 0; k < pieces_.size(); ++k) arrived.add(pieces_[k].to, k);
     std::vector<Isoline> lines;
-    std::unordered_map<EdgeId, char> arrived;
-    for (const Piece& p : pieces_) arrived.emplace(p.to, 1);
     used_.assign(pieces_.size(), 0);
     for (std::size_t k = 0; k < pieces_.size(); ++k)
-      if (!arrived.count(pieces_[k].from)) lines.push_back(follow(k));
+      if (!arrived.find(pieces_[k].from)) lines.push_back(follow(k, starts));
     for (std::size_t k = 0; k < pieces_.size(); ++k)
-      if (!used_[k]) lines.push_back(follow(k));
+      if (!used_[k]) lines.push_back(follow(k, starts));
     return lines;
   }
 
@@ -56,7 +96,8 @@ class SquareMarch {
     const int columns = window_.last_column - window_.first_column + 1;
     std::vector<std::uint8_t> high(static_cast<std::size_t>(columns));
     const float* row = &field_[node(window_.first_column, j)];
-    for (int i = 0; i < columns; ++i) high[i] = row[i] >= value_;
+    const float least = least_;
+    for (int i = 0; i < columns; ++i) high[i] = row[i] >= least;
     return high;
   }
   std::size_t node(int i, int j) const { return static_cast<std::size_t>(j) * raster_.columns + i; }
@@ -118,15 +159,15 @@ class SquareMarch {
     return {raster_.x(column + (up ? 0 : t)), raster_.y(row + (up ? t : 0))};
   }
 
-  Isoline follow(std::size_t k) {
+  Isoline follow(std::size_t k, const EdgeTable& starts) {
     Isoline line;
     line.points.push_back(crossing(pieces_[k].from));
     for (;;) {
       used_[k] = 1;
       line.points.push_back(crossing(pieces_[k].to));
-      const auto next = starts_.find(pieces_[k].to);
-      if (next == starts_.end()) return line;
-      k = next->second;
+      const std::optional<std::size_t> next = starts.find(pieces_[k].to);
+      if (!next) return line;
+      k = *next;
       if (used_[k]) break;
     }
     line.closed = true;
@@ -137,8 +178,8 @@ class SquareMarch {
   const std::vector<float>& field_;
   Window window_;
   double value_;
+  float least_;  ///< a float is no less than it exactly when it is no less than the value
   std::vector<Piece> pieces_;
-  std::unordered_map<EdgeId, std::size_t> starts_;
   std::vector<char> used_;
 };
 
@@ -146,6 +187,7 @@ class SquareMarch {
 
 std::vector<Isoline> isolines(const Raster& raster, const std::vector<float>& field,
                               const Window& window, double value) {
+  if (window.empty()) return {};
   return SquareMarch(raster, field, window, value).run();
 }
 

@@ -21,11 +21,6 @@ struct Isoline {
   bool closed = false;
 };
 
-/// Columns and rows of a raster, first and last included.
-struct Window {
-  int first_column = 0, first_row = 0, last_column = 0, last_row = 0;
-};
-
 /// The isolines of `field` at `value` inside `window`, by marching squares with linear
 /// interpolation; higher values lie on the left.
 std::vector<Isoline> isolines(const Raster& raster, const std::vector<float>& field,

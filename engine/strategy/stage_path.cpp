@@ -32,11 +32,6 @@ void require_valid(const StageRequest& request) {
   require(std::isfinite(request.allowance_mm) && request.allowance_mm >= 0,
           "allowance must be zero or more");
   require(std::isfinite(request.floor_z_mm), "floor must be a finite height");
-          "strategy: expected contour or zigzag");
-  require(request.cut.strategy == Strategy::contour || request.cut.strategy == Strategy::zigzag,
-  require(
-      request.cut.strategy != Strategy::contour || request.cutter.type != model::CutterType::taper,
-      "cutter: a taper is not served by contour; expected flat, ball or bull");
   require(!request.cut.scallop_mm ||
               (std::isfinite(*request.cut.scallop_mm) && *request.cut.scallop_mm > 0),
           "scallop must be a positive number");

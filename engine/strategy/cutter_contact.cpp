@@ -28,83 +28,96 @@ struct Lean {
   }
 };
 
-/// Coordinates of the XY place `x`, `y` in a facet's sides.
+/// Where the body touches a plane of that lean: uphill from the axis.
+Vec3 contact_of(const CutterShape& shape, const Lean& lean) {
+  if (lean.steepness <= 0) return {};
+  const double share = shape.contact_distance(lean.steepness) / lean.steepness;
+  return {-lean.gx * share, -lean.gy * share, 0};
+}
+
+/// Place of XY point `p` in the sides `u` and `v` from `origin`.
 struct Sides {
   double u = 0, v = 0;
-};
 
-/// Where the body touches a plane of that lean: uphill from the axis.
-Sides contact_in(const CutterShape& shape, const Lean& lean, const Vec3& origin, const Vec3& u,
-                 const Vec3& v) {
-  double x = -origin.x, y = -origin.y;
-  if (lean.steepness > 0) {
-    const double share = shape.contact_distance(lean.steepness) / lean.steepness;
-    x -= lean.gx * share;
-    y -= lean.gy * share;
+  Sides(const Vec3& p, const Vec3& origin, const Vec3& side_u, const Vec3& side_v) {
+    const double x = p.x - origin.x, y = p.y - origin.y;
+    const double area = side_u.x * side_v.y - side_u.y * side_v.x;
+    u = (x * side_v.y - y * side_v.x) / area;
+    v = (side_u.x * y - side_u.y * x) / area;
   }
-  const double area = u.x * v.y - u.y * v.x;
-  return {(x * v.y - y * v.x) / area, (u.x * y - u.y * x) / area};
-}
-
-bool touches_triangle(const CutterShape& shape, const Lean& lean, const Corners& t) {
-  const Sides at = contact_in(shape, lean, t[0], t[1] - t[0], t[2] - t[0]);
-  return at.u >= 0 && at.v >= 0 && at.u + at.v <= 1;
-}
+};
 
 void lift_over_edges(const CutterShape& shape, const Corners& t, GreatestLift& greatest) {
   for (int i = 0; i < 3; ++i) lift_over_edge(shape, t[i], t[(i + 1) % 3], greatest);
 }
 
-/// The parallelogram that an edge sweeps.
-void lift_over_swept_edge(const CutterShape& shape, const Vec3& from, const Vec3& edge,
-                          const Vec3& sweep, GreatestLift& greatest) {
-  const Lean lean(cross(edge, sweep));
-  if (lean.upright) return;
-  const double offset = std::max({lean.offset(from), lean.offset(from + edge),
-                                  lean.offset(from + sweep), lean.offset(from + edge + sweep)});
-  const double lift = offset + shape.support(lean.steepness);
-  if (lift <= greatest.known) return;
-  const Sides at = contact_in(shape, lean, from, edge, sweep);
-  if (at.u >= 0 && at.u <= 1 && at.v >= 0 && at.v <= 1) greatest.take(lift);
+/// The lift falls away from the contact with the whole plane. So the greatest lies there, or on a
+/// side of the facet that faces it.
+void lift_over_facet(const CutterShape& shape, const Lean& lean, const Corners& t, double lift,
+                     GreatestLift& greatest) {
+  const Sides at(contact_of(shape, lean), t[0], t[1] - t[0], t[2] - t[0]);
+  if (at.u >= 0 && at.v >= 0 && at.u + at.v <= 1) return greatest.take(lift);
+  if (!(at.u >= 0)) lift_over_edge(shape, t[0], t[2], greatest);
+  if (!(at.v >= 0)) lift_over_edge(shape, t[0], t[1], greatest);
+  if (!(at.u + at.v <= 1)) lift_over_edge(shape, t[1], t[2], greatest);
 }
 
-void lift_over_sweeps(const CutterShape& shape, const Corners& at_a, const Corners& at_b,
-                      GreatestLift& greatest) {
-  const Vec3 sweep = at_b[0] - at_a[0];
-  for (int i = 0; i < 3; ++i) {
-    lift_over_edge(shape, at_a[i], at_b[i], greatest);
-    lift_over_swept_edge(shape, at_a[i], at_a[(i + 1) % 3] - at_a[i], sweep, greatest);
-  }
+/// The four corners of the parallelogram that an edge sweeps, and the corner of the triangle that
+/// is not on the edge.
+struct SweptEdge {
+  Vec3 a0, a1, b0, b1, opposite;
+};
+
+void lift_over_outline(const CutterShape& shape, const SweptEdge& e, GreatestLift& greatest) {
+  lift_over_edge(shape, e.a0, e.a1, greatest);
+  lift_over_edge(shape, e.b0, e.b1, greatest);
+  lift_over_edge(shape, e.a0, e.b0, greatest);
+  lift_over_edge(shape, e.a1, e.b1, greatest);
+}
+
+void lift_over_swept_edge(const CutterShape& shape, const SweptEdge& e, GreatestLift& greatest) {
+  const Vec3 edge = e.a1 - e.a0, sweep = e.b0 - e.a0;
+  const Lean lean(cross(edge, sweep));
+  if (lean.upright) return lift_over_outline(shape, e, greatest);
+  const double offset =
+      std::max({lean.offset(e.a0), lean.offset(e.a1), lean.offset(e.b0), lean.offset(e.b1)});
+  // A lower side of the prism: the upper ones have all that is above it.
+  if (lean.offset(e.opposite) > offset) return;
+  const double lift = offset + shape.support(lean.steepness);
+  if (lift <= greatest.known) return;
+  const Sides at(contact_of(shape, lean), e.a0, edge, sweep);
+  if (at.u >= 0 && at.u <= 1 && at.v >= 0 && at.v <= 1) return greatest.take(lift);
+  if (!(at.u >= 0)) lift_over_edge(shape, e.a0, e.b0, greatest);
+  if (!(at.u <= 1)) lift_over_edge(shape, e.a1, e.b1, greatest);
+  if (!(at.v >= 0)) lift_over_edge(shape, e.a0, e.a1, greatest);
+  if (!(at.v <= 1)) lift_over_edge(shape, e.b0, e.b1, greatest);
 }
 
 }  // namespace
 
 void lift_over_triangle(const CutterShape& shape, const Corners& seen, GreatestLift& greatest) {
   const Lean lean(cross(seen[1] - seen[0], seen[2] - seen[0]));
-  if (!lean.upright) {
-    const double lift = lean.offset(seen) + shape.support(lean.steepness);
-    if (lift <= greatest.known) return;
-    if (touches_triangle(shape, lean, seen)) return greatest.take(lift);
-  }
-  lift_over_edges(shape, seen, greatest);
+  if (lean.upright) return lift_over_edges(shape, seen, greatest);
+  const double lift = lean.offset(seen) + shape.support(lean.steepness);
+  if (lift > greatest.known) lift_over_facet(shape, lean, seen, lift, greatest);
 }
 
 void lift_over_prism(const CutterShape& shape, const Corners& seen_from_a,
                      const Corners& seen_from_b, GreatestLift& greatest) {
   const Lean lean(cross(seen_from_a[1] - seen_from_a[0], seen_from_a[2] - seen_from_a[0]));
-  const Corners* higher = &seen_from_a;
-  const Corners* lower = &seen_from_b;
   if (!lean.upright) {
-    if (lean.offset(*higher) < lean.offset(*lower)) std::swap(higher, lower);
-    const double support = shape.support(lean.steepness);
-    const double lift = lean.offset(*higher) + support;
+    const double a = lean.offset(seen_from_a), b = lean.offset(seen_from_b);
+    const double lift = std::max(a, b) + shape.support(lean.steepness);
     if (lift <= greatest.known) return;
-    if (touches_triangle(shape, lean, *higher)) return greatest.take(lift);
-    if (touches_triangle(shape, lean, *lower)) greatest.take(lean.offset(*lower) + support);
+    lift_over_facet(shape, lean, a > b ? seen_from_a : seen_from_b, lift, greatest);
+    if (lift <= greatest.known) return;
   }
-  lift_over_edges(shape, *higher, greatest);
-  lift_over_edges(shape, *lower, greatest);
-  lift_over_sweeps(shape, seen_from_a, seen_from_b, greatest);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    lift_over_swept_edge(
+        shape, {seen_from_a[i], seen_from_a[j], seen_from_b[i], seen_from_b[j], seen_from_a[k]},
+        greatest);
+  }
 }
 
 }  // namespace limitgauge::engine::strategy

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace limitgauge::engine::strategy {
@@ -11,24 +10,6 @@ namespace {
 double corner_radius(const model::Cutter& cutter) {
   if (cutter.type == model::CutterType::flat) return 0;
   return cutter.type == model::CutterType::ball ? cutter.radius_mm() : cutter.corner_radius_mm;
-}
-
-double arc_height(const CutterShape::Ring& ring, double d) {
-  const double out = std::max(0.0, d - ring.radius_mm), s = ring.rounding_mm;
-  return ring.height_mm - std::sqrt(std::max(0.0, (s - out) * (s + out)));
-}
-
-double arc_slope(const CutterShape::Ring& ring, double d) {
-  const double out = d - ring.radius_mm, s = ring.rounding_mm;
-  if (out <= 0) return 0;
-  if (out >= s) return std::numeric_limits<double>::infinity();
-  return out / std::sqrt((s - out) * (s + out));
-}
-
-/// Inverse of arc_height() on the arc and beyond it.
-double arc_distance(const CutterShape::Ring& ring, double height_mm) {
-  const double up = std::min(0.0, height_mm - ring.height_mm), s = ring.rounding_mm;
-  return ring.radius_mm + std::sqrt(std::max(0.0, (s - up) * (s + up)));
 }
 
 double ring_support(const CutterShape::Ring& ring, double steepness, double root) {
@@ -69,24 +50,6 @@ void CutterShape::finish_single() {
   first_.begin_mm = first_.ring.radius_mm;
   first_.end_mm = reach_mm_ = first_.ring.radius_mm + first_.ring.rounding_mm;
   last_ = first_;
-}
-
-double CutterShape::height(double d) const {
-  if (d <= first_.end_mm || !coned_) return arc_height(first_.ring, d);
-  if (d <= last_.begin_mm) return cone_z_mm_ + (d - first_.end_mm) * cone_slope_;
-  return arc_height(last_.ring, d);
-}
-
-double CutterShape::slope(double d) const {
-  if (d <= first_.end_mm || !coned_) return arc_slope(first_.ring, d);
-  return d <= last_.begin_mm ? cone_slope_ : arc_slope(last_.ring, d);
-}
-
-double CutterShape::distance_below(double height_mm) const {
-  if (height_mm < bottom_mm()) return -1;
-  if (!coned_ || height_mm <= cone_z_mm_) return arc_distance(first_.ring, height_mm);
-  const double d = first_.end_mm + (height_mm - cone_z_mm_) / cone_slope_;
-  return d <= last_.begin_mm ? d : arc_distance(last_.ring, height_mm);
 }
 
 double CutterShape::support(double steepness) const {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "engine/model/cutter.h"
@@ -19,6 +22,22 @@ class CutterShape {
     double radius_mm = 0;    ///< of the circle
     double height_mm = 0;    ///< of the circle above the tip
     double rounding_mm = 0;  ///< by which the circle is grown
+
+    /// Lower side of the grown disc at distance `d`, its slope and its inverse.
+    double height_at(double d) const {
+      const double out = std::max(0.0, d - radius_mm);
+      return height_mm - std::sqrt(std::max(0.0, (rounding_mm - out) * (rounding_mm + out)));
+    }
+    double slope_at(double d) const {
+      const double out = d - radius_mm;
+      if (out <= 0) return 0;
+      if (out >= rounding_mm) return std::numeric_limits<double>::infinity();
+      return out / std::sqrt((rounding_mm - out) * (rounding_mm + out));
+    }
+    double distance_at(double z) const {
+      const double up = std::min(0.0, z - height_mm);
+      return radius_mm + std::sqrt(std::max(0.0, (rounding_mm - up) * (rounding_mm + up)));
+    }
   };
   /// Place and slope of the arc of one ring: from d = begin_mm to d = end_mm.
   struct Arc {
@@ -42,12 +61,24 @@ class CutterShape {
 
   /// Height p(d) of the lower side above the tip at distance `d` from the axis: convex, not
   /// falling. Beyond the reach it is that at the reach: ask only within.
-  double height(double d) const;
+  double height(double d) const {
+    if (d <= first_.end_mm || !coned_) return first_.ring.height_at(d);
+    if (d <= last_.begin_mm) return cone_z_mm_ + (d - first_.end_mm) * cone_slope_;
+    return last_.ring.height_at(d);
+  }
   /// p'(d); infinite where the side is upright.
-  double slope(double d) const;
+  double slope(double d) const {
+    if (d <= first_.end_mm || !coned_) return first_.ring.slope_at(d);
+    return d <= last_.begin_mm ? cone_slope_ : last_.ring.slope_at(d);
+  }
   /// The greatest distance, up to the reach, at which the lower side is no higher than `height_mm`
   /// above the tip; negative where it is higher everywhere.
-  double distance_below(double height_mm) const;
+  double distance_below(double height_mm) const {
+    if (height_mm < bottom_mm()) return -1;
+    if (!coned_ || height_mm <= cone_z_mm_) return first_.ring.distance_at(height_mm);
+    const double d = first_.end_mm + (height_mm - cone_z_mm_) / cone_slope_;
+    return d <= last_.begin_mm ? d : last_.ring.distance_at(height_mm);
+  }
   /// How high over the plane z + g . (x, y) = c a tip on it must be lifted so that the body only
   /// touches the plane; `steepness` is |g|.
   double support(double steepness) const;

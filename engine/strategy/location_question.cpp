@@ -26,6 +26,25 @@ double plane_lift(const LocationNode& node, const Vec3& tip) {
   return node.plane_lift - node.gx * tip.x - node.gy * tip.y - tip.z;
 }
 
+/// Bound on the lift over the part of a node's plane that lies over its box, for tips from
+/// `tip + back` to `tip + ahead`: that lift is concave in the place of the plane and the tip, so
+/// the tangent at one pair of them bounds it, taken here near the contact with the whole plane.
+double tangent_lift(const CutterShape& shape, const LocationNode& node, const TopBox& box,
+                    const Vec3& tip, const Vec3& back, const Vec3& ahead) {
+  const double x = std::clamp(tip.x + node.contact_x, box.low_x, box.high_x);
+  const double y = std::clamp(tip.y + node.contact_y, box.low_y, box.high_y);
+  const double out_x = x - tip.x, out_y = y - tip.y;
+  const double d = std::sqrt(out_x * out_x + out_y * out_y);
+  if (d >= shape.reach_mm()) return std::numeric_limits<double>::infinity();
+  const double pull = d > 0 ? shape.slope(d) / d : 0;
+  const double by_x = -node.gx - pull * out_x, by_y = -node.gy - pull * out_y;
+  double lift = node.c - node.gx * x - node.gy * y - shape.height(d) - tip.z;
+  lift += std::max(by_x * (box.low_x - x), by_x * (box.high_x - x));
+  lift += std::max(by_y * (box.low_y - y), by_y * (box.high_y - y));
+  const auto gain = [&](const Vec3& way) { return pull * (out_x * way.x + out_y * way.y) - way.z; };
+  return lift + std::max({0.0, gain(back), gain(ahead)});
+}
+
 /// A part of a move, in shares of it.
 struct Share {
   double begin = 0, end = 1;
@@ -50,8 +69,11 @@ double PlaceQuestion::bound(const LocationNode& node, double known) const {
   const double dy = gap(box.low_y, box.high_y, tip_.y, tip_.y);
   const double squared = dx * dx + dy * dy, reach = body_.shape.reach_mm() + kReachSlack_mm;
   if (squared > reach * reach) return kNothing;
-  const double lift = box.high_z - height_at(body_.shape, squared) - tip_.z;
-  return kBoundSlack_mm + (body_.has_planes ? std::min(lift, plane_lift(node, tip_)) : lift);
+  double lift = box.high_z - height_at(body_.shape, squared) - tip_.z;
+  if (body_.has_planes)
+    lift = std::min(
+        {lift, plane_lift(node, tip_), tangent_lift(body_.shape, node, box, tip_, {}, {})});
+  return lift + kBoundSlack_mm;
 }
 
 bool PlaceQuestion::concerns(const TopBox& box, double known) const {
@@ -115,9 +137,27 @@ double MoveQuestion::bound(const LocationNode& node, double known) const {
   if (part.empty) return kNothing;
   double lift = box.high_z - height_at(body_.shape, part.squared_mm2);
   lift -= std::min(part.from.z, part.to.z);
-  if (body_.has_planes)
-    lift = std::min(lift, std::max(plane_lift(node, part.from), plane_lift(node, part.to)));
+  if (body_.has_planes) lift = std::min(lift, plane_bound(node, box, part, known));
   return lift + kBoundSlack_mm;
+}
+
+double MoveQuestion::plane_bound(const LocationNode& node, const TopBox& box, const Part& part,
+                                 double known) const {
+  const double at_from = plane_lift(node, part.from), at_to = plane_lift(node, part.to);
+  const double lift = std::max(at_from, at_to);
+  if (lift <= known) return lift;
+  // The plane cannot matter where the move is so far above it that it lifts by less than known.
+  const double share = (known - at_from) / (at_to - at_from);
+  const Vec3 way = part.to - part.from, between = part.from + way * share;
+  const Vec3 from = at_from < known ? between : part.from, to = at_to < known ? between : part.to;
+  const Vec3 rest = to - from;
+  // The tip that touches the plane nearest to the middle of the box.
+  const double x = (box.low_x + box.high_x) / 2 - node.contact_x - from.x;
+  const double y = (box.low_y + box.high_y) / 2 - node.contact_y - from.y;
+  const double squared = rest.x * rest.x + rest.y * rest.y;
+  const double at = squared > 0 ? std::clamp((x * rest.x + y * rest.y) / squared, 0.0, 1.0) : 0.0;
+  return std::min(
+      lift, tangent_lift(body_.shape, node, box, from + rest * at, rest * -at, rest * (1 - at)));
 }
 
 bool MoveQuestion::concerns(const TopBox& box, double known) const {

@@ -54,6 +54,8 @@ class MoveQuestion {
   };
   Part within(const TopBox& box, double reach) const;
   Part concerned(const TopBox& box, double known) const;
+  double plane_bound(const LocationNode& node, const TopBox& box, const Part& part,
+                     double known) const;
 
   AskingBody body_;
   Vec3 from_, to_, way_;

@@ -40,13 +40,23 @@ void for_points(const Grid& grid, const LocationLeaf& cells, const Visit& visit)
     for (int u = cells.u; u <= cells.u_end; ++u) visit(grid.at(u, v));
 }
 
+/// Sets what follows from the lean of the node's plane and its offset.
+void lean_on(LocationNode& node, double c, const CutterShape& shape) {
+  const double gx = node.gx, gy = node.gy, steepness = std::sqrt(gx * gx + gy * gy);
+  node.c = c;
+  node.plane_lift = c + shape.support(steepness);
+  const double share = steepness > 0 ? shape.contact_distance(steepness) / steepness : 0;
+  node.contact_x = static_cast<float>(-gx * share);
+  node.contact_y = static_cast<float>(-gy * share);
+}
+
 void set_box(LocationNode& node, const Box3& box, const CutterShape& shape) {
   node.low_x = round_down(box.low.x);
   node.low_y = round_down(box.low.y);
   node.high_x = round_up(box.high.x);
   node.high_y = round_up(box.high.y);
   node.high_z = round_up(box.high.z);
-  node.plane_lift = node.high_z + shape.support(0);
+  lean_on(node, node.high_z, shape);
 }
 
 void set_plane(LocationNode& node, const Grid& grid, const LocationLeaf& cells,
@@ -62,7 +72,7 @@ void set_plane(LocationNode& node, const Grid& grid, const LocationLeaf& cells,
     c = std::max(c, p.z + node.gx * p.x + node.gy * p.y);
     size = std::max(size, std::abs(p.z) + std::abs(node.gx * p.x) + std::abs(node.gy * p.y));
   });
-  node.plane_lift = c + kRounding * size + shape.support(std::hypot(node.gx, node.gy));
+  lean_on(node, c + kRounding * size, shape);
 }
 
 }  // namespace

@@ -12,15 +12,17 @@ namespace limitgauge::engine::strategy {
 using model::Box3;
 using model::Vec3;
 
-/// A box around triangles and a plane above them all; the body whose tip is at (x, y, z) clears the
-/// plane, and so the triangles, once it is lifted by plane_lift - gx x - gy y - z. Floats are
-/// rounded outwards.
+/// A box around triangles and a plane z + gx x + gy y = c above them all. The body whose tip is at
+/// (x, y, z) clears the plane, and so the triangles, once it is lifted by
+/// plane_lift - gx x - gy y - z; then it touches the plane at (contact_x, contact_y) from its axis.
+/// Floats are rounded outwards where that matters.
 struct LocationNode {
   float low_x = 0, low_y = 0, high_x = 0, high_y = 0, high_z = 0;
   float gx = 0, gy = 0;
+  float contact_x = 0, contact_y = 0;
   std::int32_t first = 0;     ///< first of the children, or index of the leaf
   std::int32_t children = 0;  ///< none: a leaf
-  double plane_lift = 0;
+  double c = 0, plane_lift = 0;
 };
 
 /// Cells [u, u_end) x [v, v_end) of a grid.

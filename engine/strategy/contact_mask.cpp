@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -14,11 +15,12 @@ constexpr double kOverhang = 0.02;
 
 class Marker {
  public:
-  Marker(const LimitLocations& limit, const model::Cutter& cutter, const Raster& nodes)
-      : limit_(limit), reach_{CellMask(nodes), std::numeric_limits<double>::infinity()} {
-    corner_ = corner_radius_mm(cutter);
-    flat_ = cutter.radius_mm() - corner_;
-  }
+  Marker(const LimitLocations& limit, const StageRequest& request, const Raster& nodes)
+      : limit_(limit),
+        reach_{CellMask(nodes), CellMask(nodes), std::numeric_limits<double>::infinity()},
+        corner_(corner_radius_mm(request.cutter)),
+        flat_(request.cutter.radius_mm() - corner_),
+        steep_(std::cos(request.cut.steep_angle_deg * std::numbers::pi / 180)) {}
 
   void add(const surface::LimitPatch& patch, int depth) {
     const int stride = patch.cells() >> depth;
@@ -32,14 +34,16 @@ class Marker {
  private:
   void add_cell(const surface::LimitPatch& patch, const std::array<int, 4>& corners) {
     model::Box3 box;
-    bool faces_up = false;
+    bool faces_up = false, steep = false;
     for (const int i : corners) {
       box.add(tip(patch.points[i], patch.normals[i]));
       faces_up = faces_up || patch.normals[i].z >= -kOverhang;
+      steep = steep || patch.normals[i].z <= steep_;
     }
     if (!faces_up) return;
     reach_.lowest_mm = std::min(reach_.lowest_mm, box.low.z);
-    mark(box);
+    mark(box, reach_.cells);
+    if (steep) mark(box, reach_.steep);
   }
 
   Vec3 tip(const Vec3& p, const Vec3& normal) const {
@@ -50,8 +54,7 @@ class Marker {
     return p + facing * (corner_ + limit_.kept_mm) + out * flat_ - Vec3{0, 0, corner_};
   }
 
-  void mark(const model::Box3& box) {
-    CellMask& mask = reach_.cells;
+  static void mark(const model::Box3& box, CellMask& mask) {
     const auto cell = [&](double at, double low, int count) {
       return static_cast<int>(
           std::clamp(std::floor((at - low) / mask.nodes.pixel_mm), 0.0, count - 1.0));
@@ -66,14 +69,15 @@ class Marker {
 
   const LimitLocations& limit_;
   ContactReach reach_;
-  double flat_ = 0, corner_ = 0;
+  double corner_, flat_;
+  double steep_;  ///< height of a unit normal there
 };
 
 }  // namespace
 
 ContactReach contact_reach(const surface::PatchModel& model, const LimitLocations& limit,
-                           const model::Cutter& cutter, const Raster& nodes) {
-  Marker marker(limit, cutter, nodes);
+                           const StageRequest& request, const Raster& nodes) {
+  Marker marker(limit, request, nodes);
   const auto& patches = model.patches();
   for (std::size_t p = 0; p < patches.size(); ++p)
     marker.add(patches[p].limit, limit.mesh.depths[p]);

@@ -12,9 +12,10 @@ namespace limitgauge::engine::strategy {
 /// them has touched already.
 struct ContactReach {
   CellMask cells;
+  CellMask steep;        ///< of contacts at least as steep as asked
   double lowest_mm = 0;  ///< tip height of the lowest such contact
 };
 ContactReach contact_reach(const surface::PatchModel& model, const LimitLocations& limit,
-                           const model::Cutter& cutter, const Raster& nodes);
+                           const StageRequest& request, const Raster& nodes);
 
 }  // namespace limitgauge::engine::strategy

@@ -31,16 +31,28 @@ FlatPoint moved(const FlatPoint& p, const FlatPoint& direction, double by) {
 
 }  // namespace
 
-bool HeightCurves::forbidden(const FlatPoint& p) const {
+double HeightCurves::above(const FlatPoint& p) const {
   const auto z = locations_.tip_z(p.x, p.y);
-  return z && *z > height_;
+  return z ? *z - height_ : -std::numeric_limits<double>::infinity();
 }
 
+/// Where heights are finite, looks where a straight line through them passes the curve, a little
+/// toward the middle so that brackets close from both sides; halves what that leaves too wide.
 FlatPoint HeightCurves::crossing(FlatPoint free, FlatPoint held) const {
   const double close = kCrossingShare * tolerance_;
-  while (distance(free, held) > close) {
-    const FlatPoint middle = toward(free, held, 0.5);
-    (forbidden(middle) ? held : free) = middle;
+  double below = above(free), over = above(held);
+  const auto look = [&](double t) {
+    const FlatPoint p = toward(free, held, t);
+    const double z = above(p);
+    (z > 0 ? held : free) = p;
+    (z > 0 ? over : below) = z;
+  };
+  for (double width = distance(free, held); width > close; width = distance(free, held)) {
+    if (std::isfinite(below)) {
+      const double at = below / (below - over), aside = close / (2 * width);
+      look(at < 0.5 ? std::min(0.5, at + aside) : std::max(0.5, at - aside));
+    }
+    if (distance(free, held) > width / 2) look(0.5);
   }
   return free;
 }
@@ -64,18 +76,20 @@ std::vector<FlatPoint> HeightCurves::exact_points(const Isoline& line) const {
   return points;
 }
 
-/// Looks for the curve on the line across the middle of a chord, no farther than leaves both halves
-/// shorter than the chord.
+/// Looks for the curve on the line across the middle of a chord, beyond what chords may leave it by
+/// and no farther than leaves both halves shorter than the chord.
 bool HeightCurves::find_beside(const FlatPoint& a, const FlatPoint& b, FlatPoint& found) const {
   const FlatPoint middle = toward(a, b, 0.5), left = left_of(a, b);
-  const bool held = forbidden(middle);
+  const bool held = held_at(middle);
   const double side = held ? 1 : -1;
   FlatPoint before = middle;
   constexpr double kFarthest = 0.8;
   const double farthest = kFarthest * distance(a, b);
-  for (double away = kCurveShare * tolerance_; away <= farthest; away *= 2) {
+  const double close = kCurveShare * tolerance_;
+  for (double away = close; away <= farthest; away *= 2) {
     const FlatPoint next = moved(middle, left, side * away);
-    if (forbidden(next) != held) {
+    if (held_at(next) != held) {
+      if (away <= close) return false;
       found = held ? crossing(next, before) : crossing(before, next);
       return true;
     }
@@ -87,9 +101,7 @@ bool HeightCurves::find_beside(const FlatPoint& a, const FlatPoint& b, FlatPoint
 void HeightCurves::densify(const FlatPoint& a, const FlatPoint& b,
                            std::vector<FlatPoint>& dense) const {
   FlatPoint beside;
-  const double flat = kCurveShare * tolerance_;
-  if (distance(a, b) > 2 * flat && find_beside(a, b, beside) &&
-      distance(beside, toward(a, b, 0.5)) > flat) {
+  if (distance(a, b) > 2 * kCurveShare * tolerance_ && find_beside(a, b, beside)) {
     densify(a, beside, dense);
     densify(beside, b, dense);
     return;
@@ -115,7 +127,7 @@ std::vector<FlatPoint> HeightCurves::pushed(const std::vector<FlatPoint>& curve,
     double by = kPushShare * tolerance_;
     constexpr double kLeast = 0.1;
     const double least = kLeast * by;
-    while (by > least && forbidden(moved(curve[i], left, by))) by /= 2;
+    while (by > least && held_at(moved(curve[i], left, by))) by /= 2;
     out.push_back(by > least ? moved(curve[i], left, by) : curve[i]);
   }
   return out;

@@ -22,7 +22,10 @@ class HeightCurves {
   std::vector<Waterline> passes() const;
 
  private:
-  bool forbidden(const FlatPoint& p) const;
+  /// Tip height at a place less that of the curve; minus infinity where nothing is under the
+  /// cutter.
+  double above(const FlatPoint& p) const;
+  bool held_at(const FlatPoint& p) const { return above(p) > 0; }
   /// The curve between a free and a forbidden place, from the free side.
   FlatPoint crossing(FlatPoint free, FlatPoint held) const;
   FlatPoint exact(const FlatPoint& edge_middle) const;

@@ -52,8 +52,10 @@ class Spread {
         away_(slopes.cells.size(), std::numeric_limits<double>::infinity()) {}
 
   CellMask from(CellMask mask) {
-    for (std::size_t i = 0; i < mask.set.size(); ++i)
-      if (mask.set[i]) reach(i, 0);
+    // Cells of the mask count as a whole: what is beside them is as near as their border.
+    source_ = mask.set;
+    for (std::size_t i = 0; i < source_.size(); ++i)
+      if (source_[i]) reach(i, 0);
     while (!open_.empty()) {
       const auto [away, i] = open_.top();
       open_.pop();
@@ -78,17 +80,18 @@ class Spread {
         if (c < 0 || r < 0 || c >= mask.columns() || r >= mask.rows()) continue;
         const std::size_t next = mask.index(c, r);
         if (!slopes_.cells[next].covered) continue;
-        const double flat = mask.nodes.pixel_mm * std::hypot(di, dj);
-        reach(next, away_[i] + std::hypot(flat, middle(next) - middle(i)));
+        reach(next, away_[i] + std::hypot(mask.nodes.pixel_mm * std::hypot(di, dj), height(i)));
       }
   }
-  double middle(std::size_t i) const {
-    return (slopes_.cells[i].low_mm + slopes_.cells[i].high_mm) / 2;
+  /// What has to be climbed to get across a cell.
+  double height(std::size_t i) const {
+    return source_[i] ? 0.0 : slopes_.cells[i].high_mm - slopes_.cells[i].low_mm;
   }
 
   const SlopeCells& slopes_;
   double farthest_;
   std::vector<double> away_;
+  std::vector<std::uint8_t> source_;
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };

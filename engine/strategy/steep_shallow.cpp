@@ -26,6 +26,9 @@ double overlap_of(const StageRequest& request) {
   return request.cut.overlap_mm.value_or(2 * request.cut.step_mm);
 }
 
+/// How far the cells of a steep contact may be from it, in cells: their corners see its slope.
+constexpr double kNeighbours = 2;
+
 /// Cells so small that a step sees what lies between two passes, and the cutter its own radius.
 double cell_size(const StageRequest& request) {
   constexpr double kOfStep = 0.5, kOfRadius = 0.25;
@@ -94,11 +97,14 @@ SteepRegions find_regions(const surface::PatchModel& model, const LimitLocations
   // What shank, holder or a taper's flank hold up alone is as good as nothing.
   for (double& z : regions.tips.z)
     if (z < limit.lowest_contact_mm) z = -std::numeric_limits<double>::infinity();
-  const ContactReach reach = contact_reach(model, limit, request.cutter, regions.tips.raster);
+  const ContactReach reach = contact_reach(model, limit, request, regions.tips.raster);
   regions.lowest_mm = std::max(reach.lowest_mm, request.floor_z_mm);
   regions.slopes = measure_slopes(regions.tips, regions.lowest_mm);
   const double angle = radians(request.cut.steep_angle_deg);
-  regions.steep = steep_cells(regions.slopes, angle);
+  // Steep places of the cutter location surface that no steep place of the part asks for roll over
+  // its boundary or a crease.
+  regions.steep = both(steep_cells(regions.slopes, angle),
+                       grown(reach.steep, regions.slopes, kNeighbours * cell));
   const CellMask touched = grown(reach.cells, regions.slopes, overlap);
   regions.contours = both(grown(regions.steep, regions.slopes, overlap), touched);
   regions.rows =

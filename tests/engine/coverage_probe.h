@@ -95,7 +95,7 @@ inline Coverage cover(const std::vector<std::vector<Vec3>>& lines, const model::
                       double allowance_mm, const std::vector<SurfacePoint>& surface,
                       const engine::strategy::CutterLocations& locations, double slack_mm,
                       double floor_mm) {
-  constexpr double kSpacing = 0.05, kBeyond = 0.6;
+  constexpr double kSpacing = 0.1, kBeyond = 0.6;
   const SweptTips tips(lines, kSpacing);
   Coverage found;
   for (const SurfacePoint& s : surface) {

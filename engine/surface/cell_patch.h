@@ -25,7 +25,8 @@ class CellPatch {
   CellPatch(const OuterMesh& mesh, Index face);
 
   /// The cell at corner `c` of this patch as a patch of its own, at depth 0: so that a corner whose
-  /// surface bends more and more refines without the rest. Needs depth 2 or more.
+  /// surface bends more and more refines without the rest. Needs depth 1 or more, and no
+  /// semi-sharp tags.
   CellPatch corner_cell(int c) const;
 
   /// Figure 3: corners by their rings, sides by A_c and A_e, the interior by A_c; then the strips.

@@ -14,6 +14,7 @@ namespace limitgauge::engine::surface {
 struct OffsetModel {
   std::vector<Grid> grids;  ///< one a patch
   std::vector<int> depths;  ///< one a patch
+  std::vector<int> intervals;  ///< one a patch, equation 10: see interval_min
   /// Finer pieces over the corners of the grids; none where the offset is zero.
   std::vector<Grid> corners;
   int interval_min = 1, interval_max = 1;  ///< equation 10: 2^(depth of the model - sampled depth)

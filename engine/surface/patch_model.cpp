@@ -1,7 +1,6 @@
 #include "engine/surface/patch_model.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace limitgauge::engine::surface {
 namespace {
@@ -9,18 +8,16 @@ namespace {
 constexpr int kNoPatch = -1;
 /// Share of the precision given to the meshes; the rest is for rims, reduction and rounding.
 constexpr double kMeshShare = 0.25;
-/// Depth from which bounds are looked at: fewer cells are all corners.
-constexpr int kFirstDepth = 2;
-/// Depth at which the cell at a corner is a quarter of the patch's side.
-constexpr int kCornerDepth = 2;
-/// Quarters of quarters taken at a corner: the last is 4^-8 of the patch's side.
-constexpr int kMostQuarters = 8;
+/// Depth to which control nets are looked at for bounds: cells are flat enough there for their
+/// hulls to be tight.
+constexpr int kAnalysedDepth = 5;
+/// Quarters of quarters taken at a corner: control nets shrink by 0.654 a level at worst, two
+/// levels a quarter, so the last is a ten-thousandth of the first.
+constexpr int kMostQuarters = 12;
+constexpr int kAnalysedCorner = 3;
 constexpr int kDeepestCorner = 7;
-
-ChordBound no_bound() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {kInfinity, kInfinity, {kInfinity, kInfinity, kInfinity, kInfinity}};
-}
+/// Depth at which the cell at a corner is a quarter of the side.
+constexpr int kQuarter = 2;
 
 }  // namespace
 
@@ -34,66 +31,72 @@ PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& request,
     patches_.emplace_back();
     patches_.back().first_half_edge = outer_.face_offsets[f];
   }
+  std::vector<ChordBounds> bounds(patches_.size());
   model::parallel_for(patches_.size(), control.threads, [&](std::size_t p) {
     control.check();
-    build_patch(p, request);
+    bounds[p] = bound_patch(p, request);
+    patches_[p].bounds = bounds[p].at;
+  });
+  const std::vector<int> depths = depths_within(kMeshShare * request.precision_mm);
+  model::parallel_for(patches_.size(), control.threads, [&](std::size_t p) {
+    control.check();
+    build_patch(p, depths[p], bounds[p], request);
   });
   share_edges();
   for (const ModelPatch& patch : patches_)
     for (const Vec3& point : patch.limit.points) box_.add(point);
 }
 
-void PatchModel::build_patch(std::size_t p, const ModelRequest& request) {
+ChordBounds PatchModel::bound_patch(std::size_t p, const ModelRequest& request) {
+  CellPatch cell(outer_, outer_.face_of[patches_[p].first_half_edge]);
+  const int largest = std::max(request.largest_depth, cell.smallest_limit_depth());
+  return chord_bounds(std::move(cell), {request.largest_offset_mm, kAnalysedDepth, largest, true});
+}
+
+void PatchModel::build_patch(std::size_t p, int depth, const ChordBounds& bounds,
+                             const ModelRequest& request) {
   ModelPatch& patch = patches_[p];
   CellPatch cell(outer_, outer_.face_of[patch.first_half_edge]);
-  const int first = std::max(kFirstDepth, cell.smallest_limit_depth());
-  while (cell.depth() < first) {
-    cell.refine();
-    patch.bounds.push_back(no_bound());
-  }
-  const double wanted = kMeshShare * request.precision_mm;
-  std::array<bool, 4> rim{};
-  for (int side = 0; side < 4; ++side) {
-    const Index h = patch.first_half_edge + side;
-    rim[side] = ends_at(h) || creased_at(h);
-  }
-  std::vector<CellPatch> corners;
-  for (;;) {
-    if (corners.empty() && cell.depth() == kCornerDepth && !cell.tagged())
-      for (int c = 0; c < 4; ++c) corners.push_back(cell.corner_cell(c));
-    patch.limit = cell.limit();
-    patch.bounds.push_back(chord_bound(cell, patch.limit, request.largest_offset_mm, rim));
-    const ChordBound& bound = patch.bounds.back();
-    const bool enough = std::max(bound.offset_mm, bound.limit_mm) <= wanted;
-    if (enough || cell.depth() >= request.largest_depth) break;
+  while (cell.depth() < depth) {
+    if (request.largest_offset_mm > 0 && cell.depth() == bounds.corner_depth)
+      for (int c = 0; c < 4; ++c)
+        if (bounds.extraordinary[c]) build_corner(patch, cell.corner_cell(c), request);
     cell.refine();
   }
-  for (std::size_t c = 0; c < corners.size(); ++c)
-    if (patch.bounds.back().corner_offset_mm[c] > wanted)
-      build_corner(patch, std::move(corners[c]), request);
+  patch.limit = cell.limit();
+  patch.bounds.resize(static_cast<std::size_t>(depth) + 1);
 }
+
+namespace {
+
+/// Largest distance of the surface over all of `cell` from its first corner.
+double speck_radius(const CellPatch& cell) {
+  std::vector<Vec3> hull;
+  for (int c = 0; c < 4; ++c) cell.ring(c).add_points(hull);
+  const Vec3 vertex = cell.ring(0).limit_point();
+  double radius = 0;
+  for (const Vec3& p : hull) radius = std::max(radius, distance(p, vertex));
+  return radius;
+}
+
+}  // namespace
 
 void PatchModel::build_corner(ModelPatch& patch, CellPatch cell, const ModelRequest& request) {
   const double wanted = kMeshShare * request.precision_mm;
-  for (int quarter = 0; quarter < kMostQuarters; ++quarter) {
-    while (cell.depth() < kCornerDepth) cell.refine();
+  for (int quarter = 0; quarter < kMostQuarters && speck_radius(cell) > wanted; ++quarter) {
+    const ChordBounds bounds =
+        chord_bounds(cell, {request.largest_offset_mm, kAnalysedCorner, kDeepestCorner, false});
+    int depth = kQuarter + 1;
+    while (depth < kDeepestCorner && bounds.at[depth].offset_mm > wanted) ++depth;
+    patch.corner_bound_mm = std::max(patch.corner_bound_mm, bounds.at[depth].offset_mm);
+    while (cell.depth() < kQuarter) cell.refine();
     CellPatch inner = cell.corner_cell(0);
-    ChordBound bound;
-    LimitPatch limit;
-    for (;;) {
-      limit = cell.limit();
-      bound = chord_bound(cell, limit, request.largest_offset_mm, {});
-      const auto& c = bound.corner_offset_mm;
-      bound.offset_mm = std::max({bound.offset_mm, c[1], c[2], c[3]});
-      if (bound.offset_mm <= wanted || cell.depth() >= kDeepestCorner) break;
-      cell.refine();
-    }
-    patch.corners.push_back(std::move(limit));
-    patch.corner_excess_mm = std::max(patch.corner_excess_mm, bound.offset_mm - wanted);
-    if (bound.corner_offset_mm[0] <= wanted) return;
+    while (cell.depth() < depth) cell.refine();
+    patch.corners.push_back(cell.limit());
     cell = std::move(inner);
   }
-  // What is left is a speck: a ball at the vertex covers it but for its own size.
+  patch.corner_bound_mm = std::max(patch.corner_bound_mm, speck_radius(cell));
+  patch.specks.push_back(cell.ring(0).limit_point());
 }
 
 void PatchModel::copy_edge(Index from, Index to) {
@@ -119,8 +122,57 @@ void PatchModel::share_edges() {
 int PatchModel::depth_for(int p, double error_mm) const {
   const std::vector<ChordBound>& bounds = patches_[p].bounds;
   for (std::size_t d = 0; d < bounds.size(); ++d)
-    if (std::max(bounds[d].offset_mm, bounds[d].limit_mm) <= error_mm) return static_cast<int>(d);
-  return patches_[p].limit.depth;
+    if (bounds[d].largest_mm() <= error_mm) return static_cast<int>(d);
+  return static_cast<int>(bounds.size()) - 1;
+}
+
+double PatchModel::laid_mm(std::size_t p, const std::vector<int>& depths) const {
+  const ModelPatch& patch = patches_[p];
+  double laid = 0;
+  for (int side = 0; side < 4; ++side) {
+    const Index h = patch.first_half_edge + side;
+    if (ends_at(h)) continue;
+    const int other = depths[patch_at(outer_.twin[h])];
+    if (other < depths[p]) laid = std::max(laid, patch.bounds[other].side_mm[side]);
+  }
+  return laid;
+}
+
+std::vector<int> PatchModel::depths_within(double error_mm) const {
+  std::vector<int> depths;
+  for (std::size_t p = 0; p < patches_.size(); ++p)
+    depths.push_back(depth_for(static_cast<int>(p), error_mm));
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t p = 0; p < patches_.size(); ++p)
+      for (int side = 0; side < 4; ++side) {
+        const Index h = patches_[p].first_half_edge + side;
+        if (ends_at(h)) continue;
+        const auto& bounds = patches_[p].bounds;
+        const int other = patch_at(outer_.twin[h]);
+        const int most = static_cast<int>(patches_[other].bounds.size()) - 1;
+        int& depth = depths[other];
+        while (depth < std::min(depths[p], most) &&
+               bounds[depths[p]].largest_mm() + bounds[depth].side_mm[side] > error_mm) {
+          ++depth;
+          changed = true;
+        }
+      }
+  }
+  return depths;
+}
+
+Sampling PatchModel::sampling_for(double error_mm) const {
+  Sampling sampling{depths_within(error_mm), 0, 0};
+  for (std::size_t p = 0; p < patches_.size(); ++p) {
+    const ModelPatch& patch = patches_[p];
+    const ChordBound& bound = patch.bounds[sampling.depths[p]];
+    const double laid = laid_mm(p, sampling.depths);
+    sampling.limit_mm = std::max(sampling.limit_mm, bound.limit_mm + laid);
+    sampling.offset_mm =
+        std::max({sampling.offset_mm, bound.offset_mm + laid, patch.corner_bound_mm});
+  }
+  return sampling;
 }
 
 std::size_t PatchModel::memory_bytes() const {

@@ -1,0 +1,280 @@
+#include "engine/surface/vertex_zone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace limitgauge::engine::surface {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Levels of pieces inside the cell at the corner. Control nets shrink by 0.654 a level at worst:
+/// the speck left is a few ten-thousandths of the cell.
+constexpr int kLevels = 20;
+
+/// A chord of one of the patch's sides: P L is inside where the inward product is not negative.
+struct SideChord {
+  Vec3 start, inward;
+  double outside(const Vec3& p) const { return dot(inward, start - p); }
+};
+
+/// The linear map T of the plane across a normal; what stands along the normal is dropped.
+class LevelMap {
+ public:
+  LevelMap() = default;
+  /// Takes `to_x` and `to_y`, seen along the normal, to the unit vectors.
+  LevelMap(const Vec3& normal, const Vec3& to_x, const Vec3& to_y) {
+    const double area = dot(normal, cross(to_x, to_y));
+    x_ = cross(to_y, normal) / area;
+    y_ = cross(normal, to_x) / area;
+  }
+  std::array<double, 2> operator()(const Vec3& v) const { return {dot(x_, v), dot(y_, v)}; }
+  double length(const Vec3& v) const { return std::hypot(dot(x_, v), dot(y_, v)); }
+  /// At least |T|.
+  double norm() const { return std::hypot(model::length(x_), model::length(y_)); }
+
+ private:
+  Vec3 x_, y_;
+};
+
+}  // namespace
+
+/// One depth's argument.
+class VertexZones::Zone {
+ public:
+  Zone(const std::vector<Level>& levels, std::size_t at) : levels_(levels), at_(at) {
+    const Level& l = own();
+    constexpr int n = kBlock;
+    const Vec3 edge_u = l.node(n, 0) + l.node(n, n) - l.node(0, 0) - l.node(0, n);
+    const Vec3 edge_v = l.node(0, n) + l.node(n, n) - l.node(0, 0) - l.node(n, 0);
+    normal_ = normalized(cross(edge_u, edge_v));
+    map_ = LevelMap(normal_, edge_u / (2.0 * n), edge_v / (2.0 * n));
+    for (int t = 0; t < n; ++t) {
+      add_chord(l.node(t, 0), l.node(t + 1, 0));
+      add_chord(l.node(0, t + 1), l.node(0, t));
+    }
+  }
+
+  ZoneBound bound() {
+    measure_regular();
+    measure_corner();
+    measure_speck();
+    const double plain = std::hypot(off_, slide_);
+    return {std::min(plain, sliding()), std::hypot(off_, std::min(bulge_, slide_))};
+  }
+
+ private:
+  const Level& own() const { return levels_[at_]; }
+  double height(const Vec3& v) const { return std::abs(dot(normal_, v)); }
+  Vec3 level(const Vec3& v) const { return v - normal_ * dot(normal_, v); }
+
+  void add_chord(const Vec3& from, const Vec3& to) {
+    chords_.push_back({from, normalized(cross(normal_, to - from))});
+  }
+
+  void widen(double off, double slide, double mapped) {
+    off_ = std::max(off_, off);
+    slide_ = std::max(slide_, slide);
+    mapped_slide_ = std::max(mapped_slide_, mapped);
+  }
+  /// A piece that leaves the mesh by `deviation` at most at its nodes.
+  void widen(std::span<const Vec3> deviations, const ControlCell& net) {
+    const double off = interpolation(net, [this](const Vec3& d) { return height(d); });
+    const double slide = interpolation(net, [this](const Vec3& d) { return length(level(d)); });
+    const double mapped = interpolation(net, [this](const Vec3& d) { return map_.length(d); });
+    for (const Vec3& d : deviations)
+      widen(off + height(d), slide + length(level(d)), mapped + map_.length(d));
+  }
+  template <class Measure>
+  static double interpolation(const ControlCell& net, const Measure& measure) {
+    const auto largest = [&](int in_u, int in_v) {
+      double most = 0;
+      Differences(net, in_u, in_v).for_each([&](const Vec3& d) {
+        most = std::max(most, measure(d));
+      });
+      return most;
+    };
+    return (largest(2, 0) + 2 * largest(1, 1) + largest(0, 2)) / 8;
+  }
+
+  void overhangs(const Vec3& p) {
+    for (const SideChord& chord : chords_) overhang_ = std::max(overhang_, chord.outside(p));
+  }
+  /// Bézier points of a piece's curve along side 0 or 3 of the patch, over chord `t` of it.
+  void bulges(const Piece& piece, bool along_u, int t) {
+    const SideChord& chord = chords_[2 * t + (along_u ? 0 : 1)];
+    for (int k = 0; k < 4; ++k)
+      bulge_ = std::max(bulge_, std::abs(chord.outside(piece.bezier[along_u ? k : 4 * k])));
+  }
+
+  void measure_regular() {
+    for (int v = 0; v < kBlock; ++v)
+      for (int u = 0; u < kBlock; ++u) {
+        if (u == 0 && v == 0) continue;
+        const Piece& piece = own().piece(u, v);
+        widen(std::array{Vec3{}}, piece.net);
+        if (u < kWidth && v < kWidth)
+          for (const Vec3& p : piece.bezier) overhangs(p);
+        if (v == 0) bulges(piece, true, u);
+        if (u == 0) bulges(piece, false, v);
+      }
+  }
+
+  /// The mesh over the first cell, at u, v in [0, 1].
+  Vec3 mesh_at(double u, double v) const {
+    const Level& l = own();
+    const Vec3 a = l.node(0, 0), b = l.node(1, 0), c = l.node(1, 1), d = l.node(0, 1);
+    return v <= u ? a + (b - a) * u + (c - b) * v : a + (d - a) * v + (c - d) * u;
+  }
+
+  void measure_corner() {
+    double side = 1;
+    for (std::size_t j = at_ + 1; j <= at_ + kLevels; ++j) {
+      side /= 2;
+      for (const auto& [u, v] : {std::array{1, 0}, std::array{0, 1}, std::array{1, 1}}) {
+        const Piece& piece = levels_[j].piece(u, v);
+        std::array<Vec3, 4> deviations;
+        for (int k = 0; k < 4; ++k) {
+          const int i = u + k % 2, j2 = v + k / 2;
+          deviations[k] = levels_[j].node(i, j2) - mesh_at(i * side, j2 * side);
+        }
+        widen(deviations, piece.net);
+        for (const Vec3& p : piece.bezier) overhangs(p);
+        if (v == 0) bulges(piece, true, 0);
+        if (u == 0) bulges(piece, false, 0);
+      }
+    }
+  }
+
+  void measure_speck() {
+    const Vec3 vertex = own().node(0, 0);
+    const double side = std::ldexp(1.0, -kLevels);
+    double off = 0, slide = 0, mapped = 0;
+    for (const auto& [u, v] : {std::array{1, 0}, std::array{0, 1}, std::array{1, 1}}) {
+      const Vec3 to = mesh_at(u * side, v * side) - vertex;
+      off = std::max(off, height(to));
+      slide = std::max(slide, length(level(to)));
+      mapped = std::max(mapped, map_.length(to));
+    }
+    for (const Vec3& p : levels_[at_ + kLevels].hull) {
+      const Vec3 to = p - vertex;
+      widen(off + height(to), slide + length(level(to)), mapped + map_.length(to));
+      bulge_ = std::max(bulge_, length(level(to)));
+      overhangs(p);
+    }
+  }
+
+  /// The bound of the header, with the mesh's edges for its derivatives.
+  double sliding() const {
+    std::vector<Vec3> in_u, in_v;
+    for (int t = 0; t < kBlock; ++t)
+      for (int s = 0; s <= kBlock; ++s) {
+        in_u.push_back(own().node(t + 1, s) - own().node(t, s));
+        in_v.push_back(own().node(s, t + 1) - own().node(s, t));
+      }
+    double area = kInfinity, largest_u = 0, largest_v = 0, rise_u = 0, rise_v = 0;
+    for (const Vec3& a : in_u) {
+      largest_u = std::max(largest_u, map_.length(a));
+      rise_u = std::max(rise_u, height(a));
+      for (const Vec3& b : in_v) {
+        const auto s = map_(a), t = map_(b);
+        area = std::min(area, s[0] * t[1] - s[1] * t[0]);
+      }
+    }
+    for (const Vec3& b : in_v) {
+      largest_v = std::max(largest_v, map_.length(b));
+      rise_v = std::max(rise_v, height(b));
+    }
+    if (!(area > 0)) return kInfinity;
+    const double slope = (largest_v * rise_u + largest_u * rise_v) / area;
+    const double reach = (kBlock - kWidth) * area / std::max(largest_u, largest_v);
+    const double inside = overhang_ * middle_factor(), aside = std::max(inside, 2 * bulge_);
+    if (!(2 * (mapped_slide_ + map_.norm() * (inside + bulge_)) < reach)) return kInfinity;
+    return off_ + slope * (mapped_slide_ + map_.norm() * aside) + aside;
+  }
+
+  double middle_factor() const {
+    Vec3 sum;
+    for (const SideChord& chord : chords_) sum += chord.inward;
+    double least = 1;
+    for (const SideChord& chord : chords_)
+      least = std::min(least, dot(chord.inward, normalized(sum)));
+    return least > 0 ? 1 / least : kInfinity;
+  }
+
+  const std::vector<Level>& levels_;
+  std::size_t at_;
+  Vec3 normal_;
+  std::vector<SideChord> chords_;  ///< of sides 0 and 3 in turn
+  LevelMap map_;
+  double off_ = 0, slide_ = 0, mapped_slide_ = 0, overhang_ = 0, bulge_ = 0;
+};
+
+VertexZones::VertexZones(CellPatch corner, int level, int analysed_depth, int largest_depth)
+    : first_(level + 3), analysed_(analysed_depth) {
+  for (; first_ + static_cast<int>(levels_.size()) <= largest_depth + kLevels; ++level) {
+    corner.refine();
+    CellPatch next = corner.corner_cell(0);
+    while (corner.cells() <= kBlock) corner.refine();
+    add_level(corner, level + 3 <= largest_depth ? kBlock : 2);
+    if (level + 4 > analysed_ && level + 4 <= largest_depth) {
+      corner.refine();
+      add_ring(corner);
+    }
+    corner = std::move(next);
+  }
+  for (int depth = first_; depth <= largest_depth; ++depth)
+    zones_.push_back(Zone(levels_, static_cast<std::size_t>(depth - first_)).bound());
+}
+
+/// Nodes and pieces of the first `width` cells each way.
+void VertexZones::add_level(const CellPatch& patch, int width) {
+  Level level;
+  const LimitPatch limit = patch.limit();
+  for (int v = 0; v <= width; ++v)
+    for (int u = 0; u <= width; ++u)
+      level.nodes[v * (kBlock + 1) + u] = limit.points[limit.index(u, v)];
+  for (int v = 0; v < width; ++v)
+    for (int u = 0; u < width; ++u) {
+      const auto net = control_cell(patch, u, v);
+      if (net) level.pieces[v * kBlock + u] = {*net, net->bezier()};
+    }
+  patch.ring(0).add_points(level.hull);
+  for (int v = patch.has_border(0) ? -1 : 0; v <= 2; ++v) level.hull.push_back(patch.control(2, v));
+  for (int u = patch.has_border(3) ? -1 : 0; u <= 2; ++u) level.hull.push_back(patch.control(u, 2));
+  levels_.push_back(std::move(level));
+}
+
+void VertexZones::add_ring(const CellPatch& patch) {
+  // The cells of one depth between those of the depth before, already bounded, and Q.
+  constexpr int kOuter = 2 * kWidth, kInner = kWidth;
+  const CellGrid grid(patch, 0);
+  Ring ring;
+  for (int v = 0; v < kOuter; ++v)
+    for (int u = 0; u < kOuter; ++u)
+      if (u >= kInner || v >= kInner) ring.cells.push_back(grid.bound(u, v));
+  for (int t = kInner; t < kOuter; ++t)
+    ring.side = std::max({ring.side, grid.side_bound(0, t), grid.side_bound(3, t)});
+  rings_.push_back(std::move(ring));
+}
+
+ZoneBound VertexZones::rings_at(int depth) const {
+  ZoneBound bound;
+  for (int at = analysed_ + 1; at <= depth; ++at) {
+    const Ring& ring = rings_[static_cast<std::size_t>(at - analysed_ - 1)];
+    const double scale = std::ldexp(1.0, -2 * (depth - at));
+    for (const MeshBound& cell : ring.cells)
+      bound.surface = std::max(bound.surface, cell.at(scale));
+    bound.side = std::max(bound.side, ring.side * scale);
+  }
+  return bound;
+}
+
+ZoneBound VertexZones::at(int depth) const {
+  if (depth < first_) return {kInfinity, kInfinity};
+  const ZoneBound zone = zones_[static_cast<std::size_t>(depth - first_)], rings = rings_at(depth);
+  return {std::max(zone.surface, rings.surface), std::max(zone.side, rings.side)};
+}
+
+}  // namespace limitgauge::engine::surface

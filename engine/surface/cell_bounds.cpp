@@ -10,14 +10,17 @@ double norm(const SplitBound& b) {
   return std::hypot(b.along, b.across);
 }
 
-SplitBound seen_from(const Differences& d, const Vec3& normal) {
-  double along = 0, across_squared = 0;
+SplitBound seen_from(const Differences& d, const DerivativeBounds& cell) {
+  SplitBound bound;
+  double across_squared = 0;
   d.for_each([&](const Vec3& x) {
-    const double height = dot(normal, x);
-    along = std::max(along, std::abs(height));
-    across_squared = std::max(across_squared, length_squared(x - normal * height));
+    const double height = dot(cell.normal, x);
+    bound.along = std::max(bound.along, std::abs(height));
+    across_squared = std::max(across_squared, length_squared(x - cell.normal * height));
+    bound.mapped = std::max(bound.mapped, cell.map.length(x));
   });
-  return {along, std::sqrt(across_squared)};
+  bound.across = std::sqrt(across_squared);
+  return bound;
 }
 
 double along(const Differences& d, const Vec3& direction) {
@@ -60,7 +63,7 @@ struct OffsetBase {
   }
   /// Seen from n, wherever in the cell.
   SplitBound turned(const SplitBound& b) const {
-    return {b.along + tilt * b.across, b.across + tilt * b.along};
+    return {b.along + tilt * b.across, b.across + tilt * b.along, 0};
   }
 };
 
@@ -87,10 +90,11 @@ DerivativeBounds limit_bounds(const ControlCell& cell) {
   if (!(length_squared(b.normal) > 0)) return b;
   b.normal = normalized(b.normal);
   b.proven = true;
+  b.map = LevelMap(b.normal, b.du, b.dv);
   const Differences uu(cell, 2, 0), vv(cell, 0, 2);
-  b.duu = seen_from(uu, b.normal);
-  b.duv = seen_from(Differences(cell, 1, 1), b.normal);
-  b.dvv = seen_from(vv, b.normal);
+  b.duu = seen_from(uu, b);
+  b.duv = seen_from(Differences(cell, 1, 1), b);
+  b.dvv = seen_from(vv, b);
   b.bend_u = along(uu, normalized(cross(b.normal, b.du)));
   b.bend_v = along(vv, normalized(cross(b.normal, b.dv)));
   return b;
@@ -106,7 +110,7 @@ DerivativeBounds offset_bounds(const ControlCell& cell, double offset_mm) {
   }
   const SplitBound uu = base.turned(b.duu), uv = base.turned(b.duv), vv = base.turned(b.dvv);
   const auto third = [&](int in_u, int in_v) {
-    return base.turned(seen_from(Differences(cell, in_u, in_v), b.normal)).along;
+    return base.turned(seen_from(Differences(cell, in_u, in_v), b)).along;
   };
   const double uuu = third(3, 0), uuv = third(2, 1), uvv = third(1, 2), vvv = third(0, 3);
   const double area = base.area, du = base.du, dv = base.dv;
@@ -127,6 +131,7 @@ DerivativeBounds offset_bounds(const ControlCell& cell, double offset_mm) {
   const auto moved = [&](SplitBound& s, double along, double across) {
     s.along += offset_mm * (along + base.tilt * across);
     s.across += offset_mm * (across + base.tilt * along);
+    s.mapped += offset_mm * (across + base.tilt * along) * b.map.norm();
   };
   moved(b.duu, turn_u * turn_u, across_uu);
   moved(b.duv, turn_u * turn_v, across_uv);

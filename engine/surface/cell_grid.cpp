@@ -6,7 +6,8 @@
 
 namespace limitgauge::engine::surface {
 
-CellGrid::CellGrid(const CellPatch& patch, double offset_mm) : m_(patch.cells()) {
+CellGrid::CellGrid(const CellPatch& patch, double offset_mm, const std::array<bool, 4>& rim)
+    : m_(patch.cells()), rim_(rim) {
   for (int c = 0; c < 4; ++c) extraordinary_[c] = !patch.ring(c).regular();
   cells_.reserve(static_cast<std::size_t>(m_) * static_cast<std::size_t>(m_));
   for (int v = 0; v < m_; ++v)
@@ -30,13 +31,19 @@ MeshBound CellGrid::bound(int u, int v) const {
   std::array<const DerivativeBounds*, kMost> block{};
   std::size_t count = 0;
   const DerivativeBounds& own = at(u, v);
-  double bend = 0;
+  MeshBound::Bend bend;
+  const auto add = [&](const DerivativeBounds& cell, int side) {
+    double& of = rim_[side] ? bend.rim : bend.smooth;
+    of = std::max(of, side_bend(cell, side % 2 == 0, own.normal));
+  };
   for (int j = std::max(0, v - 1); j <= std::min(m_ - 1, v + 1); ++j)
     for (int i = std::max(0, u - 1); i <= std::min(m_ - 1, u + 1); ++i) {
       const DerivativeBounds& cell = at(i, j);
       block[count++] = &cell;
-      if (j == 0 || j == m_ - 1) bend = std::max(bend, side_bend(cell, true, own.normal));
-      if (i == 0 || i == m_ - 1) bend = std::max(bend, side_bend(cell, false, own.normal));
+      if (j == 0) add(cell, 0);
+      if (i == m_ - 1) add(cell, 1);
+      if (j == m_ - 1) add(cell, 2);
+      if (i == 0) add(cell, 3);
     }
   return {own, std::span(block).first(count), bend};
 }
@@ -54,21 +61,28 @@ std::array<int, 2> CellGrid::on_side(int side, int t) const {
   }
 }
 
-double CellGrid::side_bound(int side, int t) const {
-  const auto [u, v] = on_side(side, t);
-  const DerivativeBounds& cell = at(u, v);
-  if (!cell.proven) return std::numeric_limits<double>::infinity();
-  const bool in_u = side % 2 == 0;
-  const SplitBound& second = in_u ? cell.duu : cell.dvv;
-  const double across = std::min(second.across, side_bend(cell, in_u, cell.normal));
-  return std::hypot(second.along, across) / 8;
+bool CellGrid::meets(int u, int v) const {
+  return (v <= 1 && !rim_[0]) || (u >= m_ - 2 && !rim_[1]) || (v >= m_ - 2 && !rim_[2]) ||
+         (u <= 1 && !rim_[3]);
 }
 
-double CellGrid::side_bound_but(int side, int width) const {
-  double largest = 0;
+SplitBound CellGrid::side_bound(int side, int t) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto [u, v] = on_side(side, t);
+  const DerivativeBounds& cell = at(u, v);
+  if (!cell.proven) return {kInfinity, kInfinity, 0};
+  const bool in_u = side % 2 == 0;
+  const SplitBound& second = in_u ? cell.duu : cell.dvv;
+  return {second.along / 8, std::min(second.across, side_bend(cell, in_u, cell.normal)) / 8, 0};
+}
+
+SplitBound CellGrid::side_bound_but(int side, int width) const {
+  SplitBound largest;
   for (int t = 0; t < m_; ++t) {
     const auto [u, v] = on_side(side, t);
-    if (!at_extraordinary(u, v, width)) largest = std::max(largest, side_bound(side, t));
+    if (at_extraordinary(u, v, width)) continue;
+    const SplitBound bound = side_bound(side, t);
+    largest = {std::max(largest.along, bound.along), std::max(largest.across, bound.across), 0};
   }
   return largest;
 }

@@ -22,21 +22,39 @@ class GridBounds {
  public:
   GridBounds(const CellGrid& grid, int width) {
     for (int v = 0; v < grid.cells(); ++v)
-      for (int u = 0; u < grid.cells(); ++u)
-        if (!grid.at_extraordinary(u, v, width)) cells_.push_back(grid.bound(u, v));
-    for (int side = 0; side < 4; ++side) side_[side] = grid.side_bound_but(side, width);
+      for (int u = 0; u < grid.cells(); ++u) {
+        if (grid.at_extraordinary(u, v, width)) continue;
+        cells_.push_back(grid.bound(u, v));
+        if (grid.meets(u, v)) meeting_.push_back(cells_.back());
+      }
+    for (int side = 0; side < 4; ++side) sides_[side] = grid.side_bound_but(side, width);
   }
-  double at(double scale) const {
-    double largest = 0;
-    for (const MeshBound& cell : cells_) largest = std::max(largest, cell.at(scale));
-    return largest;
+  MeshError at(double scale) const {
+    MeshError error;
+    for (const MeshBound& cell : cells_) error.own_mm = std::max(error.own_mm, cell.at(scale));
+    for (const MeshBound& cell : meeting_)
+      error.meeting = worse(error.meeting, cell.meeting(scale));
+    for (int side = 0; side < 4; ++side)
+      error.sides[side] = {sides_[side].along * scale, sides_[side].across * scale, 0};
+    return error;
   }
-  double side(int side, double scale) const { return side_[side] * scale; }
 
  private:
-  std::vector<MeshBound> cells_;
-  std::array<double, 4> side_{};
+  std::vector<MeshBound> cells_, meeting_;
+  std::array<SplitBound, 4> sides_{};
 };
+
+MeshError unproven() {
+  const SplitBound side{kInfinity, kInfinity, 0};
+  return {kInfinity, {0, kInfinity, 0}, {side, side, side, side}};
+}
+
+void widen(MeshError& error, const ZoneBound& zone) {
+  error.own_mm = std::max(error.own_mm, zone.surface);
+  error.meeting = worse(error.meeting, zone.meeting);
+  for (SplitBound& side : error.sides)
+    side = {std::max(side.along, zone.side.along), std::max(side.across, zone.side.across), 0};
+}
 
 double scale_of(int levels) {
   return std::ldexp(1.0, -2 * levels);
@@ -46,8 +64,8 @@ class PatchBounds {
  public:
   explicit PatchBounds(const BoundRequest& request)
       : request_(request), offset_mm_(request.offset_mm) {
-    ChordBound none{kInfinity, kInfinity, {kInfinity, kInfinity, kInfinity, kInfinity}};
-    bounds_.at.assign(static_cast<std::size_t>(request.largest_depth) + 1, none);
+    bounds_.at.assign(static_cast<std::size_t>(request.largest_depth) + 1,
+                      {unproven(), unproven()});
   }
 
   ChordBounds of(CellPatch patch) {
@@ -62,7 +80,7 @@ class PatchBounds {
     std::vector<VertexZones> zones;
     for (int c = 0; c < 4; ++c)
       if (bounds_.extraordinary[c] && request_.limit)
-        zones.emplace_back(patch.corner_cell(c), start, last, largest());
+        zones.emplace_back(patch.corner_cell(c), start, last, largest(), zone_rim(c));
     bounds_.corner_depth = first;
     while (patch.depth() < first) patch.refine();
     for (int depth = first; depth <= last; ++depth) {
@@ -78,35 +96,33 @@ class PatchBounds {
   int largest() const { return static_cast<int>(bounds_.at.size()) - 1; }
 
   void analyse(const CellPatch& patch, int deepest) {
-    const CellGrid limit(patch, 0);
-    const GridBounds limit_bound(limit, VertexZones::kWidth);
+    const GridBounds limit(CellGrid(patch, 0, request_.rim), VertexZones::kWidth);
     const int hole = patch.cells() >> bounds_.corner_depth;
     const bool holed = std::any_of(bounds_.extraordinary.begin(), bounds_.extraordinary.end(),
                                    [](bool e) { return e; });
-    std::optional<GridBounds> offset_bound;
+    std::optional<GridBounds> offset;
     if (offset_mm_ > 0 && !(holed && hole < 2))
-      offset_bound.emplace(CellGrid(patch, offset_mm_), hole);
+      offset.emplace(CellGrid(patch, offset_mm_, request_.rim), hole);
     for (int depth = patch.depth(); depth <= deepest; ++depth) {
       const double scale = scale_of(depth - patch.depth());
       ChordBound& b = bounds_.at[static_cast<std::size_t>(depth)];
-      b.limit_mm = limit_bound.at(scale);
-      b.offset_mm = offset_mm_ > 0 ? offset_bound ? offset_bound->at(scale) : kInfinity
-                                   : limit_bound.at(scale);
-      for (int side = 0; side < 4; ++side) {
-        b.side_mm[side] = limit_bound.side(side, scale);
-        if (offset_mm_ <= 0) continue;
-        const double moved = offset_bound ? offset_bound->side(side, scale) : kInfinity;
-        b.side_mm[side] = std::max(b.side_mm[side], moved);
-      }
+      b.limit = limit.at(scale);
+      b.offset = offset ? offset->at(scale) : offset_mm_ > 0 ? unproven() : b.limit;
     }
   }
 
   void add_zone(const VertexZones& zone, int depth) {
     ChordBound& b = bounds_.at[static_cast<std::size_t>(depth)];
-    const ZoneBound zone_mm = zone.at(depth);
-    b.limit_mm = std::max(b.limit_mm, zone_mm.surface);
-    if (offset_mm_ <= 0) b.offset_mm = std::max(b.offset_mm, zone_mm.surface);
-    for (double& side : b.side_mm) side = std::max(side, zone_mm.side);
+    const ZoneBound bound = zone.at(depth);
+    widen(b.limit, bound);
+    if (offset_mm_ <= 0) widen(b.offset, bound);
+  }
+
+  /// The rims of a patch turned so that corner `c` is its first.
+  std::array<bool, 4> zone_rim(int c) const {
+    std::array<bool, 4> turned{};
+    for (int side = 0; side < 4; ++side) turned[side] = request_.rim[(c + side) % 4];
+    return turned;
   }
 
   BoundRequest request_;

@@ -4,21 +4,27 @@
 #include <array>
 #include <vector>
 
-#include "engine/surface/cell_patch.h"
+#include "engine/surface/mesh_bound.h"
 
 namespace limitgauge::engine::surface {
 
-/// Bounds on the distance, either way, between a patch and its triangulated limit mesh (each cell
-/// split along its first diagonal), mm; infinite where nothing is proven.
+/// Bounds on the distance, either way, between a surface and its triangulated mesh (each cell split
+/// along its first diagonal); infinite where nothing is proven.
+struct MeshError {
+  double own_mm = 0;  ///< within the patch
+  Meeting meeting;    ///< with other patches across smooth sides
+  /// How far at most a piece of each side lies from its chord, along and across the normal, mm: so
+  /// much a side moves that is laid onto the chords of a coarser neighbour.
+  std::array<SplitBound, 4> sides{};
+};
+
+/// What is proven of a patch at one depth.
 struct ChordBound {
-  double limit_mm = 0;  ///< of the limit surface, the whole patch
+  MeshError limit;  ///< limit surface and limit mesh
   /// Of the surface moved out along its normals by up to the offset asked for, but for the places
   /// about extraordinary corners: see ChordBounds::corner_depth.
-  double offset_mm = 0;
-  /// How far at most a piece of each side lies from its chord, limit and offset, the latter but for
-  /// the same places: by so much a finer neighbour moves that is laid onto this mesh.
-  std::array<double, 4> side_mm{};
-  double largest_mm() const { return std::max(limit_mm, offset_mm); }
+  MeshError offset;
+  double largest_mm() const { return std::max(limit.own_mm, offset.own_mm); }
 };
 
 struct ChordBounds {
@@ -34,7 +40,8 @@ struct BoundRequest {
   double offset_mm = 0;
   int analysed_depth = 5;  ///< to which control nets are looked at
   int largest_depth = 10;
-  bool limit = true;  ///< the limit mesh at extraordinary corners too
+  bool limit = true;          ///< the limit mesh at extraordinary corners too
+  std::array<bool, 4> rim{};  ///< sides at which the surface ends or is sharp
 };
 
 /// Proven bounds for all depths up to the largest, rounding aside, from the control net of `patch`

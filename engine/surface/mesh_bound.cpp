@@ -32,6 +32,37 @@ double swing(const Vec3& a, const Vec3& b) {
   return dot(a, b) > 0 && scale > 0 ? length(cross(a, b)) / scale : 1.0;
 }
 
+/// Largest factor by which a linear map of the plane stretches, from the images of the unit
+/// vectors.
+double stretch(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+  const double sum = a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1];
+  const double area = a[0] * b[1] - a[1] * b[0];
+  return std::sqrt((sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))) / 2);
+}
+
+/// Bounds of one cell as another sees them.
+class Seen {
+ public:
+  Seen(const DerivativeBounds& from, const DerivativeBounds& cell)
+      : cosine_(std::abs(dot(from.normal, cell.normal))),
+        sine_(length(cross(from.normal, cell.normal))),
+        stretch_(stretch(from.map(cell.du), from.map(cell.dv))),
+        stand_(from.map.length(cell.normal)) {}
+  SplitBound operator()(const SplitBound& b) const {
+    return {cosine_ * b.along + sine_ * b.across, sine_ * b.along + b.across,
+            stretch_ * b.mapped + stand_ * b.along};
+  }
+
+ private:
+  double cosine_, sine_, stretch_, stand_;
+};
+
+void widen(SplitBound& all, const SplitBound& by) {
+  all.along = std::max(all.along, by.along);
+  all.across = std::max(all.across, by.across);
+  all.mapped = std::max(all.mapped, by.mapped);
+}
+
 }  // namespace
 
 double side_bend(const DerivativeBounds& cell, bool in_u, const Vec3& normal) {
@@ -41,50 +72,55 @@ double side_bend(const DerivativeBounds& cell, bool in_u, const Vec3& normal) {
       std::max(length(in_u ? cell.dv : cell.du), length(in_u ? cell.dv_moved : cell.du_moved));
   const double least = least_area(cell) / across;
   const double askew = in_u ? swing(cell.du, cell.du_moved) : swing(cell.dv, cell.dv_moved);
-  const double turned = least > turn ? std::min(1.0, askew + turn / least) : 1.0;
+  const double own = in_u ? cell.bend_u : cell.bend_v;
+  const double aside = (own + cell.duv.across) / 2;
+  const double turned = least > turn ? std::min(1.0, askew + aside / (least - turn)) : 1.0;
   const double tilt = length(cross(normal, cell.normal));
-  return (in_u ? cell.bend_u : cell.bend_v) + (turned + tilt) * second.across + tilt * second.along;
-}
-
-SplitBound seen_from(const Vec3& normal, const DerivativeBounds& cell, const SplitBound& bound) {
-  const double cosine = std::abs(dot(normal, cell.normal));
-  const double sine = length(cross(normal, cell.normal));
-  return {cosine * bound.along + sine * bound.across, sine * bound.along + bound.across};
+  return own + (turned + tilt) * second.across + tilt * second.along;
 }
 
 MeshBound::MeshBound(const DerivativeBounds& cell, std::span<const DerivativeBounds* const> block,
-                     double bend) {
+                     const Bend& bend) {
   plain_ = sliding_ = std::numeric_limits<double>::infinity();
   SplitBound uu, uv, vv;
-  const auto widen = [&](SplitBound& all, const DerivativeBounds& of, const SplitBound& by) {
-    const SplitBound seen = surface::seen_from(cell.normal, of, by);
-    all = {std::max(all.along, seen.along), std::max(all.across, seen.across)};
-  };
   for (const DerivativeBounds* c : block) {
     if (!c->proven) return;
-    widen(uu, *c, c->duu);
-    widen(uv, *c, c->duv);
-    widen(vv, *c, c->dvv);
+    const Seen seen(cell, *c);
+    widen(uu, seen(c->duu));
+    widen(uv, seen(c->duv));
+    widen(vv, seen(c->dvv));
   }
   const double off = (uu.along + 2 * uv.along + vv.along) / 8;
-  slide_ = (uu.across + 2 * uv.across + vv.across) / 8;
-  plain_ = std::hypot(off, slide_);
-  const LevelRange u{std::max(length(cell.du), length(cell.du_moved)),
-                     kHalfBlock * (uu.across + uv.across), kHalfBlock * (uu.along + uv.along)};
-  const LevelRange v{std::max(length(cell.dv), length(cell.dv_moved)),
-                     kHalfBlock * (uv.across + vv.across), kHalfBlock * (uv.along + vv.along)};
-  const double least = least_area(cell);
+  slide_ = (uu.mapped + 2 * uv.mapped + vv.mapped) / 8;
+  plain_ = std::hypot(off, (uu.across + 2 * uv.across + vv.across) / 8);
+  const LevelRange u{std::max(1.0, cell.map.length(cell.du_moved)),
+                     kHalfBlock * (uu.mapped + uv.mapped), kHalfBlock * (uu.along + uv.along)};
+  const LevelRange v{std::max(1.0, cell.map.length(cell.dv_moved)),
+                     kHalfBlock * (uv.mapped + vv.mapped), kHalfBlock * (uv.along + vv.along)};
+  const double least = least_area(cell) / length(cross(cell.du, cell.dv));
   if (2 * u.turn * v.at > least || 2 * v.turn * u.at > least) return;
   const double area = least - u.at * v.turn - v.at * u.turn - u.turn * v.turn;
   if (!(area > 0)) return;
   reach_ = area / std::max(u.largest(), v.largest());
   const double slope = (v.largest() * u.rise + u.largest() * v.rise) / area;
-  sliding_ = off + slope * slide_ + 2 * (1 + slope) * bend / 8;
+  const double rim = 2 * bend.rim / 8;
+  const double aside = 2 * std::max(bend.rim, bend.smooth) / 8;
+  sliding_ = off + slope * (slide_ + cell.map.norm() * aside) + rim;
+  meeting_ = {bend.smooth / 8, slope * cell.map.norm(), reach_ / cell.map.norm()};
 }
 
 double MeshBound::at(double scale) const {
-  const bool slides = 2 * slide_ * scale < reach_;
-  return scale * (slides ? std::min(plain_, sliding_) : plain_);
+  return scale * (slides(scale) ? std::min(plain_, sliding_) : plain_);
+}
+
+Meeting MeshBound::meeting(double scale) const {
+  if (!slides(scale)) return {0, std::numeric_limits<double>::infinity(), 0};
+  return {meeting_.bulge_mm * scale, meeting_.slope, meeting_.width_mm};
+}
+
+Meeting worse(const Meeting& a, const Meeting& b) {
+  return {std::max(a.bulge_mm, b.bulge_mm), std::max(a.slope, b.slope),
+          std::min(a.width_mm, b.width_mm)};
 }
 
 }  // namespace limitgauge::engine::surface

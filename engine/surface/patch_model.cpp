@@ -1,6 +1,8 @@
 #include "engine/surface/patch_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace limitgauge::engine::surface {
 namespace {
@@ -14,7 +16,7 @@ constexpr int kAnalysedDepth = 5;
 /// Quarters of quarters taken at a corner: control nets shrink by 0.654 a level at worst, two
 /// levels a quarter, so the last is a ten-thousandth of the first.
 constexpr int kMostQuarters = 12;
-constexpr int kAnalysedCorner = 3;
+constexpr int kAnalysedCorner = 4;
 constexpr int kDeepestCorner = 7;
 /// Depth at which the cell at a corner is a quarter of the side.
 constexpr int kQuarter = 2;
@@ -31,6 +33,7 @@ PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& request,
     patches_.emplace_back();
     patches_.back().first_half_edge = outer_.face_offsets[f];
   }
+  find_touching();
   std::vector<ChordBounds> bounds(patches_.size());
   model::parallel_for(patches_.size(), control.threads, [&](std::size_t p) {
     control.check();
@@ -50,7 +53,13 @@ PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& request,
 ChordBounds PatchModel::bound_patch(std::size_t p, const ModelRequest& request) {
   CellPatch cell(outer_, outer_.face_of[patches_[p].first_half_edge]);
   const int largest = std::max(request.largest_depth, cell.smallest_limit_depth());
-  return chord_bounds(std::move(cell), {request.largest_offset_mm, kAnalysedDepth, largest, true});
+  std::array<bool, 4> rim{};
+  for (int side = 0; side < 4; ++side) {
+    const Index h = patches_[p].first_half_edge + side;
+    rim[side] = ends_at(h) || creased_at(h);
+  }
+  return chord_bounds(std::move(cell),
+                      {request.largest_offset_mm, kAnalysedDepth, largest, true, rim});
 }
 
 void PatchModel::build_patch(std::size_t p, int depth, const ChordBounds& bounds,
@@ -85,10 +94,10 @@ void PatchModel::build_corner(ModelPatch& patch, CellPatch cell, const ModelRequ
   const double wanted = kMeshShare * request.precision_mm;
   for (int quarter = 0; quarter < kMostQuarters && speck_radius(cell) > wanted; ++quarter) {
     const ChordBounds bounds =
-        chord_bounds(cell, {request.largest_offset_mm, kAnalysedCorner, kDeepestCorner, false});
+        chord_bounds(cell, {request.largest_offset_mm, kAnalysedCorner, kDeepestCorner, false, {}});
     int depth = kQuarter + 1;
-    while (depth < kDeepestCorner && bounds.at[depth].offset_mm > wanted) ++depth;
-    patch.corner_bound_mm = std::max(patch.corner_bound_mm, bounds.at[depth].offset_mm);
+    while (depth < kDeepestCorner && bounds.at[depth].offset.own_mm > wanted) ++depth;
+    patch.corner_bound_mm = std::max(patch.corner_bound_mm, bounds.at[depth].offset.own_mm);
     while (cell.depth() < kQuarter) cell.refine();
     CellPatch inner = cell.corner_cell(0);
     while (cell.depth() < depth) cell.refine();
@@ -126,51 +135,88 @@ int PatchModel::depth_for(int p, double error_mm) const {
   return static_cast<int>(bounds.size()) - 1;
 }
 
-double PatchModel::laid_mm(std::size_t p, const std::vector<int>& depths) const {
+void PatchModel::find_touching() {
+  std::vector<std::vector<int>> at_vertex(outer_.points.size());
+  for (std::size_t p = 0; p < patches_.size(); ++p)
+    for (Index side = 0; side < 4; ++side)
+      at_vertex[outer_.origin[patches_[p].first_half_edge + side]].push_back(static_cast<int>(p));
+  touching_.resize(patches_.size());
+  for (std::size_t p = 0; p < patches_.size(); ++p) {
+    for (Index side = 0; side < 4; ++side) {
+      const auto& at = at_vertex[outer_.origin[patches_[p].first_half_edge + side]];
+      touching_[p].insert(touching_[p].end(), at.begin(), at.end());
+    }
+    std::sort(touching_[p].begin(), touching_[p].end());
+    touching_[p].erase(std::unique(touching_[p].begin(), touching_[p].end()), touching_[p].end());
+  }
+}
+
+double PatchModel::error_mm(int p, const std::vector<int>& depths,
+                            MeshError ChordBound::*of) const {
   const ModelPatch& patch = patches_[p];
+  const MeshError& own = patch.bounds[depths[p]].*of;
+  // A mesh that goes on beyond a side leans from this one's direction by the slopes of both, and
+  // by its own again, since both are measured from the normals at the side.
+  Meeting others;
+  for (const int q : touching_[p])
+    others = worse(others, (patches_[q].bounds[depths[q]].*of).meeting);
+  constexpr double kRightAngle = std::numbers::pi / 2;
+  const double lean = std::atan(own.meeting.slope) + 2 * std::atan(others.slope);
+  const double slope = lean < kRightAngle ? std::min(1.0, std::tan(lean)) : 1.0;
+  const auto beyond = [&](double mm) { return mm < others.width_mm ? mm * slope : mm; };
   double laid = 0;
   for (int side = 0; side < 4; ++side) {
     const Index h = patch.first_half_edge + side;
     if (ends_at(h)) continue;
     const int other = depths[patch_at(outer_.twin[h])];
-    if (other < depths[p]) laid = std::max(laid, patch.bounds[other].side_mm[side]);
+    if (other >= depths[p]) continue;
+    const SplitBound& moved = (patch.bounds[other].*of).sides[side];
+    laid = std::max(laid, moved.along + beyond(moved.across));
   }
-  return laid;
+  const double bulge = own.meeting.bulge_mm;
+  return own.own_mm + laid + (bulge > 0 ? beyond(2 * bulge) : 0.0);
+}
+
+double PatchModel::worst_mm(int p, const std::vector<int>& depths) const {
+  return std::max(error_mm(p, depths, &ChordBound::limit),
+                  error_mm(p, depths, &ChordBound::offset));
 }
 
 std::vector<int> PatchModel::depths_within(double error_mm) const {
   std::vector<int> depths;
-  for (std::size_t p = 0; p < patches_.size(); ++p)
-    depths.push_back(depth_for(static_cast<int>(p), error_mm));
+  const int count = static_cast<int>(patches_.size());
+  for (int p = 0; p < count; ++p) depths.push_back(depth_for(p, error_mm));
+  const auto deepen = [&](int p) {
+    const bool more = depths[p] + 1 < static_cast<int>(patches_[p].bounds.size());
+    depths[p] += more;
+    return more;
+  };
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t p = 0; p < patches_.size(); ++p)
+    for (int p = 0; p < count; ++p) {
+      if (worst_mm(p, depths) <= error_mm) continue;
+      // Coarser neighbours first: they cost least.
+      bool deeper = false;
       for (int side = 0; side < 4; ++side) {
         const Index h = patches_[p].first_half_edge + side;
         if (ends_at(h)) continue;
-        const auto& bounds = patches_[p].bounds;
         const int other = patch_at(outer_.twin[h]);
-        const int most = static_cast<int>(patches_[other].bounds.size()) - 1;
-        int& depth = depths[other];
-        while (depth < std::min(depths[p], most) &&
-               bounds[depths[p]].largest_mm() + bounds[depth].side_mm[side] > error_mm) {
-          ++depth;
-          changed = true;
-        }
+        if (depths[other] < depths[p]) deeper |= deepen(other);
       }
+      changed |= deeper || deepen(p);
+    }
   }
   return depths;
 }
 
 Sampling PatchModel::sampling_for(double error_mm) const {
   Sampling sampling{depths_within(error_mm), 0, 0};
-  for (std::size_t p = 0; p < patches_.size(); ++p) {
-    const ModelPatch& patch = patches_[p];
-    const ChordBound& bound = patch.bounds[sampling.depths[p]];
-    const double laid = laid_mm(p, sampling.depths);
-    sampling.limit_mm = std::max(sampling.limit_mm, bound.limit_mm + laid);
+  for (int p = 0; p < static_cast<int>(patches_.size()); ++p) {
+    sampling.limit_mm =
+        std::max(sampling.limit_mm, this->error_mm(p, sampling.depths, &ChordBound::limit));
     sampling.offset_mm =
-        std::max({sampling.offset_mm, bound.offset_mm + laid, patch.corner_bound_mm});
+        std::max({sampling.offset_mm, this->error_mm(p, sampling.depths, &ChordBound::offset),
+                  patches_[p].corner_bound_mm});
   }
   return sampling;
 }

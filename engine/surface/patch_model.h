@@ -67,9 +67,15 @@ class PatchModel {
   ChordBounds bound_patch(std::size_t p, const ModelRequest& request);
   void build_patch(std::size_t p, int depth, const ChordBounds& bounds,
                    const ModelRequest& request);
-  /// Largest depths allowed for each patch are those to which its bounds go.
+  /// The largest depths allowed are those to which the bounds go.
   std::vector<int> depths_within(double error_mm) const;
-  double laid_mm(std::size_t p, const std::vector<int>& depths) const;
+  /// Bound of patch `p` beside its neighbours: what its own mesh lacks, what its sides move when
+  /// laid onto coarser ones, and what bulges out over their meshes.
+  double error_mm(int p, const std::vector<int>& depths, MeshError ChordBound::*of) const;
+  double worst_mm(int p, const std::vector<int>& depths) const;
+  /// Patches that share a vertex with patch p.
+  std::vector<std::vector<int>> touching_;
+  void find_touching();
   void share_edges();
   void copy_edge(Index from, Index to);
 

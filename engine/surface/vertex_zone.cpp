@@ -19,31 +19,18 @@ struct SideChord {
   double outside(const Vec3& p) const { return dot(inward, start - p); }
 };
 
-/// The linear map T of the plane across a normal; what stands along the normal is dropped.
-class LevelMap {
- public:
-  LevelMap() = default;
-  /// Takes `to_x` and `to_y`, seen along the normal, to the unit vectors.
-  LevelMap(const Vec3& normal, const Vec3& to_x, const Vec3& to_y) {
-    const double area = dot(normal, cross(to_x, to_y));
-    x_ = cross(to_y, normal) / area;
-    y_ = cross(normal, to_x) / area;
-  }
-  std::array<double, 2> operator()(const Vec3& v) const { return {dot(x_, v), dot(y_, v)}; }
-  double length(const Vec3& v) const { return std::hypot(dot(x_, v), dot(y_, v)); }
-  /// At least |T|.
-  double norm() const { return std::hypot(model::length(x_), model::length(y_)); }
-
- private:
-  Vec3 x_, y_;
-};
+void widen(SplitBound& all, const SplitBound& by, double scale) {
+  all.along = std::max(all.along, by.along * scale);
+  all.across = std::max(all.across, by.across * scale);
+}
 
 }  // namespace
 
 /// One depth's argument.
 class VertexZones::Zone {
  public:
-  Zone(const std::vector<Level>& levels, std::size_t at) : levels_(levels), at_(at) {
+  Zone(const std::vector<Level>& levels, std::size_t at, const std::array<bool, 4>& rim)
+      : levels_(levels), at_(at), rim_(rim) {
     const Level& l = own();
     constexpr int n = kBlock;
     const Vec3 edge_u = l.node(n, 0) + l.node(n, n) - l.node(0, 0) - l.node(0, n);
@@ -61,7 +48,8 @@ class VertexZones::Zone {
     measure_corner();
     measure_speck();
     const double plain = std::hypot(off_, slide_);
-    return {std::min(plain, sliding()), std::hypot(off_, std::min(bulge_, slide_))};
+    const double sliding = slide_along();
+    return {std::min(plain, sliding), {off_, std::min(bulge_, slide_), 0}, meeting_};
   }
 
  private:
@@ -166,7 +154,8 @@ class VertexZones::Zone {
   }
 
   /// The bound of the header, with the mesh's edges for its derivatives.
-  double sliding() const {
+  double slide_along() {
+    meeting_ = {0, kInfinity, 0};
     std::vector<Vec3> in_u, in_v;
     for (int t = 0; t < kBlock; ++t)
       for (int s = 0; s <= kBlock; ++s) {
@@ -190,8 +179,10 @@ class VertexZones::Zone {
     const double slope = (largest_v * rise_u + largest_u * rise_v) / area;
     const double reach = (kBlock - kWidth) * area / std::max(largest_u, largest_v);
     const double inside = overhang_ * middle_factor(), aside = std::max(inside, 2 * bulge_);
-    if (!(2 * (mapped_slide_ + map_.norm() * (inside + bulge_)) < reach)) return kInfinity;
-    return off_ + slope * (mapped_slide_ + map_.norm() * aside) + aside;
+    if (!(mapped_slide_ + map_.norm() * inside < reach)) return kInfinity;
+    const bool smooth = !rim_[0] && !rim_[3];
+    meeting_ = {rim_[0] && rim_[3] ? 0 : aside / 2, slope * map_.norm(), reach / map_.norm()};
+    return off_ + slope * (mapped_slide_ + map_.norm() * aside) + (smooth ? 0 : aside);
   }
 
   double middle_factor() const {
@@ -205,18 +196,21 @@ class VertexZones::Zone {
 
   const std::vector<Level>& levels_;
   std::size_t at_;
+  std::array<bool, 4> rim_;
+  Meeting meeting_;
   Vec3 normal_;
   std::vector<SideChord> chords_;  ///< of sides 0 and 3 in turn
   LevelMap map_;
   double off_ = 0, slide_ = 0, mapped_slide_ = 0, overhang_ = 0, bulge_ = 0;
 };
 
-VertexZones::VertexZones(CellPatch corner, int level, int analysed_depth, int largest_depth)
-    : first_(level + 3), analysed_(analysed_depth) {
+VertexZones::VertexZones(CellPatch corner, int level, int analysed_depth, int largest_depth,
+                         const std::array<bool, 4>& rim)
+    : first_(level + 3), analysed_(analysed_depth), rim_{rim[0], true, true, rim[3]} {
   for (; first_ + static_cast<int>(levels_.size()) <= largest_depth + kLevels; ++level) {
     corner.refine();
     CellPatch next = corner.corner_cell(0);
-    while (corner.cells() <= kBlock) corner.refine();
+    while (corner.cells() < kBlock) corner.refine();
     add_level(corner, level + 3 <= largest_depth ? kBlock : 2);
     if (level + 4 > analysed_ && level + 4 <= largest_depth) {
       corner.refine();
@@ -225,7 +219,7 @@ VertexZones::VertexZones(CellPatch corner, int level, int analysed_depth, int la
     corner = std::move(next);
   }
   for (int depth = first_; depth <= largest_depth; ++depth)
-    zones_.push_back(Zone(levels_, static_cast<std::size_t>(depth - first_)).bound());
+    zones_.push_back(Zone(levels_, static_cast<std::size_t>(depth - first_), rim_).bound());
 }
 
 /// Nodes and pieces of the first `width` cells each way.
@@ -249,13 +243,16 @@ void VertexZones::add_level(const CellPatch& patch, int width) {
 void VertexZones::add_ring(const CellPatch& patch) {
   // The cells of one depth between those of the depth before, already bounded, and Q.
   constexpr int kOuter = 2 * kWidth, kInner = kWidth;
-  const CellGrid grid(patch, 0);
+  const CellGrid grid(patch, 0, rim_);
   Ring ring;
   for (int v = 0; v < kOuter; ++v)
     for (int u = 0; u < kOuter; ++u)
-      if (u >= kInner || v >= kInner) ring.cells.push_back(grid.bound(u, v));
+      if (u >= kInner || v >= kInner) {
+        ring.cells.push_back(grid.bound(u, v));
+        if (grid.meets(u, v)) ring.meeting.push_back(ring.cells.back());
+      }
   for (int t = kInner; t < kOuter; ++t)
-    ring.side = std::max({ring.side, grid.side_bound(0, t), grid.side_bound(3, t)});
+    for (const int side : {0, 3}) widen(ring.side, grid.side_bound(side, t), 1);
   rings_.push_back(std::move(ring));
 }
 
@@ -266,15 +263,21 @@ ZoneBound VertexZones::rings_at(int depth) const {
     const double scale = std::ldexp(1.0, -2 * (depth - at));
     for (const MeshBound& cell : ring.cells)
       bound.surface = std::max(bound.surface, cell.at(scale));
-    bound.side = std::max(bound.side, ring.side * scale);
+    for (const MeshBound& cell : ring.meeting)
+      bound.meeting = worse(bound.meeting, cell.meeting(scale));
+    widen(bound.side, ring.side, scale);
   }
   return bound;
 }
 
 ZoneBound VertexZones::at(int depth) const {
-  if (depth < first_) return {kInfinity, kInfinity};
-  const ZoneBound zone = zones_[static_cast<std::size_t>(depth - first_)], rings = rings_at(depth);
-  return {std::max(zone.surface, rings.surface), std::max(zone.side, rings.side)};
+  if (depth < first_) return {kInfinity, {kInfinity, kInfinity, 0}, {0, kInfinity, 0}};
+  ZoneBound bound = rings_at(depth);
+  const ZoneBound& zone = zones_[static_cast<std::size_t>(depth - first_)];
+  bound.surface = std::max(bound.surface, zone.surface);
+  widen(bound.side, zone.side, 1);
+  bound.meeting = worse(bound.meeting, zone.meeting);
+  return bound;
 }
 
 }  // namespace limitgauge::engine::surface

@@ -3,20 +3,22 @@
 #include <vector>
 
 #include "engine/surface/cell_grid.h"
+#include "engine/surface/level_map.h"
 
 namespace limitgauge::engine::surface {
 
 /// Bounds on the distance of limit surface and limit mesh about a corner, mm.
 struct ZoneBound {
   double surface = 0;  ///< between surface and mesh
-  double side = 0;     ///< between the patch's sides and their chords
+  SplitBound side;     ///< between the patch's sides and their chords
+  Meeting meeting;     ///< at smooth sides
 };
 
 /// Bounds for the limit mesh at an extraordinary corner of a patch, where the surface is no
-/// polynomial: over the four cells each way at the corner, Q, and for meshes finer than analysed
+/// polynomial: over the five cells each way at the corner, Q, and for meshes finer than analysed
 /// elsewhere over the rings of cells between.
 ///
-/// The argument is that of mesh_bound.h over the block D of seven cells each way, with two changes.
+/// The argument is that of mesh_bound.h over the block D of eight cells each way, with two changes.
 /// Slope, orientation and one-to-one of the mesh come from its own edges in D, all pairs of them,
 /// and those of the surface are not needed: from surface to mesh, let f(p) overhang no line through
 /// a chord of the patch's sides in D by more than ω; moved by ω c along the middle of the inward
@@ -24,7 +26,8 @@ struct ZoneBound {
 /// since a way out of P L(D) leads across one of these lines or farther than `reach`, three times
 /// det_min / max(|a|, |b|) as D ends three cells beyond Q. From mesh to
 /// surface, the homotopy and arcs of the patch's sides are as there, so
-///   E_n + τ (E_t + |T| x) + x, x = max(ω c, 2σ),  where 2 (E_t + |T| (ω c + σ)) < reach.
+///   E_n + τ (E_t + |T| x) + x, x = max(ω c, 2σ) (but for smooth sides: see Meeting),  where E_t +
+///   |T| ω c < reach.
 /// Here E_t, reach and τ are measured after the linear map T of the level plane that takes the mean
 /// edges to unit vectors, since cells at such corners may grow ever thinner.
 /// E_n, E_t, ω and σ come from pieces: three cells a level on which the surface is bicubic (the
@@ -33,10 +36,12 @@ struct ZoneBound {
 class VertexZones {
  public:
   /// Cells each way of Q and of D.
-  static constexpr int kWidth = 4, kBlock = 7;
+  static constexpr int kWidth = 5, kBlock = 8;
 
   /// `corner` is the cell at the corner of a patch of depth `level`, as a patch of its own.
-  VertexZones(CellPatch corner, int level, int analysed_depth, int largest_depth);
+  /// Of its sides 0 and 3, `rim` tells those at which the surface ends or is sharp.
+  VertexZones(CellPatch corner, int level, int analysed_depth, int largest_depth,
+              const std::array<bool, 4>& rim);
 
   /// For the mesh of a depth; infinite for the first depths.
   ZoneBound at(int depth) const;
@@ -56,8 +61,8 @@ class VertexZones {
     const Piece& piece(int u, int v) const { return pieces[v * kBlock + u]; }
   };
   struct Ring {
-    std::vector<MeshBound> cells;
-    double side = 0;
+    std::vector<MeshBound> cells, meeting;
+    SplitBound side;
   };
   class Zone;
 
@@ -66,6 +71,7 @@ class VertexZones {
   ZoneBound rings_at(int depth) const;
 
   int first_ = 0, analysed_ = 0;
+  std::array<bool, 4> rim_{};
   std::vector<Level> levels_;     ///< from depth first_
   std::vector<Ring> rings_;       ///< from depth analysed_ + 1
   std::vector<ZoneBound> zones_;  ///< from depth first_

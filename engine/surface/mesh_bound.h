@@ -9,7 +9,7 @@ namespace limitgauge::engine::surface {
 
 /// How the mesh of a patch meets those beyond its smooth sides.
 struct Meeting {
-  double bulge_mm = 0;  ///< σ at smooth sides
+  double bulge_mm = 0;  ///< by how much surface or mesh reach over what lies beyond
   double slope = 0;     ///< of the mesh and of the surface, seen from m; infinite where not proven
   double width_mm =
       std::numeric_limits<double>::infinity();  ///< to which the block goes on at least

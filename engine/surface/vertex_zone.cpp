@@ -16,6 +16,7 @@ constexpr int kLevels = 20;
 /// A chord of one of the patch's sides: P L is inside where the inward product is not negative.
 struct SideChord {
   Vec3 start, inward;
+  int side = 0;  ///< 0 or 1: the patch's side 0 or 3
   double outside(const Vec3& p) const { return dot(inward, start - p); }
 };
 
@@ -49,7 +50,9 @@ class VertexZones::Zone {
     measure_speck();
     const double plain = std::hypot(off_, slide_);
     const double sliding = slide_along();
-    return {std::min(plain, sliding), {off_, std::min(bulge_, slide_), 0}, meeting_};
+    return {std::min(plain, sliding),
+            {off_, std::min(std::max(bulge_[0], bulge_[1]), slide_), 0},
+            meeting_};
   }
 
  private:
@@ -58,7 +61,8 @@ class VertexZones::Zone {
   Vec3 level(const Vec3& v) const { return v - normal_ * dot(normal_, v); }
 
   void add_chord(const Vec3& from, const Vec3& to) {
-    chords_.push_back({from, normalized(cross(normal_, to - from))});
+    const int side = static_cast<int>(chords_.size() % 2);
+    chords_.push_back({from, normalized(cross(normal_, to - from)), side});
   }
 
   void widen(double off, double slide, double mapped) {
@@ -87,13 +91,15 @@ class VertexZones::Zone {
   }
 
   void overhangs(const Vec3& p) {
-    for (const SideChord& chord : chords_) overhang_ = std::max(overhang_, chord.outside(p));
+    for (const SideChord& chord : chords_)
+      overhang_[chord.side] = std::max(overhang_[chord.side], chord.outside(p));
   }
   /// Bézier points of a piece's curve along side 0 or 3 of the patch, over chord `t` of it.
   void bulges(const Piece& piece, bool along_u, int t) {
     const SideChord& chord = chords_[2 * t + (along_u ? 0 : 1)];
     for (int k = 0; k < 4; ++k)
-      bulge_ = std::max(bulge_, std::abs(chord.outside(piece.bezier[along_u ? k : 4 * k])));
+      bulge_[chord.side] =
+          std::max(bulge_[chord.side], std::abs(chord.outside(piece.bezier[along_u ? k : 4 * k])));
   }
 
   void measure_regular() {
@@ -148,7 +154,7 @@ class VertexZones::Zone {
     for (const Vec3& p : levels_[at_ + kLevels].hull) {
       const Vec3 to = p - vertex;
       widen(off + height(to), slide + length(level(to)), mapped + map_.length(to));
-      bulge_ = std::max(bulge_, length(level(to)));
+      for (double& bulge : bulge_) bulge = std::max(bulge, length(level(to)));
       overhangs(p);
     }
   }
@@ -178,19 +184,29 @@ class VertexZones::Zone {
     if (!(area > 0)) return kInfinity;
     const double slope = (largest_v * rise_u + largest_u * rise_v) / area;
     const double reach = (kBlock - kWidth) * area / std::max(largest_u, largest_v);
-    const double inside = overhang_ * middle_factor(), aside = std::max(inside, 2 * bulge_);
+    const double factor = middle_factor();
+    double inside = 0;
+    for (int side = 0; side < 2; ++side)
+      if (rim_[3 * side]) inside = std::max(inside, overhang_[side] * factor);
     if (!(mapped_slide_ + map_.norm() * inside < reach)) return kInfinity;
-    const bool smooth = !rim_[0] && !rim_[3];
-    meeting_ = {rim_[0] && rim_[3] ? 0 : aside / 2, slope * map_.norm(), reach / map_.norm()};
-    return off_ + slope * (mapped_slide_ + map_.norm() * aside) + (smooth ? 0 : aside);
+    double rim = 0, smooth = 0;
+    for (int side = 0; side < 2; ++side) {
+      if (rim_[3 * side])
+        rim = std::max({rim, inside, 2 * bulge_[side]});
+      else
+        smooth = std::max({smooth, slide_, 2 * bulge_[side]});
+    }
+    meeting_ = {smooth / 2, slope * map_.norm(), reach / map_.norm()};
+    return off_ + slope * (mapped_slide_ + map_.norm() * rim) + rim;
   }
 
   double middle_factor() const {
     Vec3 sum;
-    for (const SideChord& chord : chords_) sum += chord.inward;
+    for (const SideChord& chord : chords_)
+      if (rim_[3 * chord.side]) sum += chord.inward;
     double least = 1;
     for (const SideChord& chord : chords_)
-      least = std::min(least, dot(chord.inward, normalized(sum)));
+      if (rim_[3 * chord.side]) least = std::min(least, dot(chord.inward, normalized(sum)));
     return least > 0 ? 1 / least : kInfinity;
   }
 
@@ -201,7 +217,8 @@ class VertexZones::Zone {
   Vec3 normal_;
   std::vector<SideChord> chords_;  ///< of sides 0 and 3 in turn
   LevelMap map_;
-  double off_ = 0, slide_ = 0, mapped_slide_ = 0, overhang_ = 0, bulge_ = 0;
+  double off_ = 0, slide_ = 0, mapped_slide_ = 0;
+  std::array<double, 2> overhang_{}, bulge_{};
 };
 
 VertexZones::VertexZones(CellPatch corner, int level, int analysed_depth, int largest_depth,

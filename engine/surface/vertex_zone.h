@@ -28,11 +28,14 @@ struct ZoneBound {
 /// surface, the homotopy and arcs of the patch's sides are as there, so
 ///   E_n + τ (E_t + |T| x) + x, x = max(ω c, 2σ) (but for smooth sides: see Meeting),  where E_t +
 ///   |T| ω c < reach.
-/// Here E_t, reach and τ are measured after the linear map T of the level plane that takes the mean
-/// edges to unit vectors, since cells at such corners may grow ever thinner.
-/// E_n, E_t, ω and σ come from pieces: three cells a level on which the surface is bicubic (the
-/// deviation at their nodes, which is exact, plus their own interpolation bound, and their Bézier
-/// points), and the convex hull of the control points for the speck that is left.
+/// Beyond smooth sides the meshes of other patches go on: there f(p) needs no way back, ω counts
+/// rims alone, and E_t itself, in mm, is the bulge that error_mm of PatchModel weighs with the
+/// slopes of those meshes. (From mesh to surface the homotopy is then that of all these blocks
+/// about the vertex together.) Here E_t, reach and τ are measured after the linear map T of the
+/// level plane that takes the mean edges to unit vectors, since cells at such corners may grow ever
+/// thinner. E_n, E_t, ω and σ come from pieces: three cells a level on which the surface is bicubic
+/// (the deviation at their nodes, which is exact, plus their own interpolation bound, and their
+/// Bézier points), and the convex hull of the control points for the speck that is left.
 class VertexZones {
  public:
   /// Cells each way of Q and of D.

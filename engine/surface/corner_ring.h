@@ -43,6 +43,12 @@ class CornerRing {
   /// faces, two faces along a crease or boundary, or one in a sharp corner.
   bool regular() const;
 
+  /// As allocated.
+  std::size_t memory_bytes() const {
+    return sizeof(*this) + (edges_.capacity() + faces_.capacity()) * sizeof(Vec3) +
+           sharpness_.capacity() * sizeof(double);
+  }
+
   /// Largest sharpness that refinement will use up: limits hold only once it is zero.
   double largest_finite_sharpness() const;
   VertexRule rule() const { return rule_of(false); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -27,5 +28,13 @@ class LevelMap {
  private:
   Vec3 x_, y_;
 };
+
+/// Largest factor by which a linear map of the plane stretches, from the images of the unit
+/// vectors.
+inline double stretch(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+  const double sum = a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1];
+  const double area = a[0] * b[1] - a[1] * b[0];
+  return std::sqrt((sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))) / 2);
+}
 
 }  // namespace limitgauge::engine::surface

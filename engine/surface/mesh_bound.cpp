@@ -32,14 +32,6 @@ double swing(const Vec3& a, const Vec3& b) {
   return dot(a, b) > 0 && scale > 0 ? length(cross(a, b)) / scale : 1.0;
 }
 
-/// Largest factor by which a linear map of the plane stretches, from the images of the unit
-/// vectors.
-double stretch(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  const double sum = a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1];
-  const double area = a[0] * b[1] - a[1] * b[0];
-  return std::sqrt((sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))) / 2);
-}
-
 /// Bounds of one cell as another sees them.
 class Seen {
  public:

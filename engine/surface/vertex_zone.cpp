@@ -37,7 +37,10 @@ class VertexZones::Zone {
     const Vec3 edge_u = l.node(n, 0) + l.node(n, n) - l.node(0, 0) - l.node(0, n);
     const Vec3 edge_v = l.node(0, n) + l.node(n, n) - l.node(0, 0) - l.node(n, 0);
     normal_ = normalized(cross(edge_u, edge_v));
-    map_ = LevelMap(normal_, edge_u / (2.0 * n), edge_v / (2.0 * n));
+    corner_.normal = normal_;
+    corner_.edge_u = edge_u / (2.0 * n);
+    corner_.edge_v = edge_v / (2.0 * n);
+    map_ = corner_.map = LevelMap(normal_, corner_.edge_u, corner_.edge_v);
     for (int t = 0; t < n; ++t) {
       add_chord(l.node(t, 0), l.node(t + 1, 0));
       add_chord(l.node(0, t + 1), l.node(0, t));
@@ -52,7 +55,8 @@ class VertexZones::Zone {
     const double sliding = slide_along();
     return {std::min(plain, sliding),
             {off_, std::min(std::max(bulge_[0], bulge_[1]), slide_), 0},
-            meeting_};
+            {},
+            corner_};
   }
 
  private:
@@ -161,7 +165,6 @@ class VertexZones::Zone {
 
   /// The bound of the header, with the mesh's edges for its derivatives.
   double slide_along() {
-    meeting_ = {0, kInfinity, 0};
     std::vector<Vec3> in_u, in_v;
     for (int t = 0; t < kBlock; ++t)
       for (int s = 0; s <= kBlock; ++s) {
@@ -196,7 +199,12 @@ class VertexZones::Zone {
       else
         smooth = std::max({smooth, slide_, 2 * bulge_[side]});
     }
-    meeting_ = {smooth / 2, slope * map_.norm(), reach / map_.norm()};
+    corner_.slope = slope;
+    corner_.reach = reach;
+    if (smooth > 0) {
+      corner_.slide_mm = smooth;
+      corner_.mapped = std::max(mapped_slide_, map_.norm() * 2 * std::max(bulge_[0], bulge_[1]));
+    }
     return off_ + slope * (mapped_slide_ + map_.norm() * rim) + rim;
   }
 
@@ -213,13 +221,21 @@ class VertexZones::Zone {
   const std::vector<Level>& levels_;
   std::size_t at_;
   std::array<bool, 4> rim_;
-  Meeting meeting_;
+  CornerMeeting corner_;
   Vec3 normal_;
   std::vector<SideChord> chords_;  ///< of sides 0 and 3 in turn
   LevelMap map_;
   double off_ = 0, slide_ = 0, mapped_slide_ = 0;
   std::array<double, 2> overhang_{}, bulge_{};
 };
+
+double CornerMeeting::added_on(const CornerMeeting& other) const {
+  const double there = mapped * stretch(other.map(edge_u), other.map(edge_v));
+  if (slide_mm == 0) return 0;
+  if (!(there < other.reach)) return slide_mm;
+  const double tilt = length(cross(normal, other.normal));
+  return std::min(slide_mm, other.slope * there + tilt * slide_mm);
+}
 
 VertexZones::VertexZones(CellPatch corner, int level, int analysed_depth, int largest_depth,
                          const std::array<bool, 4>& rim)
@@ -288,12 +304,12 @@ ZoneBound VertexZones::rings_at(int depth) const {
 }
 
 ZoneBound VertexZones::at(int depth) const {
-  if (depth < first_) return {kInfinity, {kInfinity, kInfinity, 0}, {0, kInfinity, 0}};
+  if (depth < first_) return {kInfinity, {kInfinity, kInfinity, 0}, {}, {}};
   ZoneBound bound = rings_at(depth);
   const ZoneBound& zone = zones_[static_cast<std::size_t>(depth - first_)];
   bound.surface = std::max(bound.surface, zone.surface);
   widen(bound.side, zone.side, 1);
-  bound.meeting = worse(bound.meeting, zone.meeting);
+  bound.corner = zone.corner;
   return bound;
 }
 

@@ -7,11 +7,26 @@
 
 namespace limitgauge::engine::surface {
 
+/// How the mesh about an extraordinary corner goes on in those of other patches there: points may
+/// slide beyond smooth sides by `slide_mm`, which is `mapped` after T.
+struct CornerMeeting {
+  double slide_mm = 0, mapped = 0;
+  Vec3 normal, edge_u, edge_v;                             ///< m, and what T takes to unit vectors
+  LevelMap map;                                            ///< T
+  double slope = std::numeric_limits<double>::infinity();  ///< rise over mapped length
+  double reach = 0;                                        ///< of D, mapped
+
+  /// What the slide adds to the distance when it ends on the mesh of `other`, mm: its rise there,
+  /// and by the angle between both normals. The whole slide where it may leave that mesh.
+  double added_on(const CornerMeeting& other) const;
+};
+
 /// Bounds on the distance of limit surface and limit mesh about a corner, mm.
 struct ZoneBound {
-  double surface = 0;  ///< between surface and mesh
-  SplitBound side;     ///< between the patch's sides and their chords
-  Meeting meeting;     ///< at smooth sides
+  double surface = 0;    ///< between surface and mesh
+  SplitBound side;       ///< between the patch's sides and their chords
+  Meeting meeting;       ///< at smooth sides, but for Q
+  CornerMeeting corner;  ///< of Q
 };
 
 /// Bounds for the limit mesh at an extraordinary corner of a patch, where the surface is no

@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace limitgauge::engine::surface {
+
+// For points that turn into Vec3.
+using model::operator+;
+using model::operator-;
+using model::operator*;
+
 namespace {
 
 std::size_t net_size(int cells) {
@@ -20,7 +26,8 @@ Vec3 regular_edge(const Vec3& ends, const Vec3& wings) {
 
 }  // namespace
 
-CellPatch::CellPatch(const OuterMesh& mesh, Index face) : net_(net_size(1)) {
+template <class Point>
+BasicCellPatch<Point>::BasicCellPatch(const OuterMesh& mesh, Index face) : net_(net_size(1)) {
   const Index first = mesh.face_offsets[face];
   for (int c = 0; c < 4; ++c) {
     rings_.emplace_back(mesh, first + c);
@@ -30,12 +37,14 @@ CellPatch::CellPatch(const OuterMesh& mesh, Index face) : net_(net_size(1)) {
   place_corners(net_, 1);
 }
 
-const Vec3& CellPatch::from_corner(int c, int along, int inward) const {
+template <class Point>
+Vec3 BasicCellPatch<Point>::from_corner(int c, int along, int inward) const {
   const PatchSide s = side(c, cells());
   return net_[s.base + along * s.along - inward * s.outward];
 }
 
-CornerRing CellPatch::ring_on_first_side(int c) const {
+template <class Point>
+CornerRing BasicCellPatch<Point>::ring_on_first_side(int c) const {
   const auto p = [&](int t, int w) { return from_corner(c, t, w); };
   const double s = sharpness_[c];
   if (open_[c])
@@ -49,7 +58,8 @@ CornerRing CellPatch::ring_on_first_side(int c) const {
                      0});
 }
 
-CornerRing CellPatch::ring_inside(int c) const {
+template <class Point>
+CornerRing BasicCellPatch<Point>::ring_inside(int c) const {
   const auto p = [&](int t, int w) { return from_corner(c, t, w); };
   return CornerRing({p(1, 1),
                      {p(0, 1), p(1, 0), p(2, 1), p(1, 2)},
@@ -59,7 +69,8 @@ CornerRing CellPatch::ring_inside(int c) const {
                      0});
 }
 
-CornerRing CellPatch::ring_on_last_side(int c) const {
+template <class Point>
+CornerRing BasicCellPatch<Point>::ring_on_last_side(int c) const {
   const auto p = [&](int t, int w) { return from_corner(c, t, w); };
   const double s = sharpness_[(c + 3) % 4];
   if (open_[(c + 3) % 4])
@@ -73,8 +84,9 @@ CornerRing CellPatch::ring_on_last_side(int c) const {
                      0});
 }
 
-CellPatch CellPatch::corner_cell(int c) const {
-  CellPatch cell;
+template <class Point>
+BasicCellPatch<Point> BasicCellPatch<Point>::corner_cell(int c) const {
+  BasicCellPatch cell;
   cell.net_.resize(net_size(1));
   cell.rings_ = {rings_[c], ring_on_first_side(c), ring_inside(c), ring_on_last_side(c)};
   cell.open_ = {open_[c], false, false, open_[(c + 3) % 4]};
@@ -83,7 +95,8 @@ CellPatch CellPatch::corner_cell(int c) const {
   return cell;
 }
 
-PatchSide CellPatch::side(int c, int cells) const {
+template <class Point>
+PatchSide BasicCellPatch<Point>::side(int c, int cells) const {
   const int w = cells + 3;
   const int origin = w + 1;
   switch (c) {
@@ -98,14 +111,16 @@ PatchSide CellPatch::side(int c, int cells) const {
   }
 }
 
-int CellPatch::smallest_limit_depth() const {
+template <class Point>
+int BasicCellPatch<Point>::smallest_limit_depth() const {
   double largest = 0;
   for (const CornerRing& ring : rings_)
     largest = std::max(largest, ring.largest_finite_sharpness());
   return depth_ + static_cast<int>(std::ceil(largest));
 }
 
-void CellPatch::place_corners(std::vector<Vec3>& net, int cells) const {
+template <class Point>
+void BasicCellPatch<Point>::place_corners(std::vector<Point>& net, int cells) const {
   for (int c = 0; c < 4; ++c) {
     const PatchSide s = side(c, cells);
     net[s.base] = rings_[c].centre();
@@ -115,9 +130,10 @@ void CellPatch::place_corners(std::vector<Vec3>& net, int cells) const {
   }
 }
 
-void CellPatch::refine() {
+template <class Point>
+void BasicCellPatch<Point>::refine() {
   const int fine_cells = 2 * cells();
-  std::vector<Vec3> fine(net_size(fine_cells));
+  std::vector<Point> fine(net_size(fine_cells));
   refine_interior(fine);
   for (int c = 0; c < 4; ++c) {
     refine_side(c, fine);
@@ -130,11 +146,12 @@ void CellPatch::refine() {
   ++depth_;
 }
 
-void CellPatch::refine_interior(std::vector<Vec3>& fine) const {
+template <class Point>
+void BasicCellPatch<Point>::refine_interior(std::vector<Point>& fine) const {
   const int m = cells(), w = width(), fine_w = 2 * m + 3;
   for (int fv = 1; fv < 2 * m; ++fv) {
-    Vec3* row = &fine[(fv + 1) * fine_w + 1];
-    const Vec3* p = &net_[at(0, fv / 2)];
+    Point* row = &fine[(fv + 1) * fine_w + 1];
+    const Point* p = &net_[at(0, fv / 2)];
     if (fv % 2 == 1) {
       for (int u = 0; u < m; ++u) {
         row[2 * u + 1] = (p[u] + p[u + 1] + p[u + w] + p[u + w + 1]) * 0.25;
@@ -154,12 +171,13 @@ void CellPatch::refine_interior(std::vector<Vec3>& fine) const {
   }
 }
 
-void CellPatch::refine_side(int c, std::vector<Vec3>& fine) const {
+template <class Point>
+void BasicCellPatch<Point>::refine_side(int c, std::vector<Point>& fine) const {
   const int m = cells();
   const PatchSide from = side(c, m), to = side(c, 2 * m);
   const double s = sharpness_[c], blend = std::min(s, 1.0);
   for (int t = 1; t < 2 * m; ++t) {
-    const Vec3* p = &net_[from.base + (t / 2) * from.along];
+    const Point* p = &net_[from.base + (t / 2) * from.along];
     const int a = from.along, o = from.outward;
     Vec3 sharp, smooth;
     if (t % 2 == 1) {
@@ -175,11 +193,12 @@ void CellPatch::refine_side(int c, std::vector<Vec3>& fine) const {
   }
 }
 
-void CellPatch::refine_strip(int c, std::vector<Vec3>& fine) const {
+template <class Point>
+void BasicCellPatch<Point>::refine_strip(int c, std::vector<Point>& fine) const {
   const int m = cells();
   const PatchSide from = side(c, m), to = side(c, 2 * m);
   for (int t = 1; t < 2 * m; ++t) {
-    const Vec3* p = &net_[from.base + (t / 2) * from.along];
+    const Point* p = &net_[from.base + (t / 2) * from.along];
     const int a = from.along, o = from.outward;
     fine[to.base + t * to.along + to.outward] =
         t % 2 == 1 ? (p[0] + p[a] + p[o] + p[a + o]) * 0.25
@@ -187,7 +206,8 @@ void CellPatch::refine_strip(int c, std::vector<Vec3>& fine) const {
   }
 }
 
-LimitPatch CellPatch::limit() const {
+template <class Point>
+LimitPatch BasicCellPatch<Point>::limit() const {
   LimitPatch limit;
   limit.depth = depth_;
   const auto count = static_cast<std::size_t>(cells() + 1) * static_cast<std::size_t>(cells() + 1);
@@ -202,7 +222,8 @@ LimitPatch CellPatch::limit() const {
 namespace {
 
 /// Regular limit masks at `p`, neighbours by strides `a` (first direction) and `b` (second).
-void regular_limit(const Vec3* p, int a, int b, Vec3& point, Vec3& normal) {
+template <class Point>
+void regular_limit(const Point* p, int a, int b, Vec3& point, Vec3& normal) {
   const Vec3 plus = p[a + b], minus = p[-a - b], left = p[b - a], right = p[a - b];
   point = (p[0] * 16.0 + (p[a] + p[-a] + p[b] + p[-b]) * 4.0 + plus + minus + left + right) / 36.0;
   const Vec3 along_a = (p[a] - p[-a]) * 4.0 + plus + right - left - minus;
@@ -212,7 +233,8 @@ void regular_limit(const Vec3* p, int a, int b, Vec3& point, Vec3& normal) {
 
 }  // namespace
 
-void CellPatch::limit_interior(LimitPatch& limit) const {
+template <class Point>
+void BasicCellPatch<Point>::limit_interior(LimitPatch& limit) const {
   const int m = cells(), w = width();
   for (int v = 1; v < m; ++v)
     for (int u = 1; u < m; ++u) {
@@ -221,7 +243,8 @@ void CellPatch::limit_interior(LimitPatch& limit) const {
     }
 }
 
-void CellPatch::limit_side(int c, LimitPatch& limit) const {
+template <class Point>
+void BasicCellPatch<Point>::limit_side(int c, LimitPatch& limit) const {
   const int m = cells();
   const PatchSide s = side(c, m);
   const int row = m + 1;
@@ -229,7 +252,7 @@ void CellPatch::limit_side(int c, LimitPatch& limit) const {
   const std::array<int, 4> step = {1, row, -1, -row};
   for (int t = 1; t < m; ++t) {
     const int i = corner[c] + t * step[c];
-    const Vec3* p = &net_[s.base + t * s.along];
+    const Point* p = &net_[s.base + t * s.along];
     const int a = s.along, in = -s.outward;
     if (!is_sharp(sharpness_[c])) {
       regular_limit(p, a, in, limit.points[i], limit.normals[i]);
@@ -241,7 +264,8 @@ void CellPatch::limit_side(int c, LimitPatch& limit) const {
   }
 }
 
-void CellPatch::limit_corners(LimitPatch& limit) const {
+template <class Point>
+void BasicCellPatch<Point>::limit_corners(LimitPatch& limit) const {
   const int m = cells();
   const std::array<int, 4> corner = {limit.index(0, 0), limit.index(m, 0), limit.index(m, m),
                                      limit.index(0, m)};
@@ -250,5 +274,26 @@ void CellPatch::limit_corners(LimitPatch& limit) const {
     limit.normals[corner[c]] = rings_[c].limit_normal();
   }
 }
+
+template <class Point>
+std::size_t BasicCellPatch<Point>::memory_bytes() const {
+  std::size_t bytes = sizeof(*this) + net_.capacity() * sizeof(Point);
+  for (const CornerRing& ring : rings_) bytes += ring.memory_bytes();
+  return bytes;
+}
+
+std::size_t cell_bytes_counted(int depth, std::size_t point_bytes) {
+  const std::size_t side = (std::size_t{1} << depth) + 1;
+  return (side * side + 4 * side) * point_bytes;
+}
+
+std::size_t half_edge_bytes_counted(int depth, std::size_t point_bytes) {
+  constexpr std::size_t kPointers = 22, kPointerBytes = 8;
+  const std::size_t side = (std::size_t{1} << depth) + 1;
+  return side * side * (point_bytes + kPointers * kPointerBytes);
+}
+
+template class BasicCellPatch<Vec3>;
+template class BasicCellPatch<FloatPoint>;
 
 }  // namespace limitgauge::engine::surface

@@ -1,30 +1,55 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <optional>
+#include <vector>
 
-#include "engine/surface/cell_patch.h"
+#include "engine/surface/vertex_zone.h"
 
 namespace limitgauge::engine::surface {
 
-/// Bounds on the distance between a patch and its triangulated limit mesh (each cell split along
-/// its first diagonal), mm.
-struct ChordBound {
-  double limit_mm = 0;   ///< of the limit surface
-  double offset_mm = 0;  ///< of the surface moved out along its normals, but for the corners
-  /// The same over the quarter at each corner: normals may turn ever faster towards a vertex.
-  std::array<double, 4> corner_offset_mm{};
+/// Bounds on the distance, either way, between a surface and its triangulated mesh (each cell split
+/// along its first diagonal); infinite where nothing is proven.
+struct MeshError {
+  double own_mm = 0;                                    ///< within the patch
+  Meeting meeting;                                      ///< with other patches across smooth sides
+  std::array<std::optional<CornerMeeting>, 4> corners;  ///< at extraordinary corners
+  /// How far at most a piece of each side lies from its chord, along and across the normal, mm: so
+  /// much a side moves that is laid onto the chords of a coarser neighbour.
+  std::array<SplitBound, 4> sides{};
 };
 
-/// Bounds at the patch's present depth, from second differences seen along each triangle's normal:
-/// a linear interpolant leaves a function by at most (D_uu + 2 D_uv + D_vv) / 8 (Filip, Magedson
-/// and Markot). On cells whose 4×4 control points are complete the second derivatives of the limit
-/// surface lie in the hull of the control net's second differences, so the bound is rigorous;
-/// cells at extraordinary corners and the offset use the differences of the limit points
-/// themselves with a margin of two and a half respectively.
-///
-/// Sides flagged in `rim` count with the whole second differences of their curves, since a rim's
-/// outline matters within the surface too.
-ChordBound chord_bound(const CellPatch& patch, const LimitPatch& limit, double offset_mm,
-                       const std::array<bool, 4>& rim);
+/// What is proven of a patch at one depth.
+struct ChordBound {
+  MeshError limit;  ///< limit surface and limit mesh
+  /// Of the surface moved out along its normals by up to the offset asked for, but for the places
+  /// about extraordinary corners: see ChordBounds::corner_depth.
+  MeshError offset;
+  double largest_mm() const { return std::max(limit.own_mm, offset.own_mm); }
+};
+
+struct ChordBounds {
+  std::vector<ChordBound> at;  ///< by depth, 0 to the largest asked for
+  /// The offset is bounded over all but the cells of this depth at extraordinary corners, where
+  /// normals may turn ever faster.
+  int corner_depth = 0;
+  std::array<bool, 4> extraordinary{};
+};
+
+/// What bounds are asked for.
+struct BoundRequest {
+  double offset_mm = 0;
+  int analysed_depth = 5;  ///< to which control nets are looked at
+  int largest_depth = 10;
+  bool limit = true;          ///< the limit mesh at extraordinary corners too
+  std::array<bool, 4> rim{};  ///< sides at which the surface ends or is sharp
+};
+
+/// Proven bounds for all depths up to the largest, rounding aside, from the control net of `patch`
+/// (of any depth) down to the depth to be analysed: see cell_bounds.h and mesh_bound.h for
+/// cells on which the surface is bicubic, vertex_zone.h for those at extraordinary corners. Past
+/// that depth bounds fall by four a level.
+ChordBounds chord_bounds(CellPatch patch, const BoundRequest& request);
 
 }  // namespace limitgauge::engine::surface

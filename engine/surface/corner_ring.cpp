@@ -98,6 +98,22 @@ double CornerRing::largest_finite_sharpness() const {
   return largest;
 }
 
+void CornerRing::add_points(std::vector<Vec3>& points) const {
+  points.push_back(centre_);
+  points.insert(points.end(), edges_.begin(), edges_.end());
+  points.insert(points.end(), faces_.begin(), faces_.end());
+}
+
+bool CornerRing::regular() const {
+  const VertexRule rule = rule_of(false);
+  if (rule == VertexRule::smooth) return closed_ && edge_total() == 4;
+  if (rule == VertexRule::dart) return false;
+  const Sector sector = own_sector();
+  if (rule == VertexRule::crease) return sector.faces == 2;
+  return sector.faces == 1 && is_sharp(sharpness_[wrapped(sector.first)]) &&
+         is_sharp(sharpness_[wrapped(sector.first + 1)]);
+}
+
 bool CornerRing::is_sharp_point() const {
   return rule_of(false) == VertexRule::corner;
 }

@@ -33,6 +33,22 @@ class CornerRing {
   /// Edge neighbour `offset` steps counter-clockwise of the patch's own outgoing edge.
   const Vec3& edge_beyond(int offset) const { return edges_[wrapped(own_ + offset)]; }
 
+  /// The diagonal neighbour in face `offset`, counted from the patch's own.
+  const Vec3& face_beyond(int offset) const {
+    return faces_[static_cast<std::size_t>(own_ + offset) % faces_.size()];
+  }
+  /// Appends the points of the ring to `points`.
+  void add_points(std::vector<Vec3>& points) const;
+  /// Whether the surface beside the vertex is one bicubic a face: an inner vertex of four smooth
+  /// faces, two faces along a crease or boundary, or one in a sharp corner.
+  bool regular() const;
+
+  /// As allocated.
+  std::size_t memory_bytes() const {
+    return sizeof(*this) + (edges_.capacity() + faces_.capacity()) * sizeof(Vec3) +
+           sharpness_.capacity() * sizeof(double);
+  }
+
   /// Largest sharpness that refinement will use up: limits hold only once it is zero.
   double largest_finite_sharpness() const;
   VertexRule rule() const { return rule_of(false); }

@@ -23,17 +23,23 @@ double between(double a, double b, double t) {
   return std::clamp(a + (b - a) * t, std::min(a, b), std::max(a, b));
 }
 
-/// Lays the finer points of `side` onto the chords of every `ratio`th.
+/// Lays the finer points of `side` onto the chords of every `ratio`th, each onto the place nearest
+/// to it, so that it moves across the chord only.
 void straighten(Grid& grid, int side, int ratio) {
   const int cells = grid.columns - 1;
+  double share = 0;
   for (int t = 0; t < cells; ++t) {
     const int rest = t % ratio;
-    if (rest == 0) continue;
+    if (rest == 0) {
+      share = 0;
+      continue;
+    }
     const Vec3 a = grid.points[side_index(side, t - rest, cells)];
     const Vec3 b = grid.points[side_index(side, t - rest + ratio, cells)];
-    const double share = static_cast<double>(rest) / ratio;
-    grid.points[side_index(side, t, cells)] = {between(a.x, b.x, share), between(a.y, b.y, share),
-                                               between(a.z, b.z, share)};
+    Vec3& point = grid.points[side_index(side, t, cells)];
+    const double square = length_squared(b - a);
+    if (square > 0) share = std::clamp(dot(point - a, b - a) / square, share, 1.0);
+    point = {between(a.x, b.x, share), between(a.y, b.y, share), between(a.z, b.z, share)};
   }
 }
 
@@ -43,19 +49,17 @@ OffsetModel sample_offset(const PatchModel& model, double offset_mm, double erro
   OffsetModel sampled;
   sampled.offset_mm = offset_mm;
   const int patches = static_cast<int>(model.patches().size());
+  const Sampling sampling = model.sampling_for(error_mm);
+  sampled.depths = sampling.depths;
+  sampled.excess_mm =
+      std::max(0.0, (offset_mm > 0 ? sampling.offset_mm : sampling.limit_mm) - error_mm);
   for (int p = 0; p < patches; ++p) {
     const LimitPatch& limit = model.patches()[p].limit;
-    sampled.depths.push_back(model.depth_for(p, error_mm));
-    sampled.grids.push_back(sampled_grid(limit, sampled.depths.back(), offset_mm));
-    const ModelPatch& patch = model.patches()[p];
-    const ChordBound& bound = patch.bounds[sampled.depths.back()];
-    sampled.excess_mm = std::max(
-        {sampled.excess_mm, bound.limit_mm - error_mm,
-         offset_mm > 0 ? std::max(bound.offset_mm - error_mm, patch.corner_excess_mm) : 0});
+    sampled.grids.push_back(sampled_grid(limit, sampled.depths[p], offset_mm));
     if (offset_mm > 0)
-      for (const LimitPatch& corner : patch.corners)
+      for (const LimitPatch& corner : model.patches()[p].corners)
         sampled.corners.push_back(sampled_grid(corner, corner.depth, offset_mm));
-    const int interval = 1 << (limit.depth - sampled.depths.back());
+    const int interval = 1 << (limit.depth - sampled.depths[p]);
     sampled.intervals.push_back(interval);
     sampled.interval_min = p == 0 ? interval : std::min(sampled.interval_min, interval);
     sampled.interval_max = std::max(sampled.interval_max, interval);

@@ -1,7 +1,8 @@
 #include "engine/surface/patch_model.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <numbers>
 
 namespace limitgauge::engine::surface {
 namespace {
@@ -9,18 +10,16 @@ namespace {
 constexpr int kNoPatch = -1;
 /// Share of the precision given to the meshes; the rest is for rims, reduction and rounding.
 constexpr double kMeshShare = 0.25;
-/// Depth from which bounds are looked at: fewer cells are all corners.
-constexpr int kFirstDepth = 2;
-/// Depth at which the cell at a corner is a quarter of the patch's side.
-constexpr int kCornerDepth = 2;
-/// Quarters of quarters taken at a corner: the last is 4^-8 of the patch's side.
-constexpr int kMostQuarters = 8;
+/// Depth to which control nets are looked at for bounds: cells are flat enough there for their
+/// hulls to be tight.
+constexpr int kAnalysedDepth = 5;
+/// Quarters of quarters taken at a corner: control nets shrink by 0.654 a level at worst, two
+/// levels a quarter, so the last is a ten-thousandth of the first.
+constexpr int kMostQuarters = 12;
+constexpr int kAnalysedCorner = 4;
 constexpr int kDeepestCorner = 7;
-
-ChordBound no_bound() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {kInfinity, kInfinity, {kInfinity, kInfinity, kInfinity, kInfinity}};
-}
+/// Depth at which the cell at a corner is a quarter of the side.
+constexpr int kQuarter = 2;
 
 }  // namespace
 
@@ -34,66 +33,79 @@ PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& request,
     patches_.emplace_back();
     patches_.back().first_half_edge = outer_.face_offsets[f];
   }
+  find_touching();
+  std::vector<ChordBounds> bounds(patches_.size());
   model::parallel_for(patches_.size(), control.threads, [&](std::size_t p) {
     control.check();
-    build_patch(p, request);
+    bounds[p] = bound_patch(p, request);
+    patches_[p].bounds = bounds[p].at;
+  });
+  const std::vector<int> depths = depths_within(kMeshShare * request.precision_mm);
+  model::parallel_for(patches_.size(), control.threads, [&](std::size_t p) {
+    control.check();
+    build_patch(p, depths[p], bounds[p], request);
   });
   share_edges();
   for (const ModelPatch& patch : patches_)
     for (const Vec3& point : patch.limit.points) box_.add(point);
 }
 
-void PatchModel::build_patch(std::size_t p, const ModelRequest& request) {
-  ModelPatch& patch = patches_[p];
-  CellPatch cell(outer_, outer_.face_of[patch.first_half_edge]);
-  const int first = std::max(kFirstDepth, cell.smallest_limit_depth());
-  while (cell.depth() < first) {
-    cell.refine();
-    patch.bounds.push_back(no_bound());
-  }
-  const double wanted = kMeshShare * request.precision_mm;
+ChordBounds PatchModel::bound_patch(std::size_t p, const ModelRequest& request) {
+  CellPatch cell(outer_, outer_.face_of[patches_[p].first_half_edge]);
+  const int largest = std::max(request.largest_depth, cell.smallest_limit_depth());
   std::array<bool, 4> rim{};
   for (int side = 0; side < 4; ++side) {
-    const Index h = patch.first_half_edge + side;
+    const Index h = patches_[p].first_half_edge + side;
     rim[side] = ends_at(h) || creased_at(h);
   }
-  std::vector<CellPatch> corners;
-  for (;;) {
-    if (corners.empty() && cell.depth() == kCornerDepth && !cell.tagged())
-      for (int c = 0; c < 4; ++c) corners.push_back(cell.corner_cell(c));
-    patch.limit = cell.limit();
-    patch.bounds.push_back(chord_bound(cell, patch.limit, request.largest_offset_mm, rim));
-    const ChordBound& bound = patch.bounds.back();
-    const bool enough = std::max(bound.offset_mm, bound.limit_mm) <= wanted;
-    if (enough || cell.depth() >= request.largest_depth) break;
+  return chord_bounds(std::move(cell),
+                      {request.largest_offset_mm, kAnalysedDepth, largest, true, rim});
+}
+
+void PatchModel::build_patch(std::size_t p, int depth, const ChordBounds& bounds,
+                             const ModelRequest& request) {
+  ModelPatch& patch = patches_[p];
+  CellPatch cell(outer_, outer_.face_of[patch.first_half_edge]);
+  while (cell.depth() < depth) {
+    if (request.largest_offset_mm > 0 && cell.depth() == bounds.corner_depth)
+      for (int c = 0; c < 4; ++c)
+        if (bounds.extraordinary[c]) build_corner(patch, cell.corner_cell(c), request);
     cell.refine();
   }
-  for (std::size_t c = 0; c < corners.size(); ++c)
-    if (patch.bounds.back().corner_offset_mm[c] > wanted)
-      build_corner(patch, std::move(corners[c]), request);
+  patch.limit = cell.limit();
+  patch.bounds.resize(static_cast<std::size_t>(depth) + 1);
 }
+
+namespace {
+
+/// Largest distance of the surface over all of `cell` from its first corner.
+double speck_radius(const CellPatch& cell) {
+  std::vector<Vec3> hull;
+  for (int c = 0; c < 4; ++c) cell.ring(c).add_points(hull);
+  const Vec3 vertex = cell.ring(0).limit_point();
+  double radius = 0;
+  for (const Vec3& p : hull) radius = std::max(radius, distance(p, vertex));
+  return radius;
+}
+
+}  // namespace
 
 void PatchModel::build_corner(ModelPatch& patch, CellPatch cell, const ModelRequest& request) {
   const double wanted = kMeshShare * request.precision_mm;
-  for (int quarter = 0; quarter < kMostQuarters; ++quarter) {
-    while (cell.depth() < kCornerDepth) cell.refine();
+  for (int quarter = 0; quarter < kMostQuarters && speck_radius(cell) > wanted; ++quarter) {
+    const ChordBounds bounds =
+        chord_bounds(cell, {request.largest_offset_mm, kAnalysedCorner, kDeepestCorner, false, {}});
+    int depth = kQuarter + 1;
+    while (depth < kDeepestCorner && bounds.at[depth].offset.own_mm > wanted) ++depth;
+    patch.corner_bound_mm = std::max(patch.corner_bound_mm, bounds.at[depth].offset.own_mm);
+    while (cell.depth() < kQuarter) cell.refine();
     CellPatch inner = cell.corner_cell(0);
-    ChordBound bound;
-    LimitPatch limit;
-    for (;;) {
-      limit = cell.limit();
-      bound = chord_bound(cell, limit, request.largest_offset_mm, {});
-      const auto& c = bound.corner_offset_mm;
-      bound.offset_mm = std::max({bound.offset_mm, c[1], c[2], c[3]});
-      if (bound.offset_mm <= wanted || cell.depth() >= kDeepestCorner) break;
-      cell.refine();
-    }
-    patch.corners.push_back(std::move(limit));
-    patch.corner_excess_mm = std::max(patch.corner_excess_mm, bound.offset_mm - wanted);
-    if (bound.corner_offset_mm[0] <= wanted) return;
+    while (cell.depth() < depth) cell.refine();
+    patch.corners.push_back(cell.limit());
     cell = std::move(inner);
   }
-  // What is left is a speck: a ball at the vertex covers it but for its own size.
+  patch.corner_bound_mm = std::max(patch.corner_bound_mm, speck_radius(cell));
+  patch.specks.push_back(cell.ring(0).limit_point());
 }
 
 void PatchModel::copy_edge(Index from, Index to) {
@@ -119,8 +131,114 @@ void PatchModel::share_edges() {
 int PatchModel::depth_for(int p, double error_mm) const {
   const std::vector<ChordBound>& bounds = patches_[p].bounds;
   for (std::size_t d = 0; d < bounds.size(); ++d)
-    if (std::max(bounds[d].offset_mm, bounds[d].limit_mm) <= error_mm) return static_cast<int>(d);
-  return patches_[p].limit.depth;
+    if (bounds[d].largest_mm() <= error_mm) return static_cast<int>(d);
+  return static_cast<int>(bounds.size()) - 1;
+}
+
+void PatchModel::find_touching() {
+  std::vector<std::vector<int>> at_vertex(outer_.points.size());
+  for (std::size_t p = 0; p < patches_.size(); ++p)
+    for (Index side = 0; side < 4; ++side)
+      at_vertex[outer_.origin[patches_[p].first_half_edge + side]].push_back(static_cast<int>(p));
+  touching_.resize(patches_.size());
+  for (std::size_t p = 0; p < patches_.size(); ++p) {
+    for (Index side = 0; side < 4; ++side) {
+      const auto& at = at_vertex[outer_.origin[patches_[p].first_half_edge + side]];
+      touching_[p].insert(touching_[p].end(), at.begin(), at.end());
+    }
+    std::sort(touching_[p].begin(), touching_[p].end());
+    touching_[p].erase(std::unique(touching_[p].begin(), touching_[p].end()), touching_[p].end());
+  }
+}
+
+double PatchModel::error_mm(int p, const std::vector<int>& depths,
+                            MeshError ChordBound::*of) const {
+  const ModelPatch& patch = patches_[p];
+  const MeshError& own = patch.bounds[depths[p]].*of;
+  // A mesh that goes on beyond a side leans from this one's direction by the slopes of both, and
+  // by its own again, since both are measured from the normals at the side.
+  Meeting others;
+  for (const int q : touching_[p])
+    others = worse(others, (patches_[q].bounds[depths[q]].*of).meeting);
+  constexpr double kRightAngle = std::numbers::pi / 2;
+  const double lean = std::atan(own.meeting.slope) + 2 * std::atan(others.slope);
+  const double slope = lean < kRightAngle ? std::min(1.0, std::tan(lean)) : 1.0;
+  const auto beyond = [&](double mm) { return mm < others.width_mm ? mm * slope : mm; };
+  double laid = 0;
+  for (int side = 0; side < 4; ++side) {
+    const Index h = patch.first_half_edge + side;
+    if (ends_at(h)) continue;
+    const int other = depths[patch_at(outer_.twin[h])];
+    if (other >= depths[p]) continue;
+    const SplitBound& moved = (patch.bounds[other].*of).sides[side];
+    laid = std::max(laid, moved.along + beyond(moved.across));
+  }
+  const double bulge = own.meeting.bulge_mm;
+  return own.own_mm + laid +
+         std::max(bulge > 0 ? beyond(2 * bulge) : 0.0, corner_mm(p, depths, of));
+}
+
+double PatchModel::corner_mm(int p, const std::vector<int>& depths,
+                             MeshError ChordBound::*of) const {
+  const MeshError& own = patches_[p].bounds[depths[p]].*of;
+  double added = 0;
+  for (int c = 0; c < 4; ++c) {
+    if (!own.corners[c]) continue;
+    const Index vertex = outer_.origin[patches_[p].first_half_edge + c];
+    for (const int q : touching_[p])
+      for (int k = 0; k < 4; ++k) {
+        if (outer_.origin[patches_[q].first_half_edge + k] != vertex || (q == p && k == c))
+          continue;
+        const auto& other = (patches_[q].bounds[depths[q]].*of).corners[k];
+        added =
+            std::max(added, other ? own.corners[c]->added_on(*other) : own.corners[c]->slide_mm);
+      }
+  }
+  return added;
+}
+
+double PatchModel::worst_mm(int p, const std::vector<int>& depths) const {
+  return std::max(error_mm(p, depths, &ChordBound::limit),
+                  error_mm(p, depths, &ChordBound::offset));
+}
+
+std::vector<int> PatchModel::depths_within(double error_mm) const {
+  std::vector<int> depths;
+  const int count = static_cast<int>(patches_.size());
+  for (int p = 0; p < count; ++p) depths.push_back(depth_for(p, error_mm));
+  const auto deepen = [&](int p) {
+    const bool more = depths[p] + 1 < static_cast<int>(patches_[p].bounds.size());
+    depths[p] += more;
+    return more;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int p = 0; p < count; ++p) {
+      if (worst_mm(p, depths) <= error_mm) continue;
+      // Coarser neighbours first: they cost least.
+      bool deeper = false;
+      for (int side = 0; side < 4; ++side) {
+        const Index h = patches_[p].first_half_edge + side;
+        if (ends_at(h)) continue;
+        const int other = patch_at(outer_.twin[h]);
+        if (depths[other] < depths[p]) deeper |= deepen(other);
+      }
+      changed |= deeper || deepen(p);
+    }
+  }
+  return depths;
+}
+
+Sampling PatchModel::sampling_for(double error_mm) const {
+  Sampling sampling{depths_within(error_mm), 0, 0};
+  for (int p = 0; p < static_cast<int>(patches_.size()); ++p) {
+    sampling.limit_mm =
+        std::max(sampling.limit_mm, this->error_mm(p, sampling.depths, &ChordBound::limit));
+    sampling.offset_mm =
+        std::max({sampling.offset_mm, this->error_mm(p, sampling.depths, &ChordBound::offset),
+                  patches_[p].corner_bound_mm});
+  }
+  return sampling;
 }
 
 std::size_t PatchModel::memory_bytes() const {

@@ -16,11 +16,22 @@ namespace limitgauge::engine::surface {
 struct ModelPatch {
   Index first_half_edge = 0;  ///< side c of the patch is half-edge first_half_edge + c
   LimitPatch limit;
-  std::vector<ChordBound> bounds;  ///< by depth; those below the first depth looked at are infinite
-  /// Corners whose offset needs more depth than the rest: the quarter at the corner again, and the
-  /// quarter of that, and so on. They lie over the coarser mesh, which stays as it is.
+  std::vector<ChordBound> bounds;  ///< by depth, to that of the limit mesh
+  /// Extraordinary corners, where normals may turn ever faster and no bound on the offset holds:
+  /// the cell at the corner again, and a quarter of its side, and so on, each but for its own such
+  /// quarter within the precision. They lie over the coarser mesh, which stays as it is.
   std::vector<LimitPatch> corners;
-  double corner_excess_mm = 0;  ///< what the innermost of them lacks
+  /// The vertices at which they end. What is left there lies within the precision of the vertex, so
+  /// a ball about the vertex covers its offset.
+  std::vector<Vec3> specks;
+  double corner_bound_mm = 0;  ///< that of the worst of corners and specks
+};
+
+/// How a model is sampled: a depth for each patch, and the bound that then holds.
+struct Sampling {
+  std::vector<int> depths;
+  double limit_mm = 0;   ///< limit mesh
+  double offset_mm = 0;  ///< mesh of the offset, with its corners
 };
 
 /// The finish model (paper sections 3 and 4): patches of independent depth over the outer layer.
@@ -43,14 +54,29 @@ class PatchModel {
   bool creased_at(Index h) const { return is_infinite(outer_.edge_sharpness[outer_.edge[h]]); }
 
   model::Box3 bounding_box() const { return box_; }
-  /// Least depth at which the offset mesh of patch `p` keeps within `error_mm`; the patch's own
-  /// depth where none does.
+  /// Least depth at which the meshes of patch `p` by themselves keep within `error_mm`; the patch's
+  /// own depth where none does.
   int depth_for(int p, double error_mm) const;
+  /// Least depths at which all meshes keep within `error_mm`, finer ones laid onto the sides of
+  /// coarser neighbours; the patches' own where none do.
+  Sampling sampling_for(double error_mm) const;
   std::size_t memory_bytes() const;
 
  private:
   void build_corner(ModelPatch& patch, CellPatch cell, const ModelRequest& request);
-  void build_patch(std::size_t p, const ModelRequest& request);
+  ChordBounds bound_patch(std::size_t p, const ModelRequest& request);
+  void build_patch(std::size_t p, int depth, const ChordBounds& bounds,
+                   const ModelRequest& request);
+  /// The largest depths allowed are those to which the bounds go.
+  std::vector<int> depths_within(double error_mm) const;
+  /// Bound of patch `p` beside its neighbours: what its own mesh lacks, what its sides move when
+  /// laid onto coarser ones, and what bulges out over their meshes.
+  double error_mm(int p, const std::vector<int>& depths, MeshError ChordBound::*of) const;
+  double corner_mm(int p, const std::vector<int>& depths, MeshError ChordBound::*of) const;
+  double worst_mm(int p, const std::vector<int>& depths) const;
+  /// Patches that share a vertex with patch p.
+  std::vector<std::vector<int>> touching_;
+  void find_touching();
   void share_edges();
   void copy_edge(Index from, Index to);
 

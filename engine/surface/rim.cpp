@@ -148,6 +148,8 @@ int half_turn_steps(double radius_mm, double error_mm) {
 Rim find_rim(const PatchModel& model, const OffsetModel& limit_mesh) {
   Rim rim;
   add_cones(model, limit_mesh, rim.points);
+  for (const ModelPatch& patch : model.patches())
+    rim.points.insert(rim.points.end(), patch.specks.begin(), patch.specks.end());
   for (const std::vector<Vec3>& line : LineBuilder(rim_edges(model, limit_mesh)).lines())
     for (std::vector<Vec3>& piece : smooth_pieces(line)) {
       if (!smooth_loop(piece)) rim.points.insert(rim.points.end(), {piece.front(), piece.back()});

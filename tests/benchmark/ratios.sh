@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the benchmarks and prints lines NAME VALUE: each the median over five repetitions of a ratio
-# of times measured in one run.
+# of times, or of bytes allocated, measured in one run.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -15,9 +15,13 @@ build/release/tests/benchmark/limitgauge_benchmarks --benchmark_repetitions=5 \
 python3 - "$results" <<'PY'
 import json, statistics, sys
 runs = {}
+counters = {}
 for run in json.load(open(sys.argv[1]))["benchmarks"]:
     if run.get("run_type") == "iteration":
         runs.setdefault(run["run_name"], []).append(run["real_time"])
+        for key in ("vs_half_edge", "vs_surface_mesh"):
+            if key in run:
+                counters.setdefault(run["run_name"].split("/")[0] + "_" + key, []).append(run[key])
 
 def median_ratio(over, under):
     return statistics.median(a / b for a, b in zip(runs[over], runs[under]))
@@ -34,4 +38,8 @@ surfaces = [run.removeprefix("closest_point_exact") for run in runs
 worst = max(median_ratio("closest_point_exact" + s, "closest_point_cgal_aabb" + s)
             for s in surfaces)
 print("closest_point_vs_cgal_aabb", f"{worst:.3g}")
+for name, values in counters.items():
+    print(name, f"{statistics.median(values):.4g}")
+ratio("cell_refine_vs_cgal", "cell_refine/real_time", "cell_refine_cgal/real_time")
+ratio("cell_refine_vs_opensubdiv", "cell_refine/real_time", "cell_refine_opensubdiv/real_time")
 PY

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/model/vec3.h"
+
+namespace limitgauge::engine::surface {
+
+using model::Vec3;
+
+/// The linear map T of the plane across a normal; what stands along the normal is dropped.
+class LevelMap {
+ public:
+  LevelMap() = default;
+  /// Takes `to_x` and `to_y`, seen along the normal, to the unit vectors.
+  LevelMap(const Vec3& normal, const Vec3& to_x, const Vec3& to_y) {
+    const double area = dot(normal, cross(to_x, to_y));
+    x_ = cross(to_y, normal) / area;
+    y_ = cross(normal, to_x) / area;
+  }
+  std::array<double, 2> operator()(const Vec3& v) const { return {dot(x_, v), dot(y_, v)}; }
+  double length(const Vec3& v) const { return std::hypot(dot(x_, v), dot(y_, v)); }
+  /// At least |T|.
+  double norm() const { return std::hypot(model::length(x_), model::length(y_)); }
+
+ private:
+  Vec3 x_, y_;
+};
+
+/// Largest factor by which a linear map of the plane stretches, from the images of the unit
+/// vectors.
+inline double stretch(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+  const double sum = a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1];
+  const double area = a[0] * b[1] - a[1] * b[0];
+  return std::sqrt((sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))) / 2);
+}
+
+}  // namespace limitgauge::engine::surface

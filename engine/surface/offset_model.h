@@ -12,9 +12,8 @@ namespace limitgauge::engine::surface {
 /// (equation 6; zero gives the limit mesh). Where neighbours differ in depth the finer one follows
 /// the coarser one's edge, so that smooth edges have no cracks.
 struct OffsetModel {
-  std::vector<Grid> grids;     ///< one a patch
-  std::vector<int> depths;     ///< one a patch
-  std::vector<int> intervals;  ///< one a patch, equation 10: see interval_min
+  std::vector<Grid> grids;  ///< one a patch
+  std::vector<int> depths;  ///< one a patch
   /// Finer pieces over the corners of the grids; none where the offset is zero.
   std::vector<Grid> corners;
   std::vector<int> intervals;  ///< one a patch; equation 10: 2^(depth of the model - sampled depth)

@@ -7,6 +7,7 @@
 
 #include "engine/model/cage.h"
 #include "engine/model/cutter.h"
+#include "engine/model/dialect.h"
 #include "engine/model/stock.h"
 #include "engine/strategy/stage_path.h"
 #include "reports/published.h"
@@ -34,6 +35,15 @@ struct JobStage {
   verifier::GateLimits limits;
 };
 
+/// How programs of planned stages are written.
+struct Post {
+  model::Dialect dialect = model::Dialect::linuxcnc;
+  int decimals = 4;
+  std::optional<double> arc_tolerance_mm;  ///< empty: no arcs
+  bool line_numbers = false;
+  bool cl_data = false;  ///< toolpath.apt too
+};
+
 /// A job as the file states it, defaults filled in; paths are resolved against the job file.
 struct Job {
   std::string name;
@@ -43,7 +53,10 @@ struct Job {
   model::Placement placement;
   model::Stock stock;
   double rapid_mm_min = 5000;
-  double clearance_mm = 5;  ///< height of rapids above the stock
+  double clearance_mm = 5;                   ///< height of rapids above the stock
+  std::optional<double> acceleration_mm_s2;  ///< empty: speeds change at once
+  double junction_deviation_mm = 0.01;       ///< how far a corner may be rounded off
+  Post post;
   std::vector<JobStage> stages;
   std::optional<double> voxel_mm;       ///< empty: "auto"
   std::optional<double> resolution_mm;  ///< empty: "auto"

@@ -4,6 +4,7 @@
 
 #include "app/job_overrides.h"
 #include "app/job_parts.h"
+#include "app/job_post.h"
 #include "app/toml_table.h"
 #include "app/words.h"
 #include "engine/model/text_file.h"
@@ -46,23 +47,6 @@ void read_surface(const toml::table& table, Job& job, JobContext& context) {
   read_placement(surface, job);
 }
 
-void read_machine(const TomlTable& root, Job& job, JobContext& context) {
-  static const toml::table none;
-  const TomlTable machine(root.has("machine") ? root.table("machine") : none, "[machine]",
-                          {"rapid", "clearance"});
-  if (machine.has("rapid")) {
-    job.rapid_mm_min = machine.positive("rapid");
-  } else {
-    context.defaulted.push_back("rapid rate " + words(job.rapid_mm_min) + " mm/min (default)");
-  }
-  if (machine.has("clearance")) {
-    job.clearance_mm = machine.positive("clearance");
-  } else {
-    context.defaulted.push_back("clearance of rapids above the stock " + words(job.clearance_mm) +
-                                " mm (default)");
-  }
-}
-
 void read_settings(const TomlTable& root, Job& job) {
   if (root.has("simulation")) {
     const TomlTable simulation(root.table("simulation"), "[simulation]", {"voxel"});
@@ -92,7 +76,7 @@ std::string read_name(const TomlTable& root) {
 Job read_root(const toml::table& table, JobContext& context) {
   const TomlTable root(table, "the job",
                        {"name", "surface", "stock", "machine", "tool", "stage", "simulation",
-                        "verification", "report", "published"});
+                        "verification", "report", "post", "published"});
   Job job;
   job.name = read_name(root);
   read_surface(root.table("surface"), job, context);
@@ -100,6 +84,7 @@ Job read_root(const toml::table& table, JobContext& context) {
   read_machine(root, job, context);
   const std::vector<model::Cutter> tools = read_tools(root.tables("tool"), context);
   job.stages = read_stages(root.tables("stage"), tools, context);
+  read_post(root, job, context);
   read_settings(root, job);
   if (root.has("published")) job.published = read_published(root);
   job.defaulted = std::move(context.defaulted);

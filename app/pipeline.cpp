@@ -9,6 +9,8 @@
 
 #include "app/output_files.h"
 #include "app/stage_planner.h"
+#include "app/stage_program.h"
+#include "engine/model/machining_time.h"
 #include "reports/report.h"
 #include "simulator/collision.h"
 #include "verifier/verify.h"
@@ -92,7 +94,7 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   PlannedStage planned = planner_.plan(index, control(asked.name + ": planning"));
   const std::filesystem::path folder = folder_ / asked.name;
   make_folder(folder);
-  write_file(folder / "toolpath.ngc", [&](std::ostream& out) { out << planned.program; });
+  write_program_files(planned, folder);
   ran.plan_seconds = watch.seconds();
   ran.planes = planned.path.planes;
   ran.sampling_interval_min = planned.path.sampling_interval_min;
@@ -104,7 +106,8 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   const model::ToolpathLengths sums = lengths(*ran.path, job_.rapid_mm_min);
   ran.cut_length_mm = sums.cut_mm;
   ran.rapid_length_mm = sums.rapid_mm;
-  ran.machining_time_s = sums.time_s;
+  ran.machining_time_s = machining_time_s(
+      *ran.path, {job_.rapid_mm_min, job_.acceleration_mm_s2, job_.junction_deviation_mm});
 }
 
 double Bench::readings_within_mm(const JobStage& asked) const {
@@ -244,7 +247,7 @@ void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::pa
     const PlannedStage planned =
         planner.plan(i, {options.threads, options.stop, options.watch.progress});
     make_folder(folder / name);
-    write_file(folder / name / "toolpath.ngc", [&](std::ostream& out) { out << planned.program; });
+    write_program_files(planned, folder / name);
     reports::write_toolpath_vtp(planned.path.path, folder / name / "toolpath.vtp");
     options.watch.note(name + ": " + std::to_string(planned.path.path.moves.size()) + " moves");
   }

@@ -30,8 +30,17 @@ double corner_radius_mm(const model::Cutter& cutter) {
   return cutter.type == model::CutterType::ball ? cutter.radius_mm() : cutter.corner_radius_mm;
 }
 
+std::string machining_time_words(const Job& job) {
+  const std::string rates = "machining time: programmed feeds and a rapid rate of " +
+                            words(job.rapid_mm_min) + " mm/min, ";
+  if (!job.acceleration_mm_s2) return rates + "no acceleration: speeds change at once";
+  return rates + "acceleration of " + words(*job.acceleration_mm_s2) +
+         " mm/s² along the path, corners rounded off by at most " +
+         words(job.junction_deviation_mm) + " mm; tool changes and spindle starts take no time";
+}
+
 void state_stage(const JobStage& stage, double resolution_mm, double floor_z_mm,
-                 bool automatic_resolution, std::vector<std::string>& said) {
+                 bool automatic_resolution, const Post& post, std::vector<std::string>& said) {
   const std::string head = "stage " + stage.name + ": ";
   if (automatic_resolution) {
     said.push_back(head + "resolution " + words(resolution_mm) +
@@ -40,6 +49,12 @@ void state_stage(const JobStage& stage, double resolution_mm, double floor_z_mm,
   if (stage.plan && !stage.plan->floor_z_mm) {
     said.push_back(head + "lowest tip height z " + words(floor_z_mm) +
                    " mm (default: lowest point of the surface less the cutter's corner radius)");
+  }
+  if (stage.plan && post.arc_tolerance_mm) {
+    said.push_back(head + "arcs stand for runs of planned moves within " +
+                   words(*post.arc_tolerance_mm) +
+                   " mm; the program is measured as it is written, arcs as chords within " +
+                   words(chord_error_mm(resolution_mm)) + " mm");
   }
   if (!stage.plan) {
     said.push_back(head + "arcs as chords within " + words(chord_error_mm(resolution_mm)) + " mm");
@@ -94,8 +109,7 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
   std::vector<std::string> said = {
       "rapids are straight moves of the tool tip; a machine's own rapid need not be straight",
       "cage, stock and programs share one frame in millimetres; no alignment is made",
-      "machining time: programmed feeds and a rapid rate of " + words(job.rapid_mm_min) +
-          " mm/min, no acceleration",
+      machining_time_words(job),
       "collisions: contacts shallower than " + words(settings.collision_tolerance_mm) +
           " mm (one voxel) count as none",
   };
@@ -108,7 +122,7 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
   said.insert(said.end(), job.defaulted.begin(), job.defaulted.end());
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     state_stage(job.stages[i], settings.resolution_mm[i], settings.floor_z_mm[i],
-                !job.resolution_mm, said);
+                !job.resolution_mm, job.post, said);
   }
   return said;
 }

@@ -1,11 +1,10 @@
 #include "app/stage_planner.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
+#include "app/stage_program.h"
 #include "engine/model/error.h"
-#include "engine/model/program.h"
 
 namespace limitgauge::app {
 
@@ -47,13 +46,7 @@ PlannedStage StagePlanner::plan_own(std::size_t stage, const model::RunControl& 
     throw model::InputError({}, "stage \"" + job_.stages[stage].name + "\": " + error.what(),
                             "a stage that a path can serve");
   }
-  model::WriterOptions options;
-  options.program_name = job_.name + " " + job_.stages[stage].name;
-  options.comment = model::to_text(job_.stages[stage].cutter);
-  options.tool_number = static_cast<int>(stage) + 1;
-  std::ostringstream out;
-  write_program(planned.path.path, options, out);
-  planned.program = std::move(out).str();
+  write_stage_program(job_, stage, chord_error_mm(inputs_.settings.resolution_mm[stage]), planned);
   return planned;
 }
 

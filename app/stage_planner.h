@@ -13,6 +13,7 @@ namespace limitgauge::app {
 struct PlannedStage {
   engine::strategy::StagePath path;
   std::string program;  ///< the text that stands in toolpath.ngc
+  std::string cl_data;  ///< the text of toolpath.apt; empty where none is asked for
   std::vector<std::string> ignored_words;
 };
 

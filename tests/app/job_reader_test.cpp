@@ -40,8 +40,15 @@ TEST_CASE("a job is read with its defaults stated", "[unit][job]") {
   CHECK_FALSE(job.voxel_mm.has_value());
   CHECK_FALSE(job.resolution_mm.has_value());
   CHECK(job.pictures);
-  // precision, rapid, clearance, flutes, the stage's cut, allowance: six were left open.
-  CHECK(job.defaulted.size() == 6);
+  CHECK_FALSE(job.acceleration_mm_s2.has_value());
+  CHECK(job.post.dialect == model::Dialect::linuxcnc);
+  CHECK(job.post.decimals == 4);
+  CHECK_FALSE(job.post.arc_tolerance_mm.has_value());
+  CHECK_FALSE(job.post.line_numbers);
+  CHECK_FALSE(job.post.cl_data);
+  // precision, rapid, clearance, flutes, the stage's cut, allowance, programs: seven were left
+  // open.
+  CHECK(job.defaulted.size() == 7);
 }
 
 TEST_CASE("every key of a job is taken over", "[unit][job]") {
@@ -58,6 +65,14 @@ base = [1, 2, -5]
 [machine]
 rapid = 8000
 clearance = 3
+acceleration = 400
+junction_deviation = 0.02
+[post]
+dialect = "fanuc"
+decimals = 4
+arcs = 0.003
+line_numbers = true
+cl_data = true
 [[tool]]
 id = "t"
 type = "taper"
@@ -102,6 +117,13 @@ pictures = false
   CHECK(stock.base_mm == model::Vec3{1, 2, -5});
   CHECK(job.rapid_mm_min == 8000);
   CHECK(job.clearance_mm == 3);
+  CHECK(job.acceleration_mm_s2 == 400);
+  CHECK(job.junction_deviation_mm == 0.02);
+  CHECK(job.post.dialect == model::Dialect::fanuc);
+  CHECK(job.post.decimals == 4);
+  CHECK(job.post.arc_tolerance_mm == 0.003);
+  CHECK(job.post.line_numbers);
+  CHECK(job.post.cl_data);
   const JobStage& stage = job.stages.at(0);
   CHECK(stage.cutter.type == model::CutterType::taper);
   CHECK(stage.cutter.taper_angle_deg == 5);

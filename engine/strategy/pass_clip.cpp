@@ -53,32 +53,45 @@ double length_of(const Pieces& cut, std::size_t begin, std::size_t end) {
   return sum;
 }
 
-void bridge(Pieces& cut, double longest) {
-  if (std::find(cut.wanted.begin(), cut.wanted.end(), 1) == cut.wanted.end()) return;
+double touched_length(const Pieces& cut, std::size_t begin, std::size_t end,
+                      const CellMask& touched) {
+  double sum = 0;
+  for (std::size_t k = begin; k < end; ++k) {
+    const Vec3 &a = cut.points[k], &b = cut.points[k + 1];
+    if (touched.at((a.x + b.x) / 2, (a.y + b.y) / 2)) sum += distance(a, b);
+  }
+  return sum;
+}
+
+void bridge(Pieces& cut, const BridgeRule& rule) {
   std::vector<char> filled = cut.wanted;
   for_stretches(
       cut.count(), [&](std::size_t k) { return !cut.wanted[k]; },
       [&](std::size_t begin, std::size_t end) {
         const bool inner = begin > 0 && end < cut.count();
-        if (inner && length_of(cut, begin, end) <= longest)
+        if (inner && length_of(cut, begin, end) <= rule.longest_mm &&
+            touched_length(cut, begin, end, rule.touched) <= rule.repeated_mm)
           std::fill(filled.begin() + static_cast<std::ptrdiff_t>(begin),
                     filled.begin() + static_cast<std::ptrdiff_t>(end), 1);
       });
   cut.wanted = std::move(filled);
 }
 
-/// A closed polyline cut open where it is not wanted.
-void open_at_gap(Pieces& cut) {
-  const auto gap = std::find(cut.wanted.begin(), cut.wanted.end(), 0);
-  if (gap == cut.wanted.end()) return;
-  const auto by = gap - cut.wanted.begin();
+/// Turns a closed polyline so that it starts at piece `k`.
+void turn(Pieces& cut, std::size_t k) {
+  const auto by = static_cast<std::ptrdiff_t>(k);
   cut.points.pop_back();
   cut.corner.pop_back();
   std::rotate(cut.points.begin(), cut.points.begin() + by, cut.points.end());
   std::rotate(cut.corner.begin(), cut.corner.begin() + by, cut.corner.end());
-  std::rotate(cut.wanted.begin(), gap, cut.wanted.end());
+  std::rotate(cut.wanted.begin(), cut.wanted.begin() + by, cut.wanted.end());
   cut.points.push_back(cut.points.front());
   cut.corner.push_back(cut.corner.front());
+}
+/// At the first piece that is `wanted` as asked, after one that is `before`.
+void start_at(Pieces& cut, bool wanted, bool before) {
+  for (std::size_t k = 0, n = cut.count(); k < n; ++k)
+    if (cut.wanted[k] == wanted && cut.wanted[(k + n - 1) % n] == before) return turn(cut, k);
 }
 
 std::vector<ClippedPass> collect(const Pieces& cut) {
@@ -114,21 +127,23 @@ void drop_steep_middles(Pieces& cut, const SteepClip& steep) {
 }  // namespace
 
 std::vector<ClippedPass> clip_to(const std::vector<Vec3>& tips, bool closed, const CellMask& wanted,
-                                 double bridge_mm) {
+                                 const BridgeRule& rule) {
   if (tips.size() < 2) return {};
   Pieces cut = cut_up(tips, closed, wanted);
-  if (closed) open_at_gap(cut);
-  bridge(cut, bridge_mm);
+  // No gap may touch the seam while gaps are looked at, no stretch when they are collected.
+  if (closed) start_at(cut, true, true);
+  bridge(cut, rule);
+  if (closed) start_at(cut, false, true);
   const bool whole = std::find(cut.wanted.begin(), cut.wanted.end(), 0) == cut.wanted.end();
   if (closed && whole) return {{tips, true}};
   return collect(cut);
 }
 
 std::vector<ClippedPass> clip_row(const std::vector<Vec3>& tips, const CellMask& wanted,
-                                  const SteepClip& steep) {
+                                  const BridgeRule& rule, const SteepClip& steep) {
   if (tips.size() < 2) return {};
   Pieces cut = cut_up(tips, false, wanted);
-  bridge(cut, steep.overlap_mm);
+  bridge(cut, rule);
   drop_steep_middles(cut, steep);
   return collect(cut);
 }

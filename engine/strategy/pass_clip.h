@@ -12,11 +12,18 @@ struct ClippedPass {
   bool closed = false;  ///< only of a closed polyline that is wanted as a whole
 };
 
-/// The parts of `tips` over set cells of `wanted`; borders are met to half a cell. Gaps along the
-/// polyline of up to `bridge_mm` are kept: cutting on is shorter than going around. The first point
+/// Which gaps along a polyline are cut all the same, since going around takes longer: those of at
+/// most `longest_mm`, no more than `repeated_mm` of it over cells of `touched`, where other passes
+/// cut. The rest rolls over edges of the part and does no harm.
+struct BridgeRule {
+  const CellMask& touched;
+  double repeated_mm = 0, longest_mm = 0;
+};
+
+/// The parts of `tips` over set cells of `wanted`; borders are met to half a cell. The first point
 /// of a closed polyline is not repeated.
 std::vector<ClippedPass> clip_to(const std::vector<Vec3>& tips, bool closed, const CellMask& wanted,
-                                 double bridge_mm);
+                                 const BridgeRule& rule);
 
 /// How rows go on into what contours cut.
 struct SteepClip {
@@ -26,6 +33,6 @@ struct SteepClip {
 /// The same for a row, without the inner parts of its steep stretches: over a wall, which has no
 /// extent seen from above, rows stop `overlap_mm` down from its head and up from its foot.
 std::vector<ClippedPass> clip_row(const std::vector<Vec3>& tips, const CellMask& wanted,
-                                  const SteepClip& steep);
+                                  const BridgeRule& rule, const SteepClip& steep);
 
 }  // namespace limitgauge::engine::strategy

@@ -52,19 +52,25 @@ CutPass contour_pass(ClippedPass clipped, const StageRequest& request) {
   return pass;
 }
 
+/// Half a turn of the cutter around an edge is cut on: it is shorter than a retract.
+BridgeRule bridge_rule(const SteepRegions& regions, const StageRequest& request) {
+  const double half_turn = std::numbers::pi * request.cutter.radius_mm();
+  return {regions.touched, overlap_of(request), overlap_of(request) + half_turn};
+}
+
 void add_contours(const LimitLocations& limit, const SteepRegions& regions,
                   const StageRequest& request, const model::RunControl& control,
                   SteepShallowPasses& made) {
-  const LevelRule rule{tip_distance_mm(request), regions.lowest_mm};
+  const LevelRule levels_by{tip_distance_mm(request), regions.lowest_mm};
+  const BridgeRule rule = bridge_rule(regions, request);
   const std::vector<double> levels =
-      choose_levels(regions.slopes, regions.contours, regions.steep, rule);
+      choose_levels(regions.slopes, regions.contours, regions.steep, levels_by);
   // The mesh has its share twice, see kLimitMeshShare.
   const double tolerance = (1 - 2 * kLimitMeshShare) * request.cut.tolerance_mm;
   for (const auto& level : waterlines(limit.surface, regions.tips, levels, tolerance, control)) {
     std::vector<CutPass> passes;
     for (const Waterline& line : level)
-      for (ClippedPass& clipped :
-           clip_to(line.tips, line.closed, regions.contours, overlap_of(request)))
+      for (ClippedPass& clipped : clip_to(line.tips, line.closed, regions.contours, rule))
         passes.push_back(contour_pass(std::move(clipped), request));
     if (passes.empty()) continue;
     ++made.planes;
@@ -80,7 +86,7 @@ void add_rows(const LimitLocations& limit, const SteepRegions& regions, const St
   for (const DriveRow& row : rows.rows) {
     const std::size_t before = made.rows.size();
     for (const auto& run : row.runs)
-      for (ClippedPass& clipped : clip_row(run, regions.rows, steep))
+      for (ClippedPass& clipped : clip_row(run, regions.rows, bridge_rule(regions, request), steep))
         made.rows.push_back(row_pass(std::move(clipped.tips), request));
     if (made.rows.size() > before) ++made.planes;
   }
@@ -105,10 +111,10 @@ SteepRegions find_regions(const surface::PatchModel& model, const LimitLocations
   // its boundary or a crease.
   regions.steep = both(steep_cells(regions.slopes, angle),
                        grown(reach.steep, regions.slopes, kNeighbours * cell));
-  const CellMask touched = grown(reach.cells, regions.slopes, overlap);
-  regions.contours = both(grown(regions.steep, regions.slopes, overlap), touched);
+  regions.touched = grown(reach.cells, regions.slopes, overlap);
+  regions.contours = both(grown(regions.steep, regions.slopes, overlap), regions.touched);
   regions.rows =
-      both(grown(shallow_cells(regions.slopes, angle), regions.slopes, overlap), touched);
+      both(grown(shallow_cells(regions.slopes, angle), regions.slopes, overlap), regions.touched);
   return regions;
 }
 

@@ -15,6 +15,7 @@ struct SteepRegions {
   SlopeCells slopes;
   CellMask steep;           ///< slope at or above the stage's angle
   CellMask contours, rows;  ///< each with its overlap beyond the seam
+  CellMask touched;         ///< where tips touch the part but by its edges
   double lowest_mm = 0;     ///< tip height of the lowest contact, but not below the floor
 };
 SteepRegions find_regions(const surface::PatchModel& model, const LimitLocations& limit,

@@ -188,7 +188,7 @@ TEST_CASE("rows stop on a wall at the overlap from head and foot", "[unit][pass_
   CellMask all(Raster{-10, -10, 0.5, 41, 41});
   std::fill(all.set.begin(), all.set.end(), 1);
   const std::vector<Vec3> row = {{-5, 0, 8}, {0, 0, 8}, {0, 0, 0}, {5, 0, 0}};
-  const auto kept = clip_row(row, all, {std::numbers::pi / 4, 1.0});
+  const auto kept = clip_row(row, all, {all, 1.0, 1.0}, {std::numbers::pi / 4, 1.0});
   REQUIRE(kept.size() == 2);
   // Cut up in pieces of at most half a cell: 0.25 mm.
   CHECK(std::abs(kept[0].tips.back().z - 7) <= 0.25);
@@ -201,18 +201,39 @@ TEST_CASE("a closed pass is opened only where it is not wanted", "[unit][pass_cl
   CellMask wanted(Raster{-10, -10, 0.5, 41, 41});
   std::fill(wanted.set.begin(), wanted.set.end(), 1);
   const std::vector<Vec3> square = {{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}};
-  const auto whole = clip_to(square, true, wanted, 0);
+  const auto whole = clip_to(square, true, wanted, {wanted, 0, 0});
   REQUIRE(whole.size() == 1);
   CHECK(whole[0].closed);
   CHECK(whole[0].tips == square);
   for (int j = 0; j < wanted.rows(); ++j)
     for (int i = wanted.columns() / 2; i < wanted.columns(); ++i)
       wanted.set[wanted.index(i, j)] = 0;
-  const auto half = clip_to(square, true, wanted, 0);
+  const auto half = clip_to(square, true, wanted, {wanted, 0, 0});
   REQUIRE(half.size() == 1);
   CHECK_FALSE(half[0].closed);
   // From (0, 4) round to (0, -4): two halves of a side and a whole one.
   CHECK(std::abs(test::length_of({half[0].tips}) - 16) <= 0.5);
+}
+
+TEST_CASE("gaps are bridged where nothing else cuts, and where they are short",
+          "[unit][pass_clip]") {
+  CellMask wanted(Raster{-10, -10, 0.5, 41, 41}), all(wanted), none(wanted);
+  std::fill(all.set.begin(), all.set.end(), 1);
+  wanted = all;
+  // A gap of 3 mm: 0 to 3 in x.
+  for (int j = 0; j < wanted.rows(); ++j)
+    for (int i = 20; i < 26; ++i) wanted.set[wanted.index(i, j)] = 0;
+  const std::vector<Vec3> line = {{-5, 0.1, 0}, {5, 0.1, 0}};
+  CHECK(clip_to(line, false, wanted, {all, 1, 5}).size() == 2);
+  CHECK(clip_to(line, false, wanted, {all, 4, 5}).size() == 1);
+  CHECK(clip_to(line, false, wanted, {none, 1, 5}).size() == 1);
+  CHECK(clip_to(line, false, wanted, {none, 1, 2}).size() == 2);
+  // Around a square too, wherever its gap lies.
+  const std::vector<Vec3> square = {{1, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}, {-4, -4, 0}};
+  const auto whole = clip_to(square, true, wanted, {none, 1, 5});
+  REQUIRE(whole.size() == 1);
+  CHECK(whole[0].closed);
+  CHECK(whole[0].tips == square);
 }
 
 TEST_CASE("the boundary pass follows the rim of an open surface", "[unit][boundary_pass]") {

@@ -13,7 +13,7 @@ using namespace engine::strategy;
 
 TEST_CASE("a stack of discs holds the cutter grown by its allowance", "[property][contour]") {
   const std::string text = GENERATE("flat:D=8,L=10", "ball:D=6,L=10", "bull:D=8,r=1,L=10",
-                                    "taper:D=2,r=1,angle=5,L=15", "taper:D=3,r=0,angle=20,L=12");
+                                    "taper:D=2,r=1,angle=5,L=15", "taper:D=3,r=0.2,angle=20,L=12");
   const double allowance = GENERATE(0.0, 0.3);
   INFO(text);
   const model::Cutter cutter = model::parse_cutter(text);
@@ -30,7 +30,7 @@ TEST_CASE("a stack of discs holds the cutter grown by its allowance", "[property
       if (h >= disc.height_mm) held = disc.radius_mm;
     // Just outside the discs no place is nearer to the cutter than the allowance.
     const double away = outline.distance_mm(held, h);
-    CHECK(away >= allowance - test::CutterOutline::kError_mm);
+    CHECK(away >= allowance - 1e-9);
     loosest = std::max(loosest, away - allowance);
   }
   // And they are not much too large: steps of 0.2 mm along the rounding, or a twelfth of it.
@@ -39,12 +39,11 @@ TEST_CASE("a stack of discs holds the cutter grown by its allowance", "[property
 
 TEST_CASE("a profile's radius is the outline's", "[unit][contour]") {
   const std::string text = GENERATE("flat:D=8,L=10", "ball:D=6,L=10", "bull:D=8,r=1,L=10",
-                                    "taper:D=2,r=1,angle=5,L=15", "taper:D=3,r=0,angle=20,L=12");
+                                    "taper:D=2,r=1,angle=5,L=15", "taper:D=3,r=0.2,angle=20,L=12");
   const model::Cutter cutter = model::parse_cutter(text);
   const test::CutterOutline outline(cutter);
   for (double h = 0.05; h < 9; h += 0.31)
-    CHECK(std::abs(outline.distance_mm(profile_radius_mm(cutter, h), h)) <=
-          test::CutterOutline::kError_mm);
+    CHECK(std::abs(outline.distance_mm(profile_radius_mm(cutter, h), h)) <= 1e-9);
 }
 
 TEST_CASE("near distances are the exact ones as far as they reach", "[property][contour]") {

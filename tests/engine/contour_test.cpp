@@ -53,7 +53,7 @@ Planned planned(const std::string& cage_name, const std::string& cutter,
   Planned result{request_for(finish.patches().bounding_box(), cutter), {}, {}};
   if (change) change(result.request);
   result.path = plan_stage(finish, result.request, {}).path;
-  constexpr int kDepth = 5;  // A millimetre's patch in 32 parts.
+  constexpr int kDepth = 4;  // A patch in sixteen parts each way.
   const surface::PatchModel dense(cage, {1e-6, 0, kDepth}, {});
   for (const auto& patch : dense.patches())
     result.surface.insert(result.surface.end(), patch.limit.points.begin(),
@@ -81,7 +81,7 @@ double distance_to(const Vec3& p, const std::pair<Vec3, Vec3>& cut) {
 
 }  // namespace
 
-TEST_CASE("a contour keeps its allowance with every kind of cutter", "[property][contour]") {
+TEST_CASE("a contour keeps its allowance with every kind of cutter", "[slow][contour]") {
   const std::string cutter =
       GENERATE("flat:D=8", "bull:D=8,r=2", "ball:D=6", "taper:D=4,r=1,angle=10,L=12");
   const std::string cage = GENERATE("dome", "bowl", "cube");
@@ -93,21 +93,23 @@ TEST_CASE("a contour keeps its allowance with every kind of cutter", "[property]
   for (std::size_t i = 0; i < p.path.moves.size(); i += 3) {
     const Vec3 tip = p.path.moves[i].to;
     for (const Vec3& s : p.surface)
-      if (s.z >= tip.z - 1)
+      if (s.z >= tip.z - 1 && std::abs(s.x - tip.x) < 6 && std::abs(s.y - tip.y) < 6)
         least =
             std::min(least, outline.distance_mm(std::hypot(s.x - tip.x, s.y - tip.y), s.z - tip.z));
   }
-  // The height map is an upper bound: what is forgiven is the outline's own sampling.
-  CHECK(least >= p.request.allowance_mm - test::CutterOutline::kError_mm);
+  // The height map is an upper bound: nothing but rounding is forgiven.
+  CHECK(least >= p.request.allowance_mm - 1e-9);
 }
 
-TEST_CASE("a contour leaves nothing that the tip can reach", "[property][contour]") {
+TEST_CASE("a contour leaves nothing that the tip can reach", "[slow][contour]") {
   const std::string cutter =
       GENERATE("flat:D=8", "bull:D=8,r=2", "ball:D=6", "taper:D=4,r=1,angle=10,L=12");
   const std::string cage = GENERATE("dome", "bowl", "cube");
   INFO(cutter << " over a " << cage);
   const Planned p = planned(cage, cutter);
   const test::CutterOutline outline(p.request.cutter);
+  // Farther off than this nothing can be touched.
+  const double sight = model::largest_radius_mm(p.request.cutter) + 1;
   const double radius = strategy::profile_radius_mm(p.request.cutter, p.request.cut.step_mm);
   // What rasters of 0.1 and up to 0.3 mm may cost: twice the diagonal of a fine pixel, the height
   // over one on a slope of 45 degrees, and the border's own share of a pixel.
@@ -118,12 +120,12 @@ TEST_CASE("a contour leaves nothing that the tip can reach", "[property][contour
   int looked_at = 0;
   double farthest = 0;
   for (const auto& [z, cuts] : levels)
-    for (double x = stock.low.x; x <= stock.high.x; x += 0.83)
-      for (double y = stock.low.y; y <= stock.high.y; y += 0.83) {
+    for (double x = stock.low.x; x <= stock.high.x; x += 1.23)
+      for (double y = stock.low.y; y <= stock.high.y; y += 1.23) {
         const Vec3 tip{x, y, z};
         const bool clear = std::all_of(p.surface.begin(), p.surface.end(), [&](const Vec3& s) {
-          return s.z < z - kept ||
-                 outline.distance_mm(std::hypot(s.x - x, s.y - y), s.z - z) > kept;
+          if (s.z < z - kept || std::abs(s.x - x) > sight || std::abs(s.y - y) > sight) return true;
+          return outline.distance_mm(std::hypot(s.x - x, s.y - y), s.z - z) > kept;
         });
         if (!clear) continue;
         double nearest = 1e9;
@@ -222,7 +224,7 @@ TEST_CASE("loops of a contour lie almost a cutter's diameter apart", "[property]
   const double cut = model::lengths(stage.path, 5000).cut_mm;
   // No path can be shorter than the area over the diameter; loops at 0.95 radii take 2.1 times it.
   CHECK(cut > least * 0.8);
-  CHECK(cut < least * 1.6);
+  CHECK(cut < least * 1.5);
 }
 
 TEST_CASE("contours that cannot be cut as asked are refused by name", "[unit][contour]") {

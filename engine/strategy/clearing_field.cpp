@@ -32,20 +32,6 @@ Profile profile_of(const model::Cutter& c) {
   return {c.radius_mm() - corner, corner, angle * std::numbers::pi / 180};
 }
 
-/// The raster's middle line along its longer side, as a seed for clearing an empty area.
-std::vector<std::uint8_t> middle_line(const Raster& r) {
-  std::vector<std::uint8_t> set(r.size(), 0);
-  const int half = std::min(r.columns, r.rows) / 2;
-  const bool wide = r.columns >= r.rows;
-  for (int i = half; i <= (wide ? r.columns : r.rows) - 1 - half; ++i) {
-    const int column = wide ? i : r.columns / 2, row = wide ? r.rows / 2 : i;
-    set[static_cast<std::size_t>(row) * r.columns + column] = 1;
-  }
-  if (std::find(set.begin(), set.end(), 1) == set.end())
-    set[static_cast<std::size_t>(r.rows / 2) * r.columns + r.columns / 2] = 1;
-  return set;
-}
-
 }  // namespace
 
 std::vector<Disc> disc_stack(const model::Cutter& cutter, double allowance_mm, double fineness_mm) {
@@ -97,8 +83,6 @@ LevelField level_field(const HeightMap& map, const std::vector<Disc>& discs, dou
     for (std::size_t i = 0; i < distance.size(); ++i)
       field.clear_mm[i] = std::min(field.clear_mm[i], distance[i] - reach);
   }
-  if (!field.anything_forbidden)
-    field.clear_mm = distance_field(map.raster, middle_line(map.raster));
   return field;
 }
 

@@ -26,7 +26,7 @@ struct LevelField {
   bool anything_forbidden = false;
 };
 /// Signed: negative inside the forbidden region. A lower bound of the true distance, and
-/// 1-Lipschitz. Where nothing is forbidden it is the distance from the raster's middle line.
+/// 1-Lipschitz; infinite where nothing is forbidden.
 LevelField level_field(const HeightMap& map, const std::vector<Disc>& discs, double tip_z_mm);
 
 /// The same on a part of a map, as far as its border only: values of `near_mm` stand for all

@@ -26,6 +26,7 @@ class LoopMaker {
         window_(covering(raster_, rule.stock)) {}
 
   std::vector<std::vector<Isoline>> run() {
+    if (!space_.anything_forbidden()) return rows();
     place_loops();
     fill_gaps();
     fill_places();
@@ -43,10 +44,33 @@ class LoopMaker {
     std::vector<Isoline> loops, leftovers;
   };
 
+  /// With nothing to go round, straight rows from edge to edge along the longer side, each its own
+  /// group: what is still to be cut lies on their right.
+  std::vector<std::vector<Isoline>> rows() {
+    const model::Vec3 low = rule_.stock.low, size = rule_.stock.size();
+    const bool wide = size.x >= size.y;
+    const double along = wide ? size.x : size.y, across = wide ? size.y : size.x;
+    const int count = std::max(1, static_cast<int>(std::ceil(across / rule_.spacing_mm)));
+    const auto in_stock = [&](const FlatPoint& p) { return outline_.distance_mm(p) <= 0; };
+    std::vector<std::vector<Isoline>> groups(static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k) {
+      const double shift = across * (wide ? count - k - 0.5 : k + 0.5) / count;
+      std::vector<FlatPoint> row;
+      for (const double way : {0.0, along / 2, along})
+        row.push_back(wide ? FlatPoint{low.x + way, low.y + shift}
+                           : FlatPoint{low.x + shift, low.y + way});
+      Isoline line{std::move(row), false};
+      keep(line, in_stock, rule_.error_mm, groups[static_cast<std::size_t>(k)]);
+    }
+    visit_left([&](int i, int j) {
+      add({{{raster_.x(i), raster_.y(j)}}, false}, groups.emplace_back());
+    });
+    return groups;
+  }
+
   /// Value of the loops that begin gap `k`. The first is a border on the fine raster, from which
   /// the coarse one's distances differ by up to a diagonal of its pixels.
   double value(int k) const {
-    if (!space_.anything_forbidden()) return (k + 0.5) * rule_.spacing_mm;
     if (k == 0) return rule_.border_mm;
     return rule_.border_mm - 2 * half_diagonal_ + k * rule_.spacing_mm;
   }
@@ -57,8 +81,8 @@ class LoopMaker {
       for (int i = window_.first_column; i <= window_.last_column; ++i)
         largest = std::max(largest, static_cast<double>(clear(i, j)));
     gaps_.resize(1);
-    if (space_.anything_forbidden()) add_border();
-    for (int k = space_.anything_forbidden() ? 1 : 0; value(k) <= largest; ++k) {
+    add_border();
+    for (int k = 1; value(k) <= largest; ++k) {
       gaps_.resize(static_cast<std::size_t>(k) + 1);
       add_loops(gaps_.back().loops, value(k),
                 [&](const FlatPoint& p) { return outline_.distance_mm(p) <= raster_.pixel_mm; });

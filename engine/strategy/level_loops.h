@@ -20,7 +20,7 @@ struct LoopRule {
 
 /// The loops that clear one level, in groups in the order of cutting: by distance from the
 /// forbidden region, outermost first, the last along its border. The forbidden region lies on the
-/// right of their way.
+/// right of their way. Straight rows where nothing is forbidden.
 ///
 /// Nothing that the tip may reach is left: loops as wide apart as a pass is wide leave places where
 /// they turn sharply or end, so what the loops sweep is marked on the raster, each pixel only where

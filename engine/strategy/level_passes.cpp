@@ -8,8 +8,52 @@
 namespace limitgauge::engine::strategy {
 namespace {
 
+/// Loops nearer to each other than this many spacings are cut in the order of their groups.
+constexpr double kNeighbours = 1.25;
 /// How far outside the stock the cutter comes down beyond touching it, mm.
 constexpr double kOutside_mm = 0.5;
+
+double distance_squared(const FlatPoint& p, const FlatPoint& a, const FlatPoint& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, l2 = dx * dx + dy * dy;
+  const double t = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / l2, 0.0, 1.0) : 0.0;
+  const double x = p.x - a.x - t * dx, y = p.y - a.y - t * dy;
+  return x * x + y * y;
+}
+
+/// Whether a point of `a` lies within `reach_mm` of `b`.
+bool comes_near(const std::vector<FlatPoint>& a, const std::vector<FlatPoint>& b, double reach_mm) {
+  for (const FlatPoint& p : a)
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (distance_squared(p, b[i > 0 ? i - 1 : 0], b[i]) < reach_mm * reach_mm) return true;
+  return false;
+}
+
+/// A loop and those that wait for it, by their numbers.
+struct Waiting {
+  Isoline line;
+  std::size_t before = 0;  ///< loops still to be cut before it
+  std::vector<std::size_t> behind;
+  bool cut = false;
+};
+
+std::vector<Waiting> queued(std::vector<std::vector<Isoline>> groups, double reach_mm) {
+  std::vector<Waiting> all;
+  for (auto& group : groups) {
+    const std::size_t earlier = all.size();
+    for (Isoline& line : group) {
+      for (std::size_t k = 0; k < earlier; ++k) {
+        const auto& other = all[k].line.points;
+        if (!comes_near(line.points, other, reach_mm) && !comes_near(other, line.points, reach_mm))
+          continue;
+        all[k].behind.push_back(all.size());
+      }
+      all.push_back({std::move(line), 0, {}, false});
+    }
+  }
+  for (const Waiting& one : all)
+    for (const std::size_t next : one.behind) ++all[next].before;
+  return all;
+}
 
 class PassOrder {
  public:
@@ -21,13 +65,15 @@ class PassOrder {
         at_{loops.stock.low.x, loops.stock.low.y},
         cleared_(space.raster(), without_stock(loops)) {}
 
-  void add_group(std::vector<Isoline> group) {
+  void add_all(std::vector<Waiting> loops) {
     if (rule_.direction == CutDirection::conventional)
-      for (Isoline& line : group) std::reverse(line.points.begin(), line.points.end());
-    while (!group.empty()) {
-      const Start start = nearest(group);
-      add(turned(std::move(group[start.line]), start.point));
-      group.erase(group.begin() + static_cast<std::ptrdiff_t>(start.line));
+      for (Waiting& one : loops) std::reverse(one.line.points.begin(), one.line.points.end());
+    for (std::size_t n = 0; n < loops.size(); ++n) {
+      const Start start = nearest(loops);
+      Waiting& next = loops[start.line];
+      add(turned(std::move(next.line), start.point));
+      next.cut = true;
+      for (const std::size_t k : next.behind) --loops[k].before;
     }
   }
   std::vector<LevelPass> take() { return std::move(passes_); }
@@ -43,19 +89,21 @@ class PassOrder {
     return clear;
   }
 
-  Start nearest(const std::vector<Isoline>& group) const {
+  /// Among the loops that wait for no other.
+  Start nearest(const std::vector<Waiting>& loops) const {
     Start best;
     double least = std::numeric_limits<double>::infinity();
     const auto look = [&](std::size_t line, std::size_t point) {
-      const double d = distance(group[line].points[point], at_);
+      const double d = distance(loops[line].line.points[point], at_);
       if (d >= least) return;
       least = d;
       best = {line, point};
     };
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      const std::size_t count = group[k].points.size();
+    for (std::size_t k = 0; k < loops.size(); ++k) {
+      if (loops[k].cut || loops[k].before > 0) continue;
+      const std::size_t count = loops[k].line.points.size();
       look(k, 0);
-      if (group[k].closed)
+      if (loops[k].line.closed)
         for (std::size_t i = 1; i + 1 < count; ++i) look(k, i);
       else if (rule_.direction == CutDirection::either)
         look(k, count - 1);
@@ -132,7 +180,7 @@ std::vector<LevelPass> order_loops(std::vector<std::vector<Isoline>> groups,
                                    const LevelSpace& space, const StockOutline& outline,
                                    const LoopRule& loops, const PassRule& rule) {
   PassOrder order(space, outline, loops, rule);
-  for (auto& group : groups) order.add_group(std::move(group));
+  order.add_all(queued(std::move(groups), kNeighbours * loops.spacing_mm));
   return order.take();
 }
 

@@ -33,8 +33,9 @@ struct PassRule {
   double helix_radius_mm = 0;
 };
 
-/// Puts the loops of one level in order: group by group, the nearest next, open ones from the end
-/// that `direction` asks for or the nearer one, closed ones from their nearest point.
+/// Puts the loops of one level in order: each after those of earlier groups within a spacing of it,
+/// among the others the nearest next; open ones from the end that `direction` asks for or the
+/// nearer one, closed ones from their nearest point.
 std::vector<LevelPass> order_loops(std::vector<std::vector<Isoline>> groups,
                                    const LevelSpace& space, const StockOutline& outline,
                                    const LoopRule& loops, const PassRule& rule);

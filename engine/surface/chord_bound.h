@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "engine/surface/vertex_zone.h"
@@ -12,9 +11,8 @@ namespace limitgauge::engine::surface {
 /// Bounds on the distance, either way, between a surface and its triangulated mesh (each cell split
 /// along its first diagonal); infinite where nothing is proven.
 struct MeshError {
-  double own_mm = 0;                                    ///< within the patch
-  Meeting meeting;                                      ///< with other patches across smooth sides
-  std::array<std::optional<CornerMeeting>, 4> corners;  ///< at extraordinary corners
+  double own_mm = 0;  ///< within the patch
+  Meeting meeting;    ///< with other patches across smooth sides
   /// How far at most a piece of each side lies from its chord, along and across the normal, mm: so
   /// much a side moves that is laid onto the chords of a coarser neighbour.
   std::array<SplitBound, 4> sides{};

@@ -174,27 +174,7 @@ double PatchModel::error_mm(int p, const std::vector<int>& depths,
     laid = std::max(laid, moved.along + beyond(moved.across));
   }
   const double bulge = own.meeting.bulge_mm;
-  return own.own_mm + laid +
-         std::max(bulge > 0 ? beyond(2 * bulge) : 0.0, corner_mm(p, depths, of));
-}
-
-double PatchModel::corner_mm(int p, const std::vector<int>& depths,
-                             MeshError ChordBound::*of) const {
-  const MeshError& own = patches_[p].bounds[depths[p]].*of;
-  double added = 0;
-  for (int c = 0; c < 4; ++c) {
-    if (!own.corners[c]) continue;
-    const Index vertex = outer_.origin[patches_[p].first_half_edge + c];
-    for (const int q : touching_[p])
-      for (int k = 0; k < 4; ++k) {
-        if (outer_.origin[patches_[q].first_half_edge + k] != vertex || (q == p && k == c))
-          continue;
-        const auto& other = (patches_[q].bounds[depths[q]].*of).corners[k];
-        added =
-            std::max(added, other ? own.corners[c]->added_on(*other) : own.corners[c]->slide_mm);
-      }
-  }
-  return added;
+  return own.own_mm + laid + (bulge > 0 ? beyond(2 * bulge) : 0.0);
 }
 
 double PatchModel::worst_mm(int p, const std::vector<int>& depths) const {
@@ -221,7 +201,8 @@ std::vector<int> PatchModel::depths_within(double error_mm) const {
         const Index h = patches_[p].first_half_edge + side;
         if (ends_at(h)) continue;
         const int other = patch_at(outer_.twin[h]);
-        if (depths[other] < depths[p]) deeper |= deepen(other);
+        if (depths[other] < depths[p] - (patches_[p].bounds[depths[p]].largest_mm() > error_mm))
+          deeper |= deepen(other);
       }
       changed |= deeper || deepen(p);
     }

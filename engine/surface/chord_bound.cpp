@@ -46,11 +46,11 @@ class GridBounds {
 
 MeshError unproven() {
   const SplitBound side{kInfinity, kInfinity, 0};
-  return {kInfinity, {0, kInfinity, 0}, {side, side, side, side}};
+  return {kInfinity, kInfinity, {0, kInfinity, 0}, {side, side, side, side}};
 }
 
 void widen(MeshError& error, const ZoneBound& zone) {
-  error.own_mm = std::max(error.own_mm, zone.surface);
+  error.corner_mm = std::max(error.corner_mm, zone.surface);
   error.meeting = worse(error.meeting, zone.meeting);
   for (SplitBound& side : error.sides)
     side = {std::max(side.along, zone.side.along), std::max(side.across, zone.side.across), 0};

@@ -46,14 +46,13 @@ class GridBounds {
 
 MeshError unproven() {
   const SplitBound side{kInfinity, kInfinity, 0};
-  return {kInfinity, kInfinity, {0, kInfinity, 0}, {side, side, side, side}};
+  return {kInfinity, kInfinity, kInfinity, {0, kInfinity, 0}, {side, side, side, side}};
 }
 
 void widen(MeshError& error, const ZoneBound& zone) {
   error.corner_mm = std::max(error.corner_mm, zone.surface);
   error.meeting = worse(error.meeting, zone.meeting);
-  for (SplitBound& side : error.sides)
-    side = {std::max(side.along, zone.side.along), std::max(side.across, zone.side.across), 0};
+  error.corner_side_mm = std::max(error.corner_side_mm, zone.side.along);
 }
 
 double scale_of(int levels) {

@@ -11,9 +11,10 @@ namespace limitgauge::engine::surface {
 /// Bounds on the distance, either way, between a surface and its triangulated mesh (each cell split
 /// along its first diagonal); infinite where nothing is proven.
 struct MeshError {
-  double own_mm = 0;     ///< within the patch, but for extraordinary corners
-  double corner_mm = 0;  ///< about extraordinary corners (limit mesh only)
-  Meeting meeting;       ///< with other patches across smooth sides
+  double own_mm = 0;          ///< within the patch, but for extraordinary corners
+  double corner_mm = 0;       ///< about extraordinary corners (limit mesh only)
+  double corner_side_mm = 0;  ///< there: how far sides lie from their chords, as seen off the mesh
+  Meeting meeting;            ///< with other patches across smooth sides
   /// How far at most a piece of each side lies from its chord, along and across the normal, mm: so
   /// much a side moves that is laid onto the chords of a coarser neighbour.
   std::array<SplitBound, 4> sides{};

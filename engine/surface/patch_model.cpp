@@ -16,7 +16,7 @@ constexpr int kAnalysedDepth = 5;
 /// Quarters of quarters taken at a corner: control nets shrink by 0.654 a level at worst, two
 /// levels a quarter, so the last is a ten-thousandth of the first.
 constexpr int kMostQuarters = 12;
-constexpr int kAnalysedCorner = 4;
+constexpr int kAnalysedCorner = 5;
 constexpr int kDeepestCorner = 7;
 /// Depth at which the cell at a corner is a quarter of the side.
 constexpr int kQuarter = 2;
@@ -179,8 +179,20 @@ double PatchModel::error_mm(int p, const std::vector<int>& depths,
   return own.own_mm + laid + (bulge > 0 ? beyond(2 * bulge) : 0.0);
 }
 
+double PatchModel::corner_mm(int p, const std::vector<int>& depths) const {
+  const ModelPatch& patch = patches_[p];
+  double laid = 0;
+  for (int side = 0; side < 4; ++side) {
+    const Index h = patch.first_half_edge + side;
+    if (ends_at(h)) continue;
+    const int other = depths[patch_at(outer_.twin[h])];
+    if (other < depths[p]) laid = std::max(laid, patch.bounds[other].limit.corner_side_mm);
+  }
+  return patch.bounds[depths[p]].limit.corner_mm + laid;
+}
+
 double PatchModel::worst_mm(int p, const std::vector<int>& depths, bool moved_out) const {
-  const double corner = moved_out ? 0.0 : patches_[p].bounds[depths[p]].limit.corner_mm;
+  const double corner = moved_out ? 0.0 : corner_mm(p, depths);
   return std::max(
       {corner, error_mm(p, depths, &ChordBound::limit), error_mm(p, depths, &ChordBound::offset)});
 }
@@ -216,7 +228,7 @@ std::vector<int> PatchModel::depths_within(double error_mm, bool moved_out) cons
 Sampling PatchModel::sampling_for(double error_mm, bool moved_out) const {
   Sampling sampling{depths_within(error_mm, moved_out), 0, 0};
   for (int p = 0; p < static_cast<int>(patches_.size()); ++p) {
-    const double corner = patches_[p].bounds[sampling.depths[p]].limit.corner_mm;
+    const double corner = corner_mm(p, sampling.depths);
     sampling.limit_mm = std::max(
         {sampling.limit_mm, corner, this->error_mm(p, sampling.depths, &ChordBound::limit)});
     sampling.offset_mm =

@@ -73,6 +73,7 @@ class PatchModel {
   /// Bound of patch `p` beside its neighbours: what its own mesh lacks, what its sides move when
   /// laid onto coarser ones, and what bulges out over their meshes.
   double error_mm(int p, const std::vector<int>& depths, MeshError ChordBound::*of) const;
+  double corner_mm(int p, const std::vector<int>& depths) const;
   double worst_mm(int p, const std::vector<int>& depths, bool moved_out) const;
   /// Patches that share a vertex with patch p.
   std::vector<std::vector<int>> touching_;

@@ -55,7 +55,9 @@ struct OffsetBase {
     const double turn_v = (s.duv.across + s.dvv.across) / 2,
                  rise_v = (s.duv.along + s.dvv.along) / 2;
     const double at_u = length(s.du), at_v = length(s.dv);
-    area = length(cross(s.du, s.dv)) - at_u * turn_v - at_v * turn_u - turn_u * turn_v;
+    const double share_u = (s.duu.mapped + s.duv.mapped) / 2;
+    const double share_v = (s.duv.mapped + s.dvv.mapped) / 2;
+    area = length(cross(s.du, s.dv)) * (1 - share_u - share_v - share_u * share_v);
     du = at_u + std::hypot(turn_u, rise_u);
     dv = at_v + std::hypot(turn_v, rise_v);
     // N leaves the normal at the middle by at most this over its part along it, which is `area`.

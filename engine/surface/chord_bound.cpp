@@ -46,15 +46,13 @@ class GridBounds {
 
 MeshError unproven() {
   const SplitBound side{kInfinity, kInfinity, 0};
-  return {kInfinity, {0, kInfinity, 0}, {}, {side, side, side, side}};
+  return {kInfinity, kInfinity, kInfinity, {0, kInfinity, 0}, {side, side, side, side}};
 }
 
-void widen(MeshError& error, int corner, const ZoneBound& zone) {
-  error.corners[corner] = zone.corner;
-  error.own_mm = std::max(error.own_mm, zone.surface);
+void widen(MeshError& error, const ZoneBound& zone) {
+  error.corner_mm = std::max(error.corner_mm, zone.surface);
   error.meeting = worse(error.meeting, zone.meeting);
-  for (SplitBound& side : error.sides)
-    side = {std::max(side.along, zone.side.along), std::max(side.across, zone.side.across), 0};
+  error.corner_side_mm = std::max(error.corner_side_mm, zone.side.along);
 }
 
 double scale_of(int levels) {
@@ -78,19 +76,18 @@ class PatchBounds {
     // Cells at extraordinary corners must be two cells wide before the offset has bounds.
     const int last =
         std::min(std::max(request_.analysed_depth, any ? first + 1 : first), largest());
-    std::vector<std::pair<int, VertexZones>> zones;
+    std::vector<VertexZones> zones;
     for (int c = 0; c < 4; ++c)
       if (bounds_.extraordinary[c] && request_.limit)
-        zones.emplace_back(c,
-                           VertexZones(patch.corner_cell(c), start, last, largest(), zone_rim(c)));
+        zones.emplace_back(patch.corner_cell(c), start, last, largest(), zone_rim(c));
     bounds_.corner_depth = first;
     while (patch.depth() < first) patch.refine();
     for (int depth = first; depth <= last; ++depth) {
       if (depth > first) patch.refine();
       analyse(patch, depth == last ? largest() : depth);
     }
-    for (const auto& [corner, zone] : zones)
-      for (int depth = first; depth <= largest(); ++depth) add_zone(corner, zone, depth);
+    for (const VertexZones& zone : zones)
+      for (int depth = first; depth <= largest(); ++depth) add_zone(zone, depth);
     return std::move(bounds_);
   }
 
@@ -113,11 +110,11 @@ class PatchBounds {
     }
   }
 
-  void add_zone(int corner, const VertexZones& zone, int depth) {
+  void add_zone(const VertexZones& zone, int depth) {
     ChordBound& b = bounds_.at[static_cast<std::size_t>(depth)];
     const ZoneBound bound = zone.at(depth);
-    widen(b.limit, corner, bound);
-    if (offset_mm_ <= 0) widen(b.offset, corner, bound);
+    widen(b.limit, bound);
+    if (offset_mm_ <= 0) widen(b.offset, bound);
   }
 
   /// The rims of a patch turned so that corner `c` is its first.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "engine/surface/vertex_zone.h"
@@ -12,9 +11,10 @@ namespace limitgauge::engine::surface {
 /// Bounds on the distance, either way, between a surface and its triangulated mesh (each cell split
 /// along its first diagonal); infinite where nothing is proven.
 struct MeshError {
-  double own_mm = 0;                                    ///< within the patch
-  Meeting meeting;                                      ///< with other patches across smooth sides
-  std::array<std::optional<CornerMeeting>, 4> corners;  ///< at extraordinary corners
+  double own_mm = 0;          ///< within the patch, but for extraordinary corners
+  double corner_mm = 0;       ///< about extraordinary corners (limit mesh only)
+  double corner_side_mm = 0;  ///< there: how far sides lie from their chords, as seen off the mesh
+  Meeting meeting;            ///< with other patches across smooth sides
   /// How far at most a piece of each side lies from its chord, along and across the normal, mm: so
   /// much a side moves that is laid onto the chords of a coarser neighbour.
   std::array<SplitBound, 4> sides{};
@@ -26,6 +26,7 @@ struct ChordBound {
   /// Of the surface moved out along its normals by up to the offset asked for, but for the places
   /// about extraordinary corners: see ChordBounds::corner_depth.
   MeshError offset;
+  /// Of both meshes but for extraordinary corners.
   double largest_mm() const { return std::max(limit.own_mm, offset.own_mm); }
 };
 

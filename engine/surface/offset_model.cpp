@@ -49,7 +49,7 @@ OffsetModel sample_offset(const PatchModel& model, double offset_mm, double erro
   OffsetModel sampled;
   sampled.offset_mm = offset_mm;
   const int patches = static_cast<int>(model.patches().size());
-  const Sampling sampling = model.sampling_for(error_mm);
+  const Sampling sampling = model.sampling_for(error_mm, offset_mm > 0);
   sampled.depths = sampling.depths;
   sampled.excess_mm =
       std::max(0.0, (offset_mm > 0 ? sampling.offset_mm : sampling.limit_mm) - error_mm);

@@ -16,7 +16,7 @@ constexpr int kAnalysedDepth = 5;
 /// Quarters of quarters taken at a corner: control nets shrink by 0.654 a level at worst, two
 /// levels a quarter, so the last is a ten-thousandth of the first.
 constexpr int kMostQuarters = 12;
-constexpr int kAnalysedCorner = 4;
+constexpr int kAnalysedCorner = 5;
 constexpr int kDeepestCorner = 7;
 /// Depth at which the cell at a corner is a quarter of the side.
 constexpr int kQuarter = 2;
@@ -40,7 +40,8 @@ PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& request,
     bounds[p] = bound_patch(p, request);
     patches_[p].bounds = bounds[p].at;
   });
-  const std::vector<int> depths = depths_within(kMeshShare * request.precision_mm);
+  const std::vector<int> depths =
+      depths_within(kMeshShare * request.precision_mm, request.largest_offset_mm > 0);
   model::parallel_for(patches_.size(), control.threads, [&](std::size_t p) {
     control.check();
     build_patch(p, depths[p], bounds[p], request);
@@ -128,10 +129,11 @@ void PatchModel::share_edges() {
   }
 }
 
-int PatchModel::depth_for(int p, double error_mm) const {
+int PatchModel::depth_for(int p, double error_mm, bool moved_out) const {
   const std::vector<ChordBound>& bounds = patches_[p].bounds;
   for (std::size_t d = 0; d < bounds.size(); ++d)
-    if (bounds[d].largest_mm() <= error_mm) return static_cast<int>(d);
+    if (std::max(bounds[d].largest_mm(), moved_out ? 0.0 : bounds[d].limit.corner_mm) <= error_mm)
+      return static_cast<int>(d);
   return static_cast<int>(bounds.size()) - 1;
 }
 
@@ -174,38 +176,31 @@ double PatchModel::error_mm(int p, const std::vector<int>& depths,
     laid = std::max(laid, moved.along + beyond(moved.across));
   }
   const double bulge = own.meeting.bulge_mm;
-  return own.own_mm + laid +
-         std::max(bulge > 0 ? beyond(2 * bulge) : 0.0, corner_mm(p, depths, of));
+  return own.own_mm + laid + (bulge > 0 ? beyond(2 * bulge) : 0.0);
 }
 
-double PatchModel::corner_mm(int p, const std::vector<int>& depths,
-                             MeshError ChordBound::*of) const {
-  const MeshError& own = patches_[p].bounds[depths[p]].*of;
-  double added = 0;
-  for (int c = 0; c < 4; ++c) {
-    if (!own.corners[c]) continue;
-    const Index vertex = outer_.origin[patches_[p].first_half_edge + c];
-    for (const int q : touching_[p])
-      for (int k = 0; k < 4; ++k) {
-        if (outer_.origin[patches_[q].first_half_edge + k] != vertex || (q == p && k == c))
-          continue;
-        const auto& other = (patches_[q].bounds[depths[q]].*of).corners[k];
-        added =
-            std::max(added, other ? own.corners[c]->added_on(*other) : own.corners[c]->slide_mm);
-      }
+double PatchModel::corner_mm(int p, const std::vector<int>& depths) const {
+  const ModelPatch& patch = patches_[p];
+  double laid = 0;
+  for (int side = 0; side < 4; ++side) {
+    const Index h = patch.first_half_edge + side;
+    if (ends_at(h)) continue;
+    const int other = depths[patch_at(outer_.twin[h])];
+    if (other < depths[p]) laid = std::max(laid, patch.bounds[other].limit.corner_side_mm);
   }
-  return added;
+  return patch.bounds[depths[p]].limit.corner_mm + laid;
 }
 
-double PatchModel::worst_mm(int p, const std::vector<int>& depths) const {
-  return std::max(error_mm(p, depths, &ChordBound::limit),
-                  error_mm(p, depths, &ChordBound::offset));
+double PatchModel::worst_mm(int p, const std::vector<int>& depths, bool moved_out) const {
+  const double corner = moved_out ? 0.0 : corner_mm(p, depths);
+  return std::max(
+      {corner, error_mm(p, depths, &ChordBound::limit), error_mm(p, depths, &ChordBound::offset)});
 }
 
-std::vector<int> PatchModel::depths_within(double error_mm) const {
+std::vector<int> PatchModel::depths_within(double error_mm, bool moved_out) const {
   std::vector<int> depths;
   const int count = static_cast<int>(patches_.size());
-  for (int p = 0; p < count; ++p) depths.push_back(depth_for(p, error_mm));
+  for (int p = 0; p < count; ++p) depths.push_back(depth_for(p, error_mm, moved_out));
   const auto deepen = [&](int p) {
     const bool more = depths[p] + 1 < static_cast<int>(patches_[p].bounds.size());
     depths[p] += more;
@@ -214,14 +209,15 @@ std::vector<int> PatchModel::depths_within(double error_mm) const {
   for (bool changed = true; changed;) {
     changed = false;
     for (int p = 0; p < count; ++p) {
-      if (worst_mm(p, depths) <= error_mm) continue;
+      if (worst_mm(p, depths, moved_out) <= error_mm) continue;
       // Coarser neighbours first: they cost least.
       bool deeper = false;
       for (int side = 0; side < 4; ++side) {
         const Index h = patches_[p].first_half_edge + side;
         if (ends_at(h)) continue;
         const int other = patch_at(outer_.twin[h]);
-        if (depths[other] < depths[p]) deeper |= deepen(other);
+        if (depths[other] < depths[p] - (patches_[p].bounds[depths[p]].largest_mm() > error_mm))
+          deeper |= deepen(other);
       }
       changed |= deeper || deepen(p);
     }
@@ -229,11 +225,12 @@ std::vector<int> PatchModel::depths_within(double error_mm) const {
   return depths;
 }
 
-Sampling PatchModel::sampling_for(double error_mm) const {
-  Sampling sampling{depths_within(error_mm), 0, 0};
+Sampling PatchModel::sampling_for(double error_mm, bool moved_out) const {
+  Sampling sampling{depths_within(error_mm, moved_out), 0, 0};
   for (int p = 0; p < static_cast<int>(patches_.size()); ++p) {
-    sampling.limit_mm =
-        std::max(sampling.limit_mm, this->error_mm(p, sampling.depths, &ChordBound::limit));
+    const double corner = corner_mm(p, sampling.depths);
+    sampling.limit_mm = std::max(
+        {sampling.limit_mm, corner, this->error_mm(p, sampling.depths, &ChordBound::limit)});
     sampling.offset_mm =
         std::max({sampling.offset_mm, this->error_mm(p, sampling.depths, &ChordBound::offset),
                   patches_[p].corner_bound_mm});

@@ -56,10 +56,11 @@ class PatchModel {
   model::Box3 bounding_box() const { return box_; }
   /// Least depth at which the meshes of patch `p` by themselves keep within `error_mm`; the patch's
   /// own depth where none does.
-  int depth_for(int p, double error_mm) const;
+  int depth_for(int p, double error_mm, bool moved_out) const;
   /// Least depths at which all meshes keep within `error_mm`, finer ones laid onto the sides of
-  /// coarser neighbours; the patches' own where none do.
-  Sampling sampling_for(double error_mm) const;
+  /// coarser neighbours; the patches' own where none do. Where they are moved out, extraordinary
+  /// corners have meshes of their own (ModelPatch::corners) and do not count.
+  Sampling sampling_for(double error_mm, bool moved_out) const;
   std::size_t memory_bytes() const;
 
  private:
@@ -68,12 +69,12 @@ class PatchModel {
   void build_patch(std::size_t p, int depth, const ChordBounds& bounds,
                    const ModelRequest& request);
   /// The largest depths allowed are those to which the bounds go.
-  std::vector<int> depths_within(double error_mm) const;
+  std::vector<int> depths_within(double error_mm, bool moved_out) const;
   /// Bound of patch `p` beside its neighbours: what its own mesh lacks, what its sides move when
   /// laid onto coarser ones, and what bulges out over their meshes.
   double error_mm(int p, const std::vector<int>& depths, MeshError ChordBound::*of) const;
-  double corner_mm(int p, const std::vector<int>& depths, MeshError ChordBound::*of) const;
-  double worst_mm(int p, const std::vector<int>& depths) const;
+  double corner_mm(int p, const std::vector<int>& depths) const;
+  double worst_mm(int p, const std::vector<int>& depths, bool moved_out) const;
   /// Patches that share a vertex with patch p.
   std::vector<std::vector<int>> touching_;
   void find_touching();

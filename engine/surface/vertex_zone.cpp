@@ -10,8 +10,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Levels of pieces inside the cell at the corner. Control nets shrink by 0.654 a level at worst:
-/// the speck left is a few ten-thousandths of the cell.
-constexpr int kLevels = 20;
+/// the speck left is about a thousandth of the cell.
+constexpr int kLevels = 16;
+
+/// Cells around the one that is bounded.
+constexpr int kAround = 2;
 
 /// A chord of one of the patch's sides: P L is inside where the inward product is not negative.
 struct SideChord {
@@ -30,33 +33,40 @@ void widen(SplitBound& all, const SplitBound& by, double scale) {
 /// One depth's argument.
 class VertexZones::Zone {
  public:
-  Zone(const std::vector<Level>& levels, std::size_t at, const std::array<bool, 4>& rim)
-      : levels_(levels), at_(at), rim_(rim) {
+  /// Of cell (u, v) at depth `at`, counted from the first level.
+  Zone(const std::vector<Level>& levels, std::size_t at, const std::array<bool, 4>& rim, int u,
+       int v)
+      : levels_(levels),
+        at_(at),
+        rim_(rim),
+        u_(u),
+        v_(v),
+        low_u_(std::max(0, u - kAround)),
+        low_v_(std::max(0, v - kAround)),
+        high_u_(u + kAround + 1),
+        high_v_(v + kAround + 1) {
     const Level& l = own();
-    constexpr int n = kBlock;
-    const Vec3 edge_u = l.node(n, 0) + l.node(n, n) - l.node(0, 0) - l.node(0, n);
-    const Vec3 edge_v = l.node(0, n) + l.node(n, n) - l.node(0, 0) - l.node(n, 0);
+    const Vec3 a = l.node(low_u_, low_v_), b = l.node(high_u_, low_v_);
+    const Vec3 c = l.node(high_u_, high_v_), d = l.node(low_u_, high_v_);
+    const Vec3 edge_u = b + c - a - d, edge_v = c + d - a - b;
     normal_ = normalized(cross(edge_u, edge_v));
-    corner_.normal = normal_;
-    corner_.edge_u = edge_u / (2.0 * n);
-    corner_.edge_v = edge_v / (2.0 * n);
-    map_ = corner_.map = LevelMap(normal_, corner_.edge_u, corner_.edge_v);
-    for (int t = 0; t < n; ++t) {
-      add_chord(l.node(t, 0), l.node(t + 1, 0));
-      add_chord(l.node(0, t + 1), l.node(0, t));
-    }
+    map_ =
+        LevelMap(normal_, edge_u / (2.0 * (high_u_ - low_u_)), edge_v / (2.0 * (high_v_ - low_v_)));
+    if (low_v_ == 0)
+      for (int t = low_u_; t < high_u_; ++t) add_chord(l.node(t, 0), l.node(t + 1, 0), 0);
+    first_of_3_ = chords_.size();
+    if (low_u_ == 0)
+      for (int t = low_v_; t < high_v_; ++t) add_chord(l.node(0, t + 1), l.node(0, t), 1);
   }
 
   ZoneBound bound() {
     measure_regular();
-    measure_corner();
-    measure_speck();
+    if (low_u_ == 0 && low_v_ == 0) {
+      measure_corner();
+      measure_speck();
+    }
     const double plain = std::hypot(off_, slide_);
-    const double sliding = slide_along();
-    return {std::min(plain, sliding),
-            {off_, std::min(std::max(bulge_[0], bulge_[1]), slide_), 0},
-            {},
-            corner_};
+    return {std::min(plain, slide_along()), {std::min(side_, plain), 0, 0}, {}};
   }
 
  private:
@@ -64,8 +74,7 @@ class VertexZones::Zone {
   double height(const Vec3& v) const { return std::abs(dot(normal_, v)); }
   Vec3 level(const Vec3& v) const { return v - normal_ * dot(normal_, v); }
 
-  void add_chord(const Vec3& from, const Vec3& to) {
-    const int side = static_cast<int>(chords_.size() % 2);
+  void add_chord(const Vec3& from, const Vec3& to, int side) {
     chords_.push_back({from, normalized(cross(normal_, to - from)), side});
   }
 
@@ -100,24 +109,27 @@ class VertexZones::Zone {
   }
   /// Bézier points of a piece's curve along side 0 or 3 of the patch, over chord `t` of it.
   void bulges(const Piece& piece, bool along_u, int t) {
-    const SideChord& chord = chords_[2 * t + (along_u ? 0 : 1)];
+    const std::size_t at = along_u ? static_cast<std::size_t>(t - low_u_)
+                                   : first_of_3_ + static_cast<std::size_t>(t - low_v_);
+    const SideChord& chord = chords_[at];
     for (int k = 0; k < 4; ++k)
       bulge_[chord.side] =
           std::max(bulge_[chord.side], std::abs(chord.outside(piece.bezier[along_u ? k : 4 * k])));
   }
 
   void measure_regular() {
-    for (int v = 0; v < kBlock; ++v)
-      for (int u = 0; u < kBlock; ++u) {
+    for (int v = low_v_; v < high_v_; ++v)
+      for (int u = low_u_; u < high_u_; ++u) {
         if (u == 0 && v == 0) continue;
         const Piece& piece = own().piece(u, v);
         widen(std::array{Vec3{}}, piece.net);
-        if (u < kWidth && v < kWidth)
+        if (u == u_ && v == v_)
           for (const Vec3& p : piece.bezier) overhangs(p);
         if (v == 0) bulges(piece, true, u);
         if (u == 0) bulges(piece, false, v);
       }
   }
+  bool at_corner() const { return u_ == 0 && v_ == 0; }
 
   /// The mesh over the first cell, at u, v in [0, 1].
   Vec3 mesh_at(double u, double v) const {
@@ -138,7 +150,8 @@ class VertexZones::Zone {
           deviations[k] = levels_[j].node(i, j2) - mesh_at(i * side, j2 * side);
         }
         widen(deviations, piece.net);
-        for (const Vec3& p : piece.bezier) overhangs(p);
+        if (at_corner())
+          for (const Vec3& p : piece.bezier) overhangs(p);
         if (v == 0) bulges(piece, true, 0);
         if (u == 0) bulges(piece, false, 0);
       }
@@ -159,17 +172,17 @@ class VertexZones::Zone {
       const Vec3 to = p - vertex;
       widen(off + height(to), slide + length(level(to)), mapped + map_.length(to));
       for (double& bulge : bulge_) bulge = std::max(bulge, length(level(to)));
-      overhangs(p);
+      if (at_corner()) overhangs(p);
     }
   }
 
   /// The bound of the header, with the mesh's edges for its derivatives.
   double slide_along() {
     std::vector<Vec3> in_u, in_v;
-    for (int t = 0; t < kBlock; ++t)
-      for (int s = 0; s <= kBlock; ++s) {
-        in_u.push_back(own().node(t + 1, s) - own().node(t, s));
-        in_v.push_back(own().node(s, t + 1) - own().node(s, t));
+    for (int v = low_v_; v <= high_v_; ++v)
+      for (int u = low_u_; u <= high_u_; ++u) {
+        if (u < high_u_) in_u.push_back(own().node(u + 1, v) - own().node(u, v));
+        if (v < high_v_) in_v.push_back(own().node(u, v + 1) - own().node(u, v));
       }
     double area = kInfinity, largest_u = 0, largest_v = 0, rise_u = 0, rise_v = 0;
     for (const Vec3& a : in_u) {
@@ -186,26 +199,21 @@ class VertexZones::Zone {
     }
     if (!(area > 0)) return kInfinity;
     const double slope = (largest_v * rise_u + largest_u * rise_v) / area;
-    const double reach = (kBlock - kWidth) * area / std::max(largest_u, largest_v);
+    const double reach = kAround * area / std::max(largest_u, largest_v);
     const double factor = middle_factor();
-    double inside = 0;
-    for (int side = 0; side < 2; ++side)
-      if (rim_[3 * side]) inside = std::max(inside, overhang_[side] * factor);
-    if (!(mapped_slide_ + map_.norm() * inside < reach)) return kInfinity;
-    double rim = 0, smooth = 0;
+    double inside = 0, rim = 0, bulge = 0;
+    bool smooth = false;
     for (int side = 0; side < 2; ++side) {
-      if (rim_[3 * side])
-        rim = std::max({rim, inside, 2 * bulge_[side]});
-      else
-        smooth = std::max({smooth, slide_, 2 * bulge_[side]});
+      const bool here = (side == 0 ? low_v_ : low_u_) == 0;
+      if (rim_[3 * side]) inside = std::max(inside, overhang_[side] * factor);
+      if (rim_[3 * side]) rim = std::max(rim, 2 * bulge_[side]);
+      bulge = std::max(bulge, bulge_[side]);
+      smooth |= here && !rim_[3 * side];
     }
-    corner_.slope = slope;
-    corner_.reach = reach;
-    if (smooth > 0) {
-      corner_.slide_mm = smooth;
-      corner_.mapped = std::max(mapped_slide_, map_.norm() * 2 * std::max(bulge_[0], bulge_[1]));
-    }
-    return off_ + slope * (mapped_slide_ + map_.norm() * rim) + rim;
+    if (!(mapped_slide_ + map_.norm() * inside < reach)) return kInfinity;
+    rim = std::max(rim, inside);
+    side_ = off_ + std::min(1.0, 2 * slope * map_.norm()) * bulge;
+    return off_ + slope * ((smooth ? 2 : 1) * mapped_slide_ + map_.norm() * rim) + rim;
   }
 
   double middle_factor() const {
@@ -221,21 +229,15 @@ class VertexZones::Zone {
   const std::vector<Level>& levels_;
   std::size_t at_;
   std::array<bool, 4> rim_;
-  CornerMeeting corner_;
+  int u_, v_, low_u_, low_v_, high_u_, high_v_;
+  std::size_t first_of_3_ = 0;
+  double side_ = kInfinity;
   Vec3 normal_;
   std::vector<SideChord> chords_;  ///< of sides 0 and 3 in turn
   LevelMap map_;
   double off_ = 0, slide_ = 0, mapped_slide_ = 0;
   std::array<double, 2> overhang_{}, bulge_{};
 };
-
-double CornerMeeting::added_on(const CornerMeeting& other) const {
-  const double there = mapped * stretch(other.map(edge_u), other.map(edge_v));
-  if (slide_mm == 0) return 0;
-  if (!(there < other.reach)) return slide_mm;
-  const double tilt = length(cross(normal, other.normal));
-  return std::min(slide_mm, other.slope * there + tilt * slide_mm);
-}
 
 VertexZones::VertexZones(CellPatch corner, int level, int analysed_depth, int largest_depth,
                          const std::array<bool, 4>& rim)
@@ -252,7 +254,7 @@ VertexZones::VertexZones(CellPatch corner, int level, int analysed_depth, int la
     corner = std::move(next);
   }
   for (int depth = first_; depth <= largest_depth; ++depth)
-    zones_.push_back(Zone(levels_, static_cast<std::size_t>(depth - first_), rim_).bound());
+    zones_.push_back(zone(static_cast<std::size_t>(depth - first_)));
 }
 
 /// Nodes and pieces of the first `width` cells each way.
@@ -271,6 +273,17 @@ void VertexZones::add_level(const CellPatch& patch, int width) {
   for (int v = patch.has_border(0) ? -1 : 0; v <= 2; ++v) level.hull.push_back(patch.control(2, v));
   for (int u = patch.has_border(3) ? -1 : 0; u <= 2; ++u) level.hull.push_back(patch.control(u, 2));
   levels_.push_back(std::move(level));
+}
+
+ZoneBound VertexZones::zone(std::size_t at) const {
+  ZoneBound all;
+  for (int v = 0; v < kWidth; ++v)
+    for (int u = 0; u < kWidth; ++u) {
+      const ZoneBound bound = Zone(levels_, at, rim_, u, v).bound();
+      all.surface = std::max(all.surface, bound.surface);
+      if (u == 0 || v == 0) widen(all.side, bound.side, 1);
+    }
+  return all;
 }
 
 void VertexZones::add_ring(const CellPatch& patch) {
@@ -304,12 +317,11 @@ ZoneBound VertexZones::rings_at(int depth) const {
 }
 
 ZoneBound VertexZones::at(int depth) const {
-  if (depth < first_) return {kInfinity, {kInfinity, kInfinity, 0}, {}, {}};
+  if (depth < first_) return {kInfinity, {kInfinity, kInfinity, 0}, {}};
   ZoneBound bound = rings_at(depth);
   const ZoneBound& zone = zones_[static_cast<std::size_t>(depth - first_)];
   bound.surface = std::max(bound.surface, zone.surface);
   widen(bound.side, zone.side, 1);
-  bound.corner = zone.corner;
   return bound;
 }
 

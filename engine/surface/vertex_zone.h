@@ -7,53 +7,36 @@
 
 namespace limitgauge::engine::surface {
 
-/// How the mesh about an extraordinary corner goes on in those of other patches there: points may
-/// slide beyond smooth sides by `slide_mm`, which is `mapped` after T.
-struct CornerMeeting {
-  double slide_mm = 0, mapped = 0;
-  Vec3 normal, edge_u, edge_v;                             ///< m, and what T takes to unit vectors
-  LevelMap map;                                            ///< T
-  double slope = std::numeric_limits<double>::infinity();  ///< rise over mapped length
-  double reach = 0;                                        ///< of D, mapped
-
-  /// What the slide adds to the distance when it ends on the mesh of `other`, mm: its rise there,
-  /// and by the angle between both normals. The whole slide where it may leave that mesh.
-  double added_on(const CornerMeeting& other) const;
-};
-
 /// Bounds on the distance of limit surface and limit mesh about a corner, mm.
 struct ZoneBound {
-  double surface = 0;    ///< between surface and mesh
-  SplitBound side;       ///< between the patch's sides and their chords
-  Meeting meeting;       ///< at smooth sides, but for Q
-  CornerMeeting corner;  ///< of Q
+  double surface = 0;  ///< between surface and mesh
+  SplitBound side;     ///< between the patch's sides and their chords
+  Meeting meeting;     ///< at smooth sides, but for Q
 };
 
 /// Bounds for the limit mesh at an extraordinary corner of a patch, where the surface is no
-/// polynomial: over the five cells each way at the corner, Q, and for meshes finer than analysed
+/// polynomial: over the five cells each way at the corner, and for meshes finer than analysed
 /// elsewhere over the rings of cells between.
 ///
-/// The argument is that of mesh_bound.h over the block D of eight cells each way, with two changes.
-/// Slope, orientation and one-to-one of the mesh come from its own edges in D, all pairs of them,
-/// and those of the surface are not needed: from surface to mesh, let f(p) overhang no line through
-/// a chord of the patch's sides in D by more than ω; moved by ω c along the middle of the inward
-/// directions (c the inverse of the least cosine with them) it is inside all of them, so in P L(D),
-/// since a way out of P L(D) leads across one of these lines or farther than `reach`, three times
-/// det_min / max(|a|, |b|) as D ends three cells beyond Q. From mesh to
-/// surface, the homotopy and arcs of the patch's sides are as there, so
-///   E_n + τ (E_t + |T| x) + x, x = max(ω c, 2σ) (but for smooth sides: see Meeting),  where E_t +
-///   |T| ω c < reach.
-/// Beyond smooth sides the meshes of other patches go on: there f(p) needs no way back, ω counts
-/// rims alone, and E_t itself, in mm, is the bulge that error_mm of PatchModel weighs with the
-/// slopes of those meshes. (From mesh to surface the homotopy is then that of all these blocks
-/// about the vertex together.) Here E_t, reach and τ are measured after the linear map T of the
-/// level plane that takes the mean edges to unit vectors, since cells at such corners may grow ever
-/// thinner. E_n, E_t, ω and σ come from pieces: three cells a level on which the surface is bicubic
-/// (the deviation at their nodes, which is exact, plus their own interpolation bound, and their
-/// Bézier points), and the convex hull of the control points for the speck that is left.
+/// The argument is that of mesh_bound.h for each cell Q with the block D of its neighbours two
+/// cells each way, with these changes. E_n, E_t, ω and σ come from pieces: three cells a level on
+/// which the surface is bicubic (the deviation at their nodes, which is exact, plus their own
+/// interpolation bound, and their Bézier points), and the convex hull of the control points for the
+/// speck that is left. Slope, orientation and one-to-one of the mesh come from its own edges in D,
+/// all pairs of them; those of the surface are not needed: from surface to mesh, let f(p) overhang
+/// no line through a chord of a rim in D by more than ω. Moved by ω c along the middle of the
+/// inward directions (c the inverse of the least cosine with them) it is inside all of them, so in
+/// P L(D), since a way out of P L(D) leads across one of these lines or farther than `reach`, twice
+/// det_min / max(|a|, |b|). From mesh to surface, homotopy and arcs are as there, so
+///   E_n + τ (E_t + |T| x) + x, x = max(ω c, 2σ) at rims,  where E_t + |T| ω c < reach.
+/// E_t, reach and τ are measured after the linear map T of the level plane that takes the mean
+/// edges to unit vectors, since cells at such corners may grow ever thinner. Beyond smooth sides
+/// points slide onto the meshes of other patches. These are taken to rise no more steeply than this
+/// one, so τ E_t counts twice: the one step that is not proven here, since a patch knows nothing of
+/// its neighbours' depths.
 class VertexZones {
  public:
-  /// Cells each way of Q and of D.
+  /// Cells each way that are bounded, and that are looked at for it.
   static constexpr int kWidth = 5, kBlock = 8;
 
   /// `corner` is the cell at the corner of a patch of depth `level`, as a patch of its own.
@@ -70,7 +53,7 @@ class VertexZones {
     ControlCell net;
     std::array<Vec3, 16> bezier;
   };
-  /// D at one depth.
+  /// The cells at the corner at one depth.
   struct Level {
     std::array<Vec3, (kBlock + 1) * (kBlock + 1)> nodes;  ///< limit points, row by row
     std::array<Piece, kBlock * kBlock> pieces;            ///< the first stands for nothing
@@ -87,6 +70,7 @@ class VertexZones {
   void add_level(const CellPatch& patch, int width);
   void add_ring(const CellPatch& patch);
   ZoneBound rings_at(int depth) const;
+  ZoneBound zone(std::size_t at) const;
 
   int first_ = 0, analysed_ = 0;
   std::array<bool, 4> rim_{};

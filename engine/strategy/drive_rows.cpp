@@ -1,8 +1,7 @@
 #include "engine/strategy/drive_rows.h"
 
-#include <stdexcept>
-
 #include "engine/strategy/ball_rows.h"
+#include "engine/strategy/sampled_rows.h"
 
 namespace limitgauge::engine::strategy {
 
@@ -10,7 +9,7 @@ DriveRows make_rows(const surface::FinishModel& model, const StageRequest& reque
                     const model::RunControl& control) {
   if (request.cutter.type == model::CutterType::ball)
     return make_ball_rows(model, request, control);
-  throw std::invalid_argument("cutter: rows serve ball cutters only");
+  return make_sampled_rows(model, request, control);
 }
 
 }  // namespace limitgauge::engine::strategy

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "engine/strategy/contour.h"
-#include "engine/strategy/sampled_zigzag.h"
 #include "engine/strategy/steep_shallow.h"
 #include "engine/strategy/zigzag.h"
 
@@ -39,13 +38,11 @@ void require_valid(const StageRequest& request) {
 
 StagePath plan(const surface::FinishModel& model, const StageRequest& request,
                const model::RunControl& control) {
-  const bool ball = request.cutter.type == model::CutterType::ball;
   switch (request.cut.strategy) {
     case Strategy::contour:
       return plan_contour(model, request, control);
     case Strategy::zigzag:
-      return ball ? plan_zigzag(model, request, control)
-                  : plan_sampled_zigzag(model, request, control);
+      return plan_zigzag(model, request, control);
     case Strategy::steep_shallow:
       return plan_steep_shallow(model, request, control);
     case Strategy::rest:

@@ -30,7 +30,11 @@ LimitLocations level_square(const StageRequest& request, double half) {
     return Vec3{half * (2 * u - 1), half * (2 * v - 1), 0};
   });
   const model::Box3 part{{-half, -half, 0}, {half, half, 0}};
-  return {CutterLocations({grid}, request.cutter, 0), {{grid}, {0}, {}, 1, 1, 0}, {1}, part, 0,
+  engine::surface::OffsetModel mesh;
+  mesh.grids = {grid};
+  mesh.depths = {0};
+  mesh.intervals = {1};
+  return {CutterLocations({grid}, request.cutter, 0), mesh, {1}, part, 0,
           -corner_radius_mm(request.cutter)};
 }
 

@@ -105,9 +105,9 @@ void section_cgal_slicer(benchmark::State& state) {
   state.counters["faces"] = static_cast<double>(mesh.number_of_faces());
 }
 
-BENCHMARK(section_family)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(section_family_and_trees)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(section_cgal_slicer)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+BENCHMARK(section_family)->Unit(benchmark::kMillisecond);
+BENCHMARK(section_family_and_trees)->Unit(benchmark::kMillisecond);
+BENCHMARK(section_cgal_slicer)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace
 }  // namespace limitgauge::benchmarks

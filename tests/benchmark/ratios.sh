@@ -18,13 +18,12 @@ runs = {}
 counters = {}
 for run in json.load(open(sys.argv[1]))["benchmarks"]:
     if run.get("run_type") == "iteration":
-                counters.setdefault(run["run_name"].split("/")[0] + "_" + key, []).append(run[key])
-            if key in run:
         # Sections run on one thread in both: its own time, whatever else the machine does.
         clock = "cpu_time" if run["run_name"].startswith("section") else "real_time"
-        for key in ("vs_half_edge", "vs_surface_mesh"):
-        runs.setdefault(run["run_name"], []).append(run["real_time"])
         runs.setdefault(run["run_name"], []).append(run[clock])
+        for key in ("vs_half_edge", "vs_surface_mesh"):
+            if key in run:
+                counters.setdefault(run["run_name"].split("/")[0] + "_" + key, []).append(run[key])
 
 def median_ratio(over, under):
     return statistics.median(a / b for a, b in zip(runs[over], runs[under]))

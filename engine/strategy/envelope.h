@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace limitgauge::engine::strategy {
@@ -25,8 +26,11 @@ struct Envelope {
   double highest(double from, double to) const;
 };
 
-/// Exact to the segments and their crossings, but for stretches of up to `slit_mm`, which are
-/// bridged: rounding opens slits between curves that meet.
-Envelope upper_envelope(std::vector<PlaneSegment> segments, double slit_mm);
+/// The envelope of polylines, which may turn back and cross each other and themselves. Exact but
+/// for stretches of up to `slit_mm`, which are bridged: rounding opens slits between curves that
+/// meet. Time grows with the points times the curves over one place.
+Envelope upper_envelope(std::span<const std::vector<PlanePoint>> curves, double slit_mm);
+/// The same of single segments.
+Envelope upper_envelope(const std::vector<PlaneSegment>& segments, double slit_mm);
 
 }  // namespace limitgauge::engine::strategy

@@ -16,19 +16,11 @@ struct OffsetModel {
   std::vector<int> depths;  ///< one a patch
   /// Finer pieces over the corners of the grids; none where the offset is zero.
   std::vector<Grid> corners;
-  int interval_min = 1, interval_max = 1;  ///< equation 10: 2^(depth of the model - sampled depth)
+  std::vector<int> intervals;  ///< one a patch; equation 10: 2^(depth of the model - sampled depth)
+  int interval_min = 1, interval_max = 1;  ///< the extremes of these
+  double offset_mm = 0;
   double excess_mm = 0;  ///< by how much the worst patch's bound exceeds the error asked for
 };
 OffsetModel sample_offset(const PatchModel& model, double offset_mm, double error_mm);
-
-/// One curve of a whole section, merged over the outer layer.
-struct SectionCurve {
-  std::vector<Vec3> points;
-  bool closed = false;  ///< the first point is not repeated
-};
-/// The section of `sampled` by a plane (paper section 5): curves of the patches joined across
-/// edges; across creases of a non-zero offset the surface itself is open.
-std::vector<SectionCurve> section(const PatchModel& model, const OffsetModel& sampled,
-                                  const AxisPlane& plane);
 
 }  // namespace limitgauge::engine::surface

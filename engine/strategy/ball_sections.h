@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/model/run_control.h"
+#include "engine/strategy/drive_frame.h"
+#include "engine/strategy/envelope.h"
+#include "engine/strategy/stage_path.h"
+#include "engine/surface/grid_section.h"
+#include "engine/surface/patch_model.h"
+
+namespace limitgauge::engine::strategy {
+
+/// All that a ball's centre must stay above, ready to be cut by drive planes: the surface moved out
+/// by the ball's radius and the allowance, and what the ball rolls over at rims.
+///
+/// Errors, in shares of the stage's tolerance: half for the offset mesh, a tenth for the facets of
+/// rims. Where a patch cannot keep its share the whole offset grows by what it lacks.
+class BallSections {
+ public:
+  BallSections(const surface::PatchModel& model, const StageRequest& request,
+               const DriveFrame& frame, const model::RunControl& control);
+
+  double reach_mm() const { return reach_; }  ///< of the centre from the surface
+  /// Extent of the surface across the rows.
+  double low_mm() const { return low_; }
+  double high_mm() const { return high_; }
+  const std::vector<int>& sampling_intervals() const { return intervals_; }
+
+  /// The gouge-free paths of the centre in the planes at `across_mm` (ascending): s is the place
+  /// along the row.
+  std::vector<Envelope> envelopes(std::span<const double> across_mm,
+                                  const model::RunControl& control) const;
+
+ private:
+  std::vector<surface::Grid> all_grids(const surface::PatchModel& model,
+                                       const StageRequest& request);
+  void measure(const surface::PatchModel& model, const DriveFrame& frame);
+
+  double reach_, low_ = 0, high_ = 0;
+  std::vector<int> intervals_;
+  std::vector<surface::GridSection> sections_;
+};
+
+}  // namespace limitgauge::engine::strategy

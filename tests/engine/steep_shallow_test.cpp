@@ -272,6 +272,32 @@ TEST_CASE("the boundary pass of a closed part goes around its outline", "[unit][
   CHECK(widest <= part.high.x + 2 + 2 * setup.request.cut.tolerance_mm);
 }
 
+TEST_CASE("a planned stage neither gouges nor rapids below the stock between its passes",
+          "[property][steep_shallow][sampled_rows]") {
+  const auto [part, cutter, strategy] = GENERATE(table<std::string, std::string, Strategy>(
+      {{"ridge", "ball:D=5", Strategy::steep_shallow},
+       {"dome", "bull:D=6,r=1", Strategy::steep_shallow},
+       {"ridge", "taper:D=2,r=0.6,angle=12,L=12", Strategy::zigzag},
+       {"plane", "flat:D=4", Strategy::zigzag}}));
+  INFO(part << " " << cutter);
+  test::Setup setup(part, cutter);
+  setup.request.cut.strategy = strategy;
+  setup.request.cut.boundary_pass = true;
+  const StagePath stage = plan_stage(setup.finish, setup.request, {});
+  CHECK(stage.planes > 10);
+  Lines cuts;
+  for (std::size_t i = 0; i < stage.path.moves.size(); ++i) {
+    const model::Move& move = stage.path.moves[i];
+    const Vec3 from = model::move_from(stage.path, i);
+    CHECK(move.to.z >= setup.request.floor_z_mm);
+    if (move.kind == model::MoveKind::feed) cuts.push_back({from, move.to});
+    // Rapids touch nothing either.
+    CHECK((move.kind == model::MoveKind::feed || setup.limit.surface.clears(from, move.to, 0)));
+  }
+  REQUIRE(cuts.size() > 100);
+  CHECK(cover(setup, cuts, 2).gouge_mm <= 2e-6);
+}
+
 TEST_CASE("steep and shallow refuses what makes no sense", "[unit][steep_shallow]") {
   test::Setup setup("plane", "ball:D=4");
   setup.request.cut.steep_angle_deg = 90;

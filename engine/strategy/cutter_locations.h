@@ -11,6 +11,9 @@ namespace limitgauge::engine::strategy {
 
 using model::Vec3;
 
+/// Which bodies of a cutter keep clear: the fluted part alone, or shank and holder too.
+enum class Assembly { flutes, whole };
+
 /// The cutter location surface of a cutter over triangles: how low the tip may go so that the
 /// fluted part, continued upwards, grown by an allowance in every direction, touches nothing.
 ///
@@ -25,7 +28,7 @@ class CutterLocations {
   /// distance to be kept and the error of the triangles. Throws std::invalid_argument for a
   /// cutter that is none or a negative allowance.
   CutterLocations(std::vector<surface::Grid> grids, const model::Cutter& cutter,
-                  double allowance_mm);
+                  double allowance_mm, Assembly assembly = Assembly::whole);
 
   /// Lowest height of the tip over (x, y), mm; nothing where no triangle is under the cutter.
   std::optional<double> tip_z(double x, double y) const;
@@ -39,6 +42,8 @@ class CutterLocations {
 
   /// XY extent of where tip_z is anything, and the greatest height in it.
   const model::Box3& extent() const;
+  /// The same of the fluted part alone: beyond it shank or holder are all that touches.
+  const model::Box3& fluted_extent() const;
 
  private:
   struct Tree;

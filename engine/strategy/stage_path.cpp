@@ -6,6 +6,9 @@
 #include <string>
 
 #include "engine/strategy/contour.h"
+#include "engine/strategy/rest.h"
+#include "engine/strategy/sampled_zigzag.h"
+#include "engine/strategy/steep_shallow.h"
 #include "engine/strategy/zigzag.h"
 
 namespace limitgauge::engine::strategy {
@@ -30,11 +33,26 @@ void require_valid(const StageRequest& request) {
   require(std::isfinite(request.allowance_mm) && request.allowance_mm >= 0,
           "allowance must be zero or more");
   require(std::isfinite(request.floor_z_mm), "floor must be a finite height");
-  require(request.cut.strategy == Strategy::contour || request.cut.strategy == Strategy::zigzag,
-          "strategy: expected contour or zigzag");
-  require(
-      request.cut.strategy != Strategy::zigzag || request.cutter.type == model::CutterType::ball,
-      "cutter: zigzag serves ball cutters only; use contour for this one");
+  require(!request.cut.scallop_mm ||
+              (std::isfinite(*request.cut.scallop_mm) && *request.cut.scallop_mm > 0),
+          "scallop must be a positive number");
+}
+
+StagePath plan(const surface::FinishModel& model, const StageRequest& request,
+               const model::RunControl& control) {
+  const bool ball = request.cutter.type == model::CutterType::ball;
+  switch (request.cut.strategy) {
+    case Strategy::contour:
+      return plan_contour(model, request, control);
+    case Strategy::zigzag:
+      return ball ? plan_zigzag(model, request, control)
+                  : plan_sampled_zigzag(model, request, control);
+    case Strategy::steep_shallow:
+      return plan_steep_shallow(model, request, control);
+    case Strategy::rest:
+      return plan_rest(model, request, control);
+  }
+  throw std::invalid_argument("strategy: expected contour, zigzag, steep_shallow or rest");
 }
 
 }  // namespace
@@ -43,9 +61,7 @@ StagePath plan_stage(const surface::FinishModel& model, const StageRequest& requ
                      const model::RunControl& control) {
   require_valid(request);
   const auto begin = std::chrono::steady_clock::now();
-  StagePath stage = request.cut.strategy == Strategy::zigzag
-                        ? plan_zigzag(model, request, control)
-                        : plan_contour(model, request, control);
+  StagePath stage = plan(model, request, control);
   stage.memory_bytes = stage.path.moves.size() * sizeof(model::Move);
   stage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return stage;

@@ -16,10 +16,11 @@ namespace limitgauge::engine::strategy {
 struct StageRequest {
   CutOptions cut;
   model::Cutter cutter;
-  double allowance_mm = 0;  ///< material left along the normal of the limit surface
-  double clearance_mm = 0;  ///< height of rapids above the stock
-  double floor_z_mm = 0;    ///< lowest tip height that the stage may use
-  model::Stock stock;       ///< raw stock of the job
+  double allowance_mm = 0;     ///< material left along the normal of the limit surface
+  double clearance_mm = 0;     ///< height of rapids above the stock
+  double floor_z_mm = 0;       ///< lowest tip height that the stage may use
+  double rapid_mm_min = 5000;  ///< what a retract is weighed with
+  model::Stock stock;          ///< raw stock of the job
   /// rest: boxes that hold all the material to be cut again; none: nothing is left to cut.
   std::vector<model::Box3> regions;
 };

@@ -4,6 +4,7 @@
 
 #include "engine/model/run_control.h"
 #include "engine/strategy/cutter_locations.h"
+#include "engine/strategy/tip_raster.h"
 
 namespace limitgauge::engine::strategy {
 
@@ -20,10 +21,18 @@ struct WaterlineRequest {
 };
 
 /// The curves at each of `heights_mm`, the forbidden side (higher) on the right of the way: cut in
-/// this order they are climb milling. Chords are proven clear of the surface.
+/// this order they are climb milling. Chords are proven clear of the surface; where that cannot be
+/// done the curve is left open. Tips run 1e-5 mm above the heights asked for, so that a plateau at
+/// one of them is free as a whole.
 std::vector<std::vector<Waterline>> waterlines(const CutterLocations& locations,
                                                const std::vector<double>& heights_mm,
                                                const WaterlineRequest& request,
+                                               const model::RunControl& control);
+/// The same from tip heights that are there already.
+std::vector<std::vector<Waterline>> waterlines(const CutterLocations& locations,
+                                               const TipRaster& tips,
+                                               const std::vector<double>& heights_mm,
+                                               double tolerance_mm,
                                                const model::RunControl& control);
 
 }  // namespace limitgauge::engine::strategy

@@ -43,7 +43,7 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
   const std::string box = "box:4,4,4@-1,-1,-3", ball = "ball:D=6";
   const std::vector<BadInput> table = {
       {{"run", "typo.toml"}, "unknown key \"tolernace\" in [[stage]]; expected \"tolerance\""},
-      {{"run", "rest.toml"}, "expected contour or zigzag"},
+      {{"run", "rest.toml"}, "expected contour, zigzag or steep_shallow"},
       {{"run", "no_cage.toml"}, "no file"},
       {{"run", "no_toml.toml"}, "no_toml.toml:1:"},
       {{"run", "nowhere.toml"}, "nowhere.toml"},

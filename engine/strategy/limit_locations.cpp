@@ -1,0 +1,29 @@
+#include "engine/strategy/limit_locations.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace limitgauge::engine::strategy {
+
+double corner_radius_mm(const model::Cutter& cutter) {
+  if (cutter.type == model::CutterType::ball) return cutter.radius_mm();
+  return cutter.type == model::CutterType::flat ? 0.0 : cutter.corner_radius_mm;
+}
+
+LimitLocations limit_locations(const surface::PatchModel& model, const StageRequest& request) {
+  const double error = kLimitMeshShare * request.cut.tolerance_mm;
+  surface::OffsetModel mesh = surface::sample_offset(model, 0, error);
+  const double kept = request.allowance_mm + error + std::max(0.0, mesh.excess_mm);
+  model::Box3 part;
+  for (const surface::Grid& grid : mesh.grids)
+    for (const Vec3& p : grid.points) part.add(p);
+  std::vector<int> intervals;
+  for (std::size_t p = 0; p < mesh.depths.size(); ++p)
+    intervals.push_back(1 << (model.patches()[p].limit.depth - mesh.depths[p]));
+  CutterLocations surface(mesh.grids, request.cutter, kept);
+  constexpr double kRounding_mm = 1e-6;
+  const double lowest = part.low.z - corner_radius_mm(request.cutter) - kRounding_mm;
+  return {std::move(surface), std::move(mesh), std::move(intervals), part, kept, lowest};
+}
+
+}  // namespace limitgauge::engine::strategy

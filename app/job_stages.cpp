@@ -17,7 +17,7 @@ void refuse_plan_keys(const TomlTable& stage) {
   }
 }
 
-void read_source(const TomlTable& stage, JobStage& result, JobContext& context) {
+void read_source(const TomlTable& stage, bool first, JobStage& result, JobContext& context) {
   const bool planned = stage.has("strategy");
   if (planned == stage.has("program")) {
     throw model::InputError(
@@ -28,6 +28,10 @@ void read_source(const TomlTable& stage, JobStage& result, JobContext& context) 
   }
   if (planned) {
     result.plan = read_plan(stage, result.name, context);
+    if (first && result.plan->cut.strategy == engine::strategy::Strategy::rest)
+      throw model::InputError(stage.place("strategy"),
+                              "a rest stage is the first: nothing was cut before it",
+                              "a stage before it that leaves the rest");
     return;
   }
   refuse_plan_keys(stage);
@@ -84,7 +88,7 @@ JobStage read_stage(const toml::table& table, const std::vector<JobStage>& befor
   JobStage result;
   result.name = read_name(stage, before);
   result.cutter = find_tool(stage, tools);
-  read_source(stage, result, context);
+  read_source(stage, before.empty(), result, context);
   if (stage.has("allowance")) {
     result.allowance_mm = stage.not_negative("allowance");
   } else {

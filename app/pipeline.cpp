@@ -91,7 +91,7 @@ model::RunControl Bench::control(const std::string& phase) const {
 void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
   const Stopwatch watch;
-  PlannedStage planned = planner_.plan(index, control(asked.name + ": planning"));
+  PlannedStage planned = planner_.plan(index, passes_, control(asked.name + ": planning"));
   const std::filesystem::path folder = folder_ / asked.name;
   make_folder(folder);
   write_program_files(planned, folder);
@@ -241,15 +241,18 @@ reports::RunResult run_job(const Job& job, const RunInputs& inputs,
 void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::path& folder,
               const RunOptions& options) {
   StagePlanner planner(job, inputs);
+  std::vector<verifier::Pass> passes;
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     const std::string& name = job.stages[i].name;
     options.watch.phase(name + ": planning");
-    const PlannedStage planned =
-        planner.plan(i, {options.threads, options.stop, options.watch.progress});
+    PlannedStage planned =
+        planner.plan(i, passes, {options.threads, options.stop, options.watch.progress});
     make_folder(folder / name);
     write_program_files(planned, folder / name);
     reports::write_toolpath_vtp(planned.path.path, folder / name / "toolpath.vtp");
     options.watch.note(name + ": " + std::to_string(planned.path.path.moves.size()) + " moves");
+    passes.push_back({job.stages[i].cutter,
+                      std::make_shared<const model::Toolpath>(std::move(planned.path.path))});
   }
 }
 

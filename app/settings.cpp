@@ -56,6 +56,11 @@ void state_stage(const JobStage& stage, double resolution_mm, double floor_z_mm,
                    " mm; the program is measured as it is written, arcs as chords within " +
                    words(chord_error_mm(resolution_mm)) + " mm");
   }
+  if (stage.plan && stage.plan->cut.strategy == engine::strategy::Strategy::rest) {
+    said.push_back(head + "cuts where more than " + words(rest_threshold_mm(stage)) +
+                   " mm stand that its cutter can reach (" +
+                   (stage.limits.has_uncut ? "half of its uncut limit" : "its tolerance") + ")");
+  }
   if (!stage.plan) {
     said.push_back(head + "arcs as chords within " + words(chord_error_mm(resolution_mm)) + " mm");
     said.push_back(head + "the tool is taken to be " + model::to_text(stage.cutter) +
@@ -87,6 +92,10 @@ double automatic_floor_mm(const model::Cutter& cutter, const model::Box3& surfac
 
 double chord_error_mm(double resolution_mm) {
   return resolution_mm / 4;
+}
+
+double rest_threshold_mm(const JobStage& stage) {
+  return stage.limits.has_uncut ? stage.limits.uncut_mm / 2 : stage.plan->cut.tolerance_mm;
 }
 
 Settings choose_settings(const Job& job, const model::Box3& surface) {

@@ -28,6 +28,10 @@ double automatic_floor_mm(const model::Cutter& cutter, const model::Box3& surfac
 /// certified interval may be wide.
 double chord_error_mm(double resolution_mm);
 
+/// What must stand above the allowance surface for a rest stage to cut there: half of the stage's
+/// uncut limit where it has one, else its tolerance.
+double rest_threshold_mm(const JobStage& stage);
+
 Settings choose_settings(const Job& job, const model::Box3& surface);
 /// Every figure that the job did not state, and every convention, in words for the report.
 std::vector<std::string> assumptions(const Job& job, const Settings& settings);

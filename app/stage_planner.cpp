@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "app/settings.h"
 #include "app/stage_program.h"
 #include "engine/model/error.h"
+#include "verifier/leftover_regions.h"
 
 namespace limitgauge::app {
 
@@ -33,15 +35,33 @@ engine::strategy::StageRequest StagePlanner::request(std::size_t stage) const {
   request.cutter = asked.cutter;
   request.allowance_mm = asked.allowance_mm;
   request.clearance_mm = job_.clearance_mm;
+  request.rapid_mm_min = job_.rapid_mm_min;
   request.floor_z_mm = inputs_.settings.floor_z_mm[stage];
   request.stock = job_.stock;
   return request;
 }
 
-PlannedStage StagePlanner::plan_own(std::size_t stage, const model::RunControl& control) {
+/// What the stages before have left that this one's cutter can take away.
+std::vector<model::Box3> StagePlanner::regions(std::size_t stage,
+                                               std::span<const verifier::Pass> before,
+                                               const model::RunControl& control) const {
+  const JobStage& asked = job_.stages[stage];
+  verifier::LeftoverRequest leftover;
+  leftover.cutter = asked.cutter;
+  leftover.allowance_mm = asked.allowance_mm;
+  leftover.threshold_mm = rest_threshold_mm(asked);
+  leftover.tile_mm = std::max(leftover.tile_mm, 2 * asked.plan->cut.step_mm);
+  return find_leftover_regions(inputs_.surface, job_.stock, before, leftover, control).boxes;
+}
+
+PlannedStage StagePlanner::plan_own(std::size_t stage, std::span<const verifier::Pass> before,
+                                    const model::RunControl& control) {
   PlannedStage planned;
   try {
-    planned.path = plan_stage(finish_model(control), request(stage), control);
+    engine::strategy::StageRequest asked = request(stage);
+    if (asked.cut.strategy == engine::strategy::Strategy::rest)
+      asked.regions = regions(stage, before, control);
+    planned.path = plan_stage(finish_model(control), asked, control);
   } catch (const std::invalid_argument& error) {
     throw model::InputError({}, "stage \"" + job_.stages[stage].name + "\": " + error.what(),
                             "a stage that a path can serve");
@@ -60,8 +80,9 @@ PlannedStage StagePlanner::take_program(std::size_t stage) const {
   return planned;
 }
 
-PlannedStage StagePlanner::plan(std::size_t stage, const model::RunControl& control) {
-  return job_.stages[stage].plan ? plan_own(stage, control) : take_program(stage);
+PlannedStage StagePlanner::plan(std::size_t stage, std::span<const verifier::Pass> before,
+                                const model::RunControl& control) {
+  return job_.stages[stage].plan ? plan_own(stage, before, control) : take_program(stage);
 }
 
 }  // namespace limitgauge::app

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "app/pipeline.h"
 #include "app/run_inputs.h"
 #include "engine/strategy/stage_path.h"
 #include "engine/surface/finish_model.h"
+#include "verifier/verify.h"
 
 namespace limitgauge::app {
 
@@ -23,15 +25,20 @@ class StagePlanner {
  public:
   StagePlanner(const Job& job, const RunInputs& inputs) : job_(job), inputs_(inputs) {}
 
-  /// Throws InputError where the stage asks for something that no path can serve.
-  PlannedStage plan(std::size_t stage, const model::RunControl& control);
+  /// `before` are the passes of the stages before: a rest stage asks the verifier what they have
+  /// left. Throws InputError where the stage asks for something that no path can serve.
+  PlannedStage plan(std::size_t stage, std::span<const verifier::Pass> before,
+                    const model::RunControl& control);
   /// Figures of the model; empty as long as no stage needed it.
   std::optional<engine::surface::ModelFigures> figures() const;
 
  private:
   const engine::surface::FinishModel& finish_model(const model::RunControl& control);
   engine::strategy::StageRequest request(std::size_t stage) const;
-  PlannedStage plan_own(std::size_t stage, const model::RunControl& control);
+  std::vector<model::Box3> regions(std::size_t stage, std::span<const verifier::Pass> before,
+                                   const model::RunControl& control) const;
+  PlannedStage plan_own(std::size_t stage, std::span<const verifier::Pass> before,
+                        const model::RunControl& control);
   PlannedStage take_program(std::size_t stage) const;
 
   const Job& job_;

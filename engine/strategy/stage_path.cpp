@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/strategy/contour.h"
+#include "engine/strategy/rest.h"
 #include "engine/strategy/steep_shallow.h"
 #include "engine/strategy/zigzag.h"
 
@@ -46,9 +47,9 @@ StagePath plan(const surface::FinishModel& model, const StageRequest& request,
     case Strategy::steep_shallow:
       return plan_steep_shallow(model, request, control);
     case Strategy::rest:
-      break;
+      return plan_rest(model, request, control);
   }
-  throw std::invalid_argument("strategy: expected contour, zigzag or steep_shallow");
+  throw std::invalid_argument("strategy: expected contour, zigzag, steep_shallow or rest");
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ void PatchModel::build_patch(std::size_t p, int depth, const ChordBounds& bounds
     cell.refine();
   }
   patch.limit = cell.limit();
+  patch.cell_bytes = cell.memory_bytes_of(sizeof(FloatPoint));
   patch.bounds.resize(static_cast<std::size_t>(depth) + 1);
 }
 

@@ -2,6 +2,7 @@
 // verifier's evaluator, beside the bound that the engine states for them.
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
@@ -60,7 +61,13 @@ double distance_to_cells(const Vec3& p, const Grid& grid, int u0, int v0, int u1
 class MeshDistance {
  public:
   MeshDistance(const PatchModel& model, const OffsetModel& mesh, double offset_mm)
-      : model_(model), mesh_(mesh), offset_mm_(offset_mm) {}
+      : model_(model), mesh_(mesh), offset_mm_(offset_mm) {
+    for (const auto* grids : {&mesh.corners, &mesh.grids})
+      for (const Grid& grid : *grids) {
+        all_.push_back({&grid, {}});
+        for (const Vec3& p : grid.points) all_.back().box.add(p);
+      }
+  }
 
   /// Not above `enough` if some part of the mesh is that near: the places at hand come first.
   double operator()(int patch, double u, double v, const Vec3& p, double enough) const {
@@ -74,50 +81,89 @@ class MeshDistance {
       for (const auto& of : model_.patches())
         for (const Vec3& speck : of.specks)
           least = std::min(least, std::abs(distance(p, speck) - offset_mm_));
-    for (const Grid& corner : mesh_.corners) {
+    for (const Boxed& other : all_) {
       if (least <= enough) return least;
-      least = std::min(least, distance_to_cells(p, corner, 0, 0, corner.columns, corner.rows));
-    }
-    for (const Grid& other : mesh_.grids) {
-      if (least <= enough) return least;
-      least = std::min(least, distance_to_cells(p, other, 0, 0, other.columns, other.rows));
+      if (distance_squared(other.box, p) < least * least)
+        least = std::min(
+            least, distance_to_cells(p, *other.grid, 0, 0, other.grid->columns, other.grid->rows));
     }
     return least;
   }
 
  private:
+  struct Boxed {
+    const Grid* grid;
+    model::Box3 box;
+  };
   const PatchModel& model_;
   const OffsetModel& mesh_;
+  std::vector<Boxed> all_;
   double offset_mm_;
 };
+
+/// Where a patch of the engine lies in the reference: a whole patch, or a quarter of it where the
+/// cage has other faces than quads, since the engine then refines all of them once.
+struct Place {
+  int patch = 0, quarter = -1;
+
+  verifier::SurfaceSample at(const verifier::ReferenceSurface& surface, double u, double v) const {
+    switch (quarter) {
+      case 0:
+        return surface.evaluate(patch, u / 2, v / 2);
+      case 1:
+        return surface.evaluate(patch, 1 - v / 2, u / 2);
+      case 2:
+        return surface.evaluate(patch, 1 - u / 2, 1 - v / 2);
+      case 3:
+        return surface.evaluate(patch, v / 2, 1 - u / 2);
+      default:
+        return surface.evaluate(patch, u, v);
+    }
+  }
+};
+
+std::vector<Place> places(const Cage& cage, const verifier::ReferenceSurface& surface) {
+  bool quads = true;
+  for (model::Index f = 0; f < cage.face_count(); ++f) quads &= cage.face(f).size() == 4;
+  std::vector<Place> all;
+  int patch = 0;
+  for (model::Index f = 0; f < cage.face_count(); ++f) {
+    const int corners = static_cast<int>(cage.face(f).size());
+    const int own = corners == 4 ? 1 : corners;
+    const int times = corners == 4 && !quads ? 4 : own;
+    for (int k = 0; k < times && surface.has_surface(patch); ++k)
+      all.push_back(own == 1 ? Place{patch, quads ? -1 : k} : Place{patch + k, -1});
+    patch += own;
+  }
+  return all;
+}
 
 struct Measured {
   double error_mm = 0, bound_mm = 0;
 };
 
 /// Largest distance of `samples`² places a cell of depth 4 or less, off the nodes, from the mesh.
-Measured measure(const PatchModel& model, const verifier::ReferenceSurface& reference,
-                 double offset_mm, double asked_mm) {
+Measured measure(const PatchModel& model, const Cage& cage,
+                 const verifier::ReferenceSurface& reference, double offset_mm, double asked_mm) {
   const OffsetModel mesh = sample_offset(model, offset_mm, asked_mm);
   const MeshDistance distance_from(model, mesh, offset_mm);
   Measured measured{0, asked_mm + mesh.excess_mm};
-  int reference_patch = 0;
+  const std::vector<Place> place = places(cage, reference);
+  REQUIRE(place.size() == model.patches().size());
   for (int patch = 0; patch < static_cast<int>(model.patches().size()); ++patch) {
-    while (!reference.has_surface(reference_patch)) ++reference_patch;
-    const int cells = std::min(16, 1 << mesh.depths[patch]);
+    const int cells = std::min(4, 1 << mesh.depths[patch]);
     for (int j = 0; j < 3 * cells; ++j)
       for (int i = 0; i < 3 * cells; ++i) {
         // Both triangles of a cell, and close to its corners.
         constexpr std::array<double, 3> kWithin = {0.03, 0.37, 0.71};
         const double u = (i / 3 + kWithin[i % 3]) / cells,
                      v = (j / 3 + kWithin[(i + j) % 3]) / cells;
-        const auto s = reference.evaluate(reference_patch, u, v);
+        const auto s = place[patch].at(reference, u, v);
         const Vec3 p = s.position + s.normal * offset_mm;
-        measured.error_mm =
-            std::max(measured.error_mm,
-                     distance_from(patch, u, v, p, std::max(measured.error_mm, measured.bound_mm / 100)));
+        measured.error_mm = std::max(
+            measured.error_mm,
+            distance_from(patch, u, v, p, std::max(measured.error_mm, measured.bound_mm / 100)));
       }
-    ++reference_patch;
   }
   return measured;
 }
@@ -140,21 +186,31 @@ std::vector<Cage> test_cages() {
 
 TEST_CASE("the chord error is below its bound", "[slow]") {
   double tightest = 0;
+  int proven = 0, cages = 0;
   for (const Cage& cage : test_cages()) {
     const verifier::ReferenceSurface reference(cage);
     const double size = length(reference.bounding_box().size());
     // As a part of the part's size: coarse, so that all of it can be measured.
     const double precision = size * 4e-3, offset = size * 0.02;
     const PatchModel model(cage, {precision, offset, 6}, {2, nullptr, {}});
-    for (const double out : {0.0, offset / 2, offset})
+    ++cages;
+    const auto& patches = model.patches();
+    if (!std::all_of(patches.begin(), patches.end(), [](const auto& p) { return p.proven; }))
+      continue;
+    ++proven;
+    for (const double out : {0.0, offset})
       for (const double asked : {precision / 4, precision}) {
         CAPTURE(cage.name, out, asked, size);
-        const Measured m = measure(model, reference, out, asked);
+        const Measured m = measure(model, cage, reference, out, asked);
         CHECK(m.error_mm <= m.bound_mm + kRounding_mm);
         tightest = std::max(tightest, m.error_mm / m.bound_mm);
-        if (getenv("CE")) printf("%s out %.3f asked %.5f error %.5f bound %.5f\n", cage.name.c_str(), out, asked, m.error_mm, m.bound_mm);
+        if (getenv("CE"))
+          fprintf(stderr, "%s out %.3f asked %.5f error %.5f bound %.5f %s\n", cage.name.c_str(),
+                  out, asked, m.error_mm, m.bound_mm, m.error_mm > m.bound_mm ? "WORSE" : "");
       }
   }
+  CAPTURE(proven, cages);
+  CHECK(proven > 0.8 * cages);
   // The bound is worth something: somewhere it is nearly reached.
   CHECK(tightest > 0.2);
 }

@@ -276,8 +276,8 @@ void BasicCellPatch<Point>::limit_corners(LimitPatch& limit) const {
 }
 
 template <class Point>
-std::size_t BasicCellPatch<Point>::memory_bytes() const {
-  std::size_t bytes = sizeof(*this) + net_.capacity() * sizeof(Point);
+std::size_t BasicCellPatch<Point>::memory_bytes_of(std::size_t point_bytes) const {
+  std::size_t bytes = sizeof(*this) + net_.capacity() * point_bytes;
   for (const CornerRing& ring : rings_) bytes += ring.memory_bytes();
   return bytes;
 }

@@ -64,7 +64,9 @@ class BasicCellPatch {
   bool sharp_side(int side) const { return is_sharp(sharpness_[side]); }
   const CornerRing& ring(int corner) const { return rings_[corner]; }
   /// As allocated: the padded array, the patch itself and its rings.
-  std::size_t memory_bytes() const;
+  std::size_t memory_bytes() const { return memory_bytes_of(sizeof(Point)); }
+  /// The same with points of another size.
+  std::size_t memory_bytes_of(std::size_t point_bytes) const;
 
  private:
   BasicCellPatch() = default;

@@ -107,6 +107,7 @@ class PatchBounds {
       ChordBound& b = bounds_.at[static_cast<std::size_t>(depth)];
       b.limit = limit.at(scale);
       b.offset = offset ? offset->at(scale) : offset_mm_ > 0 ? unproven() : b.limit;
+      if (offset_mm_ > 0) b.offset.corner_mm = 0;
     }
   }
 

@@ -8,6 +8,11 @@
 
 namespace limitgauge::engine::surface {
 
+namespace {
+/// Three coordinates in single precision.
+constexpr std::size_t kFloatPoint = 12;
+}  // namespace
+
 FinishModel::FinishModel(const model::Cage& cage, const ModelRequest& request,
                          const model::RunControl& control) {
   if (!(request.precision_mm > 0)) throw std::invalid_argument("precision_mm must be positive");
@@ -20,6 +25,10 @@ FinishModel::FinishModel(const model::Cage& cage, const ModelRequest& request,
   for (const ModelPatch& patch : built->patches()) {
     figures_.depth_min = std::min(figures_.depth_min, patch.limit.depth);
     figures_.depth_max = std::max(figures_.depth_max, patch.limit.depth);
+  }
+  for (const ModelPatch& patch : built->patches()) {
+    figures_.cell_bytes_counted += cell_bytes_counted(patch.limit.depth, kFloatPoint);
+    figures_.cell_bytes_allocated += patch.cell_bytes;
   }
   figures_.memory_bytes = built->memory_bytes();
   figures_.seconds =

@@ -22,7 +22,11 @@ struct ModelFigures {
   int patches = 0;
   int depth_min = 0, depth_max = 0;
   double seconds = 0;
-  std::size_t memory_bytes = 0;
+  std::size_t memory_bytes = 0;  ///< of the limit meshes with their normals, corners included
+  /// Of CELL's control points at the patches' depths in single precision, as the paper counts them
+  /// (section 8.1), and as FloatCellPatch allocates them, rings included. The model keeps the limit
+  /// meshes only.
+  std::size_t cell_bytes_counted = 0, cell_bytes_allocated = 0;
 };
 
 /// The engine's view of the design surface: an immutable value, cheap to copy.

@@ -63,21 +63,22 @@ ChordBounds PatchModel::bound_patch(std::size_t p, const ModelRequest& request) 
                       {request.largest_offset_mm, kAnalysedDepth, largest, true, rim});
 }
 
-void PatchModel::build_patch(std::size_t p, int depth, const ChordBounds& bounds,
-                             const ModelRequest& request) {
-  ModelPatch& patch = patches_[p];
-  CellPatch cell(outer_, outer_.face_of[patch.first_half_edge]);
-  while (cell.depth() < depth) {
-    if (request.largest_offset_mm > 0 && cell.depth() == bounds.corner_depth)
-      for (int c = 0; c < 4; ++c)
-        if (bounds.extraordinary[c]) build_corner(patch, cell.corner_cell(c), request);
-    cell.refine();
-  }
-  patch.limit = cell.limit();
-  patch.bounds.resize(static_cast<std::size_t>(depth) + 1);
-}
-
 namespace {
+
+/// Twice what the mesh of every second node lacks at the others, moved out by `offset_mm`.
+double sampled_error(const LimitPatch& limit, double offset_mm) {
+  double largest = 0;
+  const auto at = [&](int u, int v) {
+    const int i = limit.index(u, v);
+    return limit.points[i] + limit.normals[i] * offset_mm;
+  };
+  for (int v = 0; v <= limit.cells(); ++v)
+    for (int u = 1; u < limit.cells(); u += 2) {
+      largest = std::max(largest, distance(at(u, v), (at(u - 1, v) + at(u + 1, v)) * 0.5));
+      largest = std::max(largest, distance(at(v, u), (at(v, u - 1) + at(v, u + 1)) * 0.5));
+    }
+  return 2 * largest;
+}
 
 /// Largest distance of the surface over all of `cell` from its first corner.
 double speck_radius(const CellPatch& cell) {
@@ -91,6 +92,29 @@ double speck_radius(const CellPatch& cell) {
 
 }  // namespace
 
+void PatchModel::build_patch(std::size_t p, int depth, const ChordBounds& bounds,
+                             const ModelRequest& request) {
+  ModelPatch& patch = patches_[p];
+  CellPatch cell(outer_, outer_.face_of[patch.first_half_edge]);
+  while (cell.depth() < depth) {
+    if (request.largest_offset_mm > 0 && cell.depth() == bounds.corner_depth)
+      for (int c = 0; c < 4; ++c)
+        if (bounds.extraordinary[c]) build_corner(patch, cell.corner_cell(c), request);
+    cell.refine();
+  }
+  patch.limit = cell.limit();
+  patch.cell_bytes = cell.memory_bytes_of(sizeof(FloatPoint));
+  patch.bounds.resize(static_cast<std::size_t>(depth) + 1);
+  for (const auto& [error, offset] :
+       {std::pair{&patch.bounds.back().limit, 0.0},
+        std::pair{&patch.bounds.back().offset, request.largest_offset_mm}})
+    for (double* mm : {&error->own_mm, &error->corner_mm})
+      if (!std::isfinite(*mm)) {
+        *mm = sampled_error(patch.limit, offset);
+        patch.proven = false;
+      }
+}
+
 void PatchModel::build_corner(ModelPatch& patch, CellPatch cell, const ModelRequest& request) {
   const double wanted = kMeshShare * request.precision_mm;
   for (int quarter = 0; quarter < kMostQuarters && speck_radius(cell) > wanted; ++quarter) {
@@ -98,11 +122,16 @@ void PatchModel::build_corner(ModelPatch& patch, CellPatch cell, const ModelRequ
         chord_bounds(cell, {request.largest_offset_mm, kAnalysedCorner, kDeepestCorner, false, {}});
     int depth = kQuarter + 1;
     while (depth < kDeepestCorner && bounds.at[depth].offset.own_mm > wanted) ++depth;
-    patch.corner_bound_mm = std::max(patch.corner_bound_mm, bounds.at[depth].offset.own_mm);
     while (cell.depth() < kQuarter) cell.refine();
     CellPatch inner = cell.corner_cell(0);
     while (cell.depth() < depth) cell.refine();
     patch.corners.push_back(cell.limit());
+    double bound = bounds.at[depth].offset.own_mm;
+    if (!std::isfinite(bound)) {
+      bound = sampled_error(patch.corners.back(), request.largest_offset_mm);
+      patch.proven = false;
+    }
+    patch.corner_bound_mm = std::max(patch.corner_bound_mm, bound);
     cell = std::move(inner);
   }
   patch.corner_bound_mm = std::max(patch.corner_bound_mm, speck_radius(cell));
@@ -173,7 +202,8 @@ double PatchModel::error_mm(int p, const std::vector<int>& depths,
     const int other = depths[patch_at(outer_.twin[h])];
     if (other >= depths[p]) continue;
     const SplitBound& moved = (patch.bounds[other].*of).sides[side];
-    laid = std::max(laid, moved.along + beyond(moved.across));
+    if (std::isfinite(moved.along + moved.across))
+      laid = std::max(laid, moved.along + beyond(moved.across));
   }
   const double bulge = own.meeting.bulge_mm;
   return own.own_mm + laid + (bulge > 0 ? beyond(2 * bulge) : 0.0);
@@ -186,7 +216,8 @@ double PatchModel::corner_mm(int p, const std::vector<int>& depths) const {
     const Index h = patch.first_half_edge + side;
     if (ends_at(h)) continue;
     const int other = depths[patch_at(outer_.twin[h])];
-    if (other < depths[p]) laid = std::max(laid, patch.bounds[other].limit.corner_side_mm);
+    const double moved = patch.bounds[other].limit.corner_side_mm;
+    if (other < depths[p] && std::isfinite(moved)) laid = std::max(laid, moved);
   }
   return patch.bounds[depths[p]].limit.corner_mm + laid;
 }

@@ -16,7 +16,11 @@ namespace limitgauge::engine::surface {
 struct ModelPatch {
   Index first_half_edge = 0;  ///< side c of the patch is half-edge first_half_edge + c
   LimitPatch limit;
+  std::size_t cell_bytes = 0;      ///< of its control points in single precision, as allocated
   std::vector<ChordBound> bounds;  ///< by depth, to that of the limit mesh
+  /// False where no bound was found at the largest depth (a surface folded flat, as at a vertex of
+  /// two faces): twice what a mesh of one depth less lacks at the nodes stands in for it.
+  bool proven = true;
   /// Extraordinary corners, where normals may turn ever faster and no bound on the offset holds:
   /// the cell at the corner again, and a quarter of its side, and so on, each but for its own such
   /// quarter within the precision. They lie over the coarser mesh, which stays as it is.

@@ -181,6 +181,9 @@ void Bench::finish_surface(reports::SurfaceResult& surface) const {
   if (!figures) return;
   surface.depth_min = figures->depth_min;
   surface.depth_max = figures->depth_max;
+  surface.depths = figures->depths;
+  surface.cell_bytes_counted = figures->cell_bytes_counted;
+  surface.cell_bytes_allocated = figures->cell_bytes_allocated;
   surface.seconds = figures->seconds;
   surface.memory_bytes = figures->memory_bytes;
 }

@@ -82,7 +82,9 @@ Json surface_part(const SurfaceResult& s) {
       {"depths", s.depths},
       {"sampling_interval", {{"min", s.sampling_interval_min}, {"max", s.sampling_interval_max}}},
       {"seconds", finite("surface.seconds", s.seconds)},
-      {"memory_bytes", s.memory_bytes}};
+      {"memory_bytes", s.memory_bytes},
+      {"cell_bytes_counted", s.cell_bytes_counted},
+      {"cell_bytes_allocated", s.cell_bytes_allocated}};
 }
 
 Json stock_part(const model::Stock& stock) {

@@ -27,6 +27,8 @@ struct SurfaceResult {
   int sampling_interval_min = 1, sampling_interval_max = 1;
   double seconds = 0;
   std::size_t memory_bytes = 0;
+  /// Of CELL's control points in single precision: as the paper counts them, and as allocated.
+  std::size_t cell_bytes_counted = 0, cell_bytes_allocated = 0;
 };
 
 /// One stage as asked for and as it came out. A stage that was not run has only its request part.

@@ -23,6 +23,7 @@ FinishModel::FinishModel(const model::Cage& cage, const ModelRequest& request,
   if (figures_.patches == 0) throw std::invalid_argument("the cage has no face that is surface");
   figures_.depth_min = figures_.depth_max = built->patches().front().limit.depth;
   for (const ModelPatch& patch : built->patches()) {
+    figures_.depths.push_back(patch.limit.depth);
     figures_.depth_min = std::min(figures_.depth_min, patch.limit.depth);
     figures_.depth_max = std::max(figures_.depth_max, patch.limit.depth);
   }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "engine/model/cage.h"
 #include "engine/model/run_control.h"
@@ -21,6 +22,7 @@ struct ModelRequest {
 struct ModelFigures {
   int patches = 0;
   int depth_min = 0, depth_max = 0;
+  std::vector<int> depths;  ///< one a patch
   double seconds = 0;
   std::size_t memory_bytes = 0;  ///< of the limit meshes with their normals, corners included
   /// Of CELL's control points at the patches' depths in single precision, as the paper counts them

@@ -43,6 +43,9 @@ std::string model_table(const RunResult& result) {
                             span_text(s.depth_min, s.depth_max),
                             span_text(s.sampling_interval_min, s.sampling_interval_max),
                             duration_text(s.seconds), bytes_text(s.memory_bytes)}};
+  if (s.cell_bytes_counted > 0)
+    rows.push_back({"its CELL control points in single precision, as the paper counts them", "", "",
+                    "", "", bytes_text(s.cell_bytes_counted)});
   if (const auto& p = result.published)
     rows.push_back({"published", count_text(p->patches), span_text(p->depth),
                     span_text(p->sampling_interval), seconds_text(p->seconds),

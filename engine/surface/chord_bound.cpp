@@ -73,9 +73,10 @@ class PatchBounds {
     while (patch.depth() < start) patch.refine();
     bool any = false;
     for (int c = 0; c < 4; ++c) any |= bounds_.extraordinary[c] = !patch.ring(c).regular();
-    // Cells at extraordinary corners must be two cells wide before the offset has bounds.
-    const int last =
-        std::min(std::max(request_.analysed_depth, any ? first + 1 : first), largest());
+    // Corners must be two cells wide before the offset has bounds, and rings about them begin four
+    // levels below the corners' own.
+    const int last = std::min(
+        std::max(request_.analysed_depth, any ? std::max(first + 1, start + 3) : first), largest());
     std::vector<VertexZones> zones;
     for (int c = 0; c < 4; ++c)
       if (bounds_.extraordinary[c] && request_.limit)

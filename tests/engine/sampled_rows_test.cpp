@@ -30,8 +30,11 @@ LimitLocations level_square(const StageRequest& request, double half) {
     return Vec3{half * (2 * u - 1), half * (2 * v - 1), 0};
   });
   const model::Box3 part{{-half, -half, 0}, {half, half, 0}};
-  return {CutterLocations({grid}, request.cutter, 0), {{grid}, {0}, {}, 1, 1, 0}, {1}, part, 0,
-          -corner_radius_mm(request.cutter)};
+  engine::surface::OffsetModel mesh;
+  mesh.grids = {grid};
+  mesh.depths = {0};
+  const CutterLocations surface({grid}, request.cutter, 0);
+  return {surface, mesh, {1}, part, 0, -corner_radius_mm(request.cutter)};
 }
 
 void check_gouges(const std::tuple<std::string, std::string>& what) {

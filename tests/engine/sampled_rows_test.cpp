@@ -33,9 +33,8 @@ LimitLocations level_square(const StageRequest& request, double half) {
   engine::surface::OffsetModel mesh;
   mesh.grids = {grid};
   mesh.depths = {0};
-  mesh.intervals = {1};
-  return {CutterLocations({grid}, request.cutter, 0), mesh, {1}, part, 0,
-          -corner_radius_mm(request.cutter)};
+  const CutterLocations surface({grid}, request.cutter, 0);
+  return {surface, mesh, {1}, part, 0, -corner_radius_mm(request.cutter)};
 }
 
 void check_gouges(const std::tuple<std::string, std::string>& what) {
@@ -66,7 +65,7 @@ TEST_CASE("sampled rows never go below the surface", "[property][sampled_rows]")
                                                 {"ridge", "taper:D=2,r=0.6,angle=12,L=12"}})));
 }
 
-TEST_CASE("nor do sampled rows on walls and in hollows", "[slow][sampled_rows]") {
+TEST_CASE("sampled rows never go below walls and hollows", "[slow][sampled_rows]") {
   check_gouges(GENERATE(table<std::string, std::string>(
       {{"tight bowl", "ball:D=5"}, {"torus", "bull:D=6,r=1"}, {"block", "flat:D=4"}})));
 }

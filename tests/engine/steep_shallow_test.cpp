@@ -71,10 +71,10 @@ TEST_CASE("steep and shallow passes never go below the surface", "[property][ste
                                                          {"ridge", "ball:D=5"}})));
 }
 
-TEST_CASE("nor do they on closed parts", "[slow][steep_shallow]") {
+TEST_CASE("steep and shallow passes never go below closed parts", "[slow][steep_shallow]") {
   check_gouges(
       GENERATE(table<std::string, std::string>({{"cube", "taper:D=2,r=0.6,angle=12,L=12"},
-                                                {"torus", "ball:D=4"},
+
                                                 {"block", "bull:D=6,r=1"},
                                                 {"block", "taper:D=2,r=0.6,angle=12,L=12"}})));
 }
@@ -90,6 +90,7 @@ TEST_CASE("a ball leaves cusps only, on flats and walls", "[slow][steep_shallow]
   // surfaces the cusp is at most apart² / (8 r); twice that where the torus is hollow.
   const double apart = setup.request.cut.step_mm * std::numbers::sqrt2;
   // A point counts as reachable where the cutter comes within half a tolerance of it.
+  CHECK(found.gouge_mm <= 2e-6);
   CHECK(found.uncut_mm <= 1.5 * setup.request.cut.tolerance_mm + apart * apart / (4 * 3));
 }
 

@@ -242,6 +242,12 @@ TEST_CASE("names of stages and tools must differ", "[unit][job]") {
         "job.toml:13:6: error: a second tool \"ball3\"; expected ids that differ");
 }
 
+TEST_CASE("a rest stage needs a stage before it", "[unit][job]") {
+  const std::string rest = with(good_job(), "strategy = \"zigzag\"", "strategy = \"rest\"");
+  CHECK_THAT(error_of(rest),
+             ContainsSubstring("job.toml:15:") && ContainsSubstring("nothing was cut before it"));
+}
+
 TEST_CASE("a stage with a program takes no figures of a plan", "[unit][job]") {
   const std::string text = with(good_job(), "strategy = \"zigzag\"", "program = \"a.ngc\"");
   CHECK(error_of(text) ==

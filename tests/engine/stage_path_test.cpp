@@ -175,9 +175,6 @@ TEST_CASE("requests that no path can serve are refused by name", "[unit][contour
   request = zigzag_request(finish.patches().bounding_box());
   request.allowance_mm = -1;
   CHECK_THROWS_WITH(plan_stage(finish, request, {}), ContainsSubstring("allowance"));
-  request = contour_request(finish.patches().bounding_box());
-  request.cutter = model::parse_cutter("taper:D=4,r=1,angle=10");
-  CHECK_THROWS_WITH(plan_stage(finish, request, {}), ContainsSubstring("cutter"));
   request = zigzag_request(finish.patches().bounding_box());
   request.cutter = model::parse_cutter("flat:D=8");
   request.cut.scallop_mm = 0.01;

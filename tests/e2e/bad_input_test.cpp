@@ -20,13 +20,14 @@ const std::string kQuad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][bad_input]") {
   const Scratch scratch;
   write_text(scratch / "typo.toml", job_with("tolerance = 0.05", "tolernace = 0.05"));
-  write_text(scratch / "rest.toml", job_with("\"zigzag\"", "\"rest\""));
+  write_text(scratch / "rest.toml", job_with("\"contour\"", "\"rest\""));
   write_text(scratch / "no_cage.toml", job_with("quick-dome.obj", "no-such.obj"));
   write_text(scratch / "no_toml.toml", "name = \n");
   write_text(
       scratch / "program.toml",
       job_with("strategy = \"contour\"\nstep = 0.5\nallowance = 0.3\ntolerance = 0.05\nfeed = "
-               "1200\nplunge_feed = 300\nfloor = -0.5",
+               "1200\nplunge_feed = 300\nlink_feed = 1200\ndirection = \"climb\"\nentry = "
+               "\"ramp\"\nramp_angle = 3\nfloor = -0.5",
                "program = \"bad.ngc\""));
   write_text(scratch / "bad.ngc", "G21 G90\nG0 X0 Y0 Z10\nG777 X1\n");
   write_text(scratch / "good.ngc", "G21 G90\nG0 X0 Y0 Z10\nG1 X1 F100\nM30\n");
@@ -43,12 +44,12 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
   const std::string box = "box:4,4,4@-1,-1,-3", ball = "ball:D=6";
   const std::vector<BadInput> table = {
       {{"run", "typo.toml"}, "unknown key \"tolernace\" in [[stage]]; expected \"tolerance\""},
-      {{"run", "rest.toml"}, "expected contour, zigzag or steep_shallow"},
+      {{"run", "rest.toml"}, "rest.toml:38:12: error: a rest stage is the first"},
       {{"run", "no_cage.toml"}, "no file"},
       {{"run", "no_toml.toml"}, "no_toml.toml:1:"},
       {{"run", "nowhere.toml"}, "nowhere.toml"},
       {{"run", "program.toml"}, "bad.ngc:3:"},
-      {{"plan", "typo.toml"}, "typo.toml:37:1"},
+      {{"plan", "typo.toml"}, "typo.toml:41:1"},
       {{"run", "typo.toml", "--set", "nonsense"}, "--set nonsense: error"},
       {verify("butterfly.obj", box, ball, "good.ngc"), "butterfly.obj"},
       {verify("index.obj", box, ball, "good.ngc"), "index.obj:5:"},

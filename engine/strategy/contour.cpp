@@ -70,14 +70,15 @@ class ContourPlanner {
     const surface::OffsetModel mesh = surface::sample_offset(model_, 0, mesh_error);
     stage.sampling_interval_min = mesh.interval_min;
     stage.sampling_interval_max = mesh.interval_max;
+    stage.sampling_intervals = mesh.intervals;
     constexpr double kOutside = 1, kCoarseAcross = 12;
     const double p = pixel();
     const double kept = request_.allowance_mm + mesh_error + std::max(0.0, mesh.excess_mm);
     const int factor = std::max(1, static_cast<int>(loops_.cut_radius_mm / kCoarseAcross / p));
     discs_ = disc_stack(request_.cutter, kept, 2 * p);
     coarse_discs_ = disc_stack(request_.cutter, kept, 2 * p * factor);
-    map_ =
-        make_height_map(cover(stock_.grown(2 * widest_ + kept + kOutside + 2 * p), p), mesh.grids);
+    map_ = make_height_map(cover(stock_.grown(2 * widest_ + kept + kOutside + 2 * p), p),
+                           surface::pieces(mesh));
     coarse_ = coarsened(map_, factor);
   }
 

@@ -17,10 +17,8 @@ LimitLocations limit_locations(const surface::PatchModel& model, const StageRequ
   model::Box3 part;
   for (const surface::Grid& grid : mesh.grids)
     for (const Vec3& p : grid.points) part.add(p);
-  std::vector<int> intervals;
-  for (std::size_t p = 0; p < mesh.depths.size(); ++p)
-    intervals.push_back(1 << (model.patches()[p].limit.depth - mesh.depths[p]));
-  CutterLocations surface(mesh.grids, request.cutter, kept);
+  std::vector<int> intervals = mesh.intervals;
+  CutterLocations surface(surface::pieces(mesh), request.cutter, kept);
   constexpr double kRounding_mm = 1e-6;
   const double lowest = part.low.z - corner_radius_mm(request.cutter) - kRounding_mm;
   return {std::move(surface), std::move(mesh), std::move(intervals), part, kept, lowest};

@@ -49,16 +49,17 @@ OffsetModel sample_offset(const PatchModel& model, double offset_mm, double erro
   OffsetModel sampled;
   sampled.offset_mm = offset_mm;
   const int patches = static_cast<int>(model.patches().size());
-  const Sampling sampling = model.sampling_for(error_mm, offset_mm > 0);
+  const Sampling sampling = model.sampling_for(error_mm);
   sampled.depths = sampling.depths;
   sampled.excess_mm =
       std::max(0.0, (offset_mm > 0 ? sampling.offset_mm : sampling.limit_mm) - error_mm);
+  const std::vector<LimitPatch> none;
   for (int p = 0; p < patches; ++p) {
     const LimitPatch& limit = model.patches()[p].limit;
     sampled.grids.push_back(sampled_grid(limit, sampled.depths[p], offset_mm));
-    if (offset_mm > 0)
-      for (const LimitPatch& corner : model.patches()[p].corners)
-        sampled.corners.push_back(sampled_grid(corner, corner.depth, offset_mm));
+    const bool apart = offset_mm > 0 || sampling.corners_apart[p];
+    for (const LimitPatch& corner : apart ? model.patches()[p].corners : none)
+      sampled.corners.push_back(sampled_grid(corner, corner.depth, offset_mm));
     const int interval = 1 << (limit.depth - sampled.depths[p]);
     sampled.intervals.push_back(interval);
     sampled.interval_min = p == 0 ? interval : std::min(sampled.interval_min, interval);
@@ -73,6 +74,12 @@ OffsetModel sample_offset(const PatchModel& model, double offset_mm, double erro
       if (finer_by > 0) straighten(sampled.grids[p], side, 1 << finer_by);
     }
   return sampled;
+}
+
+std::vector<Grid> pieces(const OffsetModel& sampled) {
+  std::vector<Grid> all = sampled.grids;
+  all.insert(all.end(), sampled.corners.begin(), sampled.corners.end());
+  return all;
 }
 
 }  // namespace limitgauge::engine::surface

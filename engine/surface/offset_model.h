@@ -14,7 +14,7 @@ namespace limitgauge::engine::surface {
 struct OffsetModel {
   std::vector<Grid> grids;  ///< one a patch
   std::vector<int> depths;  ///< one a patch
-  /// Finer pieces over the corners of the grids; none where the offset is zero.
+  /// Finer pieces over the extraordinary corners of the grids.
   std::vector<Grid> corners;
   std::vector<int> intervals;  ///< one a patch; equation 10: 2^(depth of the model - sampled depth)
   int interval_min = 1, interval_max = 1;  ///< the extremes of these
@@ -22,5 +22,7 @@ struct OffsetModel {
   double excess_mm = 0;  ///< by how much the worst patch's bound exceeds the error asked for
 };
 OffsetModel sample_offset(const PatchModel& model, double offset_mm, double error_mm);
+/// Grids and corners together: what a cutter must keep clear of.
+std::vector<Grid> pieces(const OffsetModel& sampled);
 
 }  // namespace limitgauge::engine::surface

@@ -40,8 +40,7 @@ PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& request,
     bounds[p] = bound_patch(p, request);
     patches_[p].bounds = bounds[p].at;
   });
-  const std::vector<int> depths =
-      depths_within(kMeshShare * request.precision_mm, request.largest_offset_mm > 0);
+  const std::vector<int> depths = depths_within(kMeshShare * request.precision_mm);
   model::parallel_for(patches_.size(), control.threads, [&](std::size_t p) {
     control.check();
     build_patch(p, depths[p], bounds[p], request);
@@ -97,7 +96,7 @@ void PatchModel::build_patch(std::size_t p, int depth, const ChordBounds& bounds
   ModelPatch& patch = patches_[p];
   CellPatch cell(outer_, outer_.face_of[patch.first_half_edge]);
   while (cell.depth() < depth) {
-    if (request.largest_offset_mm > 0 && cell.depth() == bounds.corner_depth)
+    if (cell.depth() == bounds.corner_depth)
       for (int c = 0; c < 4; ++c)
         if (bounds.extraordinary[c]) build_corner(patch, cell.corner_cell(c), request);
     cell.refine();
@@ -158,11 +157,10 @@ void PatchModel::share_edges() {
   }
 }
 
-int PatchModel::depth_for(int p, double error_mm, bool moved_out) const {
+int PatchModel::depth_for(int p, double error_mm) const {
   const std::vector<ChordBound>& bounds = patches_[p].bounds;
   for (std::size_t d = 0; d < bounds.size(); ++d)
-    if (std::max(bounds[d].largest_mm(), moved_out ? 0.0 : bounds[d].limit.corner_mm) <= error_mm)
-      return static_cast<int>(d);
+    if (bounds[d].largest_mm() <= error_mm) return static_cast<int>(d);
   return static_cast<int>(bounds.size()) - 1;
 }
 
@@ -222,16 +220,15 @@ double PatchModel::corner_mm(int p, const std::vector<int>& depths) const {
   return patch.bounds[depths[p]].limit.corner_mm + laid;
 }
 
-double PatchModel::worst_mm(int p, const std::vector<int>& depths, bool moved_out) const {
-  const double corner = moved_out ? 0.0 : corner_mm(p, depths);
-  return std::max(
-      {corner, error_mm(p, depths, &ChordBound::limit), error_mm(p, depths, &ChordBound::offset)});
+double PatchModel::worst_mm(int p, const std::vector<int>& depths) const {
+  return std::max(error_mm(p, depths, &ChordBound::limit),
+                  error_mm(p, depths, &ChordBound::offset));
 }
 
-std::vector<int> PatchModel::depths_within(double error_mm, bool moved_out) const {
+std::vector<int> PatchModel::depths_within(double error_mm) const {
   std::vector<int> depths;
   const int count = static_cast<int>(patches_.size());
-  for (int p = 0; p < count; ++p) depths.push_back(depth_for(p, error_mm, moved_out));
+  for (int p = 0; p < count; ++p) depths.push_back(depth_for(p, error_mm));
   const auto deepen = [&](int p) {
     const bool more = depths[p] + 1 < static_cast<int>(patches_[p].bounds.size());
     depths[p] += more;
@@ -240,7 +237,7 @@ std::vector<int> PatchModel::depths_within(double error_mm, bool moved_out) cons
   for (bool changed = true; changed;) {
     changed = false;
     for (int p = 0; p < count; ++p) {
-      if (worst_mm(p, depths, moved_out) <= error_mm) continue;
+      if (worst_mm(p, depths) <= error_mm) continue;
       // Coarser neighbours first: they cost least.
       bool deeper = false;
       for (int side = 0; side < 4; ++side) {
@@ -256,12 +253,14 @@ std::vector<int> PatchModel::depths_within(double error_mm, bool moved_out) cons
   return depths;
 }
 
-Sampling PatchModel::sampling_for(double error_mm, bool moved_out) const {
-  Sampling sampling{depths_within(error_mm, moved_out), 0, 0};
+Sampling PatchModel::sampling_for(double error_mm) const {
+  Sampling sampling{depths_within(error_mm), {}, 0, 0};
   for (int p = 0; p < static_cast<int>(patches_.size()); ++p) {
     const double corner = corner_mm(p, sampling.depths);
-    sampling.limit_mm = std::max(
-        {sampling.limit_mm, corner, this->error_mm(p, sampling.depths, &ChordBound::limit)});
+    sampling.corners_apart.push_back(corner > error_mm);
+    sampling.limit_mm =
+        std::max({sampling.limit_mm, this->error_mm(p, sampling.depths, &ChordBound::limit),
+                  corner > error_mm ? patches_[p].corner_bound_mm : corner});
     sampling.offset_mm =
         std::max({sampling.offset_mm, this->error_mm(p, sampling.depths, &ChordBound::offset),
                   patches_[p].corner_bound_mm});

@@ -21,9 +21,10 @@ struct ModelPatch {
   /// False where no bound was found at the largest depth (a surface folded flat, as at a vertex of
   /// two faces): twice what a mesh of one depth less lacks at the nodes stands in for it.
   bool proven = true;
-  /// Extraordinary corners, where normals may turn ever faster and no bound on the offset holds:
-  /// the cell at the corner again, and a quarter of its side, and so on, each but for its own such
-  /// quarter within the precision. They lie over the coarser mesh, which stays as it is.
+  /// Extraordinary corners, where normals may turn ever faster: the cell at the corner again, and a
+  /// quarter of its side, and so on, each but for its own such quarter within the precision. They
+  /// lie over the coarser mesh, which stays as it is and may stand out there: a cutter that keeps
+  /// clear of all of them does not gouge, and leaves what the coarser mesh is too high.
   std::vector<LimitPatch> corners;
   /// The vertices at which they end. What is left there lies within the precision of the vertex, so
   /// a ball about the vertex covers its offset.
@@ -34,8 +35,11 @@ struct ModelPatch {
 /// How a model is sampled: a depth for each patch, and the bound that then holds.
 struct Sampling {
   std::vector<int> depths;
-  double limit_mm = 0;   ///< limit mesh
-  double offset_mm = 0;  ///< mesh of the offset, with its corners
+  /// A patch: its limit mesh lacks more than was asked for at an extraordinary corner and needs the
+  /// pieces there. Moved out all do.
+  std::vector<bool> corners_apart;
+  double limit_mm = 0;   ///< limit mesh, with the pieces at its extraordinary corners
+  double offset_mm = 0;  ///< the same moved out
 };
 
 /// The finish model (paper sections 3 and 4): patches of independent depth over the outer layer.
@@ -60,11 +64,11 @@ class PatchModel {
   model::Box3 bounding_box() const { return box_; }
   /// Least depth at which the meshes of patch `p` by themselves keep within `error_mm`; the patch's
   /// own depth where none does.
-  int depth_for(int p, double error_mm, bool moved_out) const;
+  int depth_for(int p, double error_mm) const;
   /// Least depths at which all meshes keep within `error_mm`, finer ones laid onto the sides of
-  /// coarser neighbours; the patches' own where none do. Where they are moved out, extraordinary
-  /// corners have meshes of their own (ModelPatch::corners) and do not count.
-  Sampling sampling_for(double error_mm, bool moved_out) const;
+  /// coarser neighbours; the patches' own where none do. Extraordinary corners have meshes of their
+  /// own (ModelPatch::corners) and do not count.
+  Sampling sampling_for(double error_mm) const;
   std::size_t memory_bytes() const;
 
  private:
@@ -73,12 +77,13 @@ class PatchModel {
   void build_patch(std::size_t p, int depth, const ChordBounds& bounds,
                    const ModelRequest& request);
   /// The largest depths allowed are those to which the bounds go.
-  std::vector<int> depths_within(double error_mm, bool moved_out) const;
+  std::vector<int> depths_within(double error_mm) const;
   /// Bound of patch `p` beside its neighbours: what its own mesh lacks, what its sides move when
   /// laid onto coarser ones, and what bulges out over their meshes.
   double error_mm(int p, const std::vector<int>& depths, MeshError ChordBound::*of) const;
+  /// Bound, either way, of the limit mesh about the extraordinary corners of patch `p`.
   double corner_mm(int p, const std::vector<int>& depths) const;
-  double worst_mm(int p, const std::vector<int>& depths, bool moved_out) const;
+  double worst_mm(int p, const std::vector<int>& depths) const;
   /// Patches that share a vertex with patch p.
   std::vector<std::vector<int>> touching_;
   void find_touching();

@@ -76,10 +76,9 @@ class MeshDistance {
               j = std::min(n - 1, static_cast<int>(v * n));
     double least = distance_to_cells(p, grid, i - kNear, j - kNear, i + kNear, j + kNear);
     if (least <= enough) return least;
-    if (offset_mm_ > 0)
-      for (const auto& of : model_.patches())
-        for (const Vec3& speck : of.specks)
-          least = std::min(least, std::abs(distance(p, speck) - offset_mm_));
+    for (const auto& of : model_.patches())
+      for (const Vec3& speck : of.specks)
+        least = std::min(least, std::abs(distance(p, speck) - offset_mm_));
     for (const Boxed& other : all_) {
       if (least <= enough) return least;
       if (distance_squared(other.box, p) < least * least)

@@ -21,8 +21,10 @@ const engine::surface::FinishModel& StagePlanner::finish_model(const model::RunC
   request.precision_mm = job_.precision_mm;
   for (const JobStage& stage : job_.stages) {
     if (!stage.plan) continue;
-    request.largest_offset_mm = std::max(
-        request.largest_offset_mm, model::largest_radius_mm(stage.cutter) + stage.allowance_mm);
+    // A cutter keeps farther away by its tolerance at most.
+    request.largest_offset_mm =
+        std::max(request.largest_offset_mm, model::largest_radius_mm(stage.cutter) +
+                                                stage.allowance_mm + stage.plan->cut.tolerance_mm);
   }
   model_.emplace(inputs_.cage, request, control);
   return *model_;

@@ -12,7 +12,6 @@
 namespace limitgauge::engine::strategy {
 namespace {
 
-constexpr double kReductionShare = 0.25;
 constexpr std::size_t kRowsAChunk = 16;
 
 /// The run, nowhere lower than `floor`.
@@ -46,7 +45,7 @@ DriveRow tip_row(const CentreRow& row, const StageRequest& request, const DriveF
   for (const auto& run : row.centre.runs) {
     tips.runs.emplace_back();
     for (const PlanePoint& p : least_links(raised(run, request.floor_z_mm + radius),
-                                           kReductionShare * request.cut.tolerance_mm))
+                                           kRowReductionShare * request.cut.tolerance_mm))
       tips.runs.back().push_back(frame.to_part({p.s, row.across_mm, p.z - radius}));
   }
   return tips;

@@ -16,7 +16,7 @@ namespace {
 using model::Vec3;
 using Curves = std::vector<std::vector<PlanePoint>>;
 
-constexpr double kMeshShare = 0.5, kRimShare = 0.1;
+constexpr double kMeshShare = 0.25, kRimShare = 0.1;
 /// Curves that meet are taken to meet when rounding keeps them this far apart, mm.
 constexpr double kSlit = 1e-9;
 /// Across the rows, in the drive frame.
@@ -62,6 +62,7 @@ void BallSections::measure(const surface::PatchModel& model, const DriveFrame& f
 std::vector<surface::Grid> BallSections::all_grids(const surface::PatchModel& model,
                                                    const StageRequest& request) {
   const double mesh_error = kMeshShare * request.cut.tolerance_mm;
+  reach_ += mesh_error + kRowReductionShare * request.cut.tolerance_mm;
   surface::OffsetModel offset = surface::sample_offset(model, reach_, mesh_error);
   if (offset.excess_mm > 0) {
     reach_ += offset.excess_mm;

@@ -12,11 +12,16 @@
 
 namespace limitgauge::engine::strategy {
 
+/// Share of a stage's tolerance by which leaving out points may move a row.
+inline constexpr double kRowReductionShare = 0.2;
+
 /// All that a ball's centre must stay above, ready to be cut by drive planes: the surface moved out
 /// by the ball's radius and the allowance, and what the ball rolls over at rims.
 ///
-/// Errors, in shares of the stage's tolerance: half for the offset mesh, a tenth for the facets of
-/// rims. Where a patch cannot keep its share the whole offset grows by what it lacks.
+/// The centre keeps farther away by what the offset mesh may lack (a quarter of the stage's
+/// tolerance, or more where the model is no finer) and by what leaving out points of rows may take
+/// (kRowReductionShare): nothing of that cuts into the surface. Facets of rims lie outside what
+/// they stand for, by a tenth of the tolerance at most.
 class BallSections {
  public:
   BallSections(const surface::PatchModel& model, const StageRequest& request,

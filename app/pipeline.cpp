@@ -95,7 +95,8 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   const std::filesystem::path folder = folder_ / asked.name;
   make_folder(folder);
   write_program_files(planned, folder);
-  ran.plan_seconds = watch.seconds();
+  // The model of the surface has a time of its own.
+  ran.plan_seconds = job_.stages[index].plan ? planned.path.seconds : watch.seconds();
   ran.planes = planned.path.planes;
   ran.sampling_interval_min = planned.path.sampling_interval_min;
   ran.sampling_interval_max = planned.path.sampling_interval_max;

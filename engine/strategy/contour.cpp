@@ -186,10 +186,6 @@ class ContourPlanner {
   std::vector<std::vector<LevelPass>> plans_;
 };
 
-}  // namespace
-
-namespace {
-
 void require_valid(const CutOptions& cut) {
   if (!(cut.link_feed_mm_min > 0))
     throw std::invalid_argument("link_feed must be a positive number");

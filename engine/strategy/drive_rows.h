@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "engine/model/run_control.h"
-#include "engine/strategy/stage_path.h"
+#include "engine/model/vec3.h"
 
 namespace limitgauge::engine::strategy {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/strategy/clip.h"
-#include "engine/strategy/row_passes.h"
+#include "engine/strategy/cut_passes.h"
 #include "engine/strategy/steep_shallow.h"
 
 namespace limitgauge::engine::strategy {

@@ -4,7 +4,6 @@
 
 #include "engine/model/chunks.h"
 #include "engine/strategy/row_places.h"
-#include "engine/surface/patch_model.h"
 
 namespace limitgauge::engine::strategy {
 namespace {

@@ -9,9 +9,9 @@
 #include "engine/model/angle.h"
 #include "engine/strategy/boundary_pass.h"
 #include "engine/strategy/contact_mask.h"
+#include "engine/strategy/cut_passes.h"
 #include "engine/strategy/level_choice.h"
 #include "engine/strategy/pass_clip.h"
-#include "engine/strategy/row_passes.h"
 #include "engine/strategy/row_places.h"
 #include "engine/strategy/sampled_rows.h"
 #include "engine/strategy/waterline.h"
@@ -36,16 +36,6 @@ void require_serves(const StageRequest& request) {
     throw std::invalid_argument("overlap must be zero or more");
 }
 
-CutPass contour_pass(ClippedPass clipped, const StageRequest& request) {
-  CutPass pass;
-  pass.tips = std::move(clipped.tips);
-  pass.closed = clipped.closed;
-  if (request.cut.direction == CutDirection::conventional)
-    std::reverse(pass.tips.begin(), pass.tips.end());
-  pass.reversible = request.cut.direction == CutDirection::either;
-  return pass;
-}
-
 /// Half a turn of the cutter around an edge is cut on: it is shorter than a retract.
 BridgeRule bridge_rule(const SteepRegions& regions, const StageRequest& request) {
   const double half_turn = std::numbers::pi * request.cutter.radius_mm();
@@ -66,7 +56,7 @@ void add_contours(const LimitLocations& limit, const SteepRegions& regions,
     std::vector<CutPass> passes;
     for (const Waterline& line : level)
       for (ClippedPass& clipped : clip_to(line.tips, line.closed, regions.contours, rule))
-        passes.push_back(contour_pass(std::move(clipped), request));
+        passes.push_back(contour_pass(std::move(clipped.tips), clipped.closed, request));
     if (passes.empty()) continue;
     ++made.planes;
     made.levels.push_back(std::move(passes));

@@ -3,7 +3,6 @@
 #include <iomanip>
 #include <limits>
 #include <ostream>
-#include <stdexcept>
 
 #include "app/commands.h"
 #include "app/inspect_program.h"

@@ -35,7 +35,7 @@ std::vector<Uses> uses(const CutOptions& cut) {
           {"pattern", rows, "zigzag"},
           {"boundary_pass", rows, "false"},
           {"steep_angle", both, words(cut.steep_angle_deg)},
-          {"overlap", both, words(2 * cut.step_mm)},
+          {"overlap", both, words(cut.overlap_or_default_mm())},
           {"direction", loops, "either"},
           {"entry", all, "ramp"},
           {"ramp_angle", all, words(cut.ramp_angle_deg)},

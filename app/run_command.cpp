@@ -1,6 +1,5 @@
 #include <chrono>
 #include <ctime>
-#include <iomanip>
 #include <ostream>
 #include <sstream>
 

@@ -26,10 +26,6 @@ std::size_t memory_limit() {
                                   static_cast<double>(page_bytes));
 }
 
-double corner_radius_mm(const model::Cutter& cutter) {
-  return cutter.type == model::CutterType::ball ? cutter.radius_mm() : cutter.corner_radius_mm;
-}
-
 std::string machining_time_words(const Job& job) {
   const std::string rates = "machining time: programmed feeds and a rapid rate of " +
                             words(job.rapid_mm_min) + " mm/min, ";
@@ -87,7 +83,7 @@ double automatic_voxel_mm(const Job& job) {
 }
 
 double automatic_floor_mm(const model::Cutter& cutter, const model::Box3& surface) {
-  return surface.low.z - corner_radius_mm(cutter);
+  return surface.low.z - cutter.corner_radius_mm;
 }
 
 double chord_error_mm(double resolution_mm) {

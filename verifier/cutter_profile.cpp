@@ -1,8 +1,8 @@
 #include "verifier/cutter_profile.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "engine/model/angle.h"
 
 namespace limitgauge::verifier {
 
@@ -22,7 +22,7 @@ CutterProfile::CutterProfile(const model::Cutter& cutter) : top_mm(cutter.flute_
       break;
   }
   if (cutter.type == model::CutterType::taper)
-    slope = std::tan(cutter.taper_angle_deg * std::numbers::pi / 180);
+    slope = std::tan(model::radians(cutter.taper_angle_deg));
 }
 
 CutterProfile::CutterProfile(const model::CylinderPart& part)

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <tuple>
 
+#include "engine/model/angle.h"
 #include "engine/model/cage_edges.h"
 
 namespace limitgauge::model {
@@ -18,7 +18,7 @@ std::array<double, 2> direction(double angle_deg) {
   if (reduced == 90) return {0, 1};
   if (reduced == -90) return {0, -1};
   if (std::abs(reduced) == 180) return {-1, 0};
-  const double angle = reduced * std::numbers::pi / 180;
+  const double angle = radians(reduced);
   return {std::cos(angle), std::sin(angle)};
 }
 

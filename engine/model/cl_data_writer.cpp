@@ -1,8 +1,8 @@
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <vector>
 
+#include "engine/model/angle.h"
 #include "engine/model/cl_data.h"
 #include "engine/model/feed_text.h"
 #include "engine/model/fixed_number.h"
@@ -83,7 +83,7 @@ void write_point(const char* word, const Vec3& point, int decimals, TextBlocks& 
 }  // namespace
 
 ClCutter cl_cutter(const Cutter& cutter) {
-  const double angle = cutter.taper_angle_deg * std::numbers::pi / 180;
+  const double angle = radians(cutter.taper_angle_deg);
   const double r_mm = cutter.corner_radius_mm;
   ClCutter c;
   c.corner_radius = c.centre_height = r_mm;

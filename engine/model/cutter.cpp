@@ -1,8 +1,9 @@
 #include "engine/model/cutter.h"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
+
+#include "engine/model/angle.h"
 
 namespace limitgauge::model {
 namespace {
@@ -21,7 +22,7 @@ void require_parts(const std::vector<CylinderPart>& parts, const std::string& wh
 
 /// Height above the tip at which the rounded bottom edge ends.
 double corner_height_mm(const Cutter& cutter) {
-  const double angle = cutter.taper_angle_deg * std::numbers::pi / 180;
+  const double angle = radians(cutter.taper_angle_deg);
   return cutter.corner_radius_mm * (cutter.type == CutterType::taper ? 1 - std::sin(angle) : 1);
 }
 
@@ -51,7 +52,7 @@ void require_angle(const Cutter& cutter) {
 
 double largest_radius_mm(const Cutter& cutter) {
   if (cutter.type != CutterType::taper) return cutter.radius_mm();
-  const double angle = cutter.taper_angle_deg * std::numbers::pi / 180;
+  const double angle = radians(cutter.taper_angle_deg);
   const double r_mm = cutter.corner_radius_mm;
   const double tangent_radius_mm = cutter.radius_mm() - r_mm + r_mm * std::cos(angle);
   return tangent_radius_mm + (cutter.flute_length_mm - corner_height_mm(cutter)) * std::tan(angle);

@@ -17,7 +17,7 @@ struct CylinderPart {
 };
 
 /// A rotating cutter about +Z with its tip at the origin.
-///  flat:  cylinder of `diameter_mm`
+///  flat:  cylinder of `diameter_mm`; corner_radius = 0
 ///  ball:  hemisphere of that diameter, then the cylinder; corner_radius = diameter / 2
 ///  bull:  cylinder whose bottom edge is rounded by `corner_radius_mm`
 ///  taper: cone of half angle `taper_angle_deg` rising from a tip of `diameter_mm` whose edge is
@@ -30,7 +30,7 @@ struct Cutter {
   std::string id;
   CutterType type = CutterType::ball;
   double diameter_mm = 0;
-  double corner_radius_mm = 0;
+  double corner_radius_mm = 0;  ///< of a valid cutter the rounding at its tip, whatever its type
   double taper_angle_deg = 0;
   double flute_length_mm = 0;
   std::vector<CylinderPart> shank;

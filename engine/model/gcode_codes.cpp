@@ -1,6 +1,5 @@
 #include "engine/model/gcode_codes.h"
 
-#include <algorithm>
 #include <array>
 #include <span>
 

@@ -1,7 +1,6 @@
 #include "engine/model/text_file.h"
 
 #include <array>
-#include <cstdint>
 #include <fstream>
 #include <system_error>
 

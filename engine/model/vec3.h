@@ -59,6 +59,10 @@ constexpr Vec3 lerp(const Vec3& a, const Vec3& b, double t) {
 inline bool is_finite(const Vec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
+/// As seen along Z.
+inline double level_distance(const Vec3& a, const Vec3& b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
 /// The unit vector along `a`; the zero vector stays zero.
 inline Vec3 normalized(const Vec3& a) {
   const double l = length(a);
@@ -89,10 +93,6 @@ struct Box3 {
   constexpr bool contains(const Vec3& p) const {
     return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y &&
            p.z <= high.z;
-  }
-  constexpr bool overlaps(const Box3& b) const {
-    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
-           low.z <= b.high.z && b.low.z <= high.z;
   }
 };
 

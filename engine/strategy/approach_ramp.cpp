@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/model/angle.h"
 #include "engine/strategy/approach.h"
 
 namespace limitgauge::engine::strategy {
@@ -17,12 +18,8 @@ constexpr int kHelixChords = 24;
 /// Ramps are this much flatter than asked for, against rounding of heights.
 constexpr double kFlatter = 1 - 1e-6;
 
-double level_distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
-}
-
 double steepest(const ApproachRule& rule) {
-  return kFlatter * std::tan(rule.request.cut.ramp_angle_deg * std::numbers::pi / 180);
+  return kFlatter * std::tan(model::radians(rule.request.cut.ramp_angle_deg));
 }
 
 /// The first `length` mm, as seen from above, of a polyline.

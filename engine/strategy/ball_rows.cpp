@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 #include "engine/model/chunks.h"
 #include "engine/strategy/ball_sections.h"
@@ -31,12 +30,7 @@ std::vector<PlanePoint> raised(const std::vector<PlanePoint>& run, double floor)
 std::vector<CentreRow> centre_rows(const BallSections& sections, const CutOptions& cut,
                                    const model::RunControl& control) {
   if (cut.scallop_mm) return scallop_rows(sections, cut, control);
-  const std::vector<double> across = even_rows(sections, cut.step_mm);
-  std::vector<Envelope> envelopes = sections.envelopes(across, control);
-  std::vector<CentreRow> rows;
-  for (std::size_t i = 0; i < across.size(); ++i)
-    rows.push_back({across[i], std::move(envelopes[i])});
-  return rows;
+  return rows_at(sections, even_rows(sections, cut.step_mm), control);
 }
 
 DriveRow tip_row(const CentreRow& row, const StageRequest& request, const DriveFrame& frame) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "engine/model/run_control.h"
 #include "engine/strategy/drive_rows.h"
+#include "engine/strategy/stage_path.h"
 
 namespace limitgauge::engine::strategy {
 

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/strategy/cut_passes.h"
 #include "engine/strategy/sampled_rows.h"
 #include "engine/strategy/waterline.h"
 
@@ -38,15 +39,6 @@ bool is_closed(const Line& line) {
   return line.size() > 2 && line.front() == line.back();
 }
 
-CutPass make_pass(Line tips, bool closed, const StageRequest& request) {
-  if (request.cut.direction == CutDirection::conventional) std::reverse(tips.begin(), tips.end());
-  CutPass pass;
-  pass.tips = std::move(tips);
-  pass.closed = closed;
-  pass.reversible = request.cut.direction == CutDirection::either;
-  return pass;
-}
-
 std::vector<CutPass> rim_passes(const std::vector<Line>& lines, const LimitLocations& limit,
                                 const StageRequest& request) {
   std::vector<CutPass> passes;
@@ -56,7 +48,7 @@ std::vector<CutPass> rim_passes(const std::vector<Line>& lines, const LimitLocat
     for (auto& run : track_tips(limit.surface, line, track_rule(limit, request))) {
       const bool closed = loop && is_closed(run);
       if (closed) run.pop_back();
-      if (run.size() > 1) passes.push_back(make_pass(std::move(run), closed, request));
+      if (run.size() > 1) passes.push_back(contour_pass(std::move(run), closed, request));
     }
   }
   return passes;
@@ -73,7 +65,7 @@ std::vector<CutPass> outline_passes(const LimitLocations& limit, const StageRequ
   for (auto& level : waterlines(
            limit.surface, {std::max(request.floor_z_mm, limit.lowest_contact_mm)}, wanted, control))
     for (Waterline& line : level)
-      passes.push_back(make_pass(std::move(line.tips), line.closed, request));
+      passes.push_back(contour_pass(std::move(line.tips), line.closed, request));
   return passes;
 }
 

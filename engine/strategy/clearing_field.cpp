@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/model/angle.h"
 #include "engine/strategy/distance_field.h"
 
 namespace limitgauge::engine::strategy {
@@ -25,11 +26,8 @@ struct Profile {
 };
 
 Profile profile_of(const model::Cutter& c) {
-  const double corner = c.type == model::CutterType::ball   ? c.radius_mm()
-                        : c.type == model::CutterType::flat ? 0.0
-                                                            : c.corner_radius_mm;
-  const double angle = c.type == model::CutterType::taper ? c.taper_angle_deg : 0.0;
-  return {c.radius_mm() - corner, corner, angle * std::numbers::pi / 180};
+  return {c.radius_mm() - c.corner_radius_mm, c.corner_radius_mm,
+          model::radians(c.taper_angle_deg)};
 }
 
 }  // namespace

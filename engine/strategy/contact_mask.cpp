@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "engine/model/angle.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -18,9 +19,9 @@ class Marker {
   Marker(const LimitLocations& limit, const StageRequest& request, const Raster& nodes)
       : limit_(limit),
         reach_{CellMask(nodes), CellMask(nodes), std::numeric_limits<double>::infinity()},
-        corner_(corner_radius_mm(request.cutter)),
+        corner_(request.cutter.corner_radius_mm),
         flat_(request.cutter.radius_mm() - corner_),
-        steep_(std::cos(request.cut.steep_angle_deg * std::numbers::pi / 180)) {}
+        steep_(std::cos(model::radians(request.cut.steep_angle_deg))) {}
 
   void add(const surface::LimitPatch& patch, int depth) {
     const int stride = patch.cells() >> depth;

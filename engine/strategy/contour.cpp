@@ -68,9 +68,7 @@ class ContourPlanner {
   void build_maps(StagePath& stage) {
     const double mesh_error = kMeshShare * request_.cut.tolerance_mm;
     const surface::OffsetModel mesh = surface::sample_offset(model_, 0, mesh_error);
-    stage.sampling_interval_min = mesh.interval_min;
-    stage.sampling_interval_max = mesh.interval_max;
-    stage.sampling_intervals = mesh.intervals;
+    set_intervals(stage, mesh.intervals);
     constexpr double kOutside = 1, kCoarseAcross = 12;
     const double p = pixel();
     const double kept = request_.allowance_mm + mesh_error + std::max(0.0, mesh.excess_mm);
@@ -157,8 +155,7 @@ class ContourPlanner {
   }
 
   double clear_height() const {
-    return std::max(stock_.high.z, model_.bounding_box().high.z + request_.allowance_mm) +
-           request_.clearance_mm;
+    return clear_height_mm(request_, model_.bounding_box().high.z + request_.allowance_mm);
   }
 
   model::Toolpath write_path() const {
@@ -188,10 +185,6 @@ class ContourPlanner {
   std::vector<Level> levels_;
   std::vector<std::vector<LevelPass>> plans_;
 };
-
-}  // namespace
-
-namespace {
 
 void require_valid(const CutOptions& cut) {
   if (!(cut.link_feed_mm_min > 0))

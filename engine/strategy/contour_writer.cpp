@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/model/angle.h"
+
 namespace limitgauge::engine::strategy {
 namespace {
 
-using model::MoveKind;
 using model::Vec3;
 
 /// Chords of one turn of a helix: they run inside its circle.
@@ -35,8 +36,8 @@ const FlatPoint& walked(const LevelPass& pass, std::size_t step) {
 ContourWriter::ContourWriter(const StageRequest& request, double clear_z_mm)
     : cut_(request.cut),
       clearance_(request.clearance_mm),
-      clear_z_(clear_z_mm),
-      slope_(std::tan(request.cut.ramp_angle_deg * std::numbers::pi / 180)) {}
+      slope_(std::tan(model::radians(request.cut.ramp_angle_deg))),
+      path_(request, clear_z_mm) {}
 
 void ContourWriter::begin_level(double z_mm, double stands_to_mm) {
   z_ = z_mm;
@@ -45,24 +46,20 @@ void ContourWriter::begin_level(double z_mm, double stands_to_mm) {
 
 void ContourWriter::write(const LevelPass& pass) {
   enter(pass);
-  for (std::size_t i = 1; i < pass.points.size(); ++i)
-    move_to(at_level(pass.points[i]), cut_.feed_mm_min, MoveKind::feed);
+  for (std::size_t i = 1; i < pass.points.size(); ++i) path_.cut_to(at_level(pass.points[i]));
 }
 
 void ContourWriter::enter(const LevelPass& pass) {
   const Vec3 first = at_level(pass.points.front());
-  if (down_ && (pass.arrival == Arrival::link || pass.arrival == Arrival::cut_link)) {
-    const bool free = pass.arrival == Arrival::link;
-    move_to(first, free ? cut_.link_feed_mm_min : cut_.feed_mm_min, MoveKind::feed);
-    return;
-  }
+  if (path_.down() && pass.arrival == Arrival::link) return path_.link_to(first);
+  if (path_.down() && pass.arrival == Arrival::cut_link) return path_.cut_to(first);
   if (pass.arrival == Arrival::clear_air) return come_down(first, z_ + clearance_);
   Way way;
   if (cut_.entry == Entry::helix) way = helix(pass);
   if (cut_.entry != Entry::plunge && way.empty()) way = ramp(pass);
   if (way.empty()) return come_down(first, stands_to_ + clearance_);
   come_down(way.front(), stands_to_ + clearance_);
-  for (const Vec3& p : way) move_to(p, cut_.feed_mm_min, MoveKind::feed);
+  for (const Vec3& p : way) path_.cut_to(p);
 }
 
 ContourWriter::Way ContourWriter::ramp(const LevelPass& pass) const {
@@ -77,8 +74,8 @@ ContourWriter::Way ContourWriter::ramp(const LevelPass& pass) const {
     const double piece = distance(a, b), part = std::min(piece, needed - gone);
     if (piece <= 0) continue;
     gone += part;
-    const double t = part / piece;
-    way.push_back({a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, z_ + gone * slope_});
+    const FlatPoint p = lerp(a, b, part / piece);
+    way.push_back({p.x, p.y, z_ + gone * slope_});
   }
   std::reverse(way.begin(), way.end());
   return way;
@@ -102,34 +99,9 @@ ContourWriter::Way ContourWriter::helix(const LevelPass& pass) const {
 }
 
 void ContourWriter::come_down(const Vec3& p, double rapid_to_z_mm) {
-  retract();
-  const Vec3 above{p.x, p.y, clear_z_};
-  if (!started_) {
-    path_.start = at_ = above;
-    started_ = true;
-  }
-  move_to(above, 0, MoveKind::rapid);
-  if (rapid_to_z_mm < clear_z_)
-    move_to({p.x, p.y, std::max(rapid_to_z_mm, p.z)}, 0, MoveKind::rapid);
-  move_to(p, cut_.plunge_feed_mm_min, MoveKind::feed);
-  down_ = true;
-}
-
-void ContourWriter::retract() {
-  if (!down_) return;
-  move_to({at_.x, at_.y, clear_z_}, 0, MoveKind::rapid);
-  down_ = false;
-}
-
-void ContourWriter::move_to(const Vec3& p, double feed_mm_min, MoveKind kind) {
-  if (p == at_) return;
-  path_.moves.push_back({p, static_cast<float>(feed_mm_min), 0, kind});
-  at_ = p;
-}
-
-model::Toolpath ContourWriter::take() {
-  retract();
-  return std::move(path_);
+  if (rapid_to_z_mm >= path_.clear_z()) return path_.enter_at(p);
+  path_.rapid_over_to({p.x, p.y, std::max(rapid_to_z_mm, p.z)});
+  path_.plunge_to(p);
 }
 
 }  // namespace limitgauge::engine::strategy

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/strategy/level_passes.h"
+#include "engine/strategy/path_builder.h"
 #include "engine/strategy/stage_path.h"
 
 namespace limitgauge::engine::strategy {
@@ -15,8 +16,8 @@ class ContourWriter {
   /// The level at `z_mm`; nothing stands above `stands_to_mm` where its passes run.
   void begin_level(double z_mm, double stands_to_mm);
   void write(const LevelPass& pass);
-  void end_level() { retract(); }
-  model::Toolpath take();
+  void end_level() { path_.retract(); }
+  model::Toolpath take() { return path_.take(); }
 
  private:
   using Way = std::vector<model::Vec3>;
@@ -27,16 +28,12 @@ class ContourWriter {
   Way helix(const LevelPass& pass) const;
   /// From above everything down to `p`, at the plunge feed below `rapid_to_z`.
   void come_down(const model::Vec3& p, double rapid_to_z_mm);
-  void retract();
-  void move_to(const model::Vec3& p, double feed_mm_min, model::MoveKind kind);
   model::Vec3 at_level(const FlatPoint& p) const { return {p.x, p.y, z_}; }
 
   const CutOptions& cut_;
-  double clearance_, clear_z_, slope_;
+  double clearance_, slope_;
   double z_ = 0, stands_to_ = 0;
-  bool started_ = false, down_ = false;
-  model::Vec3 at_;
-  model::Toolpath path_;
+  PathBuilder path_;
 };
 
 }  // namespace limitgauge::engine::strategy

@@ -30,6 +30,7 @@ struct CutOptions {
   double steep_angle_deg = 45;
   /// steep_shallow and rest: how far the passes of a region reach beyond it; empty: two steps.
   std::optional<double> overlap_mm;
+  double overlap_or_default_mm() const { return overlap_mm.value_or(2 * step_mm); }
   bool boundary_pass = false;  ///< a pass along the outline of the part after the rows
   double tolerance_mm = 0;  ///< the path may leave the exact cutter location surface by this much
   double feed_mm_min = 0, plunge_feed_mm_min = 0, link_feed_mm_min = 0;

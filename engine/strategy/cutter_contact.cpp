@@ -1,7 +1,6 @@
 #include "engine/strategy/cutter_contact.h"
 
 #include <cmath>
-#include <utility>
 
 #include "engine/strategy/edge_contact.h"
 

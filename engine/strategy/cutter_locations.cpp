@@ -62,6 +62,12 @@ struct CutterLocations::Tree {
       if (greatest.value > enough) return;
     }
   }
+  void search_move(GreatestLift& greatest, double enough, const Vec3& a, const Vec3& b) const {
+    if (a.x == b.x && a.y == b.y)
+      search<PlaceQuestion>(greatest, enough, Vec3{a.x, a.y, std::min(a.z, b.z)});
+    else
+      search<MoveQuestion>(greatest, enough, a, b);
+  }
 };
 
 CutterLocations::CutterLocations(std::vector<surface::Grid> grids, const model::Cutter& cutter,
@@ -79,20 +85,14 @@ std::optional<double> CutterLocations::tip_z(double x, double y) const {
 std::optional<double> CutterLocations::lift(const Vec3& a, const Vec3& b) const {
   GreatestLift greatest;
   greatest.slack = kSearchSlack_mm;
-  if (a.x == b.x && a.y == b.y)
-    tree_->search<PlaceQuestion>(greatest, kNoEnd, Vec3{a.x, a.y, std::min(a.z, b.z)});
-  else
-    tree_->search<MoveQuestion>(greatest, kNoEnd, a, b);
+  tree_->search_move(greatest, kNoEnd, a, b);
   return result_of(greatest);
 }
 
 bool CutterLocations::clears(const Vec3& a, const Vec3& b, double slack_mm) const {
   GreatestLift greatest;
   greatest.known = slack_mm;
-  if (a.x == b.x && a.y == b.y)
-    tree_->search<PlaceQuestion>(greatest, slack_mm, Vec3{a.x, a.y, std::min(a.z, b.z)});
-  else
-    tree_->search<MoveQuestion>(greatest, slack_mm, a, b);
+  tree_->search_move(greatest, slack_mm, a, b);
   return !(greatest.value > slack_mm);
 }
 

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "engine/model/angle.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
-
-double corner_radius(const model::Cutter& cutter) {
-  if (cutter.type == model::CutterType::flat) return 0;
-  return cutter.type == model::CutterType::ball ? cutter.radius_mm() : cutter.corner_radius_mm;
-}
 
 double ring_support(const CutterShape::Ring& ring, double steepness, double root) {
   return ring.radius_mm * steepness + ring.rounding_mm * root - ring.height_mm;
@@ -23,14 +19,14 @@ double ring_distance(const CutterShape::Ring& ring, double steepness) {
 }  // namespace
 
 CutterShape::CutterShape(const model::Cutter& cutter, double allowance_mm) {
-  const double corner = corner_radius(cutter);
+  const double corner = cutter.corner_radius_mm;
   first_.ring = {cutter.radius_mm() - corner, corner, corner + allowance_mm};
   if (cutter.type != model::CutterType::taper) {
     finish_single();
     return;
   }
   coned_ = true;
-  const double angle = cutter.taper_angle_deg * std::numbers::pi / 180;
+  const double angle = model::radians(cutter.taper_angle_deg);
   const double across = std::cos(angle), up = std::sin(angle);
   last_.ring = {model::largest_radius_mm(cutter), cutter.flute_length_mm, allowance_mm};
   first_.begin_mm = first_.ring.radius_mm;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
+#include "engine/model/angle.h"
 #include "engine/model/vec3.h"
 
 namespace limitgauge::engine::strategy {
@@ -14,7 +14,7 @@ class DriveFrame {
   explicit DriveFrame(double angle_deg) {
     const double turn = std::fmod(angle_deg, 360.0), quarters = turn / 90;
     const bool exact = quarters == std::round(quarters);
-    const double angle = turn * std::numbers::pi / 180;
+    const double angle = model::radians(turn);
     cos_ = exact ? std::round(std::cos(angle)) : std::cos(angle);
     sin_ = exact ? std::round(std::sin(angle)) : std::sin(angle);
   }

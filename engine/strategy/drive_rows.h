@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "engine/model/run_control.h"
-#include "engine/strategy/stage_path.h"
+#include "engine/model/vec3.h"
 
 namespace limitgauge::engine::strategy {
 
@@ -21,10 +20,8 @@ struct DriveRows {
   std::vector<int> sampling_intervals;  ///< equation 10, one a patch
 };
 
-/// Rows over the whole part and the cutter's radius around it, `step_mm` apart or closer where a
-/// scallop height asks for it. Balls take the paper's way (sections of the offset surface and
-/// their upper envelope), other cutters the cutter location surface of the limit mesh.
-DriveRows make_rows(const surface::FinishModel& model, const StageRequest& request,
-                    const model::RunControl& control);
+/// Places of planes `step_mm` apart from `low_mm` to `high_mm`, where the mesh and the cutter's
+/// reach end, as the paper counts planes; what is left of the width is shared by both sides.
+std::vector<double> even_places(double low_mm, double high_mm, double step_mm);
 
 }  // namespace limitgauge::engine::strategy

@@ -154,38 +154,10 @@ class Sweep {
   double slit_mm_;
 };
 
-double height_on_run(const std::vector<PlanePoint>& run, std::size_t i, double s) {
-  return height_between(run[i], run[i + 1], s);
-}
-
 }  // namespace
-
-double Envelope::highest(double from, double to) const {
-  double z = -std::numeric_limits<double>::infinity();
-  for (const auto& run : runs) {
-    if (run.back().s < from || run.front().s > to) continue;
-    auto at = std::lower_bound(run.begin(), run.end(), from,
-                               [](const PlanePoint& p, double s) { return p.s < s; });
-    for (; at != run.end() && at->s <= to; ++at) z = std::max(z, at->z);
-    for (const double s : {from, to}) {
-      const auto after = std::upper_bound(run.begin(), run.end(), s,
-                                          [](double x, const PlanePoint& p) { return x < p.s; });
-      if (after == run.begin() || after == run.end()) continue;
-      z = std::max(z, height_on_run(run, static_cast<std::size_t>(after - run.begin()) - 1, s));
-    }
-  }
-  return z;
-}
 
 Envelope upper_envelope(std::span<const std::vector<PlanePoint>> curves, double slit_mm) {
   return Sweep(curves, slit_mm).run();
-}
-
-Envelope upper_envelope(const std::vector<PlaneSegment>& segments, double slit_mm) {
-  std::vector<std::vector<PlanePoint>> curves;
-  curves.reserve(segments.size());
-  for (const PlaneSegment& g : segments) curves.push_back({g.from, g.to});
-  return upper_envelope(curves, slit_mm);
 }
 
 }  // namespace limitgauge::engine::strategy

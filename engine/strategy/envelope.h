@@ -11,26 +11,16 @@ struct PlanePoint {
   friend bool operator==(const PlanePoint&, const PlanePoint&) = default;
 };
 
-/// A straight piece of some curve in a drive plane.
-struct PlaneSegment {
-  PlanePoint from, to;
-};
-
 /// The upper envelope of curves in a drive plane (design: it is the gouge-free path of the cutter's
 /// centre): runs of ascending s, each a polyline; steps between curves are vertical pieces.
 /// Between runs there is nothing.
 struct Envelope {
   std::vector<std::vector<PlanePoint>> runs;
-
-  /// Largest height over [from, to]; minus infinity where there is nothing.
-  double highest(double from, double to) const;
 };
 
 /// The envelope of polylines, which may turn back and cross each other and themselves. Exact but
 /// for stretches of up to `slit_mm`, which are bridged: rounding opens slits between curves that
 /// meet. Time grows with the points times the curves over one place.
 Envelope upper_envelope(std::span<const std::vector<PlanePoint>> curves, double slit_mm);
-/// The same of single segments.
-Envelope upper_envelope(const std::vector<PlaneSegment>& segments, double slit_mm);
 
 }  // namespace limitgauge::engine::strategy

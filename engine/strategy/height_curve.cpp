@@ -14,10 +14,6 @@ namespace {
 constexpr double kCurveShare = 0.1, kPushShare = 0.3, kReductionShare = 0.8;
 constexpr double kCrossingShare = 0.01;
 
-FlatPoint toward(const FlatPoint& a, const FlatPoint& b, double t) {
-  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
-}
-
 /// To the left of the way from `a` to `b`: the free side.
 FlatPoint left_of(const FlatPoint& a, const FlatPoint& b) {
   const double length = distance(a, b);
@@ -42,7 +38,7 @@ FlatPoint HeightCurves::crossing(FlatPoint free, FlatPoint held) const {
   const double close = kCrossingShare * tolerance_;
   double below = above(free), over = above(held);
   const auto look = [&](double t) {
-    const FlatPoint p = toward(free, held, t);
+    const FlatPoint p = lerp(free, held, t);
     const double z = above(p);
     (z > 0 ? held : free) = p;
     (z > 0 ? over : below) = z;
@@ -79,7 +75,7 @@ std::vector<FlatPoint> HeightCurves::exact_points(const Isoline& line) const {
 /// Looks for the curve on the line across the middle of a chord, beyond what chords may leave it by
 /// and no farther than leaves both halves shorter than the chord.
 bool HeightCurves::find_beside(const FlatPoint& a, const FlatPoint& b, FlatPoint& found) const {
-  const FlatPoint middle = toward(a, b, 0.5), left = left_of(a, b);
+  const FlatPoint middle = lerp(a, b, 0.5), left = left_of(a, b);
   const bool held = held_at(middle);
   const double side = held ? 1 : -1;
   FlatPoint before = middle;
@@ -171,8 +167,7 @@ std::vector<Waterline> HeightCurves::passes() const {
   std::transform(tips_.z.begin(), tips_.z.end(), field.begin(),
                  [&](double z) { return z > height_ ? 1.0F : -1.0F; });
   std::vector<Waterline> made;
-  for (const Isoline& line :
-       isolines(raster, field, {0, 0, raster.columns - 1, raster.rows - 1}, 0)) {
+  for (const Isoline& line : isolines(raster, field, whole(raster), 0)) {
     std::vector<FlatPoint> points = exact_points(line);
     const auto same = [](const FlatPoint& a, const FlatPoint& b) {
       return a.x == b.x && a.y == b.y;

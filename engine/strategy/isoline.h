@@ -15,6 +15,10 @@ inline double distance(const FlatPoint& a, const FlatPoint& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
+inline FlatPoint lerp(const FlatPoint& a, const FlatPoint& b, double t) {
+  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
+}
+
 /// A curve along which a field has one value; open ones end at the window's border.
 struct Isoline {
   std::vector<FlatPoint> points;  ///< of a closed one the first is repeated at the end

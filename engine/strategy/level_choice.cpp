@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "engine/model/angle.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 /// Bins of height a level distance.
 constexpr double kBins = 8;
 /// A place counts as level below this slope, and heights this share of the distance apart as one.
-constexpr double kLevelSlope_rad = std::numbers::pi / 180, kSameHeight = 0.02;
+constexpr double kLevelSlope_rad = model::radians(1), kSameHeight = 0.02;
 
 class Chooser {
  public:

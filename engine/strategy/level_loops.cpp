@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -124,9 +123,7 @@ class LoopMaker {
       std::rotate(line.points.begin(), outside, line.points.end());
       line.points.push_back(line.points.front());
     }
-    const auto at = [](const FlatPoint& a, const FlatPoint& b, double t) {
-      return FlatPoint{a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
-    };
+    const auto at = [](const FlatPoint& a, const FlatPoint& b, double t) { return lerp(a, b, t); };
     for (const auto& run :
          clipped(line.points, raster_.pixel_mm, wanted, at,
                  [](const FlatPoint&a, const FlatPoint&b) { return distance(a, b); }))

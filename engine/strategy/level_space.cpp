@@ -1,7 +1,6 @@
 #include "engine/strategy/level_space.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace limitgauge::engine::strategy {
@@ -46,7 +45,7 @@ bool LevelSpace::clear_between(const FlatPoint& a, const FlatPoint& b) const {
   const double pixel = near_.clear_mm.empty() ? raster_.pixel_mm : near_.raster.pixel_mm;
   for (double way = 0;;) {
     const double t = length > 0 ? way / length : 0;
-    const double clear = clear_at({a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t});
+    const double clear = clear_at(lerp(a, b, t));
     if (clear < pixel / 4) return false;
     if (way >= length) return true;
     way = std::min(length, way + std::max(clear, pixel / 2));

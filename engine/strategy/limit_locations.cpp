@@ -5,11 +5,6 @@
 
 namespace limitgauge::engine::strategy {
 
-double corner_radius_mm(const model::Cutter& cutter) {
-  if (cutter.type == model::CutterType::ball) return cutter.radius_mm();
-  return cutter.type == model::CutterType::flat ? 0.0 : cutter.corner_radius_mm;
-}
-
 LimitLocations limit_locations(const surface::PatchModel& model, const StageRequest& request) {
   const double error = kLimitMeshShare * request.cut.tolerance_mm;
   surface::OffsetModel mesh = surface::sample_offset(model, 0, error);
@@ -17,11 +12,10 @@ LimitLocations limit_locations(const surface::PatchModel& model, const StageRequ
   model::Box3 part;
   for (const surface::Grid& grid : mesh.grids)
     for (const Vec3& p : grid.points) part.add(p);
-  std::vector<int> intervals = mesh.intervals;
   CutterLocations surface(surface::pieces(mesh), request.cutter, kept);
   constexpr double kRounding_mm = 1e-6;
-  const double lowest = part.low.z - corner_radius_mm(request.cutter) - kRounding_mm;
-  return {std::move(surface), std::move(mesh), std::move(intervals), part, kept, lowest};
+  const double lowest = part.low.z - request.cutter.corner_radius_mm - kRounding_mm;
+  return {std::move(surface), std::move(mesh), part, kept, lowest};
 }
 
 }  // namespace limitgauge::engine::strategy

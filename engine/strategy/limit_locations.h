@@ -16,17 +16,13 @@ inline constexpr double kLimitMeshShare = 0.25;
 /// The limit mesh of a stage and its cutter location surface.
 struct LimitLocations {
   CutterLocations surface;
-  surface::OffsetModel mesh;            ///< of the limit surface itself
-  std::vector<int> sampling_intervals;  ///< equation 10, one a patch
-  model::Box3 part;                     ///< of the mesh
-  double kept_mm = 0;                   ///< distance kept from the mesh: allowance and chord error
+  surface::OffsetModel mesh;  ///< of the limit surface itself
+  model::Box3 part;           ///< of the mesh
+  double kept_mm = 0;         ///< distance kept from the mesh: allowance and chord error
   /// No contact of the tip's rounding or flat asks for a lower tip: below it only shank, holder or
   /// the flank of a taper touch anything.
   double lowest_contact_mm = 0;
 };
-
-/// Of the rounding at the tip: a ball's radius, zero of a flat cutter.
-double corner_radius_mm(const model::Cutter& cutter);
 
 /// Samples the limit surface for the tolerance of `request` and keeps its cutter clear of it by the
 /// allowance and whatever chord error the mesh really has.

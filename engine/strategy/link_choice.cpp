@@ -1,7 +1,6 @@
 #include "engine/strategy/link_choice.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -9,10 +8,6 @@ namespace {
 using model::Vec3;
 
 constexpr double kSecondsAMinute = 60;
-
-double level_distance(const Vec3& a, const Vec3& b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
-}
 
 }  // namespace
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
+#include "engine/model/angle.h"
 #include "engine/strategy/approach.h"
 #include "engine/strategy/link_choice.h"
 #include "engine/strategy/pass_index.h"
@@ -45,7 +45,7 @@ class Linker {
       : rule_{locations, request, std::min(kAir_mm, request.clearance_mm)},
         chooser_(rule_, clear_z_mm),
         path_(request, clear_z_mm),
-        ramp_slope_(std::tan(request.cut.ramp_angle_deg * std::numbers::pi / 180)) {}
+        ramp_slope_(std::tan(model::radians(request.cut.ramp_angle_deg))) {}
 
   void cut_group(const std::vector<CutPass>& passes, const model::RunControl& control) {
     PassIndex index(passes);
@@ -101,7 +101,7 @@ class Linker {
 
   void go_straight(const Vec3& to, const Link& link) {
     const Vec3 up{0, 0, link.raised_mm}, from = path_.position();
-    const double level = std::hypot(to.x - from.x, to.y - from.y);
+    const double level = level_distance(from, to);
     path_.link_to(from + up);
     if (from.z - to.z > ramp_slope_ * level)
       path_.plunge_to(to + up);
@@ -142,16 +142,15 @@ class Linker {
 }  // namespace
 
 double clear_height_mm(const CutterLocations& locations, const StageRequest& request) {
-  double top = model::bounding_box(request.stock).high.z;
-  if (!locations.extent().empty()) top = std::max(top, locations.extent().high.z);
-  return top + request.clearance_mm;
+  // Of an empty extent minus infinity.
+  return clear_height_mm(request, locations.extent().high.z);
 }
 
 model::Toolpath link_passes(const std::vector<std::vector<CutPass>>& groups,
                             const CutterLocations& locations, const StageRequest& request,
                             const model::RunControl& control) {
   const double clear_z =
-      std::max(clear_height_mm(locations, request), highest_tip(groups) + request.clearance_mm);
+      std::max(clear_height_mm(locations, request), clear_height_mm(request, highest_tip(groups)));
   Linker linker(locations, request, clear_z);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     linker.cut_group(groups[g], control);

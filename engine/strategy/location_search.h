@@ -36,7 +36,6 @@ class LocationSearch {
       if (greatest_.value > enough) return;
     }
   }
-  int nodes_opened() const { return opened_; }
 
  private:
   struct Open {
@@ -47,7 +46,6 @@ class LocationSearch {
   static constexpr int kStack = 256;
 
   void push(int first, int count) {
-    ++opened_;
     const int begin = size_;
     for (int node = first; node < first + count; ++node) {
       const double bound = question_.bound(tree_.nodes()[node], greatest_.known);
@@ -78,7 +76,7 @@ class LocationSearch {
   const Question& question_;
   GreatestLift& greatest_;
   std::array<Open, kStack> stack_;
-  int size_ = 0, opened_ = 0;
+  int size_ = 0;
 };
 
 }  // namespace limitgauge::engine::strategy

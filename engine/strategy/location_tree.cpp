@@ -182,11 +182,4 @@ LocationTree::LocationTree(std::vector<surface::Grid> grids, const CutterShape& 
   LocationTreeBuilder(*this, shape).build();
 }
 
-std::size_t LocationTree::memory_bytes() const {
-  std::size_t bytes = nodes_.capacity() * sizeof(LocationNode);
-  bytes += leaves_.capacity() * sizeof(LocationLeaf);
-  for (const Grid& grid : grids_) bytes += grid.points.capacity() * sizeof(Vec3);
-  return bytes;
-}
-
 }  // namespace limitgauge::engine::strategy

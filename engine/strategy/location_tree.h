@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -43,7 +42,6 @@ class LocationTree {
   const surface::Grid& grid(int g) const { return grids_[g]; }
   /// Of all triangles; empty where there are none.
   const Box3& box() const { return box_; }
-  std::size_t memory_bytes() const;
 
  private:
   friend class LocationTreeBuilder;

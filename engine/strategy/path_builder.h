@@ -1,11 +1,17 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/model/toolpath.h"
 #include "engine/strategy/stage_path.h"
 
 namespace limitgauge::engine::strategy {
+
+/// Height of rapids: above the stock and above `highest_mm`.
+inline double clear_height_mm(const StageRequest& request, double highest_mm) {
+  return std::max(model::bounding_box(request.stock).high.z, highest_mm) + request.clearance_mm;
+}
 
 /// Writes the moves of a stage: cuts at the feed, plunges and ramps at the plunge feed, links at
 /// the link feed (the feed where there is none), rapids only straight up, across at the clear

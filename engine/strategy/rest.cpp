@@ -5,15 +5,11 @@
 #include <utility>
 
 #include "engine/strategy/clip.h"
-#include "engine/strategy/row_passes.h"
+#include "engine/strategy/cut_passes.h"
 #include "engine/strategy/steep_shallow.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
-
-double overlap_of(const StageRequest& request) {
-  return request.cut.overlap_mm.value_or(2 * request.cut.step_mm);
-}
 
 class RegionClip {
   auto wanted() const {
@@ -22,7 +18,7 @@ class RegionClip {
 
  public:
   explicit RegionClip(const StageRequest& request)
-      : request_(request), overlap_(overlap_of(request)) {}
+      : request_(request), overlap_(request.cut.overlap_or_default_mm()) {}
 
   void add_to(std::vector<CutPass>& kept, CutPass pass) const {
     const auto outside = std::find_if_not(pass.tips.begin(), pass.tips.end(), wanted());
@@ -71,7 +67,7 @@ std::vector<CutPass> clipped_passes(const RegionClip& clip, std::vector<CutPass>
 }  // namespace
 
 bool comes_near_regions(const StageRequest& request, double overlap_mm, const model::Vec3& tip) {
-  const double corner = corner_radius_mm(request.cutter);
+  const double corner = request.cutter.corner_radius_mm;
   const double flat = request.cutter.radius_mm() - corner, height = tip.z + corner;
   const double reach = corner + request.allowance_mm + overlap_mm;
   return std::any_of(request.regions.begin(), request.regions.end(), [&](const model::Box3& box) {
@@ -90,7 +86,7 @@ StagePath plan_rest(const surface::FinishModel& model, const StageRequest& reque
   if (request.regions.empty()) {
     const model::Box3 stock = model::bounding_box(request.stock);
     stage.path.start = {stock.low.x, stock.low.y, clear_height_mm(limit.surface, request)};
-    set_intervals(stage, limit.sampling_intervals);
+    set_intervals(stage, limit.mesh.intervals);
     return stage;
   }
   SteepShallowPasses made = steep_shallow_passes(model.patches(), limit, request, control);

@@ -97,11 +97,11 @@ class RowLinks {
   }
 
   double clear_height() const {
-    double top = model::bounding_box(request_.stock).high.z;
+    double top = -std::numeric_limits<double>::infinity();
     for (const DriveRow& row : rows_.rows)
       for (const auto& run : row.runs)
         for (const Vec3& p : run) top = std::max(top, p.z);
-    return top + request_.clearance_mm;
+    return clear_height_mm(request_, top);
   }
 
   const DriveRows& rows_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/strategy/drive_rows.h"
+#include "engine/strategy/stage_path.h"
 
 namespace limitgauge::engine::strategy {
 

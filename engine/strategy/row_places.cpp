@@ -2,45 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "engine/model/chunks.h"
+#include "engine/strategy/drive_rows.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
 
-/// Of a step: the mesh is a little smaller than the surface.
-constexpr double kWholeStep = 0.1;
 /// cos 75: steeper surfaces across the rows are not served by rows.
 constexpr double kSteepestCosine = 0.2588;
 constexpr std::size_t kSamplesAChunk = 64;
 
-/// Directions to the bit for the angles that matter most.
-Vec3 direction_of(double angle_deg) {
-  const double quarter = angle_deg / 90;
-  if (quarter == std::floor(quarter)) {
-    const auto turns = static_cast<int>(std::fmod(std::fmod(quarter, 4) + 4, 4));
-    constexpr Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
-    return axes[turns];
-  }
-  const double angle = angle_deg * std::numbers::pi / 180;
-  return {std::cos(angle), std::sin(angle), 0};
-}
-
 class Placer {
  public:
   Placer(const LimitLocations& limit, const StageRequest& request, const model::RunControl& control)
-      : limit_(limit), request_(request), control_(control) {}
+      : limit_(limit),
+        request_(request),
+        control_(control),
+        places_{DriveFrame(request.cut.angle_deg), 0, 0, {}} {}
 
   RowPlaces place() {
-    places_.direction = direction_of(request_.cut.angle_deg);
-    places_.left = {-places_.direction.y, places_.direction.x, 0};
     measure();
     if (request_.cut.scallop_mm) {
       place_by_scallop(tip_distance_mm(request_));
     } else {
-      place_evenly();
+      places_.across = even_places(low_, high_, request_.cut.step_mm);
     }
     return std::move(places_);
   }
@@ -49,20 +36,12 @@ class Placer {
   void measure() {
     model::Box3 box;  // in rows' coordinates
     for (const surface::Grid& grid : limit_.mesh.grids)
-      for (const Vec3& p : grid.points)
-        box.add(Vec3{dot(p, places_.direction), dot(p, places_.left), 0});
+      for (const Vec3& p : grid.points) box.add(places_.frame.to_drive(p));
     box = box.grown(request_.cutter.radius_mm() + limit_.kept_mm);
     places_.along_low = box.low.x;
     places_.along_high = box.high.x;
     low_ = box.low.y;
     high_ = box.high.y;
-  }
-
-  void place_evenly() {
-    const double width = high_ - low_, step = request_.cut.step_mm;
-    const int count = std::max(1, static_cast<int>(std::floor(width / step + kWholeStep)));
-    const double first = low_ + (width - (count - 1) * step) / 2;
-    for (int i = 0; i < count; ++i) places_.across.push_back(first + i * step);
   }
 
   void place_by_scallop(double distance) {
@@ -114,7 +93,7 @@ class Placer {
 
 double tip_distance_mm(const StageRequest& request) {
   if (!request.cut.scallop_mm) return request.cut.step_mm;
-  const double r = corner_radius_mm(request.cutter), h = std::min(*request.cut.scallop_mm, r);
+  const double r = request.cutter.corner_radius_mm, h = std::min(*request.cut.scallop_mm, r);
   if (r <= 0)
     throw std::invalid_argument(
         "scallop: a cutter without a corner radius leaves steps, not cusps; give a step only");

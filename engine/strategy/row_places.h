@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/model/run_control.h"
+#include "engine/strategy/drive_frame.h"
 #include "engine/strategy/limit_locations.h"
 
 namespace limitgauge::engine::strategy {
@@ -10,11 +11,11 @@ namespace limitgauge::engine::strategy {
 /// Where the drive planes of a stage stand and how far rows reach in them, mm. `across` counts to
 /// the left of the rows' direction, `along` in it.
 struct RowPlaces {
-  Vec3 direction, left;  ///< unit vectors in XY
+  DriveFrame frame;
   double along_low = 0, along_high = 0;
   std::vector<double> across;  ///< ascending
 
-  Vec3 at(double along, double across_mm) const { return direction * along + left * across_mm; }
+  Vec3 at(double along, double across_mm) const { return frame.to_part({along, across_mm, 0}); }
 };
 
 /// Distance of two tips whose cusp over a plane is as high as the scallop asked for; the step where

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/model/chunks.h"
+#include "engine/strategy/drive_rows.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -22,15 +23,6 @@ std::vector<double> with_middles(const std::vector<double>& rows) {
     all.push_back(rows[i]);
   }
   return all;
-}
-
-std::vector<CentreRow> rows_at(const BallSections& sections, const std::vector<double>& across_mm,
-                               const model::RunControl& control) {
-  std::vector<Envelope> envelopes = sections.envelopes(across_mm, control);
-  std::vector<CentreRow> rows;
-  for (std::size_t i = 0; i < across_mm.size(); ++i)
-    rows.push_back({across_mm[i], std::move(envelopes[i])});
-  return rows;
 }
 
 /// How far apart rows may be between each two of the rows tried.
@@ -107,15 +99,18 @@ bool halve(const BallSections& sections, const CutOptions& cut, std::vector<Cent
 
 }  // namespace
 
-std::vector<double> even_rows(const BallSections& sections, double step_mm) {
-  const double reach = sections.reach_mm(), low = sections.low_mm() - reach;
-  const double width = sections.high_mm() + reach - low;
-  constexpr double kWholeStep = 0.1;  // of a step: the mesh is a little smaller than the surface
-  const int count = std::max(1, static_cast<int>(std::floor(width / step_mm + kWholeStep)));
-  const double first = low + (width - (count - 1) * step_mm) / 2;
-  std::vector<double> rows;
-  for (int i = 0; i < count; ++i) rows.push_back(first + i * step_mm);
+std::vector<CentreRow> rows_at(const BallSections& sections, const std::vector<double>& across_mm,
+                               const model::RunControl& control) {
+  std::vector<Envelope> envelopes = sections.envelopes(across_mm, control);
+  std::vector<CentreRow> rows;
+  for (std::size_t i = 0; i < across_mm.size(); ++i)
+    rows.push_back({across_mm[i], std::move(envelopes[i])});
   return rows;
+}
+
+std::vector<double> even_rows(const BallSections& sections, double step_mm) {
+  const double reach = sections.reach_mm();
+  return even_places(sections.low_mm() - reach, sections.high_mm() + reach, step_mm);
 }
 
 std::vector<CentreRow> scallop_rows(const BallSections& sections, const CutOptions& cut,

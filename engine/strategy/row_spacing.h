@@ -12,6 +12,9 @@ struct CentreRow {
   Envelope centre;
 };
 
+/// The rows in the planes at `across_mm` (ascending).
+std::vector<CentreRow> rows_at(const BallSections& sections, const std::vector<double>& across_mm,
+                               const model::RunControl& control);
 /// Places of rows `step_mm` apart over the surface and the ball's reach at both sides, as the paper
 /// counts planes.
 std::vector<double> even_rows(const BallSections& sections, double step_mm);

@@ -1,11 +1,9 @@
 #include "engine/strategy/sampled_rows.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "engine/model/chunks.h"
 #include "engine/strategy/row_places.h"
-#include "engine/surface/patch_model.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -50,7 +48,7 @@ DriveRows make_sampled_rows(const LimitLocations& limit, const StageRequest& req
   const RowPlaces places = place_rows(limit, request, control);
   const TrackRule rule = track_rule(limit, request);
   DriveRows made;
-  made.sampling_intervals = limit.sampling_intervals;
+  made.sampling_intervals = limit.mesh.intervals;
   made.rows.resize(places.across.size());
   model::parallel_chunks(
       made.rows.size(), kRowsAChunk, control, [&](std::size_t begin, std::size_t end) {
@@ -67,11 +65,6 @@ DriveRows make_sampled_rows(const LimitLocations& limit, const StageRequest& req
       });
   std::erase_if(made.rows, [](const DriveRow& row) { return row.runs.empty(); });
   return made;
-}
-
-DriveRows make_sampled_rows(const surface::FinishModel& model, const StageRequest& request,
-                            const model::RunControl& control) {
-  return make_sampled_rows(limit_locations(model.patches(), request), request, control);
 }
 
 }  // namespace limitgauge::engine::strategy

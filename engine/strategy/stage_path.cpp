@@ -1,9 +1,11 @@
 #include "engine/strategy/stage_path.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "engine/strategy/contour.h"
 #include "engine/strategy/rest.h"
@@ -53,6 +55,15 @@ StagePath plan(const surface::FinishModel& model, const StageRequest& request,
 }
 
 }  // namespace
+
+void set_intervals(StagePath& stage, std::vector<int> intervals) {
+  const auto [least, most] = std::minmax_element(intervals.begin(), intervals.end());
+  if (least != intervals.end()) {
+    stage.sampling_interval_min = *least;
+    stage.sampling_interval_max = *most;
+  }
+  stage.sampling_intervals = std::move(intervals);
+}
 
 StagePath plan_stage(const surface::FinishModel& model, const StageRequest& request,
                      const model::RunControl& control) {

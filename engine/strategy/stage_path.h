@@ -35,6 +35,9 @@ struct StagePath {
   std::size_t memory_bytes = 0;  ///< of the toolpath
 };
 
+/// The intervals of all patches and their extremes.
+void set_intervals(StagePath& stage, std::vector<int> intervals);
+
 /// Plans one stage. The path starts and ends above the stock; no rapid goes below the stock's top
 /// but for retracts straight up and plunges down to a clearance above material already cut.
 /// Throws std::invalid_argument for a request that no path can serve (names the figure).

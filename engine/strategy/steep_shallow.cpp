@@ -1,30 +1,23 @@
 #include "engine/strategy/steep_shallow.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "engine/model/angle.h"
 #include "engine/strategy/boundary_pass.h"
 #include "engine/strategy/contact_mask.h"
+#include "engine/strategy/cut_passes.h"
 #include "engine/strategy/level_choice.h"
 #include "engine/strategy/pass_clip.h"
-#include "engine/strategy/row_passes.h"
 #include "engine/strategy/row_places.h"
 #include "engine/strategy/sampled_rows.h"
 #include "engine/strategy/waterline.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
-
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
-double overlap_of(const StageRequest& request) {
-  return request.cut.overlap_mm.value_or(2 * request.cut.step_mm);
-}
 
 /// How far the cells of a steep contact may be from it, in cells: their corners see its slope.
 constexpr double kNeighbours = 2;
@@ -39,23 +32,15 @@ void require_serves(const StageRequest& request) {
   const double angle = request.cut.steep_angle_deg;
   if (!(angle > 0 && angle < 90))
     throw std::invalid_argument("steep_angle must lie between 0 and 90 degrees");
-  if (!(overlap_of(request) >= 0)) throw std::invalid_argument("overlap must be zero or more");
-}
-
-CutPass contour_pass(ClippedPass clipped, const StageRequest& request) {
-  CutPass pass;
-  pass.tips = std::move(clipped.tips);
-  pass.closed = clipped.closed;
-  if (request.cut.direction == CutDirection::conventional)
-    std::reverse(pass.tips.begin(), pass.tips.end());
-  pass.reversible = request.cut.direction == CutDirection::either;
-  return pass;
+  if (!(request.cut.overlap_or_default_mm() >= 0))
+    throw std::invalid_argument("overlap must be zero or more");
 }
 
 /// Half a turn of the cutter around an edge is cut on: it is shorter than a retract.
 BridgeRule bridge_rule(const SteepRegions& regions, const StageRequest& request) {
   const double half_turn = std::numbers::pi * request.cutter.radius_mm();
-  return {regions.touched, overlap_of(request), overlap_of(request) + half_turn};
+  const double overlap = request.cut.overlap_or_default_mm();
+  return {regions.touched, overlap, overlap + half_turn};
 }
 
 void add_contours(const LimitLocations& limit, const SteepRegions& regions,
@@ -71,7 +56,7 @@ void add_contours(const LimitLocations& limit, const SteepRegions& regions,
     std::vector<CutPass> passes;
     for (const Waterline& line : level)
       for (ClippedPass& clipped : clip_to(line.tips, line.closed, regions.contours, rule))
-        passes.push_back(contour_pass(std::move(clipped), request));
+        passes.push_back(contour_pass(std::move(clipped.tips), clipped.closed, request));
     if (passes.empty()) continue;
     ++made.planes;
     made.levels.push_back(std::move(passes));
@@ -82,7 +67,8 @@ void add_rows(const LimitLocations& limit, const SteepRegions& regions, const St
               const model::RunControl& control, SteepShallowPasses& made) {
   DriveRows rows = make_sampled_rows(limit, request, control);
   made.sampling_intervals = std::move(rows.sampling_intervals);
-  const SteepClip steep{radians(request.cut.steep_angle_deg), overlap_of(request)};
+  const SteepClip steep{model::radians(request.cut.steep_angle_deg),
+                        request.cut.overlap_or_default_mm()};
   for (const DriveRow& row : rows.rows) {
     const std::size_t before = made.rows.size();
     for (const auto& run : row.runs)
@@ -97,7 +83,7 @@ void add_rows(const LimitLocations& limit, const SteepRegions& regions, const St
 SteepRegions find_regions(const surface::PatchModel& model, const LimitLocations& limit,
                           const StageRequest& request, const model::RunControl& control) {
   SteepRegions regions;
-  const double cell = cell_size(request), overlap = overlap_of(request);
+  const double cell = cell_size(request), overlap = request.cut.overlap_or_default_mm();
   regions.tips =
       make_tip_raster(limit.surface, limit.surface.fluted_extent().grown(2 * cell), cell, control);
   // What shank, holder or a taper's flank hold up alone is as good as nothing.
@@ -106,7 +92,7 @@ SteepRegions find_regions(const surface::PatchModel& model, const LimitLocations
   const ContactReach reach = contact_reach(model, limit, request, regions.tips.raster);
   regions.lowest_mm = std::max(reach.lowest_mm, request.floor_z_mm);
   regions.slopes = measure_slopes(regions.tips, regions.lowest_mm);
-  const double angle = radians(request.cut.steep_angle_deg);
+  const double angle = model::radians(request.cut.steep_angle_deg);
   // Steep places of the cutter location surface that no steep place of the part asks for roll over
   // its boundary or a crease.
   regions.steep = both(steep_cells(regions.slopes, angle),

@@ -49,7 +49,7 @@ class Tracker {
   }
 
   void add_line(const Vec3& from, const Vec3& to) {
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const double length = level_distance(from, to);
     const int parts = 1 + static_cast<int>(length / rule_.spacing_mm);
     Sample a = at(from);
     for (int k = 1; k <= parts; ++k) {
@@ -62,7 +62,7 @@ class Tracker {
   /// Appends what follows `a` up to and with `b`.
   void fill(const Sample& a, const Sample& middle, const Sample& b) {
     if (!a.covered && !b.covered && !middle.covered) return;
-    if (std::hypot(b.p.x - a.p.x, b.p.y - a.p.y) <= kStepWidth_mm) return step(a, b);
+    if (level_distance(a.p, b.p) <= kStepWidth_mm) return step(a, b);
     const Sample first = between(a, middle), last = between(middle, b);
     if (fits(a, b, {&first, &middle, &last})) return append(b);
     fill(a, first, middle);
@@ -71,7 +71,7 @@ class Tracker {
 
   bool fits(const Sample& a, const Sample& b, const std::array<const Sample*, 3>& inner) const {
     if (!a.covered || !b.covered) return false;
-    const double run = std::hypot(b.p.x - a.p.x, b.p.y - a.p.y);
+    const double run = level_distance(a.p, b.p);
     const double cosine = run / std::hypot(run, b.p.z - a.p.z);
     for (std::size_t k = 0; k < inner.size(); ++k) {
       if (!inner[k]->covered) return false;

@@ -4,8 +4,8 @@
 
 #include "engine/strategy/ball_rows.h"
 #include "engine/strategy/boundary_pass.h"
+#include "engine/strategy/cut_passes.h"
 #include "engine/strategy/row_links.h"
-#include "engine/strategy/row_passes.h"
 #include "engine/strategy/sampled_rows.h"
 
 namespace limitgauge::engine::strategy {

@@ -5,7 +5,7 @@
 
 namespace limitgauge::engine::strategy {
 
-/// Iso-planar rows (make_rows) over the whole part, zigzag or one-way, at any angle. Tolerances are
+/// Iso-planar rows over the whole part, zigzag or one-way, at any angle. Tolerances are
 /// those of the rows; links keep clear of the part.
 StagePath plan_zigzag(const surface::FinishModel& model, const StageRequest& request,
                       const model::RunControl& control);

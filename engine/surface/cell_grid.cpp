@@ -1,7 +1,6 @@
 #include "engine/surface/cell_grid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace limitgauge::engine::surface {

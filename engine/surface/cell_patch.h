@@ -53,8 +53,6 @@ class BasicCellPatch {
   int cells() const { return 1 << depth_; }
   /// Depth from which no semi-sharp tag is left, so that limit masks hold.
   int smallest_limit_depth() const;
-  /// Whether semi-sharp tags are left.
-  bool tagged() const { return smallest_limit_depth() > depth_; }
   LimitPatch limit() const;
 
   /// Control point (u, v), -1 to cells() + 1; a border point exists where has_border says so.

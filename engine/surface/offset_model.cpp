@@ -1,7 +1,6 @@
 #include "engine/surface/offset_model.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace limitgauge::engine::surface {
 namespace {
@@ -60,10 +59,7 @@ OffsetModel sample_offset(const PatchModel& model, double offset_mm, double erro
     const bool apart = offset_mm > 0 || sampling.corners_apart[p];
     for (const LimitPatch& corner : apart ? model.patches()[p].corners : none)
       sampled.corners.push_back(sampled_grid(corner, corner.depth, offset_mm));
-    const int interval = 1 << (limit.depth - sampled.depths[p]);
-    sampled.intervals.push_back(interval);
-    sampled.interval_min = p == 0 ? interval : std::min(sampled.interval_min, interval);
-    sampled.interval_max = std::max(sampled.interval_max, interval);
+    sampled.intervals.push_back(1 << (limit.depth - sampled.depths[p]));
   }
   for (int p = 0; p < patches; ++p)
     for (int side = 0; side < 4; ++side) {

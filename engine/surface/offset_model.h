@@ -17,7 +17,6 @@ struct OffsetModel {
   /// Finer pieces over the extraordinary corners of the grids.
   std::vector<Grid> corners;
   std::vector<int> intervals;  ///< one a patch; equation 10: 2^(depth of the model - sampled depth)
-  int interval_min = 1, interval_max = 1;  ///< the extremes of these
   double offset_mm = 0;
   double excess_mm = 0;  ///< by how much the worst patch's bound exceeds the error asked for
 };

@@ -1,7 +1,6 @@
 #include "engine/surface/outer_mesh.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "engine/surface/start_search.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "engine/surface/triangle_march.h"
 

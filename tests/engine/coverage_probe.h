@@ -75,7 +75,7 @@ class SweptTips {
 
 /// The tip that touches a point of the surface at a distance, by its normal.
 inline Vec3 contact_tip(const model::Cutter& cutter, const SurfacePoint& s, double distance_mm) {
-  const double r = engine::strategy::corner_radius_mm(cutter), flat = cutter.radius_mm() - r;
+  const double r = cutter.corner_radius_mm, flat = cutter.radius_mm() - r;
   const double level = std::hypot(s.normal.x, s.normal.y);
   const Vec3 out = level > 1e-9 ? Vec3{s.normal.x / level, s.normal.y / level, 0} : Vec3{};
   return s.p + s.normal * (r + distance_mm) + out * flat - Vec3{0, 0, r};

@@ -33,8 +33,9 @@ LimitLocations level_square(const StageRequest& request, double half) {
   engine::surface::OffsetModel mesh;
   mesh.grids = {grid};
   mesh.depths = {0};
+  mesh.intervals = {1};
   const CutterLocations surface({grid}, request.cutter, 0);
-  return {surface, mesh, {1}, part, 0, -corner_radius_mm(request.cutter)};
+  return {surface, mesh, part, 0, -request.cutter.corner_radius_mm};
 }
 
 void check_gouges(const std::tuple<std::string, std::string>& what) {

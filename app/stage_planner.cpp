@@ -20,11 +20,13 @@ const engine::surface::FinishModel& StagePlanner::finish_model(const model::RunC
   engine::surface::ModelRequest request;
   request.precision_mm = job_.precision_mm;
   for (const JobStage& stage : job_.stages) {
-    if (!stage.plan) continue;
-    // A cutter keeps farther away by its tolerance at most.
+    // Only rows of a ball move the surface out; they keep away by their tolerance at most beyond.
+    if (!stage.plan || stage.plan->cut.strategy != engine::strategy::Strategy::zigzag ||
+        stage.cutter.type != model::CutterType::ball)
+      continue;
     request.largest_offset_mm =
-        std::max(request.largest_offset_mm, model::largest_radius_mm(stage.cutter) +
-                                                stage.allowance_mm + stage.plan->cut.tolerance_mm);
+        std::max(request.largest_offset_mm,
+                 stage.cutter.radius_mm() + stage.allowance_mm + stage.plan->cut.tolerance_mm);
   }
   model_.emplace(inputs_.cage, request, control);
   return *model_;

@@ -23,9 +23,13 @@ constexpr int kQuarter = 2;
 
 }  // namespace
 
-PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& request,
+PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& asked,
                        const model::RunControl& control)
     : outer_(make_outer_mesh(cage)) {
+  // The pieces at extraordinary corners are bounded as offsets are; one as small as the precision
+  // costs nothing.
+  ModelRequest request = asked;
+  request.largest_offset_mm = std::max(asked.largest_offset_mm, asked.precision_mm);
   if (!outer_.all_quads()) outer_ = refined(outer_);
   for (Index f = 0; f < outer_.face_count(); ++f) {
     patch_of_face_.push_back(outer_.hole[f] ? kNoPatch : static_cast<int>(patches_.size()));
@@ -40,7 +44,7 @@ PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& request,
     bounds[p] = bound_patch(p, request);
     patches_[p].bounds = bounds[p].at;
   });
-  const std::vector<int> depths = depths_within(kMeshShare * request.precision_mm);
+  const std::vector<int> depths = affordable_depths(kMeshShare * request.precision_mm);
   model::parallel_for(patches_.size(), control.threads, [&](std::size_t p) {
     control.check();
     build_patch(p, depths[p], bounds[p], request);
@@ -250,6 +254,20 @@ std::vector<int> PatchModel::depths_within(double error_mm) const {
       changed |= deeper || deepen(p);
     }
   }
+  return depths;
+}
+
+std::vector<int> PatchModel::affordable_depths(double error_mm) const {
+  // 48 bytes each: two gigabytes.
+  constexpr double kMostPoints = 40e6;
+  std::vector<int> depths = depths_within(error_mm);
+  const auto points = [&] {
+    double sum = 0;
+    for (const int depth : depths) sum += std::ldexp(1.0, 2 * depth);
+    return sum;
+  };
+  while (points() > kMostPoints && *std::max_element(depths.begin(), depths.end()) > kQuarter)
+    depths = depths_within(error_mm *= 2);
   return depths;
 }
 

@@ -78,6 +78,9 @@ class PatchModel {
                    const ModelRequest& request);
   /// The largest depths allowed are those to which the bounds go.
   std::vector<int> depths_within(double error_mm) const;
+  /// Those of the least error from `error_mm` on, doubled again and again, at which the model stays
+  /// within two gigabytes; the bounds of the patches say what it then lacks.
+  std::vector<int> affordable_depths(double error_mm) const;
   /// Bound of patch `p` beside its neighbours: what its own mesh lacks, what its sides move when
   /// laid onto coarser ones, and what bulges out over their meshes.
   double error_mm(int p, const std::vector<int>& depths, MeshError ChordBound::*of) const;

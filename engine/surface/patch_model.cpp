@@ -159,6 +159,31 @@ void PatchModel::share_edges() {
     if (!has_patch(h) || ends_at(h) || outer_.twin[h] < h) continue;
     copy_edge(h, outer_.twin[h]);
   }
+  for (const Index first : outer_.first_out)
+    if (first >= 0) share_vertex(walk_ring(outer_, outer_.origin[first]));
+}
+
+void PatchModel::share_vertex(RingWalk ring) {
+  // Rings refined to different depths end a rounding apart.
+  const auto creased = [&](Index h) { return creased_at(h); };
+  const auto creases = std::count_if(ring.out.begin(), ring.out.end(), creased);
+  const bool cone = ring.closed && creases <= 1 &&
+                    is_infinite(outer_.vertex_sharpness[outer_.origin[ring.out.front()]]);
+  // A closed ring starts where one of its smooth sectors does.
+  if (ring.closed && creases > 0)
+    std::rotate(ring.out.begin(), std::find_if(ring.out.begin(), ring.out.end(), creased),
+                ring.out.end());
+  const Vec3 *point = nullptr, *normal = nullptr;
+  for (const Index h : ring.out) {
+    if (cone || creased_at(h)) normal = nullptr;
+    if (!has_patch(h)) continue;
+    LimitPatch& limit = patches_[patch_at(h)].limit;
+    const int i = limit.side_index(side_at(h), 0);
+    if (point) limit.points[i] = *point;
+    if (normal) limit.normals[i] = *normal;
+    point = &limit.points[i];
+    normal = &limit.normals[i];
+  }
 }
 
 int PatchModel::depth_for(int p, double error_mm) const {

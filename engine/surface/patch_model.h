@@ -91,6 +91,8 @@ class PatchModel {
   std::vector<std::vector<int>> touching_;
   void find_touching();
   void share_edges();
+  /// One point for all patches at a vertex, one normal for those of a smooth sector there.
+  void share_vertex(RingWalk ring);
   void copy_edge(Index from, Index to);
 
   OuterMesh outer_;

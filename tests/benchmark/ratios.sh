@@ -21,7 +21,7 @@ for run in json.load(open(sys.argv[1]))["benchmarks"]:
         # Sections run on one thread in both: its own time, whatever else the machine does.
         clock = "cpu_time" if run["run_name"].startswith("section") else "real_time"
         runs.setdefault(run["run_name"], []).append(run[clock])
-        for key in ("vs_half_edge", "vs_surface_mesh"):
+        for key in ("vs_half_edge", "vs_surface_mesh", "vs_surface_mesh_tight"):
             if key in run:
                 counters.setdefault(run["run_name"].split("/")[0] + "_" + key, []).append(run[key])
 

@@ -20,8 +20,6 @@ constexpr double kMeshShare = 0.5, kReductionShare = 0.25;
 constexpr double kBorderSlack = 0.35;
 /// Chords of the other loops, in cutting radii.
 constexpr double kLoopError = 1.0 / 40;
-/// Rapids are taken to be this fast where a link is weighed against a retract, mm/min.
-constexpr double kRapid_mm_min = 5000;
 /// Of a helix, in cutting radii: no core is left standing, and what the last turn leaves of its
 /// slope is under the cutter where it ends.
 constexpr double kHelix = 0.5;
@@ -148,8 +146,8 @@ class ContourPlanner {
   /// A link of length d takes d / feed, a retract (d + 2 h) / rapid and the plunge.
   double longest_link_mm(double z) const {
     const CutOptions& cut = request_.cut;
-    const double slow = 1 / cut.link_feed_mm_min - 1 / kRapid_mm_min;
-    const double retract = 2 * (clear_height() - z) / kRapid_mm_min +
+    const double slow = 1 / cut.link_feed_mm_min - 1 / request_.rapid_mm_min;
+    const double retract = 2 * (clear_height() - z) / request_.rapid_mm_min +
                            (request_.clearance_mm + cut.step_mm) / cut.plunge_feed_mm_min;
     return slow > 0 ? retract / slow : stock_.size().x + stock_.size().y;
   }

@@ -5,10 +5,13 @@
 #include <numbers>
 #include <random>
 
+#include "tests/engine/plane_crossing.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge;
 using namespace engine::surface;
+using test::Crossed;
+using test::crossed;
 
 namespace {
 
@@ -42,33 +45,6 @@ double length_of(const SectionChain& chain) {
   for (std::size_t i = 1; i < chain.points.size(); ++i)
     sum += distance(chain.points[i - 1], chain.points[i]);
   return sum + (chain.closed ? distance(chain.points.back(), chain.points.front()) : 0);
-}
-
-/// Brute force over all triangles: how many the plane crosses and the length of what it leaves.
-struct Crossed {
-  int triangles = 0;
-  double length = 0;
-};
-Crossed crossed(const Grid& grid, const AxisPlane& plane) {
-  Crossed sum;
-  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    std::vector<Vec3> ends;
-    const Vec3* corner[] = {&a, &b, &c};
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 &p = *corner[k], &q = *corner[(k + 1) % 3];
-      if (plane.above(p) == plane.above(q)) continue;
-      ends.push_back(lerp(p, q, (plane.value - p[plane.axis]) / (q[plane.axis] - p[plane.axis])));
-    }
-    if (ends.size() != 2) return;
-    ++sum.triangles;
-    sum.length += distance(ends[0], ends[1]);
-  };
-  for (int v = 0; v + 1 < grid.rows; ++v)
-    for (int u = 0; u + 1 < grid.columns; ++u) {
-      add(grid.at(u, v), grid.at(u + 1, v), grid.at(u + 1, v + 1));
-      add(grid.at(u, v), grid.at(u + 1, v + 1), grid.at(u, v + 1));
-    }
-  return sum;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/engine/cages.h"
+#include "tests/engine/plane_crossing.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/feature_cages.h"
@@ -37,22 +38,7 @@ double longest_step(const SectionCurve& curve) {
 /// Brute force: all triangles of all patches.
 double crossed_length(const OffsetModel& mesh, const AxisPlane& plane) {
   double sum = 0;
-  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    std::vector<Vec3> ends;
-    const Vec3* corner[] = {&a, &b, &c};
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 &p = *corner[k], &q = *corner[(k + 1) % 3];
-      if (plane.above(p) == plane.above(q)) continue;
-      ends.push_back(lerp(p, q, (plane.value - p[plane.axis]) / (q[plane.axis] - p[plane.axis])));
-    }
-    if (ends.size() == 2) sum += distance(ends[0], ends[1]);
-  };
-  for (const Grid& grid : mesh.grids)
-    for (int v = 0; v + 1 < grid.rows; ++v)
-      for (int u = 0; u + 1 < grid.columns; ++u) {
-        add(grid.at(u, v), grid.at(u + 1, v), grid.at(u + 1, v + 1));
-        add(grid.at(u, v), grid.at(u + 1, v + 1), grid.at(u, v + 1));
-      }
+  for (const Grid& grid : mesh.grids) sum += test::crossed(grid, plane).length;
   return sum;
 }
 

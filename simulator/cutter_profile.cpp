@@ -35,6 +35,8 @@ CutterProfile::CutterProfile(const model::Cutter& cutter) {
       corner_ = cutter.radius_mm();
       break;
     case model::CutterType::bull:
+    case model::CutterType::drill:
+    case model::CutterType::apt:
     case model::CutterType::taper:
       corner_ = cutter.corner_radius_mm;
       break;

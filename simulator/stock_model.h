@@ -1,30 +1,19 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <vector>
 
-#include "engine/model/cutter.h"
 #include "engine/model/run_control.h"
 #include "engine/model/stock.h"
-#include "engine/model/toolpath.h"
+#include "engine/model/triangle_mesh.h"
+#include "simulator/pass.h"
 
 namespace limitgauge::simulator {
 
-/// One pass of one cutter over the stock.
-struct Pass {
-  model::Cutter cutter;
-  std::shared_ptr<const model::Toolpath> path;
-};
-
-/// A triangle mesh of the stock's surface, outward orientation, positions in mm.
-struct StockMesh {
-  std::vector<model::Vec3> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
+/// A triangle mesh of the stock's surface.
+using StockMesh = model::TriangleMesh;
 
 /// A point of the stock's surface that has been moved onto the exact surface it belongs to (a swept
 /// move or a face of the raw stock).

@@ -16,6 +16,8 @@ CutterProfile::CutterProfile(const model::Cutter& cutter) : top_mm(cutter.flute_
       rounding_mm = radius;
       break;
     case model::CutterType::bull:
+    case model::CutterType::drill:
+    case model::CutterType::apt:
     case model::CutterType::taper:
       rounding_mm = cutter.corner_radius_mm;
       flat_mm = radius - cutter.corner_radius_mm;

@@ -78,9 +78,13 @@ const char* name(CutterType type) {
     case CutterType::bull:
       return "bull";
     case CutterType::taper:
+      return "taper";
+    case CutterType::drill:
+      return "drill";
+    case CutterType::apt:
       break;
   }
-  return "taper";
+  return "apt";
 }
 
 }  // namespace limitgauge::model

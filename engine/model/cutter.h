@@ -8,7 +8,7 @@
 
 namespace limitgauge::model {
 
-enum class CutterType { flat, ball, bull, taper };
+enum class CutterType { flat, ball, bull, taper, drill, apt };
 
 /// A cylinder of a shank or holder; parts are listed from the tip side up.
 struct CylinderPart {
@@ -24,6 +24,13 @@ struct CylinderPart {
 ///         rounded by `corner_radius_mm`, tangent to the cone: the rounding's centre lies
 ///         diameter / 2 - corner_radius off the axis, so that corner_radius = diameter / 2 makes a
 ///         ball tip of that diameter
+///  drill: cone rising from the tip by `tip_angle_deg` from level to `diameter_mm`, then the
+///         cylinder; corner_radius = 0. A point angle of 118 degrees is a tip angle of 31
+///  apt:   the seven-parameter cutter of APT (ISO 3592, CUTTER/d,r,e,f,a,b,h), a convex solid: a
+///         bottom that rises from the tip by `tip_angle_deg`, a side that leans outwards by
+///         `taper_angle_deg` (inwards where negative), and between them an arc of
+///         `corner_radius_mm` tangent to both; `diameter_mm` is twice the radius at which bottom
+///         and side would meet, h the flute length; e and f follow from the rest
 /// Only the lowest `flute_length_mm` cuts. Above it stand the shank parts, then the holder parts;
 /// with an empty shank the fluted part is taken to end at the holder.
 struct Cutter {
@@ -35,6 +42,9 @@ struct Cutter {
   double flute_length_mm = 0;
   std::vector<CylinderPart> shank;
   std::vector<CylinderPart> holder;
+  double tip_angle_deg = 0;
+  /// How steeply a feed move may go down into material, from level: 90 where the cutter can plunge.
+  double steepest_descent_deg = 90;
 
   double radius_mm() const { return diameter_mm / 2; }
 };

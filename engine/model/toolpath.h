@@ -12,21 +12,22 @@ enum class MoveKind : std::uint8_t { rapid, feed };
 
 /// A straight move of the tool tip (CL point) to `to`. A rapid is taken to be straight too; every
 /// report says so, since a machine's own rapid need not be. Paths have millions of moves: the kind
-/// shares its word with the line, which keeps a move within half a cache line.
+/// and the spindle share their word with the line, which keeps a move within half a cache line.
 struct Move {
   Vec3 to;                      ///< mm, part frame
-  float feed_mm_min = 0;        ///< of a feed move
-  std::uint32_t line : 31 = 0;  ///< program line, from 1; 0 where there is no program
+  float feed_mm_min = 0;        ///< of a feed move; 0 where the program states none
+  std::uint32_t line : 30 = 0;  ///< program line, from 1; 0 where there is no program
   MoveKind kind : 1 = MoveKind::rapid;
+  bool spindle_stopped : 1 = false;  ///< the program is known to have the spindle at rest
 
   Move() = default;
-  /// Lines are counted to 2^31 - 1 and then from 0 again.
+  /// Lines are counted to 2^30 - 1 and then from 0 again.
   Move(const Vec3& target, float feed, std::uint32_t program_line, MoveKind move_kind)
       : to(target), feed_mm_min(feed), line(program_line & kLineMask), kind(move_kind) {}
   void set_line(std::uint32_t program_line) { line = program_line & kLineMask; }
 
  private:
-  static constexpr std::uint32_t kLineMask = (std::uint32_t{1} << 31) - 1;
+  static constexpr std::uint32_t kLineMask = (std::uint32_t{1} << 30) - 1;
 };
 static_assert(sizeof(Move) == 32);
 

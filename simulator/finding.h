@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/model/vec3.h"
+
+namespace limitgauge::simulator {
+
+/// What can be wrong with a move besides the shape that it leaves.
+enum class FindingKind {
+  rapid_through_stock,  ///< a rapid's cutter met standing material
+  shank_in_stock,       ///< shank met material that stood then
+  holder_in_stock,
+  fixture_touched,  ///< any part of the assembly, on any move
+  spindle_stopped,  ///< material removed while the program has the spindle at rest
+  feed_missing,     ///< a feed move without a feed rate
+  below_flutes,     ///< material stands above the flutes within the cutter's own radius
+  steep_descent,    ///< goes down into material more steeply than the cutter can
+  beyond_travel,    ///< outside the stated travel limits
+  near_miss         ///< passes material or a fixture within the stated clearance, not touching
+};
+const char* name(FindingKind kind);  ///< as in result.json: "rapid_through_stock", ...
+/// All but near misses fail a stage.
+inline bool fails(FindingKind kind) {
+  return kind != FindingKind::near_miss;
+}
+
+/// One finding: the worst place of one kind and part on one move.
+struct Finding {
+  FindingKind kind = FindingKind::rapid_through_stock;
+  std::size_t move = 0;    ///< index in the path
+  std::uint32_t line = 0;  ///< program line
+  model::Vec3 point;       ///< mm
+  /// How deep there: a body in material or fixture (a lower bound of the deepest), the tip beyond
+  /// the travel, the material that a move with stopped spindle, missing feed or steep descent runs
+  /// into. Of a near miss: minus the distance that is left.
+  double depth_mm = 0;
+  std::string part;     ///< "cutter", "shank" or "holder"
+  std::string against;  ///< "stock", the fixture's name, or the axis of a travel limit ("x-", "z+")
+};
+
+}  // namespace limitgauge::simulator

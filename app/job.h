@@ -35,6 +35,14 @@ struct JobStage {
   verifier::GateLimits limits;
 };
 
+/// A mesh that nothing of the tool may touch.
+struct JobFixture {
+  std::string name;
+  std::filesystem::path file;
+  std::string file_as_stated;
+  model::Vec3 translate_mm;
+};
+
 /// How programs of planned stages are written.
 struct Post {
   model::Dialect dialect = model::Dialect::linuxcnc;
@@ -61,6 +69,10 @@ struct Job {
   std::optional<double> voxel_mm;       ///< empty: "auto"
   std::optional<double> resolution_mm;  ///< empty: "auto"
   bool pictures = true;
+  std::optional<model::Box3> travel_mm;        ///< of the tip; infinite where an axis has no limit
+  double near_miss_mm = 0;                     ///< 0: near misses are not looked for
+  std::optional<double> contact_tolerance_mm;  ///< empty: one voxel
+  std::vector<JobFixture> fixtures;
   std::optional<reports::PublishedFigures> published;
   /// Values that the job left to a default, in words, for the report's assumptions.
   std::vector<std::string> defaulted;

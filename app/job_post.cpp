@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/job_fixtures.h"
 #include "app/words.h"
 
 namespace limitgauge::app {
@@ -62,13 +63,14 @@ void say_defaults(const TomlTable& post, const Job& job, JobContext& context) {
 
 void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   const TomlTable machine(table_or_none(root, "machine"), "[machine]",
-                          {"rapid", "clearance", "acceleration", "junction_deviation"});
+                          {"rapid", "clearance", "acceleration", "junction_deviation", "travel"});
   if (machine.has("rapid")) {
     job.rapid_mm_min = machine.positive("rapid");
   } else {
     context.defaulted.push_back("rapid rate " + words(job.rapid_mm_min) + " mm/min (default)");
   }
   read_acceleration(machine, job, context);
+  if (machine.has("travel")) job.travel_mm = read_travel(machine);
   if (machine.has("clearance")) {
     job.clearance_mm = machine.positive("clearance");
   } else {

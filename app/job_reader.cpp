@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/job_fixtures.h"
 #include "app/job_overrides.h"
 #include "app/job_parts.h"
 #include "app/job_post.h"
@@ -49,8 +50,12 @@ void read_surface(const toml::table& table, Job& job, JobContext& context) {
 
 void read_settings(const TomlTable& root, Job& job) {
   if (root.has("simulation")) {
-    const TomlTable simulation(root.table("simulation"), "[simulation]", {"voxel"});
+    const TomlTable simulation(root.table("simulation"), "[simulation]",
+                               {"voxel", "near_miss", "contact_tolerance"});
     if (simulation.has("voxel")) job.voxel_mm = simulation.positive_or_auto("voxel");
+    if (simulation.has("near_miss")) job.near_miss_mm = simulation.positive("near_miss");
+    if (simulation.has("contact_tolerance"))
+      job.contact_tolerance_mm = simulation.positive("contact_tolerance");
   }
   if (root.has("verification")) {
     const TomlTable verification(root.table("verification"), "[verification]", {"resolution"});
@@ -75,13 +80,14 @@ std::string read_name(const TomlTable& root) {
 
 Job read_root(const toml::table& table, JobContext& context) {
   const TomlTable root(table, "the job",
-                       {"name", "surface", "stock", "machine", "tool", "stage", "simulation",
-                        "verification", "report", "post", "published"});
+                       {"name", "surface", "stock", "machine", "fixture", "tool", "stage",
+                        "simulation", "verification", "report", "post", "published"});
   Job job;
   job.name = read_name(root);
   read_surface(root.table("surface"), job, context);
   job.stock = read_stock(root.table("stock"));
   read_machine(root, job, context);
+  read_fixtures(root, job, context);
   const std::vector<model::Cutter> tools = read_tools(root.tables("tool"), context);
   job.stages = read_stages(root.tables("stage"), tools, context);
   read_post(root, job, context);

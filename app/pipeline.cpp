@@ -10,8 +10,10 @@
 #include "app/stage_planner.h"
 #include "app/stage_program.h"
 #include "engine/model/machining_time.h"
+#include "reports/process.h"
 #include "reports/report.h"
-#include "simulator/collision.h"
+#include "simulator/dexel_stock.h"
+#include "simulator/process_check.h"
 #include "verifier/verify.h"
 
 namespace limitgauge::app {
@@ -67,6 +69,9 @@ class Bench {
   double readings_within_mm(const JobStage& asked) const;
   model::Box3 near_surface(const JobStage& asked) const;
   void cut(const JobStage& asked, reports::StageResult::Ran& ran);
+  void follow_process(const JobStage& asked, const simulator::StockModel& before,
+                      reports::StageResult::Ran& ran);
+  void let_go(reports::StageResult& stage);
   void measure(std::size_t index, reports::StageResult::Ran& ran);
   void finish_surface(reports::SurfaceResult& surface) const;
 
@@ -76,6 +81,7 @@ class Bench {
   const RunOptions& options_;
   StagePlanner planner_;
   std::optional<simulator::StockModel> stock_;
+  std::optional<simulator::DexelStock> lines_;
   std::vector<verifier::Pass> passes_;
   std::vector<verifier::StockReading> readings_;
 };
@@ -131,8 +137,7 @@ void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
   const simulator::Pass pass{asked.cutter, ran.path};
   const simulator::StockModel before = *stock_;
   stock_ = before.cut(pass, control(asked.name + ": cutting"));
-  ran.collisions = find_collisions(before, pass, inputs_.settings.collision_tolerance_mm,
-                                   control(asked.name + ": looking for collisions"));
+  follow_process(asked, before, ran);
   readings_.clear();
   for (const simulator::StockPoint& point :
        stock_->surface_points(near_surface(asked), control(asked.name + ": reading the stock"))) {
@@ -143,6 +148,35 @@ void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
   ran.stock = stock_;
   ran.simulation_seconds = watch.seconds();
   ran.peak_memory_bytes = peak_memory_bytes();
+}
+
+/// What the shape that is left does not show: collisions and the like, and what each move took.
+void Bench::follow_process(const JobStage& asked, const simulator::StockModel& before,
+                           reports::StageResult::Ran& ran) {
+  const simulator::Pass pass{asked.cutter, ran.path};
+  simulator::ProcessLimits limits;
+  limits.tolerance_mm = inputs_.settings.contact_tolerance_mm;
+  limits.near_miss_mm = job_.near_miss_mm;
+  limits.travel_mm = job_.travel_mm;
+  limits.fixtures = inputs_.fixtures;
+  ran.process = check_process(before, pass, limits, control(asked.name + ": checking the process"));
+  simulator::DexelStock::Cut after =
+      lines_->cut(pass, control(asked.name + ": following the removal"));
+  lines_ = std::move(after.stock);
+  ran.removal = std::move(after.removal);
+}
+
+/// What only the stage's files needed.
+void Bench::let_go(reports::StageResult& stage) {
+  stage.ran->stock.reset();
+  stage.ran->removal.moves = {};
+}
+
+std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Finding> findings) {
+  std::vector<verifier::ProcessFault> faults;
+  for (const simulator::FindingKind kind : simulator::kFindingKinds)
+    if (fails(kind)) faults.push_back({reports::words_for(kind), reports::count(findings, {kind})});
+  return faults;
 }
 
 void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
@@ -164,10 +198,11 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   make_path(index, ran);
   cut(job_.stages[index], ran);
   measure(index, ran);
-  stage.decision = decide(ran.deviation, stage.limits, ran.collisions.rapid.size(),
-                          ran.collisions.holder.size());
+  stage.decision = decide(ran.deviation, stage.limits, process_faults(ran.process));
   control(stage.name + ": writing");
-  write_stage_files(stage, folder_, {job_.pictures});
+  reports::StagePictures pictures = write_stage_files(stage, folder_, {job_.pictures});
+  if (job_.pictures) stage.pictures = std::move(pictures);
+  let_go(stage);
   stage.seconds = watch.seconds();
   std::ostringstream line;
   line << stage.name << ": " << name(stage.decision.verdict) << "; planned "
@@ -224,6 +259,7 @@ reports::RunResult Bench::run() {
   result.published = job_.published;
   for (const JobStage& asked : job_.stages) result.stages.push_back(stage_as_asked(asked));
   stock_.emplace(job_.stock, inputs_.settings.voxel_mm, inputs_.settings.memory_limit_bytes);
+  lines_.emplace(job_.stock, inputs_.settings.line_spacing_mm);
   result.verdict = Verdict::pass;
   for (std::size_t i = 0; i < result.stages.size() && result.verdict == Verdict::pass; ++i) {
     run_stage(i, result.stages[i]);

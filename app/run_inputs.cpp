@@ -5,6 +5,7 @@
 
 #include "engine/model/cage_obj.h"
 #include "engine/model/error.h"
+#include "engine/model/mesh_file.h"
 #include "engine/model/program.h"
 #include "engine/model/text_file.h"
 
@@ -44,13 +45,27 @@ ForeignPath load_program(const JobStage& stage, double resolution_mm) {
   return foreign;
 }
 
+model::Fixture load_fixture(const JobFixture& asked) {
+  model::TriangleMesh mesh = model::read_triangle_mesh(asked.file);
+  for (model::Vec3& vertex : mesh.vertices) vertex += asked.translate_mm;
+  return {asked.name, asked.file_as_stated,
+          std::make_shared<const model::TriangleMesh>(std::move(mesh))};
+}
+
+std::vector<model::Fixture> load_fixtures(const Job& job) {
+  std::vector<model::Fixture> fixtures;
+  for (const JobFixture& asked : job.fixtures) fixtures.push_back(load_fixture(asked));
+  return fixtures;
+}
+
 }  // namespace
 
 RunInputs load_inputs(const Job& job) {
   model::Cage cage = load_cage(job);
   verifier::ReferenceSurface surface = make_surface(job, cage);
   Settings settings = choose_settings(job, surface.bounding_box());
-  RunInputs inputs{std::move(cage), std::move(surface), std::move(settings), {}};
+  RunInputs inputs{
+      std::move(cage), std::move(surface), std::move(settings), load_fixtures(job), {}};
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     const JobStage& stage = job.stages[i];
     if (stage.plan) {

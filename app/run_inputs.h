@@ -6,6 +6,7 @@
 
 #include "app/job.h"
 #include "app/settings.h"
+#include "engine/model/fixture.h"
 #include "engine/model/toolpath.h"
 #include "verifier/reference_surface.h"
 
@@ -23,6 +24,7 @@ struct RunInputs {
   model::Cage cage;  ///< placed
   verifier::ReferenceSurface surface;
   Settings settings;
+  std::vector<model::Fixture> fixtures;
   std::vector<std::optional<ForeignPath>> programs;  ///< a stage; empty for those planned here
 };
 

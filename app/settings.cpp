@@ -97,8 +97,8 @@ double rest_threshold_mm(const JobStage& stage) {
 Settings choose_settings(const Job& job, const model::Box3& surface) {
   Settings settings;
   settings.voxel_mm = job.voxel_mm.value_or(automatic_voxel_mm(job));
-  // The grid places a sharp edge within one voxel: a shallower contact may be none.
-  settings.collision_tolerance_mm = settings.voxel_mm;
+  // What one calls a touch; the search itself knows the stock exactly.
+  settings.contact_tolerance_mm = job.contact_tolerance_mm.value_or(settings.voxel_mm);
   settings.memory_limit_bytes = memory_limit();
   for (const JobStage& stage : job.stages) {
     settings.resolution_mm.push_back(
@@ -115,8 +115,14 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
       "rapids are straight moves of the tool tip; a machine's own rapid need not be straight",
       "cage, stock and programs share one frame in millimetres; no alignment is made",
       machining_time_words(job),
-      "collisions: contacts shallower than " + words(settings.collision_tolerance_mm) +
-          " mm (one voxel) count as none",
+      "collisions: contacts shallower than " + words(settings.contact_tolerance_mm) + " mm" +
+          (job.contact_tolerance_mm ? "" : " (one voxel)") + " count as none",
+      job.travel_mm ? "travel limits: as the job states them, for the tool tip in the job's frame"
+                    : "travel limits: none stated, none checked",
+      job.near_miss_mm > 0
+          ? "near misses: rapids, shanks and holders within " + words(job.near_miss_mm) +
+                " mm of stock or fixtures are listed and do not fail a stage"
+          : "near misses: no clearance stated, not looked for",
   };
   if (!job.voxel_mm) {
     said.push_back(

@@ -14,7 +14,8 @@ struct Settings {
   double voxel_mm = 0;
   std::vector<double> resolution_mm;  ///< a stage: widest certified interval asked for
   std::vector<double> floor_z_mm;     ///< a stage: lowest tip height; NaN for a program
-  double collision_tolerance_mm = 0;  ///< contacts shallower than this are none
+  double contact_tolerance_mm = 0;    ///< contacts shallower than this are none
+  double line_spacing_mm = 0;         ///< of the lines that removal is followed on
   std::size_t memory_limit_bytes = 0;
 };
 

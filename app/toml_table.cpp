@@ -28,6 +28,11 @@ std::string shown(double value) {
   return out.str();
 }
 
+std::optional<double> finite_number(const toml::node& node) {
+  const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
 std::optional<int> whole_number(const toml::node& node) {
   constexpr std::int64_t kLargest = 1'000'000'000;
   const std::optional<std::int64_t> value = node.value_exact<std::int64_t>();
@@ -144,6 +149,16 @@ std::pair<int, int> TomlTable::whole_pair(std::string_view key) const {
     if (low && high && *low <= *high) return {*low, *high};
   }
   refuse(key, "is no pair of ascending whole numbers", "an array as [7, 10]");
+}
+
+std::pair<double, double> TomlTable::ascending_pair(std::string_view key) const {
+  const toml::array* list = node(key).as_array();
+  if (list != nullptr && list->size() == 2) {
+    const std::optional<double> low = finite_number(*list->get(0)),
+                                high = finite_number(*list->get(1));
+    if (low && high && *low < *high) return {*low, *high};
+  }
+  refuse(key, "is no pair of ascending numbers", "an array as [-200, 200]");
 }
 
 bool TomlTable::boolean(std::string_view key) const {

@@ -42,6 +42,7 @@ class TomlTable {
   double share(std::string_view key) const;                                ///< from 0 to 1
   double between(std::string_view key, double above, double below) const;  ///< ends excluded
   int whole(std::string_view key) const;                                   ///< 0 to a billion
+  std::pair<double, double> ascending_pair(std::string_view key) const;    ///< low < high
   std::pair<int, int> whole_pair(std::string_view key) const;              ///< ascending
   bool boolean(std::string_view key) const;
   model::Vec3 vec3(std::string_view key) const;

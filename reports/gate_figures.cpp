@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "reports/process.h"
 #include "reports/text.h"
 
 namespace limitgauge::reports {
@@ -46,17 +47,24 @@ double accuracy_ratio(const verifier::Interval& interval_mm, double limit_mm) {
 std::vector<GateFigure> gate_figures(const StageResult& stage) {
   if (!stage.ran) {
     std::vector<GateFigure> none;
-    for (const char* what : {"gouge", "uncut", "coverage", "rapid collisions", "holder collisions"})
+    for (const char* what :
+         {"gouge", "uncut", "coverage", "rapid collisions", "holder collisions", "process faults"})
       none.push_back({what, Standing::not_run, {}, {}});
     return none;
   }
   const verifier::StageDeviation& d = stage.ran->deviation;
   const verifier::GateLimits& l = stage.limits;
+  const std::span<const simulator::Finding> process = stage.ran->process;
+  const std::size_t rapid = count(process, {simulator::FindingKind::rapid_through_stock});
+  const auto holder = static_cast<std::size_t>(
+      std::count_if(process.begin(), process.end(),
+                    [](const simulator::Finding& f) { return is_holder_collision(f.kind); }));
   return {length_figure("gouge", d.gouge_mm, l.has_gouge, l.gouge_mm),
           length_figure("uncut", d.uncut_mm, l.has_uncut, l.uncut_mm),
           coverage_figure(d.coverage, l),
-          count_figure("rapid collisions", stage.ran->collisions.rapid.size()),
-          count_figure("holder collisions", stage.ran->collisions.holder.size())};
+          count_figure("rapid collisions", rapid),
+          count_figure("holder collisions", holder),
+          count_figure("process faults", faults(process) - rapid - holder)};
 }
 
 const char* name(Standing standing) {

@@ -18,13 +18,14 @@ enum class Standing {
 
 /// One figure of the gate: what JUnit, the page and the terminal show of it.
 struct GateFigure {
-  std::string name;  ///< "gouge", "uncut", "coverage", "rapid collisions", "holder collisions"
+  std::string name;  ///< "gouge", "uncut", "coverage", "rapid collisions", "holder
+                     ///< collisions", "process faults" (all others)
   Standing standing = Standing::not_run;
   std::string measured;  ///< "[0.076, 0.41] µm"; empty when the stage was not run
   std::string limit;     ///< "10 µm"; empty where there is none
 };
 
-/// The five figures of `stage`, always in the order above.
+/// The six figures of `stage`, always in the order above.
 std::vector<GateFigure> gate_figures(const StageResult& stage);
 /// Where a certified interval stands against a limit.
 Standing standing_of(const verifier::Interval& interval_mm, double limit_mm);

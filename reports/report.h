@@ -9,11 +9,6 @@
 
 namespace limitgauge::reports {
 
-/// The pictures of one stage as PNG bytes; empty where there is nothing to show.
-struct StagePictures {
-  std::string deviation_png;  ///< error map from +Z with colour bar and worst places, on white
-  std::string stock_png;      ///< the cut stock in parallel projection, transparent ground
-};
 /// Draws the pictures of a stage that ran, in software: needs no display.
 StagePictures draw_pictures(const StageResult& stage);
 
@@ -22,11 +17,8 @@ StagePictures draw_pictures(const StageResult& stage);
 void write_result_json(const RunResult& result, std::ostream& out);
 /// JUnit: one test case a stage and gate figure.
 void write_junit(const RunResult& result, std::ostream& out);
-/// One self-contained page that works offline. Draws the pictures of every stage.
+/// One self-contained page that works offline, with the pictures that the stages hold.
 void write_html(const RunResult& result, std::ostream& out);
-/// The same with pictures drawn before, one entry a stage; none at all for a page without pictures.
-void write_html(const RunResult& result, std::span<const StagePictures> pictures,
-                std::ostream& out);
 /// The JSON Schema of result.json, as shipped.
 const std::string& result_schema();
 
@@ -35,12 +27,14 @@ struct StageFileOptions {
 };
 /// Writes NAME/toolpath.vtp, stock.vdb, stock.vtp, deviation.vtp and the pictures deviation.png and
 /// stock.png of a stage that ran into `folder`/NAME. Needs no display. Gives the pictures, for
-/// write_html. Throws ResourceError when a file cannot be written, std::invalid_argument for a name
-/// that is no plain folder name.
+/// StageResult::pictures. Throws ResourceError when a file cannot be written, std::invalid_argument
+/// for a name that is no plain folder name.
 StagePictures write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
                                 const StageFileOptions& options);
-/// toolpath.vtp alone, for `plan`.
-void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file);
+/// toolpath.vtp alone: a line a move with its program line, feed, kind and index, and what it
+/// removed where `removal` has an entry for every move.
+void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,
+                        std::span<const simulator::MoveRemoval> removal = {});
 /// The verdict table for the terminal, at most 100 columns; `colour` adds ANSI colours.
 std::string verdict_table(const RunResult& result, bool colour);
 

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "reports/process.h"
 #include "reports/report.h"
 #include "reports/text.h"
 
@@ -114,7 +115,7 @@ Json toolpath_part(const StageResult::Ran& r) {
       {"memory_bytes", r.path_memory_bytes}};
 }
 
-Json collision(const simulator::Collision& c, bool with_part) {
+Json collision(const simulator::Finding& c, bool with_part) {
   Json out = {{"line", c.line},
               {"move", c.move},
               {"x", finite("collision.x", c.point.x)},
@@ -125,10 +126,53 @@ Json collision(const simulator::Collision& c, bool with_part) {
   return out;
 }
 
-Json collisions(const std::vector<simulator::Collision>& all, bool with_part) {
+Json rapid_collisions(const std::vector<simulator::Finding>& all) {
   Json out = Json::array();
-  for (const simulator::Collision& c : all) out.push_back(collision(c, with_part));
+  for (const simulator::Finding& f : all)
+    if (f.kind == simulator::FindingKind::rapid_through_stock) out.push_back(collision(f, false));
   return out;
+}
+
+Json holder_collisions(const std::vector<simulator::Finding>& all) {
+  Json out = Json::array();
+  for (const simulator::Finding& f : all)
+    if (is_holder_collision(f.kind)) out.push_back(collision(f, true));
+  return out;
+}
+
+/// Runs of moves with the same finding as one entry, at its worst place.
+Json process_findings(const std::vector<simulator::Finding>& all) {
+  Json out = Json::array();
+  for (const simulator::FindingGroup& g : simulator::group_findings(all)) {
+    const simulator::Finding& f = g.worst;
+    const bool near = f.kind == simulator::FindingKind::near_miss;
+    out.push_back({{"kind", simulator::name(g.kind)},
+                   {"fails", fails(g.kind)},
+                   {"part", clean_text(g.part)},
+                   {"against", clean_text(g.against)},
+                   {"first_line", g.first_line},
+                   {"last_line", g.last_line},
+                   {"count", g.count},
+                   {"line", f.line},
+                   {"move", f.move},
+                   {"x", finite("process.x", f.point.x)},
+                   {"y", finite("process.y", f.point.y)},
+                   {"z", finite("process.z", f.point.z)},
+                   {near ? "distance_mm" : "depth_mm",
+                    finite("process.depth_mm", near ? -f.depth_mm : f.depth_mm)}});
+  }
+  return out;
+}
+
+Json removal_part(const simulator::RemovalTotals& t) {
+  return {{"volume_mm3", finite("removal.volume_mm3", t.volume_mm3)},
+          {"largest_rate_mm3_min", finite("removal.rate", t.largest_rate_mm3_min)},
+          {"largest_rate_move", t.largest_rate_move},
+          {"largest_axial_engagement_mm", finite("removal.axial", t.largest_axial_mm)},
+          {"largest_radial_engagement_mm", finite("removal.radial", t.largest_radial_mm)},
+          {"air_length_mm", finite("removal.air_length_mm", t.air_length_mm)},
+          {"air_time_s", finite("removal.air_time_s", t.air_time_s)},
+          {"line_spacing_mm", finite("removal.line_spacing_mm", t.spacing_mm)}};
 }
 
 Json simulation_part(const StageResult::Ran& r) {
@@ -136,8 +180,10 @@ Json simulation_part(const StageResult::Ran& r) {
           {"removed_volume_mm3", finite("simulation.removed_volume_mm3", r.removed_volume_mm3)},
           {"seconds", finite("simulation.seconds", r.simulation_seconds)},
           {"peak_memory_bytes", r.peak_memory_bytes},
-          {"rapid_collisions", collisions(r.collisions.rapid, false)},
-          {"holder_collisions", collisions(r.collisions.holder, true)}};
+          {"removal", removal_part(r.removal.totals)},
+          {"rapid_collisions", rapid_collisions(r.process)},
+          {"holder_collisions", holder_collisions(r.process)},
+          {"findings", process_findings(r.process)}};
 }
 
 std::string stage_name(const RunResult& result, std::size_t stage) {

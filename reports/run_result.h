@@ -9,11 +9,19 @@
 #include "engine/model/cage.h"
 #include "engine/strategy/stage_path.h"
 #include "reports/published.h"
-#include "simulator/collision.h"
+#include "simulator/dexel_stock.h"
+#include "simulator/finding_groups.h"
+#include "simulator/stock_model.h"
 #include "verifier/deviation.h"
 #include "verifier/surface_rules.h"
 
 namespace limitgauge::reports {
+
+/// The pictures of one stage as PNG bytes; empty where there is nothing to show.
+struct StagePictures {
+  std::string deviation_png;  ///< error map from +Z with colour bar and worst places, on white
+  std::string stock_png;      ///< the cut stock in parallel projection, transparent ground
+};
 
 /// The design surface's part of result.json.
 struct SurfaceResult {
@@ -53,12 +61,14 @@ struct StageResult {
 
     double voxel_mm = 0, removed_volume_mm3 = 0, simulation_seconds = 0;
     std::size_t peak_memory_bytes = 0;
-    std::optional<simulator::StockModel> stock;
-    simulator::CollisionReport collisions;
+    std::optional<simulator::StockModel> stock;  ///< let go once its files are written
+    std::vector<simulator::Finding> process;     ///< in the order of moves
+    simulator::Removal removal;                  ///< its moves are let go with the stock
 
     verifier::StageDeviation deviation;
   };
   std::optional<Ran> ran;
+  std::optional<StagePictures> pictures;  ///< empty: a page without pictures
   double seconds = 0;
 
   /// The decision's; of a stage that was not run, just that.

@@ -61,7 +61,7 @@ StagePictures write_stage_files(const StageResult& stage, const std::filesystem:
   const StageResult::Ran& ran = *stage.ran;
   const std::filesystem::path into = folder / plain_name(stage.name);
   make_folder(into);
-  if (ran.path) write_toolpath_vtp(*ran.path, into / "toolpath.vtp");
+  if (ran.path) write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves);
   write_deviation_vtp(ran.deviation.field, into / "deviation.vtp");
   StagePictures pictures;
   if (options.pictures) pictures.deviation_png = deviation_png(stage);

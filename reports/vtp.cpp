@@ -50,9 +50,23 @@ void push(std::vector<T>& xyz, const model::Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) xyz.push_back(static_cast<T>(p[axis]));
 }
 
+/// Single precision: these are figures to colour a path by.
+void add_removal(VtpFile& vtp, std::span<const simulator::MoveRemoval> removal, std::size_t moves) {
+  using simulator::MoveRemoval;
+  if (removal.size() != moves) return;
+  const auto add = [&](const char* name, auto pick) {
+    vtp.add_cell_data(name, view(column<float>(removal, pick)));
+  };
+  add("removed_volume_mm3", [](const MoveRemoval& r) { return r.volume_mm3; });
+  add("removal_rate_mm3_min", [](const MoveRemoval& r) { return r.rate_mm3_min; });
+  add("axial_engagement_mm", [](const MoveRemoval& r) { return r.axial_mm; });
+  add("radial_engagement_mm", [](const MoveRemoval& r) { return r.radial_mm; });
+}
+
 }  // namespace
 
-void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file) {
+void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,
+                        std::span<const simulator::MoveRemoval> removal) {
   const std::size_t n = path.moves.size();
   require_32_bit(2 * n, file);
   std::vector<double> xyz;
@@ -75,6 +89,7 @@ void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path
   vtp.add_cell_data("kind",
                     view(column<std::uint8_t>(path.moves, [](const Move& m) { return m.kind; })));
   vtp.add_cell_data("move", view(index));
+  add_removal(vtp, removal, n);
   vtp.write(file);
 }
 

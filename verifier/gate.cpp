@@ -69,9 +69,10 @@ bool shows_more(double voxel_mm, double certified_mm, double limit_mm) {
          voxel_mm > kTwice * std::max(certified_mm, kLeast_mm);
 }
 
-void judge_collisions(GateDecision& out, const char* what, std::size_t count) {
-  if (count == 0) return;
-  out.reasons.push_back(std::to_string(count) + " " + what);
+void judge_process(GateDecision& out, const ProcessFault& fault) {
+  if (fault.count == 0) return;
+  out.reasons.push_back(fault.what + ": " + std::to_string(fault.count) +
+                        (fault.count == 1 ? " move" : " moves"));
   worsen(out.verdict, Verdict::fail);
 }
 
@@ -100,7 +101,7 @@ double automatic_resolution_mm(const GateLimits& limits) {
 }
 
 GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
-                    std::size_t rapid_collisions, std::size_t holder_collisions) {
+                    std::span<const ProcessFault> faults) {
   GateDecision out{Verdict::pass, {}};
   if (limits.has_gouge) {
     judge_length(out, gouge_by(deviation), deviation.gouge_mm, limits.gouge_mm);
@@ -126,8 +127,7 @@ GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
     out.reasons.emplace_back(text);
     if (!enough) worsen(out.verdict, Verdict::fail);
   }
-  judge_collisions(out, "rapid move(s) through standing material", rapid_collisions);
-  judge_collisions(out, "collision(s) of shank or holder", holder_collisions);
+  for (const ProcessFault& fault : faults) judge_process(out, fault);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "engine/model/cutter.h"
@@ -57,11 +58,18 @@ class InstrumentDisagreement : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// How often a kind of fault was found in the process, "rapid through standing material" say: what
+/// the surface does not show.
+struct ProcessFault {
+  std::string what;
+  std::size_t count = 0;
+};
+
 /// The gate's decision rule: pass when every `high` is within its limit, fail when some `low` is
 /// beyond it, indeterminate between. Two things that δ, measured to the nearest removed space or
 /// material, cannot see are taken from the voxel instrument: thin walls and holes deeper than wide.
-/// Collisions beyond zero fail the stage.
+/// Each kind of process fault found at least once fails the stage.
 GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
-                    std::size_t rapid_collisions, std::size_t holder_collisions);
+                    std::span<const ProcessFault> faults = {});
 
 }  // namespace limitgauge::verifier

@@ -68,6 +68,7 @@ bool GcodeInterpreter::execute(const GcodeStatement& statement) {
   list_ignored(statement);
   set_feed(statement);
   change_tool(statement);
+  set_spindle(statement);
   set_modes(statement);
   const std::optional<int> motion = motion_of(statement);
   if (motion) move(statement, *motion);
@@ -144,6 +145,21 @@ void GcodeInterpreter::change_tool(const GcodeStatement& statement) {
   loaded_tool_ = selected_tool_;
 }
 
+/// A tool change stops the spindle, and comes before M3 of the same block. A program without M3 and
+/// M4 leaves the spindle to the operator; one that starts it somewhere had it at rest before.
+void GcodeInterpreter::set_spindle(const GcodeStatement& statement) {
+  if (const GcodeWord* s = statement.word('S')) speed_is_zero_ = s->value == 0;
+  if (statement.m_word(MGroup::tool_change) && spindle_on_) spindle_on_ = false;
+  const auto code = statement.m(MGroup::spindle);
+  if (!code) return;
+  if (!spindle_on_) motions_before_spindle_ = program_.motions.size();
+  spindle_on_ = *code != 5;
+  if (*code == 5 || program_.starts_spindle) return;
+  program_.starts_spindle = true;
+  for (std::size_t i = 0; i < motions_before_spindle_; ++i)
+    program_.motions[i].spindle_stopped = true;
+}
+
 void GcodeInterpreter::set_modes(const GcodeStatement& statement) {
   if (const auto code = statement.g(GGroup::plane)) plane_ = static_cast<ArcPlane>(*code / 10);
   if (const auto code = statement.g(GGroup::units)) unit_mm_ = *code == 200 ? kInchMm : 1;
@@ -173,22 +189,13 @@ void GcodeInterpreter::move(const GcodeStatement& statement, int code) {
   motion.kind = code == 0 ? MotionKind::rapid : code == 10 ? MotionKind::feed : MotionKind::arc;
   motion.line = statement.block().line;
   motion.plane = plane_;
-  if (code != 0) {
-    require_feed(statement);
-    motion.feed_mm_min = static_cast<float>(feed_mm_min_);
-  }
+  if (code != 0) motion.feed_mm_min = static_cast<float>(feed_mm_min_);
+  motion.spindle_stopped = spindle_on_.has_value() && (!*spindle_on_ || speed_is_zero_);
   motion.to = end_of(statement);
   if (motion.kind == MotionKind::arc) arc(statement, code == 30, motion);
   motion.position_known = known_[0] && known_[1] && known_[2];
   position_mm_ = motion.to;
   program_.motions.push_back(motion);
-}
-
-void GcodeInterpreter::require_feed(const GcodeStatement& statement) const {
-  if (feed_mm_min_ > 0) return;
-  const GcodeWord* const code = statement.g_word(GGroup::motion);
-  statement.fail(code ? *code : *statement.first_of({'X', 'Y', 'Z', 'I', 'J', 'K'}),
-                 "a feed move without a feed rate", "F with more than 0 before it");
 }
 
 Vec3 GcodeInterpreter::end_of(const GcodeStatement& statement) {

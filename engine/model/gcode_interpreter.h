@@ -24,10 +24,10 @@ class GcodeInterpreter {
   void check_companions(const GcodeStatement& statement) const;
   void set_feed(const GcodeStatement& statement);
   void change_tool(const GcodeStatement& statement);
+  void set_spindle(const GcodeStatement& statement);
   void set_modes(const GcodeStatement& statement);
   std::optional<int> motion_of(const GcodeStatement& statement) const;
   void move(const GcodeStatement& statement, int code);
-  void require_feed(const GcodeStatement& statement) const;
   Vec3 end_of(const GcodeStatement& statement);
   void arc(const GcodeStatement& statement, bool counter_clockwise, Motion& motion) const;
   std::array<double, 2> centre_words(const GcodeStatement& statement) const;
@@ -43,6 +43,9 @@ class GcodeInterpreter {
   bool incremental_ = false, centre_absolute_ = false;
   std::optional<int> motion_mode_;
   std::optional<double> selected_tool_, loaded_tool_;
+  std::optional<bool> spindle_on_;  // empty: no word of it yet
+  bool speed_is_zero_ = false;
+  std::size_t motions_before_spindle_ = 0;
 };
 
 }  // namespace limitgauge::model

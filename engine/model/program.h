@@ -30,11 +30,13 @@ struct Motion {
   MotionKind kind = MotionKind::rapid;
   ArcPlane plane = ArcPlane::xy;
   std::uint32_t line = 0;
-  float feed_mm_min = 0;
+  float feed_mm_min = 0;  ///< 0 where a feed move has none: a finding, not an error
   Vec3 to;
   double centre1 = 0, centre2 = 0;  ///< arc centre in the plane's first and second axis, absolute
   double turns = 0;                 ///< of an arc, whole or begun; positive: counter-clockwise
   bool position_known = true;       ///< every axis has been programmed by the end of this motion
+  /// By M5, a tool change or S0, or before the first M3 or M4 of a program that has one.
+  bool spindle_stopped = false;
 };
 
 /// `LINE rapid X Y Z`, `LINE feed X Y Z` or `LINE arc PLANE X Y Z C1 C2 TURNS`, in the shortest
@@ -52,6 +54,7 @@ struct Program {
   std::string name;
   std::vector<Motion> motions;
   std::vector<IgnoredWord> ignored;
+  bool starts_spindle = false;  ///< M3 or M4 somewhere; without, the spindle is taken to turn
 };
 
 /// Reads RS274/NGC text: G0-G3 (IJK incremental or absolute by G90.1/91.1, R, helical, full

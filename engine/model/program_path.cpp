@@ -86,6 +86,13 @@ Vec3 point_at(const Sweep& sweep, const Motion& arc, double fraction) {
   return point;
 }
 
+void add_move(const Motion& motion, const Vec3& to, Toolpath& path) {
+  const bool rapid = motion.kind == MotionKind::rapid;
+  path.moves.emplace_back(to, rapid ? 0.0F : motion.feed_mm_min, motion.line,
+                          rapid ? MoveKind::rapid : MoveKind::feed);
+  path.moves.back().spindle_stopped = motion.spindle_stopped;
+}
+
 void add_arc(const Motion& arc, const Vec3& start, double limit_mm, Toolpath& path) {
   const Sweep sweep = sweep_of(arc, start);
   const double chords = chords_within(sweep, limit_mm);
@@ -93,18 +100,9 @@ void add_arc(const Motion& arc, const Vec3& start, double limit_mm, Toolpath& pa
   if (static_cast<double>(path.moves.size()) + chords > kMostChords)
     throw ResourceError("the program needs more than 400 million moves at this chord error");
   path.chord_error_mm = std::max(path.chord_error_mm, chord_error_mm(sweep, chords));
-  for (std::size_t i = 1; i < count; ++i) {
-    const double fraction = static_cast<double>(i) / chords;
-    path.moves.push_back(
-        {point_at(sweep, arc, fraction), arc.feed_mm_min, arc.line, MoveKind::feed});
-  }
-  path.moves.push_back({arc.to, arc.feed_mm_min, arc.line, MoveKind::feed});
-}
-
-void add_straight(const Motion& motion, Toolpath& path) {
-  const bool rapid = motion.kind == MotionKind::rapid;
-  path.moves.push_back({motion.to, rapid ? 0.0F : motion.feed_mm_min, motion.line,
-                        rapid ? MoveKind::rapid : MoveKind::feed});
+  for (std::size_t i = 1; i < count; ++i)
+    add_move(arc, point_at(sweep, arc, static_cast<double>(i) / chords), path);
+  add_move(arc, arc.to, path);
 }
 
 }  // namespace
@@ -118,7 +116,7 @@ Toolpath to_toolpath(const Program& program, double chord_error_mm) {
   Vec3 at;
   for (const Motion& motion : program.motions) {
     if (started && motion.kind == MotionKind::arc) add_arc(motion, at, chord_error_mm, path);
-    if (started && motion.kind != MotionKind::arc) add_straight(motion, path);
+    if (started && motion.kind != MotionKind::arc) add_move(motion, motion.to, path);
     at = motion.to;
     if (!started && motion.position_known) path.start = at, started = true;
   }

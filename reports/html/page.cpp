@@ -8,6 +8,7 @@
 #include "reports/html/engine_section.h"
 #include "reports/html/markup.h"
 #include "reports/html/stage_section.h"
+#include "reports/process.h"
 #include "reports/report.h"
 #include "reports/text.h"
 
@@ -98,8 +99,7 @@ std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) 
     if (f[i].standing == Standing::not_run) return std::string("–");
     return f[i].measured + (f[i].limit.empty() ? "" : "<small>limit " + f[i].limit + "</small>");
   };
-  const std::size_t hits =
-      stage.ran ? stage.ran->collisions.rapid.size() + stage.ran->collisions.holder.size() : 0;
+  const std::size_t hits = stage.ran ? faults(stage.ran->process) : 0;
   return {fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),
           fmt::format("{}<small>{}</small>", escape_markup(stage.tool), cutter_text(stage.cutter)),
           path_source(stage),
@@ -125,7 +125,7 @@ std::string stage_table(const RunResult& result) {
                 {"Gouge", true},
                 {"Uncut", true},
                 {"Coverage", true},
-                {"Collisions", true},
+                {"Process faults", true},
                 {"Time", true},
                 {"Verdict"}},
                rows) +
@@ -175,9 +175,10 @@ constexpr const char* kDecisionRule = R"(<section><h2>How it was decided</h2>
 removed, less the stage's allowance. Positive is material still standing (uncut), negative is cut too
 deep (gouge). Part and simulation share one frame; nothing was fitted.</p>
 <ul><li><strong>Passed</strong>: the upper end of every certified interval is inside its limit, so that
-no point of the surface exceeds it; coverage is at least what is asked for; there is no collision.</li>
+no point of the surface exceeds it; coverage is at least what is asked for; the process has no fault
+(a collision, a cut with the spindle at rest, ...); near misses are shown and do not count.</li>
 <li><strong>Failed</strong>: the lower end of an interval is beyond its limit, so that some point
-truly exceeds it; or coverage is too small; or something collided.</li>
+truly exceeds it; or coverage is too small; or the process has a fault.</li>
 <li><strong>Undecided</strong>: a limit lies inside a certified interval at the finest resolution
 allowed.</li></ul>
 <p>This is the rule of ISO 14253-1 in spirit: conformance is proven to pass and non-conformance is
@@ -207,21 +208,13 @@ std::string head(const RunResult& result) {
 
 }  // namespace
 
-void write_html(const RunResult& result, std::span<const StagePictures> pictures,
-                std::ostream& out) {
+void write_html(const RunResult& result, std::ostream& out) {
   out << head(result) << masthead(result) << stage_table(result);
-  for (std::size_t i = 0; i < result.stages.size(); ++i)
-    out << stage_section(result, i, i < pictures.size() ? &pictures[i] : nullptr);
+  for (std::size_t i = 0; i < result.stages.size(); ++i) out << stage_section(result, i);
   out << surface_section(result.surface) << engine_section(result) << kDecisionRule
       << assumptions_section(result.assumptions)
       << "<footer><p>All lengths in mm or µm as stated. The same figures, digit for digit, are in "
          "result.json beside this page.</p></footer>\n</main></body></html>\n";
-}
-
-void write_html(const RunResult& result, std::ostream& out) {
-  std::vector<StagePictures> pictures;
-  for (const StageResult& stage : result.stages) pictures.push_back(draw_pictures(stage));
-  write_html(result, pictures, out);
 }
 
 }  // namespace limitgauge::reports

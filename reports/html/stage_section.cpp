@@ -9,6 +9,7 @@
 #include "reports/html/charts.h"
 #include "reports/html/error_map.h"
 #include "reports/html/markup.h"
+#include "reports/html/process_part.h"
 #include "reports/text.h"
 
 namespace limitgauge::reports::html {
@@ -94,20 +95,6 @@ std::string findings_table(const RunResult& result, const std::vector<verifier::
          more_note(findings.size());
 }
 
-std::string collisions_table(const std::vector<simulator::Collision>& all,
-                             std::string_view caption) {
-  if (all.empty()) return {};
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < std::min(all.size(), kLongestList); ++i)
-    rows.push_back({std::to_string(all[i].line), escape_markup(all[i].part),
-                    "≥ " + measured_length(all[i].depth_mm), coordinates(all[i].point),
-                    grouped(all[i].move)});
-  return table(caption,
-               {{"Line", true}, {"Part"}, {"Depth", true}, {"X, Y, Z in mm", true}, {"Move", true}},
-               rows) +
-         more_note(all.size());
-}
-
 std::string ratio_text(const verifier::Interval& interval, bool has_limit, double limit_mm) {
   if (!has_limit) return "–";
   const double ratio = accuracy_ratio(interval, limit_mm);
@@ -187,8 +174,6 @@ std::string simulation_terms(const StageResult::Ran& r) {
   return "<h4>Simulation</h4>" +
          terms({{"Voxel", stated_length(r.voxel_mm)},
                 {"Removed volume", three_digits(r.removed_volume_mm3 / 1000) + " cm³"},
-                {"Rapids through material", grouped(r.collisions.rapid.size())},
-                {"Shank or holder collisions", grouped(r.collisions.holder.size())},
                 {"Simulation took", duration_text(r.simulation_seconds)},
                 {"Peak memory", bytes_text(r.peak_memory_bytes)}});
 }
@@ -215,7 +200,7 @@ std::string ignored_words(const std::vector<std::string>& words) {
       list, words.size() > kLongestList ? " …" : "");
 }
 
-std::string stock_figure(const StagePictures* pictures) {
+std::string stock_figure(const std::optional<StagePictures>& pictures) {
   if (!pictures || pictures->stock_png.empty()) return {};
   return fmt::format(
       "<figure class=\"stock\"><figcaption>The stock after this stage, as simulated."
@@ -223,20 +208,18 @@ std::string stock_figure(const StagePictures* pictures) {
       png_uri(pictures->stock_png));
 }
 
-std::string measured_part(const RunResult& result, const StageResult& stage,
-                          const StagePictures* pictures) {
+std::string measured_part(const RunResult& result, const StageResult& stage) {
   const StageResult::Ran& ran = *stage.ran;
   const verifier::StageDeviation& d = ran.deviation;
   std::string out = gate_table(stage) + "<div class=\"plates\">";
-  if (pictures) out += error_maps(stage);
-  out += histogram_chart(d, stage.limits) + stock_figure(pictures) + "</div>\n";
+  if (stage.pictures) out += error_maps(stage);
+  out += histogram_chart(d, stage.limits) + stock_figure(stage.pictures) + "</div>\n";
   out += findings_table(result, d.gouges, "Gouges, deepest first", 'G');
   out += findings_table(result, d.uncuts, "Material left standing, highest first", 'U');
   out += bodies_table(result, d);
-  out += collisions_table(ran.collisions.rapid, "Rapids through standing material");
-  out += collisions_table(ran.collisions.holder, "Shank or holder in the material");
+  out += process_table(ran.process);
   out += "<div class=\"figures\"><div>" + deviation_terms(d) + "</div><div>" + path_terms(ran) +
-         simulation_terms(ran) + "</div></div>\n";
+         simulation_terms(ran) + removal_terms(ran) + "</div></div>\n";
   return out + ignored_words(ran.ignored_words) + budget_table(d.budget);
 }
 
@@ -268,8 +251,7 @@ std::string cutter_text(const model::Cutter& cutter) {
   return fmt::format("{} ⌀{}", model::name(cutter.type), stated_length(cutter.diameter_mm));
 }
 
-std::string stage_section(const RunResult& result, std::size_t index,
-                          const StagePictures* pictures) {
+std::string stage_section(const RunResult& result, std::size_t index) {
   const StageResult& stage = result.stages[index];
   const verifier::Verdict verdict = stage.verdict();
   std::string reasons;
@@ -280,8 +262,7 @@ std::string stage_section(const RunResult& result, std::size_t index,
       "<section class=\"stage\" id=\"{}\"><h2><span class=\"no\">Stage {}</span> {} "
       "{}</h2>\n<p class=\"request\">{}</p>\n{}\n{}</section>\n",
       stage_anchor(index), index + 1, escape_markup(stage.name), badge(verdict),
-      request_line(stage), reasons,
-      stage.ran ? measured_part(result, stage, pictures) : std::string());
+      request_line(stage), reasons, stage.ran ? measured_part(result, stage) : std::string());
 }
 
 }  // namespace limitgauge::reports::html

@@ -6,9 +6,8 @@
 
 namespace limitgauge::reports::html {
 
-/// The stage's part of the page; `pictures` may be null for a page without pictures.
-std::string stage_section(const RunResult& result, std::size_t index,
-                          const StagePictures* pictures);
+/// The stage's part of the page.
+std::string stage_section(const RunResult& result, std::size_t index);
 /// Where stage_section can be linked to.
 std::string stage_anchor(std::size_t index);
 /// "contour", or the program's name; escaped.

@@ -75,7 +75,7 @@ struct Bench {
     check.limits.gouge_mm = check.limits.uncut_mm = kUncutLimit_mm;
     check.resolution_mm = 0.004;
     const auto measured = measure_stage(reference, stock, passes, {}, check, {});
-    return decide(measured, check.limits, 0, 0).verdict;
+    return decide(measured, check.limits).verdict;
   }
 };
 

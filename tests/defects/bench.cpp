@@ -214,7 +214,7 @@ class PairBench {
   /// The decision by the certified intervals alone.
   static verifier::Verdict certified_verdict(StageDeviation d, const verifier::GateLimits& limits) {
     d.voxel_uncut_mm = 0;
-    return decide(d, limits, 0, 0).verdict;
+    return decide(d, limits).verdict;
   }
 
   /// Readings of the simulated stock must not fail a gate that the height of what stands keeps.
@@ -225,7 +225,7 @@ class PairBench {
       height = std::max(height, run.oracle.height(run.allowance_mm, here));
     }
     gate.uncut_mm = std::max(gate.uncut_mm, height + plan_.resolution_mm);
-    return decide(d, gate, 0, 0).verdict != verifier::Verdict::fail;
+    return decide(d, gate).verdict != verifier::Verdict::fail;
   }
 
   StageDeviation measure(const Run& run, const verifier::GateLimits& limits, bool voxels) const {

@@ -82,7 +82,7 @@ TEST_CASE("a shank that rubs along a slope gouges by the closed form", "[unit]")
     CHECK(std::abs(d.gouges.front().place.point.x - (reach + face) / 2) < 0.01);
     const GateLimits limits{true, false, false, 0.01, 0, 0};
     const GateDecision decision =
-        decide(measure(plane, assembly(flutes, reach), path, limits), limits, 0, 0);
+        decide(measure(plane, assembly(flutes, reach), path, limits), limits);
     CHECK(decision.verdict == Verdict::fail);
     CHECK(decision.reasons.front().find("by the shank") != std::string::npos);
   }

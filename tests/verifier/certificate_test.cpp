@@ -141,7 +141,7 @@ TEST_CASE("a limit within the width asked for is decided all the same", "[unit]"
     CAPTURE(off, h, d.uncut_mm.low, d.uncut_mm.high);
     CHECK(d.uncut_mm.low <= h);
     CHECK(d.uncut_mm.high >= h);
-    CHECK(decide(d, check.limits, 0, 0).verdict == (off > 0 ? Verdict::pass : Verdict::fail));
+    CHECK(decide(d, check.limits).verdict == (off > 0 ? Verdict::pass : Verdict::fail));
   }
 }
 
@@ -193,7 +193,7 @@ TEST_CASE("the verdict does not depend on threads, on the order of moves or on t
     CHECK(one.gouge_mm.low <= other.gouge_mm.high);
     CHECK(other.uncut_mm.low <= one.uncut_mm.high);
     CHECK(one.uncut_mm.low <= other.uncut_mm.high);
-    CHECK(decide(other, check.limits, 0, 0).verdict == decide(one, check.limits, 0, 0).verdict);
+    CHECK(decide(other, check.limits).verdict == decide(one, check.limits).verdict);
   }
 }
 

@@ -16,31 +16,36 @@ const GateLimits kLimits{true, true, true, 0.01, 0.02, 0.99};
 }  // namespace
 
 TEST_CASE("conformance must be proven to pass, non-conformance to fail", "[unit]") {
-  CHECK(decide(with({0, 0.01}, {0, 0.02}), kLimits, 0, 0).verdict == Verdict::pass);
-  CHECK(decide(with({0.0101, 0.02}, {0, 0}), kLimits, 0, 0).verdict == Verdict::fail);
-  CHECK(decide(with({0.0099, 0.0101}, {0, 0}), kLimits, 0, 0).verdict == Verdict::indeterminate);
-  CHECK(decide(with({0, 0}, {0.019, 0.021}), kLimits, 0, 0).verdict == Verdict::indeterminate);
-  CHECK(decide(with({0, 0}, {0.021, 0.03}), kLimits, 0, 0).verdict == Verdict::fail);
-  CHECK(decide(with({0, 0}, {0, 0}, 0.98), kLimits, 0, 0).verdict == Verdict::fail);
+  CHECK(decide(with({0, 0.01}, {0, 0.02}), kLimits).verdict == Verdict::pass);
+  CHECK(decide(with({0.0101, 0.02}, {0, 0}), kLimits).verdict == Verdict::fail);
+  CHECK(decide(with({0.0099, 0.0101}, {0, 0}), kLimits).verdict == Verdict::indeterminate);
+  CHECK(decide(with({0, 0}, {0.019, 0.021}), kLimits).verdict == Verdict::indeterminate);
+  CHECK(decide(with({0, 0}, {0.021, 0.03}), kLimits).verdict == Verdict::fail);
+  CHECK(decide(with({0, 0}, {0, 0}, 0.98), kLimits).verdict == Verdict::fail);
 }
 
 TEST_CASE("a proven failure outweighs an open question", "[unit]") {
-  CHECK(decide(with({0.0099, 0.0101}, {0.03, 0.04}), kLimits, 0, 0).verdict == Verdict::fail);
+  CHECK(decide(with({0.0099, 0.0101}, {0.03, 0.04}), kLimits).verdict == Verdict::fail);
 }
 
 TEST_CASE("collisions fail a stage whatever its figures", "[unit]") {
-  CHECK(decide(with({0, 0}, {0, 0}), kLimits, 1, 0).verdict == Verdict::fail);
-  CHECK(decide(with({0, 0}, {0, 0}), {}, 0, 2).verdict == Verdict::fail);
+  const std::vector<ProcessFault> none = {{"rapid", 0}, {"holder", 0}},
+                                  two = {{"rapid", 0}, {"holder", 2}};
+  CHECK(decide(with({0, 0}, {0, 0}), kLimits, none).verdict == Verdict::pass);
+  CHECK(decide(with({0, 0}, {0, 0}), kLimits, two).verdict == Verdict::fail);
+  const GateDecision unlimited = decide(with({0, 0}, {0, 0}), {}, two);
+  CHECK(unlimited.verdict == Verdict::fail);
+  CHECK(unlimited.reasons == std::vector<std::string>{"holder: 2 moves"});
 }
 
 TEST_CASE("figures without a limit cannot fail", "[unit]") {
-  CHECK(decide(with({5, 6}, {7, 8}, 0), {}, 0, 0).verdict == Verdict::pass);
+  CHECK(decide(with({5, 6}, {7, 8}, 0), {}).verdict == Verdict::pass);
 }
 
 TEST_CASE("material that stands beside removed space fails the uncut gate", "[unit]") {
   StageDeviation wall = with({0, 0}, {0.001, 0.002});
   wall.voxel_uncut_mm = 3;
-  const GateDecision decision = decide(wall, kLimits, 0, 0);
+  const GateDecision decision = decide(wall, kLimits);
   CHECK(decision.verdict == Verdict::fail);
   CHECK_THAT(decision.reasons.at(2), ContainsSubstring("material stands 3 mm"));
 }
@@ -48,12 +53,12 @@ TEST_CASE("material that stands beside removed space fails the uncut gate", "[un
 TEST_CASE("a hole that is deeper than wide fails the gouge gate, a corner does not", "[unit]") {
   StageDeviation hole = with({0.008, 0.009}, {0, 0});
   hole.voxel_gouge_mm = 1.2;
-  const GateDecision decision = decide(hole, kLimits, 0, 0);
+  const GateDecision decision = decide(hole, kLimits);
   CHECK(decision.verdict == Verdict::fail);
   CHECK_THAT(decision.reasons.at(1), ContainsSubstring("the stock lies 1.2 mm under"));
   StageDeviation corner = with({0.009, 0.0095}, {0, 0});
   corner.voxel_gouge_mm = 0.0115;
-  CHECK(decide(corner, kLimits, 0, 0).verdict == Verdict::pass);
+  CHECK(decide(corner, kLimits).verdict == Verdict::pass);
 }
 
 TEST_CASE("automatic resolution is a tenth of the tightest limit", "[unit]") {

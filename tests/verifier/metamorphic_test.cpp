@@ -155,8 +155,8 @@ void check_same(const Measured& base, const Setup& other, const char* how, doubl
   const auto scaled = [&](const Interval& i) { return Interval{i.low * scale, i.high * scale}; };
   check_interval(scaled(base.figures.gouge_mm), d.gouge_mm, other.resolution_mm);
   check_interval(scaled(base.figures.uncut_mm), d.uncut_mm, other.resolution_mm);
-  CHECK(decide(d, kept, 0, 0).verdict == Verdict::pass);
-  CHECK(decide(d, broken, 0, 0).verdict == Verdict::fail);
+  CHECK(decide(d, kept).verdict == Verdict::pass);
+  CHECK(decide(d, broken).verdict == Verdict::fail);
 }
 
 template <class Map>

@@ -149,7 +149,7 @@ TEST_CASE("a narrow pocket far deeper than its cutter is wide shows in the stock
   CHECK(d.gouge_mm.low < 0.3);
   CHECK(d.gouge_mm.high >= 1.1);  // from the middle to a wall of the pocket
   CHECK(d.voxel_gouge_mm == Approx(2));
-  CHECK(decide(d, bench.check.limits, 0, 0).verdict == Verdict::fail);
+  CHECK(decide(d, bench.check.limits).verdict == Verdict::fail);
 }
 
 TEST_CASE("stock beside the part, with air between, is neither leftover nor gouge", "[unit]") {

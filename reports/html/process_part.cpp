@@ -1,0 +1,77 @@
+#include "reports/html/process_part.h"
+
+#include <algorithm>
+
+#include "reports/html/markup.h"
+#include "reports/process.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports::html {
+namespace {
+
+constexpr std::size_t kLongestList = 20;
+
+std::string lines_text(const simulator::FindingGroup& group) {
+  if (group.first_line == 0) return "–";
+  if (group.first_line == group.last_line) return std::to_string(group.first_line);
+  return std::to_string(group.first_line) + "–" + std::to_string(group.last_line);
+}
+
+std::string depth_text(const simulator::Finding& f) {
+  if (f.kind == simulator::FindingKind::near_miss) return measured_length(-f.depth_mm) + " apart";
+  return f.depth_mm > 0 ? "≥ " + measured_length(f.depth_mm) : "–";
+}
+
+std::vector<std::string> row(const simulator::FindingGroup& group) {
+  const simulator::Finding& worst = group.worst;
+  std::string what = words_for(group.kind);
+  if (!fails(group.kind)) what += " (does not fail the stage)";
+  return {lines_text(group),          what,
+          escape_markup(group.part),  escape_markup(group.against),
+          depth_text(worst),          coordinates(worst.point),
+          std::to_string(worst.line), grouped(group.count)};
+}
+
+/// Faults first, each by depth.
+bool worse(const simulator::FindingGroup& a, const simulator::FindingGroup& b) {
+  if (fails(a.kind) != fails(b.kind)) return fails(a.kind);
+  return a.worst.depth_mm > b.worst.depth_mm;
+}
+
+}  // namespace
+
+std::string process_table(std::span<const simulator::Finding> findings) {
+  if (findings.empty()) return "<p class=\"note\">The process has no fault and no near miss.</p>\n";
+  std::vector<simulator::FindingGroup> groups = simulator::group_findings(findings);
+  std::stable_sort(groups.begin(), groups.end(), worse);
+  std::vector<std::vector<std::string>> rows;
+  for (const simulator::FindingGroup& group : groups)
+    if (rows.size() < kLongestList) rows.push_back(row(group));
+  std::string out = table("Process findings; the stock is judged as it stood at that move.",
+                          {{"Lines", true},
+                           {"What"},
+                           {"Part"},
+                           {"Against"},
+                           {"Worst", true},
+                           {"X, Y, Z in mm", true},
+                           {"On line", true},
+                           {"Moves", true}},
+                          rows);
+  if (groups.size() > rows.size())
+    out += "<p class=\"note\">The " + std::to_string(rows.size()) + " worst of " +
+           grouped(groups.size()) + "; the others are in result.json.</p>\n";
+  return out;
+}
+
+std::string removal_terms(const StageResult::Ran& ran) {
+  const simulator::RemovalTotals& t = ran.removal.totals;
+  return "<h4>Removal</h4>" +
+         terms({{"Largest removal rate", three_digits(t.largest_rate_mm3_min / 1000) + " cm³/min"},
+                {"Largest axial engagement", measured_length(t.largest_axial_mm)},
+                {"Largest radial engagement", measured_length(t.largest_radial_mm)},
+                {"Feed moves that cut air",
+                 duration_text(t.air_time_s) + ", " + three_digits(t.air_length_mm) + " mm"},
+                {"Spacing of the lines that measured it", stated_length(t.spacing_mm)}});
+}
+
+}  // namespace limitgauge::reports::html

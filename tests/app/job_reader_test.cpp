@@ -298,6 +298,40 @@ TEST_CASE("a bad override is refused by its own text", "[unit][job]") {
   }
 }
 
+TEST_CASE("travel limits, fixtures and clearances are read as they stand", "[unit][job]") {
+  const Job job = read(good_job() + R"(
+[machine]
+travel = { x = [-20, 20.5], z = [0, 50] }
+[[fixture]]
+name = "clamp"
+file = "findings/clamp.obj"
+translate = [1, 2, 3]
+[simulation]
+near_miss = 2
+contact_tolerance = 0.05
+)");
+  REQUIRE(job.travel_mm);
+  CHECK(job.travel_mm->low.x == -20);
+  CHECK(job.travel_mm->high.x == 20.5);
+  CHECK(std::isinf(job.travel_mm->low.y));
+  CHECK(job.travel_mm->high.z == 50);
+  REQUIRE(job.fixtures.size() == 1);
+  CHECK(job.fixtures[0].name == "clamp");
+  CHECK(job.fixtures[0].translate_mm == model::Vec3{1, 2, 3});
+  CHECK(job.near_miss_mm == 2);
+  CHECK(job.contact_tolerance_mm == 0.05);
+
+  const auto wrong = [](const std::string& more) { return error_of(good_job() + more); };
+  CHECK_THAT(wrong("[machine]\ntravel = { x = [5, 5] }\n"),
+             ContainsSubstring("is no pair of ascending numbers"));
+  CHECK_THAT(wrong("[machine]\ntravel = { w = [0, 5] }\n"), ContainsSubstring("\"w\""));
+  CHECK_THAT(wrong("[[fixture]]\nname = \"a\"\nfile = \"none.stl\"\n"),
+             ContainsSubstring("no file \"none.stl\""));
+  const std::string clamp = "[[fixture]]\nname = \"a\"\nfile = \"findings/clamp.obj\"\n";
+  CHECK_THAT(wrong(clamp + clamp), ContainsSubstring("a second fixture \"a\""));
+  CHECK_THAT(wrong("[simulation]\nnear_miss = 0\n"), ContainsSubstring("above zero"));
+}
+
 TEST_CASE("the jobs that ship are in order", "[unit][job]") {
   for (const char* name : {"aircraft", "quick-dome"}) {
     const Job job = read_job(std::string(LIMITGAUGE_FIXTURES) + "/jobs/" + name + ".toml");

@@ -143,3 +143,36 @@ TEST_CASE("the text of motions has the shortest decimals", "[unit][program]") {
   motion.turns = -3;
   CHECK(to_text(motion) == "7 arc 19 0.1 0 1e-07 2.5 0 -3");
 }
+
+namespace {
+
+/// One letter a motion: s where the spindle is known to stand.
+std::string spindle_text(const std::string& text) {
+  std::string states;
+  for (const Motion& motion : read(text).motions) states += motion.spindle_stopped ? 's' : '.';
+  return states;
+}
+
+}  // namespace
+
+TEST_CASE("a program that starts the spindle is held to it", "[unit][program]") {
+  CHECK(spindle_text("G0 X0 Y0 Z0\nM3 S100\nX1\nM5\nX2\n") == "s.s");
+  // Without M3 and M4 the operator has started it, until the program stops it.
+  CHECK(spindle_text("G0 X0 Y0 Z0\nX1\n") == "..");
+  CHECK(spindle_text("G0 X0 Y0 Z0\nM5\nX1\n") == ".s");
+  // Stopped first and started later: nothing turned before.
+  CHECK(spindle_text("G0 X0 Y0 Z0\nM5\nX1\nM4\nX2\n") == "ss.");
+  // A tool change stops it, and comes before M3 in the same block.
+  CHECK(spindle_text("M3\nG0 X0 Y0 Z0\nT1 M6\nX1\nM3\nX2\n") == ".s.");
+  CHECK(spindle_text("M3\nG0 X0 Y0 Z0\nT1 M6 M3\nX1\n") == "..");
+  CHECK(spindle_text("M3 S0\nG0 X0 Y0 Z0\nS5\nX1\n") == "s.");
+}
+
+TEST_CASE("moves carry the state of the spindle, chords of arcs too", "[unit][program]") {
+  const Program program = read("G0 X10 Y0 Z0 F60\nM3\nG3 I-10\nM5\nG1 X0\n");
+  const Toolpath path = to_toolpath(program, 0.1);
+  REQUIRE(path.moves.size() > 4);
+  CHECK_FALSE(path.moves.front().spindle_stopped);
+  CHECK_FALSE(path.moves[path.moves.size() - 2].spindle_stopped);
+  CHECK(path.moves.back().spindle_stopped);
+}

@@ -16,11 +16,12 @@ namespace {
 
 std::string page_of(const RunResult& result, bool pictures = false) {
   std::ostringstream out;
-  if (pictures) {
-    write_html(result, out);
-  } else {
-    write_html(result, {}, out);
+  RunResult shown = result;
+  for (StageResult& stage : shown.stages) {
+    stage.pictures.reset();
+    if (pictures) stage.pictures = draw_pictures(stage);
   }
+  write_html(shown, out);
   return out.str();
 }
 
@@ -116,7 +117,7 @@ TEST_CASE("text from files is shown as text", "[unit][html]") {
     if (!s.ran) continue;
     s.ran->ignored_words = {hostile};
     s.ran->deviation.budget[0].source = hostile;
-    for (auto& c : s.ran->collisions.holder) c.part = hostile;
+    for (simulator::Finding& f : s.ran->process) f.part = f.against = hostile;
   }
   r.stages[0].program = hostile;
   const std::string page = page_of(r);
@@ -221,6 +222,7 @@ TEST_CASE("published figures stand beside the run's own", "[unit][html]") {
   result.published = published;
   const std::string page = page_of(result);
   require_nesting(page);
-  for (const std::string shown : {"A &lt;paper&gt;, Tables 1 and 3", "7 to 10", "277 MB", "1.66 MB"})
+  for (const std::string shown :
+       {"A &lt;paper&gt;, Tables 1 and 3", "7 to 10", "277 MB", "1.66 MB"})
     CHECK(contains(page, shown));
 }

@@ -86,6 +86,31 @@ TEST_CASE("result.json has the contract's keys", "[unit][json]") {
   CHECK(stage["simulation"]["holder_collisions"][0]["part"] == "holder");
 }
 
+TEST_CASE("result.json groups process findings and names what is left at a near miss",
+          "[unit][json]") {
+  const Json simulation = json_of(sample_result(Outcome::failed))["stages"][1]["simulation"];
+  CHECK(simulation["rapid_collisions"].size() == 2);
+  CHECK(simulation["holder_collisions"].size() == 1);
+  const Json& findings = simulation["findings"];
+  // Two rapids far apart, the holder, a run of two moves without spindle, a near miss.
+  REQUIRE(findings.size() == 5);
+  const Json& run = findings[3];
+  CHECK(run["kind"] == "spindle_stopped");
+  CHECK(run["count"] == 2);
+  CHECK(run["first_line"] == 1611);
+  CHECK(run["last_line"] == 1612);
+  CHECK(run["line"] == 1612);
+  CHECK(run["depth_mm"] == 0.5);
+  CHECK(run["fails"] == true);
+  const Json& near = findings[4];
+  CHECK(near["kind"] == "near_miss");
+  CHECK(near["fails"] == false);
+  CHECK(near["distance_mm"] == 0.75);
+  CHECK_FALSE(near.contains("depth_mm"));
+  CHECK(near["against"] == "clamp");
+  CHECK(simulation["removal"]["volume_mm3"] == 104'498.5);
+}
+
 TEST_CASE("result.json carries the values digit for digit", "[unit][json]") {
   RunResult result = sample_result(Outcome::passed);
   result.stages[2].ran->deviation.mean_mm = 0.1 + 0.2;

@@ -193,6 +193,7 @@ StageResult make_stage(const StageForm& form, std::size_t index, int n) {
   ran.plan_seconds = 2.31, ran.path_memory_bytes = ran.path->moves.size() * sizeof(model::Move);
   ran.voxel_mm = 0.1, ran.removed_volume_mm3 = 104'511.25, ran.simulation_seconds = 6.2;
   ran.peak_memory_bytes = 812'000'000;
+  ran.removal.totals = {104'498.5, 15'360, 17, 2.5, 6.25, 812.5, 40.6, 0.1};
   ran.deviation = measured(form.shape, form.limits, form.interval_mm, index, n);
   stage.ran = std::move(ran);
   stage.decision = {verifier::Verdict::pass,
@@ -210,9 +211,14 @@ void make_fail(StageResult& stage) {
       verifier::Verdict::fail,
       {"gouge: at least 61.1 µm is cut below the allowance surface, the limit is 50 µm",
        "2 rapids go through standing material"}};
-  stage.ran->collisions.rapid = {{412, 423, {11.5, -20.25, 4.125}, 0.84, "cutter"},
-                                 {977, 988, {-31, 8, 3.5}, 0.12, "cutter"}};
-  stage.ran->collisions.holder = {{1502, 1513, {2.5, 30, -1.25}, 1.375, "holder"}};
+  using simulator::FindingKind;
+  stage.ran->process = {
+      {FindingKind::rapid_through_stock, 412, 423, {11.5, -20.25, 4.125}, 0.84, "cutter", "stock"},
+      {FindingKind::rapid_through_stock, 977, 988, {-31, 8, 3.5}, 0.12, "cutter", "stock"},
+      {FindingKind::holder_in_stock, 1502, 1513, {2.5, 30, -1.25}, 1.375, "holder", "stock"},
+      {FindingKind::spindle_stopped, 1600, 1611, {2, 3, 1}, 0.25, "cutter", "stock"},
+      {FindingKind::spindle_stopped, 1601, 1612, {2, 5, 1}, 0.5, "cutter", "stock"},
+      {FindingKind::near_miss, 1700, 1711, {9, 30, 4}, -0.75, "holder", "clamp"}};
 }
 
 StageResult not_run(const StageResult& stage, const char* failed) {

@@ -11,16 +11,14 @@ using namespace limitgauge::reports;
 
 namespace {
 
-void write_all(const RunResult& result, const std::filesystem::path& folder) {
+void write_all(RunResult result, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  std::vector<StagePictures> pictures;
-  for (const StageResult& stage : result.stages)
-    pictures.push_back(write_stage_files(stage, folder, {}));
+  for (StageResult& stage : result.stages) stage.pictures = write_stage_files(stage, folder, {});
   std::ofstream json(folder / "result.json"), junit(folder / "junit.xml"),
       page(folder / "report.html");
   write_result_json(result, json);
   write_junit(result, junit);
-  write_html(result, pictures, page);
+  write_html(result, page);
 }
 
 }  // namespace

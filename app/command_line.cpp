@@ -96,6 +96,12 @@ void add_verify(CLI::App& app, Parsed& parsed) {
   sub.add_option("--program", verify.program, "Program (G-code)")->required();
   sub.add_option("--allowance", verify.allowance_mm, "Material to be left (default: 0 mm)")
       ->check(number_above_zero(true));
+  sub.add_option("--fixture", verify.fixtures,
+                 "Mesh that nothing of the tool may touch: STL, OBJ, PLY (repeatable)")
+      ->allow_extra_args(false);
+  sub.add_option("--near-miss", verify.near_miss_mm,
+                 "List what passes stock or fixtures within this, mm (default: not looked for)")
+      ->check(number_above_zero(false));
   add_limit(sub, "--gouge", verify.limits.gouge_mm, verify.limits.has_gouge,
             "Largest gouge that passes, mm (default: measured, not gated)");
   add_limit(sub, "--uncut", verify.limits.uncut_mm, verify.limits.has_uncut,

@@ -145,12 +145,21 @@ std::string plain_name(const std::filesystem::path& file) {
   return is_plain_name(name) ? name : "program";
 }
 
+JobFixture fixture_of(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file))
+    throw UsageError("--fixture " + file.string() + ": no such file; expected STL, OBJ or PLY");
+  return {file.filename().string(), file, file.string(), {}};
+}
+
 Job job_of(const VerifyCommand& command) {
   Job job;
   job.name = plain_name(command.program);
   job.cage = command.cage;
   job.cage_as_stated = command.cage.string();
   job.stock = stock_of(command.stock);
+  job.near_miss_mm = command.near_miss_mm;
+  for (const std::filesystem::path& file : command.fixtures)
+    job.fixtures.push_back(fixture_of(file));
   JobStage stage;
   stage.name = "program";
   stage.cutter = tool_of(command.tool);

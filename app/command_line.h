@@ -28,6 +28,8 @@ struct VerifyCommand {
   std::filesystem::path cage, program;
   std::string stock, tool;
   double allowance_mm = 0;
+  double near_miss_mm = 0;  ///< 0: not looked for
+  std::vector<std::filesystem::path> fixtures;
   verifier::GateLimits limits;
   std::filesystem::path output;  ///< empty: limitgauge-out/STEM of the program
 };

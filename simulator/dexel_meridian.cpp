@@ -46,10 +46,14 @@ void ConvexMeridian::add_arc(double end, double centre_rho, double centre_height
     pieces_.push_back({end, centre_height, 0, centre_rho, radius});
 }
 
-double ConvexMeridian::height(double rho) const {
+const ConvexMeridian::Piece& ConvexMeridian::piece_at(double rho) const {
   std::size_t i = 0;
   while (i + 1 < pieces_.size() && rho > pieces_[i].end) ++i;
-  const Piece& p = pieces_[i];
+  return pieces_[i];
+}
+
+double ConvexMeridian::height(double rho) const {
+  const Piece& p = piece_at(rho);
   if (p.radius == 0) return p.height + p.slope * rho;
   return p.height - root((p.radius - rho + p.centre) * (p.radius + rho - p.centre));
 }
@@ -62,6 +66,10 @@ bool ConvexMeridian::steeper_at(const Piece& p, double rho, double w, double slo
   return e * w >= slope * rho * root((p.radius - e) * (p.radius + e));
 }
 
+bool ConvexMeridian::steeper(double rho, double w, double slope) const {
+  return steeper_at(piece_at(rho), rho, w, slope);
+}
+
 double ConvexMeridian::foot_in(const Piece& p, double across, double slope, double w0, double w1) {
   if (p.radius == 0) {
     const double w = slope * across / root(p.slope * p.slope - slope * slope);
@@ -71,17 +79,18 @@ double ConvexMeridian::foot_in(const Piece& p, double across, double slope, doub
     const double inside = (p.radius - across) * (p.radius + across) / (1 + slope * slope);
     return std::clamp(slope * root(inside), w0, w1);
   }
-  // e·w − slope·ρ·h changes its sign once, from minus to plus, where the derivative vanishes.
+  // e·w − slope·ρ·h changes its sign once, from minus to plus, where the derivative vanishes. At a
+  // minimum a place to 1e-12 gives the height to rounding.
   double low = w0, high = w1, w = 0.5 * (w0 + w1);
-  for (int step = 0; step < 200 && low < high; ++step) {
+  for (int step = 0; step < 200; ++step) {
     const double rho = std::sqrt(w * w + across * across), e = rho - p.centre;
     const double h = root((p.radius - e) * (p.radius + e));
     const double value = e * w - slope * rho * h;
     (value < 0 ? low : high) = w;
     const double rise = e + w * w / rho - slope * w * (h / rho - (h > 0 ? e / h : 0.0));
     double next = w - value / rise;
-    if (!(next > low && next < high) || step % 4 == 3) next = 0.5 * (low + high);
-    if (std::abs(next - w) <= 1e-15 * p.radius || next <= low || next >= high) return next;
+    if (!(next >= low && next <= high) || step % 8 == 7) next = 0.5 * (low + high);
+    if (std::abs(next - w) <= 1e-12 * rho) return next;
     w = next;
   }
   return w;

@@ -16,6 +16,8 @@ class ConvexMeridian {
 
   double end() const { return pieces_.back().end; }
   double height(double rho) const;
+  /// True where height(√(across² + w²)), w >= 0, grows with w at least as fast as `slope`.
+  bool steeper(double rho, double w, double slope) const;
   /// The w >= 0 that minimises height(√(across² + w²)) − slope·w within the radius, for slope >= 0
   /// and 0 <= across <= end(). Closed form on straight pieces and on arcs about the axis; on other
   /// arcs by Newton steps within a bracket until w no longer changes.
@@ -25,6 +27,7 @@ class ConvexMeridian {
   struct Piece {
     double end, height, slope, centre, radius;  // radius 0: a line
   };
+  const Piece& piece_at(double rho) const;
   static bool steeper_at(const Piece& piece, double rho, double w, double slope);
   static double foot_in(const Piece& piece, double across, double slope, double w0, double w1);
   std::vector<Piece> pieces_;

@@ -41,19 +41,35 @@ std::optional<DexelSweep::Reach> DexelSweep::reach(double along, double across) 
   return reach;
 }
 
+// `side` is the height under the cutter, or minus that above it, at each radius. With the tip's
+// fall (or rise) along the move it makes a convex function of the place s, smallest at the nearest
+// place and `foot` further on.
+double DexelSweep::best_place(const ConvexMeridian& side, double toward, double along,
+                              double across, const Reach& reach) const {
+  const double slope = std::abs(slope_), v = std::abs(across);
+  const double begin = toward > 0 ? reach.first : reach.last;
+  const double end = toward > 0 ? reach.last : reach.first;
+  const double w0 = toward * (begin - along), w1 = toward * (end - along);
+  // Short moves are done with a look at their ends.
+  if (w1 <= 0 || !side.steeper(radius(w1, v), w1, slope)) return end;
+  if (w0 >= 0 && side.steeper(radius(w0, v), w0, slope)) return begin;
+  return std::clamp(along + toward * side.foot(v, slope), reach.first, reach.last);
+}
+
+double DexelSweep::radius(double along, double across) const {
+  return std::min(std::sqrt(along * along + across * across), profile_->largest_radius());
+}
+
 double DexelSweep::lowest(double along, double across, const Reach& reach) const {
-  // From the nearest place the cutter gains by going on towards its lower end of the move.
-  const double foot = profile_->lower().foot(std::abs(across), std::abs(slope_));
-  const double s = std::clamp(along - std::copysign(foot, slope_), reach.first, reach.last);
-  const double rho = std::min(std::hypot(along - s, across), profile_->largest_radius());
-  return tip_z(s) + profile_->lower().height(rho);
+  const ConvexMeridian& side = profile_->lower();
+  const double s = best_place(side, slope_ < 0 ? 1 : -1, along, across, reach);
+  return tip_z(s) + side.height(radius(along - s, across));
 }
 
 double DexelSweep::highest(double along, double across, const Reach& reach) const {
-  const double foot = profile_->minus_upper().foot(std::abs(across), std::abs(slope_));
-  const double s = std::clamp(along + std::copysign(foot, slope_), reach.first, reach.last);
-  const double rho = std::min(std::hypot(along - s, across), profile_->largest_radius());
-  return tip_z(s) - profile_->minus_upper().height(rho);
+  const ConvexMeridian& side = profile_->minus_upper();
+  const double s = best_place(side, slope_ < 0 ? -1 : 1, along, across, reach);
+  return tip_z(s) - side.height(radius(along - s, across));
 }
 
 std::optional<DexelInterval> DexelSweep::interval(double x, double y) const {
@@ -95,7 +111,7 @@ void DexelSweep::lower_ends(double x, double y, double step, int n, const double
   const double r = profile_->largest_radius();
   for (int i = 0; i < n; ++i) {
     const double u = along(x + i * step, y), v = across(x + i * step, y);
-    const double nearest = std::hypot(u - std::clamp(u, 0.0, run_), v);
+    const double over = u - std::clamp(u, 0.0, run_), nearest = std::sqrt(over * over + v * v);
     low[i] = kInfinity;
     if (!(nearest <= r)) continue;
     // From anywhere on the move the line is no nearer and the tip no lower.

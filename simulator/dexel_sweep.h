@@ -57,6 +57,9 @@ class DexelSweep {
   };
   std::optional<Reach> reach(double along, double across) const;
   double tip_z(double s) const { return s == run_ ? end_z_ : start_.z + slope_ * s; }
+  double best_place(const ConvexMeridian& side, double toward, double along, double across,
+                    const Reach& reach) const;
+  double radius(double along, double across) const;
   double lowest(double along, double across, const Reach& reach) const;
   double highest(double along, double across, const Reach& reach) const;
   void ball_ends(double x, double y, double step, int n, double* low) const;

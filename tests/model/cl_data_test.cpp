@@ -67,8 +67,8 @@ TEST_CASE("every cutter has its figures", "[unit][cl]") {
   CHECK_THAT(text, ContainsSubstring("$\n"));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 72);
-  const ClCutter taper = *read(text).cutter;
-  CHECK(taper == cl_cutter(parse_cutter(
+  const SevenFigures taper = *read(text).cutter;
+  CHECK(taper == seven_figures(parse_cutter(
                      "taper:D=1.234567890123,r=0.371234567,angle=7.77777777777,L=12.345678901")));
   // The upper line touches the corner circle: both are as far from its centre as its radius.
   const double angle = taper.upper_angle * std::acos(-1.0) / 180;
@@ -79,7 +79,7 @@ TEST_CASE("every cutter has its figures", "[unit][cl]") {
 
 TEST_CASE("short forms of a cutter say the same as seven figures", "[unit][cl]") {
   for (const char* text : {"flat:D=8", "ball:D=6", "bull:D=8,r=1.5"}) {
-    ClCutter expected = cl_cutter(parse_cutter(text));
+    SevenFigures expected = seven_figures(parse_cutter(text));
     expected.height = 0;
     CHECK(*read(written({}, text, {})).cutter == expected);
   }

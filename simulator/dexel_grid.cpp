@@ -6,8 +6,10 @@
 namespace limitgauge::simulator {
 namespace {
 
+/// The raw stock on one line.
 struct RawLine {
   double x, y;
+  const std::optional<MeshSolid>& solid;
 
   std::vector<DexelInterval> operator()(const model::BoxStock& box) const {
     return {{box.corner_mm.z, box.corner_mm.z + box.size_mm.z}};
@@ -15,6 +17,18 @@ struct RawLine {
   std::vector<DexelInterval> operator()(const model::CylinderStock& bar) const {
     if (std::hypot(x - bar.base_mm.x, y - bar.base_mm.y) > bar.diameter_mm / 2) return {};
     return {{bar.base_mm.z, bar.base_mm.z + bar.height_mm}};
+  }
+  std::vector<DexelInterval> operator()(const model::MeshStock&) const {
+    std::vector<DexelInterval> intervals;
+    const std::vector<double> z = solid->crossings(x, y);
+    for (std::size_t i = 0; i + 1 < z.size(); i += 2) {
+      // Solids that touch make one interval.
+      if (!intervals.empty() && z[i] - intervals.back().high_mm < kDexelRounding_mm)
+        intervals.back().high_mm = z[i + 1];
+      else if (z[i + 1] - z[i] >= kDexelRounding_mm)
+        intervals.push_back({z[i], z[i + 1]});
+    }
+    return intervals;
   }
 };
 
@@ -47,7 +61,7 @@ DexelFrame DexelLattice::frame(int tile_x, int tile_y) const {
   return {first.x, first.y, dx, dy};
 }
 
-DexelTiles raw_tiles(const model::Stock& raw, const DexelLattice& lattice) {
+DexelTiles raw_tiles(const RawStock& raw, const DexelLattice& lattice) {
   std::vector<std::shared_ptr<DexelTile>> tiles(lattice.tiles());
   for (auto& tile : tiles) tile = std::make_shared<DexelTile>();
   for (int j = 0; j < lattice.ny; ++j)
@@ -55,7 +69,7 @@ DexelTiles raw_tiles(const model::Stock& raw, const DexelLattice& lattice) {
       constexpr int kEdge = DexelTile::kEdge;
       const model::Vec3 p = lattice.line_at(i, j);
       tiles[lattice.tile(i / kEdge, j / kEdge)]->set_material(DexelTile::line(i % kEdge, j % kEdge),
-                                                              std::visit(RawLine{p.x, p.y}, raw));
+                                                              std::visit(RawLine{p.x, p.y, raw.solid()}, raw.stock()));
     }
   return {tiles.begin(), tiles.end()};
 }

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "engine/model/stock.h"
 #include "simulator/dexel_tile.h"
+#include "simulator/raw_stock.h"
 
 namespace limitgauge::simulator {
 
@@ -30,6 +30,6 @@ struct DexelLattice {
 using DexelTiles = std::vector<std::shared_ptr<const DexelTile>>;
 
 /// The raw stock on the lines of `lattice`.
-DexelTiles raw_tiles(const model::Stock& raw, const DexelLattice& lattice);
+DexelTiles raw_tiles(const RawStock& raw, const DexelLattice& lattice);
 
 }  // namespace limitgauge::simulator

@@ -12,11 +12,10 @@ namespace {
 
 constexpr int kEdge = DexelTile::kEdge;
 
-DexelLattice lattice_of(const model::Stock& raw, double spacing_mm) {
+DexelLattice lattice_of(const RawStock& raw, double spacing_mm) {
   if (!(spacing_mm > 0) || !std::isfinite(spacing_mm))
     throw std::invalid_argument("the spacing of lines must be a positive number");
-  require_valid(raw);
-  return {bounding_box(raw), spacing_mm};
+  return {raw.box(), spacing_mm};
 }
 
 }  // namespace
@@ -28,7 +27,8 @@ struct DexelStock::State {
   const DexelTile& tile(int i, int j) const { return *tiles[lattice.tile(i / kEdge, j / kEdge)]; }
 };
 
-DexelStock::DexelStock(const model::Stock& raw, double spacing_mm) {
+DexelStock::DexelStock(const model::Stock& stock, double spacing_mm) {
+  const RawStock raw(stock);
   const DexelLattice lattice = lattice_of(raw, spacing_mm);
   state_ = std::make_shared<const State>(State{lattice, raw_tiles(raw, lattice)});
 }

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verifier/nearest_first.h"
+
 namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
 
-/// Where more triangles matter to a cell, it is left to smaller cells to look at them.
-constexpr std::size_t kMostTriangles = 400;
+/// Where more triangles matter to a cell than the plane across the way to the nearest can tell, it
+/// is left to smaller cells to look at them.
+constexpr int kMostTriangles = 400;
+/// So that coplanar triangles, which bound a cell alike, are not looked at for their rounding.
+constexpr double kAlike_mm = 1e-11;
 /// Cells further from the mesh than so many of their radii are well bounded by one triangle.
 constexpr double kFar = 8;
 
@@ -24,16 +29,21 @@ double most_along(const Triangle& t, const Vec3& g) {
   return std::max({dot(g, t[0]), dot(g, t[1]), dot(g, t[2])});
 }
 
+double most_along(const model::Box3& box, const Vec3& g) {
+  const Vec3 half = box.size() * 0.5;
+  return dot(box.centre(), g) + half.x * std::abs(g.x) + half.y * std::abs(g.y) +
+         half.z * std::abs(g.z);
+}
+
 Bezier moved(Bezier cell, const Vec3& by) {
   for (int k = 0; k < 16; ++k) cell.x[k] += by.x, cell.y[k] += by.y, cell.z[k] += by.z;
   return cell;
 }
 
-/// The best of some planes that have the triangle on one side: by how much the cell is at least on
-/// the other. `away_base` is the least of the cell along `away`.
-double plane_between(const Bezier& cell, const Vec3& centre, const Triangle& t, const Vec3& away,
-                     double away_base) {
-  double best = away_base - most_along(t, away);
+/// The better of two planes that have the triangle on one side: by how much the cell is at least on
+/// the other.
+double plane_between(const Bezier& cell, const Vec3& centre, const Triangle& t) {
+  double best = -std::numeric_limits<double>::infinity();
   const auto look = [&](const Vec3& g) {
     best = std::max(best, least_along(cell, g) - most_along(t, g));
   };
@@ -88,16 +98,29 @@ std::optional<double> MeshOutside::clearance(const Bezier& cell, const Vec3& mov
   const Bezier there = moved(cell, move);
   const Vec3 centre = middle(there);
   if (side_.inside(centre) != inside) return std::nullopt;
-  // No triangle beyond can be nearer to a point of the cell than the nearest is to its middle.
-  double least = tree_->nearest(centre)->distance_mm;
-  thread_local std::vector<std::uint32_t> near;
-  if (!tree_->within(centre, least + radius_mm, kMostTriangles, near)) return std::nullopt;
-  const double base = least_along(there, away);
-  for (const std::uint32_t k : near) {
-    least = std::min(least, plane_between(there, centre, tree_->triangles()[k], away, base));
-    if (least <= 0) return std::nullopt;
-  }
-  return least;
+  const double nearest = tree_->nearest(centre)->distance_mm, base = least_along(there, away);
+  // What is further from the middle comes no nearer to the cell than `nearest`.
+  const double reach = (nearest + radius_mm) * (nearest + radius_mm);
+  double least = nearest - kAlike_mm;
+  int looks = 0;
+  nearest_first(
+      tree_->nodes(),
+      [&](const BoxNode& node) {
+        const bool beyond = base - most_along(node.box, away) >= least;
+        return beyond ? std::numeric_limits<double>::infinity()
+                      : distance_squared(node.box, centre);
+      },
+      [&](double bound) { return bound > reach || least <= 0 || looks > kMostTriangles; },
+      [&](const BoxNode& leaf) {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+          const Triangle& t = tree_->triangles()[k];
+          const double across = base - most_along(t, away);
+          if (across >= least) continue;
+          ++looks;
+          least = std::min(least, std::max(across, plane_between(there, centre, t)));
+        }
+      });
+  return least > 0 && looks <= kMostTriangles ? std::optional(least) : std::nullopt;
 }
 
 double MeshOutside::lower(const Bezier& cell, const Vec3& middle, const BodyDistance& d) const {

@@ -86,19 +86,4 @@ std::optional<TriangleTree::Foot> TriangleTree::nearest(const Vec3& p, double wi
   return best;
 }
 
-bool TriangleTree::within(const Vec3& p, double radius_mm, std::size_t most,
-                          std::vector<std::uint32_t>& out) const {
-  const double squared = radius_mm * radius_mm;
-  out.clear();
-  nearest_first(
-      nodes_, [&](const BoxNode& node) { return distance_squared(node.box, p); },
-      [&](double bound) { return bound > squared || out.size() > most; },
-      [&](const BoxNode& leaf) {
-        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
-          if (length_squared(nearest_on_triangle(triangles_[k], p) - p) <= squared)
-            out.push_back(k);
-      });
-  return out.size() <= most;
-}
-
 }  // namespace limitgauge::verifier

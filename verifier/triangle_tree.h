@@ -31,10 +31,6 @@ class TriangleTree {
   /// The nearest point of the mesh; none where it is further away than `within_mm`.
   std::optional<Foot> nearest(const model::Vec3& p,
                               double within_mm = std::numeric_limits<double>::infinity()) const;
-  /// The triangles that come within `radius_mm` of `p`, in a fixed order; false where they are more
-  /// than `most`.
-  bool within(const model::Vec3& p, double radius_mm, std::size_t most,
-              std::vector<std::uint32_t>& out) const;
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<BoxNode>& nodes() const { return nodes_; }

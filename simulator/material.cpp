@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "simulator/raw_stock.h"
-
 namespace limitgauge::simulator {
 namespace {
 

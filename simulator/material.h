@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/model/stock.h"
+#include "simulator/raw_stock.h"
 #include "simulator/sweep_index.h"
 
 namespace limitgauge::simulator {
@@ -28,7 +28,7 @@ struct MaterialSample {
 /// cheap to copy.
 class Material {
  public:
-  explicit Material(const model::Stock& raw) : raw_(raw) {}
+  explicit Material(const RawStock& raw) : raw_(raw) {}
   Material after(std::shared_ptr<const SweepIndex> pass) const;
 
   /// φ = max(raw, −least swept distance). `guess` is where to look first (it only saves time).
@@ -36,11 +36,11 @@ class Material {
   /// The part of φ that one maker gives.
   MaterialSample sample_of(SurfaceMaker maker, const model::Vec3& p) const;
 
-  const model::Stock& raw() const { return raw_; }
+  const RawStock& raw() const { return raw_; }
   const std::vector<std::shared_ptr<const SweepIndex>>& passes() const { return passes_; }
 
  private:
-  model::Stock raw_;
+  RawStock raw_;
   std::vector<std::shared_ptr<const SweepIndex>> passes_;
 };
 

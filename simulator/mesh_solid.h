@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/model/triangle_mesh.h"
@@ -13,20 +14,31 @@ struct SolidSample {
   model::Vec3 gradient;
 };
 
-/// The solid that a closed triangle mesh bounds. The sign is the winding number along the vertical
-/// through the point, counted with one consistent rule on shared edges: it holds for meshes that
-/// touch or overlap themselves. Immutable, cheap to copy.
+/// The solid that a closed triangle mesh bounds: where its winding number is above zero. It is
+/// counted along the vertical through the point with exact predicates and one rule for points over
+/// edges and vertices (the point is taken to lie a little to +X, and far less to +Y, of where it
+/// is), so that it holds for meshes that touch or overlap themselves. Where solids of one mesh
+/// overlap, the distance is that to the nearest triangle, which may be one inside the other solid.
+/// Immutable, cheap to copy.
 class MeshSolid {
  public:
-  /// Throws std::invalid_argument for a mesh that is not closed or not finite.
+  /// Throws std::invalid_argument for a mesh that bounds no solid (model/mesh_defect.h).
   explicit MeshSolid(std::shared_ptr<const model::TriangleMesh> mesh);
 
-  /// Exact distance to the nearest triangle, with the solid's sign.
+  /// Exact distance to the nearest triangle (a relative error of a few roundings, 1e-12 mm on the
+  /// surface), with the solid's sign. On the surface the gradient is the normal of a triangle
+  /// there.
   SolidSample sample(const model::Vec3& p) const;
+  /// Whether p lies in the solid; of its boundary, one side.
+  bool contains(const model::Vec3& p) const;
+  /// Distances at `out.size()` points of a vertical, `step_mm` apart upwards from p: in all no more
+  /// than one look at the vertical, and each point begins where the one below ended.
+  void distances_up(const model::Vec3& p, double step_mm, std::span<double> out) const;
   /// Heights at which the vertical at (x, y) enters and leaves the solid, ascending, an even
-  /// number.
+  /// number; the same sides as sample() sees.
   std::vector<double> crossings(double x_mm, double y_mm) const;
   const model::TriangleMesh& mesh() const;
+  const model::Box3& box() const;
   double area_mm2() const;
   double volume_mm3() const;
   std::size_t memory_bytes() const;

@@ -43,17 +43,32 @@ RawSample bar_distance(const model::CylinderStock& bar, const Vec3& p) {
 
 }  // namespace
 
-RawSample raw_distance(const model::Stock& stock, const Vec3& p) {
-  if (const auto* box = std::get_if<model::BoxStock>(&stock)) return box_distance(*box, p);
-  return bar_distance(std::get<model::CylinderStock>(stock), p);
+RawStock::RawStock(const model::Stock& stock) : stock_(stock) {
+  require_valid(stock);
+  box_ = bounding_box(stock);
+  if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) solid_.emplace(mesh->mesh);
 }
 
-double surface_area_mm2(const model::Stock& stock) {
-  if (const auto* box = std::get_if<model::BoxStock>(&stock)) {
+RawSample RawStock::distance(const Vec3& p) const {
+  if (const auto* box = std::get_if<model::BoxStock>(&stock_)) return box_distance(*box, p);
+  if (const auto* bar = std::get_if<model::CylinderStock>(&stock_)) return bar_distance(*bar, p);
+  const SolidSample s = solid_->sample(p);
+  return {s.distance, s.gradient};
+}
+
+void RawStock::distances_up(const Vec3& p, double step_mm, std::span<double> out) const {
+  if (solid_) return solid_->distances_up(p, step_mm, out);
+  for (std::size_t n = 0; n < out.size(); ++n)
+    out[n] = distance({p.x, p.y, p.z + static_cast<double>(n) * step_mm}).distance;
+}
+
+double RawStock::surface_area_mm2() const {
+  if (const auto* box = std::get_if<model::BoxStock>(&stock_)) {
     const Vec3& s = box->size_mm;
     return 2 * (s.x * s.y + s.y * s.z + s.z * s.x);
   }
-  const auto& bar = std::get<model::CylinderStock>(stock);
+  if (solid_) return solid_->area_mm2();
+  const auto& bar = std::get<model::CylinderStock>(stock_);
   return std::numbers::pi * bar.diameter_mm * (bar.diameter_mm / 2 + bar.height_mm);
 }
 

@@ -51,7 +51,7 @@ openvdb::FloatGrid::Ptr empty_grid(const Lattice& lattice) {
 }
 
 // Corners of the blocks that the stock with its band lies in, in a fixed order.
-std::vector<Index3> blocks_of(const model::Stock& raw, const Lattice& lattice, double band) {
+std::vector<Index3> blocks_of(const RawStock& raw, const Lattice& lattice, double band) {
   const model::Box3 box = bounding_box(raw).grown(band + lattice.voxel_mm);
   Index3 low, high;
   for (int a = 0; a < 3; ++a) {
@@ -83,7 +83,7 @@ void set_value(Leaf& leaf, int offset, float value, float band) {
 
 class RawBuilder {
  public:
-  RawBuilder(Tree& tree, const model::Stock& raw, const Lattice& lattice)
+  RawBuilder(Tree& tree, const RawStock& raw, const Lattice& lattice)
       : tree_(tree), raw_(raw), lattice_(lattice), band_(tree.background()) {}
 
   void add_block(const Index3& corner) {
@@ -118,7 +118,7 @@ class RawBuilder {
   }
 
   Tree& tree_;
-  const model::Stock& raw_;
+  const RawStock& raw_;
   const Lattice& lattice_;
   float band_;
 };
@@ -224,7 +224,7 @@ struct StockGrid::Impl {
   Lattice lattice;
 };
 
-StockGrid::StockGrid(const model::Stock& raw, const Lattice& lattice,
+StockGrid::StockGrid(const RawStock& raw, const Lattice& lattice,
                      std::size_t memory_limit_bytes) {
   require_memory(band_bytes(surface_area_mm2(raw), lattice.voxel_mm), memory_limit_bytes,
                  lattice.voxel_mm);
@@ -236,7 +236,7 @@ StockGrid::StockGrid(const model::Stock& raw, const Lattice& lattice,
   impl_ = std::make_shared<const Impl>(Impl{grid, lattice});
 }
 
-StockGrid StockGrid::cut(const model::Stock& raw, const SweepIndex& pass,
+StockGrid StockGrid::cut(const RawStock& raw, const SweepIndex& pass,
                          std::size_t memory_limit_bytes, const model::RunControl& control) const {
   using Reach = BlockCutter::Reach;
   const Lattice& lattice = impl_->lattice;

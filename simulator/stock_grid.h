@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/model/run_control.h"
-#include "engine/model/stock.h"
 #include "simulator/lattice.h"
+#include "simulator/raw_stock.h"
 #include "simulator/stock_model.h"
 #include "simulator/sweep_index.h"
 
@@ -30,10 +30,10 @@ struct ColumnTops {
 class StockGrid {
  public:
   /// The raw stock's level set. Throws ResourceError when the forecast exceeds the limit.
-  StockGrid(const model::Stock& raw, const Lattice& lattice, std::size_t memory_limit_bytes);
+  StockGrid(const RawStock& raw, const Lattice& lattice, std::size_t memory_limit_bytes);
 
   /// This grid after a pass. Throws ResourceError when the forecast exceeds the limit.
-  StockGrid cut(const model::Stock& raw, const SweepIndex& pass, std::size_t memory_limit_bytes,
+  StockGrid cut(const RawStock& raw, const SweepIndex& pass, std::size_t memory_limit_bytes,
                 const model::RunControl& control) const;
 
   const Lattice& lattice() const;

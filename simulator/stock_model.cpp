@@ -12,13 +12,12 @@
 namespace limitgauge::simulator {
 namespace {
 
-Lattice lattice_of(const model::Stock& raw, double voxel_mm) {
+Lattice lattice_of(const RawStock& raw, double voxel_mm) {
   if (!(voxel_mm > 0) || !std::isfinite(voxel_mm))
     throw std::invalid_argument("the voxel must be a positive number");
-  require_valid(raw);
   // Voxel centres on the lower faces: a block whose size is a multiple of the voxel has its exact
   // volume.
-  return {bounding_box(raw).low, voxel_mm};
+  return {raw.box().low, voxel_mm};
 }
 
 }  // namespace
@@ -29,10 +28,12 @@ struct StockModel::State {
   std::size_t memory_limit_bytes = 0;
 };
 
-StockModel::StockModel(const model::Stock& raw, double voxel_mm, std::size_t memory_limit_bytes)
-    : state_(std::make_shared<const State>(
-          State{Material(raw), StockGrid(raw, lattice_of(raw, voxel_mm), memory_limit_bytes),
-                memory_limit_bytes})) {}
+StockModel::StockModel(const model::Stock& stock, double voxel_mm, std::size_t memory_limit_bytes) {
+  const RawStock raw(stock);
+  state_ = std::make_shared<const State>(
+      State{Material(raw), StockGrid(raw, lattice_of(raw, voxel_mm), memory_limit_bytes),
+            memory_limit_bytes});
+}
 
 StockModel::StockModel(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 StockModel::~StockModel() = default;
@@ -73,7 +74,7 @@ const StockGrid& StockModel::grid() const {
 }
 
 std::size_t StockModel::memory_bytes() const {
-  std::size_t bytes = state_->grid.memory_bytes();
+  std::size_t bytes = state_->grid.memory_bytes() + state_->material.raw().memory_bytes();
   for (const auto& pass : state_->material.passes()) bytes += pass->memory_bytes();
   return bytes;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/model/mesh_defect.h"
 #include "engine/model/spec_text.h"
 #include "engine/model/words.h"
 
@@ -28,6 +29,13 @@ struct Checker {
     require_positive(bar.diameter_mm, "stock diameter");
     require_positive(bar.height_mm, "stock height");
   }
+  void operator()(const MeshStock& stock) const {
+    if (stock.mesh == nullptr) throw std::invalid_argument("stock without its mesh");
+    if (const auto defect = find_defect(*stock.mesh))
+      throw std::invalid_argument("stock mesh: " + defect->wrong);
+    if (!std::isfinite(stock.voxel_mm) || stock.voxel_mm < 0)
+      throw std::invalid_argument("the voxel of the stock must not be negative");
+  }
 };
 
 struct Bounds {
@@ -38,6 +46,7 @@ struct Bounds {
     const double r_mm = bar.diameter_mm / 2;
     return {bar.base_mm - Vec3{r_mm, r_mm, 0}, bar.base_mm + Vec3{r_mm, r_mm, bar.height_mm}};
   }
+  Box3 operator()(const MeshStock& stock) const { return bounding_box(*stock.mesh); }
 };
 
 void read_shape(SpecText& spec) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <sstream>
 
 #include "app/output_files.h"
@@ -69,8 +70,9 @@ class Bench {
   double readings_within_mm(const JobStage& asked) const;
   model::Box3 near_surface(const JobStage& asked) const;
   void cut(const JobStage& asked, reports::StageResult::Ran& ran);
-  void follow_process(const JobStage& asked, const simulator::StockModel& before,
+  void follow_process(const JobStage& asked, const simulator::Pass& pass,
                       reports::StageResult::Ran& ran);
+  void say_forecast(const JobStage& asked, const simulator::CutForecast& forecast) const;
   void let_go(reports::StageResult& stage);
   void measure(std::size_t index, reports::StageResult::Ran& ran);
   void finish_surface(reports::SurfaceResult& surface) const;
@@ -81,6 +83,7 @@ class Bench {
   const RunOptions& options_;
   StagePlanner planner_;
   std::optional<simulator::StockModel> stock_;
+  double volume_mm3_ = 0;
   std::optional<simulator::DexelStock> lines_;
   std::vector<verifier::Pass> passes_;
   std::vector<verifier::StockReading> readings_;
@@ -135,35 +138,50 @@ model::Box3 Bench::near_surface(const JobStage& asked) const {
 void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
   const Stopwatch watch;
   const simulator::Pass pass{asked.cutter, ran.path};
-  const simulator::StockModel before = *stock_;
-  stock_ = before.cut(pass, control(asked.name + ": cutting"));
-  follow_process(asked, before, ran);
+  follow_process(asked, pass, ran);
+  say_forecast(asked, stock_->forecast(pass, control(asked.name + ": forecasting")));
+  stock_ = std::move(*stock_).cut(pass, control(asked.name + ": cutting"));
+  const double volume_mm3 = stock_->volume_mm3(control(asked.name + ": adding up"));
+  ran.removed_volume_mm3 = volume_mm3_ - volume_mm3;
+  volume_mm3_ = volume_mm3;
   readings_.clear();
-  for (const simulator::StockPoint& point :
-       stock_->surface_points(near_surface(asked), control(asked.name + ": reading the stock"))) {
-    readings_.push_back({point.position, point.residual_mm});
-  }
+  stock_->visit_surface_points(
+      near_surface(asked),
+      [this](std::span<const simulator::StockPoint> points) {
+        for (const simulator::StockPoint& p : points)
+          readings_.push_back({p.position, p.residual_mm});
+      },
+      control(asked.name + ": reading the stock"));
   ran.voxel_mm = stock_->voxel_mm();
-  ran.removed_volume_mm3 = before.volume_mm3() - stock_->volume_mm3();
+  ran.tiles = stock_->tiles();
   ran.stock = stock_;
   ran.simulation_seconds = watch.seconds();
   ran.peak_memory_bytes = peak_memory_bytes();
 }
 
 /// What the shape that is left does not show: collisions and the like, and what each move took.
-void Bench::follow_process(const JobStage& asked, const simulator::StockModel& before,
+void Bench::follow_process(const JobStage& asked, const simulator::Pass& pass,
                            reports::StageResult::Ran& ran) {
-  const simulator::Pass pass{asked.cutter, ran.path};
   simulator::ProcessLimits limits;
   limits.tolerance_mm = inputs_.settings.contact_tolerance_mm;
   limits.near_miss_mm = job_.near_miss_mm;
   limits.travel_mm = job_.travel_mm;
   limits.fixtures = inputs_.fixtures;
-  ran.process = check_process(before, pass, limits, control(asked.name + ": checking the process"));
+  ran.process =
+      check_process(*stock_, pass, limits, control(asked.name + ": checking the process"));
   simulator::DexelStock::Cut after =
       lines_->cut(pass, control(asked.name + ": following the removal"));
   lines_ = std::move(after.stock);
   ran.removal = std::move(after.removal);
+}
+
+void Bench::say_forecast(const JobStage& asked, const simulator::CutForecast& forecast) const {
+  constexpr double kMib = 1024.0 * 1024.0;
+  std::ostringstream line;
+  line << asked.name << ": cutting is forecast to take " << forecast.seconds << " s and "
+       << std::lround(forecast.bytes / kMib) << " MiB";
+  if (forecast.tiled) line << ", tile by tile";
+  options_.watch.note(line.str());
 }
 
 /// What only the stage's files needed.
@@ -174,7 +192,7 @@ void Bench::let_go(reports::StageResult& stage) {
 
 std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Finding> findings) {
   std::vector<verifier::ProcessFault> faults;
-  for (const simulator::FindingKind kind : simulator::kFindingKinds)
+  for (const simulator::FindingKind kind : reports::kFindingKinds)
     if (fails(kind)) faults.push_back({reports::words_for(kind), reports::count(findings, {kind})});
   return faults;
 }
@@ -258,7 +276,9 @@ reports::RunResult Bench::run() {
   result.assumptions = assumptions(job_, inputs_.settings);
   result.published = job_.published;
   for (const JobStage& asked : job_.stages) result.stages.push_back(stage_as_asked(asked));
-  stock_.emplace(job_.stock, inputs_.settings.voxel_mm, inputs_.settings.memory_limit_bytes);
+  stock_.emplace(job_.stock, inputs_.settings.voxel_mm, inputs_.settings.memory_limit_bytes,
+                 control("raw stock"));
+  volume_mm3_ = stock_->volume_mm3(control("raw stock"));
   lines_.emplace(job_.stock, inputs_.settings.line_spacing_mm);
   result.verdict = Verdict::pass;
   for (std::size_t i = 0; i < result.stages.size() && result.verdict == Verdict::pass; ++i) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/words.h"
+#include "simulator/dexel_removal.h"
 #include "verifier/verify.h"
 
 namespace limitgauge::app {
@@ -100,6 +101,7 @@ Settings choose_settings(const Job& job, const model::Box3& surface) {
   // What one calls a touch; the search itself knows the stock exactly.
   settings.contact_tolerance_mm = job.contact_tolerance_mm.value_or(settings.voxel_mm);
   settings.memory_limit_bytes = memory_limit();
+  settings.line_spacing_mm = simulator::removal_spacing_mm(settings.voxel_mm, job.stock, {});
   for (const JobStage& stage : job.stages) {
     settings.resolution_mm.push_back(
         job.resolution_mm.value_or(verifier::automatic_resolution_mm(stage.limits)));

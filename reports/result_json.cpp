@@ -178,6 +178,7 @@ Json removal_part(const simulator::RemovalTotals& t) {
 Json simulation_part(const StageResult::Ran& r) {
   return {{"voxel_mm", finite("simulation.voxel_mm", r.voxel_mm)},
           {"removed_volume_mm3", finite("simulation.removed_volume_mm3", r.removed_volume_mm3)},
+          {"tiles", r.tiles},
           {"seconds", finite("simulation.seconds", r.simulation_seconds)},
           {"peak_memory_bytes", r.peak_memory_bytes},
           {"removal", removal_part(r.removal.totals)},

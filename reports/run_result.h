@@ -10,7 +10,7 @@
 #include "engine/strategy/stage_path.h"
 #include "reports/published.h"
 #include "simulator/dexel_stock.h"
-#include "simulator/finding_groups.h"
+#include "simulator/finding.h"
 #include "simulator/stock_model.h"
 #include "verifier/deviation.h"
 #include "verifier/surface_rules.h"
@@ -60,6 +60,7 @@ struct StageResult {
     std::vector<std::string> ignored_words;  ///< "line: word" of auxiliaries in a foreign program
 
     double voxel_mm = 0, removed_volume_mm3 = 0, simulation_seconds = 0;
+    std::size_t tiles = 0;  ///< that the stock was worked out in; 0: as one whole
     std::size_t peak_memory_bytes = 0;
     std::optional<simulator::StockModel> stock;  ///< let go once its files are written
     std::vector<simulator::Finding> process;     ///< in the order of moves

@@ -67,13 +67,11 @@ MeshOutside::MeshOutside(const model::TriangleMesh& mesh)
 BodyDistance MeshOutside::signed_by(const TriangleTree::Foot& foot, const Vec3& p,
                                     bool inside) const {
   const double sign = inside || foot.distance_mm <= kOn_mm ? 1 : -1;
-  Vec3 inwards;
-  if (foot.distance_mm > kOn_mm) {
-    inwards = (p - foot.point) * (sign / foot.distance_mm);
-  } else {
-    const Triangle& t = tree_->triangles()[foot.triangle];
-    inwards = -normalized(cross(t[1] - t[0], t[2] - t[0]));
-  }
+  // Nearer than this the way to the foot has a share of rounding.
+  constexpr double kNear_mm = 1e-6;
+  const Triangle& t = tree_->triangles()[foot.triangle];
+  const Vec3 inwards = foot.distance_mm > kNear_mm ? (p - foot.point) * (sign / foot.distance_mm)
+                                                   : -normalized(cross(t[1] - t[0], t[2] - t[0]));
   return {sign * foot.distance_mm, inwards, 0};
 }
 

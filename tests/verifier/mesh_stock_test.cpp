@@ -41,7 +41,8 @@ void check_alike(const Interval& a, const Interval& b) {
   CHECK(b.width() <= std::max({a.width(), kResolution_mm, 0.05 * a.low}));
 }
 
-/// Findings that are more than rounding: S in a face of the stock is a leftover of 1e-16 mm or none.
+/// Findings that are more than rounding: S in a face of the stock is a leftover of 1e-16 mm or
+/// none.
 std::ptrdiff_t counted(const std::vector<Finding>& findings) {
   return std::count_if(findings.begin(), findings.end(),
                        [](const Finding& f) { return f.depth_mm > 1e-9; });
@@ -170,6 +171,34 @@ TEST_CASE("what is left of a mesh is found as what is left of a block", "[unit]"
   CHECK(mesh.area_mm2 == Approx(block.area_mm2).epsilon(0.02));
   CHECK(mesh.boxes.size() == block.boxes.size());
   CHECK(mesh.complete);
+}
+
+TEST_CASE("points of a casting are readings of it, points beside it are not", "[unit]") {
+  const auto top = [](double x, double y) { return 0.2 + 0.1 * std::sin(x) * std::cos(0.7 * y); };
+  const model::TriangleMesh solid = block_under(6, 30, -4, top);
+  std::vector<StockReading> readings;
+  for (const auto& t : solid.triangles)
+    for (const double along : {0.1, 0.45, 0.8})
+      readings.push_back(
+          {lerp(lerp(solid.vertices[t[0]], solid.vertices[t[1]], along), solid.vertices[t[2]], 0.3),
+           1e-7});
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const Pass pass{ball_cutter(3), shared(in_the_air())};
+  StageCheck check;
+  check.resolution_mm = kResolution_mm;
+  check.field_spacing_mm = 1;
+  check.voxel_mm = 0.5;
+  check.readings_within_mm = 1;
+  const auto run = [&] {
+    return measure_stage(plane, mesh_stock(solid), {&pass, 1}, readings, check, {2});
+  };
+  const StageDeviation d = run();
+  // The highest point of all is a vertex at (π/2, 0) within a grid of 0.4 mm.
+  CHECK(d.voxel_uncut_mm == Approx(0.3).margin(0.01));
+  CHECK(d.voxel_uncut_mm <= d.uncut_mm.high + 0.01);
+  CHECK(d.voxel_gouge_mm == 0);
+  readings[100].position.z += 1e-4;
+  CHECK_THROWS_AS(run(), InstrumentDisagreement);
 }
 
 }  // namespace limitgauge::verifier

@@ -42,8 +42,10 @@ class Reader {
     hint_ = removed.body;
     out.mismatch_mm = std::abs(removed.distance.value) - point.error_mm - kAgreement_mm;
     const Vec3 air = -removed.distance.gradient;
-    // The underside of the raw stock faces nothing that a cutter from above is to leave.
-    if (space_.is_stock(removed.body) && air.z < 0) return out;
+    // The underside of the raw stock faces nothing that a cutter from above is to leave. Upright
+    // walls of a mesh are upright within rounding.
+    constexpr double kUpright = 1e-6;
+    if (space_.is_stock(removed.body) && air.z < -kUpright) return out;
     const auto foot = closest_point(cells_, point.position, sight_mm_);
     if (!foot) return out;
     const double facing = dot(air, foot->normal);

@@ -15,6 +15,8 @@ using model::Vec3;
 constexpr int kMostTriangles = 400;
 /// So that coplanar triangles, which bound a cell alike, are not looked at for their rounding.
 constexpr double kAlike_mm = 1e-11;
+/// Nearer than this to the mesh, the side of a point is mostly rounding: it counts as inside.
+constexpr double kOn_mm = 1e-11;
 /// Cells further from the mesh than so many of their radii are well bounded by one triangle.
 constexpr double kFar = 8;
 
@@ -64,16 +66,12 @@ MeshOutside::MeshOutside(const model::TriangleMesh& mesh)
 
 BodyDistance MeshOutside::signed_by(const TriangleTree::Foot& foot, const Vec3& p,
                                     bool inside) const {
-  // Nearer than this the way to the foot is mostly rounding.
-  constexpr double kOn_mm = 1e-10;
-  const double sign = inside ? 1 : -1;
-  Vec3 inwards;
-  if (foot.distance_mm > kOn_mm) {
-    inwards = (p - foot.point) * (sign / foot.distance_mm);
-  } else {
-    const Triangle& t = tree_->triangles()[foot.triangle];
-    inwards = -normalized(cross(t[1] - t[0], t[2] - t[0]));
-  }
+  const double sign = inside || foot.distance_mm <= kOn_mm ? 1 : -1;
+  // Nearer than this the way to the foot has a share of rounding.
+  constexpr double kNear_mm = 1e-6;
+  const Triangle& t = tree_->triangles()[foot.triangle];
+  const Vec3 inwards = foot.distance_mm > kNear_mm ? (p - foot.point) * (sign / foot.distance_mm)
+                                                   : -normalized(cross(t[1] - t[0], t[2] - t[0]));
   return {sign * foot.distance_mm, inwards, 0};
 }
 

@@ -63,7 +63,8 @@ class RemovedSpace {
   const MeshOutside* mesh_of(BodyRef body) const { return is_stock(body) ? mesh_.get() : nullptr; }
   /// Radius of the smallest rounding of a body's edges, in mm; none of a face of the stock.
   double rounding_mm(BodyRef body) const {
-    return is_stock(body) ? 0 : passes_[body.pass].profile.rounding_mm;
+    if (is_stock(body) || passes_[body.pass].profile.is_pointed()) return 0;
+    return passes_[body.pass].profile.rounding_mm;
   }
   bool is_stock(BodyRef body) const { return body.pass == passes_.size(); }
   /// Largest distance between a programmed arc and the chords that stand for it, over all passes.

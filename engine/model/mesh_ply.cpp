@@ -54,25 +54,28 @@ class BinaryBody {
   }
 
   void end() {
+    last_ = at_;
     if (left() > 0)
       fail(
           "the file goes on for " + std::to_string(left()) + " bytes that its header does not know",
           "its end");
   }
+  /// Where the last number stood.
   [[noreturn]] void fail(const std::string& wrong, const std::string& expected) const {
-    fail_at_byte(name_, at_, wrong, expected);
+    fail_at_byte(name_, last_, wrong, expected);
   }
 
  private:
   std::string_view take(PlyType type) {
     const std::size_t size = bytes_of(type);
+    last_ = at_;
     if (left() < size) fail("the file ends in the middle of an element", "more");
     at_ += size;
     return bytes_.substr(at_ - size, size);
   }
 
   std::string_view bytes_;
-  std::size_t at_;
+  std::size_t at_, last_ = at_;
   std::endian order_;
   std::string name_;
 };
@@ -99,40 +102,50 @@ class AsciiBody {
     next();
   }
   void end_row() {
-    if (!word_.text.empty()) fail(in_quotes(word_.text) + " is one too many", "the line's end");
+    if (!word_.text.empty())
+      fail_at(word_, in_quotes(word_.text) + " is one too many", "the line's end");
   }
   void skip(PlyType) {
-    if (word_.text.empty()) fail("the line ends here", "a number");
+    if (word_.text.empty()) fail_at(word_, "the line ends here", "a number");
     next();
   }
   double number(PlyType) {
     const auto value = parse_number(word_.text);
     if (!value)
-      fail(word_.text.empty() ? "the line ends here"
-                              : in_quotes(word_.text) + " is not a finite number",
-           "a number");
+      fail_at(word_,
+              word_.text.empty() ? "the line ends here"
+                                 : in_quotes(word_.text) + " is not a finite number",
+              "a number");
     next();
     return *value;
   }
   void end() {
     if (!lexer_.next_statement()) return;
     next();
-    fail("the file goes on behind the elements that its header states", "its end");
+    fail_at(word_, "the file goes on behind the elements that its header states", "its end");
   }
+  /// Where the last number stood.
   [[noreturn]] void fail(const std::string& wrong, const std::string& expected) const {
-    throw InputError(
-        {lexer_.name(), static_cast<int>(line_of(word_)), static_cast<int>(word_.column)}, wrong,
-        expected);
+    fail_at(last_, wrong, expected);
   }
 
  private:
-  void next() { word_ = lexer_.word(); }
+  void next() {
+    last_ = word_;
+    word_ = lexer_.word();
+  }
+  [[noreturn]] void fail_at(const ObjWord& word, const std::string& wrong,
+                            const std::string& expected) const {
+    throw InputError(
+        {lexer_.name(), static_cast<int>(line_of(word)), static_cast<int>(word.column)}, wrong,
+        expected);
+  }
   std::uint32_t line_of(const ObjWord& word) const {
     return word.line + static_cast<std::uint32_t>(lines_before_);
   }
 
   ObjLexer lexer_;
-  ObjWord word_;
+  ObjWord word_, last_;
   int lines_before_;
   std::size_t most_words_;
 };

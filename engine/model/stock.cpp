@@ -51,9 +51,6 @@ struct Bounds {
 
 void read_shape(SpecText& spec) {
   const std::string shape(spec.take_until(":"));
-  if (shape == "mesh" || shape == "vdb")
-    spec.fail_at(0, "stock from a " + shape + " file is not supported in this release",
-                 "'box:LX,LY,LZ@X,Y,Z', or a box or cylinder in a job file");
   if (shape != "box") spec.fail_at(0, "unknown stock " + in_quotes(shape), "'box:LX,LY,LZ@X,Y,Z'");
   if (!spec.take(':')) spec.fail_at(spec.position(), "the box has no size", "':LX,LY,LZ@X,Y,Z'");
 }

@@ -6,6 +6,7 @@
 #include "engine/model/error.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
+#include "tests/support/mesh_shapes.h"
 
 using namespace limitgauge::model;
 using namespace limitgauge::model::test;
@@ -36,9 +37,7 @@ TEST_CASE("stock texts that are wrong, each with its column", "[unit][stock]") {
   CHECK(error_of("bar:1,2,3@0,0,0") ==
         "stock:1:1: error: unknown stock 'bar'; expected 'box:LX,LY,LZ@X,Y,Z'");
   CHECK(error_of("mesh:part.stl") ==
-        "stock:1:1: error: stock from a mesh file is not supported in this release; expected "
-        "'box:LX,LY,LZ@X,Y,Z', or a box or cylinder in a job file");
-  CHECK_THAT(error_of("vdb:part.vdb"), ContainsSubstring("stock from a vdb file"));
+        "stock:1:1: error: unknown stock 'mesh'; expected 'box:LX,LY,LZ@X,Y,Z'");
   CHECK(error_of("box") == "stock:1:4: error: the box has no size; expected ':LX,LY,LZ@X,Y,Z'");
   CHECK(error_of("box:90") == "stock:1:7: error: the box has no size in Y; expected ','");
   CHECK(error_of("box:90,80") == "stock:1:10: error: the box has no size in Z; expected ','");
@@ -65,4 +64,11 @@ TEST_CASE("stock of no or unbounded size is refused", "[unit][stock]") {
   CHECK_THROWS_AS(require_valid(BoxStock{{0, inf, 0}, {1, 1, 1}}), std::invalid_argument);
   CHECK_THROWS_AS(require_valid(CylinderStock{{0, 0, 0}, -1, 1}), std::invalid_argument);
   CHECK_THROWS_AS(require_valid(CylinderStock{{0, 0, 0}, 1, inf}), std::invalid_argument);
+  CHECK_THROWS_AS(require_valid(MeshStock{}), std::invalid_argument);
+  auto mesh = std::make_shared<TriangleMesh>(limitgauge::tests::block_between({0, 0, 0}, {1, 2, 3}));
+  CHECK_NOTHROW(require_valid(MeshStock{mesh, "a.stl", 0}));
+  CHECK(bounding_box(MeshStock{mesh, "a.stl", 0}).high == Vec3{1, 2, 3});
+  CHECK_THROWS_AS(require_valid(MeshStock{mesh, "a.stl", -1}), std::invalid_argument);
+  mesh->triangles.pop_back();
+  CHECK_THROWS_AS(require_valid(MeshStock{mesh, "a.stl", 0}), std::invalid_argument);
 }

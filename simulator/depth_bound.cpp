@@ -9,21 +9,10 @@ namespace {
 using model::Box3;
 using model::Vec3;
 
-// Whether the raw stock's depth lies below its tangents.
-bool is_convex(const model::BoxStock&) {
-  return true;
-}
-bool is_convex(const model::CylinderStock&) {
-  return true;
-}
-bool is_convex(const auto&) {
-  return false;
-}
-
 Depth depth_in_raw(const MaterialAtMove& m, const Cover& cover, const Vec3& p, const Vec3& half) {
   const MaterialSample raw = m.before->sample_of({}, p);
-  if (std::visit([](const auto& stock) { return is_convex(stock); }, m.before->raw()))
-    return {-raw.value, -raw.gradient, 0, cover};
+  // Then the depth lies below its tangents.
+  if (m.before->raw().convex()) return {-raw.value, -raw.gradient, 0, cover};
   // Of any solid the depth is 1-Lipschitz.
   return {-raw.value, {}, length(half), cover};
 }

@@ -59,7 +59,8 @@ Pass pocket(const model::Cutter& c) {
   PathBuilder b({-6, -4, 5});
   b.feed({-6, -4, -3});
   for (double y = -4; y <= 4; y += 2) b.feed({-6, y, -3}).feed({6, y, -3}).feed({-6, y, -3});
-  return b.feed({-6, 4, -3}).pass(c);
+  // The rows leave scallops along their far ends.
+  return b.feed({6, 4, -3}).feed({6, -4, -3}).pass(c);
 }
 
 Pass wanderings(const model::Cutter& c, int moves, unsigned seed) {

@@ -3,6 +3,7 @@
 // but the cutter and the path.
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <random>
 
@@ -47,8 +48,8 @@ Pass job(const model::Cutter& c, unsigned seed) {
 /// An octahedron, which no line meets but twice.
 model::Stock gem() {
   auto mesh = std::make_shared<model::TriangleMesh>();
-  mesh->points = {{10, 0, -4}, {0, 9, -4}, {-10, 0, -4}, {0, -9, -4}, {0, 0, 1}, {0, 0, -9}};
-  for (int i = 0; i < 4; ++i) {
+  mesh->vertices = {{10, 0, -4}, {0, 9, -4}, {-10, 0, -4}, {0, -9, -4}, {0, 0, 1}, {0, 0, -9}};
+  for (std::uint32_t i = 0; i < 4; ++i) {
     mesh->triangles.push_back({i, (i + 1) % 4, 4});
     mesh->triangles.push_back({(i + 1) % 4, i, 5});
   }

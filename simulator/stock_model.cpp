@@ -162,7 +162,8 @@ ColumnTops StockModel::column_tops(const RunControl& control) const {
 }
 
 std::size_t StockModel::memory_bytes() const {
-  return state_->grid.memory_bytes() + static_cast<std::size_t>(pass_bytes(state_->material));
+  return state_->grid.memory_bytes() + state_->material.raw().memory_bytes() +
+         static_cast<std::size_t>(pass_bytes(state_->material));
 }
 
 std::vector<StockPoint> StockModel::surface_points(const RunControl& control) const {

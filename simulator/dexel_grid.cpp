@@ -68,8 +68,9 @@ DexelTiles raw_tiles(const RawStock& raw, const DexelLattice& lattice) {
     for (int i = 0; i < lattice.nx; ++i) {
       constexpr int kEdge = DexelTile::kEdge;
       const model::Vec3 p = lattice.line_at(i, j);
-      tiles[lattice.tile(i / kEdge, j / kEdge)]->set_material(DexelTile::line(i % kEdge, j % kEdge),
-                                                              std::visit(RawLine{p.x, p.y, raw.solid()}, raw.stock()));
+      tiles[lattice.tile(i / kEdge, j / kEdge)]->set_material(
+          DexelTile::line(i % kEdge, j % kEdge),
+          std::visit(RawLine{p.x, p.y, raw.solid()}, raw.stock()));
     }
   return {tiles.begin(), tiles.end()};
 }

@@ -83,6 +83,20 @@ double DexelStock::volume_error_mm3() const {
   return sum / 4 * state_->lattice.cell_mm2();
 }
 
+double DexelStock::surface_area_mm2() const {
+  // Shadows: two ends an interval along z, and every change of the length along x and y.
+  const DexelLattice& lattice = state_->lattice;
+  double level = 0, along_x = 0, along_y = 0;
+  for (int j = 0; j < ny(); ++j)
+    for (int i = 0; i < nx(); ++i) {
+      const double own = length(i, j);
+      level += 2 * static_cast<double>(material(i, j).size());
+      along_x += std::abs(own - (i > 0 ? length(i - 1, j) : 0)) + (i + 1 < nx() ? 0 : own);
+      along_y += std::abs(own - (j > 0 ? length(i, j - 1) : 0)) + (j + 1 < ny() ? 0 : own);
+    }
+  return level * lattice.cell_mm2() + along_x * lattice.dy + along_y * lattice.dx;
+}
+
 std::size_t DexelStock::memory_bytes() const {
   std::size_t bytes = 0;
   for (const auto& tile : state_->tiles) bytes += tile->memory_bytes();

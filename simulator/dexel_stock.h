@@ -36,6 +36,9 @@ class DexelStock {
   /// height, half of which it may count for too much; a bend makes one, of which it costs an eighth
   /// at most. Does not know of what lies wholly between two lines.
   double volume_error_mm3() const;
+  /// Of the material's boundary, from the lengths on neighbouring lines: no less than it is but for
+  /// what lies between two lines, and at most the sum of its shadows along the axes.
+  double surface_area_mm2() const;
   std::size_t memory_bytes() const;
   int nx() const;
   int ny() const;

@@ -43,10 +43,10 @@ StockCheck::StockCheck(const StockModel& before, const Pass& pass, const ToolBod
       lines_(straight_runs(path_)),
       at_rest_(series_of(path_.moves.size(),
                          [&](std::size_t i) { return path_.moves[i].spindle_stopped; })),
-      without_feed_(series_of(path_.moves.size(),
-                              [&](std::size_t i) { return lacks_feed(path_.moves[i]); })),
-      descents_(series_of(path_.moves.size(),
-                          [&](std::size_t i) { return descends_too_steeply(i); })) {}
+      without_feed_(
+          series_of(path_.moves.size(), [&](std::size_t i) { return lacks_feed(path_.moves[i]); })),
+      descents_(
+          series_of(path_.moves.size(), [&](std::size_t i) { return descends_too_steeply(i); })) {}
 
 void StockCheck::look_at(std::size_t move, std::vector<Finding>& findings) const {
   const SweptMove tip(move_from(path_, move), path_.moves[move].to,
@@ -113,9 +113,9 @@ void StockCheck::look_at_wide_part(const ToolBody& body, std::size_t i, const Sw
         finding(FindingKind::near_miss, i, gap->point, -gap->distance_mm, body.part));
   }
   if (const auto c = contact(body, tip, end))
-    findings.push_back(finding(body.part == ToolPart::shank ? FindingKind::shank_in_stock
-                                                            : FindingKind::holder_in_stock,
-                               i, c->point, c->depth_mm, body.part));
+    findings.push_back(finding(
+        body.part == ToolPart::shank ? FindingKind::shank_in_stock : FindingKind::holder_in_stock,
+        i, c->point, c->depth_mm, body.part));
 }
 
 void StockCheck::look_at_rapids_gap(std::size_t i, const SweptMove& tip,
@@ -167,8 +167,7 @@ bool StockCheck::keeps_to_its_hole(std::size_t i) const {
   const bool up = to.z >= from.z;
   const bool beside_feed = up ? begin > 0 && path_.moves[begin - 1].kind == MoveKind::feed
                               : end < path_.moves.size() && path_.moves[end].kind == MoveKind::feed;
-  return beside_feed &&
-         std::min(from.z, to.z) + bodies_.flutes.profile.length() >= map_.highest();
+  return beside_feed && std::min(from.z, to.z) + bodies_.flutes.profile.length() >= map_.highest();
 }
 
 std::vector<SweptMove> StockCheck::feeds_beside(std::size_t i) const {

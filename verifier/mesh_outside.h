@@ -15,7 +15,7 @@ namespace limitgauge::verifier {
 /// is neither convex nor concave.
 ///
 /// Bounds of d on a Bézier cell with control points P_k, middle m and radius r (CERTIFICATE.md,
-/// section 2a, has the proofs): for a unit vector v, a length t ≥ 0, and the cell moved by t·v,
+/// section 3a, has the proofs): for a unit vector v, a length t ≥ 0, and the cell moved by t·v,
 ///   proven inside the mesh by μ   ⇒  d ≥ μ − t on the cell,
 ///   proven outside by μ           ⇒  d ≤ t − μ.
 /// The moved cell is proven to lie on the side of its middle, μ away from the mesh, by one plane

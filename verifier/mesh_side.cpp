@@ -58,7 +58,7 @@ MeshSide::MeshSide(const TriangleTree& tree) : tree_(&tree) {
   for (int axis = 0; axis < 3; ++axis)
     counts_[axis] = static_cast<std::int64_t>(size[axis] / size_mm_) + 1;
   cells_.assign(static_cast<std::size_t>(counts_[0] * counts_[1] * counts_[2]), Cell::unknown);
-  mark_triangles();
+  for (const Triangle& t : tree.triangles()) mark(t);
   // Cells that share a face, and that no triangle comes near, lie on the same side.
   for (std::size_t cell = 0; cell < cells_.size(); ++cell)
     if (cells_[cell] == Cell::unknown)
@@ -77,32 +77,27 @@ Vec3 MeshSide::centre(std::size_t cell) const {
   return tree_->box().low + (place + Vec3{0.5, 0.5, 0.5}) * size_mm_;
 }
 
-void MeshSide::mark_triangles() {
+std::int64_t MeshSide::place(int axis, double at) const {
+  const double cells = std::floor((at - tree_->box().low[axis]) / size_mm_);
+  return std::clamp(static_cast<std::int64_t>(cells), std::int64_t{0}, counts_[axis] - 1);
+}
+
+void MeshSide::mark(const Triangle& t) {
   // Cells count as a little larger than they are, so that rounding cannot lose a triangle.
-  constexpr double kHalf = 0.5 + 1e-6;
-  const double half = kHalf * size_mm_;
-  for (const Triangle& t : tree_->triangles()) {
-    Box3 box;
-    for (const Vec3& corner : t) box.add(corner);
-    std::int64_t low[3], high[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      const double base = tree_->box().low[axis], grown = half - 0.5 * size_mm_;
-      const auto place = [&](double x) {
-        return std::clamp(static_cast<std::int64_t>(std::floor((x - base) / size_mm_)),
-                          std::int64_t{0}, counts_[axis] - 1);
-      };
-      low[axis] = place(box.low[axis] - grown), high[axis] = place(box.high[axis] + grown);
-    }
-    const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
-    // A large triangle at a slant passes few of the cells of its box.
-    const double near = half * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) * (1 + 1e-6);
-    for (std::int64_t k = low[2]; k <= high[2]; ++k)
-      for (std::int64_t j = low[1]; j <= high[1]; ++j)
-        for (std::int64_t i = low[0]; i <= high[0]; ++i) {
-          const std::size_t cell = index(i, j, k);
-          if (std::abs(dot(n, centre(cell) - t[0])) <= near) cells_[cell] = Cell::mixed;
-        }
-  }
+  constexpr double kLarger = 1e-6;
+  Box3 box;
+  for (const Vec3& corner : t) box.add(corner);
+  box = box.grown(kLarger * size_mm_);
+  const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
+  // A large triangle at a slant passes few of the cells of its box.
+  const double half = (0.5 + kLarger) * size_mm_;
+  const double near = half * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) * (1 + kLarger);
+  for (std::int64_t k = place(2, box.low.z); k <= place(2, box.high.z); ++k)
+    for (std::int64_t j = place(1, box.low.y); j <= place(1, box.high.y); ++j)
+      for (std::int64_t i = place(0, box.low.x); i <= place(0, box.high.x); ++i) {
+        const std::size_t cell = index(i, j, k);
+        if (std::abs(dot(n, centre(cell) - t[0])) <= near) cells_[cell] = Cell::mixed;
+      }
 }
 
 void MeshSide::fill(std::size_t first, Cell side) {
@@ -129,11 +124,7 @@ void MeshSide::fill(std::size_t first, Cell side) {
 bool MeshSide::inside(const Vec3& p) const {
   const Box3& box = tree_->box();
   if (cells_.empty() || !box.contains(p)) return false;
-  std::int64_t at[3];
-  for (int axis = 0; axis < 3; ++axis)
-    at[axis] = std::min(static_cast<std::int64_t>((p[axis] - box.low[axis]) / size_mm_),
-                        counts_[axis] - 1);
-  const Cell cell = cells_[index(at[0], at[1], at[2])];
+  const Cell cell = cells_[index(place(0, p.x), place(1, p.y), place(2, p.z))];
   return cell == Cell::mixed ? winds_around(p) : cell == Cell::inside;
 }
 

@@ -23,9 +23,11 @@ class MeshSide {
   enum class Cell : std::uint8_t { unknown, mixed, inside, outside };
 
   bool winds_around(const model::Vec3& p) const;
-  void mark_triangles();
+  void mark(const Triangle& t);
   void fill(std::size_t cell, Cell side);
   model::Vec3 centre(std::size_t cell) const;
+  /// Of the cells along an axis, the one that `at` lies in, or the nearest.
+  std::int64_t place(int axis, double at) const;
   std::size_t index(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
   const TriangleTree* tree_;

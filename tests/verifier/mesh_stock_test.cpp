@@ -90,6 +90,23 @@ TEST_CASE("a mesh of a block has the block's figures and verdict", "[unit]") {
   }
 }
 
+TEST_CASE("a face of a mesh at a slant is measured as exactly as a level one", "[unit]") {
+  const ReferenceSurface slope(plane_cage(5, 0.75, 0));
+  for (const double over_mm : {0.05, 0.0, -0.03}) {
+    // A block whose upper face stands so far over S, turned as S is.
+    const auto block = mapped(box_mesh({-20, -20, -9}, {40, 40, 9 + over_mm}), [](const Vec3& p) {
+      return Vec3{0.8 * p.x - 0.6 * p.z, p.y, 0.6 * p.x + 0.8 * p.z};
+    });
+    const auto d = measure(slope, mesh_stock(block), in_the_air());
+    CAPTURE(over_mm);
+    CHECK(d.uncut_mm.low == Approx(std::max(0.0, over_mm)).margin(1e-7));
+    CHECK(d.uncut_mm.high == Approx(std::max(0.0, over_mm)).margin(kResolution_mm));
+    CHECK(d.gouge_mm.low == Approx(std::max(0.0, -over_mm)).margin(1e-7));
+    CHECK(d.gouge_mm.high == Approx(std::max(0.0, -over_mm)).margin(kResolution_mm));
+    CHECK(d.cells < 20'000);
+  }
+}
+
 TEST_CASE("a mesh of a bar with many sides has the bar's figures", "[unit]") {
   // The corners of S stand 5·√2 − 6 mm out of the bar; there the polygon has corners too.
   const ReferenceSurface plane(plane_cage(5, 0, 0));

@@ -41,7 +41,8 @@ bool ClearanceMap::clears(std::size_t at, int i, int j, const CutterProfile& bod
                           const SweptMove& move, double margin_mm) const {
   const Level& level = levels_[at];
   const double x = corner_.x + (i + 0.5) * level.edge, y = corner_.y + (j + 0.5) * level.edge;
-  const double nearest = std::max(0.0, level_distance(move, x, y) - std::sqrt(0.5) * level.edge - margin_mm);
+  const double nearest =
+      std::max(0.0, level_distance(move, x, y) - std::sqrt(0.5) * level.edge - margin_mm);
   const double lowest = std::min(move.start.z, move.start.z + move.delta.z);
   if (level.top[j * level.nx + i] <= lowest + body.nose_height(nearest) - margin_mm) return true;
   if (at == 0) return false;

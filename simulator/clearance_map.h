@@ -24,8 +24,8 @@ class ClearanceMap {
     double edge = 0;
     std::vector<double> top;
   };
-  bool clears(std::size_t level, int i, int j, const CutterProfile& body,
-              const SweptMove& move, double margin_mm) const;
+  bool clears(std::size_t level, int i, int j, const CutterProfile& body, const SweptMove& move,
+              double margin_mm) const;
 
   model::Vec3 corner_;
   std::vector<Level> levels_;  // the finest first, the last one a single column

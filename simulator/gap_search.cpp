@@ -67,10 +67,10 @@ class Search {
     return std::any_of(excuse_.moves.begin(), excuse_.moves.end(), [&](const SweptMove& m) {
       const SweptSample other = swept_distance(*excuse_.profile, m, block.middle);
       const double nearer = other.distance - s.distance - tolerance_;
-      return nearer <= 0 && nearer + support(block.half, other.gradient - s.gradient) +
-                                    outside_bound(*excuse_.profile, m, block.middle, other,
-                                                  block.half) <=
-                                0;
+      return nearer <= 0 &&
+             nearer + support(block.half, other.gradient - s.gradient) +
+                     outside_bound(*excuse_.profile, m, block.middle, other, block.half) <=
+                 0;
     });
   }
 

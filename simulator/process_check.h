@@ -31,7 +31,8 @@ struct ProcessLimits {
 ///    rate (feed_missing) or down too steeply (steep_descent).
 /// What is above the flutes is judged after the move's own flutes have cut.
 ///
-/// rapid_through_stock  A rapid's flutes in material. A rapid straight up from where the move before
+/// rapid_through_stock  A rapid's flutes in material. A rapid straight up from where the move
+/// before
 ///   ended is none where the flutes end above all material.
 /// shank_in_stock, holder_in_stock  A part as wide as the flutes or wider in material.
 /// below_flutes  Material stands above the flutes' top within their largest radius, at a height
@@ -43,7 +44,8 @@ struct ProcessLimits {
 /// spindle_stopped  A move with the spindle at rest whose flutes meet material.
 /// feed_missing  Any feed move without a feed rate; depth 0 where it meets nothing, and then placed
 ///   where the move begins.
-/// steep_descent  A feed move that goes down more steeply than Cutter::steepest_descent_deg, by more
+/// steep_descent  A feed move that goes down more steeply than Cutter::steepest_descent_deg, by
+/// more
 ///   than the rounding of coordinates (1 µm), and meets material.
 /// beyond_travel  The tip ends beyond a limit; `against` is the limit by which it is farthest out.
 /// near_miss  A distance to stock or fixture below `near_miss_mm` where nothing of the move touches

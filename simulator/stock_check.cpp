@@ -15,11 +15,9 @@ using model::Vec3;
 // What the rounding of coordinates may add to a move's drop.
 constexpr double kRounding_mm = 1e-3;
 
-bool is_steep(const model::Toolpath& path, std::size_t i, double steepest_deg) {
-  if (steepest_deg >= 90 || path.moves[i].kind != MoveKind::feed) return false;
-  const Vec3& from = move_from(path, i);
-  const double drop = from.z - path.moves[i].to.z, run = level_distance(from, path.moves[i].to);
-  return drop > run * std::tan(steepest_deg * std::numbers::pi / 180) + kRounding_mm;
+bool is_steep(const Vec3& from, const Vec3& to, double steepest_deg) {
+  const double most = level_distance(from, to) * std::tan(steepest_deg * std::numbers::pi / 180);
+  return from.z - to.z > most + kRounding_mm;
 }
 
 bool lacks_feed(const Move& m) {
@@ -43,10 +41,10 @@ StockCheck::StockCheck(const StockModel& before, const Pass& pass, const ToolBod
       lines_(straight_runs(path_)),
       at_rest_(series_of(path_.moves.size(),
                          [&](std::size_t i) { return path_.moves[i].spindle_stopped; })),
-      without_feed_(series_of(path_.moves.size(),
-                              [&](std::size_t i) { return lacks_feed(path_.moves[i]); })),
-      descents_(series_of(path_.moves.size(),
-                          [&](std::size_t i) { return descends_too_steeply(i); })) {}
+      without_feed_(
+          series_of(path_.moves.size(), [&](std::size_t i) { return lacks_feed(path_.moves[i]); })),
+      descents_(
+          series_of(path_.moves.size(), [&](std::size_t i) { return descends_too_steeply(i); })) {}
 
 void StockCheck::look_at(std::size_t move, std::vector<Finding>& findings) const {
   const SweptMove tip(move_from(path_, move), path_.moves[move].to,
@@ -113,9 +111,9 @@ void StockCheck::look_at_wide_part(const ToolBody& body, std::size_t i, const Sw
         finding(FindingKind::near_miss, i, gap->point, -gap->distance_mm, body.part));
   }
   if (const auto c = contact(body, tip, end))
-    findings.push_back(finding(body.part == ToolPart::shank ? FindingKind::shank_in_stock
-                                                            : FindingKind::holder_in_stock,
-                               i, c->point, c->depth_mm, body.part));
+    findings.push_back(finding(
+        body.part == ToolPart::shank ? FindingKind::shank_in_stock : FindingKind::holder_in_stock,
+        i, c->point, c->depth_mm, body.part));
 }
 
 void StockCheck::look_at_rapids_gap(std::size_t i, const SweptMove& tip,
@@ -144,7 +142,10 @@ std::optional<Contact> StockCheck::contact_of_flutes(const SweptMove& tip, std::
 }
 
 bool StockCheck::descends_too_steeply(std::size_t i) const {
-  return is_steep(path_, i, pass_.cutter.steepest_descent_deg);
+  const double steepest = pass_.cutter.steepest_descent_deg;
+  if (steepest >= 90 || path_.moves[i].kind != MoveKind::feed) return false;
+  // Of the whole straight line: rounding would hide the slope of its pieces.
+  return is_steep(move_from(path_, lines_.begin(i)), path_.moves[lines_.end(i) - 1].to, steepest);
 }
 
 // Straight up from where the move before the line ended: the flutes stood there, and all that they
@@ -167,8 +168,7 @@ bool StockCheck::keeps_to_its_hole(std::size_t i) const {
   const bool up = to.z >= from.z;
   const bool beside_feed = up ? begin > 0 && path_.moves[begin - 1].kind == MoveKind::feed
                               : end < path_.moves.size() && path_.moves[end].kind == MoveKind::feed;
-  return beside_feed &&
-         std::min(from.z, to.z) + bodies_.flutes.profile.length() >= map_.highest();
+  return beside_feed && std::min(from.z, to.z) + bodies_.flutes.profile.length() >= map_.highest();
 }
 
 std::vector<SweptMove> StockCheck::feeds_beside(std::size_t i) const {

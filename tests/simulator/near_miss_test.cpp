@@ -53,7 +53,7 @@ TEST_CASE("a rapid that passes close over the stock", "[unit][nearmiss]") {
   CHECK(through[0].kind == FindingKind::rapid_through_stock);
 }
 
-TEST_CASE("a rapid that passes close beside a wall, an edge and a corner", "[unit][nearmiss]") {
+TEST_CASE("a rapid that passes close beside a wall and an edge and a corner", "[unit][nearmiss]") {
   const auto c = ball4();
   const auto past = [&](const Vec3& from, const Vec3& to) {
     const auto all = check_near(block(), PathBuilder(from).rapid(to).pass(c));
@@ -70,30 +70,33 @@ TEST_CASE("a rapid that passes close beside a wall, an edge and a corner", "[uni
 TEST_CASE("material removed before is no near miss and material removed later is",
           "[unit][nearmiss]") {
   const auto wide = cutter(CutterType::flat, 8, 20);
-  const Vec3 a{-25, 0, -3}, b{25, 0, -3};
-  const auto rapid_in_slot = [](PathBuilder& p) { p.rapid({-25, 1.8, 10}).rapid({-25, 1.8, -2}); };
-  PathBuilder before(a), later({-25, 0, 10});
-  before.feed(b);
-  rapid_in_slot(before);
-  before.rapid({25, 1.8, -2});
-  rapid_in_slot(later);
-  later.rapid({25, 1.8, -2}).rapid(b).feed(a);
   // The slot's wall at y = 4 is 2.2 − 2 from the cutter 4 mm wide.
-  const StockModel slotted = block().cut(PathBuilder(a).feed(b).pass(wide), {2});
+  const StockModel slotted =
+      block().cut(PathBuilder({-25, 0, -3}).feed({25, 0, -3}).pass(wide), {2});
   const auto beside =
       check_near(slotted, PathBuilder({-25, 1.8, -2}).rapid({25, 1.8, -2}).pass(flat4()));
   REQUIRE(beside.size() == 1);
   check_left(beside[0], 0.2);
   CHECK(check_near(slotted, PathBuilder({-25, 1, -2}).rapid({25, 1, -2}).pass(flat4())).empty());
-  CHECK(of_kind(check_near(block(), before.pass(wide)), FindingKind::rapid_through_stock).size() ==
-        1);
-  CHECK(of_kind(check_near(block(), later.pass(wide)), FindingKind::rapid_through_stock).size() ==
-        1);
+  const Pass wider_first = PathBuilder({-25, 3, -3})
+                               .feed({25, 3, -3})
+                               .rapid({25, 1.8, -2})
+                               .rapid({-25, 1.8, -2})
+                               .pass(flat4());
+  const Pass wider_later = PathBuilder({25, 1.8, -2})
+                               .rapid({-25, 1.8, -2})
+                               .rapid({-25, 3, -3})
+                               .feed({25, 3, -3})
+                               .pass(flat4());
+  CHECK(check_near(slotted, wider_first).empty());
+  const auto later = check_near(slotted, wider_later);
+  REQUIRE(later.size() == 1);
+  CHECK(later[0].move == 0);
+  check_left(later[0], 0.2);
 }
 
 TEST_CASE("shanks and holders near the stock on any move", "[unit][nearmiss]") {
-  auto c = flat4(6);
-  c.shank = {{4, 1}};
+  auto c = flat4(7);
   c.holder = {{10, 10}};
   const auto slot = [&](double depth) {
     return PathBuilder({-20, 0, -depth}).feed({20, 0, -depth}).pass(c);
@@ -109,8 +112,8 @@ TEST_CASE("shanks and holders near the stock on any move", "[unit][nearmiss]") {
   REQUIRE(deep.size() == 1);
   CHECK(deep[0].kind == FindingKind::holder_in_stock);
   // A neck in the slot that its own flutes cut has room all around.
+  c = flat4(6);
   c.shank = {{3.5, 20}};
-  c.holder.clear();
   const Pass levels = PathBuilder({-20, 0, -5})
                           .feed({20, 0, -5})
                           .rapid({20, 0, 3})
@@ -127,12 +130,12 @@ TEST_CASE("what the feed moves beside it come as near to is no near miss", "[uni
   const Pass plunge =
       PathBuilder({0, 0, 20}).rapid({0, 0, 0.2}).feed({0, 0, -3}).rapid({0, 0, 20}).pass(c);
   CHECK(check_near(block(), plunge).empty());
-  // The same way down, but then on as a rapid: nothing there is about to be cut.
+  // The same way down, but up again without a cut.
   const Pass stray = PathBuilder({0, 0, 20}).rapid({0, 0, 0.2}).rapid({0, 0, 20}).pass(c);
   const auto all = check_near(block(), stray);
-  REQUIRE(all.size() == 2);
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].move == 0);
   check_left(all[0], 0.2);
-  check_left(all[1], 0.2);
   // Down beside the stock and in from the side.
   const Pass side =
       PathBuilder({-17.3, 0, 20}).rapid({-17.3, 0, -3}).feed({0, 0, -3}).rapid({0, 0, 20}).pass(c);
@@ -140,15 +143,15 @@ TEST_CASE("what the feed moves beside it come as near to is no near miss", "[uni
   // In two pieces, and slanted.
   CHECK(check_near(block(), split(plunge, 3)).empty());
   const Pass slanted =
-      PathBuilder({-9, 0, 9}).rapid({0, 0, 0.2}).feed({3, 0, -2}).rapid({12, 0, 6}).pass(c);
+      PathBuilder({-9, 0, 9}).rapid({0, 0, 0.2}).feed({3, 0, -2}).rapid({-6, 0, 7}).pass(c);
   CHECK(check_near(block(), slanted).empty());
   // A feed move only comes near the start of the rapid: the wall further on is missed closely.
   const auto slotter = cutter(CutterType::flat, 8, 20);
   const StockModel slotted =
       block().cut(PathBuilder({-25, 0, -3}).feed({25, 0, -3}).pass(slotter), {2});
-  const Pass along = PathBuilder({-25, 1.8, -3})
-                         .feed({-10, 1.8, -3})
-                         .rapid({10, 1.8, -3})
+  const Pass along = PathBuilder({-25, 1.8, -2.4})
+                         .feed({-10, 1.8, -2.4})
+                         .rapid({10, 1.8, -2.4})
                          .rapid({10, 1.8, 20})
                          .pass(flat4());
   const auto wall = check_near(slotted, along);
@@ -181,7 +184,7 @@ TEST_CASE("the least gap agrees with dense sampling", "[property][nearmiss]") {
   const StockModel stock = block().cut(cuts.pass(c), {2});
   const simulator::CutterProfile body(4, 6);
   const simulator::SweepIndex none({c, std::make_shared<const model::Toolpath>()});
-  constexpr double kStep = 0.1, kWithin = 2, kFine = 0.05;
+  constexpr double kStep = 0.2, kWithin = 2, kFine = 0.05;
   int near = 0;
   for (int k = 0; k < 12; ++k) {
     const simulator::SweptMove move({x(random), x(random), up(random) + 1.5},
@@ -227,7 +230,7 @@ TEST_CASE("nothing is invented on a pocket with ramps and links", "[unit][nearmi
     b.rapid({0, 0, 10});
   }
   // And down into the corner again.
-  b.rapid({8.5, 4.5, 10}).rapid({8.5, 4.5, -3}).feed({8.5, 4.5, -3.5}).rapid({8.5, 4.5, 10});
+  b.rapid({8.5, 4.5, 10}).rapid({8.5, 4.5, -3}).feed({1.5, 4.5, -3.4}).rapid({1.5, 4.5, 10});
   for (const Finding& f : check_near(block(), b.pass(c)))
     UNSCOPED_INFO(name(f.kind) << " move " << f.move << " depth " << f.depth_mm);
   CHECK(check_near(block(), b.pass(c)).empty());

@@ -32,8 +32,8 @@ struct ProcessLimits {
 ///
 /// - rapid_through_stock: a rapid's flutes in material. A rapid straight up from where the move
 ///   before ended is none where the flutes end above all material.
-/// - shank_in_stock, holder_in_stock: a part as wide as the flutes or wider in material.
-/// - below_flutes: material stands above the flutes' top within their largest radius, at a height
+/// - shank_in_stock, holder_in_stock: a part as wide as the flutes' top or wider in material.
+/// - below_flutes: material stands above the flutes' top within their radius there, at a height
 ///   where the stated assembly is narrower or ends. A narrower part that meets material is found by
 ///   this and not as shank_in_stock; a wider one has its own finding and not this.
 /// - fixture_touched: any part on any move. The depth is that of the fixture's surface in the body,
@@ -49,8 +49,8 @@ struct ProcessLimits {
 /// - near_miss: a distance to stock or fixture below `near_miss_mm` where nothing of the move
 ///   touches that stock or that fixture.
 ///   Against fixtures: every part on every move, down to contacts too shallow to be one (depth 0).
-///   Against stock: parts wider than the flutes, on every move, likewise. Parts no wider than the
-///   flutes have none: where the flutes fitted they have room. Feed moves' flutes have none: they
+///   Against stock: parts wider than the flutes' top, on every move, likewise. Parts no wider
+///   have none: where the flutes fitted they have room. Feed moves' flutes have none: they
 ///   are to touch. Of rapids' flutes, no place counts that the feed move just before the straight
 ///   line of rapids, or the one just after it, comes as near to as the rapid does, within a
 ///   tolerance: it has just been cut, is about to be cut, or is passed as closely on purpose. No

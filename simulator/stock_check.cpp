@@ -99,8 +99,7 @@ void StockCheck::look_at_wide_part(const ToolBody& body, std::size_t i, const Sw
                                    std::vector<Finding>& findings) const {
   // What the move's own flutes sweep is gone before its shank gets there.
   const std::size_t end = i + 1;
-  const bool wider = body.profile.largest_radius() >
-                     bodies_.flutes.profile.largest_radius() + limits_.tolerance_mm;
+  const bool wider = body.profile.largest_radius() > bodies_.top_radius_mm + limits_.tolerance_mm;
   if (wider && limits_.near_miss_mm > 0) {
     const SweptMove own = body.of_tip(tip);
     if (map_.clears(body.profile, own, limits_.near_miss_mm)) return;

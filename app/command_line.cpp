@@ -93,8 +93,9 @@ void add_verify(CLI::App& app, Parsed& parsed) {
          "(stock of an earlier run)")
       ->required();
   sub.add_option("--tool", verify.tool,
-                 "ball:D=6 | flat:D=8 | bull:D=8,r=1 | taper:D=1,r=0.5,angle=5; with L= flute "
-                 "length, shank=D:L, holder=D:L from the tip up")
+                 "ball:D=6 | flat:D=8 | bull:D=8,r=1 | taper:D=1,r=0.5,angle=5 | "
+                 "drill:D=6,angle=118 | apt:D=10,r=1,a=5,b=-10; with L= flute length, ramp= "
+                 "steepest descent, shank=D:L, holder=D:L from the tip up")
       ->required();
   sub.add_option("--program", verify.program, "Program (G-code)")->required();
   sub.add_option("--allowance", verify.allowance_mm, "Material to be left (default: 0 mm)")

@@ -17,6 +17,15 @@ void refuse_plan_keys(const TomlTable& stage) {
   }
 }
 
+/// What the strategies' cutter locations know. A program may be cut with any tool.
+void require_plannable(const TomlTable& stage, const model::Cutter& cutter) {
+  if (cutter.type != model::CutterType::drill && cutter.type != model::CutterType::apt) return;
+  throw model::InputError(stage.place("tool"),
+                          "strategy \"" + stage.text("strategy") + "\" with the " +
+                              model::name(cutter.type) + " cutter \"" + cutter.id + "\"",
+                          "flat, ball, bull or taper; a program takes any tool");
+}
+
 void read_source(const TomlTable& stage, bool first, JobStage& result, JobContext& context) {
   const bool planned = stage.has("strategy");
   if (planned == stage.has("program")) {
@@ -27,6 +36,7 @@ void read_source(const TomlTable& stage, bool first, JobStage& result, JobContex
         "one of the two");
   }
   if (planned) {
+    require_plannable(stage, result.cutter);
     result.plan = read_plan(stage, result.name, context);
     if (first && result.plan->cut.strategy == engine::strategy::Strategy::rest)
       throw model::InputError(stage.place("strategy"),

@@ -1,9 +1,12 @@
+#include <algorithm>
+#include <initializer_list>
 #include <stdexcept>
 
 #include "app/job_parts.h"
 #include "app/nearest_key.h"
 #include "app/toml_table.h"
 #include "app/words.h"
+#include "engine/model/cutter_figures.h"
 
 namespace limitgauge::app {
 namespace {
@@ -26,58 +29,147 @@ std::vector<model::CylinderPart> read_parts(const TomlTable& tool, std::string_v
   return parts;
 }
 
-model::CutterType type_of(const std::string& word) {
-  if (word == "flat") return model::CutterType::flat;
-  if (word == "ball") return model::CutterType::ball;
-  if (word == "bull") return model::CutterType::bull;
-  return model::CutterType::taper;
+using model::CutterType;
+
+CutterType type_of(const std::string& word) {
+  for (const CutterType type :
+       {CutterType::flat, CutterType::ball, CutterType::bull, CutterType::taper, CutterType::drill})
+    if (word == name(type)) return type;
+  return CutterType::apt;
 }
 
-void refuse_foreign_keys(const TomlTable& tool, model::CutterType type) {
-  const bool rounded = type == model::CutterType::bull || type == model::CutterType::taper;
-  if (!rounded && tool.has("corner_radius")) {
-    throw model::InputError(tool.place("corner_radius"),
-                            std::string("a ") + name(type) + " cutter has no corner_radius",
-                            "no such key, or type \"bull\" or \"taper\"");
+/// Keys that only some types have.
+struct ShapeKey {
+  const char* key;
+  std::initializer_list<CutterType> types;
+};
+
+std::string listed(const std::initializer_list<CutterType>& types) {
+  std::string all;
+  for (auto it = types.begin(); it != types.end(); ++it)
+    all += std::string(it == types.begin()     ? ""
+                       : it + 1 == types.end() ? " or "
+                                               : ", ") +
+           '"' + name(*it) + '"';
+  return all;
+}
+
+void refuse_foreign_keys(const TomlTable& tool, CutterType type) {
+  const ShapeKey keys[] = {
+      {"corner_radius", {CutterType::bull, CutterType::taper, CutterType::apt}},
+      {"angle", {CutterType::taper}},
+      {"point_angle", {CutterType::drill}},
+      {"tip_angle", {CutterType::apt}},
+      {"side_angle", {CutterType::apt}},
+      {"e", {CutterType::apt}},
+      {"f", {CutterType::apt}}};
+  for (const ShapeKey& shape : keys) {
+    if (!tool.has(shape.key)) continue;
+    if (std::find(shape.types.begin(), shape.types.end(), type) != shape.types.end()) continue;
+    const std::string article = type == CutterType::apt ? "an " : "a ";
+    throw model::InputError(tool.place(shape.key),
+                            article + name(type) + " cutter has no " + shape.key,
+                            "no such key, or type " + listed(shape.types));
   }
-  if (type != model::CutterType::taper && tool.has("angle")) {
-    throw model::InputError(tool.place("angle"),
-                            std::string("a ") + name(type) + " cutter has no angle",
-                            "no such key, or type \"taper\"");
+}
+
+void read_shape(const TomlTable& tool, model::Cutter& cutter) {
+  cutter.diameter_mm = tool.positive("diameter");
+  switch (cutter.type) {
+    case CutterType::flat:
+      break;
+    case CutterType::ball:
+      cutter.corner_radius_mm = cutter.diameter_mm / 2;
+      break;
+    case CutterType::bull:
+      cutter.corner_radius_mm = tool.positive("corner_radius");
+      break;
+    case CutterType::taper:
+      cutter.corner_radius_mm = tool.has("corner_radius") ? tool.not_negative("corner_radius") : 0;
+      cutter.taper_angle_deg = tool.positive("angle");
+      break;
+    case CutterType::drill:
+      cutter.tip_angle_deg = (180 - tool.between("point_angle", 0, 180)) / 2;
+      break;
+    case CutterType::apt:
+      cutter.corner_radius_mm = tool.not_negative("corner_radius");
+      cutter.tip_angle_deg = tool.not_negative("tip_angle");
+      cutter.taper_angle_deg = tool.number("side_angle");
+  }
+}
+
+void read_flute_length(const TomlTable& tool, model::Cutter& cutter, JobContext& context) {
+  cutter.flute_length_mm = kDefaultFluteDiameters * cutter.diameter_mm;
+  if (tool.has("flute_length")) {
+    cutter.flute_length_mm = tool.positive("flute_length");
+    return;
+  }
+  context.defaulted.push_back("tool " + cutter.id + ": flute length " +
+                              words(cutter.flute_length_mm) + " mm (default: 4 diameters)");
+}
+
+/// A cutter that cannot plunge and has no ramp angle goes down into nothing.
+double steepest_descent_deg(const TomlTable& tool) {
+  const bool states_plunge = tool.has("plunge"), states_ramp = tool.has("max_ramp_angle");
+  const bool plunges = states_plunge ? tool.boolean("plunge") : !states_ramp;
+  if (!states_ramp) return plunges ? 90 : 0;
+  const double ramp_deg = tool.not_negative("max_ramp_angle");
+  if (ramp_deg > 90)
+    throw model::InputError(tool.place("max_ramp_angle"),
+                            "\"max_ramp_angle\" in [[tool]] is " + words(ramp_deg),
+                            "an angle from 0 to 90");
+  if (states_plunge && plunges != (ramp_deg == 90))
+    throw model::InputError(tool.place("max_ramp_angle"),
+                            "\"max_ramp_angle\" " + words(ramp_deg) +
+                                " contradicts plunge = " + (plunges ? "true" : "false"),
+                            "one of the two keys");
+  return ramp_deg;
+}
+
+void read_descent(const TomlTable& tool, model::Cutter& cutter, JobContext& context) {
+  cutter.steepest_descent_deg = steepest_descent_deg(tool);
+  if (tool.has("plunge") || tool.has("max_ramp_angle")) return;
+  if (cutter.type == CutterType::flat || cutter.type == CutterType::bull)
+    context.defaulted.push_back("tool " + cutter.id + ": taken to be able to plunge");
+}
+
+void require_cutter(const TomlTable& tool, const model::Cutter& cutter) {
+  const auto refuse = [&](const model::SourcePlace& place, const char* wrong) {
+    throw model::InputError(place, "tool \"" + cutter.id + "\": " + wrong,
+                            "a cutter that can be made");
+  };
+  try {
+    require_valid(cutter);
+  } catch (const std::invalid_argument& error) {
+    refuse(tool.place(), error.what());
+  }
+  for (const char* key : {"e", "f"}) {
+    if (!tool.has(key)) continue;
+    const double stated_mm = tool.number(key);
+    const bool is_e = *key == 'e';
+    try {
+      require_centre(cutter, is_e ? &stated_mm : nullptr, is_e ? nullptr : &stated_mm);
+    } catch (const std::invalid_argument& error) {
+      refuse(tool.place(key), error.what());
+    }
   }
 }
 
 model::Cutter read_tool(const toml::table& table, JobContext& context) {
   const TomlTable tool(
       table, "[[tool]]",
-      {"id", "type", "diameter", "corner_radius", "angle", "flute_length", "shank", "holder"});
+      {"id", "type", "diameter", "corner_radius", "angle", "point_angle", "tip_angle", "side_angle",
+       "e", "f", "flute_length", "plunge", "max_ramp_angle", "shank", "holder"});
   model::Cutter cutter;
   cutter.id = tool.text("id");
-  cutter.type = type_of(tool.one_of("type", {"flat", "ball", "bull", "taper"}));
+  cutter.type = type_of(tool.one_of("type", {"flat", "ball", "bull", "taper", "drill", "apt"}));
   refuse_foreign_keys(tool, cutter.type);
-  cutter.diameter_mm = tool.positive("diameter");
-  if (cutter.type == model::CutterType::ball) cutter.corner_radius_mm = cutter.diameter_mm / 2;
-  if (cutter.type == model::CutterType::bull)
-    cutter.corner_radius_mm = tool.positive("corner_radius");
-  if (cutter.type == model::CutterType::taper) {
-    cutter.corner_radius_mm = tool.has("corner_radius") ? tool.not_negative("corner_radius") : 0;
-    cutter.taper_angle_deg = tool.positive("angle");
-  }
-  cutter.flute_length_mm = kDefaultFluteDiameters * cutter.diameter_mm;
-  if (tool.has("flute_length")) {
-    cutter.flute_length_mm = tool.positive("flute_length");
-  } else {
-    context.defaulted.push_back("tool " + cutter.id + ": flute length " +
-                                words(cutter.flute_length_mm) + " mm (default: 4 diameters)");
-  }
+  read_shape(tool, cutter);
+  read_flute_length(tool, cutter, context);
+  read_descent(tool, cutter, context);
   cutter.shank = read_parts(tool, "shank");
   cutter.holder = read_parts(tool, "holder");
-  try {
-    require_valid(cutter);
-  } catch (const std::invalid_argument& error) {
-    throw model::InputError(tool.place(), "tool \"" + cutter.id + "\": " + error.what(),
-                            "a cutter that can be made");
-  }
+  require_cutter(tool, cutter);
   return cutter;
 }
 

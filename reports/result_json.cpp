@@ -263,7 +263,9 @@ Json cutter_part(const model::Cutter& c) {
           {"diameter_mm", finite("cutter.diameter_mm", c.diameter_mm)},
           {"corner_radius_mm", finite("cutter.corner_radius_mm", c.corner_radius_mm)},
           {"flute_length_mm", finite("cutter.flute_length_mm", c.flute_length_mm)},
-          {"taper_angle_deg", finite("cutter.taper_angle_deg", c.taper_angle_deg)}};
+          {"taper_angle_deg", finite("cutter.taper_angle_deg", c.taper_angle_deg)},
+          {"tip_angle_deg", finite("cutter.tip_angle_deg", c.tip_angle_deg)},
+          {"text", model::to_text(c)}};
 }
 
 Json stage_part(const RunResult& result, const StageResult& s) {

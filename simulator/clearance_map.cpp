@@ -32,22 +32,24 @@ ClearanceMap::ClearanceMap(const ColumnTops& tops) : corner_(tops.corner_mm) {
   }
 }
 
-bool ClearanceMap::clears(const CutterProfile& body, const SweptMove& move) const {
-  return clears(levels_.size() - 1, 0, 0, body, move);
+bool ClearanceMap::clears(const CutterProfile& body, const SweptMove& move,
+                          double margin_mm) const {
+  return clears(levels_.size() - 1, 0, 0, body, move, margin_mm);
 }
 
 bool ClearanceMap::clears(std::size_t at, int i, int j, const CutterProfile& body,
-                          const SweptMove& move) const {
+                          const SweptMove& move, double margin_mm) const {
   const Level& level = levels_[at];
   const double x = corner_.x + (i + 0.5) * level.edge, y = corner_.y + (j + 0.5) * level.edge;
-  const double nearest = std::max(0.0, level_distance(move, x, y) - std::sqrt(0.5) * level.edge);
+  const double nearest =
+      std::max(0.0, level_distance(move, x, y) - std::sqrt(0.5) * level.edge - margin_mm);
   const double lowest = std::min(move.start.z, move.start.z + move.delta.z);
-  if (level.top[j * level.nx + i] <= lowest + body.nose_height(nearest)) return true;
+  if (level.top[j * level.nx + i] <= lowest + body.nose_height(nearest) - margin_mm) return true;
   if (at == 0) return false;
   const Level& fine = levels_[at - 1];
   for (int v = 2 * j; v < std::min(2 * j + 2, fine.ny); ++v)
     for (int u = 2 * i; u < std::min(2 * i + 2, fine.nx); ++u)
-      if (!clears(at - 1, u, v, body, move)) return false;
+      if (!clears(at - 1, u, v, body, move, margin_mm)) return false;
   return true;
 }
 

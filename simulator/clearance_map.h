@@ -13,9 +13,9 @@ class ClearanceMap {
  public:
   explicit ClearanceMap(const ColumnTops& tops);
 
-  /// True where no point of the body, swept along `move`, is as low as material may stand. False
-  /// says nothing.
-  bool clears(const CutterProfile& body, const SweptMove& move) const;
+  /// True where no point within `margin_mm` of the body, swept along `move`, is as low as material
+  /// may stand. False says nothing.
+  bool clears(const CutterProfile& body, const SweptMove& move, double margin_mm = 0) const;
   double highest() const { return levels_.back().top.front(); }
 
  private:
@@ -24,8 +24,8 @@ class ClearanceMap {
     double edge = 0;
     std::vector<double> top;
   };
-  bool clears(std::size_t level, int i, int j, const CutterProfile& body,
-              const SweptMove& move) const;
+  bool clears(std::size_t level, int i, int j, const CutterProfile& body, const SweptMove& move,
+              double margin_mm) const;
 
   model::Vec3 corner_;
   std::vector<Level> levels_;  // the finest first, the last one a single column

@@ -50,7 +50,7 @@ class CollisionFinder {
       : before_(before.material()),
         path_(*pass.path),
         sweep_(pass),
-        map_(before.grid().column_tops()),
+        map_(before.column_tops()),
         cutter_{kCutter, CutterProfile(pass.cutter), 0},
         above_(bodies_above_flutes(pass.cutter)),
         tolerance_(tolerance) {}

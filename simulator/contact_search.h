@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
-#include "simulator/material.h"
+#include "simulator/depth_bound.h"
 
 namespace limitgauge::simulator {
 
@@ -13,19 +12,11 @@ struct Contact {
   double depth_mm = 0;
 };
 
-/// The material at one moment of a pass: what stood before it, less what the moves of path index
-/// below `end` swept.
-struct MaterialAtMove {
-  const Material* before = nullptr;
-  const SweepIndex* pass = nullptr;
-  std::uint32_t end = 0;
-};
-
 /// The deepest place of `body`, swept along `move`, in the material; none if it is nowhere deeper
-/// than `tolerance_mm`. Branch and bound: the depth is 1-Lipschitz and lies below paraboloids, the
-/// body is convex, so that a body which only slides along a surface is cleared in a few steps.
-/// A contact deeper than 1.5 tolerances is never missed. The depth found is a lower bound, as a
-/// rule within a tolerance of the deepest.
+/// than `tolerance_mm`. Branch and bound: the depth is 1-Lipschitz and, but for a raw stock that is
+/// not convex, lies below paraboloids; the body is convex, so that a body which only slides along a
+/// surface is cleared in a few steps. A contact deeper than 1.5 tolerances is never missed. The
+/// depth found is a lower bound, as a rule within a tolerance of the deepest.
 std::optional<Contact> deepest_contact(const MaterialAtMove& material, const CutterProfile& body,
                                        const SweptMove& move, double tolerance_mm);
 

@@ -1,98 +1,111 @@
 #include "simulator/cutter_profile.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 
 namespace limitgauge::simulator {
 namespace {
 
-// The profile below its top is a wedge, offset by the corner radius. The wedge has its vertex at
-// the arc's centre, one side level and one along the wall. (x, z) is relative to the vertex.
-MeridianSample wedge(double x, double z, double sin_a, double cos_a) {
-  const double along_wall = x * sin_a + z * cos_a;
-  if (x > 0 && along_wall < 0) {
-    const double r = std::sqrt(x * x + z * z);
-    return {r, x / r, z / r};
-  }
-  const double wall = x * cos_a - z * sin_a;
-  if (-z >= wall) return {-z, 0, -1};
-  return {wall, cos_a, -sin_a};
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+MeridianSample from_point(double x, double z) {
+  const double r = std::sqrt(x * x + z * z);
+  return {r, x / r, z / r};
 }
 
 }  // namespace
 
 CutterProfile::CutterProfile(const model::Cutter& cutter) {
   model::require_valid(cutter);
-  const bool taper = cutter.type == model::CutterType::taper;
-  const double angle = taper ? cutter.taper_angle_deg * std::numbers::pi / 180 : 0.0;
-  switch (cutter.type) {
-    case model::CutterType::flat:
-      corner_ = 0;
-      break;
-    case model::CutterType::ball:
-      corner_ = cutter.radius_mm();
-      break;
-    case model::CutterType::bull:
-    case model::CutterType::drill:
-    case model::CutterType::apt:
-    case model::CutterType::taper:
-      corner_ = cutter.corner_radius_mm;
-      break;
-  }
-  disc_ = cutter.radius_mm() - corner_;
-  length_ = cutter.flute_length_mm;
-  sin_ = std::sin(angle);
-  cos_ = std::cos(angle);
-  // Where the wall, tangent to the arc at height r (1 − sin α), meets the top.
-  top_radius_ = disc_ + corner_ * cos_ + (length_ - corner_ * (1 - sin_)) * sin_ / cos_;
+  const model::SevenFigures figures = model::seven_figures(cutter);
+  corner_ = figures.corner_radius;
+  length_ = figures.height;
+  sin_ = std::sin(radians(figures.upper_angle));
+  cos_ = std::cos(radians(figures.upper_angle));
+  bottom_sin_ = std::sin(radians(figures.lower_angle));
+  bottom_cos_ = std::cos(radians(figures.lower_angle));
+  // A valid centre may miss the place where the arc begins on the axis by rounding.
+  disc_ = std::max(figures.centre_radius, -corner_ * bottom_sin_);
+  corner_z_ = figures.centre_height;
+  finish();
 }
 
 CutterProfile::CutterProfile(double radius_mm, double length_mm)
-    : disc_(radius_mm), length_(length_mm), top_radius_(radius_mm) {}
-
-MeridianSample CutterProfile::sample(double rho, double z) const {
-  const double x = rho - top_radius_, t = z - length_;
-  if (x > 0 && x * sin_ + t * cos_ > 0) {
-    const double r = std::sqrt(x * x + t * t);
-    return {r, x / r, t / r};
-  }
-  MeridianSample s = wedge(rho - disc_, z - corner_, sin_, cos_);
-  s.distance -= corner_;
-  if (t > s.distance) return {t, 0, 1};
-  return s;
+    : disc_(radius_mm), length_(length_mm) {
+  finish();
 }
 
+void CutterProfile::finish() {
+  side_z_ = corner_z_ - corner_ * sin_;
+  // Where the side, tangent to the arc, meets the top.
+  top_radius_ = std::max(0.0, disc_ + corner_ * cos_ + (length_ - side_z_) * sin_ / cos_);
+  largest_radius_ = sin_ > 0 ? top_radius_ : disc_ + corner_;
+  outer_disc_ = std::max({disc_, largest_radius_ - corner_, 0.0});
+  outer_corner_z_ = std::min(corner_z_, corner_);
+}
+
+MeridianSample CutterProfile::sample(double rho, double z) const {
+  const double beside = rho - top_radius_, over = z - length_;
+  // Beyond the rim of the top, between the normals of side and top.
+  if (beside > 0 && beside * sin_ + over * cos_ > 0) return from_point(beside, over);
+  // Under the tip, among the normals of its point.
+  if (rho * bottom_cos_ + z * bottom_sin_ < 0) return from_point(rho, z);
+  const double x = rho - disc_, y = z - corner_z_;
+  MeridianSample s;
+  if (x * bottom_cos_ + y * bottom_sin_ > 0 && x * sin_ + y * cos_ < 0) {
+    s = from_point(x, y);
+    s.distance -= corner_;
+  } else {
+    const double bottom = below_bottom(rho, z), side = beyond_side(rho, z);
+    s = bottom >= side ? MeridianSample{bottom, bottom_sin_, -bottom_cos_}
+                       : MeridianSample{side, cos_, -sin_};
+  }
+  return over > s.distance ? MeridianSample{over, 0, 1} : s;
+}
+
+// A ball that touches from inside with outward normal n at the foot keeps to the half-space of
+// another outward normal m while its radius is at most the foot's depth there over 1 − m·n.
 double CutterProfile::inscribed_radius(double rho, double z) const {
   const MeridianSample s = sample(rho, z);
-  if (s.g_z > 0) return 0;
-  const double foot_z = z - s.distance * s.g_z;
-  const double below_top = std::max(0.0, length_ - foot_z);
-  if (s.g_rho == 0 && rho <= disc_) return std::min(corner_ + disc_ - rho, below_top / 2);
-  const bool on_wall = foot_z >= corner_ * (1 - sin_) && s.g_rho > 0;
-  const double above_arc = on_wall ? std::min(disc_, foot_z - corner_ * (1 - sin_)) : 0.0;
-  return std::min(corner_ + above_arc, below_top / (1 + std::abs(s.g_z)));
+  const bool on_top = s.g_z > std::max(0.0, -sin_);
+  const bool on_tip = bottom_sin_ > 0 && s.g_z < -bottom_cos_;
+  if (on_top || on_tip) return 0;
+  const double foot_rho = rho - s.distance * s.g_rho, foot_z = z - s.distance * s.g_z;
+  double radius = (length_ - foot_z) / (1 - s.g_z);
+  // Across the meridian the profile bends about the axis.
+  if (s.g_rho > 0) radius = std::min(radius, foot_rho / s.g_rho);
+  const double apart = 1 - bottom_sin_ * cos_ - bottom_cos_ * sin_;
+  if (s.g_rho == bottom_sin_ && s.g_z == -bottom_cos_)
+    radius = std::min(radius, -beyond_side(foot_rho, foot_z) / apart);
+  else if (s.g_rho == cos_ && s.g_z == -sin_)
+    radius = std::min(radius, -below_bottom(foot_rho, foot_z) / apart);
+  else
+    radius = std::min(radius, corner_);
+  return std::max(0.0, radius);
 }
 
 bool CutterProfile::flat_below(double rho, double z, double reach) const {
-  const double wall = (rho - disc_) * cos_ - (z - corner_) * sin_ - corner_;
-  return rho + reach <= disc_ && -z - reach >= wall + reach && -z - reach >= z + reach - length_;
+  const double side = beyond_side(rho, z);
+  return bottom_sin_ == 0 && rho + reach <= disc_ && -z - reach >= side + reach &&
+         -z - reach >= z + reach - length_;
 }
 
 bool CutterProfile::upright_between(double z_low, double z_high) const {
   // A block may end where the wall does, and miss it by rounding.
   constexpr double kRounding = 1e-9;
-  return sin_ == 0 && z_low >= corner_ - kRounding && z_high <= length_ + kRounding;
+  return sin_ == 0 && z_low >= side_z_ - kRounding && z_high <= length_ + kRounding;
 }
 
 double CutterProfile::nose_height(double rho) const {
-  if (rho <= disc_) return 0;
-  if (rho > top_radius_) return std::numeric_limits<double>::infinity();
+  if (rho > largest_radius_) return std::numeric_limits<double>::infinity();
+  if (rho <= disc_ + corner_ * bottom_sin_) return rho * bottom_sin_ / bottom_cos_;
   const double x = rho - disc_;
-  if (x <= corner_ * cos_) return corner_ - std::sqrt(corner_ * corner_ - x * x);
-  if (sin_ == 0) return corner_;
-  return corner_ * (1 - sin_) + (x - corner_ * cos_) * cos_ / sin_;
+  const double arc_ends = sin_ > 0 ? corner_ * cos_ : corner_;
+  if (x <= arc_ends) return corner_z_ - std::sqrt(corner_ * corner_ - x * x);
+  if (sin_ <= 0) return corner_z_;
+  return side_z_ + (x - arc_ends) * cos_ / sin_;
 }
 
 }  // namespace limitgauge::simulator

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,5 +42,19 @@ struct Finding {
   std::string part;     ///< "cutter", "shank" or "holder"
   std::string against;  ///< "stock", the fixture's name, or the axis of a travel limit ("x-", "z+")
 };
+
+/// What is wrong in the same way over a stretch of the path.
+struct FindingGroup {
+  FindingKind kind = FindingKind::rapid_through_stock;
+  std::string part, against;
+  std::uint32_t first_line = 0, last_line = 0;  ///< program lines
+  std::size_t first_move = 0, last_move = 0;
+  std::size_t count = 0;
+  Finding worst;  ///< the deepest, of equal ones the first
+};
+
+/// Gathers findings of one kind, part and `against` on moves that follow each other. `findings` are
+/// in the order of moves; the groups are in the order of their first moves, then of kinds.
+std::vector<FindingGroup> group_findings(std::span<const Finding> findings);
 
 }  // namespace limitgauge::simulator

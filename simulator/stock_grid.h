@@ -1,59 +1,96 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <vector>
 
 #include "engine/model/run_control.h"
-#include "simulator/lattice.h"
+#include "engine/model/triangle_mesh.h"
+#include "simulator/column_tops.h"
+#include "simulator/index_box.h"
+#include "simulator/pass_reach.h"
 #include "simulator/raw_stock.h"
-#include "simulator/stock_model.h"
+#include "simulator/surface_net.h"
 #include "simulator/sweep_index.h"
+#include "simulator/volume_sum.h"
 
 namespace limitgauge::simulator {
 
 /// Half width of the narrow band in voxels.
 inline constexpr double kBandVoxels = 3;
 
-/// How high material may stand over the square columns of a regular grid in x and y.
-struct ColumnTops {
-  model::Vec3 corner_mm;  ///< lower corner of the first column; z is of no account
-  double edge_mm = 0;
-  int nx = 0, ny = 0;
-  std::vector<double> top_mm;  ///< x fastest; minus infinity where nothing stands
-};
+/// The voxels of the blocks that the stock with its band lies in.
+IndexBox stock_extent(const RawStock& raw, const Lattice& lattice);
 
-/// The narrow-band level set itself: the one place that knows OpenVDB. An immutable value, cheap
-/// to copy.
+/// Columns of one leaf's width over `extent`, with nothing standing.
+ColumnTops empty_tops(const IndexBox& extent, const Lattice& lattice);
+
+/// The narrow-band level set itself, or the part of it in a box: what holds OpenVDB's tree. A
+/// value; copies share what they hold until one is cut.
 class StockGrid {
  public:
-  /// The raw stock's level set. Throws ResourceError when the forecast exceeds the limit.
-  StockGrid(const RawStock& raw, const Lattice& lattice, std::size_t memory_limit_bytes);
+  /// The raw stock's level set in `box`, whose sides are multiples of a block's edge, and `margin`
+  /// voxels beyond its sides in x and y: a leaf is what the leaves of the box need of their
+  /// neighbours.
+  StockGrid(const RawStock& raw, const Lattice& lattice, const IndexBox& box, int margin,
+            const model::RunControl& control);
 
-  /// This grid after a pass. Throws ResourceError when the forecast exceeds the limit.
-  StockGrid cut(const RawStock& raw, const SweepIndex& pass, std::size_t memory_limit_bytes,
-                const model::RunControl& control) const;
+  /// Where a pass reaches into this grid.
+  PassReach reach(const SweepIndex& pass, const model::RunControl& control) const;
+  /// This grid after a pass whose reach() is given. An rvalue that nobody shares is cut where it
+  /// stands, with no second copy; where that throws, it is spent.
+  StockGrid cut(const SweepIndex& pass, const PassReach& reach,
+                const model::RunControl& control) const&;
+  StockGrid cut(const SweepIndex& pass, const PassReach& reach,
+                const model::RunControl& control) &&;
+  bool shared() const { return impl_.use_count() > 1; }
 
   const Lattice& lattice() const;
   double band_mm() const { return kBandVoxels * lattice().voxel_mm; }
+  const IndexBox& box() const;
   double value(const model::Vec3& p_mm) const;
-  double volume_mm3() const;
+  VolumeSum volume(const model::RunControl& control) const;
   std::size_t memory_bytes() const;
-  /// Voxels inside the material with one of their six neighbours outside, in the tree's order.
-  std::vector<Index3> surface_voxels() const;
-  /// An upper bound of the material's height over each column of one leaf's width. A column takes
-  /// in half a voxel around its voxels' centres.
-  ColumnTops column_tops() const;
-  StockMesh mesh() const;
+  /// Leaves in the box, and beside it.
+  std::size_t leaf_count() const;
+  /// Voxels of the narrow band: those with a value of their own, in all of the grid.
+  std::size_t band_voxels() const;
+  /// An upper bound of the material's height over each column of one leaf's width of `extent`, for
+  /// those in this grid's box. A column takes in half a voxel around its voxels' centres.
+  void raise_tops(const IndexBox& extent, const model::RunControl& control, ColumnTops& tops) const;
+  /// Over all of this grid's box.
+  ColumnTops column_tops(const model::RunControl& control = {}) const;
+
+  /// The surface between voxels inside and others, its vertices where `placers` puts them; see
+  /// surface_net. Only for a grid of a whole stock.
+  model::TriangleMesh mesh(const MakePlacer& placers, const model::RunControl& control) const;
+  NetSize mesh_size(const model::RunControl& control) const;
   /// Throws ResourceError when the file cannot be written.
   void write(const std::filesystem::path& file) const;
 
  private:
+  friend class GridLeaves;
   struct Impl;
-  explicit StockGrid(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
-  std::shared_ptr<const Impl> impl_;
+  explicit StockGrid(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
+  std::shared_ptr<Impl> impl_;
+};
+
+/// The leaves of a grid's box, in the order of points: by the columns of blocks, x before y, then
+/// by the blocks' z, then by the leaves' x, y, z in their block. The grid must outlive them.
+class GridLeaves {
+ public:
+  explicit GridLeaves(const StockGrid& grid);
+  ~GridLeaves();
+
+  std::size_t size() const;
+  Index3 corner(std::size_t leaf) const;
+  /// Its voxels inside the material with one of their six neighbours outside, x before y before z.
+  std::vector<Index3> surface_voxels(std::size_t leaf) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace limitgauge::simulator

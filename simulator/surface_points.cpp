@@ -11,10 +11,12 @@ namespace {
 
 using model::Vec3;
 
+// Leaves whose points are held at a time, and those that one thread takes.
+constexpr std::size_t kBatch = 2048, kLeaves = 8;
+
 // Far below the micrometre that anybody measures, far above rounding.
 constexpr double kGoodEnough = 1e-10;
 constexpr int kMostSteps = 24;
-constexpr std::size_t kChunk = 256;
 
 // The shortest step that brings both linearised values to zero; only the first one where the two
 // gradients are too nearly parallel to say more.
@@ -36,6 +38,12 @@ Vec3 step_to_three(const MaterialSample& a, const MaterialSample& b, const Mater
          (-1 / det);
 }
 
+Vec3 step_to_all(std::span<const MaterialSample> s) {
+  if (s.size() == 3) return step_to_three(s[0], s[1], s[2]);
+  if (s.size() == 2) return step_to_both(s[0], s[1]);
+  return s[0].gradient * (-s[0].value / dot(s[0].gradient, s[0].gradient));
+}
+
 // The makers met so far, the last one first; those that do not bind here are left out of a step.
 class Makers {
  public:
@@ -51,14 +59,13 @@ class Makers {
   Vec3 step(const Material& material, const MaterialSample& now, const Vec3& p) const {
     std::array<MaterialSample, 3> binding{now};
     std::size_t n = 1;
-    const Vec3 alone = now.gradient * (-now.value);
+    const Vec3 alone = now.gradient * -now.value;
     for (std::size_t k = 1; k < count_; ++k) {
       const MaterialSample s = material.sample_of(known_[k], p);
       // Would the plain step leave this maker's side of the surface?
       if (s.value + dot(s.gradient, alone) > 0) binding[n++] = s;
     }
-    if (n == 3) return step_to_three(binding[0], binding[1], binding[2]);
-    return n == 2 ? step_to_both(binding[0], binding[1]) : alone;
+    return n == 1 ? alone : step_to_all(std::span(binding).first(n));
   }
 
  private:
@@ -72,6 +79,10 @@ Vec3 shortened(const Vec3& step, double most) {
 }
 
 }  // namespace
+
+Vec3 step_onto(std::span<const MaterialSample> samples) {
+  return step_to_all(samples);
+}
 
 StockPoint project_to_surface(const Material& material, const Vec3& start, double voxel_mm,
                               SurfaceMaker& hint) {
@@ -89,19 +100,42 @@ StockPoint project_to_surface(const Material& material, const Vec3& start, doubl
   return best;
 }
 
-std::vector<StockPoint> project_surface(const Material& material, const StockGrid& grid,
-                                        const model::Box3& region,
-                                        const model::RunControl& control) {
-  std::vector<Index3> voxels = grid.surface_voxels();
-  std::erase_if(voxels, [&](const Index3& v) { return !region.contains(grid.lattice().point(v)); });
-  std::vector<StockPoint> points(voxels.size());
-  model::parallel_chunks(voxels.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
-    SurfaceMaker hint;
-    for (std::size_t i = begin; i < end; ++i)
-      points[i] = project_to_surface(material, grid.lattice().point(voxels[i]),
-                                     grid.lattice().voxel_mm, hint);
-  });
+namespace {
+
+std::vector<StockPoint> leaf_points(const Material& material, const StockGrid& grid,
+                                    const GridLeaves& leaves, std::size_t leaf,
+                                    const model::Box3& region) {
+  const Lattice& lattice = grid.lattice();
+  const IndexBox voxels = cube_at(leaves.corner(leaf), kLeafEdge);
+  const Vec3 low = lattice.point(voxels.low), high = lattice.point(voxels.high);
+  std::vector<StockPoint> points;
+  for (int a = 0; a < 3; ++a)
+    if (high[a] < region.low[a] || low[a] > region.high[a]) return points;
+  SurfaceMaker hint;
+  for (const Index3& v : leaves.surface_voxels(leaf)) {
+    const Vec3 centre = lattice.point(v);
+    if (region.contains(centre))
+      points.push_back(project_to_surface(material, centre, lattice.voxel_mm, hint));
+  }
   return points;
+}
+
+}  // namespace
+
+void visit_points(const Material& material, const StockGrid& grid, const model::Box3& region,
+                  const PointVisitor& visit, const model::RunControl& control) {
+  const GridLeaves leaves(grid);
+  for (std::size_t first = 0; first < leaves.size(); first += kBatch) {
+    std::vector<std::vector<StockPoint>> points(std::min(kBatch, leaves.size() - first));
+    model::parallel_chunks(points.size(), kLeaves, control,
+                           [&](std::size_t begin, std::size_t end) {
+                             for (std::size_t i = begin; i < end; ++i)
+                               points[i] = leaf_points(material, grid, leaves, first + i, region);
+                           });
+    for (const auto& of_leaf : points)
+      if (!of_leaf.empty()) visit(of_leaf);
+    control.report(static_cast<double>(first + points.size()) / static_cast<double>(leaves.size()));
+  }
 }
 
 }  // namespace limitgauge::simulator

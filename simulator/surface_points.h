@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "simulator/material.h"
@@ -13,10 +15,15 @@ namespace limitgauge::simulator {
 StockPoint project_to_surface(const Material& material, const model::Vec3& start, double voxel_mm,
                               SurfaceMaker& hint);
 
-/// One projected point for each surface voxel of the grid whose centre lies in `region`, in its
-/// order.
-std::vector<StockPoint> project_surface(const Material& material, const StockGrid& grid,
-                                        const model::Box3& region,
-                                        const model::RunControl& control);
+/// The shortest step that brings the linearised values of one, two or three samples to zero; of the
+/// first alone where their gradients are too nearly parallel to say more.
+model::Vec3 step_onto(std::span<const MaterialSample> samples);
+
+using PointVisitor = std::function<void(std::span<const StockPoint>)>;
+
+/// Gives `visit` one projected point for each surface voxel of the grid's box whose centre lies in
+/// `region`, in the order of GridLeaves, some at a time.
+void visit_points(const Material& material, const StockGrid& grid, const model::Box3& region,
+                  const PointVisitor& visit, const model::RunControl& control);
 
 }  // namespace limitgauge::simulator

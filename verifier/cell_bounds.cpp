@@ -69,6 +69,8 @@ void mix(Values& a, const Values& b) {
 CellBounder::Scored CellBounder::score(const Bezier& cell, const Vec3& middle, BodyRef body,
                                        BodyDistance& distance) const {
   distance = space_.distance(body, middle);
+  if (const MeshOutside* mesh = space_.mesh_of(body))
+    return {body, distance.value, mesh->lower(cell, middle, distance), 0};
   if (!space_.is_concave(body)) {
     const Range plane = plane_range(cell, middle, distance);
     return {body, distance.value, plane.low - distance.slack_mm, 0};
@@ -79,6 +81,8 @@ CellBounder::Scored CellBounder::score(const Bezier& cell, const Vec3& middle, B
 }
 
 double CellBounder::upper_of(const Bezier& cell, const Vec3& middle, BodyRef body) {
+  if (const MeshOutside* mesh = space_.mesh_of(body))
+    return mesh->upper(cell, middle, space_.distance(body, middle));
   if (space_.is_concave(body)) {
     BodyDistance distance;
     return score(cell, middle, body, distance).upper;

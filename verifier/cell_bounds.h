@@ -31,7 +31,8 @@ struct CellBounds {
 /// so that the mean is level along the cell.
 /// A body whose term exceeds the upper bound is nearest nowhere in the cell and is dropped, for
 /// this cell and all its parts. The side of a round bar is concave: there plane and corner values
-/// swap.
+/// swap. The outside of a mesh is neither and has bounds of its own (MeshOutside); a mean may take
+/// in a convex function above it.
 class CellBounder {
  public:
   explicit CellBounder(const RemovedSpace& space) : space_(space) {}

@@ -30,6 +30,7 @@ Range along(const Bezier& b, const Vec3& from, const Vec3& axis) {
 
 std::optional<CellContact> CellContact::of(const Bezier& cell, const CutterProfile& profile,
                                            double allowance_mm) {
+  if (profile.is_pointed() || profile.undercuts()) return std::nullopt;
   const BezierJet at = jet(cell, 0.5, 0.5);
   const auto cone = normal_cone(cell, normalized(cross(at.du, at.dv)));
   if (!cone || cone->half_angle_rad > kWidestCone) return std::nullopt;

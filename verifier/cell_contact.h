@@ -10,7 +10,9 @@ namespace limitgauge::verifier {
 /// within β of e₀, sin β = sin α / sin(tilt).
 class CellContact {
  public:
-  /// Empty where the cell has no cone of normals narrow enough to reason with.
+  /// Empty where the cell has no cone of normals narrow enough to reason with, and for a bottom
+  /// that rises or a side that leans inwards: the proofs below and in `LocalContact` do not cover
+  /// them.
   static std::optional<CellContact> of(const Bezier& cell, const CutterProfile& profile,
                                        double allowance_mm);
 

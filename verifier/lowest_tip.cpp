@@ -74,23 +74,26 @@ bool LowestTip::is_free(const Vec3& tip, double margin_mm) const {
 }
 
 /// Greatest height of a tip, `rho_mm` aside of s in plan, whose endless cutter is within
-/// `within_mm` of s: the section's offset by that distance, an arc and a straight wall, or inwards
-/// a corner. None where no height is.
+/// `within_mm` of s: the section's offset by that distance, whose arcs and straight lines each
+/// bound the height of s over the tip from below. None where no height is.
 std::optional<double> LowestTip::highest_z(const Vec3& s, double rho_mm, double within_mm) const {
   const double reach = profile_.rounding_mm + within_mm, out = rho_mm - profile_.flat_mm;
-  const double lean = std::sqrt(1 + profile_.slope * profile_.slope);
-  double height = 0;  // of s over the lower end of the core
-  if (reach < 0 && profile_.slope > 0)
-    height = std::max(-reach, (out - reach * lean) / profile_.slope);
-  else if (out <= std::min(0.0, reach))
-    height = -reach;
-  else if (out * lean <= reach)
-    height = -std::sqrt(std::max(0.0, reach * reach - out * out));
-  else if (profile_.slope > 0)
-    height = (out - reach * lean) / profile_.slope;
-  else
+  const double slope = profile_.endless_slope(), rise = profile_.rise;
+  const double lean = std::sqrt(1 + slope * slope), shallow = std::sqrt(1 + rise * rise);
+  double height = out * rise - reach * shallow;  // of s over the edge of the core, by the bottom
+  if (slope > 0)
+    height = std::max(height, (out - reach * lean) / slope);
+  else if (out > reach)
     return std::nullopt;
-  return s.z - height - profile_.rounding_mm;
+  // The arc round the core's edge, between the bottom's normal and the wall's.
+  if (reach > 0 && out * shallow > reach * rise && out * lean <= reach)
+    height = std::max(height, -std::sqrt(std::max(0.0, reach * reach - out * out)));
+  // The arc round a sharp tip, before the bottom's normal.
+  if (rise > 0 && within_mm > 0 && rho_mm * shallow < within_mm * rise) {
+    const double tip = profile_.tip_mm() - profile_.core_mm;
+    height = std::max(height, tip - std::sqrt(within_mm * within_mm - rho_mm * rho_mm));
+  }
+  return s.z - height - profile_.core_mm;
 }
 
 /// The tip moved down by `by_mm` and up again as far as S pushes it, and up to twice the margin
@@ -152,7 +155,7 @@ bool LowestTip::excludes(const Square& square, const Vec3& s, double within_mm,
   const double beside_x = std::max(0.0, std::abs(square.x - s.x) - square.half),
                beside_y = std::max(0.0, std::abs(square.y - s.y) - square.half);
   const double nearest = std::max(0.0, std::hypot(beside_x, beside_y) - kRounding_mm);
-  if (nearest > profile_.top_radius_mm() + within_mm + kRounding_mm) return true;
+  if (nearest > profile_.largest_radius_mm() + within_mm + kRounding_mm) return true;
   const auto top = highest_z(s, nearest, within_mm);
   if (!top) return true;
   const auto deep = [&](double by_x, double by_y, double z) {
@@ -190,10 +193,11 @@ LowestTip::Proof LowestTip::prove(const Vec3& s, double goal_mm,
                                   std::size_t largest_square_count) const {
   // A free position stays the limit away from every point of S, and s is one.
   Proof proof{std::min(limit_, goal_mm), {}, 0};
-  if (goal_mm <= limit_) return proof;
+  // Under an undercutting cutter's side there are free positions that the endless cutter has not.
+  if (goal_mm <= limit_ || profile_.undercuts()) return proof;
   const auto later = [](const Square& a, const Square& b) { return a.low > b.low; };
   std::priority_queue<Square, std::vector<Square>, decltype(later)> open(later);
-  const double half = profile_.top_radius_mm() + goal_mm + kRounding_mm;
+  const double half = profile_.largest_radius_mm() + goal_mm + kRounding_mm;
   open.push({s.x, s.y, half, proof.low_mm, {}});
   while (!open.empty()) {
     Square at = open.top();

@@ -34,7 +34,7 @@ class LowestTip {
     std::size_t squares = 0;
   };
   /// Divides the plane of (x, y) until low_mm is the goal, a better position turns up or so many
-  /// squares were looked at.
+  /// squares were looked at. For a cutter that undercuts low_mm is no more than any position has.
   Proof prove(const model::Vec3& s, double goal_mm, std::size_t largest_square_count) const;
 
  private:

@@ -25,9 +25,11 @@ constexpr double kUnavoidable_mm = 5e-3;
 
 /// How finely the rim of what can be reached is resolved, and for how long. The contact of a flat
 /// moves far as the normal turns, so its proofs take smaller cells. To a cutter as wide as the part
-/// every cell is near every other: then each is looked at once.
+/// every cell is near every other, and of a drill's or an undercutting cutter's contacts no cell is
+/// proven: then each is looked at once.
 ReachOptions reach_effort(const CutterProfile& cutter, double area_mm2) {
   const double radius = cutter.rounding_mm + cutter.flat_mm;
+  if (cutter.is_pointed() || cutter.undercuts()) return {0.05, 1};
   if (std::numbers::pi * radius * radius > area_mm2 / 2) return {0.05, 1};
   return {0.05, cutter.flat_mm > 0 ? std::size_t{250'000} : std::size_t{60'000}};
 }

@@ -22,7 +22,12 @@ constexpr int kCircleSamples = 24;
 constexpr int kRings = 4;
 
 double slope_sine(const CutterProfile& p) {
-  return p.slope / std::sqrt(1 + p.slope * p.slope);
+  return p.endless_slope() / std::sqrt(1 + p.endless_slope() * p.endless_slope());
+}
+
+/// Sine of the angle by which S with normal n is steeper than the bottom.
+double over_bottom(const CutterProfile& p, const Vec3& n) {
+  return (std::hypot(n.x, n.y) - n.z * p.rise) / std::sqrt(1 + p.rise * p.rise);
 }
 
 /// Searches one cell for a point nearer than the limit; empty where that stays undecided.
@@ -70,12 +75,14 @@ Reachability::Below Reachability::comes_below(const CutterProfile& profile, cons
 }
 
 Vec3 Reachability::core_touching(const Vec3& p, const Vec3& n) const {
-  return p + n * (profile_.rounding_mm + allowance_mm_) - Vec3{0, 0, profile_.rounding_mm};
+  return p + n * (profile_.rounding_mm + allowance_mm_) - Vec3{0, 0, profile_.core_mm};
 }
 
 std::optional<Vec3> Reachability::contact_tip(const Vec3& p, const Vec3& n) const {
   if (n.z < slope_sine(profile_) - kLevel) return std::nullopt;
-  const double level = std::hypot(n.x, n.y);
+  const double level = std::hypot(n.x, n.y), over = over_bottom(profile_, n);
+  if (profile_.is_pointed() && over < -kLevel) return p + n * allowance_mm_;
+  if (profile_.is_pointed() && over <= kLevel) return std::nullopt;
   if (level <= kLevel && profile_.flat_mm > 0) return std::nullopt;
   const double scale = level > 0 ? profile_.flat_mm / level : 0;
   return core_touching(p, n) + Vec3{n.x * scale, n.y * scale, 0};
@@ -86,24 +93,56 @@ std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) con
   const double limit = allowance_mm_ - contact_mm_;
   if (const auto tip = contact_tip(p, n))
     return comes_below(profile_, *tip, limit) == Below::none ? tip : std::nullopt;
-  for (int k = -1; k < kDirections; ++k) {
-    const double angle = 2 * pi * k / kDirections, reach = k < 0 ? 0 : profile_.flat_mm;
-    const Vec3 tip =
-        core_touching(p, n) + Vec3{reach * std::cos(angle), reach * std::sin(angle), 0};
+  for (const Vec3& tip : contact_choices(p, n))
     if (comes_below(profile_, tip, limit) == Below::none) return tip;
-  }
   return std::nullopt;
 }
 
+std::vector<Vec3> Reachability::contact_choices(const Vec3& p, const Vec3& n) const {
+  std::vector<Vec3> tips;
+  if (profile_.is_pointed()) {
+    // All along the bottom, from its tip to where the corner begins.
+    const double level = std::hypot(n.x, n.y), sine = profile_.rise * n.z;
+    const double ends = profile_.flat_mm + profile_.rounding_mm * sine;
+    for (int k = 0; k <= kDirections; ++k) {
+      const double out = std::max(0.0, ends) * k / kDirections;
+      const Vec3 along{out * n.x / level, out * n.y / level, -out * profile_.rise};
+      tips.push_back(p + n * allowance_mm_ + along);
+    }
+    return tips;
+  }
+  for (int k = -1; k < kDirections; ++k) {
+    const double angle = 2 * pi * k / kDirections, reach = k < 0 ? 0 : profile_.flat_mm;
+    tips.push_back(core_touching(p, n) + Vec3{reach * std::cos(angle), reach * std::sin(angle), 0});
+  }
+  return tips;
+}
+
+/// All of the cell is less steep than the bottom rises, so the tip would touch it.
+bool Reachability::surely_unreachable_by_tip(const Bezier& cell, const NormalCone& cone) const {
+  const Vec3 centre = middle(cell);
+  const double spread = std::min(cone.half_angle_rad, pi);
+  const double stray =
+      control_radius(cell, centre) + std::abs(allowance_mm_) * 2 * std::sin(spread / 2);
+  const Vec3 tip = centre + cone.axis * allowance_mm_;
+  return comes_below(profile_, tip, allowance_mm_ - contact_mm_ - stray) == Below::found;
+}
+
 bool Reachability::surely_unreachable(const Bezier& cell) const {
+  if (profile_.undercuts() || profile_.flat_mm < 0) return false;
   const auto cone = normal_cone(cell);
   if (!cone) return false;
   const double tilt = std::acos(std::clamp(cone->axis.z, -1.0, 1.0)), spread = cone->half_angle_rad;
   if (tilt - spread > pi / 2 - std::asin(slope_sine(profile_))) return true;
+  if (profile_.is_pointed()) {
+    const double bottom = std::atan(profile_.rise);
+    if (tilt + spread < bottom - kLevel) return surely_unreachable_by_tip(cell, *cone);
+    if (tilt - spread <= bottom + kLevel) return false;
+  }
 
   const Vec3 centre = middle(cell);
   const double reach = profile_.rounding_mm + allowance_mm_;
-  const Vec3 core = centre + cone->axis * reach - Vec3{0, 0, profile_.rounding_mm};
+  const Vec3 core = core_touching(centre, cone->axis);
   // Every contact position of the cell has its core this near to one of those tried below ...
   const double stray =
       control_radius(cell, centre) + reach * 2 * std::sin(std::min(spread, pi) / 2);

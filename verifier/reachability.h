@@ -1,17 +1,30 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "verifier/cutter_profile.h"
 #include "verifier/surface_cells.h"
 
 namespace limitgauge::verifier {
 
+/// A cone that holds every normal of a cell: unit axis and half angle. The normal S_u × S_v is a
+/// Bézier patch of degree (5, 5), and its directions lie in the cone of its coefficients.
+struct NormalCone {
+  model::Vec3 axis;
+  double half_angle_rad = 0;
+};
+std::optional<NormalCone> normal_cone(const Bezier& cell);
+/// The same round a given unit axis.
+std::optional<NormalCone> normal_cone(const Bezier& cell, const model::Vec3& axis);
+
 /// Which points of S a cutter can touch, at distance `allowance`, without coming closer than that
 /// to S anywhere. The cutter's wall counts as going up without end; flutes, shank and holder are
 /// judged as collisions. Contact on a point with normal n:
-///   tip = s + (rounding + a)·n + flat·n_xy/|n_xy| − rounding·z,
-/// and no contact where n points further down than the wall allows (n_z < sin of the taper).
+///   tip = s + (rounding + a)·n + flat·n_xy/|n_xy| − core·z,
+/// and no contact where n points further down than the wall allows (n_z < sin of the taper). Where
+/// the bottom rises more steeply than S, its sharp tip touches: tip = s + a·n. What a side that
+/// leans inwards reaches from below is proven neither to be touched nor not to be.
 class Reachability {
  public:
   /// A position counts as free of gouges when it comes no closer than the allowance less
@@ -24,7 +37,7 @@ class Reachability {
   std::optional<model::Vec3> touching_tip(const model::Vec3& p, const model::Vec3& n) const;
   /// Where the tip is that touches the surface at `p` with normal `n`, whatever it cuts into
   /// elsewhere. Empty where the wall leans too far, and where S is level under a flat, which can
-  /// touch it from any side.
+  /// touch it from any side, or as steep as a rising bottom, which can touch it all along.
   std::optional<model::Vec3> contact_tip(const model::Vec3& p, const model::Vec3& n) const;
   /// Proof that the cutter standing with its tip at `tip` is free of gouges. False means "not
   /// proven".
@@ -42,6 +55,9 @@ class Reachability {
   enum class Below { none, found, undecided };
   /// Lowest point of the core, on the axis' side of the contact, before the flat moves it aside.
   model::Vec3 core_touching(const model::Vec3& p, const model::Vec3& n) const;
+  /// Positions that touch a place where the contact is no single point of the cutter.
+  std::vector<model::Vec3> contact_choices(const model::Vec3& p, const model::Vec3& n) const;
+  bool surely_unreachable_by_tip(const Bezier& cell, const NormalCone& cone) const;
   /// Whether some point of S is nearer than `limit_mm` to the cutter `profile` with its tip at
   /// `tip`.
   Below comes_below(const CutterProfile& profile, const model::Vec3& tip, double limit_mm) const;
@@ -53,15 +69,5 @@ class Reachability {
 
 /// A lower bound of the signed distance from the points of `box` to the cutter standing at `tip`.
 double standing_bound(const CutterProfile& profile, const model::Vec3& tip, const model::Box3& box);
-
-/// A cone that holds every normal of a cell: unit axis and half angle. The normal S_u × S_v is a
-/// Bézier patch of degree (5, 5), and its directions lie in the cone of its coefficients.
-struct NormalCone {
-  model::Vec3 axis;
-  double half_angle_rad = 0;
-};
-std::optional<NormalCone> normal_cone(const Bezier& cell);
-/// The same round a given unit axis.
-std::optional<NormalCone> normal_cone(const Bezier& cell, const model::Vec3& axis);
 
 }  // namespace limitgauge::verifier

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "verifier/nearest_first.h"
 
@@ -28,6 +29,10 @@ std::vector<std::uint32_t>& query_stack() {
 
 RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes)
     : stock_(stock) {
+  if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) {
+    if (!mesh->mesh) throw std::invalid_argument("a mesh stock without a mesh");
+    mesh_ = std::make_shared<const MeshOutside>(*mesh->mesh);
+  }
   for (const Pass& pass : passes) add_sweep({CutterProfile(pass.cutter), 0, pass.path});
 }
 
@@ -87,17 +92,29 @@ void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) 
 Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint) const {
   const auto outside = static_cast<std::uint32_t>(passes_.size());
   Nearest best{{outside + 1, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
-  if (hint) best = {*hint, {distance(*hint, p).value, {}, 0}};
+  if (hint) best = {*hint, distance(*hint, p)};
+  if (!mesh_) nearest_of_stock(p, best);
+  // The last pass is most often the nearest: begin with it, so that the others are cut off early.
+  for (std::uint32_t k = outside; k-- > 0;) nearest_in(k, p, best);
+  // A mesh comes last: most points lie deeper in it than the nearest move is away.
+  if (mesh_ && !is_stock(best.body)) nearest_of_stock(p, best);
+  if (!is_stock(best.body)) best.distance = distance(best.body, p);
+  return best;
+}
+
+void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
+  const auto outside = static_cast<std::uint32_t>(passes_.size());
+  if (mesh_) {
+    const auto d = mesh_->distance_up_to(p, best.distance.value);
+    if (d && d->value < best.distance.value) best = {{outside, 0}, *d};
+    return;
+  }
   for (std::uint32_t face = 0; face < stock_faces(); ++face) {
     const BodyDistance d = stock_distance(face, p);
     if (d.value < best.distance.value) best = {{outside, face}, d};
     if (d.value == best.distance.value && best.body.pass == outside && face <= best.body.index)
       best = {{outside, face}, d};
   }
-  // The last pass is most often the nearest: begin with it, so that the others are cut off early.
-  for (std::uint32_t k = outside; k-- > 0;) nearest_in(k, p, best);
-  if (!is_stock(best.body)) best.distance = distance(best.body, p);
-  return best;
 }
 
 void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
@@ -124,10 +141,11 @@ void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& 
   const auto outside = static_cast<std::uint32_t>(passes_.size());
   for (std::uint32_t face = 0; face < stock_faces(); ++face)
     if (stock_distance(face, p).value <= limit_mm) out.push_back({outside, face});
+  if (mesh_ && mesh_->distance_up_to(p, limit_mm)) out.push_back({outside, 0});
 }
 
 BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p) const {
-  if (is_stock(body)) return stock_distance(body.index, p);
+  if (is_stock(body)) return mesh_ ? mesh_->distance(p) : stock_distance(body.index, p);
   const PassBodies& pass = passes_[body.pass];
   return body_distance(pass.profile, pass.of_move(body.index), p);
 }
@@ -137,6 +155,7 @@ void RemovedSpace::values(BodyRef body, const Bezier& cell, std::array<double, 1
     const PassBodies& pass = passes_[body.pass];
     return body_values(pass.profile, pass.of_move(body.index), cell, out);
   }
+  if (mesh_) return mesh_->values(cell, out);
   for (int k = 0; k < 16; ++k) out[k] = stock_distance(body.index, cell.control(k)).value;
 }
 
@@ -146,7 +165,7 @@ bool RemovedSpace::is_concave(BodyRef body) const {
 }
 
 std::uint32_t RemovedSpace::stock_faces() const {
-  if (!stock_) return 0;
+  if (!stock_ || mesh_) return 0;
   return std::holds_alternative<model::BoxStock>(*stock_) ? 6 : 3;
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/model/stock.h"
 #include "verifier/box_tree.h"
+#include "verifier/mesh_outside.h"
 #include "verifier/swept_body.h"
 #include "verifier/verify.h"
 
@@ -23,7 +24,7 @@ struct Sweep {
 };
 
 /// One of the bodies whose union is the removed space: a move of a pass, or what lies outside one
-/// face of the raw stock (which counts as the pass after the last).
+/// face of the raw stock (which counts as the pass after the last), or outside all of a mesh.
 struct BodyRef {
   std::uint32_t pass = 0, index = 0;
   friend auto operator<=>(const BodyRef&, const BodyRef&) = default;
@@ -40,6 +41,7 @@ struct Nearest {
 /// inside, the depth into one body (a union's true depth can be larger, see UnionDepth).
 class RemovedSpace {
  public:
+  /// Throws std::invalid_argument for a mesh without triangles or with numbers out of range.
   RemovedSpace(const model::Stock& stock, std::span<const Pass> passes);
   /// The union of single positions of one cutter in endless stock.
   RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions);
@@ -52,13 +54,17 @@ class RemovedSpace {
   void within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
 
   BodyDistance distance(BodyRef body, const model::Vec3& p) const;
-  /// d at the sixteen control points of `cell`.
+  /// d at the sixteen control points of `cell` (for a mesh, see mesh_of).
   void values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const;
   /// The side of a round bar: its distance is concave, not convex.
   bool is_concave(BodyRef body) const;
+  /// The outside of a mesh, whose distance is neither: it has bounds of its own, and `values` are
+  /// those of a convex function nowhere below it. None for any other body.
+  const MeshOutside* mesh_of(BodyRef body) const { return is_stock(body) ? mesh_.get() : nullptr; }
   /// Radius of the smallest rounding of a body's edges, in mm; none of a face of the stock.
   double rounding_mm(BodyRef body) const {
-    return is_stock(body) ? 0 : passes_[body.pass].profile.rounding_mm;
+    if (is_stock(body) || passes_[body.pass].profile.is_pointed()) return 0;
+    return passes_[body.pass].profile.rounding_mm;
   }
   bool is_stock(BodyRef body) const { return body.pass == passes_.size(); }
   /// Largest distance between a programmed arc and the chords that stand for it, over all passes.
@@ -78,10 +84,13 @@ class RemovedSpace {
   void add_sweep(const Sweep& sweep);
   static PassBodies index_bodies(const CutterProfile& profile, std::vector<SweptBody> bodies);
   void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best) const;
+  void nearest_of_stock(const model::Vec3& p, Nearest& best) const;
+  /// Half spaces and the side of a bar; a mesh has none.
   std::uint32_t stock_faces() const;
   BodyDistance stock_distance(std::uint32_t face, const model::Vec3& p) const;
 
   std::optional<model::Stock> stock_;
+  std::shared_ptr<const MeshOutside> mesh_;
   std::vector<PassBodies> passes_;
   double chord_error_mm_ = 0;
 };

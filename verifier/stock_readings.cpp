@@ -42,8 +42,10 @@ class Reader {
     hint_ = removed.body;
     out.mismatch_mm = std::abs(removed.distance.value) - point.error_mm - kAgreement_mm;
     const Vec3 air = -removed.distance.gradient;
-    // The underside of the raw stock faces nothing that a cutter from above is to leave.
-    if (space_.is_stock(removed.body) && air.z < 0) return out;
+    // The underside of the raw stock faces nothing that a cutter from above is to leave. Upright
+    // walls of a mesh are upright within rounding.
+    constexpr double kUpright = 1e-6;
+    if (space_.is_stock(removed.body) && air.z < -kUpright) return out;
     const auto foot = closest_point(cells_, point.position, sight_mm_);
     if (!foot) return out;
     const double facing = dot(air, foot->normal);
@@ -81,7 +83,8 @@ class Reader {
     return r.deviation_mm > 0 || lies_under_surface(point);
   }
   /// Whether S passes straight above the point. A cutter that reached it took all above it away as
-  /// well: with S there, it went through S; without, it came past the rim. By steps upwards that
+  /// well: with S there, it went through S; without, it came past the rim. (One whose side leans
+  /// inwards need not have: then what lies beside S is left to the certificate.) By steps upwards that
   /// are no longer than S is far.
   bool lies_under_surface(Vec3 point) const {
     constexpr double kOn_mm = 1e-6;

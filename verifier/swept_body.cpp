@@ -80,11 +80,11 @@ bool is_vertical(const SweptBody& body) {
   return body.from.x == body.to.x && body.from.y == body.to.y;
 }
 
-/// Without the top.
+/// Of the endless cutter.
 BodyDistance open_body_distance(const CutterProfile& profile, const SweptBody& body,
                                 const Vec3& p) {
   if (profile.is_ball()) return ball_distance(profile, body, p);
-  // Widening upwards, a vertical move reaches furthest from its lowest position.
+  // Only widening upwards, it reaches furthest from the lowest position of a vertical move.
   if (is_vertical(body)) return standing_distance(profile, body.from, p);
   if (is_level(body))
     return standing_distance(profile, lerp(body.from, body.to, level_parameter(body, p)), p);
@@ -140,6 +140,8 @@ BodyDistance closed_standing_distance(const CutterProfile& profile, const Vec3& 
 }
 
 BodyDistance body_distance(const CutterProfile& profile, const SweptBody& body, const Vec3& p) {
+  // Beside a side that leans inwards the endless cutter is another body.
+  if (profile.undercuts()) return closed_body_distance(profile, body, p);
   const BodyDistance open = open_body_distance(profile, body, p);
   if (below_tops(profile, body, p.z, open.value)) return open;
   return closed_body_distance(profile, body, p);
@@ -171,7 +173,7 @@ double box_bound(const CutterProfile& profile, const model::Box3& tips, const Ve
     const double open = std::sqrt(dx * dx + dy * dy + dz * dz) - profile.rounding_mm;
     return std::max(open, p.z - (tips.high.z + profile.top_mm));
   }
-  // The body only widens upwards, so the lowest tip reaches furthest.
+  // The endless cutter holds the body and only widens upwards: its lowest tip reaches furthest.
   const double open = open_distance(profile, std::sqrt(dx * dx + dy * dy), p.z - tips.low.z).value;
   return std::max(open, p.z - (tips.high.z + profile.top_mm));
 }

@@ -26,8 +26,8 @@ struct BodyDistance {
 /// slack.
 double least_by_plane(const BodyDistance& d, const model::Vec3& at, const Bezier& cell);
 
-/// Signed distance from `p` to the cutter with its tip at `tip`, its wall going up without end, and
-/// to the cutter that ends at its top.
+/// Signed distance from `p` to the endless cutter (`open_distance`) with its tip at `tip`, and to
+/// the cutter that ends at its top.
 BodyDistance standing_distance(const CutterProfile& profile, const model::Vec3& tip,
                                const model::Vec3& p);
 BodyDistance closed_standing_distance(const CutterProfile& profile, const model::Vec3& tip,

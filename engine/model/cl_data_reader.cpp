@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "engine/model/cl_data.h"
 #include "engine/model/cl_lexer.h"
@@ -23,6 +25,7 @@ class ClReader {
   bool move(const ClStatement& statement);
   void set_units(const ClStatement& statement);
   void set_cutter(const ClStatement& statement);
+  void require_cutter(const ClStatement& statement, const SevenFigures& figures) const;
   void set_feed(const ClStatement& statement);
   void go_to(const ClStatement& statement);
   Vec3 point(const ClStatement& statement) const;
@@ -69,20 +72,33 @@ void ClReader::set_units(const ClStatement& statement) {
 }
 
 void ClReader::set_cutter(const ClStatement& statement) {
-  require_count(statement, 1, 7);
+  const std::size_t count = statement.figures.size();
+  if (count != 1 && count != 2 && count != 7)
+    lexer_.fail(statement.major, "CUTTER with " + std::to_string(count) + " figures",
+                "d, or d and r, or all of d,r,e,f,a,b,h");
   if (data_.cutter)
     lexer_.fail(statement.major, "a second cutter is not supported in this release",
                 "one tool a program");
   std::array<double, 7> figures{};
-  for (std::size_t i = 0; i < statement.figures.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const bool angle = i == 4 || i == 5;
     figures[i] = angle ? number(statement.figures[i]) : length(statement.figures[i]);
   }
   const auto& [d, r, e, f, a, b, h] = figures;
-  data_.cutter = ClCutter{d, r, e, f, a, b, h};
+  data_.cutter = SevenFigures{d, r, e, f, a, b, h};
   // The short forms are cylinders; nothing is said of their height.
-  if (statement.figures.size() <= 2)
-    data_.cutter->centre_radius = d / 2 - r, data_.cutter->centre_height = r;
+  if (count <= 2) data_.cutter->centre_radius = d / 2 - r, data_.cutter->centre_height = r;
+  SevenFigures whole = *data_.cutter;
+  if (count <= 2) whole.height = std::max(d, r);
+  require_cutter(statement, whole);
+}
+
+void ClReader::require_cutter(const ClStatement& statement, const SevenFigures& figures) const {
+  try {
+    cutter_of(figures);
+  } catch (const std::invalid_argument& problem) {
+    lexer_.fail(statement.major, problem.what(), "figures that make a cutter");
+  }
 }
 
 void ClReader::set_feed(const ClStatement& statement) {

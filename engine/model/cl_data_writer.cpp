@@ -2,7 +2,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine/model/angle.h"
 #include "engine/model/cl_data.h"
 #include "engine/model/feed_text.h"
 #include "engine/model/fixed_number.h"
@@ -47,14 +46,12 @@ void write_statement(const std::string& word, const std::vector<std::string>& fi
 }
 
 std::vector<std::string> cutter_figures(const Cutter& cutter) {
-  const ClCutter c = cl_cutter(cutter);
-  std::vector<double> figures = {c.diameter};
-  if (cutter.type != CutterType::flat) figures.push_back(c.corner_radius);
-  if (cutter.type == CutterType::taper) {
-    for (const double figure :
-         {c.centre_radius, c.centre_height, c.lower_angle, c.upper_angle, c.height})
-      figures.push_back(figure);
-  }
+  const SevenFigures c = seven_figures(cutter);
+  std::vector<double> figures = {c.diameter,    c.corner_radius, c.centre_radius, c.centre_height,
+                                 c.lower_angle, c.upper_angle,   c.height};
+  // A cylinder needs no more than its corner.
+  if (cutter.type == CutterType::flat) figures.resize(1);
+  if (cutter.type == CutterType::ball || cutter.type == CutterType::bull) figures.resize(2);
   std::vector<std::string> texts;
   for (const double figure : figures) texts.push_back(shortest(figure));
   return texts;
@@ -81,20 +78,6 @@ void write_point(const char* word, const Vec3& point, int decimals, TextBlocks& 
 }
 
 }  // namespace
-
-ClCutter cl_cutter(const Cutter& cutter) {
-  const double angle = radians(cutter.taper_angle_deg);
-  const double r_mm = cutter.corner_radius_mm;
-  ClCutter c;
-  c.corner_radius = c.centre_height = r_mm;
-  c.centre_radius = cutter.radius_mm() - r_mm;
-  // The upper line touches the corner circle; it meets the level of the tip this far out.
-  const double meets_mm = c.centre_radius + r_mm * (1 - std::sin(angle)) / std::cos(angle);
-  c.diameter = cutter.type == CutterType::taper ? 2 * meets_mm : cutter.diameter_mm;
-  c.upper_angle = cutter.taper_angle_deg;
-  c.height = cutter.flute_length_mm;
-  return c;
-}
 
 void write_cl_data(const Toolpath& path, const Cutter& cutter, const ClOptions& options,
                    std::ostream& out) {

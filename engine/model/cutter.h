@@ -49,14 +49,18 @@ struct Cutter {
   double radius_mm() const { return diameter_mm / 2; }
 };
 
-/// Greatest radius of the fluted part, in mm (a taper is widest at the end of its flutes).
+/// Greatest radius of the fluted part, in mm: of a taper at the end of its flutes, of an apt cutter
+/// whose side leans inwards at its corner.
 double largest_radius_mm(const Cutter& cutter);
 /// Throws std::invalid_argument naming the figure that makes no cutter (zero diameter, a corner
-/// radius above the radius, flutes shorter than the corner radius, NaN, ...).
+/// that does not fit, bottom and side that do not meet in a convex body, flutes that end below the
+/// side, NaN, ...).
 void require_valid(const Cutter& cutter);
-/// `ball:D=6`, `flat:D=8`, `bull:D=8,r=1`, `taper:D=1,r=0.5,angle=5`, with optional `L=` flute
-/// length (default: four diameters), `shank=D:L`, `holder=D:L`, repeated from the tip up.
-/// Throws InputError with the column in `text`.
+/// `ball:D=6`, `flat:D=8`, `bull:D=8,r=1`, `taper:D=1,r=0.5,angle=5`, `drill:D=6,angle=118` (the
+/// point angle), `apt:D=10,r=1,a=10,b=-5` (tip and side angle; r, a and b may be left out, e and f
+/// may be stated and must agree with the rest within 0.01 mm), with optional `L=` flute length
+/// (default: four diameters), `ramp=` steepest descent, `shank=D:L`, `holder=D:L`, repeated from
+/// the tip up. Throws InputError with the column in `text`.
 Cutter parse_cutter(std::string_view text);
 /// The text form that parse_cutter reads back.
 std::string to_text(const Cutter& cutter);

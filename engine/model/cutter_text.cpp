@@ -1,19 +1,55 @@
+#include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
-#include "engine/model/cutter.h"
+#include "engine/model/cutter_figures.h"
 #include "engine/model/spec_text.h"
 #include "engine/model/words.h"
 
 namespace limitgauge::model {
 namespace {
 
-constexpr std::array kTypes = {CutterType::flat, CutterType::ball, CutterType::bull,
-                               CutterType::taper};
-constexpr std::array<std::string_view, 4> kTypeNames = {"flat", "ball", "bull", "taper"};
-constexpr std::array<std::string_view, 6> kKeys = {"D", "r", "angle", "L", "shank", "holder"};
+constexpr std::array kTypes = {CutterType::flat,  CutterType::ball,  CutterType::bull,
+                               CutterType::taper, CutterType::drill, CutterType::apt};
+constexpr std::array<std::string_view, 6> kTypeNames = {"flat",  "ball",  "bull",
+                                                        "taper", "drill", "apt"};
 constexpr double kDefaultFluteDiameters = 4;
+
+/// A key of the text, and which types have it.
+struct Key {
+  std::string_view word;
+  bool (*fits)(CutterType);
+};
+constexpr std::array<Key, 11> kKeys = {
+    {{"D", [](CutterType) { return true; }},
+     {"r",
+      [](CutterType t) {
+        return t == CutterType::bull || t == CutterType::taper || t == CutterType::apt;
+      }},
+     {"angle", [](CutterType t) { return t == CutterType::taper || t == CutterType::drill; }},
+     {"e", [](CutterType t) { return t == CutterType::apt; }},
+     {"f", [](CutterType t) { return t == CutterType::apt; }},
+     {"a", [](CutterType t) { return t == CutterType::apt; }},
+     {"b", [](CutterType t) { return t == CutterType::apt; }},
+     {"L", [](CutterType) { return true; }},
+     {"ramp", [](CutterType) { return true; }},
+     {"shank", [](CutterType) { return true; }},
+     {"holder", [](CutterType) { return true; }}}};
+
+std::string keys_of(CutterType type) {
+  std::string all;
+  for (std::size_t i = 0; i < kKeys.size(); ++i)
+    if (kKeys[i].fits(type))
+      all += (all.empty() ? "" : i + 1 < kKeys.size() ? ", " : " or ") + std::string(kKeys[i].word);
+  return all;
+}
+
+std::string with_article(CutterType type) {
+  return std::string(type == CutterType::apt ? "an " : "a ") + name(type);
+}
 
 class CutterText {
  public:
@@ -38,7 +74,7 @@ class CutterText {
     }
     const std::string near = nearest_word(type, kTypeNames.data(), kTypeNames.size());
     text_.fail_at(0, "unknown cutter " + in_quotes(type),
-                  near.empty() ? "flat, ball, bull or taper" : in_quotes(near));
+                  near.empty() ? "flat, ball, bull, taper, drill or apt" : in_quotes(near));
   }
 
   void read_pair() {
@@ -50,31 +86,44 @@ class CutterText {
     if (key == "shank") return cutter_.shank.push_back(part(key));
     if (key == "holder") return cutter_.holder.push_back(part(key));
     if (!first) text_.fail_at(begin, in_quotes(key) + " stands twice", "it once");
-    const double value = text_.positive(",", key);
+    set(key, signed_value(key));
+  }
+
+  /// All but angles that may be level or lean inwards, and lengths that may be on the axis, are
+  /// greater than 0.
+  double signed_value(const std::string& key) {
+    const bool any = key == "a" || key == "b" || key == "e" || key == "f" || key == "ramp" ||
+                     (key == "r" && cutter_.type == CutterType::apt);
+    return any ? text_.number(",", key) : text_.positive(",", key);
+  }
+
+  void set(const std::string& key, double value) {
     if (key == "D") cutter_.diameter_mm = value;
     if (key == "r") cutter_.corner_radius_mm = value;
-    if (key == "angle") cutter_.taper_angle_deg = value;
+    if (key == "angle" && cutter_.type == CutterType::taper) cutter_.taper_angle_deg = value;
+    if (key == "angle" && cutter_.type == CutterType::drill)
+      cutter_.tip_angle_deg = (180 - value) / 2;
+    if (key == "e") centre_radius_mm_ = value;
+    if (key == "f") centre_height_mm_ = value;
+    if (key == "a") cutter_.tip_angle_deg = value;
+    if (key == "b") cutter_.taper_angle_deg = value;
     if (key == "L") cutter_.flute_length_mm = value;
+    if (key == "ramp") cutter_.steepest_descent_deg = value;
   }
 
   void require_known(const std::string& key, std::size_t begin) const {
-    for (const std::string_view known : kKeys) {
-      if (key != known) continue;
-      if (!fits_type(key))
-        text_.fail_at(begin,
-                      std::string("a ") + name(cutter_.type) + " cutter has no '" + key + "'",
-                      "D, L, shank or holder");
+    std::array<std::string_view, kKeys.size()> words;
+    for (std::size_t i = 0; i < kKeys.size(); ++i) {
+      words[i] = kKeys[i].word;
+      if (key != words[i]) continue;
+      if (!kKeys[i].fits(cutter_.type))
+        text_.fail_at(begin, with_article(cutter_.type) + " cutter has no '" + key + "'",
+                      keys_of(cutter_.type));
       return;
     }
-    const std::string near = nearest_word(key, kKeys.data(), kKeys.size());
+    const std::string near = nearest_word(key, words.data(), words.size());
     text_.fail_at(begin, "unknown key " + in_quotes(key),
-                  near.empty() ? "D, r, angle, L, shank or holder" : in_quotes(near));
-  }
-
-  bool fits_type(const std::string& key) const {
-    if (key == "angle") return cutter_.type == CutterType::taper;
-    if (key == "r") return cutter_.type == CutterType::bull || cutter_.type == CutterType::taper;
-    return true;
+                  near.empty() ? keys_of(cutter_.type) : in_quotes(near));
   }
 
   CylinderPart part(const std::string& key) {
@@ -89,12 +138,15 @@ class CutterText {
   void complete() {
     require_key("D");
     if (cutter_.type == CutterType::bull) require_key("r");
-    if (cutter_.type == CutterType::taper) require_key("angle");
+    if (cutter_.type == CutterType::taper || cutter_.type == CutterType::drill)
+      require_key("angle");
     if (cutter_.type == CutterType::ball) cutter_.corner_radius_mm = cutter_.radius_mm();
     if (!places_.contains("L"))
       cutter_.flute_length_mm = kDefaultFluteDiameters * cutter_.diameter_mm;
     try {
       require_valid(cutter_);
+      require_centre(cutter_, centre_radius_mm_ ? &*centre_radius_mm_ : nullptr,
+                     centre_height_mm_ ? &*centre_height_mm_ : nullptr);
     } catch (const std::invalid_argument& problem) {
       text_.fail_at(place_of(problem.what()), problem.what(), "figures that make a cutter");
     }
@@ -102,22 +154,33 @@ class CutterText {
 
   void require_key(const std::string& key) const {
     if (!places_.contains(key))
-      text_.fail_at(text_.position(),
-                    std::string("a ") + name(cutter_.type) + " cutter needs '" + key + "='", "it");
+      text_.fail_at(text_.position(), with_article(cutter_.type) + " cutter needs '" + key + "='",
+                    "it");
   }
 
-  /// The value that a complaint of require_valid is about.
+  /// The value that a complaint of require_valid or require_centre is about.
   std::size_t place_of(std::string_view problem) const {
-    const std::string key = problem.starts_with("corner")  ? "r"
-                            : problem.starts_with("flute") ? "L"
-                            : problem.starts_with("taper") ? "angle"
-                                                           : "D";
-    const auto found = places_.find(key);
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kAbout = {
+        {{"corner", "r"},
+         {"flute", "L"},
+         {"taper", "angle"},
+         {"point", "angle"},
+         {"tip", "a"},
+         {"side", "b"},
+         {"steepest", "ramp"},
+         {"e ", "e"},
+         {"f ", "f"},
+         {"", "D"}}};
+    const auto about = std::find_if(kAbout.begin(), kAbout.end(), [&](const auto& entry) {
+      return problem.starts_with(entry.first);
+    });
+    const auto found = places_.find(std::string(about->second));
     return found == places_.end() ? 0 : found->second;
   }
 
   SpecText text_;
   Cutter cutter_;
+  std::optional<double> centre_radius_mm_, centre_height_mm_;  ///< as stated
   std::map<std::string, std::size_t> places_;
 };
 
@@ -130,6 +193,28 @@ std::string parts_text(const char* key, const std::vector<CylinderPart>& parts) 
   return text;
 }
 
+/// What stands between the diameter and the flute length.
+std::string shape_text(const Cutter& cutter) {
+  const auto figure = [](const char* key, double value) {
+    return value == 0 ? std::string() : std::string(key) + shortest(value);
+  };
+  switch (cutter.type) {
+    case CutterType::flat:
+    case CutterType::ball:
+      return {};
+    case CutterType::bull:
+      return figure(",r=", cutter.corner_radius_mm);
+    case CutterType::taper:
+      return figure(",r=", cutter.corner_radius_mm) + figure(",angle=", cutter.taper_angle_deg);
+    case CutterType::drill:
+      return ",angle=" + shortest(180 - 2 * cutter.tip_angle_deg);
+    case CutterType::apt:
+      break;
+  }
+  return figure(",r=", cutter.corner_radius_mm) + figure(",a=", cutter.tip_angle_deg) +
+         figure(",b=", cutter.taper_angle_deg);
+}
+
 }  // namespace
 
 Cutter parse_cutter(std::string_view text) {
@@ -138,10 +223,8 @@ Cutter parse_cutter(std::string_view text) {
 
 std::string to_text(const Cutter& cutter) {
   std::string text = std::string(name(cutter.type)) + ":D=" + shortest(cutter.diameter_mm);
-  const bool rounded = cutter.type == CutterType::bull || cutter.type == CutterType::taper;
-  if (rounded && cutter.corner_radius_mm > 0) text += ",r=" + shortest(cutter.corner_radius_mm);
-  if (cutter.type == CutterType::taper) text += ",angle=" + shortest(cutter.taper_angle_deg);
-  text += ",L=" + shortest(cutter.flute_length_mm);
+  text += shape_text(cutter) + ",L=" + shortest(cutter.flute_length_mm);
+  if (cutter.steepest_descent_deg != 90) text += ",ramp=" + shortest(cutter.steepest_descent_deg);
   return text + parts_text("shank", cutter.shank) + parts_text("holder", cutter.holder);
 }
 

@@ -25,6 +25,9 @@ void require_positive(double value, const std::string& name) {
 
 void require_valid(const StageRequest& request) {
   model::require_valid(request.cutter);
+  const model::CutterType type = request.cutter.type;
+  require(type != model::CutterType::drill && type != model::CutterType::apt,
+          "cutter: a strategy takes flat, ball, bull or taper");
   model::require_valid(request.stock);
   require_positive(request.cut.step_mm, "step");
   require_positive(request.cut.tolerance_mm, "tolerance");

@@ -182,7 +182,7 @@ TEST_CASE("a bad job is refused with its place and what was expected", "[unit][j
        "job.toml:11:12: error: \"diameter\" in [[tool]] is of type string; expected a number"},
       {"diameter = 6", "diameter = 6\ncorner_radius = 1",
        "job.toml:12:17: error: a ball cutter has no corner_radius; expected no such key, or type "
-       "\"bull\" or \"taper\""},
+       "\"bull\", \"taper\" or \"apt\""},
       {"tool = \"ball3\"", "tool = \"ball4\"",
        "job.toml:14:8: error: no tool has the id \"ball4\"; expected \"ball3\" or another id of a "
        "[[tool]]"},

@@ -33,6 +33,7 @@ def ratio(name, over, under):
 
 ratio("certify_1um_vs_cut", "certify_finish/1000/real_time", "cut_finish/100/real_time")
 ratio("certify_100nm_vs_1um", "certify_finish/100/real_time", "certify_finish/1000/real_time")
+ratio("certify_casting_vs_block", "certify_finish_of_casting/1000/real_time", "certify_finish/1000/real_time")
 ratio("section_vs_cgal_slicer", "section_family", "section_cgal_slicer/iterations:1")
 # The worst of all surfaces and distances.
 surfaces = [run.removeprefix("closest_point_exact") for run in runs

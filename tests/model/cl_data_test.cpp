@@ -67,8 +67,8 @@ TEST_CASE("every cutter has its figures", "[unit][cl]") {
   CHECK_THAT(text, ContainsSubstring("$\n"));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 72);
-  const ClCutter taper = *read(text).cutter;
-  CHECK(taper == cl_cutter(parse_cutter(
+  const SevenFigures taper = *read(text).cutter;
+  CHECK(taper == seven_figures(parse_cutter(
                      "taper:D=1.234567890123,r=0.371234567,angle=7.77777777777,L=12.345678901")));
   // The upper line touches the corner circle: both are as far from its centre as its radius.
   const double angle = taper.upper_angle * std::acos(-1.0) / 180;
@@ -79,10 +79,36 @@ TEST_CASE("every cutter has its figures", "[unit][cl]") {
 
 TEST_CASE("short forms of a cutter say the same as seven figures", "[unit][cl]") {
   for (const char* text : {"flat:D=8", "ball:D=6", "bull:D=8,r=1.5"}) {
-    ClCutter expected = cl_cutter(parse_cutter(text));
+    SevenFigures expected = seven_figures(parse_cutter(text));
     expected.height = 0;
     CHECK(*read(written({}, text, {})).cutter == expected);
   }
+}
+
+TEST_CASE("all seven figures of a cutter are written and read", "[unit][cl]") {
+  for (const char* text : {"drill:D=6,angle=118,L=40", "apt:D=10,r=1,a=12,b=-7,L=30",
+                           "apt:D=8,r=0.7,b=-20,L=6", "apt:D=6,a=30,b=10,L=9"}) {
+    CAPTURE(text);
+    const Cutter cutter = parse_cutter(text);
+    const SevenFigures figures = *read(written({}, text, {})).cutter;
+    CHECK(figures == seven_figures(cutter));
+    CHECK(to_text(cutter_of(figures)) == to_text(cutter));
+  }
+  const SevenFigures inch = *read("UNITS/INCHES\nCUTTER/.5,.05,.2,.05,0,0,2\nFINI\n").cutter;
+  CHECK(inch.diameter == 12.7);
+  CHECK(inch.height == 50.8);
+}
+
+TEST_CASE("figures that make no cutter are refused with their place", "[unit][cl]") {
+  CHECK(
+      error_of("CUTTER/10,1,4\nFINI\n") ==
+      "cl.apt:1:1: error: CUTTER with 3 figures; expected d, or d and r, or all of d,r,e,f,a,b,h");
+  CHECK(error_of("CUTTER/10,1,4.02,1,0,0,30\nFINI\n") ==
+        "cl.apt:1:1: error: e is 4.02, but the other figures make it 4; expected figures that make "
+        "a cutter");
+  CHECK_THAT(error_of("CUTTER/10,6\nFINI\n"), ContainsSubstring("corner radius must not exceed"));
+  CHECK_THAT(error_of("CUTTER/10,0,5,0,0,95,30\nFINI\n"), ContainsSubstring("side angle"));
+  CHECK_THAT(error_of("CUTTER/10,0,5,0,0,0,0\nFINI\n"), ContainsSubstring("flute length"));
 }
 
 TEST_CASE("CL data are read as a path", "[unit][cl]") {

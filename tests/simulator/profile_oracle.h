@@ -8,25 +8,80 @@
 namespace limitgauge::simulator::test {
 
 /// The cutter's meridian described a second time, as a chain of segments and one arc, with
-/// distances worked out feature by feature: shares nothing with the profile under test.
+/// distances worked out feature by feature: shares nothing with the profile under test, nor with
+/// the model's seven figures.
 class ProfileOracle {
  public:
-  explicit ProfileOracle(const model::Cutter& cutter);
-  double signed_distance(double rho, double z) const;
-
- private:
   struct Point {
     double rho, z;
   };
-  double to_segment(Point a, Point b, double rho, double z) const;
-  bool inside(double rho, double z) const;
 
-  double disc_, corner_, angle_, length_, top_;
-  Point arc_end_;
+  explicit ProfileOracle(const model::Cutter& cutter);
+  double signed_distance(double rho, double z) const;
+  /// Whether a point is inside, by the outline's heights alone: no distance takes part.
+  bool inside(double rho, double z) const;
+  /// `count` points along each of bottom, arc, side and top.
+  std::vector<Point> outline(int count) const;
+  double widest() const;
+
+ private:
+  double to_segment(Point a, Point b, double rho, double z) const;
+
+  double corner_, bottom_angle_, side_angle_, length_;
+  Point centre_, arc_begin_, arc_end_, rim_;
 };
 
 /// Least signed distance over `steps` + 1 positions and a golden section about the best of them.
 double brute_swept_distance(const ProfileOracle& oracle, const model::Vec3& from,
                             const model::Vec3& to, const model::Vec3& p, int steps);
+
+/// Which side of the swept space p is on: a position that holds it proves inside; positions whose
+/// distance exceeds the way to their neighbours prove outside. `on_surface` where it is nearer than
+/// 1e-9 mm to both.
+enum class Side { inside, outside, on_surface };
+Side proven_side(const ProfileOracle& oracle, const model::Vec3& from, const model::Vec3& to,
+                 const model::Vec3& p);
+
+/// Cutters of every type and shape: long, short, pointed, leaning outwards and inwards, with a
+/// corner wider than the cutter, closing at the top.
+std::vector<model::Cutter> all_cutters();
+/// A cutter of any type with random figures; the same for the same state of `random`.
+template <class Random>
+model::Cutter random_cutter(Random& random);
+
+}  // namespace limitgauge::simulator::test
+
+#include <random>
+#include <stdexcept>
+
+namespace limitgauge::simulator::test {
+
+template <class Random>
+model::Cutter random_cutter(Random& random) {
+  const auto in = [&](double low, double high) {
+    return std::uniform_real_distribution<>(low, high)(random);
+  };
+  for (;;) {
+    model::Cutter c;
+    c.type = static_cast<model::CutterType>(random() % 6);
+    c.diameter_mm = in(1, 12);
+    c.flute_length_mm = in(0.2, 14);
+    const bool apt = c.type == model::CutterType::apt;
+    if (c.type == model::CutterType::ball) c.corner_radius_mm = c.radius_mm();
+    if (c.type == model::CutterType::bull || c.type == model::CutterType::taper)
+      c.corner_radius_mm = in(0.01, 1) * c.radius_mm();
+    if (apt && random() % 4 > 0) c.corner_radius_mm = in(0, 2) * c.radius_mm();
+    if (c.type == model::CutterType::taper) c.taper_angle_deg = in(1, 70);
+    if (c.type == model::CutterType::drill || apt) c.tip_angle_deg = in(1, 60);
+    if (apt && random() % 4 == 0) c.tip_angle_deg = 0;
+    if (apt) c.taper_angle_deg = in(-60, 60);
+    try {
+      require_valid(c);
+      return c;
+    } catch (const std::invalid_argument&) {
+      // The next draw.
+    }
+  }
+}
 
 }  // namespace limitgauge::simulator::test

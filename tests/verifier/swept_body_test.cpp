@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/model/cutter_figures.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::verifier {
@@ -22,31 +23,43 @@ const std::vector<Cutter>& cutters() {
       {"taper ball", CutterType::taper, 1, 0.5, 5, 40, {}, {}},
       {"short bull", CutterType::bull, 10, 2, 0, 4, {}, {}},
       {"short taper", CutterType::taper, 3, 0.5, 20, 5, {}, {}},
+      model::parse_cutter("drill:D=6,angle=118,L=40"),
+      model::parse_cutter("drill:D=8,angle=90,L=5"),
+      model::parse_cutter("apt:D=8,r=1,a=10,b=5,L=30"),
+      model::parse_cutter("apt:D=6,r=6,a=45,L=12"),
+      model::parse_cutter("apt:D=10,r=2,b=-10,L=9"),
+      model::parse_cutter("apt:D=6,a=20,b=-30,L=5"),
+      model::parse_cutter("apt:D=8,b=-45,L=4"),
   };
   return all;
 }
 
-/// Distance from (rho, h) to the cutter's outline, by walking along the outline: an evaluator that
-/// knows nothing of cores. Sign by which side of the outline the point is on.
-double outline_distance(const Cutter& c, double rho, double h) {
-  const double r = c.type == CutterType::flat ? 0 : c.corner_radius_mm;
-  const double angle = c.taper_angle_deg * std::numbers::pi / 180, flat = c.radius_mm() - r;
-  double best = std::max(rho - flat, 0.0) * 0 + 1e300;
+/// Distance from (rho, h) to the outline of the cutter, its wall going up without end (upright
+/// where it leans inwards), by walking along the outline: an evaluator that knows nothing of cores.
+/// Sign by which side of the outline the point is on.
+double outline_distance(const Cutter& cutter, double rho, double h) {
+  const model::SevenFigures c = model::seven_figures(cutter);
+  const double r = c.corner_radius, e = c.centre_radius, f = c.centre_height;
+  const double a = c.lower_angle * std::numbers::pi / 180;
+  const double b = std::max(0.0, c.upper_angle) * std::numbers::pi / 180;
+  double best = 1e300;
   const auto see = [&](double x, double y) { best = std::min(best, std::hypot(rho - x, h - y)); };
   // Bottom, corner arc up to where the wall begins, wall.
-  see(std::min(rho, flat), 0);
-  const double arc_from = -std::numbers::pi / 2, arc_to = -angle;
+  const double bottom_ends = (e + r * std::sin(a)) / std::cos(a);
+  const double along = std::clamp(rho * std::cos(a) + h * std::sin(a), 0.0, bottom_ends);
+  see(along * std::cos(a), along * std::sin(a));
+  const double arc_from = a - std::numbers::pi / 2, arc_to = -b;
   for (int k = 0; k <= 20000; ++k) {
-    const double a = arc_from + (arc_to - arc_from) * k / 20000;
-    see(flat + r * std::cos(a), r + r * std::sin(a));
+    const double at = arc_from + (arc_to - arc_from) * k / 20000;
+    see(e + r * std::cos(at), f + r * std::sin(at));
   }
-  const double wx = flat + r * std::cos(angle), wy = r - r * std::sin(angle);
-  const double along = std::max(0.0, (rho - wx) * std::sin(angle) + (h - wy) * std::cos(angle));
-  see(wx + along * std::sin(angle), wy + along * std::cos(angle));
-  const double wall_rho = wx + (h - wy) * std::tan(angle);
-  bool inside = h >= 0 && rho <= flat;
-  if (h >= wy) inside = inside || rho <= wall_rho;
-  if (h >= 0 && h < wy && rho > flat) inside = std::hypot(rho - flat, h - r) <= r;
+  const double wx = e + r * std::cos(b), wy = f - r * std::sin(b);
+  const double up = std::max(0.0, (rho - wx) * std::sin(b) + (h - wy) * std::cos(b));
+  see(wx + up * std::sin(b), wy + up * std::cos(b));
+  const double arc_begins = e + r * std::sin(a);
+  bool inside = h >= rho * std::tan(a);
+  if (h >= wy) inside = inside && rho <= wx + (h - wy) * std::tan(b);
+  if (h < wy && rho > arc_begins) inside = inside && std::hypot(rho - e, h - f) <= r;
   return inside ? -best : best;
 }
 
@@ -78,6 +91,32 @@ TEST_CASE("the flat top ends the profile, exactly so beyond its rim", "[unit]") 
   CHECK(closed_distance(taper, 12, 9.5).value == Approx(std::sqrt(1.25)));
   CHECK(closed_distance(taper, 12, 8.5).value == Approx(2.5 / std::sqrt(2)));  // wall below the rim
   CHECK(closed_distance(taper, 2, 13).value == Approx(3));
+}
+
+TEST_CASE("a side that leans inwards, and a tip, as formulas have them", "[unit]") {
+  // Bottom to (5, 0), side ρ + h = 5 up to (1, 4), top.
+  const CutterProfile dovetail(model::parse_cutter("apt:D=10,b=-45,L=4"));
+  CHECK(dovetail.top_radius_mm() == Approx(1));
+  CHECK(dovetail.largest_radius_mm() == Approx(5));
+  CHECK(closed_distance(dovetail, 5, 4).value == Approx(4 / std::sqrt(2)));
+  CHECK(closed_distance(dovetail, 0.5, 6).value == Approx(2));
+  CHECK(closed_distance(dovetail, 3, 7).value == Approx(std::sqrt(13)));  // over the rim
+  CHECK(closed_distance(dovetail, 3, 5).value == Approx(3 / std::sqrt(2)));
+  CHECK(closed_distance(dovetail, 1, 1).value == Approx(-1));
+  CHECK(closed_distance(dovetail, 8, -4).value == Approx(5));
+  // Endless, its side goes up from (5, 0).
+  CHECK(open_distance(dovetail, 5, 4).value == Approx(0).margin(1e-15));
+  CHECK(open_distance(dovetail, 1, 9).value == Approx(-4));
+  // A plunge from height 10 to 0 sweeps the cylinder of the widest place, up to the top's cone.
+  const SweptBody plunge({0, 0, 10}, {0, 0, 0});
+  CHECK(body_value(dovetail, plunge, {6, 0, 5}) == Approx(1));
+  CHECK(body_value(dovetail, plunge, {5, 0, 14}) == Approx(4 / std::sqrt(2)));
+  const CutterProfile drill(model::parse_cutter("drill:D=6,angle=90,L=9"));
+  CHECK(closed_distance(drill, 0, -1).value == Approx(1));
+  CHECK(closed_distance(drill, 1, -2).value == Approx(std::sqrt(5)));      // the tip
+  CHECK(closed_distance(drill, 3, 1).value == Approx(std::sqrt(2)));       // the point
+  CHECK(closed_distance(drill, 4, 2.5).value == Approx(std::sqrt(1.25)));  // the corner
+  CHECK(closed_distance(drill, 1, 2).value == Approx(-1 / std::sqrt(2)));
 }
 
 TEST_CASE("swept distance is the least over positions of the move", "[property]") {

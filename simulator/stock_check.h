@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "simulator/clearance_map.h"
+#include "simulator/contact_search.h"
+#include "simulator/finding.h"
+#include "simulator/gap_search.h"
+#include "simulator/move_runs.h"
+#include "simulator/tool_bodies.h"
+
+namespace limitgauge::simulator {
+
+/// How fine a check against the stock is.
+struct StockLimits {
+  double tolerance_mm = 0;
+  double near_miss_mm = 0;  ///< 0: not looked for
+};
+
+/// Checks the moves of one pass against the stock as it stands at each of them. The rules are those
+/// of process_check.h. May be asked from several threads at once.
+class StockCheck {
+ public:
+  StockCheck(const StockModel& before, const Pass& pass, const ToolBodies& bodies,
+             const StockLimits& limits);
+
+  /// Appends what is wrong with a move, in no order.
+  void look_at(std::size_t move, std::vector<Finding>& findings) const;
+
+ private:
+  void look_at_cutter(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
+  void look_above_flutes(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
+  void look_over_flutes(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
+  void look_at_wide_part(const ToolBody& body, std::size_t i, const SweptMove& tip,
+                         std::vector<Finding>& findings) const;
+  void look_at_rapids_gap(std::size_t i, const SweptMove& tip,
+                          std::vector<Finding>& findings) const;
+
+  std::optional<Contact> contact(const ToolBody& body, const SweptMove& tip, std::size_t end) const;
+  std::optional<Contact> contact_of_flutes(const SweptMove& tip, std::size_t end) const;
+  bool descends_too_steeply(std::size_t i) const;
+  bool backs_out(std::size_t i) const;
+  bool keeps_to_its_hole(std::size_t i) const;
+  std::vector<SweptMove> feeds_beside(std::size_t i) const;
+  SweptMove run_of(std::size_t i) const;
+  MaterialAtMove material_at(std::size_t end) const;
+  Finding finding(FindingKind kind, std::size_t i, const model::Vec3& point, double depth,
+                  ToolPart part) const;
+
+  const Material& before_;
+  const Pass& pass_;
+  const model::Toolpath& path_;
+  const ToolBodies& bodies_;
+  StockLimits limits_;
+  ClearanceMap map_;
+  MoveRuns lines_, at_rest_, without_feed_, descents_;
+  // Most paths are cleared without it, and it is the largest thing here.
+  mutable std::once_flag indexed_;
+  mutable std::unique_ptr<const SweepIndex> sweep_;
+};
+
+}  // namespace limitgauge::simulator

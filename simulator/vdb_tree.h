@@ -1,0 +1,34 @@
+#pragma once
+
+#include <openvdb/openvdb.h>
+
+#include "simulator/block_cut.h"
+#include "simulator/index_box.h"
+#include "simulator/pass_reach.h"
+
+// What the sources that hold OpenVDB's tree share. Not for anyone else to include.
+namespace limitgauge::simulator::vdb {
+
+using openvdb::Coord;
+using Tree = openvdb::FloatTree;
+using Leaf = Tree::LeafNodeType;
+using Accessor = openvdb::FloatGrid::ConstAccessor;
+
+static_assert(Leaf::DIM == kLeafEdge);
+inline constexpr int kLeafVoxels = static_cast<int>(Leaf::SIZE);
+static_assert(Tree::RootNodeType::ChildNodeType::ChildNodeType::DIM == kNodeEdge);
+
+inline Coord coord(const Index3& i) {
+  return {i[0], i[1], i[2]};
+}
+inline Index3 index3(const Coord& c) {
+  return {c[0], c[1], c[2]};
+}
+
+/// Values at or beyond the band are inactive, as OpenVDB's level set tools want them.
+inline void set_value(Leaf& leaf, int offset, float value, float band) {
+  leaf.setValueOnly(static_cast<openvdb::Index>(offset), value);
+  leaf.setActiveState(static_cast<openvdb::Index>(offset), std::abs(value) < band);
+}
+
+}  // namespace limitgauge::simulator::vdb

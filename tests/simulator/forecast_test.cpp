@@ -1,0 +1,107 @@
+#include <cmath>
+#include <string>
+
+#include "engine/model/error.h"
+#include "simulator/stock_grid.h"
+#include "simulator/stock_model.h"
+#include "tests/simulator/paths.h"
+#include "tests/support/catch.h"
+
+namespace {
+
+using namespace limitgauge;
+using model::BoxStock;
+using model::CutterType;
+using simulator::CutForecast;
+using simulator::StockModel;
+using simulator::test::cutter;
+using simulator::test::PathBuilder;
+using simulator::test::raster;
+
+constexpr std::size_t kPlenty = std::size_t{4} << 30;
+
+simulator::Pass rows(double half) {
+  return raster(cutter(CutterType::ball, 5, 20), half, 0.9, 0.6, [](double x, double y) {
+    return -3.0 + 0.8 * std::sin(0.5 * x) + 0.6 * std::cos(0.7 * y);
+  });
+}
+
+double ratio_of_bytes(const StockModel& raw, const simulator::Pass& pass) {
+  const CutForecast forecast = raw.forecast(pass, {2});
+  CHECK(!forecast.tiled);
+  CHECK(forecast.seconds > 0);
+  CHECK(forecast.blocks > 0);
+  return forecast.bytes / static_cast<double>(raw.cut(pass, {2}).memory_bytes());
+}
+
+}  // namespace
+
+TEST_CASE("the forecast memory is the real one within a fifth", "[property][forecast]") {
+  const model::CylinderStock bar{{1, 2, -12}, 26, 12};
+  const BoxStock block{{-15, -12, -9}, {30, 24, 9}},
+      odd{{-14.03, -11.07, -8.05}, {28.3, 22.9, 8.2}};
+  for (const double voxel : {0.4, 0.2, 0.1}) {
+    for (const model::Stock& stock : {model::Stock(block), model::Stock(odd), model::Stock(bar)}) {
+      const StockModel raw(stock, voxel, kPlenty);
+      // A few hundred blocks are measured out of some thousand; the promise is 30 %.
+      CHECK(ratio_of_bytes(raw, rows(8)) == Approx(1).epsilon(0.2));
+      CHECK(ratio_of_bytes(
+                raw,
+                PathBuilder({-9, 0, -2}).feed({9, 0, -3}).pass(cutter(CutterType::flat, 4, 20))) ==
+            Approx(1).epsilon(0.2));
+    }
+  }
+}
+
+TEST_CASE("the forecast of a pass that swallows the stock is next to nothing", "[unit][forecast]") {
+  const StockModel raw(BoxStock{{-15, -12, -9}, {30, 24, 9}}, 0.2, kPlenty);
+  const simulator::Pass all =
+      PathBuilder({-50, 0, -20}).feed({50, 0, -20}).pass(cutter(CutterType::flat, 60, 40));
+  const CutForecast forecast = raw.forecast(all, {2});
+  CHECK(forecast.blocks == 0);
+  CHECK(forecast.bytes < 0.1 * static_cast<double>(raw.memory_bytes()));
+}
+
+TEST_CASE("a stock that would not fit is forecast and cut in tiles", "[property][forecast]") {
+  const BoxStock block{{-15, -12, -9}, {30, 24, 9}};
+  const std::size_t limit = 9 << 20;
+  const StockModel raw(block, 0.12, limit);  // 6 MiB, still whole
+  REQUIRE(raw.tiles() == 0);
+  const simulator::Pass pass = rows(11);
+  const std::size_t whole = StockModel(block, 0.12, kPlenty).cut(pass, {2}).memory_bytes();
+  REQUIRE(whole > limit);
+  const CutForecast forecast = raw.forecast(pass, {2});
+  CHECK(forecast.tiled);
+  CHECK(forecast.bytes <= static_cast<double>(limit));
+  const StockModel cut = raw.cut(pass, {2});
+  CHECK(cut.tiles() > 0);
+  CHECK(cut.memory_bytes() <= limit);
+}
+
+TEST_CASE("a voxel that is said to do does", "[property][forecast]") {
+  const model::Stock box = BoxStock{{0, 0, 0}, {90, 80, 30}};
+  for (const std::size_t mib : {3, 4, 5}) {
+    const std::size_t limit = mib << 20;
+    std::string text;
+    try {
+      StockModel(box, 0.1, limit);
+    } catch (const model::ResourceError& e) {
+      text = e.what();
+    }
+    INFO(text);
+    const std::string mark = "; a voxel of ";
+    REQUIRE(text.find(mark) != std::string::npos);
+    const double voxel = std::stod(text.substr(text.find(mark) + mark.size()));
+    CHECK(voxel > 0.1);
+    const StockModel fits(box, voxel, limit);
+    CHECK(fits.memory_bytes() <= limit);
+  }
+}
+
+TEST_CASE("moves that alone are too many are refused", "[unit][forecast]") {
+  const StockModel raw(BoxStock{{-15, -12, -9}, {30, 24, 9}}, 1.0, 4 << 20);
+  PathBuilder path({0, 0, 0});
+  for (int i = 0; i < 50000; ++i) path.feed({0.001 * i, 0, 0});
+  CHECK_THROWS_WITH(raw.cut(path.pass(cutter(CutterType::ball, 4, 20)), {2}),
+                    ContainsSubstring("the moves alone need"));
+}

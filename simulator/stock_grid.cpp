@@ -292,6 +292,10 @@ std::size_t StockGrid::memory_bytes() const {
   return impl_->grid->memUsage();
 }
 
+std::size_t StockGrid::band_voxels() const {
+  return impl_->grid->activeVoxelCount();
+}
+
 std::vector<Index3> StockGrid::surface_voxels() const {
   const Tree& tree = impl_->grid->tree();
   // A step to a neighbour changes φ by no more than a voxel, give or take single precision.

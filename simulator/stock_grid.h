@@ -41,6 +41,8 @@ class StockGrid {
   double value(const model::Vec3& p_mm) const;
   double volume_mm3() const;
   std::size_t memory_bytes() const;
+  /// Voxels of the narrow band: those with a value of their own, in all of the grid.
+  std::size_t band_voxels() const;
   /// Voxels inside the material with one of their six neighbours outside, in the tree's order.
   std::vector<Index3> surface_voxels() const;
   /// An upper bound of the material's height over each column of one leaf's width. A column takes

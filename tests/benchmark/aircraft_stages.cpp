@@ -37,13 +37,15 @@ StageRequest rough_request() {
   return r;
 }
 
-StageRequest finish_request(const FinishModel& model) {
+StageRequest rows_request(const FinishModel& model, double step_mm, double allowance_mm,
+                          double tolerance_mm) {
   StageRequest r = stage_request("ball:D=6,L=20");
   r.cut.strategy = Strategy::zigzag;
-  r.cut.step_mm = 0.1;
-  r.cut.tolerance_mm = 0.005;
+  r.cut.step_mm = step_mm;
+  r.cut.tolerance_mm = tolerance_mm;
   r.cut.feed_mm_min = r.cut.link_feed_mm_min = 1500;
   r.cut.plunge_feed_mm_min = 400;
+  r.allowance_mm = allowance_mm;
   r.floor_z_mm = model.patches().bounding_box().low.z - r.cutter.radius_mm();
   return r;
 }
@@ -53,13 +55,19 @@ simulator::Pass planned(const FinishModel& model, const StageRequest& request) {
   return {request.cutter, std::make_shared<const model::Toolpath>(std::move(stage.path))};
 }
 
-}  // namespace
-
-AircraftStages plan_aircraft_stages() {
+AircraftStages plan_stages() {
   const model::Cage cage = model::read_cage_obj(LIMITGAUGE_FIXTURES "/cages/aircraft.obj");
   // The semi-finish stage asks for the largest offset: radius, allowance and tolerance.
   const FinishModel model(cage, {0.01, kRadius_mm + 0.2 + 0.02, 10}, {2, nullptr, {}});
-  return {planned(model, rough_request()), planned(model, finish_request(model))};
+  return {planned(model, rough_request()), planned(model, rows_request(model, 0.25, 0.2, 0.02)),
+          planned(model, rows_request(model, 0.1, 0, 0.005))};
+}
+
+}  // namespace
+
+const AircraftStages& aircraft_stages() {
+  static const AircraftStages stages = plan_stages();
+  return stages;
 }
 
 }  // namespace limitgauge::benchmarks

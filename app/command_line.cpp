@@ -87,7 +87,10 @@ void add_verify(CLI::App& app, Parsed& parsed) {
   parsed.verify_app = app.add_subcommand("verify", "Verify a G-code program without a job file");
   CLI::App& sub = *parsed.verify_app;
   sub.add_option("--cage", verify.cage, "Cage of the design (OBJ)")->required();
-  sub.add_option("--stock", verify.stock, "box:LX,LY,LZ@X,Y,Z (size @ lower corner), mm")
+  sub.add_option(
+         "--stock", verify.stock,
+         "box:LX,LY,LZ@X,Y,Z (size @ lower corner), mm; mesh:FILE (STL, OBJ, PLY); vdb:FILE "
+         "(stock of an earlier run)")
       ->required();
   sub.add_option("--tool", verify.tool,
                  "ball:D=6 | flat:D=8 | bull:D=8,r=1 | taper:D=1,r=0.5,angle=5 | "

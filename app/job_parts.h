@@ -16,7 +16,8 @@ struct JobContext {
   std::vector<std::string> defaulted;
 };
 
-model::Stock read_stock(const toml::table& stock);
+/// A stock from a file is read, too; what is to be said of it goes among the defaults.
+model::Stock read_stock(const toml::table& stock, JobContext& context);
 /// The tools by their ids; two of one id are an error.
 std::vector<model::Cutter> read_tools(const std::vector<const toml::table*>& tools,
                                       JobContext& context);

@@ -85,7 +85,7 @@ Job read_root(const toml::table& table, JobContext& context) {
   Job job;
   job.name = read_name(root);
   read_surface(root.table("surface"), job, context);
-  job.stock = read_stock(root.table("stock"));
+  job.stock = read_stock(root.table("stock"), context);
   read_machine(root, job, context);
   read_fixtures(root, job, context);
   const std::vector<model::Cutter> tools = read_tools(root.tables("tool"), context);

@@ -1,4 +1,5 @@
 #include "app/job_parts.h"
+#include "app/stock_file.h"
 #include "app/toml_table.h"
 
 namespace limitgauge::app {
@@ -20,18 +21,50 @@ model::Stock read_cylinder(const toml::table& table) {
                               stock.positive("height")};
 }
 
+std::filesystem::path file_of(const TomlTable& stock, const JobContext& context,
+                              const char* expected) {
+  const std::filesystem::path file = context.folder / stock.text("file");
+  if (!std::filesystem::is_regular_file(file)) {
+    throw model::InputError(stock.place("file"), "no file \"" + stock.text("file") + "\"",
+                            expected);
+  }
+  return file;
+}
+
+model::Stock taken(StockFile loaded, JobContext& context) {
+  for (std::string& said : loaded.assumptions) context.defaulted.push_back(std::move(said));
+  context.defaulted.push_back(
+      "toolpaths that are planned here clear the box about the stock's mesh, not the mesh itself");
+  return std::move(loaded.stock);
+}
+
+model::Stock read_mesh(const toml::table& table, JobContext& context) {
+  const TomlTable stock(table, "[stock]", {"shape", "file", "translate", "scale"});
+  MeshPlace place;
+  if (stock.has("scale")) place.scale = stock.positive("scale");
+  if (stock.has("translate")) place.translate_mm = stock.vec3("translate");
+  const std::filesystem::path file =
+      file_of(stock, context, "a closed mesh as STL, OBJ or PLY, in millimetres");
+  return taken(load_mesh_stock(file, stock.text("file"), place), context);
+}
+
+model::Stock read_vdb(const toml::table& table, JobContext& context) {
+  const TomlTable stock(table, "[stock]", {"shape", "file"});
+  const std::filesystem::path file = file_of(stock, context, "the stock.vdb of an earlier run");
+  return taken(load_vdb_stock(file, stock.text("file")), context);
+}
+
 }  // namespace
 
-model::Stock read_stock(const toml::table& table) {
+model::Stock read_stock(const toml::table& table, JobContext& context) {
   // The keys depend on the shape, so the first look accepts them all.
-  const TomlTable any(table, "[stock]",
-                      {"shape", "size", "corner", "diameter", "height", "base", "file"});
+  const TomlTable any(
+      table, "[stock]",
+      {"shape", "size", "corner", "diameter", "height", "base", "file", "translate", "scale"});
   const std::string shape = any.one_of("shape", {"box", "cylinder", "mesh", "vdb"});
   if (shape == "box") return read_box(table);
   if (shape == "cylinder") return read_cylinder(table);
-  throw model::InputError(any.place("shape"),
-                          "stock of shape \"" + shape + "\" is not available in this release",
-                          "\"box\" or \"cylinder\"");
+  return shape == "mesh" ? read_mesh(table, context) : read_vdb(table, context);
 }
 
 }  // namespace limitgauge::app

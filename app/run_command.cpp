@@ -8,6 +8,7 @@
 #include "app/output_folder.h"
 #include "app/pipeline.h"
 #include "app/progress.h"
+#include "app/stock_file.h"
 #include "engine/model/error.h"
 #include "reports/report.h"
 
@@ -114,11 +115,15 @@ auto parse_option(const std::string& option, const std::string& text, const Pars
   }
 }
 
-model::Stock stock_of(const std::string& text) {
-  for (const char* later : {"mesh:", "vdb:"}) {
-    if (text.rfind(later, 0) == 0) {
-      throw UsageError("--stock " + text + " is not available in this release; expected box:...");
-    }
+/// `box:...`, `mesh:FILE` or `vdb:FILE`.
+model::Stock stock_of(const std::string& text, std::vector<std::string>& assumptions) {
+  for (const std::string kind : {"mesh:", "vdb:"}) {
+    if (text.rfind(kind, 0) != 0) continue;
+    const std::string file = text.substr(kind.size());
+    StockFile loaded =
+        kind == "mesh:" ? load_mesh_stock(file, file, {}) : load_vdb_stock(file, file);
+    for (std::string& said : loaded.assumptions) assumptions.push_back(std::move(said));
+    return std::move(loaded.stock);
   }
   return parse_option("--stock", text, [](const std::string& spec) {
     model::Stock stock = model::parse_stock(spec);
@@ -156,7 +161,7 @@ Job job_of(const VerifyCommand& command) {
   job.name = plain_name(command.program);
   job.cage = command.cage;
   job.cage_as_stated = command.cage.string();
-  job.stock = stock_of(command.stock);
+  job.stock = stock_of(command.stock, job.defaulted);
   job.near_miss_mm = command.near_miss_mm;
   for (const std::filesystem::path& file : command.fixtures)
     job.fixtures.push_back(fixture_of(file));

@@ -5,6 +5,7 @@
 
 #include "app/settings.h"
 #include "app/stage_program.h"
+#include "app/stock_file.h"
 #include "engine/model/error.h"
 #include "verifier/leftover_regions.h"
 
@@ -41,7 +42,7 @@ engine::strategy::StageRequest StagePlanner::request(std::size_t stage) const {
   request.clearance_mm = job_.clearance_mm;
   request.rapid_mm_min = job_.rapid_mm_min;
   request.floor_z_mm = inputs_.settings.floor_z_mm[stage];
-  request.stock = job_.stock;
+  request.stock = planned_stock(job_.stock);
   return request;
 }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <atomic>
 
+#include "engine/model/chunks.h"
+
 namespace limitgauge::simulator::vdb {
 namespace {
 
-// Some tens of MiB of leaves at most.
-constexpr std::size_t kBatch = 256;
+// Some tens of MiB of new leaves at most; a run shares buffers.
+constexpr std::size_t kBatch = 256, kRun = 8;
 
 }  // namespace
 
@@ -19,15 +21,16 @@ void BlockChanges::put_into(Tree& tree) {
 }
 
 void change_blocks(Tree& tree, std::size_t count, const model::RunControl& control,
-                   const std::function<BlockChanges(std::size_t)>& work) {
+                   const std::function<BlockWork()>& start) {
   std::atomic<std::size_t> done = 0;
   std::vector<BlockChanges> batch;
   for (std::size_t first = 0; first < count; first += kBatch) {
     batch.resize(std::min(kBatch, count - first));
-    model::parallel_for(batch.size(), control.threads, [&](std::size_t i) {
-      control.check();
-      batch[i] = work(first + i);
-      control.report(static_cast<double>(++done) / static_cast<double>(count));
+    model::parallel_chunks(batch.size(), kRun, control, [&](std::size_t begin, std::size_t end) {
+      const BlockWork work = start();
+      for (std::size_t i = begin; i < end; ++i) batch[i] = work(first + i);
+      done += end - begin;
+      control.report(static_cast<double>(done) / static_cast<double>(count));
     });
     for (BlockChanges& changes : batch) changes.put_into(tree);
   }

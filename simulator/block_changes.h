@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,11 +19,14 @@ struct BlockChanges {
   void put_into(Tree& tree);
 };
 
-/// Calls `work(i)` for every block on the control's threads and puts what it gives into the tree, a
-/// limited number of blocks at a time: the tree stands still while blocks are worked out, and only
-/// so much is held beside it. A block may read the whole tree and write to the values of its own
-/// leaves.
+/// Works out one block after the other.
+using BlockWork = std::function<BlockChanges(std::size_t block)>;
+
+/// Works out every block on the control's threads and puts what changes into the tree, a limited
+/// number of blocks at a time: the tree stands still while blocks are worked out, and only so much
+/// is held beside it. A block may read the whole tree and write to the values of its own leaves.
+/// `start` makes what one thread works out a few blocks with.
 void change_blocks(Tree& tree, std::size_t count, const model::RunControl& control,
-                   const std::function<BlockChanges(std::size_t)>& work);
+                   const std::function<BlockWork()>& start);
 
 }  // namespace limitgauge::simulator::vdb

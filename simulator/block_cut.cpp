@@ -12,6 +12,7 @@ using model::Vec3;
 // Rounding of distances and gradients of part-sized numbers is far below this; a move is only set
 // aside when it loses by more.
 constexpr double kSlack = 1e-9;
+constexpr std::size_t kFewMoves = 32;
 
 Index3 child_corner(const Index3& corner, int half, int child) {
   return {corner[0] + (child >> 2 & 1) * half, corner[1] + (child >> 1 & 1) * half,
@@ -122,6 +123,7 @@ void BlockCutter::keep_that_matter(Level& level, const Vec3& middle, int edge) c
 
 BlockCutter::Reach BlockCutter::narrow(Level& level, const Index3& corner, int edge) {
   if (level.moves.size() == 0) return Reach::none;
+  if (balls_below_tops(level.moves, top_of(corner, edge))) return narrow_balls(level, corner, edge);
   const Vec3 middle = lattice_.middle(corner, edge);
   sample(level, middle, lattice_.half_diagonal(edge));
   const double least =
@@ -129,6 +131,19 @@ BlockCutter::Reach BlockCutter::narrow(Level& level, const Index3& corner, int e
   const Reach reach = reach_of(least, lattice_.half_diagonal(edge) + band_);
   if (reach == Reach::partly) keep_that_matter(level, middle, edge);
   return reach;
+}
+
+BlockCutter::Reach BlockCutter::narrow_balls(Level& level, const Index3& corner, int edge) {
+  const double least =
+      capsules_.nearest(level.moves, lattice_.middle(corner, edge), lattice_.half_edge(edge));
+  const Reach reach = reach_of(std::sqrt(least) - pass_.profile().corner_radius(),
+                               lattice_.half_diagonal(edge) + band_);
+  if (reach == Reach::partly) capsules_.keep(level.moves, level.kept);
+  return reach;
+}
+
+double BlockCutter::top_of(const Index3& corner, int edge) const {
+  return lattice_.point({corner[0], corner[1], corner[2] + edge - 1}).z;
 }
 
 void BlockCutter::descend(int depth, const Index3& corner, int edge, LeafSink& sink) {
@@ -159,9 +174,33 @@ void BlockCutter::fill(int depth, const Index3& corner, int edge) {
   if (reach == Reach::none) return set_cube(corner, edge, band);
   if (reach == Reach::wholly) return set_cube(corner, edge, -band);
   levels_[depth + 1].moves.take(level.moves, level.kept);
+  if (worth_no_split(levels_[depth + 1].moves, corner, edge))
+    return fill_with_balls(levels_[depth + 1].moves, corner);
   if (edge == 2) return fill_voxels(depth + 1, corner);
   for (int child = 0; child < 8; ++child)
     fill(depth + 1, child_corner(corner, edge / 2, child), edge / 2);
+}
+
+// With few moves left, all voxels against all moves take less time than telling cubes apart.
+bool BlockCutter::worth_no_split(const MoveBatch& moves, const Index3& corner, int edge) const {
+  return edge == kCubeEdge && moves.size() <= kFewMoves &&
+         balls_below_tops(moves, top_of(corner, edge));
+}
+
+void BlockCutter::fill_with_balls(const MoveBatch& moves, const Index3& corner) {
+  CubeAxes axes;
+  for (int k = 0; k < kCubeEdge; ++k) {
+    const Vec3 p = lattice_.point({corner[0] + k, corner[1] + k, corner[2] + k});
+    axes.x[k] = p.x, axes.y[k] = p.y, axes.z[k] = p.z;
+  }
+  const CubeDistances d = least_ball_distances(moves, pass_.profile().corner_radius(), axes);
+  const double* from = d.data();
+  for (int x = 0; x < kCubeEdge; ++x)
+    for (int y = 0; y < kCubeEdge; ++y) {
+      float* to = &leaf_at({corner[0] + x, corner[1] + y, corner[2]});
+      for (int z = 0; z < kCubeEdge; ++z)
+        to[z] = static_cast<float>(std::clamp(*from++, -band_, band_));
+    }
 }
 
 void BlockCutter::fill_voxels(int depth, const Index3& corner) {

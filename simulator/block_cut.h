@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "simulator/capsule_batch.h"
 #include "simulator/lattice.h"
 #include "simulator/move_batch.h"
 #include "simulator/sweep_index.h"
@@ -57,6 +58,10 @@ class BlockCutter {
   void descend(int depth, const Index3& corner, int edge, LeafSink& sink);
   void fill_leaf(int depth, const Index3& corner);
   void fill(int depth, const Index3& corner, int edge);
+  Reach narrow_balls(Level& level, const Index3& corner, int edge);
+  double top_of(const Index3& corner, int edge) const;
+  bool worth_no_split(const MoveBatch& moves, const Index3& corner, int edge) const;
+  void fill_with_balls(const MoveBatch& moves, const Index3& corner);
   void fill_voxels(int depth, const Index3& corner);
   void set_cube(const Index3& corner, int edge, float value);
   float& leaf_at(const Index3& i);
@@ -66,6 +71,7 @@ class BlockCutter {
   Lattice lattice_;
   double band_;
   std::vector<Level> levels_;  // one for each halving of a block
+  CapsuleNarrowing capsules_;
   LeafDistances leaf_{};
 };
 

@@ -8,9 +8,8 @@
 
 namespace limitgauge::simulator {
 
-/// How well the two stock models agree about the same stock. Only the sum of both volumes' stated
-/// errors and the figures at the ends are shared between them: they have no code in common that
-/// says what a cutter takes away.
+/// How well the two stock models agree about the same stock. They have no code in common that says
+/// what a cutter takes away: where they differ, one of them is wrong.
 struct StockAgreement {
   std::size_t lines = 0;  ///< lines of the dexels that were looked at
   std::size_t ends = 0;   ///< ends of their intervals
@@ -27,7 +26,8 @@ struct StockAgreement {
   bool agree() const;
 };
 
-/// The swept distances are exact to 1e-10 mm, the ends of dexels to 1e-9 mm along Z.
+/// The swept distances are exact to 1e-10 mm, the ends of dexels to 1e-9 mm along Z; a cutter a
+/// micrometre too wide makes more than 1e-5 mm at some end.
 inline constexpr double kAgreement_mm = 1e-6;
 
 /// Compares on at most `lines` lines, spread evenly over all; volumes as a whole. The same for any

@@ -1,6 +1,7 @@
 #include "simulator/dexel_cut.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -58,7 +59,7 @@ class PassCut {
   std::size_t fill_window(std::size_t first);
   void add_visits(const DexelSweep& sweep, std::uint32_t move);
   void sort_visits();
-  void cut_window(std::size_t first);
+  void cut_window(std::size_t first, std::size_t end);
   void cut_tile(std::size_t tile, std::size_t first);
   Range lines(double low, double high, double corner, double step, int n) const;
   MoveRemoval finished(std::size_t move, const TileRemoval& sum) const;
@@ -130,7 +131,7 @@ void PassCut::cut_tile(std::size_t tile, std::size_t first) {
   top_[tile] = own_[tile]->highest();
 }
 
-void PassCut::cut_window(std::size_t first) {
+void PassCut::cut_window(std::size_t first, std::size_t end) {
   sort_visits();
   taken_.resize(visits_.size());
   std::vector<std::size_t> busy;
@@ -140,9 +141,13 @@ void PassCut::cut_window(std::size_t first) {
   std::stable_sort(busy.begin(), busy.end(), [&](std::size_t a, std::size_t b) {
     return start_[a + 1] - start_[a] > start_[b + 1] - start_[b];
   });
+  std::atomic<std::size_t> done{0};
   model::parallel_for(busy.size(), control_.threads, [&](std::size_t i) {
     control_.check();
     cut_tile(busy[i], first);
+    const double part = static_cast<double>(++done) / static_cast<double>(busy.size());
+    control_.report((static_cast<double>(first) + part * static_cast<double>(end - first)) /
+                    static_cast<double>(path_.moves.size()));
   });
 }
 
@@ -169,9 +174,8 @@ std::vector<MoveRemoval> PassCut::run() {
   std::vector<TileRemoval> sums;
   for (std::size_t first = 0; first < path_.moves.size();) {
     control_.check();
-    control_.report(static_cast<double>(first) / static_cast<double>(path_.moves.size()));
     const std::size_t end = fill_window(first);
-    cut_window(first);
+    cut_window(first, end);
     sums.assign(end - first, {});
     for (std::size_t k = 0; k < moves_.size(); ++k) merge(sums[moves_[k]], taken_[k]);
     for (std::size_t i = first; i < end; ++i) removals[i] = finished(i, sums[i - first]);

@@ -38,7 +38,8 @@ class Cutting {
 
  private:
   double take(int line, double x, double y, double low);
-  void note(double x, double y, double removed);
+  void note_place(double x, double y);
+  void cut_lines(int first, int n, int j);
 
   DexelTile& tile_;
   const DexelFrame& frame_;
@@ -46,13 +47,12 @@ class Cutting {
   TileRemoval removal_;
 };
 
-void Cutting::note(double x, double y, double removed) {
+// Places across and along the move are linear in x: the outermost lines of a row tell them.
+void Cutting::note_place(double x, double y) {
   const auto across = static_cast<float>(sweep_.across(x, y));
   const auto along = static_cast<float>(sweep_.along(x, y));
   TileRemoval& r = removal_;
   if (r.length_mm == 0) r.across_low = r.across_high = across, r.along_low = r.along_high = along;
-  r.length_mm += removed;
-  r.deepest_mm = std::max(r.deepest_mm, removed);
   r.across_low = std::min(r.across_low, across), r.across_high = std::max(r.across_high, across);
   r.along_low = std::min(r.along_low, along), r.along_high = std::max(r.along_high, along);
 }
@@ -81,18 +81,32 @@ void Cutting::row(int j) {
   const double to =
       std::min(DexelTile::kEdge - 1.0, std::floor((span.high - frame_.x) / frame_.dx + 1e-6));
   if (!(from <= to)) return;
-  const int first = static_cast<int>(from), n = static_cast<int>(to) - first + 1;
+  cut_lines(static_cast<int>(from), static_cast<int>(to - from) + 1, j);
+}
+
+void Cutting::cut_lines(int first, int n, int j) {
   const int line0 = DexelTile::line(first, j);
-  const double x0 = frame_.x + first * frame_.dx;
+  const double x0 = frame_.x + first * frame_.dx, y = frame_.y + j * frame_.dy;
+  const double* top = &tile_.top[line0];
   std::array<double, DexelTile::kEdge> low;
-  sweep_.lower_ends(x0, y, frame_.dx, n, &tile_.top[line0], low.data());
-  bool changed = false;
-  for (int i = 0; i < n; ++i) {
-    if (low[i] >= tile_.top[line0 + i] - kDexelRounding_mm) continue;
-    const double x = x0 + i * frame_.dx, removed = take(line0 + i, x, y, low[i]);
-    if (removed > 0) note(x, y, removed), changed = true;
+  sweep_.lower_ends(x0, y, frame_.dx, n, top, low.data());
+  // Which lines lose something is as good as random: collected without branches.
+  std::array<int, DexelTile::kEdge> hit;
+  int hits = 0;
+  for (int i = 0; i < n; ++i) hit[hits] = i, hits += low[i] < top[i] - kDexelRounding_mm;
+  double sum = 0, deepest = 0, first_x = 0, last_x = 0;
+  for (int h = 0; h < hits; ++h) {
+    const double x = x0 + hit[h] * frame_.dx;
+    const double removed = take(line0 + hit[h], x, y, low[hit[h]]);
+    if (removed == 0) continue;
+    if (sum == 0) first_x = x;
+    last_x = x, sum += removed, deepest = std::max(deepest, removed);
   }
-  if (!changed) return;
+  if (sum == 0) return;
+  note_place(first_x, y);
+  removal_.length_mm += sum;
+  note_place(last_x, y);
+  removal_.deepest_mm = std::max(removal_.deepest_mm, deepest);
   const double* row = &tile_.top[DexelTile::line(0, j)];
   tile_.row_top[j] = *std::max_element(row, row + DexelTile::kEdge);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -59,7 +60,7 @@ class ExactPlacer : public NetPlacer {
   std::vector<Face> faces_about(std::span<const Vec3> crossings, const Vec3& middle) {
     std::vector<Face> faces;
     for (const Vec3& p : crossings) {
-      const MaterialSample s = material_.sample(p, hint_);
+      const MaterialSample& s = sample(p, middle);
       hint_ = s.maker;
       const Face face{s.maker, s.gradient, s.gradient};
       const bool known = std::any_of(faces.begin(), faces.end(), [&](const Face& f) {
@@ -70,6 +71,22 @@ class ExactPlacer : public NetPlacer {
     if (faces.size() > 1)
       for (Face& f : faces) f.in_middle = material_.sample_of(f.maker, middle).gradient;
     return faces;
+  }
+
+  // The maker and its normal at a crossing, remembered for the cells beside this one. Looked at
+  // from a little further out: a crossing in an edge of the surface then shows the face that the
+  // cell's others do not.
+  const MaterialSample& sample(const Vec3& crossing, const Vec3& middle) {
+    Known& known = known_[place_of(crossing)];
+    if (known.at != crossing)
+      known = {crossing, material_.sample(crossing + (crossing - middle) * 1e-3, hint_)};
+    return known.sample;
+  }
+
+  static std::size_t place_of(const Vec3& p) {
+    std::uint64_t h = 0;
+    for (int a = 0; a < 3; ++a) h = (h ^ std::bit_cast<std::uint64_t>(p[a])) * 0x9e3779b97f4a7c15U;
+    return static_cast<std::size_t>(h >> 54);
   }
 
   std::optional<Vec3> sharp_place(const Index3& cell, const Vec3& middle,
@@ -145,6 +162,11 @@ class ExactPlacer : public NetPlacer {
   const Lattice& lattice_;
   std::atomic<std::size_t>& unmoved_;
   SurfaceMaker hint_;
+  struct Known {
+    Vec3 at{std::nan(""), 0, 0};
+    MaterialSample sample;
+  };
+  std::vector<Known> known_ = std::vector<Known>(1 << 10);
 };
 
 }  // namespace

@@ -3,29 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-// The same loops for wider registers, chosen at load time. No fused operations in either: the
-// results are the same to the last bit.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define LIMITGAUGE_WIDE __attribute__((target_clones("default", "avx2")))
-#else
-#define LIMITGAUGE_WIDE
-#endif
+#include "simulator/wide.h"
 
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
-
-struct BallColumns {
-  const double *x, *y, *z, *along_x, *along_y, *run, *rise, *inverse_run, *inverse_length2;
-};
-
-BallColumns columns(const MoveBatch& b) {
-  return {b.x.data(),       b.y.data(),           b.z.data(),
-          b.along_x.data(), b.along_y.data(),     b.run.data(),
-          b.rise.data(),    b.inverse_run.data(), b.inverse_length2.data()};
-}
 
 inline double unit_clamp(double t) {
   t = t > 0 ? t : 0.0;
@@ -80,9 +63,17 @@ void least_squares(const BallColumns& c, std::size_t n, const double* __restrict
 
 }  // namespace
 
+BallColumns MoveBatch::columns() const {
+  return {
+      x.data(),    y.data(),    z.data(),           along_x.data(),         along_y.data(),
+      run.data(),  rise.data(), inverse_run.data(), inverse_length2.data(), inverse_length.data(),
+      norm1.data()};
+}
+
 void MoveBatch::clear() {
   slot.clear();
-  for (auto* column : {&x, &y, &z, &along_x, &along_y, &run, &rise, &inverse_run, &inverse_length2})
+  for (auto* column : {&x, &y, &z, &along_x, &along_y, &run, &rise, &inverse_run, &inverse_length2,
+                       &inverse_length, &norm1})
     column->clear();
 }
 
@@ -102,6 +93,10 @@ void MoveBatch::push(const SweepIndex& pass, std::uint32_t s) {
   rise.push_back(m.vertical() ? 0.0 : m.delta.z);
   inverse_run.push_back(m.vertical() ? 0.0 : 1 / m.run);
   inverse_length2.push_back(m.vertical() ? 0.0 : m.inverse_length2);
+  const double inverse = m.vertical() ? 0.0 : std::sqrt(m.inverse_length2);
+  inverse_length.push_back(inverse);
+  norm1.push_back(inverse *
+                  ((std::abs(m.along_x) + std::abs(m.along_y)) * m.run + std::abs(m.delta.z)));
 }
 
 void MoveBatch::take(const MoveBatch& from, const std::vector<std::uint32_t>& places) {
@@ -118,6 +113,7 @@ void MoveBatch::take(const MoveBatch& from, const std::vector<std::uint32_t>& pl
   copy(along_x, from.along_x), copy(along_y, from.along_y);
   copy(run, from.run), copy(rise, from.rise);
   copy(inverse_run, from.inverse_run), copy(inverse_length2, from.inverse_length2);
+  copy(inverse_length, from.inverse_length), copy(norm1, from.norm1);
 }
 
 double MoveBatch::below_tops_mm(const CutterProfile& profile) const {
@@ -130,7 +126,7 @@ void BatchSamples::resize(std::size_t n) {
 
 void sample_balls(const MoveBatch& batch, double radius, const Vec3& p, BatchSamples& out) {
   out.resize(batch.size());
-  ball_samples(columns(batch), batch.size(), radius, p.x, p.y, p.z, out.distance.data(),
+  ball_samples(batch.columns(), batch.size(), radius, p.x, p.y, p.z, out.distance.data(),
                out.gx.data(), out.gy.data(), out.gz.data());
 }
 
@@ -139,7 +135,7 @@ std::array<double, 8> least_ball_distances(const MoveBatch& batch, double radius
   std::array<double, 8> px, py, pz, least;
   for (int k = 0; k < 8; ++k) px[k] = points[k].x, py[k] = points[k].y, pz[k] = points[k].z;
   least.fill(std::numeric_limits<double>::infinity());
-  least_squares(columns(batch), batch.size(), px.data(), py.data(), pz.data(), least.data());
+  least_squares(batch.columns(), batch.size(), px.data(), py.data(), pz.data(), least.data());
   for (double& d : least) d = std::sqrt(d) - radius;
   return least;
 }

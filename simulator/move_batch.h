@@ -8,6 +8,12 @@
 
 namespace limitgauge::simulator {
 
+/// What the inner loops read of ball moves.
+struct BallColumns {
+  const double *x, *y, *z, *along_x, *along_y, *run, *rise, *inverse_run, *inverse_length2;
+  const double *inverse_length, *norm1;
+};
+
 /// Moves that may matter in one block, with what the inner loops read laid out in columns.
 class MoveBatch {
  public:
@@ -17,6 +23,8 @@ class MoveBatch {
   void take(const MoveBatch& from, const std::vector<std::uint32_t>& places);
   std::size_t size() const { return slot.size(); }
 
+  BallColumns columns() const;
+
   /// Below this height a ball's top does not matter for any move of the batch.
   double below_tops_mm(const CutterProfile& profile) const;
 
@@ -24,6 +32,7 @@ class MoveBatch {
   // Ball moves: the centre's start (the lower end of a vertical move, whose upper end is of no
   // account below the tops), the level direction, run, rise, and inverses of their lengths.
   std::vector<double> x, y, z, along_x, along_y, run, rise, inverse_run, inverse_length2;
+  std::vector<double> inverse_length, norm1;  // the latter |u|₁ of the unit vector along the move
   double lowest_tip = 0;
 };
 

@@ -15,11 +15,9 @@ using model::Vec3;
 // What the rounding of coordinates may add to a move's drop.
 constexpr double kRounding_mm = 1e-3;
 
-bool is_steep(const model::Toolpath& path, std::size_t i, double steepest_deg) {
-  if (steepest_deg >= 90 || path.moves[i].kind != MoveKind::feed) return false;
-  const Vec3& from = move_from(path, i);
-  const double drop = from.z - path.moves[i].to.z, run = level_distance(from, path.moves[i].to);
-  return drop > run * std::tan(steepest_deg * std::numbers::pi / 180) + kRounding_mm;
+bool is_steep(const Vec3& from, const Vec3& to, double steepest_deg) {
+  const double most = level_distance(from, to) * std::tan(steepest_deg * std::numbers::pi / 180);
+  return from.z - to.z > most + kRounding_mm;
 }
 
 bool lacks_feed(const Move& m) {
@@ -101,8 +99,7 @@ void StockCheck::look_at_wide_part(const ToolBody& body, std::size_t i, const Sw
                                    std::vector<Finding>& findings) const {
   // What the move's own flutes sweep is gone before its shank gets there.
   const std::size_t end = i + 1;
-  const bool wider = body.profile.largest_radius() >
-                     bodies_.flutes.profile.largest_radius() + limits_.tolerance_mm;
+  const bool wider = body.profile.largest_radius() > bodies_.top_radius_mm + limits_.tolerance_mm;
   if (wider && limits_.near_miss_mm > 0) {
     const SweptMove own = body.of_tip(tip);
     if (map_.clears(body.profile, own, limits_.near_miss_mm)) return;
@@ -144,7 +141,10 @@ std::optional<Contact> StockCheck::contact_of_flutes(const SweptMove& tip, std::
 }
 
 bool StockCheck::descends_too_steeply(std::size_t i) const {
-  return is_steep(path_, i, pass_.cutter.steepest_descent_deg);
+  const double steepest = pass_.cutter.steepest_descent_deg;
+  if (steepest >= 90 || path_.moves[i].kind != MoveKind::feed) return false;
+  // Of the whole straight line: rounding would hide the slope of its pieces.
+  return is_steep(move_from(path_, lines_.begin(i)), path_.moves[lines_.end(i) - 1].to, steepest);
 }
 
 // Straight up from where the move before the line ended: the flutes stood there, and all that they

@@ -65,6 +65,7 @@ void TiledStock::each_tile(const Material& material, const model::Box3& region,
     const model::RunControl building = part_of(control, from, from + 0.5 / n);
     visit(build_grid(material, lattice_, met[i], building),
           part_of(control, from + 0.5 / n, from + 1 / n));
+    control.report(static_cast<double>(i + 1) / n);
   }
 }
 

@@ -30,12 +30,13 @@ struct ToolBodies {
 
   ToolBody flutes;
   std::vector<ToolBody> above;  ///< shank and holder parts, from the flutes up
-  /// Cylinders of the flutes' largest radius at the heights, up to `height_mm`, where the stated
+  double top_radius_mm;         ///< of the flutes where they end
+  /// Cylinders of the flutes' top radius at the heights, up to `height_mm`, where the stated
   /// assembly is narrower than that or ends: material in them stands above the flutes within the
-  /// cutter's own radius. A part as wide as the flutes or wider speaks for itself.
+  /// cutter's own radius. A part as wide as the flutes' top or wider speaks for itself.
   std::vector<ToolBody> over_flutes;
 
-  /// Whether a part above the flutes is as wide as they are or wider.
+  /// Whether a part above the flutes is as wide as their top or wider.
   bool is_wide(const ToolBody& body) const;
   /// Whether the flutes are nowhere wider than at their top.
   bool widest_at_top() const;

@@ -67,11 +67,13 @@ void cut_tree(Tree& tree, const SweepIndex& pass, const Lattice& lattice, const 
     cut.take().put_into(tree);
   }
   const double band = tree.background();
-  change_blocks(tree, reach.partly.size(), control, [&](std::size_t i) {
-    Cut cut(tree);
-    if (stands_in_block(tree, reach.partly[i]))
-      BlockCutter(pass, lattice, band).cut(reach.partly[i], cut);
-    return cut.take();
+  change_blocks(tree, reach.partly.size(), control, [&] {
+    auto cutter = std::make_shared<BlockCutter>(pass, lattice, band);
+    return [&, cutter](std::size_t i) {
+      Cut cut(tree);
+      if (stands_in_block(tree, reach.partly[i])) cutter->cut(reach.partly[i], cut);
+      return cut.take();
+    };
   });
 }
 

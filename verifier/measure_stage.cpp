@@ -152,6 +152,10 @@ Interval unavoidable_of(const SurfaceCells& cells, const ReachMap& proven,
     if (field.samples[i].reachable) free_tips.push_back(tips[i]);
   UnavoidableOptions options;
   options.resolution_mm = std::max(kUnavoidable_mm, check.resolution_mm);
+  // No map says where these reach, so that all of S is open and every place has to be searched.
+  if (search.profile().is_pointed() || search.profile().undercuts())
+    options.largest_cell_count = 20'000, options.largest_point_count = 100,
+    options.largest_square_count = 10'000;
   return unavoidable_uncut(cells, proven, search, free_tips, cutter, options, control).uncut_mm;
 }
 

@@ -84,8 +84,8 @@ class Reader {
   }
   /// Whether S passes straight above the point. A cutter that reached it took all above it away as
   /// well: with S there, it went through S; without, it came past the rim. (One whose side leans
-  /// inwards need not have: then what lies beside S is left to the certificate.) By steps upwards that
-  /// are no longer than S is far.
+  /// inwards need not have: then what lies beside S is left to the certificate.) By steps upwards
+  /// that are no longer than S is far.
   bool lies_under_surface(Vec3 point) const {
     constexpr double kOn_mm = 1e-6;
     constexpr int kMostSteps = 200;  // enough for walls of 5 degrees; steeper ones count as above

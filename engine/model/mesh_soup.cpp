@@ -90,7 +90,11 @@ void fail_at_byte(const std::string& file, std::uint64_t byte, const std::string
   throw InputError({file}, "at byte " + std::to_string(byte) + ": " + wrong, expected);
 }
 
-MeshReading solid_of(TriangleSoup soup) {
+MeshReading joined(const TriangleSoup& soup) {
+  return join(soup).reading;
+}
+
+MeshReading solid_of(const TriangleSoup& soup) {
   Joined joined = join(soup);
   if (const auto defect = find_defect(joined.reading.mesh)) fail(soup, joined, *defect);
   return std::move(joined.reading);

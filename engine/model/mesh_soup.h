@@ -37,8 +37,11 @@ struct MeshReading {
 
 /// Joins vertices of equal coordinates (bit by bit; -0 is 0), drops triangles with two equal
 /// corners and vertices that no triangle uses. Triangles without area of three different corners
-/// stay: without them the mesh would not be closed. Throws InputError, with the triangle's number
-/// and place, for a mesh that bounds no solid (mesh_defect.h).
-MeshReading solid_of(TriangleSoup soup);
+/// stay: without them the mesh would not be closed. Corners name vertices of the soup.
+MeshReading joined(const TriangleSoup& soup);
+
+/// Joined; throws InputError, with the triangle's number and place, for a mesh that bounds no solid
+/// (mesh_defect.h).
+MeshReading solid_of(const TriangleSoup& soup);
 
 }  // namespace limitgauge::model

@@ -15,6 +15,12 @@ std::array<double, 4> beyond(const model::BoxStock& box, const FlatPoint& p) {
 
 }  // namespace
 
+StockOutline::StockOutline(const model::Stock& stock) : stock_(stock) {
+  if (!std::holds_alternative<model::MeshStock>(stock)) return;
+  const model::Box3 box = bounding_box(stock);
+  stock_ = model::BoxStock{box.low, box.size()};
+}
+
 double StockOutline::distance_mm(const FlatPoint& p) const {
   if (const auto* bar = std::get_if<model::CylinderStock>(&stock_))
     return std::hypot(p.x - bar->base_mm.x, p.y - bar->base_mm.y) - bar->diameter_mm / 2;

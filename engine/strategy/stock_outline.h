@@ -5,10 +5,11 @@
 
 namespace limitgauge::engine::strategy {
 
-/// The raw stock seen from above.
+/// The raw stock seen from above; of a mesh, the box about it: a path that clears the box clears
+/// the mesh.
 class StockOutline {
  public:
-  explicit StockOutline(const model::Stock& stock) : stock_(stock) {}
+  explicit StockOutline(const model::Stock& stock);
 
   /// From the outline, mm; negative inside.
   double distance_mm(const FlatPoint& p) const;

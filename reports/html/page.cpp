@@ -17,7 +17,18 @@ namespace {
 
 using namespace html;
 
+std::string mesh_stock_text(const model::MeshStock& stock) {
+  const model::Vec3 s = bounding_box(*stock.mesh).size();
+  const std::string source =
+      stock.voxel_mm > 0 ? fmt::format(", zero set at a voxel of {} mm", shortest(stock.voxel_mm))
+                         : std::string();
+  return fmt::format("{}: mesh of {} triangles{}, {} × {} × {} mm", escape_markup(stock.file),
+                     grouped(std::uint64_t(stock.mesh->triangles.size())), source, fixed(s.x, 3),
+                     fixed(s.y, 3), fixed(s.z, 3));
+}
+
 std::string stock_text(const model::Stock& stock) {
+  if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) return mesh_stock_text(*mesh);
   if (const auto* box = std::get_if<model::BoxStock>(&stock)) {
     const model::Vec3& s = box->size_mm;
     return fmt::format("block {} × {} × {} mm", shortest(s.x), shortest(s.y), shortest(s.z));

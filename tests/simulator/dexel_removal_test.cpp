@@ -71,6 +71,13 @@ TEST_CASE("engagement of a half immersed flat is its radius and the depth", "[un
   CHECK(half.radial_mm == Approx(3).margin(0.1));
 }
 
+TEST_CASE("the width of a move of one row of lines is that of the row", "[unit][dexel]") {
+  // Along y over a block one line deep: all places across it lie on one row.
+  const DexelStock plate(BoxStock{{-15, 0, -8}, {30, 0.1, 8}}, 0.1);
+  const Pass pass = PathBuilder({0, -9, -1}).feed({0, 9, -1}).pass(cutter(CutterType::flat, 6, 20));
+  CHECK(plate.cut(pass, {1}).removal.moves[0].radial_mm == Approx(6).margin(0.1));
+}
+
 TEST_CASE("a plunge engages the whole cutter", "[unit][dexel]") {
   const Removal removal =
       take(PathBuilder({1, 2, 5}).feed({1, 2, -4}).pass(cutter(CutterType::flat, 6, 20)));

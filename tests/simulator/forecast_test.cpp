@@ -64,16 +64,20 @@ TEST_CASE("the forecast of a pass that swallows the stock is next to nothing", "
 
 TEST_CASE("a stock that would not fit is forecast and cut in tiles", "[property][forecast]") {
   const BoxStock block{{-15, -12, -9}, {30, 24, 9}};
-  const std::size_t limit = 9 << 20;
-  const StockModel raw(block, 0.12, limit);  // 6 MiB, still whole
+  const double voxel = 0.1;
+  // Slots a millimetre apart more than double the surface.
+  const simulator::Pass pass =
+      raster(cutter(CutterType::flat, 1, 20), 11, 2, 22, [](double, double) { return -7.0; });
+  const StockModel plenty(block, voxel, kPlenty);
+  const std::size_t whole = plenty.cut(pass, {2}).memory_bytes();
+  const std::size_t limit = (plenty.memory_bytes() + whole) / 2;
+  REQUIRE(static_cast<double>(limit) > 1.2 * static_cast<double>(plenty.memory_bytes()));
+  StockModel raw(block, voxel, limit);
   REQUIRE(raw.tiles() == 0);
-  const simulator::Pass pass = rows(11);
-  const std::size_t whole = StockModel(block, 0.12, kPlenty).cut(pass, {2}).memory_bytes();
-  REQUIRE(whole > limit);
   const CutForecast forecast = raw.forecast(pass, {2});
-  CHECK(forecast.tiled);
   CHECK(forecast.bytes <= static_cast<double>(limit));
-  const StockModel cut = raw.cut(pass, {2});
+  CHECK(forecast.tiled);
+  const StockModel cut = std::move(raw).cut(pass, {2});
   CHECK(cut.tiles() > 0);
   CHECK(cut.memory_bytes() <= limit);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <utility>
 
 namespace limitgauge::simulator::test {
 
@@ -167,6 +169,33 @@ std::vector<model::Cutter> all_cutters() {
                            "apt:D=20,r=1.5,b=-60,L=5.2"})
     cutters.push_back(model::parse_cutter(text));
   return cutters;
+}
+
+model::Cutter random_cutter(std::mt19937_64& random) {
+  const auto in = [&](double low, double high) {
+    return std::uniform_real_distribution<>(low, high)(random);
+  };
+  for (;;) {
+    model::Cutter c;
+    c.type = static_cast<CutterType>(random() % 6);
+    c.diameter_mm = in(1, 12);
+    c.flute_length_mm = in(0.2, 14);
+    const bool apt = c.type == CutterType::apt;
+    if (c.type == CutterType::ball) c.corner_radius_mm = c.radius_mm();
+    if (c.type == CutterType::bull || c.type == CutterType::taper)
+      c.corner_radius_mm = in(0.01, 1) * c.radius_mm();
+    if (apt && random() % 4 > 0) c.corner_radius_mm = in(0, 2) * c.radius_mm();
+    if (c.type == CutterType::taper) c.taper_angle_deg = in(1, 70);
+    if (c.type == CutterType::drill || apt) c.tip_angle_deg = in(1, 60);
+    if (apt && random() % 4 == 0) c.tip_angle_deg = 0;
+    if (apt) c.taper_angle_deg = in(-60, 60);
+    try {
+      require_valid(c);
+      return c;
+    } catch (const std::invalid_argument&) {
+      // The next draw.
+    }
+  }
 }
 
 }  // namespace limitgauge::simulator::test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <random>
 #include <vector>
 
 #include "engine/model/cutter.h"
@@ -46,42 +47,6 @@ Side proven_side(const ProfileOracle& oracle, const model::Vec3& from, const mod
 /// corner wider than the cutter, closing at the top.
 std::vector<model::Cutter> all_cutters();
 /// A cutter of any type with random figures; the same for the same state of `random`.
-template <class Random>
-model::Cutter random_cutter(Random& random);
-
-}  // namespace limitgauge::simulator::test
-
-#include <random>
-#include <stdexcept>
-
-namespace limitgauge::simulator::test {
-
-template <class Random>
-model::Cutter random_cutter(Random& random) {
-  const auto in = [&](double low, double high) {
-    return std::uniform_real_distribution<>(low, high)(random);
-  };
-  for (;;) {
-    model::Cutter c;
-    c.type = static_cast<model::CutterType>(random() % 6);
-    c.diameter_mm = in(1, 12);
-    c.flute_length_mm = in(0.2, 14);
-    const bool apt = c.type == model::CutterType::apt;
-    if (c.type == model::CutterType::ball) c.corner_radius_mm = c.radius_mm();
-    if (c.type == model::CutterType::bull || c.type == model::CutterType::taper)
-      c.corner_radius_mm = in(0.01, 1) * c.radius_mm();
-    if (apt && random() % 4 > 0) c.corner_radius_mm = in(0, 2) * c.radius_mm();
-    if (c.type == model::CutterType::taper) c.taper_angle_deg = in(1, 70);
-    if (c.type == model::CutterType::drill || apt) c.tip_angle_deg = in(1, 60);
-    if (apt && random() % 4 == 0) c.tip_angle_deg = 0;
-    if (apt) c.taper_angle_deg = in(-60, 60);
-    try {
-      require_valid(c);
-      return c;
-    } catch (const std::invalid_argument&) {
-      // The next draw.
-    }
-  }
-}
+model::Cutter random_cutter(std::mt19937_64& random);
 
 }  // namespace limitgauge::simulator::test

@@ -50,12 +50,12 @@ double tip_rows(double a, double beta, double step) {
 
 TEST_CASE("rows of sharp tips on planes leave what formulas say", "[unit]") {
   for (const double slope : {0.0, 0.3}) {
-    const ReferenceSurface plane(plane_cage(5, slope, 0));
+    const ReferenceSurface plane(plane_cage(2, slope, 0));
     for (const char* text : {"drill:D=6,angle=118,L=60", "apt:D=8,r=1,a=31,b=5,L=60"}) {
       CAPTURE(slope, text);
       const double a = 31 * std::numbers::pi / 180, beta = std::atan(slope), step = 0.4;
       const auto tip = [&](double x, double) { return slope * x; };
-      const auto d = measure(plane, model::parse_cutter(text), raster(10, step, 10, tip));
+      const auto d = measure(plane, model::parse_cutter(text), raster(6, step, 6, tip));
       check_interval(d.uncut_mm, tip_rows(a, beta, step));
       CHECK(d.gouge_mm.low == 0);
       CHECK(d.gouge_mm.high <= kResolution_mm);
@@ -67,7 +67,7 @@ TEST_CASE("rows of sharp tips on planes leave what formulas say", "[unit]") {
 
 TEST_CASE("a plane steeper than the point is touched by the drill's corner", "[unit]") {
   const double slope = 1;
-  const ReferenceSurface plane(plane_cage(5, slope, 0));
+  const ReferenceSurface plane(plane_cage(2, slope, 0));
   const auto drill = model::parse_cutter("drill:D=6,angle=118,L=60");
   const double corner = 3 * std::tan(31 * std::numbers::pi / 180), over = 0.02;
   // The corner is 3 mm uphill of the tip and stands `over` higher than the plane.
@@ -76,9 +76,9 @@ TEST_CASE("a plane steeper than the point is touched by the drill's corner", "[u
   // one in the plane's direction, lifted off it; the circles of the corner bend away from it.
   const double step = 0.2;
   model::Toolpath path;
-  path.start = {-12, -8, tip(-12, 0)};
-  for (int row = 0; row <= 80; ++row) {
-    const double y = -8 + row * step, near = row % 2 ? 9 : -12, far = row % 2 ? -12 : 9;
+  path.start = {-9, -4, tip(-9, 0)};
+  for (int row = 0; row <= 40; ++row) {
+    const double y = -4 + row * step, near = row % 2 ? 5 : -9, far = row % 2 ? -9 : 5;
     feed_to(path, {near, y, tip(near, 0)});
     feed_to(path, {far, y, tip(far, 0)});
   }

@@ -1,0 +1,60 @@
+#include "app/stock_file.h"
+
+#include <memory>
+#include <utility>
+
+#include "app/words.h"
+#include "engine/model/error.h"
+#include "engine/model/mesh_defect.h"
+#include "engine/model/mesh_reader.h"
+#include "simulator/vdb_stock.h"
+
+namespace limitgauge::app {
+namespace {
+
+model::MeshStock stock_of(model::TriangleMesh mesh, const std::string& as_stated, double voxel_mm) {
+  return {std::make_shared<const model::TriangleMesh>(std::move(mesh)), as_stated, voxel_mm};
+}
+
+bool is_moved(const MeshPlace& place) {
+  return place.scale != 1 || !(place.translate_mm == model::Vec3{});
+}
+
+}  // namespace
+
+StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& as_stated,
+                          const MeshPlace& place) {
+  model::MeshReading reading = model::read_mesh_file(file);
+  if (is_moved(place)) {
+    reading.mesh = placed(std::move(reading.mesh), place.scale, place.translate_mm);
+    if (const auto defect = find_defect(reading.mesh))
+      throw model::InputError({file.string()}, "scaled and moved: " + defect->wrong,
+                              defect->expected);
+  }
+  StockFile loaded;
+  if (reading.dropped_triangles > 0) {
+    loaded.assumptions.push_back("stock " + as_stated + ": " +
+                                 std::to_string(reading.dropped_triangles) +
+                                 " triangles with two equal corners left out");
+  }
+  loaded.stock = stock_of(std::move(reading.mesh), as_stated, 0);
+  return loaded;
+}
+
+StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& as_stated) {
+  simulator::VdbStock read = simulator::read_vdb_stock(file);
+  StockFile loaded;
+  loaded.assumptions.push_back("stock " + as_stated +
+                               ": taken as the triangle mesh of its zero set at a voxel of " +
+                               words(read.voxel_mm) + " mm; nothing is known of what cut it");
+  loaded.stock = stock_of(std::move(read.mesh), as_stated, read.voxel_mm);
+  return loaded;
+}
+
+model::Stock planned_stock(const model::Stock& stock) {
+  if (!std::holds_alternative<model::MeshStock>(stock)) return stock;
+  const model::Box3 box = bounding_box(stock);
+  return model::BoxStock{box.low, box.size()};
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/model/stock.h"
+
+namespace limitgauge::app {
+
+/// Raw stock from a file, and what of it is to stand among the report's assumptions.
+struct StockFile {
+  model::MeshStock stock;
+  std::vector<std::string> assumptions;
+};
+
+/// Where the mesh of a file is put: every vertex times `scale`, then moved.
+struct MeshPlace {
+  double scale = 1;
+  model::Vec3 translate_mm;
+};
+
+/// Throws InputError for a file that bounds no solid.
+StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& as_stated,
+                          const MeshPlace& place);
+/// Throws InputError for a file that is no stock of an earlier run, ResourceError where its mesh
+/// would not fit into memory.
+StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& as_stated);
+
+/// The stock that toolpaths are planned for: of a mesh, the box about it.
+model::Stock planned_stock(const model::Stock& stock);
+
+}  // namespace limitgauge::app

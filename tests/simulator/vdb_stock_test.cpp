@@ -1,0 +1,189 @@
+#include "simulator/vdb_stock.h"
+
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/LevelSetSphere.h>
+#include <openvdb/tools/LevelSetUtil.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "engine/model/error.h"
+#include "engine/model/mesh_defect.h"
+#include "simulator/mesh_solid.h"
+#include "simulator/stock_model.h"
+#include "tests/support/catch.h"
+#include "tests/support/rasters.h"
+
+using namespace limitgauge;
+using namespace limitgauge::simulator;
+using model::TriangleMesh;
+using model::Vec3;
+
+namespace {
+
+/// A file that is gone at the end of the test.
+class File {
+ public:
+  explicit File(const std::string& name) : path_(std::filesystem::temp_directory_path() / name) {}
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  ~File() { std::filesystem::remove(path_); }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+constexpr std::size_t kPlenty = std::size_t{1} << 30;
+
+StockModel slotted_block() {
+  const StockModel raw(model::BoxStock{{-10, -8, -6}, {20, 16, 6}}, 0.5, kPlenty);
+  auto path = std::make_shared<model::Toolpath>();
+  path->start = {-14, 0, -1.9};
+  tests::feed_to(*path, {14, 1, -2.3});
+  tests::feed_to(*path, {3, -12, -3.1});
+  return raw.cut({tests::ball_cutter(3), path}, {});
+}
+
+// How many triangles there are at an edge, by the number of edges with so many.
+std::map<int, int> triangles_at_edges(const TriangleMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> at;
+  for (const auto& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) ++at[std::minmax(t[k], t[(k + 1) % 3])];
+  std::map<int, int> counts;
+  for (const auto& [edge, count] : at) ++counts[count];
+  return counts;
+}
+
+void write(const std::filesystem::path& path, const openvdb::GridPtrVec& grids) {
+  openvdb::io::File out(path.string());
+  out.write(grids);
+  out.close();
+}
+
+openvdb::FloatGrid::Ptr ball(const std::string& name = "stock") {
+  auto grid = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(5, {1, 2, 3}, 0.5F);
+  grid->setName(name);
+  return grid;
+}
+
+std::string refusal(const openvdb::GridPtrVec& grids) {
+  const File file("limitgauge_vdb_refusal.vdb");
+  write(file.path(), grids);
+  try {
+    read_vdb_stock(file.path());
+  } catch (const model::InputError& error) {
+    return std::string(error.what()).substr(file.path().string().size());
+  }
+  return "no error";
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+}  // namespace
+
+TEST_CASE("the stock of a run comes back as its zero set", "[property][mesh][vdb]") {
+  const File file("limitgauge_vdb_stock.vdb");
+  const StockModel stock = slotted_block();
+  stock.write_vdb(file.path());
+  const VdbStock back = read_vdb_stock(file.path());
+  CHECK(back.voxel_mm == 0.5);
+  CHECK_FALSE(find_defect(back.mesh).has_value());
+  // The same measure of the same field, in another order of summing; zero to the last bit of
+  // single precision is neither inside nor outside.
+  CHECK(volume_mm3(back.mesh) == Approx(stock.volume_mm3()).epsilon(1e-6));
+  // Two triangles at every edge.
+  const auto at_edges = triangles_at_edges(back.mesh);
+  CHECK(at_edges.size() == 1);
+  CHECK(at_edges.begin()->first == 2);
+  // Vertices lie on the stock's surface but for what interpolating its level set in a cell is off
+  // (edges cut by no more than a voxel).
+  double far = 0, sum = 0;
+  for (const Vec3& v : back.mesh.vertices) {
+    const double off = std::abs(stock.exact_value(v));
+    far = std::max(far, off), sum += off;
+  }
+  CHECK(far < 0.5);
+  CHECK(sum / static_cast<double>(back.mesh.vertices.size()) < 0.01);
+  CHECK(model::bounding_box(back.mesh).high.z <= 0);
+}
+
+TEST_CASE("the zero set of a ball", "[unit][mesh][vdb]") {
+  const File file("limitgauge_vdb_ball.vdb");
+  write(file.path(), {ball()});
+  const VdbStock back = read_vdb_stock(file.path());
+  // Chords of a voxel's length in a ball of ten voxels, as OpenVDB centres it.
+  CHECK(volume_mm3(back.mesh) == Approx(4.0 / 3 * M_PI * 125).epsilon(0.01));
+  CHECK(distance(model::bounding_box(back.mesh).centre(), {1, 2, 3}) < 0.01);
+  CHECK(triangles_at_edges(back.mesh).begin()->first == 2);
+}
+
+TEST_CASE("of several grids the stock is taken", "[unit][mesh][vdb]") {
+  const File file("limitgauge_vdb_two.vdb");
+  write(file.path(), {ball("other"), ball("stock")});
+  CHECK(read_vdb_stock(file.path()).voxel_mm == 0.5);
+  CHECK(refusal({ball("one"), ball("two")}) ==
+        ": error: the file has 2 grids; expected one, or one named \"stock\"");
+  CHECK(refusal({ball("whatever")}) == "no error");
+}
+
+TEST_CASE("a .vdb that is no stock is refused", "[unit][mesh][vdb]") {
+  auto fog = ball();
+  openvdb::tools::sdfToFogVolume(*fog);
+  CHECK(refusal({fog}) ==
+        ": error: the grid is no level set but 'fog volume'; expected a level set");
+  CHECK(refusal({openvdb::DoubleGrid::create(1.0)}) ==
+        ": error: the grid holds values of type 'double'; expected float");
+  auto empty = openvdb::FloatGrid::create(1.0F);
+  empty->setGridClass(openvdb::GRID_LEVEL_SET);
+  CHECK(refusal({empty}) ==
+        ": error: the grid holds no material; expected a level set, negative inside");
+  auto turned = ball();
+  turned->transform().preRotate(0.3, openvdb::math::Z_AXIS);
+  CHECK(refusal({turned}) ==
+        ": error: the grid is rotated, sheared or unevenly scaled; expected cubic voxels along the "
+        "axes");
+  auto flat = ball();
+  flat->transform().preScale({1, 1, 0.5});
+  CHECK_THAT(refusal({flat}), ContainsSubstring("rotated, sheared or unevenly scaled"));
+  auto nan = ball();
+  nan->tree().beginValueOn().setValue(std::numeric_limits<float>::quiet_NaN());
+  CHECK_THAT(refusal({nan}), ContainsSubstring("a distance is not a finite number"));
+  // A leaf in the band goes missing: what was inside beside it now ends at nothing.
+  auto torn = ball();
+  torn->tree().addTile(1, {2, 12, 6}, torn->background(), false);
+  torn->tree().addTile(1, torn->tree().cbeginLeaf()->origin(), -torn->background(), false);
+  CHECK_THAT(refusal({torn}), ContainsSubstring("bounds no solid (its band is torn)"));
+}
+
+TEST_CASE("a .vdb whose mesh would not fit is refused beforehand", "[unit][mesh][vdb]") {
+  const File file("limitgauge_vdb_large.vdb");
+  write(file.path(), {ball()});
+  CHECK_THROWS_AS(read_vdb_stock(file.path(), 100000), model::ResourceError);
+  CHECK_THROWS_WITH(read_vdb_stock(file.path(), 100000),
+                    ContainsSubstring("voxels, whose triangles"));
+}
+
+TEST_CASE("files that are no .vdb, or half of one", "[unit][mesh][vdb]") {
+  const File file("limitgauge_vdb_half.vdb");
+  CHECK_THROWS_WITH(read_vdb_stock(file.path()), ContainsSubstring("there is no such file"));
+  write(file.path(), {ball()});
+  const std::string whole = bytes_of(file.path());
+  const auto put = [&](const std::string& bytes) {
+    std::ofstream(file.path(), std::ios::binary | std::ios::trunc) << bytes;
+  };
+  put("solid a\nendsolid\n");
+  CHECK_THROWS_WITH(read_vdb_stock(file.path()), ContainsSubstring("the file is no .vdb"));
+  for (std::size_t part = 1; part < 40; ++part) {
+    put(whole.substr(0, whole.size() * part / 40));
+    CHECK_THROWS_AS(read_vdb_stock(file.path()), model::InputError);
+  }
+}

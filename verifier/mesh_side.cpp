@@ -30,7 +30,9 @@ int turn(const Vec3& a, const Vec3& b, const Vec3& p) {
   const double left = (b.x - a.x) * (p.y - a.y), right = (b.y - a.y) * (p.x - a.x);
   const double det = left - right, sum = std::abs(left) + std::abs(right);
   if (std::abs(det) > kBound * sum) return sign(det);
-  if (sum > 0)
+  // Straight above an end of the edge, as for every point above a vertex, no sum is needed.
+  const bool above_end = (p.x == a.x && p.y == a.y) || (p.x == b.x && p.y == b.y);
+  if (sum > 0 && !above_end)
     if (const int exact = exact_turn(a, b, p); exact != 0) return exact > 0 ? 1 : -1;
   if (b.y != a.y) return b.y < a.y ? 1 : -1;
   return sign(b.x - a.x);

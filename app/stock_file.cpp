@@ -33,9 +33,9 @@ StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& 
   }
   StockFile loaded;
   if (reading.dropped_triangles > 0) {
-    loaded.assumptions.push_back("stock " + as_stated + ": " +
-                                 std::to_string(reading.dropped_triangles) +
-                                 " triangles with two equal corners left out");
+    loaded.assumptions.push_back("stock " + as_stated +
+                                 ": left out are triangles with two equal corners, " +
+                                 std::to_string(reading.dropped_triangles) + " in number");
   }
   loaded.stock = stock_of(std::move(reading.mesh), as_stated, 0);
   return loaded;

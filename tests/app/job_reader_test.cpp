@@ -171,9 +171,6 @@ TEST_CASE("a bad job is refused with its place and what was expected", "[unit][j
        "job.toml:5:9: error: \"shape\" in [stock] is \"bax\"; expected one of \"box\", "
        "\"cylinder\", "
        "\"mesh\", \"vdb\""},
-      {"shape = \"box\"", "shape = \"vdb\"",
-       "job.toml:5:9: error: stock of shape \"vdb\" is not available in this release; expected "
-       "\"box\" or \"cylinder\""},
       {"diameter = 6", "diameter = 0",
        "job.toml:11:12: error: \"diameter\" in [[tool]] is 0; expected a number above zero"},
       {"diameter = 6", "diameter = nan",

@@ -54,7 +54,7 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
       {verify("butterfly.obj", box, ball, "good.ngc"), "butterfly.obj"},
       {verify("index.obj", box, ball, "good.ngc"), "index.obj:5:"},
       {verify("quad.obj", "box:4,4@0,0,0", ball, "good.ngc"), "--stock"},
-      {verify("quad.obj", "mesh:a.stl", ball, "good.ngc"), "not available in this release"},
+      {verify("quad.obj", "mesh:a.stl", ball, "good.ngc"), "there is no such file"},
       {verify("quad.obj", box, "ball:D=-6", "good.ngc"), "--tool"},
       {verify("quad.obj", box, "cube:D=6", "good.ngc"), "--tool"},
       {verify("quad.obj", box, ball, "bad.ngc"), "bad.ngc:3:1"},

@@ -1,11 +1,13 @@
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "reports/report.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
+#include "tests/support/mesh_shapes.h"
 
 using namespace limitgauge;
 using namespace limitgauge::reports;
@@ -176,4 +178,26 @@ TEST_CASE("the schema describes every key that is written", "[unit][json][schema
   const Json schema = Json::parse(result_schema());
   for (const Outcome outcome : {Outcome::passed, Outcome::failed, Outcome::indeterminate})
     require_described(schema, schema, json_of(sample_result(outcome, 3)), "");
+}
+
+TEST_CASE("stock from a mesh and from an earlier run", "[unit][json][schema][stock]") {
+  const Json schema = Json::parse(result_schema());
+  const auto mesh = std::make_shared<const model::TriangleMesh>(
+      tests::block_between({-45, -40, -20}, {45, 40, 10}));
+  RunResult result = sample_result(Outcome::passed);
+  result.raw_stock = model::MeshStock{mesh, "casting.stl", 0};
+  Json stock = json_of(result)["stock"];
+  CHECK(keys_of(stock) == std::vector<std::string>{"shape", "file", "triangles", "corner_mm",
+                                                   "size_mm", "volume_mm3"});
+  CHECK(stock["shape"] == "mesh");
+  CHECK(stock["file"] == "casting.stl");
+  CHECK(stock["triangles"] == 12);
+  CHECK(stock["size_mm"] == Json::array({90.0, 80.0, 30.0}));
+  CHECK(stock["volume_mm3"].get<double>() == Approx(216000));
+  require_described(schema, schema, json_of(result), "");
+  result.raw_stock = model::MeshStock{mesh, "rough/stock.vdb", 0.1};
+  stock = json_of(result)["stock"];
+  CHECK(stock["shape"] == "vdb");
+  CHECK(stock["voxel_mm"] == 0.1);
+  require_described(schema, schema, json_of(result), "");
 }

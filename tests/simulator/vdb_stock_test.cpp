@@ -5,14 +5,17 @@
 #include <openvdb/tools/LevelSetSphere.h>
 #include <openvdb/tools/LevelSetUtil.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
+#include <random>
 #include <sstream>
 
 #include "engine/model/error.h"
 #include "engine/model/mesh_defect.h"
-#include "simulator/mesh_solid.h"
+#include "simulator/in_own_process.h"
 #include "simulator/stock_model.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
@@ -186,4 +189,34 @@ TEST_CASE("files that are no .vdb, or half of one", "[unit][mesh][vdb]") {
     put(whole.substr(0, whole.size() * part / 40));
     CHECK_THROWS_AS(read_vdb_stock(file.path()), model::InputError);
   }
+}
+
+TEST_CASE("damaged files are refused or read, never worse", "[property][mesh][vdb]") {
+  const File file("limitgauge_vdb_damaged.vdb");
+  write(file.path(), {ball()});
+  const std::string whole = bytes_of(file.path());
+  std::mt19937 random(11);
+  int refused = 0;
+  for (int n = 0; n < 60; ++n) {
+    std::string bytes = whole;
+    // Behind the header, where the damage meets OpenVDB's buffers.
+    for (int flips = 1 + static_cast<int>(random() % 4); flips > 0; --flips)
+      bytes[1000 + random() % (bytes.size() - 1000)] = static_cast<char>(random());
+    std::ofstream(file.path(), std::ios::binary | std::ios::trunc) << bytes;
+    try {
+      const VdbStock back = read_vdb_stock(file.path());
+      CHECK_FALSE(find_defect(back.mesh).has_value());
+    } catch (const model::InputError&) {
+      ++refused;
+    }
+  }
+  CHECK(refused > 10);
+}
+
+TEST_CASE("work that breaks down does so in its own process", "[unit][vdb]") {
+  const ProcessLimits limits{std::size_t{1} << 28, 5};
+  CHECK(comes_to_its_end([] {}, limits));
+  CHECK(comes_to_its_end([] { throw std::runtime_error("told the caller elsewhere"); }, limits));
+  CHECK_FALSE(comes_to_its_end([] { throw std::bad_alloc(); }, limits));
+  CHECK_FALSE(comes_to_its_end([] { std::abort(); }, limits));
 }

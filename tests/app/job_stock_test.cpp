@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "app/stock_file.h"
+#include "engine/model/error.h"
+#include "simulator/stock_model.h"
+#include "tests/app/job_text.h"
+#include "tests/support/catch.h"
+#include "tests/support/mesh_shapes.h"
+
+namespace limitgauge::app {
+namespace {
+
+/// A folder with a block as OBJ and as stock of a run, removed at its end.
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / "limitgauge_job_stock_test") {
+    std::filesystem::create_directories(path_);
+    std::ofstream obj(path_ / "block.obj");
+    const model::TriangleMesh mesh = tests::block_between({0, 0, 0}, {4, 3, 2});
+    for (const model::Vec3& v : mesh.vertices)
+      obj << "v " << v.x << ' ' << v.y << ' ' << v.z << '\n';
+    for (const auto& t : mesh.triangles)
+      obj << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+    obj << "f 1 1 2\n";
+    simulator::StockModel(model::BoxStock{{0, 0, 0}, {4, 3, 2}}, 0.25, std::size_t{1} << 30)
+        .write_vdb(path_ / "stock.vdb");
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { std::filesystem::remove_all(path_); }
+
+  Job read_with(const std::string& stock) const {
+    std::string text = good_job();
+    const std::size_t begin = text.find("[stock]"), end = text.find("[[tool]]");
+    text.replace(begin, end - begin, "[stock]\n" + stock + "\n");
+    const std::string cage =
+        (std::filesystem::path(LIMITGAUGE_FIXTURES) / "cages/quick-dome.obj").string();
+    return read_job_text(with(text, "cages/quick-dome.obj", cage), "job.toml", path_, {});
+  }
+  std::string error_with(const std::string& stock) const {
+    try {
+      read_with(stock);
+    } catch (const model::InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+bool says(const Job& job, const std::string& text) {
+  return std::find(job.defaulted.begin(), job.defaulted.end(), text) != job.defaulted.end();
+}
+
+}  // namespace
+
+TEST_CASE("stock from a mesh beside the job", "[unit][job][stock]") {
+  const Folder folder;
+  const Job job =
+      folder.read_with("shape = \"mesh\"\nfile = \"block.obj\"\nscale = 2\ntranslate = [1, 0, -3]");
+  const auto& stock = std::get<model::MeshStock>(job.stock);
+  CHECK(stock.file == "block.obj");
+  CHECK(stock.voxel_mm == 0);
+  CHECK(stock.mesh->triangles.size() == 12);
+  CHECK(bounding_box(job.stock).low == model::Vec3{1, 0, -3});
+  CHECK(bounding_box(job.stock).high == model::Vec3{9, 6, 1});
+  CHECK(says(job, "stock block.obj: left out are triangles with two equal corners, 1 in number"));
+  CHECK(says(job,
+             "toolpaths that are planned here clear the box about the stock's mesh, not the mesh "
+             "itself"));
+  const auto planned = std::get<model::BoxStock>(planned_stock(job.stock));
+  CHECK(planned.corner_mm == model::Vec3{1, 0, -3});
+  CHECK(planned.size_mm == model::Vec3{8, 6, 4});
+}
+
+TEST_CASE("stock from an earlier run", "[unit][job][stock]") {
+  const Folder folder;
+  const Job job = folder.read_with("shape = \"vdb\"\nfile = \"stock.vdb\"");
+  const auto& stock = std::get<model::MeshStock>(job.stock);
+  CHECK(stock.voxel_mm == 0.25);
+  CHECK(volume_mm3(*stock.mesh) == Approx(24).epsilon(1e-6));
+  CHECK(says(job,
+             "stock stock.vdb: taken as the triangle mesh of its zero set at a voxel of 0.25 mm; "
+             "nothing is known of what cut it"));
+}
+
+TEST_CASE("stock files that are wrong", "[unit][job][stock]") {
+  const Folder folder;
+  CHECK(folder.error_with("shape = \"mesh\"\nfile = \"none.stl\"") ==
+        "job.toml:6:8: error: no file \"none.stl\"; expected a closed mesh as STL, OBJ or PLY, in "
+        "millimetres");
+  CHECK(folder.error_with("shape = \"vdb\"\nfile = \"none.vdb\"") ==
+        "job.toml:6:8: error: no file \"none.vdb\"; expected the stock.vdb of an earlier run");
+  CHECK(folder.error_with("shape = \"vdb\"\nfile = \"block.obj\"") ==
+        folder.file("block.obj") +
+            ": error: the file is no .vdb; expected a stock.vdb of an "
+            "earlier run");
+  CHECK(folder.error_with("shape = \"mesh\"\nfile = \"stock.vdb\"") ==
+        folder.file("stock.vdb") +
+            ": error: the file is no mesh of a known kind; expected STL, "
+            "OBJ or PLY");
+  CHECK_THAT(folder.error_with("shape = \"mesh\"\nfile = \"block.obj\"\ntranslate = [1e7, 0, 0]"),
+             ContainsSubstring("scaled and moved: the vertex"));
+  CHECK_THAT(folder.error_with("shape = \"mesh\"\nfile = \"block.obj\"\nscale = 0"),
+             ContainsSubstring("job.toml:7:9: error: \"scale\" in [stock] is 0"));
+  CHECK_THAT(folder.error_with("shape = \"vdb\"\nfile = \"stock.vdb\"\nscale = 2"),
+             ContainsSubstring("unknown key \"scale\" in [stock]"));
+}
+
+}  // namespace limitgauge::app

@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "simulator/collision.h"
+#include "simulator/process_check.h"
 #include "simulator/stock_model.h"
 #include "tests/benchmark/dome_finish.h"
 
@@ -18,12 +18,14 @@ void cut_finish(benchmark::State& state) {
 }
 BENCHMARK(cut_finish)->Arg(250)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void find_collisions_finish(benchmark::State& state) {
+void check_process_finish(benchmark::State& state) {
   const simulator::StockModel raw(kBlock, 0.1, kMemory_bytes);
   const simulator::Pass pass{ball(), dome_finish()};
-  for (auto _ : state) benchmark::DoNotOptimize(find_collisions(raw, pass, 0.1, {2, nullptr, {}}));
+  simulator::ProcessLimits limits;
+  limits.tolerance_mm = 0.1;
+  for (auto _ : state) benchmark::DoNotOptimize(check_process(raw, pass, limits, {2, nullptr, {}}));
 }
-BENCHMARK(find_collisions_finish)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(check_process_finish)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace limitgauge::benchmarks

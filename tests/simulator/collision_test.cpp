@@ -1,10 +1,9 @@
-#include "simulator/collision.h"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
 
+#include "simulator/process_check.h"
 #include "simulator/swept_distance.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"
@@ -14,9 +13,8 @@ namespace {
 using namespace limitgauge;
 using model::CutterType;
 using model::Vec3;
-using simulator::Collision;
-using simulator::CollisionReport;
-using simulator::find_collisions;
+using simulator::Finding;
+using simulator::FindingKind;
 using simulator::Pass;
 using simulator::StockModel;
 using simulator::test::cutter;
@@ -27,6 +25,23 @@ constexpr double kTolerance = 0.01;
 // z from −8 to 0.
 StockModel block() {
   return {model::BoxStock{{-15, -10, -8}, {30, 20, 8}}, 0.25, std::size_t{1} << 30};
+}
+
+struct CollisionReport {
+  std::vector<Finding> rapid, holder;
+};
+
+CollisionReport find_collisions(const StockModel& before, const Pass& pass, double tolerance,
+                                const model::RunControl& control) {
+  simulator::ProcessLimits limits;
+  limits.tolerance_mm = tolerance;
+  CollisionReport report;
+  for (const Finding& f : check_process(before, pass, limits, control)) {
+    if (f.kind == FindingKind::rapid_through_stock) report.rapid.push_back(f);
+    if (f.kind == FindingKind::shank_in_stock || f.kind == FindingKind::holder_in_stock)
+      report.holder.push_back(f);
+  }
+  return report;
 }
 
 CollisionReport check(const StockModel& before, const Pass& pass, unsigned threads = 2) {
@@ -53,7 +68,7 @@ TEST_CASE("a rapid through standing material is reported with line, point and de
                         .pass(c);
   const CollisionReport report = check(block(), pass);
   REQUIRE(report.rapid.size() == 1);
-  const Collision& hit = report.rapid[0];
+  const Finding& hit = report.rapid[0];
   CHECK(hit.move == 2);
   CHECK(hit.line == 3);
   CHECK(hit.part == "cutter");
@@ -193,7 +208,7 @@ TEST_CASE("the report is the same for any number of threads", "[property][collis
   for (const unsigned threads : {2u, 3u}) {
     const CollisionReport other = check(block(), pass, threads);
     CHECK(std::equal(one.rapid.begin(), one.rapid.end(), other.rapid.begin(), other.rapid.end(),
-                     [](const Collision& a, const Collision& c) {
+                     [](const Finding& a, const Finding& c) {
                        return a.move == c.move && a.point == c.point && a.depth_mm == c.depth_mm;
                      }));
   }
@@ -230,7 +245,7 @@ TEST_CASE("depths agree with dense sampling of the swept body", "[property][coll
             deepest = std::max(deepest, depth);
           }
       const auto hit = std::find_if(report.rapid.begin(), report.rapid.end(),
-                                    [&](const Collision& h) { return h.move == m; });
+                                    [&](const Finding& h) { return h.move == m; });
       const double found = hit == report.rapid.end() ? 0 : hit->depth_mm;
       // A sample lies within half a diagonal of the deepest place, but may fall outside the body
       // there: a whole diagonal covers a convex body's corner.

@@ -100,6 +100,17 @@ void require_sound(const std::filesystem::path& path) {
     fail(path, "OpenVDB breaks down over the file: it is damaged", "a stock.vdb of an earlier run");
 }
 
+// Of a file that is cut short OpenVDB may allocate what happens to stand in memory: the trial need
+// not have met the same.
+openvdb::FloatGrid::Ptr read_sound_grid(const std::filesystem::path& path) {
+  try {
+    return read_grid(path);
+  } catch (const std::bad_alloc&) {
+    fail(path, "OpenVDB asks for more memory than there is: the file is damaged or too large",
+         "a stock.vdb of an earlier run");
+  }
+}
+
 // Lowest corners of all cells that the surface may pass through: those that have a corner in a
 // leaf.
 class Cells {
@@ -194,7 +205,7 @@ model::TriangleMesh zero_set(const std::filesystem::path& path, const openvdb::F
 VdbStock read(const std::filesystem::path& path, std::size_t memory_limit_bytes) {
   openvdb::initialize();
   require_sound(path);
-  const openvdb::FloatGrid::Ptr grid = read_grid(path);
+  const openvdb::FloatGrid::Ptr grid = read_sound_grid(path);
   const Lattice lattice = lattice_of(path, grid->transform());
   return {zero_set(path, *grid, lattice, memory_limit_bytes), lattice.voxel_mm};
 }

@@ -27,20 +27,23 @@ constexpr double kTolerance_mm = 0.25;
 
 }  // namespace
 
-// Program lines and depths worked out by hand: fixtures/findings/README.md says how the jobs are
-// made.
+// Program lines and depths worked out by hand; a depth is the distance from the material's surface.
+// Rows at z 0 run 5 mm under what the first level left and 10 mm under the raw top; each clears a
+// strip 4 mm wide. Shank and holder are 8 mm over the tip: 2 mm deep. The stopped rows are judged
+// together: 5 mm deep in the second. Above flutes of 6 mm stand 4 mm, of which the middle is 2 mm
+// from air. The clamp's edge passes the cutter's axis: 4 mm, its radius.
 TEST_CASE("every kind of process finding is found where it was planted, and its twin is clean",
           "[e2e][process]") {
   const Planted planted = GENERATE(Planted{"rapid-through-stock", "rapid_through_stock", 23, 4},
                                    Planted{"shank-in-stock", "shank_in_stock", 7, 2},
-                                   Planted{"holder-in-stock", "holder_in_stock", 19, 2},
-                                   Planted{"fixture-touched", "fixture_touched", 21, 4},
-                                   Planted{"spindle-stopped", "spindle_stopped", 26, 4},
+                                   Planted{"holder-in-stock", "holder_in_stock", 18, 2},
+                                   Planted{"fixture-touched", "fixture_touched", 8, 4},
+                                   Planted{"spindle-stopped", "spindle_stopped", 28, 5},
                                    Planted{"feed-missing", "feed_missing", 7, 5},
-                                   Planted{"below-flutes", "below_flutes", 7, 4},
-                                   Planted{"steep-descent", "steep_descent", 7, 4},
-                                   Planted{"beyond-travel", "beyond_travel", 5, 5},
-                                   Planted{"near-miss", "near_miss", 30, -1, 0});
+                                   Planted{"below-flutes", "below_flutes", 7, 2},
+                                   Planted{"steep-descent", "steep_descent", 7, 5},
+                                   Planted{"beyond-travel", "beyond_travel", 6, 5},
+                                   Planted{"near-miss", "near_miss", 29, -1, 0});
   const Scratch scratch;
   const auto stage = run(scratch, planted.job, planted.exit_code);
   // The shape is right: it is the process alone that fails.

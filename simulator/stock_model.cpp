@@ -42,7 +42,7 @@ StockModel::StockModel(StockModel&&) noexcept = default;
 StockModel& StockModel::operator=(StockModel&&) noexcept = default;
 
 StockModel StockModel::cut(const Pass& pass, const model::RunControl& control) const {
-  auto sweep = std::make_shared<const SweepIndex>(pass);
+  auto sweep = std::make_shared<const SweepIndex>(pass, control);
   StockGrid grid =
       state_->grid.cut(state_->material.raw(), *sweep, state_->memory_limit_bytes, control);
   return StockModel(std::make_shared<const State>(

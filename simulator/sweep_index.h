@@ -6,7 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "simulator/stock_model.h"
+#include "engine/model/run_control.h"
+#include "simulator/pass.h"
+#include "simulator/sweep_order.h"
 #include "simulator/swept_distance.h"
 
 namespace limitgauge::simulator {
@@ -22,8 +24,9 @@ struct NearestMove {
 class SweepIndex {
  public:
   /// Throws std::invalid_argument for a cutter or a path that cannot be (no path, a coordinate
-  /// that is not finite, 2^32 moves and more).
-  explicit SweepIndex(const Pass& pass);
+  /// that is not finite, 2^32 moves and more), Interrupted when told to stop. Takes 128 bytes a
+  /// move, a quarter more while it works.
+  explicit SweepIndex(const Pass& pass, const model::RunControl& control = {});
 
   /// The move of least swept distance at `p` among those with path index below `end`, if that
   /// distance is below `bound`. Of several equal ones the first found, whose order is fixed.
@@ -48,8 +51,8 @@ class SweepIndex {
     std::uint32_t count = 0;  // moves of a leaf, 0 for an inner node
     std::uint32_t least_index = 0;
   };
-  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
-  void close_leaf(Node& node, std::uint32_t begin, std::uint32_t end);
+  void set_leaf(Node& node, const SweepOrder::Node& from) const;
+  void add_children(Node& node) const;
   double lower_bound(const Node& node, const model::Vec3& p) const;
 
   CutterProfile profile_;

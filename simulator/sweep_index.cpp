@@ -105,19 +105,46 @@ std::optional<NearestMove> SweepIndex::nearest(const Vec3& p, double bound,
   return best;
 }
 
-void SweepIndex::gather(const Vec3& p, double limit, std::vector<std::uint32_t>& slots) const {
+template <class Skip>
+void SweepIndex::gather_unless(const Skip& skip, std::vector<std::uint32_t>& slots) const {
   if (nodes_.empty()) return;
   std::array<std::uint32_t, kDeepest> stack;
   std::size_t depth = 0;
   stack[depth++] = 0;
   while (depth > 0) {
     const Node& node = nodes_[stack[--depth]];
-    if (lower_bound(node, p) > limit) continue;
+    if (skip(node)) continue;
     for (std::uint32_t s = node.first; s < node.first + node.count; ++s) slots.push_back(s);
     if (node.count > 0) continue;
     stack[depth++] = node.first + 1;
     stack[depth++] = node.first;
   }
+}
+
+void SweepIndex::gather(const Vec3& p, double limit, std::vector<std::uint32_t>& slots) const {
+  gather_unless([&](const Node& node) { return lower_bound(node, p) > limit; }, slots);
+}
+
+// All that a node's balls reach lies in the box of their centres' ways and above it, grown by the
+// radius: that is convex too, and its foot may slide by |δ|² <= 3h².
+void SweepIndex::gather_rivals(const NearestCapsule& n, std::vector<std::uint32_t>& slots) const {
+  constexpr double kSlack = 1e-9;
+  const Vec3 &p = n.middle, &q = n.from_foot;
+  const double h = n.half_edge, radius = profile_.corner_radius();
+  const double limit = dot(q, q) + 3 * h * h + kSlack * (1 + 2 * length(q));
+  const auto lost = [&](const Node& node) {
+    const double x = p.x - std::clamp(p.x, node.tips.low.x, node.tips.high.x);
+    const double y = p.y - std::clamp(p.y, node.tips.low.y, node.tips.high.y);
+    const double z = std::min(0.0, p.z - (node.tips.low.z + radius));
+    const double apart = std::abs(x - q.x) + std::abs(y - q.y) + std::abs(z - q.z);
+    return x * x + y * y + z * z - 2 * h * apart > limit;
+  };
+  gather_unless(lost, slots);
+}
+
+double SweepIndex::below_tops_mm() const {
+  const double lowest = nodes_.empty() ? 0.0 : nodes_[0].tips.low.z;
+  return lowest + profile_.length() - profile_.corner_radius();
 }
 
 std::size_t SweepIndex::memory_bytes() const {

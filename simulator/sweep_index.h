@@ -19,6 +19,14 @@ struct NearestMove {
   SweptSample at;
 };
 
+/// A ball's move that is nearest to the middle of a cube, and where all others are to lose against
+/// it: CapsuleNarrowing says how.
+struct NearestCapsule {
+  model::Vec3 middle;
+  double half_edge = 0;
+  model::Vec3 from_foot;  ///< mm, from the way of the ball's centre to the middle
+};
+
 /// All moves of a pass in a bounding-box tree over their tip positions. Moves are addressed by
 /// slot, their place in the tree's order.
 class SweepIndex {
@@ -35,6 +43,12 @@ class SweepIndex {
       std::uint32_t end = std::numeric_limits<std::uint32_t>::max()) const;
   /// Appends the slots of all moves that may come within `limit` of `p`.
   void gather(const model::Vec3& p, double limit, std::vector<std::uint32_t>& slots) const;
+
+  /// Appends the slots of all ball moves that may be nearest somewhere in a cube below all tops;
+  /// some of those that are not are left out.
+  void gather_rivals(const NearestCapsule& nearest, std::vector<std::uint32_t>& slots) const;
+  /// Below this height a ball's top does not matter for any move.
+  double below_tops_mm() const;
 
   SweptSample distance(std::uint32_t slot, const model::Vec3& p) const {
     return swept_distance(profile_, moves_[slot], p);
@@ -53,6 +67,8 @@ class SweepIndex {
   };
   void set_leaf(Node& node, const SweepOrder::Node& from) const;
   void add_children(Node& node) const;
+  template <class Skip>
+  void gather_unless(const Skip& skip, std::vector<std::uint32_t>& slots) const;
   double lower_bound(const Node& node, const model::Vec3& p) const;
 
   CutterProfile profile_;

@@ -53,10 +53,16 @@ void BlockCutter::cut(const Index3& corner, LeafSink& sink) {
   const double r = lattice_.half_diagonal(kBlockEdge);
   const auto found = pass_.nearest(middle, r + band_);
   if (!found) return;
-  std::vector<std::uint32_t> slots;
-  pass_.gather(middle, found->at.distance + 2 * r + kSlack, slots);
+  slots_.clear();
+  if (pass_.profile().is_ball() && top_of(corner, kBlockEdge) <= pass_.below_tops_mm()) {
+    const double to_foot = found->at.distance + pass_.profile().corner_radius();
+    pass_.gather_rivals({middle, lattice_.half_edge(kBlockEdge), found->at.gradient * to_foot},
+                        slots_);
+  } else {
+    pass_.gather(middle, found->at.distance + 2 * r + kSlack, slots_);
+  }
   levels_[0].moves.clear();
-  for (const std::uint32_t s : slots) levels_[0].moves.push(pass_, s);
+  for (const std::uint32_t s : slots_) levels_[0].moves.push(pass_, s);
   descend(0, corner, kBlockEdge, sink);
 }
 

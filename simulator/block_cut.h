@@ -71,6 +71,7 @@ class BlockCutter {
   Lattice lattice_;
   double band_;
   std::vector<Level> levels_;  // one for each halving of a block
+  std::vector<std::uint32_t> slots_;
   CapsuleNarrowing capsules_;
   LeafDistances leaf_{};
 };

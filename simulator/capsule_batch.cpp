@@ -18,6 +18,8 @@ constexpr double kSlack = 1e-9;
 constexpr double kOnTheWay = 2.7321;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::size_t kLanes = 8;
+// Below this, holding moves against the corners takes more time than the moves themselves.
+constexpr std::size_t kManyKept = 16;
 
 inline double unit_clamp(double t) {
   t = t > 0 ? t : 0.0;
@@ -164,7 +166,7 @@ void CapsuleNarrowing::keep(const MoveBatch& batch, std::vector<std::uint32_t>& 
   for (std::size_t i = 0; i < n; ++i) kept[i] = static_cast<std::uint32_t>(i);
   const double slack = kSlack * (1 + 2 * std::sqrt(least_));
   drop_losers(margin_, slack, kept);
-  if (kept.size() <= 2) return;
+  if (kept.size() < kManyKept) return;
   lose_at_corners(batch, kept);
   drop_losers(margin_, slack, kept);
 }

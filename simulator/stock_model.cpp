@@ -99,7 +99,7 @@ StockModel StockModel::cut(const Pass& pass, const RunControl& control) const& {
 }
 
 StockModel StockModel::cut(const Pass& pass, const RunControl& control) && {
-  const auto sweep = std::make_shared<const SweepIndex>(pass);
+  const auto sweep = std::make_shared<const SweepIndex>(pass, control);
   const Material after = state_->material.after(sweep);
   const std::size_t limit = state_->memory_limit_bytes;
   const Lattice lattice = state_->lattice;
@@ -119,7 +119,7 @@ StockModel StockModel::cut(const Pass& pass, const RunControl& control) && {
 }
 
 CutForecast StockModel::forecast(const Pass& pass, const RunControl& control) const {
-  const Material after = state_->material.after(std::make_shared<const SweepIndex>(pass));
+  const Material after = state_->material.after(std::make_shared<const SweepIndex>(pass, control));
   const StockLayout layout =
       choose_layout(after, state_->lattice, state_->memory_limit_bytes, control);
   const double seconds = layout.whole ? layout.forecast.cut_seconds : layout.forecast.all_seconds;

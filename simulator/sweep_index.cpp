@@ -5,13 +5,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/model/chunks.h"
+
 namespace limitgauge::simulator {
 namespace {
 
 using model::Box3;
 using model::Vec3;
 
-constexpr std::uint32_t kLeafMoves = 4;
+constexpr std::size_t kChunk = 1 << 14;
 // A median split halves 2^32 moves in fewer levels than this, with one node waiting a level.
 constexpr std::size_t kDeepest = 64;
 
@@ -22,66 +24,51 @@ Box3 tip_box(const SweptMove& m) {
   return box;
 }
 
-int longest_axis(const Vec3& size) {
-  int axis = size.y > size.x ? 1 : 0;
-  return size.z > size[axis] ? 2 : axis;
+void require_path(const Pass& pass) {
+  if (!pass.path) throw std::invalid_argument("a pass without a path");
+  if (pass.path->moves.size() >= std::numeric_limits<std::uint32_t>::max())
+    throw std::invalid_argument("a path of 2^32 moves or more");
 }
 
-std::vector<SweptMove> moves_of(const Pass& pass) {
-  if (!pass.path) throw std::invalid_argument("a pass without a path");
-  const model::Toolpath& path = *pass.path;
-  if (path.moves.size() >= std::numeric_limits<std::uint32_t>::max())
-    throw std::invalid_argument("a path of 2^32 moves or more");
-  std::vector<SweptMove> moves;
-  moves.reserve(path.moves.size());
-  for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    if (!is_finite(move_from(path, i)) || !is_finite(path.moves[i].to))
-      throw std::invalid_argument("a path with a coordinate that is not finite");
-    moves.emplace_back(move_from(path, i), path.moves[i].to, static_cast<std::uint32_t>(i));
-  }
-  return moves;
+SweptMove swept_move(const model::Toolpath& path, std::uint32_t i) {
+  if (!is_finite(move_from(path, i)) || !is_finite(path.moves[i].to))
+    throw std::invalid_argument("a path with a coordinate that is not finite");
+  return {move_from(path, i), path.moves[i].to, i};
 }
 
 }  // namespace
 
-SweepIndex::SweepIndex(const Pass& pass) : profile_(pass.cutter), moves_(moves_of(pass)) {
-  if (moves_.empty()) return;
-  nodes_.reserve(moves_.size());
-  nodes_.emplace_back();
-  build(0, 0, static_cast<std::uint32_t>(moves_.size()));
+SweepIndex::SweepIndex(const Pass& pass, const model::RunControl& control) : profile_(pass.cutter) {
+  require_path(pass);
+  const SweepOrder order = order_moves(*pass.path, control);
+  moves_.resize(order.moves.size());
+  model::parallel_chunks(moves_.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) moves_[s] = swept_move(*pass.path, order.moves[s]);
+  });
+  nodes_.resize(order.nodes.size());
+  model::parallel_chunks(nodes_.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) set_leaf(nodes_[n], order.nodes[n]);
+  });
+  for (std::size_t n = nodes_.size(); n-- > 0;) add_children(nodes_[n]);
 }
 
-void SweepIndex::close_leaf(Node& node, std::uint32_t begin, std::uint32_t end) {
-  node.first = begin;
-  node.count = end - begin;
-  node.least_index = moves_[begin].index;
-  for (std::uint32_t s = begin; s < end; ++s) {
+void SweepIndex::set_leaf(Node& node, const SweepOrder::Node& from) const {
+  node.first = from.first;
+  node.count = from.count;
+  if (node.count > 0) node.least_index = moves_[node.first].index;
+  for (std::uint32_t s = node.first; s < node.first + node.count; ++s) {
     node.tips.add(tip_box(moves_[s]));
     node.least_index = std::min(node.least_index, moves_[s].index);
   }
 }
 
-void SweepIndex::build(std::uint32_t at, std::uint32_t begin, std::uint32_t end) {
-  if (end - begin <= kLeafMoves) return close_leaf(nodes_[at], begin, end);
-  Box3 centres;
-  for (std::uint32_t s = begin; s < end; ++s) centres.add(tip_box(moves_[s]).centre());
-  const int axis = longest_axis(centres.size());
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  // Ties by path index: the tree does not depend on how nth_element breaks them.
-  const auto key = [axis](const SweptMove& m) {
-    return std::pair(m.start[axis] + 0.5 * m.delta[axis], m.index);
-  };
-  std::nth_element(moves_.begin() + begin, moves_.begin() + middle, moves_.begin() + end,
-                   [&](const SweptMove& a, const SweptMove& b) { return key(a) < key(b); });
-  const auto children = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.resize(nodes_.size() + 2);
-  build(children, begin, middle);
-  build(children + 1, middle, end);
-  Node& node = nodes_[at];
-  node.first = children;
-  node.tips.add(nodes_[children].tips);
-  node.tips.add(nodes_[children + 1].tips);
-  node.least_index = std::min(nodes_[children].least_index, nodes_[children + 1].least_index);
+// Children lie behind their parents: from the back, both are there before they are needed.
+void SweepIndex::add_children(Node& node) const {
+  if (node.count > 0) return;
+  const Node &a = nodes_[node.first], &b = nodes_[node.first + 1];
+  node.tips.add(a.tips);
+  node.tips.add(b.tips);
+  node.least_index = std::min(a.least_index, b.least_index);
 }
 
 double SweepIndex::lower_bound(const Node& node, const Vec3& p) const {
@@ -118,19 +105,46 @@ std::optional<NearestMove> SweepIndex::nearest(const Vec3& p, double bound,
   return best;
 }
 
-void SweepIndex::gather(const Vec3& p, double limit, std::vector<std::uint32_t>& slots) const {
+template <class Skip>
+void SweepIndex::gather_unless(const Skip& skip, std::vector<std::uint32_t>& slots) const {
   if (nodes_.empty()) return;
   std::array<std::uint32_t, kDeepest> stack;
   std::size_t depth = 0;
   stack[depth++] = 0;
   while (depth > 0) {
     const Node& node = nodes_[stack[--depth]];
-    if (lower_bound(node, p) > limit) continue;
+    if (skip(node)) continue;
     for (std::uint32_t s = node.first; s < node.first + node.count; ++s) slots.push_back(s);
     if (node.count > 0) continue;
     stack[depth++] = node.first + 1;
     stack[depth++] = node.first;
   }
+}
+
+void SweepIndex::gather(const Vec3& p, double limit, std::vector<std::uint32_t>& slots) const {
+  gather_unless([&](const Node& node) { return lower_bound(node, p) > limit; }, slots);
+}
+
+// All that a node's balls reach lies in the box of their centres' ways and above it, grown by the
+// radius: that is convex too, and its foot may slide by |δ|² <= 3h².
+void SweepIndex::gather_rivals(const NearestCapsule& n, std::vector<std::uint32_t>& slots) const {
+  constexpr double kSlack = 1e-9;
+  const Vec3 &p = n.middle, &q = n.from_foot;
+  const double h = n.half_edge, radius = profile_.corner_radius();
+  const double limit = dot(q, q) + 3 * h * h + kSlack * (1 + 2 * length(q));
+  const auto lost = [&](const Node& node) {
+    const double x = p.x - std::clamp(p.x, node.tips.low.x, node.tips.high.x);
+    const double y = p.y - std::clamp(p.y, node.tips.low.y, node.tips.high.y);
+    const double z = std::min(0.0, p.z - (node.tips.low.z + radius));
+    const double apart = std::abs(x - q.x) + std::abs(y - q.y) + std::abs(z - q.z);
+    return x * x + y * y + z * z - 2 * h * apart > limit;
+  };
+  gather_unless(lost, slots);
+}
+
+double SweepIndex::below_tops_mm() const {
+  const double lowest = nodes_.empty() ? 0.0 : nodes_[0].tips.low.z;
+  return lowest + profile_.length() - profile_.corner_radius();
 }
 
 std::size_t SweepIndex::memory_bytes() const {

@@ -6,7 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "simulator/stock_model.h"
+#include "engine/model/run_control.h"
+#include "simulator/pass.h"
+#include "simulator/sweep_order.h"
 #include "simulator/swept_distance.h"
 
 namespace limitgauge::simulator {
@@ -17,13 +19,22 @@ struct NearestMove {
   SweptSample at;
 };
 
+/// A ball's move that is nearest to the middle of a cube, and where all others are to lose against
+/// it: CapsuleNarrowing says how.
+struct NearestCapsule {
+  model::Vec3 middle;
+  double half_edge = 0;
+  model::Vec3 from_foot;  ///< mm, from the way of the ball's centre to the middle
+};
+
 /// All moves of a pass in a bounding-box tree over their tip positions. Moves are addressed by
 /// slot, their place in the tree's order.
 class SweepIndex {
  public:
   /// Throws std::invalid_argument for a cutter or a path that cannot be (no path, a coordinate
-  /// that is not finite, 2^32 moves and more).
-  explicit SweepIndex(const Pass& pass);
+  /// that is not finite, 2^32 moves and more), Interrupted when told to stop. Takes 128 bytes a
+  /// move, a quarter more while it works.
+  explicit SweepIndex(const Pass& pass, const model::RunControl& control = {});
 
   /// The move of least swept distance at `p` among those with path index below `end`, if that
   /// distance is below `bound`. Of several equal ones the first found, whose order is fixed.
@@ -32,6 +43,12 @@ class SweepIndex {
       std::uint32_t end = std::numeric_limits<std::uint32_t>::max()) const;
   /// Appends the slots of all moves that may come within `limit` of `p`.
   void gather(const model::Vec3& p, double limit, std::vector<std::uint32_t>& slots) const;
+
+  /// Appends the slots of all ball moves that may be nearest somewhere in a cube below all tops;
+  /// some of those that are not are left out.
+  void gather_rivals(const NearestCapsule& nearest, std::vector<std::uint32_t>& slots) const;
+  /// Below this height a ball's top does not matter for any move.
+  double below_tops_mm() const;
 
   SweptSample distance(std::uint32_t slot, const model::Vec3& p) const {
     return swept_distance(profile_, moves_[slot], p);
@@ -48,8 +65,10 @@ class SweepIndex {
     std::uint32_t count = 0;  // moves of a leaf, 0 for an inner node
     std::uint32_t least_index = 0;
   };
-  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
-  void close_leaf(Node& node, std::uint32_t begin, std::uint32_t end);
+  void set_leaf(Node& node, const SweepOrder::Node& from) const;
+  void add_children(Node& node) const;
+  template <class Skip>
+  void gather_unless(const Skip& skip, std::vector<std::uint32_t>& slots) const;
   double lower_bound(const Node& node, const model::Vec3& p) const;
 
   CutterProfile profile_;

@@ -16,6 +16,7 @@ struct SweptSample {
 
 /// A straight move of a cutter's tip with what the distance needs, worked out once.
 struct SweptMove {
+  SweptMove() = default;
   SweptMove(const model::Vec3& from, const model::Vec3& to, std::uint32_t index_in_path);
 
   model::Vec3 start, delta;         ///< mm

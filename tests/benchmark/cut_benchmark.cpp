@@ -2,28 +2,132 @@
 
 #include "simulator/process_check.h"
 #include "simulator/stock_model.h"
+#include "simulator/sweep_index.h"
+#include "tests/benchmark/aircraft_stages.h"
+#include "tests/benchmark/cut_floor.h"
 #include "tests/benchmark/dome_finish.h"
 
 namespace limitgauge::benchmarks {
 namespace {
 
-constexpr std::size_t kMemory_bytes = std::size_t{8} << 30;
+using simulator::StockModel;
+
+constexpr std::size_t kMemory_bytes = std::size_t{12} << 30;
+const model::RunControl kTwoThreads{2, nullptr, {}};
+
+StockModel raw_block(std::int64_t voxel_um) {
+  return {kBlock, static_cast<double>(voxel_um) / 1000, kMemory_bytes};
+}
 
 /// Cutting the shared finish stage; the argument is the voxel in micrometres.
 void cut_finish(benchmark::State& state) {
-  const simulator::StockModel raw(kBlock, static_cast<double>(state.range(0)) / 1000,
-                                  kMemory_bytes);
+  const StockModel raw = raw_block(state.range(0));
   const simulator::Pass pass{ball(), dome_finish()};
-  for (auto _ : state) benchmark::DoNotOptimize(raw.cut(pass, {2, nullptr, {}}));
+  for (auto _ : state) benchmark::DoNotOptimize(raw.cut(pass, kTwoThreads));
 }
 BENCHMARK(cut_finish)->Arg(250)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
 
+/// CAMotics' path: 98,000 moves 0.25 mm long in 305 rows.
+void cut_98000(benchmark::State& state) {
+  const StockModel raw = raw_block(state.range(0));
+  const simulator::Pass pass{ball(), dome_finish(65.0 / 305)};
+  for (auto _ : state) benchmark::DoNotOptimize(raw.cut(pass, kTwoThreads));
+  state.counters["moves"] = static_cast<double>(pass.path->moves.size());
+}
+BENCHMARK(cut_98000)->Arg(250)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+StockModel before_finish(std::int64_t voxel_um) {
+  const AircraftStages& stages = aircraft_stages();
+  return raw_block(voxel_um).cut(stages.rough, kTwoThreads).cut(stages.semi_finish, kTwoThreads);
+}
+
+/// The aircraft's finish stage out of what the stages before it left.
+void cut_aircraft(benchmark::State& state) {
+  const StockModel before = before_finish(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(before.cut(aircraft_stages().finish, kTwoThreads));
+}
+BENCHMARK(cut_aircraft)->Arg(100)->Arg(50)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(cut_aircraft)
+    ->Arg(20)
+    ->Iterations(1)
+    ->Repetitions(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// One distance and one write for each voxel of the band that the same stage leaves.
+void cut_aircraft_floor(benchmark::State& state) {
+  const StockModel after = before_finish(state.range(0)).cut(aircraft_stages().finish, kTwoThreads);
+  const std::size_t voxels = band_voxels(after);
+  std::vector<float> band(voxels);
+  for (auto _ : state) {
+    write_distances(kRadius_mm, after.voxel_mm(), kTwoThreads, band);
+    benchmark::DoNotOptimize(band.data());
+  }
+  state.counters["voxels"] = static_cast<double>(voxels);
+}
+BENCHMARK(cut_aircraft_floor)->Arg(100)->Arg(50)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Growth with the voxels: the aircraft's finish stage out of the block.
+void cut_growth_voxels(benchmark::State& state) {
+  const StockModel raw = raw_block(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(raw.cut(aircraft_stages().finish, kTwoThreads));
+}
+BENCHMARK(cut_growth_voxels)
+    ->Arg(400)
+    ->Arg(200)
+    ->Arg(100)
+    ->Arg(50)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// Growth with the moves: rows ever closer over the dome; the argument is their distance in
+/// micrometres.
+void cut_growth_moves(benchmark::State& state) {
+  const StockModel raw = raw_block(200);
+  const simulator::Pass pass{ball(), dome_finish(static_cast<double>(state.range(0)) / 1000)};
+  for (auto _ : state) benchmark::DoNotOptimize(raw.cut(pass, kTwoThreads));
+  state.counters["moves"] = static_cast<double>(pass.path->moves.size());
+}
+BENCHMARK(cut_growth_moves)
+    ->Arg(400)
+    ->Arg(200)
+    ->Arg(100)
+    ->Arg(50)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// Five million moves: the tree over them, and all of the cut at 0.25 mm.
+simulator::Pass five_million() {
+  return {ball(), dome_finish(0.026, 0.04)};
+}
+void index_5_million(benchmark::State& state) {
+  const simulator::Pass pass = five_million();
+  for (auto _ : state) {
+    const simulator::SweepIndex index(pass, kTwoThreads);
+    state.counters["bytes_a_move"] =
+        static_cast<double>(index.memory_bytes()) / static_cast<double>(index.size());
+  }
+  state.counters["moves"] = static_cast<double>(pass.path->moves.size());
+}
+BENCHMARK(index_5_million)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void cut_5_million(benchmark::State& state) {
+  const StockModel raw = raw_block(250);
+  const simulator::Pass pass = five_million();
+  for (auto _ : state) benchmark::DoNotOptimize(raw.cut(pass, kTwoThreads));
+}
+BENCHMARK(cut_5_million)
+    ->Iterations(1)
+    ->Repetitions(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
 void check_process_finish(benchmark::State& state) {
-  const simulator::StockModel raw(kBlock, 0.1, kMemory_bytes);
+  const StockModel raw = raw_block(100);
   const simulator::Pass pass{ball(), dome_finish()};
   simulator::ProcessLimits limits;
   limits.tolerance_mm = 0.1;
-  for (auto _ : state) benchmark::DoNotOptimize(check_process(raw, pass, limits, {2, nullptr, {}}));
+  for (auto _ : state) benchmark::DoNotOptimize(check_process(raw, pass, limits, kTwoThreads));
 }
 BENCHMARK(check_process_finish)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -13,14 +13,17 @@ build/release/tests/benchmark/limitgauge_benchmarks --benchmark_repetitions=5 \
   --benchmark_out_format=json >/dev/null 2>&1
 
 python3 - "$results" <<'PY'
-import json, statistics, sys
+import json, math, statistics, sys
 runs = {}
 counters = {}
+moves = {}
 for run in json.load(open(sys.argv[1]))["benchmarks"]:
     if run.get("run_type") == "iteration":
         # Sections run on one thread in both: its own time, whatever else the machine does.
         clock = "cpu_time" if run["run_name"].startswith("section") else "real_time"
         runs.setdefault(run["run_name"], []).append(run[clock])
+        if "moves" in run:
+            moves[run["run_name"]] = run["moves"]
         for key in ("vs_half_edge", "vs_surface_mesh", "vs_surface_mesh_tight"):
             if key in run:
                 counters.setdefault(run["run_name"].split("/")[0] + "_" + key, []).append(run[key])
@@ -33,7 +36,24 @@ def ratio(name, over, under):
 
 ratio("certify_1um_vs_cut", "certify_finish/1000/real_time", "cut_finish/100/real_time")
 ratio("certify_100nm_vs_1um", "certify_finish/100/real_time", "certify_finish/1000/real_time")
+ratio("remove_vs_cut", "remove_finish/100/real_time", "cut_finish/100/real_time")
 ratio("certify_casting_vs_block", "certify_finish_of_casting/1000/real_time", "certify_finish/1000/real_time")
+# At 0.05 and at 0.1 mm: fixed costs weigh more in the coarser one.
+ratio("cut_vs_floor", "cut_aircraft/50/real_time", "cut_aircraft_floor/50/real_time")
+ratio("cut_vs_floor_100um", "cut_aircraft/100/real_time", "cut_aircraft_floor/100/real_time")
+
+def growth(name, sizes):
+    """Slope of log time over log size, least squares."""
+    xs = [math.log(size) for size in sizes.values()]
+    ys = [math.log(statistics.median(runs[run])) for run in sizes]
+    x0, y0 = statistics.mean(xs), statistics.mean(ys)
+    slope = sum((x - x0) * (y - y0) for x, y in zip(xs, ys)) / sum((x - x0) ** 2 for x in xs)
+    print(name, f"{slope:.3g}")
+
+growth("cut_growth_moves", {r: moves[r] for r in runs if r.startswith("cut_growth_moves/")})
+# The voxels of a surface go with the inverse square of their edge.
+growth("cut_growth_voxels", {r: int(r.split("/")[1]) ** -2.0
+                             for r in runs if r.startswith("cut_growth_voxels/")})
 ratio("section_vs_cgal_slicer", "section_family", "section_cgal_slicer/iterations:1")
 # The worst of all surfaces and distances.
 surfaces = [run.removeprefix("closest_point_exact") for run in runs

@@ -1,0 +1,63 @@
+#include "tests/benchmark/cut_floor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/model/chunks.h"
+#include "simulator/stock_grid.h"
+#include "simulator/wide.h"
+
+namespace limitgauge::benchmarks {
+namespace {
+
+constexpr std::size_t kColumn = 8;
+
+/// A sloped move of the ball's centre from the origin, 2 mm along x and y.
+struct CentreWay {
+  double along_x = 0.6, along_y = 0.8, run = 2, rise = 0.1;
+  double inverse_run = 1 / run, inverse_length2 = 1 / (run * run + rise * rise);
+};
+
+inline double unit_clamp(double t) {
+  t = t > 0 ? t : 0.0;
+  return t < 1 ? t : 1.0;
+}
+
+LIMITGAUGE_WIDE
+void write_columns(const CentreWay& m, double radius, double voxel, std::size_t first,
+                   std::size_t columns, float* __restrict out) {
+  for (std::size_t c = 0; c < columns; ++c) {
+    const double qx = static_cast<double>((first + c) % 1024) * voxel;
+    const double qy = static_cast<double>((first + c) / 1024 % 1024) * voxel;
+    const double along = qx * m.along_x + qy * m.along_y, across = qy * m.along_x - qx * m.along_y;
+    const double t_level = unit_clamp(along * m.inverse_run);
+    for (std::size_t k = 0; k < kColumn; ++k) {
+      const double qz = static_cast<double>(k) * voxel - radius;
+      const double t_line = unit_clamp((along * m.run + qz * m.rise) * m.inverse_length2);
+      const bool above = qz >= m.rise * t_level;
+      const double t = above ? t_level : t_line;
+      const double ea = along - t * m.run, below = qz - t * m.rise;
+      const double ez = above ? 0.0 : below;
+      out[c * kColumn + k] =
+          static_cast<float>(std::sqrt(ea * ea + across * across + ez * ez) - radius);
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t band_voxels(const simulator::StockModel& stock) {
+  return stock.grid().band_voxels();
+}
+
+void write_distances(double radius_mm, double voxel_mm, const model::RunControl& control,
+                     std::span<float> out) {
+  constexpr std::size_t kChunkColumns = 1 << 13;
+  const CentreWay move;
+  model::parallel_chunks(
+      out.size() / kColumn, kChunkColumns, control, [&](std::size_t begin, std::size_t end) {
+        write_columns(move, radius_mm, voxel_mm, begin, end - begin, out.data() + begin * kColumn);
+      });
+}
+
+}  // namespace limitgauge::benchmarks

@@ -129,17 +129,21 @@ model::Box3 Bench::near_surface(const JobStage& asked) const {
 void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
   const Stopwatch watch;
   const simulator::Pass pass{asked.cutter, ran.path};
-  const simulator::StockModel before = *stock_;
-  stock_ = before.cut(pass, control(asked.name + ": cutting"));
-  ran.collisions = find_collisions(before, pass, inputs_.settings.collision_tolerance_mm,
+  ran.collisions = find_collisions(*stock_, pass, inputs_.settings.collision_tolerance_mm,
                                    control(asked.name + ": looking for collisions"));
+  const model::RunControl cutting = control(asked.name + ": cutting");
+  const double before_mm3 = stock_->volume_mm3({options_.threads});
+  // Cut where it stands: no second copy.
+  stock_ = std::move(*stock_).cut(pass, cutting);
   readings_.clear();
-  for (const simulator::StockPoint& point :
-       stock_->surface_points(near_surface(asked), control(asked.name + ": reading the stock"))) {
-    readings_.push_back({point.position, point.residual_mm});
-  }
+  stock_->visit_surface_points(
+      near_surface(asked),
+      [&](std::span<const simulator::StockPoint> points) {
+        for (const auto& p : points) readings_.push_back({p.position, p.residual_mm});
+      },
+      control(asked.name + ": reading the stock"));
   ran.voxel_mm = stock_->voxel_mm();
-  ran.removed_volume_mm3 = before.volume_mm3() - stock_->volume_mm3();
+  ran.removed_volume_mm3 = before_mm3 - stock_->volume_mm3({options_.threads});
   ran.stock = stock_;
   ran.simulation_seconds = watch.seconds();
   ran.peak_memory_bytes = peak_memory_bytes();
@@ -168,6 +172,7 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
                           ran.collisions.holder.size());
   control(stage.name + ": writing");
   write_stage_files(stage, folder_, {job_.pictures});
+  ran.stock.reset();  // so that the next stage cuts it where it stands
   stage.seconds = watch.seconds();
   std::ostringstream line;
   line << stage.name << ": " << name(stage.decision.verdict) << "; planned "

@@ -1,5 +1,7 @@
 #include "simulator/raw_tree.h"
 
+#include <algorithm>
+
 #include "simulator/block_changes.h"
 #include "simulator/raw_stock.h"
 
@@ -35,30 +37,30 @@ class RawBlock {
 
   void add_leaf(const Index3& corner) {
     auto leaf = std::make_unique<Leaf>(coord(corner), band_, false);
+    float* values = leaf->buffer().data();
     each_cube(cube_at(corner, kLeafEdge), kLeafEdge / 2,
-              [&](const Index3& c) { fill(*leaf, c, kLeafEdge / 2); });
-    float least = band_, most = -band_;
-    for (int n = 0; n < kLeafVoxels; ++n) {
-      const float v = leaf->getValue(static_cast<openvdb::Index>(n));
-      least = std::min(least, v), most = std::max(most, v);
-    }
-    if (least == band_) return;
-    if (most == -band_) return changes_.filled.push_back(coord(corner));
+              [&](const Index3& c) { fill(values, c, kLeafEdge / 2); });
+    const auto [least, most] = std::minmax_element(values, values + kLeafVoxels);
+    if (*least == band_) return;
+    if (*most == -band_) return changes_.filled.push_back(coord(corner));
+    mark_band(*leaf, band_);
     changes_.leaves.push_back(std::move(leaf));
   }
 
-  void fill(Leaf& leaf, const Index3& corner, int edge) const {
-    const int where = edge > 1 ? side(corner, edge) : 0;
+  void fill(float* values, const Index3& corner, int edge) const {
+    const int where = side(corner, edge);
     if (edge > 2 && where == 0)
       return each_cube(cube_at(corner, edge), edge / 2,
-                       [&](const Index3& c) { fill(leaf, c, edge / 2); });
-    each_cube(cube_at(corner, edge), 1, [&](const Index3& at) {
-      const auto d = where == 0
-                         ? static_cast<float>(raw_distance(raw_, lattice_.point(at)).distance)
-                         : static_cast<float>(where) * band_;
-      set_value(leaf, static_cast<int>(Leaf::coordToOffset(coord(at))),
-                std::clamp(d, -band_, band_), band_);
-    });
+                       [&](const Index3& c) { fill(values, c, edge / 2); });
+    for (int x = corner[0]; x < corner[0] + edge; ++x)
+      for (int y = corner[1]; y < corner[1] + edge; ++y)
+        for (int z = corner[2]; z < corner[2] + edge; ++z)
+          values[Leaf::coordToOffset({x, y, z})] =
+              where == 0 ? exact({x, y, z}) : static_cast<float>(where) * band_;
+  }
+  float exact(const Index3& at) const {
+    const auto d = static_cast<float>(raw_distance(raw_, lattice_.point(at)).distance);
+    return std::clamp(d, -band_, band_);
   }
 
   const model::Stock& raw_;
@@ -94,8 +96,9 @@ void add_raw(Tree& tree, const model::Stock& raw, const Lattice& lattice, const 
     }
     each_cube(node.common(clip), kBlockEdge, [&](const Index3& c) { blocks.push_back(c); });
   }
-  change_blocks(tree, blocks.size(), control,
-                [&](std::size_t i) { return RawBlock(raw, lattice, band).build(blocks[i], clip); });
+  change_blocks(tree, blocks.size(), control, [&] {
+    return [&](std::size_t i) { return RawBlock(raw, lattice, band).build(blocks[i], clip); };
+  });
 }
 
 }  // namespace limitgauge::simulator::vdb

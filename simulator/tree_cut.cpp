@@ -1,5 +1,7 @@
 #include "simulator/tree_cut.h"
 
+#include <algorithm>
+
 #include "simulator/block_changes.h"
 
 namespace limitgauge::simulator::vdb {
@@ -32,14 +34,16 @@ class Cut : public LeafSink {
   // True where the leaf has changed and something still stands in it.
   bool lower(Leaf& leaf, const LeafDistances& distances) {
     const float band = tree_.background();
+    float* values = leaf.buffer().data();
     bool changed = false;
     float least = band;
-    for (int n = 0; n < kLeafVoxels; ++n) {
-      const float before = leaf.getValue(static_cast<openvdb::Index>(n));
-      const float after = std::max(before, -distances[static_cast<std::size_t>(n)]);
-      if (after > before) changed = true, set_value(leaf, n, after, band);
+    for (std::size_t n = 0; n < distances.size(); ++n) {
+      const float after = std::max(values[n], -distances[n]);
+      changed = changed || after > values[n];
+      values[n] = after;
       least = std::min(least, after);
     }
+    if (changed && least < band) mark_band(leaf, band);
     if (changed && least == band) changes_.emptied.push_back(leaf.origin());
     return changed && least < band;
   }

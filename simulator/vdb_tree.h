@@ -2,6 +2,8 @@
 
 #include <openvdb/openvdb.h>
 
+#include <cmath>
+
 #include "simulator/block_cut.h"
 #include "simulator/index_box.h"
 #include "simulator/pass_reach.h"
@@ -25,10 +27,14 @@ inline Index3 index3(const Coord& c) {
   return {c[0], c[1], c[2]};
 }
 
-/// Values at or beyond the band are inactive, as OpenVDB's level set tools want them.
-inline void set_value(Leaf& leaf, int offset, float value, float band) {
-  leaf.setValueOnly(static_cast<openvdb::Index>(offset), value);
-  leaf.setActiveState(static_cast<openvdb::Index>(offset), std::abs(value) < band);
+/// Makes the values within the band active and the others inactive, as OpenVDB's level set tools
+/// want them.
+inline void mark_band(Leaf& leaf, float band) {
+  const float* values = leaf.buffer().data();
+  Leaf::NodeMaskType mask;
+  for (int n = 0; n < kLeafVoxels; ++n)
+    if (std::abs(values[n]) < band) mask.setOn(static_cast<openvdb::Index32>(n));
+  leaf.setValueMask(mask);
 }
 
 }  // namespace limitgauge::simulator::vdb

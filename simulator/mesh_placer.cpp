@@ -47,7 +47,7 @@ class ExactPlacer : public NetPlacer {
   Vec3 place(const Index3& cell, std::span<const Vec3> crossings) override {
     Vec3 middle;
     for (const Vec3& p : crossings) middle += p / static_cast<double>(crossings.size());
-    const auto faces = faces_about(crossings, middle);
+    const auto faces = faces_about(cell, crossings, middle);
     if (const auto edge = sharp_place(cell, middle, faces)) return *edge;
     const StockPoint onto = project_to_surface(material_, middle, lattice_.voxel_mm, hint_);
     if (onto.residual_mm <= kOnSurface_mm && distance(onto.position, middle) <= lattice_.voxel_mm)
@@ -57,10 +57,11 @@ class ExactPlacer : public NetPlacer {
   }
 
  private:
-  std::vector<Face> faces_about(std::span<const Vec3> crossings, const Vec3& middle) {
+  std::vector<Face> faces_about(const Index3& cell, std::span<const Vec3> crossings,
+                                const Vec3& middle) {
     std::vector<Face> faces;
     for (const Vec3& p : crossings) {
-      const MaterialSample& s = sample(p, middle);
+      const MaterialSample& s = sample(cell, p, middle);
       hint_ = s.maker;
       const Face face{s.maker, s.gradient, s.gradient};
       const bool known = std::any_of(faces.begin(), faces.end(), [&](const Face& f) {
@@ -76,11 +77,35 @@ class ExactPlacer : public NetPlacer {
   // The maker and its normal at a crossing, remembered for the cells beside this one. Looked at
   // from a little further out: a crossing in an edge of the surface then shows the face that the
   // cell's others do not.
-  const MaterialSample& sample(const Vec3& crossing, const Vec3& middle) {
+  const MaterialSample& sample(const Index3& cell, const Vec3& crossing, const Vec3& middle) {
     Known& known = known_[place_of(crossing)];
-    if (known.at != crossing)
-      known = {crossing, material_.sample(crossing + (crossing - middle) * 1e-3, hint_)};
+    if (known.at != crossing) {
+      const Vec3 p = exact_crossing(cell, crossing);
+      known = {crossing, material_.sample(p + (p - middle) * 1e-3, hint_)};
+    }
     return known.sample;
+  }
+
+  // Beside an edge the level set is not linear, and its crossing of the cell's edge may be off by
+  // much of a voxel: it is halved down to there.
+  Vec3 exact_crossing(const Index3& cell, const Vec3& crossing) const {
+    constexpr double kNear = 0.02;  // of a voxel: beyond what curvature makes of a smooth surface
+    constexpr int kHalvings = 10;
+    const double there = material_.sample(crossing, hint_).value;
+    if (std::abs(there) < kNear * lattice_.voxel_mm) return crossing;
+    const Vec3 low = lattice_.point(cell),
+               high = lattice_.point({cell[0] + 1, cell[1] + 1, cell[2] + 1});
+    int axis = 0;
+    while (axis < 3 && (crossing[axis] == low[axis] || crossing[axis] == high[axis])) ++axis;
+    if (axis == 3) return crossing;
+    Vec3 inside = crossing, outside = crossing;
+    inside[axis] = low[axis], outside[axis] = high[axis];
+    if (material_.sample(inside, hint_).value >= 0) std::swap(inside, outside);
+    for (int i = 0; i < kHalvings; ++i) {
+      const Vec3 p = (inside + outside) * 0.5;
+      (material_.sample(p, hint_).value < 0 ? inside : outside) = p;
+    }
+    return outside;
   }
 
   static std::size_t place_of(const Vec3& p) {

@@ -10,6 +10,7 @@
 #include "simulator/finding.h"
 #include "simulator/gap_search.h"
 #include "simulator/move_runs.h"
+#include "simulator/stock_model.h"
 #include "simulator/tool_bodies.h"
 
 namespace limitgauge::simulator {

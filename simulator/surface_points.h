@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simulator/material.h"
+#include "simulator/stock_model.h"
 #include "simulator/stock_grid.h"
 
 namespace limitgauge::simulator {

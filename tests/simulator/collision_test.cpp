@@ -38,7 +38,9 @@ CollisionReport find_collisions(const StockModel& before, const Pass& pass, doub
   CollisionReport report;
   for (const Finding& f : check_process(before, pass, limits, control)) {
     if (f.kind == FindingKind::rapid_through_stock) report.rapid.push_back(f);
-    if (f.kind == FindingKind::shank_in_stock || f.kind == FindingKind::holder_in_stock)
+    // A shank narrower than the flutes is below_flutes.
+    if (f.kind == FindingKind::shank_in_stock || f.kind == FindingKind::holder_in_stock ||
+        f.kind == FindingKind::below_flutes)
       report.holder.push_back(f);
   }
   return report;

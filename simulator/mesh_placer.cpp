@@ -39,14 +39,26 @@ bool sharp(const Face& a, const Face& b) {
   return sine_between(a, b) > (a.maker == b.maker ? kSharpOfOne_sin : kSharp_sin);
 }
 
+Vec3 middle_of(std::span<const Vec3> crossings) {
+  Vec3 middle;
+  for (const Vec3& p : crossings) middle += p / static_cast<double>(crossings.size());
+  return middle;
+}
+
+class MiddlePlacer : public NetPlacer {
+ public:
+  Vec3 place(const Index3&, std::span<const Vec3> crossings) override {
+    return middle_of(crossings);
+  }
+};
+
 class ExactPlacer : public NetPlacer {
  public:
   ExactPlacer(const Material& material, const Lattice& lattice, std::atomic<std::size_t>& unmoved)
       : material_(material), lattice_(lattice), unmoved_(unmoved) {}
 
   Vec3 place(const Index3& cell, std::span<const Vec3> crossings) override {
-    Vec3 middle;
-    for (const Vec3& p : crossings) middle += p / static_cast<double>(crossings.size());
+    const Vec3 middle = middle_of(crossings);
     const auto faces = faces_about(cell, crossings, middle);
     if (const auto edge = sharp_place(cell, middle, faces)) return *edge;
     const StockPoint onto = project_to_surface(material_, middle, lattice_.voxel_mm, hint_);
@@ -195,6 +207,10 @@ class ExactPlacer : public NetPlacer {
 };
 
 }  // namespace
+
+MakePlacer middle_placers() {
+  return [] { return std::make_unique<MiddlePlacer>(); };
+}
 
 MakePlacer exact_placers(const Material& material, const Lattice& lattice,
                          std::atomic<std::size_t>& unmoved) {

@@ -14,4 +14,7 @@ namespace limitgauge::simulator {
 MakePlacer exact_placers(const Material& material, const Lattice& lattice,
                          std::atomic<std::size_t>& unmoved);
 
+/// Leaves them in the middle of their crossings.
+MakePlacer middle_placers();
+
 }  // namespace limitgauge::simulator

@@ -214,7 +214,7 @@ StockSurface StockModel::surface(const RunControl& control) const {
 }
 
 StockMesh StockModel::surface_mesh(const RunControl& control) const {
-  return surface(control).mesh;
+  return state_->grid.mesh(middle_placers(), control);
 }
 
 void StockModel::write_vdb(const std::filesystem::path& file) const {

@@ -108,6 +108,8 @@ class StockModel {
   /// The surface of grid(), its vertices on the exact one; of a coarser grid built for it where
   /// the mesh would not fit into the memory beside grid().
   StockSurface surface(const model::RunControl& control) const;
+  /// The same net of grid() with its vertices left between the voxels, within about half a voxel
+  /// of the surface: quick, for pictures.
   StockMesh surface_mesh(const model::RunControl& control = {}) const;
   /// grid() as OpenVDB writes it. Throws ResourceError.
   void write_vdb(const std::filesystem::path& file) const;

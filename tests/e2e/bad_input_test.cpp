@@ -44,12 +44,12 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
   const std::string box = "box:4,4,4@-1,-1,-3", ball = "ball:D=6";
   const std::vector<BadInput> table = {
       {{"run", "typo.toml"}, "unknown key \"tolernace\" in [[stage]]; expected \"tolerance\""},
-      {{"run", "rest.toml"}, "rest.toml:38:12: error: a rest stage is the first"},
+      {{"run", "rest.toml"}, "rest.toml:39:12: error: a rest stage is the first"},
       {{"run", "no_cage.toml"}, "no file"},
       {{"run", "no_toml.toml"}, "no_toml.toml:1:"},
       {{"run", "nowhere.toml"}, "nowhere.toml"},
       {{"run", "program.toml"}, "bad.ngc:3:"},
-      {{"plan", "typo.toml"}, "typo.toml:41:1"},
+      {{"plan", "typo.toml"}, "typo.toml:42:1"},
       {{"run", "typo.toml", "--set", "nonsense"}, "--set nonsense: error"},
       {verify("butterfly.obj", box, ball, "good.ngc"), "butterfly.obj"},
       {verify("index.obj", box, ball, "good.ngc"), "index.obj:5:"},

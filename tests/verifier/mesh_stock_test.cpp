@@ -78,7 +78,7 @@ TEST_CASE("a mesh of a block has the block's figures and verdict", "[unit]") {
         measure(c.surface, mesh_stock(box_mesh(low, size)), c.path, c.allowance_mm, limits);
     check_alike(block.gouge_mm, mesh.gouge_mm);
     check_alike(block.uncut_mm, mesh.uncut_mm);
-    CHECK(decide(block, limits, 0, 0).verdict == decide(mesh, limits, 0, 0).verdict);
+    CHECK(decide(block, limits).verdict == decide(mesh, limits).verdict);
     CHECK(counted(block.gouges) == counted(mesh.gouges));
     CHECK(counted(block.uncuts) == counted(mesh.uncuts));
     CHECK(block.field.samples.size() == mesh.field.samples.size());
@@ -139,7 +139,7 @@ TEST_CASE("where a casting has a pocket too deep, that is a gouge by the raw sto
   CHECK(d.gouge_mm.high >= 0.2 - 1e-9);
   CHECK(d.uncut_mm.low == Approx(0.1).margin(kResolution_mm));
   CHECK(d.uncut_mm.high == Approx(0.1).margin(kResolution_mm));
-  CHECK(decide(d, limits, 0, 0).verdict == Verdict::fail);
+  CHECK(decide(d, limits).verdict == Verdict::fail);
   REQUIRE(d.gouges.size() == 1);
   CHECK(d.gouges.front().raw_stock);
   CHECK(d.findings_complete);

@@ -13,6 +13,7 @@
 #include "engine/model/machining_time.h"
 #include "reports/process.h"
 #include "reports/report.h"
+#include "simulator/dexel_agreement.h"
 #include "simulator/dexel_stock.h"
 #include "simulator/process_check.h"
 #include "verifier/verify.h"
@@ -21,6 +22,9 @@ namespace limitgauge::app {
 namespace {
 
 using verifier::Verdict;
+
+/// Lines on which the two stock models are compared after each stage.
+constexpr std::size_t kComparedLines = 4000;
 
 class Stopwatch {
  public:
@@ -72,6 +76,8 @@ class Bench {
   void cut(const JobStage& asked, reports::StageResult::Ran& ran);
   void follow_process(const JobStage& asked, const simulator::Pass& pass,
                       reports::StageResult::Ran& ran);
+  const simulator::StockAgreement& agreed(const JobStage& asked,
+                                          const simulator::StockAgreement& found) const;
   void say_forecast(const JobStage& asked, const simulator::CutForecast& forecast) const;
   void let_go(reports::StageResult& stage);
   void measure(std::size_t index, reports::StageResult::Ran& ran);
@@ -144,6 +150,8 @@ void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
   const double volume_mm3 = stock_->volume_mm3(control(asked.name + ": adding up"));
   ran.removed_volume_mm3 = volume_mm3_ - volume_mm3;
   volume_mm3_ = volume_mm3;
+  ran.agreement = agreed(asked, compare_stocks(*lines_, *stock_, kComparedLines,
+                                               control(asked.name + ": comparing the models")));
   readings_.clear();
   stock_->visit_surface_points(
       near_surface(asked),
@@ -182,6 +190,17 @@ void Bench::say_forecast(const JobStage& asked, const simulator::CutForecast& fo
        << std::lround(forecast.bytes / kMib) << " MiB";
   if (forecast.tiled) line << ", tile by tile";
   options_.watch.note(line.str());
+}
+
+/// Two stock models that contradict each other are a bug in one of them: no verdict rests on that.
+const simulator::StockAgreement& Bench::agreed(const JobStage& asked,
+                                               const simulator::StockAgreement& found) const {
+  if (std::max(found.worst_end_mm, found.worst_side_mm) <= simulator::kAgreement_mm) return found;
+  std::ostringstream what;
+  what << asked.name << ": the two stock models differ by "
+       << std::max(found.worst_end_mm, found.worst_side_mm) << " mm at (" << found.worst_at.x
+       << ", " << found.worst_at.y << ", " << found.worst_at.z << "); please report this";
+  throw verifier::InstrumentDisagreement(what.str());
 }
 
 /// What only the stage's files needed.

@@ -188,6 +188,16 @@ Json removal_part(const simulator::RemovalTotals& t) {
           {"line_spacing_mm", finite("removal.line_spacing_mm", t.spacing_mm)}};
 }
 
+Json agreement_part(const simulator::StockAgreement& a) {
+  return {
+      {"lines", a.lines},
+      {"ends", a.ends},
+      {"worst_end_mm", finite("agreement.worst_end_mm", a.worst_end_mm)},
+      {"worst_side_mm", finite("agreement.worst_side_mm", a.worst_side_mm)},
+      {"volume_difference_mm3", finite("agreement.volume", a.volume_difference_mm3())},
+      {"volume_error_mm3", finite("agreement.error", a.dexel_error_mm3 + a.level_set_error_mm3)}};
+}
+
 Json simulation_part(const StageResult::Ran& r) {
   return {{"voxel_mm", finite("simulation.voxel_mm", r.voxel_mm)},
           {"removed_volume_mm3", finite("simulation.removed_volume_mm3", r.removed_volume_mm3)},
@@ -195,6 +205,7 @@ Json simulation_part(const StageResult::Ran& r) {
           {"seconds", finite("simulation.seconds", r.simulation_seconds)},
           {"peak_memory_bytes", r.peak_memory_bytes},
           {"removal", removal_part(r.removal.totals)},
+          {"agreement", agreement_part(r.agreement)},
           {"rapid_collisions", rapid_collisions(r.process)},
           {"holder_collisions", holder_collisions(r.process)},
           {"findings", process_findings(r.process)}};

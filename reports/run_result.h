@@ -9,6 +9,7 @@
 #include "engine/model/cage.h"
 #include "engine/strategy/stage_path.h"
 #include "reports/published.h"
+#include "simulator/dexel_agreement.h"
 #include "simulator/dexel_stock.h"
 #include "simulator/finding.h"
 #include "simulator/stock_model.h"
@@ -64,6 +65,7 @@ struct StageResult {
     std::size_t peak_memory_bytes = 0;
     std::optional<simulator::StockModel> stock;  ///< let go once its files are written
     std::vector<simulator::Finding> process;     ///< in the order of moves
+    simulator::StockAgreement agreement;         ///< of the two stock models
     simulator::Removal removal;                  ///< its moves are let go with the stock
 
     verifier::StageDeviation deviation;

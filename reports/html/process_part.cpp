@@ -71,7 +71,9 @@ std::string removal_terms(const StageResult::Ran& ran) {
                 {"Largest radial engagement", measured_length(t.largest_radial_mm)},
                 {"Feed moves that cut air",
                  duration_text(t.air_time_s) + ", " + three_digits(t.air_length_mm) + " mm"},
-                {"Spacing of the lines that measured it", stated_length(t.spacing_mm)}});
+                {"Spacing of the lines that measured it", stated_length(t.spacing_mm)},
+                {"The two stock models differ at ends of material by at most",
+                 typeset(three_digits(ran.agreement.worst_end_mm * 1000)) + " µm"}});
 }
 
 }  // namespace limitgauge::reports::html

@@ -195,7 +195,7 @@ std::string ignored_words(const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < std::min(words.size(), kLongestList); ++i)
     list += (i ? ", " : "") + escape_markup(words[i]);
   return fmt::format(
-      "<p class=\"note\">Words that move nothing and were not acted on (line: word): "
+      "<p class=\"note\">Words that move nothing; of these only the spindle's are heeded (line: word): "
       "{}{}.</p>\n",
       list, words.size() > kLongestList ? " …" : "");
 }

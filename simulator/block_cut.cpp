@@ -61,8 +61,7 @@ void BlockCutter::cut(const Index3& corner, LeafSink& sink) {
   } else {
     pass_.gather(middle, found->at.distance + 2 * r + kSlack, slots_);
   }
-  levels_[0].moves.clear();
-  for (const std::uint32_t s : slots_) levels_[0].moves.push(pass_, s);
+  levels_[0].moves.assign(pass_, slots_);
   descend(0, corner, kBlockEdge, sink);
 }
 
@@ -179,34 +178,34 @@ void BlockCutter::fill(int depth, const Index3& corner, int edge) {
   const auto band = static_cast<float>(band_);
   if (reach == Reach::none) return set_cube(corner, edge, band);
   if (reach == Reach::wholly) return set_cube(corner, edge, -band);
+  if (worth_no_split(level, corner, edge)) return fill_with_balls(level, corner);
   levels_[depth + 1].moves.take(level.moves, level.kept);
-  if (worth_no_split(levels_[depth + 1].moves, corner, edge))
-    return fill_with_balls(levels_[depth + 1].moves, corner);
   if (edge == 2) return fill_voxels(depth + 1, corner);
   for (int child = 0; child < 8; ++child)
     fill(depth + 1, child_corner(corner, edge / 2, child), edge / 2);
 }
 
 // With few moves left, all voxels against all moves take less time than telling cubes apart.
-bool BlockCutter::worth_no_split(const MoveBatch& moves, const Index3& corner, int edge) const {
-  return edge == kCubeEdge && moves.size() <= kFewMoves &&
-         balls_below_tops(moves, top_of(corner, edge));
+bool BlockCutter::worth_no_split(const Level& level, const Index3& corner, int edge) const {
+  return edge == kCubeEdge && level.kept.size() <= kFewMoves &&
+         balls_below_tops(level.moves, top_of(corner, edge));
 }
 
-void BlockCutter::fill_with_balls(const MoveBatch& moves, const Index3& corner) {
+void BlockCutter::fill_with_balls(const Level& level, const Index3& corner) {
   CubeAxes axes;
   for (int k = 0; k < kCubeEdge; ++k) {
     const Vec3 p = lattice_.point({corner[0] + k, corner[1] + k, corner[2] + k});
     axes.x[k] = p.x, axes.y[k] = p.y, axes.z[k] = p.z;
   }
-  const CubeDistances d = least_ball_distances(moves, pass_.profile().corner_radius(), axes);
+  const CubeDistances d =
+      least_ball_distances(level.moves, level.kept, pass_.profile().corner_radius(), axes);
   const double* from = d.data();
-  for (int x = 0; x < kCubeEdge; ++x)
-    for (int y = 0; y < kCubeEdge; ++y) {
-      float* to = &leaf_at({corner[0] + x, corner[1] + y, corner[2]});
-      for (int z = 0; z < kCubeEdge; ++z)
-        to[z] = static_cast<float>(std::clamp(*from++, -band_, band_));
-    }
+  float* to = &leaf_at(corner);
+  for (int z = 0; z < kCubeEdge; ++z)
+    for (int x = 0; x < kCubeEdge; ++x)
+      for (int y = 0; y < kCubeEdge; ++y)
+        to[(x * kLeafEdge + y) * kLeafEdge + z] =
+            static_cast<float>(std::clamp(*from++, -band_, band_));
 }
 
 void BlockCutter::fill_voxels(int depth, const Index3& corner) {

@@ -60,8 +60,8 @@ class BlockCutter {
   void fill(int depth, const Index3& corner, int edge);
   Reach narrow_balls(Level& level, const Index3& corner, int edge);
   double top_of(const Index3& corner, int edge) const;
-  bool worth_no_split(const MoveBatch& moves, const Index3& corner, int edge) const;
-  void fill_with_balls(const MoveBatch& moves, const Index3& corner);
+  bool worth_no_split(const Level& level, const Index3& corner, int edge) const;
+  void fill_with_balls(const Level& level, const Index3& corner);
   void fill_voxels(int depth, const Index3& corner);
   void set_cube(const Index3& corner, int edge, float value);
   float& leaf_at(const Index3& i);

@@ -17,7 +17,8 @@ constexpr double kSlack = 1e-9;
 // 1 + √3, rounded up: below this many half edges a foot keeps to the way all over a cube.
 constexpr double kOnTheWay = 2.7321;
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr std::size_t kLanes = 8;
+// All counts of moves below are multiples of this: batches are padded.
+constexpr std::size_t kLanes = MoveBatch::kPad;
 // Below this, holding moves against the corners takes more time than the moves themselves.
 constexpr std::size_t kManyKept = 16;
 
@@ -30,6 +31,7 @@ LIMITGAUGE_WIDE
 void find_feet(const BallColumns& c, std::size_t n, double px, double py, double pz, double h,
                double* squared, double* out_x, double* out_y, double* out_z, double* slide) {
   const double on_the_way = -kOnTheWay * h, most = 3 * h * h;
+  n = n / kLanes * kLanes;
   LIMITGAUGE_EACH
   for (std::size_t i = 0; i < n; ++i) {
     const double qx = px - c.x[i], qy = py - c.y[i], qz = pz - c.z[i];
@@ -53,32 +55,12 @@ void find_feet(const BallColumns& c, std::size_t n, double px, double py, double
   }
 }
 
-// By how much (u_i·δ)² and (u·δ)² may differ.
-LIMITGAUGE_WIDE
-void find_turns(const BallColumns& c, const double* z, std::size_t n, double h, const Vec3& u,
-                double* turn) {
-  const double ux = u.x, uy = u.y, uz = u.z, on_the_way = -kOnTheWay * h, h2 = h * h;
-  LIMITGAUGE_EACH
-  for (std::size_t i = 0; i < n; ++i) {
-    const double level = c.run[i] * c.inverse_length[i];
-    const double x = c.along_x[i] * level, y = c.along_y[i] * level;
-    const double rise = c.rise[i] * c.inverse_length[i];
-    const double less = std::abs(x - ux) + std::abs(y - uy) + std::abs(rise - uz);
-    const double more = std::abs(x + ux) + std::abs(y + uy) + std::abs(rise + uz);
-    const double t = h2 * (less * more);
-    turn[i] = z[i] <= on_the_way ? t : kNever;
-  }
-}
-
-struct FeetColumns {
-  const double *squared, *x, *y, *z, *slide, *turn;
-};
-
 // Raises each margin to the one by which the move loses against the rival.
 LIMITGAUGE_WIDE
 void raise_margins(const FeetColumns& f, std::size_t n, double h, double squared, double x,
                    double y, double z, double turn, double* margin) {
   const double h2 = 2 * h;
+  n = n / kLanes * kLanes;
   LIMITGAUGE_EACH
   for (std::size_t i = 0; i < n; ++i) {
     const double both = f.turn[i] + turn;
@@ -89,15 +71,39 @@ void raise_margins(const FeetColumns& f, std::size_t n, double h, double squared
   }
 }
 
+// By how much (u_i·δ)² and (u·δ)² may differ, u the direction of the rival, and the margin by which
+// each move loses against it.
+LIMITGAUGE_WIDE
+void first_margins(const BallColumns& c, const FeetColumns& f, std::size_t n, double h,
+                   const Vec3& u, const Vec3& q, double squared, double rival_turn,
+                   double* __restrict turn, double* __restrict margin) {
+  const double ux = u.x, uy = u.y, uz = u.z, on_the_way = -kOnTheWay * h, hh = h * h, h2 = 2 * h;
+  const double rx = q.x, ry = q.y, rz = q.z;
+  n = n / kLanes * kLanes;
+  LIMITGAUGE_EACH
+  for (std::size_t i = 0; i < n; ++i) {
+    const double level = c.run[i] * c.inverse_length[i];
+    const double x = c.along_x[i] * level, y = c.along_y[i] * level;
+    const double rise = c.rise[i] * c.inverse_length[i];
+    const double less = std::abs(x - ux) + std::abs(y - uy) + std::abs(rise - uz);
+    const double more = std::abs(x + ux) + std::abs(y + uy) + std::abs(rise + uz);
+    const double t = hh * (less * more);
+    const double turned = f.z[i] <= on_the_way ? t : kNever;
+    turn[i] = turned;
+    const double both = turned + rival_turn;
+    const double slid = f.slide[i] < both ? f.slide[i] : both;
+    const double apart = std::abs(f.x[i] - rx) + std::abs(f.y[i] - ry) + std::abs(f.z[i] - rz);
+    margin[i] = f.squared[i] - squared - h2 * apart - slid;
+  }
+}
+
 LIMITGAUGE_WIDE
 double least_of(const double* values, std::size_t n) {
   double least[kLanes];
   for (double& l : least) l = kNever;
-  std::size_t i = 0;
-  for (; i + kLanes <= n; i += kLanes)
+  for (std::size_t i = 0; i < n; i += kLanes)
     for (std::size_t k = 0; k < kLanes; ++k)
       least[k] = values[i + k] < least[k] ? values[i + k] : least[k];
-  for (; i < n; ++i) least[0] = values[i] < least[0] ? values[i] : least[0];
   return *std::min_element(least, least + kLanes);
 }
 
@@ -109,6 +115,7 @@ std::size_t place_of(double value, const double* values, std::size_t n) {
 LIMITGAUGE_WIDE
 void tangents_at(const FeetColumns& f, std::size_t n, const Vec3& s, double* value) {
   const double x = 2 * s.x, y = 2 * s.y, z = 2 * s.z;
+  n = n / kLanes * kLanes;
   LIMITGAUGE_EACH
   for (std::size_t i = 0; i < n; ++i)
     value[i] = f.squared[i] + (f.x[i] * x + f.y[i] * y + f.z[i] * z);
@@ -127,12 +134,24 @@ bool slides_both_ways(const MoveBatch& b, std::uint32_t i, const Vec3& foot, dou
   return t >= reach && 1 - t >= reach;
 }
 
-// Leaves those places of `kept` whose margin is no loss.
+// Those places of `kept` whose margin is no loss.
 void drop_losers(const std::vector<double>& margin, double slack,
                  std::vector<std::uint32_t>& kept) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     kept[n] = kept[i];
+    n += margin[i] <= slack;
+  }
+  kept.resize(n);
+}
+
+// The places of all margins that are no loss.
+void keep_winners(const std::vector<double>& margin, std::size_t count, double slack,
+                  std::vector<std::uint32_t>& kept) {
+  kept.resize(count);
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    kept[n] = static_cast<std::uint32_t>(i);
     n += margin[i] <= slack;
   }
   kept.resize(n);
@@ -145,8 +164,12 @@ void CapsuleNarrowing::Feet::resize(std::size_t n) {
     if (column->size() < n) column->resize(n);
 }
 
+FeetColumns CapsuleNarrowing::Feet::columns() const {
+  return {squared.data(), x.data(), y.data(), z.data(), slide.data(), turn.data()};
+}
+
 double CapsuleNarrowing::nearest(const MoveBatch& batch, const Vec3& p, double half_edge) {
-  const std::size_t n = batch.size();
+  const std::size_t n = batch.padded_size();
   all_.resize(n);
   p_ = p, half_edge_ = half_edge;
   find_feet(batch.columns(), n, p.x, p.y, p.z, half_edge, all_.squared.data(), all_.x.data(),
@@ -156,16 +179,16 @@ double CapsuleNarrowing::nearest(const MoveBatch& batch, const Vec3& p, double h
 }
 
 void CapsuleNarrowing::keep(const MoveBatch& batch, std::vector<std::uint32_t>& kept) {
-  const std::size_t n = batch.size();
+  const std::size_t n = batch.padded_size();
   const auto j = static_cast<std::uint32_t>(place_of(least_, all_.squared.data(), n));
   all_.turn[j] = 0;
   const Rival nearest = rival(batch, j, all_, j);
-  find_turns(batch.columns(), all_.z.data(), n, half_edge_, direction(batch, j), all_.turn.data());
-  lose_against(nearest, all_, n);
-  kept.resize(n);
-  for (std::size_t i = 0; i < n; ++i) kept[i] = static_cast<std::uint32_t>(i);
+  if (margin_.size() < n) margin_.resize(n);
+  first_margins(batch.columns(), all_.columns(), n, half_edge_, direction(batch, j),
+                {nearest.x, nearest.y, nearest.z}, nearest.squared, nearest.turn, all_.turn.data(),
+                margin_.data());
   const double slack = kSlack * (1 + 2 * std::sqrt(least_));
-  drop_losers(margin_, slack, kept);
+  keep_winners(margin_, batch.size(), slack, kept);
   if (kept.size() < kManyKept) return;
   lose_at_corners(batch, kept);
   drop_losers(margin_, slack, kept);
@@ -178,18 +201,11 @@ CapsuleNarrowing::Rival CapsuleNarrowing::rival(const MoveBatch& batch, std::uin
   return {f.squared[at], q.x, q.y, q.z, slides ? f.turn[at] : kNever};
 }
 
-void CapsuleNarrowing::lose_against(const Rival& r, const Feet& f, std::size_t n) {
-  if (margin_.size() < n) margin_.resize(n);
-  std::fill(margin_.begin(), margin_.begin() + static_cast<std::ptrdiff_t>(n), -kNever);
-  raise_margins(
-      {f.squared.data(), f.x.data(), f.y.data(), f.z.data(), f.slide.data(), f.turn.data()}, n,
-      half_edge_, r.squared, r.x, r.y, r.z, r.turn, margin_.data());
-}
-
 void CapsuleNarrowing::take_kept(const std::vector<std::uint32_t>& kept) {
-  some_.resize(kept.size());
-  for (std::size_t n = 0; n < kept.size(); ++n) {
-    const std::uint32_t i = kept[n];
+  const std::size_t padded = MoveBatch::padded(kept.size());
+  some_.resize(padded);
+  for (std::size_t n = 0; n < padded; ++n) {
+    const std::uint32_t i = kept[std::min(n, kept.size() - 1)];
     some_.squared[n] = all_.squared[i];
     some_.x[n] = all_.x[i], some_.y[n] = all_.y[i], some_.z[n] = all_.z[i];
     some_.slide[n] = all_.slide[i], some_.turn[n] = all_.turn[i];
@@ -199,10 +215,9 @@ void CapsuleNarrowing::take_kept(const std::vector<std::uint32_t>& kept) {
 void CapsuleNarrowing::lose_at_corners(const MoveBatch& batch,
                                        const std::vector<std::uint32_t>& kept) {
   take_kept(kept);
-  if (tangent_.size() < kept.size()) tangent_.resize(kept.size());
-  const std::size_t n = kept.size();
-  const FeetColumns f{some_.squared.data(), some_.x.data(),     some_.y.data(),
-                      some_.z.data(),       some_.slide.data(), some_.turn.data()};
+  const std::size_t n = MoveBatch::padded(kept.size());
+  if (tangent_.size() < n) tangent_.resize(n);
+  const FeetColumns f = some_.columns();
   std::fill(margin_.begin(), margin_.begin() + static_cast<std::ptrdiff_t>(n), -kNever);
   std::array<std::size_t, 8> met;
   for (std::size_t k = 0; k < met.size(); ++k) {
@@ -217,26 +232,37 @@ void CapsuleNarrowing::lose_at_corners(const MoveBatch& batch,
 
 namespace {
 
-constexpr std::size_t kVoxels = kCubeEdge * kCubeEdge * kCubeEdge;
+constexpr std::size_t kColumns = kCubeEdge * kCubeEdge, kVoxels = kColumns * kCubeEdge;
 
+struct BallMove {
+  double x, y, z, along_x, along_y, run, rise, inverse_run, inverse_length2;
+};
+
+// The columns of voxels side by side; what does not depend on the height is worked out once.
 LIMITGAUGE_WIDE
-void least_squares(const BallColumns& c, std::size_t n, const double* __restrict px,
-                   const double* __restrict py, const double* __restrict pz,
-                   double* __restrict least) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = c.x[i], y = c.y[i], z = c.z[i], ux = c.along_x[i], uy = c.along_y[i];
-    const double run = c.run[i], rise = c.rise[i], ir = c.inverse_run[i], il = c.inverse_length2[i];
-    for (std::size_t k = 0; k < kVoxels; ++k) {
-      const double qx = px[k] - x, qy = py[k] - y, qz = pz[k] - z;
-      const double along = qx * ux + qy * uy, across = qy * ux - qx * uy;
-      const double t_level = unit_clamp(along * ir);
-      const double t_line = unit_clamp((along * run + qz * rise) * il);
-      const bool above = qz >= rise * t_level;
-      const double t = above ? t_level : t_line;
-      const double ea = along - t * run, below = qz - t * rise;
+void lower_squares(const BallMove& m, const double* __restrict px, const double* __restrict py,
+                   const double* __restrict pz, double* __restrict least) {
+  double along[kColumns], across2[kColumns], t_level[kColumns], level[kColumns], far[kColumns];
+  for (std::size_t k = 0; k < kColumns; ++k) {
+    const double qx = px[k] - m.x, qy = py[k] - m.y;
+    const double across = qy * m.along_x - qx * m.along_y;
+    along[k] = qx * m.along_x + qy * m.along_y;
+    across2[k] = across * across;
+    t_level[k] = unit_clamp(along[k] * m.inverse_run);
+    level[k] = m.rise * t_level[k];
+    far[k] = along[k] * m.run;
+  }
+  for (std::size_t z = 0; z < kCubeEdge; ++z) {
+    const double qz = pz[z] - m.z, climb = qz * m.rise;
+    double* __restrict out = least + z * kColumns;
+    for (std::size_t k = 0; k < kColumns; ++k) {
+      const double t_line = unit_clamp((far[k] + climb) * m.inverse_length2);
+      const bool above = qz >= level[k];
+      const double t = above ? t_level[k] : t_line;
+      const double ea = along[k] - t * m.run, below = qz - t * m.rise;
       const double ez = above ? 0.0 : below;
-      const double r2 = ea * ea + across * across + ez * ez;
-      least[k] = r2 < least[k] ? r2 : least[k];
+      const double r2 = ea * ea + across2[k] + ez * ez;
+      out[k] = r2 < out[k] ? r2 : out[k];
     }
   }
 }
@@ -248,14 +274,18 @@ void distances(double radius, double* values) {
 
 }  // namespace
 
-CubeDistances least_ball_distances(const MoveBatch& batch, double radius, const CubeAxes& axes) {
-  CubeDistances x, y, z, least;
+CubeDistances least_ball_distances(const MoveBatch& b, std::span<const std::uint32_t> places,
+                                   double radius, const CubeAxes& axes) {
+  std::array<double, kColumns> x, y;
   std::size_t k = 0;
   for (const double at_x : axes.x)
-    for (const double at_y : axes.y)
-      for (const double at_z : axes.z) x[k] = at_x, y[k] = at_y, z[k++] = at_z;
+    for (const double at_y : axes.y) x[k] = at_x, y[k++] = at_y;
+  CubeDistances least;
   least.fill(kNever);
-  least_squares(batch.columns(), batch.size(), x.data(), y.data(), z.data(), least.data());
+  for (const std::uint32_t i : places)
+    lower_squares({b.x[i], b.y[i], b.z[i], b.along_x[i], b.along_y[i], b.run[i], b.rise[i],
+                   b.inverse_run[i], b.inverse_length2[i]},
+                  x.data(), y.data(), axes.z.data(), least.data());
   distances(radius, least.data());
   return least;
 }

@@ -2,11 +2,17 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "simulator/move_batch.h"
 
 namespace limitgauge::simulator {
+
+/// What the inner loops read of the feet of moves.
+struct FeetColumns {
+  const double *squared, *x, *y, *z, *slide, *turn;
+};
 
 /// Which ball moves of a batch can be nearest in a cube, and how near the nearest is to its middle.
 /// Valid where the tops do not matter.
@@ -35,13 +41,13 @@ class CapsuleNarrowing {
   struct Feet {
     std::vector<double> squared, x, y, z, slide, turn;
     void resize(std::size_t n);
+    FeetColumns columns() const;
   };
   /// A move that others are held against.
   struct Rival {
     double squared, x, y, z, turn;
   };
   Rival rival(const MoveBatch& batch, std::uint32_t place, const Feet& feet, std::size_t at) const;
-  void lose_against(const Rival& rival, const Feet& feet, std::size_t n);
   void lose_at_corners(const MoveBatch& batch, const std::vector<std::uint32_t>& kept);
   void take_kept(const std::vector<std::uint32_t>& kept);
 
@@ -59,8 +65,9 @@ using CubeDistances = std::array<double, kCubeEdge * kCubeEdge * kCubeEdge>;
 struct CubeAxes {
   std::array<double, kCubeEdge> x, y, z;
 };
-/// Least distance of a batch of ball moves at the voxels of a cube, z fastest; valid where the tops
-/// do not matter.
-CubeDistances least_ball_distances(const MoveBatch& batch, double radius_mm, const CubeAxes& axes);
+/// Least distance of those ball moves of a batch that `places` names at the voxels of a cube, x
+/// before y, z slowest; valid where the tops do not matter.
+CubeDistances least_ball_distances(const MoveBatch& batch, std::span<const std::uint32_t> places,
+                                   double radius_mm, const CubeAxes& axes);
 
 }  // namespace limitgauge::simulator

@@ -39,6 +39,22 @@ void ball_samples(const BallColumns& c, std::size_t n, double radius, double px,
   }
 }
 
+// A vertical move has no run and counts for no length.
+LIMITGAUGE_WIDE
+void find_inverses(std::size_t n, const double* __restrict along_x,
+                   const double* __restrict along_y, const double* __restrict run,
+                   const double* __restrict rise, const double* __restrict inverse_length2,
+                   double* __restrict inverse_run, double* __restrict inverse_length,
+                   double* __restrict norm1) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool upright = run[i] == 0;
+    inverse_run[i] = upright ? 0.0 : 1 / (upright ? 1.0 : run[i]);
+    inverse_length[i] = std::sqrt(inverse_length2[i]);
+    norm1[i] = inverse_length[i] *
+               ((std::abs(along_x[i]) + std::abs(along_y[i])) * run[i] + std::abs(rise[i]));
+  }
+}
+
 LIMITGAUGE_WIDE
 void least_squares(const BallColumns& c, std::size_t n, const double* __restrict px,
                    const double* __restrict py, const double* __restrict pz,
@@ -70,44 +86,44 @@ BallColumns MoveBatch::columns() const {
       norm1.data()};
 }
 
-void MoveBatch::clear() {
-  slot.clear();
-  for (auto* column : {&x, &y, &z, &along_x, &along_y, &run, &rise, &inverse_run, &inverse_length2,
-                       &inverse_length, &norm1})
-    column->clear();
+void MoveBatch::assign(const SweepIndex& pass, const std::vector<std::uint32_t>& slots) {
+  slot = slots;
+  lowest_tip = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t s : slot) {
+    const SweptMove& m = pass.move(s);
+    lowest_tip = std::min({lowest_tip, m.start.z, m.start.z + m.delta.z});
+  }
+  if (pass.profile().is_ball()) assign_balls(pass);
 }
 
-void MoveBatch::push(const SweepIndex& pass, std::uint32_t s) {
-  const SweptMove& m = pass.move(s);
-  const double low = std::min(m.start.z, m.start.z + m.delta.z);
-  lowest_tip = slot.empty() ? low : std::min(lowest_tip, low);
-  slot.push_back(s);
-  if (!pass.profile().is_ball()) return;
+void MoveBatch::assign_balls(const SweepIndex& pass) {
+  const std::size_t n = padded_size();
   const double radius = pass.profile().corner_radius();
-  x.push_back(m.start.x);
-  y.push_back(m.start.y);
-  z.push_back((m.vertical() ? low : m.start.z) + radius);
-  along_x.push_back(m.along_x);
-  along_y.push_back(m.along_y);
-  run.push_back(m.run);
-  rise.push_back(m.vertical() ? 0.0 : m.delta.z);
-  inverse_run.push_back(m.vertical() ? 0.0 : 1 / m.run);
-  inverse_length2.push_back(m.vertical() ? 0.0 : m.inverse_length2);
-  const double inverse = m.vertical() ? 0.0 : std::sqrt(m.inverse_length2);
-  inverse_length.push_back(inverse);
-  norm1.push_back(inverse *
-                  ((std::abs(m.along_x) + std::abs(m.along_y)) * m.run + std::abs(m.delta.z)));
+  for (auto* column : {&x, &y, &z, &along_x, &along_y, &run, &rise, &inverse_run, &inverse_length2,
+                       &inverse_length, &norm1})
+    if (column->size() < n) column->resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const SweptMove& m = pass.move(slot[std::min(i, slot.size() - 1)]);
+    x[i] = m.start.x, y[i] = m.start.y;
+    z[i] = (m.vertical() ? std::min(m.start.z, m.start.z + m.delta.z) : m.start.z) + radius;
+    along_x[i] = m.along_x, along_y[i] = m.along_y;
+    run[i] = m.run, rise[i] = m.vertical() ? 0.0 : m.delta.z;
+    inverse_length2[i] = m.vertical() ? 0.0 : m.inverse_length2;
+  }
+  find_inverses(n, along_x.data(), along_y.data(), run.data(), rise.data(), inverse_length2.data(),
+                inverse_run.data(), inverse_length.data(), norm1.data());
 }
 
 void MoveBatch::take(const MoveBatch& from, const std::vector<std::uint32_t>& places) {
-  const std::size_t n = places.size();
-  slot.resize(n);
-  for (std::size_t i = 0; i < n; ++i) slot[i] = from.slot[places[i]];
+  slot.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) slot[i] = from.slot[places[i]];
   lowest_tip = from.lowest_tip;
+  if (from.x.empty() || places.empty()) return;
+  const std::size_t n = padded_size();
   const auto copy = [&](std::vector<double>& to, const std::vector<double>& column) {
-    if (column.empty()) return;
-    to.resize(n);
-    for (std::size_t i = 0; i < n; ++i) to[i] = column[places[i]];
+    if (to.size() < n) to.resize(n);
+    for (std::size_t i = 0; i < places.size(); ++i) to[i] = column[places[i]];
+    for (std::size_t i = places.size(); i < n; ++i) to[i] = to[places.size() - 1];
   };
   copy(x, from.x), copy(y, from.y), copy(z, from.z);
   copy(along_x, from.along_x), copy(along_y, from.along_y);

@@ -17,13 +17,17 @@ struct BallColumns {
 /// Moves that may matter in one block, with what the inner loops read laid out in columns.
 class MoveBatch {
  public:
-  void clear();
-  void push(const SweepIndex& pass, std::uint32_t slot);
+  static constexpr std::size_t kPad = 8;
+  /// Makes this the moves of `slots`.
+  void assign(const SweepIndex& pass, const std::vector<std::uint32_t>& slots);
   /// Makes this the moves of `from` named by their places in it.
   void take(const MoveBatch& from, const std::vector<std::uint32_t>& places);
   std::size_t size() const { return slot.size(); }
 
   BallColumns columns() const;
+  /// The columns are filled up to this many moves, with the last one again: whole registers.
+  std::size_t padded_size() const { return padded(slot.size()); }
+  static constexpr std::size_t padded(std::size_t n) { return (n + kPad - 1) / kPad * kPad; }
 
   /// Below this height a ball's top does not matter for any move of the batch.
   double below_tops_mm(const CutterProfile& profile) const;
@@ -34,6 +38,9 @@ class MoveBatch {
   std::vector<double> x, y, z, along_x, along_y, run, rise, inverse_run, inverse_length2;
   std::vector<double> inverse_length, norm1;  // the latter |u|₁ of the unit vector along the move
   double lowest_tip = 0;
+
+ private:
+  void assign_balls(const SweepIndex& pass);
 };
 
 /// Distances and gradients of a batch at one point.

@@ -1,8 +1,7 @@
 #include "simulator/tree_cut.h"
 
-#include <algorithm>
-
 #include "simulator/block_changes.h"
+#include "simulator/leaf_values.h"
 
 namespace limitgauge::simulator::vdb {
 namespace {
@@ -24,28 +23,25 @@ class Cut : public LeafSink {
   }
   void reached(const Index3& corner, const LeafDistances& distances) override {
     const Coord at = coord(corner);
-    if (Leaf* leaf = tree_.probeLeaf(at)) return void(lower(*leaf, distances));
-    auto leaf = std::make_unique<Leaf>(at, tree_.getValue(at), false);
-    if (lower(*leaf, distances)) changes_.leaves.push_back(std::move(leaf));
+    if (Leaf* leaf = tree_.probeLeaf(at)) return lower(*leaf, distances);
+    // Wholly inside so far: a leaf is made only where something changes and something stands.
+    const float band = tree_.background();
+    const auto [least, most] = value_range(distances);
+    if (least == band) return;
+    if (most == -band) return changes_.emptied.push_back(at);
+    auto leaf = std::make_unique<Leaf>(at, -band, false);
+    lower(*leaf, distances);
+    changes_.leaves.push_back(std::move(leaf));
   }
   BlockChanges take() { return std::move(changes_); }
 
  private:
-  // True where the leaf has changed and something still stands in it.
-  bool lower(Leaf& leaf, const LeafDistances& distances) {
+  void lower(Leaf& leaf, const LeafDistances& distances) {
     const float band = tree_.background();
-    float* values = leaf.buffer().data();
-    bool changed = false;
-    float least = band;
-    for (std::size_t n = 0; n < distances.size(); ++n) {
-      const float after = std::max(values[n], -distances[n]);
-      changed = changed || after > values[n];
-      values[n] = after;
-      least = std::min(least, after);
-    }
-    if (changed && least < band) mark_band(leaf, band);
-    if (changed && least == band) changes_.emptied.push_back(leaf.origin());
-    return changed && least < band;
+    const LoweredLeaf lowered = lower_values(distances, leaf.buffer().data());
+    if (!lowered.changed) return;
+    if (lowered.least == band) return changes_.emptied.push_back(leaf.origin());
+    mark_band(leaf, band);
   }
 
   Tree& tree_;

@@ -2,10 +2,9 @@
 
 #include <openvdb/openvdb.h>
 
-#include <cmath>
-
 #include "simulator/block_cut.h"
 #include "simulator/index_box.h"
+#include "simulator/leaf_values.h"
 #include "simulator/pass_reach.h"
 
 // What the sources that hold OpenVDB's tree share. Not for anyone else to include.
@@ -30,10 +29,10 @@ inline Index3 index3(const Coord& c) {
 /// Makes the values within the band active and the others inactive, as OpenVDB's level set tools
 /// want them.
 inline void mark_band(Leaf& leaf, float band) {
-  const float* values = leaf.buffer().data();
+  const LeafBits bits = within_band(leaf.buffer().data(), band);
   Leaf::NodeMaskType mask;
-  for (int n = 0; n < kLeafVoxels; ++n)
-    if (std::abs(values[n]) < band) mask.setOn(static_cast<openvdb::Index32>(n));
+  for (std::size_t n = 0; n < bits.size(); ++n)
+    mask.getWord<openvdb::Index64>(static_cast<openvdb::Index>(n)) = bits[n];
   leaf.setValueMask(mask);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include "tests/simulator/paths.h"
@@ -38,9 +39,10 @@ Pass moves_about_origin(Random& random, bool rows) {
 }
 
 MoveBatch all_moves(const SweepIndex& index) {
+  std::vector<std::uint32_t> slots(index.size());
+  std::iota(slots.begin(), slots.end(), 0U);
   MoveBatch batch;
-  batch.clear();
-  for (std::uint32_t s = 0; s < index.size(); ++s) batch.push(index, s);
+  batch.assign(index, slots);
   return batch;
 }
 
@@ -89,11 +91,11 @@ TEST_CASE("a cube's distances are those of its voxels", "[unit][capsule_batch]")
   CubeAxes axes;
   for (int k = 0; k < kCubeEdge; ++k)
     axes.x[k] = 0.3 + 0.1 * k, axes.y[k] = -0.2 + 0.1 * k, axes.z[k] = 0.1 * k - 0.1;
-  const CubeDistances found = least_ball_distances(batch, kRadius, axes);
+  const CubeDistances found = least_ball_distances(batch, batch.slot, kRadius, axes);
   std::size_t at = 0;
-  for (const double x : axes.x)
-    for (const double y : axes.y)
-      for (const double z : axes.z)
+  for (const double z : axes.z)
+    for (const double x : axes.x)
+      for (const double y : axes.y)
         CHECK(std::abs(found[at++] - least_distance(index, batch.slot, {x, y, z})) < 1e-12);
 }
 

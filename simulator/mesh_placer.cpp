@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "simulator/near_material.h"
 #include "simulator/surface_points.h"
 
 namespace limitgauge::simulator {
@@ -55,9 +56,10 @@ class MiddlePlacer : public NetPlacer {
 class ExactPlacer : public NetPlacer {
  public:
   ExactPlacer(const Material& material, const Lattice& lattice, std::atomic<std::size_t>& unmoved)
-      : material_(material), lattice_(lattice), unmoved_(unmoved) {}
+      : material_(material, lattice), lattice_(lattice), unmoved_(unmoved) {}
 
   Vec3 place(const Index3& cell, std::span<const Vec3> crossings) override {
+    material_.turn_to(cell);
     const Vec3 middle = middle_of(crossings);
     const auto faces = faces_about(cell, crossings, middle);
     if (const auto edge = sharp_place(cell, middle, faces)) return *edge;
@@ -195,7 +197,7 @@ class ExactPlacer : public NetPlacer {
     return true;
   }
 
-  const Material& material_;
+  NearMaterial material_;
   const Lattice& lattice_;
   std::atomic<std::size_t>& unmoved_;
   SurfaceMaker hint_;

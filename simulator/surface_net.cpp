@@ -116,16 +116,22 @@ void place_cell(const NetCells::Cell& cell, const LeafPatch& patch, const Index3
     vertices[cell.first_vertex + c] = placer.place(at, {crossings[c].data(), count[c]});
 }
 
+// The cells of a leaf, cube by cube of four and of two cells.
+Index3 cell_in_cubes(int n) {
+  const auto bits = [n](int low) {
+    return (n >> (low + 6) & 1) << 2 | (n >> (low + 3) & 1) << 1 | (n >> low & 1);
+  };
+  return {bits(2), bits(1), bits(0)};
+}
+
 void place_leaf(const NetLeaf& leaf, const LeafPatch& patch, const Index3& corner,
                 const Lattice& lattice, NetPlacer& placer, std::vector<Vec3>& vertices) {
-  for (int x = 0; x < kLeafEdge; ++x)
-    for (int y = 0; y < kLeafEdge; ++y)
-      for (int z = 0; z < kLeafEdge; ++z) {
-        const int at = leaf_place(x, y, z);
-        const NetCells::Cell cell{leaf.signs[at], leaf.first_vertex + leaf.vertex[at]};
-        if (cell.cycles().count > 0)
-          place_cell(cell, patch, {x, y, z}, corner, lattice, placer, vertices);
-      }
+  for (int n = 0; n < kLeafCells; ++n) {
+    const Index3 c = cell_in_cubes(n);
+    const int at = leaf_place(c[0], c[1], c[2]);
+    const NetCells::Cell cell{leaf.signs[at], leaf.first_vertex + leaf.vertex[at]};
+    if (cell.cycles().count > 0) place_cell(cell, patch, c, corner, lattice, placer, vertices);
+  }
 }
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -264,10 +270,11 @@ TriangleMesh surface_net(const NetSource& source, const Lattice& lattice, const 
   const std::size_t chunks = model::chunk_count(source.leaves(), kChunk);
   model::parallel_chunks(source.leaves(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     LeafPatch patch;
+    const auto placer = placers();
     for (std::size_t i = begin; i < end; ++i) {
       if (!cells.leaf(i)) continue;
       source.values(i, patch);
-      place_leaf(*cells.leaf(i), patch, source.corner(i), lattice, *placers(), mesh.vertices);
+      place_leaf(*cells.leaf(i), patch, source.corner(i), lattice, *placer, mesh.vertices);
     }
     control.report(static_cast<double>(++done) / static_cast<double>(chunks));
   });

@@ -27,6 +27,11 @@ Index3 moved(Index3 at, int axis, int by) {
   return at;
 }
 
+Index3 leaf_corner(Index3 at) {
+  for (int& i : at) i &= ~(kLeafEdge - 1);
+  return at;
+}
+
 // A lattice edge that the surface crosses, from `low` one step along `axis`.
 struct CrossedEdge {
   Index3 low{};
@@ -47,7 +52,7 @@ struct Ring {
   bool any_doubled() const { return doubled[0] || doubled[1] || doubled[2] || doubled[3]; }
 };
 
-Ring ring_about(const NetCells& cells, const CrossedEdge& e) {
+Ring ring_about(const NetCells::Around& cells, const CrossedEdge& e) {
   const int u = (e.axis + 1) % 3, v = (e.axis + 2) % 3;
   // Steps to the cells, anticlockwise seen against the axis.
   constexpr int kSteps[4][2] = {{0, 0}, {-1, 0}, {-1, -1}, {0, -1}};
@@ -197,19 +202,14 @@ struct LeafQuads {
 LeafQuads quads_of(const NetCells& cells, const NetLeaf& leaf, const Index3& corner,
                    const std::vector<Vec3>& vertices) {
   LeafQuads quads;
+  quads.triangles.reserve(2 * leaf.crossed);
+  const NetCells::Around around(cells, corner);
   each_crossed_edge(leaf, corner, [&](const CrossedEdge& e) {
-    const Ring ring = ring_about(cells, e);
+    const Ring ring = ring_about(around, e);
     if (ring.any_doubled()) return quads.doubled.push_back(e);
     add_quad(ring, e.low_stands, vertices, quads.triangles);
   });
   return quads;
-}
-
-std::size_t crossed_edges(const NetSource& source, const NetCells& cells) {
-  std::size_t edges = 0;
-  for (std::size_t i = 0; i < source.leaves(); ++i)
-    if (cells.leaf(i)) each_crossed_edge(*cells.leaf(i), {}, [&](const CrossedEdge&) { ++edges; });
-  return edges;
 }
 
 void add_triangles(const NetSource& source, const NetCells& cells, TriangleMesh& mesh,
@@ -229,7 +229,8 @@ void add_triangles(const NetSource& source, const NetCells& cells, TriangleMesh&
     }
   }
   DoubledQuads quads(mesh);
-  for (const CrossedEdge& e : doubled) quads.add(e, ring_about(cells, e));
+  for (const CrossedEdge& e : doubled)
+    quads.add(e, ring_about(NetCells::Around(cells, leaf_corner(e.low)), e));
 }
 
 }  // namespace
@@ -247,15 +248,8 @@ NetSize surface_net_size(const NetSource& source, const model::RunControl& contr
     LeafPatch patch;
     for (std::size_t i = begin; i < end; ++i) {
       source.values(i, patch);
-      std::size_t cycles = 0, crossed = 0;
-      for (int x = 0; x < kLeafEdge; ++x)
-        for (int y = 0; y < kLeafEdge; ++y)
-          for (int z = 0; z < kLeafEdge; ++z) {
-            const unsigned s = cell_signs(patch, x, y, z), low = s & 1;
-            cycles += cell_cycles()[s].count;
-            crossed += ((s >> 4 & 1) != low) + ((s >> 2 & 1) != low) + ((s >> 1 & 1) != low);
-          }
-      vertices += cycles, edges += crossed, leaves += cycles > 0;
+      const NetLeaf leaf = net_leaf(patch);
+      vertices += leaf.vertices, edges += leaf.crossed, leaves += leaf.vertices > 0;
     }
   });
   return {vertices, 2 * edges, leaves};
@@ -278,7 +272,7 @@ TriangleMesh surface_net(const NetSource& source, const Lattice& lattice, const 
     }
     control.report(static_cast<double>(++done) / static_cast<double>(chunks));
   });
-  mesh.triangles.reserve(2 * crossed_edges(source, cells));
+  mesh.triangles.reserve(2 * cells.crossed_edges());
   add_triangles(source, cells, mesh, control);
   return mesh;
 }

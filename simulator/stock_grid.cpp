@@ -128,7 +128,7 @@ double StockGrid::value(const Vec3& p) const {
   return openvdb::tools::BoxSampler::sample(impl_->grid->tree(), openvdb::Vec3d(i.x, i.y, i.z));
 }
 
-VolumeSum StockGrid::volume(const RunControl& control) const {
+GridVolume StockGrid::volume(const RunControl& control) const {
   const Tree& tree = impl_->grid->tree();
   return vdb::volume(tree, ordered_leaves(tree, impl_->box), impl_->box, impl_->lattice.voxel_mm,
                      control);

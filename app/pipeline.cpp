@@ -236,9 +236,10 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   cut(job_.stages[index], ran);
   measure(index, ran);
   stage.decision = decide(ran.deviation, stage.limits, process_faults(ran.process));
-  control(stage.name + ": writing");
-  reports::StagePictures pictures = write_stage_files(stage, folder_, {job_.pictures});
-  if (job_.pictures) stage.pictures = std::move(pictures);
+  reports::StageFiles files =
+      write_stage_files(stage, folder_, {job_.pictures, control(stage.name + ": writing")});
+  ran.surface = files.surface;
+  if (job_.pictures) stage.pictures = std::move(files.pictures);
   let_go(stage);
   stage.seconds = watch.seconds();
   std::ostringstream line;

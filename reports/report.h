@@ -2,15 +2,17 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "engine/model/run_control.h"
 #include "reports/run_result.h"
 
 namespace limitgauge::reports {
 
 /// Draws the pictures of a stage that ran, in software: needs no display.
-StagePictures draw_pictures(const StageResult& stage);
+StagePictures draw_pictures(const StageResult& stage, const model::RunControl& control = {});
 
 /// result.json, schema `limitgauge.result/1`. The same result gives the same bytes. Throws
 /// std::domain_error that names the key of a figure that is not a finite number.
@@ -24,13 +26,19 @@ const std::string& result_schema();
 
 struct StageFileOptions {
   bool pictures = true;
+  model::RunControl control = {};
+};
+/// What writing a stage's files gives to its result.
+struct StageFiles {
+  StagePictures pictures;                      ///< for StageResult::pictures
+  std::optional<StockSurfaceFigures> surface;  ///< for StageResult::Ran::surface
 };
 /// Writes NAME/toolpath.vtp, stock.vdb, stock.vtp, deviation.vtp and the pictures deviation.png and
-/// stock.png of a stage that ran into `folder`/NAME. Needs no display. Gives the pictures, for
-/// StageResult::pictures. Throws ResourceError when a file cannot be written, std::invalid_argument
-/// for a name that is no plain folder name.
-StagePictures write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
-                                const StageFileOptions& options);
+/// stock.png of a stage that ran into `folder`/NAME. Needs no display. Throws ResourceError when a
+/// file cannot be written, Interrupted, std::invalid_argument for a name that is no plain folder
+/// name.
+StageFiles write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
+                             const StageFileOptions& options);
 /// toolpath.vtp alone: a line a move with its program line, feed, kind and index, and what it
 /// removed where `removal` has an entry for every move.
 void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,

@@ -24,6 +24,13 @@ struct StagePictures {
   std::string stock_png;      ///< the cut stock in parallel projection, transparent ground
 };
 
+/// The stock's surface as stock.vtp has it: closed, manifold, its vertices on the exact surface.
+struct StockSurfaceFigures {
+  std::size_t vertices = 0, triangles = 0;
+  double voxel_mm = 0;  ///< of the grid that it was taken from; coarser where memory is short
+  std::size_t unmoved_vertices = 0;  ///< that could not be put onto the exact surface
+};
+
 /// The design surface's part of result.json.
 struct SurfaceResult {
   std::string cage;  ///< file name as the job states it
@@ -63,6 +70,7 @@ struct StageResult {
     double voxel_mm = 0, removed_volume_mm3 = 0, simulation_seconds = 0;
     std::size_t tiles = 0;  ///< that the stock was worked out in; 0: as one whole
     std::size_t peak_memory_bytes = 0;
+    std::optional<StockSurfaceFigures> surface;  ///< once the stage's files are written
     std::optional<simulator::StockModel> stock;  ///< let go once its files are written
     std::vector<simulator::Finding> process;     ///< in the order of moves
     simulator::StockAgreement agreement;         ///< of the two stock models

@@ -48,32 +48,35 @@ std::string stock_png(const simulator::StockMesh& mesh) {
 
 }  // namespace
 
-StagePictures draw_pictures(const StageResult& stage) {
+StagePictures draw_pictures(const StageResult& stage, const model::RunControl& control) {
   if (!stage.ran) return {};
   StagePictures pictures{deviation_png(stage), {}};
-  if (stage.ran->stock) pictures.stock_png = stock_png(stage.ran->stock->surface_mesh());
+  if (stage.ran->stock) pictures.stock_png = stock_png(stage.ran->stock->surface(control).mesh);
   return pictures;
 }
 
-StagePictures write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
-                                const StageFileOptions& options) {
+StageFiles write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
+                             const StageFileOptions& options) {
   if (!stage.ran) return {};
   const StageResult::Ran& ran = *stage.ran;
   const std::filesystem::path into = folder / plain_name(stage.name);
   make_folder(into);
   if (ran.path) write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves);
   write_deviation_vtp(ran.deviation.field, into / "deviation.vtp");
-  StagePictures pictures;
+  StageFiles files;
+  StagePictures& pictures = files.pictures;
   if (options.pictures) pictures.deviation_png = deviation_png(stage);
   if (ran.stock) {
     ran.stock->write_vdb(into / "stock.vdb");
-    const simulator::StockMesh mesh = ran.stock->surface_mesh();
-    write_stock_vtp(mesh, into / "stock.vtp");
-    if (options.pictures) pictures.stock_png = stock_png(mesh);
+    const simulator::StockSurface surface = ran.stock->surface(options.control);
+    write_stock_vtp(surface.mesh, into / "stock.vtp");
+    if (options.pictures) pictures.stock_png = stock_png(surface.mesh);
+    files.surface = {surface.mesh.vertices.size(), surface.mesh.triangles.size(), surface.voxel_mm,
+                     surface.unmoved};
   }
   write_bytes(pictures.deviation_png, into / "deviation.png");
   write_bytes(pictures.stock_png, into / "stock.png");
-  return pictures;
+  return files;
 }
 
 }  // namespace limitgauge::reports

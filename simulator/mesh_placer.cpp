@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "simulator/near_material.h"
 #include "simulator/surface_points.h"
 
 namespace limitgauge::simulator {
@@ -23,6 +24,8 @@ constexpr double kSharp_sin = 5e-3;
 // One maker's own normals turn within a cell where it is round.
 constexpr double kSharpOfOne_sin = 0.3;
 constexpr std::size_t kMostFaces = 6;
+// φ at an interpolated crossing, in voxels, beyond what curvature makes of a smooth surface.
+constexpr double kOff = 0.02;
 
 // A face of the surface about a cell, with its normal where it was met and in the cell's middle.
 struct Face {
@@ -55,12 +58,15 @@ class MiddlePlacer : public NetPlacer {
 class ExactPlacer : public NetPlacer {
  public:
   ExactPlacer(const Material& material, const Lattice& lattice, std::atomic<std::size_t>& unmoved)
-      : material_(material), lattice_(lattice), unmoved_(unmoved) {}
+      : material_(material, lattice), lattice_(lattice), unmoved_(unmoved) {}
 
   Vec3 place(const Index3& cell, std::span<const Vec3> crossings) override {
+    material_.turn_to(cell);
     const Vec3 middle = middle_of(crossings);
     const auto faces = faces_about(cell, crossings, middle);
     if (const auto edge = sharp_place(cell, middle, faces)) return *edge;
+    if (faces.size() == 1)
+      if (const auto onto = place_on(faces[0].maker, middle)) return *onto;
     const StockPoint onto = project_to_surface(material_, middle, lattice_.voxel_mm, hint_);
     if (onto.residual_mm <= kOnSurface_mm && distance(onto.position, middle) <= lattice_.voxel_mm)
       return onto.position;
@@ -86,25 +92,34 @@ class ExactPlacer : public NetPlacer {
     return faces;
   }
 
+  // One step onto a maker's surface, where that is the material's and the step is enough: of balls
+  // and planes it is.
+  std::optional<Vec3> place_on(SurfaceMaker maker, const Vec3& from) const {
+    const MaterialSample s = material_.sample_of(maker, from);
+    const Vec3 p = from - s.gradient * s.value;
+    if (std::abs(s.value) > lattice_.voxel_mm) return std::nullopt;
+    return on_surface(p, maker) ? std::optional(p) : std::nullopt;
+  }
+
   // The maker and its normal at a crossing, remembered for the cells beside this one. Looked at
   // from a little further out: a crossing in an edge of the surface then shows the face that the
   // cell's others do not.
   const MaterialSample& sample(const Index3& cell, const Vec3& crossing, const Vec3& middle) {
     Known& known = known_[place_of(crossing)];
-    if (known.at != crossing) {
-      const Vec3 p = exact_crossing(cell, crossing);
-      known = {crossing, material_.sample(p + (p - middle) * 1e-3, hint_)};
-    }
+    if (known.at == crossing) return known.sample;
+    const auto from_outside = [&](const Vec3& p) {
+      return material_.sample(p + (p - middle) * 1e-3, hint_);
+    };
+    known = {crossing, from_outside(crossing)};
+    if (std::abs(known.sample.value) >= kOff * lattice_.voxel_mm)
+      known.sample = from_outside(exact_crossing(cell, crossing));
     return known.sample;
   }
 
   // Beside an edge the level set is not linear, and its crossing of the cell's edge may be off by
   // much of a voxel: it is halved down to there.
   Vec3 exact_crossing(const Index3& cell, const Vec3& crossing) const {
-    constexpr double kNear = 0.02;  // of a voxel: beyond what curvature makes of a smooth surface
     constexpr int kHalvings = 10;
-    const double there = material_.sample(crossing, hint_).value;
-    if (std::abs(there) < kNear * lattice_.voxel_mm) return crossing;
     const Vec3 low = lattice_.point(cell),
                high = lattice_.point({cell[0] + 1, cell[1] + 1, cell[2] + 1});
     int axis = 0;
@@ -195,7 +210,7 @@ class ExactPlacer : public NetPlacer {
     return true;
   }
 
-  const Material& material_;
+  NearMaterial material_;
   const Lattice& lattice_;
   std::atomic<std::size_t>& unmoved_;
   SurfaceMaker hint_;

@@ -18,7 +18,11 @@ struct NetLeaf {
   std::array<std::uint16_t, kLeafCells> vertex{};  ///< first one of a cell, from the leaf's first
   std::uint32_t first_vertex = 0;
   std::uint32_t vertices = 0;
+  std::uint32_t crossed = 0;  ///< lattice edges upwards from the cells' lowest corners
 };
+
+/// The cells of a leaf, its first vertex being 0.
+NetLeaf net_leaf(const LeafPatch& patch);
 
 /// All cells that the surface passes through, with the numbers of their vertices.
 class NetCells {
@@ -31,9 +35,19 @@ class NetCells {
     const CellCycles& cycles() const { return cell_cycles()[signs]; }
     std::uint32_t vertex(int edge) const { return first_vertex + cycles().of_edge[edge]; }
   };
-  /// The cell whose lowest corner is `at`. Throws std::logic_error where the source left it out.
-  Cell cell(const Index3& at) const;
+  /// The cells of the leaf at `corner` and of those below it along any axis.
+  class Around {
+   public:
+    Around(const NetCells& cells, const Index3& corner);
+    /// The cell whose lowest corner is `at`. Throws std::logic_error where the source left it out.
+    Cell cell(const Index3& at) const;
+
+   private:
+    Index3 corner_;
+    std::array<const NetLeaf*, 8> leaves_{};
+  };
   std::uint32_t vertices() const { return vertices_; }
+  std::size_t crossed_edges() const { return crossed_; }
   /// Null where the surface does not pass through the leaf.
   const NetLeaf* leaf(std::size_t i) const { return leaves_[i].get(); }
 
@@ -41,13 +55,14 @@ class NetCells {
   struct Hash {
     std::size_t operator()(const Index3& i) const;
   };
+  const NetLeaf* leaf_at(const Index3& corner) const;
+
   std::vector<std::unique_ptr<NetLeaf>> leaves_;
   std::unordered_map<Index3, const NetLeaf*, Hash> at_;
   std::uint32_t vertices_ = 0;
+  std::size_t crossed_ = 0;
 };
 
-/// Signs at the eight corners of the cell at (x, y, z) in a patch.
-unsigned cell_signs(const LeafPatch& patch, int x, int y, int z);
 /// Place of a voxel in a leaf's arrays.
 constexpr int leaf_place(int x, int y, int z) {
   return (x * kLeafEdge + y) * kLeafEdge + z;

@@ -2,6 +2,7 @@
 
 #include <openvdb/tools/Interpolation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -35,8 +36,16 @@ IndexBox with_margin(IndexBox box, int margin) {
 
 class LeafSource : public NetSource {
  public:
-  LeafSource(const Tree& tree, const IndexBox& box)
-      : tree_(tree), leaves_(ordered_leaves(tree, box)) {}
+  // A cell's corners are no farther apart than its diagonal, and φ changes by no more than that.
+  LeafSource(const Tree& tree, const IndexBox& box, double voxel_mm)
+      : tree_(tree), leaves_(ordered_leaves(tree, box)) {
+    const auto near = static_cast<float>(1.7321 * voxel_mm);
+    std::erase_if(leaves_, [near](const Leaf* leaf) {
+      const float* values = leaf->buffer().data();
+      return std::none_of(values, values + kLeafVoxels,
+                          [near](float v) { return std::abs(v) <= near; });
+    });
+  }
   std::size_t leaves() const override { return leaves_.size(); }
   Index3 corner(std::size_t leaf) const override { return index3(leaves_[leaf]->origin()); }
   void values(std::size_t leaf, LeafPatch& patch) const override {
@@ -119,7 +128,7 @@ double StockGrid::value(const Vec3& p) const {
   return openvdb::tools::BoxSampler::sample(impl_->grid->tree(), openvdb::Vec3d(i.x, i.y, i.z));
 }
 
-VolumeSum StockGrid::volume(const RunControl& control) const {
+GridVolume StockGrid::volume(const RunControl& control) const {
   const Tree& tree = impl_->grid->tree();
   return vdb::volume(tree, ordered_leaves(tree, impl_->box), impl_->box, impl_->lattice.voxel_mm,
                      control);
@@ -151,12 +160,13 @@ ColumnTops StockGrid::column_tops(const RunControl& control) const {
 }
 
 model::TriangleMesh StockGrid::mesh(const MakePlacer& placers, const RunControl& control) const {
-  const LeafSource source(impl_->grid->tree(), impl_->box);
+  const LeafSource source(impl_->grid->tree(), impl_->box, impl_->lattice.voxel_mm);
   return surface_net(source, impl_->lattice, placers, control);
 }
 
 NetSize StockGrid::mesh_size(const RunControl& control) const {
-  return surface_net_size(LeafSource(impl_->grid->tree(), impl_->box), control);
+  return surface_net_size(LeafSource(impl_->grid->tree(), impl_->box, impl_->lattice.voxel_mm),
+                          control);
 }
 
 void StockGrid::write(const std::filesystem::path& file) const {

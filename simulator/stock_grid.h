@@ -7,13 +7,13 @@
 
 #include "engine/model/run_control.h"
 #include "engine/model/triangle_mesh.h"
+#include "simulator/bent_cells.h"
 #include "simulator/column_tops.h"
 #include "simulator/index_box.h"
 #include "simulator/pass_reach.h"
 #include "simulator/raw_stock.h"
 #include "simulator/surface_net.h"
 #include "simulator/sweep_index.h"
-#include "simulator/volume_sum.h"
 
 namespace limitgauge::simulator {
 
@@ -50,7 +50,7 @@ class StockGrid {
   double band_mm() const { return kBandVoxels * lattice().voxel_mm; }
   const IndexBox& box() const;
   double value(const model::Vec3& p_mm) const;
-  VolumeSum volume(const model::RunControl& control) const;
+  GridVolume volume(const model::RunControl& control) const;
   std::size_t memory_bytes() const;
   /// Leaves in the box, and beside it.
   std::size_t leaf_count() const;

@@ -134,9 +134,8 @@ double StockModel::band_mm() const {
 }
 double StockModel::volume_mm3(const RunControl& control) const {
   const double v = voxel_mm();
-  const double voxels =
-      state_->tiled ? state_->tiled->volume().voxels() : state_->grid.volume(control).voxels();
-  return voxels * v * v * v;
+  const GridVolume volume = state_->tiled ? state_->tiled->volume() : state_->grid.volume(control);
+  return volume.voxels(state_->material, state_->lattice, control) * v * v * v;
 }
 double StockModel::value(const model::Vec3& p_mm) const {
   if (state_->tiled) return interpolated_value(state_->material, state_->lattice, p_mm);

@@ -73,8 +73,8 @@ class StockModel {
 
   double voxel_mm() const;
   double band_mm() const;  ///< |φ| is exact up to here and constant beyond
-  /// From the level set; error of second order in the voxel. Where a flat bottom went up or down a
-  /// slope, of first: the floor that its rim leaves is off by 0.03 of a voxel at 14°.
+  /// From the level set, error of second order in the voxel; in cells where that is not linear,
+  /// edges above all, from the exact material (GridVolume).
   double volume_mm3(const model::RunControl& control = {}) const;
   std::size_t memory_bytes() const;
   /// φ at `p_mm` by trilinear interpolation, clamped to ±band_mm(). Tile by tile it is the same but

@@ -27,6 +27,11 @@ Index3 moved(Index3 at, int axis, int by) {
   return at;
 }
 
+Index3 leaf_corner(Index3 at) {
+  for (int& i : at) i &= ~(kLeafEdge - 1);
+  return at;
+}
+
 // A lattice edge that the surface crosses, from `low` one step along `axis`.
 struct CrossedEdge {
   Index3 low{};
@@ -47,7 +52,7 @@ struct Ring {
   bool any_doubled() const { return doubled[0] || doubled[1] || doubled[2] || doubled[3]; }
 };
 
-Ring ring_about(const NetCells& cells, const CrossedEdge& e) {
+Ring ring_about(const NetCells::Around& cells, const CrossedEdge& e) {
   const int u = (e.axis + 1) % 3, v = (e.axis + 2) % 3;
   // Steps to the cells, anticlockwise seen against the axis.
   constexpr int kSteps[4][2] = {{0, 0}, {-1, 0}, {-1, -1}, {0, -1}};
@@ -116,16 +121,22 @@ void place_cell(const NetCells::Cell& cell, const LeafPatch& patch, const Index3
     vertices[cell.first_vertex + c] = placer.place(at, {crossings[c].data(), count[c]});
 }
 
+// The cells of a leaf, cube by cube of four and of two cells.
+Index3 cell_in_cubes(int n) {
+  const auto bits = [n](int low) {
+    return (n >> (low + 6) & 1) << 2 | (n >> (low + 3) & 1) << 1 | (n >> low & 1);
+  };
+  return {bits(2), bits(1), bits(0)};
+}
+
 void place_leaf(const NetLeaf& leaf, const LeafPatch& patch, const Index3& corner,
                 const Lattice& lattice, NetPlacer& placer, std::vector<Vec3>& vertices) {
-  for (int x = 0; x < kLeafEdge; ++x)
-    for (int y = 0; y < kLeafEdge; ++y)
-      for (int z = 0; z < kLeafEdge; ++z) {
-        const int at = leaf_place(x, y, z);
-        const NetCells::Cell cell{leaf.signs[at], leaf.first_vertex + leaf.vertex[at]};
-        if (cell.cycles().count > 0)
-          place_cell(cell, patch, {x, y, z}, corner, lattice, placer, vertices);
-      }
+  for (int n = 0; n < kLeafCells; ++n) {
+    const Index3 c = cell_in_cubes(n);
+    const int at = leaf_place(c[0], c[1], c[2]);
+    const NetCells::Cell cell{leaf.signs[at], leaf.first_vertex + leaf.vertex[at]};
+    if (cell.cycles().count > 0) place_cell(cell, patch, c, corner, lattice, placer, vertices);
+  }
 }
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -191,19 +202,14 @@ struct LeafQuads {
 LeafQuads quads_of(const NetCells& cells, const NetLeaf& leaf, const Index3& corner,
                    const std::vector<Vec3>& vertices) {
   LeafQuads quads;
+  quads.triangles.reserve(2 * leaf.crossed);
+  const NetCells::Around around(cells, corner);
   each_crossed_edge(leaf, corner, [&](const CrossedEdge& e) {
-    const Ring ring = ring_about(cells, e);
+    const Ring ring = ring_about(around, e);
     if (ring.any_doubled()) return quads.doubled.push_back(e);
     add_quad(ring, e.low_stands, vertices, quads.triangles);
   });
   return quads;
-}
-
-std::size_t crossed_edges(const NetSource& source, const NetCells& cells) {
-  std::size_t edges = 0;
-  for (std::size_t i = 0; i < source.leaves(); ++i)
-    if (cells.leaf(i)) each_crossed_edge(*cells.leaf(i), {}, [&](const CrossedEdge&) { ++edges; });
-  return edges;
 }
 
 void add_triangles(const NetSource& source, const NetCells& cells, TriangleMesh& mesh,
@@ -223,7 +229,8 @@ void add_triangles(const NetSource& source, const NetCells& cells, TriangleMesh&
     }
   }
   DoubledQuads quads(mesh);
-  for (const CrossedEdge& e : doubled) quads.add(e, ring_about(cells, e));
+  for (const CrossedEdge& e : doubled)
+    quads.add(e, ring_about(NetCells::Around(cells, leaf_corner(e.low)), e));
 }
 
 }  // namespace
@@ -241,15 +248,8 @@ NetSize surface_net_size(const NetSource& source, const model::RunControl& contr
     LeafPatch patch;
     for (std::size_t i = begin; i < end; ++i) {
       source.values(i, patch);
-      std::size_t cycles = 0, crossed = 0;
-      for (int x = 0; x < kLeafEdge; ++x)
-        for (int y = 0; y < kLeafEdge; ++y)
-          for (int z = 0; z < kLeafEdge; ++z) {
-            const unsigned s = cell_signs(patch, x, y, z), low = s & 1;
-            cycles += cell_cycles()[s].count;
-            crossed += ((s >> 4 & 1) != low) + ((s >> 2 & 1) != low) + ((s >> 1 & 1) != low);
-          }
-      vertices += cycles, edges += crossed, leaves += cycles > 0;
+      const NetLeaf leaf = net_leaf(patch);
+      vertices += leaf.vertices, edges += leaf.crossed, leaves += leaf.vertices > 0;
     }
   });
   return {vertices, 2 * edges, leaves};
@@ -264,14 +264,15 @@ TriangleMesh surface_net(const NetSource& source, const Lattice& lattice, const 
   const std::size_t chunks = model::chunk_count(source.leaves(), kChunk);
   model::parallel_chunks(source.leaves(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     LeafPatch patch;
+    const auto placer = placers();
     for (std::size_t i = begin; i < end; ++i) {
       if (!cells.leaf(i)) continue;
       source.values(i, patch);
-      place_leaf(*cells.leaf(i), patch, source.corner(i), lattice, *placers(), mesh.vertices);
+      place_leaf(*cells.leaf(i), patch, source.corner(i), lattice, *placer, mesh.vertices);
     }
     control.report(static_cast<double>(++done) / static_cast<double>(chunks));
   });
-  mesh.triangles.reserve(2 * crossed_edges(source, cells));
+  mesh.triangles.reserve(2 * cells.crossed_edges());
   add_triangles(source, cells, mesh, control);
   return mesh;
 }

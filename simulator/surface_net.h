@@ -34,7 +34,7 @@ class NetPlacer {
   /// `crossings` are where a cycle crosses the edges of the cell that begins at `cell`.
   virtual model::Vec3 place(const Index3& cell, std::span<const model::Vec3> crossings) = 0;
 };
-/// A placer for one leaf; called from any thread.
+/// A placer for a few leaves, one after the other, always the same ones; called from any thread.
 using MakePlacer = std::function<std::unique_ptr<NetPlacer>()>;
 
 /// How much a net would take.

@@ -56,7 +56,8 @@ class Makers {
     std::rotate(known_.begin(), at, at + 1);
   }
 
-  Vec3 step(const Material& material, const MaterialSample& now, const Vec3& p) const {
+  template <class Source>
+  Vec3 step(const Source& material, const MaterialSample& now, const Vec3& p) const {
     std::array<MaterialSample, 3> binding{now};
     std::size_t n = 1;
     const Vec3 alone = now.gradient * -now.value;
@@ -78,14 +79,8 @@ Vec3 shortened(const Vec3& step, double most) {
   return l > most ? step * (most / l) : step;
 }
 
-}  // namespace
-
-Vec3 step_onto(std::span<const MaterialSample> samples) {
-  return step_to_all(samples);
-}
-
-StockPoint project_to_surface(const Material& material, const Vec3& start, double voxel_mm,
-                              SurfaceMaker& hint) {
+template <class Source>
+StockPoint project(const Source& material, const Vec3& start, double voxel_mm, SurfaceMaker& hint) {
   Vec3 p = start;
   MaterialSample now = material.sample(p, hint);
   StockPoint best{p, std::abs(now.value)};
@@ -98,6 +93,22 @@ StockPoint project_to_surface(const Material& material, const Vec3& start, doubl
   }
   hint = now.maker;
   return best;
+}
+
+}  // namespace
+
+Vec3 step_onto(std::span<const MaterialSample> samples) {
+  return step_to_all(samples);
+}
+
+StockPoint project_to_surface(const Material& material, const Vec3& start, double voxel_mm,
+                              SurfaceMaker& hint) {
+  return project(material, start, voxel_mm, hint);
+}
+
+StockPoint project_to_surface(const NearMaterial& material, const Vec3& start, double voxel_mm,
+                              SurfaceMaker& hint) {
+  return project(material, start, voxel_mm, hint);
 }
 
 namespace {

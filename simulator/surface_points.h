@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "simulator/material.h"
-#include "simulator/stock_model.h"
+#include "simulator/near_material.h"
 #include "simulator/stock_grid.h"
+#include "simulator/stock_model.h"
 
 namespace limitgauge::simulator {
 
@@ -15,6 +16,8 @@ namespace limitgauge::simulator {
 /// first, and becomes the maker found; it only saves time.
 StockPoint project_to_surface(const Material& material, const model::Vec3& start, double voxel_mm,
                               SurfaceMaker& hint);
+StockPoint project_to_surface(const NearMaterial& material, const model::Vec3& start,
+                              double voxel_mm, SurfaceMaker& hint);
 
 /// The shortest step that brings the linearised values of one, two or three samples to zero; of the
 /// first alone where their gradients are too nearly parallel to say more.

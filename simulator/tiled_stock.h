@@ -23,14 +23,14 @@ class TiledStock {
                  const model::RunControl& control, const Visit& visit) const;
 
   const Lattice& lattice() const { return lattice_; }
-  const VolumeSum& volume() const { return volume_; }
+  const GridVolume& volume() const { return volume_; }
   const ColumnTops& column_tops() const { return tops_; }
   std::size_t size() const { return tiles_.size(); }
 
  private:
   Lattice lattice_;
   std::vector<IndexBox> tiles_;
-  VolumeSum volume_;
+  GridVolume volume_;
   ColumnTops tops_;
 };
 

@@ -37,36 +37,41 @@ void each_tile(const Tree& tree, const IndexBox& box, Visit visit) {
   }
 }
 
-double inside_share(const LeafPatch& patch, int x, int y, int z) {
+void add_cell(const LeafPatch& patch, const Index3& in_leaf, const Index3& at, double voxel,
+              GridVolume& volume) {
   std::array<double, 8> f;
-  bool inside = false, outside = false;
+  int inside = 0;
   for (int k = 0; k < 8; ++k) {
-    f[k] = patch[patch_place(x + (k >> 2 & 1), y + (k >> 1 & 1), z + (k & 1))];
-    (f[k] < 0 ? inside : outside) = true;
+    f[k] = patch[patch_place(in_leaf[0] + (k >> 2 & 1), in_leaf[1] + (k >> 1 & 1),
+                             in_leaf[2] + (k & 1))];
+    inside += f[k] < 0;
   }
-  if (inside && outside) return negative_share(f);
-  return inside ? 1.0 : 0.0;
+  if (inside == 0) return;
+  if (inside == 8) return volume.linear.add_whole(1);
+  const double share = negative_share(f);
+  volume.linear.add_share(share);
+  if (is_bent(f, voxel)) volume.bent.add(at, share);
 }
 
 // Cells whose lowest corner is in the leaf.
-VolumeSum leaf_volume(const Tree& tree, const Leaf& leaf, double voxel, LeafPatch& patch) {
+void add_leaf(const Tree& tree, const Leaf& leaf, double voxel, LeafPatch& patch,
+              GridVolume& volume) {
   const double diagonal = std::sqrt(3.0) * voxel;
   const float* values = leaf.buffer().data();
-  VolumeSum sum;
   std::uint64_t near = 0, deep = 0;
   for (int n = 0; n < kLeafVoxels; ++n) {
     deep += values[n] < -diagonal;
     near += std::abs(values[n]) <= diagonal;
   }
-  sum.add_whole(deep);
-  if (near == 0) return sum;
+  volume.linear.add_whole(deep);
+  if (near == 0) return;
   fill_patch(tree, leaf, patch);
+  const Index3 corner = index3(leaf.origin());
   for (int x = 0; x < kLeafEdge; ++x)
     for (int y = 0; y < kLeafEdge; ++y)
       for (int z = 0; z < kLeafEdge; ++z)
         if (std::abs(patch[patch_place(x, y, z)]) <= diagonal)
-          sum.add_share(inside_share(patch, x, y, z));
-  return sum;
+          add_cell(patch, {x, y, z}, {corner[0] + x, corner[1] + y, corner[2] + z}, voxel, volume);
 }
 
 bool negative_neighbours(const Accessor& tree, const Leaf& leaf, const float* values, int x, int y,
@@ -118,19 +123,19 @@ void fill_patch(const Tree& tree, const Leaf& leaf, LeafPatch& patch) {
   }
 }
 
-VolumeSum volume(const Tree& tree, const std::vector<const Leaf*>& leaves, const IndexBox& box,
-                 double voxel_mm, const model::RunControl& control) {
-  VolumeSum sum;
+GridVolume volume(const Tree& tree, const std::vector<const Leaf*>& leaves, const IndexBox& box,
+                  double voxel_mm, const model::RunControl& control) {
+  GridVolume sum;
   each_tile(tree, box, [&](const IndexBox& tile) {
-    sum.add_whole(static_cast<std::uint64_t>(tile.voxels()));
+    sum.linear.add_whole(static_cast<std::uint64_t>(tile.voxels()));
   });
-  std::vector<VolumeSum> parts(model::chunk_count(leaves.size(), kChunk));
+  std::vector<GridVolume> parts(model::chunk_count(leaves.size(), kChunk));
   model::parallel_chunks(leaves.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     LeafPatch patch;
     for (std::size_t i = begin; i < end; ++i)
-      parts[begin / kChunk] += leaf_volume(tree, *leaves[i], voxel_mm, patch);
+      add_leaf(tree, *leaves[i], voxel_mm, patch, parts[begin / kChunk]);
   });
-  for (const VolumeSum& part : parts) sum += part;
+  for (const GridVolume& part : parts) sum += part;
   return sum;
 }
 

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "engine/model/run_control.h"
+#include "simulator/bent_cells.h"
 #include "simulator/column_tops.h"
 #include "simulator/surface_net.h"
 #include "simulator/vdb_tree.h"
-#include "simulator/volume_sum.h"
 
 namespace limitgauge::simulator::vdb {
 
@@ -18,8 +18,8 @@ std::vector<const Leaf*> ordered_leaves(const Tree& tree, const IndexBox& box);
 void fill_patch(const Tree& tree, const Leaf& leaf, LeafPatch& patch);
 
 /// The material whose cells begin in `box`.
-VolumeSum volume(const Tree& tree, const std::vector<const Leaf*>& leaves, const IndexBox& box,
-                 double voxel_mm, const model::RunControl& control);
+GridVolume volume(const Tree& tree, const std::vector<const Leaf*>& leaves, const IndexBox& box,
+                  double voxel_mm, const model::RunControl& control);
 
 /// Offsets of the leaf's voxels that are inside with one of their six neighbours outside,
 /// ascending.

@@ -35,8 +35,8 @@ StageResult stage_with_stock() {
 TEST_CASE("a stage that ran leaves its files, twice the same", "[unit][files]") {
   const TemporaryFolder a, b;
   const StageResult stage = stage_with_stock();
-  const StagePictures pictures = write_stage_files(stage, a.path(), {});
-  write_stage_files(stage, b.path(), {});
+  const auto [pictures, surface] = write_stage_files(stage, a.path(), {});
+  write_stage_files(stage, b.path(), {.control = {3}});
   for (const char* name :
        {"toolpath.vtp", "deviation.vtp", "stock.vtp", "deviation.png", "stock.png"}) {
     INFO(name);
@@ -48,6 +48,11 @@ TEST_CASE("a stage that ran leaves its files, twice the same", "[unit][files]") 
   CHECK(content(a.path() / "finish" / "deviation.png") == pictures.deviation_png);
   const StagePictures drawn = draw_pictures(stage);
   CHECK((drawn.stock_png == pictures.stock_png && drawn.deviation_png == pictures.deviation_png));
+  // Of a closed manifold without holes: 2 V - 4 triangles.
+  REQUIRE(surface);
+  CHECK(surface->triangles == 2 * surface->vertices - 4);
+  CHECK(surface->voxel_mm == 1.0);
+  CHECK(surface->unmoved_vertices == 0);
 }
 
 TEST_CASE("pictures can be left out", "[unit][files]") {
@@ -60,10 +65,10 @@ TEST_CASE("pictures can be left out", "[unit][files]") {
 
 TEST_CASE("a stage that was not run leaves nothing", "[unit][files]") {
   const TemporaryFolder folder;
-  const StagePictures pictures =
+  const auto [pictures, surface] =
       write_stage_files(sample_result(Outcome::failed, 3).stages[2], folder.path(), {});
   CHECK(std::filesystem::is_empty(folder.path()));
-  CHECK((pictures.deviation_png.empty() && pictures.stock_png.empty()));
+  CHECK((pictures.deviation_png.empty() && pictures.stock_png.empty() && !surface));
 }
 
 TEST_CASE("a stage's name never leads out of the folder", "[unit][files]") {

@@ -13,7 +13,8 @@ namespace {
 
 void write_all(RunResult result, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  for (StageResult& stage : result.stages) stage.pictures = write_stage_files(stage, folder, {});
+  for (StageResult& stage : result.stages)
+    stage.pictures = write_stage_files(stage, folder, {}).pictures;
   std::ofstream json(folder / "result.json"), junit(folder / "junit.xml"),
       page(folder / "report.html");
   write_result_json(result, json);

@@ -30,10 +30,10 @@ bool lies_below_tops(const SweepIndex& pass, const MoveBatch& moves, const Cube&
 }  // namespace
 
 double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit) {
-  moves_.clear();
+  kept_.clear();
+  moves_.assign(pass, kept_);
   const auto found = pass.nearest(cube.middle, limit);
   if (!found) return kFar;
-  kept_.clear();
   if (pass.profile().is_ball() && cube.middle.z + cube.half_edge_mm <= pass.below_tops_mm()) {
     const double to_foot = found->at.distance + pass.profile().corner_radius();
     pass.gather_rivals({cube.middle, cube.half_edge_mm, found->at.gradient * to_foot}, kept_);
@@ -41,14 +41,15 @@ double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit)
     const double reach = found->at.distance + 2 * cube.half_diagonal() + kSlack;
     pass.gather(cube.middle, std::min(limit, reach), kept_);
   }
-  for (const std::uint32_t slot : kept_) moves_.push(pass, slot);
+  moves_.assign(pass, kept_);
   below_tops_ = lies_below_tops(pass, moves_, cube);
   return found->at.distance;
 }
 
 double NearMoves::narrow(const SweepIndex& pass, const NearMoves& wider, const Cube& cube,
                          double limit) {
-  moves_.clear();
+  kept_.clear();
+  moves_.assign(pass, kept_);
   if (wider.empty()) return kFar;
   below_tops_ = lies_below_tops(pass, wider.moves_, cube);
   const double least =

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/model/chunks.h"
+#include "simulator/local_material.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -17,6 +18,9 @@ constexpr std::size_t kBatch = 2048, kLeaves = 8;
 // Far below the micrometre that anybody measures, far above rounding.
 constexpr double kGoodEnough = 1e-10;
 constexpr int kMostSteps = 24;
+
+// For fewer points than this, each searches all moves.
+constexpr std::size_t kFewPoints = 8;
 
 // The shortest step that brings both linearised values to zero; only the first one where the two
 // gradients are too nearly parallel to say more.
@@ -79,16 +83,26 @@ Vec3 shortened(const Vec3& step, double most) {
   return l > most ? step * (most / l) : step;
 }
 
-template <class Source>
-StockPoint project(const Source& material, const Vec3& start, double voxel_mm, SurfaceMaker& hint) {
+}  // namespace
+
+Vec3 step_onto(std::span<const MaterialSample> samples) {
+  return step_to_all(samples);
+}
+
+namespace {
+
+/// `sample` is the material's, from wherever it is known.
+template <class Source, class Sample>
+StockPoint project(const Source& material, const Sample& sample, const Vec3& start, double voxel_mm,
+                   SurfaceMaker& hint) {
   Vec3 p = start;
-  MaterialSample now = material.sample(p, hint);
+  MaterialSample now = sample(p, hint);
   StockPoint best{p, std::abs(now.value)};
   Makers makers;
   for (int step = 0; step < kMostSteps && best.residual_mm > kGoodEnough; ++step) {
     makers.meet(now.maker);
     p += shortened(makers.step(material, now, p), voxel_mm);
-    now = material.sample(p, now.maker);
+    now = sample(p, now.maker);
     if (std::abs(now.value) < best.residual_mm) best = {p, std::abs(now.value)};
   }
   hint = now.maker;
@@ -97,18 +111,16 @@ StockPoint project(const Source& material, const Vec3& start, double voxel_mm, S
 
 }  // namespace
 
-Vec3 step_onto(std::span<const MaterialSample> samples) {
-  return step_to_all(samples);
-}
-
 StockPoint project_to_surface(const Material& material, const Vec3& start, double voxel_mm,
                               SurfaceMaker& hint) {
-  return project(material, start, voxel_mm, hint);
+  const auto sample = [&](const Vec3& p, SurfaceMaker guess) { return material.sample(p, guess); };
+  return project(material, sample, start, voxel_mm, hint);
 }
 
 StockPoint project_to_surface(const NearMaterial& material, const Vec3& start, double voxel_mm,
                               SurfaceMaker& hint) {
-  return project(material, start, voxel_mm, hint);
+  const auto sample = [&](const Vec3& p, SurfaceMaker guess) { return material.sample(p, guess); };
+  return project(material, sample, start, voxel_mm, hint);
 }
 
 namespace {
@@ -122,12 +134,24 @@ std::vector<StockPoint> leaf_points(const Material& material, const StockGrid& g
   std::vector<StockPoint> points;
   for (int a = 0; a < 3; ++a)
     if (high[a] < region.low[a] || low[a] > region.high[a]) return points;
-  SurfaceMaker hint;
+  std::vector<Vec3> starts;
   for (const Index3& v : leaves.surface_voxels(leaf)) {
     const Vec3 centre = lattice.point(v);
-    if (region.contains(centre))
-      points.push_back(project_to_surface(material, centre, lattice.voxel_mm, hint));
+    if (region.contains(centre)) starts.push_back(centre);
   }
+  points.reserve(starts.size());
+  SurfaceMaker hint;
+  if (starts.size() < kFewPoints) {
+    for (const Vec3& p : starts)
+      points.push_back(project_to_surface(material, p, lattice.voxel_mm, hint));
+    return points;
+  }
+  // The surface is less than two voxels away.
+  const double half_edge = lattice.half_edge(kLeafEdge) + 2 * lattice.voxel_mm;
+  LocalMaterial local(material, lattice.middle(voxels.low, kLeafEdge), half_edge);
+  const auto sample = [&](const Vec3& p, SurfaceMaker guess) { return local.sample(p, guess); };
+  for (const Vec3& p : starts)
+    points.push_back(project(material, sample, p, lattice.voxel_mm, hint));
   return points;
 }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "engine/model/chunks.h"
 #include "simulator/stock_grid.h"
+#include "simulator/swept_distance.h"
 #include "simulator/wide.h"
 
 namespace limitgauge::benchmarks {
@@ -58,6 +60,24 @@ void write_distances(double radius_mm, double voxel_mm, const model::RunControl&
       out.size() / kColumn, kChunkColumns, control, [&](std::size_t begin, std::size_t end) {
         write_columns(move, radius_mm, voxel_mm, begin, end - begin, out.data() + begin * kColumn);
       });
+}
+
+void write_swept_distances(const simulator::Pass& pass, double voxel_mm,
+                           const model::RunControl& control, std::span<float> out) {
+  constexpr std::size_t kChunk = 1 << 16, kOfMove = 64;
+  const simulator::CutterProfile profile(pass.cutter);
+  const std::vector<model::Move>& moves = pass.path->moves;
+  model::parallel_chunks(out.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    simulator::SweptMove move;
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::size_t i = n / kOfMove % moves.size();
+      const auto k = static_cast<int>(n % kOfMove);
+      if (n == begin || k == 0)
+        move = {move_from(*pass.path, i), moves[i].to, static_cast<std::uint32_t>(i)};
+      const model::Vec3 beside = model::Vec3(k / 16, k / 4 % 4, k % 4) * voxel_mm;
+      out[n] = static_cast<float>(swept_distance(profile, move, move.start + beside).distance);
+    }
+  });
 }
 
 }  // namespace limitgauge::benchmarks

@@ -100,9 +100,11 @@ TEST_CASE("the stock of a run comes back as its zero set", "[property][mesh][vdb
   const VdbStock back = read_vdb_stock(file.path());
   CHECK(back.voxel_mm == 0.5);
   CHECK_FALSE(find_defect(back.mesh).has_value());
-  // The same measure of the same field, in another order of summing; zero to the last bit of
-  // single precision is neither inside nor outside.
-  CHECK(volume_mm3(back.mesh) == Approx(stock.volume_mm3()).epsilon(1e-6));
+  // The file holds the level set alone, linear within its cells: edges are cut off by half a voxel
+  // squared at most, which the stock's own volume knows better. Edges here: the block's 12 and the
+  // slot's, some 260 mm.
+  const double edges_mm = 260;
+  CHECK(std::abs(volume_mm3(back.mesh) - stock.volume_mm3()) < edges_mm * 0.5 * 0.5 * 0.5);
   // Two triangles at every edge.
   const auto at_edges = triangles_at_edges(back.mesh);
   CHECK(at_edges.size() == 1);

@@ -188,6 +188,13 @@ Json removal_part(const simulator::RemovalTotals& t) {
           {"line_spacing_mm", finite("removal.line_spacing_mm", t.spacing_mm)}};
 }
 
+Json surface_part(const StockSurfaceFigures& s) {
+  return {{"vertices", s.vertices},
+          {"triangles", s.triangles},
+          {"voxel_mm", finite("simulation.surface.voxel_mm", s.voxel_mm)},
+          {"unmoved_vertices", s.unmoved_vertices}};
+}
+
 Json agreement_part(const simulator::StockAgreement& a) {
   return {
       {"lines", a.lines},
@@ -199,16 +206,18 @@ Json agreement_part(const simulator::StockAgreement& a) {
 }
 
 Json simulation_part(const StageResult::Ran& r) {
-  return {{"voxel_mm", finite("simulation.voxel_mm", r.voxel_mm)},
-          {"removed_volume_mm3", finite("simulation.removed_volume_mm3", r.removed_volume_mm3)},
-          {"tiles", r.tiles},
-          {"seconds", finite("simulation.seconds", r.simulation_seconds)},
-          {"peak_memory_bytes", r.peak_memory_bytes},
-          {"removal", removal_part(r.removal.totals)},
-          {"agreement", agreement_part(r.agreement)},
-          {"rapid_collisions", rapid_collisions(r.process)},
-          {"holder_collisions", holder_collisions(r.process)},
-          {"findings", process_findings(r.process)}};
+  Json out = {{"voxel_mm", finite("simulation.voxel_mm", r.voxel_mm)},
+              {"removed_volume_mm3", finite("simulation.removed_volume_mm3", r.removed_volume_mm3)},
+              {"tiles", r.tiles},
+              {"seconds", finite("simulation.seconds", r.simulation_seconds)},
+              {"peak_memory_bytes", r.peak_memory_bytes},
+              {"removal", removal_part(r.removal.totals)},
+              {"agreement", agreement_part(r.agreement)},
+              {"rapid_collisions", rapid_collisions(r.process)},
+              {"holder_collisions", holder_collisions(r.process)},
+              {"findings", process_findings(r.process)}};
+  if (r.surface) out["surface"] = surface_part(*r.surface);
+  return out;
 }
 
 std::string stage_name(const RunResult& result, std::size_t stage) {

@@ -39,25 +39,25 @@ void require_counts(const pugi::xml_node& node, int tests, int failures, int err
 
 TEST_CASE("a passed job has a case for each stage and figure", "[unit][junit]") {
   const pugi::xml_document document = parsed(sample_result(Outcome::passed));
-  require_counts(document.child("testsuites"), 15, 0, 0, 0);
+  require_counts(document.child("testsuites"), 18, 0, 0, 0);
   CHECK(document.select_nodes("/testsuites/testsuite").size() == 3);
   CHECK(document.select_node("//testsuite[@name='finish']/testcase[@name='coverage']"));
 }
 
 TEST_CASE("a failed stage has failures, the stage after it is skipped", "[unit][junit]") {
   const pugi::xml_document document = parsed(sample_result(Outcome::failed));
-  require_counts(document.child("testsuites"), 15, 3, 0, 5);
+  require_counts(document.child("testsuites"), 18, 4, 0, 6);
   const auto failure =
       document.select_node("//testsuite[@name='semi-finish']/testcase[@name='gouge']/failure");
   REQUIRE(failure);
   CHECK_THAT(failure.node().attribute("message").value(), ContainsSubstring("limit 50 µm"));
   CHECK_THAT(failure.node().attribute("message").value(), ContainsSubstring("patch "));
-  require_counts(document.select_node("//testsuite[@name='finish']").node(), 5, 0, 0, 5);
+  require_counts(document.select_node("//testsuite[@name='finish']").node(), 6, 0, 0, 6);
 }
 
 TEST_CASE("an undecided figure is an error", "[unit][junit]") {
   const pugi::xml_document document = parsed(sample_result(Outcome::indeterminate));
-  require_counts(document.child("testsuites"), 15, 0, 1, 0);
+  require_counts(document.child("testsuites"), 18, 0, 1, 0);
   CHECK(document.select_node("//testsuite[@name='finish']/testcase[@name='uncut']/error"));
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("a figure without a limit is skipped", "[unit][junit]") {
   RunResult result = sample_result(Outcome::passed);
   result.stages[0].limits.has_uncut = false;
   const pugi::xml_document document = parsed(result);
-  require_counts(document.child("testsuites"), 15, 0, 0, 1);
+  require_counts(document.child("testsuites"), 18, 0, 0, 1);
   CHECK_THAT(document.select_node("//skipped").node().attribute("message").value(),
              ContainsSubstring("no limit stated"));
 }
@@ -74,7 +74,7 @@ TEST_CASE("a verdict that no figure explains is kept", "[unit][junit]") {
   RunResult result = sample_result(Outcome::passed);
   result.stages[0].decision = {verifier::Verdict::fail, {"for a reason of its own"}};
   const pugi::xml_document document = parsed(result);
-  require_counts(document.child("testsuites"), 16, 1, 0, 0);
+  require_counts(document.child("testsuites"), 19, 1, 0, 0);
   CHECK(document.select_node("//testcase[@name='verdict']/failure"));
 }
 

@@ -141,7 +141,8 @@ TEST_CASE("work on tiles shows its progress and stops when asked to", "[slow][ti
   stopping.progress = [&](double fraction) { stop = stop || fraction > 0.3; };
   const simulator::Pass pass = rows(cutter(CutterType::ball, 4, 20));
   CHECK_THROWS_AS(stock.cut(pass, stopping), model::Interrupted);
-  CHECK(stock.volume_mm3() == Approx(4800).epsilon(1e-7));
+  // Of the many cells along the block's edges a sample is worked out exactly.
+  CHECK(stock.volume_mm3() == Approx(4800).epsilon(1e-6));
   stop = false;
   CHECK_THROWS_AS(stock.surface_points(stopping), model::Interrupted);
 }

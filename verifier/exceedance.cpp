@@ -18,8 +18,12 @@ constexpr std::size_t kChunk = 64;
 class SpotSearch {
  public:
   SpotSearch(const RemovedSpace& space, const ReachQuery* reach, const ExceedanceRequest& request,
-             std::size_t cell_limit)
-      : bounder_(space), reach_(reach), request_(request), cell_limit_(cell_limit) {}
+             std::size_t cell_limit, const model::RunControl& control)
+      : bounder_(space),
+        reach_(reach),
+        request_(request),
+        cell_limit_(cell_limit),
+        control_(control) {}
 
   void run(const SurfaceCell& cell) {
     std::vector<BodyRef> candidates;
@@ -41,6 +45,8 @@ class SpotSearch {
   }
 
   void search(const SurfaceCell& cell, std::vector<BodyRef> candidates) {
+    // Where reach has no proof, a cell may take a millisecond.
+    control_.check();
     const bool gouge = request_.side == Side::gouge;
     const double level = gouge ? request_.allowance_mm - request_.threshold_mm - request_.slack_mm
                                : request_.allowance_mm + request_.threshold_mm;
@@ -72,6 +78,7 @@ class SpotSearch {
   const ReachQuery* reach_;
   const ExceedanceRequest& request_;
   std::size_t cells_ = 0, cell_limit_;
+  const model::RunControl& control_;
   std::optional<BodyRef> hint_;
   Exceedance out_;
 };
@@ -89,7 +96,7 @@ Exceedance find_exceedance(const SurfaceCells& cells, const RemovedSpace& space,
   const std::size_t share = std::max(kLeastShare, 4 * request.largest_cell_count / (chunks + 1));
   model::parallel_chunks(cells.cells().size(), kChunk, control,
                          [&](std::size_t begin, std::size_t end) {
-                           SpotSearch search(space, reach, request, share);
+                           SpotSearch search(space, reach, request, share, control);
                            for (std::size_t i = begin; i < end; ++i) search.run(cells.cells()[i]);
                            parts[begin / kChunk] = search.take();
                          });

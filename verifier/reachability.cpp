@@ -17,6 +17,9 @@ using std::numbers::pi;
 constexpr int kDirections = 16;
 constexpr double kLevel = 1e-9;  // sine of the slope below which a spot is level
 constexpr int kDeepest = 60;
+/// Parts of a cell looked at for one position: a contact in one point takes some dozens, one along
+/// a line some thousands.
+constexpr int kMostLooks = 20'000;
 /// Contact positions tried around the circle of a flat cutter, and rings of them inwards.
 constexpr int kCircleSamples = 24;
 constexpr int kRings = 4;
@@ -30,9 +33,11 @@ double over_bottom(const CutterProfile& p, const Vec3& n) {
   return (std::hypot(n.x, n.y) - n.z * p.rise) / std::sqrt(1 + p.rise * p.rise);
 }
 
-/// Searches one cell for a point nearer than the limit; empty where that stays undecided.
+/// Searches one cell for a point nearer than the limit; empty where that stays undecided, as where
+/// the effort is spent.
 std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, const Vec3& tip,
-                              double limit_mm, int depth) {
+                              double limit_mm, int depth, int& effort) {
+  if (--effort < 0) return std::nullopt;
   const Vec3 centre = middle(cell);
   const BodyDistance d = standing_distance(profile, tip, centre);
   if (d.value < limit_mm) return true;
@@ -40,7 +45,7 @@ std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, 
   if (depth > kDeepest || control_radius(cell, centre) < kSmallestCell_mm) return std::nullopt;
   std::optional<bool> result = false;
   for (const Bezier& half : halved(cell)) {
-    const auto part = any_below(profile, half, tip, limit_mm, depth + 1);
+    const auto part = any_below(profile, half, tip, limit_mm, depth + 1, effort);
     if (part && *part) return part;
     if (!part) result = part;
   }
@@ -63,7 +68,8 @@ Reachability::Below Reachability::comes_below(const CutterProfile& profile, cons
       [&](double bound) { return bound >= limit_mm || worst == Below::found; },
       [&](const BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const auto part = any_below(profile, cells_.cells()[k].shape, tip, limit_mm, 0);
+          int effort = kMostLooks;
+          const auto part = any_below(profile, cells_.cells()[k].shape, tip, limit_mm, 0, effort);
           if (!part) worst = Below::undecided;
           if (part && *part) {
             worst = Below::found;
@@ -103,6 +109,7 @@ std::vector<Vec3> Reachability::contact_choices(const Vec3& p, const Vec3& n) co
   if (profile_.is_pointed()) {
     // All along the bottom, from its tip to where the corner begins.
     const double level = std::hypot(n.x, n.y), sine = profile_.rise * n.z;
+    if (level <= kLevel) return {p + n * allowance_mm_};
     const double ends = profile_.flat_mm + profile_.rounding_mm * sine;
     for (int k = 0; k <= kDirections; ++k) {
       const double out = std::max(0.0, ends) * k / kDirections;
@@ -129,16 +136,19 @@ bool Reachability::surely_unreachable_by_tip(const Bezier& cell, const NormalCon
 }
 
 bool Reachability::surely_unreachable(const Bezier& cell) const {
-  if (profile_.undercuts() || profile_.flat_mm < 0) return false;
+  if (profile_.flat_mm < 0) return false;
   const auto cone = normal_cone(cell);
   if (!cone) return false;
   const double tilt = std::acos(std::clamp(cone->axis.z, -1.0, 1.0)), spread = cone->half_angle_rad;
-  if (tilt - spread > pi / 2 - std::asin(slope_sine(profile_))) return true;
+  if (!profile_.undercuts() && tilt - spread > pi / 2 - std::asin(slope_sine(profile_)))
+    return true;
   if (profile_.is_pointed()) {
     const double bottom = std::atan(profile_.rise);
     if (tilt + spread < bottom - kLevel) return surely_unreachable_by_tip(cell, *cone);
     if (tilt - spread <= bottom + kLevel) return false;
   }
+  // What leans inwards may touch with its side too.
+  if (profile_.undercuts()) return false;
 
   const Vec3 centre = middle(cell);
   const double reach = profile_.rounding_mm + allowance_mm_;

@@ -25,6 +25,13 @@ using namespace limitgauge::simulator;
 using model::TriangleMesh;
 using model::Vec3;
 
+/// OpenVDB loses the nodes it has read when a file ends too early. Asked for by the leak sanitizer,
+/// and by nobody else.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:readTopology";
+}
+
 namespace {
 
 /// A file that is gone at the end of the test.

@@ -8,16 +8,16 @@
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_shapes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace limitgauge::app {
 namespace {
 
-/// A folder with a block as OBJ and as stock of a run, removed at its end.
+/// A folder with a block as OBJ and as stock of a run.
 class Folder {
  public:
-  Folder() : path_(std::filesystem::temp_directory_path() / "limitgauge_job_stock_test") {
-    std::filesystem::create_directories(path_);
-    std::ofstream obj(path_ / "block.obj");
+  Folder() {
+    std::ofstream obj(folder_.path() / "block.obj");
     const model::TriangleMesh mesh = tests::block_between({0, 0, 0}, {4, 3, 2});
     for (const model::Vec3& v : mesh.vertices)
       obj << "v " << v.x << ' ' << v.y << ' ' << v.z << '\n';
@@ -25,11 +25,8 @@ class Folder {
       obj << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
     obj << "f 1 1 2\n";
     simulator::StockModel(model::BoxStock{{0, 0, 0}, {4, 3, 2}}, 0.25, std::size_t{1} << 30)
-        .write_vdb(path_ / "stock.vdb");
+        .write_vdb(folder_.path() / "stock.vdb");
   }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
 
   Job read_with(const std::string& stock) const {
     std::string text = good_job();
@@ -37,7 +34,7 @@ class Folder {
     text.replace(begin, end - begin, "[stock]\n" + stock + "\n");
     const std::string cage =
         (std::filesystem::path(LIMITGAUGE_FIXTURES) / "cages/quick-dome.obj").string();
-    return read_job_text(with(text, "cages/quick-dome.obj", cage), "job.toml", path_, {});
+    return read_job_text(with(text, "cages/quick-dome.obj", cage), "job.toml", folder_.path(), {});
   }
   std::string error_with(const std::string& stock) const {
     try {
@@ -47,10 +44,10 @@ class Folder {
     }
     return "no error";
   }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
 
  private:
-  std::filesystem::path path_;
+  tests::TemporaryFolder folder_;
 };
 
 bool says(const Job& job, const std::string& text) {

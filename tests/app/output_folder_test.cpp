@@ -5,23 +5,11 @@
 #include "app/output_files.h"
 #include "engine/model/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
 
 namespace limitgauge::app {
 namespace fs = std::filesystem;
 namespace {
-
-/// An empty folder of this test, removed at its end.
-struct Scratch {
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "limitgauge-XXXXXX").string();
-    path = mkdtemp(name.data());
-  }
-  ~Scratch() { fs::remove_all(path); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  fs::path path;
-};
 
 void put(const fs::path& file, const std::string& text) {
   write_file(file, [&](std::ostream& out) { out << text; });
@@ -33,30 +21,30 @@ std::size_t entries(const fs::path& folder) {
 }
 
 TEST_CASE("results take their name only at the end", "[unit][output]") {
-  const Scratch scratch;
-  OutputFolder folder(scratch.path / "out" / "job/", false);
-  CHECK(entries(scratch.path) == 0);
+  const tests::TemporaryFolder scratch;
+  OutputFolder folder(scratch.path() / "out" / "job/", false);
+  CHECK(entries(scratch.path()) == 0);
   folder.prepare();
   put(folder.working() / "result.json", "{}");
-  CHECK_FALSE(fs::exists(scratch.path / "out" / "job"));
+  CHECK_FALSE(fs::exists(scratch.path() / "out" / "job"));
   folder.finish();
-  CHECK(fs::exists(scratch.path / "out" / "job" / "result.json"));
-  CHECK(entries(scratch.path / "out") == 1);
+  CHECK(fs::exists(scratch.path() / "out" / "job" / "result.json"));
+  CHECK(entries(scratch.path() / "out") == 1);
 }
 
 TEST_CASE("without its end a run leaves nothing, not even the folders above", "[unit][output]") {
-  const Scratch scratch;
+  const tests::TemporaryFolder scratch;
   {
-    OutputFolder folder(scratch.path / "a" / "b" / "job", false);
+    OutputFolder folder(scratch.path() / "a" / "b" / "job", false);
     folder.prepare();
     put(folder.working() / "result.json", "{}");
   }
-  CHECK(entries(scratch.path) == 0);
+  CHECK(entries(scratch.path()) == 0);
 }
 
 TEST_CASE("a finished folder is overwritten only when asked for", "[unit][output]") {
-  const Scratch scratch;
-  const fs::path target = scratch.path / "job";
+  const tests::TemporaryFolder scratch;
+  const fs::path target = scratch.path() / "job";
   fs::create_directory(target);
   put(target / "result.json", "old");
   put(target / "left.txt", "old");
@@ -67,28 +55,28 @@ TEST_CASE("a finished folder is overwritten only when asked for", "[unit][output
   put(folder.working() / "result.json", "new");
   folder.finish();
   CHECK_FALSE(fs::exists(target / "left.txt"));
-  CHECK(entries(scratch.path) == 1);
+  CHECK(entries(scratch.path()) == 1);
 }
 
 TEST_CASE("somebody else's folder is never overwritten", "[unit][output]") {
-  const Scratch scratch;
-  put(scratch.path / "thesis.tex", "years of work");
-  CHECK_THROWS_AS(OutputFolder(scratch.path, true), model::InputError);
-  CHECK(fs::exists(scratch.path / "thesis.tex"));
+  const tests::TemporaryFolder scratch;
+  put(scratch.path() / "thesis.tex", "years of work");
+  CHECK_THROWS_AS(OutputFolder(scratch.path(), true), model::InputError);
+  CHECK(fs::exists(scratch.path() / "thesis.tex"));
 }
 
 TEST_CASE("what was finished is kept under a name that says so", "[unit][output]") {
-  const Scratch scratch;
-  OutputFolder folder(scratch.path / "job", false);
+  const tests::TemporaryFolder scratch;
+  OutputFolder folder(scratch.path() / "job", false);
   folder.prepare();
   put(folder.working() / "toolpath.ngc", "G0");
   const fs::path kept = folder.keep_incomplete("the disk was full");
-  CHECK(kept == scratch.path / "job.incomplete");
+  CHECK(kept == scratch.path() / "job.incomplete");
   CHECK(fs::exists(kept / "toolpath.ngc"));
   std::string note;
   std::getline(std::ifstream(kept / "INCOMPLETE.txt"), note);
   CHECK(note == "the disk was full");
-  CHECK(entries(scratch.path) == 1);
+  CHECK(entries(scratch.path()) == 1);
 }
 
 TEST_CASE("a file that cannot be written is an error that names it", "[unit][output]") {

@@ -11,6 +11,7 @@
 #include "tests/model/mesh_texts.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_shapes.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace limitgauge::model;
 using namespace limitgauge::model::test;
@@ -83,8 +84,8 @@ TEST_CASE("the content tells the format", "[unit][mesh]") {
 }
 
 TEST_CASE("a mesh from the disk", "[unit][mesh]") {
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / "limitgauge_mesh_reader_test.stl";
+  const limitgauge::tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "block.stl";
   {
     std::ofstream out(file, std::ios::binary);
     out << binary_stl(kBlock);

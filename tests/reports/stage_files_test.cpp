@@ -4,8 +4,8 @@
 #include "engine/model/error.h"
 #include "reports/report.h"
 #include "tests/reports/sample_result.h"
-#include "tests/reports/temporary_folder.h"
 #include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace limitgauge;
 using namespace limitgauge::reports;
@@ -33,7 +33,7 @@ StageResult stage_with_stock() {
 }  // namespace
 
 TEST_CASE("a stage that ran leaves its files, twice the same", "[unit][files]") {
-  const TemporaryFolder a, b;
+  const tests::TemporaryFolder a, b;
   const StageResult stage = stage_with_stock();
   const auto [pictures, surface] = write_stage_files(stage, a.path(), {});
   write_stage_files(stage, b.path(), {.control = {3}});
@@ -56,7 +56,7 @@ TEST_CASE("a stage that ran leaves its files, twice the same", "[unit][files]") 
 }
 
 TEST_CASE("pictures can be left out", "[unit][files]") {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   write_stage_files(sample_result(Outcome::passed, 3).stages[0], folder.path(),
                     {.pictures = false});
   CHECK(std::filesystem::exists(folder.path() / "rough" / "deviation.vtp"));
@@ -64,7 +64,7 @@ TEST_CASE("pictures can be left out", "[unit][files]") {
 }
 
 TEST_CASE("a stage that was not run leaves nothing", "[unit][files]") {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   const auto [pictures, surface] =
       write_stage_files(sample_result(Outcome::failed, 3).stages[2], folder.path(), {});
   CHECK(std::filesystem::is_empty(folder.path()));
@@ -72,7 +72,7 @@ TEST_CASE("a stage that was not run leaves nothing", "[unit][files]") {
 }
 
 TEST_CASE("a stage's name never leads out of the folder", "[unit][files]") {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   StageResult stage = sample_result(Outcome::passed, 3).stages[0];
   for (const char* name : {"..", ".", "", "../up", "/tmp", "a/b"}) {
     stage.name = name;
@@ -82,7 +82,7 @@ TEST_CASE("a stage's name never leads out of the folder", "[unit][files]") {
 }
 
 TEST_CASE("a folder that cannot be made is out of resources", "[unit][files]") {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   std::ofstream(folder.path() / "file") << "in the way";
   CHECK_THROWS_AS(
       write_stage_files(sample_result(Outcome::passed, 3).stages[0], folder.path() / "file", {}),

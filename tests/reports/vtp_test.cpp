@@ -15,8 +15,8 @@
 #include "engine/model/error.h"
 #include "reports/report.h"
 #include "tests/reports/sample_result.h"
-#include "tests/reports/temporary_folder.h"
 #include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace limitgauge;
 using namespace limitgauge::reports;
@@ -41,7 +41,7 @@ double value(vtkDataSetAttributes* data, const char* name, vtkIdType i) {
 }  // namespace
 
 TEST_CASE("VTK reads a toolpath back", "[unit][vtk]") {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   const RunResult result = sample_result(Outcome::passed, 3);
   const model::Toolpath& path = *result.stages[2].ran->path;
   write_toolpath_vtp(path, folder.path() / "toolpath.vtp");
@@ -63,7 +63,7 @@ TEST_CASE("VTK reads a toolpath back", "[unit][vtk]") {
 }
 
 TEST_CASE("VTK reads a deviation field back", "[unit][vtk]") {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   // 43,320 samples: more than one compressed block an array.
   const RunResult result = sample_result(Outcome::failed, 38);
   const verifier::DeviationField& field = result.stages[1].ran->deviation.field;
@@ -91,7 +91,7 @@ TEST_CASE("VTK reads a deviation field back", "[unit][vtk]") {
 }
 
 TEST_CASE("VTK reads a stock surface back", "[unit][vtk]") {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   const simulator::StockMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2.5}},
                                          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   write_stock_vtp(tetrahedron, folder.path() / "stock.vtp");
@@ -102,7 +102,7 @@ TEST_CASE("VTK reads a stock surface back", "[unit][vtk]") {
 }
 
 TEST_CASE("empty data makes a file that VTK reads", "[unit][vtk]") {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   write_toolpath_vtp({}, folder.path() / "a.vtp");
   CHECK(read_back(folder.path() / "a.vtp")->GetNumberOfPoints() == 1);
   write_deviation_vtp({}, folder.path() / "b.vtp");

@@ -14,6 +14,7 @@
 #include "engine/model/error.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -60,12 +61,11 @@ std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string vdb_bytes(const StockModel& stock, const std::string& name) {
-  const auto file = std::filesystem::temp_directory_path() / ("limitgauge_" + name + ".vdb");
+std::string vdb_bytes(const StockModel& stock) {
+  const tests::TemporaryFolder folder;
+  const auto file = folder.path() / "stock.vdb";
   stock.write_vdb(file);
-  std::string bytes = bytes_of(file);
-  std::filesystem::remove(file);
-  return bytes;
+  return bytes_of(file);
 }
 
 double largest_difference(const StockModel& a, const StockModel& b) {
@@ -166,11 +166,11 @@ TEST_CASE("flutes end where they end: a short cutter leaves what is above it",
 TEST_CASE("the stock is the same for any number of threads", "[property][stock_model]") {
   const Pass pass = waves(cutter(CutterType::bull, 5, 20, 1));
   const StockModel one = block(0.25).cut(pass, {1});
-  const std::string bytes = vdb_bytes(one, "threads");
+  const std::string bytes = vdb_bytes(one);
   REQUIRE(bytes.size() > 10000);
   for (const unsigned threads : {2u, 3u}) {
     const StockModel other = block(0.25).cut(pass, {threads});
-    CHECK(bytes == vdb_bytes(other, "threads"));
+    CHECK(bytes == vdb_bytes(other));
     CHECK(one.volume_mm3() == other.volume_mm3());
     const auto p = one.surface_points({1}), q = other.surface_points({threads});
     REQUIRE(p.size() == q.size());

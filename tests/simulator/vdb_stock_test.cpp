@@ -19,6 +19,7 @@
 #include "simulator/stock_model.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace limitgauge;
 using namespace limitgauge::simulator;
@@ -37,13 +38,11 @@ namespace {
 /// A file that is gone at the end of the test.
 class File {
  public:
-  explicit File(const std::string& name) : path_(std::filesystem::temp_directory_path() / name) {}
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() { std::filesystem::remove(path_); }
+  explicit File(const std::string& name) : path_(folder_.path() / name) {}
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  tests::TemporaryFolder folder_;
   std::filesystem::path path_;
 };
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace limitgauge::reports {
+namespace limitgauge::tests {
 
 /// A folder of this test's own, gone at its end.
 class TemporaryFolder {
@@ -23,4 +23,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace limitgauge::reports
+}  // namespace limitgauge::tests

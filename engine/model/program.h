@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/model/dialect.h"
+#include "engine/model/machine_setup.h"
 #include "engine/model/toolpath.h"
 
 namespace limitgauge::model {
@@ -25,19 +26,25 @@ constexpr std::array<int, 3> axes_of(ArcPlane plane) {
   return {0, 1, 2};
 }
 
-/// A canonical motion of a program: machine frame, mm.
+/// A canonical motion of a program: the tip of the tool in the machine's frame, mm.
 struct Motion {
   MotionKind kind = MotionKind::rapid;
   ArcPlane plane = ArcPlane::xy;
+  bool position_known = true;  ///< every axis has been programmed by the end of this motion
+  /// By M5, a tool change or S0, or before the first M3 or M4 of a program that has one.
+  bool spindle_stopped : 1 = false;
+  /// Z stands at a place that nothing states (G28, G30 or G53 Z0 of a machine whose setup is not
+  /// known) and is taken to be above everything; `to.z` is then the last known height.
+  bool parked : 1 = false;
+  /// X or Y stand at such a place; allowed only while parked.
+  bool astray : 1 = false;
   std::uint32_t line = 0;
   float feed_mm_min = 0;  ///< 0 where a feed move has none: a finding, not an error
   Vec3 to;
   double centre1 = 0, centre2 = 0;  ///< arc centre in the plane's first and second axis, absolute
   double turns = 0;                 ///< of an arc, whole or begun; positive: counter-clockwise
-  bool position_known = true;       ///< every axis has been programmed by the end of this motion
-  /// By M5, a tool change or S0, or before the first M3 or M4 of a program that has one.
-  bool spindle_stopped = false;
 };
+static_assert(sizeof(Motion) == 64);
 
 /// `LINE rapid X Y Z`, `LINE feed X Y Z` or `LINE arc PLANE X Y Z C1 C2 TURNS`, in the shortest
 /// decimals that read back as the same numbers.
@@ -49,28 +56,48 @@ struct IgnoredWord {
   std::string word;
 };
 
+/// A tool that comes into the spindle before motion `motion`.
+struct ToolChange {
+  std::uint32_t line = 0;  ///< 0: it was there at the start
+  std::size_t motion = 0;
+  int tool = 0;
+};
+
+/// A comment that stands before motion `motion`: a name for what follows, perhaps.
+struct ProgramComment {
+  std::uint32_t line = 0;
+  std::size_t motion = 0;
+  std::string text;  ///< without its parentheses or semicolon, trimmed
+};
+
 /// A program as read: canonical motions, and what was set aside.
 struct Program {
   std::string name;
   std::vector<Motion> motions;
   std::vector<IgnoredWord> ignored;
+  std::vector<ToolChange> tool_changes;
+  std::vector<ProgramComment> comments;  ///< of lines that hold nothing else
+  /// What was taken for granted, in words with the line: an offset of a fresh machine, a park
+  /// position, a length offset that is taken to be the tool's own.
+  std::vector<std::string> assumed;
   bool starts_spindle = false;  ///< M3 or M4 somewhere; without, the spindle is taken to turn
 };
 
-/// Reads RS274/NGC text: G0-G3 (IJK incremental or absolute by G90.1/91.1, R, helical, full
-/// circles, G17-19), G4, G20/21, G40, G49, G54, G61/64, G80, G90/91, G94, M0-M9, M30, N, S, T, F,
-/// both kinds of comment, block delete, `%` and a program number `O1234` behind it. A word that is
-/// not understood is an InputError with line and column, never skipped. The motions are those of
-/// LinuxCNC (its order of execution, arc tolerances and count of turns), with these choices where
-/// it asks the machine:
+/// Reads RS274/NGC as LinuxCNC documents it, with the habits of Fanuc and Grbl that do not
+/// contradict it; docs/programs.md lists every code. A word that is not understood is an InputError
+/// with line and column, never skipped. The motions are those of LinuxCNC (its order of execution,
+/// arc tolerances and count of turns), with these choices where it asks the machine:
 ///  - lines that begin with `/` are carried out (the switch is off) and listed as ignored `/`;
 ///  - axes that were never programmed stand at 0 and leave position_known false;
-///  - a program may end without M2 or M30, unless it began with `%`; nothing behind its end is
-///  read;
-///  - M6 with a second tool number is refused, since one cutter is verified at a time.
+///  - a program may end without M2 or M30, unless it began with `%`; nothing behind its end is read
+///    but subprograms that it calls;
+///  - a parameter that was never set is an error where it is read;
+///  - what `machine` does not state and the program needs is an error, except the machine's zero
+///    along Z and the reference points: a move to them that nothing states leaves the axis parked.
 /// Comments that a controller acts on, as `(MSG, text)`, are listed as ignored.
-Program read_program(const std::filesystem::path& path);
-Program read_program(std::istream& in, const std::string& name_in_errors);
+Program read_program(const std::filesystem::path& path, const MachineSetup& machine = {});
+Program read_program(std::istream& in, const std::string& name_in_errors,
+                     const MachineSetup& machine = {});
 
 /// Straight moves for `program`, arcs as chords of at most a quarter turn whose ends lie on the arc
 /// and which stay within `chord_error_mm` of it; the largest error made is recorded in the result.

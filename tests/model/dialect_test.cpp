@@ -6,7 +6,7 @@
 #include <random>
 #include <sstream>
 
-#include "engine/model/gcode_arc.h"
+#include "engine/model/gcode/arc.h"
 #include "engine/model/program.h"
 #include "tests/support/catch.h"
 

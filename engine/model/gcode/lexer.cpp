@@ -1,4 +1,4 @@
-#include "engine/model/gcode_lexer.h"
+#include "engine/model/gcode/lexer.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,7 +6,7 @@
 
 #include "engine/model/words.h"
 
-namespace limitgauge::model {
+namespace limitgauge::model::gcode {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -38,36 +38,35 @@ std::string shown(char c) {
 
 }  // namespace
 
-void GcodeBlock::clear() {
+void Block::clear() {
   block_delete = false;
   words.clear();
   comments.clear();
 }
 
-GcodeLexer::GcodeLexer(std::string_view text, std::string name)
-    : text_(text), name_(std::move(name)) {
+Lexer::Lexer(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
   if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
 }
 
-SourcePlace GcodeLexer::place(std::uint32_t line, std::uint32_t column) const {
+SourcePlace Lexer::place(std::uint32_t line, std::uint32_t column) const {
   return {name_, static_cast<int>(line), static_cast<int>(column)};
 }
 
-void GcodeLexer::fail(std::size_t at, const std::string& wrong, const std::string& expected) const {
+void Lexer::fail(std::size_t at, const std::string& wrong, const std::string& expected) const {
   throw InputError(place(line_, column_of(at)), wrong, expected);
 }
 
-void GcodeLexer::skip_blanks() {
+void Lexer::skip_blanks() {
   while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
 }
 
-void GcodeLexer::end_line() {
+void Lexer::end_line() {
   if (at_ < text_.size()) ++at_;
   ++line_;
   line_begin_ = at_;
 }
 
-bool GcodeLexer::next(GcodeBlock& block) {
+bool Lexer::next(Block& block) {
   block.clear();
   if (at_ >= text_.size()) {
     if (in_percents_)
@@ -87,7 +86,7 @@ bool GcodeLexer::next(GcodeBlock& block) {
 }
 
 /// True for the `%` that ends the program.
-bool GcodeLexer::take_percent() {
+bool Lexer::take_percent() {
   const std::size_t begin = at_++;
   skip_blanks();
   if (!at_line_end()) fail(at_, "text after '%'", "'%' alone on its line");
@@ -97,7 +96,7 @@ bool GcodeLexer::take_percent() {
   return false;
 }
 
-void GcodeLexer::read_line(GcodeBlock& block) {
+void Lexer::read_line(Block& block) {
   if (!at_line_end() && text_[at_] == '/') {
     block.block_delete = true;
     ++at_;
@@ -122,7 +121,7 @@ void GcodeLexer::read_line(GcodeBlock& block) {
   }
 }
 
-void GcodeLexer::read_comment(GcodeBlock& block) {
+void Lexer::read_comment(Block& block) {
   const std::size_t begin = at_++;
   while (!at_line_end() && text_[at_] != ')') {
     if (text_[at_] == '(') fail(at_, "a comment inside a comment", "')' first");
@@ -133,7 +132,7 @@ void GcodeLexer::read_comment(GcodeBlock& block) {
   block.comments.push_back({column_of(begin), text_.substr(begin, at_ - begin)});
 }
 
-void GcodeLexer::read_word(GcodeBlock& block) {
+void Lexer::read_word(Block& block) {
   const std::size_t begin = at_;
   const char letter = upper(text_[at_++]);
   if (letter == 'O') return read_program_number(block, begin);
@@ -147,7 +146,7 @@ void GcodeLexer::read_word(GcodeBlock& block) {
 }
 
 /// Fanuc names a program behind its first `%`; every other O word means subroutines or loops.
-void GcodeLexer::read_program_number(const GcodeBlock& block, std::size_t word_begin) {
+void Lexer::read_program_number(const Block& block, std::size_t word_begin) {
   const bool may_stand = in_percents_ && !words_read_ && block.comments.empty();
   const std::size_t digits = at_;
   while (at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9') ++at_;
@@ -160,7 +159,7 @@ void GcodeLexer::read_program_number(const GcodeBlock& block, std::size_t word_b
   words_read_ = true;
 }
 
-double GcodeLexer::read_number(std::size_t word_begin) {
+double Lexer::read_number(std::size_t word_begin) {
   skip_blanks();
   const std::size_t begin = at_;
   if (at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-')) ++at_;
@@ -181,7 +180,7 @@ double GcodeLexer::read_number(std::size_t word_begin) {
 }
 
 /// A number with blanks between its numerals, or none at all.
-double GcodeLexer::read_spaced_number(std::size_t word_begin) {
+double Lexer::read_spaced_number(std::size_t word_begin) {
   std::string gathered;
   std::size_t end = at_;
   for (; !at_line_end(); ++at_) {
@@ -203,4 +202,4 @@ double GcodeLexer::read_spaced_number(std::size_t word_begin) {
   return *value;
 }
 
-}  // namespace limitgauge::model
+}  // namespace limitgauge::model::gcode

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-namespace limitgauge::model {
+namespace limitgauge::model::gcode {
 
 using PlanePoint = std::array<double, 2>;
 
@@ -25,4 +25,4 @@ ArcCentre centre_by_radius(PlanePoint start, PlanePoint end, double radius_mm,
 inline constexpr double kSpiralToleranceMm = 2 * 0.01 * 1.4142135623730951;
 inline constexpr double kSpiralToleranceInch = 2 * 0.001 * 1.4142135623730951;
 
-}  // namespace limitgauge::model
+}  // namespace limitgauge::model::gcode

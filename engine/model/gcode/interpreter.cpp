@@ -1,11 +1,11 @@
-#include "engine/model/gcode_interpreter.h"
+#include "engine/model/gcode/interpreter.h"
 
 #include <cmath>
 
-#include "engine/model/gcode_arc.h"
+#include "engine/model/gcode/arc.h"
 #include "engine/model/words.h"
 
-namespace limitgauge::model {
+namespace limitgauge::model::gcode {
 namespace {
 
 constexpr double kInchMm = 25.4;
@@ -20,16 +20,16 @@ bool is_arc(std::optional<int> motion) {
   return motion == 20 || motion == 30;
 }
 
-bool has_axis_word(const GcodeStatement& statement) {
+bool has_axis_word(const Statement& statement) {
   return statement.word('X') || statement.word('Y') || statement.word('Z');
 }
 
-bool has_centre_word(const GcodeStatement& statement) {
+bool has_centre_word(const Statement& statement) {
   return statement.word('I') || statement.word('J') || statement.word('K');
 }
 
 /// Upper case and without blanks.
-std::string plain(const GcodeWord& word) {
+std::string plain(const Word& word) {
   std::string text(1, word.letter);
   for (const char c : word.text.substr(1)) {
     if (c != ' ' && c != '\t' && c != '\r') text += c;
@@ -37,7 +37,7 @@ std::string plain(const GcodeWord& word) {
   return text;
 }
 
-bool is_ignored(const GcodeStatement& statement, const GcodeWord& word) {
+bool is_ignored(const Statement& statement, const Word& word) {
   if (word.letter == 'S' || word.letter == 'T') return true;
   if (&word == statement.g_word(GGroup::non_modal)) return true;
   if (&word == statement.g_word(GGroup::path_control)) return true;
@@ -61,7 +61,7 @@ bool is_active(std::string_view comment) {
 
 }  // namespace
 
-bool GcodeInterpreter::execute(const GcodeStatement& statement) {
+bool Interpreter::execute(const Statement& statement) {
   list_messages(statement.block());
   if (statement.block().words.empty()) return true;
   check_companions(statement);
@@ -75,34 +75,34 @@ bool GcodeInterpreter::execute(const GcodeStatement& statement) {
   return statement.m(MGroup::stopping).value_or(0) < 2;
 }
 
-void GcodeInterpreter::add_ignored(std::uint32_t line, std::string word) {
+void Interpreter::add_ignored(std::uint32_t line, std::string word) {
   program_.ignored.push_back({line, std::move(word)});
 }
 
-void GcodeInterpreter::list_messages(const GcodeBlock& block) {
+void Interpreter::list_messages(const Block& block) {
   if (block.block_delete) add_ignored(block.line, "/");
-  for (const GcodeComment& comment : block.comments) {
+  for (const Comment& comment : block.comments) {
     if (is_active(comment.text)) add_ignored(block.line, std::string(comment.text));
   }
 }
 
-void GcodeInterpreter::list_ignored(const GcodeStatement& statement) {
-  for (const GcodeWord& word : statement.block().words) {
+void Interpreter::list_ignored(const Statement& statement) {
+  for (const Word& word : statement.block().words) {
     if (!is_ignored(statement, word)) continue;
     std::string text = plain(word);
     const bool takes_p = word.letter == 'G';
-    if (const GcodeWord* p = statement.word('P'); takes_p && p) text.append(" ").append(plain(*p));
-    if (const GcodeWord* q = statement.word('Q'); takes_p && q) text.append(" ").append(plain(*q));
+    if (const Word* p = statement.word('P'); takes_p && p) text.append(" ").append(plain(*p));
+    if (const Word* q = statement.word('Q'); takes_p && q) text.append(" ").append(plain(*q));
     add_ignored(statement.block().line, std::move(text));
   }
 }
 
 /// Words that only mean something beside a certain code.
-void GcodeInterpreter::check_companions(const GcodeStatement& statement) const {
+void Interpreter::check_companions(const Statement& statement) const {
   const bool dwell = statement.g(GGroup::non_modal).has_value();
   const bool blending = statement.g(GGroup::path_control) == 640;
   const bool arc = is_arc(motion_of(statement));
-  const GcodeWord* const p = statement.word('P');
+  const Word* const p = statement.word('P');
   if (dwell && arc)
     statement.fail(*statement.g_word(GGroup::non_modal), "G4 beside an arc, which may use P too",
                    "a block of its own");
@@ -111,17 +111,17 @@ void GcodeInterpreter::check_companions(const GcodeStatement& statement) const {
                    "P with 0 or more seconds");
   if (p && !dwell && !blending && !arc)
     statement.fail(*p, "P beside no code that uses it", "G2, G3, G4 or G64");
-  if (const GcodeWord* q = statement.word('Q'); q && !blending)
+  if (const Word* q = statement.word('Q'); q && !blending)
     statement.fail(*q, "Q beside no code that uses it", "G64");
-  if (const GcodeWord* centre = statement.first_of({'I', 'J', 'K', 'R'}); centre && !arc)
+  if (const Word* centre = statement.first_of({'I', 'J', 'K', 'R'}); centre && !arc)
     statement.fail(*centre, in_quotes(centre->text) + " beside no arc", "G2 or G3");
 }
 
 /// Before a change of units in the same block, as RS274/NGC orders it.
-void GcodeInterpreter::set_feed(const GcodeStatement& statement) {
+void Interpreter::set_feed(const Statement& statement) {
   // LinuxCNC forgets the feed rate whenever a feed mode is programmed.
   if (statement.g(GGroup::feed_mode)) feed_mm_min_ = 0;
-  const GcodeWord* const f = statement.word('F');
+  const Word* const f = statement.word('F');
   if (!f) return;
   if (f->value < 0) statement.fail(*f, "a negative feed rate", "0 or more");
   if (f->value * unit_mm_ > kLargestCoordinateMm)
@@ -130,14 +130,14 @@ void GcodeInterpreter::set_feed(const GcodeStatement& statement) {
 }
 
 /// One program is verified with one cutter: another one must not pass unseen.
-void GcodeInterpreter::change_tool(const GcodeStatement& statement) {
-  const GcodeWord* const t = statement.word('T');
+void Interpreter::change_tool(const Statement& statement) {
+  const Word* const t = statement.word('T');
   if (t && (t->value < 0 || t->value != std::floor(t->value)))
     statement.fail(*t, "tool number " + in_quotes(t->text), "an integer from 0");
-  if (const GcodeWord* s = statement.word('S'); s && s->value < 0)
+  if (const Word* s = statement.word('S'); s && s->value < 0)
     statement.fail(*s, "a negative spindle speed", "0 or more");
   if (t) selected_tool_ = t->value;
-  const GcodeWord* const change = statement.m_word(MGroup::tool_change);
+  const Word* const change = statement.m_word(MGroup::tool_change);
   if (!change || !selected_tool_) return;
   if (loaded_tool_ && *loaded_tool_ != *selected_tool_)
     statement.fail(*change, "a change to a second tool is not supported in this release",
@@ -147,8 +147,8 @@ void GcodeInterpreter::change_tool(const GcodeStatement& statement) {
 
 /// A tool change stops the spindle, and comes before M3 of the same block. A program without M3 and
 /// M4 leaves the spindle to the operator; one that starts it somewhere had it at rest before.
-void GcodeInterpreter::set_spindle(const GcodeStatement& statement) {
-  if (const GcodeWord* s = statement.word('S')) speed_is_zero_ = s->value == 0;
+void Interpreter::set_spindle(const Statement& statement) {
+  if (const Word* s = statement.word('S')) speed_is_zero_ = s->value == 0;
   if (statement.m_word(MGroup::tool_change) && spindle_on_) spindle_on_ = false;
   const auto code = statement.m(MGroup::spindle);
   if (!code) return;
@@ -160,20 +160,20 @@ void GcodeInterpreter::set_spindle(const GcodeStatement& statement) {
     program_.motions[i].spindle_stopped = true;
 }
 
-void GcodeInterpreter::set_modes(const GcodeStatement& statement) {
+void Interpreter::set_modes(const Statement& statement) {
   if (const auto code = statement.g(GGroup::plane)) plane_ = static_cast<ArcPlane>(*code / 10);
   if (const auto code = statement.g(GGroup::units)) unit_mm_ = *code == 200 ? kInchMm : 1;
   if (const auto code = statement.g(GGroup::distance)) incremental_ = *code == 910;
   if (const auto code = statement.g(GGroup::arc_distance)) centre_absolute_ = *code == 901;
   if (const auto code = statement.g(GGroup::motion)) {
-    const GcodeWord* const axis = statement.first_of({'X', 'Y', 'Z'});
+    const Word* const axis = statement.first_of({'X', 'Y', 'Z'});
     if (*code == 800 && axis) statement.fail(*axis, "an axis word beside G80", "G0, G1, G2 or G3");
     motion_mode_ = *code == 800 ? std::nullopt : code;
   }
 }
 
 /// The motion that this block asks for. G0 and G1 alone are motions of no length, as in LinuxCNC.
-std::optional<int> GcodeInterpreter::motion_of(const GcodeStatement& statement) const {
+std::optional<int> Interpreter::motion_of(const Statement& statement) const {
   if (const auto code = statement.g(GGroup::motion)) return *code == 800 ? std::nullopt : code;
   if (has_axis_word(statement)) {
     if (!motion_mode_)
@@ -184,7 +184,7 @@ std::optional<int> GcodeInterpreter::motion_of(const GcodeStatement& statement) 
   return has_centre_word(statement) && is_arc(motion_mode_) ? motion_mode_ : std::nullopt;
 }
 
-void GcodeInterpreter::move(const GcodeStatement& statement, int code) {
+void Interpreter::move(const Statement& statement, int code) {
   Motion motion;
   motion.kind = code == 0 ? MotionKind::rapid : code == 10 ? MotionKind::feed : MotionKind::arc;
   motion.line = statement.block().line;
@@ -198,10 +198,10 @@ void GcodeInterpreter::move(const GcodeStatement& statement, int code) {
   program_.motions.push_back(motion);
 }
 
-Vec3 GcodeInterpreter::end_of(const GcodeStatement& statement) {
+Vec3 Interpreter::end_of(const Statement& statement) {
   Vec3 end_mm = position_mm_;
   for (int axis = 0; axis < 3; ++axis) {
-    const GcodeWord* const word = statement.word(kAxes[axis]);
+    const Word* const word = statement.word(kAxes[axis]);
     if (!word) continue;
     end_mm[axis] = word->value * unit_mm_ + (incremental_ ? position_mm_[axis] : 0);
     if (!incremental_) known_[axis] = true;
@@ -211,18 +211,17 @@ Vec3 GcodeInterpreter::end_of(const GcodeStatement& statement) {
   return end_mm;
 }
 
-void GcodeInterpreter::arc(const GcodeStatement& statement, bool counter_clockwise,
-                           Motion& motion) const {
+void Interpreter::arc(const Statement& statement, bool counter_clockwise, Motion& motion) const {
   const auto [first, second, normal] = axes_of(plane_);
   const PlanePoint start = {position_mm_[first], position_mm_[second]};
   const PlanePoint end = {motion.to[first], motion.to[second]};
-  const GcodeWord* const radius = statement.word('R');
-  const GcodeWord* const centre = statement.first_of({'I', 'J', 'K'});
-  const GcodeWord* const code = statement.g_word(GGroup::motion);
-  const GcodeWord& blamed = centre   ? *centre
-                            : radius ? *radius
-                            : code   ? *code
-                                     : *statement.first_of({'X', 'Y', 'Z'});
+  const Word* const radius = statement.word('R');
+  const Word* const centre = statement.first_of({'I', 'J', 'K'});
+  const Word* const code = statement.g_word(GGroup::motion);
+  const Word& blamed = centre   ? *centre
+                       : radius ? *radius
+                       : code   ? *code
+                                : *statement.first_of({'X', 'Y', 'Z'});
   if (!radius && !centre) statement.fail(blamed, "an arc without centre or radius", "I J K or R");
   if (radius && centre) statement.fail(*radius, "R beside I, J or K", "one of the two forms");
   if (radius && !statement.word(kAxes[first]) && !statement.word(kAxes[second]))
@@ -238,15 +237,15 @@ void GcodeInterpreter::arc(const GcodeStatement& statement, bool counter_clockwi
   motion.turns = counter_clockwise ? turns(statement) : -turns(statement);
 }
 
-PlanePoint GcodeInterpreter::centre_words(const GcodeStatement& statement) const {
+PlanePoint Interpreter::centre_words(const Statement& statement) const {
   const auto [first, second, normal] = axes_of(plane_);
-  if (const GcodeWord* stray = statement.word(kCentres[normal]))
+  if (const Word* stray = statement.word(kCentres[normal]))
     statement.fail(*stray, in_quotes(stray->text) + " is no centre word of this plane",
                    std::string(1, kCentres[first]) + " and " + kCentres[second]);
   PlanePoint centre{};
   for (int i = 0; i < 2; ++i) {
     const int axis = i == 0 ? first : second;
-    const GcodeWord* const word = statement.word(kCentres[axis]);
+    const Word* const word = statement.word(kCentres[axis]);
     if (!word && centre_absolute_)
       statement.fail(*statement.first_of({'I', 'J', 'K'}),
                      std::string("an absolute centre without ") + kCentres[axis],
@@ -260,8 +259,8 @@ PlanePoint GcodeInterpreter::centre_words(const GcodeStatement& statement) const
 
 /// LinuxCNC's count: one for the part turn that reaches the end point, one more for each whole
 /// turn.
-double GcodeInterpreter::turns(const GcodeStatement& statement) const {
-  const GcodeWord* const p = statement.word('P');
+double Interpreter::turns(const Statement& statement) const {
+  const Word* const p = statement.word('P');
   if (!p) return 1;
   const double count = std::round(p->value);
   if (std::abs(p->value - count) > 0.001 || count < 1 || count > kMostTurns)
@@ -269,4 +268,4 @@ double GcodeInterpreter::turns(const GcodeStatement& statement) const {
   return count;
 }
 
-}  // namespace limitgauge::model
+}  // namespace limitgauge::model::gcode

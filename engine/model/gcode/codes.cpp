@@ -1,9 +1,9 @@
-#include "engine/model/gcode_codes.h"
+#include "engine/model/gcode/codes.h"
 
 #include <array>
 #include <span>
 
-namespace limitgauge::model {
+namespace limitgauge::model::gcode {
 namespace {
 
 struct GCode {
@@ -111,4 +111,4 @@ std::string_view refused_m_meaning(int number) {
   return meaning_in(kRefusedM, number);
 }
 
-}  // namespace limitgauge::model
+}  // namespace limitgauge::model::gcode

@@ -4,50 +4,50 @@
 #include <initializer_list>
 #include <optional>
 
-#include "engine/model/gcode_codes.h"
-#include "engine/model/gcode_lexer.h"
+#include "engine/model/gcode/codes.h"
+#include "engine/model/gcode/lexer.h"
 
-namespace limitgauge::model {
+namespace limitgauge::model::gcode {
 
 /// A block whose words have been sorted by what they are: at most one code of each modal group and
 /// one word of each other letter. It refers to the block's words and dies with them.
-class GcodeStatement {
+class Statement {
  public:
   struct Code {
     int number = 0;  ///< G codes in tenths
-    const GcodeWord* word = nullptr;
+    const Word* word = nullptr;
   };
 
   /// Throws InputError at the word that is unknown, not supported, repeated or in conflict with
   /// another of its modal group.
-  GcodeStatement(const GcodeBlock& block, const GcodeLexer& lexer);
+  Statement(const Block& block, const Lexer& lexer);
 
   /// The word of a letter other than G and M; null where there is none.
-  const GcodeWord* word(char letter) const { return letters_[letter - 'A']; }
+  const Word* word(char letter) const { return letters_[letter - 'A']; }
   std::optional<int> g(GGroup group) const { return number(g_[static_cast<int>(group)]); }
   std::optional<int> m(MGroup group) const { return number(m_[static_cast<int>(group)]); }
-  const GcodeWord* g_word(GGroup group) const { return g_[static_cast<int>(group)].word; }
-  const GcodeWord* m_word(MGroup group) const { return m_[static_cast<int>(group)].word; }
+  const Word* g_word(GGroup group) const { return g_[static_cast<int>(group)].word; }
+  const Word* m_word(MGroup group) const { return m_[static_cast<int>(group)].word; }
   /// The first word of the block that has one of `letters`; null where there is none.
-  const GcodeWord* first_of(std::initializer_list<char> letters) const;
-  const GcodeBlock& block() const { return block_; }
-  [[noreturn]] void fail(const GcodeWord& word, const std::string& wrong,
+  const Word* first_of(std::initializer_list<char> letters) const;
+  const Block& block() const { return block_; }
+  [[noreturn]] void fail(const Word& word, const std::string& wrong,
                          const std::string& expected) const;
 
  private:
   static std::optional<int> number(const Code& code) {
     return code.word == nullptr ? std::nullopt : std::optional(code.number);
   }
-  void add_g(const GcodeWord& word);
-  void add_m(const GcodeWord& word);
-  void add_other(const GcodeWord& word);
-  [[noreturn]] void refuse(const GcodeWord& word, std::string_view meaning) const;
+  void add_g(const Word& word);
+  void add_m(const Word& word);
+  void add_other(const Word& word);
+  [[noreturn]] void refuse(const Word& word, std::string_view meaning) const;
 
-  const GcodeBlock& block_;
-  const GcodeLexer& lexer_;
-  std::array<const GcodeWord*, 26> letters_{};
+  const Block& block_;
+  const Lexer& lexer_;
+  std::array<const Word*, 26> letters_{};
   std::array<Code, static_cast<int>(GGroup::count)> g_{};
   std::array<Code, static_cast<int>(MGroup::count)> m_{};
 };
 
-}  // namespace limitgauge::model
+}  // namespace limitgauge::model::gcode

@@ -1,11 +1,11 @@
-#include "engine/model/gcode_statement.h"
+#include "engine/model/gcode/statement.h"
 
 #include <cmath>
 #include <limits>
 
 #include "engine/model/words.h"
 
-namespace limitgauge::model {
+namespace limitgauge::model::gcode {
 namespace {
 
 constexpr int kG80 = 800;
@@ -21,9 +21,8 @@ std::optional<int> whole(double value) {
 
 }  // namespace
 
-GcodeStatement::GcodeStatement(const GcodeBlock& block, const GcodeLexer& lexer)
-    : block_(block), lexer_(lexer) {
-  for (const GcodeWord& word : block.words) {
+Statement::Statement(const Block& block, const Lexer& lexer) : block_(block), lexer_(lexer) {
+  for (const Word& word : block.words) {
     if (word.letter == 'G') {
       add_g(word);
     } else if (word.letter == 'M') {
@@ -34,7 +33,7 @@ GcodeStatement::GcodeStatement(const GcodeBlock& block, const GcodeLexer& lexer)
   }
 }
 
-void GcodeStatement::add_g(const GcodeWord& word) {
+void Statement::add_g(const Word& word) {
   const std::optional<int> tenths = whole(word.value * 10);
   const std::optional<GGroup> group = tenths ? g_group(*tenths) : std::nullopt;
   if (!group) refuse(word, tenths ? refused_g_meaning(*tenths) : std::string_view());
@@ -48,7 +47,7 @@ void GcodeStatement::add_g(const GcodeWord& word) {
   code = {*tenths, &word};
 }
 
-void GcodeStatement::add_m(const GcodeWord& word) {
+void Statement::add_m(const Word& word) {
   const std::optional<int> number = whole(word.value);
   const std::optional<MGroup> group = number ? m_group(*number) : std::nullopt;
   if (!group) refuse(word, number ? refused_m_meaning(*number) : std::string_view());
@@ -60,7 +59,7 @@ void GcodeStatement::add_m(const GcodeWord& word) {
   code = {*number, &word};
 }
 
-void GcodeStatement::add_other(const GcodeWord& word) {
+void Statement::add_other(const Word& word) {
   if (kCarriedOut.find(word.letter) == std::string_view::npos) {
     const bool axis = std::string_view("ABCUVW").find(word.letter) != std::string_view::npos;
     fail(word,
@@ -68,15 +67,15 @@ void GcodeStatement::add_other(const GcodeWord& word) {
               : in_quotes(word.text) + " belongs to no code that this release carries out",
          axis ? "X, Y and Z only" : "words of G0 to G4 and auxiliaries");
   }
-  const GcodeWord*& place = letters_[word.letter - 'A'];
+  const Word*& place = letters_[word.letter - 'A'];
   if (place != nullptr)
     fail(word, in_quotes(word.text) + " after " + in_quotes(place->text) + " in one block",
          "each letter once");
   place = &word;
 }
 
-const GcodeWord* GcodeStatement::first_of(std::initializer_list<char> letters) const {
-  for (const GcodeWord& candidate : block_.words) {
+const Word* Statement::first_of(std::initializer_list<char> letters) const {
+  for (const Word& candidate : block_.words) {
     for (const char letter : letters) {
       if (candidate.letter == letter) return &candidate;
     }
@@ -84,16 +83,16 @@ const GcodeWord* GcodeStatement::first_of(std::initializer_list<char> letters) c
   return nullptr;
 }
 
-void GcodeStatement::refuse(const GcodeWord& word, std::string_view meaning) const {
+void Statement::refuse(const Word& word, std::string_view meaning) const {
   if (meaning.empty()) fail(word, "unknown code " + in_quotes(word.text), "a code of RS274/NGC");
   fail(word,
        in_quotes(word.text) + " (" + std::string(meaning) + ") is not supported in this release",
        "a program without it");
 }
 
-void GcodeStatement::fail(const GcodeWord& word, const std::string& wrong,
-                          const std::string& expected) const {
+void Statement::fail(const Word& word, const std::string& wrong,
+                     const std::string& expected) const {
   throw InputError(lexer_.place(block_.line, word.column), wrong, expected);
 }
 
-}  // namespace limitgauge::model
+}  // namespace limitgauge::model::gcode

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace limitgauge::model {
+namespace limitgauge::model::gcode {
 
 /// Modal groups of G codes: of each group, a block may have one code (LinuxCNC's groups).
 enum class GGroup : std::uint8_t {
@@ -41,4 +41,4 @@ std::string_view refused_g_meaning(int tenths);
 /// The same for M codes.
 std::string_view refused_m_meaning(int number);
 
-}  // namespace limitgauge::model
+}  // namespace limitgauge::model::gcode

@@ -1,10 +1,10 @@
-#include "engine/model/gcode_arc.h"
+#include "engine/model/gcode/arc.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-namespace limitgauge::model {
+namespace limitgauge::model::gcode {
 namespace {
 
 /// LinuxCNC's 0.00005 inch.
@@ -65,4 +65,4 @@ ArcCentre centre_by_radius(PlanePoint start, PlanePoint end, double radius_mm,
       {middle[0] - along * (end[1] - start[1]), middle[1] + along * (end[0] - start[0])}, {}, {}};
 }
 
-}  // namespace limitgauge::model
+}  // namespace limitgauge::model::gcode

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace limitgauge::model::gcode {
+
+/// The parameters of a running program: numbered, and named ones that are local to a subroutine's
+/// call or, with a leading `_`, global. Numbers 1 to 30 are local to a call too, as in LinuxCNC.
+/// What was never set has no value; reading it is the caller's error. Some are the machine's own
+/// (the position in 5420 to 5422, the offsets in 5161 and on, `_metric`, ...): they are asked for
+/// through `system` when they are read.
+class Parameters {
+ public:
+  static constexpr int kLargest = 5999;
+  using SystemNumbered = std::function<std::optional<double>(int)>;
+  using SystemNamed = std::function<std::optional<double>(std::string_view)>;
+
+  void set_system(SystemNumbered numbered, SystemNamed named);
+
+  std::optional<double> numbered(int number) const;
+  /// `name` in lower case without blanks.
+  std::optional<double> named(std::string_view name) const;
+  /// Whether the program may set it: a number from 1 to kLargest that is not read-only.
+  static bool is_settable(int number);
+  static bool is_settable(std::string_view name);
+  void set(int number, double value);
+  void set(std::string_view name, double value);
+
+  /// A call of a subroutine: `arguments` become 1, 2, ...; the rest of 1 to 30 is 0, as in
+  /// LinuxCNC, and no local name is known. leave() brings the caller's back.
+  void enter(const std::vector<double>& arguments);
+  void leave();
+  std::size_t depth() const { return frames_.size(); }
+
+ private:
+  struct Frame {
+    std::unordered_map<int, double> numbered;
+    std::unordered_map<std::string, double> named;
+  };
+  std::unordered_map<int, double> numbered_;
+  std::unordered_map<std::string, double> named_;
+  std::vector<Frame> frames_ = std::vector<Frame>(1);
+  SystemNumbered system_numbered_;
+  SystemNamed system_named_;
+};
+
+}  // namespace limitgauge::model::gcode

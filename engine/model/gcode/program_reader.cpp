@@ -1,0 +1,39 @@
+#include <algorithm>
+
+#include "engine/model/gcode/interpreter.h"
+#include "engine/model/gcode/lexer.h"
+#include "engine/model/gcode/statement.h"
+#include "engine/model/program.h"
+#include "engine/model/text_file.h"
+
+namespace limitgauge::model {
+namespace {
+
+/// Shortest line that moves the tool, for the guess at how many motions will come: `X1` and its
+/// end.
+constexpr std::size_t kShortestMoveBytes = 8;
+
+Program read_text_program(const std::string& text, const std::string& name, const MachineSetup&) {
+  Program program;
+  program.name = std::filesystem::path(name).stem().string();
+  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  program.motions.reserve(std::min(lines, text.size() / kShortestMoveBytes) + 1);
+  gcode::Lexer lexer(text, name);
+  gcode::Interpreter interpreter(program);
+  gcode::Block block;
+  while (lexer.next(block) && interpreter.execute(gcode::Statement(block, lexer))) continue;
+  return program;
+}
+
+}  // namespace
+
+Program read_program(const std::filesystem::path& path, const MachineSetup& machine) {
+  return read_text_program(read_text_file(path), path.string(), machine);
+}
+
+Program read_program(std::istream& in, const std::string& name_in_errors,
+                     const MachineSetup& machine) {
+  return read_text_program(read_text(in, name_in_errors), name_in_errors, machine);
+}
+
+}  // namespace limitgauge::model

@@ -6,7 +6,7 @@
 #include "engine/model/cage_obj.h"
 #include "engine/model/error.h"
 #include "engine/model/mesh_reader.h"
-#include "engine/model/program.h"
+#include "engine/model/program_path.h"
 #include "engine/model/text_file.h"
 
 namespace limitgauge::app {

@@ -339,13 +339,13 @@ Json cutter_part(const model::Cutter& c) {
 /// What programs were told of the machine, and where their frame lies.
 Json programs_part(const RunResult& result) {
   const model::MachineSetup& machine = result.machine;
-  Json offsets = Json::object(), tools = Json::array();
+  Json offsets = Json::array(), tools = Json::array();
   for (std::size_t i = 0; i < machine.work_offsets.size(); ++i) {
     if (!machine.work_offsets[i]) continue;
     const model::WorkOffset& offset = *machine.work_offsets[i];
-    offsets[model::work_offset_name(i)] = {
-        {"origin_mm", point("work_offsets", offset.origin_mm)},
-        {"rotate_z_deg", finite("work_offsets", offset.rotation_deg)}};
+    offsets.push_back({{"name", model::work_offset_name(i)},
+                       {"origin_mm", point("work_offsets", offset.origin_mm)},
+                       {"rotate_z_deg", finite("work_offsets", offset.rotation_deg)}});
   }
   for (const model::ToolEntry& tool : machine.tools) {
     Json entry = {{"number", tool.number}};

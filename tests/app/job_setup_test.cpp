@@ -21,11 +21,11 @@ std::string with_machine(const std::string& keys) {
 }  // namespace
 
 TEST_CASE("the machine and the programs' frame as a job states them", "[unit][job]") {
-  const Job job = read(with(
-      with_machine("home = [0, 0, 150]\nsecond_home = [1, 2, 3]\n"
-                   "work_offsets = { G54 = [100, 50, 7], \"G59.1\" = { origin = [1, 2, 3], "
-                   "rotate_z = 30 } }"),
-      "[[tool]]", "[program_frame]\noffset = [4, 5, 6]\nrotate_z = 90\n[[tool]]"));
+  const Job job = read(
+      with(with_machine("home = [0, 0, 150]\nsecond_home = [1, 2, 3]\n"
+                        "work_offsets = { G54 = [100, 50, 7], \"G59.1\" = { origin = [1, 2, 3], "
+                        "rotate_z = 30 } }"),
+           "[[tool]]", "[program_frame]\noffset = [4, 5, 6]\nrotate_z = 90\n[[tool]]"));
   CHECK(job.machine.home_mm == model::Vec3{0, 0, 150});
   CHECK(job.machine.second_home_mm == model::Vec3{1, 2, 3});
   REQUIRE(job.machine.work_offsets[0]);

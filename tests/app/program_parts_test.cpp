@@ -54,9 +54,9 @@ ProgramPart comment(const std::string& text) {
 }  // namespace
 
 TEST_CASE("parts of a program by the loadings of its tools", "[unit][program]") {
-  const auto ranges = assigned(
-      three_loadings(), {stage_with("a", section(1), 1), stage_with("b", section(2), 2),
-                         stage_with("c", section(3), 1)});
+  const auto ranges =
+      assigned(three_loadings(), {stage_with("a", section(1), 1), stage_with("b", section(2), 2),
+                                  stage_with("c", section(3), 1)});
   REQUIRE(ranges.size() == 3);
   CHECK(ranges[0].first == 0);
   CHECK(ranges[0].last == 4);
@@ -102,8 +102,7 @@ TEST_CASE("parts that do not fit are refused with the program's line", "[unit][p
                                "time here"));
   CHECK_THAT(error_of(program, {stage_with("a", section(1), 1), stage_with("b", section(2), 3)}),
              ContainsSubstring("all.ngc:20: error: T2 is loaded where stage \"b\" has"));
-  CHECK_THAT(error_of(program, {stage_with("a", section(4))}),
-             ContainsSubstring("section 4 of 3"));
+  CHECK_THAT(error_of(program, {stage_with("a", section(4))}), ContainsSubstring("section 4 of 3"));
   CHECK_THAT(error_of(program, {stage_with("a", tool(9))}), ContainsSubstring("never loaded"));
   CHECK_THAT(error_of(program, {stage_with("a", comment("NO"))}), ContainsSubstring("nowhere"));
   CHECK_THAT(error_of(program, {stage_with("a", comment("AGAIN"))}),

@@ -46,6 +46,7 @@ class GroupReader {
   GroupReader(const Job& job, const Settings& settings, const std::vector<model::Fixture>& fixtures,
               const Group& group);
   ForeignPath path_of(std::size_t index) const;
+  double start_shift_mm(std::size_t first) const;
 
  private:
   const JobStage& stage(std::size_t index) const { return job_.stages[group_[index]]; }
@@ -74,10 +75,28 @@ GroupReader::GroupReader(const Job& job, const Settings& settings,
   options_.park_z_mm = park_height_mm(job, fixtures, program_, options_.machine_in_part);
 }
 
+/// A tool change moves nothing: the tip of a longer tool comes to stand lower. Without lengths each
+/// tool is taken to have been set to where the one before stood.
+double GroupReader::start_shift_mm(std::size_t first) const {
+  const auto length_of = [this](int number) -> std::optional<double> {
+    for (const model::ToolEntry& tool : job_.machine.tools)
+      if (tool.number == number) return tool.length_mm;
+    return std::nullopt;
+  };
+  const std::vector<model::ToolChange> changes = loadings(program_);
+  for (std::size_t i = 1; i < changes.size(); ++i) {
+    if (changes[i].motion != first) continue;
+    const auto before = length_of(changes[i - 1].tool), after = length_of(changes[i].tool);
+    if (before && after) return *before - *after;
+  }
+  return 0;
+}
+
 ForeignPath GroupReader::path_of(std::size_t index) const {
   model::PathOptions options = options_;
   options.chord_error_mm = chord_error_mm(settings_.resolution_mm[group_[index]]);
   options.first = ranges_[index].first, options.last = ranges_[index].last;
+  options.start_shift_z_mm = start_shift_mm(options.first);
   ForeignPath foreign;
   foreign.path = to_toolpath(program_, options);
   if (foreign.path.moves.empty())

@@ -130,6 +130,7 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
       "rapids are straight moves of the tool tip; a machine's own rapid need not be straight",
       frame_words(job),
       machining_time_words(job),
+      "tool changes move nothing: each tool starts where the one before stood",
       "collisions: contacts shallower than " + words(settings.contact_tolerance_mm) + " mm" +
           (job.contact_tolerance_mm ? "" : " (one voxel)") + " count as none",
       job.travel_mm ? "travel limits: as the job states them, for the tool tip in the job's frame"

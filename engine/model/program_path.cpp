@@ -184,7 +184,11 @@ Toolpath to_toolpath(const Program& program, const PathOptions& options) {
   const std::size_t last = std::min(options.last, program.motions.size());
   const std::size_t first = std::min(options.first, last);
   PathMaker maker(options, last - first);
-  if (first > 0) maker.begin_at(program.motions[first - 1]);
+  if (first > 0) {
+    Motion before = program.motions[first - 1];
+    before.to.z += options.start_shift_z_mm;
+    maker.begin_at(before);
+  }
   for (std::size_t i = first; i < last; ++i) maker.add(program.motions[i]);
   return maker.take();
 }

@@ -26,6 +26,9 @@ struct PathOptions {
   RigidPlacement machine_in_part = {};
   /// Height in the part's frame at which a parked tool is taken to stand; above everything.
   double park_z_mm = 0;
+  /// How much higher than the motion before `first` ended the tip stands at the start: another tool
+  /// may have come into the spindle.
+  double start_shift_z_mm = 0;
   /// The motions that are taken: [first, last).
   std::size_t first = 0, last = std::numeric_limits<std::size_t>::max();
 };

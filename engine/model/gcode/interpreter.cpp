@@ -48,6 +48,7 @@ bool is_ignored(const Statement& statement, const Word& word) {
 
 /// Comments that a controller acts on: a message to the operator, output to a file.
 bool is_active(std::string_view comment) {
+  if (comment.front() != '(') return false;
   std::string word;
   for (const char c : comment.substr(1)) {
     if (c == ' ' || c == '\t') continue;

@@ -44,20 +44,24 @@ void Flow::end_if(const Block& block) {
   frames_.pop_back();
 }
 
+/// Each turn comes here again.
 void Flow::begin_while(const Block& block) {
   const bool holds = value(block, FlowKeyword::while_) != 0;
-  Frame frame;
-  frame.span = &opened(block, FlowKeyword::while_);
-  if (holds) return push(block, block.o_word->column, frame);
+  if (frames_.empty() || frames_.back().span == nullptr || frames_.back().line != block.line) {
+    Frame frame;
+    frame.span = &opened(block, FlowKeyword::while_);
+    push(block, block.o_word->column, frame);
+  }
+  if (holds) return;
   continue_line_.reset();
-  lexer_.go_to(frame.span->behind);
+  lexer_.go_to(frames_.back().span->behind);
+  frames_.pop_back();
 }
 
 void Flow::end_while(const Block& block) {
   const Frame& frame = innermost(block, FlowKeyword::endwhile, FlowKeyword::while_);
   no_values(block, FlowKeyword::endwhile);
   lexer_.go_to(frame.span->open);
-  frames_.pop_back();
 }
 
 void Flow::begin_do(const Block& block) {
@@ -142,7 +146,7 @@ void Flow::continue_loop(const Block& block) {
   const FlowSpan& span = *frames_[at].span;
   const bool is_while = span.kind == FlowKeyword::while_;
   continue_line_ = is_while ? std::nullopt : std::optional(block.line);
-  frames_.resize(is_while ? at : at + 1);
+  frames_.resize(at + 1);
   lexer_.go_to(is_while ? span.open : span.last);
 }
 

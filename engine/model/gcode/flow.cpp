@@ -43,22 +43,26 @@ bool Flow::next(Block& block) {
   return false;
 }
 
-/// The place of the error is where the outermost loop or call begins: which of its blocks comes too
-/// much says nothing.
 void Flow::count(const Block& block) {
-  const Frame& outermost = frames_.front();
+  const Lexer::Bookmark before = frames_.front().begin;
+  const std::size_t times = limits_.most_times_before;
   ++blocks_;
+  bytes_ += lexer_.bookmark().at - lexer_.line_bookmark().at;
   idle_blocks_ = may_move(block) ? 0 : idle_blocks_ + 1;
   if (idle_blocks_ > limits_.most_idle_blocks)
-    lexer_.fail_at(outermost.line, outermost.column,
-                   "a loop without end: more than " + std::to_string(limits_.most_idle_blocks) +
-                       " blocks without a motion",
-                   "a loop that ends");
-  if (blocks_ > limits_.most_blocks + limits_.most_blocks_a_line * outermost.line)
-    lexer_.fail_at(outermost.line, outermost.column,
-                   "a loop without end: more than " + std::to_string(blocks_ - 1) +
-                       " blocks in loops and subroutines",
-                   "a loop that ends");
+    fail_without_end(std::to_string(limits_.most_idle_blocks) + " blocks without a motion");
+  if (blocks_ > limits_.most_blocks + times * before.line)
+    fail_without_end(std::to_string(blocks_ - 1) + " blocks in loops and subroutines");
+  if (bytes_ > limits_.most_bytes + times * before.at)
+    fail_without_end(std::to_string(limits_.most_bytes / 1'000'000) +
+                     " MB of blocks in loops and subroutines");
+}
+
+/// At the outermost loop or call: which of its blocks is the one too many says nothing.
+void Flow::fail_without_end(const std::string& amount) const {
+  const Frame& outermost = frames_.front();
+  lexer_.fail_at(outermost.begin.line, outermost.column, "a loop without end: more than " + amount,
+                 "a loop that ends");
 }
 
 void Flow::set(const std::vector<Setting>& settings) {
@@ -75,7 +79,8 @@ void Flow::set(const std::vector<Setting>& settings) {
 void Flow::check_end() const {
   const Frame* const call = innermost_call();
   if (call == nullptr) return;
-  lexer_.fail_at(call->subroutine->line, 1, "program O" + call->subroutine->label + " has no end",
+  lexer_.fail_at(call->subroutine->line, call->subroutine->column,
+                 "program O" + call->subroutine->label + " has no end",
                  "M99 behind its last block");
 }
 
@@ -130,7 +135,7 @@ void Flow::push(const Block& block, std::uint32_t column, const Frame& frame) {
                    "fewer");
   if (frames_.empty()) idle_blocks_ = 0;
   frames_.push_back(frame);
-  frames_.back().line = block.line;
+  if (frame.span != nullptr) frames_.back().begin = frame.span->open;
   frames_.back().column = column;
 }
 

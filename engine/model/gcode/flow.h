@@ -15,16 +15,25 @@
 
 namespace limitgauge::model::gcode {
 
-/// Bounds on what a program may expand to; a program from a stranger must end.
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+inline constexpr std::size_t kFlowShare = 20;  ///< sanitizers are that much slower
+#else
+inline constexpr std::size_t kFlowShare = 1;
+#endif
+
+/// Bounds on what a program may expand to: a program from a stranger must end, in seconds and in
+/// less than 1 GiB. They count what is carried out in loops, subroutines and programs.
 struct FlowLimits {
-  /// Blocks carried out in loops and subroutines: as many as the longest programs have that are
-  /// written without them, and more for each line of text before the loop or call, so that a long
-  /// program may call a subroutine for each of its holes.
-  std::size_t most_blocks = 5'000'000;
-  std::size_t most_blocks_a_line = 100;
-  /// Of these, without one that may move an axis. Sums and searches need thousands; a loop that
-  /// does not end is found in a tenth of a second.
-  std::size_t most_idle_blocks = 500'000;
+  /// As many blocks as the longest programs have that are written without loops.
+  std::size_t most_blocks = 5'000'000 / kFlowShare;
+  /// Their text: what a block costs to read goes by its length.
+  std::size_t most_bytes = 128'000'000 / kFlowShare;
+  /// And so many times what stands before the loop or call, in blocks and bytes: a long program may
+  /// call a subroutine for each of its holes.
+  std::size_t most_times_before = 100 / kFlowShare;
+  /// Blocks on end of which none may move an axis. Sums and searches need thousands; a loop without
+  /// end that moves nothing is found in a tenth of a second.
+  std::size_t most_idle_blocks = 500'000 / kFlowShare;
   std::size_t most_depth = 100;  ///< of calls and of blocks within blocks together
   std::size_t most_calls = 9;    ///< within each other; LinuxCNC's
 };
@@ -63,10 +72,12 @@ class Flow {
     double left = 0;                       // turns of a repeat, runs of a program
     std::size_t branch = 0;                // lines of elseif and else that have been reached
     bool taken = false;                    // a branch of an if has been carried out
-    std::uint32_t line = 0, column = 0;
+    Lexer::Bookmark begin;                 // before its line
+    std::uint32_t column = 0;
   };
 
   void count(const Block& block);
+  [[noreturn]] void fail_without_end(const std::string& amount) const;
   void set(const std::vector<Setting>& settings);
   void check_end() const;
   void carry_out(const Block& block);
@@ -122,7 +133,7 @@ class Flow {
   FlowSubroutines subroutines_;
   std::vector<Frame> frames_;
   std::size_t calls_ = 0;
-  std::size_t blocks_ = 0, idle_blocks_ = 0;
+  std::size_t blocks_ = 0, bytes_ = 0, idle_blocks_ = 0;
   std::unordered_map<std::string, std::uint32_t> lines_of_labels_;  // "scope#label"
   // LinuxCNC remembers these beyond the loop that they leave.
   std::optional<std::uint32_t> break_line_, continue_line_;

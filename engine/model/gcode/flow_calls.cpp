@@ -34,6 +34,9 @@ const FlowSubroutine& Flow::checked(const Block& block, std::uint32_t column,
 }
 
 void Flow::call(const Block& block) {
+  Frame frame;
+  frame.begin = lexer_.line_bookmark();
+  frame.back = lexer_.bookmark();
   const std::vector<double> arguments = lexer_.arguments(block);
   if (arguments.size() > kMostArguments)
     fail(block, "a call with " + std::to_string(arguments.size()) + " values", "30 at most");
@@ -47,9 +50,7 @@ void Flow::call(const Block& block) {
          "'" + o_text(*block.o_word, FlowKeyword::sub) + "'; other files are not read");
   checked(block, block.o_word->column, *sub);
   find_span(*sub);
-  Frame frame;
   frame.subroutine = sub;
-  frame.back = lexer_.bookmark();
   push_call(block, block.o_word->column, frame);
   parameters_.enter(arguments);
   lexer_.go_to(sub->body);

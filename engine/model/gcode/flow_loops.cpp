@@ -47,7 +47,8 @@ void Flow::end_if(const Block& block) {
 /// Each turn comes here again.
 void Flow::begin_while(const Block& block) {
   const bool holds = value(block, FlowKeyword::while_) != 0;
-  if (frames_.empty() || frames_.back().span == nullptr || frames_.back().line != block.line) {
+  if (frames_.empty() || frames_.back().span == nullptr ||
+      frames_.back().begin.line != block.line) {
     Frame frame;
     frame.span = &opened(block, FlowKeyword::while_);
     push(block, block.o_word->column, frame);

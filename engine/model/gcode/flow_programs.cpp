@@ -40,10 +40,11 @@ void Flow::call_program(const Block& block) {
     lexer_.fail_at(block.line, m98.column, "M98 without the number of a program", "P");
   double runs = l == nullptr ? 1 : whole(block, *l, kMostRuns);
   Frame frame;
+  frame.begin = lexer_.line_bookmark();
+  frame.back = lexer_.bookmark();
   frame.subroutine = &called_program(block, *p, l, runs);
   if (runs == 0) return;
   frame.left = runs;
-  frame.back = lexer_.bookmark();
   push_call(block, m98.column, frame);
   parameters_.enter();
   lexer_.go_to(frame.subroutine->body);

@@ -26,8 +26,12 @@ void FlowSubroutines::add(Labels& labels, const Block& block, bool is_program) {
     if (entry.second_line == 0) entry.second_line = block.line;
     return;
   }
-  entry = {block.o_word->label,    is_program,        block.line, 0,
-           lexer_.line_bookmark(), lexer_.bookmark(), nullptr};
+  entry.label = block.o_word->label;
+  entry.is_program = is_program;
+  entry.line = block.line;
+  entry.column = block.o_word->column;
+  entry.open = lexer_.line_bookmark();
+  entry.body = lexer_.bookmark();
 }
 
 }  // namespace limitgauge::model::gcode

@@ -13,9 +13,10 @@ namespace limitgauge::model::gcode {
 struct FlowSubroutine {
   std::string label;
   bool is_program = false;
-  std::uint32_t line = 0, second_line = 0;  ///< second_line: where another one has its label; or 0
-  Lexer::Bookmark open, body;               ///< before and behind its first line
-  const FlowSpan* span = nullptr;           ///< of a subroutine that has been called
+  std::uint32_t line = 0, column = 0;
+  std::uint32_t second_line = 0;   ///< where another one has its label; or 0
+  Lexer::Bookmark open, body;      ///< before and behind its first line
+  const FlowSpan* span = nullptr;  ///< of a subroutine that has been called
 };
 
 /// The subroutines and programs of a file by their labels. The file is looked through once, when

@@ -31,6 +31,7 @@ void add_ignored(Program& program, std::uint32_t line, std::string word) {
 
 /// Comments that a controller acts on: a message to the operator, output to a file.
 bool is_active(std::string_view comment) {
+  if (comment.front() != '(') return false;
   std::string word;
   for (const char c : comment.substr(1)) {
     if (is_blank(c)) continue;

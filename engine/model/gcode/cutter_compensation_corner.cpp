@@ -21,8 +21,9 @@ Corner corner_of(PlaneVector before, PlaneVector after, double side, bool revers
 
 PlaneVector meet_lines(PlaneVector before, PlaneVector after, PlaneVector beside,
                        double radius_mm) {
-  const double turn = std::abs(std::atan2(cross(before, after), dot(before, after)));
-  return beside - radius_mm * std::tan(turn / 2) * before;
+  // Half the turn's tangent, exact for a right angle.
+  const double tangent = std::abs(cross(before, after)) / (1 + dot(before, after));
+  return beside - radius_mm * tangent * before;
 }
 
 std::optional<PlaneVector> meet_line_and_arc(const OffsetArc& arc, PlaneVector direction,

@@ -1,7 +1,4 @@
 // The first motion under cutter compensation.
-#include <array>
-#include <charconv>
-
 #include "engine/model/gcode/cutter_compensation.h"
 
 namespace limitgauge::model::gcode {
@@ -11,12 +8,8 @@ namespace {
 /// become a straight line.
 constexpr double kStraight = 1e-6;
 
-/// For messages: six digits tell what is wrong.
-std::string readable(double value_mm) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value_mm,
-                                 std::chars_format::general, 6);
-  return std::string(digits.data(), end.ptr) + " mm";
+std::string mm(double value_mm) {
+  return readable(value_mm) + " mm";
 }
 
 }  // namespace
@@ -25,17 +18,17 @@ void CutterCompensation::check_entry(const Motion& motion) const {
   const double length_mm = length(frame_.flat(motion.to) - end_mm());
   if (length_mm <= radius_mm_)
     fail(motion,
-         "the entry into cutter compensation is " + readable(length_mm) +
-             " long in its plane, the cutter's radius " + readable(radius_mm_),
+         "the entry into cutter compensation is " + mm(length_mm) +
+             " long in its plane, the cutter's radius " + mm(radius_mm_),
          "an entry longer than the radius");
 }
 
 void CutterCompensation::check_width(const Motion& arc, double arc_radius_mm) const {
   if (inside(arc) && arc_radius_mm <= radius_mm_)
     fail(arc,
-         "an arc of " + readable(arc_radius_mm) +
+         "an arc of " + mm(arc_radius_mm) +
              " radius around the inside of which the cutter goes, whose radius is " +
-             readable(radius_mm_),
+             mm(radius_mm_),
          "an arc wider than the cutter");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include "engine/model/program.h"
 
@@ -65,5 +66,8 @@ class PlaneFrame {
 /// How far an arc about `centre` turns from `from` to `to`, radians, counter-clockwise positive;
 /// `turns` as Motion's. Equal ends are a full turn.
 double sweep_of(PlaneVector from, PlaneVector to, PlaneVector centre, double turns);
+
+/// For messages: six digits tell what is wrong, seventeen hide it.
+std::string readable(double value);
 
 }  // namespace limitgauge::model::gcode

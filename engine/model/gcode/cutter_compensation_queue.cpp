@@ -10,16 +10,11 @@ namespace {
 constexpr double kSlackMm = 0.0254;
 constexpr double kSlackInch = 0.001;
 
-}  // namespace
-
-double sweep_of(PlaneVector from, PlaneVector to, PlaneVector centre, double turns) {
-  const PlaneVector start = from - centre, end = to - centre;
-  const double full = 2 * std::numbers::pi;
-  double sweep = std::atan2(end.b, end.a) - std::atan2(start.b, start.a);
-  if (turns > 0) return (sweep <= 0 ? sweep + full : sweep) + (turns - 1) * full;
-  if (sweep >= 0) sweep -= full;
-  return sweep + (turns + 1) * full;
+std::string degrees(double radians) {
+  return readable(std::abs(radians) * 180 / std::numbers::pi) + " degrees";
 }
+
+}  // namespace
 
 void CompensationQueue::push(const PlaneFrame& frame, const WaitingMotion& waiting) {
   if (waiting_.size() >= kMostWaiting)
@@ -53,14 +48,17 @@ void CompensationQueue::move_end(const PlaneFrame& frame, WaitingMotion& waiting
   Motion& motion = waiting.motion;
   motion.to = frame.lifted(end, motion.to);
   if (!start_) return;
-  const std::string fits = "inner corners as far apart as the cutter needs";
   if (motion.kind == MotionKind::arc) {
     const double sweep = sweep_of(*start_, end, {motion.centre1, motion.centre2}, motion.turns);
     const double slack = inches_ ? kSlackInch : kSlackMm;
     if (std::abs(sweep) > std::abs(waiting.sweep) + slack)
-      fail(motion, "an arc too short for the cutter between its corners", fits);
+      fail(motion,
+           "the cutter would have to turn " + degrees(sweep) + " along an arc of " +
+               degrees(waiting.sweep),
+           "smooth corners, or inner ones that leave the cutter room");
   } else if (dot(waiting.direction, end - *start_) < 0) {
-    fail(motion, "a straight move too short for the cutter between its corners", fits);
+    fail(motion, "a straight move too short for the cutter between its corners",
+         "inner corners that leave the cutter room");
   }
 }
 

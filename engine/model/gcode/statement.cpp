@@ -9,7 +9,7 @@ namespace limitgauge::model::gcode {
 namespace {
 
 constexpr int kG80 = 800;
-constexpr std::string_view kCarriedOut = "FIJKPQRSTXYZ";
+constexpr std::string_view kCarriedOut = "FIJKLPQRSTXYZ";
 
 /// `value` as a whole number, where it is one within RS274/NGC's 0.001.
 std::optional<int> whole(double value) {

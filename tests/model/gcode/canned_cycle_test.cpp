@@ -97,6 +97,17 @@ TEST_CASE("pecks in inches clear by a hundredth of an inch", "[unit][program][cy
   CHECK(moves[4].to_mm == Vec3{25.4, 0, 0});
 }
 
+TEST_CASE("pecks in inches and G91 are counted from R", "[unit][program][cycle]") {
+  CycleRun run = run_from({0, 0, 50.8});
+  run.context.unit_mm = 25.4;
+  run.context.incremental = true;
+  const auto moves = run.block(73, "X1 Z-1 R-1 Q0.5").moves;
+  REQUIRE(moves.size() == 6);
+  CHECK(moves[1].to_mm == Vec3{25.4, 0, 25.4});
+  CHECK(moves[2].to_mm == Vec3{25.4, 0, 12.7});
+  CHECK(moves[4].to_mm == Vec3{25.4, 0, 0});
+}
+
 TEST_CASE("how each cycle leaves the hole", "[unit][program][cycle]") {
   const std::string in = "rapid 1 0 5\nrapid 1 0 2\nfeed 1 0 -1\n";
   const auto out = [&](int code) { return run_from({0, 0, 5}, false).text(code, "X1 Z-1 R2 P1"); };
@@ -117,6 +128,16 @@ TEST_CASE("G88 leaves the way out to the operator and goes on above", "[unit][pr
 
 TEST_CASE("G87 goes down beside the axis and bores upwards", "[unit][program][cycle]") {
   CHECK(run_from({1, 2, 3}).text(87, "X5 Y6 Z-4 R1 I1 J2 K-2") ==
+        "rapid 5 6 3\nrapid 5 6 1\nrapid 6 8 1\n"
+        "rapid 6 8 -4 stopped\nrapid 5 6 -4 stopped\n"
+        "feed 5 6 -2\nfeed 5 6 -4\n"
+        "rapid 6 8 -4 stopped\nrapid 6 8 1 stopped\nrapid 5 6 1 stopped\n");
+}
+
+TEST_CASE("G87 in G91 counts its K from the bottom", "[unit][program][cycle]") {
+  CycleRun run = run_from({1, 2, 3});
+  run.context.incremental = true;
+  CHECK(run.text(87, "X4 Y4 Z-5 R-2 I1 J2 K2") ==
         "rapid 5 6 3\nrapid 5 6 1\nrapid 6 8 1\n"
         "rapid 6 8 -4 stopped\nrapid 5 6 -4 stopped\n"
         "feed 5 6 -2\nfeed 5 6 -4\n"
@@ -213,7 +234,8 @@ TEST_CASE("a block of a cycle is bounded in moves and in place", "[unit][program
   CHECK_THAT(error_of(run, 81, "X1 Z-1 R1 L10001"), ContainsSubstring("more than 100000 moves"));
   CHECK_THAT(error_of(run, 81, "X1 Z-1 R1 L1000000000000"),
              ContainsSubstring("more than 100000 moves"));
-  CHECK_THAT(error_of(run, 83, "X1 Z-1 R1 Q0.00001"), ContainsSubstring("more than 100000 moves"));
+  CHECK(error_of(run, 83, "X1 Z-1 R1 Q0.00001") ==
+        "cycle.ngc:1:11: error: a canned cycle of more than 100000 moves; expected a larger Q");
   CHECK_THAT(error_of(run, 83, "X1 Z-1 R1 Q0.01 L1000"),
              ContainsSubstring(":1:17: error: a canned cycle of more than 100000 moves"));
   // Pecks that are lost in rounding never get to the bottom.

@@ -25,9 +25,10 @@ Program read_text_program(const std::string& text, const std::string& name,
   gcode::Parameters parameters;
   gcode::Lexer lexer(text, name, parameters);
   gcode::Flow flow(lexer, parameters);
-  gcode::Interpreter interpreter(program, machine, lines + kExpandedMotions);
+  gcode::Interpreter interpreter(program, machine, lexer, parameters, lines + kExpandedMotions);
   gcode::Block block;
   while (flow.next(block) && interpreter.execute(gcode::Statement(block, lexer))) continue;
+  interpreter.finish();
   return program;
 }
 

@@ -300,7 +300,7 @@ TEST_CASE("random bytes give blocks or an InputError within their line", "[prope
   const std::string alphabet = "oO<>xXnNgG##[]()=;/%.-+01259 \t\r\nsubcalsin\x01\xff";
   std::size_t blocks = 0, o_words = 0;
   for (int round = 0; round < 20000; ++round) {
-    std::string text;
+    std::string text = round % 3 == 0 ? "o1" : "";
     for (std::size_t length = random() % 14; length > 0; --length)
       text += alphabet[random() % alphabet.size()];
     Reading reading(text);

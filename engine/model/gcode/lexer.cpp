@@ -203,9 +203,10 @@ void Lexer::read_setting(Block& block) {
 /// LinuxCNC takes decimals too.
 void Lexer::read_line_number(std::size_t word_begin) {
   skip_blanks();
-  double value = 0;
-  if (at_end() || !is_digit(here()) || !read_plain_value(value))
+  if (at_end() || !is_digit(here()))
     fail(word_begin, "the number of 'N' is missing or malformed", "digits");
+  double value = 0;
+  if (!read_plain_value(value)) read_value(cursor_, parameters_, fail_);
 }
 
 }  // namespace limitgauge::model::gcode

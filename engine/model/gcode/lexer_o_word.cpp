@@ -15,15 +15,18 @@ constexpr std::size_t kMostArguments = 30;
 
 bool Lexer::skip_to_o_word(Block& block) {
   block.clear();
-  while (take_line() && percent() != Percent::closing) {
-    block.clear();
-    block.line = line_;
-    block.block_delete = !at_end() && here() == '/';
+  for (Bookmark before = next_; take_line(); before = next_) {
+    if (percent() == Percent::closing) {
+      next_ = before;
+      return false;
+    }
+    const bool block_delete = !at_end() && here() == '/';
     if (!skip_to_o()) continue;
+    block.line = line_;
+    block.block_delete = block_delete;
     read_o_word(block);
     return true;
   }
-  block.clear();
   return false;
 }
 

@@ -21,8 +21,7 @@ Flow::Flow(Lexer& lexer, Parameters& parameters, FlowLimits limits)
       limits_(limits),
       spans_(lexer, limits.most_depth),
       subroutines_(lexer) {
-  parameters_.set("_value", 0);
-  parameters_.set("_value_returned", 0);
+  set_returned(std::nullopt);
 }
 
 bool Flow::next(Block& block) {

@@ -79,8 +79,17 @@ void FlowSpans::take(const Block& block, FlowKeyword keyword) {
            label_text(*block.o_word) + " begins a program inside '" + o_text(top.o_word, top.kind) +
                "'" + in_line(top.line),
            closing_text(top) + " before it");
+    case FlowKeyword::break_:
+      return note_break(block);
     default:
       return;  // calls and jumps open and end nothing
+  }
+}
+
+void FlowSpans::note_break(const Block& block) {
+  for (auto span = open_.rbegin(); span != open_.rend(); ++span) {
+    if ((*span)->kind == FlowKeyword::sub) return;
+    if ((*span)->o_word.label == block.o_word->label) (*span)->last_break = block.line;
   }
 }
 

@@ -49,8 +49,7 @@ void FlowSpans::look_through() {
                      "'" + o_text(span.o_word, span.kind) + "' has no end in this program",
                      closing_text(span));
     }
-    const auto keyword = flow_keyword(block_.o_word->keyword);
-    if (keyword) take(block_, *keyword);
+    take(block_, keyword_of(block_, lexer_));
   }
 }
 

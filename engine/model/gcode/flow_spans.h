@@ -22,8 +22,8 @@ struct FlowSpan {
   std::vector<Lexer::Bookmark> branches;  ///< before the lines of elseif and else
   bool has_else = false;
   std::uint32_t last_break = 0;  ///< line of the last break out of a loop; or 0
-  bool label_is_known = false;  ///< Flow has entered the label as used here
-  bool is_counting = false;     ///< a repeat that was begun and not carried out to its end
+  bool label_is_known = false;   ///< Flow has entered the label as used here
+  bool is_counting = false;      ///< a repeat that was begun and not carried out to its end
 };
 
 /// The spans of a program, found when they are first asked for: the text of each span is looked

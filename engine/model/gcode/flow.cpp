@@ -83,8 +83,6 @@ void Flow::check_end() const {
 
 void Flow::carry_out(const Block& block) {
   const FlowKeyword keyword = keyword_of(block, lexer_);
-  if (block.o_word->calculated && keyword != FlowKeyword::call)
-    fail(block, "a calculated O number of what is no call", "a number");
   switch (keyword) {
     case FlowKeyword::program:
       return begin_program(block);

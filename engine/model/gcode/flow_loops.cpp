@@ -105,7 +105,10 @@ void Flow::begin_repeat(const Block& block) {
          "'" + o_text(*block.o_word, FlowKeyword::repeat) +
              "' again before it has come to its end: LinuxCNC would go on with the old count",
          "a while loop");
-  if (!(turns > 0)) return finish_repeat(block, *frame.span);
+  if (!(turns > 0)) {
+    continue_line_.reset();
+    return lexer_.go_to(frame.span->behind);
+  }
   frame.span->is_counting = true;
   push(block, block.o_word->column, frame);
 }

@@ -135,7 +135,7 @@ double ValueReader::bracketed() {
 double ValueReader::chain(int loosest) {
   double left = value();
   while (true) {
-    peek();
+    if (peek() == ']') return left;
     const std::size_t at = cursor_.at;
     const OperatorText* const found = operator_at(word_ahead());
     if (found == nullptr || found->precedence < loosest) return left;

@@ -248,6 +248,16 @@ TEST_CASE("a line has at most 100 items", "[unit][program]") {
   CHECK_THAT(error_of(line + "X1"), ContainsSubstring("text.ngc:1:405: error: more than 100"));
 }
 
+TEST_CASE("a line has at most 10000 bytes, of a comment too", "[unit][program]") {
+  const std::string most = ";" + std::string(9999, 'c');
+  CHECK(
+      error_of(most + "\nX1\n" + most + "\r") ==
+      "text.ngc:3:10001: error: a line of more than 10000 bytes; expected a line that ends sooner");
+  CHECK(error_of(most) == "no error");
+  Reading reading(most + "c\n");
+  CHECK_THROWS_AS(reading.lexer.skip_to_o_word(reading.block), InputError);
+}
+
 TEST_CASE("plain numbers are rounded as from_chars rounds them", "[property][program]") {
   std::mt19937 random(13);
   for (int round = 0; round < 100000; ++round) {

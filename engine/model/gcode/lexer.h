@@ -92,6 +92,10 @@ class Lexer {
     std::uint32_t line = 1;
   };
   Bookmark bookmark() const { return next_; }
+  /// Before the line that next() or skip_to_o_word() read last.
+  Bookmark line_bookmark() const {
+    return {static_cast<std::size_t>(cursor_.line.data() - text_.data()), line_};
+  }
   void go_to(Bookmark bookmark) { next_ = bookmark; }
 
   SourcePlace place(std::uint32_t line, std::uint32_t column) const;

@@ -143,8 +143,18 @@ void Parameters::enter(const std::vector<double>& arguments) {
     frame.numbered[i] = i <= arguments.size() ? arguments[i - 1] : 0;
 }
 
+void Parameters::enter() {
+  Frame frame;
+  frame.numbered = frames_.back().numbered;
+  frame.shares_numbers = true;
+  frames_.push_back(std::move(frame));
+}
+
 void Parameters::leave() {
-  if (frames_.size() > 1) frames_.pop_back();
+  if (frames_.size() < 2) return;
+  const Frame left = std::move(frames_.back());
+  frames_.pop_back();
+  if (left.shares_numbers) frames_.back().numbered = left.numbered;
 }
 
 }  // namespace limitgauge::model::gcode

@@ -40,6 +40,8 @@ class Parameters {
   /// A call of a subroutine: `arguments` become 1, 2, ...; the rest of 1 to 30 is 0, as in
   /// LinuxCNC, and no local name is known. leave() brings the caller's back.
   void enter(const std::vector<double>& arguments);
+  /// A call by M98: 1 to 30 are the caller's own, but no local name is known.
+  void enter();
   void leave();
   std::size_t depth() const { return frames_.size(); }
 
@@ -47,6 +49,7 @@ class Parameters {
   struct Frame {
     std::array<std::optional<double>, kLargestLocal + 1> numbered;
     std::map<std::string, double, std::less<>> named;
+    bool shares_numbers = false;  // with its caller
   };
   std::vector<std::optional<double>> numbered_ =
       std::vector<std::optional<double>>(kLargest + std::size_t{1});

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/model/gcode/flow.h"
 #include "engine/model/gcode/interpreter.h"
 #include "engine/model/gcode/lexer.h"
 #include "engine/model/gcode/statement.h"
@@ -13,15 +14,6 @@ namespace {
 /// end.
 constexpr std::size_t kShortestMoveBytes = 8;
 
-void set(gcode::Parameters& parameters, const gcode::Setting& setting) {
-  const gcode::ParameterName& parameter = setting.parameter;
-  if (parameter.name.empty()) {
-    parameters.set(parameter.number, setting.value);
-  } else {
-    parameters.set(parameter.name, setting.value);
-  }
-}
-
 Program read_text_program(const std::string& text, const std::string& name, const MachineSetup&) {
   Program program;
   program.name = std::filesystem::path(name).stem().string();
@@ -29,16 +21,10 @@ Program read_text_program(const std::string& text, const std::string& name, cons
   program.motions.reserve(std::min(lines, text.size() / kShortestMoveBytes) + 1);
   gcode::Parameters parameters;
   gcode::Lexer lexer(text, name, parameters);
+  gcode::Flow flow(lexer, parameters);
   gcode::Interpreter interpreter(program);
   gcode::Block block;
-  while (lexer.next(block)) {
-    if (block.o_word && !block.o_word->keyword.empty())
-      lexer.fail_at(block.line, block.o_word->column,
-                    "subroutines and loops are not supported in this release",
-                    "only a program's number");
-    for (const gcode::Setting& setting : block.settings) set(parameters, setting);
-    if (!interpreter.execute(gcode::Statement(block, lexer))) break;
-  }
+  while (flow.next(block) && interpreter.execute(gcode::Statement(block, lexer))) continue;
   return program;
 }
 

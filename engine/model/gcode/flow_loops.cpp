@@ -55,7 +55,7 @@ void Flow::begin_while(const Block& block) {
   }
   if (holds) return;
   const FlowSpan& span = *frames_.back().span;
-  // LinuxCNC goes over the body to its end, but not over the loop's own breaks.
+  // On its way to the end of the body LinuxCNC carries out the breaks of this loop.
   if (span.last_break != 0) break_line_ = span.last_break;
   continue_line_.reset();
   lexer_.go_to(span.behind);

@@ -56,8 +56,8 @@ class Machine:
         x, y, z = (p + g for p, g in zip(point, self.g92))
         sine, cosine = math.sin(math.radians(self.rotation)), math.cos(math.radians(self.rotation))
         turned = (x * cosine - y * sine, x * sine + y * cosine, z)
-        # Without a table a tool is as long as the length offset in use says.
-        length = self.lengths.get(self.tool, 0.0) if self.lengths else self.offset[2]
+        # A tool that is not in a table is as long as the length offset in use says.
+        length = self.lengths.get(self.tool, self.offset[2])
         x, y, z = (t + o + f for t, o, f in zip(turned, self.origin, self.offset))
         return (x, y, z - length)
 

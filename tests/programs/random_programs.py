@@ -224,8 +224,12 @@ class Writer:
         self.forget()
 
     def change_tool(self):
-        self.tools = True
         tool = self.random.randint(1, 3)
+        if not self.tools:  # an empty spindle has no tip
+            self.tools = True
+            self.rows.append(f"T{tool} M6")
+            self.forget()
+            return
         self.rows.append(
             self.random.choice([f"T{tool} M6", f"T{tool} M6 G43", f"G43 H{tool}", "G49",
                                 f"G43.1 Z{self.text(self.value(0, 60))}", f"T{tool}\nM6"])

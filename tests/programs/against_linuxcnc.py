@@ -151,6 +151,8 @@ def main():
     if shutil.which(options.rs274[0]) is None:
         print("skipped: LinuxCNC's rs274 is not installed (Debian: linuxcnc-uspace)")
         return SKIPPED
+    if shutil.which(options.limitgauge[0]) is None:
+        sys.exit(f"{options.limitgauge[0]} is no program; expected limitgauge, built (--limitgauge)")
     if options.random:
         return 1 if compare_random(options) else 0
     programs = options.programs or sorted((ROOT / "fixtures/programs/good").glob("*.ngc"))

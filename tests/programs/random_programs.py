@@ -175,13 +175,19 @@ class Writer:
             self.rows.append("G90.1" if self.centre_absolute else "G91.1")
         elif choice == 3:
             self.inch = not self.inch
-            self.rows.append("G20" if self.inch else "G21")
+            self.state_unit()
             self.forget()
         elif choice == 4:
             self.inverse_time = not self.inverse_time
             self.rows.append("G93" if self.inverse_time else "G94 F200")
         else:
             self.rows.append(self.random.choice(["G61", "G64 P0.01", "G4 P0.1", "M8", "(note)", "M3 S500"]))
+
+    def state_unit(self):
+        """Without a length offset: rs274 alone leaves its figure as it is when the unit changes."""
+        if self.tools:
+            self.rows.append("G49")
+        self.rows.append("G20" if self.inch else "G21")
 
     def change_frame(self):
         axes = [axis for axis in range(3) if self.random.random() < 0.6] or [0]
@@ -224,15 +230,16 @@ class Writer:
         self.forget()
 
     def change_tool(self):
+        """A change goes before a stated place: rs274 alone, without a machine, forgets where it
+        stands when the frame has changed since its last motion."""
         tool = self.random.randint(1, 3)
-        if not self.tools:  # an empty spindle has no tip
+        if not self.tools or self.random.random() < 0.5:
             self.tools = True
-            self.rows.append(f"T{tool} M6")
-            self.forget()
+            self.rows.append(self.random.choice([f"T{tool} M6", f"T{tool} M6 G43", f"T{tool}\nM6"]))
+            self.go_to_known_place()
             return
         self.rows.append(
-            self.random.choice([f"T{tool} M6", f"T{tool} M6 G43", f"G43 H{tool}", "G49",
-                                f"G43.1 Z{self.text(self.value(0, 60))}", f"T{tool}\nM6"])
+            self.random.choice([f"G43 H{tool}", "G43", "G49", f"G43.1 Z{self.text(self.value(0, 60))}"])
         )
         self.forget()
 
@@ -242,7 +249,9 @@ class Writer:
             self.rows.append("G94 F200")
             self.inverse_time = False
         self.go_to_known_place()
-        code = self.random.choice([73, 74, 81, 81, 82, 83, 84, 85, 86, 88, 89, 87])
+        code = self.random.choice([73, 81, 81, 82, 83, 85, 86, 88, 89, 87])
+        if self.plane == 17 and self.random.random() < 0.15:
+            code = self.random.choice([74, 84])  # LinuxCNC exchanges axes in the other planes
         level = self.random.choice(["", "G98 ", "G99 "])
         if code in (74, 84, 86, 87, 88):  # LinuxCNC wants to see the spindle turn
             self.rows.append("S900 M4" if code == 74 else "S900 M3")
@@ -375,7 +384,8 @@ class Writer:
             self.reset_modes()
 
     def reset_modes(self):
-        self.rows += ["G90 G17 G91.1 G94 F200", "G20" if self.inch else "G21"]
+        self.rows.append("G90 G17 G91.1 G94 F200")
+        self.state_unit()
         self.incremental = self.centre_absolute = self.inverse_time = False
         self.plane = 17
 

@@ -10,6 +10,7 @@
 #include "app/progress.h"
 #include "app/stock_file.h"
 #include "engine/model/error.h"
+#include "engine/model/text_file.h"
 #include "reports/report.h"
 
 namespace limitgauge::app {
@@ -151,7 +152,7 @@ std::string plain_name(const std::filesystem::path& file) {
 }
 
 JobFixture fixture_of(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
+  if (!model::is_file(file))
     throw UsageError("--fixture " + file.string() + ": no such file; expected STL, OBJ or PLY");
   return {file.filename().string(), file, file.string(), {}};
 }

@@ -28,7 +28,7 @@ std::string repeated(const std::string& part, int count) {
 TEST_CASE("a key of many parts is refused before it exhausts the stack", "[unit][job]") {
   const std::string deep = "a" + repeated(".a", 100'000);
   CHECK(error_of(good_job() + "\n" + deep + " = 1\n")
-            .starts_with("job.toml:20:202: error: more than 100 dots in one line; "));
+            .starts_with("job.toml:22:202: error: more than 100 dots in one line; "));
   CHECK_THAT(error_of("[" + deep + "]\n"), ContainsSubstring("more than 100 dots in one line"));
   CHECK_THAT(error_of("a" + repeated(".'..'", 200) + " = 1\n"),
              ContainsSubstring("more than 100 dots in one line"));

@@ -30,6 +30,24 @@ std::string ignored_text(const Program& program) {
   return text;
 }
 
+/// With its numbers rounded to 1e-9 mm: the files beside the programs hold decimals worked out by
+/// hand, sums of inches and turned points are off them by some 1e-14.
+std::string rounded(const std::string& text) {
+  std::istringstream lines(text);
+  std::ostringstream result;
+  result.setf(std::ios::fixed);
+  result.precision(9);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string number, kind;
+    words >> number >> kind;
+    result << number << " " << kind;
+    for (double value = 0; words >> value;) result << " " << (std::abs(value) < 5e-10 ? 0 : value);
+    result << "\n";
+  }
+  return result.str();
+}
+
 }  // namespace
 
 TEST_CASE("every good program gives its canonical moves", "[unit][program]") {
@@ -39,7 +57,7 @@ TEST_CASE("every good program gives its canonical moves", "[unit][program]") {
     CAPTURE(path);
     const Program program = read_program(path);
     CHECK(program.name == path.stem());
-    CHECK(moves_text(program) == text_beside(path, ".moves"));
+    CHECK(rounded(moves_text(program)) == rounded(text_beside(path, ".moves")));
     CHECK(ignored_text(program) == text_beside(path, ".ignored"));
   }
 }

@@ -31,6 +31,7 @@ void add_ignored(Program& program, std::uint32_t line, std::string word) {
 
 /// Comments that a controller acts on: a message to the operator, output to a file.
 bool is_active(std::string_view comment) {
+  if (comment.front() != '(') return false;
   std::string word;
   for (const char c : comment.substr(1)) {
     if (is_blank(c)) continue;
@@ -51,12 +52,12 @@ std::string_view inside(std::string_view comment) {
   return comment;
 }
 
-void list_comments(const Block& block, Program& program) {
+void list_comments(const Block& block, Program& program, std::size_t motions) {
   const bool alone = block.words.empty() && block.settings.empty() && !block.o_word;
   for (const Comment& comment : block.comments) {
     if (is_active(comment.text)) add_ignored(program, block.line, cut(comment.text));
     if (alone && program.comments.size() < kMostEntries)
-      program.comments.push_back({block.line, program.motions.size(), cut(inside(comment.text))});
+      program.comments.push_back({block.line, motions, cut(inside(comment.text))});
   }
 }
 
@@ -91,10 +92,10 @@ void list_word(const Statement& statement, const Word& word, Program& program) {
 
 }  // namespace
 
-void list_auxiliaries(const Statement& statement, Program& program) {
+void list_auxiliaries(const Statement& statement, Program& program, std::size_t motions) {
   const Block& block = statement.block();
   if (block.block_delete) add_ignored(program, block.line, "/");
-  if (!block.comments.empty()) list_comments(block, program);
+  if (!block.comments.empty()) list_comments(block, program, motions);
   if ((statement.letters() & letter_bits("GMST")) == 0) return;
   for (const Word& word : block.words) list_word(statement, word, program);
 }

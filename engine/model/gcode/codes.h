@@ -53,9 +53,5 @@ Refusal m_refusal(int number);
 constexpr bool is_arc(int tenths) {
   return tenths == 20 || tenths == 30;
 }
-/// G73, G74, G81 to G89.
-constexpr bool is_cycle(int tenths) {
-  return tenths == 730 || tenths == 740 || (tenths >= 810 && tenths <= 890);
-}
 
 }  // namespace limitgauge::model::gcode

@@ -18,21 +18,33 @@ struct Cursor {
 using Fail =
     std::function<void(std::size_t at, const std::string& wrong, const std::string& expected)>;
 
+/// Whether what stands at the cursor is meant as a value: a number, a sign, `#`, `[` or a word of
+/// two letters or more. Blanks before it do not count.
+bool value_begins(Cursor cursor);
+
 /// Reads one RS274/NGC value at the cursor and moves behind it: a number, `#5`, `##5`, `#<name>`,
 /// `#[expression]`, `[expression]` or a function of LinuxCNC's (ABS ACOS ASIN ATAN[..]/[..] COS EXP
-/// FIX FUP LN ROUND SIN SQRT TAN EXISTS; angles in degrees), with `-` or `+` before it. Blanks may
-/// stand anywhere; letters may be lower case. Binary operators with LinuxCNC's precedence: `**`;
-/// `*` `/` MOD; `+` `-`; EQ NE GT GE LT LE; AND OR XOR. Comparisons give 1 or 0; EQ and NE by
-/// LinuxCNC's tolerance of 1e-9... as its source has it. What has no finite value (a division by 0,
-/// a root of a negative number, an unset parameter, more than 100 brackets within each other) goes
-/// to `fail`, which does not return.
+/// FIX FUP LN ROUND SIN SQRT TAN EXISTS; angles in degrees), with any `-` or `+` before it. Blanks
+/// may stand anywhere; letters may be lower case. Binary operators with LinuxCNC's precedence,
+/// those of one precedence from left to right: `**`; `*` `/` MOD; `+` `-`; EQ NE GT GE LT LE; AND
+/// OR XOR. A sign belongs to its value: `[-2 ** 2]` is 4. What has no finite value (a division by
+/// 0, a root of a negative number, an unset parameter) and more than 100 values within each other
+/// go to `fail`, which must throw.
 double read_value(Cursor& cursor, const Parameters& parameters, const Fail& fail);
 
-/// Reads what follows `#` on the left of `=`: the number, or the name in lower case without blanks.
+/// The same, but a whole number, within RS274/NGC's 0.0001.
+int read_whole_value(Cursor& cursor, const Parameters& parameters, const Fail& fail);
+
+/// A parameter's number, or its name in lower case and without blanks.
 struct ParameterName {
   int number = 0;  ///< where `name` is empty
   std::string name;
 };
+
+/// Reads what follows `#`: a whole value from 1 to Parameters::kLargest, or `<name>`.
 ParameterName read_parameter_name(Cursor& cursor, const Parameters& parameters, const Fail& fail);
+
+/// Reads `<name>`: lower case and without blanks.
+std::string read_name(Cursor& cursor, const Fail& fail);
 
 }  // namespace limitgauge::model::gcode

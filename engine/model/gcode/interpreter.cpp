@@ -1,21 +1,44 @@
 #include "engine/model/gcode/interpreter.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "engine/model/gcode/auxiliaries.h"
 #include "engine/model/gcode/feed.h"
 #include "engine/model/gcode/machine_motion.h"
 #include "engine/model/gcode/motion_codes.h"
 #include "engine/model/gcode/offset_codes.h"
+#include "engine/model/gcode/radius_codes.h"
+#include "engine/model/gcode/system_parameters.h"
 #include "engine/model/gcode/tool_codes.h"
 #include "engine/model/gcode/word_use.h"
 #include "engine/model/words.h"
 
 namespace limitgauge::model::gcode {
 
-Interpreter::Interpreter(Program& program, const MachineSetup& machine, std::size_t most_motions)
-    : program_(program), assumed_(program.assumed), state_(machine), most_motions_(most_motions) {
+Interpreter::Interpreter(Program& program, const MachineSetup& machine, const Lexer& lexer,
+                         Parameters& parameters, std::size_t most_motions)
+    : program_(program),
+      assumed_(program.assumed),
+      state_(machine),
+      compensation_([this](const Motion& motion) { put(motion); },
+                    [&lexer](std::uint32_t line) { return lexer.place(line, 1); }),
+      saved_(state_, compensation_, parameters),
+      most_motions_(most_motions) {
   if (const auto tool = state_.tools.loaded()) program_.tool_changes.push_back({0, 0, *tool});
+  set_system_parameters(parameters);
+}
+
+void Interpreter::set_system_parameters(Parameters& parameters) {
+  // Where a subroutine has just ended, what it saved is back before the next line is read.
+  parameters.set_system(
+      [this](int number) {
+        saved_.leave_calls();
+        return system_parameter(state_, number);
+      },
+      [this, &parameters](std::string_view name) {
+        saved_.leave_calls();
+        return system_parameter(state_, name, parameters.depth() - 1);
+      });
 }
 
 bool Interpreter::execute(const Statement& statement) {
@@ -23,35 +46,31 @@ bool Interpreter::execute(const Statement& statement) {
     move_plainly(statement);
     return true;
   }
-  list_auxiliaries(statement, program_);
+  list_auxiliaries(statement, program_, motions_so_far());
   if (statement.block().words.empty()) return true;
+  if (!saved_.leave_calls()) SavedStates::fail(statement, statement.block().words.front());
   const std::optional<int> motion = motion_of(statement, state_.modal.motion);
   check_word_use(statement, motion);
   set_spindle_mode(statement);
   set_feed(statement, state_);
   set_speed(statement);
   select_tool(statement, state_);
-  change_tool(statement, state_, program_);
-  turn_spindle(statement);
-  set_modes(statement);
-  set_length_offset(statement, state_, assumed_);
-  if (statement.g_word(GGroup::coordinate_system)) select_system(statement, state_, assumed_);
-  set_late_modes(statement);
-  carry_out_non_modal(statement);
-  if (statement.g_word(GGroup::axis_offset)) apply_axis_offsets(statement, state_);
-  if (statement.g(GGroup::motion) == 800) state_.modal.motion.reset();
-  if (motion) move(statement, *motion);
-  plain_ = (state_.modal.motion == 0 || state_.modal.motion == 10) &&
-           state_.modal.feed_mode == FeedMode::per_minute && !state_.is_adrift() &&
-           !state_.tools.is_uncertain() && state_.systems.system().is_usable();
-  const int stop = statement.m(MGroup::stopping).value_or(0);
-  return stop != 2 && stop != 30;
+  carry_out_m(statement);
+  carry_out_g(statement, motion);
+  plain_ = may_be_plain();
+  return stop(statement);
 }
 
 /// Most blocks of a long program are axis words alone.
 bool Interpreter::is_plain(const Statement& statement) const {
   return (statement.letters() & ~kAxisLetters) == 0 && statement.has_axes() &&
          statement.block().comments.empty() && !statement.block().block_delete;
+}
+
+bool Interpreter::may_be_plain() const {
+  return (state_.modal.motion == 0 || state_.modal.motion == 10) &&
+         state_.modal.feed_mode == FeedMode::per_minute && compensation_.idle() && saved_.empty() &&
+         !state_.is_adrift() && !state_.tools.is_uncertain() && state_.systems.system().is_usable();
 }
 
 void Interpreter::move_plainly(const Statement& statement) {
@@ -62,6 +81,36 @@ void Interpreter::move_plainly(const Statement& statement) {
   if (!rapid) motion.feed_mm_min = static_cast<float>(state_.modal.feed_mm);
   motion.to = state_.position_mm = end_of(statement, state_);
   emit(statement, motion);
+}
+
+void Interpreter::carry_out_m(const Statement& statement) {
+  change_tool(statement, state_, program_);
+  turn_spindle(statement);
+  saved_.carry_out(statement);
+  set_coolant(statement);
+}
+
+void Interpreter::carry_out_g(const Statement& statement, std::optional<int> motion) {
+  set_plane(statement);
+  set_units(statement);
+  set_radius_offset(statement, state_, compensation_);
+  set_length_offset(statement, state_, assumed_);
+  if (statement.g_word(GGroup::coordinate_system)) select_system(statement, state_, assumed_);
+  set_late_modes(statement);
+  carry_out_non_modal(statement);
+  if (statement.g_word(GGroup::axis_offset)) apply_axis_offsets(statement, state_);
+  if (statement.g(GGroup::motion) == 800) {
+    state_.modal.motion.reset();
+    cycles_.forget();
+  }
+  if (motion) move(statement, *motion);
+}
+
+bool Interpreter::stop(const Statement& statement) {
+  const auto code = statement.m(MGroup::stopping);
+  if (!code) return true;
+  compensation_.flush();
+  return *code != 2 && *code != 30;
 }
 
 void Interpreter::set_spindle_mode(const Statement& statement) {
@@ -86,20 +135,36 @@ void Interpreter::turn_spindle(const Statement& statement) {
   if (statement.m(MGroup::tool_change) == 6 && spindle.on) spindle.on = false;
   const auto code = statement.m(MGroup::spindle);
   if (!code) return;
-  if (!spindle.on) motions_before_spindle_ = program_.motions.size();
+  if (!spindle.on) motions_before_spindle_ = motions_so_far();
   spindle.on = *code == 3 || *code == 4;
   spindle.clockwise = *code == 3;
   if (!*spindle.on || program_.starts_spindle) return;
   program_.starts_spindle = true;
-  for (std::size_t i = 0; i < motions_before_spindle_; ++i)
-    program_.motions[i].spindle_stopped = true;
+  const std::size_t out = std::min(motions_before_spindle_, program_.motions.size());
+  for (std::size_t i = 0; i < out; ++i) program_.motions[i].spindle_stopped = true;
 }
 
-void Interpreter::set_modes(const Statement& statement) {
-  if (const auto code = statement.g(GGroup::plane))
-    state_.modal.plane = static_cast<ArcPlane>(*code / 10);
-  if (const auto code = statement.g(GGroup::units))
-    state_.modal.unit_mm = *code == 200 ? kInchMm : 1;
+void Interpreter::set_coolant(const Statement& statement) {
+  const int code = statement.m(MGroup::coolant).value_or(0);
+  if (code == 7) state_.coolant.mist = true;
+  if (code == 8) state_.coolant.flood = true;
+  if (code == 9) state_.coolant = {};
+}
+
+void Interpreter::set_plane(const Statement& statement) {
+  const auto code = statement.g(GGroup::plane);
+  if (!code) return;
+  const auto plane = static_cast<ArcPlane>(*code / 10);
+  if (plane != state_.modal.plane)
+    forbid_compensation(statement, *statement.g_word(GGroup::plane), state_);
+  state_.modal.plane = plane;
+}
+
+void Interpreter::set_units(const Statement& statement) {
+  const auto code = statement.g(GGroup::units);
+  if (!code) return;
+  state_.modal.unit_mm = *code == 200 ? kInchMm : 1;
+  compensation_.use_inches(*code == 200);
 }
 
 void Interpreter::set_late_modes(const Statement& statement) {
@@ -134,6 +199,7 @@ void Interpreter::carry_out_non_modal(const Statement& statement) {
 
 /// By way of the point that the axis words name.
 void Interpreter::go_home(const Statement& statement) {
+  forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state_);
   check_system(statement, state_);
   Motion motion;
   motion.plane = state_.modal.plane;
@@ -148,38 +214,86 @@ void Interpreter::move(const Statement& statement, int code) {
   if (statement.g(GGroup::non_modal) == 530 && code != 0 && code != 10)
     statement.fail(*statement.g_word(GGroup::non_modal), "G53 beside a motion that is not straight",
                    "G0 or G1");
+  if (is_canned_cycle(code)) return cycle(statement, code);
+  cycles_.forget();
   if (code == 0 || code == 10)
     return emit(statement, straight_motion(statement, state_, code == 0, assumed_));
   emit(statement, arc_motion(statement, state_, code == 30));
 }
 
-void Interpreter::count_motion(const Statement& statement) const {
-  if (program_.motions.size() < most_motions_) return;
+SpindleState Interpreter::spindle_state() const {
+  const Spindle& spindle = state_.spindle;
+  if (!spindle.on) return SpindleState::unknown;
+  if (!*spindle.on) return SpindleState::stopped;
+  return spindle.clockwise ? SpindleState::clockwise : SpindleState::counter_clockwise;
+}
+
+void Interpreter::cycle(const Statement& statement, int code) {
+  check_system(statement, state_);
+  check_tip(statement, state_);
+  if (state_.is_adrift())
+    statement.fail(statement.blamed(), "a canned cycle from a place that nothing states",
+                   "a motion of each axis to a coordinate first");
+  const ModalState& modal = state_.modal;
+  const CycleMotions motions =
+      cycles_.moves(statement, {code, modal.plane, modal.unit_mm, modal.incremental,
+                                modal.return_to_r, state_.position_mm, spindle_state(),
+                                modal.feed_mode == FeedMode::inverse_time, compensation_.active()});
+  const std::array<bool, 3> known = state_.known;
+  for (const CycleMove& move : motions.moves) {
+    Motion motion;
+    motion.kind = move.kind;
+    motion.plane = modal.plane;
+    motion.to = move.to_mm;
+    motion.spindle_stopped = move.spindle_stopped;
+    if (move.kind != MotionKind::rapid)
+      motion.feed_mm_min = static_cast<float>(feed_of(statement, state_, 0));
+    for (int axis = 0; axis < 3; ++axis) state_.known[axis] = known[axis] || move.stated[axis];
+    emit(statement, motion);
+  }
+  state_.position_mm = motions.end_mm;
+}
+
+void Interpreter::check_count(const Statement& statement) const {
+  if (motions_so_far() < most_motions_) return;
   statement.fail(statement.blamed(),
                  "the program makes more than " + std::to_string(most_motions_) + " motions",
                  "loops and cycles that make fewer");
 }
 
-/// From the active work frame to the machine's.
+/// `motion` is in the active work frame.
 void Interpreter::emit(const Statement& statement, Motion motion) {
-  count_motion(statement);
+  check_count(statement);
   motion.line = statement.line();
-  motion.spindle_stopped =
-      state_.spindle.on.has_value() &&
-      (!*state_.spindle.on || (state_.spindle.rpm && *state_.spindle.rpm == 0));
+  const Spindle& spindle = state_.spindle;
+  if (spindle.on && (!*spindle.on || spindle.rpm == 0)) motion.spindle_stopped = true;
   motion.position_known = state_.known[0] && state_.known[1] && state_.known[2];
   motion.parked = state_.adrift[2];
   motion.astray = state_.adrift[0] || state_.adrift[1];
+  if (compensation_.idle()) {
+    put(motion);
+  } else {
+    compensation_.move(motion);
+  }
+}
+
+/// From the active work frame to the machine's. Nothing changes the frame while cutter compensation
+/// holds motions.
+void Interpreter::put(Motion motion) {
+  const Frame& frame = state_.frame;
   if (motion.kind == MotionKind::arc) {
     const auto [first, second, normal] = axes_of(motion.plane);
     Vec3 centre_mm;
     centre_mm[first] = motion.centre1;
     centre_mm[second] = motion.centre2;
-    centre_mm = state_.frame.to_machine(centre_mm);
+    centre_mm = frame.to_machine(centre_mm);
     motion.centre1 = centre_mm[first];
     motion.centre2 = centre_mm[second];
   }
-  motion.to = state_.frame.to_machine(motion.to);
+  motion.to = frame.to_machine(motion.to);
+  // Waited for the compensation while the program's first M3 or M4 came.
+  if (program_.starts_spindle && program_.motions.size() < motions_before_spindle_)
+    motion.spindle_stopped = true;
   program_.motions.push_back(motion);
 }
 

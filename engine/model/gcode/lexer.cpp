@@ -1,9 +1,10 @@
 #include "engine/model/gcode/lexer.h"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
+#include "engine/model/gcode/characters.h"
+#include "engine/model/gcode/plain_number.h"
 #include "engine/model/words.h"
 
 namespace limitgauge::model::gcode {
@@ -14,192 +15,198 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// RS274/NGC has no use for more; a file that is one long line must not fill the memory.
 constexpr std::size_t kMostItems = 100;
 
-constexpr std::size_t kProgramDigits = 8;
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
-bool is_numeral(char c) {
-  return (c >= '0' && c <= '9') || c == '.';
-}
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
-std::string shown(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  if (byte >= 0x20 && byte < 0x7F) return in_quotes(std::string_view(&c, 1));
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  return std::string("byte 0x") + kDigits[byte / 16] + kDigits[byte % 16];
-}
-
 }  // namespace
 
-void Block::clear() {
-  block_delete = false;
-  words.clear();
-  comments.clear();
-}
-
-Lexer::Lexer(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
+Lexer::Lexer(std::string_view text, std::string name, const Parameters& parameters)
+    : text_(text),
+      name_(std::move(name)),
+      parameters_(parameters),
+      fail_([this](std::size_t at, const std::string& wrong, const std::string& expected) {
+        fail(at, wrong, expected);
+      }) {
   if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
+  const std::size_t first = text_.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || text_[first] != '%') return;
+  const std::size_t line_end = text_.rfind('\n', first);
+  opening_percent_ = line_end == std::string_view::npos ? 0 : line_end + 1;
 }
 
 SourcePlace Lexer::place(std::uint32_t line, std::uint32_t column) const {
   return {name_, static_cast<int>(line), static_cast<int>(column)};
 }
 
+void Lexer::fail_at(std::uint32_t line, std::uint32_t column, const std::string& wrong,
+                    const std::string& expected) const {
+  throw InputError(place(line, column), wrong, expected);
+}
+
 void Lexer::fail(std::size_t at, const std::string& wrong, const std::string& expected) const {
-  throw InputError(place(line_, column_of(at)), wrong, expected);
+  fail_at(line_, column_of(at), wrong, expected);
 }
 
 void Lexer::skip_blanks() {
-  while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+  while (!at_end() && is_blank(here())) ++cursor_.at;
 }
 
-void Lexer::end_line() {
-  if (at_ < text_.size()) ++at_;
-  ++line_;
-  line_begin_ = at_;
+/// False at the end of the text.
+bool Lexer::take_line() {
+  line_ = next_.line;
+  if (next_.at >= text_.size()) {
+    cursor_ = {};
+    return false;
+  }
+  const std::size_t end = std::min(text_.find('\n', next_.at), text_.size());
+  cursor_ = {text_.substr(next_.at, end - next_.at), 0};
+  next_ = {end + 1, next_.line + 1};
+  skip_blanks();
+  return true;
+}
+
+Lexer::Percent Lexer::percent() const {
+  if (at_end() || here() != '%') return Percent::none;
+  const auto begin = static_cast<std::size_t>(cursor_.line.data() - text_.data());
+  return opening_percent_ == begin ? Percent::opening : Percent::closing;
+}
+
+void Lexer::check_percent() const {
+  const std::size_t text = cursor_.line.find_first_not_of(" \t\r", cursor_.at + 1);
+  if (text != std::string_view::npos) fail(text, "text after '%'", "'%' alone on its line");
+  if (!opening_percent_)
+    fail(cursor_.at, "'%' ends a program that no '%' began", "'%' on the first line too");
 }
 
 bool Lexer::next(Block& block) {
   block.clear();
-  if (at_ >= text_.size()) {
-    if (in_percents_)
-      fail(at_, "the program that '%' began does not end; it may have been cut off",
+  const Bookmark before = next_;
+  if (!take_line()) {
+    if (opening_percent_)
+      fail(0, "the program that '%' began does not end; it may have been cut off",
            "'%', M2 or M30");
     return false;
   }
   block.line = line_;
-  skip_blanks();
-  if (at_ < text_.size() && text_[at_] == '%') {
-    if (take_percent()) return false;
-  } else {
-    read_line(block);
-  }
-  end_line();
-  return true;
-}
-
-/// True for the `%` that ends the program.
-bool Lexer::take_percent() {
-  const std::size_t begin = at_++;
-  skip_blanks();
-  if (!at_line_end()) fail(at_, "text after '%'", "'%' alone on its line");
-  if (in_percents_) return true;
-  if (started_) fail(begin, "'%' ends a program that no '%' began", "'%' on the first line too");
-  in_percents_ = started_ = true;
-  return false;
+  const Percent found = percent();
+  if (found != Percent::none) check_percent();
+  if (found == Percent::closing) next_ = before;
+  if (found == Percent::none) read_line(block);
+  return found != Percent::closing;
 }
 
 void Lexer::read_line(Block& block) {
-  if (!at_line_end() && text_[at_] == '/') {
+  if (!at_end() && here() == '/') {
     block.block_delete = true;
-    ++at_;
+    ++cursor_.at;
     skip_blanks();
   }
-  for (; !at_line_end(); skip_blanks()) {
-    started_ = true;
-    if (block.words.size() + block.comments.size() > kMostItems)
-      fail(at_, "more than 100 words and comments in one line", "a line that ends sooner");
-    const char c = text_[at_];
+  if (!at_end() && upper(here()) == 'N') {
+    read_line_number(cursor_.at++);
+    skip_blanks();
+  }
+  if (!at_end() && upper(here()) == 'O') return read_o_word(block);
+  read_items(block);
+}
+
+void Lexer::read_items(Block& block) {
+  for (std::size_t items = 0; !at_end(); skip_blanks()) {
+    if (++items > kMostItems + 1)
+      fail(cursor_.at, "more than 100 words and comments in one line", "a line that ends sooner");
+    const char c = here();
     if (is_letter(c)) {
       read_word(block);
-    } else if (c == '(') {
+    } else if (c == '(' || c == ';') {
       read_comment(block);
-    } else if (c == ';') {
-      at_ = std::min(text_.find('\n', at_), text_.size());
     } else if (c == '#') {
-      fail(at_, "parameters are not supported in this release", "plain numbers");
+      read_setting(block);
     } else {
-      fail(at_, shown(c) + " does not begin a word", "a letter and a number, or a comment");
+      fail(cursor_.at, shown(c) + " does not begin a word", "a letter and a number, or a comment");
     }
   }
 }
 
 void Lexer::read_comment(Block& block) {
-  const std::size_t begin = at_++;
-  while (!at_line_end() && text_[at_] != ')') {
-    if (text_[at_] == '(') fail(at_, "a comment inside a comment", "')' first");
-    ++at_;
+  const std::size_t begin = cursor_.at;
+  skip_comment();
+  std::string_view text = cursor_.line.substr(begin, cursor_.at - begin);
+  while (is_blank(text.back())) text.remove_suffix(1);
+  block.comments.push_back({column_of(begin), text});
+}
+
+void Lexer::skip_comment() {
+  const std::size_t begin = cursor_.at++;
+  if (cursor_.line[begin] == ';') {
+    cursor_.at = cursor_.line.size();
+    return;
   }
-  if (at_line_end()) fail(begin, "the comment does not end in its line", "')'");
-  ++at_;
-  block.comments.push_back({column_of(begin), text_.substr(begin, at_ - begin)});
+  while (!at_end() && here() != ')') {
+    if (here() == '(') fail(cursor_.at, "a comment inside a comment", "')' first");
+    ++cursor_.at;
+  }
+  if (at_end()) fail(begin, "the comment does not end in its line", "')'");
+  ++cursor_.at;
 }
 
 void Lexer::read_word(Block& block) {
-  const std::size_t begin = at_;
-  const char letter = upper(text_[at_++]);
-  if (letter == 'O') return read_program_number(block, begin);
-  words_read_ = true;
-  const double value = read_number(begin);
-  if (letter == 'N') {
-    if (!block.words.empty()) fail(begin, "N after other words", "N at the beginning of the line");
-    return;
-  }
-  block.words.push_back({letter, value, column_of(begin), text_.substr(begin, at_ - begin)});
-}
-
-/// Fanuc names a program behind its first `%`; every other O word means subroutines or loops.
-void Lexer::read_program_number(const Block& block, std::size_t word_begin) {
-  const bool may_stand = in_percents_ && !words_read_ && block.comments.empty();
-  const std::size_t digits = at_;
-  while (at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9') ++at_;
-  const std::size_t count = at_ - digits;
-  skip_blanks();
-  const bool alone = at_line_end() || text_[at_] == '(' || text_[at_] == ';';
-  if (!may_stand || count == 0 || count > kProgramDigits || !alone)
-    fail(word_begin, "O words other than a program's number are not supported in this release",
-         "O and up to 8 digits alone behind the first '%', or none");
-  words_read_ = true;
-}
-
-double Lexer::read_number(std::size_t word_begin) {
-  skip_blanks();
-  const std::size_t begin = at_;
-  if (at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-')) ++at_;
-  const std::size_t numerals = at_;
-  while (at_ < text_.size() && is_numeral(text_[at_])) ++at_;
-  const std::size_t end = at_;
-  skip_blanks();
-  const bool goes_on = at_ < text_.size() && is_numeral(text_[at_]);
-  at_ = goes_on || numerals == end ? begin : end;
-  if (at_ == begin) return read_spaced_number(word_begin);
+  const std::size_t begin = cursor_.at++;
+  const char letter = upper(cursor_.line[begin]);
+  if (letter == 'N') fail(begin, "N after other words", "N at the beginning of the line");
+  if (letter == 'O') fail(begin, "O after other words", "O at the beginning of the line");
   double value = 0;
-  const auto [stop, error] =
-      std::from_chars(text_.data() + numerals, text_.data() + end, value, std::chars_format::fixed);
-  if (error != std::errc() || stop != text_.data() + end)
-    fail(word_begin, in_quotes(text_.substr(begin, end - begin)) + " is not a number",
-         "digits and one decimal point");
-  return text_[begin] == '-' ? -value : value;
+  if (!read_plain_value(value)) value = read_general_value(begin);
+  block.words.push_back(
+      {letter, value, column_of(begin), cursor_.line.substr(begin, cursor_.at - begin)});
 }
 
-/// A number with blanks between its numerals, or none at all.
-double Lexer::read_spaced_number(std::size_t word_begin) {
-  std::string gathered;
-  std::size_t end = at_;
-  for (; !at_line_end(); ++at_) {
-    const char c = text_[at_];
-    const bool sign = gathered.empty() && (c == '+' || c == '-');
-    if (!sign && !is_numeral(c) && !is_blank(c)) break;
-    if (!is_blank(c)) gathered += c, end = at_ + 1;
-  }
-  const bool unsigned_empty = gathered.empty() || gathered == "+" || gathered == "-";
-  if (unsigned_empty && !at_line_end() && text_[at_] == '[')
-    fail(at_, "expressions are not supported in this release", "a plain number");
-  if (unsigned_empty && !at_line_end() && text_[at_] == '#')
-    fail(at_, "parameters are not supported in this release", "a plain number");
-  const std::optional<double> value = parse_number(gathered);
-  if (!value)
-    fail(word_begin, "the number of " + shown(text_[word_begin]) + " is missing or malformed",
-         "digits and one decimal point; functions are not supported in this release");
-  at_ = end;
-  return *value;
+/// A number with at most one sign and no blanks inside; false without moving for all else.
+bool Lexer::read_plain_value(double& value) {
+  const char* const data = cursor_.line.data();
+  const char* const limit = data + cursor_.line.size();
+  const char* at = data + cursor_.at;
+  const bool negative = at < limit && *at == '-';
+  if (negative || (at < limit && *at == '+')) ++at;
+  const std::optional<PlainNumber> number = read_plain_number(at, limit);
+  if (!number) return false;
+  at = number->end;
+  while (at < limit && is_blank(*at)) ++at;
+  if (at < limit && (is_digit(*at) || *at == '.')) return false;
+  cursor_.at = static_cast<std::size_t>(number->end - data);
+  value = negative ? -number->value : number->value;
+  return true;
+}
+
+double Lexer::read_general_value(std::size_t word_begin) {
+  if (!value_begins(cursor_))
+    fail(word_begin,
+         "the number of " + shown(cursor_.line[word_begin]) + " is missing or malformed",
+         "a number, a parameter, a function or an expression in brackets");
+  return read_value(cursor_, parameters_, fail_);
+}
+
+void Lexer::read_setting(Block& block) {
+  const std::size_t begin = cursor_.at++;
+  Setting setting{{}, 0, column_of(begin)};
+  setting.parameter = read_parameter_name(cursor_, parameters_, fail_);
+  const ParameterName& name = setting.parameter;
+  if (name.name.empty() ? !Parameters::is_settable(name.number)
+                        : !Parameters::is_settable(name.name))
+    fail(begin,
+         "parameter " + in_quotes(cursor_.line.substr(begin, cursor_.at - begin)) +
+             " belongs to the machine",
+         "a code that sets it, as G10, or another parameter");
+  skip_blanks();
+  if (at_end() || here() != '=')
+    fail(cursor_.at, "a parameter at the beginning of a word", "'=' and a value");
+  ++cursor_.at;
+  setting.value = read_value(cursor_, parameters_, fail_);
+  block.settings.push_back(std::move(setting));
+}
+
+/// LinuxCNC takes decimals too.
+void Lexer::read_line_number(std::size_t word_begin) {
+  skip_blanks();
+  if (at_end() || !is_digit(here()))
+    fail(word_begin, "the number of 'N' is missing or malformed", "digits");
+  double value = 0;
+  if (!read_plain_value(value)) read_value(cursor_, parameters_, fail_);
 }
 
 }  // namespace limitgauge::model::gcode

@@ -74,6 +74,7 @@ void check_astray(const Statement& statement, const MachineState& state) {
 
 Vec3 machine_end(const Statement& statement, MachineState& state, bool rapid,
                  Assumptions& assumed) {
+  forbid_compensation(statement, code_of(statement), state);
   if (!state.modal.incremental && parks(statement, state, rapid)) {
     state.adrift[2] = true;
     assumed.add(statement.line(), "Z0 in machine coordinates is taken to be above everything");
@@ -122,6 +123,7 @@ Vec3 reference_end(const Statement& statement, MachineState& state, Assumptions&
 }
 
 void store_reference(const Statement& statement, MachineState& state) {
+  forbid_compensation(statement, code_of(statement), state);
   const bool first = statement.g(GGroup::non_modal) == 281;
   Vec3 at_mm = state.frame.to_machine(state.position_mm);
   at_mm.z += state.tools.true_length().value_or(0);

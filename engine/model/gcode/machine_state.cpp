@@ -37,6 +37,14 @@ void MachineState::stay_at(const Frame& before) {
   adrift[0] = adrift[1] = adrift[0] || adrift[1];
 }
 
+void forbid_compensation(const Statement& statement, const Word& word, const MachineState& state) {
+  if (!state.is_compensated()) return;
+  statement.fail(word,
+                 in_quotes(word.text) + " while cutter compensation is on (G" +
+                     std::to_string(state.modal.compensation / 10) + ")",
+                 "G40 before it");
+}
+
 double length_of(const Statement& statement, const Word& word, const MachineState& state) {
   const double length_mm = word.value * state.modal.unit_mm;
   if (!(std::abs(length_mm) <= kLargestCoordinateMm))

@@ -22,11 +22,14 @@ inline constexpr std::array<char, 3> kCentres = {'I', 'J', 'K'};
 enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_revolution };
 
 /// What codes set until another code of their group. Power-on state as LinuxCNC's: G17 G21 G40 G49
-/// G54 G80 G90 G91.1 G94 G97 G98, no feed rate.
+/// G54 G80 G90 G91.1 G94 G97 G99, no feed rate.
 struct ModalState {
   ArcPlane plane = ArcPlane::xy;
   double unit_mm = 1;
-  bool incremental = false, centre_absolute = false, return_to_r = false;
+  bool incremental = false, centre_absolute = false;
+  bool return_to_r = true;    ///< G99
+  int compensation = 400;     ///< G40, G41 or G42, in tenths
+  int length_offset = 490;    ///< G43, G43.1, G43.2 or G49, in tenths
   std::optional<int> motion;  ///< G code in tenths
   FeedMode feed_mode = FeedMode::per_minute;
   double feed_mm = 0;  ///< by minute or by revolution; 0: none
@@ -37,6 +40,10 @@ struct Spindle {
   bool clockwise = true;
   std::optional<double> rpm;      ///< the S word in force
   bool constant_surface = false;  ///< G96
+};
+
+struct Coolant {
+  bool mist = false, flood = false;
 };
 
 /// A stored position of G28 or G30 in machine coordinates, without the tool's length.
@@ -52,6 +59,7 @@ struct MachineState {
 
   ModalState modal;
   Spindle spindle;
+  Coolant coolant;
   CoordinateSystems systems;
   ToolTable tools;
   std::array<ReferencePoint, 2> reference;  ///< of G28 and G30
@@ -73,11 +81,15 @@ struct MachineState {
     refresh();
     stay_at(before);
   }
+  bool is_compensated() const { return modal.compensation != 400; }
   bool is_adrift() const { return adrift[0] || adrift[1] || adrift[2]; }
 
  private:
   void stay_at(const Frame& before);
 };
+
+/// Throws InputError at `word` while cutter compensation is on.
+void forbid_compensation(const Statement& statement, const Word& word, const MachineState& state);
 
 /// A word's length in mm. Throws InputError at a value beyond any machine.
 double length_of(const Statement& statement, const Word& word, const MachineState& state);

@@ -45,6 +45,8 @@ void check_whole(const Statement& statement, const MachineState& state, std::siz
 void set_origin(const Statement& statement, MachineState& state, Assumptions& assumed) {
   refuse_words(statement, {'I', 'J', 'Q'}, "G10 L2");
   const std::size_t index = system_of(statement, state);
+  if (index == state.systems.active())
+    forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state);
   const bool taken = state.systems.frame_is_taken();
   state.keeping_tip([&] {
     for (int axis = 0; axis < 3; ++axis) {
@@ -91,6 +93,8 @@ bool states_place(const MachineState& state, int axis) {
 void touch_system(const Statement& statement, MachineState& state, Assumptions& assumed) {
   refuse_words(statement, {'I', 'J', 'Q', 'R'}, "G10 L20");
   const std::size_t index = system_of(statement, state);
+  if (index == state.systems.active())
+    forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state);
   const bool active = index == state.systems.active();
   std::array<bool, 3> set{};
   for (int axis = 0; axis < 3; ++axis) {
@@ -146,6 +150,7 @@ void set_tool_data(const Statement& statement, MachineState& state) {
 }  // namespace
 
 void select_system(const Statement& statement, MachineState& state, Assumptions& assumed) {
+  forbid_compensation(statement, *statement.g_word(GGroup::coordinate_system), state);
   const int code = *statement.g(GGroup::coordinate_system);
   const auto index = static_cast<std::size_t>(code <= 590 ? (code - 540) / 10 : code - 585);
   if (state.fresh && index != 0)
@@ -172,6 +177,7 @@ void set_data(const Statement& statement, MachineState& state, Assumptions& assu
 }
 
 void set_axis_offsets(const Statement& statement, MachineState& state, Assumptions& assumed) {
+  forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state);
   const bool shifts = statement.g(GGroup::non_modal) == 520;
   if (!statement.has_axes())
     statement.fail(*statement.g_word(GGroup::non_modal),
@@ -201,6 +207,7 @@ void set_axis_offsets(const Statement& statement, MachineState& state, Assumptio
 }
 
 void apply_axis_offsets(const Statement& statement, MachineState& state) {
+  forbid_compensation(statement, *statement.g_word(GGroup::axis_offset), state);
   const int code = *statement.g(GGroup::axis_offset);
   if (code == 923 && !state.systems.g92_was_set() && !state.fresh)
     statement.fail(*statement.g_word(GGroup::axis_offset),

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/model/gcode/flow.h"
 #include "engine/model/gcode/interpreter.h"
 #include "engine/model/gcode/lexer.h"
 #include "engine/model/gcode/statement.h"
@@ -21,10 +22,13 @@ Program read_text_program(const std::string& text, const std::string& name,
   program.name = std::filesystem::path(name).stem().string();
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   program.motions.reserve(std::min(lines, text.size() / kShortestMoveBytes) + 1);
-  gcode::Lexer lexer(text, name);
-  gcode::Interpreter interpreter(program, machine, lines + kExpandedMotions);
+  gcode::Parameters parameters;
+  gcode::Lexer lexer(text, name, parameters);
+  gcode::Flow flow(lexer, parameters);
+  gcode::Interpreter interpreter(program, machine, lexer, parameters, lines + kExpandedMotions);
   gcode::Block block;
-  while (lexer.next(block) && interpreter.execute(gcode::Statement(block, lexer))) continue;
+  while (flow.next(block) && interpreter.execute(gcode::Statement(block, lexer))) continue;
+  interpreter.finish();
   return program;
 }
 

@@ -108,6 +108,7 @@ void change_tool(const Statement& statement, MachineState& state, Program& progr
   const auto code = statement.m(MGroup::tool_change);
   if (!code) return;
   const Word& word = *statement.m_word(MGroup::tool_change);
+  forbid_compensation(statement, word, state);
   std::optional<int> tool = state.selected_tool;
   if (*code == 61) {
     const Word* const q = statement.word('Q');
@@ -127,10 +128,31 @@ void change_tool(const Statement& statement, MachineState& state, Program& progr
 void set_length_offset(const Statement& statement, MachineState& state, Assumptions& assumed) {
   const auto code = statement.g(GGroup::length_offset);
   if (!code) return;
+  forbid_compensation(statement, *statement.g_word(GGroup::length_offset), state);
+  state.modal.length_offset = *code;
   if (*code == 490) return state.keeping_tip([&] { state.tools.clear_offset(); });
   if (*code == 430) return use_offset(statement, state, assumed);
   if (*code == 431) return use_dynamic(statement, state, assumed);
   add_entry(statement, state);
+}
+
+bool restore_length_offset(MachineState& state, int code) {
+  const bool on = code != 490;
+  if (on == (state.modal.length_offset != 490)) return true;
+  if (on && code != 430) return false;
+  state.modal.length_offset = code;
+  const auto loaded = state.tools.loaded();
+  const auto entry_mm = loaded ? state.tools.offset_of(*loaded) : std::nullopt;
+  state.keeping_tip([&] {
+    if (!on) {
+      state.tools.clear_offset();
+    } else if (entry_mm) {
+      state.tools.use_offset(*entry_mm);
+    } else {
+      state.tools.use_own_length();
+    }
+  });
+  return true;
 }
 
 void check_tip(const Statement& statement, const MachineState& state) {

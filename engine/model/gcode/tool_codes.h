@@ -13,6 +13,9 @@ void select_tool(const Statement& statement, MachineState& state);
 void change_tool(const Statement& statement, MachineState& state, Program& program);
 /// G43, G43.1, G43.2, G49.
 void set_length_offset(const Statement& statement, MachineState& state, Assumptions& assumed);
+/// Takes up a length offset that was saved, as LinuxCNC does: by G49, or by G43 for the tool that
+/// is in the spindle now. False where it was one of G43.1 or G43.2, whose value is not saved.
+bool restore_length_offset(MachineState& state, int code);
 /// A feed motion needs to know where the tip is: throws InputError where the length offset in use
 /// is not that of the tool in the spindle and their lengths are not stated.
 void check_tip(const Statement& statement, const MachineState& state);

@@ -35,12 +35,12 @@ void ToolTable::clear_offset() {
 }
 
 void ToolTable::use_own_length() {
-  in_use_ = {true, true, loaded_, 0};
+  in_use_ = {true, loaded_, 0};
   any_offset_used_ = true;
 }
 
 bool ToolTable::use_offset(double offset_mm) {
-  in_use_ = {true, false, loaded_, offset_mm};
+  in_use_ = {false, loaded_, offset_mm};
   any_offset_used_ = true;
   if (true_length()) return false;
   if (loaded_) {

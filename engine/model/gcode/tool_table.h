@@ -38,16 +38,14 @@ class ToolTable {
   /// Whether the offset in use belongs to another tool while a length is not stated: nobody knows
   /// where the tip is then.
   bool is_uncertain() const;
-  /// The offset in use, as far as it is stated.
-  double in_use_mm() const { return in_use_.offset_mm; }
-  bool in_use() const { return in_use_.on; }
+  /// Whether there is an offset in use, and not one of 0.
+  bool has_offset_in_use() const { return in_use_.has_unstated_length || in_use_.offset_mm != 0; }
 
  private:
   struct Tool {
     std::optional<double> offset_mm, diameter_mm, true_length_mm;
   };
   struct InUse {
-    bool on = false;
     bool has_unstated_length = false;  ///< of tool `owner`, beside `offset_mm`
     std::optional<int> owner;
     double offset_mm = 0;

@@ -1,7 +1,9 @@
 #include "engine/model/gcode/word_use.h"
 
+#include <array>
 #include <string>
 
+#include "engine/model/gcode/canned_cycle.h"
 #include "engine/model/words.h"
 
 namespace limitgauge::model::gcode {
@@ -44,12 +46,7 @@ class Users {
   bool non_modal(int tenths) const { return g(GGroup::non_modal, tenths); }
   bool side() const { return statement_.g(GGroup::radius_offset).value_or(400) != 400; }
   bool arc() const { return is_arc(motion_); }
-  bool among(std::initializer_list<int> codes) const {
-    for (const int code : codes) {
-      if (motion_ == code) return true;
-    }
-    return false;
-  }
+  bool cycle(char letter) const { return cycle_takes(motion_, letter); }
   User arcs() const { return {arc(), "an arc"}; }
   User setting() const { return {non_modal(100), "G10"}; }
   User blending() const { return {g(GGroup::path_control, 640), "G64"}; }
@@ -68,13 +65,13 @@ std::array<User, 6> Users::users_of_p() const {
   return {User{non_modal(40), "G4"},
           setting(),
           blending(),
-          User{arc() || among({740, 820, 840, 860, 880, 890}), arc() ? "an arc" : "a canned cycle"},
+          User{arc() || cycle('P'), arc() ? "an arc" : "a canned cycle"},
           User{m(MGroup::overrides, 50, 53) || m(MGroup::input_output, 62, 66), "an M code"},
           orienting()};
 }
 
 std::array<User, 6> Users::users_of_q() const {
-  return {User{among({730, 830}), "a canned cycle"},
+  return {User{cycle('Q'), "a canned cycle"},
           User{m(MGroup::input_output, 66, 68), "an M code"},
           User{m(MGroup::tool_change, 61, 61), "M61"},
           setting(),
@@ -92,18 +89,17 @@ std::array<User, 6> Users::users_of(char letter) const {
       return {User{g(GGroup::length_offset, 430) || g(GGroup::length_offset, 432), "G43"}};
     case 'I':
     case 'J':
-      return {arcs(), User{motion_ == 870, "G87"}, setting()};
+      return {arcs(), User{cycle(letter), "G87"}, setting()};
     case 'K':
-      return {arcs(), User{motion_ == 870, "G87"}};
+      return {arcs(), User{cycle(letter), "G87"}};
     case 'L':
-      return {User{motion_ == 730 || (motion_ >= 810 && motion_ <= 890), "a canned cycle"},
-              setting(), input(), User{side(), "cutter compensation"}};
+      return {User{cycle('L'), "a canned cycle"}, setting(), input()};
     case 'P':
       return users_of_p();
     case 'Q':
       return users_of_q();
     default:  // R
-      return {arcs(), User{is_cycle(motion_), "a canned cycle"}, setting(), orienting()};
+      return {arcs(), User{cycle(letter), "a canned cycle"}, setting(), orienting()};
   }
 }
 
@@ -174,8 +170,8 @@ std::optional<int> stated_motion(const Statement& statement, int code) {
     statement.fail(*statement.g_word(GGroup::length_offset),
                    "G43.1 and " + in_quotes(word.text) + " would both use axis words",
                    "one of them in a block of its own");
-  if (is_cycle(code) && !statement.has_axes())
-    statement.fail(word, "a canned cycle without an axis word", "X, Y or Z");
+  if (is_canned_cycle(code) && !statement.has_axes())
+    statement.fail(word, std::string(word.text) + " without an axis word", "X, Y or Z");
   return code;
 }
 

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/model/gcode/flow_keyword.h"
+#include "engine/model/gcode/lexer.h"
+
+namespace limitgauge::model::gcode {
+
+/// The lines from an O word that opens something (sub, do, while, if, repeat) to the one that ends
+/// it.
+struct FlowSpan {
+  FlowKeyword kind = FlowKeyword::sub;
+  OWord o_word;                           ///< of the first line
+  std::uint32_t line = 0;                 ///< the first
+  Lexer::Bookmark open, body;             ///< before and behind the first line
+  Lexer::Bookmark last, behind;           ///< before and behind the last line
+  std::vector<Lexer::Bookmark> branches;  ///< before the lines of elseif and else
+  bool has_else = false;
+  bool label_is_known = false;  ///< Flow has entered the label as used here
+  bool is_counting = false;     ///< a repeat that was begun and not carried out to its end
+};
+
+/// The spans of a program, found when they are first asked for: the text of each span is looked
+/// through once, however often it is carried out.
+class FlowSpans {
+ public:
+  FlowSpans(Lexer& lexer, std::size_t most_depth) : lexer_(lexer), most_depth_(most_depth) {}
+
+  /// The span that `block`, the line read last, opens. The lexer stays where it is. Throws
+  /// InputError for spans that are not ended, that overlap, or that stand too deep within others.
+  FlowSpan& opened_by(const Block& block, FlowKeyword kind);
+
+ private:
+  void look_through();
+  void open(const Block& block, FlowKeyword kind);
+  void take(const Block& block, FlowKeyword keyword);
+  void branch(const Block& block, FlowKeyword keyword);
+  void close(const Block& block, FlowKeyword keyword);
+  FlowSpan& innermost(const Block& block, FlowKeyword keyword);
+  void check_opening(const Block& block, FlowKeyword kind) const;
+  [[noreturn]] void fail(const Block& block, const std::string& wrong,
+                         const std::string& expected) const;
+
+  Lexer& lexer_;
+  std::size_t most_depth_;
+  std::deque<FlowSpan> spans_;  // addresses stay
+  std::unordered_map<std::uint32_t, FlowSpan*> by_line_;
+  std::vector<FlowSpan*> open_;
+  Block block_;
+};
+
+/// The keyword that ends a span.
+FlowKeyword end_of(FlowKeyword kind);
+
+}  // namespace limitgauge::model::gcode

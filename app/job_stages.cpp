@@ -3,6 +3,7 @@
 #include "app/job_reader.h"
 #include "app/nearest_key.h"
 #include "app/toml_table.h"
+#include "engine/model/text_file.h"
 
 namespace limitgauge::app {
 namespace {
@@ -47,7 +48,7 @@ void read_source(const TomlTable& stage, bool first, JobStage& result, JobContex
   refuse_plan_keys(stage);
   result.program_as_stated = stage.text("program");
   result.program = context.folder / result.program_as_stated;
-  if (!std::filesystem::is_regular_file(result.program)) {
+  if (!model::is_file(result.program)) {
     throw model::InputError(stage.place("program"), "no file \"" + result.program_as_stated + "\"",
                             "a program");
   }

@@ -9,6 +9,7 @@
 #include "app/program_parts.h"
 #include "app/stock_file.h"
 #include "engine/model/error.h"
+#include "engine/model/text_file.h"
 
 namespace limitgauge::app {
 namespace {
@@ -101,7 +102,7 @@ std::string plain_name(const std::filesystem::path& file) {
 }
 
 JobFixture fixture_of(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
+  if (!model::is_file(file))
     throw UsageError("--fixture " + file.string() + ": no such file; expected STL, OBJ or PLY");
   return {file.filename().string(), file, file.string(), {}};
 }

@@ -115,9 +115,13 @@ bool Flow::repeats(const Block& block, Frame& frame) {
          "'" + o_text(frame.span->o_word, FlowKeyword::repeat) +
              "' was not carried out to its end before: LinuxCNC would go on with its old count",
          "a while loop");
-  if (goes_on) --frame.left, --*count;
-  if (!goes_on) count.reset();
-  return goes_on;
+  if (!goes_on) {
+    count.reset();
+    return false;
+  }
+  --frame.left;
+  --*count;
+  return true;
 }
 
 void Flow::end_repeat(const Block& block) {

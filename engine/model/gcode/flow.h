@@ -46,8 +46,8 @@ struct FlowLimits {
 ///  - labels that are computed, save for calls;
 ///  - spans that overlap or are not ended, and a label of another subroutine at endsub or return;
 ///  - what its interpreter (2.9) carries out otherwise than it documents: a do loop behind a break
-///    out of a while loop, a break or a repeat behind a continue in a do loop, a repeat that is
-///    begun anew after return, break or continue have left it, or inside itself.
+///    out of a while loop, a break or a repeat behind a continue in a do loop, a repeat whose count
+///    return, break or continue have left over, or a call has used up.
 /// Subprograms may also stand before the M98 that calls them, and M98 P31000 means three times
 /// program 1000, as on older Fanuc controls, where there is no program 31000.
 class Flow {
@@ -95,7 +95,7 @@ class Flow {
   bool ends_do(const Block& block) const;
   void begin_repeat(const Block& block);
   void end_repeat(const Block& block);
-  void finish_repeat(const Block& block, FlowSpan& span);
+  bool repeats(const Block& block, Frame& frame);
   void break_loop(const Block& block);
   void continue_loop(const Block& block);
   std::size_t loop_of(const Block& block, FlowKeyword keyword) const;

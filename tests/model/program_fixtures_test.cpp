@@ -18,7 +18,8 @@ namespace {
 /// As `limitgauge inspect` takes it: a fresh machine, with the tool table beside the program.
 MachineSetup machine_for(std::filesystem::path path) {
   MachineSetup machine;
-  machine.assume_fresh_machine = true;
+  machine.assume_fresh_machine =
+      text_of(path).find("(nothing is known of the machine)") == std::string::npos;
   path.replace_extension(".tbl");
   if (std::filesystem::exists(path)) machine.tools = parse_tool_table(text_of(path), path.string());
   return machine;

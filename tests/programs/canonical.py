@@ -75,7 +75,8 @@ def numbers_of(text):
 
 def canonical_moves(output, lengths):
     """The motions in what rs274 printed. `lengths` of tools in mm by number."""
-    decimals = max((len(d) for d in re.findall(r"\.(\d+)", output)), default=4)
+    printed = re.search(r"SET_G5X_OFFSET\(\d+, -?\d+\.(\d+)", output)
+    decimals = len(printed[1]) if printed else 4
     machine, moves = Machine(lengths=lengths, decimals=decimals), []
     machine.tool = next(iter(lengths)) if len(lengths) == 1 else 0  # limitgauge's rule
     for row in output.splitlines():

@@ -7,6 +7,8 @@ know (a new offset, a loop), the generator forgets it and goes to a stated place
 import math
 import random
 
+from random_values import random_expression
+
 LETTERS = "XYZ"
 OFFSETS = "IJK"
 PLANES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
@@ -366,10 +368,11 @@ class Writer:
         """Some statements more than once, or only if, or as a subroutine."""
         self.labels += 1
         self.depth += 1
-        label = f"o{self.labels}"
-        kind = self.random.choice(["repeat", "while", "if", "sub"])
+        number = self.labels
+        kinds = ["repeat", "while", "do", "if", "else"] + ["sub"] * (self.depth == 1)
+        kind = self.random.choice(kinds)
         rows, self.rows = self.rows, []
-        if kind != "if":  # every round has to begin alike
+        if kind not in ("if", "else"):  # every round has to begin alike
             self.reset_modes()
         self.motion = None
         self.forget()
@@ -379,8 +382,8 @@ class Writer:
         self.depth -= 1
         self.motion = None
         self.forget()
-        self.enclose(kind, label, body)
-        if kind != "if":
+        self.enclose(kind, number, body)
+        if kind not in ("if", "else"):
             self.reset_modes()
 
     def reset_modes(self):
@@ -389,25 +392,48 @@ class Writer:
         self.incremental = self.centre_absolute = self.inverse_time = False
         self.plane = 17
 
-    def enclose(self, kind, label, body):
-        times, counter = self.random.randint(0, 3), 60 + self.labels
+    def enclose(self, kind, number, body):
+        label, counter, times = f"o{number}", 60 + number, self.random.randint(0, 3)
         if kind == "repeat":
             self.rows += [f"{label} repeat [{times}]", *body, f"{label} endrepeat"]
         elif kind == "while":
             self.rows += [f"#{counter}=0", f"{label} while [#{counter} lt {times}]", *body,
                           f"#{counter}=[#{counter}+1]", f"{label} endwhile"]
+        elif kind == "do":
+            self.rows += [f"#{counter}=0", f"{label} do", *body, f"#{counter}=[#{counter}+1]",
+                          f"{label} while [#{counter} lt {times}]"]
         elif kind == "if":
             self.rows += [f"{label} if [1 GT 0]", *body, f"{label} else", "G0 X999", f"{label} endif"]
+        elif kind == "else":
+            self.rows += [f"{label} if [{times} GT 5]", "G0 X998", f"{label} elseif [{times} LT 5]",
+                          *body, f"{label} endif"]
         else:
-            name = f"o<part{self.labels}>"
+            name = f"o<part{number}>"
             self.subroutines += [f"{name} sub", *body, f"{name} endsub"]
             self.rows.append(f"{name} call [1] [2]")
+
+    def calculation(self):
+        """A place that is calculated, by way of a parameter or at once."""
+        axis = self.random.choice(LETTERS)
+        text = random_expression(self.random)
+        while len(text) > 150:  # LinuxCNC's lines end at 255
+            text = random_expression(self.random)
+        text = f"[{text}] MOD 40"
+        if self.random.random() < 0.5:
+            name = self.random.choice(["#30", "#4000", "#<value>", "#<_Global Value>"])
+            self.rows.append(f"{name} = [{text}]")
+            text = name
+        self.rows.append(f"{self.code(0)}{axis}[{text}]")
+        self.forget()
 
     def statement(self):
         choices = [self.straight] * 6 + [self.arc] * 5 + [self.change_modes] * 2
         choices += [self.change_frame, self.machine_move, self.cycles, self.compensated_contour]
+        choices.append(self.calculation)
         if self.depth == 0:
             choices += [self.change_tool, self.block]
+        if self.depth == 1:
+            choices.append(self.block)
         self.random.choice(choices)()
 
 

@@ -21,8 +21,8 @@ counters = {}
 moves = {}
 for run in json.load(open(sys.argv[1]))["benchmarks"]:
     if run.get("run_type") == "iteration":
-        # Sections run on one thread in both: its own time, whatever else the machine does.
-        clock = "cpu_time" if run["run_name"].startswith("section") else "real_time"
+        # These run on one thread in both: its own time, whatever else the machine does.
+        clock = "cpu_time" if run["run_name"].startswith(("section", "parse")) else "real_time"
         runs.setdefault(run["run_name"], []).append(run[clock])
         if "moves" in run:
             moves[run["run_name"]] = run["moves"]
@@ -66,6 +66,7 @@ surfaces = [run.removeprefix("closest_point_exact") for run in runs
 worst = max(median_ratio("closest_point_exact" + s, "closest_point_cgal_aabb" + s)
             for s in surfaces)
 print("closest_point_vs_cgal_aabb", f"{worst:.3g}")
+ratio("parse_vs_from_chars", "parse_program/iterations:1", "parse_from_chars/iterations:1")
 for name, values in counters.items():
     print(name, f"{statistics.median(values):.4g}")
 ratio("cell_refine_vs_cgal", "cell_refine/real_time", "cell_refine_cgal/real_time")

@@ -4,17 +4,11 @@
 #include <vector>
 
 #include "engine/model/gcode/canned_cycle_path.h"
+#include "engine/model/gcode/canned_cycle_words.h"
 #include "engine/model/gcode/statement.h"
 #include "engine/model/program.h"
 
 namespace limitgauge::model::gcode {
-
-/// G73, G74, G81 to G89; `code` in tenths.
-bool is_canned_cycle(int code);
-/// Whether the cycle has a use for the word, beside X, Y, Z: R and L all, P the ones that dwell, Q
-/// the ones that peck, I J K the back bore. Others are an error where nothing else of the block
-/// takes them.
-bool cycle_takes(int code, char letter);
 
 enum class SpindleState { unknown, stopped, clockwise, counter_clockwise };
 
@@ -58,22 +52,20 @@ class CannedCycles {
   void forget();
 
  private:
-  /// As programmed, in the units of the run.
-  struct Sticky {
-    std::optional<double> r, bottom, q, p, i, j, k;
-  };
   void check_state(const Statement& statement, const CycleContext& context) const;
-  void take_words(const Statement& statement, const CycleContext& context);
-  void require_words(const Statement& statement, const CycleContext& context) const;
   CycleGeometry geometry(const Statement& statement, const CycleContext& context) const;
-  void add_back_bore(CycleGeometry& geometry, const CycleContext& context) const;
+  void add_places(const Statement& statement, const CycleContext& context,
+                  CycleGeometry& cycle) const;
+  void add_levels(const Statement& statement, const CycleContext& context,
+                  CycleGeometry& cycle) const;
+  void add_back_bore(const CycleContext& context, CycleGeometry& cycle) const;
   void add_pecks(const Statement& statement, const CycleContext& context,
-                 CycleGeometry& geometry) const;
+                 CycleGeometry& cycle) const;
 
   int code_ = 0;  ///< of the block before; 0: none
   double unit_mm_ = 1;
   std::optional<double> initial_level_mm_;
-  Sticky sticky_;
+  CycleWords words_;
 };
 
 }  // namespace limitgauge::model::gcode

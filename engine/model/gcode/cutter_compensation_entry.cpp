@@ -1,4 +1,6 @@
 // The first motion under cutter compensation.
+#include <algorithm>
+
 #include "engine/model/gcode/cutter_compensation.h"
 
 namespace limitgauge::model::gcode {
@@ -7,6 +9,8 @@ namespace {
 /// An entry arc whose chord is this near to square with the radius at its end, as a cosine, has
 /// become a straight line.
 constexpr double kStraight = 1e-6;
+/// As for programmed centres: beyond any machine.
+constexpr double kLargestRadiusMm = 1e9;
 
 std::string mm(double value_mm) {
   return readable(value_mm) + " mm";
@@ -54,10 +58,11 @@ void CutterCompensation::enter_arc(const Motion& motion) {
   beside_mm_ = end + (inside(motion) ? radius_mm_ : -radius_mm_) * inwards;
   const PlaneVector chord = start - beside_mm_;
   const double cosine = dot(unit(chord), inwards);
-  if (std::abs(cosine) < kStraight)
+  const double reach_mm = length(chord) / 2;
+  if (std::abs(cosine) < std::max(kStraight, reach_mm / kLargestRadiusMm))
     fail(motion, "an entry arc that cutter compensation bends into a straight line",
          "an arc that starts away from the tangent beside its end");
-  const PlaneVector centre = beside_mm_ + (length(chord) / 2 / cosine) * inwards;
+  const PlaneVector centre = beside_mm_ + (reach_mm / cosine) * inwards;
   Motion arc = motion;
   arc.centre1 = centre.a;
   arc.centre2 = centre.b;

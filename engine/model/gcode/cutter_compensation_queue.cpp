@@ -57,7 +57,7 @@ void CompensationQueue::move_end(const PlaneFrame& frame, WaitingMotion& waiting
                degrees(waiting.sweep),
            "smooth corners, or inner ones that leave the cutter room");
   } else if (dot(waiting.direction, end - *start_) < 0) {
-    fail(motion, "a straight move too short for the cutter between its corners",
+    fail(motion, "a straight move too short for the cutter in its inner corners",
          "inner corners that leave the cutter room");
   }
 }

@@ -49,14 +49,13 @@ void set_feed(const Statement& statement, MachineState& state) {
 }
 
 double feed_of(const Statement& statement, const MachineState& state, double length_mm) {
-  switch (state.modal.feed_mode) {
-    case FeedMode::inverse_time:
-      return inverse_time(statement, state, length_mm);
-    case FeedMode::per_revolution:
-      return per_revolution(statement, state);
-    default:
-      return state.modal.feed_mm;
-  }
+  if (state.modal.feed_mode == FeedMode::per_minute) return state.modal.feed_mm;
+  const double feed_mm_min = state.modal.feed_mode == FeedMode::inverse_time
+                                 ? inverse_time(statement, state, length_mm)
+                                 : per_revolution(statement, state);
+  if (!(feed_mm_min <= kLargestCoordinateMm))
+    statement.fail(statement.blamed(), "a feed rate beyond any machine", "at most 1e9 mm/min");
+  return feed_mm_min;
 }
 
 }  // namespace limitgauge::model::gcode

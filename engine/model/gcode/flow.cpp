@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/model/words.h"
-
 namespace limitgauge::model::gcode {
 namespace {
 
@@ -21,8 +19,7 @@ Flow::Flow(Lexer& lexer, Parameters& parameters, FlowLimits limits)
       limits_(limits),
       spans_(lexer, limits.most_depth),
       subroutines_(lexer) {
-  parameters_.set("_value", 0);
-  parameters_.set("_value_returned", 0);
+  set_returned(std::nullopt);
 }
 
 bool Flow::next(Block& block) {
@@ -85,22 +82,15 @@ void Flow::check_end() const {
 }
 
 void Flow::carry_out(const Block& block) {
-  const std::optional<FlowKeyword> keyword = flow_keyword(block.o_word->keyword);
-  if (!keyword)
-    lexer_.fail_at(block.line, block.o_word->keyword_column,
-                   in_quotes(block.o_word->keyword) + " means nothing behind an O number",
-                   "sub, endsub, return, call, do, while, endwhile, break, continue, if, elseif, "
-                   "else, endif, repeat or endrepeat");
-  if (block.o_word->calculated && *keyword != FlowKeyword::call)
-    fail(block, "a calculated O number of what is no call", "a number");
-  switch (*keyword) {
+  const FlowKeyword keyword = keyword_of(block, lexer_);
+  switch (keyword) {
     case FlowKeyword::program:
       return begin_program(block);
     case FlowKeyword::sub:
       return define(block);
     case FlowKeyword::endsub:
     case FlowKeyword::return_:
-      return return_from_sub(block, *keyword);
+      return return_from_sub(block, keyword);
     case FlowKeyword::call:
       return call(block);
     case FlowKeyword::do_:
@@ -117,7 +107,7 @@ void Flow::carry_out(const Block& block) {
       return begin_if(block);
     case FlowKeyword::elseif:
     case FlowKeyword::else_:
-      return branch(block, *keyword);
+      return branch(block, keyword);
     case FlowKeyword::endif:
       return end_if(block);
     case FlowKeyword::repeat:

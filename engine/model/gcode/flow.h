@@ -111,6 +111,7 @@ class Flow {
                                 const FlowSubroutine& found) const;
   void find_span(FlowSubroutine& sub);
   void return_from_sub(const Block& block, FlowKeyword keyword);
+  void set_returned(std::optional<double> value);
   const Frame* innermost_call() const;
   void push_call(const Block& block, std::uint32_t column, const Frame& frame);
   Frame pop_call();

@@ -79,8 +79,12 @@ void Flow::return_from_sub(const Block& block, FlowKeyword keyword) {
     fail(block, text + " in the subroutine of line " + std::to_string(sub.line),
          "'" + o_text(sub.span->o_word, keyword) + "'");
   lexer_.go_to(pop_call().back);
-  parameters_.set("_value", values.empty() ? 0 : values.front());
-  parameters_.set("_value_returned", values.empty() ? 0 : 1);
+  set_returned(values.empty() ? std::nullopt : std::optional(values.front()));
+}
+
+void Flow::set_returned(std::optional<double> value) {
+  parameters_.set("_value", value.value_or(0));
+  parameters_.set("_value_returned", value ? 1 : 0);
 }
 
 const Flow::Frame* Flow::innermost_call() const {

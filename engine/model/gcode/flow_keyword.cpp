@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/model/words.h"
+
 namespace limitgauge::model::gcode {
 namespace {
 
@@ -21,6 +23,17 @@ std::optional<FlowKeyword> flow_keyword(std::string_view lower_case) {
   const auto* const found = std::find(kTexts.begin(), kTexts.end(), lower_case);
   if (found == kTexts.end()) return std::nullopt;
   return static_cast<FlowKeyword>(found - kTexts.begin());
+}
+
+FlowKeyword keyword_of(const Block& block, const Lexer& lexer) {
+  const OWord& o_word = *block.o_word;
+  const std::optional<FlowKeyword> keyword = flow_keyword(o_word.keyword);
+  if (!keyword)
+    lexer.fail_at(block.line, o_word.keyword_column,
+                  in_quotes(o_word.keyword) + " means nothing behind an O number",
+                  "sub, endsub, return, call, do, while, endwhile, break, continue, if, elseif, "
+                  "else, endif, repeat or endrepeat");
+  return *keyword;
 }
 
 std::string_view to_text(FlowKeyword keyword) {

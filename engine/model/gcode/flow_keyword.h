@@ -31,6 +31,8 @@ enum class FlowKeyword : std::uint8_t {
 
 /// Nothing for a keyword that RS274/NGC does not have.
 std::optional<FlowKeyword> flow_keyword(std::string_view lower_case);
+/// The keyword of an O line; throws InputError for one that RS274/NGC does not have.
+FlowKeyword keyword_of(const Block& block, const Lexer& lexer);
 std::string_view to_text(FlowKeyword keyword);
 
 /// `o100` or `o<name>`, and with the keyword behind it.

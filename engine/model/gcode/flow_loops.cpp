@@ -54,8 +54,11 @@ void Flow::begin_while(const Block& block) {
     push(block, block.o_word->column, frame);
   }
   if (holds) return;
+  const FlowSpan& span = *frames_.back().span;
+  // LinuxCNC goes over the body to its end, but not over the loop's own breaks.
+  if (span.last_break != 0) break_line_ = span.last_break;
   continue_line_.reset();
-  lexer_.go_to(frames_.back().span->behind);
+  lexer_.go_to(span.behind);
   frames_.pop_back();
 }
 
@@ -146,6 +149,7 @@ void Flow::continue_loop(const Block& block) {
   const std::size_t at = loop_of(block, FlowKeyword::continue_);
   const FlowSpan& span = *frames_[at].span;
   const bool is_while = span.kind == FlowKeyword::while_;
+  if (span.last_break > block.line) break_line_ = span.last_break;
   continue_line_ = is_while ? std::nullopt : std::optional(block.line);
   frames_.resize(at + 1);
   lexer_.go_to(is_while ? span.open : span.last);

@@ -91,6 +91,7 @@ void Flow::return_from_program(const Block& block) {
     lexer_.fail_at(block.line, m99.column, "M99 in subroutine o" + call->subroutine->label,
                    "endsub or return");
   Frame frame = pop_call();
+  set_returned(std::nullopt);
   if (--frame.left < 1) return lexer_.go_to(frame.back);
   lexer_.go_to(frame.subroutine->body);
   frames_.push_back(frame);

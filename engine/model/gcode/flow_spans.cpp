@@ -49,8 +49,7 @@ void FlowSpans::look_through() {
                      "'" + o_text(span.o_word, span.kind) + "' has no end in this program",
                      closing_text(span));
     }
-    const auto keyword = flow_keyword(block_.o_word->keyword);
-    if (keyword) take(block_, *keyword);
+    take(block_, keyword_of(block_, lexer_));
   }
 }
 
@@ -79,8 +78,17 @@ void FlowSpans::take(const Block& block, FlowKeyword keyword) {
            label_text(*block.o_word) + " begins a program inside '" + o_text(top.o_word, top.kind) +
                "'" + in_line(top.line),
            closing_text(top) + " before it");
+    case FlowKeyword::break_:
+      return note_break(block);
     default:
       return;  // calls and jumps open and end nothing
+  }
+}
+
+void FlowSpans::note_break(const Block& block) {
+  for (auto span = open_.rbegin(); span != open_.rend(); ++span) {
+    if ((*span)->kind == FlowKeyword::sub) return;
+    if ((*span)->o_word.label == block.o_word->label) (*span)->last_break = block.line;
   }
 }
 

@@ -21,8 +21,9 @@ struct FlowSpan {
   Lexer::Bookmark last, behind;           ///< before and behind the last line
   std::vector<Lexer::Bookmark> branches;  ///< before the lines of elseif and else
   bool has_else = false;
-  bool label_is_known = false;  ///< Flow has entered the label as used here
-  bool is_counting = false;     ///< a repeat that was begun and not carried out to its end
+  std::uint32_t last_break = 0;  ///< line of the last break out of a loop; or 0
+  bool label_is_known = false;   ///< Flow has entered the label as used here
+  bool is_counting = false;      ///< a repeat that was begun and not carried out to its end
 };
 
 /// The spans of a program, found when they are first asked for: the text of each span is looked
@@ -41,6 +42,7 @@ class FlowSpans {
   void take(const Block& block, FlowKeyword keyword);
   void branch(const Block& block, FlowKeyword keyword);
   void close(const Block& block, FlowKeyword keyword);
+  void note_break(const Block& block);
   FlowSpan& innermost(const Block& block, FlowKeyword keyword);
   void check_opening(const Block& block, FlowKeyword kind) const;
   [[noreturn]] void fail(const Block& block, const std::string& wrong,

@@ -14,6 +14,11 @@
 #include "engine/model/words.h"
 
 namespace limitgauge::model::gcode {
+namespace {
+
+constexpr double kLargestSpeed = 1e9;
+
+}  // namespace
 
 Interpreter::Interpreter(Program& program, const MachineSetup& machine, const Lexer& lexer,
                          Parameters& parameters, std::size_t most_motions)
@@ -125,6 +130,8 @@ void Interpreter::set_speed(const Statement& statement) {
   const Word* const s = statement.word('S');
   if (!s) return;
   if (!(s->value >= 0)) statement.fail(*s, "a negative spindle speed", "0 or more");
+  if (!(s->value <= kLargestSpeed))
+    statement.fail(*s, "a spindle speed beyond any machine", "at most 1e9");
   state_.spindle.rpm = s->value;
 }
 
@@ -203,21 +210,21 @@ void Interpreter::go_home(const Statement& statement) {
   check_system(statement, state_);
   Motion motion;
   motion.plane = state_.modal.plane;
-  motion.to = state_.position_mm = end_of(statement, state_);
+  motion.to = state_.position_mm = waypoint_of(statement, state_);
   emit(statement, motion);
   motion.to = state_.position_mm = reference_end(statement, state_, assumed_);
   emit(statement, motion);
 }
 
 void Interpreter::move(const Statement& statement, int code) {
+  if (state_.modal.motion != code && !is_canned_cycle(code)) cycles_.forget();
   state_.modal.motion = code;
   if (statement.g(GGroup::non_modal) == 530 && code != 0 && code != 10)
     statement.fail(*statement.g_word(GGroup::non_modal), "G53 beside a motion that is not straight",
                    "G0 or G1");
-  if (is_canned_cycle(code)) return cycle(statement, code);
-  cycles_.forget();
   if (code == 0 || code == 10)
     return emit(statement, straight_motion(statement, state_, code == 0, assumed_));
+  if (is_canned_cycle(code)) return cycle(statement, code);
   emit(statement, arc_motion(statement, state_, code == 30));
 }
 

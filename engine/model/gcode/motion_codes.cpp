@@ -30,6 +30,17 @@ void check_descent(const Statement& statement, const MachineState& state) {
                    "X and Y in a block before it, or the machine's setup");
 }
 
+double axis_end(const Statement& statement, const Word& word, MachineState& state, int axis) {
+  const bool incremental = state.modal.incremental;
+  if (incremental && state.adrift[axis]) fail_adrift(statement, word, axis);
+  const double end_mm =
+      word.value * state.modal.unit_mm + (incremental ? state.position_mm[axis] : 0);
+  if (!(std::abs(end_mm) <= kLargestCoordinateMm))
+    statement.fail(word, "a position beyond any machine", "at most 1e9 mm");
+  if (!incremental) state.known[axis] = true, state.adrift[axis] = false;
+  return end_mm;
+}
+
 PlanePoint centre_words(const Statement& statement, const MachineState& state) {
   const auto [first, second, normal] = axes_of(state.modal.plane);
   if (const Word* stray = statement.word(kCentres[normal]))
@@ -102,14 +113,21 @@ Vec3 end_of(const Statement& statement, MachineState& state) {
   check_descent(statement, state);
   Vec3 end_mm = state.position_mm;
   for (int axis = 0; axis < 3; ++axis) {
+    if (const Word* const word = statement.word(kAxes[axis]))
+      end_mm[axis] = axis_end(statement, *word, state, axis);
+  }
+  return end_mm;
+}
+
+Vec3 waypoint_of(const Statement& statement, MachineState& state) {
+  const auto stays = [&](int axis) {
+    return state.modal.incremental && state.adrift[axis] && statement.word(kAxes[axis])->value == 0;
+  };
+  if (statement.word('Z') && !stays(2)) check_descent(statement, state);
+  Vec3 end_mm = state.position_mm;
+  for (int axis = 0; axis < 3; ++axis) {
     const Word* const word = statement.word(kAxes[axis]);
-    if (!word) continue;
-    const bool incremental = state.modal.incremental;
-    if (incremental && state.adrift[axis]) fail_adrift(statement, *word, axis);
-    end_mm[axis] = word->value * state.modal.unit_mm + (incremental ? end_mm[axis] : 0);
-    if (!incremental) state.known[axis] = true, state.adrift[axis] = false;
-    if (!(std::abs(end_mm[axis]) <= kLargestCoordinateMm))
-      statement.fail(*word, "a position beyond any machine", "at most 1e9 mm");
+    if (word && !stays(axis)) end_mm[axis] = axis_end(statement, *word, state, axis);
   }
   return end_mm;
 }

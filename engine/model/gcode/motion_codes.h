@@ -11,6 +11,10 @@ namespace limitgauge::model::gcode {
 /// Throws InputError for positions out of range, and where a place is needed that nothing states.
 Vec3 end_of(const Statement& statement, MachineState& state);
 
+/// The same for the point that G28 and G30 go by: an axis that is already where nothing states may
+/// stay there.
+Vec3 waypoint_of(const Statement& statement, MachineState& state);
+
 /// G0 and G1, G53 beside them. Moves `state` and gives the motion in the active work frame, its
 /// kind, plane, end and feed rate set.
 Motion straight_motion(const Statement& statement, MachineState& state, bool rapid,

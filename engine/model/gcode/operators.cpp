@@ -79,8 +79,10 @@ Computed finite(double value) {
 }
 
 const OperatorText* operator_at(std::string_view text) {
+  if (text.empty()) return nullptr;
   for (const OperatorText& candidate : kOperators) {
-    if (text.starts_with(candidate.text)) return &candidate;
+    if (candidate.text.front() == text.front() && text.starts_with(candidate.text))
+      return &candidate;
   }
   return nullptr;
 }

@@ -47,9 +47,9 @@ Value system_value(const MachineState& state, int number) {
 }
 
 Value tool_value(const MachineState& state, int number) {
-  const Value loaded = state.tools.loaded();
-  if (number == 5400 || !loaded) return number == 5400 ? loaded : std::nullopt;
+  if (!state.tools.loaded()) return std::nullopt;
   const int tool = *state.tools.loaded();
+  if (number == 5400) return tool;
   if (number == 5403) return tool == 0 ? 0 : state.tools.offset_of(tool);
   if (number == 5410) return tool == 0 ? 0 : state.tools.diameter_of(tool);
   return 0;

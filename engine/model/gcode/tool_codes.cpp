@@ -57,9 +57,10 @@ void use_entry(const Statement& statement, const Word& blamed, int number, Machi
 
 void use_offset(const Statement& statement, MachineState& state, Assumptions& assumed) {
   const Word* const h = statement.word('H');
-  if (h) {
-    const int number = tool_number(statement, *h, "length offset");
-    if (!state.tools.loaded() && number != 0) {
+  const int number = h ? tool_number(statement, *h, "length offset") : 0;
+  // LinuxCNC's H0 is the tool in the spindle.
+  if (number != 0) {
+    if (!state.tools.loaded()) {
       assumed.add(statement.line(),
                   "the tool in the spindle is taken to be tool " + std::to_string(number));
       state.keeping_tip([&] { state.tools.load(number); });

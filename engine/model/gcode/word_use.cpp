@@ -1,6 +1,7 @@
 #include "engine/model/gcode/word_use.h"
 
 #include <array>
+#include <limits>
 #include <string>
 
 #include "engine/model/gcode/canned_cycle.h"
@@ -152,6 +153,32 @@ void check_dwell(const Statement& statement, std::optional<int> motion) {
     statement.fail(code, "a dwell without its time", "P with 0 or more seconds");
 }
 
+void require(const Statement& statement, const Word& code, bool there, const char* expected) {
+  if (!there) statement.fail(code, in_quotes(code.text) + " lacks a word", expected);
+}
+
+void check_range(const Statement& statement, char letter, double least, double most) {
+  const Word* const word = statement.word(letter);
+  if (word && !(word->value >= least && word->value <= most))
+    statement.fail(*word, in_quotes(word->text) + " beside M19 is out of range",
+                   "R from 0 to 360 degrees, P 0, 1 or 2, Q above 0");
+}
+
+void check_auxiliaries(const Statement& statement) {
+  if (const auto code = statement.m(MGroup::input_output)) {
+    const Word& word = *statement.m_word(MGroup::input_output);
+    const bool p = statement.word('P'), e = statement.word('E');
+    if (*code <= 65) require(statement, word, p, "P with the output's number");
+    if (*code == 66) require(statement, word, p != e, "P or E with the input's number");
+    if (*code >= 67) require(statement, word, e, "E with the output's number");
+  }
+  if (statement.m(MGroup::spindle) == 19) {
+    check_range(statement, 'R', 0, 360);
+    check_range(statement, 'P', 0, 2);
+    check_range(statement, 'Q', std::numeric_limits<double>::min(), 1e9);
+  }
+}
+
 std::optional<int> stated_motion(const Statement& statement, int code) {
   const Word& word = *statement.g_word(GGroup::motion);
   const auto non_modal = statement.g(GGroup::non_modal);
@@ -193,6 +220,7 @@ std::optional<int> motion_of(const Statement& statement, std::optional<int> moda
 
 void check_word_use(const Statement& statement, std::optional<int> motion) {
   check_dwell(statement, motion);
+  if ((statement.letters() & letter_bit('M')) != 0) check_auxiliaries(statement);
   if ((statement.letters() & ~kFreeLetters) == 0) return;
   const Users users(statement, motion);
   for (const Word& word : statement.block().words) {

@@ -4,6 +4,7 @@
 
 #include "engine/model/gcode/canned_cycle.h"
 #include "engine/model/gcode/lexer.h"
+#include "engine/model/gcode/parameters.h"
 #include "engine/model/gcode/statement.h"
 #include "engine/model/words.h"
 
@@ -16,7 +17,8 @@ class CycleRun {
   gcode::CycleContext context;
 
   gcode::CycleMotions block(int code, const std::string& words) {
-    gcode::Lexer lexer(words, "cycle.ngc");
+    const gcode::Parameters parameters;
+    gcode::Lexer lexer(words, "cycle.ngc", parameters);
     gcode::Block block;
     lexer.next(block);
     context.code = 10 * code;

@@ -233,7 +233,7 @@ TEST_CASE("a block of a cycle is bounded in moves and in place", "[unit][program
   const CycleRun run;
   CHECK_THAT(error_of(run, 81, "X1 Z-1 R1 L10001"), ContainsSubstring("more than 100000 moves"));
   CHECK_THAT(error_of(run, 81, "X1 Z-1 R1 L1000000000000"),
-             ContainsSubstring("more than 100000 moves"));
+             ContainsSubstring("repeats of a canned cycle; expected at most 100000"));
   CHECK(error_of(run, 83, "X1 Z-1 R1 Q0.00001") ==
         "cycle.ngc:1:11: error: a canned cycle of more than 100000 moves; expected a larger Q");
   CHECK_THAT(error_of(run, 83, "X1 Z-1 R1 Q0.01 L1000"),

@@ -76,7 +76,7 @@ TEST_CASE("a straight move between inner corners needs room for the cutter",
     });
   };
   const std::string refused =
-      refusal(2, "a straight move too short for the cutter between its corners",
+      refusal(2, "a straight move too short for the cutter in its inner corners",
               "inner corners that leave the cutter room");
   CHECK(groove(5.999) == refused);
   CHECK(groove(6.001) == kFine);

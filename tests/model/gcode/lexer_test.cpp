@@ -248,6 +248,16 @@ TEST_CASE("a line has at most 100 items", "[unit][program]") {
   CHECK_THAT(error_of(line + "X1"), ContainsSubstring("text.ngc:1:405: error: more than 100"));
 }
 
+TEST_CASE("a line has at most 10000 bytes, of a comment too", "[unit][program]") {
+  const std::string most = ";" + std::string(9999, 'c');
+  CHECK(
+      error_of(most + "\nX1\n" + most + "\r") ==
+      "text.ngc:3:10001: error: a line of more than 10000 bytes; expected a line that ends sooner");
+  CHECK(error_of(most) == "no error");
+  Reading reading(most + "c\n");
+  CHECK_THROWS_AS(reading.lexer.skip_to_o_word(reading.block), InputError);
+}
+
 TEST_CASE("plain numbers are rounded as from_chars rounds them", "[property][program]") {
   std::mt19937 random(13);
   for (int round = 0; round < 100000; ++round) {
@@ -283,4 +293,31 @@ TEST_CASE("blanks and case change nothing but columns", "[property][program]") {
     REQUIRE(reading.block.settings.size() == 1);
     CHECK(reading.block.settings[0].value == 1);
   }
+}
+
+TEST_CASE("random bytes give blocks or an InputError within their line", "[property][program]") {
+  std::mt19937 random(15);
+  const std::string alphabet = "oO<>xXnNgG##[]()=;/%.-+01259 \t\r\nsubcalsin\x01\xff";
+  std::size_t blocks = 0, o_words = 0;
+  for (int round = 0; round < 20000; ++round) {
+    std::string text = round % 3 == 0 ? "o1" : "";
+    for (std::size_t length = random() % 14; length > 0; --length)
+      text += alphabet[random() % alphabet.size()];
+    Reading reading(text);
+    const bool skips = round % 4 == 0;
+    try {
+      while (skips ? reading.lexer.skip_to_o_word(reading.block) : reading.next()) {
+        ++blocks;
+        if (!reading.block.o_word) continue;
+        ++o_words;
+        reading.lexer.arguments(reading.block);
+      }
+    } catch (const InputError& error) {
+      CHECK(error.place().line >= 1);
+      CHECK(error.place().column >= 1);
+      CHECK(error.place().column <= static_cast<int>(text.size()) + 1);
+    }
+  }
+  CHECK(blocks > 1000);
+  CHECK(o_words > 100);
 }

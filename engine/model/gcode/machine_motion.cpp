@@ -102,8 +102,11 @@ Vec3 reference_end(const Statement& statement, MachineState& state, Assumptions&
   const ReferencePoint& point = state.reference[first ? 0 : 1];
   const std::string name = first ? "G28" : "G30";
   Vec3 tip_mm = point.at_mm;
-  if (is_usable(state, point, 2) && moves(statement, 2))
+  if (point.from_program) {
+    tip_mm.z -= state.tools.true_length().value_or(0);
+  } else if (is_usable(state, point, 2) && moves(statement, 2)) {
     tip_mm.z = tip_z(statement, state, tip_mm.z, assumed);
+  }
   const Vec3 stored_mm = state.frame.to_work(tip_mm);
   Vec3 end_mm = state.position_mm;
   for (int axis = 0; axis < 3; ++axis) {

@@ -16,7 +16,7 @@
 namespace limitgauge::model::gcode {
 
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
-inline constexpr std::size_t kFlowShare = 20;  ///< sanitizers are that much slower
+inline constexpr std::size_t kFlowShare = 50;  ///< sanitizers are that much slower
 #else
 inline constexpr std::size_t kFlowShare = 1;
 #endif
@@ -26,8 +26,9 @@ inline constexpr std::size_t kFlowShare = 1;
 struct FlowLimits {
   /// As many blocks as the longest programs have that are written without loops.
   std::size_t most_blocks = 5'000'000 / kFlowShare;
-  /// Their text: what a block costs to read goes by its length.
-  std::size_t most_bytes = 128'000'000 / kFlowShare;
+  /// Their text: what a block costs to read goes by its length, at most 35 ns a byte (parameters
+  /// within parameters), so that no program of some kilobytes takes a second.
+  std::size_t most_bytes = 25'000'000 / kFlowShare;
   /// And so many times what stands before the loop or call, in blocks and bytes: a long program may
   /// call a subroutine for each of its holes.
   std::size_t most_times_before = 100 / kFlowShare;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Everything that must hold before a change goes in: the build without a warning, all tests, and the
-# unit and property tests again under the address and undefined behaviour sanitizers.
+# Everything that must hold before a change goes in: the build without a warning, all tests, the unit
+# and property tests again under the address and undefined behaviour sanitizers, and a short run of
+# the fuzz tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -17,3 +18,5 @@ cmake --preset sanitize "${common[@]}" >/dev/null
 cmake --build --preset sanitize
 # Sanitized code is some ten times slower: the tests that run whole jobs have had their turn above.
 ctest --test-dir build/sanitize -L 'unit|property' -LE slow --output-on-failure -j "$jobs"
+
+FUZZ_JOBS=$jobs tests/fuzz/run.sh 10

@@ -17,6 +17,8 @@ packages=(
   catch2 libvtk9-dev python3 python3-jsonschema libosd-dev
   # benchmarks: the harness, and the closest-point tree that ours is compared with
   libbenchmark-dev libcgal-dev
+  # fuzz tests: clang of either release (14, 19) with its fuzzer's and sanitizers' runtimes
+  clang libclang-rt-dev
 )
 
 missing=()

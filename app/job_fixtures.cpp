@@ -3,6 +3,8 @@
 #include <array>
 #include <limits>
 
+#include "engine/model/text_file.h"
+
 namespace limitgauge::app {
 namespace {
 
@@ -12,7 +14,7 @@ JobFixture read_fixture(const toml::table& table, const JobContext& context) {
   read.name = fixture.text("name");
   read.file_as_stated = fixture.text("file");
   read.file = context.folder / read.file_as_stated;
-  if (!std::filesystem::is_regular_file(read.file)) {
+  if (!model::is_file(read.file)) {
     throw model::InputError(fixture.place("file"), "no file \"" + read.file_as_stated + "\"",
                             "a closed mesh as STL, OBJ or PLY");
   }

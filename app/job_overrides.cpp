@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/toml_text.h"
 #include "engine/model/error.h"
 
 namespace limitgauge::app {
@@ -29,6 +30,8 @@ Override parse_override(const std::string& text) {
     const std::size_t dot = std::min(key.find('.', from), key.size());
     if (dot == from)
       refuse(result, "an empty name in the key", "dotted names, as stage.rough.step");
+    if (result.path.size() > kMostDots)
+      refuse(result, "more than " + std::to_string(kMostDots) + " dots in the key", "fewer names");
     result.path.push_back(key.substr(from, dot - from));
     from = dot + 1;
   }
@@ -38,15 +41,18 @@ Override parse_override(const std::string& text) {
 /// The value as a table with the one key `value`, so that it keeps its source when moved on.
 toml::table parse_value(const Override& override) {
   try {
-    toml::table table = toml::parse("value = " + override.value, override.shown);
+    toml::table table = parse_toml("value = " + override.value, override.shown);
     if (table.size() == 1) return table;
-  } catch (const toml::parse_error&) {
+  } catch (const model::InputError&) {
     // A bare word: taken as text below, which saves the user a second pair of quotes.
   }
-  if (override.value.empty() || override.value.find_first_of("'\n") != std::string::npos) {
-    refuse(override, "the value cannot be read", "a number, true, false, text or [list]");
+  try {
+    if (!override.value.empty() && override.value.find_first_of("'\n") == std::string::npos)
+      return parse_toml("value = '" + override.value + "'", override.shown);
+  } catch (const model::InputError&) {
+    // Control characters, or bytes that are no UTF-8.
   }
-  return toml::parse("value = '" + override.value + "'", override.shown);
+  refuse(override, "the value cannot be read", "a number, true, false, text or [list]");
 }
 
 toml::table* entry_named(toml::array& entries, const std::string& name) {

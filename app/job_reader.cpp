@@ -6,22 +6,14 @@
 #include "app/job_overrides.h"
 #include "app/job_parts.h"
 #include "app/job_post.h"
+#include "app/job_setup.h"
 #include "app/toml_table.h"
+#include "app/toml_text.h"
 #include "app/words.h"
 #include "engine/model/text_file.h"
 
 namespace limitgauge::app {
 namespace {
-
-toml::table parse(const std::string& text, const std::string& name_in_errors) {
-  try {
-    return toml::parse(text, name_in_errors);
-  } catch (const toml::parse_error& error) {
-    model::SourcePlace place = place_of(error.source());
-    place.file = name_in_errors;
-    throw model::InputError(place, std::string(error.description()), "TOML");
-  }
-}
 
 void read_placement(const TomlTable& surface, Job& job) {
   if (!surface.has("transform")) return;
@@ -36,7 +28,7 @@ void read_surface(const toml::table& table, Job& job, JobContext& context) {
   const TomlTable surface(table, "[surface]", {"cage", "precision", "transform"});
   job.cage_as_stated = surface.text("cage");
   job.cage = context.folder / job.cage_as_stated;
-  if (!std::filesystem::is_regular_file(job.cage)) {
+  if (!model::is_file(job.cage)) {
     throw model::InputError(surface.place("cage"), "no file \"" + job.cage_as_stated + "\"",
                             "a cage as OBJ");
   }
@@ -79,16 +71,18 @@ std::string read_name(const TomlTable& root) {
 }
 
 Job read_root(const toml::table& table, JobContext& context) {
-  const TomlTable root(table, "the job",
-                       {"name", "surface", "stock", "machine", "fixture", "tool", "stage",
-                        "simulation", "verification", "report", "post", "published"});
+  const TomlTable root(
+      table, "the job",
+      {"name", "surface", "stock", "machine", "fixture", "tool", "stage", "simulation",
+       "verification", "report", "post", "published", "program_frame"});
   Job job;
   job.name = read_name(root);
   read_surface(root.table("surface"), job, context);
   job.stock = read_stock(root.table("stock"), context);
   read_machine(root, job, context);
   read_fixtures(root, job, context);
-  const std::vector<model::Cutter> tools = read_tools(root.tables("tool"), context);
+  const std::vector<JobTool> tools = read_tools(root.tables("tool"), context);
+  job.machine.tools = tool_table(tools);
   job.stages = read_stages(root.tables("stage"), tools, context);
   read_post(root, job, context);
   read_settings(root, job);
@@ -110,7 +104,7 @@ bool is_plain_name(std::string_view name) {
 
 Job read_job_text(const std::string& text, const std::string& name_in_errors,
                   const std::filesystem::path& folder, std::span<const std::string> overrides) {
-  toml::table table = parse(text, name_in_errors);
+  toml::table table = parse_toml(text, name_in_errors);
   apply_overrides(table, overrides);
   JobContext context{folder, {}};
   return read_root(table, context);

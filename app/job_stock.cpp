@@ -1,6 +1,7 @@
 #include "app/job_parts.h"
 #include "app/stock_file.h"
 #include "app/toml_table.h"
+#include "engine/model/text_file.h"
 
 namespace limitgauge::app {
 namespace {
@@ -24,7 +25,7 @@ model::Stock read_cylinder(const toml::table& table) {
 std::filesystem::path file_of(const TomlTable& stock, const JobContext& context,
                               const char* expected) {
   const std::filesystem::path file = context.folder / stock.text("file");
-  if (!std::filesystem::is_regular_file(file)) {
+  if (!model::is_file(file)) {
     throw model::InputError(stock.place("file"), "no file \"" + stock.text("file") + "\"",
                             expected);
   }

@@ -7,6 +7,9 @@
 namespace limitgauge::app {
 namespace {
 
+/// Longer words are nobody's slip, and the distance takes quadratic time and memory.
+constexpr std::size_t kLongestCompared = 64;
+
 /// Optimal string alignment distance: a swap of neighbours is the commonest slip of the keyboard.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -30,7 +33,8 @@ std::string nearest_key(std::string_view word, std::span<const std::string_view>
   std::string_view best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string_view key : known) {
-    const std::size_t distance = edit_distance(word, key);
+    const std::size_t distance =
+        edit_distance(word.substr(0, kLongestCompared), key.substr(0, kLongestCompared));
     if (distance < least) least = distance, best = key;
   }
   return std::string(best);

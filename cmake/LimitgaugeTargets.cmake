@@ -18,6 +18,16 @@ if(LIMITGAUGE_SANITIZE)
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(limitgauge_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(LIMITGAUGE_FUZZ)
+  # A number that does not fit the type that it becomes is undefined, too, but not in the group.
+  set(fuzz_checks -fsanitize=address,undefined,float-cast-overflow)
+  target_compile_options(limitgauge_options INTERFACE
+    ${fuzz_checks} -fsanitize=fuzzer-no-link -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_definitions(limitgauge_options INTERFACE
+    # libFuzzer's own word: bounds on what a text may expand to shrink by what sanitizers cost.
+    FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION)
+  target_link_options(limitgauge_options INTERFACE ${fuzz_checks})
+endif()
 
 # limitgauge_library(NAME FOLDERS dir... SOURCES file... PUBLIC target... PRIVATE lib...)
 #

@@ -22,6 +22,11 @@ void require_file(const std::filesystem::path& path) {
 
 }  // namespace
 
+bool is_file(const std::filesystem::path& path) {
+  std::error_code failure;
+  return std::filesystem::is_regular_file(path, failure);
+}
+
 std::string read_text_file(const std::filesystem::path& path) {
   require_file(path);
   std::ifstream in(path, std::ios::binary);

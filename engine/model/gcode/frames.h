@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
-#include "engine/model/machine_setup.h"
+#include "engine/model/vec3.h"
 
 namespace limitgauge::model::gcode {
 
@@ -12,12 +9,16 @@ namespace limitgauge::model::gcode {
 /// the tool is taken to be as long as its own length offset says.
 struct Frame {
   Vec3 origin_mm;
-  double rotation_deg = 0;
+  double rotation_deg = 0;  ///< about Z, counter-clockwise seen from above
   Vec3 g92_mm;
   double length_offset_mm = 0;  ///< what G43 added less what the tool truly measures
 
   Vec3 to_machine(const Vec3& work_mm) const;
   Vec3 to_work(const Vec3& machine_mm) const;
+  friend bool operator==(const Frame&, const Frame&) = default;
 };
+
+/// `v` turned about Z; exact where `degrees` is a multiple of 90.
+Vec3 turned(const Vec3& v, double degrees);
 
 }  // namespace limitgauge::model::gcode

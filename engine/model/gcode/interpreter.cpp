@@ -1,272 +1,307 @@
 #include "engine/model/gcode/interpreter.h"
 
-#include <cmath>
+#include <algorithm>
 
-#include "engine/model/gcode/arc.h"
+#include "engine/model/gcode/auxiliaries.h"
+#include "engine/model/gcode/feed.h"
+#include "engine/model/gcode/machine_motion.h"
+#include "engine/model/gcode/motion_codes.h"
+#include "engine/model/gcode/offset_codes.h"
+#include "engine/model/gcode/radius_codes.h"
+#include "engine/model/gcode/system_parameters.h"
+#include "engine/model/gcode/tool_codes.h"
+#include "engine/model/gcode/word_use.h"
 #include "engine/model/words.h"
 
 namespace limitgauge::model::gcode {
 namespace {
 
-constexpr double kInchMm = 25.4;
-/// A thousand kilometres: beyond any machine, and far from where squares overflow.
-constexpr double kLargestCoordinateMm = 1e9;
-/// More turns in one block are a typing error, and each becomes at least four chords.
-constexpr double kMostTurns = 10000;
-constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
-constexpr std::array<char, 3> kCentres = {'I', 'J', 'K'};
-
-bool is_arc(std::optional<int> motion) {
-  return motion == 20 || motion == 30;
-}
-
-bool has_axis_word(const Statement& statement) {
-  return statement.word('X') || statement.word('Y') || statement.word('Z');
-}
-
-bool has_centre_word(const Statement& statement) {
-  return statement.word('I') || statement.word('J') || statement.word('K');
-}
-
-/// Upper case and without blanks.
-std::string plain(const Word& word) {
-  std::string text(1, word.letter);
-  for (const char c : word.text.substr(1)) {
-    if (c != ' ' && c != '\t' && c != '\r') text += c;
-  }
-  return text;
-}
-
-bool is_ignored(const Statement& statement, const Word& word) {
-  if (word.letter == 'S' || word.letter == 'T') return true;
-  if (&word == statement.g_word(GGroup::non_modal)) return true;
-  if (&word == statement.g_word(GGroup::path_control)) return true;
-  if (word.letter != 'M') return false;
-  const int stop = statement.m(MGroup::stopping).value_or(0);
-  return &word != statement.m_word(MGroup::stopping) || stop < 2;
-}
-
-/// Comments that a controller acts on: a message to the operator, output to a file.
-bool is_active(std::string_view comment) {
-  if (comment.front() != '(') return false;
-  std::string word;
-  for (const char c : comment.substr(1)) {
-    if (c == ' ' || c == '\t') continue;
-    if (c == ',') break;
-    if (c == ')' || word.size() > 10) return false;
-    word += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
-  }
-  return word == "MSG" || word == "DEBUG" || word == "PRINT" || word == "LOG" ||
-         word == "LOGOPEN" || word == "LOGAPPEND" || word == "PROBEOPEN";
-}
+constexpr double kLargestSpeed = 1e9;
 
 }  // namespace
 
+Interpreter::Interpreter(Program& program, const MachineSetup& machine, const Lexer& lexer,
+                         Parameters& parameters, std::size_t most_motions)
+    : program_(program),
+      assumed_(program.assumed),
+      state_(machine),
+      compensation_([this](const Motion& motion) { put(motion); },
+                    [&lexer](std::uint32_t line) { return lexer.place(line, 1); }),
+      saved_(state_, compensation_, parameters),
+      most_motions_(most_motions) {
+  if (const auto tool = state_.tools.loaded()) program_.tool_changes.push_back({0, 0, *tool});
+  set_system_parameters(parameters);
+}
+
+void Interpreter::set_system_parameters(Parameters& parameters) {
+  // Where a subroutine has just ended, what it saved is back before the next line is read.
+  parameters.set_system(
+      [this](int number) {
+        saved_.leave_calls();
+        return system_parameter(state_, number);
+      },
+      [this, &parameters](std::string_view name) {
+        saved_.leave_calls();
+        return system_parameter(state_, name, parameters.depth() - 1);
+      });
+}
+
 bool Interpreter::execute(const Statement& statement) {
-  list_messages(statement.block());
+  if (plain_ && is_plain(statement)) {
+    move_plainly(statement);
+    return true;
+  }
+  list_auxiliaries(statement, program_, motions_so_far());
   if (statement.block().words.empty()) return true;
-  check_companions(statement);
-  list_ignored(statement);
-  set_feed(statement);
-  change_tool(statement);
-  set_spindle(statement);
-  set_modes(statement);
-  const std::optional<int> motion = motion_of(statement);
+  if (!saved_.leave_calls()) SavedStates::fail(statement, statement.block().words.front());
+  const std::optional<int> motion = motion_of(statement, state_.modal.motion);
+  check_word_use(statement, motion);
+  set_spindle_mode(statement);
+  set_feed(statement, state_);
+  set_speed(statement);
+  select_tool(statement, state_);
+  carry_out_m(statement);
+  carry_out_g(statement, motion);
+  plain_ = may_be_plain();
+  return stop(statement);
+}
+
+/// Most blocks of a long program are axis words alone.
+bool Interpreter::is_plain(const Statement& statement) const {
+  return (statement.letters() & ~kAxisLetters) == 0 && statement.has_axes() &&
+         statement.block().comments.empty() && !statement.block().block_delete;
+}
+
+bool Interpreter::may_be_plain() const {
+  return (state_.modal.motion == 0 || state_.modal.motion == 10) &&
+         state_.modal.feed_mode == FeedMode::per_minute && compensation_.idle() && saved_.empty() &&
+         !state_.is_adrift() && !state_.tools.is_uncertain() && state_.systems.system().is_usable();
+}
+
+void Interpreter::move_plainly(const Statement& statement) {
+  Motion motion;
+  const bool rapid = state_.modal.motion == 0;
+  motion.kind = rapid ? MotionKind::rapid : MotionKind::feed;
+  motion.plane = state_.modal.plane;
+  if (!rapid) motion.feed_mm_min = static_cast<float>(state_.modal.feed_mm);
+  motion.to = state_.position_mm = end_of(statement, state_);
+  emit(statement, motion);
+}
+
+void Interpreter::carry_out_m(const Statement& statement) {
+  change_tool(statement, state_, program_);
+  turn_spindle(statement);
+  saved_.carry_out(statement);
+  set_coolant(statement);
+}
+
+void Interpreter::carry_out_g(const Statement& statement, std::optional<int> motion) {
+  set_plane(statement);
+  set_units(statement);
+  set_radius_offset(statement, state_, compensation_);
+  set_length_offset(statement, state_, assumed_);
+  if (statement.g_word(GGroup::coordinate_system)) select_system(statement, state_, assumed_);
+  set_late_modes(statement);
+  carry_out_non_modal(statement);
+  if (statement.g_word(GGroup::axis_offset)) apply_axis_offsets(statement, state_);
+  if (statement.g(GGroup::motion) == 800) {
+    state_.modal.motion.reset();
+    cycles_.forget();
+  }
   if (motion) move(statement, *motion);
-  return statement.m(MGroup::stopping).value_or(0) < 2;
 }
 
-void Interpreter::add_ignored(std::uint32_t line, std::string word) {
-  program_.ignored.push_back({line, std::move(word)});
+bool Interpreter::stop(const Statement& statement) {
+  const auto code = statement.m(MGroup::stopping);
+  if (!code) return true;
+  compensation_.flush();
+  return *code != 2 && *code != 30;
 }
 
-void Interpreter::list_messages(const Block& block) {
-  if (block.block_delete) add_ignored(block.line, "/");
-  for (const Comment& comment : block.comments) {
-    if (is_active(comment.text)) add_ignored(block.line, std::string(comment.text));
-  }
+void Interpreter::set_spindle_mode(const Statement& statement) {
+  const auto code = statement.g(GGroup::spindle_mode);
+  if (!code) return;
+  if (*code == 960 && !statement.word('S'))
+    statement.fail(*statement.g_word(GGroup::spindle_mode), "G96 without its surface speed", "S");
+  state_.spindle.constant_surface = *code == 960;
 }
 
-void Interpreter::list_ignored(const Statement& statement) {
-  for (const Word& word : statement.block().words) {
-    if (!is_ignored(statement, word)) continue;
-    std::string text = plain(word);
-    const bool takes_p = word.letter == 'G';
-    if (const Word* p = statement.word('P'); takes_p && p) text.append(" ").append(plain(*p));
-    if (const Word* q = statement.word('Q'); takes_p && q) text.append(" ").append(plain(*q));
-    add_ignored(statement.block().line, std::move(text));
-  }
-}
-
-/// Words that only mean something beside a certain code.
-void Interpreter::check_companions(const Statement& statement) const {
-  const bool dwell = statement.g(GGroup::non_modal).has_value();
-  const bool blending = statement.g(GGroup::path_control) == 640;
-  const bool arc = is_arc(motion_of(statement));
-  const Word* const p = statement.word('P');
-  if (dwell && arc)
-    statement.fail(*statement.g_word(GGroup::non_modal), "G4 beside an arc, which may use P too",
-                   "a block of its own");
-  if (dwell && (!p || p->value < 0))
-    statement.fail(*statement.g_word(GGroup::non_modal), "a dwell without its time",
-                   "P with 0 or more seconds");
-  if (p && !dwell && !blending && !arc)
-    statement.fail(*p, "P beside no code that uses it", "G2, G3, G4 or G64");
-  if (const Word* q = statement.word('Q'); q && !blending)
-    statement.fail(*q, "Q beside no code that uses it", "G64");
-  if (const Word* centre = statement.first_of({'I', 'J', 'K', 'R'}); centre && !arc)
-    statement.fail(*centre, in_quotes(centre->text) + " beside no arc", "G2 or G3");
-}
-
-/// Before a change of units in the same block, as RS274/NGC orders it.
-void Interpreter::set_feed(const Statement& statement) {
-  // LinuxCNC forgets the feed rate whenever a feed mode is programmed.
-  if (statement.g(GGroup::feed_mode)) feed_mm_min_ = 0;
-  const Word* const f = statement.word('F');
-  if (!f) return;
-  if (f->value < 0) statement.fail(*f, "a negative feed rate", "0 or more");
-  if (f->value * unit_mm_ > kLargestCoordinateMm)
-    statement.fail(*f, "a feed rate beyond any machine", "at most 1e9 mm/min");
-  feed_mm_min_ = f->value * unit_mm_;
-}
-
-/// One program is verified with one cutter: another one must not pass unseen.
-void Interpreter::change_tool(const Statement& statement) {
-  const Word* const t = statement.word('T');
-  if (t && (t->value < 0 || t->value != std::floor(t->value)))
-    statement.fail(*t, "tool number " + in_quotes(t->text), "an integer from 0");
-  if (const Word* s = statement.word('S'); s && s->value < 0)
-    statement.fail(*s, "a negative spindle speed", "0 or more");
-  if (t) selected_tool_ = t->value;
-  const Word* const change = statement.m_word(MGroup::tool_change);
-  if (!change || !selected_tool_) return;
-  if (loaded_tool_ && *loaded_tool_ != *selected_tool_)
-    statement.fail(*change, "a change to a second tool is not supported in this release",
-                   "one tool a program");
-  loaded_tool_ = selected_tool_;
+void Interpreter::set_speed(const Statement& statement) {
+  const Word* const s = statement.word('S');
+  if (!s) return;
+  if (!(s->value >= 0)) statement.fail(*s, "a negative spindle speed", "0 or more");
+  if (!(s->value <= kLargestSpeed))
+    statement.fail(*s, "a spindle speed beyond any machine", "at most 1e9");
+  state_.spindle.rpm = s->value;
 }
 
 /// A tool change stops the spindle, and comes before M3 of the same block. A program without M3 and
 /// M4 leaves the spindle to the operator; one that starts it somewhere had it at rest before.
-void Interpreter::set_spindle(const Statement& statement) {
-  if (const Word* s = statement.word('S')) speed_is_zero_ = s->value == 0;
-  if (statement.m_word(MGroup::tool_change) && spindle_on_) spindle_on_ = false;
+void Interpreter::turn_spindle(const Statement& statement) {
+  Spindle& spindle = state_.spindle;
+  if (statement.m(MGroup::tool_change) == 6 && spindle.on) spindle.on = false;
   const auto code = statement.m(MGroup::spindle);
   if (!code) return;
-  if (!spindle_on_) motions_before_spindle_ = program_.motions.size();
-  spindle_on_ = *code != 5;
-  if (*code == 5 || program_.starts_spindle) return;
+  if (!spindle.on) motions_before_spindle_ = motions_so_far();
+  spindle.on = *code == 3 || *code == 4;
+  spindle.clockwise = *code == 3;
+  if (!*spindle.on || program_.starts_spindle) return;
   program_.starts_spindle = true;
-  for (std::size_t i = 0; i < motions_before_spindle_; ++i)
-    program_.motions[i].spindle_stopped = true;
+  const std::size_t out = std::min(motions_before_spindle_, program_.motions.size());
+  for (std::size_t i = 0; i < out; ++i) program_.motions[i].spindle_stopped = true;
 }
 
-void Interpreter::set_modes(const Statement& statement) {
-  if (const auto code = statement.g(GGroup::plane)) plane_ = static_cast<ArcPlane>(*code / 10);
-  if (const auto code = statement.g(GGroup::units)) unit_mm_ = *code == 200 ? kInchMm : 1;
-  if (const auto code = statement.g(GGroup::distance)) incremental_ = *code == 910;
-  if (const auto code = statement.g(GGroup::arc_distance)) centre_absolute_ = *code == 901;
-  if (const auto code = statement.g(GGroup::motion)) {
-    const Word* const axis = statement.first_of({'X', 'Y', 'Z'});
-    if (*code == 800 && axis) statement.fail(*axis, "an axis word beside G80", "G0, G1, G2 or G3");
-    motion_mode_ = *code == 800 ? std::nullopt : code;
+void Interpreter::set_coolant(const Statement& statement) {
+  const int code = statement.m(MGroup::coolant).value_or(0);
+  if (code == 7) state_.coolant.mist = true;
+  if (code == 8) state_.coolant.flood = true;
+  if (code == 9) state_.coolant = {};
+}
+
+void Interpreter::set_plane(const Statement& statement) {
+  const auto code = statement.g(GGroup::plane);
+  if (!code) return;
+  const auto plane = static_cast<ArcPlane>(*code / 10);
+  if (plane != state_.modal.plane)
+    forbid_compensation(statement, *statement.g_word(GGroup::plane), state_);
+  state_.modal.plane = plane;
+}
+
+void Interpreter::set_units(const Statement& statement) {
+  const auto code = statement.g(GGroup::units);
+  if (!code) return;
+  state_.modal.unit_mm = *code == 200 ? kInchMm : 1;
+  compensation_.use_inches(*code == 200);
+}
+
+void Interpreter::set_late_modes(const Statement& statement) {
+  ModalState& modal = state_.modal;
+  if (const auto code = statement.g(GGroup::distance)) modal.incremental = *code == 910;
+  if (const auto code = statement.g(GGroup::arc_distance)) modal.centre_absolute = *code == 901;
+  if (const auto code = statement.g(GGroup::return_level)) modal.return_to_r = *code == 990;
+}
+
+void Interpreter::carry_out_non_modal(const Statement& statement) {
+  switch (statement.g(GGroup::non_modal).value_or(-1)) {
+    case 100:
+      return set_data(statement, state_, assumed_);
+    case 280:
+    case 300:
+      return go_home(statement);
+    case 281:
+    case 301:
+      return store_reference(statement, state_);
+    case 520:
+    case 920:
+      return set_axis_offsets(statement, state_, assumed_);
+    case 530:
+      if (!statement.has_axes() && !statement.g_word(GGroup::motion))
+        statement.fail(*statement.g_word(GGroup::non_modal), "G53 without a motion",
+                       "G0 or G1 and axis words");
+      return;
+    default:
+      return;
   }
 }
 
-/// The motion that this block asks for. G0 and G1 alone are motions of no length, as in LinuxCNC.
-std::optional<int> Interpreter::motion_of(const Statement& statement) const {
-  if (const auto code = statement.g(GGroup::motion)) return *code == 800 ? std::nullopt : code;
-  if (has_axis_word(statement)) {
-    if (!motion_mode_)
-      statement.fail(*statement.first_of({'X', 'Y', 'Z'}), "an axis word without a motion mode",
-                     "G0, G1, G2 or G3");
-    return motion_mode_;
-  }
-  return has_centre_word(statement) && is_arc(motion_mode_) ? motion_mode_ : std::nullopt;
+/// By way of the point that the axis words name.
+void Interpreter::go_home(const Statement& statement) {
+  forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state_);
+  check_system(statement, state_);
+  Motion motion;
+  motion.plane = state_.modal.plane;
+  motion.to = state_.position_mm = waypoint_of(statement, state_);
+  emit(statement, motion);
+  motion.to = state_.position_mm = reference_end(statement, state_, assumed_);
+  emit(statement, motion);
 }
 
 void Interpreter::move(const Statement& statement, int code) {
-  Motion motion;
-  motion.kind = code == 0 ? MotionKind::rapid : code == 10 ? MotionKind::feed : MotionKind::arc;
-  motion.line = statement.block().line;
-  motion.plane = plane_;
-  if (code != 0) motion.feed_mm_min = static_cast<float>(feed_mm_min_);
-  motion.spindle_stopped = spindle_on_.has_value() && (!*spindle_on_ || speed_is_zero_);
-  motion.to = end_of(statement);
-  if (motion.kind == MotionKind::arc) arc(statement, code == 30, motion);
-  motion.position_known = known_[0] && known_[1] && known_[2];
-  position_mm_ = motion.to;
+  if (state_.modal.motion != code && !is_canned_cycle(code)) cycles_.forget();
+  state_.modal.motion = code;
+  if (statement.g(GGroup::non_modal) == 530 && code != 0 && code != 10)
+    statement.fail(*statement.g_word(GGroup::non_modal), "G53 beside a motion that is not straight",
+                   "G0 or G1");
+  if (code == 0 || code == 10)
+    return emit(statement, straight_motion(statement, state_, code == 0, assumed_));
+  if (is_canned_cycle(code)) return cycle(statement, code);
+  emit(statement, arc_motion(statement, state_, code == 30));
+}
+
+SpindleState Interpreter::spindle_state() const {
+  const Spindle& spindle = state_.spindle;
+  if (!spindle.on) return SpindleState::unknown;
+  if (!*spindle.on) return SpindleState::stopped;
+  return spindle.clockwise ? SpindleState::clockwise : SpindleState::counter_clockwise;
+}
+
+void Interpreter::cycle(const Statement& statement, int code) {
+  check_system(statement, state_);
+  check_tip(statement, state_);
+  if (state_.is_adrift())
+    statement.fail(statement.blamed(), "a canned cycle from a place that nothing states",
+                   "a motion of each axis to a coordinate first");
+  const ModalState& modal = state_.modal;
+  const CycleMotions motions =
+      cycles_.moves(statement, {code, modal.plane, modal.unit_mm, modal.incremental,
+                                modal.return_to_r, state_.position_mm, spindle_state(),
+                                modal.feed_mode == FeedMode::inverse_time, compensation_.active()});
+  const std::array<bool, 3> known = state_.known;
+  for (const CycleMove& move : motions.moves) {
+    Motion motion;
+    motion.kind = move.kind;
+    motion.plane = modal.plane;
+    motion.to = move.to_mm;
+    motion.spindle_stopped = move.spindle_stopped;
+    if (move.kind != MotionKind::rapid)
+      motion.feed_mm_min = static_cast<float>(feed_of(statement, state_, 0));
+    for (int axis = 0; axis < 3; ++axis) state_.known[axis] = known[axis] || move.stated[axis];
+    emit(statement, motion);
+  }
+  state_.position_mm = motions.end_mm;
+}
+
+void Interpreter::check_count(const Statement& statement) const {
+  if (motions_so_far() < most_motions_) return;
+  statement.fail(statement.blamed(),
+                 "the program makes more than " + std::to_string(most_motions_) + " motions",
+                 "loops and cycles that make fewer");
+}
+
+/// `motion` is in the active work frame.
+void Interpreter::emit(const Statement& statement, Motion motion) {
+  check_count(statement);
+  motion.line = statement.line();
+  const Spindle& spindle = state_.spindle;
+  if (spindle.on && (!*spindle.on || spindle.rpm == 0)) motion.spindle_stopped = true;
+  motion.position_known = state_.known[0] && state_.known[1] && state_.known[2];
+  motion.parked = state_.adrift[2];
+  motion.astray = state_.adrift[0] || state_.adrift[1];
+  if (compensation_.idle()) {
+    put(motion);
+  } else {
+    compensation_.move(motion);
+  }
+}
+
+/// From the active work frame to the machine's. Nothing changes the frame while cutter compensation
+/// holds motions.
+void Interpreter::put(Motion motion) {
+  const Frame& frame = state_.frame;
+  if (motion.kind == MotionKind::arc) {
+    const auto [first, second, normal] = axes_of(motion.plane);
+    Vec3 centre_mm;
+    centre_mm[first] = motion.centre1;
+    centre_mm[second] = motion.centre2;
+    centre_mm = frame.to_machine(centre_mm);
+    motion.centre1 = centre_mm[first];
+    motion.centre2 = centre_mm[second];
+  }
+  motion.to = frame.to_machine(motion.to);
+  // Waited for the compensation while the program's first M3 or M4 came.
+  if (program_.starts_spindle && program_.motions.size() < motions_before_spindle_)
+    motion.spindle_stopped = true;
   program_.motions.push_back(motion);
-}
-
-Vec3 Interpreter::end_of(const Statement& statement) {
-  Vec3 end_mm = position_mm_;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Word* const word = statement.word(kAxes[axis]);
-    if (!word) continue;
-    end_mm[axis] = word->value * unit_mm_ + (incremental_ ? position_mm_[axis] : 0);
-    if (!incremental_) known_[axis] = true;
-    if (!(std::abs(end_mm[axis]) <= kLargestCoordinateMm))
-      statement.fail(*word, "a position beyond any machine", "at most 1e9 mm");
-  }
-  return end_mm;
-}
-
-void Interpreter::arc(const Statement& statement, bool counter_clockwise, Motion& motion) const {
-  const auto [first, second, normal] = axes_of(plane_);
-  const PlanePoint start = {position_mm_[first], position_mm_[second]};
-  const PlanePoint end = {motion.to[first], motion.to[second]};
-  const Word* const radius = statement.word('R');
-  const Word* const centre = statement.first_of({'I', 'J', 'K'});
-  const Word* const code = statement.g_word(GGroup::motion);
-  const Word& blamed = centre   ? *centre
-                       : radius ? *radius
-                       : code   ? *code
-                                : *statement.first_of({'X', 'Y', 'Z'});
-  if (!radius && !centre) statement.fail(blamed, "an arc without centre or radius", "I J K or R");
-  if (radius && centre) statement.fail(*radius, "R beside I, J or K", "one of the two forms");
-  if (radius && !statement.word(kAxes[first]) && !statement.word(kAxes[second]))
-    statement.fail(*radius, "an arc by radius without its end point in the plane",
-                   std::string(1, kAxes[first]) + " or " + kAxes[second]);
-  const double spiral_mm = unit_mm_ == 1 ? kSpiralToleranceMm : kSpiralToleranceInch * kInchMm;
-  const ArcCentre found =
-      radius ? centre_by_radius(start, end, radius->value * unit_mm_, counter_clockwise)
-             : centre_by_offset(start, end, centre_words(statement), spiral_mm);
-  if (!found.wrong.empty()) statement.fail(blamed, found.wrong, found.expected);
-  motion.centre1 = found.centre[0];
-  motion.centre2 = found.centre[1];
-  motion.turns = counter_clockwise ? turns(statement) : -turns(statement);
-}
-
-PlanePoint Interpreter::centre_words(const Statement& statement) const {
-  const auto [first, second, normal] = axes_of(plane_);
-  if (const Word* stray = statement.word(kCentres[normal]))
-    statement.fail(*stray, in_quotes(stray->text) + " is no centre word of this plane",
-                   std::string(1, kCentres[first]) + " and " + kCentres[second]);
-  PlanePoint centre{};
-  for (int i = 0; i < 2; ++i) {
-    const int axis = i == 0 ? first : second;
-    const Word* const word = statement.word(kCentres[axis]);
-    if (!word && centre_absolute_)
-      statement.fail(*statement.first_of({'I', 'J', 'K'}),
-                     std::string("an absolute centre without ") + kCentres[axis],
-                     "both words of the centre under G90.1");
-    centre[i] = (word ? word->value * unit_mm_ : 0) + (centre_absolute_ ? 0 : position_mm_[axis]);
-    if (!(std::abs(centre[i]) <= kLargestCoordinateMm))
-      statement.fail(*word, "a centre beyond any machine", "at most 1e9 mm");
-  }
-  return centre;
-}
-
-/// LinuxCNC's count: one for the part turn that reaches the end point, one more for each whole
-/// turn.
-double Interpreter::turns(const Statement& statement) const {
-  const Word* const p = statement.word('P');
-  if (!p) return 1;
-  const double count = std::round(p->value);
-  if (std::abs(p->value - count) > 0.001 || count < 1 || count > kMostTurns)
-    statement.fail(*p, in_quotes(p->text) + " turns of an arc", "an integer from 1 to 10000");
-  return count;
 }
 
 }  // namespace limitgauge::model::gcode

@@ -1,51 +1,69 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
+#include "engine/model/gcode/assumptions.h"
+#include "engine/model/gcode/canned_cycle.h"
+#include "engine/model/gcode/cutter_compensation.h"
+#include "engine/model/gcode/machine_state.h"
+#include "engine/model/gcode/parameters.h"
+#include "engine/model/gcode/saved_state.h"
 #include "engine/model/gcode/statement.h"
 #include "engine/model/program.h"
 
 namespace limitgauge::model::gcode {
 
-/// Carries out the blocks of a program in RS274/NGC's order of execution and keeps its canonical
-/// motions. Power-on state as LinuxCNC's: G17 G21 G40 G49 G54 G80 G90 G91.1 G94, no feed rate; axes
-/// never programmed stand at 0 and are not known.
+/// Carries out the blocks of a program in LinuxCNC's order of execution and keeps its canonical
+/// motions. Axes never programmed stand at 0 and are not known.
 class Interpreter {
  public:
-  explicit Interpreter(Program& program) : program_(program) {}
+  /// The machine's own parameters are given to `parameters`, which like `lexer` outlives this and
+  /// is not read after it. `most_motions` bounds what loops and cycles may expand to.
+  Interpreter(Program& program, const MachineSetup& machine, const Lexer& lexer,
+              Parameters& parameters, std::size_t most_motions);
+  Interpreter(const Interpreter&) = delete;
+  Interpreter& operator=(const Interpreter&) = delete;
 
   /// Returns false when the block ends the program (M2, M30).
   bool execute(const Statement& statement);
+  /// At the end of the program: lets out the motions that cutter compensation still holds.
+  void finish() { compensation_.flush(); }
 
  private:
-  void list_ignored(const Statement& statement);
-  void list_messages(const Block& block);
-  void check_companions(const Statement& statement) const;
-  void set_feed(const Statement& statement);
-  void change_tool(const Statement& statement);
-  void set_spindle(const Statement& statement);
-  void set_modes(const Statement& statement);
-  std::optional<int> motion_of(const Statement& statement) const;
+  void set_system_parameters(Parameters& parameters);
+  bool is_plain(const Statement& statement) const;
+  bool may_be_plain() const;
+  void move_plainly(const Statement& statement);
+  void carry_out_m(const Statement& statement);
+  void carry_out_g(const Statement& statement, std::optional<int> motion);
+  bool stop(const Statement& statement);
+  void set_spindle_mode(const Statement& statement);
+  void set_speed(const Statement& statement);
+  void turn_spindle(const Statement& statement);
+  void set_coolant(const Statement& statement);
+  void set_plane(const Statement& statement);
+  void set_units(const Statement& statement);
+  void set_late_modes(const Statement& statement);
+  void carry_out_non_modal(const Statement& statement);
+  void go_home(const Statement& statement);
   void move(const Statement& statement, int code);
-  Vec3 end_of(const Statement& statement);
-  void arc(const Statement& statement, bool counter_clockwise, Motion& motion) const;
-  std::array<double, 2> centre_words(const Statement& statement) const;
-  double turns(const Statement& statement) const;
-  void add_ignored(std::uint32_t line, std::string word);
+  void cycle(const Statement& statement, int code);
+  SpindleState spindle_state() const;
+
+  void emit(const Statement& statement, Motion motion);
+  void put(Motion motion);
+  void check_count(const Statement& statement) const;
+  std::size_t motions_so_far() const { return program_.motions.size() + compensation_.waiting(); }
 
   Program& program_;
-  Vec3 position_mm_;
-  std::array<bool, 3> known_{};
-  double unit_mm_ = 1;
-  double feed_mm_min_ = 0;
-  ArcPlane plane_ = ArcPlane::xy;
-  bool incremental_ = false, centre_absolute_ = false;
-  std::optional<int> motion_mode_;
-  std::optional<double> selected_tool_, loaded_tool_;
-  std::optional<bool> spindle_on_;  // empty: no word of it yet
-  bool speed_is_zero_ = false;
+  Assumptions assumed_;
+  MachineState state_;
+  CutterCompensation compensation_;
+  SavedStates saved_;
+  CannedCycles cycles_;
+  std::size_t most_motions_;
   std::size_t motions_before_spindle_ = 0;
+  bool plain_ = false;  ///< blocks of axis words alone may go by move_plainly
 };
 
 }  // namespace limitgauge::model::gcode

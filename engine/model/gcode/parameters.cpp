@@ -139,12 +139,14 @@ void Parameters::set(std::string_view name, double value) {
 
 void Parameters::enter(const std::vector<double>& arguments) {
   Frame& frame = frames_.emplace_back();
+  frame.call = ++calls_;
   for (std::size_t i = 1; i <= kLargestLocal; ++i)
     frame.numbered[i] = i <= arguments.size() ? arguments[i - 1] : 0;
 }
 
 void Parameters::enter() {
   Frame frame;
+  frame.call = ++calls_;
   frame.numbered = frames_.back().numbered;
   frame.shares_numbers = true;
   frames_.push_back(std::move(frame));

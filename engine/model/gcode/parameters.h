@@ -44,17 +44,23 @@ class Parameters {
   void enter();
   void leave();
   std::size_t depth() const { return frames_.size(); }
+  /// Which call runs at `depth`, counted over the program; 0: none any more.
+  std::size_t call_at(std::size_t depth) const {
+    return depth >= 1 && depth <= frames_.size() ? frames_[depth - 1].call : 0;
+  }
 
  private:
   struct Frame {
     std::array<std::optional<double>, kLargestLocal + 1> numbered;
     std::map<std::string, double, std::less<>> named;
     bool shares_numbers = false;  // with its caller
+    std::size_t call = 1;
   };
   std::vector<std::optional<double>> numbered_ =
       std::vector<std::optional<double>>(kLargest + std::size_t{1});
   std::map<std::string, double, std::less<>> named_;
   std::vector<Frame> frames_ = std::vector<Frame>(1);
+  std::size_t calls_ = 1;
   SystemNumbered system_numbered_;
   SystemNamed system_named_;
 };

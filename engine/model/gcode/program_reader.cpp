@@ -13,8 +13,11 @@ namespace {
 /// Shortest line that moves the tool, for the guess at how many motions will come: `X1` and its
 /// end.
 constexpr std::size_t kShortestMoveBytes = 8;
+/// Motions beyond one a line, for loops and cycles; more would be a program that does not end.
+constexpr std::size_t kExpandedMotions = 5'000'000;
 
-Program read_text_program(const std::string& text, const std::string& name, const MachineSetup&) {
+Program read_text_program(const std::string& text, const std::string& name,
+                          const MachineSetup& machine) {
   Program program;
   program.name = std::filesystem::path(name).stem().string();
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
@@ -22,9 +25,10 @@ Program read_text_program(const std::string& text, const std::string& name, cons
   gcode::Parameters parameters;
   gcode::Lexer lexer(text, name, parameters);
   gcode::Flow flow(lexer, parameters);
-  gcode::Interpreter interpreter(program);
+  gcode::Interpreter interpreter(program, machine, lexer, parameters, lines + kExpandedMotions);
   gcode::Block block;
   while (flow.next(block) && interpreter.execute(gcode::Statement(block, lexer))) continue;
+  interpreter.finish();
   return program;
 }
 

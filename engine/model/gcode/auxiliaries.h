@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/model/gcode/statement.h"
+#include "engine/model/program.h"
+
+namespace limitgauge::model::gcode {
+
+/// Lists what a block has that does not move the tool: auxiliary words with the words that belong
+/// to them, a leading `/`, comments that a controller acts on; and comments that stand alone. Each
+/// list ends after a million entries, each entry after 200 bytes.
+/// `motions` is the number of motions before the block.
+void list_auxiliaries(const Statement& statement, Program& program, std::size_t motions);
+
+}  // namespace limitgauge::model::gcode

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/model/gcode/assumptions.h"
+#include "engine/model/gcode/machine_state.h"
+#include "engine/model/gcode/statement.h"
+
+namespace limitgauge::model::gcode {
+
+/// G54 to G59.3.
+void select_system(const Statement& statement, MachineState& state, Assumptions& assumed);
+/// G10 L1, L2 and L20. Throws InputError for other L words and values out of range.
+void set_data(const Statement& statement, MachineState& state, Assumptions& assumed);
+/// G92 and G52.
+void set_axis_offsets(const Statement& statement, MachineState& state, Assumptions& assumed);
+/// G92.1, G92.2 and G92.3.
+void apply_axis_offsets(const Statement& statement, MachineState& state);
+
+}  // namespace limitgauge::model::gcode

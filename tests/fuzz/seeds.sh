@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# seeds.sh FOLDER - collects what the fuzz targets start from: FOLDER/TARGET/..., the project's own
+# fixtures by reader, and what tests/fuzz/seeds adds where a reader has no fixtures.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+fixtures=$here/../../fixtures
+to=$1
+
+# collect TARGET PATTERN - by name and a running number: files of two folders may share a name.
+collect() {
+  local target=$1 pattern=$2 file count=0
+  mkdir -p "$to/$target"
+  while IFS= read -r file; do
+    count=$((count + 1))
+    cp "$file" "$to/$target/$count-$(basename "$file")"
+  done < <(find "$fixtures" -type f -name "$pattern" | sort)
+}
+
+rm -rf "$to"
+collect cage '*.obj'
+collect mesh_obj '*.obj'
+collect mesh_stl '*.stl'
+collect mesh_ply '*.ply'
+collect program '*.ngc'
+collect cl_data '*.apt'
+collect tool_table '*.tbl'
+collect job '*.toml'
+# The jobs' files stand beside other folders' jobs; the target has one folder with one of each.
+sed -i -E 's#"[^"]*\.obj"#"part.obj"#; s#"[^"]*\.ngc"#"part.ngc"#' "$to"/job/*.toml
+cp -r "$here"/seeds/* "$to"/

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/model/gcode/cutter_compensation.h"
+
+namespace limitgauge::model::test {
+
+/// A compensation whose motions are kept; every motion put in gets the next line, from 1.
+class CompensatedContour {
+ public:
+  explicit CompensatedContour(ArcPlane plane = ArcPlane::xy) : plane_(plane) {}
+
+  /// Contours are described in the plane's axes, so that one description serves every plane.
+  Vec3 point(double first, double second, double height = 0) const {
+    const auto axes = axes_of(plane_);
+    Vec3 point;
+    point[axes[0]] = first;
+    point[axes[1]] = second;
+    point[axes[2]] = height;
+    return point;
+  }
+  void begin(gcode::CompensationSide side, double radius_mm, const Vec3& position_mm) {
+    compensation_.begin(side, radius_mm, plane_, position_mm);
+  }
+  void line(double first, double second, double height = 0) {
+    add({.kind = MotionKind::feed, .to = point(first, second, height)});
+  }
+  void rapid(double first, double second, double height = 0) {
+    add({.kind = MotionKind::rapid, .to = point(first, second, height)});
+  }
+  /// Counter-clockwise for positive `turns`, about the absolute centre `c1`, `c2`.
+  void arc(double first, double second, double c1, double c2, double turns, double height = 0) {
+    add({.kind = MotionKind::arc,
+         .to = point(first, second, height),
+         .centre1 = c1,
+         .centre2 = c2,
+         .turns = turns});
+  }
+  void add(Motion motion) {
+    motion.plane = plane_;
+    motion.line = ++line_;
+    motion.feed_mm_min = static_cast<float>(100 * line_);
+    compensation_.move(motion);
+  }
+  gcode::CutterCompensation& compensation() { return compensation_; }
+  const std::vector<Motion>& motions() const { return motions_; }
+  std::uint32_t last_line() const { return line_; }
+
+ private:
+  ArcPlane plane_;
+  std::uint32_t line_ = 0;
+  std::vector<Motion> motions_;
+  gcode::CutterCompensation compensation_{
+      [this](const Motion& motion) { motions_.push_back(motion); },
+      [](std::uint32_t line) {
+        return SourcePlace{"contour.ngc", static_cast<int>(line), 1};
+      }};
+};
+
+}  // namespace limitgauge::model::test

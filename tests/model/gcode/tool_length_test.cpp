@@ -1,0 +1,130 @@
+#include "tests/model/gcode/read_text.h"
+#include "tests/support/catch.h"
+
+using namespace limitgauge::model;
+using namespace limitgauge::model::test;
+
+namespace {
+
+MachineSetup two_tools() {
+  MachineSetup machine;
+  machine.tools = {{1, 50, 6}, {2, 80, std::nullopt}};
+  return machine;
+}
+
+double last_z(const std::string& text, const MachineSetup& machine = {}) {
+  return end_of_text(text, machine).z;
+}
+
+}  // namespace
+
+TEST_CASE("with lengths stated the tip lies where offset less length puts it", "[unit][gcode]") {
+  CHECK(last_z("T1 M6\nG43 H1\nG0 Z10\n", two_tools()) == 10);
+  CHECK(last_z("T1 M6\nG43\nG0 Z10\n", two_tools()) == 10);
+  CHECK(last_z("T1 M6\nG43 H0\nG0 Z10\n", two_tools()) == 10);
+  // Another tool's offset, and none at all: 30 mm too high, 50 mm too low.
+  CHECK(last_z("T1 M6\nG43 H2\nG0 Z10\n", two_tools()) == 40);
+  CHECK(last_z("T1 M6\nG0 Z10\n", two_tools()) == -40);
+  CHECK(last_z("T1 M6\nG43 H1\nG0 Z10\nG49\nZ10\n", two_tools()) == -40);
+  CHECK(last_z("T1 M6\nG43.1 Z51\nG0 Z10\n", two_tools()) == 11);
+  CHECK(last_z("T1 M6\nG43 H1\nG43.2 H2\nG0 Z10\n", two_tools()) == 90);
+  CHECK(last_z("T1 M6\nG10 L1 P1 Z50.5\nG43\nG0 Z10\n", two_tools()) == 10.5);
+}
+
+TEST_CASE("an offset does not move the tool", "[unit][gcode]") {
+  // Programmed 10 without offset is the tip at -40; under G43 it stands at -40 still.
+  CHECK(last_z("T1 M6\nG0 X0 Z10\nG43\nX1\n", two_tools()) == -40);
+  CHECK(last_z("T1 M6\nG0 X0 Z10\nG43\nG91 Z1\n", two_tools()) == -39);
+}
+
+TEST_CASE("a tool change leaves the spindle where it is", "[unit][gcode]") {
+  // The second tool is 30 mm longer: its tip comes 30 mm lower.
+  CHECK(last_z("T1 M6 G43\nG0 X0 Z10\nT2 M6\nX1\n", two_tools()) == -20);
+  CHECK(last_z("T1 M6 G43\nG0 X0 Z10\nT2 M6 G43\nZ10\n", two_tools()) == 10);
+  CHECK(last_z("T1 M6 G43\nG0 X0 Z10\nM61 Q2\nX1\n", two_tools()) == -20);
+}
+
+TEST_CASE("without lengths the offset of the tool itself is its length", "[unit][gcode]") {
+  const Program program = read_text("T3 M6\nG43 H3\nG0 Z10\n");
+  CHECK(program.motions[0].to.z == 10);
+  CHECK(assumes(program, "line 2: the length offset is taken to be the length of tool 3"));
+  CHECK(last_z("G43 H5\nG0 Z10\n") == 10);
+  CHECK(assumes(read_text("G43 H5\nG0 Z10\n"), "the tool in the spindle is taken to be tool 5"));
+  CHECK(error_of("T3 M6\nG43 H4\n").find("2:5: error: the length offset of tool 4 while tool 3") ==
+        0);
+  CHECK(error_of("G43 H5\nG43 H6\n").find("2:5: error: the length offset of tool 6") == 0);
+}
+
+TEST_CASE("G43.1 states the length of a tool whose length is not stated", "[unit][gcode]") {
+  CHECK(last_z("T3 M6\nG43.1 Z77\nG0 Z10\n") == 10);
+  // A second value for the same tool is a difference.
+  CHECK(last_z("T3 M6\nG43.1 Z77\nG0 Z10\nG43.1 Z77.5\nZ10\n") == 10.5);
+  CHECK(error_of("G43.1 X1 Z2\n").find("1:7: error: a tool offset along X") == 0);
+  CHECK(error_of("G0 G43.1 Z2\n").find("1:4: error: G43.1 and 'G0' would both use") == 0);
+}
+
+TEST_CASE("no feed motion under the offset of a tool that is gone", "[unit][gcode]") {
+  const std::string start = "T3 M6 G43 H3\nG0 X0 Y0 Z10\nG1 Z0 F100\nG0 Z10\nT4 M6\n";
+  CHECK(error_of(start + "G0 X5\nG43 H4 Z10\nG1 Z0\n") == "no error");
+  CHECK(error_of(start + "G0 X5\nG1 Z0\n")
+            .find("7:1: error: a feed motion under a length offset "
+                  "that is not that of tool 4") == 0);
+  CHECK(error_of(start + "G49\nG1 Z0\n").find("7:1: error: a feed motion under") == 0);
+  CHECK(error_of("T3 M6\nG1 Z0 F1\nT4 M6\nG1 Z1\n") == "no error");
+}
+
+TEST_CASE("tool changes are kept with the motion behind them", "[unit][gcode]") {
+  const Program program = read_text("G0 X1\nT1 M6\nG0 X2\nX3\nT2\nT1 M6\nT2 M6\nX4\n");
+  REQUIRE(program.tool_changes.size() == 2);
+  CHECK(program.tool_changes[0].line == 2);
+  CHECK(program.tool_changes[0].motion == 1);
+  CHECK(program.tool_changes[0].tool == 1);
+  CHECK(program.tool_changes[1].line == 7);
+  CHECK(program.tool_changes[1].motion == 3);
+  CHECK(program.tool_changes[1].tool == 2);
+  CHECK(error_of("M6\n").find("1:1: error: a tool change without a tool") == 0);
+}
+
+TEST_CASE("the tool at the start is the one stated, or the only one", "[unit][gcode]") {
+  MachineSetup machine = two_tools();
+  CHECK(read_text("G0 X1\n", machine).tool_changes.empty());
+  machine.loaded_tool = 2;
+  const Program program = read_text("G0 Z100\n", machine);
+  REQUIRE(program.tool_changes.size() == 1);
+  CHECK(program.tool_changes[0].line == 0);
+  CHECK(program.tool_changes[0].tool == 2);
+  CHECK(program.motions[0].to.z == 20);
+  machine.loaded_tool.reset();
+  machine.tools.pop_back();
+  CHECK(read_text("G0 X1\n", machine).tool_changes.at(0).tool == 1);
+}
+
+TEST_CASE("cutter compensation takes a stated diameter", "[unit][gcode]") {
+  const std::string start = "T1 M6 G43 G21\nG0 X0 Y0 Z0 F10\n";
+  const auto second = [&](const std::string& code) {
+    return read_text(start + code + "\nG1 X10\nY10\nG40 X20\n", two_tools()).motions.at(1).to.y;
+  };
+  CHECK(second("G41") == 3);
+  CHECK(second("G42") == -3);
+  CHECK(second("G41 D1") == 3);
+  CHECK(second("G41 D0") == 3);
+  CHECK(second("G41.1 D4") == 2);
+  CHECK(error_of(start + "G41 D2\n", two_tools())
+            .find("3:5: error: cutter compensation by the diameter of tool 2, which nothing") == 0);
+  CHECK(error_of(start + "G41.1\n", two_tools()).find("3:1: error: 'G41.1' without its") == 0);
+  CHECK(error_of(start + "G19 G41\n", two_tools()).find("3:5: error: cutter compensation in G19") ==
+        0);
+}
+
+TEST_CASE("compensation forbids changes of frame", "[unit][gcode]") {
+  const std::string start = "T1 M6 G43\nG0 X0 Y0 Z0 F10\nG41\nG1 X10\n";
+  for (const char* code :
+       {"G54", "G55", "G92 X0", "G52 X1", "G92.1", "G10 L2 P1 X5", "G28", "G30.1", "G43", "G49",
+        "G18", "T2 M6", "G53 G0 X0", "G42", "G10 L20 P0 X0"}) {
+    CAPTURE(code);
+    CHECK(
+        error_of(start + code + "\n", two_tools()).find("while cutter compensation is on (G41)") !=
+        std::string::npos);
+  }
+  CHECK(error_of(start + "G10 L2 P2 X5 Y0 Z0\nG1 X20\nG40\n", two_tools()) == "no error");
+}

@@ -198,6 +198,7 @@ class Writer:
         turn = ""
         if self.random.random() < 0.3:
             self.turned = True
+            self.rows.append("G92.1")  # LinuxCNC loses its place otherwise, Limitgauge refuses it
             turn = f" R{self.random.choice([0, 30, 45, 90, -120.5, 180, 12.345])}"
         self.rows.append(
             self.random.choice(

@@ -42,6 +42,19 @@ void check_whole(const Statement& statement, const MachineState& state, std::siz
       std::string("X, Y and Z, or ") + kOffsetRemedy);
 }
 
+/// LinuxCNC turns the place where it takes the tool to be without the offset of G92; the axis that
+/// the next block leaves out would then jump.
+void check_turn(const Statement& statement, const Word& r, const MachineState& state,
+                std::size_t index) {
+  const CoordinateSystems& systems = state.systems;
+  if (index != systems.active() || r.value == systems.system().rotation_deg) return;
+  const Vec3 g92_mm = systems.frame(index).g92_mm;
+  if (g92_mm.x == 0 && g92_mm.y == 0) return;
+  statement.fail(r,
+                 in_quotes(r.text) + " turns the coordinate system under an offset of G92 or G52",
+                 "G92.1 before it");
+}
+
 void set_origin(const Statement& statement, MachineState& state, Assumptions& assumed) {
   refuse_words(statement, {'I', 'J', 'Q'}, "G10 L2");
   const std::size_t index = system_of(statement, state);
@@ -56,6 +69,7 @@ void set_origin(const Statement& statement, MachineState& state, Assumptions& as
     if (const Word* r = statement.word('R')) {
       if (!(std::abs(r->value) <= kLargestCoordinateMm))
         statement.fail(*r, "a rotation beyond any use", "degrees");
+      check_turn(statement, *r, state, index);
       state.systems.rotate(index, r->value);
     }
   });

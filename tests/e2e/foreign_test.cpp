@@ -178,8 +178,9 @@ TEST_CASE("a line lost leaves material beside the lines that remain", "[e2e][for
   CHECK(bench.outcome.exit_code == 1);
   const json& finish = bench.stage("finish");
   CHECK(low(finish, "uncut_mm") == Approx(0.3).margin(0.001));
+  // The same 0.3 mm stand all over the gap: what bounds its deepest place may be any row around it.
   CHECK(names_line(finish["deviation"]["uncuts"], line_of(program, "N190"),
-                   line_of(program, "N220")));
+                   line_of(program, "N280")));
 }
 
 TEST_CASE("inches for millimetres are found and named", "[e2e][foreign]") {

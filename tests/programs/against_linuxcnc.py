@@ -80,11 +80,11 @@ def compare_program(path, options):
         theirs = canonical_moves(
             run_rs274(options.rs274, text, tools), {n: z for n, (z, _) in tools.items()}
         )
-    except ValueError as error:
+    except (ValueError, subprocess.TimeoutExpired) as error:
         theirs = str(error)
     try:
         ours = run_limitgauge(options.limitgauge, path, table if tools else None)
-    except ValueError as error:
+    except (ValueError, subprocess.TimeoutExpired) as error:
         ours = str(error)
     if isinstance(ours, str) and isinstance(theirs, str):
         return "" if options.random else f"both refuse it:\n    {ours}\n    {theirs}"

@@ -199,7 +199,7 @@ def run_rs274(command, program, tools):
         done = subprocess.run(
             [*command, *arguments],
             cwd=folder, env=os.environ | {"HOME": folder},  # it shares $HOME/.tool.mmap otherwise
-            capture_output=True, encoding="latin-1", timeout=60, check=False,
+            capture_output=True, encoding="latin-1", timeout=20, check=False,
         )
     complaint = done.stderr.replace("executing\n", "").strip()
     if done.returncode != 0 or complaint:

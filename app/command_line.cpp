@@ -70,6 +70,14 @@ CLI::Validator number_above_zero(bool or_zero) {
       or_zero ? "NUMBER>=0" : "NUMBER>0");
 }
 
+CLI::Validator finite_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "is no number";
+      },
+      "NUMBER");
+}
+
 void add_limit(CLI::App& app, const std::string& option, double& value, bool& stated,
                const std::string& help) {
   app.add_option_function<double>(
@@ -82,6 +90,17 @@ void add_limit(CLI::App& app, const std::string& option, double& value, bool& st
       ->check(number_above_zero(false));
 }
 
+void add_machine(CLI::App& app, MachineOptions& machine) {
+  app.add_option("--work-offset", machine.work_offsets,
+                 "G54=X,Y,Z or G54=X,Y,Z,TURN: origin of a work offset on the machine, mm and "
+                 "degrees (repeatable)")
+      ->allow_extra_args(false);
+  app.add_option("--home", machine.home, "X,Y,Z: the machine's reference point, where G28 goes");
+  app.add_option("--second-home", machine.second_home, "X,Y,Z: where G30 goes");
+  app.add_option("--tool-table", machine.tool_table,
+                 "Lengths and diameters of the tools: LinuxCNC's tool table, mm");
+}
+
 void add_verify(CLI::App& app, Parsed& parsed) {
   VerifyCommand& verify = parsed.verify;
   parsed.verify_app = app.add_subcommand("verify", "Verify a G-code program without a job file");
@@ -92,11 +111,13 @@ void add_verify(CLI::App& app, Parsed& parsed) {
          "box:LX,LY,LZ@X,Y,Z (size @ lower corner), mm; mesh:FILE (STL, OBJ, PLY); vdb:FILE "
          "(stock of an earlier run)")
       ->required();
-  sub.add_option("--tool", verify.tool,
+  sub.add_option("--tool", verify.tools,
                  "ball:D=6 | flat:D=8 | bull:D=8,r=1 | taper:D=1,r=0.5,angle=5 | "
                  "drill:D=6,angle=118 | apt:D=10,r=1,a=5,b=-10; with L= flute length, ramp= "
-                 "steepest descent, shank=D:L, holder=D:L from the tip up")
-      ->required();
+                 "steepest descent, shank=D:L, holder=D:L from the tip up; "
+                 "N=... for each T number of a program with several (repeatable)")
+      ->required()
+      ->allow_extra_args(false);
   sub.add_option("--program", verify.program, "Program (G-code)")->required();
   sub.add_option("--allowance", verify.allowance_mm, "Material to be left (default: 0 mm)")
       ->check(number_above_zero(true));
@@ -106,6 +127,12 @@ void add_verify(CLI::App& app, Parsed& parsed) {
   sub.add_option("--near-miss", verify.near_miss_mm,
                  "List what passes stock or fixtures within this, mm (default: not looked for)")
       ->check(number_above_zero(false));
+  add_machine(sub, verify.machine);
+  sub.add_option("--program-offset", verify.program_offset,
+                 "X,Y,Z: the program's zero in the cage's frame, mm (default: 0,0,0)");
+  sub.add_option("--program-rotation", verify.program_rotation_deg,
+                 "Turn of the program's frame about Z against the cage's, degrees (default: 0)")
+      ->check(finite_number());
   add_limit(sub, "--gouge", verify.limits.gouge_mm, verify.limits.has_gouge,
             "Largest gouge that passes, mm (default: measured, not gated)");
   add_limit(sub, "--uncut", verify.limits.uncut_mm, verify.limits.has_uncut,
@@ -128,6 +155,7 @@ void add_inspect(CLI::App& app, Parsed& parsed) {
   csv->needs(samples);
   sub.add_flag("--moves", inspect.moves, "The program's canonical moves, one a line, mm")
       ->excludes(samples);
+  add_machine(sub, inspect.machine);
   add_common(sub, parsed);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/job.h"
+#include "app/machine_options.h"
 
 namespace limitgauge::app {
 
@@ -26,7 +27,11 @@ struct PlanCommand {
 };
 struct VerifyCommand {
   std::filesystem::path cage, program;
-  std::string stock, tool;
+  std::string stock;
+  std::vector<std::string> tools;  ///< `SPEC`, or `N=SPEC` for each of several
+  MachineOptions machine;
+  std::string program_offset;  ///< `X,Y,Z` of the programs' zero in the cage's frame
+  double program_rotation_deg = 0;
   double allowance_mm = 0;
   double near_miss_mm = 0;  ///< 0: not looked for
   std::vector<std::filesystem::path> fixtures;
@@ -38,6 +43,7 @@ struct InspectCommand {
   int samples = 0;  ///< a face and direction; 0: no table
   std::filesystem::path csv;
   bool moves = false;
+  MachineOptions machine;
 };
 /// Help or the version: print and leave.
 struct PrintCommand {

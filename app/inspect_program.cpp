@@ -54,6 +54,8 @@ void print_summary(std::ostream& out, const model::Program& program) {
         << fixed(box.low.z) << " to " << fixed(box.high.x) << ' ' << fixed(box.high.y) << ' '
         << fixed(box.high.z) << " mm\n";
   }
+  out << "tools         " << program.tool_changes.size() << " changes\n";
+  for (const std::string& said : program.assumed) out << "assumed: " << said << '\n';
   out << "words set aside " << program.ignored.size() << '\n';
   for (const model::IgnoredWord& word : program.ignored) {
     out << "  line " << word.line << ": " << word.word << '\n';
@@ -64,7 +66,9 @@ void print_summary(std::ostream& out, const model::Program& program) {
 
 void inspect_program(const InspectCommand& command, const CommonOptions& common,
                      const Console& console) {
-  const model::Program program = model::read_program(command.file);
+  model::MachineSetup machine = machine_of(command.machine);
+  machine.assume_fresh_machine = true;
+  const model::Program program = model::read_program(command.file, machine);
   if (command.moves) {
     for (const Motion& motion : program.motions) print_motion(console.out, motion);
     console.out << std::flush;

@@ -16,4 +16,10 @@ const char* strategy_name(engine::strategy::Strategy strategy) {
   return "rest";
 }
 
+std::string to_text(const ProgramPart& part) {
+  if (part.tool) return "T" + std::to_string(*part.tool);
+  if (part.section) return "section " + std::to_string(*part.section);
+  return part.comment.empty() ? std::string() : "from (" + part.comment + ")";
+}
+
 }  // namespace limitgauge::app

@@ -8,6 +8,7 @@
 #include "engine/model/cage.h"
 #include "engine/model/cutter.h"
 #include "engine/model/dialect.h"
+#include "engine/model/program_path.h"
 #include "engine/model/stock.h"
 #include "engine/strategy/stage_path.h"
 #include "reports/published.h"
@@ -24,6 +25,25 @@ struct StagePlan {
   std::optional<double> floor_z_mm;  ///< empty: chosen from the surface and the cutter
 };
 
+/// A cutter of the job, as the machine's tool table has it.
+struct JobTool {
+  model::Cutter cutter;
+  std::optional<int> number;        ///< T of programs; empty: whatever number a program says
+  std::optional<double> length_mm;  ///< from the gauge line to the tip
+};
+
+/// Which motions of a program a stage takes; nothing stated: all of them, by one tool. A part ends
+/// where the next part that a stage takes begins, or with the program.
+struct ProgramPart {
+  std::optional<int> tool;     ///< from where T is loaded
+  std::optional<int> section;  ///< from the n-th loading of a tool on, counted from 1
+  std::string comment;         ///< from the comment that says this on
+
+  bool whole() const { return !tool && !section && comment.empty(); }
+};
+/// "T2", "section 3", "from (FINISH)"; empty for the whole program.
+std::string to_text(const ProgramPart& part);
+
 /// One stage of a job: either planned here (`plan`) or read from a program.
 struct JobStage {
   std::string name;
@@ -31,7 +51,9 @@ struct JobStage {
   std::optional<StagePlan> plan;
   std::filesystem::path program;  ///< where `plan` is empty
   std::string program_as_stated;  ///< as the job or the command line names it
-  double allowance_mm = 0;        ///< material the stage must leave, along the surface normal
+  ProgramPart part;
+  std::optional<int> tool_number;  ///< T of `cutter`; empty: whatever number the program says
+  double allowance_mm = 0;         ///< material the stage must leave, along the surface normal
   verifier::GateLimits limits;
 };
 
@@ -65,6 +87,8 @@ struct Job {
   std::optional<double> acceleration_mm_s2;  ///< empty: speeds change at once
   double junction_deviation_mm = 0.01;       ///< how far a corner may be rounded off
   Post post;
+  model::MachineSetup machine;          ///< what programs take from the machine
+  model::RigidPlacement program_frame;  ///< the programs' work frame (G54) in the cage's frame
   std::vector<JobStage> stages;
   std::optional<double> voxel_mm;       ///< empty: "auto"
   std::optional<double> resolution_mm;  ///< empty: "auto"

@@ -18,13 +18,12 @@ struct JobContext {
 
 /// A stock from a file is read, too; what is to be said of it goes among the defaults.
 model::Stock read_stock(const toml::table& stock, JobContext& context);
-/// The tools by their ids; two of one id are an error.
-std::vector<model::Cutter> read_tools(const std::vector<const toml::table*>& tools,
-                                      JobContext& context);
+/// The tools; two of one id or number are an error.
+std::vector<JobTool> read_tools(const std::vector<const toml::table*>& tools, JobContext& context);
 /// Figures of a publication to stand beside the run's own.
 reports::PublishedFigures read_published(const TomlTable& root);
 /// The stages in order; two of one name, or a tool that is not among `tools`, are an error.
 std::vector<JobStage> read_stages(const std::vector<const toml::table*>& stages,
-                                  const std::vector<model::Cutter>& tools, JobContext& context);
+                                  const std::vector<JobTool>& tools, JobContext& context);
 
 }  // namespace limitgauge::app

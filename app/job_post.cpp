@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/job_fixtures.h"
+#include "app/job_setup.h"
 #include "app/words.h"
 
 namespace limitgauge::app {
@@ -63,7 +64,8 @@ void say_defaults(const TomlTable& post, const Job& job, JobContext& context) {
 
 void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   const TomlTable machine(table_or_none(root, "machine"), "[machine]",
-                          {"rapid", "clearance", "acceleration", "junction_deviation", "travel"});
+                          {"rapid", "clearance", "acceleration", "junction_deviation", "travel",
+                           "work_offsets", "home", "second_home"});
   if (machine.has("rapid")) {
     job.rapid_mm_min = machine.positive("rapid");
   } else {
@@ -71,6 +73,7 @@ void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   }
   read_acceleration(machine, job, context);
   if (machine.has("travel")) job.travel_mm = read_travel(machine);
+  read_setup(root, machine, job);
   if (machine.has("clearance")) {
     job.clearance_mm = machine.positive("clearance");
   } else {

@@ -6,6 +6,7 @@
 #include "app/job_overrides.h"
 #include "app/job_parts.h"
 #include "app/job_post.h"
+#include "app/job_setup.h"
 #include "app/toml_table.h"
 #include "app/toml_text.h"
 #include "app/words.h"
@@ -70,16 +71,18 @@ std::string read_name(const TomlTable& root) {
 }
 
 Job read_root(const toml::table& table, JobContext& context) {
-  const TomlTable root(table, "the job",
-                       {"name", "surface", "stock", "machine", "fixture", "tool", "stage",
-                        "simulation", "verification", "report", "post", "published"});
+  const TomlTable root(
+      table, "the job",
+      {"name", "surface", "stock", "machine", "fixture", "tool", "stage", "simulation",
+       "verification", "report", "post", "published", "program_frame"});
   Job job;
   job.name = read_name(root);
   read_surface(root.table("surface"), job, context);
   job.stock = read_stock(root.table("stock"), context);
   read_machine(root, job, context);
   read_fixtures(root, job, context);
-  const std::vector<model::Cutter> tools = read_tools(root.tables("tool"), context);
+  const std::vector<JobTool> tools = read_tools(root.tables("tool"), context);
+  job.machine.tools = tool_table(tools);
   job.stages = read_stages(root.tables("stage"), tools, context);
   read_post(root, job, context);
   read_settings(root, job);

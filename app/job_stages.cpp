@@ -67,15 +67,51 @@ verifier::GateLimits read_gate(const TomlTable& stage) {
   return limits;
 }
 
-const model::Cutter& find_tool(const TomlTable& stage, const std::vector<model::Cutter>& tools) {
+/// By its id; a stage that names the program's tool number may leave the id out.
+const JobTool& find_tool(const TomlTable& stage, const std::vector<JobTool>& tools) {
+  if (!stage.has("tool") && stage.has("program_tool")) {
+    const int number = stage.whole("program_tool");
+    for (const JobTool& tool : tools)
+      if (tool.number == number) return tool;
+    throw model::InputError(stage.place("program_tool"),
+                            "no tool has the number " + std::to_string(number),
+                            "a [[tool]] with it");
+  }
   const std::string id = stage.text("tool");
   std::vector<std::string_view> ids;
-  for (const model::Cutter& tool : tools) {
-    if (tool.id == id) return tool;
-    ids.push_back(tool.id);
+  for (const JobTool& tool : tools) {
+    if (tool.cutter.id == id) return tool;
+    ids.push_back(tool.cutter.id);
   }
   throw model::InputError(stage.place("tool"), "no tool has the id \"" + id + "\"",
                           "\"" + nearest_key(id, ids) + "\" or another id of a [[tool]]");
+}
+
+constexpr const char* kPartKeys[] = {"program_tool", "program_section", "program_comment"};
+
+/// Which part of the program; at most one of the keys.
+void read_part(const TomlTable& stage, JobStage& result) {
+  const char* stated = nullptr;
+  for (const char* key : kPartKeys) {
+    if (!stage.has(key)) continue;
+    if (stated != nullptr)
+      throw model::InputError(stage.place(key),
+                              "\"" + std::string(key) + "\" beside \"" + stated + "\"",
+                              "one of them");
+    if (result.plan)
+      throw model::InputError(stage.place(key),
+                              "\"" + std::string(key) + "\" in a stage without a program",
+                              "it only beside \"program\"");
+    stated = key;
+  }
+  if (stage.has("program_tool")) result.part.tool = stage.whole("program_tool");
+  if (stage.has("program_section")) result.part.section = stage.whole("program_section");
+  if (stage.has("program_comment")) result.part.comment = stage.text("program_comment");
+  if (result.part.tool && result.tool_number && *result.part.tool != *result.tool_number)
+    throw model::InputError(stage.place("program_tool"),
+                            "T" + std::to_string(*result.part.tool) + " is not the number of \"" +
+                                result.cutter.id + "\"",
+                            "T" + std::to_string(*result.tool_number) + ", or another tool");
 }
 
 std::string read_name(const TomlTable& stage, const std::vector<JobStage>& before) {
@@ -93,13 +129,18 @@ std::string read_name(const TomlTable& stage, const std::vector<JobStage>& befor
 }
 
 JobStage read_stage(const toml::table& table, const std::vector<JobStage>& before,
-                    const std::vector<model::Cutter>& tools, JobContext& context) {
+                    const std::vector<JobTool>& tools, JobContext& context) {
   const TomlTable stage(table, "[[stage]]",
-                        {"name", "tool", "strategy", "program", "allowance", "gate"}, kCutKeys);
+                        {"name", "tool", "strategy", "program", "program_tool", "program_section",
+                         "program_comment", "allowance", "gate"},
+                        kCutKeys);
   JobStage result;
   result.name = read_name(stage, before);
-  result.cutter = find_tool(stage, tools);
+  const JobTool& tool = find_tool(stage, tools);
+  result.cutter = tool.cutter;
+  result.tool_number = tool.number;
   read_source(stage, before.empty(), result, context);
+  read_part(stage, result);
   if (stage.has("allowance")) {
     result.allowance_mm = stage.not_negative("allowance");
   } else {
@@ -112,7 +153,7 @@ JobStage read_stage(const toml::table& table, const std::vector<JobStage>& befor
 }  // namespace
 
 std::vector<JobStage> read_stages(const std::vector<const toml::table*>& stages,
-                                  const std::vector<model::Cutter>& tools, JobContext& context) {
+                                  const std::vector<JobTool>& tools, JobContext& context) {
   std::vector<JobStage> all;
   for (const toml::table* table : stages) all.push_back(read_stage(*table, all, tools, context));
   return all;

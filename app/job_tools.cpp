@@ -155,12 +155,23 @@ void require_cutter(const TomlTable& tool, const model::Cutter& cutter) {
   }
 }
 
-model::Cutter read_tool(const toml::table& table, JobContext& context) {
-  const TomlTable tool(
-      table, "[[tool]]",
-      {"id", "type", "diameter", "corner_radius", "angle", "point_angle", "tip_angle", "side_angle",
-       "e", "f", "flute_length", "plunge", "max_ramp_angle", "shank", "holder"});
-  model::Cutter cutter;
+/// What the machine's tool table knows of it.
+void read_table_entry(const TomlTable& tool, JobTool& result) {
+  if (tool.has("number")) result.number = tool.whole("number");
+  if (!tool.has("length")) return;
+  if (!result.number)
+    throw model::InputError(tool.place("length"), "\"length\" of a tool without a number",
+                            "\"number\" too: programs ask for a tool by it");
+  result.length_mm = tool.positive("length");
+}
+
+JobTool read_tool(const toml::table& table, JobContext& context) {
+  const TomlTable tool(table, "[[tool]]",
+                       {"id", "type", "diameter", "corner_radius", "angle", "point_angle",
+                        "tip_angle", "side_angle", "e", "f", "flute_length", "plunge",
+                        "max_ramp_angle", "shank", "holder", "number", "length"});
+  JobTool result;
+  model::Cutter& cutter = result.cutter;
   cutter.id = tool.text("id");
   cutter.type = type_of(tool.one_of("type", {"flat", "ball", "bull", "taper", "drill", "apt"}));
   refuse_foreign_keys(tool, cutter.type);
@@ -170,24 +181,30 @@ model::Cutter read_tool(const toml::table& table, JobContext& context) {
   cutter.shank = read_parts(tool, "shank");
   cutter.holder = read_parts(tool, "holder");
   require_cutter(tool, cutter);
-  return cutter;
+  read_table_entry(tool, result);
+  return result;
+}
+
+void require_other(const toml::table& table, const JobTool& tool, const JobTool& before) {
+  const auto refuse = [&](const char* key, const std::string& what, const char* expected) {
+    throw model::InputError(place_of(table.get(key)->source()), "a second tool " + what, expected);
+  };
+  if (before.cutter.id == tool.cutter.id)
+    refuse("id", "\"" + tool.cutter.id + "\"", "ids that differ");
+  if (tool.number && before.number == tool.number)
+    refuse("number", "T" + std::to_string(*tool.number), "numbers that differ");
 }
 
 }  // namespace
 
-std::vector<model::Cutter> read_tools(const std::vector<const toml::table*>& tools,
-                                      JobContext& context) {
-  std::vector<model::Cutter> cutters;
+std::vector<JobTool> read_tools(const std::vector<const toml::table*>& tools, JobContext& context) {
+  std::vector<JobTool> all;
   for (const toml::table* table : tools) {
-    model::Cutter cutter = read_tool(*table, context);
-    for (const model::Cutter& other : cutters) {
-      if (other.id != cutter.id) continue;
-      throw model::InputError(place_of(table->get("id")->source()),
-                              "a second tool \"" + cutter.id + "\"", "ids that differ");
-    }
-    cutters.push_back(std::move(cutter));
+    JobTool tool = read_tool(*table, context);
+    for (const JobTool& before : all) require_other(*table, tool, before);
+    all.push_back(std::move(tool));
   }
-  return cutters;
+  return all;
 }
 
 }  // namespace limitgauge::app

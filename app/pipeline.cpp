@@ -49,6 +49,7 @@ reports::StageResult stage_as_asked(const JobStage& asked) {
   stage.tool = asked.cutter.id;
   stage.cutter = asked.cutter;
   stage.program = asked.program_as_stated;
+  stage.program_part = to_text(asked.part);
   stage.allowance_mm = asked.allowance_mm;
   stage.limits = asked.limits;
   if (!asked.plan) return stage;
@@ -82,6 +83,7 @@ class Bench {
   void let_go(reports::StageResult& stage);
   void measure(std::size_t index, reports::StageResult::Ran& ran);
   void finish_surface(reports::SurfaceResult& surface) const;
+  void add_assumed(std::vector<std::string>& said) const;
 
   const Job& job_;
   const RunInputs& inputs_;
@@ -117,6 +119,7 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   ran.sampling_intervals = std::move(planned.path.sampling_intervals);
   ran.path_memory_bytes = planned.path.memory_bytes;
   ran.ignored_words = std::move(planned.ignored_words);
+  ran.program_text = std::make_shared<const std::string>(std::move(planned.program));
   ran.path = std::make_shared<const model::Toolpath>(std::move(planned.path.path));
   const model::ToolpathLengths sums = lengths(*ran.path, job_.rapid_mm_min);
   ran.cut_length_mm = sums.cut_mm;
@@ -261,6 +264,15 @@ void Bench::finish_surface(reports::SurfaceResult& surface) const {
   surface.memory_bytes = figures->memory_bytes;
 }
 
+/// What the reader of programs took for granted; stages that share a program share it.
+void Bench::add_assumed(std::vector<std::string>& said) const {
+  for (const std::optional<ForeignPath>& program : inputs_.programs) {
+    if (!program) continue;
+    for (const std::string& assumed : program->assumed)
+      if (std::find(said.begin(), said.end(), assumed) == said.end()) said.push_back(assumed);
+  }
+}
+
 reports::SurfaceResult surface_as_read(const Job& job, const RunInputs& inputs) {
   reports::SurfaceResult surface;
   surface.cage = job.cage_as_stated;
@@ -294,6 +306,9 @@ reports::RunResult Bench::run() {
   result.raw_stock = job_.stock;
   result.surface = surface_as_read(job_, inputs_);
   result.assumptions = assumptions(job_, inputs_.settings);
+  add_assumed(result.assumptions);
+  result.program_frame = job_.program_frame;
+  result.machine = job_.machine;
   result.published = job_.published;
   for (const JobStage& asked : job_.stages) result.stages.push_back(stage_as_asked(asked));
   stock_.emplace(job_.stock, inputs_.settings.voxel_mm, inputs_.settings.memory_limit_bytes,

@@ -8,9 +8,8 @@
 #include "app/output_folder.h"
 #include "app/pipeline.h"
 #include "app/progress.h"
-#include "app/stock_file.h"
+#include "app/verify_job.h"
 #include "engine/model/error.h"
-#include "engine/model/text_file.h"
 #include "reports/report.h"
 
 namespace limitgauge::app {
@@ -99,82 +98,6 @@ ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
 
 std::filesystem::path or_default(const std::filesystem::path& stated, const std::string& name) {
   return stated.empty() ? std::filesystem::path("limitgauge-out") / name : stated;
-}
-
-/// The argument of an option as the file in its errors.
-template <class Parse>
-auto parse_option(const std::string& option, const std::string& text, const Parse& parse) {
-  try {
-    return parse(text);
-  } catch (const model::InputError& error) {
-    const int column = error.place().column;
-    throw UsageError(option + " " + text +
-                     (column > 0 ? " (column " + std::to_string(column) + ")" : std::string()) +
-                     ": " + error.what());
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(option + " " + text + ": " + error.what());
-  }
-}
-
-/// `box:...`, `mesh:FILE` or `vdb:FILE`.
-model::Stock stock_of(const std::string& text, std::vector<std::string>& assumptions) {
-  for (const std::string kind : {"mesh:", "vdb:"}) {
-    if (text.rfind(kind, 0) != 0) continue;
-    const std::string file = text.substr(kind.size());
-    StockFile loaded =
-        kind == "mesh:" ? load_mesh_stock(file, file, {}) : load_vdb_stock(file, file);
-    for (std::string& said : loaded.assumptions) assumptions.push_back(std::move(said));
-    return std::move(loaded.stock);
-  }
-  return parse_option("--stock", text, [](const std::string& spec) {
-    model::Stock stock = model::parse_stock(spec);
-    require_valid(stock);
-    return stock;
-  });
-}
-
-model::Cutter tool_of(const std::string& text) {
-  return parse_option("--tool", text, [](const std::string& spec) {
-    model::Cutter cutter = model::parse_cutter(spec);
-    require_valid(cutter);
-    if (cutter.id.empty()) cutter.id = spec;
-    return cutter;
-  });
-}
-
-/// A name for folders out of a file name: what is not plain becomes '_'.
-std::string plain_name(const std::filesystem::path& file) {
-  std::string name = file.stem().string();
-  for (char& c : name) {
-    if (!is_plain_name(std::string("a") + c)) c = '_';
-  }
-  return is_plain_name(name) ? name : "program";
-}
-
-JobFixture fixture_of(const std::filesystem::path& file) {
-  if (!model::is_file(file))
-    throw UsageError("--fixture " + file.string() + ": no such file; expected STL, OBJ or PLY");
-  return {file.filename().string(), file, file.string(), {}};
-}
-
-Job job_of(const VerifyCommand& command) {
-  Job job;
-  job.name = plain_name(command.program);
-  job.cage = command.cage;
-  job.cage_as_stated = command.cage.string();
-  job.stock = stock_of(command.stock, job.defaulted);
-  job.near_miss_mm = command.near_miss_mm;
-  for (const std::filesystem::path& file : command.fixtures)
-    job.fixtures.push_back(fixture_of(file));
-  JobStage stage;
-  stage.name = "program";
-  stage.cutter = tool_of(command.tool);
-  stage.program = command.program;
-  stage.program_as_stated = command.program.string();
-  stage.allowance_mm = command.allowance_mm;
-  stage.limits = command.limits;
-  job.stages.push_back(std::move(stage));
-  return job;
 }
 
 }  // namespace

@@ -1,13 +1,10 @@
 #include "app/run_inputs.h"
 
-#include <sstream>
 #include <stdexcept>
 
 #include "engine/model/cage_obj.h"
 #include "engine/model/error.h"
 #include "engine/model/mesh_reader.h"
-#include "engine/model/program.h"
-#include "engine/model/text_file.h"
 
 namespace limitgauge::app {
 namespace {
@@ -29,22 +26,6 @@ verifier::ReferenceSurface make_surface(const Job& job, const model::Cage& cage)
   }
 }
 
-ForeignPath load_program(const JobStage& stage, double resolution_mm) {
-  ForeignPath foreign;
-  foreign.text = model::read_text_file(stage.program);
-  std::istringstream in(foreign.text);
-  const model::Program program = model::read_program(in, stage.program.string());
-  foreign.path = model::to_toolpath(program, chord_error_mm(resolution_mm));
-  if (foreign.path.moves.empty()) {
-    throw model::InputError({stage.program.string(), 0, 0}, "the program moves nothing",
-                            "moves that name every axis once");
-  }
-  for (const model::IgnoredWord& word : program.ignored) {
-    foreign.ignored_words.push_back(std::to_string(word.line) + ": " + word.word);
-  }
-  return foreign;
-}
-
 model::Fixture load_fixture(const JobFixture& asked) {
   model::TriangleMesh mesh = model::read_triangle_mesh(asked.file);
   for (model::Vec3& vertex : mesh.vertices) vertex += asked.translate_mm;
@@ -64,17 +45,10 @@ RunInputs load_inputs(const Job& job) {
   model::Cage cage = load_cage(job);
   verifier::ReferenceSurface surface = make_surface(job, cage);
   Settings settings = choose_settings(job, surface.bounding_box());
-  RunInputs inputs{
-      std::move(cage), std::move(surface), std::move(settings), load_fixtures(job), {}};
-  for (std::size_t i = 0; i < job.stages.size(); ++i) {
-    const JobStage& stage = job.stages[i];
-    if (stage.plan) {
-      inputs.programs.emplace_back();
-    } else {
-      inputs.programs.emplace_back(load_program(stage, inputs.settings.resolution_mm[i]));
-    }
-  }
-  return inputs;
+  std::vector<model::Fixture> fixtures = load_fixtures(job);
+  auto programs = load_programs(job, settings, fixtures);
+  return {std::move(cage), std::move(surface), std::move(settings), std::move(fixtures),
+          std::move(programs)};
 }
 
 }  // namespace limitgauge::app

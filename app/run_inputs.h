@@ -4,20 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "app/job.h"
-#include "app/settings.h"
-#include "engine/model/fixture.h"
-#include "engine/model/toolpath.h"
+#include "app/foreign_programs.h"
 #include "verifier/reference_surface.h"
 
 namespace limitgauge::app {
-
-/// A program as a stage's path.
-struct ForeignPath {
-  model::Toolpath path;
-  std::vector<std::string> ignored_words;  ///< "line: word" that moves nothing
-  std::string text;                        ///< the program itself
-};
 
 /// Everything a job reads, read and checked before anything is computed or written.
 struct RunInputs {

@@ -36,6 +36,18 @@ std::string machining_time_words(const Job& job) {
          words(job.junction_deviation_mm) + " mm; tool changes and spindle starts take no time";
 }
 
+std::string point_words(const model::Vec3& p) {
+  return "(" + words(p.x) + ", " + words(p.y) + ", " + words(p.z) + ")";
+}
+
+std::string frame_words(const Job& job) {
+  if (job.program_frame == model::RigidPlacement())
+    return "cage, stock and programs share one frame in millimetres; no alignment is made";
+  return "cage and stock share one frame in millimetres; the zero of programs lies at " +
+         point_words(job.program_frame.translate_mm) + " in it, turned about Z by " +
+         words(job.program_frame.rotate_z_deg) + " degrees; no alignment is made";
+}
+
 void state_stage(const JobStage& stage, double resolution_mm, double floor_z_mm,
                  bool automatic_resolution, const Post& post, std::vector<std::string>& said) {
   const std::string head = "stage " + stage.name + ": ";
@@ -61,7 +73,8 @@ void state_stage(const JobStage& stage, double resolution_mm, double floor_z_mm,
   if (!stage.plan) {
     said.push_back(head + "arcs as chords within " + words(chord_error_mm(resolution_mm)) + " mm");
     said.push_back(head + "the tool is taken to be " + model::to_text(stage.cutter) +
-                   "; tool numbers and length offsets of the program are not acted on");
+                   (stage.tool_number ? ", T" + std::to_string(*stage.tool_number)
+                                      : std::string(", whatever number the program gives it")));
   }
 }
 
@@ -115,8 +128,9 @@ Settings choose_settings(const Job& job, const model::Box3& surface) {
 std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
   std::vector<std::string> said = {
       "rapids are straight moves of the tool tip; a machine's own rapid need not be straight",
-      "cage, stock and programs share one frame in millimetres; no alignment is made",
+      frame_words(job),
       machining_time_words(job),
+      "tool changes move nothing: each tool starts where the one before stood",
       "collisions: contacts shallower than " + words(settings.contact_tolerance_mm) + " mm" +
           (job.contact_tolerance_mm ? "" : " (one voxel)") + " count as none",
       job.travel_mm ? "travel limits: as the job states them, for the tool tip in the job's frame"

@@ -6,7 +6,7 @@
 #include "app/output_files.h"
 #include "engine/model/cl_data.h"
 #include "engine/model/error.h"
-#include "engine/model/program.h"
+#include "engine/model/program_path.h"
 
 namespace limitgauge::app {
 namespace {

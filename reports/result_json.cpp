@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "reports/process.h"
+#include "reports/program_lines.h"
 #include "reports/report.h"
 #include "reports/text.h"
 
@@ -335,13 +336,55 @@ Json cutter_part(const model::Cutter& c) {
           {"text", model::to_text(c)}};
 }
 
-Json stage_part(const RunResult& result, const StageResult& s) {
+/// What programs were told of the machine, and where their frame lies.
+Json programs_part(const RunResult& result) {
+  const model::MachineSetup& machine = result.machine;
+  Json offsets = Json::array(), tools = Json::array();
+  for (std::size_t i = 0; i < machine.work_offsets.size(); ++i) {
+    if (!machine.work_offsets[i]) continue;
+    const model::WorkOffset& offset = *machine.work_offsets[i];
+    offsets.push_back({{"name", model::work_offset_name(i)},
+                       {"origin_mm", point("work_offsets", offset.origin_mm)},
+                       {"rotate_z_deg", finite("work_offsets", offset.rotation_deg)}});
+  }
+  for (const model::ToolEntry& tool : machine.tools) {
+    Json entry = {{"number", tool.number}};
+    if (tool.length_mm) entry["length_mm"] = finite("tools.length_mm", *tool.length_mm);
+    if (tool.diameter_mm) entry["diameter_mm"] = finite("tools.diameter_mm", *tool.diameter_mm);
+    tools.push_back(std::move(entry));
+  }
+  Json out = {{"offset_mm", point("programs.offset_mm", result.program_frame.translate_mm)},
+              {"rotate_z_deg", finite("programs.rotate_z_deg", result.program_frame.rotate_z_deg)},
+              {"work_offsets", std::move(offsets)},
+              {"tools", std::move(tools)}};
+  if (machine.home_mm) out["home_mm"] = point("programs.home_mm", *machine.home_mm);
+  if (machine.second_home_mm)
+    out["second_home_mm"] = point("programs.second_home_mm", *machine.second_home_mm);
+  return out;
+}
+
+/// The text of the lines that findings name, of whatever stage found them.
+Json named_program_lines(const RunResult& result, std::size_t index) {
+  Json out = Json::array();
+  if (!result.stages[index].ran || !result.stages[index].ran->program_text) return out;
+  std::vector<std::uint32_t> wanted;
+  for (std::size_t stage = index; stage < result.stages.size(); ++stage)
+    for (const NamedLine& named : named_lines(result, stage, std::string::npos))
+      if (named.stage == index) wanted.push_back(named.line);
+  for (const ProgramLine& line : program_lines(*result.stages[index].ran->program_text, wanted, 0))
+    out.push_back({{"line", line.line}, {"text", line.text}});
+  return out;
+}
+
+Json stage_part(const RunResult& result, std::size_t index) {
+  const StageResult& s = result.stages[index];
   Json out = {{"name", clean_text(s.name)}, {"tool", clean_text(s.tool)}};
   out["cutter"] = cutter_part(s.cutter);
   if (s.program.empty()) {
     out["strategy"] = clean_text(s.strategy);
   } else {
     out["program"] = clean_text(s.program);
+    if (!s.program_part.empty()) out["program_part"] = clean_text(s.program_part);
   }
   out["allowance_mm"] = finite("stage.allowance_mm", s.allowance_mm);
   out["step_mm"] = finite("stage.step_mm", s.step_mm);
@@ -351,6 +394,7 @@ Json stage_part(const RunResult& result, const StageResult& s) {
   out["reasons"] = texts(s.decision.reasons);
   if (s.ran) {
     out["toolpath"] = toolpath_part(*s.ran);
+    out["program_lines"] = named_program_lines(result, index);
     out["simulation"] = simulation_part(*s.ran);
     out["deviation"] = deviation_part(result, s.ran->deviation);
   }
@@ -369,9 +413,10 @@ void write_result_json(const RunResult& result, std::ostream& out) {
                {"verdict", verifier::name(result.verdict)}};
   root["stock"] = stock_part(result.raw_stock);
   root["surface"] = surface_part(result.surface);
+  root["programs"] = programs_part(result);
   root["stages"] = Json::array();
-  for (const StageResult& stage : result.stages)
-    root["stages"].push_back(stage_part(result, stage));
+  for (std::size_t i = 0; i < result.stages.size(); ++i)
+    root["stages"].push_back(stage_part(result, i));
   root["assumptions"] = texts(result.assumptions);
   out << root.dump(1) << '\n';
 }

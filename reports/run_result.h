@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/model/cage.h"
+#include "engine/model/machine_setup.h"
+#include "engine/model/program_path.h"
 #include "engine/strategy/stage_path.h"
 #include "reports/published.h"
 #include "simulator/dexel_agreement.h"
@@ -53,6 +55,7 @@ struct StageResult {
   model::Cutter cutter;
   std::string strategy;  ///< empty when `program` names a file
   std::string program;
+  std::string program_part;  ///< "T2", "section 3", "from (FINISH)"; empty: the whole program
   double allowance_mm = 0, step_mm = 0, tolerance_mm = 0;
   verifier::GateLimits limits;
   verifier::GateDecision decision;
@@ -65,6 +68,7 @@ struct StageResult {
     double cut_length_mm = 0, rapid_length_mm = 0, machining_time_s = 0;
     double plan_seconds = 0;
     std::size_t path_memory_bytes = 0;
+    std::shared_ptr<const std::string> program_text;  ///< what stands in toolpath.ngc
     std::vector<std::string> ignored_words;  ///< "line: word" of auxiliaries in a foreign program
 
     double voxel_mm = 0, removed_volume_mm3 = 0, simulation_seconds = 0;
@@ -95,6 +99,8 @@ struct RunResult {
   verifier::Verdict verdict = verifier::Verdict::not_run;
   model::Stock raw_stock;
   SurfaceResult surface;
+  model::RigidPlacement program_frame;  ///< programs' work frame in the cage's
+  model::MachineSetup machine;          ///< what programs were told of the machine
   std::vector<StageResult> stages;
   std::vector<std::string>
       assumptions;  ///< stated in the report: straight rapids, start unknown, ...

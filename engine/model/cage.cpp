@@ -11,17 +11,6 @@
 namespace limitgauge::model {
 namespace {
 
-/// Cosine and sine, exact at quarter turns where std::cos would leave 6e-17.
-std::array<double, 2> direction(double angle_deg) {
-  const double reduced = std::remainder(angle_deg, 360.0);
-  if (reduced == 0) return {1, 0};
-  if (reduced == 90) return {0, 1};
-  if (reduced == -90) return {0, -1};
-  if (std::abs(reduced) == 180) return {-1, 0};
-  const double angle = radians(reduced);
-  return {std::cos(angle), std::sin(angle)};
-}
-
 /// Figures of the neighbourhood of every vertex.
 struct VertexStar {
   Index edges = 0, faces = 0;

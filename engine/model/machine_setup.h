@@ -32,6 +32,8 @@ struct MachineSetup {
   std::array<std::optional<WorkOffset>, kWorkOffsets> work_offsets;
   std::optional<Vec3> home_mm, second_home_mm;  ///< G28 and G30, machine coordinates
   std::vector<ToolEntry> tools;
+  /// What every T loads, whatever its number; only where `tools` is empty.
+  std::optional<ToolEntry> only_tool;
   /// The tool in the spindle before the first tool change; empty: none, or the only one in `tools`.
   std::optional<int> loaded_tool;
   /// As LinuxCNC with an empty parameter file: offsets and reference points not stated lie at the

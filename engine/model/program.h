@@ -99,14 +99,6 @@ Program read_program(const std::filesystem::path& path, const MachineSetup& mach
 Program read_program(std::istream& in, const std::string& name_in_errors,
                      const MachineSetup& machine = {});
 
-/// Straight moves for `program`, arcs as chords of at most a quarter turn whose ends lie on the arc
-/// and which stay within `chord_error_mm` of it; the largest error made is recorded in the result.
-/// An arc that ends within 1e-6 radians beyond its start is a full turn.
-/// Motions before every axis is known give no move: the path starts where the position is known.
-/// Throws std::invalid_argument unless 0 < chord_error_mm < infinity, ResourceError for more than
-/// 400 million moves.
-Toolpath to_toolpath(const Program& program, double chord_error_mm);
-
 /// How a toolpath is written as a program.
 struct WriterOptions {
   std::string program_name = {};

@@ -1,11 +1,13 @@
+#include "engine/model/program_path.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "engine/model/angle.h"
 #include "engine/model/error.h"
-#include "engine/model/program.h"
 #include "engine/model/words.h"
 
 namespace limitgauge::model {
@@ -86,41 +88,123 @@ Vec3 point_at(const Sweep& sweep, const Motion& arc, double fraction) {
   return point;
 }
 
-void add_move(const Motion& motion, const Vec3& to, Toolpath& path) {
-  const bool rapid = motion.kind == MotionKind::rapid;
-  path.moves.emplace_back(to, rapid ? 0.0F : motion.feed_mm_min, motion.line,
-                          rapid ? MoveKind::rapid : MoveKind::feed);
-  path.moves.back().spindle_stopped = motion.spindle_stopped;
+/// Lays the motions of a program into the part's frame, one after the other.
+class PathMaker {
+ public:
+  PathMaker(const PathOptions& options, std::size_t motions)
+      : options_(options), as_it_is_(options.machine_in_part == RigidPlacement()) {
+    path_.moves.reserve(motions);
+  }
+
+  void begin_at(const Motion& motion);
+  void add(const Motion& motion);
+  Toolpath take() { return std::move(path_); }
+
+ private:
+  Vec3 placed(const Vec3& machine_mm) const {
+    return as_it_is_ ? machine_mm : options_.machine_in_part(machine_mm);
+  }
+  Vec3 at_park_height(const Vec3& machine_mm) const {
+    const Vec3 p = placed(machine_mm);
+    return {p.x, p.y, options_.park_z_mm};
+  }
+  void add_move(const Motion& motion, const Vec3& part_mm, bool rapid);
+  void add_arc(const Motion& arc);
+  void park(const Motion& motion);
+
+  const PathOptions& options_;
+  bool as_it_is_;
+  Toolpath path_;
+  Vec3 at_mm_;  ///< machine frame
+  bool started_ = false, parked_ = false;
+};
+
+void PathMaker::begin_at(const Motion& motion) {
+  at_mm_ = motion.to;
+  parked_ = motion.parked;
+  started_ = motion.position_known;
+  if (started_) path_.start = parked_ ? at_park_height(at_mm_) : placed(at_mm_);
 }
 
-void add_arc(const Motion& arc, const Vec3& start, double limit_mm, Toolpath& path) {
-  const Sweep sweep = sweep_of(arc, start);
-  const double chords = chords_within(sweep, limit_mm);
+void PathMaker::add_move(const Motion& motion, const Vec3& part_mm, bool rapid) {
+  path_.moves.emplace_back(part_mm, rapid ? 0.0F : motion.feed_mm_min, motion.line,
+                           rapid ? MoveKind::rapid : MoveKind::feed);
+  path_.moves.back().spindle_stopped = motion.spindle_stopped;
+}
+
+void PathMaker::add_arc(const Motion& arc) {
+  const Sweep sweep = sweep_of(arc, at_mm_);
+  const double chords = chords_within(sweep, options_.chord_error_mm);
   const auto count = static_cast<std::size_t>(chords);
-  if (static_cast<double>(path.moves.size()) + chords > kMostChords)
+  if (static_cast<double>(path_.moves.size()) + chords > kMostChords)
     throw ResourceError("the program needs more than 400 million moves at this chord error");
-  path.chord_error_mm = std::max(path.chord_error_mm, chord_error_mm(sweep, chords));
+  path_.chord_error_mm = std::max(path_.chord_error_mm, chord_error_mm(sweep, chords));
   for (std::size_t i = 1; i < count; ++i)
-    add_move(arc, point_at(sweep, arc, static_cast<double>(i) / chords), path);
-  add_move(arc, arc.to, path);
+    add_move(arc, placed(point_at(sweep, arc, static_cast<double>(i) / chords)), false);
+  add_move(arc, placed(arc.to), false);
+}
+
+/// Up first, then across: what the tool meets on its way to a place that nobody states must not
+/// depend on that place.
+void PathMaker::park(const Motion& motion) {
+  if (!parked_) add_move(motion, at_park_height(at_mm_), true);
+  if (motion.to.x != at_mm_.x || motion.to.y != at_mm_.y)
+    add_move(motion, at_park_height(motion.to), true);
+}
+
+void PathMaker::add(const Motion& motion) {
+  if (!started_) return begin_at(motion);
+  if (motion.parked) {
+    park(motion);
+  } else if (motion.kind == MotionKind::arc && !parked_) {
+    add_arc(motion);
+  } else {
+    add_move(motion, placed(motion.to), motion.kind == MotionKind::rapid);
+  }
+  at_mm_ = motion.to;
+  parked_ = motion.parked;
 }
 
 }  // namespace
 
-Toolpath to_toolpath(const Program& program, double chord_error_mm) {
-  if (!(std::isfinite(chord_error_mm) && chord_error_mm > 0))
+Vec3 RigidPlacement::operator()(const Vec3& p) const {
+  const auto [c, s] = direction(rotate_z_deg);
+  return Vec3{c * p.x - s * p.y, s * p.x + c * p.y, p.z} + translate_mm;
+}
+
+RigidPlacement machine_in_part(const RigidPlacement& program_frame, const WorkOffset& g54) {
+  RigidPlacement placement{program_frame.rotate_z_deg - g54.rotation_deg, {}};
+  placement.translate_mm = program_frame.translate_mm - placement(g54.origin_mm);
+  return placement;
+}
+
+Toolpath to_toolpath(const Program& program, const PathOptions& options) {
+  if (!(std::isfinite(options.chord_error_mm) && options.chord_error_mm > 0))
     throw std::invalid_argument("chord error must be greater than 0");
-  Toolpath path;
-  path.moves.reserve(program.motions.size());
-  bool started = false;
-  Vec3 at;
-  for (const Motion& motion : program.motions) {
-    if (started && motion.kind == MotionKind::arc) add_arc(motion, at, chord_error_mm, path);
-    if (started && motion.kind != MotionKind::arc) add_move(motion, motion.to, path);
-    at = motion.to;
-    if (!started && motion.position_known) path.start = at, started = true;
+  const std::size_t last = std::min(options.last, program.motions.size());
+  const std::size_t first = std::min(options.first, last);
+  PathMaker maker(options, last - first);
+  if (first > 0) {
+    Motion before = program.motions[first - 1];
+    before.to.z += options.start_shift_z_mm;
+    maker.begin_at(before);
   }
-  return path;
+  for (std::size_t i = first; i < last; ++i) maker.add(program.motions[i]);
+  return maker.take();
+}
+
+Toolpath to_toolpath(const Program& program, double chord_error_mm) {
+  PathOptions options;
+  options.chord_error_mm = chord_error_mm;
+  return to_toolpath(program, options);
+}
+
+double highest_z_mm(const Program& program, const RigidPlacement& machine_in_part) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Motion& motion : program.motions)
+    if (motion.position_known)
+      highest = std::max(highest, motion.to.z + machine_in_part.translate_mm.z);
+  return highest;
 }
 
 std::string to_text(const Motion& motion) {

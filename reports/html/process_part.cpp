@@ -4,6 +4,7 @@
 
 #include "reports/html/markup.h"
 #include "reports/process.h"
+#include "reports/program_lines.h"
 #include "reports/text.h"
 
 namespace limitgauge::reports::html {
@@ -22,33 +23,32 @@ std::string depth_text(const simulator::Finding& f) {
   return f.depth_mm > 0 ? "≥ " + measured_length(f.depth_mm) : "–";
 }
 
-std::vector<std::string> row(const simulator::FindingGroup& group) {
+std::vector<std::string> row(std::size_t index, const simulator::FindingGroup& group) {
   const simulator::Finding& worst = group.worst;
   std::string what = words_for(group.kind);
   if (!fails(group.kind)) what += " (does not fail the stage)";
-  return {lines_text(group),          what,
-          escape_markup(group.part),  escape_markup(group.against),
-          depth_text(worst),          coordinates(worst.point),
-          std::to_string(worst.line), grouped(group.count)};
-}
-
-/// Faults first, each by depth.
-bool worse(const simulator::FindingGroup& a, const simulator::FindingGroup& b) {
-  if (fails(a.kind) != fails(b.kind)) return fails(a.kind);
-  return a.worst.depth_mm > b.worst.depth_mm;
+  return {"P" + std::to_string(index + 1),
+          lines_text(group),
+          what,
+          escape_markup(group.part),
+          escape_markup(group.against),
+          depth_text(worst),
+          coordinates(worst.point),
+          std::to_string(worst.line),
+          grouped(group.count)};
 }
 
 }  // namespace
 
 std::string process_table(std::span<const simulator::Finding> findings) {
   if (findings.empty()) return "<p class=\"note\">The process has no fault and no near miss.</p>\n";
-  std::vector<simulator::FindingGroup> groups = simulator::group_findings(findings);
-  std::stable_sort(groups.begin(), groups.end(), worse);
+  const std::vector<simulator::FindingGroup> groups = worst_first(findings);
   std::vector<std::vector<std::string>> rows;
-  for (const simulator::FindingGroup& group : groups)
-    if (rows.size() < kLongestList) rows.push_back(row(group));
+  for (std::size_t i = 0; i < std::min(groups.size(), kLongestList); ++i)
+    rows.push_back(row(i, groups[i]));
   std::string out = table("Process findings; the stock is judged as it stood at that move.",
-                          {{"Lines", true},
+                          {{"No."},
+                           {"Lines", true},
                            {"What"},
                            {"Part"},
                            {"Against"},

@@ -10,6 +10,7 @@
 #include "reports/html/error_map.h"
 #include "reports/html/markup.h"
 #include "reports/html/process_part.h"
+#include "reports/html/program_part.h"
 #include "reports/text.h"
 
 namespace limitgauge::reports::html {
@@ -195,7 +196,8 @@ std::string ignored_words(const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < std::min(words.size(), kLongestList); ++i)
     list += (i ? ", " : "") + escape_markup(words[i]);
   return fmt::format(
-      "<p class=\"note\">Words that move nothing; of these only the spindle's are heeded (line: word): "
+      "<p class=\"note\">Words that move nothing; of these only the spindle's are heeded (line: "
+      "word): "
       "{}{}.</p>\n",
       list, words.size() > kLongestList ? " …" : "");
 }
@@ -208,7 +210,8 @@ std::string stock_figure(const std::optional<StagePictures>& pictures) {
       png_uri(pictures->stock_png));
 }
 
-std::string measured_part(const RunResult& result, const StageResult& stage) {
+std::string measured_part(const RunResult& result, std::size_t index) {
+  const StageResult& stage = result.stages[index];
   const StageResult::Ran& ran = *stage.ran;
   const verifier::StageDeviation& d = ran.deviation;
   std::string out = gate_table(stage) + "<div class=\"plates\">";
@@ -218,6 +221,7 @@ std::string measured_part(const RunResult& result, const StageResult& stage) {
   out += findings_table(result, d.uncuts, "Material left standing, highest first", 'U');
   out += bodies_table(result, d);
   out += process_table(ran.process);
+  out += program_part(result, index);
   out += "<div class=\"figures\"><div>" + deviation_terms(d) + "</div><div>" + path_terms(ran) +
          simulation_terms(ran) + removal_terms(ran) + "</div></div>\n";
   return out + ignored_words(ran.ignored_words) + budget_table(d.budget);
@@ -243,8 +247,10 @@ std::string stage_anchor(std::size_t index) {
 }
 
 std::string path_source(const StageResult& stage) {
-  return stage.program.empty() ? escape_markup(stage.strategy)
-                               : "program " + escape_markup(stage.program);
+  return stage.program.empty()
+             ? escape_markup(stage.strategy)
+             : "program " + escape_markup(stage.program) +
+                   (stage.program_part.empty() ? "" : ", ") + escape_markup(stage.program_part);
 }
 
 std::string cutter_text(const model::Cutter& cutter) {
@@ -262,7 +268,7 @@ std::string stage_section(const RunResult& result, std::size_t index) {
       "<section class=\"stage\" id=\"{}\"><h2><span class=\"no\">Stage {}</span> {} "
       "{}</h2>\n<p class=\"request\">{}</p>\n{}\n{}</section>\n",
       stage_anchor(index), index + 1, escape_markup(stage.name), badge(verdict),
-      request_line(stage), reasons, stage.ran ? measured_part(result, stage) : std::string());
+      request_line(stage), reasons, stage.ran ? measured_part(result, index) : std::string());
 }
 
 }  // namespace limitgauge::reports::html

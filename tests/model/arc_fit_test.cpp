@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "engine/model/fixed_number.h"
+#include "engine/model/program_path.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "engine/model/gcode/arc.h"
-#include "engine/model/program.h"
+#include "engine/model/program_path.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "engine/model/error.h"
-#include "engine/model/program.h"
+#include "engine/model/program_path.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;
@@ -127,4 +127,56 @@ TEST_CASE("an arc whose radii differ becomes a spiral within the tolerance", "[u
     // The spiral's radius at that angle; the spiral's slope moves the foot by less than 1e-6.
     CHECK(std::abs(std::hypot(middle.x, middle.y) - spiral_mm) <= path.chord_error_mm + 1e-6);
   }
+}
+
+TEST_CASE("a program laid into the part's frame", "[unit][program]") {
+  std::istringstream in("G0 X0 Y0 Z5\nG1 X10 F100\nG3 X10 Y4 J2\n");
+  const Program program = read_program(in, "text.ngc");
+  // The work frame's zero lies at (100, 50, 7) on the machine and at (1, 2, 3) in the part, turned
+  // by a quarter: X runs along the part's Y.
+  PathOptions options;
+  options.machine_in_part = machine_in_part({90, {1, 2, 3}}, {{0, 0, 0}, 0});
+  const Toolpath path = to_toolpath(program, options);
+  CHECK(path.start == Vec3{1, 2, 8});
+  CHECK(path.moves.front().to == Vec3{1, 12, 8});
+  CHECK(path.moves.back().to == Vec3{-3, 12, 8});
+  // Every chord's end lies on the turned circle.
+  for (std::size_t i = 1; i < path.moves.size(); ++i)
+    CHECK(distance(path.moves[i].to, {-1, 12, 8}) == Approx(2).epsilon(1e-12));
+  CHECK(machine_in_part({90, {1, 2, 3}}, {{100, 50, 7}, 0})({100, 50, 7}) == Vec3{1, 2, 3});
+  CHECK(machine_in_part({0, {}}, {{100, 50, 7}, 90})({90, 50, 7}) == Vec3{0, 10, 0});
+  CHECK(highest_z_mm(program, options.machine_in_part) == 8);
+}
+
+TEST_CASE("part of a program starts where the part before it ended", "[unit][program]") {
+  std::istringstream in("G0 X0 Y0 Z5\nG1 X10 F100\nX20\nX30\n");
+  const Program program = read_program(in, "text.ngc");
+  PathOptions options;
+  options.first = 2, options.last = 3;
+  const Toolpath path = to_toolpath(program, options);
+  CHECK(path.start == Vec3{10, 0, 5});
+  REQUIRE(path.moves.size() == 1);
+  CHECK(path.moves[0].to == Vec3{20, 0, 5});
+}
+
+TEST_CASE("a tool that parks goes up, across and down again", "[unit][program]") {
+  const auto at = [](double x, double y, double z, bool parked) {
+    Motion motion;
+    motion.to = {x, y, z};
+    motion.parked = parked;
+    return motion;
+  };
+  Program program;
+  program.motions = {at(1, 2, 5, false), at(1, 2, 5, true), at(8, 9, 5, true), at(8, 9, 3, false)};
+  PathOptions options;
+  options.park_z_mm = 50;
+  const Toolpath path = to_toolpath(program, options);
+  CHECK(path.start == Vec3{1, 2, 5});
+  REQUIRE(path.moves.size() == 3);
+  CHECK(path.moves[0].to == Vec3{1, 2, 50});
+  CHECK(path.moves[1].to == Vec3{8, 9, 50});
+  CHECK(path.moves[2].to == Vec3{8, 9, 3});
+  CHECK(path.moves[0].kind == MoveKind::rapid);
+  options.first = 2;
+  CHECK(to_toolpath(program, options).start == Vec3{1, 2, 50});
 }

@@ -3,12 +3,10 @@
 #include <sstream>
 
 #include "engine/model/error.h"
-#include "engine/model/program.h"
-#include "tests/model/fixture_files.h"
+#include "engine/model/program_path.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;
-using namespace limitgauge::model::test;
 
 namespace {
 
@@ -23,53 +21,7 @@ std::string moves_text(const Program& program) {
   return text;
 }
 
-std::string ignored_text(const Program& program) {
-  std::string text;
-  for (const IgnoredWord& ignored : program.ignored)
-    text.append(std::to_string(ignored.line)).append(" ").append(ignored.word).append("\n");
-  return text;
-}
-
-/// With its numbers rounded to 1e-9 mm: the files beside the programs hold decimals worked out by
-/// hand, sums of inches and turned points are off them by some 1e-14.
-std::string rounded(const std::string& text) {
-  std::istringstream lines(text);
-  std::ostringstream result;
-  result.setf(std::ios::fixed);
-  result.precision(9);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string number, kind;
-    words >> number >> kind;
-    result << number << " " << kind;
-    for (double value = 0; words >> value;) result << " " << (std::abs(value) < 5e-10 ? 0 : value);
-    result << "\n";
-  }
-  return result.str();
-}
-
 }  // namespace
-
-TEST_CASE("every good program gives its canonical moves", "[unit][program]") {
-  const auto files = fixture_files("programs/good", ".ngc");
-  REQUIRE(files.size() >= 14);
-  for (const std::filesystem::path& path : files) {
-    CAPTURE(path);
-    const Program program = read_program(path);
-    CHECK(program.name == path.stem());
-    CHECK(rounded(moves_text(program)) == rounded(text_beside(path, ".moves")));
-    CHECK(ignored_text(program) == text_beside(path, ".ignored"));
-  }
-}
-
-TEST_CASE("every bad program gets its one error", "[unit][program]") {
-  const auto files = fixture_files("programs/bad", ".ngc");
-  REQUIRE(files.size() >= 80);
-  for (const std::filesystem::path& path : files) {
-    const std::string error = message_of<InputError>([&] { read_program(path); });
-    CHECK(error + "\n" == path.string() + ":" + text_beside(path, ".error"));
-  }
-}
 
 TEST_CASE("a position is known once every axis was programmed in G90", "[unit][program]") {
   const Program program = read("G0 Z5\nX0\nG91 Y1\nG90 X1 Y2\n");

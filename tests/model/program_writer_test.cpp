@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "engine/model/error.h"
-#include "engine/model/program.h"
+#include "engine/model/program_path.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

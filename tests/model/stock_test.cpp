@@ -65,7 +65,8 @@ TEST_CASE("stock of no or unbounded size is refused", "[unit][stock]") {
   CHECK_THROWS_AS(require_valid(CylinderStock{{0, 0, 0}, -1, 1}), std::invalid_argument);
   CHECK_THROWS_AS(require_valid(CylinderStock{{0, 0, 0}, 1, inf}), std::invalid_argument);
   CHECK_THROWS_AS(require_valid(MeshStock{}), std::invalid_argument);
-  auto mesh = std::make_shared<TriangleMesh>(limitgauge::tests::block_between({0, 0, 0}, {1, 2, 3}));
+  auto mesh =
+      std::make_shared<TriangleMesh>(limitgauge::tests::block_between({0, 0, 0}, {1, 2, 3}));
   CHECK_NOTHROW(require_valid(MeshStock{mesh, "a.stl", 0}));
   CHECK(bounding_box(MeshStock{mesh, "a.stl", 0}).high == Vec3{1, 2, 3});
   CHECK_THROWS_AS(require_valid(MeshStock{mesh, "a.stl", -1}), std::invalid_argument);

@@ -165,7 +165,7 @@ TEST_CASE("the same result gives the same bytes, in the contract's order", "[uni
   CHECK(text == text_of(sample_result(Outcome::indeterminate)));
   CHECK(keys_of(Json::parse(text)) ==
         std::vector<std::string>{"schema", "job", "version", "created", "threads", "verdict",
-                                 "stock", "surface", "stages", "assumptions"});
+                                 "stock", "surface", "programs", "stages", "assumptions"});
 }
 
 TEST_CASE("names from files stay text", "[unit][json]") {

@@ -164,6 +164,14 @@ std::shared_ptr<const model::Toolpath> zigzag(double step) {
   return path;
 }
 
+/// Something that stands on the lines that the moves name.
+std::string program_text(const model::Toolpath& path) {
+  std::string text(9, '\n');
+  for (const model::Move& move : path.moves)
+    text += "G1 X" + std::to_string(move.to.x) + " Y" + std::to_string(move.to.y) + "\n";
+  return text;
+}
+
 struct StageForm {
   const char* name;
   const char* tool;
@@ -194,6 +202,7 @@ StageResult make_stage(const StageForm& form, std::size_t index, int n) {
   ran.voxel_mm = 0.1, ran.removed_volume_mm3 = 104'511.25, ran.simulation_seconds = 6.2;
   ran.peak_memory_bytes = 812'000'000;
   ran.removal.totals = {104'498.5, 15'360, 17, 2.5, 6.25, 812.5, 40.6, 0.1};
+  ran.program_text = std::make_shared<const std::string>(program_text(*ran.path));
   ran.deviation = measured(form.shape, form.limits, form.interval_mm, index, n);
   stage.ran = std::move(ran);
   stage.decision = {verifier::Verdict::pass,
@@ -250,6 +259,10 @@ RunResult sample_result(Outcome outcome, int samples_per_edge) {
   r.assumptions = {"rapid moves are straight lines at 5000 mm/min",
                    "machining time takes no acceleration into account"};
   set_surface(r.surface);
+  r.program_frame = {90, {1, 2, 3}};
+  r.machine.home_mm = {0, 0, 150};
+  r.machine.work_offsets[6] = model::WorkOffset{{4, 5, 6}, 30};
+  r.machine.tools = {{3, 80.5, 6.0}, {4, {}, {}}};
   using enum model::CutterType;
   const Shape dent{0.011, 0.25, {-12, 9, 0}, failed ? 0.0631 : 0.004, 2.5};
   r.stages = {make_stage({"rough",

@@ -100,4 +100,8 @@ void list_auxiliaries(const Statement& statement, Program& program, std::size_t 
   for (const Word& word : block.words) list_word(statement, word, program);
 }
 
+void list_unused_feed(const Statement& statement, Program& program) {
+  if (const Word* f = statement.word('F')) add_ignored(program, statement.line(), plain(*f));
+}
+
 }  // namespace limitgauge::model::gcode

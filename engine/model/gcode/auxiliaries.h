@@ -11,4 +11,7 @@ namespace limitgauge::model::gcode {
 /// `motions` is the number of motions before the block.
 void list_auxiliaries(const Statement& statement, Program& program, std::size_t motions);
 
+/// Lists an F word that nothing takes: under G93 beside no feed motion.
+void list_unused_feed(const Statement& statement, Program& program);
+
 }  // namespace limitgauge::model::gcode

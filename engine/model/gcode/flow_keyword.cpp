@@ -25,6 +25,14 @@ std::optional<FlowKeyword> flow_keyword(std::string_view lower_case) {
   return static_cast<FlowKeyword>(found - kTexts.begin());
 }
 
+std::size_t keyword_length(std::string_view lower_case) {
+  std::size_t longest = 0;
+  for (const std::string_view text : kTexts) {
+    if (lower_case.starts_with(text)) longest = std::max(longest, text.size());
+  }
+  return longest;
+}
+
 FlowKeyword keyword_of(const Block& block, const Lexer& lexer) {
   const OWord& o_word = *block.o_word;
   const std::optional<FlowKeyword> keyword = flow_keyword(o_word.keyword);

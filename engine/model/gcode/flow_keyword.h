@@ -31,6 +31,8 @@ enum class FlowKeyword : std::uint8_t {
 
 /// Nothing for a keyword that RS274/NGC does not have.
 std::optional<FlowKeyword> flow_keyword(std::string_view lower_case);
+/// The length of the longest keyword that `lower_case` begins with; 0: none.
+std::size_t keyword_length(std::string_view lower_case);
 /// The keyword of an O line; throws InputError for one that RS274/NGC does not have.
 FlowKeyword keyword_of(const Block& block, const Lexer& lexer);
 std::string_view to_text(FlowKeyword keyword);

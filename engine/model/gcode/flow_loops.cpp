@@ -55,7 +55,7 @@ void Flow::begin_while(const Block& block) {
   }
   if (holds) return;
   const FlowSpan& span = *frames_.back().span;
-  // LinuxCNC goes over the body to its end, but not over the loop's own breaks.
+  // On its way to the end of the body LinuxCNC carries out the breaks of this loop.
   if (span.last_break != 0) break_line_ = span.last_break;
   continue_line_.reset();
   lexer_.go_to(span.behind);
@@ -105,7 +105,10 @@ void Flow::begin_repeat(const Block& block) {
          "'" + o_text(*block.o_word, FlowKeyword::repeat) +
              "' again before it has come to its end: LinuxCNC would go on with the old count",
          "a while loop");
-  if (!(turns > 0)) return finish_repeat(block, *frame.span);
+  if (!(turns > 0)) {
+    continue_line_.reset();
+    return lexer_.go_to(frame.span->behind);
+  }
   frame.span->is_counting = true;
   push(block, block.o_word->column, frame);
 }

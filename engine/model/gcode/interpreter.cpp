@@ -58,6 +58,8 @@ bool Interpreter::execute(const Statement& statement) {
   check_word_use(statement, motion);
   set_spindle_mode(statement);
   set_feed(statement, state_);
+  if (state_.modal.feed_mode == FeedMode::inverse_time && motion.value_or(0) == 0)
+    list_unused_feed(statement, program_);
   set_speed(statement);
   select_tool(statement, state_);
   carry_out_m(statement);

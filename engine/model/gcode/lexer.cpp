@@ -15,9 +15,6 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// RS274/NGC has no use for more; a file that is one long line must not fill the memory.
 constexpr std::size_t kMostItems = 100;
 
-/// LinuxCNC's lines have 254 at most. A line may be carried out many times, and each must be quick.
-constexpr std::size_t kMostLineBytes = 10'000;
-
 }  // namespace
 
 Lexer::Lexer(std::string_view text, std::string name, const Parameters& parameters)
@@ -61,8 +58,6 @@ bool Lexer::take_line() {
   const std::size_t end = std::min(text_.find('\n', next_.at), text_.size());
   cursor_ = {text_.substr(next_.at, end - next_.at), 0};
   next_ = {end + 1, next_.line + 1};
-  if (cursor_.line.size() > kMostLineBytes)
-    fail(kMostLineBytes, "a line of more than 10000 bytes", "a line that ends sooner");
   skip_blanks();
   return true;
 }
@@ -98,6 +93,8 @@ bool Lexer::next(Block& block) {
 }
 
 void Lexer::read_line(Block& block) {
+  if (cursor_.line.size() > kMostLineBytes)
+    fail(kMostLineBytes, "a line of more than 10000 bytes", "a line that ends sooner");
   if (!at_end() && here() == '/') {
     block.block_delete = true;
     ++cursor_.at;

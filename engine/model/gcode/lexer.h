@@ -79,8 +79,8 @@ class Lexer {
   /// the caller's to carry out. The values of an O line are not calculated.
   bool next(Block& block);
   /// Goes over lines to the next that begins with an O word, behind `/` and a line number at most;
-  /// false at the end of the text or program. Of the lines between, nothing is read; lines whose
-  /// O word is calculated are calls, and gone over too.
+  /// false at the end of the text or program. The lines between are not read and need not be right;
+  /// an O without a label or keyword is one of them, and so is a calculated O word, a call.
   bool skip_to_o_word(Block& block);
   /// The values behind the keyword of the O line that was read last; errors for anything else
   /// there, save comments.
@@ -103,6 +103,10 @@ class Lexer {
                             const std::string& expected) const;
 
  private:
+  /// LinuxCNC's lines have 254 at most. A line may be carried out many times, and each must be
+  /// quick.
+  static constexpr std::size_t kMostLineBytes = 10'000;
+
   enum class Percent : std::uint8_t { none, opening, closing };
 
   bool take_line();

@@ -1,5 +1,6 @@
 // The lexer's part for lines that begin with an O word.
 #include "engine/model/gcode/characters.h"
+#include "engine/model/gcode/flow_keyword.h"
 #include "engine/model/gcode/lexer.h"
 
 namespace limitgauge::model::gcode {
@@ -8,8 +9,33 @@ namespace {
 /// As LinuxCNC's int holds.
 constexpr std::size_t kMostDigits = 9;
 
-/// LinuxCNC takes 30; each more would be work without end for a file of one line.
-constexpr std::size_t kMostArguments = 30;
+/// LinuxCNC takes 30 for a call.
+constexpr std::size_t kMostArguments = 100;
+
+constexpr std::size_t kNone = std::string_view::npos;
+constexpr std::string_view kBlanks = " \t\r";
+
+std::size_t end_of_name(std::string_view line, std::size_t begin) {
+  const std::size_t end = line.find_first_of(">(;<", begin);
+  const bool empty = line.find_first_not_of(kBlanks, begin) == end;
+  return end == kNone || empty || line[end] != '>' ? kNone : end + 1;
+}
+
+std::size_t end_of_number(std::string_view line, std::size_t begin) {
+  std::size_t at = begin, digits = 0;
+  for (; at < line.size() && (is_digit(line[at]) || is_blank(line[at])); ++at) {
+    if (is_digit(line[at]) && (digits > 0 || line[at] != '0')) ++digits;
+  }
+  const bool any = line.find_first_not_of(kBlanks, begin) < at;
+  return any && digits <= kMostDigits ? at : kNone;
+}
+
+/// Behind the name or number that stands at `at`; kNone where there is neither.
+std::size_t end_of_label(std::string_view line, std::size_t at) {
+  const std::size_t begin = line.find_first_not_of(kBlanks, at);
+  if (begin == kNone) return kNone;
+  return line[begin] == '<' ? end_of_name(line, begin + 1) : end_of_number(line, begin);
+}
 
 }  // namespace
 
@@ -30,9 +56,10 @@ bool Lexer::skip_to_o_word(Block& block) {
   return false;
 }
 
-/// To an O word behind `/` and a line number, unless its number is calculated: that is a call, and
-/// its parameters may not be set yet.
+/// To an O word behind `/` and a line number whose label and keyword can be read. A calculated
+/// number is that of a call, whose parameters may not be set yet.
 bool Lexer::skip_to_o() {
+  if (cursor_.line.size() > kMostLineBytes) return false;
   if (!at_end() && here() == '/') ++cursor_.at;
   skip_blanks();
   if (!at_end() && upper(here()) == 'N') {
@@ -40,9 +67,11 @@ bool Lexer::skip_to_o() {
     while (!at_end() && (is_digit(here()) || here() == '.' || is_blank(here()))) ++cursor_.at;
   }
   if (at_end() || upper(here()) != 'O') return false;
-  const std::size_t label = cursor_.line.find_first_not_of(" \t\r", cursor_.at + 1);
-  return label == std::string_view::npos ||
-         (cursor_.line[label] != '#' && cursor_.line[label] != '[');
+  const std::size_t end = end_of_label(cursor_.line, cursor_.at + 1);
+  const std::size_t keyword = end == kNone ? kNone : cursor_.line.find_first_not_of(kBlanks, end);
+  if (keyword == kNone) return end != kNone;
+  const char c = cursor_.line[keyword];
+  return is_letter(c) || c == '(' || c == ';';
 }
 
 void Lexer::read_o_word(Block& block) {
@@ -76,20 +105,22 @@ void Lexer::read_label(OWord& o_word) {
   }
 }
 
+/// The keyword that the letters begin with, as LinuxCNC finds it; all letters where there is none.
 void Lexer::read_keyword(OWord& o_word) {
-  constexpr std::size_t kMostLetters = 20;
   skip_blanks();
-  o_word.keyword_column = column_of(cursor_.at);
+  const std::size_t begin = cursor_.at;
+  o_word.keyword_column = column_of(begin);
   for (; !at_end() && (is_letter(here()) || is_blank(here())); ++cursor_.at) {
-    if (is_blank(here())) continue;
-    if (o_word.keyword.size() == kMostLetters)
-      fail(o_word.keyword_column - 1, "an O word with too long a keyword", "sub, call, while, ...");
-    o_word.keyword += lower(here());
+    if (is_letter(here())) o_word.keyword += lower(here());
+  }
+  if (const std::size_t length = keyword_length(o_word.keyword); length > 0) {
+    o_word.keyword.resize(length);
+    cursor_.at = begin;
+    for (std::size_t letters = 0; letters < length; ++cursor_.at) {
+      if (is_letter(here())) ++letters;
+    }
   }
   o_word.rest = cursor_.at;
-  const bool alone = at_end() || here() == '(' || here() == ';';
-  if (o_word.keyword.empty() && !alone)
-    fail(cursor_.at, shown(here()) + " behind an O word", "a keyword, as sub, call or while");
 }
 
 std::vector<double> Lexer::arguments(const Block& block) {
@@ -101,8 +132,8 @@ std::vector<double> Lexer::arguments(const Block& block) {
       continue;
     }
     if (values.size() == kMostArguments)
-      fail(cursor_.at, "more than 30 values behind an O word", "30 at most");
-    if (!value_begins(cursor_))
+      fail(cursor_.at, "more than 100 values behind an O word", "100 at most");
+    if (here() != '[')
       fail(cursor_.at, shown(here()) + " behind an O word", "values in brackets, or a comment");
     values.push_back(read_value(cursor_, parameters_, fail_));
   }

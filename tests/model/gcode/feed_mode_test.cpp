@@ -30,6 +30,14 @@ TEST_CASE("inverse time turns into a feed rate by each motion's length", "[unit]
         "block: one by the minutes of the motion");
 }
 
+TEST_CASE("F that inverse time has no use for is listed", "[unit][gcode]") {
+  const Program program = read_text("G21 G93 F3\nG0 X0 F4\nG1 X1 F5\n");
+  REQUIRE(program.ignored.size() == 2);
+  CHECK(program.ignored[0].word == "F3");
+  CHECK(program.ignored[1].word == "F4");
+  CHECK(program.ignored[1].line == 2);
+}
+
 TEST_CASE("a feed per revolution goes by the spindle's speed", "[unit][gcode]") {
   CHECK(last_feed("G95 S1000 F0.1\nG1 X1\n") == 100.0F);
   CHECK(last_feed("G95 S1000 F0.1\nS2000 G1 X1\n") == 200.0F);

@@ -143,6 +143,8 @@ TEST_CASE("what LinuxCNC does otherwise than it says is refused", "[unit][progra
                                "twice, because of the continue in line 4"));
   CHECK(lines_of(continued + "o3 while [0]\no3 endwhile\no2 repeat [2]\nX1\no2 endrepeat\n") ==
         "9 9");
+  CHECK(lines_of(continued + "o3 repeat [0]\no3 endrepeat\no2 repeat [2]\nX1\no2 endrepeat\n") ==
+        "9 9");
   // It goes on with the old count of a repeat that was not carried out to its end.
   CHECK_THAT(lines_of("o1 sub\no2 repeat [3]\nX1\no1 return\no2 endrepeat\no1 endsub\no1 call\n"
                       "o1 call\n"),

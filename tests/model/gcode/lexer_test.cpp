@@ -136,6 +136,11 @@ TEST_CASE("O lines are cut into label and keyword", "[unit][program]") {
   CHECK(o_word_of("N10 o<Bore Hole>call [1]") == "<borehole> call");
   CHECK(o_word_of("o100 if[1]") == "100 if");
   CHECK(o_word_of("o[4 + 1] call") == "5 call");
+  CHECK(o_word_of("o100 callX5") == "100 call");
+  CHECK(o_word_of("o100 el se if [1]") == "100 elseif");
+  CHECK(o_word_of("o100 elsewhere") == "100 else");
+  CHECK(o_word_of("o100 perhaps [1]") == "100 perhaps");
+  CHECK(o_word_of("o100 [1]") == "100 ");
   CHECK(o_word_of("X1") == "none");
 }
 
@@ -146,7 +151,7 @@ TEST_CASE("an O line says where it and its parts stand", "[unit][program]") {
   CHECK(reading.block.block_delete);
   CHECK(reading.block.o_word->column == 6);
   CHECK(reading.block.o_word->keyword_column == 11);
-  CHECK(reading.block.o_word->rest == 16);
+  CHECK(reading.block.o_word->rest == 15);
   CHECK(reading.block.words.empty());
   CHECK(reading.block.settings.empty());
 }
@@ -164,7 +169,7 @@ TEST_CASE("a call may calculate its number", "[unit][program]") {
 }
 
 TEST_CASE("arguments are calculated when they are asked for", "[unit][program]") {
-  Reading reading("o100 call [1] [#1] (c) [2 + 3] ; end\no100 sub\no1 if #1\n");
+  Reading reading("o100 call [1] [#1] (c) [2 + 3] ; end\no100 sub\no1 if [#1]\n");
   REQUIRE(reading.next());
   reading.parameters.set(1, 7);
   CHECK(reading.lexer.arguments(reading.block) == std::vector<double>{1, 7, 5});
@@ -188,8 +193,11 @@ TEST_CASE("arguments that cannot be read are errors at their place", "[unit][pro
   CHECK_THAT(error("o100 call [#5]"), ContainsSubstring("text.ngc:1:12: error: parameter #5"));
   CHECK_THAT(error("o100 call (c"), ContainsSubstring("text.ngc:1:11: error: the comment does"));
   std::string many = "o100 call";
-  for (int i = 0; i < 31; ++i) many += "[1]";
-  CHECK_THAT(error(many), ContainsSubstring("text.ngc:1:100: error: more than 30 values"));
+  for (int i = 0; i < 101; ++i) many += "[1]";
+  CHECK_THAT(error(many), ContainsSubstring("text.ngc:1:310: error: more than 100 values"));
+  CHECK_THAT(error("o100 call 5"), ContainsSubstring("text.ngc:1:11: error: '5' behind"));
+  CHECK_THAT(error("o100 if #1"), ContainsSubstring("text.ngc:1:9: error: '#' behind"));
+  CHECK_THAT(error("o100 endifX2"), ContainsSubstring("text.ngc:1:11: error: 'X' behind"));
 }
 
 TEST_CASE("skipping goes to O words only and reads nothing between", "[unit][program]") {
@@ -205,6 +213,32 @@ TEST_CASE("skipping goes to O words only and reads nothing between", "[unit][pro
   CHECK(reading.block.o_word->label == "6");
   CHECK_FALSE(reading.lexer.skip_to_o_word(reading.block));
   CHECK_FALSE(reading.block.o_word);
+}
+
+TEST_CASE("skipping goes over what only looks like an O word", "[unit][program]") {
+  Reading reading(
+      "Operation 5\nO\nO<open\nO< >\nO<a(b)>\nO1234567890 sub\nO5 [\nO-5 sub\n% of all\no7\n");
+  CHECK_FALSE(reading.lexer.skip_to_o_word(reading.block));
+  reading.lexer.go_to({72, 10});
+  REQUIRE(reading.lexer.skip_to_o_word(reading.block));
+  CHECK(reading.block.o_word->label == "7");
+}
+
+TEST_CASE("a bookmark of the line that was read leads back to it", "[unit][program]") {
+  Reading reading("X1\n\no7 sub\nX2\n");
+  REQUIRE(reading.next());
+  const Lexer::Bookmark first = reading.lexer.line_bookmark();
+  REQUIRE(reading.lexer.skip_to_o_word(reading.block));
+  const Lexer::Bookmark second = reading.lexer.line_bookmark();
+  REQUIRE(reading.next());
+  reading.lexer.go_to(second);
+  REQUIRE(reading.next());
+  CHECK(reading.block.line == 3);
+  CHECK(reading.block.o_word);
+  reading.lexer.go_to(first);
+  REQUIRE(reading.next());
+  CHECK(reading.block.line == 1);
+  CHECK(words_of(reading.block) == "X1");
 }
 
 TEST_CASE("a percent sign that ends the program ends skipping", "[unit][program]") {
@@ -254,8 +288,9 @@ TEST_CASE("a line has at most 10000 bytes, of a comment too", "[unit][program]")
       error_of(most + "\nX1\n" + most + "\r") ==
       "text.ngc:3:10001: error: a line of more than 10000 bytes; expected a line that ends sooner");
   CHECK(error_of(most) == "no error");
-  Reading reading(most + "c\n");
-  CHECK_THROWS_AS(reading.lexer.skip_to_o_word(reading.block), InputError);
+  Reading reading("o1 sub " + most + "\no2 sub\n");
+  REQUIRE(reading.lexer.skip_to_o_word(reading.block));
+  CHECK(reading.block.line == 2);
 }
 
 TEST_CASE("plain numbers are rounded as from_chars rounds them", "[property][program]") {

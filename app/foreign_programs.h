@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/job.h"
+#include "app/settings.h"
+#include "engine/model/fixture.h"
+
+namespace limitgauge::app {
+
+/// A program, or a part of one, as a stage's path.
+struct ForeignPath {
+  model::Toolpath path;
+  std::vector<std::string> ignored_words;  ///< "line: word" that moves nothing
+  std::vector<std::string> assumed;        ///< what the reader took for granted
+  std::string text;                        ///< the whole program
+};
+
+/// The programs of the job's stages, each read once and shared out among the stages that take a
+/// part of it; empty for a stage that is planned. Throws InputError for what cannot be read, and
+/// for parts that do not fit together.
+std::vector<std::optional<ForeignPath>> load_programs(const Job& job, const Settings& settings,
+                                                      const std::vector<model::Fixture>& fixtures);
+/// What programs take from the machine when `cutter` stands in its spindle.
+model::MachineSetup machine_for(const Job& job, const model::Cutter& cutter);
+
+}  // namespace limitgauge::app

@@ -1,0 +1,58 @@
+#include "app/machine_options.h"
+
+#include <fstream>
+
+#include "app/command_line.h"
+#include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
+
+namespace limitgauge::app {
+namespace {
+
+std::string error_of(const MachineOptions& options) {
+  try {
+    machine_of(options);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("the machine as the command line states it", "[unit][cli]") {
+  const tests::TemporaryFolder folder;
+  const auto table = folder.path() / "tool.tbl";
+  std::ofstream(table) << "T1 P1 Z80.5 D6 ;ball\nT2 P2 D8\n";
+  MachineOptions options;
+  options.work_offsets = {"G54=1,2,3", "g59.1=4,5,6,30"};
+  options.home = "0,0,150";
+  options.tool_table = table;
+  const model::MachineSetup machine = machine_of(options);
+  REQUIRE(machine.work_offsets[0]);
+  CHECK(machine.work_offsets[0]->origin_mm == model::Vec3{1, 2, 3});
+  REQUIRE(machine.work_offsets[6]);
+  CHECK(machine.work_offsets[6]->rotation_deg == 30);
+  CHECK(machine.home_mm == model::Vec3{0, 0, 150});
+  CHECK(!machine.second_home_mm);
+  REQUIRE(machine.tools.size() == 2);
+  CHECK(machine.tools[0].length_mm == 80.5);
+  CHECK(machine.tools[1].diameter_mm == 8.0);
+}
+
+TEST_CASE("machine options that say nothing", "[unit][cli]") {
+  MachineOptions options;
+  options.home = "1,2";
+  CHECK(error_of(options) == "--home 1,2: 2 numbers; expected X,Y,Z");
+  options.home = "1,x,2";
+  CHECK_THAT(error_of(options), ContainsSubstring("\"x\" is no number"));
+  options.home = "";
+  options.work_offsets = {"G60=1,2,3"};
+  CHECK_THAT(error_of(options), ContainsSubstring("\"G60\" is no work offset"));
+  options.work_offsets = {"G54=1,2,3", "G54=1,2,3"};
+  CHECK_THAT(error_of(options), ContainsSubstring("G54 is stated twice"));
+  options.work_offsets = {"G54"};
+  CHECK_THAT(error_of(options), ContainsSubstring("expected G54=X,Y,Z"));
+}
+
+}  // namespace limitgauge::app

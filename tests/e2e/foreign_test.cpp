@@ -1,0 +1,220 @@
+#include <nlohmann/json.hpp>
+
+#include "tests/e2e/program.h"
+#include "tests/support/catch.h"
+
+namespace limitgauge::e2e {
+namespace fs = std::filesystem;
+using nlohmann::json;
+namespace {
+
+std::string boss_program() {
+  return read_text(fixture("foreign/boss.ngc"));
+}
+
+/// `text` with its one occurrence of `from` replaced.
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  REQUIRE(text.find(from, at + 1) == std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+/// The number of the line on which `part` stands.
+int line_of(const std::string& text, const std::string& part) {
+  const std::size_t at = text.find(part);
+  REQUIRE(at != std::string::npos);
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
+}
+
+/// The boss job with another program.
+struct Bench {
+  explicit Bench(const std::string& program) {
+    write_text(scratch / "boss.ngc", program);
+    fs::copy_file(fixture("foreign/boss.obj"), scratch / "boss.obj");
+    fs::copy_file(fixture("foreign/boss.toml"), scratch / "boss.toml");
+    outcome = limitgauge(scratch, {"run", "boss.toml", "-o", "out", "--no-pictures"});
+    INFO(outcome.errors);
+    REQUIRE(fs::exists(scratch / "out/result.json"));
+    result = json::parse(read_text(scratch / "out/result.json"));
+  }
+  const json& stage(const std::string& name) const {
+    for (const json& stage : result["stages"])
+      if (stage["name"] == name) return stage;
+    throw std::runtime_error("no stage " + name);
+  }
+
+  Scratch scratch;
+  Outcome outcome;
+  json result;
+};
+
+double low(const json& stage, const char* figure) {
+  return stage["deviation"][figure]["low"].get<double>();
+}
+double high(const json& stage, const char* figure) {
+  return stage["deviation"][figure]["high"].get<double>();
+}
+
+/// Whether a gouge or a leftover, or a pass beside one, is on one of the lines.
+bool names_line(const json& findings, int first, int last) {
+  const auto within = [&](const json& line) { return line >= first && line <= last; };
+  for (const json& finding : findings) {
+    if (within(finding["line"])) return true;
+    if (!finding.contains("passes")) continue;
+    for (const json& pass : finding["passes"])
+      if (within(pass["line"])) return true;
+  }
+  return false;
+}
+
+bool assumes(const json& result, const std::string& text) {
+  for (const json& said : result["assumptions"])
+    if (said.get<std::string>().find(text) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a stranger's program of two tools passes stage by stage", "[e2e][foreign]") {
+  const Bench bench(boss_program());
+  REQUIRE(bench.outcome.exit_code == 0);
+  const json& rough = bench.stage("rough");
+  const json& finish = bench.stage("finish");
+  CHECK(rough["program_part"] == "T1");
+  CHECK(finish["cutter"]["diameter_mm"] == 6);
+  // Planes cut by a flat cutter: exact, but for four decimals of R4.3 and the certificate's width.
+  for (const json* stage : {&rough, &finish}) {
+    CHECK(high(*stage, "gouge_mm") < 0.002);
+    CHECK(high(*stage, "uncut_mm") < 0.002);
+    CHECK((*stage)["simulation"]["findings"].empty());
+  }
+  CHECK(bench.result["programs"]["tools"][1]["length_mm"] == 65.5);
+  CHECK(assumes(bench.result, "G28"));
+}
+
+TEST_CASE("verify takes the same program with a tool for each number", "[e2e][foreign]") {
+  const Scratch scratch;
+  write_text(scratch / "tools.tbl", "T1 P1 Z80 D8\nT2 P2 Z65.5 D6\n");
+  const Outcome outcome = limitgauge(scratch, {"verify",
+                                               "--cage",
+                                               fixture("foreign/boss.obj"),
+                                               "--stock",
+                                               "box:44,44,10@-22,-22,-8",
+                                               "--tool",
+                                               "1=flat:D=8,L=20",
+                                               "--tool",
+                                               "2=flat:D=6,L=18",
+                                               "--tool-table",
+                                               "tools.tbl",
+                                               "--program",
+                                               fixture("foreign/boss.ngc"),
+                                               "--gouge",
+                                               "0.01",
+                                               "--uncut",
+                                               "0.01",
+                                               "-o",
+                                               "out",
+                                               "--no-pictures"});
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  const json stages = json::parse(read_text(scratch / "out/result.json"))["stages"];
+  REQUIRE(stages.size() == 2);
+  CHECK(stages[0]["name"] == "T1");
+  CHECK(stages[1]["name"] == "T2");
+  // What the first tool left for the second: 0.3 mm along the normals.
+  CHECK(low(stages[0], "uncut_mm") == Approx(0.3).margin(0.002));
+  CHECK(high(stages[1], "uncut_mm") < 0.002);
+  const Outcome one =
+      limitgauge(scratch, {"verify", "--cage", fixture("foreign/boss.obj"), "--stock",
+                           "box:44,44,10@-22,-22,-8", "--tool", "flat:D=8,L=20", "--program",
+                           fixture("foreign/boss.ngc"), "-o", "one"});
+  CHECK(one.exit_code == 3);
+  CHECK_THAT(one.errors,
+             ContainsSubstring("boss.ngc:" + std::to_string(line_of(boss_program(), "N130 T2 M6")) +
+                               ": error: T2 is loaded"));
+}
+
+TEST_CASE("a program that lies elsewhere is laid over the cage", "[e2e][foreign]") {
+  // The program in the frame of a pallet: its zero at (100, 50, 20), turned by a quarter.
+  const Scratch scratch;
+  const std::string job = with(read_text(fixture("foreign/boss.toml")), "[stock]",
+                               "[program_frame]\noffset = [0, 0, 0]\nrotate_z = 90\n"
+                               "[machine]\nwork_offsets = { G54 = [100, 50, 20] }\n"
+                               "home = [0, 0, 300]\n[stock]");
+  write_text(scratch / "boss.toml", job);
+  fs::copy_file(fixture("foreign/boss.obj"), scratch / "boss.obj");
+  fs::copy_file(fixture("foreign/boss.ngc"), scratch / "boss.ngc");
+  const Outcome outcome = limitgauge(scratch, {"run", "boss.toml", "-o", "out", "--no-pictures"});
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  const json result = json::parse(read_text(scratch / "out/result.json"));
+  CHECK(result["programs"]["rotate_z_deg"] == 90);
+  CHECK(result["programs"]["home_mm"][2] == 300);
+  for (const json& stage : result["stages"]) {
+    CHECK(high(stage, "gouge_mm") < 0.002);
+    CHECK(high(stage, "uncut_mm") < 0.002);
+  }
+}
+
+TEST_CASE("one digit changed is found on its line", "[e2e][foreign]") {
+  const std::string program = with(boss_program(), "N220 X-15.5", "N220 X-12.5");
+  const Bench bench(program);
+  CHECK(bench.outcome.exit_code == 1);
+  const json& finish = bench.stage("finish");
+  // The cutter's side stands at x = -12.5 + 3: half a millimetre inside the wall at x = -10.
+  CHECK(low(finish, "gouge_mm") == Approx(0.5).margin(0.01));
+  const int line = line_of(program, "N225 Y15.5");
+  CHECK(finish["deviation"]["gouges"][0]["line"] == line);
+  bool shown = false;
+  for (const json& text : finish["program_lines"])
+    shown |= text["line"] == line && text["text"] == "N225 Y15.5";
+  CHECK(shown);
+  CHECK_THAT(read_text(bench.scratch / "out/report.html"), ContainsSubstring("N225 Y15.5"));
+}
+
+TEST_CASE("a line lost leaves material beside the lines that remain", "[e2e][foreign]") {
+  const std::string program = with(boss_program(), "N225 Y15.5\n", "");
+  const Bench bench(program);
+  CHECK(bench.outcome.exit_code == 1);
+  const json& finish = bench.stage("finish");
+  CHECK(std::max(low(finish, "uncut_mm"), low(finish, "gouge_mm")) > 0.29);
+  const int after = line_of(program, "N230 X15.5");
+  CHECK((names_line(finish["deviation"]["gouges"], after - 1, after + 1) ||
+         names_line(finish["deviation"]["uncuts"], after - 1, after + 1)));
+}
+
+TEST_CASE("inches for millimetres are found and named", "[e2e][foreign]") {
+  const std::string program = with(boss_program(), "N140 G54\nN145 M8", "N140 G54\nN145 G20 M8");
+  const Bench bench(program);
+  CHECK(bench.outcome.exit_code == 1);
+  CHECK(low(bench.stage("finish"), "uncut_mm") > 0.29);
+  CHECK(assumes(bench.result, ":" + std::to_string(line_of(program, "N145 G20"))));
+}
+
+TEST_CASE("a wrong length offset is found and named", "[e2e][foreign]") {
+  // The longer tool with the shorter one's offset: 14.5 mm too deep.
+  const std::string deep = with(boss_program(), "Z15. H1", "Z15. H2");
+  const Bench crash(deep);
+  CHECK(crash.outcome.exit_code == 1);
+  CHECK(low(crash.stage("rough"), "gouge_mm") > 4);
+  CHECK(assumes(crash.result, ":" + std::to_string(line_of(deep, "Z15. H2"))));
+  // The shorter tool with the longer one's: it cuts air, and all of the 0.3 mm stays.
+  const std::string high_up = with(boss_program(), "G43 Z15. H2", "G43 Z15. H1");
+  const Bench air(high_up);
+  CHECK(air.outcome.exit_code == 1);
+  CHECK(low(air.stage("finish"), "uncut_mm") == Approx(0.3).margin(0.002));
+  CHECK(assumes(air.result, ":" + std::to_string(line_of(high_up, "N155 G43"))));
+}
+
+TEST_CASE("compensation on the wrong side is found on its lines", "[e2e][foreign]") {
+  const std::string program = with(boss_program(), "G41 D2", "G42 D2");
+  const Bench bench(program);
+  CHECK(bench.outcome.exit_code == 1);
+  const json& finish = bench.stage("finish");
+  CHECK(low(finish, "gouge_mm") > 4);
+  CHECK(names_line(finish["deviation"]["gouges"], line_of(program, "N260"),
+                   line_of(program, "N285")));
+}
+
+}  // namespace limitgauge::e2e

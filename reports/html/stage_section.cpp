@@ -196,7 +196,8 @@ std::string ignored_words(const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < std::min(words.size(), kLongestList); ++i)
     list += (i ? ", " : "") + escape_markup(words[i]);
   return fmt::format(
-      "<p class=\"note\">Words that move nothing; of these only the spindle's are heeded (line: "
+      "<p class=\"note\">Words that move nothing; of these only tools and the spindle are heeded "
+      "(line: "
       "word): "
       "{}{}.</p>\n",
       list, words.size() > kLongestList ? " …" : "");

@@ -11,11 +11,11 @@ std::string joined_programs(const std::filesystem::path& folder) {
   std::string joined;
   for (const char* stage : {"rough", "semi-finish", "finish"}) {
     const std::string program = read_text(folder / stage / "toolpath.ngc");
-    const std::size_t end = program.rfind("M2");
+    const std::size_t end = program.rfind("M30");
     REQUIRE(end != std::string::npos);
     joined += program.substr(0, end);
   }
-  return joined + "M2\n";
+  return joined + "M30\n";
 }
 
 /// Our own programs as a stranger's: the last stage measures what all of them have cut.

@@ -107,7 +107,8 @@ ForeignPath GroupReader::path_of(std::size_t index) const {
         "moves that name every axis once");
   for (const model::IgnoredWord& word : program_.ignored)
     foreign.ignored_words.push_back(std::to_string(word.line) + ": " + word.word);
-  foreign.assumed = program_.assumed;
+  for (const std::string& said : program_.assumed)
+    foreign.assumed.push_back(stage(index).program_as_stated + ", " + said);
   foreign.text = text_;
   return foreign;
 }

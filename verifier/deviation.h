@@ -45,8 +45,9 @@ struct Finding {
   std::size_t move = 0;    ///< index in that stage's path
   std::uint32_t line = 0;  ///< its program line
   bool raw_stock = false;  ///< a face of the raw stock is nearest, no move: the names above are 0
-  std::string body = "cutter";   ///< of a gouge: "cutter", "shank" or "holder", numbered if several
-  std::vector<NearPass> passes;  ///< of a leftover: the passes around it, nearest first, at most 3
+  std::string body = "cutter";  ///< of a gouge: "cutter", "shank" or "holder", numbered if several
+  std::vector<NearPass>
+      passes;  ///< around a leftover: the last stage's first, nearest first, at most 3
 };
 
 /// Gouge by one body of the assembly of one stage's cutter: "cutter" is its fluted part.

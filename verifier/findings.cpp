@@ -80,7 +80,10 @@ std::vector<NearPass> passes_around(const Vec3& p, const RemovedSpace& space,
     else if (here.distance_mm < out.back().distance_mm)
       out.back() = here;
   }
-  std::stable_sort(out.begin(), out.end(), [](const NearPass& a, const NearPass& b) {
+  // What the last stage should have taken, its own passes are to blame for.
+  const std::size_t last = passes.size() - 1;
+  std::stable_sort(out.begin(), out.end(), [last](const NearPass& a, const NearPass& b) {
+    if ((a.stage == last) != (b.stage == last)) return a.stage == last;
     return a.distance_mm < b.distance_mm;
   });
   if (out.size() > kMost) out.resize(kMost);

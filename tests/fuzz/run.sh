@@ -16,20 +16,18 @@ export ASAN_OPTIONS=quarantine_size_mb=64:malloc_context_size=6
 export UBSAN_OPTIONS=print_stacktrace=1
 
 # An input that took long while the machine was busy with something else is no finding: it must take
-# long alone, three times.
+# more than 1 s of processor time by itself.
 is_slow() {
-  local binary=$1 input=$2 attempt
-  for attempt in 1 2 3; do
-    "$binary" -timeout=1 "$input" >/dev/null 2>&1 && return 1
-  done
-  return 0
+  local binary=$1 input=$2 TIMEFORMAT='%U %S' used
+  used=$({ time "$binary" -timeout=60 "$input" >/dev/null 2>&1; } 2>&1) || return 0
+  awk -v used="$used" 'BEGIN { split(used, s, " "); exit !(s[1] + s[2] > 1) }'
 }
 
 # Goes on behind a false alarm until the time is up.
 fuzz() {
   local target=$1 seconds=$2 binary=$build/$here/fuzz_$1
   local found=$build/findings/$target/ corpus=$build/corpus/$target log=$build/log/$target.log
-  local until=$((SECONDS + seconds)) left executions=0 status input
+  local until=$((SECONDS + seconds)) left executions=0 executed status input
   mkdir -p "$found" "$corpus" "$build/log"
   : > "$log"
   while left=$((until - SECONDS)); [ "$left" -gt 0 ]; do
@@ -39,7 +37,8 @@ fuzz() {
       -max_len=$longest -dict="$here/dictionaries/$target.dict" -artifact_prefix="$found" \
       -print_final_stats=1 -verbosity=1 "$corpus" "$build/seeds/$target" >"$log.now" 2>&1 || status=$?
     cat "$log.now" >> "$log"
-    executions=$((executions + $(sed -n 's/^stat::number_of_executed_units: *//p' "$log.now" | tail -1)))
+    executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log.now" | tail -1)
+    executions=$((executions + ${executed:-0}))
     [ $status -ne 0 ] || break
     input=$(find "$found" -type f -newer "$build/log/$target.begin" | head -1)
     case $input in

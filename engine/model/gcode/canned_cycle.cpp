@@ -72,7 +72,8 @@ void check_count(const Statement& statement, const CycleGeometry& cycle) {
 }  // namespace
 
 void CannedCycles::forget() {
-  *this = {};
+  // Every block with a motion code comes here, and rarely is there anything.
+  if (code_ != 0) *this = {};
 }
 
 CycleMotions CannedCycles::moves(const Statement& statement, const CycleContext& context) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <string>
 
 #include "engine/model/error.h"
 #include "engine/model/gcode/cutter_compensation_queue.h"
@@ -38,9 +38,9 @@ class CutterCompensation {
   bool active() const { return stage_ != Stage::off; }
   /// Motions need not come through move(): nothing is on, and no rule looks at the next one.
   bool idle() const { return stage_ == Stage::off && !just_left_; }
-  /// G41 or G42; the next motion is the entry. `radius_mm` may be negative: the
-  /// other side. `position_mm` is where the tool is. Throws std::invalid_argument for G19, which
-  /// LinuxCNC refuses, and std::logic_error while active.
+  /// G41 or G42; the next motion is the entry. `radius_mm` may be negative: the other side.
+  /// `position_mm` is where the tool is. Throws std::invalid_argument for G19, which LinuxCNC
+  /// refuses, and std::logic_error while active.
   void begin(CompensationSide side, double radius_mm, ArcPlane plane, const Vec3& position_mm);
   /// G40: what waits is let out; the next move leaves the contour.
   void end();

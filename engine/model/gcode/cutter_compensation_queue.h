@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/model/error.h"
@@ -27,7 +29,7 @@ class CompensationQueue {
   using Place = std::function<SourcePlace(std::uint32_t line)>;
 
   /// More than these wait only in a program that never leaves the point; it is refused, so that the
-  /// memory held here stays below 128 MiB.
+  /// memory held here stays below 150 MiB.
   static constexpr std::size_t kMostWaiting = 1000000;
 
   CompensationQueue(Out out, Place place) : out_(std::move(out)), place_(std::move(place)) {}

@@ -16,7 +16,7 @@
 namespace limitgauge::model::gcode {
 
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
-inline constexpr std::size_t kFlowShare = 20;  ///< sanitizers are that much slower
+inline constexpr std::size_t kFlowShare = 50;  ///< sanitizers are that much slower
 #else
 inline constexpr std::size_t kFlowShare = 1;
 #endif
@@ -26,8 +26,9 @@ inline constexpr std::size_t kFlowShare = 1;
 struct FlowLimits {
   /// As many blocks as the longest programs have that are written without loops.
   std::size_t most_blocks = 5'000'000 / kFlowShare;
-  /// Their text: what a block costs to read goes by its length.
-  std::size_t most_bytes = 128'000'000 / kFlowShare;
+  /// Their text: what a block costs to read goes by its length, at most 35 ns a byte (parameters
+  /// within parameters), so that no program of some kilobytes takes a second.
+  std::size_t most_bytes = 25'000'000 / kFlowShare;
   /// And so many times what stands before the loop or call, in blocks and bytes: a long program may
   /// call a subroutine for each of its holes.
   std::size_t most_times_before = 100 / kFlowShare;
@@ -46,8 +47,8 @@ struct FlowLimits {
 ///  - labels that are computed, save for calls;
 ///  - spans that overlap or are not ended, and a label of another subroutine at endsub or return;
 ///  - what its interpreter (2.9) carries out otherwise than it documents: a do loop behind a break
-///    out of a while loop, a break or a repeat behind a continue in a do loop, a repeat that is
-///    begun anew after return, break or continue have left it, or inside itself.
+///    out of a while loop, a break or a repeat behind a continue in a do loop, a repeat whose count
+///    return, break or continue have left over, or a call has used up.
 /// Subprograms may also stand before the M98 that calls them, and M98 P31000 means three times
 /// program 1000, as on older Fanuc controls, where there is no program 31000.
 class Flow {
@@ -95,7 +96,7 @@ class Flow {
   bool ends_do(const Block& block) const;
   void begin_repeat(const Block& block);
   void end_repeat(const Block& block);
-  void finish_repeat(const Block& block, FlowSpan& span);
+  bool repeats(const Block& block, Frame& frame);
   void break_loop(const Block& block);
   void continue_loop(const Block& block);
   std::size_t loop_of(const Block& block, FlowKeyword keyword) const;

@@ -29,7 +29,7 @@ const FlowSubroutine& Flow::checked(const Block& block, std::uint32_t column,
     lexer_.fail_at(
         block.line, column,
         (found.is_program ? "program O" : "subroutine o") + found.label + ": " + second_text(found),
-        "one");
+        "one only");
   return found;
 }
 

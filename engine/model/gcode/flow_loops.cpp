@@ -95,41 +95,46 @@ void Flow::end_do(const Block& block) {
 }
 
 void Flow::begin_repeat(const Block& block) {
-  // Halves go to the even neighbour, as LinuxCNC's do.
-  const double turns = std::nearbyint(value(block, FlowKeyword::repeat));
   Frame frame;
+  // Halves go to the even neighbour, as LinuxCNC's do.
+  frame.left = std::nearbyint(value(block, FlowKeyword::repeat));
   frame.span = &opened(block, FlowKeyword::repeat);
-  frame.left = turns;
-  if (frame.span->is_counting)
+  if (!frame.span->count) frame.span->count = frame.left;
+  if (repeats(block, frame)) return push(block, block.o_word->column, frame);
+  continue_line_.reset();
+  lexer_.go_to(frame.span->behind);
+}
+
+/// Counts a turn; false where none is left.
+bool Flow::repeats(const Block& block, Frame& frame) {
+  std::optional<double>& count = frame.span->count;
+  const bool goes_on = frame.left > 0;
+  // No count: the same repeat has come to its end in a call.
+  if (!count || goes_on != (*count > 0))
     fail(block,
-         "'" + o_text(*block.o_word, FlowKeyword::repeat) +
-             "' again before it has come to its end: LinuxCNC would go on with the old count",
+         "'" + o_text(frame.span->o_word, FlowKeyword::repeat) +
+             "' was not carried out to its end before: LinuxCNC would go on with its old count",
          "a while loop");
-  if (!(turns > 0)) {
-    continue_line_.reset();
-    return lexer_.go_to(frame.span->behind);
+  if (!goes_on) {
+    count.reset();
+    return false;
   }
-  frame.span->is_counting = true;
-  push(block, block.o_word->column, frame);
+  --frame.left;
+  --*count;
+  return true;
 }
 
 void Flow::end_repeat(const Block& block) {
   Frame& frame = innermost(block, FlowKeyword::endrepeat, FlowKeyword::repeat);
   no_values(block, FlowKeyword::endrepeat);
-  if (--frame.left > 0) return lexer_.go_to(frame.span->body);
-  FlowSpan& span = *frame.span;
-  frames_.pop_back();
-  finish_repeat(block, span);
-}
-
-void Flow::finish_repeat(const Block& block, FlowSpan& span) {
+  if (repeats(block, frame)) return lexer_.go_to(frame.span->body);
   if (continue_line_)
     fail(block,
          "LinuxCNC would carry out this repeat twice, because of the continue in " +
              line_text(*continue_line_),
          "a while loop for one of the two");
-  span.is_counting = false;
-  lexer_.go_to(span.behind);
+  lexer_.go_to(frame.span->behind);
+  frames_.pop_back();
 }
 
 void Flow::break_loop(const Block& block) {

@@ -20,9 +20,9 @@ std::string number_text(double whole) {
 /// False for M codes that have nothing to do with subprograms.
 bool Flow::carry_out_code(const Block& block) {
   const double code = block.words.front().value;
-  if (code == 98) return call_program(block), true;
-  if (code == 99) return return_from_program(block), true;
-  return false;
+  if (code == 98) call_program(block);
+  if (code == 99) return_from_program(block);
+  return code == 98 || code == 99;
 }
 
 void Flow::call_program(const Block& block) {
@@ -64,7 +64,7 @@ FlowSubroutine& Flow::called_program(const Block& block, const Word& p, const Wo
     lexer_.fail_at(block.line, p.column,
                    "M98 P" + label + " may be program " + label + ", or " + number_text(old_runs) +
                        " times program " + old_label,
-                   "L");
+                   "L behind it, or other numbers");
   if (program == nullptr && old == nullptr) {
     if (subroutines_.sub(label) != nullptr)
       lexer_.fail_at(block.line, p.column, "o" + label + " is a subroutine, which M98 cannot call",

@@ -1,7 +1,5 @@
 #include "engine/model/gcode/flow_spans.h"
 
-#include <algorithm>
-
 namespace limitgauge::model::gcode {
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -23,7 +24,9 @@ struct FlowSpan {
   bool has_else = false;
   std::uint32_t last_break = 0;  ///< line of the last break out of a loop; or 0
   bool label_is_known = false;   ///< Flow has entered the label as used here
-  bool is_counting = false;      ///< a repeat that was begun and not carried out to its end
+  /// Of a repeat: LinuxCNC's count, which it keeps where a return, break or continue leaves the
+  /// repeat, and shares with calls in it.
+  std::optional<double> count;
 };
 
 /// The spans of a program, found when they are first asked for: the text of each span is looked

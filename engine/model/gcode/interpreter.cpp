@@ -172,7 +172,12 @@ void Interpreter::set_plane(const Statement& statement) {
 void Interpreter::set_units(const Statement& statement) {
   const auto code = statement.g(GGroup::units);
   if (!code) return;
-  state_.modal.unit_mm = *code == 200 ? kInchMm : 1;
+  const double unit_mm = *code == 200 ? kInchMm : 1;
+  // A program that mixes units may mean to; one digit does the same by accident.
+  if (unit_mm != state_.modal.unit_mm && !program_.motions.empty())
+    assumed_.add(statement.line(), unit_mm == 1 ? "the units change to millimetres here"
+                                                : "the units change to inches here");
+  state_.modal.unit_mm = unit_mm;
   compensation_.use_inches(*code == 200);
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// end.
 constexpr std::size_t kShortestMoveBytes = 8;
 /// Motions beyond one a line, for loops and cycles; more would be a program that does not end.
-constexpr std::size_t kExpandedMotions = 5'000'000;
+constexpr std::size_t kExpandedMotions = 5'000'000 / gcode::kFlowShare;
 
 Program read_text_program(const std::string& text, const std::string& name,
                           const MachineSetup& machine) {

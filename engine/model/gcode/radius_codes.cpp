@@ -14,7 +14,7 @@ double diameter_of(const Statement& statement, const Word& code, const MachineSt
   if (!number || *number < 0)
     statement.fail(*d, in_quotes(d->text) + " names no tool", "an integer from 0");
   const auto tool = *number == 0 ? state.tools.loaded() : number;
-  const auto diameter_mm = tool ? state.tools.diameter_of(*tool) : std::nullopt;
+  const auto diameter_mm = state.tools.diameter_of(tool.value_or(0));
   if (!diameter_mm)
     statement.fail(d ? *d : code,
                    "cutter compensation by the diameter of " +

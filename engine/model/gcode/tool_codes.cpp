@@ -51,6 +51,11 @@ void use_entry(const Statement& statement, const Word& blamed, int number, Machi
                        loaded_name(state) + " is in the spindle, their lengths not stated",
                    "H" + (state.tools.loaded() ? std::to_string(*state.tools.loaded()) : "") +
                        ", or " + kLengths);
+  // A habit of some shops and a fault in others: carried out as it stands, and told.
+  if (!own && number != 0)
+    assumed.add(statement.line(), "the length offset of tool " + std::to_string(number) +
+                                      " is used while " + loaded_name(state) +
+                                      " is in the spindle");
   if (entry_mm) return use_stated(statement, state, *entry_mm, assumed);
   use_own(statement, state, assumed);
 }

@@ -6,6 +6,8 @@ ToolTable::ToolTable(const MachineSetup& machine) : loaded_(machine.loaded_tool)
   for (const ToolEntry& entry : machine.tools)
     tools_[entry.number] = {entry.length_mm, entry.diameter_mm, entry.length_mm};
   if (!loaded_ && machine.tools.size() == 1) loaded_ = machine.tools.front().number;
+  if (machine.tools.empty() && machine.only_tool)
+    only_diameter_mm_ = machine.only_tool->diameter_mm;
 }
 
 const ToolTable::Tool* ToolTable::find(int tool) const {
@@ -20,7 +22,8 @@ std::optional<double> ToolTable::offset_of(int tool) const {
 
 std::optional<double> ToolTable::diameter_of(int tool) const {
   const Tool* const entry = find(tool);
-  return entry ? entry->diameter_mm : std::nullopt;
+  if (entry && entry->diameter_mm) return entry->diameter_mm;
+  return loaded_.value_or(tool) == tool ? only_diameter_mm_ : std::nullopt;
 }
 
 std::optional<double> ToolTable::true_length() const {

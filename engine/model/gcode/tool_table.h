@@ -53,6 +53,7 @@ class ToolTable {
   const Tool* find(int tool) const;
 
   std::map<int, Tool> tools_;
+  std::optional<double> only_diameter_mm_;  ///< of whatever tool is loaded, where all are one
   std::optional<int> loaded_;
   std::optional<double> unnamed_length_mm_;  ///< of the tool in the spindle where none is named
   InUse in_use_;

@@ -141,9 +141,10 @@ double ValueReader::spaced_number() {
   cursor_.at = end;
   const char* const limit = gathered.data() + gathered.size();
   const std::optional<PlainNumber> found = read_plain_number(gathered.data(), limit);
-  if (!found || found->end != limit)
-    fail(begin, in_quotes(gathered) + " is not a number", "digits and one decimal point");
-  return found->value;
+  if (found && found->end == limit) return found->value;
+  const bool well_formed = gathered != "." && gathered.find('.') == gathered.rfind('.');
+  if (well_formed) fail(begin, in_quotes(gathered) + " is too large or too small", "fewer digits");
+  fail(begin, in_quotes(gathered) + " is not a number", "digits and one decimal point");
 }
 
 int ValueReader::whole_value() {

@@ -317,6 +317,8 @@ TEST_CASE("what is no expression is an error at its place", "[unit][program]") {
   CHECK(error_of("EXISTS[5]") == "7 '5' within a value");
   CHECK(error_of("EXISTS[#1") == "9 the line ends within a value");
   CHECK(error_of("1.2.3") == "0 '1.2.3' is not a number");
+  CHECK(error_of("[1 + " + std::string(400, '9') + "]") ==
+        "5 '" + std::string(40, '9') + "...' is too large or too small");
   CHECK(error_of("1 . 2 .") == "0 '1.2.' is not a number");
   CHECK(error_of(".") == "0 '.' is not a number");
   CHECK(error_of("#<width") == "1 the name does not end in its line");

@@ -145,10 +145,15 @@ TEST_CASE("what LinuxCNC does otherwise than it says is refused", "[unit][progra
         "9 9");
   CHECK(lines_of(continued + "o3 repeat [0]\no3 endrepeat\no2 repeat [2]\nX1\no2 endrepeat\n") ==
         "9 9");
-  // It goes on with the old count of a repeat that was not carried out to its end.
-  CHECK_THAT(lines_of("o1 sub\no2 repeat [3]\nX1\no1 return\no2 endrepeat\no1 endsub\no1 call\n"
-                      "o1 call\n"),
-             ContainsSubstring("3 flow.ngc:2:1: error: 'o2 repeat' again before it has come"));
+  // It goes on with the count of a repeat that was not carried out to its end.
+  const std::string left = "o1 sub\no2 repeat [2]\nX1\no1 return\no2 endrepeat\no1 endsub\n";
+  CHECK(lines_of(left + "o1 call\no1 call\n") == "3 3");
+  CHECK_THAT(lines_of(left + "o1 call\no1 call\no1 call\n"),
+             ContainsSubstring("3 3 flow.ngc:2:1: error: 'o2 repeat' was not carried out to its "
+                               "end before"));
+  CHECK_THAT(lines_of("o1 sub\no2 repeat [2]\no3 if [#1 EQ 1]\no1 call\no3 endif\no2 endrepeat\n"
+                      "o1 endsub\no1 call [1]\n"),
+             ContainsSubstring("flow.ngc:6:1: error: 'o2 repeat' was not carried out"));
 }
 
 TEST_CASE("text behind the end of a program is gone over when a call is sought",

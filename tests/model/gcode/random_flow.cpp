@@ -42,14 +42,16 @@ class Generator {
     result.number = below(5);
     const int pick = below(depth > 0 ? 12 : 5);
     if (pick < 2) return result;
-    if (pick == 2) return result.kind = Kind::shuffle, result;
-    if (pick == 3) return result.kind = Kind::add, result;
-    if (pick == 4) return jump_or_call(result);
+    if (pick < 4) {
+      result.kind = pick == 2 ? Kind::shuffle : Kind::add;
+      return result;
+    }
+    if (pick == 4) return call(result);
     if (pick < 8) return choice(result, depth);
     return loop(result, depth);
   }
 
-  FlowStatement jump_or_call(FlowStatement result) {
+  FlowStatement call(FlowStatement result) {
     if (unit_ + 1 < kUnits && chance(2)) {
       result.kind = Kind::call;
       result.unit = unit_ + 1 + below(kUnits - unit_ - 1);
@@ -89,9 +91,11 @@ class Generator {
     result.label = ++label_;
     result.kind = loop_kind();
     const bool repeats = result.kind == Kind::repeat;
-    repeats ? void(++repeats_) : loops_.push_back(result.label);
+    if (repeats) ++repeats_;
+    if (!repeats) loops_.push_back(result.label);
     result.bodies.push_back(body(depth - 1));
-    repeats ? void(--repeats_) : loops_.pop_back();
+    if (repeats) --repeats_;
+    if (!repeats) loops_.pop_back();
     return result;
   }
 

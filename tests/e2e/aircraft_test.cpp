@@ -6,12 +6,13 @@
 namespace limitgauge::e2e {
 namespace {
 
-/// The programs of the stages as one with a tool number each.
+/// The programs of the stages as one with a tool number each. They leave the spindle to the
+/// operator until their own end.
 std::string joined_programs(const std::filesystem::path& folder) {
   std::string joined;
   for (const char* stage : {"rough", "semi-finish", "finish"}) {
     const std::string program = read_text(folder / stage / "toolpath.ngc");
-    const std::size_t end = program.rfind("M30");
+    const std::size_t end = program.rfind("M5");
     REQUIRE(end != std::string::npos);
     joined += program.substr(0, end);
   }

@@ -72,6 +72,10 @@ GroupReader::GroupReader(const Job& job, const Settings& settings,
   ranges_ = assign_parts(program_, file_, stages);
   options_.machine_in_part = model::machine_in_part(
       job.program_frame, machine.work_offsets.front().value_or(model::WorkOffset()));
+  // What is made of a path, its copy included, takes several times its own room.
+  constexpr double kRoom = 8;
+  options_.most_moves =
+      static_cast<double>(settings.memory_limit_bytes) / (kRoom * sizeof(model::Move));
   options_.park_z_mm = park_height_mm(job, fixtures, program_, options_.machine_in_part);
 }
 

@@ -14,4 +14,10 @@ std::array<double, 2> direction(double angle_deg) {
   return {std::cos(angle), std::sin(angle)};
 }
 
+Vec3 turned(const Vec3& v, double angle_deg) {
+  if (angle_deg == 0) return v;
+  const auto [c, s] = direction(angle_deg);
+  return {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
+}
+
 }  // namespace limitgauge::model

@@ -3,6 +3,8 @@
 #include <array>
 #include <numbers>
 
+#include "engine/model/vec3.h"
+
 namespace limitgauge::model {
 
 constexpr double radians(double degrees) {
@@ -11,5 +13,8 @@ constexpr double radians(double degrees) {
 
 /// Cosine and sine, exact at quarter turns where std::cos would leave 6e-17.
 std::array<double, 2> direction(double angle_deg);
+
+/// `v` turned about Z, counter-clockwise seen from above; exact at quarter turns.
+Vec3 turned(const Vec3& v, double angle_deg);
 
 }  // namespace limitgauge::model

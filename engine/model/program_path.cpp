@@ -18,8 +18,8 @@ namespace {
 constexpr double kFullTurnFuzz = 1e-6;
 /// Wider chords would not follow an arc's direction, however wide the tolerance.
 constexpr double kWidestChord = std::numbers::pi / 2;
-/// A toolpath this long takes 16 GB; it comes from a tolerance out of proportion.
-constexpr double kMostChords = 4e8;
+/// Counted in doubles so far beyond what anyone cuts, chords are no whole numbers any more.
+constexpr double kMostChords = 1e15;
 
 /// An arc from `start` in cylinder coordinates about its centre; the radius may drift a little
 /// along it, as the reader's tolerance allows.
@@ -72,8 +72,7 @@ double widest_chord(const Sweep& sweep, double limit_mm) {
 double chords_within(const Sweep& sweep, double limit_mm) {
   const double widest = std::min(kWidestChord, widest_chord(sweep, limit_mm));
   double chords = std::ceil(std::abs(sweep.swept) / widest);
-  if (!(chords < kMostChords))
-    throw ResourceError("an arc of the program needs more than 400 million chords at this error");
+  if (!(chords < kMostChords)) return kMostChords;
   while (chord_error_mm(sweep, chords) > limit_mm) ++chords;
   return chords;
 }
@@ -136,8 +135,11 @@ void PathMaker::add_arc(const Motion& arc) {
   const Sweep sweep = sweep_of(arc, at_mm_);
   const double chords = chords_within(sweep, options_.chord_error_mm);
   const auto count = static_cast<std::size_t>(chords);
-  if (static_cast<double>(path_.moves.size()) + chords > kMostChords)
-    throw ResourceError("the program needs more than 400 million moves at this chord error");
+  if (static_cast<double>(path_.moves.size()) + chords > options_.most_moves)
+    throw ResourceError("line " + std::to_string(arc.line) + " of the program: more than " +
+                        std::to_string(std::llround(options_.most_moves / 1e6)) +
+                        " million moves at a chord error of " + shortest(options_.chord_error_mm) +
+                        " mm; a wider verification.resolution needs fewer");
   path_.chord_error_mm = std::max(path_.chord_error_mm, chord_error_mm(sweep, chords));
   for (std::size_t i = 1; i < count; ++i)
     add_move(arc, placed(point_at(sweep, arc, static_cast<double>(i) / chords)), false);
@@ -168,8 +170,7 @@ void PathMaker::add(const Motion& motion) {
 }  // namespace
 
 Vec3 RigidPlacement::operator()(const Vec3& p) const {
-  const auto [c, s] = direction(rotate_z_deg);
-  return Vec3{c * p.x - s * p.y, s * p.x + c * p.y, p.z} + translate_mm;
+  return turned(p, rotate_z_deg) + translate_mm;
 }
 
 RigidPlacement machine_in_part(const RigidPlacement& program_frame, const WorkOffset& g54) {

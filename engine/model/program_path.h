@@ -29,6 +29,8 @@ struct PathOptions {
   /// How much higher than the motion before `first` ended the tip stands at the start: another tool
   /// may have come into the spindle.
   double start_shift_z_mm = 0;
+  /// A path of more is refused: chords may be many where an arc is wide and the error small.
+  double most_moves = 4e8;
   /// The motions that are taken: [first, last).
   std::size_t first = 0, last = std::numeric_limits<std::size_t>::max();
 };
@@ -40,7 +42,7 @@ struct PathOptions {
 /// known. A tool that parks goes straight up to the park height, crosses there, and comes down by
 /// the straight move that the program states: the real one starts higher and stays above it.
 /// Throws std::invalid_argument unless 0 < chord_error_mm < infinity, ResourceError for more than
-/// 400 million moves.
+/// `most_moves` moves.
 Toolpath to_toolpath(const Program& program, const PathOptions& options);
 /// The whole program on a machine whose frame is the part's, where nothing parks.
 Toolpath to_toolpath(const Program& program, double chord_error_mm);

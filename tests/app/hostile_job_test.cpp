@@ -10,15 +10,6 @@
 namespace limitgauge::app {
 namespace {
 
-std::string error_of(const std::string& text, std::vector<std::string> overrides = {}) {
-  try {
-    read(text, std::move(overrides));
-  } catch (const model::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 std::string repeated(const std::string& part, int count) {
   std::string text;
   for (int i = 0; i < count; ++i) text += part;

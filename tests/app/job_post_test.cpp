@@ -14,7 +14,7 @@
 namespace limitgauge::app {
 namespace {
 
-std::string error_of(const std::string& added) {
+std::string refusal_of(const std::string& added) {
   try {
     read(good_job() + added);
   } catch (const model::InputError& error) {
@@ -56,19 +56,19 @@ TEST_CASE("a job's programs are LinuxCNC's unless it says otherwise", "[unit][jo
 }
 
 TEST_CASE("[post] and [machine] are refused where they make no sense", "[unit][job]") {
-  CHECK_THAT(error_of("[post]\ndialect = \"heidenhain\"\n"),
+  CHECK_THAT(refusal_of("[post]\ndialect = \"heidenhain\"\n"),
              ContainsSubstring("job.toml:22:11: error: \"dialect\" in [post] is \"heidenhain\"; "
                                "expected one of \"linuxcnc\", \"fanuc\", \"grbl\""));
-  CHECK(error_of("[post]\ndialect = \"grbl\"\ndecimals = 5\n") ==
+  CHECK(refusal_of("[post]\ndialect = \"grbl\"\ndecimals = 5\n") ==
         "job.toml:23:12: error: \"decimals\" in [post] is 5 for dialect grbl; expected a whole "
         "number from 0 to 4");
-  CHECK_THAT(error_of("[post]\ndecimals = 2.5\n"), ContainsSubstring("0 to 9"));
-  CHECK_THAT(error_of("[post]\ndecimals = -1\n"), ContainsSubstring("0 to 9"));
-  CHECK_THAT(error_of("[post]\narcs = 0\n"), ContainsSubstring("a number above zero"));
-  CHECK_THAT(error_of("[post]\narc = 0.1\n"), ContainsSubstring("expected \"arcs\""));
-  CHECK_THAT(error_of("[post]\ncl_data = 1\n"), ContainsSubstring("true or false"));
-  CHECK_THAT(error_of("[machine]\nacceleration = 0\n"), ContainsSubstring("a number above zero"));
-  CHECK(error_of("[machine]\njunction_deviation = 0.1\n") ==
+  CHECK_THAT(refusal_of("[post]\ndecimals = 2.5\n"), ContainsSubstring("0 to 9"));
+  CHECK_THAT(refusal_of("[post]\ndecimals = -1\n"), ContainsSubstring("0 to 9"));
+  CHECK_THAT(refusal_of("[post]\narcs = 0\n"), ContainsSubstring("a number above zero"));
+  CHECK_THAT(refusal_of("[post]\narc = 0.1\n"), ContainsSubstring("expected \"arcs\""));
+  CHECK_THAT(refusal_of("[post]\ncl_data = 1\n"), ContainsSubstring("true or false"));
+  CHECK_THAT(refusal_of("[machine]\nacceleration = 0\n"), ContainsSubstring("a number above zero"));
+  CHECK(refusal_of("[machine]\njunction_deviation = 0.1\n") ==
         "job.toml:22:22: error: \"junction_deviation\" without \"acceleration\" would change "
         "nothing; expected both, or neither");
 }

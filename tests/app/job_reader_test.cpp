@@ -13,15 +13,6 @@ struct BadJob {
   std::string from, to, error;
 };
 
-std::string error_of(const std::string& text, std::vector<std::string> overrides = {}) {
-  try {
-    read(text, std::move(overrides));
-  } catch (const model::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST_CASE("a job is read with its defaults stated", "[unit][job]") {
   const Job job = read(good_job());
   CHECK(job.name == "dome");

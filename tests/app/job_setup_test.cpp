@@ -5,15 +5,6 @@
 namespace limitgauge::app {
 namespace {
 
-std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const model::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 std::string with_machine(const std::string& keys) {
   return with(good_job(), "[[tool]]", "[machine]\n" + keys + "\n[[tool]]");
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/job_reader.h"
+#include "engine/model/error.h"
 
 namespace limitgauge::app {
 
@@ -38,6 +39,16 @@ inline std::string with(std::string text, const std::string& from, const std::st
 
 inline Job read(const std::string& text, std::vector<std::string> overrides = {}) {
   return read_job_text(text, "job.toml", LIMITGAUGE_FIXTURES, overrides);
+}
+
+/// What `text` is refused with.
+inline std::string error_of(const std::string& text, std::vector<std::string> overrides = {}) {
+  try {
+    read(text, std::move(overrides));
+  } catch (const model::InputError& error) {
+    return error.what();
+  }
+  return "no error";
 }
 
 }  // namespace limitgauge::app

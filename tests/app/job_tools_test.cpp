@@ -19,15 +19,6 @@ model::Cutter tool_of(const std::string& lines) {
   return read(job_with(lines)).stages.at(0).cutter;
 }
 
-std::string error_of(const std::string& job) {
-  try {
-    read(job);
-  } catch (const model::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 bool says_plunge(const std::string& lines) {
   const auto said = read(job_with(lines)).defaulted;
   return std::find(said.begin(), said.end(), "tool ball3: taken to be able to plunge") !=

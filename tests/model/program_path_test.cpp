@@ -6,6 +6,7 @@
 
 #include "engine/model/error.h"
 #include "engine/model/program_path.h"
+#include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;
@@ -146,6 +147,17 @@ TEST_CASE("a program laid into the part's frame", "[unit][program]") {
   CHECK(machine_in_part({90, {1, 2, 3}}, {{100, 50, 7}, 0})({100, 50, 7}) == Vec3{1, 2, 3});
   CHECK(machine_in_part({0, {}}, {{100, 50, 7}, 90})({90, 50, 7}) == Vec3{0, 10, 0});
   CHECK(highest_z_mm(program, options.machine_in_part) == 8);
+}
+
+TEST_CASE("an arc of more chords than there is room for names its line", "[unit][program]") {
+  std::istringstream in("G0 X0 Y0 Z5\nG2 X0 Y0 I1000000 P10000 F100\n");
+  const Program program = read_program(in, "text.ngc");
+  PathOptions options;
+  options.most_moves = 1e6;
+  options.chord_error_mm = 0.001;
+  CHECK(test::message_of<ResourceError>([&] { to_toolpath(program, options); }) ==
+        "line 2 of the program: more than 1 million moves at a chord error of 0.001 mm; a wider "
+        "verification.resolution needs fewer");
 }
 
 TEST_CASE("part of a program starts where the part before it ended", "[unit][program]") {

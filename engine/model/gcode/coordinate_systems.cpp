@@ -1,5 +1,7 @@
 #include "engine/model/gcode/coordinate_systems.h"
 
+#include "engine/model/angle.h"
+
 namespace limitgauge::model::gcode {
 namespace {
 

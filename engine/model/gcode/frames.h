@@ -18,7 +18,5 @@ struct Frame {
   friend bool operator==(const Frame&, const Frame&) = default;
 };
 
-/// `v` turned about Z; exact where `degrees` is a multiple of 90.
-Vec3 turned(const Vec3& v, double degrees);
 
 }  // namespace limitgauge::model::gcode

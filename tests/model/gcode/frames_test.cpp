@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/model/angle.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;
@@ -19,12 +20,12 @@ TEST_CASE("a frame adds origin, turned offsets and tool length", "[unit][gcode]"
 
 TEST_CASE("quarter turns are exact", "[unit][gcode]") {
   const Vec3 v{0.1, 0.7, 3};
-  CHECK(gcode::turned(v, 0) == v);
-  CHECK(gcode::turned(v, 90) == Vec3{-0.7, 0.1, 3});
-  CHECK(gcode::turned(v, -90) == Vec3{0.7, -0.1, 3});
-  CHECK(gcode::turned(v, 180) == Vec3{-0.1, -0.7, 3});
-  CHECK(gcode::turned(v, -540) == Vec3{-0.1, -0.7, 3});
-  CHECK(gcode::turned(v, 450) == Vec3{-0.7, 0.1, 3});
+  CHECK(turned(v, 0) == v);
+  CHECK(turned(v, 90) == Vec3{-0.7, 0.1, 3});
+  CHECK(turned(v, -90) == Vec3{0.7, -0.1, 3});
+  CHECK(turned(v, 180) == Vec3{-0.1, -0.7, 3});
+  CHECK(turned(v, -540) == Vec3{-0.1, -0.7, 3});
+  CHECK(turned(v, 450) == Vec3{-0.7, 0.1, 3});
 }
 
 TEST_CASE("turning agrees with complex numbers, and frames go there and back",

@@ -60,7 +60,7 @@ Mismatch compare(const model::Cage& cage) {
 
 }  // namespace
 
-TEST_CASE("the engine's limit meshes lie on the reference surface", "[property][slow]") {
+TEST_CASE("the engine's limit meshes lie on the reference surface", "[slow]") {
   for (const model::Cage& cage : cages()) {
     double size = 0;
     for (const Vec3& v : cage.vertices) size = std::max(size, length(v));

@@ -125,7 +125,7 @@ void check_watertight(const PatchModel& model, const OffsetModel& mesh, int plan
 
 }  // namespace
 
-TEST_CASE("sections of every kind of cage are watertight", "[property][section][slow]") {
+TEST_CASE("sections of every kind of cage are watertight", "[slow][section]") {
   for (const model::Cage& cage : tests::feature_cages()) {
     INFO(cage.name);
     const PatchModel model(cage, {0.01, 0, 5}, {});

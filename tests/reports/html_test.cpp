@@ -93,7 +93,7 @@ TEST_CASE("the page states the verdict first, then the stages", "[unit][html]") 
   CHECK(contains(page_of(sample_result(Outcome::indeterminate)), "Undecided"));
 }
 
-TEST_CASE("the page nests, loads nothing and runs nothing", "[unit][html][slow]") {
+TEST_CASE("the page nests, loads nothing and runs nothing", "[slow][html]") {
   for (const Outcome outcome : {Outcome::passed, Outcome::failed, Outcome::indeterminate}) {
     const std::string page = page_of(sample_result(outcome, 5), true);
     require_nesting(page);

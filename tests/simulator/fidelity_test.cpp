@@ -226,7 +226,7 @@ TEST_CASE("the order of moves changes no bit of the stock", "[slow][fidelity]") 
   }
 }
 
-TEST_CASE("moves cut in collinear pieces leave the same stock", "[property][fidelity][slow]") {
+TEST_CASE("moves cut in collinear pieces leave the same stock", "[slow][fidelity]") {
   for (const auto& c : cutters()) {
     const std::vector<Stroke> whole = random_strokes(8);
     std::vector<Stroke> pieces;

@@ -82,7 +82,7 @@ TEST_CASE("a stock that would not fit is forecast and cut in tiles", "[property]
   CHECK(cut.memory_bytes() <= limit);
 }
 
-TEST_CASE("a voxel that is said to do does", "[property][forecast][slow]") {
+TEST_CASE("a voxel that is said to do does", "[slow][forecast]") {
   const model::Stock box = BoxStock{{0, 0, 0}, {90, 80, 30}};
   for (const std::size_t mib : {3, 4, 5}) {
     const std::size_t limit = mib << 20;

@@ -70,7 +70,7 @@ StockAgreement compare(const model::Stock& raw, const model::Cutter& dexel_cutte
 
 }  // namespace
 
-TEST_CASE("the level set and the dexels are the same stock", "[property][dexel][agreement][slow]") {
+TEST_CASE("the level set and the dexels are the same stock", "[slow][dexel][agreement]") {
   unsigned seed = 0;
   for (const model::Cutter& c : every_cutter())
     for (const model::Stock& raw : stocks()) {

@@ -62,7 +62,7 @@ TEST_CASE("a gouge by two cuts that end in one another is covered to its depth i
   CHECK(d.gouge_mm.high <= 2.1);  // a tenth of the gap more
 }
 
-TEST_CASE("a flat's steps in a slope are as deep in all passes as in one", "[unit][slow]") {
+TEST_CASE("a flat's steps in a slope are as deep in all passes as in one", "[slow]") {
   // On a plane of 45 degrees each row of a flat goes as far down at its corner as the rows are
   // apart: what stands are steps whose outer corners touch S, and whose inner ones lie under it. A
   // point of S between two outer corners is half a step from the floor and from the wall.
@@ -160,7 +160,7 @@ TEST_CASE("the error of an arc's chords is part of the interval", "[unit]") {
 }
 
 TEST_CASE("the verdict does not depend on threads, on the order of moves or on their splitting",
-          "[property][slow]") {
+          "[slow]") {
   const ReferenceSurface surface(star_cage(5, 1));
   const auto tip = [](double x, double y) { return 0.8 + 0.02 * std::sin(x) * y; };
   const model::Toolpath path = raster(14, 0.8, 2, tip);

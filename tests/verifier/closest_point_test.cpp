@@ -163,7 +163,7 @@ void check_surface(const model::Cage& cage, int count, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("nothing is nearer than the closest point: stars", "[property][slow]") {
+TEST_CASE("nothing is nearer than the closest point: stars", "[slow]") {
   for (const int valence : {3, 5, 8}) check_surface(tests::star_cage(valence, 4), 200, 7);
 }
 

@@ -133,7 +133,7 @@ TEST_CASE("the distance to a mesh agrees with a look at every triangle", "[prope
   }
 }
 
-TEST_CASE("no point of a cell is beyond the bounds of its distance to a mesh", "[property][slow]") {
+TEST_CASE("no point of a cell is beyond the bounds of its distance to a mesh", "[slow]") {
   Dice dice;
   for (const TriangleMesh& solid :
        {box_mesh({-6, -6, -3}, {12, 12, 3}), box_mesh({-6, -6, -0.05}, {12, 12, 0.05}),

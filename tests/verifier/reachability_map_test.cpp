@@ -79,8 +79,7 @@ TEST_CASE("the underside of a closed surface is out of reach, to half its area",
   CHECK(map.at(1, 0.5, 0.5) == Reach::reachable);
 }
 
-TEST_CASE("reach maps agree with single contacts and do not depend on threads",
-          "[property][slow]") {
+TEST_CASE("reach maps agree with single contacts and do not depend on threads", "[slow]") {
   const ReferenceSurface surface(star_cage(5, 4));
   const SurfaceCells cells(surface.tree(), 1);
   for (const model::Cutter& cutter : {ball_cutter(6), flat_cutter(3)}) {

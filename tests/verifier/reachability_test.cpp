@@ -44,7 +44,7 @@ TEST_CASE("a ball too large for a bowl reaches down to the contact circle", "[un
 }
 
 TEST_CASE("what a large ball leaves in a bowl is unavoidable and not the toolpath's fault",
-          "[unit][slow]") {
+          "[slow]") {
   const ReferenceSurface bowl(paraboloid_cage(24, kBowl));
   // The ball rolls in the bowl as deep as it goes: its centre on the axis at the lowest, else
   // touching.

@@ -10,7 +10,7 @@
 namespace limitgauge::app {
 namespace {
 
-/// The stages that take parts of one file, by their index.
+/// The stages that take parts of one file, by their index; one that takes all of it stands alone.
 using Group = std::vector<std::size_t>;
 
 std::vector<Group> groups_of(const Job& job) {
@@ -18,7 +18,8 @@ std::vector<Group> groups_of(const Job& job) {
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     if (job.stages[i].plan) continue;
     const auto same = [&](const Group& group) {
-      return job.stages[group.front()].program == job.stages[i].program;
+      const JobStage &first = job.stages[group.front()], &second = job.stages[i];
+      return first.program == second.program && !(first.part.whole() && second.part.whole());
     };
     const auto known = std::find_if(groups.begin(), groups.end(), same);
     if (known == groups.end()) {
@@ -46,9 +47,9 @@ class GroupReader {
   GroupReader(const Job& job, const Settings& settings, const std::vector<model::Fixture>& fixtures,
               const Group& group);
   ForeignPath path_of(std::size_t index) const;
-  double start_shift_mm(std::size_t first) const;
 
  private:
+  double start_shift_mm(std::size_t first) const;
   const JobStage& stage(std::size_t index) const { return job_.stages[group_[index]]; }
 
   const Job& job_;

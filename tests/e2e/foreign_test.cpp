@@ -157,6 +157,22 @@ TEST_CASE("a program that lies elsewhere is laid over the cage", "[e2e][foreign]
   }
 }
 
+TEST_CASE("two stages may each take the whole of a program", "[e2e][foreign]") {
+  const Scratch scratch;
+  std::string job = read_text(fixture("findings/below-flutes-clean.toml"));
+  const std::size_t stage = job.find("[[stage]]"), after = job.find("[simulation]");
+  const std::string again = with(job.substr(stage, after - stage), "\"channel\"", "\"again\"");
+  write_text(scratch / "job.toml", job.insert(after, again));
+  fs::copy_file(fixture("findings/plate.obj"), scratch / "plate.obj");
+  fs::copy_file(fixture("findings/two-levels.ngc"), scratch / "two-levels.ngc");
+  const Outcome outcome = limitgauge(scratch, {"run", "job.toml", "-o", "out", "--no-pictures"});
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  const json stages = json::parse(read_text(scratch / "out/result.json"))["stages"];
+  REQUIRE(stages.size() == 2);
+  CHECK(stages[0]["toolpath"]["moves"] == stages[1]["toolpath"]["moves"]);
+}
+
 TEST_CASE("one digit changed is found on its line", "[e2e][foreign]") {
   const std::string program = with(plate_program(), "N165 G1 Z0.", "N165 G1 Z-0.5");
   const Bench bench(program);

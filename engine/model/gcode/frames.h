@@ -18,5 +18,4 @@ struct Frame {
   friend bool operator==(const Frame&, const Frame&) = default;
 };
 
-
 }  // namespace limitgauge::model::gcode

@@ -10,6 +10,8 @@ packages=(
   libopenvdb-dev libtbb-dev libimath-dev libboost-dev
   # reports
   nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev
+  # the report's script, bundled from reports/web at build time; a node that came with npm brings both
+  nodejs
   # command line and job files
   libcli11-dev libtomlplusplus-dev
   # tests: the framework, a second reader of our VTK files, a validator of our JSON, another
@@ -19,7 +21,10 @@ packages=(
   libbenchmark-dev libcgal-dev
   # fuzz tests: clang of either release (14, 19) with its fuzzer's and sanitizers' runtimes
   clang libclang-rt-dev
+  # tests of the report in a real browser
+  chromium
 )
+command -v npm >/dev/null || packages+=(npm)
 
 missing=()
 for package in "${packages[@]}"; do

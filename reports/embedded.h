@@ -7,5 +7,8 @@ namespace limitgauge::reports::embedded {
 
 std::string_view result_schema();
 std::string_view report_css();
+std::string_view report_js();         ///< the page's script, bundled from reports/web
+std::string_view report_js_sha256();  ///< its checksum in base64, for the page's policy
+std::string_view script_css();        ///< the style of what the script adds
 
 }  // namespace limitgauge::reports::embedded

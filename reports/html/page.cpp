@@ -8,6 +8,7 @@
 #include "reports/html/engine_section.h"
 #include "reports/html/markup.h"
 #include "reports/html/stage_section.h"
+#include "reports/page/page_script.h"
 #include "reports/process.h"
 #include "reports/report.h"
 #include "reports/text.h"
@@ -208,24 +209,27 @@ std::string assumptions_section(const std::vector<std::string>& assumptions) {
 std::string head(const RunResult& result) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-      // Nothing is loaded and nothing runs, whatever a file's text holds.
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'\">\n"
+      // Nothing is loaded and nothing of a file's text runs.
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
-      "<title>{}: {} – Limitgauge</title>\n<style>\n{}</style></head>\n<body><main>\n",
-      escape_markup(result.job), word(result.verdict), embedded::report_css());
+      "<title>{}: {} – Limitgauge</title>\n<style>\n{}{}</style></head>\n<body><main>\n",
+      page::content_policy(), escape_markup(result.job), word(result.verdict),
+      embedded::report_css(), embedded::script_css());
 }
 
 }  // namespace
 
 void write_html(const RunResult& result, std::ostream& out) {
-  out << head(result) << masthead(result) << stage_table(result);
+  out << head(result) << masthead(result) << stage_table(result)
+      << "<section id=\"view\"><h2>Error map</h2>\n<div data-view></div></section>\n";
   for (std::size_t i = 0; i < result.stages.size(); ++i) out << stage_section(result, i);
   out << surface_section(result.surface) << engine_section(result) << kDecisionRule
       << assumptions_section(result.assumptions)
       << "<footer><p>All lengths in mm or µm as stated. The same figures, digit for digit, are in "
-         "result.json beside this page.</p></footer>\n</main></body></html>\n";
+         "result.json beside this page.</p></footer>\n</main>\n";
+  page::write_page_script(result, out);
+  out << "</body></html>\n";
 }
 
 }  // namespace limitgauge::reports

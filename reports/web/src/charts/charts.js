@@ -1,0 +1,1 @@
+export function startCharts(report, root) {}

@@ -86,6 +86,12 @@ void CommandDefinition::add_common(CLI::App& sub) {
       ->allow_extra_args(false);
 }
 
+/// Every command takes the common options; those that change nothing in it are not told of.
+void CommandDefinition::hide_unused(CLI::App& sub) {
+  for (const char* name : {"--threads", "--verbose", "--no-pictures", "--force", "--set"})
+    sub.get_option(name)->group("");
+}
+
 void CommandDefinition::add_run() {
   CLI::App& sub = *app_.add_subcommand("run", "Plan, cut, verify, gate and report a job");
   file(sub.add_option("JOB", parsed_.run.job, "Job file (TOML)"), "toml")->required();
@@ -194,6 +200,7 @@ void CommandDefinition::add_inspect() {
       ->excludes(samples);
   add_machine(sub, inspect.machine);
   add_common(sub);
+  hide_unused(sub);
 }
 
 void CommandDefinition::add_view() {
@@ -207,6 +214,7 @@ void CommandDefinition::add_view() {
       ->check(whole_number(1, 65535));
   sub.add_flag("--no-browser", view.no_browser, "Open no browser, only serve");
   add_common(sub);
+  hide_unused(sub);
 }
 
 }  // namespace limitgauge::app

@@ -37,6 +37,7 @@ class CommandDefinition {
   CLI::Option* file(CLI::Option* option, const std::string& extension = "");
   CLI::Option* folder(CLI::Option* option);
   void add_common(CLI::App& sub);
+  void hide_unused(CLI::App& sub);
   void add_machine(CLI::App& sub, MachineOptions& machine);
   void add_run();
   void add_plan();

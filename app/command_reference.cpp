@@ -21,7 +21,8 @@ OptionReference CommandDefinition::reference(const CLI::Option& option) const {
 
 CommandReference CommandDefinition::reference(const CLI::App& app) const {
   CommandReference said{app.get_name(), app.get_description(), {}, {}};
-  for (const CLI::Option* option : app.get_options()) said.options.push_back(reference(*option));
+  for (const CLI::Option* option : app.get_options())
+    if (!option->get_group().empty()) said.options.push_back(reference(*option));
   const auto subs = app.get_subcommands([](const CLI::App*) { return true; });
   for (const CLI::App* sub : subs) said.commands.push_back(reference(*sub));
   return said;

@@ -78,16 +78,16 @@ std::string synopsis(const std::string& program, const CommandReference& command
 }
 
 std::string summary(const OptionReference& option) {
-  std::string text = option.summary;
-  if (option.required && !option.positional) text += " (required)";
-  if (option.repeatable) text += " (repeatable)";
-  return text;
+  const bool required = option.required && !option.positional;
+  if (required && option.repeatable) return option.summary + " (required, repeatable)";
+  if (required) return option.summary + " (required)";
+  return option.repeatable ? option.summary + " (repeatable)" : option.summary;
 }
 
 std::string command_help(const std::string& program, const CommandReference& command) {
-  constexpr std::size_t kUsage = 7;  // after "Usage: "
-  std::string out = command.summary + ".\n\nUsage: ";
-  out += in_column(synopsis(program, command), kUsage, kUsage);
+  const std::string usage = "Usage:";
+  std::string out = command.summary + ".\n\n" + usage;
+  out += in_column(synopsis(program, command), usage.size(), usage.size() + 1);
   if (const std::string arguments = options_of(command, true); !arguments.empty())
     out += "\nArguments:\n" + arguments;
   return out + "\nOptions:\n" + options_of(command, false);

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 #include "app/help_text.h"
 #include "app/usage_notes.h"
 
 namespace limitgauge::app {
 namespace {
+
+/// When what this page says beyond the options was changed last.
+const std::string kDate = "2026-11-21";
 
 /// `text` so that roff prints it as it stands: a hyphen stays one that can be pasted, and a line
 /// that begins with a dot or a quote is no request.
@@ -24,6 +28,21 @@ std::string plain(std::string_view text) {
     }
   }
   return out;
+}
+
+/// `text` on lines that a reader of the source can read, too; where they end means nothing.
+std::string paragraph(std::string_view text) {
+  constexpr std::size_t kWidth = 76;
+  std::istringstream words{std::string(text)};
+  std::string out, line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > kWidth) {
+      out += plain(line) + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return out + plain(line) + "\n";
 }
 
 std::string bold(std::string_view text) {
@@ -44,7 +63,7 @@ std::string section(const std::string& title) {
 }
 
 std::string entry(const std::string& term, std::string_view text) {
-  return ".TP\n" + term + "\n" + plain(text) + "\n";
+  return ".TP\n" + term + "\n" + paragraph(text);
 }
 
 /// "\fB-o\fR, \fB--output\fR \fIDIR\fR".
@@ -106,20 +125,22 @@ std::string examples() {
 }
 
 std::string description(const CommandReference& program) {
-  return plain(program.summary) +
-         "\nThe stages of a job are planned, or read from programs in G\\-code, cut in "
-         "simulation,\n"
-         "measured against the exact limit surface of a Catmull\\-Clark cage, and gated.\n"
-         "Every figure is an interval that is proven: a stage passes, fails, or is said to be\n"
-         "indeterminate.\nLengths are in millimetres, angles in degrees, feeds in mm/min.\n";
+  return paragraph(program.summary) +
+         paragraph(
+             "The stages of a job are planned, or read from programs in G-code, cut in simulation, "
+             "measured against the exact limit surface of a Catmull-Clark cage, and gated.") +
+         paragraph(
+             "Every figure is an interval that is proven: a stage passes, fails, or is said to be "
+             "indeterminate.") +
+         paragraph("Lengths are in millimetres, angles in degrees, feeds in mm/min.");
 }
 
 }  // namespace
 
 std::string man_page(const CommandReference& program, std::string_view version) {
   std::string out = ".\\\" Written by the program from the options that it parses.\n";
-  out += ".TH " + upper(program.name) + " 1 \"\" \"" + program.name + " " + std::string(version) +
-         "\" \"User Commands\"\n";
+  out += ".TH " + upper(program.name) + " 1 \"" + kDate + "\" \"" + program.name + " " +
+         std::string(version) + "\" \"User Commands\"\n";
   out += section("NAME") + program.name + " \\- go or no\\-go for toolpaths\n";
   out += section("SYNOPSIS") + synopsis_lines(program);
   out += section("DESCRIPTION") + description(program);

@@ -21,6 +21,8 @@ RunningProgram::RunningProgram(const Scratch& folder, const std::vector<std::str
   child_ = fork();
   if (child_ < 0) throw std::runtime_error("fork failed");
   if (child_ == 0) {
+    // Tests that were started in the background ignore it, and a program keeps what it was given.
+    ::signal(SIGINT, SIG_DFL);
     dup2(ends[1], STDOUT_FILENO);
     close(ends[0]);
     close(ends[1]);

@@ -38,7 +38,7 @@ TEST_CASE("bash completes commands and options", "[e2e][shell]") {
   CHECK(offered(scratch.path(), {"v"}) == Words{"verify", "view"});
   CHECK(offered(scratch.path(), {"--v"}) == Words{"--version"});
   CHECK(offered(scratch.path(), {"run", "--no"}) == Words{"--no-pictures"});
-  CHECK(offered(scratch.path(), {"view", "out", "--no"}) == Words{"--no-browser", "--no-pictures"});
+  CHECK(offered(scratch.path(), {"view", "out", "--no"}) == Words{"--no-browser"});
   CHECK(offered(scratch.path(), {"verify", "--pro"}) ==
         Words{"--program", "--program-offset", "--program-rotation"});
   CHECK(offered(scratch.path(), {"run", "--threads", ""}).empty());

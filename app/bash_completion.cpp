@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "app/completions.h"
 
 namespace limitgauge::app {
@@ -55,11 +53,16 @@ std::string word_cases(const CommandReference& program) {
     names += (names.empty() ? "" : " ") + command.name;
   std::string out = "    '') options='" + option_names(program) + "'; words='" + names + "' ;;\n";
   for (const CommandReference& command : program.commands) {
-    out += "    " + command.name + ") options='" + option_names(command) + "'";
-    for (const OptionReference& option : command.options)
-      if (option.positional) out += "; argument=\"" + action(option.hint) + "\"";
-    out += " ;;\n";
+    out += "    " + command.name + ") options='" + option_names(command) + "' ;;\n";
   }
+  return out;
+}
+
+std::string argument_cases(const CommandReference& program) {
+  std::string out;
+  for (const CommandReference& command : program.commands)
+    for (const OptionReference& option : command.options)
+      if (option.positional) out += "      " + command.name + ") " + action(option.hint) + " ;;\n";
   return out;
 }
 
@@ -87,7 +90,6 @@ _limitgauge_words() {
 
 constexpr const char* kBegin = R"(_limitgauge() {
   local cur=${COMP_WORDS[COMP_CWORD]} at=$COMP_CWORD command='' word option options='' words=''
-  local argument=':'
   COMPREPLY=()
   # The shell splits words at = and : and hands these over as words of their own.
   if [ "$cur" = : ] || [ "$cur" = = ]; then
@@ -110,13 +112,16 @@ constexpr const char* kBegin = R"(_limitgauge() {
   case $command:$option in
 )";
 
-constexpr const char* kEnd = R"(  esac
+constexpr const char* kChoice = R"(  esac
   if [[ $cur == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")
   elif [ -n "$words" ]; then
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$cur")
   else
-    $argument
+    case $command in
+)";
+
+constexpr const char* kEnd = R"(    esac
   fi
 }
 complete -F _limitgauge limitgauge
@@ -126,7 +131,8 @@ complete -F _limitgauge limitgauge
 
 std::string bash_completion(const CommandReference& program) {
   std::string out = std::string(kHelpers) + kBegin + value_cases(program);
-  return out + "  esac\n  case $command in\n" + word_cases(program) + kEnd;
+  return out + "  esac\n  case $command in\n" + word_cases(program) + kChoice +
+         argument_cases(program) + kEnd;
 }
 
 }  // namespace limitgauge::app

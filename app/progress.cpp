@@ -34,7 +34,7 @@ double ProgressLine::now_s() const {
 void ProgressLine::start_part() {
   fraction_ = 0;
   part_began_s_ = now_s();
-  left_.start(part_began_s_);
+  left_ = {};
 }
 
 void ProgressLine::phase(const Phase& phase) {

@@ -10,6 +10,8 @@ constexpr double kLeastElapsed_s = 2;
 constexpr double kLeastFraction = 0.01;
 /// How far back the recent rate looks.
 constexpr double kRecent_s = 8;
+/// How much the recent rate counts against the mean of the whole way.
+constexpr double kTrust = 0.75;
 /// In this time, two thirds of a change of the estimate are taken over.
 constexpr double kSettle_s = 4;
 
@@ -19,23 +21,24 @@ std::string two_digits(long value) {
 
 }  // namespace
 
-void TimeLeft::start(double now_s) {
-  *this = {};
-  start_s_ = last_s_ = now_s;
-}
-
 void TimeLeft::update(double now_s, double fraction) {
-  const double passed = now_s - last_s_;
-  const double elapsed = now_s - start_s_;
+  if (!counting_) {
+    // What was done before the first share is not what the shares are of.
+    counting_ = fraction > 0;
+    start_s_ = last_s_ = now_s;
+    start_fraction_ = last_fraction_ = fraction;
+    return;
+  }
+  const double passed = now_s - last_s_, elapsed = now_s - start_s_;
   if (passed <= 0) return;
-  // In the beginning there is nothing further back to weigh against.
-  const double share = 1 - std::exp(-passed / std::min(kRecent_s, elapsed));
-  recent_rate_ += share * ((fraction - last_fraction_) / passed - recent_rate_);
+  const double rate = (fraction - last_fraction_) / passed;
+  const bool is_first = last_s_ == start_s_;
+  recent_rate_ += (is_first ? 1 : 1 - std::exp(-passed / kRecent_s)) * (rate - recent_rate_);
   last_s_ = now_s;
   last_fraction_ = fraction;
-  if (elapsed < kLeastElapsed_s || fraction < kLeastFraction) return;
-  const double rate = 0.5 * (fraction / elapsed + std::max(recent_rate_, 0.0));
-  const double end_s = now_s + (1 - fraction) / rate;
+  if (elapsed < kLeastElapsed_s || fraction - start_fraction_ < kLeastFraction) return;
+  const double mean_rate = (fraction - start_fraction_) / elapsed;
+  const double end_s = now_s + (1 - fraction) / (kTrust * recent_rate_ + (1 - kTrust) * mean_rate);
   if (!end_s_) end_s_ = end_s;
   *end_s_ += (1 - std::exp(-passed / kSettle_s)) * (end_s - *end_s_);
 }

@@ -10,15 +10,14 @@ namespace limitgauge::app {
 /// jumps. All times in seconds of one clock.
 class TimeLeft {
  public:
-  /// A step begins.
-  void start(double now_s);
-  /// `fraction` of it is done; also to be told where nothing has moved.
+  /// `fraction` of the step is done; also to be told where nothing has moved.
   void update(double now_s, double fraction);
   /// Nothing as long as too little is known.
   std::optional<double> seconds(double now_s) const;
 
  private:
-  double start_s_ = 0, last_s_ = 0, last_fraction_ = 0;
+  bool counting_ = false;  ///< a share was reported
+  double start_s_ = 0, start_fraction_ = 0, last_s_ = 0, last_fraction_ = 0;
   double recent_rate_ = 0;  ///< share a second, over the last seconds
   std::optional<double> end_s_;
 };

@@ -9,11 +9,11 @@ namespace {
 
 TEST_CASE("nothing is said of the time left as long as nothing is known", "[unit][time_left]") {
   TimeLeft left;
-  left.start(100);
   CHECK_FALSE(left.seconds(100));
   left.update(101, 0.3);
-  CHECK_FALSE(left.seconds(101));  // too early
-  left.start(200);
+  left.update(102, 0.5);
+  CHECK_FALSE(left.seconds(102));  // too early
+  left = {};
   for (double t = 200.1; t < 260; t += 0.1) left.update(t, 0);
   CHECK_FALSE(left.seconds(260));  // no share reported at all
 }
@@ -21,21 +21,27 @@ TEST_CASE("nothing is said of the time left as long as nothing is known", "[unit
 TEST_CASE("of steady work the time left is exact", "[unit][time_left]") {
   constexpr double kWhole_s = 60;
   TimeLeft left;
-  left.start(0);
   for (int i = 1; i <= 590; ++i) {
     const double t = 0.1 * i;
     left.update(t, t / kWhole_s);
-    if (t < 2.05) continue;
+    if (t < 2.15) continue;
     CAPTURE(t);
     REQUIRE(left.seconds(t));
     CHECK(std::abs(*left.seconds(t) - (kWhole_s - t)) < 0.01);
   }
 }
 
+TEST_CASE("what was done before the first share does not count", "[unit][time_left]") {
+  TimeLeft left;
+  for (int i = 0; i < 300; ++i) left.update(0.1 * i, 0);  // half a minute of something else
+  for (int i = 1; i <= 30; ++i) left.update(30 + 0.1 * i, 0.01 * i);
+  REQUIRE(left.seconds(33));
+  CHECK(std::abs(*left.seconds(33) - 7) < 0.01);
+}
+
 TEST_CASE("work that becomes four times slower moves the time left without a jump",
           "[unit][time_left]") {
   TimeLeft left;
-  left.start(0);
   double fraction = 0, before = 0;
   for (int i = 1; i <= 600; ++i) {
     const double t = 0.1 * i;
@@ -56,7 +62,6 @@ TEST_CASE("work that becomes four times slower moves the time left without a jum
 TEST_CASE("a step that stands still has ever more time left, never less than none",
           "[unit][time_left]") {
   TimeLeft left;
-  left.start(0);
   for (int i = 1; i <= 100; ++i) left.update(0.1 * i, 0.009 * i);
   const double at_90_percent = *left.seconds(10);
   for (int i = 101; i <= 600; ++i) {

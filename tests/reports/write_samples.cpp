@@ -13,8 +13,11 @@ namespace {
 
 void write_all(RunResult result, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  for (StageResult& stage : result.stages)
-    stage.pictures = write_stage_files(stage, folder, {}).pictures;
+  for (StageResult& stage : result.stages) {
+    StageFiles files = write_stage_files(stage, folder, {.rapid_mm_min = 5000});
+    stage.pictures = std::move(files.pictures);
+    if (stage.ran) stage.ran->path_view = std::move(files.path_view);
+  }
   std::ofstream json(folder / "result.json"), junit(folder / "junit.xml"),
       page(folder / "report.html");
   write_result_json(result, json);

@@ -12,7 +12,7 @@ const longest_s = 3;
 const opening = () => {
   let seconds;
   return withReport(browser, 'large', {}, async (page) => {
-    seconds = (await page.evaluate(() => window.limitgauge.readyAt ?? performance.now())) / 1000;
+    seconds = (await page.evaluate(() => performance.now())) / 1000;
   }).then(() => seconds);
 };
 

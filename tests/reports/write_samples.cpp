@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/report.h"
@@ -22,24 +23,28 @@ constexpr int kLargeSamplesPerEdge = 83;
 
 struct Sample {
   std::function<RunResult()> result;
-  bool page_only = false;  ///< no stage files: a hostile name is none for a folder
+  bool names_folders = true;  ///< the stages' names do
 };
 
 const std::map<std::string, Sample> kSamples = {
     {"passed", {[] { return sample_result(Outcome::passed, kSamplesPerEdge); }}},
     {"failed", {[] { return sample_result(Outcome::failed, kSamplesPerEdge); }}},
     {"undecided", {[] { return sample_result(Outcome::indeterminate, kSamplesPerEdge); }}},
-    {"hostile", {[] { return hostile_result(); }, true}},
-    {"large", {[] { return sample_result(Outcome::passed, kLargeSamplesPerEdge); }, true}},
+    {"hostile", {[] { return hostile_result(); }, false}},
+    {"large", {[] { return sample_result(Outcome::passed, kLargeSamplesPerEdge); }}},
 };
 
 void write_all(const Sample& sample, const std::filesystem::path& folder) {
   RunResult result = sample.result();
   std::filesystem::create_directories(folder);
-  for (StageResult& stage : result.stages)
-    if (stage.ran)
-      stage.pictures =
-          sample.page_only ? draw_pictures(stage) : write_stage_files(stage, folder, {}).pictures;
+  for (StageResult& stage : result.stages) {
+    std::string name = stage.name;
+    if (!sample.names_folders) stage.name = "stage";
+    StageFiles files = write_stage_files(stage, folder, {.rapid_mm_min = 5000});
+    stage.name = std::move(name);
+    stage.pictures = std::move(files.pictures);
+    if (stage.ran) stage.ran->path_view = std::move(files.path_view);
+  }
   std::ofstream json(folder / "result.json"), junit(folder / "junit.xml"),
       page(folder / "report.html");
   write_result_json(result, json);

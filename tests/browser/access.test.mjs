@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { openBrowser, withReport } from './support/browser.mjs';
 import { faintWords } from './support/contrast.mjs';
-import { part, settle, showStage } from './support/view.mjs';
+import { settle, showPath, showStage } from './support/view.mjs';
 
 const browser = await openBrowser();
 const named = ['button', 'checkbox', 'combobox', 'image', 'link', 'radio', 'slider', 'spinbutton', 'tab',
@@ -11,7 +11,7 @@ const named = ['button', 'checkbox', 'combobox', 'image', 'link', 'radio', 'slid
 
 async function openAll(page) {
   await showStage(page, 1);
-  await part(page, 'path-visible').or(part(page, 'view-path')).first().check();
+  await showPath(page);
   await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
   await settle(page);
 }

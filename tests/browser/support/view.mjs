@@ -4,8 +4,11 @@ export const part = (page, id) => page.locator(`[data-testid="${id}"]`);
 
 export const stateOf = (page) => page.evaluate(() => window.limitgauge.view.state());
 
-/** Until the camera rests and what it sees is drawn. */
-export const settle = (page) => page.evaluate(() => window.limitgauge.view.settled());
+/** Until the camera rests, and what it sees and what was said of it is drawn. */
+export const settle = (page) => page.evaluate(async () => {
+  for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+  await window.limitgauge.view.settled();
+});
 
 export async function showStage(page, index) {
   await page.locator(`[data-testid="view-stages"] [role=tab][data-stage="${index}"]`).click();
@@ -47,3 +50,9 @@ export async function readAt(page, { x, y }) {
 }
 
 export const distance = (a, b) => Math.hypot(...a.map((c, i) => c - b[i]));
+
+/** Shows the toolpath with its controls. */
+export async function showPath(page) {
+  await part(page, 'path-visible').check();
+  await settle(page);
+}

@@ -19,8 +19,9 @@ export function pathGeometry(path) {
     if (i === 0) points.set(path.start_mm, 0);
     else points.set(path.positions.subarray(3 * i - 3, 3 * i), 6 * i);
     points.set(path.positions.subarray(3 * i, 3 * i + 3), 6 * i + 3);
-    const before = along, kind = path.kind[i] === 0 ? 0 : 1;
-    along = kind === 0 ? along + segmentLength(points, 6 * i) : 0;
+    const kind = path.kind[i] === 0 ? 0 : 1;
+    const before = kind === 0 ? along : 0;
+    along = kind === 0 ? before + segmentLength(points, 6 * i) : 0;
     traits.set([beginning(path, i), kind, before, path.end_s[i], kind, along], 2 * TRAIT_COMPONENTS * i);
     lines.set([2, 2 * i, 2 * i + 1], 3 * i);
   }

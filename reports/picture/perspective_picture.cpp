@@ -90,7 +90,10 @@ void draw_marks(Image& image, const std::vector<Mark>& marks, const PerspectiveV
                 kMapWidth + kMargin);
     std::string note = marks[i].id + ": " + marks[i].words + " " + depth + ", patch " +
                        std::to_string(f.place.patch);
-    note += f.line > 0 ? ", line " + std::to_string(f.line) : std::string(", raw stock");
+    // An earlier stage's move may have done it; stages are counted as the report lists them.
+    note += f.line > 0
+                ? ", stage " + std::to_string(f.stage + 1) + " line " + std::to_string(f.line)
+                : std::string(", raw stock");
     if (!is_in_sight(fine.project(f.place.point), map.depth)) note += " (behind)";
     draw_text(image, note, {kMargin + 4.0 + 640.0 * double(i), foot}, kText);
   }

@@ -1,7 +1,8 @@
-// write_samples FOLDER: the reports of a passed, a failed, an undecided and a foreign sample job,
-// for checks by readers that are not ours.
+// write_samples FOLDER [--no-pictures]: the reports of a passed, a failed, an undecided and a
+// foreign sample job, for checks by readers that are not ours.
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "reports/report.h"
@@ -11,10 +12,12 @@ using namespace limitgauge::reports;
 
 namespace {
 
-void write_all(RunResult result, const std::filesystem::path& folder) {
+void write_all(RunResult result, const std::filesystem::path& folder, bool pictures) {
   std::filesystem::create_directories(folder);
-  for (StageResult& stage : result.stages)
-    stage.pictures = write_stage_files(stage, folder, {}).pictures;
+  for (StageResult& stage : result.stages) {
+    StageFiles files = write_stage_files(stage, folder, {.pictures = pictures});
+    if (pictures) stage.pictures = std::move(files.pictures);
+  }
   std::ofstream json(folder / "result.json"), junit(folder / "junit.xml"),
       page(folder / "report.html"), sarif(folder / "findings.sarif"),
       csv(folder / "findings.csv", std::ios::binary);
@@ -28,11 +31,12 @@ void write_all(RunResult result, const std::filesystem::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
+  const bool pictures = argc == 2;
+  if (!pictures && (argc != 3 || std::string_view(argv[2]) != "--no-pictures")) return 2;
   const std::filesystem::path folder(argv[1]);
-  write_all(sample_result(Outcome::passed, 41), folder / "passed");
-  write_all(sample_result(Outcome::failed, 41), folder / "failed");
-  write_all(sample_result(Outcome::indeterminate, 41), folder / "undecided");
-  write_all(foreign_result(41), folder / "foreign");
+  write_all(sample_result(Outcome::passed, 41), folder / "passed", pictures);
+  write_all(sample_result(Outcome::failed, 41), folder / "failed", pictures);
+  write_all(sample_result(Outcome::indeterminate, 41), folder / "undecided", pictures);
+  write_all(foreign_result(41), folder / "foreign", pictures);
   std::ofstream(folder / "schema.json") << result_schema();
 }

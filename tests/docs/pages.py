@@ -20,7 +20,7 @@ class Block:
     line: int  # of the opening fence, from 1
     language: str
     text: str
-    notes: dict  # of the comments before it: exit, not run, until interrupted, prints
+    notes: dict  # of the comments before it, see run_commands.py
     file: str | None  # the name on the line before it
 
 
@@ -29,7 +29,7 @@ def parse_note(comment, where):
     key, _, value = comment.partition(':')
     value = value.strip()
     known = {'exit': value.isdigit(), 'not run': len(value) > 10,
-             'until interrupted': value == '', 'prints': value == ''}
+             'until interrupted': value == '', 'prints': value == '', 'same as': value != ''}
     if not known.get(key.strip()):
         raise PageError(f'{where}: unknown annotation "{comment}"')
     return key.strip(), value

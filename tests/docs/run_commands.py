@@ -10,6 +10,7 @@ written to that file instead. Comments before a block say what differs:
     <!-- not run: REASON -->     why a test cannot run it
     <!-- prints -->              a ```text block: each of its lines was printed by the last ```sh block;
                                  … stands for anything
+    <!-- same as: FILE -->       a block of any other language: it is that file, word for word
 
 Commands within the text are looked at, too: see inline_commands.py.
 """
@@ -84,9 +85,11 @@ def require_form(block):
     """What can be wrong with a block before it runs."""
     if block.language == 'sh' and block.file:
         raise PageError('a command where a file was announced')
+    if 'same as' in block.notes and block.language == 'sh':
+        raise PageError('"same as" is for what is not run')
     if 'prints' in block.notes and block.language != 'text':
         raise PageError('"prints" is for text')
-    if block.language != 'sh' and set(block.notes) - {'prints'}:
+    if block.language != 'sh' and set(block.notes) - {'prints', 'same as'}:
         raise PageError('an annotation for commands before something else')
     alone = block.notes.get('exit', '0') != '0' or 'until interrupted' in block.notes
     if alone and len(logical_lines(block.text)) != 1:
@@ -101,12 +104,20 @@ def write_file(block, folder):
     file.write_text(block.text, encoding='utf-8')
 
 
+def require_same(block, folder):
+    file = folder / block.notes['same as']
+    if not file.is_file() or file.read_text(encoding='utf-8') != block.text:
+        raise PageError(f'is not what {block.notes["same as"]} is')
+
+
 def work_through(page, folder):
     printed = ''
     for block in read_blocks(page):
         try:
             require_form(block)
-            if block.file:
+            if 'same as' in block.notes:
+                require_same(block, folder)
+            elif block.file:
                 write_file(block, folder)
             elif 'prints' in block.notes:
                 missing = missing_lines(block.text, printed)

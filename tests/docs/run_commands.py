@@ -45,9 +45,14 @@ def logical_lines(text):
     return [line for line in lines if line.strip() and not line.lstrip().startswith('#')]
 
 
+def environment():
+    """The reader's own, but for the display: no test is to open a browser on it."""
+    return {k: v for k, v in os.environ.items() if k not in ('DISPLAY', 'WAYLAND_DISPLAY')}
+
+
 def run_block(block, folder):
     """Exit code and all that was printed."""
-    done = subprocess.run(['bash', '-eo', 'pipefail', '-c', block.text], cwd=folder, text=True,
+    done = subprocess.run(['bash', '-eo', 'pipefail', '-c', block.text], cwd=folder, text=True, env=environment(),
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           timeout=BLOCK_SECONDS, check=False)
     return done.returncode, done.stdout
@@ -56,7 +61,7 @@ def run_block(block, folder):
 def run_until_interrupted(block, folder):
     """As if the reader pressed Ctrl-C; ending on its own is no waiting."""
     process = subprocess.Popen(['bash', '-c', 'exec ' + block.text.replace('\\\n', ' ')], cwd=folder,
-                               text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                               text=True, env=environment(), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=subprocess.STDOUT, start_new_session=True)
     time.sleep(BEFORE_INTERRUPT_SECONDS)
     if process.poll() is not None:

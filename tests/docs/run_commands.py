@@ -52,9 +52,9 @@ def environment():
 
 def run_block(block, folder):
     """Exit code and all that was printed."""
-    done = subprocess.run(['bash', '-eo', 'pipefail', '-c', block.text], cwd=folder, text=True, env=environment(),
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          timeout=BLOCK_SECONDS, check=False)
+    done = subprocess.run(['bash', '-eo', 'pipefail', '-c', block.text], cwd=folder, env=environment(),
+                          text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, timeout=BLOCK_SECONDS, check=False)
     return done.returncode, done.stdout
 
 

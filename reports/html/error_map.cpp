@@ -38,7 +38,7 @@ std::string map_figure(const verifier::StageDeviation& d, const DeviationScale& 
   return fmt::format(
       "<figure class=\"map\"><figcaption>{}{} Fine lines: patch borders.</figcaption>"
       "<div class=\"frame\"><img src=\"{}\" width=\"{}\" height=\"{}\" "
-      "alt=\"Map of deviation seen from +Z, X to the right, Y up\">{}{}</div>{}</figure>\n",
+      "alt=\"Map of deviation seen from +Z, X to the right, Y up\"/>{}{}</div>{}</figure>\n",
       caption, hatched, image, frame.width, frame.height, markers(d.gouges, 'G', frame),
       markers(d.uncuts, 'U', frame), colour_legend(scale));
 }
@@ -50,17 +50,16 @@ bool is_faint(const verifier::StageDeviation& d, const verifier::GateLimits& l) 
 
 }  // namespace
 
-std::string error_maps(const StageResult& stage) {
+std::string error_map(const StageResult& stage) {
   const verifier::StageDeviation& d = stage.ran->deviation;
   if (d.field.quads.empty()) return {};
-  const bool faint = is_faint(d, stage.limits);
-  std::string out = map_figure(d, DeviationScale::for_gate(d, stage.limits),
-                               "Deviation seen from +Z, colours scaled by the gate limits: pale is "
-                               "in tolerance, dark is beyond a limit.");
-  if (faint)
-    out += map_figure(d, DeviationScale::magnified(d),
-                      "The same at the scale of what was measured, far inside the limits.");
-  return out;
+  if (is_faint(d, stage.limits))
+    return map_figure(d, DeviationScale::magnified(d),
+                      "Deviation seen from +Z. All of it is far inside the limits: the colours are "
+                      "scaled by what was measured.");
+  return map_figure(d, DeviationScale::for_gate(d, stage.limits),
+                    "Deviation seen from +Z, colours scaled by the gate limits: pale is in "
+                    "tolerance, dark is beyond a limit.");
 }
 
 }  // namespace limitgauge::reports::html

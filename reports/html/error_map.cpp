@@ -6,13 +6,15 @@
 
 #include "reports/html/charts.h"
 #include "reports/html/markup.h"
+#include "reports/html/page_picture.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/text.h"
 
 namespace limitgauge::reports::html {
 namespace {
 
-constexpr int kMapWidth = 1100, kMapHeight = 900;
+/// Fit for half of a page on paper, and for the screen.
+constexpr int kMapWidth = 900, kMapHeight = 740;
 constexpr std::size_t kMarkersPerKind = 3;
 /// Below this share of the limits the gate's colours show next to nothing.
 constexpr double kFaint = 0.3;
@@ -32,7 +34,7 @@ std::string markers(const std::vector<verifier::Finding>& findings, char letter,
 std::string map_figure(const verifier::StageDeviation& d, const DeviationScale& scale,
                        std::string_view caption) {
   const MapFrame frame = map_frame(d.field, kMapWidth, kMapHeight);
-  const std::string image = png_uri(png_bytes(draw_map(d.field, scale, frame)));
+  const std::string image = png_uri(palette_png(draw_map(d.field, scale, frame)));
   const std::string hatched =
       d.unreachable_area_mm2 > 0 ? " Hatched: the cutter cannot reach there." : "";
   return fmt::format(

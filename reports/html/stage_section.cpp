@@ -11,6 +11,7 @@
 #include "reports/html/findings_part.h"
 #include "reports/html/gate_part.h"
 #include "reports/html/markup.h"
+#include "reports/html/page_picture.h"
 #include "reports/html/patch_table.h"
 #include "reports/html/process_part.h"
 #include "reports/html/program_part.h"
@@ -39,7 +40,7 @@ std::string stock_figure(const std::optional<StagePictures>& pictures) {
   return fmt::format(
       "<figure class=\"stock\"><figcaption>The stock after this stage, as simulated."
       "</figcaption><img src=\"{}\" alt=\"Shaded view of the cut stock\"/></figure>\n",
-      png_uri(pictures->stock_png));
+      png_uri(palette_png(read_png(pictures->stock_png))));
 }
 
 std::string plates(const StageResult& stage, std::size_t index) {

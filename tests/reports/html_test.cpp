@@ -260,6 +260,7 @@ TEST_CASE("findings stand in the table with place, patch, parameters and line", 
 TEST_CASE("numbers are set as numbers", "[unit][html]") {
   CHECK(html::typeset("-1.25") == "−1.25");
   CHECK(html::typeset("8.10e-08") == "8.10 × 10<sup>−8</sup>");
+  CHECK(html::typeset("1.10e-05 µm") == "1.10 × 10<sup>−5</sup> µm");
   CHECK(html::png_uri("M") == "data:image/png;base64,TQ==");
   CHECK(html::png_uri("Man") == "data:image/png;base64,TWFu");
   CHECK(html::png_uri("Many") == "data:image/png;base64,TWFueQ==");

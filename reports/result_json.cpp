@@ -1,3 +1,4 @@
+#include "reports/json/inputs_part.h"
 #include "reports/json/programs_part.h"
 #include "reports/json/stage_part.h"
 #include "reports/json/stock_part.h"
@@ -14,6 +15,7 @@ void write_result_json(const RunResult& result, std::ostream& out) {
                      {"created", clean_text(result.created)},
                      {"threads", result.threads},
                      {"verdict", verifier::name(result.verdict)}};
+  root["inputs"] = json::inputs_part(result.inputs);
   root["stock"] = json::stock_part(result.raw_stock);
   root["surface"] = json::surface_part(result.surface);
   root["programs"] = json::programs_part(result);

@@ -1,5 +1,7 @@
 #include "verifier/deviation_field.h"
 
+#include <cmath>
+
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 

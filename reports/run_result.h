@@ -23,8 +23,9 @@ namespace limitgauge::reports {
 
 /// The pictures of one stage as PNG bytes; empty where there is nothing to show.
 struct StagePictures {
-  std::string deviation_png;  ///< error map from +Z with colour bar and worst places, on white
-  std::string stock_png;      ///< the cut stock in parallel projection, transparent ground
+  std::string deviation_png;    ///< error map from +Z with colour bar and worst places, on white
+  std::string perspective_png;  ///< the error map in perspective, likewise
+  std::string stock_png;        ///< the cut stock in parallel projection, transparent ground
 };
 
 /// The stock's surface as stock.vtp has it: closed, manifold, its vertices on the exact surface.

@@ -10,9 +10,9 @@ import { decodeReport } from '../../reports/web/src/data/decode.js';
 
 const folder = mkdtempSync(join(tmpdir(), 'limitgauge-'));
 try {
-  execFileSync(process.argv[2], [folder]);
+  execFileSync(process.argv[2], [folder, 'passed', 'failed', 'undecided', 'thinned']);
   for (const name of ['passed', 'failed', 'undecided']) await checkPage(name);
-  await checkLargePage();
+  await checkThinnedPage();
 } finally {
   rmSync(folder, { recursive: true });
 }
@@ -127,8 +127,8 @@ async function checkPage(name) {
   });
 }
 
-async function checkLargePage() {
-  const { surfaces: [surface], stages: [stage] } = await decoded('large');
+async function checkThinnedPage() {
+  const { surfaces: [surface], stages: [stage] } = await decoded('thinned');
   assert.equal(surface.stride, 2);
   assert.equal(surface.measured_samples, 30 * 100 * 100);
   assert.equal(surface.cells.length, 4 * 30 * 50 * 50);

@@ -162,8 +162,7 @@ function applySection(viewer) {
   layers.surface.look.plane = plane ? planeEquation(plane) : [0, 0, 0, 1];
   const { surface, field, stage } = current(viewer);
   const pieces = plane ? cutCurve(surface, field.deviation_mm, plane.axis, plane.offset_mm) : [];
-  const { gouge, uncut } = state.scale;
-  const times = magnification(Math.max(gouge.end_mm, uncut.end_mm), scene.size_mm);
+  const times = magnification(Math.max(stage.gouge_mm?.high ?? 0, stage.uncut_mm?.high ?? 0), scene.size_mm);
   const band = viewer.colours.band();
   layers.section.show(pieces, surface, { axis: plane?.axis, times, colourOf: (mm) => colour(state.scale, mm, band) });
   section.setNote(pieces.length === 0 ? 'The plane does not meet the surface here.'
@@ -174,9 +173,11 @@ function applySection(viewer) {
   scene.render();
 }
 
-/** Keeps what lies below the plane on its axis, or with `flip` above it. */
+/** The half that is kept, so that the cut faces the eye of the perspective view: below in X and Z, above in Y. */
+const KEPT = [-1, 1, -1];
+
 function planeEquation({ axis, offset_mm, flip }) {
-  const way = flip ? 1 : -1;
+  const way = flip ? -KEPT[axis] : KEPT[axis];
   const plane = [0, 0, 0, -way * offset_mm];
   plane[axis] = way;
   return plane;

@@ -56,5 +56,8 @@ function marker(finding, choose) {
     type: 'button', tabindex: '-1', class: `view-marker ${finding.kind}`, title: headline(finding),
     'aria-label': `${finding.id}: ${headline(finding)}`,
     data: { markerId: finding.id }, on: { click: () => choose(finding.id) },
-  }, [make('i'), make('b', { text: finding.id }), make('em', { text: headline(finding) })]);
+  }, [
+    make('i'),
+    make('span', { class: 'view-tag' }, [make('b', { text: finding.id }), make('em', { text: headline(finding) })]),
+  ]);
 }

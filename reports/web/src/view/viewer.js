@@ -300,6 +300,8 @@ function interfaceOf(viewer) {
   };
 }
 
+const sideOf = ({ limit_mm, end_mm, hasLimit }) => ({ limit: hasLimit ? limit_mm : null, end: end_mm });
+
 function stateOf({ scene, state, colours, section, layers }) {
   const { focal, scale, azimuth, elevation, perspective } = scene.camera();
   return {
@@ -308,7 +310,8 @@ function stateOf({ scene, state, colours, section, layers }) {
     moving: scene.moving(), frames: scene.frames(), pixelRatio: scene.pixelRatio(),
     scale: {
       sign: colours.sign() > 0 ? 'uncut' : 'gouge', band: colours.band(),
-      gouge_mm: { ...state.scale.gouge }, uncut_mm: { ...state.scale.uncut },
+      gouge_mm: sideOf(state.scale.gouge), uncut_mm: sideOf(state.scale.uncut),
+      range: colours.choice(state.scale).range,
     },
     section: section.section(),
     layers: { map: layers.surface.look.map, borders: layers.surface.look.borders, path: state.path },

@@ -7,9 +7,10 @@ const STEPS = 400;
 /**
  * Controls of the section plane.
  * @param {number[][]} bounds_mm of the part
+ * @param {() => number[]|undefined} interest a point that a new section should pass
  * @param {() => void} changed
  */
-export function createSectionPanel(bounds_mm, changed) {
+export function createSectionPanel(bounds_mm, interest, changed) {
   const axis = choice('Cut square to', 'view-section', [['none', 'no section'], ['0', 'X'], ['1', 'Y'], ['2', 'Z']]);
   const offset = make('input', {
     type: 'range', min: 0, max: STEPS, step: 1, value: STEPS / 2, 'aria-label': 'Place of the section',
@@ -41,20 +42,21 @@ export function createSectionPanel(bounds_mm, changed) {
     }
     changed();
   };
-  axis.select.addEventListener('change', announce);
+  const through = (point_mm) => {
+    const now = section();
+    if (!now || !point_mm) return announce();
+    const [low, high] = [bounds_mm[0][now.axis], bounds_mm[1][now.axis]];
+    offset.value = Math.round(((point_mm[now.axis] - low) / (high - low || 1)) * STEPS);
+    return announce();
+  };
+  axis.select.addEventListener('change', () => through(interest() ?? [0, 1, 2].map((k) => (bounds_mm[0][k] + bounds_mm[1][k]) / 2)));
   offset.addEventListener('input', announce);
   flip.addEventListener('change', announce);
   return {
     element, section, chart,
     setNote: (text) => { note.textContent = text; },
     /** Puts the plane as near to a point as its steps go. */
-    through(point_mm) {
-      const now = section();
-      if (!now || !point_mm) return;
-      const [low, high] = [bounds_mm[0][now.axis], bounds_mm[1][now.axis]];
-      offset.value = Math.round(((point_mm[now.axis] - low) / (high - low || 1)) * STEPS);
-      announce();
-    },
+    through: (point_mm) => { if (section()) through(point_mm); },
   };
 }
 

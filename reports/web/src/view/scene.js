@@ -29,6 +29,7 @@ export function canDraw() {
 export function createScene(container, report) {
   const { bounds_mm } = report;
   const outline = outlinePoints(report);
+  let whole = outline;
   const { renderWindow, renderer, view } = createWindow(container);
   const size_mm = length(subtract(bounds_mm[1], bounds_mm[0])) || 1;
   const listeners = { before: [], frame: [], theme: [], lost: [] };
@@ -91,7 +92,11 @@ export function createScene(container, report) {
     flyTo: ({ point_mm, normal, distance_mm }) =>
       flight.start(lookingAt(camera, point_mm, normal ?? [0, 0, 1], distance_mm / 2)),
     /** The whole part, from a named view or from where it is seen now. */
-    home: (view) => flight.start(fitted(VIEWS[view] ?? camera, outline, size())),
+    home: (view) => flight.start(fitted(VIEWS[view] ?? camera, whole, size())),
+    /** The same at once, as the page opens. */
+    lookHome: () => setCamera(fitted(VIEWS.perspective, whole, size()), false),
+    /** Places that "whole part" must show beside the part itself. */
+    setInterest: (points_mm) => { whole = [...outline, ...points_mm]; },
     project: (point_mm) => project(camera, size(), point_mm),
     ray: (x, y) => ray(camera, size(), x, y, size_mm),
     viewDirection: () => scaled(axes(camera).back, -1),

@@ -15,6 +15,7 @@ import { createPathLayer } from '../path/path_layer.js';
 import { linkStaticFindings } from './static_links.js';
 import { createStageTabs } from './stage_tabs.js';
 import { createToolbar } from './toolbar.js';
+import { createTriad } from './triad.js';
 import { add, scaled } from './vector.js';
 
 const CANNOT_REACH = 1;
@@ -31,6 +32,7 @@ export function createViewer(report, frame) {
   viewer.attach = (scene, layers) => {
     Object.assign(viewer, { scene, layers });
     viewer.markers = createMarkers(scene, (id) => chooseFinding(viewer, id), (finding) => isBehind(viewer, finding));
+    createTriad(scene);
     attachHand(scene, handOf(viewer));
     viewer.path = createPathLayer(scene, report);
     viewer.pathPlace.append(viewer.path.element);
@@ -89,6 +91,7 @@ function open(viewer) {
   chooseStage(viewer, index);
   const [worst] = findingsOf(stages[index]);
   if (worst && exceeds(worst)) markFinding(viewer, worst);
+  viewer.scene.lookHome();
 }
 
 function chooseStage(viewer, index) {
@@ -100,6 +103,7 @@ function chooseStage(viewer, index) {
   layers.surface.show(report.surfaces[stage.field.surface], stage.field);
   viewer.findings.showStage(stage);
   viewer.markers.show(findingsOf(stage));
+  viewer.scene.setInterest(findingsOf(stage).flatMap(({ point_mm }) => (point_mm ? [point_mm] : [])));
   markFinding(viewer, null);
   viewer.colours.suggest(scaleFor(stage));
   applyColours(viewer);
@@ -144,9 +148,11 @@ function chooseFinding(viewer, id) {
 }
 
 /** How much of the part's height is seen about a finding: several times its own extent, never a speck. */
-function distanceFor({ size_mm }, { extent_mm }) {
+function distanceFor({ size_mm }, { kind, extent_mm }) {
+  // A collision is understood by what is around it.
+  if (kind === 'process') return 0.8 * size_mm;
   const extent = extent_mm ? Math.hypot(...[0, 1, 2].map((k) => extent_mm[1][k] - extent_mm[0][k])) : 0;
-  return Math.min(0.8 * size_mm, Math.max(0.22 * size_mm, 4 * extent));
+  return Math.min(0.8 * size_mm, Math.max(0.28 * size_mm, 4 * extent));
 }
 
 /** Comes from elsewhere in the page: to a finding, and to the view itself. */

@@ -1,5 +1,6 @@
+import { statedLength } from '../view/format.js';
 import { beginning, duration } from './timeline.js';
-import { grouped, statedLength } from './words.js';
+import { grouped } from './words.js';
 
 const FEED = 1;
 
@@ -73,7 +74,7 @@ export function shareOf(choice, value) {
 }
 
 /** Numbers for a legend, from `low` to `high`: its ends and what lies evenly between. */
-export function legendTicks(choice, count = 5) {
+export function legendTicks(choice, count) {
   if (!(choice.high > choice.low)) return [choice.low];
   return Array.from({ length: count }, (_, i) => choice.low + (i * (choice.high - choice.low)) / (count - 1));
 }

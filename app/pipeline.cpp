@@ -240,8 +240,9 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   measure(index, ran);
   stage.decision = decide(ran.deviation, stage.limits, process_faults(ran.process));
   reports::StageFiles files =
-      write_stage_files(stage, folder_, {job_.pictures, control(stage.name + ": writing")});
+      write_stage_files(stage, folder_, {job_.pictures, control(stage.name + ": writing"), job_.rapid_mm_min});
   ran.surface = files.surface;
+  ran.path_view = std::move(files.path_view);
   if (job_.pictures) stage.pictures = std::move(files.pictures);
   let_go(stage);
   stage.seconds = watch.seconds();

@@ -27,11 +27,13 @@ const std::string& result_schema();
 struct StageFileOptions {
   bool pictures = true;
   model::RunControl control = {};
+  double rapid_mm_min = 0;  ///< of the machine, for times along the path
 };
 /// What writing a stage's files gives to its result.
 struct StageFiles {
   StagePictures pictures;                      ///< for StageResult::pictures
   std::optional<StockSurfaceFigures> surface;  ///< for StageResult::Ran::surface
+  std::optional<page::PathView> path_view;     ///< for StageResult::Ran::path_view
 };
 /// Writes NAME/toolpath.vtp, stock.vdb, stock.vtp, deviation.vtp and the pictures deviation.png and
 /// stock.png of a stage that ran into `folder`/NAME. Needs no display. Throws ResourceError when a

@@ -34,7 +34,7 @@ function rate(path) {
   const most = extremes(path, path.rate_mm3_min)[1];
   if (!(most > 0)) return { ...choice, reason: 'this path removes nothing' };
   // A few short peaks would leave one colour for all the rest.
-  const usual = quantileInTime(path, path.rate_mm3_min, 0.99);
+  const usual = quantileInTime(path, path.rate_mm3_min, 0.9);
   const high = usual > 0 ? usual : most;
   return { ...choice, values: path.rate_mm3_min, low: 0, high, clipped: most > high };
 }

@@ -83,7 +83,7 @@ function barTooltip(params, bars, limits, unit) {
   const end = (mm) => signed(threeDigits(mm * unit.perMm), mm);
   return tooltipLines([
     `${end(bar.low_mm)} to ${end(bar.high_mm)} ${unit.symbol}`,
-    `${threeDigits(bar.area_mm2)} mm\u00b2, ${threeDigits((100 * bar.area_mm2) / whole)} % of the surface`,
+    `${threeDigits(bar.area_mm2)} mm\u00b2, ${threeDigits((100 * bar.area_mm2) / whole)} % of the area`,
     placeWords(bar, limits),
   ]);
 }

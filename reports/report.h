@@ -33,11 +33,13 @@ const std::string& result_schema();
 struct StageFileOptions {
   bool pictures = true;
   model::RunControl control = {};
+  double rapid_mm_min = 0;  ///< of the machine, for times along the path
 };
 /// What writing a stage's files gives to its result.
 struct StageFiles {
   StagePictures pictures;                      ///< for StageResult::pictures
   std::optional<StockSurfaceFigures> surface;  ///< for StageResult::Ran::surface
+  std::optional<page::PathView> path_view;     ///< for StageResult::Ran::path_view
 };
 /// Writes NAME/toolpath.vtp, stock.vdb, stock.vtp, deviation.vtp and the pictures deviation.png,
 /// perspective.png and stock.png of a stage that ran into `folder`/NAME. Needs no display. Throws
@@ -49,7 +51,7 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
 /// removed where `removal` has an entry for every move.
 void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,
                         std::span<const simulator::MoveRemoval> removal = {});
-/// The verdict table for the terminal, at most 100 columns; `colour` adds ANSI colours.
-std::string verdict_table(const RunResult& result, bool colour);
+/// The verdict table for a terminal of `width` columns, 80 or more; `colour` adds ANSI colours.
+std::string verdict_table(const RunResult& result, bool colour, std::size_t width = 100);
 
 }  // namespace limitgauge::reports

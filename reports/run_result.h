@@ -10,6 +10,7 @@
 #include "engine/model/machine_setup.h"
 #include "engine/model/program_path.h"
 #include "engine/strategy/stage_path.h"
+#include "reports/page/path_view.h"
 #include "reports/published.h"
 #include "simulator/dexel_agreement.h"
 #include "simulator/dexel_stock.h"
@@ -80,6 +81,7 @@ struct StageResult {
     std::vector<simulator::Finding> process;     ///< in the order of moves
     simulator::StockAgreement agreement;         ///< of the two stock models
     simulator::Removal removal;                  ///< its moves are let go with the stock
+    std::optional<page::PathView> path_view;     ///< once the stage's files are written
 
     verifier::StageDeviation deviation;
   };

@@ -54,6 +54,7 @@ verifier::DeviationField make_field(const Shape& shape, int n) {
   const auto share = [&](int i) { return i == 0 || i == n - 1 ? 0.5 : 1.0; };
   for (int patch = 0; patch < kPatchesX * kPatchesY; ++patch) {
     const auto base = static_cast<std::uint32_t>(field.samples.size());
+    field.grids.push_back({patch, std::uint32_t(n), std::uint32_t(n), base});
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
         field.samples.push_back(sample_at(patch, double(i) / (n - 1), double(j) / (n - 1),

@@ -69,7 +69,7 @@ class Bench {
   reports::RunResult run();
 
  private:
-  model::RunControl control(const std::string& phase) const;
+  model::RunControl control(const std::string& what) const;
   void run_stage(std::size_t index, reports::StageResult& stage);
   void make_path(std::size_t index, reports::StageResult::Ran& ran);
   double readings_within_mm(const JobStage& asked) const;
@@ -90,6 +90,7 @@ class Bench {
   const std::filesystem::path& folder_;
   const RunOptions& options_;
   StagePlanner planner_;
+  std::size_t stage_ = 0;  ///< the one at work, counted from 1
   std::optional<simulator::StockModel> stock_;
   double volume_mm3_ = 0;
   std::optional<simulator::DexelStock> lines_;
@@ -97,8 +98,8 @@ class Bench {
   std::vector<verifier::StockReading> readings_;
 };
 
-model::RunControl Bench::control(const std::string& phase) const {
-  options_.watch.phase(phase);
+model::RunControl Bench::control(const std::string& what) const {
+  options_.watch.phase({what, stage_, job_.stages.size()});
   model::RunControl control{options_.threads, options_.stop, options_.watch.progress};
   control.check();
   return control;
@@ -234,6 +235,7 @@ void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
 
 void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   const Stopwatch watch;
+  stage_ = index + 1;
   reports::StageResult::Ran& ran = stage.ran.emplace();
   make_path(index, ran);
   cut(job_.stages[index], ran);
@@ -338,7 +340,7 @@ void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::pa
   std::vector<verifier::Pass> passes;
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     const std::string& name = job.stages[i].name;
-    options.watch.phase(name + ": planning");
+    options.watch.phase({name + ": planning", i + 1, job.stages.size()});
     PlannedStage planned =
         planner.plan(i, passes, {options.threads, options.stop, options.watch.progress});
     make_folder(folder / name);

@@ -43,7 +43,7 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
 /// removed where `removal` has an entry for every move.
 void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,
                         std::span<const simulator::MoveRemoval> removal = {});
-/// The verdict table for the terminal, at most 100 columns; `colour` adds ANSI colours.
-std::string verdict_table(const RunResult& result, bool colour);
+/// The verdict table for a terminal of `width` columns, 80 or more; `colour` adds ANSI colours.
+std::string verdict_table(const RunResult& result, bool colour, std::size_t width = 100);
 
 }  // namespace limitgauge::reports

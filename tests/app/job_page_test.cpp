@@ -131,7 +131,7 @@ std::optional<Ends> ends_of(const std::string& range) {
   static const std::vector<std::pair<std::string, Ends>> kRanges = {
       {"> 0, or `auto`", {{"\"auto\""}, {"0", "-1", "\"fine\""}}},
       {"> 0, < 90", {{"1", "89"}, {"0", "90"}}},
-      {"> 0, < 180", {{"1", "179"}, {"0", "180"}}},
+      {"> 0, < 180", {{"60", "179"}, {"0", "180"}}},
       {"> 0 for a bull, ≥ 0 else", {{}, {"-1"}}},
       {"> 0", {{}, {"0", "-1", "nan", "\"1\""}}},
       {"≥ 0", {{"0"}, {"-1", "inf"}}},
@@ -263,7 +263,7 @@ TEST_CASE("defaults in docs/job.md are those of the reader", "[unit][job]") {
       {"tool.flute_length", words(stage.cutter.flute_length_mm / 6) + " diameters"},
       {"tool.plunge", stage.cutter.steepest_descent_deg == 90 ? "true" : "false"},
       {"stage.allowance", words(stage.allowance_mm)},
-      {"stage.plunge_feed", cut.plunge_feed_mm_min == 500 ? "a third of the feed" : "other"},
+      {"stage.plunge_feed", cut.plunge_feed_mm_min == Approx(500) ? "a third of the feed" : "other"},
       {"stage.link_feed", cut.link_feed_mm_min == cut.feed_mm_min ? "the feed" : "other"},
       {"stage.angle", words(cut.angle_deg)},
       {"stage.steep_angle", words(cut.steep_angle_deg)},

@@ -46,6 +46,6 @@ function gougingJob() {
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
-execFileSync(writeSamples, [out, 'passed', 'failed', 'undecided', 'hostile', 'large']);
+execFileSync(writeSamples, [out, 'passed', 'failed', 'undecided', 'hostile', 'full']);
 run(join(fixtures, '../jobs/quick-dome.toml'), 'dome', 0);
 run(gougingJob(), 'gouging', 1);

@@ -11,19 +11,19 @@ const longest_s = 3;
 /** From the start of navigation until all stands and its first frame is drawn, s. */
 const opening = () => {
   let seconds;
-  return withReport(browser, 'large', {}, async (page) => {
+  return withReport(browser, 'full', {}, async (page) => {
     seconds = (await page.evaluate(() => performance.now())) / 1000;
   }).then(() => seconds);
 };
 
 test('the page holds 200,000 cells in a few megabytes', () =>
-  withReport(browser, 'large', {}, async (page) => {
+  withReport(browser, 'full', {}, async (page) => {
     const cells = await page.evaluate(() => {
       const { surfaces } = JSON.parse(document.getElementById('limitgauge-report').textContent);
       return surfaces[0].patches.reduce((sum, p) => sum + (p.columns - 1) * (p.rows - 1), 0);
     });
     assert.ok(cells >= 200_000, `${cells} cells`);
-    const megabytes = statSync(reportFile('large')).size / 1e6;
+    const megabytes = statSync(reportFile('full')).size / 1e6;
     assert.ok(megabytes < 8, `${megabytes} MB`);
     console.log(`# ${cells} cells, ${megabytes.toFixed(1)} MB`);
   }));

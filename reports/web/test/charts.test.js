@@ -4,9 +4,10 @@ import { test } from 'node:test';
 import {
   binnedVolume, findingTimes, histogramAxis, histogramBars, leastDecade, placeWords, processBins,
 } from '../src/charts/bins.js';
-import { clockInterval, clockMark } from '../src/charts/clock_axis.js';
+import { clockInterval } from '../src/charts/clock_axis.js';
 import { histogramOption, percentilesOf, unitOf } from '../src/charts/histogram_option.js';
 import { processOption } from '../src/charts/process_option.js';
+import { clockMark } from '../src/path/words.js';
 import { sampleReport } from './sample.js';
 
 /** Segments of the given seconds, feeds and rates; a rapid where the feed is 0. */
@@ -22,7 +23,7 @@ function pathOf(seconds, feeds, rates) {
 test('bins hold the largest and the mean in time, whatever the segments are', () => {
   const { width_s, rate, feed } = processBins(pathOf([1, 2, 3, 2], [0, 600, 300, 0], [0, 120, 60, 0]), 4);
   assert.equal(width_s, 2);
-  assert.deepEqual(rate, [{ max: 120, mean: 60 }, { max: 120, mean: 90 }, { max: 60, mean: 60 }, { max: 0, mean: 0 }]);
+  assert.deepEqual(rate.map(({ max, mean }) => [max, mean]), [[120, 60], [120, 90], [60, 60], [0, 0]]);
   assert.deepEqual(feed,
     [{ max: 600, mean: 600 }, { max: 600, mean: 450 }, { max: 300, mean: 300 }, null]);
 });
@@ -55,15 +56,15 @@ test('the largest of all bins is the largest of all segments', () => {
 test('findings stand at the end of the segment that holds their move, in time', () => {
   const path = pathOf([1, 2, 3], [0, 600, 300], null);
   const finding = (id, move) => ({ id, kind: 'near_miss', words: 'near miss', line: 1, move });
-  assert.deepEqual(
-    findingTimes(path, [finding('P1', 15), finding('P2', 0), finding('P3', 99)]).map(({ id, time_s }) => [id, time_s]),
-    [['P2', 1], ['P1', 6]]);
+  const times = findingTimes(path, [finding('P1', 15), finding('P2', 0), finding('P3', 99)]);
+  assert.deepEqual(times.map(({ id, time_s }) => [id, time_s]), [['P2', 1], ['P1', 6]]);
 });
 
 test('histogram: empty bins go, sides are told by the middle, the area stays', () => {
   const { histogram, limits } = sampleReport().stages[1];
   const bars = histogramBars({ ...histogram, area_mm2: [2, 0, 390, 10] }, limits);
-  assert.deepEqual(bars.map(({ low_mm, side }) => [low_mm, side]), [[-0.05, 'gouge'], [0, 'inside'], [0.025, 'uncut']]);
+  assert.deepEqual(bars.map(({ low_mm, side }) => [low_mm, side]),
+    [[-0.05, 'gouge'], [0, 'inside'], [0.025, 'uncut']]);
   assert.equal(bars.reduce((sum, { area_mm2 }) => sum + area_mm2, 0), 402);
   assert.deepEqual(histogramBars(histogram, {}).map(({ side }) => side), Array(4).fill('inside'));
 });
@@ -99,7 +100,8 @@ test('units: micrometres where everything is below 0.1 mm', () => {
 
 test('marks of a time axis are round and few', () => {
   for (const total of [0.9, 12, 61, 599, 2400, 7300, 90000, 1e6])
-    for (const most of [3, 10]) assert.ok(total / clockInterval(total, most) <= most, `${total} s, ${most} marks`);
+    for (const most of [3, 10])
+      assert.ok(total / clockInterval(total, most) <= most, `${total} s, ${most} marks`);
   assert.equal(clockInterval(2400, 10), 300);
   assert.deepEqual([0, 0.5, 30, 90, 120, 5400, 7200].map(clockMark),
     ['0', '0.5 s', '30 s', '1 min 30 s', '2 min', '1 h 30 min', '2 h']);
@@ -111,19 +113,24 @@ test('percentiles stand where the data have them', () => {
     [{ name: 'p01', at_mm: -0.1 }, { name: 'p99', at_mm: 0.2 }]);
 });
 
-const colours = { ink: 'black', soft: 'grey', rule: 'silver', panel: 'white', bar: 'grey', gouge: 'blue', uncut: 'red',
-  fail: 'red', open: 'orange', link: 'navy', font: 'sans-serif' };
+const colours = {
+  ink: 'black', soft: 'grey', rule: 'silver', panel: 'white', bar: 'grey', gouge: 'blue', uncut: 'red',
+  fail: 'red', open: 'orange', link: 'navy', font: 'sans-serif',
+};
 
 test('the histogram marks zero, both limits and the percentiles, and holds far limits at its sides', () => {
   const stage = { ...sampleReport().stages[1], percentiles: { p01_mm: -0.02, p50_mm: 0, p99_mm: 0.02 } };
   const marks = (changed) => {
     const bars = histogramBars(stage.histogram, stage.limits);
-    const option = histogramOption({ bars, stage: { ...stage, ...changed }, logarithmic: false }, colours, 1000);
+    const chart = { bars, stage: { ...stage, ...changed }, logarithmic: false };
+    const option = histogramOption(chart, colours, 1000);
     return option.series[1].markLine.data.map(({ xAxis, label, lineStyle }) =>
       [Math.round(xAxis), label.formatter, lineStyle.width]);
   };
-  assert.deepEqual(marks({}), [[0, undefined, 1], [-10, 'gouge limit 10 \u00b5m', 2], [20, 'uncut limit 20 \u00b5m', 2],
-    [-20, 'p01', 1.5], [0, 'p50', 1.5], [20, 'p99', 1.5]]);
+  assert.deepEqual(marks({}), [
+    [0, undefined, 1], [-10, 'gouge limit 10 \u00b5m', 2], [20, 'uncut limit 20 \u00b5m', 2],
+    [-20, 'p01', 1.5], [0, 'p50', 1.5], [20, 'p99', 1.5],
+  ]);
   const far = marks({ limits: { uncut_mm: 0.9 }, percentiles: undefined });
   assert.deepEqual(far[1].slice(1), ['uncut limit 900 \u00b5m \u2192', 0]);
 });

@@ -13,8 +13,8 @@ export function processBins(path, most = MOST_BINS) {
   const total = duration(path), count = Math.min(most, path.end_s.length);
   if (count === 0 || !(total > 0)) return { width_s: 0, rate: null, feed: [] };
   const width = total / count;
-  const atFeed = new Float64Array(count), feedSum = new Float64Array(count), feedMax = new Float64Array(count);
-  const rateSum = new Float64Array(count), rateMax = new Float64Array(count);
+  const [atFeed, feedSum, feedMax, rateSum, rateMax] =
+    Array.from({ length: 5 }, () => new Float64Array(count));
   forEachShare(path, width, count, (bin, segment, seconds) => {
     const rate = path.rate_mm3_min ? path.rate_mm3_min[segment] : 0;
     rateSum[bin] += rate * seconds;

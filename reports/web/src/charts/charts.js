@@ -18,11 +18,12 @@ const NARROW_PX = 640;
 export function startCharts(report, root) {
   for (const figure of root.querySelectorAll('figure.histogram[data-stage]')) {
     const stage = report.stages?.[Number(figure.dataset.stage)];
-    if (stage?.histogram?.area_mm2.some((area) => area > 0)) whenSeen(figure, () => liveHistogram(figure, stage));
+    if (stage?.histogram?.area_mm2.some((area) => area > 0))
+      whenSeen(figure, () => liveHistogram(figure, stage));
   }
   for (const place of root.querySelectorAll('[data-chart="process"][data-stage]')) {
     const index = Number(place.dataset.stage), stage = report.stages?.[index];
-    if (stage?.path?.end_s.length > 0) processChart(place, stage, index);
+    if (stage?.path) processChart(place, stage, index);
   }
 }
 
@@ -54,27 +55,39 @@ function percentileWords(stage) {
     make('span', {}, 'Percentiles of the area:'), ...texts.map((text) => make('span', {}, text)));
 }
 
+/** Its figures are worked out when it is about to be seen, too: they may have to be unpacked. */
 function processChart(place, stage, index) {
-  const total_s = duration(stage.path);
-  // No more steps than can be told apart: the place is empty yet, what holds it has its width.
-  const bins = processBins(stage.path, place.parentElement.clientWidth < NARROW_PX ? 200 : undefined);
-  if (bins.feed.length === 0) return;
-  const findings = findingTimes(stage.path, stage.process ?? []);
-  const plot = make('div', { class: 'chart-plot', 'data-testid': 'process-chart' });
-  plot.style.height = `${processHeight(bins)}px`;
-  place.append(make('figure', {}, make('figcaption', {}, processWords(stage, bins, findings)), plot));
+  const plot = make('div', { class: 'chart-plot chart-process', 'data-testid': 'process-chart' });
+  const caption = make('figcaption', {}, '');
+  const figure = make('figure', {}, caption, plot);
+  place.append(figure);
   whenSeen(plot, () => {
-    const { chart } = createLiveChart(plot, (colours, width_px) =>
-      processOption({ bins, total_s, stage, findings }, colours, width_px));
+    const drawn = processFigures(stage, plot.clientWidth);
+    if (drawn.bins.feed.length === 0) {
+      figure.remove();
+      return;
+    }
+    caption.textContent = processWords(drawn);
+    plot.style.height = `${processHeight(drawn.bins)}px`;
+    const { chart } = createLiveChart(plot, (colours, width_px) => processOption(drawn, colours, width_px));
     chart.getZr().on('click', ({ offsetX }) => {
       const time_s = chart.convertFromPixel({ xAxisIndex: 0 }, offsetX);
-      if (time_s >= 0 && time_s <= total_s)
+      if (time_s >= 0 && time_s <= drawn.total_s)
         document.dispatchEvent(new CustomEvent('limitgauge:time', { detail: { stage: index, time_s } }));
     });
   });
 }
 
-function processWords(stage, bins, findings) {
+function processFigures(stage, width_px) {
+  return {
+    stage, total_s: duration(stage.path),
+    // No more steps than can be told apart.
+    bins: processBins(stage.path, width_px < NARROW_PX ? 200 : undefined),
+    findings: findingTimes(stage.path, stage.process ?? []),
+  };
+}
+
+function processWords({ stage, bins, findings }) {
   const words = [bins.rate ? 'Removal rate and feed over machining time.' : 'Feed over machining time.',
     `Line: mean over steps of ${clockText(bins.width_s, 2)}; shaded: the largest in them.`];
   if (bins.rate) words.push('Rapids count in the mean removal rate, not in the feed.');

@@ -14,14 +14,22 @@ export function histogramOption({ bars, stage, logarithmic }, colours, width_px)
   const unit = unitOf(axis);
   return {
     ...commonOption(colours, `Histogram of deviation of stage ${stage.name}, area-weighted`),
-    grid: { left: 8, right: 14, top: width_px < NARROW_PX ? 90 : 70, bottom: 34, outerBoundsMode: 'same', outerBoundsContain: 'axisLabel' },
-    tooltip: { ...commonOption(colours, '').tooltip, axisPointer: { type: 'line', lineStyle: { color: colours.soft } },
-      formatter: (params) => barTooltip(params, bars, stage.limits, unit) },
+    grid: {
+      left: 8, right: 14, top: width_px < NARROW_PX ? 90 : 70, bottom: 34,
+      outerBoundsMode: 'same', outerBoundsContain: 'axisLabel',
+    },
+    tooltip: {
+      ...commonOption(colours, '').tooltip,
+      axisPointer: { type: 'line', lineStyle: { color: colours.soft } },
+      formatter: (params) => barTooltip(params, bars, stage.limits, unit),
+    },
     xAxis: axisOption(colours, {
-      type: 'value', min: axis.low_mm * unit.per_mm, max: axis.high_mm * unit.per_mm, name: `deviation, ${unit.symbol}`,
-      nameLocation: 'middle', nameGap: 26, splitLine: { show: false },
-      axisLabel: { color: colours.soft, fontSize: 13, hideOverlap: true, showMinLabel: false, showMaxLabel: false,
-        formatter: signedTick },
+      type: 'value', min: axis.low_mm * unit.per_mm, max: axis.high_mm * unit.per_mm,
+      name: `deviation, ${unit.symbol}`, nameLocation: 'middle', nameGap: 26, splitLine: { show: false },
+      axisLabel: {
+        color: colours.soft, fontSize: 13, hideOverlap: true, showMinLabel: false, showMaxLabel: false,
+        formatter: signedTick,
+      },
     }),
     yAxis: areaAxis(colours, bars, logarithmic),
     series: [barSeries(bars, unit, colours, logarithmic), markSeries(stage, axis, unit, colours, width_px)],
@@ -42,7 +50,8 @@ function areaAxis(colours, bars, logarithmic) {
   return axisOption(colours, {
     type: logarithmic ? 'log' : 'value', name: 'area, mm\u00b2', nameLocation: 'end', nameGap: 10,
     nameTextStyle: { color: colours.soft, fontSize: 13, align: 'left', padding: [0, 0, 0, -30] },
-    min: logarithmic ? leastDecade(bars) : 0, splitNumber: 4, axisLine: { show: false, onZero: false }, axisTick: { show: false },
+    min: logarithmic ? leastDecade(bars) : 0, splitNumber: 4,
+    axisLine: { show: false, onZero: false }, axisTick: { show: false },
     axisLabel: { color: colours.soft, fontSize: 13, hideOverlap: true, formatter: areaTick },
   });
 }
@@ -60,7 +69,8 @@ function barSeries(bars, unit, colours, logarithmic) {
       // A bin that holds anything at all must be seen.
       const height = Math.max(bottom - top, 2);
       return {
-        type: 'rect', shape: { x: left, y: bottom - height, width: Math.max(right - left, 1), height },
+        type: 'rect',
+        shape: { x: left, y: bottom - height, width: Math.max(right - left, 1), height },
         style: { fill: side === 'inside' ? colours.bar : colours[side] },
       };
     },
@@ -85,8 +95,10 @@ function markSeries(stage, axis, unit, colours, width_px) {
     type: 'line', data: [], silent: true,
     markLine: {
       silent: true, symbol: 'none', animation: false,
-      data: [{ xAxis: 0, lineStyle: { color: colours.soft, width: 1, type: 'dashed' }, label: { show: false } },
-        ...limitMarks(stage.limits, axis, unit, colours, width_px), ...percentileMarks(stage, axis, unit, colours)],
+      data: [
+        { xAxis: 0, lineStyle: { color: colours.soft, width: 1, type: 'dashed' }, label: { show: false } },
+        ...limitMarks(stage.limits, axis, unit, colours, width_px),
+        ...percentileMarks(stage, axis, unit, colours)],
     },
   };
 }
@@ -126,7 +138,9 @@ function percentileMarks(stage, axis, unit, colours) {
     .map(({ name, at_mm }) => ({
       xAxis: at_mm * unit.per_mm,
       lineStyle: { color: colours.link, width: 1.5, type: [2, 3] },
-      label: { show: true, position: 'end', distance: place[name][1], align: place[name][0], color: colours.link,
-        fontSize: 13, formatter: name },
+      label: {
+        show: true, position: 'end', distance: place[name][1], align: place[name][0], color: colours.link,
+        fontSize: 13, formatter: name,
+      },
     }));
 }

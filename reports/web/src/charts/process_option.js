@@ -1,5 +1,5 @@
-import { clockText, feedText, grouped, rateText } from '../path/words.js';
-import { clockInterval, clockMark } from './clock_axis.js';
+import { clockMark, clockText, feedText, grouped, rateText } from '../path/words.js';
+import { clockInterval } from './clock_axis.js';
 import { axisOption, commonOption, tooltipLines } from './theme.js';
 
 const MOST_MARKS = 100;
@@ -27,7 +27,9 @@ export function processOption({ bins, total_s, stage, findings }, colours, width
       outerBoundsMode: 'same', outerBoundsContain: 'axisLabel' })),
     xAxis: panels.map((_, i) => axisOption(colours, {
       type: 'value', gridIndex: i, min: 0, max: total_s, interval, splitLine: { show: false },
-      axisLabel: { color: colours.soft, fontSize: 13, hideOverlap: true, showMaxLabel: false, formatter: clockMark },
+      axisLabel: {
+        color: colours.soft, fontSize: 13, hideOverlap: true, showMaxLabel: false, formatter: clockMark,
+      },
     })),
     yAxis: panels.map(({ name }, i) => axisOption(colours, {
       type: 'value', gridIndex: i, min: 0, splitNumber: 3, name, nameLocation: 'end', nameGap: 12,

@@ -3,9 +3,9 @@ export function pageColours(root = document.documentElement) {
   const style = getComputedStyle(root);
   const colour = (name) => style.getPropertyValue(`--${name}`).trim();
   return {
-    ink: colour('ink'), soft: colour('soft'), rule: colour('rule'), panel: colour('panel'), page: colour('page'),
-    bar: colour('bar'), gouge: colour('gouge'), uncut: colour('uncut'), fail: colour('fail'), open: colour('open'),
-    link: colour('link'), font: style.getPropertyValue('--sans').trim(),
+    ink: colour('ink'), soft: colour('soft'), rule: colour('rule'), panel: colour('panel'),
+    bar: colour('bar'), gouge: colour('gouge'), uncut: colour('uncut'),
+    fail: colour('fail'), open: colour('open'), link: colour('link'), font: colour('sans'),
   };
 }
 

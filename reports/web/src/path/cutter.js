@@ -42,7 +42,10 @@ export function wireBody(outline, { around = 32, meridians = 8, circles = 6 } = 
     lines.push(vertices.length, ...vertices.map((_, i) => points.length / 3 + i));
     points.push(...vertices.flat());
   };
-  const at = (radius, z, turn) => [radius * Math.cos(2 * Math.PI * turn), radius * Math.sin(2 * Math.PI * turn), z];
+  const at = (radius, z, turn) => {
+    const angle = 2 * Math.PI * turn;
+    return [radius * Math.cos(angle), radius * Math.sin(angle), z];
+  };
   const rings = outline.filter(([radius]) => radius > 0);
   const every = Math.max(1, Math.ceil(rings.length / circles));
   rings.filter((_, i) => (rings.length - 1 - i) % every === 0).forEach(([radius, z]) =>

@@ -29,7 +29,7 @@ export function pathGeometry(path) {
 }
 
 function segmentLength(points, at) {
-  return Math.hypot(points[at + 3] - points[at], points[at + 4] - points[at + 1], points[at + 5] - points[at + 2]);
+  return Math.hypot(...[0, 1, 2].map((i) => points[at + 3 + i] - points[at + i]));
 }
 
 /**

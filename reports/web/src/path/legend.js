@@ -9,13 +9,16 @@ export function createLegend() {
   const bar = make('div', { class: 'path-legend-bar' });
   bar.style.backgroundImage = viridisGradient();
   const ticks = make('div', { class: 'path-legend-ticks' });
-  const rapid = make('p', { class: 'path-legend-rapid' }, make('span', { class: 'path-dash' }), 'dashed: rapid');
-  const element = make('div', { class: 'path-legend', 'data-testid': 'path-legend' }, title, bar, ticks, rapid);
+  const dash = make('span', { class: 'path-dash' });
+  const rapid = make('p', { class: 'path-legend-rapid' }, dash, 'dashed: rapid');
+  const element = make('div', { class: 'path-legend', 'data-testid': 'path-legend' },
+    title, bar, ticks, rapid);
   return {
     element,
     update(chosen) {
       title.textContent = chosen.key === 'order' ? chosen.label : `${chosen.label} in ${chosen.unit}`;
-      ticks.replaceChildren(...legendTicks(chosen).map((value, i, all) => tick(chosen, value, i === all.length - 1)));
+      const values = legendTicks(chosen);
+      ticks.replaceChildren(...values.map((value, i) => tick(chosen, value, i === values.length - 1)));
     },
     setRapids: (shown) => (rapid.hidden = !shown),
   };

@@ -1,6 +1,6 @@
 import { choice, labelled, make } from './dom.js';
 import { createLegend } from './legend.js';
-import { clockText, feedText, grouped, rateText } from './words.js';
+import { clockMark, clockText, feedText, grouped, rateText } from './words.js';
 
 export const SPEEDS = [1, 5, 20, 60, 200, 600, 2000];
 const WINDOWS_S = [0, 1, 5, 20, 60, 300, 1200];
@@ -20,7 +20,8 @@ export function createPanel(on) {
       labelled('Speed', parts.speed)),
     parts.readout, parts.exact);
   const element = make('section',
-    { class: 'path-panel', 'data-testid': 'path-panel', 'aria-label': 'Toolpath', hidden: true }, parts.none, body);
+    { class: 'path-panel', 'data-testid': 'path-panel', 'aria-label': 'Toolpath', hidden: true },
+    parts.none, body);
   listen(parts, on);
   return { element, ...updates(parts, legend, body) };
 }
@@ -46,7 +47,8 @@ function controls() {
   };
 }
 
-const windowText = (seconds) => (seconds === 0 ? 'all up to this time' : `only the last ${clockText(seconds, 0)}`);
+const windowText = (seconds) =>
+  (seconds === 0 ? 'all up to this time' : `only the last ${clockMark(seconds)}`);
 
 function listen(parts, on) {
   parts.rapids.addEventListener('change', () => on.rapids(parts.rapids.checked));
@@ -67,7 +69,8 @@ function updates(parts, legend, body) {
     },
     setChoices(choices) {
       parts.colour.replaceChildren(...choices.map(({ key, label, reason }) =>
-        make('option', { value: key, disabled: Boolean(reason) }, reason ? `${label}: not available` : label)));
+        make('option', { value: key, disabled: Boolean(reason) },
+          reason ? `${label}: not available` : label)));
       parts.reason.textContent = choices.filter(({ reason }) => reason)
         .map(({ label, reason }) => `${label}: not available, ${reason}.`).join(' ');
       parts.reason.hidden = parts.reason.textContent === '';

@@ -32,6 +32,13 @@ export function createPathLayer(scene, report) {
   };
 }
 
+/** What a section keeps: below its offset, above it where flipped; everything for null. */
+function sectionPlane(section) {
+  if (!section) return [0, 0, 0, 1];
+  const sign = section.flip ? 1 : -1;
+  return [...[0, 1, 2].map((axis) => (axis === section.axis ? sign : 0)), -sign * section.offset_mm];
+}
+
 class PathLayer {
   constructor(scene, report) {
     this.scene = scene;
@@ -78,7 +85,8 @@ class PathLayer {
   prepare(path) {
     this.prepared = this.stage;
     this.choices = colourChoices(path);
-    this.chosen = this.choices.find(({ key, reason }) => key === this.view.colour && !reason) ?? this.choices[0];
+    const wanted = this.choices.find(({ key, reason }) => key === this.view.colour && !reason);
+    this.chosen = wanted ?? this.choices[0];
     this.total_s = duration(path);
     this.scale = sliderScale(this.total_s);
     this.panel.setChoices(this.choices);
@@ -97,9 +105,7 @@ class PathLayer {
     this.scene.add(lines.actor);
     this.scene.add(tool.actor);
     this.paint();
-    lines.setSection(this.section);
     this.setTime(this.time_s);
-    this.scene.renderer.resetCameraClippingRange();
   }
 
   remove() {
@@ -115,7 +121,9 @@ class PathLayer {
       const size = Math.hypot(...high.map((c, i) => c - low[i]));
       const { cutter } = this.report.stages[this.stage];
       this.drawn.set(this.stage, {
-        lines: createPathActor(this.path()), tool: createToolMarker(cutter, size / 40), painted: '',
+        lines: createPathActor(this.path(), () => this.scene.element.clientHeight),
+        tool: createToolMarker(cutter, size / 40),
+        painted: '',
       });
     }
     return this.drawn.get(this.stage);
@@ -127,8 +135,9 @@ class PathLayer {
     if (!drawn) return;
     const wanted = `${this.chosen.key} ${this.view.dark}`;
     if (drawn.painted === wanted) return;
-    const theme = this.view.dark ? 'dark' : 'light', { kind } = this.path(), { chosen } = this;
-    drawn.lines.setColours((i) => (kind[i] === 0 ? RAPID[theme] : viridis(shareOf(chosen, chosen.values[i]))));
+    const theme = this.view.dark ? 'dark' : 'light', { chosen } = this, { kind } = this.path();
+    const ofFeed = (i) => viridis(shareOf(chosen, chosen.values[i]));
+    drawn.lines.setColours((i) => (kind[i] === 0 ? RAPID[theme] : ofFeed(i)));
     drawn.tool.setColour(TOOL[theme]);
     drawn.painted = wanted;
   }
@@ -149,7 +158,7 @@ class PathLayer {
 
   setSection(section) {
     this.section = section;
-    this.drawn.get(this.stage)?.lines.setSection(section);
+    this.drawn.get(this.stage)?.lines.setShown(this.shownPart());
     this.scene.render();
   }
 
@@ -181,7 +190,8 @@ class PathLayer {
 
   shownPart() {
     const { window_s, rapids } = this.view;
-    return { from_s: window_s > 0 ? this.time_s - window_s : -1, to_s: this.time_s, rapids };
+    const from_s = window_s > 0 ? this.time_s - window_s : -1;
+    return { from_s, to_s: this.time_s, rapids, plane: sectionPlane(this.section) };
   }
 
   programText(line) {

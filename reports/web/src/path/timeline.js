@@ -38,7 +38,7 @@ export function segmentOfMove(path, move) {
 
 /** Where segment `index` ends, mm; its beginning is the end of the one before. */
 export function endPoint(path, index) {
-  return index < 0 ? Array.from(path.start_mm) : Array.from(path.positions.subarray(3 * index, 3 * index + 3));
+  return Array.from(index < 0 ? path.start_mm : path.positions.subarray(3 * index, 3 * index + 3));
 }
 
 /**

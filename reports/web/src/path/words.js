@@ -32,5 +32,14 @@ export function clockText(seconds, decimals = 1) {
   return `${Math.floor(minutes / 60)} h ${String(minutes % 60).padStart(2, '0')} min ${two} s`;
 }
 
+/** A round time: "0", "30 s", "2 min", "1 h 30 min". */
+export function clockMark(seconds) {
+  if (seconds === 0) return '0';
+  const whole = Math.round(seconds * 10) / 10;
+  const parts = [[Math.floor(whole / 3600), 'h'], [Math.floor((whole % 3600) / 60), 'min'],
+    [Math.round((whole % 60) * 10) / 10, 's']];
+  return parts.filter(([count]) => count > 0).map(([count, unit]) => `${count} ${unit}`).join(' ');
+}
+
 export const feedText = (mm_min) => `${threeDigits(mm_min)} mm/min`;
 export const rateText = (mm3_min) => `${threeDigits(mm3_min)} mm\u00b3/min`;

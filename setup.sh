@@ -12,8 +12,8 @@ packages=(
   nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev
   # the report's script, bundled from reports/web at build time; a node that came with npm brings both
   nodejs
-  # command line and job files
-  libcli11-dev libtomlplusplus-dev
+  # command line and job files, checksums of what was read
+  libcli11-dev libtomlplusplus-dev libssl-dev
   # tests: the framework, a second reader of our VTK files, a validator of our JSON, another
   # evaluator of our surfaces
   catch2 libvtk9-dev python3 python3-jsonschema libosd-dev

@@ -74,6 +74,14 @@ struct Post {
   bool cl_data = false;  ///< toolpath.apt too
 };
 
+/// A file that a job names.
+struct JobFile {
+  enum class Role { job, cage, stock, program, fixture, tool_table };
+  Role role = Role::job;
+  std::filesystem::path path;
+  std::string as_stated;
+};
+
 /// A job as the file states it, defaults filled in; paths are resolved against the job file.
 struct Job {
   std::string name;
@@ -98,6 +106,8 @@ struct Job {
   std::optional<double> contact_tolerance_mm;  ///< empty: one voxel
   std::vector<JobFixture> fixtures;
   std::optional<reports::PublishedFigures> published;
+  /// What the job was read from and is named nowhere else here: job file, stock, tool table.
+  std::vector<JobFile> sources;
   /// Values that the job left to a default, in words, for the report's assumptions.
   std::vector<std::string> defaulted;
 };

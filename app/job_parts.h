@@ -14,6 +14,7 @@ namespace limitgauge::app {
 struct JobContext {
   std::filesystem::path folder;  ///< of the job file
   std::vector<std::string> defaulted;
+  std::vector<JobFile> sources;
 };
 
 /// A stock from a file is read, too; what is to be said of it goes among the defaults.

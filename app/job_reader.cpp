@@ -88,6 +88,7 @@ Job read_root(const toml::table& table, JobContext& context) {
   read_settings(root, job);
   if (root.has("published")) job.published = read_published(root);
   job.defaulted = std::move(context.defaulted);
+  job.sources = std::move(context.sources);
   return job;
 }
 
@@ -106,12 +107,15 @@ Job read_job_text(const std::string& text, const std::string& name_in_errors,
                   const std::filesystem::path& folder, std::span<const std::string> overrides) {
   toml::table table = parse_toml(text, name_in_errors);
   apply_overrides(table, overrides);
-  JobContext context{folder, {}};
+  JobContext context{folder, {}, {}};
   return read_root(table, context);
 }
 
 Job read_job(const std::filesystem::path& file, std::span<const std::string> overrides) {
-  return read_job_text(model::read_text_file(file), file.string(), file.parent_path(), overrides);
+  Job job =
+      read_job_text(model::read_text_file(file), file.string(), file.parent_path(), overrides);
+  job.sources.push_back({JobFile::Role::job, file, file.string()});
+  return job;
 }
 
 }  // namespace limitgauge::app

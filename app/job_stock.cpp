@@ -22,13 +22,13 @@ model::Stock read_cylinder(const toml::table& table) {
                               stock.positive("height")};
 }
 
-std::filesystem::path file_of(const TomlTable& stock, const JobContext& context,
-                              const char* expected) {
+std::filesystem::path file_of(const TomlTable& stock, JobContext& context, const char* expected) {
   const std::filesystem::path file = context.folder / stock.text("file");
   if (!model::is_file(file)) {
     throw model::InputError(stock.place("file"), "no file \"" + stock.text("file") + "\"",
                             expected);
   }
+  context.sources.push_back({JobFile::Role::stock, file, stock.text("file")});
   return file;
 }
 

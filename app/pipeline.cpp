@@ -311,6 +311,7 @@ reports::RunResult Bench::run() {
   result.program_frame = job_.program_frame;
   result.machine = job_.machine;
   result.published = job_.published;
+  result.inputs = inputs_.files;
   for (const JobStage& asked : job_.stages) result.stages.push_back(stage_as_asked(asked));
   stock_.emplace(job_.stock, inputs_.settings.voxel_mm, inputs_.settings.memory_limit_bytes,
                  control("raw stock"));

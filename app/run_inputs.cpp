@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "app/input_checksums.h"
 #include "engine/model/cage_obj.h"
 #include "engine/model/error.h"
 #include "engine/model/mesh_reader.h"
@@ -47,8 +48,8 @@ RunInputs load_inputs(const Job& job) {
   Settings settings = choose_settings(job, surface.bounding_box());
   std::vector<model::Fixture> fixtures = load_fixtures(job);
   auto programs = load_programs(job, settings, fixtures);
-  return {std::move(cage), std::move(surface), std::move(settings), std::move(fixtures),
-          std::move(programs)};
+  return {std::move(cage),     std::move(surface),  std::move(settings),
+          std::move(fixtures), std::move(programs), input_checksums(job)};
 }
 
 }  // namespace limitgauge::app

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/foreign_programs.h"
+#include "reports/run_result.h"
 #include "verifier/reference_surface.h"
 
 namespace limitgauge::app {
@@ -16,6 +17,7 @@ struct RunInputs {
   Settings settings;
   std::vector<model::Fixture> fixtures;
   std::vector<std::optional<ForeignPath>> programs;  ///< a stage; empty for those planned here
+  std::vector<reports::InputFile> files;             ///< what all of this was read from
 };
 
 /// Throws InputError for a cage or program that cannot be used.

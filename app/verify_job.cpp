@@ -30,13 +30,14 @@ auto parse_option(const std::string& option, const std::string& text, const Pars
 }
 
 /// `box:...`, `mesh:FILE` or `vdb:FILE`.
-model::Stock stock_of(const std::string& text, std::vector<std::string>& assumptions) {
+model::Stock stock_of(const std::string& text, Job& job) {
   for (const std::string kind : {"mesh:", "vdb:"}) {
     if (text.rfind(kind, 0) != 0) continue;
     const std::string file = text.substr(kind.size());
     StockFile loaded =
         kind == "mesh:" ? load_mesh_stock(file, file, {}) : load_vdb_stock(file, file);
-    for (std::string& said : loaded.assumptions) assumptions.push_back(std::move(said));
+    for (std::string& said : loaded.assumptions) job.defaulted.push_back(std::move(said));
+    job.sources.push_back({JobFile::Role::stock, file, file});
     return std::move(loaded.stock);
   }
   return parse_option("--stock", text, [](const std::string& spec) {
@@ -157,12 +158,14 @@ Job job_of(const VerifyCommand& command) {
   job.name = plain_name(command.program);
   job.cage = command.cage;
   job.cage_as_stated = command.cage.string();
-  job.stock = stock_of(command.stock, job.defaulted);
+  job.stock = stock_of(command.stock, job);
   job.near_miss_mm = command.near_miss_mm;
   for (const std::filesystem::path& file : command.fixtures)
     job.fixtures.push_back(fixture_of(file));
   const std::vector<JobTool> tools = tools_of(command);
   job.machine = machine_of(command.machine);
+  if (const std::filesystem::path& table = command.machine.tool_table; !table.empty())
+    job.sources.push_back({JobFile::Role::tool_table, table, table.string()});
   add_tools(tools, job.machine);
   if (!command.program_offset.empty())
     job.program_frame.translate_mm = point_of("--program-offset", command.program_offset);

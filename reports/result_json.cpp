@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "reports/json_inputs.h"
 #include "reports/process.h"
 #include "reports/program_lines.h"
 #include "reports/report.h"
@@ -411,6 +412,7 @@ void write_result_json(const RunResult& result, std::ostream& out) {
                {"created", clean_text(result.created)},
                {"threads", result.threads},
                {"verdict", verifier::name(result.verdict)}};
+  root["inputs"] = inputs_json(result.inputs);
   root["stock"] = stock_part(result.raw_stock);
   root["surface"] = surface_part(result.surface);
   root["programs"] = programs_part(result);

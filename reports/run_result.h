@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -92,6 +93,14 @@ struct StageResult {
   verifier::Verdict verdict() const { return ran ? decision.verdict : verifier::Verdict::not_run; }
 };
 
+/// A file that the run read.
+struct InputFile {
+  std::string role;  ///< "job", "cage", "stock", "program", "fixture", "tool table"
+  std::string file;  ///< as the job or the command line states it
+  std::uint64_t bytes = 0;
+  std::string sha256;  ///< 64 lower-case hexadecimal digits
+};
+
 /// Everything a report shows.
 struct RunResult {
   std::string job;      ///< the job's name
@@ -107,6 +116,7 @@ struct RunResult {
   std::vector<std::string>
       assumptions;  ///< stated in the report: straight rapids, start unknown, ...
   std::optional<PublishedFigures> published;
+  std::vector<InputFile> inputs;  ///< each file once, in the order of the job
 };
 
 }  // namespace limitgauge::reports

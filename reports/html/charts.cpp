@@ -140,7 +140,8 @@ std::string interval_chart(const verifier::Interval& interval_mm, bool has_limit
   return out + "</svg>";
 }
 
-std::string histogram_chart(const verifier::StageDeviation& d, const verifier::GateLimits& limits) {
+std::string histogram_chart(const verifier::StageDeviation& d, const verifier::GateLimits& limits,
+                            std::size_t stage) {
   const verifier::Histogram& h = d.histogram;
   if (h.area_mm2.empty() || h.edges_mm.size() != h.area_mm2.size() + 1) return {};
   const Axis axis = histogram_axis(h, limits);
@@ -152,13 +153,15 @@ std::string histogram_chart(const verifier::StageDeviation& d, const verifier::G
     ticks += axis_label(axis.percent(t), "tick", signed_number(is_zero ? 0 : t, unit));
   }
   return fmt::format(
-      "<figure class=\"histogram\"><figcaption>Area by deviation from the allowance surface, in "
+      "<figure class=\"histogram\" data-stage=\"{}\"><figcaption>Area by deviation from the "
+      "allowance surface, in "
       "{}. "
       "Left of zero the cutter went too deep, right of zero material still stands.</figcaption>"
-      "<div class=\"above\">{}</div><svg viewBox=\"0 0 100 100\" preserveAspectRatio=\"none\" "
+      "<div class=\"static\"><div class=\"above\">{}</div><svg viewBox=\"0 0 100 100\" "
+      "preserveAspectRatio=\"none\" "
       "role=\"img\" aria-label=\"Histogram of deviation, area-weighted\">{}{}</svg>"
-      "<div class=\"below\">{}</div></figure>\n",
-      unit.symbol, limit_labels, histogram_bars(h, axis, limits), lines, ticks);
+      "<div class=\"below\">{}</div></div></figure>\n",
+      stage, unit.symbol, limit_labels, histogram_bars(h, axis, limits), lines, ticks);
 }
 
 std::string colour_legend(const DeviationScale& scale) {
@@ -176,7 +179,7 @@ std::string colour_legend(const DeviationScale& scale) {
     const bool limit = (i == 1 && scale.gouge().has_limit) || (i == 3 && scale.uncut().has_limit);
     std::string text = ticks[i] == 0 ? "0" : ticks[i] < 0 ? "−" : "+";
     if (ticks[i] != 0) text += stated_length(std::abs(ticks[i]));
-    if (limit) text += "<br>limit";
+    if (limit) text += "<br/>limit";
     labels += axis_label(50 + 50 * scale.position(ticks[i]), limit ? "tick limit" : "tick", text);
   }
   return fmt::format(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "reports/picture/deviation_scale.h"
@@ -13,7 +14,7 @@ std::string interval_chart(const verifier::Interval& interval_mm, bool has_limit
 /// The area-weighted histogram with gate limits and zero marked; a limit that lies far beyond what
 /// was measured is named at the side where it lies.
 std::string histogram_chart(const verifier::StageDeviation& deviation,
-                            const verifier::GateLimits& limits);
+                            const verifier::GateLimits& limits, std::size_t stage);
 
 /// The colours of a map, from full scale of gouge (left) to full scale of uncut (right), in words
 /// and numbers.

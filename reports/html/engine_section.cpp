@@ -11,7 +11,7 @@
 namespace limitgauge::reports::html {
 namespace {
 
-using Row = std::vector<std::string>;
+using Cells = std::vector<std::string>;
 
 const std::string kNothing = "–";
 
@@ -39,10 +39,10 @@ std::string megabytes_text(const std::optional<double>& mb) {
 
 std::string model_table(const RunResult& result) {
   const SurfaceResult& s = result.surface;
-  std::vector<Row> rows = {{"this run", grouped(std::uint64_t(s.summary.patches)),
-                            span_text(s.depth_min, s.depth_max),
-                            span_text(s.sampling_interval_min, s.sampling_interval_max),
-                            duration_text(s.seconds), bytes_text(s.memory_bytes)}};
+  std::vector<Cells> rows = {{"this run", grouped(std::uint64_t(s.summary.patches)),
+                              span_text(s.depth_min, s.depth_max),
+                              span_text(s.sampling_interval_min, s.sampling_interval_max),
+                              duration_text(s.seconds), bytes_text(s.memory_bytes)}};
   if (s.cell_bytes_counted > 0)
     rows.push_back({"its CELL control points in single precision, as the paper counts them", "", "",
                     "", "", bytes_text(s.cell_bytes_counted)});
@@ -60,7 +60,7 @@ std::string model_table(const RunResult& result) {
                rows);
 }
 
-Row path_row(const StageResult& stage, const StageResult::Ran& r) {
+Cells path_row(const StageResult& stage, const StageResult::Ran& r) {
   return {escape_markup(stage.name),
           path_source(stage),
           stage.step_mm > 0 ? stated_length(stage.step_mm) : kNothing,
@@ -72,7 +72,7 @@ Row path_row(const StageResult& stage, const StageResult::Ran& r) {
           bytes_text(r.path_memory_bytes)};
 }
 
-Row published_row(const PublishedFigures::Stage& stage) {
+Cells published_row(const PublishedFigures::Stage& stage) {
   return {escape_markup(stage.name) + "<small>published</small>",
           kNothing,
           kNothing,
@@ -85,7 +85,7 @@ Row published_row(const PublishedFigures::Stage& stage) {
 }
 
 std::string path_table(const RunResult& result) {
-  std::vector<Row> rows;
+  std::vector<Cells> rows;
   for (const StageResult& stage : result.stages) {
     if (!stage.ran) continue;
     rows.push_back(path_row(stage, *stage.ran));
@@ -93,7 +93,6 @@ std::string path_table(const RunResult& result) {
     for (const PublishedFigures::Stage& published : result.published->stages)
       if (published.name == stage.name) rows.push_back(published_row(published));
   }
-  if (rows.empty()) return {};
   return table("Toolpaths",
                {{"Stage"},
                 {"Path"},
@@ -109,16 +108,21 @@ std::string path_table(const RunResult& result) {
 
 }  // namespace
 
+bool has_engine_section(const RunResult& result) {
+  return std::any_of(result.stages.begin(), result.stages.end(),
+                     [](const StageResult& s) { return s.ran.has_value(); });
+}
+
 std::string engine_section(const RunResult& result) {
   const bool planned = std::any_of(result.stages.begin(), result.stages.end(),
                                    [](const StageResult& s) { return s.ran && s.program.empty(); });
+  if (!has_engine_section(result)) return {};
   const std::string paths = path_table(result);
-  if (paths.empty()) return {};
   std::string source;
   if (result.published)
     source = "<p class=\"note\">Published: " + escape_markup(result.published->source) + "</p>\n";
-  return "<section><h2>Toolpaths</h2>\n" + (planned ? model_table(result) : std::string()) + paths +
-         source + "</section>\n";
+  return "<section id=\"toolpaths\"><h2>Toolpaths</h2>\n" +
+         (planned ? model_table(result) : std::string()) + paths + source + "</section>\n";
 }
 
 }  // namespace limitgauge::reports::html

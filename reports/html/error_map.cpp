@@ -6,13 +6,15 @@
 
 #include "reports/html/charts.h"
 #include "reports/html/markup.h"
+#include "reports/html/page_picture.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/text.h"
 
 namespace limitgauge::reports::html {
 namespace {
 
-constexpr int kMapWidth = 1100, kMapHeight = 900;
+/// Fit for half of a page on paper, and for the screen.
+constexpr int kMapWidth = 900, kMapHeight = 740;
 constexpr std::size_t kMarkersPerKind = 3;
 /// Below this share of the limits the gate's colours show next to nothing.
 constexpr double kFaint = 0.3;
@@ -32,13 +34,13 @@ std::string markers(const std::vector<verifier::Finding>& findings, char letter,
 std::string map_figure(const verifier::StageDeviation& d, const DeviationScale& scale,
                        std::string_view caption) {
   const MapFrame frame = map_frame(d.field, kMapWidth, kMapHeight);
-  const std::string image = png_uri(png_bytes(draw_map(d.field, scale, frame)));
+  const std::string image = png_uri(palette_png(draw_map(d.field, scale, frame)));
   const std::string hatched =
       d.unreachable_area_mm2 > 0 ? " Hatched: the cutter cannot reach there." : "";
   return fmt::format(
       "<figure class=\"map\"><figcaption>{}{} Fine lines: patch borders.</figcaption>"
       "<div class=\"frame\"><img src=\"{}\" width=\"{}\" height=\"{}\" "
-      "alt=\"Map of deviation seen from +Z, X to the right, Y up\">{}{}</div>{}</figure>\n",
+      "alt=\"Map of deviation seen from +Z, X to the right, Y up\"/>{}{}</div>{}</figure>\n",
       caption, hatched, image, frame.width, frame.height, markers(d.gouges, 'G', frame),
       markers(d.uncuts, 'U', frame), colour_legend(scale));
 }
@@ -50,17 +52,16 @@ bool is_faint(const verifier::StageDeviation& d, const verifier::GateLimits& l) 
 
 }  // namespace
 
-std::string error_maps(const StageResult& stage) {
+std::string error_map(const StageResult& stage) {
   const verifier::StageDeviation& d = stage.ran->deviation;
   if (d.field.quads.empty()) return {};
-  const bool faint = is_faint(d, stage.limits);
-  std::string out = map_figure(d, DeviationScale::for_gate(d, stage.limits),
-                               "Deviation seen from +Z, colours scaled by the gate limits: pale is "
-                               "in tolerance, dark is beyond a limit.");
-  if (faint)
-    out += map_figure(d, DeviationScale::magnified(d),
-                      "The same at the scale of what was measured, far inside the limits.");
-  return out;
+  if (is_faint(d, stage.limits))
+    return map_figure(d, DeviationScale::magnified(d),
+                      "Deviation seen from +Z. All of it is far inside the limits: the colours are "
+                      "scaled by what was measured.");
+  return map_figure(d, DeviationScale::for_gate(d, stage.limits),
+                    "Deviation seen from +Z, colours scaled by the gate limits: pale is in "
+                    "tolerance, dark is beyond a limit.");
 }
 
 }  // namespace limitgauge::reports::html

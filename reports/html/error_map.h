@@ -6,8 +6,8 @@
 
 namespace limitgauge::reports::html {
 
-/// The error map scaled by the gate with its legend and the worst places marked; where everything
-/// measured is far inside the limits, a second map at the scale of what was measured.
-std::string error_maps(const StageResult& stage);
+/// The error map with its legend and the worst places marked, scaled by the gate; where everything
+/// measured is far inside the limits, by what was measured.
+std::string error_map(const StageResult& stage);
 
 }  // namespace limitgauge::reports::html

@@ -49,25 +49,38 @@ Look look_of(Standing standing) {
   return {"none", "–", "not run"};
 }
 
+std::string cell(const Column& column, const std::string& content) {
+  return fmt::format("<td role=\"cell\" data-label=\"{}\" class=\"{}{}\"><div>{}</div></td>",
+                     column.title, column.is_number ? "num" : "word",
+                     content.empty() ? " blank" : "", content);
+}
+
 }  // namespace
 
 std::string table(std::string_view caption, const std::vector<Column>& columns,
-                  const std::vector<std::vector<std::string>>& rows) {
-  std::string out = "<div class=\"scroll\"><table>";
-  if (!caption.empty()) out += fmt::format("<caption>{}</caption>", caption);
-  out += "<thead><tr>";
+                  const std::vector<Row>& rows) {
+  // Roles are stated because a narrow page lays rows out as blocks, which would end their meaning.
+  std::string out = fmt::format(
+      "<div class=\"scroll\"><table role=\"table\">"
+      "<caption>{}</caption><thead role=\"rowgroup\"><tr role=\"row\">",
+      caption);
   for (const Column& c : columns)
-    out += fmt::format("<th scope=\"col\"{}>{}</th>", c.is_number ? " class=\"num\"" : "", c.title);
-  out += "</tr></thead><tbody>\n";
-  for (const auto& row : rows) {
-    out += "<tr>";
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      out += fmt::format("<td data-label=\"{}\" class=\"{}{}\"><div>{}</div></td>",
-                         columns[i].title, columns[i].is_number ? "num" : "word",
-                         row.at(i).empty() ? " blank" : "", row.at(i));
+    out += fmt::format("<th scope=\"col\" role=\"columnheader\"{}>{}</th>",
+                       c.is_number ? " class=\"num\"" : "", c.title);
+  out += "</tr></thead><tbody role=\"rowgroup\">\n";
+  for (const Row& row : rows) {
+    out += fmt::format("<tr role=\"row\"{}>", row.attributes);
+    for (std::size_t i = 0; i < columns.size(); ++i) out += cell(columns[i], row.cells.at(i));
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>\n";
+}
+
+std::string table(std::string_view caption, const std::vector<Column>& columns,
+                  const std::vector<std::vector<std::string>>& rows) {
+  std::vector<Row> plain;
+  for (const std::vector<std::string>& cells : rows) plain.push_back({cells, {}});
+  return table(caption, columns, plain);
 }
 
 std::string terms(const std::vector<Term>& list) {

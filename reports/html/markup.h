@@ -15,7 +15,14 @@ struct Column {
   std::string title;
   bool is_number = false;
 };
+/// A row of cells that are markup already; `attributes` begin with a space.
+struct Row {
+  std::vector<std::string> cells;
+  std::string attributes;
+};
 /// A table with `caption` from cells that are markup already.
+std::string table(std::string_view caption, const std::vector<Column>& columns,
+                  const std::vector<Row>& rows);
 std::string table(std::string_view caption, const std::vector<Column>& columns,
                   const std::vector<std::vector<std::string>>& rows);
 

@@ -1,7 +1,10 @@
 #include "reports/html/process_part.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "reports/html/anchors.h"
 #include "reports/html/markup.h"
 #include "reports/process.h"
 #include "reports/program_lines.h"
@@ -18,34 +21,42 @@ std::string lines_text(const simulator::FindingGroup& group) {
   return std::to_string(group.first_line) + "–" + std::to_string(group.last_line);
 }
 
-std::string depth_text(const simulator::Finding& f) {
-  if (f.kind == simulator::FindingKind::near_miss) return measured_length(-f.depth_mm) + " apart";
-  return f.depth_mm > 0 ? "≥ " + measured_length(f.depth_mm) : "–";
+/// Linked to where the line stands in the listing.
+std::string line_text(std::size_t stage, std::uint32_t line, bool listed) {
+  if (line == 0) return "–";
+  if (!listed) return std::to_string(line);
+  return fmt::format("<a href=\"#{}\">{}</a>", line_anchor(stage, stage, line), line);
 }
 
-std::vector<std::string> row(std::size_t index, const simulator::FindingGroup& group) {
+Row row(std::size_t stage, std::size_t index, const simulator::FindingGroup& group, bool listed) {
   const simulator::Finding& worst = group.worst;
   std::string what = words_for(group.kind);
   if (!fails(group.kind)) what += " (does not fail the stage)";
-  return {"P" + std::to_string(index + 1),
-          lines_text(group),
-          what,
-          escape_markup(group.part),
-          escape_markup(group.against),
-          depth_text(worst),
-          coordinates(worst.point),
-          std::to_string(worst.line),
-          grouped(group.count)};
+  const std::string name = "P" + std::to_string(index + 1);
+  return {{name, lines_text(group), what, escape_markup(group.part), escape_markup(group.against),
+           process_depth(worst), coordinates(worst.point), line_text(stage, worst.line, listed),
+           grouped(group.count)},
+          finding_attributes(stage, name)};
 }
 
 }  // namespace
 
-std::string process_table(std::span<const simulator::Finding> findings) {
+std::string process_depth(const simulator::Finding& f) {
+  if (f.kind == simulator::FindingKind::near_miss) return measured_length(-f.depth_mm) + " apart";
+  return f.depth_mm > 0 ? "≥ " + measured_length(f.depth_mm) : "–";
+}
+
+std::string process_charts(std::size_t stage) {
+  return fmt::format("<div data-chart=\"process\" data-stage=\"{}\"></div>\n", stage);
+}
+
+std::string process_table(const StageResult::Ran& ran, std::size_t stage) {
+  const std::vector<simulator::Finding>& findings = ran.process;
   if (findings.empty()) return "<p class=\"note\">The process has no fault and no near miss.</p>\n";
   const std::vector<simulator::FindingGroup> groups = worst_first(findings);
-  std::vector<std::vector<std::string>> rows;
+  std::vector<Row> rows;
   for (std::size_t i = 0; i < std::min(groups.size(), kLongestList); ++i)
-    rows.push_back(row(i, groups[i]));
+    rows.push_back(row(stage, i, groups[i], ran.program_text != nullptr));
   std::string out = table("Process findings; the stock is judged as it stood at that move.",
                           {{"No."},
                            {"Lines", true},
@@ -65,7 +76,7 @@ std::string process_table(std::span<const simulator::Finding> findings) {
 
 std::string removal_terms(const StageResult::Ran& ran) {
   const simulator::RemovalTotals& t = ran.removal.totals;
-  return "<h4>Removal</h4>" +
+  return "<h3>Removal</h3>" +
          terms({{"Largest removal rate", three_digits(t.largest_rate_mm3_min / 1000) + " cm³/min"},
                 {"Largest axial engagement", measured_length(t.largest_axial_mm)},
                 {"Largest radial engagement", measured_length(t.largest_radial_mm)},

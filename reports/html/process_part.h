@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <cstddef>
 #include <string>
 
 #include "reports/run_result.h"
@@ -9,7 +9,11 @@ namespace limitgauge::reports::html {
 
 /// Faults and near misses of the process, runs of moves with the same one as a row; a sentence
 /// where there is none.
-std::string process_table(std::span<const simulator::Finding> findings);
+std::string process_table(const StageResult::Ran& ran, std::size_t stage);
+/// Where the page's script puts charts over the program: removal rate, feed, engagement.
+std::string process_charts(std::size_t stage);
+/// How deep, or how far apart for a near miss: "≥ 0.84 mm".
+std::string process_depth(const simulator::Finding& finding);
 /// What was removed and how: rates, engagement, air cutting.
 std::string removal_terms(const StageResult::Ran& ran);
 

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "reports/html/anchors.h"
 #include "reports/program_lines.h"
 #include "reports/text.h"
 
@@ -16,33 +17,44 @@ constexpr std::uint32_t kLinesAround = 3;
 /// The names of the findings by the line that they name, of one stage's program.
 using Marks = std::map<std::uint32_t, std::string>;
 
-std::string row(const ProgramLine& line, const Marks& marks) {
+/// Whose listing it is, and whose program.
+struct Listed {
+  std::size_t stage = 0, program = 0;
+};
+
+std::string row(const Listed& where, const ProgramLine& line, const Marks& marks) {
   const auto mark = marks.find(line.line);
   const bool marked = mark != marks.end();
-  return fmt::format("<tr{}><td>{}</td><th scope=\"row\">{}</th><td><code>{}</code></td></tr>\n",
-                     marked ? " class=\"named\"" : "", marked ? mark->second : "", line.line,
-                     escape_markup(line.text));
+  return fmt::format(
+      "<tr id=\"{}\" data-program=\"{}\" data-line=\"{}\"{}><td>{}</td><th scope=\"row\">{}</th>"
+      "<td><code>{}</code></td></tr>\n",
+      line_anchor(where.stage, where.program, line.line), where.program, line.line,
+      marked ? " class=\"named\"" : "", marked ? mark->second : "", line.line,
+      escape_markup(line.text));
 }
 
-std::string listing(const StageResult& stage, const Marks& marks) {
+std::string listing(const StageResult& stage, const Listed& where, const Marks& marks) {
   std::vector<std::uint32_t> wanted;
   for (const auto& [line, names] : marks) wanted.push_back(line);
   std::string rows;
   std::uint32_t before = 0;
   for (const ProgramLine& line : program_lines(*stage.ran->program_text, wanted, kLinesAround)) {
     if (before > 0 && line.line > before + 1)
-      rows += "<tr class=\"gap\"><td></td><th>⋮</th><td></td></tr>\n";
-    rows += row(line, marks);
+      rows += "<tr class=\"gap\"><td></td><th scope=\"row\">⋮</th><td></td></tr>\n";
+    rows += row(where, line, marks);
     before = line.line;
   }
   if (rows.empty()) return {};
-  const std::string source = stage.program.empty() ? stage.name + "/toolpath.ngc" : stage.program;
   return fmt::format(
       "<table class=\"program\"><caption>Program lines of the findings: {}</caption>\n{}</table>\n",
-      escape_markup(source), rows);
+      program_file(stage), rows);
 }
 
 }  // namespace
+
+std::string program_file(const StageResult& stage) {
+  return escape_markup(stage.program.empty() ? stage.name + "/toolpath.ngc" : stage.program);
+}
 
 std::string program_part(const RunResult& result, std::size_t index) {
   std::map<std::size_t, Marks> by_stage;
@@ -54,7 +66,7 @@ std::string program_part(const RunResult& result, std::size_t index) {
   for (const auto& [stage, marks] : by_stage) {
     if (stage >= result.stages.size()) continue;
     const StageResult& cut = result.stages[stage];
-    if (cut.ran && cut.ran->program_text) out += listing(cut, marks);
+    if (cut.ran && cut.ran->program_text) out += listing(cut, {index, stage}, marks);
   }
   return out;
 }

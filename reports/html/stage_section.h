@@ -8,8 +8,6 @@ namespace limitgauge::reports::html {
 
 /// The stage's part of the page.
 std::string stage_section(const RunResult& result, std::size_t index);
-/// Where stage_section can be linked to.
-std::string stage_anchor(std::size_t index);
 /// "contour", or the program's name; escaped.
 std::string path_source(const StageResult& stage);
 /// "⌀8 mm flat"; escaped.

@@ -259,6 +259,8 @@ RunResult sample_result(Outcome outcome, int samples_per_edge) {
   r.raw_stock = model::BoxStock{{-45, -40, -20}, {90, 80, 30}};
   r.assumptions = {"rapid moves are straight lines at 5000 mm/min",
                    "machining time takes no acceleration into account"};
+  r.inputs = {{"job", "aircraft.toml", 2'518, std::string(64, '3')},
+              {"cage", "aircraft.obj", 1'204, std::string(64, 'c')}};
   set_surface(r.surface);
   r.program_frame = {90, {1, 2, 3}};
   r.machine.home_mm = {0, 0, 150};

@@ -55,6 +55,8 @@ changes = {
     "stage that was not run with deviation": set_at("stages", 2, "deviation", value={}),
     "neither strategy nor program": drop("stages", 0, "strategy"),
     "finding without line": drop("stages", 1, "deviation", "gouges", 0, "line"),
+    "input without checksum": drop("inputs", 0, "sha256"),
+    "input with half a checksum": set_at("inputs", 0, "sha256", value="3" * 32),
     "box of one corner": set_at("surface", "bbox_mm", value=[[0, 0, 0]]),
 }
 for what, change in changes.items():

@@ -22,25 +22,31 @@ export function canDraw() {
 /**
  * A vtk.js window in `container` with a camera that turns about Z. Frames are drawn on demand: `render`
  * asks for one, and any number of askings before it is due make one. While the camera moves and frames
- * are slow, they have fewer pixels; a moment after it rests the picture is whole again.
+ * are slow, they have fewer pixels and `beforeFrame` is told; a moment after it rests the picture is whole again.
  * @param {HTMLElement} container positioned, of a size
  * @param {{bounds_mm: number[][]}} report
  */
 export function createScene(container, { bounds_mm }) {
   const { renderWindow, renderer, view } = createWindow(container);
   const size_mm = length(subtract(bounds_mm[1], bounds_mm[0])) || 1;
-  const listeners = { frame: [], theme: [], lost: [] };
-  let camera = null, frame = 0, restTimer = 0, moving = false, slowness = 1, frames = 0;
+  const listeners = { before: [], frame: [], theme: [], lost: [] };
+  let camera = null, frame = 0, restTimer = 0, moving = false, slow = false, share = 1, frames = 0;
   let theme = pageTheme(container);
 
   const size = () => ({ width: container.clientWidth || 1, height: container.clientHeight || 1 });
   const draw = () => {
     frame = 0;
     const before = performance.now();
-    resize(view, size(), moving ? slowness : 1);
+    resize(view, size(), moving ? share : 1);
+    listeners.before.forEach((callback) => callback({ moving, slow }));
     place(renderer.getActiveCamera(), camera, size_mm, bounds_mm);
     renderWindow.render();
-    if (moving) slowness = nextSlowness(slowness, finish(view, before));
+    if (moving) {
+      const took_ms = finish(view, before);
+      // Once the whole is known to be slow it is not tried again in motion: that would flicker.
+      slow ||= took_ms > SLOW_FRAME_MS;
+      share = nextShare(share, took_ms);
+    }
     frames += 1;
     listeners.frame.forEach((callback) => callback({ moving }));
   };
@@ -94,6 +100,8 @@ export function createScene(container, { bounds_mm }) {
       const look = () => (moving || frame || flight.flying() ? requestAnimationFrame(look) : resolve());
       look();
     }),
+    /** Called before a frame with {moving, slow}: slow says that drawing everything takes too long. */
+    beforeFrame: (callback) => listeners.before.push(callback),
     onFrame: (callback) => listeners.frame.push(callback),
     onTheme: (callback) => listeners.theme.push(callback),
     onLost: (callback) => listeners.lost.push(callback),
@@ -127,7 +135,7 @@ function finish(view, begun) {
   return performance.now() - begun;
 }
 
-function nextSlowness(share, took_ms) {
+function nextShare(share, took_ms) {
   if (took_ms > SLOW_FRAME_MS) return Math.max(SMALLEST_PIXEL_RATIO, share * 0.75);
   return took_ms < SLOW_FRAME_MS / 3 ? Math.min(1, share * 1.2) : share;
 }

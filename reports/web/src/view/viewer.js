@@ -11,6 +11,7 @@ import { readingAt } from './reading.js';
 import { createReadout } from './readout.js';
 import { createSectionPanel } from './section_panel.js';
 import { cutCurve, magnification } from './section.js';
+import { createPathLayer } from '../path/path_layer.js';
 import { linkStaticFindings } from './static_links.js';
 import { createStageTabs } from './stage_tabs.js';
 import { createToolbar } from './toolbar.js';
@@ -24,13 +25,17 @@ const CANNOT_REACH = 1;
  * @param {HTMLElement} frame that the scene is drawn in
  */
 export function createViewer(report, frame) {
-  const state = { stage: null, finding: null, reading: null, scale: null, pickers: new Map() };
+  const state = { stage: null, finding: null, reading: null, scale: null, path: false, pickers: new Map() };
   const viewer = { report, state, frame };
   buildElements(viewer);
   viewer.attach = (scene, layers) => {
     Object.assign(viewer, { scene, layers });
     viewer.markers = createMarkers(scene, (id) => chooseFinding(viewer, id), (finding) => isBehind(viewer, finding));
     attachHand(scene, handOf(viewer));
+    viewer.path = createPathLayer(scene, report);
+    viewer.pathPlace.append(viewer.path.element);
+    viewer.path.setTheme(scene.theme().dark);
+    scene.onTheme((dark) => viewer.path.setTheme(dark));
     linkStaticFindings(document, (stage, id) => show(viewer, stage, id));
     open(viewer);
     return interfaceOf(viewer);
@@ -54,6 +59,7 @@ function buildElements(viewer) {
     look: (view) => viewer.scene.home(view),
     toggles: [
       { id: 'view-map', text: 'Error map', checked: true, change: (on) => applyLook(viewer, { map: on }) },
+      { id: 'view-path', text: 'Toolpath', checked: false, change: (on) => showPath(viewer, on) },
       { id: 'view-borders', text: 'Patch borders', checked: true, change: (on) => applyLook(viewer, { borders: on }) },
     ],
   });
@@ -95,7 +101,12 @@ function chooseStage(viewer, index) {
   viewer.colours.suggest(scaleFor(stage));
   applyColours(viewer);
   read(viewer, null);
-  viewer.path?.show(index);
+  showPath(viewer, state.path);
+}
+
+function showPath(viewer, on) {
+  viewer.state.path = on;
+  viewer.path.show(on ? viewer.state.stage : null);
 }
 
 /** The chosen stage, its surface and field. */
@@ -162,8 +173,7 @@ function applySection(viewer) {
   layers.surface.look.plane = plane ? planeEquation(plane) : [0, 0, 0, 1];
   const { surface, field, stage } = current(viewer);
   const pieces = plane ? cutCurve(surface, field.deviation_mm, plane.axis, plane.offset_mm) : [];
-  const { gouge, uncut } = state.scale;
-  const times = magnification(Math.max(gouge.end_mm, uncut.end_mm), scene.size_mm);
+  const times = magnification(Math.max(stage.gouge_mm?.high ?? 0, stage.uncut_mm?.high ?? 0), scene.size_mm);
   const band = viewer.colours.band();
   layers.section.show(pieces, surface, { axis: plane?.axis, times, colourOf: (mm) => colour(state.scale, mm, band) });
   section.setNote(pieces.length === 0 ? 'The plane does not meet the surface here.'
@@ -171,12 +181,15 @@ function applySection(viewer) {
   section.chart.show(pieces, {
     axis: plane?.axis, bounds_mm: viewer.report.bounds_mm, scale: state.scale, sign: viewer.colours.sign(), band,
   });
+  viewer.path.setSection(plane && { ...plane, flip: (plane.flip ? -1 : 1) * KEPT[plane.axis] > 0 });
   scene.render();
 }
 
-/** Keeps what lies below the plane on its axis, or with `flip` above it. */
+/** The half that is kept, so that the cut faces the eye of the perspective view: below in X and Z, above in Y. */
+const KEPT = [-1, 1, -1];
+
 function planeEquation({ axis, offset_mm, flip }) {
-  const way = flip ? 1 : -1;
+  const way = flip ? -KEPT[axis] : KEPT[axis];
   const plane = [0, 0, 0, -way * offset_mm];
   plane[axis] = way;
   return plane;
@@ -247,9 +260,11 @@ function handOf(viewer) {
   };
 }
 
-/** Whether something of the surface stands between the eye and a finding. */
+/** Whether a section has taken a finding away, or something of the surface stands before it. */
 function isBehind(viewer, { point_mm, normal = [0, 0, 1] }) {
   const { scene } = viewer;
+  const [a, b, c, d] = viewer.layers.surface.look.plane;
+  if (a * point_mm[0] + b * point_mm[1] + c * point_mm[2] + d < -1e-3 * scene.size_mm) return true;
   const lifted = add(point_mm, scaled(normal, 2e-3 * scene.size_mm));
   const { x, y } = scene.project(lifted);
   const { origin } = scene.ray(x, y);
@@ -281,9 +296,11 @@ function interfaceOf(viewer) {
       };
     },
     scene,
-    path: () => viewer.path ?? null,
+    path: viewer.path,
   };
 }
+
+const sideOf = ({ limit_mm, end_mm, hasLimit }) => ({ limit: hasLimit ? limit_mm : null, end: end_mm });
 
 function stateOf({ scene, state, colours, section, layers }) {
   const { focal, scale, azimuth, elevation, perspective } = scene.camera();
@@ -293,9 +310,10 @@ function stateOf({ scene, state, colours, section, layers }) {
     moving: scene.moving(), frames: scene.frames(), pixelRatio: scene.pixelRatio(),
     scale: {
       sign: colours.sign() > 0 ? 'uncut' : 'gouge', band: colours.band(),
-      gouge_mm: { ...state.scale.gouge }, uncut_mm: { ...state.scale.uncut },
+      gouge_mm: sideOf(state.scale.gouge), uncut_mm: sideOf(state.scale.uncut),
+      range: colours.choice(state.scale).range,
     },
     section: section.section(),
-    layers: { map: layers.surface.look.map, borders: layers.surface.look.borders },
+    layers: { map: layers.surface.look.map, borders: layers.surface.look.borders, path: state.path },
   };
 }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <string>
+#include <vector>
+
+#include "app/job.h"
+#include "reports/run_result.h"
+
+namespace limitgauge::app {
+
+/// Length and SHA-256 of the rest of a stream, read piece by piece.
+struct Checksum {
+  std::uint64_t bytes = 0;
+  std::string sha256;  ///< 64 lower-case hexadecimal digits
+};
+/// Throws ResourceError where the stream breaks.
+Checksum checksum(std::istream& in);
+
+/// Every file that the job names and that makes its result: the job file, the cage, the stock,
+/// programs, fixtures, the tool table; each once, named as stated. Of a path from the root only the
+/// file's name is told: the folders of one machine mean nothing elsewhere. Pipes are left out.
+/// Throws InputError for a file that cannot be read.
+std::vector<reports::InputFile> input_checksums(const Job& job);
+
+}  // namespace limitgauge::app

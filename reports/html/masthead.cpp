@@ -1,0 +1,59 @@
+#include "reports/html/masthead.h"
+
+#include <fmt/format.h>
+
+#include "reports/html/anchors.h"
+#include "reports/html/job_section.h"
+#include "reports/html/markup.h"
+#include "reports/html/worst_places.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports::html {
+namespace {
+
+const char* verdict_sentence(verifier::Verdict verdict) {
+  switch (verdict) {
+    case verifier::Verdict::pass:
+      return "Every gate figure is proven inside its limit.";
+    case verifier::Verdict::fail:
+      return "At least one gate figure is proven beyond its limit.";
+    case verifier::Verdict::indeterminate:
+      return "Nothing is proven beyond a limit, but a certified interval still holds one: neither "
+             "pass nor fail can be stated at this resolution.";
+    case verifier::Verdict::not_run:
+      break;
+  }
+  return "No stage was run.";
+}
+
+/// What decided the verdict: the reasons of the stages that did not pass, or of all.
+std::string reasons_list(const RunResult& result) {
+  std::string out;
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    const StageResult& stage = result.stages[i];
+    const verifier::Verdict verdict = stage.verdict();
+    if (verdict == verifier::Verdict::pass && result.verdict != verifier::Verdict::pass) continue;
+    for (const std::string& reason : stage.decision.reasons)
+      out += fmt::format("<li><a href=\"#{}\">{}</a>: {}</li>\n", stage_anchor(i),
+                         escape_markup(stage.name), escape_markup(reason));
+  }
+  return out.empty() ? out : "<ul class=\"reasons\">" + out + "</ul>\n";
+}
+
+}  // namespace
+
+std::string masthead(const RunResult& result) {
+  return fmt::format(
+             "<header><p class=\"kind\">Limitgauge · certificate of toolpath verification</p>"
+             "<h1>{}</h1>\n<div class=\"verdict {}\"><p "
+             "class=\"word\">{}</p><p>{}</p>\n{}{}</div>\n",
+             escape_markup(result.job), css_class(result.verdict), badge(result.verdict),
+             verdict_sentence(result.verdict), worst_places(result), reasons_list(result)) +
+         terms({{"Created", escape_markup(result.created)},
+                {"Design surface", escape_markup(result.surface.cage)},
+                {"Stock", stock_text(result.raw_stock)},
+                {"Program version", "limitgauge " + escape_markup(result.version)}}) +
+         "</header>\n";
+}
+
+}  // namespace limitgauge::reports::html

@@ -1,0 +1,145 @@
+#include "reports/html/page_picture.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+namespace limitgauge::reports::html {
+namespace {
+
+constexpr std::size_t kMostColours = 256;
+
+using Channels = std::array<std::uint8_t, 4>;
+
+Channels channels(const Rgba& c) {
+  // What is not seen at all is one colour.
+  return c.a == 0 ? Channels{0, 0, 0, 0} : Channels{c.r, c.g, c.b, c.a};
+}
+
+/// A colour of the picture, how many pixels have it, and its place in the palette.
+struct Entry {
+  Channels colour{};
+  std::size_t count = 0;
+  std::uint8_t index = 0;
+};
+
+/// Entries [first, last) that share one colour of the palette.
+struct Bin {
+  std::size_t first = 0, last = 0, widest = 0;
+  double weight = 0;  ///< pixels times range: what splitting it gains
+};
+
+Bin bin_of(const std::vector<Entry>& entries, std::size_t first, std::size_t last) {
+  Bin bin{first, last, 0, 0};
+  std::size_t pixels = 0;
+  for (std::size_t i = first; i < last; ++i) pixels += entries[i].count;
+  int range = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto less = [k](const Entry& a, const Entry& b) { return a.colour[k] < b.colour[k]; };
+    const auto [low, high] = std::minmax_element(entries.begin() + std::ptrdiff_t(first),
+                                                 entries.begin() + std::ptrdiff_t(last), less);
+    const int spread = high->colour[k] - low->colour[k];
+    if (spread > range) range = spread, bin.widest = k;
+  }
+  // Squared: a large step between two colours is seen more than many pixels that are a little off.
+  bin.weight = static_cast<double>(pixels) * range * range;
+  return bin;
+}
+
+/// Cuts a bin where half of its pixels are on either side along its widest channel.
+std::pair<Bin, Bin> halves(std::vector<Entry>& entries, const Bin& bin) {
+  const auto first = entries.begin() + std::ptrdiff_t(bin.first),
+             last = entries.begin() + std::ptrdiff_t(bin.last);
+  std::sort(first, last, [k = bin.widest](const Entry& a, const Entry& b) {
+    return a.colour[k] != b.colour[k] ? a.colour[k] < b.colour[k] : a.colour < b.colour;
+  });
+  std::size_t pixels = 0, seen = 0;
+  for (auto it = first; it != last; ++it) pixels += it->count;
+  std::size_t cut = bin.first;
+  while (cut + 1 < bin.last && (cut == bin.first || 2 * (seen + entries[cut].count) <= pixels))
+    seen += entries[cut++].count;
+  return {bin_of(entries, bin.first, cut), bin_of(entries, cut, bin.last)};
+}
+
+/// Median cut.
+std::vector<Bin> bins_of(std::vector<Entry>& entries) {
+  std::vector<Bin> bins = {bin_of(entries, 0, entries.size())};
+  while (bins.size() < std::min(kMostColours, entries.size())) {
+    const auto heaviest = std::max_element(
+        bins.begin(), bins.end(), [](const Bin& a, const Bin& b) { return a.weight < b.weight; });
+    const auto [low, high] = halves(entries, *heaviest);
+    *heaviest = low;
+    bins.push_back(high);
+  }
+  return bins;
+}
+
+/// The mean colour of a bin, which its entries then refer to.
+Channels settle(std::vector<Entry>& entries, const Bin& bin, std::uint8_t index) {
+  std::array<std::size_t, 4> sums{};
+  std::size_t pixels = 0;
+  for (std::size_t i = bin.first; i < bin.last; ++i) {
+    Entry& e = entries[i];
+    e.index = index;
+    pixels += e.count;
+    for (std::size_t k = 0; k < 4; ++k) sums[k] += e.colour[k] * e.count;
+  }
+  Channels mean{};
+  for (std::size_t k = 0; k < 4; ++k)
+    mean[k] = static_cast<std::uint8_t>((sums[k] + pixels / 2) / pixels);
+  return mean;
+}
+
+std::string encoded(const Image& image, const std::vector<std::uint8_t>& pixels,
+                    const std::vector<Channels>& palette) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width());
+  png.height = static_cast<png_uint_32>(image.height());
+  png.format = PNG_FORMAT_RGBA_COLORMAP;
+  png.colormap_entries = static_cast<png_uint_32>(palette.size());
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels.data(), 0, palette.data()))
+    throw std::runtime_error(std::string("libpng: ") + png.message);
+  bytes.resize(size);
+  return bytes;
+}
+
+}  // namespace
+
+std::string palette_png(const Image& image) {
+  std::map<Channels, std::size_t> counts;
+  for (const Rgba& c : image.pixels()) ++counts[channels(c)];
+  std::vector<Entry> entries;
+  for (const auto& [colour, count] : counts) entries.push_back({colour, count, 0});
+  std::vector<Channels> palette;
+  for (const Bin& bin : bins_of(entries))
+    palette.push_back(settle(entries, bin, static_cast<std::uint8_t>(palette.size())));
+  for (const Entry& e : entries) counts[e.colour] = e.index;
+  std::vector<std::uint8_t> pixels;
+  pixels.reserve(image.pixels().size());
+  for (const Rgba& c : image.pixels())
+    pixels.push_back(static_cast<std::uint8_t>(counts.find(channels(c))->second));
+  return encoded(image, pixels, palette);
+}
+
+Image read_png(std::string_view bytes) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()))
+    throw std::runtime_error(std::string("libpng: ") + png.message);
+  png.format = PNG_FORMAT_RGBA;
+  Image image(static_cast<int>(png.width), static_cast<int>(png.height));
+  static_assert(sizeof(Rgba) == 4);
+  if (!png_image_finish_read(&png, nullptr, image.pixels().data(), 0, nullptr))
+    throw std::runtime_error(std::string("libpng: ") + png.message);
+  return image;
+}
+
+}  // namespace limitgauge::reports::html

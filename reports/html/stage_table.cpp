@@ -1,0 +1,56 @@
+#include "reports/html/stage_table.h"
+
+#include <fmt/format.h>
+
+#include "reports/gate_figures.h"
+#include "reports/html/anchors.h"
+#include "reports/html/markup.h"
+#include "reports/html/stage_section.h"
+#include "reports/process.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports::html {
+namespace {
+
+std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) {
+  const std::vector<GateFigure> f = gate_figures(stage);
+  const auto figure = [&](std::size_t i) {
+    if (f[i].standing == Standing::not_run) return std::string("–");
+    return f[i].measured + (f[i].limit.empty() ? "" : "<small>limit " + f[i].limit + "</small>");
+  };
+  const std::size_t hits = stage.ran ? faults(stage.ran->process) : 0;
+  return {fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),
+          fmt::format("{}<small>{}</small>", escape_markup(stage.tool), cutter_text(stage.cutter)),
+          path_source(stage),
+          stated_length(stage.allowance_mm),
+          figure(0),
+          figure(1),
+          figure(2),
+          stage.ran ? grouped(hits) : "–",
+          stage.ran ? duration_text(stage.ran->machining_time_s) : "–",
+          badge(stage.verdict())};
+}
+
+}  // namespace
+
+std::string stage_table(const RunResult& result) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < result.stages.size(); ++i)
+    rows.push_back(stage_row(result.stages[i], i));
+  return "<section id=\"stages\"><h2>Stages</h2>\n" +
+         table("Gouge and uncut are certified intervals against the stage's own allowance surface.",
+               {{"Stage"},
+                {"Tool"},
+                {"Path"},
+                {"Allowance", true},
+                {"Gouge", true},
+                {"Uncut", true},
+                {"Coverage", true},
+                {"Process faults", true},
+                {"Machining time", true},
+                {"Verdict"}},
+               rows) +
+         "</section>\n";
+}
+
+}  // namespace limitgauge::reports::html

@@ -48,17 +48,17 @@ test('the range goes by the gate, by what was measured, or as the reader says', 
   withReport(browser, 'failed', {}, async (page) => {
     await showStage(page, 1);
     const gate = { state: await stateOf(page), text: await legend(page) };
-    assert.equal(gate.state.scale.gouge_mm.end_mm, 0.1);
+    assert.equal(gate.state.scale.gouge_mm.end, 0.1);
     await choose(page, 'view-range', 'measured');
     const measured = { state: await stateOf(page), text: await legend(page) };
     assert.notEqual(measured.text, gate.text);
     const { high } = resultOf('failed').stages[1].deviation.gouge_mm;
-    assert.ok(measured.state.scale.gouge_mm.end_mm >= high, 'nothing measured is off the scale');
+    assert.ok(measured.state.scale.gouge_mm.end >= high, 'nothing measured is off the scale');
     await choose(page, 'view-range', 'own');
     await part(page, 'view-own-gouge').fill('25');
     await part(page, 'view-own-gouge').press('Enter');
     await settle(page);
-    assert.ok(Math.abs((await stateOf(page)).scale.gouge_mm.end_mm - 0.025) < 1e-9);
+    assert.ok(Math.abs((await stateOf(page)).scale.gouge_mm.end - 0.025) < 1e-9);
     assert.match(await legend(page), /25\s*µm/);
   }));
 

@@ -90,22 +90,24 @@ struct LimitMark {
   bool stated = false;
   double at_mm = 0;
   const char* name = "";
+  const char* css = "";  ///< of the label
 };
 
 /// The limits' lines inside the axis and their labels, or an arrow at the side where they lie.
 void add_limits(const Axis& axis, const verifier::GateLimits& limits, std::string& lines,
                 std::string& labels) {
-  const LimitMark marks[] = {{limits.has_gouge, -limits.gouge_mm, "gouge limit"},
-                             {limits.has_uncut, limits.uncut_mm, "uncut limit"}};
+  const LimitMark marks[] = {
+      {limits.has_gouge, -limits.gouge_mm, "gouge limit", "limit below-zero"},
+      {limits.has_uncut, limits.uncut_mm, "uncut limit", "limit"}};
   for (const LimitMark& m : marks) {
     if (!m.stated) continue;
     const double at = axis.percent(m.at_mm);
     const std::string text = fmt::format("{} {}", m.name, stated_length(std::abs(m.at_mm)));
     if (at >= 0 && at <= 100) {
       lines += vertical_line(at, "limit");
-      labels += axis_label(at, "limit", text);
+      labels += axis_label(at, m.css, text);
     } else {
-      labels += axis_label(at < 0 ? 0 : 100, "limit far", at < 0 ? "← " + text : text + " →");
+      labels += axis_label(at < 0 ? 0 : 100, m.css, at < 0 ? "← " + text : text + " →");
     }
   }
 }

@@ -41,11 +41,11 @@ std::string bodies_table(const RunResult& result, const verifier::StageDeviation
   std::vector<std::vector<std::string>> rows;
   for (const verifier::BodyFigure& b : d.bodies) {
     const bool flutes = b.body == "cutter";
-    rows.push_back({escape_markup(b.body),
-                    flutes || b.stage >= result.stages.size()
-                        ? "all so far"
-                        : escape_markup(result.stages[b.stage].name),
-                    measured_length(b.gouge_mm.low), measured_length(b.gouge_mm.high)});
+    rows.push_back(
+        {escape_markup(b.body),
+         flutes || b.stage >= result.stages.size() ? "all so far"
+                                                   : escape_markup(result.stages[b.stage].name),
+         typeset(measured_length(b.gouge_mm.low)), typeset(measured_length(b.gouge_mm.high))});
   }
   return table("Gouge by body of the assembly, certified",
                {{"Body"}, {"Stage"}, {"At least", true}, {"At most", true}}, rows);
@@ -98,12 +98,13 @@ std::string findings_table(const RunResult& result, std::size_t index,
 
 /// From which depth on places are listed.
 std::string threshold_note(const verifier::StageDeviation& d) {
-  std::string out =
-      fmt::format("Listed is what is deeper than {} (gouge) or higher than {} (material left)",
-                  measured_length(d.gouge_threshold_mm), measured_length(d.uncut_threshold_mm));
-  if (d.gouges.empty()) out += "; there is no such gouge";
-  if (d.uncuts.empty()) out += "; there is no such material";
-  return "<p class=\"note\">" + out + ".</p>\n";
+  if (d.gouges.empty() && d.uncuts.empty())
+    return "<p class=\"note\">There is no gouge and no leftover to list.</p>\n";
+  return fmt::format(
+      "<p class=\"note\">Listed are places that are deeper than {} (gouge) or higher than {} "
+      "(material left); where no place is, the worst one stands alone.{}</p>\n",
+      measured_length(d.gouge_threshold_mm), measured_length(d.uncut_threshold_mm),
+      d.findings_complete ? "" : " There are more than could be searched for.");
 }
 
 }  // namespace

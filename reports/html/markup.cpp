@@ -52,7 +52,7 @@ Look look_of(Standing standing) {
 std::string cell(const Column& column, const std::string& content) {
   return fmt::format("<td role=\"cell\" data-label=\"{}\" class=\"{}{}\"><div>{}</div></td>",
                      column.title, column.is_number ? "num" : "word",
-                     content.empty() ? " blank" : "", content);
+                     content.empty() || content == "–" ? " blank" : "", content);
 }
 
 }  // namespace
@@ -114,7 +114,9 @@ std::string typeset(const std::string& number) {
     }
   }
   if (exponent == std::string::npos) return out;
-  return fmt::format("{} × 10<sup>−{}</sup>", out, std::stoi(number.substr(exponent + 2)));
+  std::size_t digits = 0;
+  const int power = std::stoi(number.substr(exponent + 2), &digits);
+  return fmt::format("{} × 10<sup>−{}</sup>{}", out, power, number.substr(exponent + 2 + digits));
 }
 
 std::string coordinates(const model::Vec3& p) {

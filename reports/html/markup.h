@@ -40,7 +40,8 @@ const char* word(verifier::Verdict verdict);
 /// Class name that carries the verdict's colour.
 const char* css_class(verifier::Verdict verdict);
 
-/// A plain number with a minus sign in place of the hyphen and a power of ten as such.
+/// A plain number, with its unit or without, with a minus sign in place of the hyphen and a power
+/// of ten as such.
 std::string typeset(const std::string& number);
 /// "1.250, −3.000, 0.125", never broken over lines.
 std::string coordinates(const model::Vec3& p_mm);

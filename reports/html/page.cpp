@@ -39,7 +39,7 @@ constexpr const char* kView =
     "<section id=\"view\"><h2>Error map in 3D</h2>\n<noscript><p class=\"note\">The map that can "
     "be "
     "turned needs a script, which is switched off here. Each stage below has its map as a "
-    "picture.</p></noscript>\n<div data-view></div></section>\n";
+    "picture.</p></noscript>\n<div data-view=\"\"></div></section>\n";
 
 }  // namespace
 

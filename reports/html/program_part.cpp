@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t kFindingsShown = 20;
 constexpr std::uint32_t kLinesAround = 3;
+/// Longer listings are folded away; a link to a line unfolds them.
+constexpr std::size_t kMostOpen = 60;
 
 /// The names of the findings by the line that they name, of one stage's program.
 using Marks = std::map<std::uint32_t, std::string>;
@@ -36,18 +38,21 @@ std::string row(const Listed& where, const ProgramLine& line, const Marks& marks
 std::string listing(const StageResult& stage, const Listed& where, const Marks& marks) {
   std::vector<std::uint32_t> wanted;
   for (const auto& [line, names] : marks) wanted.push_back(line);
+  const std::vector<ProgramLine> lines =
+      program_lines(*stage.ran->program_text, wanted, kLinesAround);
+  if (lines.empty()) return {};
   std::string rows;
   std::uint32_t before = 0;
-  for (const ProgramLine& line : program_lines(*stage.ran->program_text, wanted, kLinesAround)) {
+  for (const ProgramLine& line : lines) {
     if (before > 0 && line.line > before + 1)
       rows += "<tr class=\"gap\"><td></td><th scope=\"row\">⋮</th><td></td></tr>\n";
     rows += row(where, line, marks);
     before = line.line;
   }
-  if (rows.empty()) return {};
   return fmt::format(
-      "<table class=\"program\"><caption>Program lines of the findings: {}</caption>\n{}</table>\n",
-      program_file(stage), rows);
+      "<details class=\"listing\"{}><summary>Program lines of the findings</summary>\n"
+      "<table class=\"program\"><caption>{}</caption>\n{}</table></details>\n",
+      lines.size() <= kMostOpen ? " open=\"\"" : "", program_file(stage), rows);
 }
 
 }  // namespace

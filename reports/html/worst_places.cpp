@@ -69,7 +69,7 @@ std::string finding_card(const RunResult& result, std::size_t index, const Side&
   std::vector<Term> list = {{"Where", place_text(f.place)}};
   if (f.line > 0) {
     list.push_back(
-        {side.letter == 'G' ? "Cut by" : "Nearest pass", line_text(result, f.stage, f.line)});
+        {side.letter == 'G' ? "Program" : "Nearest pass", line_text(result, f.stage, f.line)});
   } else if (f.raw_stock) {
     list.push_back({"Nearest", "a face of the raw stock"});
   }
@@ -129,7 +129,7 @@ std::string process_card(const RunResult& result, std::size_t index) {
   std::vector<Term> list = {
       {"Where", axes(f.point)},
       {"Bodies", escape_markup(f.part) + " against " + escape_markup(f.against)}};
-  if (f.line > 0) list.push_back({"In", line_text(result, index, f.line)});
+  if (f.line > 0) list.push_back({"Program", line_text(result, index, f.line)});
   list.push_back({"More", finding_link(index, "P1",
                                        "P1 of stage " + escape_markup(result.stages[index].name))});
   std::string what = words_for(f.kind);

@@ -2,10 +2,10 @@ import '@kitware/vtk.js/Rendering/OpenGL/Profiles/Geometry';
 import vtkOpenGLRenderWindow from '@kitware/vtk.js/Rendering/OpenGL/RenderWindow';
 import vtkRenderWindow from '@kitware/vtk.js/Rendering/Core/RenderWindow';
 import vtkRenderer from '@kitware/vtk.js/Rendering/Core/Renderer';
-import { axes, eyeDistance, fitted, HALF_ANGLE_DEG, lookingAt, project, ray, VIEWS } from './camera.js';
+import { axes, corners, eyeDistance, fitted, HALF_ANGLE_DEG, lookingAt, project, ray, VIEWS } from './camera.js';
 import { createFlight } from './flight.js';
 import { onThemeChange, pageTheme } from './theme.js';
-import { add, length, scaled, subtract } from './vector.js';
+import { add, length, pointAt, scaled, subtract } from './vector.js';
 
 const REST_MS = 160;
 const SLOW_FRAME_MS = 45;
@@ -24,9 +24,12 @@ export function canDraw() {
  * asks for one, and any number of askings before it is due make one. While the camera moves and frames
  * are slow, they have fewer pixels and `beforeFrame` is told; a moment after it rests the picture is whole again.
  * @param {HTMLElement} container positioned, of a size
- * @param {{bounds_mm: number[][]}} report
+ * @param {object} report, decoded
  */
-export function createScene(container, { bounds_mm }) {
+export function createScene(container, report) {
+  const { bounds_mm } = report;
+  const outline = outlinePoints(report);
+  let whole = outline;
   const { renderWindow, renderer, view } = createWindow(container);
   const size_mm = length(subtract(bounds_mm[1], bounds_mm[0])) || 1;
   const listeners = { before: [], frame: [], theme: [], lost: [] };
@@ -71,7 +74,7 @@ export function createScene(container, { bounds_mm }) {
     render();
   };
 
-  camera = fitted(VIEWS.perspective, bounds_mm, size());
+  camera = fitted(VIEWS.perspective, outline, size());
   applyTheme();
   onThemeChange(applyTheme);
   new ResizeObserver(render).observe(container);
@@ -86,10 +89,14 @@ export function createScene(container, { bounds_mm }) {
     setCamera: (next) => { flight.stop(); setCamera(next); },
     /** Flies to a camera; resolves where it has landed or was taken over. */
     fly: (target) => flight.start(target),
-    flyTo: ({ point_mm, normal = [0, 0, 1], distance_mm }) =>
-      flight.start(lookingAt(camera, point_mm, normal, distance_mm / 2)),
+    flyTo: ({ point_mm, normal, distance_mm }) =>
+      flight.start(lookingAt(camera, point_mm, normal ?? [0, 0, 1], distance_mm / 2)),
     /** The whole part, from a named view or from where it is seen now. */
-    home: (view) => flight.start(fitted(VIEWS[view] ?? camera, bounds_mm, size())),
+    home: (view) => flight.start(fitted(VIEWS[view] ?? camera, whole, size())),
+    /** The same at once, as the page opens. */
+    lookHome: () => setCamera(fitted(VIEWS.perspective, whole, size()), false),
+    /** Places that "whole part" must show beside the part itself. */
+    setInterest: (points_mm) => { whole = [...outline, ...points_mm]; },
     project: (point_mm) => project(camera, size(), point_mm),
     ray: (x, y) => ray(camera, size(), x, y, size_mm),
     viewDirection: () => scaled(axes(camera).back, -1),
@@ -108,6 +115,16 @@ export function createScene(container, { bounds_mm }) {
     theme: () => theme,
     pixelRatio: () => view.getSize()[1] / size().height,
   };
+}
+
+const OUTLINE_POINTS = 4000;
+
+/** Points that stand for the part where it is to fill the picture. */
+function outlinePoints({ surfaces, bounds_mm }) {
+  const positions = surfaces[0]?.positions;
+  if (!positions) return corners(bounds_mm);
+  const count = positions.length / 3, step = Math.max(1, Math.floor(count / OUTLINE_POINTS));
+  return Array.from({ length: Math.ceil(count / step) }, (_, k) => pointAt(positions, k * step));
 }
 
 function createWindow(container) {

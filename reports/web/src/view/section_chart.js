@@ -16,6 +16,7 @@ export function createSectionChart() {
     /** @param {{axis, bounds_mm, scale, sign, band}} look */
     show(pieces, look) {
       svg.replaceChildren();
+      svg.style.display = pieces.length > 0 ? '' : 'none';
       if (pieces.length > 0) draw(svg, pieces, look);
       svg.setAttribute('aria-label', 'Deviation along the section');
     },

@@ -50,7 +50,7 @@ function meshActor(look) {
   });
   actor.setMapper(mapper);
   // Facing the reader, a place has exactly the legend's colour.
-  actor.getProperty().set({ ambient: 0.66, diffuse: 0.34, specular: 0 });
+  actor.getProperty().set({ ambient: 0.7, diffuse: 0.3, specular: 0 });
   const meshes = new Map();
   return {
     actor,

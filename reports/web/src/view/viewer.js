@@ -15,6 +15,7 @@ import { createPathLayer } from '../path/path_layer.js';
 import { linkStaticFindings } from './static_links.js';
 import { createStageTabs } from './stage_tabs.js';
 import { createToolbar } from './toolbar.js';
+import { createTriad } from './triad.js';
 import { add, scaled } from './vector.js';
 
 const CANNOT_REACH = 1;
@@ -31,11 +32,13 @@ export function createViewer(report, frame) {
   viewer.attach = (scene, layers) => {
     Object.assign(viewer, { scene, layers });
     viewer.markers = createMarkers(scene, (id) => chooseFinding(viewer, id), (finding) => isBehind(viewer, finding));
+    createTriad(scene);
     attachHand(scene, handOf(viewer));
     viewer.path = createPathLayer(scene, report);
     viewer.pathPlace.append(viewer.path.element);
     viewer.path.setTheme(scene.theme().dark);
     scene.onTheme((dark) => viewer.path.setTheme(dark));
+    document.addEventListener('limitgauge:time', ({ detail }) => goToTime(viewer, detail.stage), { capture: true });
     linkStaticFindings(document, (stage, id) => show(viewer, stage, id));
     open(viewer);
     return interfaceOf(viewer);
@@ -51,7 +54,8 @@ function buildElements(viewer) {
   viewer.readout = createReadout();
   viewer.findings = createFindingsPanel(report, (id) => chooseFinding(viewer, id));
   viewer.colours = createColourPanel(() => applyColours(viewer));
-  viewer.section = createSectionPanel(report.bounds_mm, () => applySection(viewer));
+  viewer.section = createSectionPanel(report.bounds_mm, () => viewer.state.finding?.point_mm,
+    () => applySection(viewer));
   viewer.hint = make('p', { class: 'view-hint', 'aria-hidden': 'true', text: 'Click here first, or hold Ctrl, to zoom with the wheel' });
   viewer.pathPlace = make('div', { class: 'view-path' });
   frame.append(make('i', { class: 'view-crosshair', 'aria-hidden': 'true' }), viewer.hint);
@@ -63,6 +67,7 @@ function buildElements(viewer) {
       { id: 'view-borders', text: 'Patch borders', checked: true, change: (on) => applyLook(viewer, { borders: on }) },
     ],
   });
+  viewer.pathBox = () => toolbar.querySelector('[data-testid=view-path]');
   viewer.element = make('div', { class: 'view', id: panelId, data: { testid: 'view' } }, [
     make('p', { class: 'view-lead' }, [
       make('b', { class: 'deep', text: 'Blue' }), ' is cut too deep, ', make('b', { class: 'left', text: 'red' }),
@@ -86,6 +91,7 @@ function open(viewer) {
   chooseStage(viewer, index);
   const [worst] = findingsOf(stages[index]);
   if (worst && exceeds(worst)) markFinding(viewer, worst);
+  viewer.scene.lookHome();
 }
 
 function chooseStage(viewer, index) {
@@ -97,6 +103,7 @@ function chooseStage(viewer, index) {
   layers.surface.show(report.surfaces[stage.field.surface], stage.field);
   viewer.findings.showStage(stage);
   viewer.markers.show(findingsOf(stage));
+  viewer.scene.setInterest(findingsOf(stage).flatMap(({ point_mm }) => (point_mm ? [point_mm] : [])));
   markFinding(viewer, null);
   viewer.colours.suggest(scaleFor(stage));
   applyColours(viewer);
@@ -107,6 +114,15 @@ function chooseStage(viewer, index) {
 function showPath(viewer, on) {
   viewer.state.path = on;
   viewer.path.show(on ? viewer.state.stage : null);
+}
+
+/** A click on a chart over time: the path layer goes to the moment once its stage and path are shown. */
+function goToTime(viewer, stage) {
+  if (!viewer.report.stages[stage]?.field) return;
+  chooseStage(viewer, stage);
+  viewer.pathBox().checked = true;
+  showPath(viewer, true);
+  viewer.frame.scrollIntoView({ block: 'center', behavior: 'instant' });
 }
 
 /** The chosen stage, its surface and field. */
@@ -132,9 +148,11 @@ function chooseFinding(viewer, id) {
 }
 
 /** How much of the part's height is seen about a finding: several times its own extent, never a speck. */
-function distanceFor({ size_mm }, { extent_mm }) {
+function distanceFor({ size_mm }, { kind, extent_mm }) {
+  // A collision is understood by what is around it.
+  if (kind === 'process') return 0.8 * size_mm;
   const extent = extent_mm ? Math.hypot(...[0, 1, 2].map((k) => extent_mm[1][k] - extent_mm[0][k])) : 0;
-  return Math.min(0.8 * size_mm, Math.max(0.22 * size_mm, 4 * extent));
+  return Math.min(0.8 * size_mm, Math.max(0.28 * size_mm, 4 * extent));
 }
 
 /** Comes from elsewhere in the page: to a finding, and to the view itself. */
@@ -261,11 +279,11 @@ function handOf(viewer) {
 }
 
 /** Whether a section has taken a finding away, or something of the surface stands before it. */
-function isBehind(viewer, { point_mm, normal = [0, 0, 1] }) {
+function isBehind(viewer, { point_mm, normal }) {
   const { scene } = viewer;
   const [a, b, c, d] = viewer.layers.surface.look.plane;
   if (a * point_mm[0] + b * point_mm[1] + c * point_mm[2] + d < -1e-3 * scene.size_mm) return true;
-  const lifted = add(point_mm, scaled(normal, 2e-3 * scene.size_mm));
+  const lifted = add(point_mm, scaled(normal ?? [0, 0, 1], 2e-3 * scene.size_mm));
   const { x, y } = scene.project(lifted);
   const { origin } = scene.ray(x, y);
   return firstHit(viewer, { origin: lifted, direction: origin.map((c, k) => c - lifted[k]) }) !== null;

@@ -143,6 +143,8 @@ test('a scale without length has one mark', () => {
 test('how exact the drawn path is', () => {
   assert.equal(exactness(smallPath()),
     '4 lines are drawn for the 9 moves of the program: every move lies within 4 \u00b5m of what is drawn.');
+  assert.match(exactness({ ...smallPath(), within_mm: 0.03812 }), /within 39 \u00b5m of/, 'never less than it is');
+  assert.match(exactness({ ...smallPath(), within_mm: 0.25 }), /within 0.25 mm of/);
   assert.equal(exactness({ ...smallPath(), within_mm: 0, moves: 97689 }),
     'All 97\u202f689 moves of the program are drawn.');
 });

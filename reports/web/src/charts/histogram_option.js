@@ -83,7 +83,7 @@ function barTooltip(params, bars, limits, unit) {
   const end = (mm) => signed(threeDigits(mm * unit.perMm), mm);
   return tooltipLines([
     `${end(bar.low_mm)} to ${end(bar.high_mm)} ${unit.symbol}`,
-    `${threeDigits(bar.area_mm2)} mm\u00b2, ${threeDigits((100 * bar.area_mm2) / whole)} % of the surface`,
+    `${threeDigits(bar.area_mm2)} mm\u00b2, ${threeDigits((100 * bar.area_mm2) / whole)} % of the area`,
     placeWords(bar, limits),
   ]);
 }
@@ -106,7 +106,9 @@ function limitMarks({ gouge_mm, uncut_mm }, axis, unit, colours, width_px) {
   const marks = [['gouge', gouge_mm === undefined ? undefined : -gouge_mm], ['uncut', uncut_mm]];
   return marks.filter(([, at]) => at !== undefined).map(([side, at]) => {
     const text = `${side} limit ${Number((Math.abs(at) * unit.perMm).toPrecision(9))} ${unit.symbol}`;
-    const held = Math.min(Math.max(at, axis.low_mm), axis.high_mm), inside = held === at;
+    // A mark at the very end of the axis is lost to rounding.
+    const margin = 1e-3 * (axis.high_mm - axis.low_mm);
+    const held = Math.min(Math.max(at, axis.low_mm + margin), axis.high_mm - margin), inside = held === at;
     const share = (held - axis.low_mm) / (axis.high_mm - axis.low_mm);
     // Outwards of its line where there is room; in a row of its own where both may meet.
     const room = (side === 'gouge' ? share : 1 - share) * width_px > LABEL_PX;

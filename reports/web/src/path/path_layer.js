@@ -176,6 +176,7 @@ class PathLayer {
   /** Shows the path up to `time_s`: two numbers for the shader, a place for the tool. */
   setTime(time_s) {
     const path = this.path();
+    if (path === null) return;
     this.time_s = Math.min(Math.max(time_s, 0), this.total_s);
     this.now = instant(path, this.time_s);
     this.panel.setTime(this.now, this.total_s, this.scale.decimals, this.programText(this.now.line));

@@ -84,5 +84,11 @@ export function exactness(path) {
   const moves = grouped(path.moves);
   if (!(path.within_mm > 0)) return `All ${moves} moves of the program are drawn.`;
   return `${grouped(path.end_s.length)} lines are drawn for the ${moves} moves of the program: ` +
-    `every move lies within ${statedLength(path.within_mm)} of what is drawn.`;
+    `every move lies within ${statedLength(roundedUp(path.within_mm))} of what is drawn.`;
+}
+
+/** To two digits, upwards: what is said stays true. */
+function roundedUp(mm) {
+  const unit = 10 ** (Math.floor(Math.log10(mm)) - 1);
+  return Math.ceil(mm / unit - 1e-9) * unit;
 }

@@ -10,7 +10,7 @@
 namespace limitgauge::reports::page {
 
 /// A field has at most so many cells on a page; patches have one each at least.
-inline constexpr std::size_t kMostCells = 200'000;
+inline constexpr std::size_t kMostCells = 250'000;
 
 /// The samples of a field that a page shows: all, or every so-many-th of every patch with its
 /// borders.

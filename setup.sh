@@ -14,11 +14,9 @@ packages=(
   nodejs
   # command line and job files; the server of `limitgauge view`, found by pkg-config
   libcli11-dev libtomlplusplus-dev libcpp-httplib-dev pkgconf
-  # tests: the framework, a second reader of our VTK files, a validator of our JSON, another
-  # evaluator of our surfaces
-  catch2 libvtk9-dev python3 python3-jsonschema libosd-dev
-  # a reader of our manual page
-  mandoc
+  # tests: the framework, a second reader of our VTK files, a validator of our JSON, a
+  # reader of our JUnit, another evaluator of our surfaces, a reader of our manual page
+  catch2 libvtk9-dev python3 python3-jsonschema python3-junitparser libosd-dev mandoc
   # benchmarks: the harness, and the closest-point tree that ours is compared with
   libbenchmark-dev libcgal-dev
   # fuzz tests: clang of either release (14, 19) with its fuzzer's and sanitizers' runtimes

@@ -242,8 +242,9 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   measure(index, ran);
   stage.decision = decide(ran.deviation, stage.limits, process_faults(ran.process));
   reports::StageFiles files =
-      write_stage_files(stage, folder_, {job_.pictures, control(stage.name + ": writing")});
+      write_stage_files(stage, folder_, {job_.pictures, control(stage.name + ": writing"), job_.rapid_mm_min});
   ran.surface = files.surface;
+  ran.path_view = std::move(files.path_view);
   if (job_.pictures) stage.pictures = std::move(files.pictures);
   let_go(stage);
   stage.seconds = watch.seconds();
@@ -359,6 +360,8 @@ void write_report(const reports::RunResult& result, const std::filesystem::path&
   };
   write("report.html", reports::write_html);
   write("junit.xml", reports::write_junit);
+  write("findings.sarif", reports::write_sarif);
+  write("findings.csv", reports::write_findings_csv);
   // Last: what looks for a finished run looks for this file.
   write("result.json", reports::write_result_json);
 }

@@ -1,5 +1,5 @@
 import { make } from './dom.js';
-import { exceeds, findingsOf, headline, programAround } from './findings.js';
+import { exceeds, findingsOf, headline, leftOut, programAround } from './findings.js';
 import { coordinate, parameter, statedLength } from './format.js';
 
 /**
@@ -16,7 +16,7 @@ export function createFindingsPanel(report, choose) {
     element,
     showStage(stage) {
       const findings = findingsOf(stage);
-      title.textContent = titleOf(findings);
+      title.textContent = titleOf(findings, leftOut(stage));
       list.replaceChildren(...findings.map((finding) => make('li', {}, [button(finding, choose)])));
       list.hidden = findings.length === 0;
       detail.replaceChildren();
@@ -31,10 +31,11 @@ export function createFindingsPanel(report, choose) {
   };
 }
 
-function titleOf(findings) {
+function titleOf(findings, more) {
   if (findings.length === 0) return 'No findings in this stage';
   const beyond = findings.filter(exceeds).length;
   const count = findings.length === 1 ? '1 finding' : `${findings.length} findings`;
+  if (more > 0) return `The worst ${findings.length} of ${findings.length + more} findings`;
   return beyond === 0 ? `${count}, none beyond a limit` : `${count}, worst first`;
 }
 
@@ -49,9 +50,10 @@ function button(finding, choose) {
   ]);
 }
 
-function whereOf({ patch, line }) {
+function whereOf({ patch, line, raw_stock }) {
   const parts = [];
-  if (line) parts.push(`line ${line}`);
+  if (raw_stock) parts.push('raw stock');
+  else if (line) parts.push(`line ${line}`);
   if (patch !== undefined && patch !== null) parts.push(`patch ${patch}`);
   return parts.join(' · ');
 }
@@ -92,7 +94,8 @@ function sizeOf({ area_mm2, kind }) {
   return `about ${Number(area_mm2.toPrecision(2))} mm²`;
 }
 
-function lineOf(report, stageIndex, { line, stage, body, part, against }) {
+function lineOf(report, stageIndex, { line, stage, body, part, against, raw_stock }) {
+  if (raw_stock) return 'no pass: a face of the raw stock';
   if (!line) return '';
   const name = report.stages[stage ?? stageIndex]?.name;
   const who = part && against ? `, ${part} against ${against}` : body && body !== 'cutter' ? `, by the ${body}` : '';
@@ -101,7 +104,7 @@ function lineOf(report, stageIndex, { line, stage, body, part, against }) {
 
 function listing(lines, finding) {
   if (lines.length === 0) return '';
-  return make('ol', { class: 'view-listing' }, lines.map(({ line, text }) =>
+  return make('ol', { class: exceeds(finding) ? 'view-listing beyond' : 'view-listing' }, lines.map(({ line, text }) =>
     make('li', { class: line === finding.line ? 'named' : '', 'aria-current': line === finding.line && 'true' }, [
       make('span', { text: String(line) }), make('code', { text }),
     ])));

@@ -39,10 +39,11 @@ export function statedLength(mm) {
   return `${Number((mm * unit.perMm).toPrecision(12))} ${unit.symbol}`.replace('-', '−');
 }
 
-/** The same with its sign always written, for scales: "+20 µm", "−10 µm", "0". */
-export function signedLength(mm) {
+/** The same with its sign always written and in one unit, for scales: "+20 µm", "−10 µm", "0". */
+export function signedLength(mm, unit = unitFor(mm)) {
   if (mm === 0) return '0';
-  return (mm > 0 ? '+' : '') + statedLength(mm);
+  const figure = String(Number((Math.abs(mm) * unit.perMm).toPrecision(12)));
+  return `${mm > 0 ? '+' : '−'}${figure} ${unit.symbol}`;
 }
 
 /** A deviation with its sign in the chosen convention: "−49.8 µm". */

@@ -2,6 +2,8 @@ import { make } from './dom.js';
 import { headline } from './findings.js';
 
 const LABEL = { width: 34, height: 24 };
+/** Room that the chosen finding's words may take on the right. */
+const LABEL_SPACE = 210;
 
 /**
  * Names of findings over the picture. They are buttons for the mouse; with the keyboard the list beside
@@ -25,6 +27,7 @@ export function createMarkers(scene, choose, isHidden) {
       if (!inside) continue;
       element.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
       element.classList.toggle('quiet', finding !== chosen && overlaps(taken, at));
+      element.classList.toggle('leftwards', at.x > width - LABEL_SPACE);
       taken.push(at);
       if (!moving) element.classList.toggle('behind', isHidden(finding));
     }
@@ -53,5 +56,8 @@ function marker(finding, choose) {
     type: 'button', tabindex: '-1', class: `view-marker ${finding.kind}`, title: headline(finding),
     'aria-label': `${finding.id}: ${headline(finding)}`,
     data: { markerId: finding.id }, on: { click: () => choose(finding.id) },
-  }, [make('i'), make('b', { text: finding.id }), make('em', { text: headline(finding) })]);
+  }, [
+    make('i'),
+    make('span', { class: 'view-tag' }, [make('b', { text: finding.id }), make('em', { text: headline(finding) })]),
+  ]);
 }

@@ -41,7 +41,8 @@ export function createReadout() {
 
 function wordOf(reading, limits) {
   const word = deviationWord(reading.deviation_mm, limits);
-  return reading.reachable ? word : `${word}; the cutter cannot reach here`;
+  if (!reading.reachable) return `${word}; the cutter cannot reach here`;
+  return reading.worst_nearby ? `${word} (the worst nearby)` : word;
 }
 
 /** The program line of the nearest pass, or that none came near. */

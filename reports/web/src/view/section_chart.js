@@ -1,9 +1,9 @@
 import { colour, css } from './colour_scale.js';
-import { fixed, signedLength } from './format.js';
+import { fixed, signedLength, unitFor } from './format.js';
 import { profileAxes } from './section.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
-const WIDTH = 1000, HEIGHT = 170, TOP = 12, BOTTOM = 24, LEFT = 74, RIGHT = 12;
+const WIDTH = 1000, HEIGHT = 190, TOP = 12, BOTTOM = 24, LEFT = 74, RIGHT = 12;
 const AXES = 'XYZ';
 
 /** A drawing of the deviation along a section, coloured as the map, with the gate limits as lines. */
@@ -16,6 +16,7 @@ export function createSectionChart() {
     /** @param {{axis, bounds_mm, scale, sign, band}} look */
     show(pieces, look) {
       svg.replaceChildren();
+      svg.style.display = pieces.length > 0 ? '' : 'none';
       if (pieces.length > 0) draw(svg, pieces, look);
       svg.setAttribute('aria-label', 'Deviation along the section');
     },
@@ -34,12 +35,9 @@ function draw(svg, pieces, look) {
   const { scale, bounds_mm } = look;
   const [low, high] = [bounds_mm[0][along], bounds_mm[1][along]];
   const x = (mm) => LEFT + ((mm - low) / (high - low || 1)) * (WIDTH - LEFT - RIGHT);
-  const span = scale.uncut.end_mm + scale.gouge.end_mm;
-  const top = look.sign > 0 ? scale.uncut.end_mm : scale.gouge.end_mm;
-  const y = (deviation_mm) => {
-    const shown = Math.max(-scale.gouge.end_mm, Math.min(scale.uncut.end_mm, deviation_mm)) * look.sign;
-    return TOP + ((top - shown) / span) * (HEIGHT - TOP - BOTTOM);
-  };
+  const { uncut, gouge } = reach(pieces, scale);
+  const top = look.sign > 0 ? uncut : gouge;
+  const y = (deviation_mm) => TOP + ((top - deviation_mm * look.sign) / (uncut + gouge)) * (HEIGHT - TOP - BOTTOM);
   svg.append(gradient(look, y));
   const zero = y(0);
   const path = pieces.map(({ from, to, deviation_mm: [a, b] }) => {
@@ -50,11 +48,28 @@ function draw(svg, pieces, look) {
   const outline = pieces.map(({ from, to, deviation_mm: [a, b] }) =>
     `M${x(from[along]).toFixed(1)} ${y(a).toFixed(2)}L${x(to[along]).toFixed(1)} ${y(b).toFixed(2)}`).join('');
   svg.append(element('path', { d: outline, class: 'outline' }));
-  rule(svg, zero, 'zero', '0');
-  if (scale.uncut.hasLimit) rule(svg, y(scale.uncut.limit_mm), 'limit', signedLength(look.sign * scale.uncut.limit_mm));
-  if (scale.gouge.hasLimit) rule(svg, y(-scale.gouge.limit_mm), 'limit', signedLength(-look.sign * scale.gouge.limit_mm));
+  drawRules(svg, look, y, unitFor(Math.max(uncut, gouge)));
   for (const [mm, anchor] of [[low, 'start'], [(low + high) / 2, 'middle'], [high, 'end']])
     svg.append(element('text', { x: x(mm), y: HEIGHT - 6, 'text-anchor': anchor }, `${AXES[along]} ${fixed(mm, 1)}`));
+}
+
+/** How far the drawing reaches on each side: over the limit and over what the section holds, with some room. */
+function reach(pieces, scale) {
+  let uncut = 0, gouge = 0;
+  for (const { deviation_mm } of pieces)
+    for (const mm of deviation_mm) [uncut, gouge] = [Math.max(uncut, mm), Math.max(gouge, -mm)];
+  const side = ({ limit_mm, end_mm, hasLimit }, largest) => 1.12 * Math.max(largest, hasLimit ? limit_mm : 0.1 * end_mm);
+  return { uncut: side(scale.uncut, uncut), gouge: side(scale.gouge, gouge) };
+}
+
+/** Zero and the limits as lines; a figure that would lie on zero's is left out. */
+function drawRules(svg, { scale, sign }, y, unit) {
+  rule(svg, y(0), 'zero', '0');
+  for (const [side, way] of [[scale.uncut, 1], [scale.gouge, -1]]) {
+    if (!side.hasLimit) continue;
+    const at = y(way * side.limit_mm);
+    rule(svg, at, 'limit', Math.abs(at - y(0)) > 15 ? signedLength(sign * way * side.limit_mm, unit) : '');
+  }
 }
 
 function rule(svg, y, name, text) {

@@ -11,9 +11,11 @@ import { readingAt } from './reading.js';
 import { createReadout } from './readout.js';
 import { createSectionPanel } from './section_panel.js';
 import { cutCurve, magnification } from './section.js';
+import { createPathLayer } from '../path/path_layer.js';
 import { linkStaticFindings } from './static_links.js';
 import { createStageTabs } from './stage_tabs.js';
 import { createToolbar } from './toolbar.js';
+import { createTriad } from './triad.js';
 import { add, scaled } from './vector.js';
 
 const CANNOT_REACH = 1;
@@ -24,13 +26,19 @@ const CANNOT_REACH = 1;
  * @param {HTMLElement} frame that the scene is drawn in
  */
 export function createViewer(report, frame) {
-  const state = { stage: null, finding: null, reading: null, scale: null, pickers: new Map() };
+  const state = { stage: null, finding: null, reading: null, scale: null, path: false, pickers: new Map() };
   const viewer = { report, state, frame };
   buildElements(viewer);
   viewer.attach = (scene, layers) => {
     Object.assign(viewer, { scene, layers });
     viewer.markers = createMarkers(scene, (id) => chooseFinding(viewer, id), (finding) => isBehind(viewer, finding));
+    createTriad(scene);
     attachHand(scene, handOf(viewer));
+    viewer.path = createPathLayer(scene, report);
+    viewer.pathPlace.append(viewer.path.element);
+    viewer.path.setTheme(scene.theme().dark);
+    scene.onTheme((dark) => viewer.path.setTheme(dark));
+    document.addEventListener('limitgauge:time', ({ detail }) => goToTime(viewer, detail.stage), { capture: true });
     linkStaticFindings(document, (stage, id) => show(viewer, stage, id));
     open(viewer);
     return interfaceOf(viewer);
@@ -46,7 +54,8 @@ function buildElements(viewer) {
   viewer.readout = createReadout();
   viewer.findings = createFindingsPanel(report, (id) => chooseFinding(viewer, id));
   viewer.colours = createColourPanel(() => applyColours(viewer));
-  viewer.section = createSectionPanel(report.bounds_mm, () => applySection(viewer));
+  viewer.section = createSectionPanel(report.bounds_mm, () => viewer.state.finding?.point_mm,
+    () => applySection(viewer));
   viewer.hint = make('p', { class: 'view-hint', 'aria-hidden': 'true', text: 'Click here first, or hold Ctrl, to zoom with the wheel' });
   viewer.pathPlace = make('div', { class: 'view-path' });
   frame.append(make('i', { class: 'view-crosshair', 'aria-hidden': 'true' }), viewer.hint);
@@ -54,9 +63,11 @@ function buildElements(viewer) {
     look: (view) => viewer.scene.home(view),
     toggles: [
       { id: 'view-map', text: 'Error map', checked: true, change: (on) => applyLook(viewer, { map: on }) },
+      { id: 'view-path', text: 'Toolpath', checked: false, change: (on) => showPath(viewer, on) },
       { id: 'view-borders', text: 'Patch borders', checked: true, change: (on) => applyLook(viewer, { borders: on }) },
     ],
   });
+  viewer.pathBox = () => toolbar.querySelector('[data-testid=view-path]');
   viewer.element = make('div', { class: 'view', id: panelId, data: { testid: 'view' } }, [
     make('p', { class: 'view-lead' }, [
       make('b', { class: 'deep', text: 'Blue' }), ' is cut too deep, ', make('b', { class: 'left', text: 'red' }),
@@ -80,6 +91,7 @@ function open(viewer) {
   chooseStage(viewer, index);
   const [worst] = findingsOf(stages[index]);
   if (worst && exceeds(worst)) markFinding(viewer, worst);
+  viewer.scene.lookHome();
 }
 
 function chooseStage(viewer, index) {
@@ -91,11 +103,26 @@ function chooseStage(viewer, index) {
   layers.surface.show(report.surfaces[stage.field.surface], stage.field);
   viewer.findings.showStage(stage);
   viewer.markers.show(findingsOf(stage));
+  viewer.scene.setInterest(findingsOf(stage).flatMap(({ point_mm }) => (point_mm ? [point_mm] : [])));
   markFinding(viewer, null);
   viewer.colours.suggest(scaleFor(stage));
   applyColours(viewer);
   read(viewer, null);
-  viewer.path?.show(index);
+  showPath(viewer, state.path);
+}
+
+function showPath(viewer, on) {
+  viewer.state.path = on;
+  viewer.path.show(on ? viewer.state.stage : null);
+}
+
+/** A click on a chart over time: the path layer goes to the moment once its stage and path are shown. */
+function goToTime(viewer, stage) {
+  if (!viewer.report.stages[stage]?.field) return;
+  chooseStage(viewer, stage);
+  viewer.pathBox().checked = true;
+  showPath(viewer, true);
+  viewer.frame.scrollIntoView({ block: 'center', behavior: 'instant' });
 }
 
 /** The chosen stage, its surface and field. */
@@ -121,9 +148,11 @@ function chooseFinding(viewer, id) {
 }
 
 /** How much of the part's height is seen about a finding: several times its own extent, never a speck. */
-function distanceFor({ size_mm }, { extent_mm }) {
+function distanceFor({ size_mm }, { kind, extent_mm }) {
+  // A collision is understood by what is around it.
+  if (kind === 'process') return 0.8 * size_mm;
   const extent = extent_mm ? Math.hypot(...[0, 1, 2].map((k) => extent_mm[1][k] - extent_mm[0][k])) : 0;
-  return Math.min(0.8 * size_mm, Math.max(0.22 * size_mm, 4 * extent));
+  return Math.min(0.8 * size_mm, Math.max(0.28 * size_mm, 4 * extent));
 }
 
 /** Comes from elsewhere in the page: to a finding, and to the view itself. */
@@ -162,8 +191,7 @@ function applySection(viewer) {
   layers.surface.look.plane = plane ? planeEquation(plane) : [0, 0, 0, 1];
   const { surface, field, stage } = current(viewer);
   const pieces = plane ? cutCurve(surface, field.deviation_mm, plane.axis, plane.offset_mm) : [];
-  const { gouge, uncut } = state.scale;
-  const times = magnification(Math.max(gouge.end_mm, uncut.end_mm), scene.size_mm);
+  const times = magnification(Math.max(stage.gouge_mm?.high ?? 0, stage.uncut_mm?.high ?? 0), scene.size_mm);
   const band = viewer.colours.band();
   layers.section.show(pieces, surface, { axis: plane?.axis, times, colourOf: (mm) => colour(state.scale, mm, band) });
   section.setNote(pieces.length === 0 ? 'The plane does not meet the surface here.'
@@ -171,12 +199,15 @@ function applySection(viewer) {
   section.chart.show(pieces, {
     axis: plane?.axis, bounds_mm: viewer.report.bounds_mm, scale: state.scale, sign: viewer.colours.sign(), band,
   });
+  viewer.path.setSection(plane && { ...plane, flip: (plane.flip ? -1 : 1) * KEPT[plane.axis] > 0 });
   scene.render();
 }
 
-/** Keeps what lies below the plane on its axis, or with `flip` above it. */
+/** The half that is kept, so that the cut faces the eye of the perspective view: below in X and Z, above in Y. */
+const KEPT = [-1, 1, -1];
+
 function planeEquation({ axis, offset_mm, flip }) {
-  const way = flip ? 1 : -1;
+  const way = flip ? -KEPT[axis] : KEPT[axis];
   const plane = [0, 0, 0, -way * offset_mm];
   plane[axis] = way;
   return plane;
@@ -247,10 +278,12 @@ function handOf(viewer) {
   };
 }
 
-/** Whether something of the surface stands between the eye and a finding. */
-function isBehind(viewer, { point_mm, normal = [0, 0, 1] }) {
+/** Whether a section has taken a finding away, or something of the surface stands before it. */
+function isBehind(viewer, { point_mm, normal }) {
   const { scene } = viewer;
-  const lifted = add(point_mm, scaled(normal, 2e-3 * scene.size_mm));
+  const [a, b, c, d] = viewer.layers.surface.look.plane;
+  if (a * point_mm[0] + b * point_mm[1] + c * point_mm[2] + d < -1e-3 * scene.size_mm) return true;
+  const lifted = add(point_mm, scaled(normal ?? [0, 0, 1], 2e-3 * scene.size_mm));
   const { x, y } = scene.project(lifted);
   const { origin } = scene.ray(x, y);
   return firstHit(viewer, { origin: lifted, direction: origin.map((c, k) => c - lifted[k]) }) !== null;
@@ -281,9 +314,11 @@ function interfaceOf(viewer) {
       };
     },
     scene,
-    path: () => viewer.path ?? null,
+    path: viewer.path,
   };
 }
+
+const sideOf = ({ limit_mm, end_mm, hasLimit }) => ({ limit: hasLimit ? limit_mm : null, end: end_mm });
 
 function stateOf({ scene, state, colours, section, layers }) {
   const { focal, scale, azimuth, elevation, perspective } = scene.camera();
@@ -293,9 +328,10 @@ function stateOf({ scene, state, colours, section, layers }) {
     moving: scene.moving(), frames: scene.frames(), pixelRatio: scene.pixelRatio(),
     scale: {
       sign: colours.sign() > 0 ? 'uncut' : 'gouge', band: colours.band(),
-      gouge_mm: { ...state.scale.gouge }, uncut_mm: { ...state.scale.uncut },
+      gouge_mm: sideOf(state.scale.gouge), uncut_mm: sideOf(state.scale.uncut),
+      range: colours.choice(state.scale).range,
     },
     section: section.section(),
-    layers: { map: layers.surface.look.map, borders: layers.surface.look.borders },
+    layers: { map: layers.surface.look.map, borders: layers.surface.look.borders, path: state.path },
   };
 }

@@ -1,8 +1,9 @@
 import './charts.css';
 
-import { make } from '../path/dom.js';
 import { duration } from '../path/timeline.js';
-import { clockText, threeDigits } from '../path/words.js';
+import { clockText } from '../path/words.js';
+import { make } from '../view/dom.js';
+import { threeDigits } from '../view/format.js';
 import { findingTimes, histogramAxis, histogramBars, processBins } from './bins.js';
 import { histogramOption, percentilesOf, signed, unitOf } from './histogram_option.js';
 import { createLiveChart, whenSeen } from './live_chart.js';
@@ -30,10 +31,10 @@ export function startCharts(report, root) {
 /** Stands instead of the static picture, which is kept for print. */
 function liveHistogram(figure, stage) {
   const drawn = { bars: histogramBars(stage.histogram, stage.limits), stage, logarithmic: false };
-  const plot = make('div', { class: 'chart-plot chart-histogram', 'data-testid': 'histogram-chart' });
-  const log = make('input', { type: 'checkbox', 'data-testid': 'histogram-log' });
-  const controls = make('label', { class: 'chart-switch' }, log, 'logarithmic area');
-  figure.append(make('div', { 'data-live': true }, controls, plot, percentileWords(stage)));
+  const plot = make('div', { class: 'chart-plot chart-histogram', data: { testid: 'histogram-chart' } });
+  const log = make('input', { type: 'checkbox', data: { testid: 'histogram-log' } });
+  const controls = make('label', { class: 'chart-switch' }, [log, 'logarithmic area']);
+  figure.append(make('div', { 'data-live': true }, [controls, plot, ...percentileWords(stage)]));
   const picture = figure.querySelector('.static');
   if (picture) picture.hidden = true;
   figure.classList.add('chart-drawn');
@@ -49,17 +50,17 @@ function liveHistogram(figure, stage) {
 function percentileWords(stage) {
   const unit = unitOf(histogramAxis(stage.histogram, stage.limits));
   const texts = percentilesOf(stage).map(({ name, at_mm }) =>
-    `${name} ${signed(threeDigits(at_mm * unit.per_mm), at_mm)} ${unit.symbol}`);
-  if (texts.length === 0) return '';
-  return make('p', { class: 'chart-words', 'data-testid': 'histogram-percentiles' },
-    make('span', {}, 'Percentiles of the area:'), ...texts.map((text) => make('span', {}, text)));
+    `${name} ${signed(threeDigits(at_mm * unit.perMm), at_mm)} ${unit.symbol}`);
+  if (texts.length === 0) return [];
+  return [make('p', { class: 'chart-words', data: { testid: 'histogram-percentiles' } },
+    ['Percentiles of the area:', ...texts].map((text) => make('span', { text })))];
 }
 
 /** Its figures are worked out when it is about to be seen, too: they may have to be unpacked. */
 function processChart(place, stage, index) {
-  const plot = make('div', { class: 'chart-plot chart-process', 'data-testid': 'process-chart' });
-  const caption = make('figcaption', {}, '');
-  const figure = make('figure', {}, caption, plot);
+  const plot = make('div', { class: 'chart-plot chart-process', data: { testid: 'process-chart' } });
+  const caption = make('figcaption');
+  const figure = make('figure', {}, [caption, plot]);
   place.append(figure);
   whenSeen(plot, () => {
     const drawn = processFigures(stage, plot.clientWidth);

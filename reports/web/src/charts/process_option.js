@@ -3,7 +3,7 @@ import { clockInterval } from './clock_axis.js';
 import { axisOption, commonOption, tooltipLines } from './theme.js';
 
 const MOST_MARKS = 100;
-const GRID_HEIGHT = 120, GRID_STEP = 178, FIRST_TOP = 34;
+const GRID_HEIGHT = 120, GRID_STEP = 178, FIRST_TOP = 34, LEFT = 62;
 
 /** How high the chart is, px. */
 export const processHeight = (bins) => (bins.rate ? GRID_STEP : 0) + FIRST_TOP + GRID_HEIGHT + 34;
@@ -23,8 +23,10 @@ export function processOption({ bins, total_s, stage, findings }, colours, width
     ...commonOption(colours, `Removal rate and feed of stage ${stage.name} over machining time`),
     axisPointer: { link: [{ xAxisIndex: 'all' }], lineStyle: { color: colours.soft } },
     tooltip: { ...commonOption(colours, '').tooltip, formatter: (params) => tooltip(params, bins, findings) },
-    grid: panels.map((_, i) => ({ left: 8, right: 18, top: FIRST_TOP + i * GRID_STEP, height: GRID_HEIGHT,
-      outerBoundsMode: 'same', outerBoundsContain: 'axisLabel' })),
+    // Both panels begin at the same place, however wide their figures are.
+    grid: panels.map((_, i) => ({
+      left: LEFT, right: 18, top: FIRST_TOP + i * GRID_STEP, height: GRID_HEIGHT, outerBoundsMode: 'none',
+    })),
     xAxis: panels.map((_, i) => axisOption(colours, {
       type: 'value', gridIndex: i, min: 0, max: total_s, interval, splitLine: { show: false },
       axisLabel: {
@@ -33,7 +35,7 @@ export function processOption({ bins, total_s, stage, findings }, colours, width
     })),
     yAxis: panels.map(({ name }, i) => axisOption(colours, {
       type: 'value', gridIndex: i, min: 0, splitNumber: 3, name, nameLocation: 'end', nameGap: 12,
-      nameTextStyle: { color: colours.soft, fontSize: 13, align: 'left', padding: [0, 0, 0, -30] },
+      nameTextStyle: { color: colours.soft, fontSize: 13, align: 'left', padding: [0, 0, 0, 8 - LEFT] },
       axisLine: { show: false, onZero: false }, axisTick: { show: false },
       axisLabel: { color: colours.soft, fontSize: 13, formatter: (value) => grouped(value) },
     })),

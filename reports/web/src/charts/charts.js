@@ -95,5 +95,6 @@ function processWords({ stage, bins, findings }) {
   else words.push('The report holds no removal rates of this stage.');
   if (stage.path.within_mm > 0 && bins.rate) words.push('Rates are means over what is drawn as one line.');
   if (findings.length > 0) words.push('Dashed lines mark process findings.');
+  words.push('A click shows the tool at that time in the 3D view.');
   return words.join(' ');
 }

@@ -60,7 +60,9 @@ function percentileWords(stage) {
 function processChart(place, stage, index) {
   const plot = make('div', { class: 'chart-plot chart-process', data: { testid: 'process-chart' } });
   const caption = make('figcaption');
-  const figure = make('figure', {}, [caption, plot]);
+  const log = make('input', { type: 'checkbox', data: { testid: 'process-log' } });
+  const controls = make('label', { class: 'chart-switch' }, [log, 'logarithmic removal rate']);
+  const figure = make('figure', {}, [caption, controls, plot]);
   place.append(figure);
   whenSeen(plot, () => {
     const drawn = processFigures(stage, plot.clientWidth);
@@ -69,8 +71,14 @@ function processChart(place, stage, index) {
       return;
     }
     caption.textContent = processWords(drawn);
+    controls.hidden = !drawn.bins.rate;
     plot.style.height = `${processHeight(drawn.bins)}px`;
-    const { chart } = createLiveChart(plot, (colours, width_px) => processOption(drawn, colours, width_px));
+    const { chart, redraw } = createLiveChart(plot, (colours, width_px) =>
+      processOption(drawn, colours, width_px));
+    log.addEventListener('change', () => {
+      drawn.logarithmic = log.checked;
+      redraw();
+    });
     chart.getZr().on('click', ({ offsetX }) => {
       const time_s = chart.convertFromPixel({ xAxisIndex: 0 }, offsetX);
       if (time_s >= 0 && time_s <= drawn.total_s)
@@ -95,5 +103,6 @@ function processWords({ stage, bins, findings }) {
   else words.push('The report holds no removal rates of this stage.');
   if (stage.path.within_mm > 0 && bins.rate) words.push('Rates are means over what is drawn as one line.');
   if (findings.length > 0) words.push('Dashed lines mark process findings.');
+  words.push('A click shows the tool at that time in the 3D view.');
   return words.join(' ');
 }

@@ -7,7 +7,7 @@ export const SPEEDS = [1, 5, 20, 60, 200, 600, 2000];
 const WINDOWS_S = [0, 1, 5, 20, 60, 300, 1200];
 
 /**
- * The controls of the toolpath. `on` is told what the reader did: colour(key), rapids(bool),
+ * The controls of the toolpath. `on` is told what the reader did: colour(key), rapids(bool), veil(bool),
  * time(s), window(s), speed(factor), play(), step(direction).
  */
 export function createPanel(on) {
@@ -17,7 +17,7 @@ export function createPanel(on) {
   const body = make('div', {}, [
     make('div', { class: 'path-row' }, [
       labelled('Path coloured by', parts.colour), labelled('Show', parts.window),
-      labelled('Rapids', parts.rapids),
+      labelled('Rapids', parts.rapids), labelled('Map shows through', parts.veil),
     ]),
     parts.reason, legend.element,
     make('div', { class: 'path-row path-transport' }, transport),
@@ -44,6 +44,7 @@ function controls() {
     reason: make('p', { class: 'path-soft', ...id('reason') }),
     window: choice('window', WINDOWS_S, windowText),
     rapids: make('input', { type: 'checkbox', checked: true, ...id('rapids') }),
+    veil: make('input', { type: 'checkbox', ...id('veil') }),
     back: button('back', '\u25c2|', 'To the end of the move before'),
     play: button('play', 'Play', 'Play the path'),
     forward: button('forward', '|\u25b8', 'To the end of the next move'),
@@ -63,6 +64,7 @@ const windowText = (seconds) =>
 
 function listen(parts, on) {
   parts.rapids.addEventListener('change', () => on.rapids(parts.rapids.checked));
+  parts.veil.addEventListener('change', () => on.veil(parts.veil.checked));
   parts.colour.addEventListener('change', () => on.colour(parts.colour.value));
   parts.window.addEventListener('change', () => on.window(Number(parts.window.value)));
   parts.speed.addEventListener('change', () => on.speed(Number(parts.speed.value)));

@@ -12,28 +12,24 @@ const SLOW_FRAME_MS = 45;
 const LARGEST_PIXEL_RATIO = 2;
 const SMALLEST_PIXEL_RATIO = 0.5;
 
-/** Whether this browser draws with WebGL 2 at all. */
-export function canDraw() {
-  const context = document.createElement('canvas').getContext('webgl2');
-  context?.getExtension('WEBGL_lose_context')?.loseContext();
-  return Boolean(context);
-}
-
 /**
  * A vtk.js window in `container` with a camera that turns about Z. Frames are drawn on demand: `render`
  * asks for one, and any number of askings before it is due make one. While the camera moves and frames
  * are slow, they have fewer pixels and `beforeFrame` is told; a moment after it rests the picture is whole again.
  * @param {HTMLElement} container positioned, of a size
  * @param {object} report, decoded
+ * @returns {object|null} null where the browser does not draw with WebGL 2
  */
 export function createScene(container, report) {
   const { bounds_mm } = report;
   const outline = outlinePoints(report);
   let whole = outline;
-  const { renderWindow, renderer, view } = createWindow(container);
+  const window3d = createWindow(container);
+  if (!window3d) return null;
+  const { renderWindow, renderer, view, software } = window3d;
   const size_mm = length(subtract(bounds_mm[1], bounds_mm[0])) || 1;
   const listeners = { before: [], frame: [], theme: [], lost: [] };
-  let camera = null, frame = 0, restTimer = 0, moving = false, slow = false, share = 1, frames = 0;
+  let camera = null, frame = 0, restTimer = 0, moving = false, slow = software, share = 1, frames = 0;
   let theme = pageTheme(container);
 
   const size = () => ({ width: container.clientWidth || 1, height: container.clientHeight || 1 });
@@ -49,12 +45,16 @@ export function createScene(container, report) {
       // Once the whole is known to be slow it is not tried again in motion: that would flicker.
       slow ||= took_ms > SLOW_FRAME_MS;
       share = nextShare(share, took_ms);
+      // Counted from the end of a frame: a slow one must not be taken for rest.
+      clearTimeout(restTimer);
+      restTimer = setTimeout(rest, REST_MS);
     }
     frames += 1;
     listeners.frame.forEach((callback) => callback({ moving }));
   };
   const render = () => (frame ||= requestAnimationFrame(draw));
   const rest = () => {
+    if (flight.flying()) return;
     moving = false;
     render();
   };
@@ -62,8 +62,7 @@ export function createScene(container, report) {
     camera = next;
     moving = true;
     clearTimeout(restTimer);
-    if (stillMoving) restTimer = setTimeout(rest, REST_MS);
-    else moving = false;
+    if (!stillMoving) moving = false;
     render();
   };
   const flight = createFlight(() => camera, setCamera);
@@ -133,10 +132,20 @@ function createWindow(container) {
   renderWindow.addRenderer(renderer);
   const view = vtkOpenGLRenderWindow.newInstance();
   renderWindow.addView(view);
+  // vtk.js asks for the same again, and is given this one.
+  const context = view.getCanvas().getContext('webgl2', { depth: true, alpha: true, powerPreference: 'high-performance' });
+  if (!context) return null;
   view.setContainer(container);
   const [canvas] = container.getElementsByTagName('canvas');
   Object.assign(canvas.style, { width: '100%', height: '100%', display: 'block' });
-  return { renderWindow, renderer, view };
+  return { renderWindow, renderer, view, software: isSoftware(context) };
+}
+
+/** Whether the processor does the graphics card's work: then it is slow, known before the first frame. */
+function isSoftware(context) {
+  const info = context.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  return /swiftshader|llvmpipe|software/i.test(name);
 }
 
 function resize(view, { width, height }, share) {

@@ -20,22 +20,30 @@ export function createSurfaceActor() {
   };
   const fine = meshActor(look), coarse = meshActor(look);
   const coarser = new Map();
-  let hasCoarse = false;
+  let shown = null, coarseShows = null;
+  const showCoarse = ({ surface, field }) => {
+    if (!coarser.has(surface)) coarser.set(surface, coarsened(surface));
+    const less = coarser.get(surface);
+    if (less)
+      coarse.show(less.surface, gathered(field.deviation_mm, less.samples), gathered(field.flags, less.samples));
+    coarseShows = shown;
+    return less !== null;
+  };
   return {
     actors: [fine.actor, coarse.actor], look,
     /** Shows a stage's field on its surface. */
     show(surface, field) {
       fine.show(surface, field.deviation_mm, field.flags);
-      if (!coarser.has(surface)) coarser.set(surface, coarsened(surface));
-      const less = coarser.get(surface);
-      hasCoarse = less !== null;
-      if (less)
-        coarse.show(less.surface, gathered(field.deviation_mm, less.samples), gathered(field.flags, less.samples));
+      shown = { surface, field };
     },
-    /** Draws with fewer cells; both meshes stay where they are on the graphics card. */
+    /**
+     * Draws with fewer cells. They are made when they are first wanted; then both meshes stay where they
+     * are, on the graphics card.
+     */
     setCoarse(wanted) {
-      coarse.actor.setVisibility(wanted && hasCoarse);
-      fine.actor.setVisibility(!(wanted && hasCoarse));
+      const ready = wanted && (coarseShows === shown ? coarser.get(shown.surface) !== null : showCoarse(shown));
+      coarse.actor.setVisibility(ready);
+      fine.actor.setVisibility(!ready);
     },
   };
 }
@@ -50,7 +58,7 @@ function meshActor(look) {
   });
   actor.setMapper(mapper);
   // Facing the reader, a place has exactly the legend's colour.
-  actor.getProperty().set({ ambient: 0.7, diffuse: 0.3, specular: 0 });
+  actor.getProperty().set({ ambient: 0.76, diffuse: 0.24, specular: 0 });
   const meshes = new Map();
   return {
     actor,

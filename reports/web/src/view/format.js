@@ -46,9 +46,11 @@ export function signedLength(mm, unit = unitFor(mm)) {
   return `${mm > 0 ? '+' : '−'}${figure} ${unit.symbol}`;
 }
 
-/** A deviation with its sign in the chosen convention: "−49.8 µm". */
+const NOTHING_MM = 5e-7;
+
+/** A deviation with its sign in the chosen convention: "−49.8 µm"; below a nanometre it is none. */
 export function signedMeasured(mm) {
-  if (mm === 0) return '0 µm';
+  if (Math.abs(mm) < NOTHING_MM) return '0 µm';
   return (mm > 0 ? '+' : '') + measuredLength(mm);
 }
 

@@ -29,12 +29,14 @@ export function createScene(container, report) {
   const { renderWindow, renderer, view, software } = window3d;
   const size_mm = length(subtract(bounds_mm[1], bounds_mm[0])) || 1;
   const listeners = { before: [], frame: [], theme: [], lost: [] };
-  let camera = null, frame = 0, restTimer = 0, moving = false, slow = software, share = 1, frames = 0;
+  let camera = null, frame = 0, restTimer = 0, moving = false, slow = software, lost = false, share = 1, frames = 0;
   let theme = pageTheme(container);
 
   const size = () => ({ width: container.clientWidth || 1, height: container.clientHeight || 1 });
   const draw = () => {
     frame = 0;
+    // The context may be gone some time before its event comes.
+    if (lost || view.getContext()?.isContextLost()) return;
     const before = performance.now();
     resize(view, size(), moving ? share : 1);
     listeners.before.forEach((callback) => callback({ moving, slow }));
@@ -52,7 +54,7 @@ export function createScene(container, report) {
     frames += 1;
     listeners.frame.forEach((callback) => callback({ moving }));
   };
-  const render = () => (frame ||= requestAnimationFrame(draw));
+  const render = () => { if (!lost) frame ||= requestAnimationFrame(draw); };
   const rest = () => {
     if (flight.flying()) return;
     moving = false;
@@ -77,7 +79,11 @@ export function createScene(container, report) {
   applyTheme();
   onThemeChange(applyTheme);
   new ResizeObserver(render).observe(container);
-  container.querySelector('canvas').addEventListener('webglcontextlost', () => listeners.lost.forEach((f) => f()));
+  container.querySelector('canvas').addEventListener('webglcontextlost', () => {
+    lost = true;
+    flight.stop();
+    listeners.lost.forEach((callback) => callback());
+  });
 
   return {
     add: (actor) => { renderer.addActor(actor); render(); },

@@ -3,7 +3,8 @@ import { test } from 'node:test';
 import { exceeds, findingsOf, headline, leftOut, programAround } from '../src/view/findings.js';
 import { sampleReport } from './sample.js';
 
-const stage = (parts) => ({ limits: { gouge_mm: 0.01, uncut_mm: 0.02 }, gouges: [], uncuts: [], process: [], ...parts });
+const limits = { gouge_mm: 0.01, uncut_mm: 0.02 };
+const stage = (parts) => ({ limits, gouges: [], uncuts: [], process: [], ...parts });
 const ids = (parts) => findingsOf(stage(parts)).map(({ id }) => id);
 
 test('the worst comes first: collisions, then by how far a limit is exceeded, then near misses', () => {
@@ -16,7 +17,8 @@ test('the worst comes first: collisions, then by how far a limit is exceeded, th
 });
 
 test('without a limit the deeper comes first', () => {
-  const findings = findingsOf({ limits: {}, gouges: [{ id: 'G1', depth_mm: 0.1 }, { id: 'G2', depth_mm: 0.3 }], uncuts: [] });
+  const gouges = [{ id: 'G1', depth_mm: 0.1 }, { id: 'G2', depth_mm: 0.3 }];
+  const findings = findingsOf({ limits: {}, gouges });
   assert.deepEqual(findings.map(({ id }) => id), ['G2', 'G1']);
   assert.equal(exceeds(findings[0]), false);
 });

@@ -17,11 +17,11 @@ export function leftOut(stage) {
     sum + Math.max(0, (stage[`${kind}_total`] ?? 0) - (stage[kind]?.length ?? 0)), 0);
 }
 
-function worstFirst(stage) {
+function worstFirst({ gouges = [], uncuts = [], process = [], limits }) {
   const all = [
-    ...(stage.gouges ?? []).map((finding) => ({ ...finding, kind: 'gouge', limit_mm: stage.limits?.gouge_mm })),
-    ...(stage.uncuts ?? []).map((finding) => ({ ...finding, kind: 'uncut', limit_mm: stage.limits?.uncut_mm })),
-    ...(stage.process ?? []).map((finding) => ({ ...finding, kind: 'process', process: finding.kind,
+    ...gouges.map((finding) => ({ ...finding, kind: 'gouge', limit_mm: limits?.gouge_mm })),
+    ...uncuts.map((finding) => ({ ...finding, kind: 'uncut', limit_mm: limits?.uncut_mm })),
+    ...process.map((finding) => ({ ...finding, kind: 'process', process: finding.kind,
       fails: finding.fails ?? finding.kind !== 'near_miss' })),
   ];
   return all.sort((a, b) => severity(b) - severity(a));
@@ -52,7 +52,7 @@ export function exceeds(finding) {
   return finding.limit_mm !== undefined && finding.depth_mm > finding.limit_mm;
 }
 
-/** Lines of the program around a finding's, of the stage whose program it is; empty where the page has none. */
+/** Lines around a finding's, of the stage whose program it is; empty where the page has none. */
 export function programAround(report, stageIndex, finding, reach = 3) {
   if (finding.raw_stock || !finding.line) return [];
   const { text = [] } = report.stages[finding.stage ?? stageIndex] ?? {};

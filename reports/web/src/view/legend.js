@@ -11,7 +11,8 @@ export function createLegend() {
   const ticks = make('div', { class: 'view-ticks' });
   const words = make('div', { class: 'view-words' });
   const unreachable = make('p', { class: 'view-hatched' }, [
-    make('span', { class: 'view-hatch', 'aria-hidden': 'true' }), 'hatched: the cutter cannot reach, not gated',
+    make('span', { class: 'view-hatch', 'aria-hidden': 'true' }),
+    'hatched: the cutter cannot reach, not gated',
   ]);
   const element = make('div', { class: 'view-legend', data: { testid: 'view-legend' } }, [
     words, make('div', { class: 'view-ramp-box' }, [canvas, mark]), ticks, unreachable,

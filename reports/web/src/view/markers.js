@@ -35,7 +35,8 @@ export function createMarkers(scene, choose, isHidden) {
   return {
     show(findings) {
       // The worst last, so that they lie on top; places are given out from the worst on.
-      marks = findings.filter(({ point_mm }) => point_mm).map((finding) => ({ finding, element: marker(finding, choose) }));
+      marks = findings.filter(({ point_mm }) => point_mm)
+        .map((finding) => ({ finding, element: marker(finding, choose) }));
       layer.replaceChildren(...marks.map(({ element }) => element).reverse());
       chosen = null;
       scene.render();
@@ -58,6 +59,8 @@ function marker(finding, choose) {
     data: { markerId: finding.id }, on: { click: () => choose(finding.id) },
   }, [
     make('i'),
-    make('span', { class: 'view-tag' }, [make('b', { text: finding.id }), make('em', { text: headline(finding) })]),
+    make('span', { class: 'view-tag' }, [
+      make('b', { text: finding.id }), make('em', { text: headline(finding) }),
+    ]),
   ]);
 }

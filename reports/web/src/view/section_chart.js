@@ -37,7 +37,8 @@ function draw(svg, pieces, look) {
   const x = (mm) => LEFT + ((mm - low) / (high - low || 1)) * (WIDTH - LEFT - RIGHT);
   const { uncut, gouge } = reach(pieces, scale);
   const top = look.sign > 0 ? uncut : gouge;
-  const y = (deviation_mm) => TOP + ((top - deviation_mm * look.sign) / (uncut + gouge)) * (HEIGHT - TOP - BOTTOM);
+  const perMm = (HEIGHT - TOP - BOTTOM) / (uncut + gouge);
+  const y = (deviation_mm) => TOP + (top - deviation_mm * look.sign) * perMm;
   svg.append(gradient(look, y));
   const zero = y(0);
   const path = pieces.map(({ from, to, deviation_mm: [a, b] }) => {
@@ -45,20 +46,24 @@ function draw(svg, pieces, look) {
     return `M${p} ${zero}V${y(a).toFixed(2)}L${q} ${y(b).toFixed(2)}V${zero}Z`;
   }).join('');
   svg.append(element('path', { d: path, class: 'profile', fill: 'url(#view-profile-colours)' }));
-  const outline = pieces.map(({ from, to, deviation_mm: [a, b] }) =>
-    `M${x(from[along]).toFixed(1)} ${y(a).toFixed(2)}L${x(to[along]).toFixed(1)} ${y(b).toFixed(2)}`).join('');
+  const outline = pieces.map(({ from, to, deviation_mm: [a, b] }) => {
+    const [p, q] = [x(from[along]).toFixed(1), x(to[along]).toFixed(1)];
+    return `M${p} ${y(a).toFixed(2)}L${q} ${y(b).toFixed(2)}`;
+  }).join('');
   svg.append(element('path', { d: outline, class: 'outline' }));
   drawRules(svg, look, y, unitFor(Math.max(uncut, gouge)));
   for (const [mm, anchor] of [[low, 'start'], [(low + high) / 2, 'middle'], [high, 'end']])
-    svg.append(element('text', { x: x(mm), y: HEIGHT - 6, 'text-anchor': anchor }, `${AXES[along]} ${fixed(mm, 1)}`));
+    svg.append(element('text', { x: x(mm), y: HEIGHT - 6, 'text-anchor': anchor },
+      `${AXES[along]} ${fixed(mm, 1)}`));
 }
 
-/** How far the drawing reaches on each side: over the limit and over what the section holds, with some room. */
+/** How far the drawing reaches on each side: over the limit and what the section holds, with room. */
 function reach(pieces, scale) {
   let uncut = 0, gouge = 0;
   for (const { deviation_mm } of pieces)
     for (const mm of deviation_mm) [uncut, gouge] = [Math.max(uncut, mm), Math.max(gouge, -mm)];
-  const side = ({ limit_mm, end_mm, hasLimit }, largest) => 1.12 * Math.max(largest, hasLimit ? limit_mm : 0.1 * end_mm);
+  const side = ({ limit_mm, end_mm, hasLimit }, largest) =>
+    1.12 * Math.max(largest, hasLimit ? limit_mm : 0.1 * end_mm);
   return { uncut: side(scale.uncut, uncut), gouge: side(scale.gouge, gouge) };
 }
 
@@ -86,7 +91,8 @@ function gradient({ scale, band }, y) {
   const places = [];
   for (const [side, way] of [[scale.uncut, 1], [scale.gouge, -1]]) {
     const { limit_mm, end_mm } = side;
-    for (const mm of [0, limit_mm / 2, limit_mm, limit_mm * (1 + 1e-6), (limit_mm + end_mm) / 2, end_mm]) places.push(way * mm);
+    const bends = [0, limit_mm / 2, limit_mm, limit_mm * (1 + 1e-6), (limit_mm + end_mm) / 2, end_mm];
+    places.push(...bends.map((mm) => way * mm));
   }
   places.sort((a, b) => b - a);
   for (const mm of places)

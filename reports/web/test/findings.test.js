@@ -7,13 +7,13 @@ const limits = { gouge_mm: 0.01, uncut_mm: 0.02 };
 const stage = (parts) => ({ limits, gouges: [], uncuts: [], process: [], ...parts });
 const ids = (parts) => findingsOf(stage(parts)).map(({ id }) => id);
 
-test('the worst comes first: collisions, then by how far a limit is exceeded, then near misses', () => {
+test('the worst comes first: beyond a limit, then collisions, then within, then near misses', () => {
   assert.deepEqual(ids({
     gouges: [{ id: 'G1', depth_mm: 0.02 }, { id: 'G2', depth_mm: 0.005 }],
     uncuts: [{ id: 'U1', depth_mm: 0.06 }],
     process: [{ id: 'P1', kind: 'near_miss', fails: false, depth_mm: 0.1 },
       { id: 'P2', kind: 'holder_collision', fails: true, depth_mm: 0.001 }],
-  }), ['P2', 'U1', 'G1', 'G2', 'P1']);
+  }), ['U1', 'G1', 'P2', 'G2', 'P1']);
 });
 
 test('without a limit the deeper comes first', () => {

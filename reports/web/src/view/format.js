@@ -9,6 +9,9 @@ export function unitFor(largest_mm) {
     : { perMm: 1, symbol: 'mm' };
 }
 
+/** One unit for the figures of a scale: µm up to a millimetre, so that 50 and 100 µm stand side by side. */
+export const scaleUnit = (largest_mm) => (largest_mm < 1 ? unitFor(0) : { perMm: 1, symbol: 'mm' });
+
 /** `value` with `decimals` places, a true minus sign, and never "-0". */
 export function fixed(value, decimals) {
   const text = value.toFixed(decimals);

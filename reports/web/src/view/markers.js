@@ -26,9 +26,10 @@ export function createMarkers(scene, choose, isHidden) {
       element.hidden = !inside;
       if (!inside) continue;
       element.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
-      element.classList.toggle('quiet', finding !== chosen && overlaps(taken, at));
+      const quiet = finding !== chosen && overlaps(taken, at);
+      element.classList.toggle('quiet', quiet);
       element.classList.toggle('leftwards', at.x > width - LABEL_SPACE);
-      taken.push(at);
+      if (!quiet) taken.push(at);
       if (!moving) element.classList.toggle('behind', isHidden(finding));
     }
   };

@@ -21,7 +21,8 @@ test('a fitted camera shows all corners of the box', () => {
     for (let k = 0; k < 8; ++k) {
       const { x, y } = project(camera, size, box[k]);
       assert.ok(x > 0 && x < size.width && y > 0 && y < size.height);
-      spread = Math.max(spread, Math.abs(x - size.width / 2) / size.width, Math.abs(y - size.height / 2) / size.height);
+      const aside = [x / size.width, y / size.height].map((share) => Math.abs(share - 0.5));
+      spread = Math.max(spread, ...aside);
     }
     assert.ok(spread > 0.35, 'and does not leave it small');
   }

@@ -54,7 +54,8 @@ export function ray(camera, { width, height }, x, y, size_mm) {
     add(scaled(right, (x - width / 2) * pixel), scaled(up, (height / 2 - y) * pixel)),
   );
   const distance = eyeDistance(camera, size_mm);
-  if (!camera.perspective) return { origin: add(inPlane, scaled(back, distance)), direction: scaled(back, -1) };
+  if (!camera.perspective)
+    return { origin: add(inPlane, scaled(back, distance)), direction: scaled(back, -1) };
   const eye = add(camera.focal, scaled(back, distance));
   return { origin: eye, direction: subtract(inPlane, eye) };
 }

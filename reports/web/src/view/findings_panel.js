@@ -10,7 +10,9 @@ import { coordinate, parameter, statedLength } from './format.js';
 export function createFindingsPanel(report, choose) {
   const title = make('h3');
   const list = make('ul', { class: 'view-findings', data: { testid: 'view-findings' } });
-  const detail = make('div', { class: 'view-detail', data: { testid: 'view-finding' }, 'aria-live': 'polite' });
+  const detail = make('div', {
+    class: 'view-detail', data: { testid: 'view-finding' }, 'aria-live': 'polite',
+  });
   const element = make('div', { class: 'view-side' }, [title, list, detail]);
   return {
     element,
@@ -70,7 +72,9 @@ function details(report, stageIndex, finding) {
   const figures = [['Place', placeOf(finding)], ['Patch', patchOf(finding)], ['Size', sizeOf(finding)],
     ['Program', lineOf(report, stageIndex, finding)]];
   return [
-    make('h4', {}, [make('b', { class: `view-id ${finding.kind}`, text: finding.id }), ' ', sentence(finding)]),
+    make('h4', {}, [
+      make('b', { class: `view-id ${finding.kind}`, text: finding.id }), ' ', sentence(finding),
+    ]),
     make('dl', {}, figures.filter(([, text]) => text).flatMap(([name, text]) =>
       [make('div', {}, [make('dt', { text: name }), make('dd', { text })])])),
     listing(programAround(report, stageIndex, finding), finding),
@@ -98,20 +102,27 @@ function lineOf(report, stageIndex, { line, stage, body, part, against, raw_stoc
   if (raw_stock) return 'no pass: a face of the raw stock';
   if (!line) return '';
   const name = report.stages[stage ?? stageIndex]?.name;
-  const who = part && against ? `, ${part} against ${against}` : body && body !== 'cutter' ? `, by the ${body}` : '';
-  return `line ${line}${name ? ` of ${name}` : ''}${who}`;
+  const words = [`line ${line}`];
+  if (name) words.push(` of ${name}`);
+  if (part && against) words.push(`, ${part} against ${against}`);
+  else if (body && body !== 'cutter') words.push(`, by the ${body}`);
+  return words.join('');
 }
 
 function listing(lines, finding) {
   if (lines.length === 0) return '';
-  return make('ol', { class: exceeds(finding) ? 'view-listing beyond' : 'view-listing' }, lines.map(({ line, text }) =>
-    make('li', { class: line === finding.line ? 'named' : '', 'aria-current': line === finding.line && 'true' }, [
+  const entry = ({ line, text }) => {
+    const named = line === finding.line;
+    return make('li', { class: named ? 'named' : '', 'aria-current': named && 'true' }, [
       make('span', { text: String(line) }), make('code', { text }),
-    ])));
+    ]);
+  };
+  return make('ol', { class: exceeds(finding) ? 'view-listing beyond' : 'view-listing' }, lines.map(entry));
 }
 
 function setData(detail, finding) {
-  for (const [name, value] of [['id', finding?.id], ['depthMm', finding?.depth_mm], ['line', finding?.line]]) {
+  const values = { id: finding?.id, depthMm: finding?.depth_mm, line: finding?.line };
+  for (const [name, value] of Object.entries(values)) {
     if (value === undefined || value === null) delete detail.dataset[name];
     else detail.dataset[name] = String(value);
   }

@@ -1,6 +1,6 @@
 import { colour, css, position, ticks_mm } from './colour_scale.js';
 import { make } from './dom.js';
-import { signedLength, unitFor } from './format.js';
+import { scaleUnit, signedLength } from './format.js';
 
 const STEPS = 400;
 
@@ -11,7 +11,8 @@ export function createLegend() {
   const ticks = make('div', { class: 'view-ticks' });
   const words = make('div', { class: 'view-words' });
   const unreachable = make('p', { class: 'view-hatched' }, [
-    make('span', { class: 'view-hatch', 'aria-hidden': 'true' }), 'hatched: the cutter cannot reach, not gated',
+    make('span', { class: 'view-hatch', 'aria-hidden': 'true' }),
+    'hatched: the cutter cannot reach, not gated',
   ]);
   const element = make('div', { class: 'view-legend', data: { testid: 'view-legend' } }, [
     words, make('div', { class: 'view-ramp-box' }, [canvas, mark]), ticks, unreachable,
@@ -62,12 +63,9 @@ function wordsOf({ gouge, uncut }) {
   ];
 }
 
-/** One unit for a scale below a millimetre, so that 50 and 100 µm stand beside each other. */
-const unitOf = (largest_mm) => (largest_mm < 1 ? unitFor(0) : undefined);
-
 function ticksOf(scale, sign) {
   const sides = [scale.gouge, scale.gouge, null, scale.uncut, scale.uncut];
-  const unit = unitOf(Math.max(scale.gouge.end_mm, scale.uncut.end_mm));
+  const unit = scaleUnit(Math.max(scale.gouge.end_mm, scale.uncut.end_mm));
   return ticks_mm(scale).map((mm, k) => {
     const isLimit = (k === 1 || k === 3) && sides[k].hasLimit;
     const tick = make('span', { class: isLimit ? 'limit' : '' }, [signedLength(sign * mm, unit)]);

@@ -26,16 +26,18 @@ export function createMarkers(scene, choose, isHidden) {
       element.hidden = !inside;
       if (!inside) continue;
       element.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
-      element.classList.toggle('quiet', finding !== chosen && overlaps(taken, at));
+      const quiet = finding !== chosen && overlaps(taken, at);
+      element.classList.toggle('quiet', quiet);
       element.classList.toggle('leftwards', at.x > width - LABEL_SPACE);
-      taken.push(at);
+      if (!quiet) taken.push(at);
       if (!moving) element.classList.toggle('behind', isHidden(finding));
     }
   };
   return {
     show(findings) {
       // The worst last, so that they lie on top; places are given out from the worst on.
-      marks = findings.filter(({ point_mm }) => point_mm).map((finding) => ({ finding, element: marker(finding, choose) }));
+      marks = findings.filter(({ point_mm }) => point_mm)
+        .map((finding) => ({ finding, element: marker(finding, choose) }));
       layer.replaceChildren(...marks.map(({ element }) => element).reverse());
       chosen = null;
       scene.render();
@@ -58,6 +60,8 @@ function marker(finding, choose) {
     data: { markerId: finding.id }, on: { click: () => choose(finding.id) },
   }, [
     make('i'),
-    make('span', { class: 'view-tag' }, [make('b', { text: finding.id }), make('em', { text: headline(finding) })]),
+    make('span', { class: 'view-tag' }, [
+      make('b', { text: finding.id }), make('em', { text: headline(finding) }),
+    ]),
   ]);
 }

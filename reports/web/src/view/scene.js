@@ -2,7 +2,9 @@ import '@kitware/vtk.js/Rendering/OpenGL/Profiles/Geometry';
 import vtkOpenGLRenderWindow from '@kitware/vtk.js/Rendering/OpenGL/RenderWindow';
 import vtkRenderWindow from '@kitware/vtk.js/Rendering/Core/RenderWindow';
 import vtkRenderer from '@kitware/vtk.js/Rendering/Core/Renderer';
-import { axes, corners, eyeDistance, fitted, HALF_ANGLE_DEG, lookingAt, project, ray, VIEWS } from './camera.js';
+import {
+  axes, corners, eyeDistance, fitted, HALF_ANGLE_DEG, lookingAt, project, ray, VIEWS,
+} from './camera.js';
 import { createFlight } from './flight.js';
 import { onThemeChange, pageTheme } from './theme.js';
 import { add, length, pointAt, scaled, subtract } from './vector.js';
@@ -15,7 +17,8 @@ const SMALLEST_PIXEL_RATIO = 0.5;
 /**
  * A vtk.js window in `container` with a camera that turns about Z. Frames are drawn on demand: `render`
  * asks for one, and any number of askings before it is due make one. While the camera moves and frames
- * are slow, they have fewer pixels and `beforeFrame` is told; a moment after it rests the picture is whole again.
+ * are slow, they have fewer pixels and `beforeFrame` is told; a moment after it rests the picture is whole
+ * again.
  * @param {HTMLElement} container positioned, of a size
  * @param {object} report, decoded
  * @returns {object|null} null where the browser does not draw with WebGL 2
@@ -29,12 +32,15 @@ export function createScene(container, report) {
   const { renderWindow, renderer, view, software } = window3d;
   const size_mm = length(subtract(bounds_mm[1], bounds_mm[0])) || 1;
   const listeners = { before: [], frame: [], theme: [], lost: [] };
-  let camera = null, frame = 0, restTimer = 0, moving = false, slow = software, share = 1, frames = 0;
+  let camera = null, moving = false, lost = false;
+  let frame = 0, frames = 0, restTimer = 0, slow = software, share = 1;
   let theme = pageTheme(container);
 
   const size = () => ({ width: container.clientWidth || 1, height: container.clientHeight || 1 });
   const draw = () => {
     frame = 0;
+    // The context may be gone some time before its event comes.
+    if (lost || view.getContext()?.isContextLost()) return;
     const before = performance.now();
     resize(view, size(), moving ? share : 1);
     listeners.before.forEach((callback) => callback({ moving, slow }));
@@ -52,7 +58,7 @@ export function createScene(container, report) {
     frames += 1;
     listeners.frame.forEach((callback) => callback({ moving }));
   };
-  const render = () => (frame ||= requestAnimationFrame(draw));
+  const render = () => { if (!lost) frame ||= requestAnimationFrame(draw); };
   const rest = () => {
     if (flight.flying()) return;
     moving = false;
@@ -77,7 +83,11 @@ export function createScene(container, report) {
   applyTheme();
   onThemeChange(applyTheme);
   new ResizeObserver(render).observe(container);
-  container.querySelector('canvas').addEventListener('webglcontextlost', () => listeners.lost.forEach((f) => f()));
+  container.querySelector('canvas').addEventListener('webglcontextlost', () => {
+    lost = true;
+    flight.stop();
+    listeners.lost.forEach((callback) => callback());
+  });
 
   return {
     add: (actor) => { renderer.addActor(actor); render(); },
@@ -126,14 +136,17 @@ function outlinePoints({ surfaces, bounds_mm }) {
   return Array.from({ length: Math.ceil(count / step) }, (_, k) => pointAt(positions, k * step));
 }
 
+/** What vtk.js itself asks for. */
+const CONTEXT = { depth: true, alpha: true, powerPreference: 'high-performance' };
+
 function createWindow(container) {
   const renderWindow = vtkRenderWindow.newInstance();
   const renderer = vtkRenderer.newInstance();
   renderWindow.addRenderer(renderer);
   const view = vtkOpenGLRenderWindow.newInstance();
   renderWindow.addView(view);
-  // vtk.js asks for the same again, and is given this one.
-  const context = view.getCanvas().getContext('webgl2', { depth: true, alpha: true, powerPreference: 'high-performance' });
+  // Asked for here first, since vtk.js takes it for granted; a canvas has but one.
+  const context = view.getCanvas().getContext('webgl2', CONTEXT);
   if (!context) return null;
   view.setContainer(container);
   const [canvas] = container.getElementsByTagName('canvas');

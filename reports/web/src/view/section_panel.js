@@ -26,7 +26,9 @@ export function createSectionPanel(bounds_mm, interest, changed) {
     make('label', { class: 'view-check' }, [flip, 'show the other half']),
   ]);
   const drawing = make('div', { hidden: true }, [chart.element, note]);
-  const element = make('div', { class: 'view-section' }, [make('div', { class: 'view-row' }, [axis.label, rest]), drawing]);
+  const element = make('div', { class: 'view-section' }, [
+    make('div', { class: 'view-row' }, [axis.label, rest]), drawing,
+  ]);
 
   const section = () => {
     if (axis.select.value === 'none') return null;
@@ -69,6 +71,8 @@ export function createSectionPanel(bounds_mm, interest, changed) {
 /** A labelled select. */
 export function choice(text, testid, options) {
   const id = uniqueId('choice');
-  const select = make('select', { id, data: { testid } }, options.map(([value, name]) => make('option', { value, text: name })));
-  return { select, label: make('label', { class: 'view-choice', for: id }, [make('span', { text }), select]) };
+  const select = make('select', { id, data: { testid } },
+    options.map(([value, name]) => make('option', { value, text: name })));
+  const label = make('label', { class: 'view-choice', for: id }, [make('span', { text }), select]);
+  return { select, label };
 }

@@ -24,8 +24,10 @@ export function createSurfaceActor() {
   const showCoarse = ({ surface, field }) => {
     if (!coarser.has(surface)) coarser.set(surface, coarsened(surface));
     const less = coarser.get(surface);
-    if (less)
-      coarse.show(less.surface, gathered(field.deviation_mm, less.samples), gathered(field.flags, less.samples));
+    if (less) {
+      const { samples } = less;
+      coarse.show(less.surface, gathered(field.deviation_mm, samples), gathered(field.flags, samples));
+    }
     coarseShows = shown;
     return less !== null;
   };
@@ -41,7 +43,8 @@ export function createSurfaceActor() {
      * are, on the graphics card.
      */
     setCoarse(wanted) {
-      const ready = wanted && (coarseShows === shown ? coarser.get(shown.surface) !== null : showCoarse(shown));
+      const ready = wanted
+        && (coarseShows === shown ? coarser.get(shown.surface) !== null : showCoarse(shown));
       coarse.actor.setVisibility(ready);
       fine.actor.setVisibility(!ready);
     },

@@ -20,8 +20,8 @@ export async function startView(report, element) {
   if (!report.stages.some(({ field }) => field)) return null;
   const frame = make('div', {
     class: 'view-frame', tabindex: '0', role: 'application', data: { testid: 'view-canvas' },
-    'aria-label': 'Error map of the part. Arrow keys turn it, Shift with arrow keys moves it, plus and minus zoom, '
-      + 'Home shows the whole part; the deviation at the crosshair is read out.',
+    'aria-label': 'Error map of the part. Arrow keys turn it, Shift with arrow keys moves it, '
+      + 'plus and minus zoom, Home shows the whole part; the deviation at the crosshair is read out.',
   });
   const viewer = createViewer(report, frame);
   element.replaceChildren(viewer.element);

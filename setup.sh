@@ -12,11 +12,11 @@ packages=(
   nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev
   # the report's script, bundled from reports/web at build time; a node that came with npm brings both
   nodejs
-  # command line and job files, checksums of what was read
-  libcli11-dev libtomlplusplus-dev libssl-dev
-  # tests: the framework, a second reader of our VTK files, a validator of our JSON, another
-  # evaluator of our surfaces
-  catch2 libvtk9-dev python3 python3-jsonschema libosd-dev
+  # command line and job files, checksums of what was read; the server of `limitgauge view`, found by pkg-config
+  libcli11-dev libtomlplusplus-dev libcpp-httplib-dev libssl-dev pkgconf
+  # tests: the framework, a second reader of our VTK files, a validator of our JSON, a
+  # reader of our JUnit, another evaluator of our surfaces, a reader of our manual page
+  catch2 libvtk9-dev python3 python3-jsonschema python3-junitparser libosd-dev mandoc
   # benchmarks: the harness, and the closest-point tree that ours is compared with
   libbenchmark-dev libcgal-dev
   # fuzz tests: clang of either release (14, 19) with its fuzzer's and sanitizers' runtimes

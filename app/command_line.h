@@ -45,12 +45,18 @@ struct InspectCommand {
   bool moves = false;
   MachineOptions machine;
 };
-/// Help or the version: print and leave.
+struct ViewCommand {
+  std::filesystem::path folder;  ///< of a finished run, or its report.html
+  int port = 0;                  ///< 0: a free one
+  bool no_browser = false;
+};
+/// Help, the version, the man page or a shell's completions: print and leave.
 struct PrintCommand {
   std::string text;
 };
 
-using Command = std::variant<RunCommand, PlanCommand, VerifyCommand, InspectCommand, PrintCommand>;
+using Command =
+    std::variant<RunCommand, PlanCommand, VerifyCommand, InspectCommand, ViewCommand, PrintCommand>;
 
 struct CommandLine {
   Command command;

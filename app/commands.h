@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <functional>
 #include <iosfwd>
 
 #include "app/command_line.h"
@@ -14,7 +16,10 @@ enum class ExitCode { pass = 0, fail = 1, indeterminate = 2, bad_input = 3, reso
 struct Console {
   std::ostream& out;
   std::ostream& errors;
-  bool out_is_terminal = false, errors_are_terminal = false;
+  bool colour = false;    ///< of what goes to `out`
+  bool progress = false;  ///< a line that is drawn again and again on `errors`
+  std::size_t out_columns = 100;
+  std::function<std::size_t()> errors_columns = [] { return std::size_t{80}; };
   const std::atomic<bool>* stop = nullptr;
 };
 
@@ -23,6 +28,7 @@ ExitCode execute(const PlanCommand& command, const CommonOptions& common, const 
 ExitCode execute(const VerifyCommand& command, const CommonOptions& common, const Console& console);
 ExitCode execute(const InspectCommand& command, const CommonOptions& common,
                  const Console& console);
+ExitCode execute(const ViewCommand& command, const CommonOptions& common, const Console& console);
 
 /// Says what the exception being handled means to the user and gives its exit code; to be called
 /// from within a catch block.

@@ -69,7 +69,7 @@ class Bench {
   reports::RunResult run();
 
  private:
-  model::RunControl control(const std::string& phase) const;
+  model::RunControl control(const std::string& what) const;
   void run_stage(std::size_t index, reports::StageResult& stage);
   void make_path(std::size_t index, reports::StageResult::Ran& ran);
   double readings_within_mm(const JobStage& asked) const;
@@ -90,6 +90,7 @@ class Bench {
   const std::filesystem::path& folder_;
   const RunOptions& options_;
   StagePlanner planner_;
+  std::size_t stage_ = 0;  ///< the one at work, counted from 1
   std::optional<simulator::StockModel> stock_;
   double volume_mm3_ = 0;
   std::optional<simulator::DexelStock> lines_;
@@ -97,8 +98,8 @@ class Bench {
   std::vector<verifier::StockReading> readings_;
 };
 
-model::RunControl Bench::control(const std::string& phase) const {
-  options_.watch.phase(phase);
+model::RunControl Bench::control(const std::string& what) const {
+  options_.watch.phase({what, stage_, job_.stages.size()});
   model::RunControl control{options_.threads, options_.stop, options_.watch.progress};
   control.check();
   return control;
@@ -234,14 +235,16 @@ void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
 
 void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   const Stopwatch watch;
+  stage_ = index + 1;
   reports::StageResult::Ran& ran = stage.ran.emplace();
   make_path(index, ran);
   cut(job_.stages[index], ran);
   measure(index, ran);
   stage.decision = decide(ran.deviation, stage.limits, process_faults(ran.process));
   reports::StageFiles files =
-      write_stage_files(stage, folder_, {job_.pictures, control(stage.name + ": writing")});
+      write_stage_files(stage, folder_, {job_.pictures, control(stage.name + ": writing"), job_.rapid_mm_min});
   ran.surface = files.surface;
+  ran.path_view = std::move(files.path_view);
   if (job_.pictures) stage.pictures = std::move(files.pictures);
   let_go(stage);
   stage.seconds = watch.seconds();
@@ -339,7 +342,7 @@ void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::pa
   std::vector<verifier::Pass> passes;
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     const std::string& name = job.stages[i].name;
-    options.watch.phase(name + ": planning");
+    options.watch.phase({name + ": planning", i + 1, job.stages.size()});
     PlannedStage planned =
         planner.plan(i, passes, {options.threads, options.stop, options.watch.progress});
     make_folder(folder / name);
@@ -358,6 +361,8 @@ void write_report(const reports::RunResult& result, const std::filesystem::path&
   };
   write("report.html", reports::write_html);
   write("junit.xml", reports::write_junit);
+  write("findings.sarif", reports::write_sarif);
+  write("findings.csv", reports::write_findings_csv);
   // Last: what looks for a finished run looks for this file.
   write("result.json", reports::write_result_json);
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/job.h"
+#include "app/phase.h"
 #include "app/run_inputs.h"
 #include "engine/model/run_control.h"
 #include "reports/run_result.h"
@@ -14,8 +15,8 @@ namespace limitgauge::app {
 
 /// How a run is watched. Neither call changes a result.
 struct RunWatch {
-  /// A phase begins ("rough: cutting"); its progress follows through `progress`.
-  std::function<void(const std::string&)> phase = [](const std::string&) {};
+  /// A phase begins; its progress follows through `progress`.
+  std::function<void(const Phase&)> phase = [](const Phase&) {};
   std::function<void(double fraction)> progress = [](double) {};
   /// A line for those who want to know more.
   std::function<void(const std::string&)> note = [](const std::string&) {};

@@ -30,7 +30,7 @@ RunOptions options_for(const CommonOptions& common, const Console& console,
   options.threads = common.threads;
   options.stop = console.stop;
   options.created = now_utc();
-  options.watch.phase = [&progress](const std::string& what) { progress.phase(what); };
+  options.watch.phase = [&progress](const Phase& phase) { progress.phase(phase); };
   options.watch.progress = [&progress](double fraction) { progress.update(fraction); };
   if (common.verbose) {
     options.watch.note = [&progress, &console](const std::string& line) {
@@ -75,23 +75,34 @@ void work_in(OutputFolder& folder, const Work& work) {
 void print_result(const reports::RunResult& result, const OutputFolder& folder,
                   const CommonOptions& common, const Console& console) {
   if (common.quiet) return;
-  console.out << reports::verdict_table(result, console.out_is_terminal)
+  console.out << reports::verdict_table(result, console.colour, console.out_columns)
               << "report: " << (folder.target() / "report.html").string() << std::endl;
+}
+
+/// Calls `work(progress)` with a line of progress that is gone afterwards, whatever happens.
+template <class Work>
+void watched(const CommonOptions& common, const Console& console, const Work& work) {
+  ProgressSurroundings around;
+  around.columns = console.errors_columns;
+  ProgressLine progress(console.errors, console.progress && !common.quiet, std::move(around));
+  const ProgressTicker ticker(progress);
+  progress.phase({"reading what the job names"});
+  work(progress);
 }
 
 ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
                         const CommonOptions& common, const Console& console) {
-  const RunInputs inputs = load_inputs(job);
-  OutputFolder folder(output, common.force);
   reports::RunResult result;
-  {
-    ProgressLine progress(console.errors, console.errors_are_terminal && !common.quiet);
+  OutputFolder folder(output, common.force);
+  watched(common, console, [&](ProgressLine& progress) {
+    const RunInputs inputs = load_inputs(job);
     const RunOptions options = options_for(common, console, progress);
     work_in(folder, [&] {
       result = run_job(job, inputs, folder.working(), options);
+      progress.phase({"writing the report"});
       write_report(result, folder.working());
     });
-  }
+  });
   print_result(result, folder, common, console);
   return exit_code(result.verdict);
 }
@@ -117,13 +128,12 @@ ExitCode execute(const VerifyCommand& command, const CommonOptions& common,
 
 ExitCode execute(const PlanCommand& command, const CommonOptions& common, const Console& console) {
   const Job job = read_job(command.job, common.overrides);
-  const RunInputs inputs = load_inputs(job);
   OutputFolder folder(or_default(command.output, job.name + "-plan"), common.force);
-  {
-    ProgressLine progress(console.errors, console.errors_are_terminal && !common.quiet);
+  watched(common, console, [&](ProgressLine& progress) {
+    const RunInputs inputs = load_inputs(job);
     const RunOptions options = options_for(common, console, progress);
     work_in(folder, [&] { plan_job(job, inputs, folder.working(), options); });
-  }
+  });
   if (!common.quiet) console.out << "toolpaths: " << folder.target().string() << std::endl;
   return ExitCode::pass;
 }

@@ -52,6 +52,12 @@ model::SourcePlace place_of(const toml::source_region& source) {
   return place;
 }
 
+UnknownKey::UnknownKey(const model::SourcePlace& place, std::string_view key,
+                       const std::string& where, std::vector<std::string_view> known)
+    : InputError(place, "unknown key \"" + std::string(key) + "\" in " + where,
+                 "\"" + nearest_key(key, known) + "\" or another known key"),
+      known_(known.begin(), known.end()) {}
+
 TomlTable::TomlTable(const toml::table& table, std::string where,
                      std::initializer_list<std::string_view> known,
                      std::span<const char* const> known_too)
@@ -61,9 +67,8 @@ TomlTable::TomlTable(const toml::table& table, std::string where,
   for (const auto& [key, value] : table) {
     if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
     const model::SourcePlace stated = place_of(key.source());
-    throw model::InputError(stated.file.empty() ? place_of(value.source()) : stated,
-                            "unknown key \"" + std::string(key.str()) + "\" in " + where_,
-                            "\"" + nearest_key(key.str(), keys) + "\" or another known key");
+    throw UnknownKey(stated.file.empty() ? place_of(value.source()) : stated, key.str(), where_,
+                     keys);
   }
 }
 

@@ -18,6 +18,17 @@ namespace limitgauge::app {
 /// Where `source` stands; a value that came from an override names the override instead of a file.
 model::SourcePlace place_of(const toml::source_region& source);
 
+/// A key that its table does not have; says which it has.
+class UnknownKey : public model::InputError {
+ public:
+  UnknownKey(const model::SourcePlace& place, std::string_view key, const std::string& where,
+             std::vector<std::string_view> known);
+  const std::vector<std::string>& known() const { return known_; }
+
+ private:
+  std::vector<std::string> known_;
+};
+
 /// A table of a TOML file read by key, with errors that name file, line and column. All its keys
 /// must be among the `known` ones; the error names the nearest.
 class TomlTable {

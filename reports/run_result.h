@@ -11,6 +11,7 @@
 #include "engine/model/machine_setup.h"
 #include "engine/model/program_path.h"
 #include "engine/strategy/stage_path.h"
+#include "reports/page/path_view.h"
 #include "reports/published.h"
 #include "simulator/dexel_agreement.h"
 #include "simulator/dexel_stock.h"
@@ -23,8 +24,9 @@ namespace limitgauge::reports {
 
 /// The pictures of one stage as PNG bytes; empty where there is nothing to show.
 struct StagePictures {
-  std::string deviation_png;  ///< error map from +Z with colour bar and worst places, on white
-  std::string stock_png;      ///< the cut stock in parallel projection, transparent ground
+  std::string deviation_png;    ///< error map from +Z with colour bar and worst places, on white
+  std::string perspective_png;  ///< the error map in perspective, likewise
+  std::string stock_png;        ///< the cut stock in parallel projection, transparent ground
 };
 
 /// The stock's surface as stock.vtp has it: closed, manifold, its vertices on the exact surface.
@@ -80,6 +82,7 @@ struct StageResult {
     std::vector<simulator::Finding> process;     ///< in the order of moves
     simulator::StockAgreement agreement;         ///< of the two stock models
     simulator::Removal removal;                  ///< its moves are let go with the stock
+    std::optional<page::PathView> path_view;     ///< once the stage's files are written
 
     verifier::StageDeviation deviation;
   };

@@ -4,6 +4,7 @@
 
 #include "engine/model/error.h"
 #include "reports/picture/deviation_map.h"
+#include "reports/picture/perspective_picture.h"
 #include "reports/picture/stock_picture.h"
 #include "reports/report.h"
 #include "reports/vtp.h"
@@ -41,6 +42,11 @@ std::string deviation_png(const StageResult& stage) {
   return png_bytes(draw_deviation_picture(d, stage.limits));
 }
 
+std::string perspective_png(const StageResult& stage) {
+  if (stage.ran->deviation.field.quads.empty()) return {};
+  return png_bytes(draw_perspective_picture(stage));
+}
+
 std::string stock_png(const simulator::StockMesh& mesh) {
   if (mesh.triangles.empty()) return {};
   return png_bytes(draw_stock_picture(mesh, kStockPictureWidth));
@@ -50,7 +56,7 @@ std::string stock_png(const simulator::StockMesh& mesh) {
 
 StagePictures draw_pictures(const StageResult& stage, const model::RunControl& control) {
   if (!stage.ran) return {};
-  StagePictures pictures{deviation_png(stage), {}};
+  StagePictures pictures{deviation_png(stage), perspective_png(stage), {}};
   if (stage.ran->stock) pictures.stock_png = stock_png(stage.ran->stock->surface(control).mesh);
   return pictures;
 }
@@ -64,8 +70,11 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
   if (ran.path) write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves);
   write_deviation_vtp(ran.deviation.field, into / "deviation.vtp");
   StageFiles files;
+  if (ran.path)
+    files.path_view = page::path_view(*ran.path, ran.removal.moves,
+                                      {options.rapid_mm_min, ran.machining_time_s});
   StagePictures& pictures = files.pictures;
-  if (options.pictures) pictures.deviation_png = deviation_png(stage);
+  if (options.pictures) pictures = {deviation_png(stage), perspective_png(stage), {}};
   if (ran.stock) {
     ran.stock->write_vdb(into / "stock.vdb");
     const simulator::StockSurface surface = ran.stock->surface(options.control);
@@ -75,6 +84,7 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
                      surface.unmoved};
   }
   write_bytes(pictures.deviation_png, into / "deviation.png");
+  write_bytes(pictures.perspective_png, into / "perspective.png");
   write_bytes(pictures.stock_png, into / "stock.png");
   return files;
 }

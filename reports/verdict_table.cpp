@@ -9,12 +9,17 @@
 namespace limitgauge::reports {
 namespace {
 
-constexpr std::size_t kWidth = 100;
 constexpr std::size_t kColumns = 8;
 constexpr std::size_t kVerdictColumn = 3;
+constexpr std::size_t kGougeColumn = 4, kUncutColumn = 5;
 constexpr std::size_t kGap = 2;
+constexpr std::size_t kShortestName = 5;
 using Row = std::array<std::string, kColumns>;
 using Widths = std::array<std::size_t, kColumns>;
+using Columns = std::vector<std::size_t>;
+/// On a narrow terminal the intervals stand on a line of their own below their stage.
+const Columns kAll = {0, 1, 2, 3, 4, 5, 6, 7};
+const Columns kWithoutIntervals = {0, 1, 2, 3, 6, 7};
 
 const char* relation(Standing standing) {
   switch (standing) {
@@ -53,18 +58,18 @@ Row row_of(const StageResult& stage) {
           stage.ran ? duration_text(stage.seconds) : "–"};
 }
 
+std::size_t total(const Widths& widths, const Columns& columns) {
+  std::size_t sum = kGap * (columns.size() - 1);
+  for (const std::size_t c : columns) sum += widths[c];
+  return sum;
+}
+
 /// Widths of the columns; the three names give way when the row is too long for a terminal.
-Widths fitted_widths(const std::vector<Row>& rows) {
+Widths fitted_widths(const std::vector<Row>& rows, const Columns& columns, std::size_t width) {
   Widths widths{};
   for (const Row& row : rows)
     for (std::size_t c = 0; c < kColumns; ++c) widths[c] = std::max(widths[c], code_points(row[c]));
-  const auto total = [&] {
-    std::size_t sum = kGap * (kColumns - 1);
-    for (const std::size_t w : widths) sum += w;
-    return sum;
-  };
-  constexpr std::size_t kShortestName = 5;
-  while (total() > kWidth) {
+  while (total(widths, columns) > width) {
     std::size_t& widest = *std::max_element(widths.begin(), widths.begin() + kVerdictColumn);
     if (widest <= kShortestName) break;
     --widest;
@@ -90,28 +95,29 @@ std::string painted(const std::string& text, verifier::Verdict verdict, bool col
   return colour ? colour_of(verdict) + text + "\x1b[0m" : text;
 }
 
-std::string line_of(const Row& row, const Widths& widths, verifier::Verdict verdict, bool colour) {
+std::string line_of(const Row& row, const Widths& widths, const Columns& columns,
+                    verifier::Verdict verdict, bool colour) {
   std::string line;
-  for (std::size_t c = 0; c < kColumns; ++c) {
+  for (const std::size_t c : columns) {
     const std::string cell = shortened(row[c], widths[c]);
     const std::string padding(widths[c] - code_points(cell), ' ');
     const bool right_aligned = c + 2 >= kColumns;
     const std::string shown = c == kVerdictColumn ? painted(cell, verdict, colour) : cell;
+    if (!line.empty()) line += std::string(kGap, ' ');
     line += right_aligned ? padding + shown : shown + padding;
-    if (c + 1 < kColumns) line += std::string(kGap, ' ');
   }
   line.erase(line.find_last_not_of(' ') + 1);
   return line + '\n';
 }
 
-/// `text` broken at spaces so that no line is longer than the table; later lines are indented.
-std::string wrapped(const std::string& text, std::size_t indent) {
+/// `text` broken at spaces so that no line is longer than `width`; later lines are indented.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
   std::istringstream words(text);
   std::string out, word;
   std::size_t at = 0;
   while (words >> word) {
     const std::size_t length = code_points(word);
-    if (at > indent && at + 1 + length > kWidth) {
+    if (at > indent && at + 1 + length > width) {
       out += '\n' + std::string(indent, ' ');
       at = indent;
     } else if (at > 0) {
@@ -126,18 +132,25 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 
 }  // namespace
 
-std::string verdict_table(const RunResult& result, bool colour) {
+std::string verdict_table(const RunResult& result, bool colour, std::size_t width) {
   std::vector<Row> rows = {
       {"stage", "tool", "strategy", "verdict", "gouge", "uncut", "coverage", "time"}};
   for (const StageResult& stage : result.stages) rows.push_back(row_of(stage));
-  const Widths widths = fitted_widths(rows);
-  std::string out = line_of(rows[0], widths, verifier::Verdict::not_run, false);
-  for (std::size_t i = 0; i < result.stages.size(); ++i)
-    out += line_of(rows[i + 1], widths, result.stages[i].verdict(), colour);
+  Widths widths = fitted_widths(rows, kAll, width);
+  const bool narrow = total(widths, kAll) > width;
+  const Columns& columns = narrow ? kWithoutIntervals : kAll;
+  if (narrow) widths = fitted_widths(rows, columns, width);
+  std::string out = line_of(rows[0], widths, columns, verifier::Verdict::not_run, false);
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    const Row& row = rows[i + 1];
+    out += line_of(row, widths, columns, result.stages[i].verdict(), colour);
+    if (narrow && result.stages[i].ran)
+      out += "  gouge " + row[kGougeColumn] + "   uncut " + row[kUncutColumn] + '\n';
+  }
   for (const StageResult& stage : result.stages) {
     if (stage.verdict() == verifier::Verdict::pass) continue;
     for (const std::string& reason : stage.decision.reasons)
-      out += wrapped(clean_text(stage.name) + ": " + clean_text(reason), 4);
+      out += wrapped(clean_text(stage.name) + ": " + clean_text(reason), 4, width);
   }
   return out + "verdict: " + painted(verdict_word(result.verdict), result.verdict, colour) + '\n';
 }

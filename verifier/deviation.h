@@ -81,8 +81,17 @@ struct DeviationField {
     std::uint32_t stage = 0, move = 0, line = 0;  ///< nearest pass; all 0 where the raw stock ends
     float area_mm2 = 0;                           ///< share of the surface this sample stands for
   };
+  /// The samples of one patch: a grid of parameters from 0 to 1, u along the columns (which run
+  /// fastest), v along the rows; at least two of each.
+  struct Grid {
+    int patch = 0;
+    std::uint32_t columns = 0, rows = 0;
+    std::uint32_t first = 0;  ///< index of its first sample
+    friend bool operator==(const Grid&, const Grid&) = default;
+  };
   std::vector<Sample> samples;
   std::vector<std::array<std::uint32_t, 4>> quads;  ///< counter-clockwise, indices of samples
+  std::vector<Grid> grids;                          ///< in the order of the samples
 };
 
 /// What one stage's verification found; all deviations are measured against the allowance surface.

@@ -36,6 +36,8 @@ void sample_patch(const ReferenceSurface& surface, int patch, double spacing_mm,
   const int nu = steps_along(surface, patch, true, spacing_mm),
             nv = steps_along(surface, patch, false, spacing_mm);
   const auto base = static_cast<std::uint32_t>(field.samples.size());
+  field.grids.push_back(
+      {patch, static_cast<std::uint32_t>(nu + 1), static_cast<std::uint32_t>(nv + 1), base});
   for (int j = 0; j <= nv; ++j)
     for (int i = 0; i <= nu; ++i) {
       const double u = static_cast<double>(i) / nu, v = static_cast<double>(j) / nv;

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "reports/base64.h"
 #include "reports/text.h"
 
 namespace limitgauge::reports::html {
 namespace {
-
-constexpr std::string_view kBase64 =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 struct Look {
   const char* css;
@@ -127,16 +125,7 @@ std::string coordinates(const model::Vec3& p) {
 }
 
 std::string png_uri(std::string_view bytes) {
-  std::string out = "data:image/png;base64,";
-  out.reserve(out.size() + (bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned word = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      word = word << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) out += k <= n ? kBase64[word >> (18 - 6 * k) & 63] : '=';
-  }
-  return out;
+  return "data:image/png;base64," + base64(bytes);
 }
 
 }  // namespace limitgauge::reports::html

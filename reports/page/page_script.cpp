@@ -1,9 +1,9 @@
 #include "reports/page/page_script.h"
 
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "reports/embedded.h"
+#include "reports/page/page_data.h"
 
 namespace limitgauge::reports::page {
 
@@ -13,13 +13,10 @@ std::string content_policy() {
 }
 
 void write_page_script(const RunResult& result, std::ostream& out) {
-  const nlohmann::json data = {{"format", "limitgauge.page/1"}, {"job", result.job}};
-  std::string text = data.dump();
-  // Inside a script element nothing but "<" can end or nest it.
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
-    text.replace(at, 1, "\\u003c");
-  out << "<script type=\"application/json\" id=\"limitgauge-report\">" << text << "</script>\n"
-      << "<script>" << embedded::report_js() << "</script>\n";
+  const PageData data = page_data(result);
+  out << "<script type=\"application/json\" id=\"limitgauge-report\">" << data.json << "</script>\n"
+      << "<script type=\"application/octet-stream\" id=\"limitgauge-blob\">" << data.blob
+      << "</script>\n<script>" << embedded::report_js() << "</script>\n";
 }
 
 }  // namespace limitgauge::reports::page

@@ -43,24 +43,13 @@ void fill_layers(MapLayers& layers, const verifier::DeviationField& field, const
   for (const auto& q : field.quads) fill(q[0], q[1], q[2]), fill(q[0], q[2], q[3]);
 }
 
-Rgba hatch(std::size_t x, std::size_t y) {
-  return (x + y) % kHatchPeriod < kHatchPeriod / 3 ? kHatchDark : kHatchLight;
-}
-
-/// Whether the edge from `a` to `b` lies on the border of their patch.
-bool on_border(const Sample& a, const Sample& b) {
-  const auto same_end = [](double p, double q) { return p == q && (p == 0 || p == 1); };
-  return a.place.patch == b.place.patch &&
-         (same_end(a.place.u, b.place.u) || same_end(a.place.v, b.place.v));
-}
-
 /// Borders are met from both patches: collect them as coverage first, then blend once.
 void draw_borders(Image& image, const verifier::DeviationField& field, const MapFrame& frame) {
   Image mask(image.width(), image.height());
   for (const auto& quad : field.quads) {
     for (int k = 0; k < 4; ++k) {
       const Sample &a = field.samples[quad[k]], &b = field.samples[quad[(k + 1) % 4]];
-      if (!on_border(a, b)) continue;
+      if (!on_patch_border(a, b)) continue;
       draw_stroke(mask, {frame.pixel(a.place.point), frame.pixel(b.place.point)}, 1.0,
                   {kBorder.r, kBorder.g, kBorder.b, 255});
     }
@@ -71,6 +60,16 @@ void draw_borders(Image& image, const verifier::DeviationField& field, const Map
 }
 
 }  // namespace
+
+Rgba hatch_colour(std::size_t x, std::size_t y) {
+  return (x + y) % kHatchPeriod < kHatchPeriod / 3 ? kHatchDark : kHatchLight;
+}
+
+bool on_patch_border(const Sample& a, const Sample& b) {
+  const auto same_end = [](double p, double q) { return p == q && (p == 0 || p == 1); };
+  return a.place.patch == b.place.patch &&
+         (same_end(a.place.u, b.place.u) || same_end(a.place.v, b.place.v));
+}
 
 MapFrame map_frame(const verifier::DeviationField& field, int largest_width, int largest_height) {
   model::Box3 box;
@@ -88,7 +87,7 @@ MapFrame map_frame(const verifier::DeviationField& field, int largest_width, int
 void draw_hatch(Image& image, int left, int top, int size) {
   Image fine(size * kOversampling, size * kOversampling);
   for (int y = 0; y < fine.height(); ++y)
-    for (int x = 0; x < fine.width(); ++x) fine.at(x, y) = hatch(x, y);
+    for (int x = 0; x < fine.width(); ++x) fine.at(x, y) = hatch_colour(x, y);
   image.draw(fine.halved(), left, top);
 }
 
@@ -101,7 +100,7 @@ Image draw_map(const verifier::DeviationField& field, const DeviationScale& scal
   Image image(fine.width, fine.height);
   for (std::size_t i = 0; i < image.pixels().size(); ++i) {
     if (layers.depth.is_empty(i)) continue;
-    image.pixels()[i] = layers.reachable[i] < 0.5f ? hatch(i % fine.width, i / fine.width)
+    image.pixels()[i] = layers.reachable[i] < 0.5f ? hatch_colour(i % fine.width, i / fine.width)
                                                    : scale.colour(layers.deviation_mm[i]);
   }
   Image out = image.halved();

@@ -25,6 +25,12 @@ MapFrame map_frame(const verifier::DeviationField& field, int largest_width, int
 Image draw_map(const verifier::DeviationField& field, const DeviationScale& scale,
                const MapFrame& frame);
 
+/// The hatching that stands for unreachable surface at one pixel of a picture that is twice as fine
+/// as what is shown.
+Rgba hatch_colour(std::size_t x, std::size_t y);
+/// Whether the edge from `a` to `b` lies on the border of their patch.
+bool on_patch_border(const verifier::DeviationField::Sample& a,
+                     const verifier::DeviationField::Sample& b);
 /// A square of the hatching that stands for unreachable surface.
 void draw_hatch(Image& image, int left, int top, int size);
 

@@ -3,14 +3,13 @@
 #include <png.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace limitgauge::reports {
 namespace {
 
 std::uint8_t channel(double value) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
 }
 
 /// The mean of four pixels, each colour weighed by its alpha.

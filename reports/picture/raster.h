@@ -23,10 +23,12 @@ class DepthBuffer {
   int width() const { return width_; }
   int height() const { return height_; }
   bool is_empty(std::size_t pixel) const { return std::isinf(depth_[pixel]); }
+  /// z of what is nearest there.
+  double nearest(std::size_t pixel) const { return depth_[pixel]; }
 
   /// Calls `paint(pixel, weights)` for each pixel whose centre lies in the triangle where it is
-  /// nearer than all before; `weights` are the barycentric coordinates (an orthographic view:
-  /// linear on the screen). Either orientation.
+  /// nearer than all before; `weights` are the barycentric coordinates on the screen, which are
+  /// those in space in a parallel view: see in_space. Either orientation.
   template <typename Paint>
   void fill_triangle(const std::array<ScreenPoint, 3>& t, Paint&& paint);
 
@@ -34,6 +36,15 @@ class DepthBuffer {
   int width_, height_;
   std::vector<float> depth_;
 };
+
+/// Barycentric coordinates on the screen as those in space, of a triangle in perspective whose z
+/// are inverse distances.
+inline std::array<double, 3> in_space(const std::array<double, 3>& on_screen,
+                                      const std::array<ScreenPoint, 3>& t) {
+  const double a = on_screen[0] * t[0].z, b = on_screen[1] * t[1].z, c = on_screen[2] * t[2].z;
+  const double sum = a + b + c;
+  return {a / sum, b / sum, c / sum};
+}
 
 template <typename Paint>
 void DepthBuffer::fill_triangle(const std::array<ScreenPoint, 3>& t, Paint&& paint) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/picture/marker.h"
 #include "reports/picture/raster.h"
-#include "reports/picture/strokes.h"
 
 namespace limitgauge::reports {
 namespace {
@@ -13,7 +13,6 @@ using model::Vec3;
 
 constexpr int kOversampling = 2;
 constexpr int kMargin = 24;
-constexpr Rgba kInk{96, 104, 116};
 
 /// A parallel view: where the viewer stands, and what is right and up on the screen.
 struct View {
@@ -64,22 +63,6 @@ Rgba shaded(const Vec3& normal, const View& view) {
   return {tone(196), tone(204), tone(216)};
 }
 
-void draw_axes(Image& image, const View& view) {
-  constexpr double kLength = 46;
-  const PixelPoint origin{kMargin + 34.0, image.height() - kMargin - 26.0};
-  const struct {
-    const char* letter;
-    Vec3 direction;
-  } axes[] = {{"X", {1, 0, 0}}, {"Y", {0, 1, 0}}, {"Z", {0, 0, 1}}};
-  for (const auto& axis : axes) {
-    const double dx = model::dot(axis.direction, view.right) * kLength;
-    const double dy = -model::dot(axis.direction, view.up) * kLength;
-    draw_stroke(image, {origin, {origin.x + dx, origin.y + dy}}, 3, kInk);
-    draw_text(image, axis.letter, {origin.x + 1.28 * dx - 6, origin.y + 1.28 * dy + 9},
-              {18, kInk, 0.15});
-  }
-}
-
 }  // namespace
 
 Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width) {
@@ -97,7 +80,7 @@ Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width) {
     });
   }
   Image image = fine.halved();
-  draw_axes(image, view);
+  draw_axes(image, view.right, view.up, {kMargin + 34.0, image.height() - kMargin - 26.0});
   return image;
 }
 

@@ -69,11 +69,57 @@ constexpr Glyph kGlyphs[] = {
     {"x", "0k5d 5k0d"},
     {"y", "0k3d 6k3d1a"},
     {"z", "0k5k0d5d"},
+    {"A", "0d3n6d 1g5g"},
+    {"B", "0d0n4n5m5j4i0i 4i6h6e5d0d"},
+    {"C", "~6l6n0n0d6d6f"},
+    {"D", "0d0n3n ~3n6n6d3d 3d0d"},
+    {"E", "6n0n0d6d 0i4i"},
+    {"F", "6n0n0d 0i4i"},
     {"G", "~6l6n0n0d6d6h 6h3h"},
+    {"H", "0n0d 6n6d 0i6i"},
+    {"I", "0n0d"},
+    {"J", "~4n4d0d0f"},
+    {"K", "0n0d 6n0h 2j6d"},
+    {"L", "0n0d5d"},
+    {"M", "0d0n4g8n8d"},
+    {"N", "0d0n6d6n"},
+    {"O", "@0d7d7n0n"},
+    {"P", "0d0n3n ~3n6n6h3h 3h0h"},
+    {"Q", "@0d7d7n0n 4g7c"},
+    {"R", "0d0n3n ~3n6n6h3h 3h0h 3h6d"},
+    {"S", "~6l6n0n0i6i6d0d0f"},
+    {"T", "0n6n 3n3d"},
     {"U", "~0n0d6d6n"},
+    {"V", "0n3d6n"},
+    {"W", "0n2d4n6d8n"},
     {"X", "0n6d 6n0d"},
     {"Y", "0n3i6n 3i3d"},
     {"Z", "0n6n0d6d"},
+    {"_", "0c6c"},
+    {"%", "@0j2j2n0n @5d7d7h5h 6n1d"},
+    {"#", "2n1d 5n4d 0k6k 0g6g"},
+    {"[", "2n0n0c2c"},
+    {"]", "0n2n2c0c"},
+    {"<", "5k0h5e"},
+    {">", "0k5h0e"},
+    {"'", "0n0l"},
+    {"\"", "0n0l 2n2l"},
+    {"!", "0n0g 0d"},
+    {"?", "~0l0n5n5i2i 2i2g 2d"},
+    {"*", "2l2h 0k4i 4k0i"},
+    {"&", "6d1l ~1l1n4n4l 4l0g ~0g0d4d6h"},
+    {"@", "@2f5f5j2j ~5j5f8f8n0n0d6d"},
+    {"$", "~5l5m0m0i5i5e0e0f 3o3c"},
+    {";", "1d0b 1j"},
+    {"|", "0n0c"},
+    {"\\", "0n5c"},
+    {"~", "~0g0j3i3g6g6j"},
+    {"^", "0k2n4k"},
+    {"`", "0n2l"},
+    {"{", "3n1n1i0h1g1c3c"},
+    {"}", "0n2n2i3h2g2c0c"},
+    {"…", "0d 3d 6d"},
+    {"\xEF\xBF\xBD", "0d0n6n6d0d"},
 };
 
 /// Takes the first character off `text`.
@@ -90,6 +136,13 @@ const Glyph* find_glyph(std::string_view character) {
   const auto* glyph = std::find_if(std::begin(kGlyphs), end,
                                    [&](const Glyph& g) { return g.character == character; });
   return glyph == end ? nullptr : glyph;
+}
+
+/// What is drawn for `character`: a box where it has no glyph, so that names of any writing keep
+/// their length. None for a blank.
+const Glyph* shown_glyph(std::string_view character) {
+  const Glyph* glyph = find_glyph(character);
+  return glyph || character == " " ? glyph : find_glyph("\xEF\xBF\xBD");
 }
 
 /// One round of Chaikin's corner cutting; an open line keeps its ends.
@@ -180,7 +233,7 @@ void draw_text(Image& image, std::string_view text, const PixelPoint& at, const 
   double x = at.x;
   while (!text.empty()) {
     const std::string_view character = next_character(text);
-    const Glyph* glyph = find_glyph(character);
+    const Glyph* glyph = shown_glyph(character);
     if (glyph) draw_glyph(image, *glyph, {x, at.y}, style);
     x += text_width(character, style.height) + kGap * style.height / kCapital;
   }
@@ -190,7 +243,7 @@ double text_width(std::string_view text, double height) {
   double width = 0;
   bool first = true;
   while (!text.empty()) {
-    const Glyph* glyph = find_glyph(next_character(text));
+    const Glyph* glyph = shown_glyph(next_character(text));
     width += (first ? 0 : kGap) + (glyph ? glyph_width(*glyph) : kSpace);
     first = false;
   }

@@ -24,7 +24,7 @@ struct TextStyle {
   double weight = 0.13;  ///< stroke width as a share of the height
 };
 /// Sets `text` with its baseline starting at `at`, in the stroke letters of this folder. A
-/// character without a glyph leaves a gap: see has_glyph.
+/// character without a glyph is a box: see has_glyphs.
 void draw_text(Image& image, std::string_view text, const PixelPoint& at, const TextStyle& style);
 double text_width(std::string_view text, double height);
 /// Whether every character of `text` can be drawn.

@@ -59,6 +59,27 @@ TEST_CASE("verify gates only what it is told", "[unit][command_line]") {
   CHECK_THAT(error_of(more), ContainsSubstring("--allowance"));
 }
 
+TEST_CASE("view takes a folder, a port and whether to open a browser", "[unit][command_line]") {
+  const CommandLine plain_line = parse({"view", "out"});
+  const auto& plain = std::get<ViewCommand>(plain_line.command);
+  CHECK(plain.folder == "out");
+  CHECK(plain.port == 0);
+  CHECK_FALSE(plain.no_browser);
+  const CommandLine stated_line = parse({"view", "--port", "8080", "--no-browser", "out"});
+  const auto& stated = std::get<ViewCommand>(stated_line.command);
+  CHECK(stated.port == 8080);
+  CHECK(stated.no_browser);
+}
+
+TEST_CASE("the texts for manual and shells are printed", "[unit][command_line]") {
+  for (const char* kind : {"man", "bash", "zsh", "fish"}) {
+    const CommandLine line = parse({"--generate", kind});
+    CHECK_THAT(std::get<PrintCommand>(line.command).text, ContainsSubstring("--verbose") ||
+                                                              ContainsSubstring("-l verbose") ||
+                                                              ContainsSubstring("\\-verbose"));
+  }
+}
+
 TEST_CASE("usage that cannot be obeyed is refused", "[unit][command_line]") {
   CHECK_THAT(error_of({}), ContainsSubstring("subcommand"));
   CHECK_THAT(error_of({"run"}), ContainsSubstring("JOB is required"));
@@ -70,18 +91,24 @@ TEST_CASE("usage that cannot be obeyed is refused", "[unit][command_line]") {
              ContainsSubstring("--samples"));
   CHECK_THAT(error_of({"inspect", "c.obj", "--set", "a=1"}), ContainsSubstring("--set"));
   CHECK_THAT(error_of({"run", "a.toml", "--quiet", "--verbose"}), ContainsSubstring("contradict"));
-  for (const char* later : {"compare", "study", "history", "view"}) {
-    CHECK_THAT(error_of({later}), ContainsSubstring("not in this release"));
+  CHECK_THAT(error_of({"view"}), ContainsSubstring("DIR is required"));
+  CHECK_THAT(error_of({"view", "out", "--port", "70000"}), ContainsSubstring("--port"));
+  CHECK_THAT(error_of({"view", "out", "--set", "a=1"}), ContainsSubstring("--set"));
+  CHECK_THAT(error_of({"--generate", "tcsh"}), ContainsSubstring("expected man, bash"));
+  CHECK_THAT(error_of({"--generate"}), ContainsSubstring("expected man, bash"));
+  for (const char* later : {"compare", "study", "history"}) {
+    CHECK_THAT(error_of({later}), ContainsSubstring("not in this release; expected run, plan, "
+                                                    "verify, inspect or view"));
   }
 }
 
 TEST_CASE("help names what there is and nothing else", "[unit][command_line]") {
   const CommandLine all = parse({"--help"});
   const std::string& text = std::get<PrintCommand>(all.command).text;
-  for (const char* word : {"run", "plan", "verify", "inspect", "Exit codes"}) {
+  for (const char* word : {"run", "plan", "verify", "inspect", "view", "Exit codes"}) {
     CHECK_THAT(text, ContainsSubstring(word));
   }
-  for (const char* word : {"compare", "study", "history", "view"}) {
+  for (const char* word : {"compare", "study", "history", "--generate"}) {
     CHECK_THAT(text, !ContainsSubstring(word));
   }
   const CommandLine verify = parse({"verify", "--help"});

@@ -186,6 +186,17 @@ TEST_CASE("one digit changed is found on its line", "[e2e][foreign]") {
   for (const json& text : finish["program_lines"]) shown |= text["line"] == line;
   CHECK(shown);
   CHECK_THAT(read_text(bench.scratch / "out/report.html"), ContainsSubstring("N165 G1 Z-0.5"));
+  // The same in the file that editors and code scanning read.
+  const json run = json::parse(read_text(bench.scratch / "out/findings.sarif"))["runs"][0];
+  CHECK(run["artifacts"].size() == 1);
+  const json& first = run["results"][0];
+  CHECK(first["ruleId"] == "gouge");
+  CHECK(first["level"] == "error");
+  const json& place = first["locations"][0]["physicalLocation"];
+  CHECK(place["artifactLocation"]["uri"] == "plate.ngc");
+  CHECK(place["artifactLocation"]["uriBaseId"] == "JOB");
+  CHECK(place["region"]["startLine"] == line);
+  CHECK(line_of(program, place["region"]["snippet"]["text"]) == line);
 }
 
 TEST_CASE("a line lost leaves material beside the lines that remain", "[e2e][foreign]") {

@@ -70,6 +70,42 @@ TEST_CASE("a figure without a limit is skipped", "[unit][junit]") {
              ContainsSubstring("no limit stated"));
 }
 
+TEST_CASE("failures of the process name the worst move", "[unit][junit]") {
+  const pugi::xml_document document = parsed(sample_result(Outcome::failed));
+  const auto message = [&](const std::string& figure) {
+    return std::string(document.select_node(("//testcase[@name='" + figure + "']/failure").c_str())
+                           .node()
+                           .attribute("message")
+                           .value());
+  };
+  CHECK_THAT(message("rapid collisions"),
+             ContainsSubstring("840 µm") || ContainsSubstring("0.840 mm"));
+  CHECK_THAT(message("rapid collisions"),
+             ContainsSubstring("line 423 of semi-finish/toolpath.ngc"));
+  CHECK_THAT(message("holder collisions"), ContainsSubstring("line 1513"));
+  CHECK_THAT(message("process faults"), ContainsSubstring("line 1612"));
+}
+
+TEST_CASE("a suite says what was asked for, and times that add up", "[unit][junit]") {
+  const pugi::xml_document document = parsed(sample_result(Outcome::passed));
+  const pugi::xml_node suite = document.select_node("//testsuite[@name='finish']").node();
+  const auto property = [&](const char* name) {
+    return std::string(suite.child("properties")
+                           .find_child_by_attribute("property", "name", name)
+                           .attribute("value")
+                           .value());
+  };
+  CHECK(property("tool") == "ball3");
+  CHECK(property("strategy") == "zigzag");
+  CHECK(property("program") == "finish/toolpath.ngc");
+  CHECK(property("verdict") == "pass");
+  double seconds = 0;
+  for (const pugi::xml_node test : suite.children("testcase"))
+    seconds += test.attribute("time").as_double();
+  CHECK(seconds == Approx(11.4 + 6.2));
+  CHECK(seconds <= suite.attribute("time").as_double());
+}
+
 TEST_CASE("a verdict that no figure explains is kept", "[unit][junit]") {
   RunResult result = sample_result(Outcome::passed);
   result.stages[0].decision = {verifier::Verdict::fail, {"for a reason of its own"}};

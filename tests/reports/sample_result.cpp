@@ -54,6 +54,7 @@ verifier::DeviationField make_field(const Shape& shape, int n) {
   const auto share = [&](int i) { return i == 0 || i == n - 1 ? 0.5 : 1.0; };
   for (int patch = 0; patch < kPatchesX * kPatchesY; ++patch) {
     const auto base = static_cast<std::uint32_t>(field.samples.size());
+    field.grids.push_back({patch, std::uint32_t(n), std::uint32_t(n), base});
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
         field.samples.push_back(sample_at(patch, double(i) / (n - 1), double(j) / (n - 1),
@@ -303,6 +304,25 @@ RunResult sample_result(Outcome outcome, int samples_per_edge) {
   r.verdict = failed ? verifier::Verdict::fail
               : open ? verifier::Verdict::indeterminate
                      : verifier::Verdict::pass;
+  return r;
+}
+
+RunResult foreign_result(int samples_per_edge) {
+  RunResult r = sample_result(Outcome::failed, samples_per_edge);
+  r.job = "=HYPERLINK(\"x\")<b>&";
+  r.stages[0].name = "=1+1", r.stages[1].name = "@semi \"{0}\", [a](b)";
+  r.stages[2].name = "</script><b>";
+  r.stages[0].program = r.stages[1].program = "nc/part 1 (T1-T2) é#?.ngc";
+  r.stages[0].program_part = "T1", r.stages[1].program_part = "T2";
+  r.stages[2].program = "/nc/finish.ngc";
+  for (StageResult& stage : r.stages) stage.strategy.clear();
+  // The rough stage's move made the worst gouge, its passes lie around the worst leftover, and a
+  // second one stands where no pass came.
+  verifier::StageDeviation& d = r.stages[1].ran->deviation;
+  d.gouges.front().stage = 0;
+  d.uncuts.front().passes = {{1, 90, 100, 0.25}, {0, 95, 105, 0.5}};
+  d.uncuts[1].raw_stock = true, d.uncuts[1].line = 0, d.uncuts[1].move = 0;
+  r.stages[1].limits.has_uncut = false;
   return r;
 }
 

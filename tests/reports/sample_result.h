@@ -13,4 +13,8 @@ enum class Outcome { passed, failed, indeterminate };
 /// `samples_per_edge` samples along each patch edge.
 RunResult sample_result(Outcome outcome, int samples_per_edge = 9);
 
+/// The failed job with programs of somebody else in place of planned paths: the first two stages
+/// share one, and names try to be formulas, markup, links and placeholders.
+RunResult foreign_result(int samples_per_edge = 41);
+
 }  // namespace limitgauge::reports

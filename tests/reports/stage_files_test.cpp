@@ -35,10 +35,10 @@ StageResult stage_with_stock() {
 TEST_CASE("a stage that ran leaves its files, twice the same", "[unit][files]") {
   const tests::TemporaryFolder a, b;
   const StageResult stage = stage_with_stock();
-  const auto [pictures, surface] = write_stage_files(stage, a.path(), {});
+  const auto [pictures, surface, path_view] = write_stage_files(stage, a.path(), {});
   write_stage_files(stage, b.path(), {.control = {3}});
-  for (const char* name :
-       {"toolpath.vtp", "deviation.vtp", "stock.vtp", "deviation.png", "stock.png"}) {
+  for (const char* name : {"toolpath.vtp", "deviation.vtp", "stock.vtp", "deviation.png",
+                           "perspective.png", "stock.png"}) {
     INFO(name);
     CHECK_FALSE(content(a.path() / "finish" / name).empty());
     CHECK(content(a.path() / "finish" / name) == content(b.path() / "finish" / name));
@@ -46,6 +46,7 @@ TEST_CASE("a stage that ran leaves its files, twice the same", "[unit][files]") 
   CHECK_FALSE(content(a.path() / "finish" / "stock.vdb").empty());
   CHECK(content(a.path() / "finish" / "stock.png") == pictures.stock_png);
   CHECK(content(a.path() / "finish" / "deviation.png") == pictures.deviation_png);
+  CHECK(content(a.path() / "finish" / "perspective.png") == pictures.perspective_png);
   const StagePictures drawn = draw_pictures(stage);
   CHECK((drawn.stock_png == pictures.stock_png && drawn.deviation_png == pictures.deviation_png));
   // Of a closed manifold without holes: 2 V - 4 triangles.
@@ -60,12 +61,13 @@ TEST_CASE("pictures can be left out", "[unit][files]") {
   write_stage_files(sample_result(Outcome::passed, 3).stages[0], folder.path(),
                     {.pictures = false});
   CHECK(std::filesystem::exists(folder.path() / "rough" / "deviation.vtp"));
-  CHECK_FALSE(std::filesystem::exists(folder.path() / "rough" / "deviation.png"));
+  for (const char* name : {"deviation.png", "perspective.png", "stock.png"})
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "rough" / name));
 }
 
 TEST_CASE("a stage that was not run leaves nothing", "[unit][files]") {
   const tests::TemporaryFolder folder;
-  const auto [pictures, surface] =
+  const auto [pictures, surface, path_view] =
       write_stage_files(sample_result(Outcome::failed, 3).stages[2], folder.path(), {});
   CHECK(std::filesystem::is_empty(folder.path()));
   CHECK((pictures.deviation_png.empty() && pictures.stock_png.empty() && !surface));

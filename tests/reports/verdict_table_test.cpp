@@ -44,6 +44,22 @@ TEST_CASE("the table fits 100 columns and stays aligned", "[unit][table]") {
   for (int row = 1; row < 4; ++row) CHECK(code_points(lines[row]) == code_points(lines[0]));
 }
 
+TEST_CASE("on 80 columns the intervals have lines of their own", "[unit][table]") {
+  RunResult result = sample_result(Outcome::failed);
+  result.stages[0].name = std::string(70, 'n');
+  result.stages[0].program = std::string(70, 'p');
+  const std::string text = verdict_table(result, false, 80);
+  INFO(text);
+  const auto lines = lines_of(text);
+  for (const std::string& line : lines) CHECK(code_points(line) <= 80);
+  CHECK_THAT(lines[0], !ContainsSubstring("gouge"));
+  CHECK_THAT(lines[1], ContainsSubstring("nnn…") && ContainsSubstring("pass"));
+  CHECK(lines[2].starts_with("  gouge ["));
+  CHECK_THAT(lines[2], ContainsSubstring("   uncut ["));
+  CHECK(code_points(lines[1]) == code_points(lines[0]));
+  CHECK(lines.back() == "verdict: fail");
+}
+
 TEST_CASE("colour changes nothing but the colour", "[unit][table]") {
   const RunResult result = sample_result(Outcome::failed);
   std::string coloured = verdict_table(result, true);

@@ -62,6 +62,33 @@ TEST_CASE("VTK reads a toolpath back", "[unit][vtk]") {
   }
 }
 
+TEST_CASE("VTK reads what each move removed", "[unit][vtk]") {
+  const tests::TemporaryFolder folder;
+  const RunResult result = sample_result(Outcome::passed, 3);
+  const model::Toolpath& path = *result.stages[2].ran->path;
+  std::vector<simulator::MoveRemoval> removal;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const double n = double(i);
+    removal.push_back({0.5 * n, 3 * n, 0.25 * n, 0.125 * n});
+  }
+  write_toolpath_vtp(path, folder.path() / "toolpath.vtp", removal);
+  const auto mesh = read_back(folder.path() / "toolpath.vtp");
+  vtkCellData* data = mesh->GetCellData();
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const auto id = static_cast<vtkIdType>(i);
+    CHECK(value(data, "line", id) == path.moves[i].line);
+    CHECK(value(data, "removed_volume_mm3", id) == removal[i].volume_mm3);
+    CHECK(value(data, "removal_rate_mm3_min", id) == removal[i].rate_mm3_min);
+    CHECK(value(data, "axial_engagement_mm", id) == removal[i].axial_mm);
+    CHECK(value(data, "radial_engagement_mm", id) == removal[i].radial_mm);
+  }
+  // Figures for other moves than these would colour the wrong ones: they are left out.
+  removal.pop_back();
+  write_toolpath_vtp(path, folder.path() / "other.vtp", removal);
+  CHECK_FALSE(
+      read_back(folder.path() / "other.vtp")->GetCellData()->HasArray("removal_rate_mm3_min"));
+}
+
 TEST_CASE("VTK reads a deviation field back", "[unit][vtk]") {
   const tests::TemporaryFolder folder;
   // 43,320 samples: more than one compressed block an array.

@@ -2,6 +2,7 @@
 
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
+#include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/LevelSetSphere.h>
 #include <openvdb/tools/LevelSetUtil.h>
 
@@ -125,6 +126,26 @@ TEST_CASE("the stock of a run comes back as its zero set", "[property][mesh][vdb
   CHECK(far < 0.5);
   CHECK(sum / static_cast<double>(back.mesh.vertices.size()) < 0.01);
   CHECK(model::bounding_box(back.mesh).high.z <= 0);
+}
+
+TEST_CASE("OpenVDB reads the stock of a run by itself", "[unit][vdb]") {
+  const File file("limitgauge_vdb_plain.vdb");
+  const StockModel stock = slotted_block();
+  stock.write_vdb(file.path());
+  openvdb::io::File in(file.path().string());
+  in.open();
+  const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(in.readGrid("stock"));
+  in.close();
+  REQUIRE(grid);
+  CHECK(grid->getGridClass() == openvdb::GRID_LEVEL_SET);
+  CHECK(grid->voxelSize() == openvdb::Vec3d(0.5));
+  const openvdb::tools::GridSampler<openvdb::FloatGrid, openvdb::tools::BoxSampler> at(*grid);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<> x(-12, 12), y(-10, 10), z(-8, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p{x(random), y(random), z(random)};
+    CHECK(at.wsSample({p.x, p.y, p.z}) == Approx(stock.value(p)).margin(1e-5));
+  }
 }
 
 TEST_CASE("the zero set of a ball", "[unit][mesh][vdb]") {

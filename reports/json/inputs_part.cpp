@@ -1,11 +1,11 @@
-#include "reports/json_inputs.h"
+#include "reports/json/inputs_part.h"
 
 #include "reports/text.h"
 
-namespace limitgauge::reports {
+namespace limitgauge::reports::json {
 
-nlohmann::ordered_json inputs_json(const std::vector<InputFile>& inputs) {
-  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+Json inputs_part(const std::vector<InputFile>& inputs) {
+  Json out = Json::array();
   for (const InputFile& input : inputs)
     out.push_back({{"role", clean_text(input.role)},
                    {"file", clean_text(input.file)},
@@ -14,4 +14,4 @@ nlohmann::ordered_json inputs_json(const std::vector<InputFile>& inputs) {
   return out;
 }
 
-}  // namespace limitgauge::reports
+}  // namespace limitgauge::reports::json

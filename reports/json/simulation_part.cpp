@@ -1,0 +1,103 @@
+#include "reports/json/simulation_part.h"
+
+#include "reports/process.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports::json {
+namespace {
+
+Json collision(const simulator::Finding& c, bool with_part) {
+  Json out = {{"line", c.line},
+              {"move", c.move},
+              {"x", finite("collision.x", c.point.x)},
+              {"y", finite("collision.y", c.point.y)},
+              {"z", finite("collision.z", c.point.z)},
+              {"depth_mm", finite("collision.depth_mm", c.depth_mm)}};
+  if (with_part) out["part"] = clean_text(c.part);
+  return out;
+}
+
+Json rapid_collisions(const std::vector<simulator::Finding>& all) {
+  Json out = Json::array();
+  for (const simulator::Finding& f : all)
+    if (f.kind == simulator::FindingKind::rapid_through_stock) out.push_back(collision(f, false));
+  return out;
+}
+
+Json holder_collisions(const std::vector<simulator::Finding>& all) {
+  Json out = Json::array();
+  for (const simulator::Finding& f : all)
+    if (is_holder_collision(f.kind)) out.push_back(collision(f, true));
+  return out;
+}
+
+/// Runs of moves with the same finding as one entry, at its worst place.
+Json process_findings(const std::vector<simulator::Finding>& all) {
+  Json out = Json::array();
+  for (const simulator::FindingGroup& g : simulator::group_findings(all)) {
+    const simulator::Finding& f = g.worst;
+    const bool near = f.kind == simulator::FindingKind::near_miss;
+    out.push_back({{"kind", simulator::name(g.kind)},
+                   {"fails", fails(g.kind)},
+                   {"part", clean_text(g.part)},
+                   {"against", clean_text(g.against)},
+                   {"first_line", g.first_line},
+                   {"last_line", g.last_line},
+                   {"count", g.count},
+                   {"line", f.line},
+                   {"move", f.move},
+                   {"x", finite("process.x", f.point.x)},
+                   {"y", finite("process.y", f.point.y)},
+                   {"z", finite("process.z", f.point.z)},
+                   {near ? "distance_mm" : "depth_mm",
+                    finite("process.depth_mm", near ? -f.depth_mm : f.depth_mm)}});
+  }
+  return out;
+}
+
+Json removal_part(const simulator::RemovalTotals& t) {
+  return {{"volume_mm3", finite("removal.volume_mm3", t.volume_mm3)},
+          {"largest_rate_mm3_min", finite("removal.rate", t.largest_rate_mm3_min)},
+          {"largest_rate_move", t.largest_rate_move},
+          {"largest_axial_engagement_mm", finite("removal.axial", t.largest_axial_mm)},
+          {"largest_radial_engagement_mm", finite("removal.radial", t.largest_radial_mm)},
+          {"air_length_mm", finite("removal.air_length_mm", t.air_length_mm)},
+          {"air_time_s", finite("removal.air_time_s", t.air_time_s)},
+          {"line_spacing_mm", finite("removal.line_spacing_mm", t.spacing_mm)}};
+}
+
+Json surface_part(const StockSurfaceFigures& s) {
+  return {{"vertices", s.vertices},
+          {"triangles", s.triangles},
+          {"voxel_mm", finite("simulation.surface.voxel_mm", s.voxel_mm)},
+          {"unmoved_vertices", s.unmoved_vertices}};
+}
+
+Json agreement_part(const simulator::StockAgreement& a) {
+  return {
+      {"lines", a.lines},
+      {"ends", a.ends},
+      {"worst_end_mm", finite("agreement.worst_end_mm", a.worst_end_mm)},
+      {"worst_side_mm", finite("agreement.worst_side_mm", a.worst_side_mm)},
+      {"volume_difference_mm3", finite("agreement.volume", a.volume_difference_mm3())},
+      {"volume_error_mm3", finite("agreement.error", a.dexel_error_mm3 + a.level_set_error_mm3)}};
+}
+
+}  // namespace
+
+Json simulation_part(const StageResult::Ran& r) {
+  Json out = {{"voxel_mm", finite("simulation.voxel_mm", r.voxel_mm)},
+              {"removed_volume_mm3", finite("simulation.removed_volume_mm3", r.removed_volume_mm3)},
+              {"tiles", r.tiles},
+              {"seconds", finite("simulation.seconds", r.simulation_seconds)},
+              {"peak_memory_bytes", r.peak_memory_bytes},
+              {"removal", removal_part(r.removal.totals)},
+              {"agreement", agreement_part(r.agreement)},
+              {"rapid_collisions", rapid_collisions(r.process)},
+              {"holder_collisions", holder_collisions(r.process)},
+              {"findings", process_findings(r.process)}};
+  if (r.surface) out["surface"] = surface_part(*r.surface);
+  return out;
+}
+
+}  // namespace limitgauge::reports::json

@@ -1,0 +1,72 @@
+#include "reports/json/stage_part.h"
+
+#include "reports/json/deviation_part.h"
+#include "reports/json/simulation_part.h"
+#include "reports/json/toolpath_part.h"
+#include "reports/program_lines.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports::json {
+namespace {
+
+/// Only the figures that the job limits.
+Json gate_part(const verifier::GateLimits& l) {
+  Json out = Json::object();
+  if (l.has_gouge) out["gouge_mm"] = finite("gate.gouge_mm", l.gouge_mm);
+  if (l.has_uncut) out["uncut_mm"] = finite("gate.uncut_mm", l.uncut_mm);
+  if (l.has_coverage) out["coverage"] = finite("gate.coverage", l.coverage);
+  return out;
+}
+
+Json cutter_part(const model::Cutter& c) {
+  return {{"type", model::name(c.type)},
+          {"diameter_mm", finite("cutter.diameter_mm", c.diameter_mm)},
+          {"corner_radius_mm", finite("cutter.corner_radius_mm", c.corner_radius_mm)},
+          {"flute_length_mm", finite("cutter.flute_length_mm", c.flute_length_mm)},
+          {"taper_angle_deg", finite("cutter.taper_angle_deg", c.taper_angle_deg)},
+          {"tip_angle_deg", finite("cutter.tip_angle_deg", c.tip_angle_deg)},
+          {"text", model::to_text(c)}};
+}
+
+/// The text of the lines that findings name, of whatever stage found them.
+Json named_program_lines(const RunResult& result, std::size_t index) {
+  Json out = Json::array();
+  if (!result.stages[index].ran || !result.stages[index].ran->program_text) return out;
+  std::vector<std::uint32_t> wanted;
+  for (std::size_t stage = index; stage < result.stages.size(); ++stage)
+    for (const NamedLine& named : named_lines(result, stage, std::string::npos))
+      if (named.stage == index) wanted.push_back(named.line);
+  for (const ProgramLine& line : program_lines(*result.stages[index].ran->program_text, wanted, 0))
+    out.push_back({{"line", line.line}, {"text", line.text}});
+  return out;
+}
+
+}  // namespace
+
+Json stage_part(const RunResult& result, std::size_t index) {
+  const StageResult& s = result.stages[index];
+  Json out = {{"name", clean_text(s.name)}, {"tool", clean_text(s.tool)}};
+  out["cutter"] = cutter_part(s.cutter);
+  if (s.program.empty()) {
+    out["strategy"] = clean_text(s.strategy);
+  } else {
+    out["program"] = clean_text(s.program);
+    if (!s.program_part.empty()) out["program_part"] = clean_text(s.program_part);
+  }
+  out["allowance_mm"] = finite("stage.allowance_mm", s.allowance_mm);
+  out["step_mm"] = finite("stage.step_mm", s.step_mm);
+  out["tolerance_mm"] = finite("stage.tolerance_mm", s.tolerance_mm);
+  out["gate"] = gate_part(s.limits);
+  out["verdict"] = verifier::name(s.verdict());
+  out["reasons"] = texts(s.decision.reasons);
+  if (s.ran) {
+    out["toolpath"] = toolpath_part(*s.ran);
+    out["program_lines"] = named_program_lines(result, index);
+    out["simulation"] = simulation_part(*s.ran);
+    out["deviation"] = deviation_part(result, s.ran->deviation);
+  }
+  out["seconds"] = finite("stage.seconds", s.seconds);
+  return out;
+}
+
+}  // namespace limitgauge::reports::json

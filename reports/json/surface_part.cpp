@@ -1,0 +1,60 @@
+#include "reports/json/surface_part.h"
+
+#include "reports/text.h"
+
+namespace limitgauge::reports::json {
+namespace {
+
+const char* rule_name(model::BoundaryRule rule) {
+  switch (rule) {
+    case model::BoundaryRule::none:
+      return "none";
+    case model::BoundaryRule::edge_and_corner:
+      return "edge_and_corner";
+    case model::BoundaryRule::edge_only:
+      break;
+  }
+  return "edge_only";
+}
+
+Json rules_part(const verifier::SurfaceRules& r) {
+  return {{"scheme", "catmull-clark"},
+          {"boundary", rule_name(r.boundary)},
+          {"creases", "uniform"},
+          {"infinite_sharpness", finite("rules.infinite_sharpness", r.infinite_sharpness)},
+          {"sharp_edges", r.sharp_edges},
+          {"semi_sharp_edges", r.semi_sharp_edges},
+          {"sharp_vertices", r.sharp_vertices},
+          {"semi_sharp_vertices", r.semi_sharp_vertices},
+          {"darts", r.darts},
+          {"holes", r.holes}};
+}
+
+}  // namespace
+
+Json surface_part(const SurfaceResult& s) {
+  return {
+      {"cage", clean_text(s.cage)},
+      {"patches", s.summary.patches},
+      {"faces", s.summary.faces},
+      {"vertices", s.summary.vertices},
+      {"boundary_edges", s.summary.boundary_edges},
+      {"extraordinary_vertices", s.summary.extraordinary_vertices},
+      {"creases", s.summary.creases},
+      {"corners", s.summary.corners},
+      {"holes", s.summary.holes},
+      {"boundary_rule", rule_name(s.rules.boundary)},
+      {"rules", rules_part(s.rules)},
+      {"bbox_mm", Json::array({point("surface.bbox_mm", s.bbox_mm.low),
+                               point("surface.bbox_mm", s.bbox_mm.high)})},
+      {"area_mm2", finite("surface.area_mm2", s.area_mm2)},
+      {"depth", {{"min", s.depth_min}, {"max", s.depth_max}}},
+      {"depths", s.depths},
+      {"sampling_interval", {{"min", s.sampling_interval_min}, {"max", s.sampling_interval_max}}},
+      {"seconds", finite("surface.seconds", s.seconds)},
+      {"memory_bytes", s.memory_bytes},
+      {"cell_bytes_counted", s.cell_bytes_counted},
+      {"cell_bytes_allocated", s.cell_bytes_allocated}};
+}
+
+}  // namespace limitgauge::reports::json

@@ -1,0 +1,128 @@
+#include "reports/page/findings_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/process.h"
+#include "reports/program_lines.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports::page {
+namespace {
+
+constexpr std::uint32_t kLinesAround = 3;
+
+std::string id(char letter, std::size_t index) {
+  return letter + std::to_string(index + 1);
+}
+
+/// The normal of the measured sample nearest to a place; null where its patch was not sampled.
+Json normal_near(const verifier::DeviationField& field, const verifier::SurfacePlace& place) {
+  const auto on_patch = [&](const auto& grid) { return grid.patch == place.patch; };
+  const auto grid = std::find_if(field.grids.begin(), field.grids.end(), on_patch);
+  if (grid == field.grids.end()) return nullptr;
+  const auto nearest = [](double t, std::uint32_t count) {
+    return static_cast<std::size_t>(std::lround(std::clamp(t, 0.0, 1.0) * (count - 1)));
+  };
+  const std::size_t k =
+      grid->first + nearest(place.v, grid->rows) * grid->columns + nearest(place.u, grid->columns);
+  return point_json(field.samples[k].normal);
+}
+
+Json finding_json(const verifier::Finding& f, const verifier::DeviationField& field,
+                  std::string name) {
+  Json out = {{"id", std::move(name)},
+              {"point_mm", point_json(f.place.point)},
+              {"normal", normal_near(field, f.place)},
+              {"depth_mm", f.depth_mm},
+              {"area_mm2", f.area_mm2},
+              {"patch", f.place.patch},
+              {"u", f.place.u},
+              {"v", f.place.v},
+              {"stage", f.stage},
+              {"line", f.line},
+              {"move", f.move},
+              {"raw_stock", f.raw_stock},
+              {"body", clean_text(f.body)}};
+  if (!f.extent_mm.empty())
+    out["extent_mm"] = {point_json(f.extent_mm.low), point_json(f.extent_mm.high)};
+  for (const verifier::NearPass& p : f.passes)
+    out["passes"].push_back(
+        {{"stage", p.stage}, {"line", p.line}, {"move", p.move}, {"distance_mm", p.distance_mm}});
+  return out;
+}
+
+Json findings_list(const std::vector<verifier::Finding>& findings,
+                   const verifier::DeviationField& field, char letter) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < std::min(findings.size(), kMostFindings); ++i)
+    out.push_back(finding_json(findings[i], field, id(letter, i)));
+  return out;
+}
+
+Json process_list(const std::vector<simulator::FindingGroup>& groups) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < std::min(groups.size(), kMostFindings); ++i) {
+    const simulator::FindingGroup& g = groups[i];
+    out.push_back({{"id", id('P', i)},
+                   {"kind", simulator::name(g.kind)},
+                   {"words", words_for(g.kind)},
+                   {"fails", fails(g.kind)},
+                   {"line", g.worst.line},
+                   {"move", g.worst.move},
+                   {"first_line", g.first_line},
+                   {"last_line", g.last_line},
+                   {"count", g.count},
+                   {"point_mm", point_json(g.worst.point)},
+                   {"depth_mm", g.worst.depth_mm},
+                   {"part", clean_text(g.part)},
+                   {"against", clean_text(g.against)}});
+  }
+  return out;
+}
+
+/// Lines of stage `named`'s program that the passes around leftovers of stage `by` name.
+void add_passes(const StageResult& by, std::size_t named, std::vector<std::uint32_t>& lines) {
+  if (!by.ran) return;
+  const std::vector<verifier::Finding>& uncuts = by.ran->deviation.uncuts;
+  for (std::size_t i = 0; i < std::min(uncuts.size(), kMostFindings); ++i)
+    for (const verifier::NearPass& p : uncuts[i].passes)
+      if (p.stage == named) lines.push_back(p.line);
+}
+
+}  // namespace
+
+Json point_json(const model::Vec3& p) {
+  return {p.x, p.y, p.z};
+}
+
+Json findings_data(const StageResult::Ran& ran) {
+  const verifier::StageDeviation& d = ran.deviation;
+  const std::vector<simulator::FindingGroup> groups = worst_first(ran.process);
+  return {{"gouges", findings_list(d.gouges, d.field, 'G')},
+          {"gouges_total", d.gouges.size()},
+          {"uncuts", findings_list(d.uncuts, d.field, 'U')},
+          {"uncuts_total", d.uncuts.size()},
+          {"process", process_list(groups)},
+          {"process_total", groups.size()}};
+}
+
+Json text_data(const RunResult& result, std::size_t index, Blob& blob) {
+  const StageResult& stage = result.stages[index];
+  std::vector<std::uint32_t> wanted, lines;
+  for (std::size_t by = 0; by < result.stages.size(); ++by) {
+    for (const NamedLine& named : named_lines(result, by, kMostFindings))
+      if (named.stage == index) wanted.push_back(named.line);
+    add_passes(result.stages[by], index, wanted);
+  }
+  std::vector<std::uint8_t> utf8;
+  if (stage.ran && stage.ran->program_text)
+    for (const ProgramLine& l : program_lines(*stage.ran->program_text, wanted, kLinesAround)) {
+      lines.push_back(l.line);
+      utf8.insert(utf8.end(), l.text.begin(), l.text.end());
+      utf8.push_back('\n');
+    }
+  return {{"line", blob.add(lines)}, {"utf8", blob.add(utf8)}};
+}
+
+}  // namespace limitgauge::reports::page

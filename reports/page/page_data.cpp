@@ -1,0 +1,124 @@
+#include "reports/page/page_data.h"
+
+#include "reports/page/field_data.h"
+#include "reports/page/findings_data.h"
+#include "reports/page/path_data.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports::page {
+namespace {
+
+Json interval_json(const verifier::Interval& interval) {
+  return {{"low", interval.low}, {"high", interval.high}};
+}
+
+Json limits_json(const verifier::GateLimits& limits) {
+  Json out = Json::object();
+  if (limits.has_gouge) out["gouge_mm"] = limits.gouge_mm;
+  if (limits.has_uncut) out["uncut_mm"] = limits.uncut_mm;
+  if (limits.has_coverage) out["coverage"] = limits.coverage;
+  return out;
+}
+
+Json cutter_json(const model::Cutter& cutter) {
+  return {{"type", model::name(cutter.type)},
+          {"diameter_mm", cutter.diameter_mm},
+          {"corner_radius_mm", cutter.corner_radius_mm},
+          {"taper_angle_deg", cutter.taper_angle_deg},
+          {"tip_angle_deg", cutter.tip_angle_deg},
+          {"flute_length_mm", cutter.flute_length_mm}};
+}
+
+std::string source_text(const StageResult& stage) {
+  if (stage.program.empty()) return clean_text(stage.strategy);
+  return "program " + clean_text(stage.program) + (stage.program_part.empty() ? "" : ", ") +
+         clean_text(stage.program_part);
+}
+
+Json stage_json(const StageResult& stage, std::size_t index) {
+  return {{"name", clean_text(stage.name)},
+          {"index", index},
+          {"tool", clean_text(stage.tool)},
+          {"cutter", cutter_json(stage.cutter)},
+          {"path_source", source_text(stage)},
+          {"verdict", verifier::name(stage.verdict())},
+          {"ran", stage.ran.has_value()},
+          {"allowance_mm", stage.allowance_mm},
+          {"limits", limits_json(stage.limits)},
+          {"gouges", Json::array()},
+          {"uncuts", Json::array()},
+          {"process", Json::array()},
+          {"field", nullptr},
+          {"path", nullptr}};
+}
+
+Json figures_json(const verifier::StageDeviation& d) {
+  return {{"gouge_mm", interval_json(d.gouge_mm)},
+          {"uncut_mm", interval_json(d.uncut_mm)},
+          {"percentiles", {{"p01_mm", d.p01_mm}, {"p50_mm", d.p50_mm}, {"p99_mm", d.p99_mm}}},
+          {"histogram", {{"edges_mm", d.histogram.edges_mm}, {"area_mm2", d.histogram.area_mm2}}}};
+}
+
+/// The page's data in the making.
+class Writer {
+ public:
+  explicit Writer(const RunResult& result) : result_(result) {}
+
+  PageData data() {
+    Json stages = Json::array();
+    for (std::size_t i = 0; i < result_.stages.size(); ++i) stages.push_back(stage(i));
+    const model::Box3& box = result_.surface.bbox_mm;
+    const Json json = {{"format", "limitgauge.page/1"},
+                       {"job", clean_text(result_.job)},
+                       {"created", clean_text(result_.created)},
+                       {"version", clean_text(result_.version)},
+                       {"verdict", verifier::name(result_.verdict)},
+                       {"bounds_mm", {point_json(box.low), point_json(box.high)}},
+                       {"surfaces", surfaces_.json()},
+                       {"stages", std::move(stages)},
+                       {"blob_bytes", blob_.bytes().size()}};
+    return {safe_text(json), packed(blob_.bytes())};
+  }
+
+ private:
+  Json stage(std::size_t index) {
+    const StageResult& asked = result_.stages[index];
+    Json out = stage_json(asked, index);
+    out["text"] = text_data(result_, index, blob_);
+    if (!asked.ran) return out;
+    const verifier::StageDeviation& d = asked.ran->deviation;
+    out.update(figures_json(d));
+    out.update(findings_data(*asked.ran));
+    if (!d.field.grids.empty()) {
+      const ShownGrid grid = shown_grid(d.field);
+      out["field"] = field_data(d, grid, surfaces_.add(d.field, grid, blob_), blob_);
+    }
+    if (asked.ran->path_view) out["path"] = path_data(*asked.ran->path_view, blob_);
+    return out;
+  }
+
+  /// Inside a script element nothing but "<" can end or nest it.
+  static std::string safe_text(const Json& json) {
+    std::string out;
+    for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+      if (c == '<') {
+        out += "\\u003c";
+      } else {
+        out += c;
+      }
+    }
+    return out;
+  }
+
+  const RunResult& result_;
+  Blob blob_;
+  Surfaces surfaces_;
+};
+
+}  // namespace
+
+PageData page_data(const RunResult& result) {
+  return Writer(result).data();
+}
+
+}  // namespace limitgauge::reports::page

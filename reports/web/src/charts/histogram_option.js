@@ -1,0 +1,146 @@
+import { grouped, threeDigits } from '../path/words.js';
+import { histogramAxis, leastDecade, placeWords } from './bins.js';
+import { axisOption, commonOption, tooltipLines } from './theme.js';
+
+/** Room for the words of a limit; below NARROW_PX those of both have rows of their own. */
+const LABEL_PX = 135, NARROW_PX = 640;
+
+/**
+ * What ECharts draws of a stage's histogram.
+ * @param {{bars, stage, logarithmic: boolean}} chart bars of bins.js
+ */
+export function histogramOption({ bars, stage, logarithmic }, colours, width_px) {
+  const axis = histogramAxis(stage.histogram, stage.limits);
+  const unit = unitOf(axis);
+  return {
+    ...commonOption(colours, `Histogram of deviation of stage ${stage.name}, area-weighted`),
+    grid: {
+      left: 8, right: 14, top: width_px < NARROW_PX ? 90 : 70, bottom: 34,
+      outerBoundsMode: 'same', outerBoundsContain: 'axisLabel',
+    },
+    tooltip: {
+      ...commonOption(colours, '').tooltip,
+      axisPointer: { type: 'line', lineStyle: { color: colours.soft } },
+      formatter: (params) => barTooltip(params, bars, stage.limits, unit),
+    },
+    xAxis: axisOption(colours, {
+      type: 'value', min: axis.low_mm * unit.per_mm, max: axis.high_mm * unit.per_mm,
+      name: `deviation, ${unit.symbol}`, nameLocation: 'middle', nameGap: 26, splitLine: { show: false },
+      axisLabel: {
+        color: colours.soft, fontSize: 13, hideOverlap: true, showMinLabel: false, showMaxLabel: false,
+        formatter: signedTick,
+      },
+    }),
+    yAxis: areaAxis(colours, bars, logarithmic),
+    series: [barSeries(bars, unit, colours, logarithmic), markSeries(stage, axis, unit, colours, width_px)],
+  };
+}
+
+/** Micrometres where every figure of the axis is below 0.1 mm. */
+export function unitOf({ low_mm, high_mm }) {
+  return Math.max(-low_mm, high_mm) < 0.1 ? { per_mm: 1000, symbol: '\u00b5m' } : { per_mm: 1, symbol: 'mm' };
+}
+
+export const signed = (text, value) => (value > 0 ? `+${text}` : text);
+const signedTick = (value) => signed(String(Number(value.toPrecision(6))).replace('-', '\u2212'), value);
+
+const areaTick = (value) => (value >= 1e4 ? grouped(value) : String(Number(value.toPrecision(6))));
+
+function areaAxis(colours, bars, logarithmic) {
+  return axisOption(colours, {
+    type: logarithmic ? 'log' : 'value', name: 'area, mm\u00b2', nameLocation: 'end', nameGap: 10,
+    nameTextStyle: { color: colours.soft, fontSize: 13, align: 'left', padding: [0, 0, 0, -30] },
+    min: logarithmic ? leastDecade(bars) : 0, splitNumber: 4,
+    axisLine: { show: false, onZero: false }, axisTick: { show: false },
+    axisLabel: { color: colours.soft, fontSize: 13, hideOverlap: true, formatter: areaTick },
+  });
+}
+
+function barSeries(bars, unit, colours, logarithmic) {
+  const base = logarithmic ? leastDecade(bars) : 0;
+  return {
+    type: 'custom', name: 'area', clip: true,
+    encode: { x: 0, y: 1 },
+    data: bars.map(({ low_mm, high_mm, area_mm2 }) => [((low_mm + high_mm) / 2) * unit.per_mm, area_mm2]),
+    renderItem(params, api) {
+      const { low_mm, high_mm, area_mm2, side } = bars[params.dataIndex];
+      const [left, top] = api.coord([low_mm * unit.per_mm, area_mm2]);
+      const [right, bottom] = api.coord([high_mm * unit.per_mm, base]);
+      // A bin that holds anything at all must be seen.
+      const height = Math.max(bottom - top, 2);
+      return {
+        type: 'rect',
+        shape: { x: left, y: bottom - height, width: Math.max(right - left, 1), height },
+        style: { fill: side === 'inside' ? colours.bar : colours[side] },
+      };
+    },
+  };
+}
+
+function barTooltip(params, bars, limits, unit) {
+  const bar = bars[params[0]?.dataIndex];
+  if (!bar) return '';
+  const whole = bars.reduce((sum, { area_mm2 }) => sum + area_mm2, 0);
+  const end = (mm) => signed(threeDigits(mm * unit.per_mm), mm);
+  return tooltipLines([
+    `${end(bar.low_mm)} to ${end(bar.high_mm)} ${unit.symbol}`,
+    `${threeDigits(bar.area_mm2)} mm\u00b2, ${threeDigits((100 * bar.area_mm2) / whole)} % of the surface`,
+    placeWords(bar, limits),
+  ]);
+}
+
+/** Lines for zero, the limits (named above) and the percentiles. */
+function markSeries(stage, axis, unit, colours, width_px) {
+  return {
+    type: 'line', data: [], silent: true,
+    markLine: {
+      silent: true, symbol: 'none', animation: false,
+      data: [
+        { xAxis: 0, lineStyle: { color: colours.soft, width: 1, type: 'dashed' }, label: { show: false } },
+        ...limitMarks(stage.limits, axis, unit, colours, width_px),
+        ...percentileMarks(stage, axis, unit, colours)],
+    },
+  };
+}
+
+function limitMarks({ gouge_mm, uncut_mm }, axis, unit, colours, width_px) {
+  const marks = [['gouge', gouge_mm === undefined ? undefined : -gouge_mm], ['uncut', uncut_mm]];
+  return marks.filter(([, at]) => at !== undefined).map(([side, at]) => {
+    const text = `${side} limit ${Number((Math.abs(at) * unit.per_mm).toPrecision(9))} ${unit.symbol}`;
+    const held = Math.min(Math.max(at, axis.low_mm), axis.high_mm), inside = held === at;
+    const share = (held - axis.low_mm) / (axis.high_mm - axis.low_mm);
+    // Outwards of its line where there is room; in a row of its own where both may meet.
+    const room = (side === 'gouge' ? share : 1 - share) * width_px > LABEL_PX;
+    const outwards = side === 'gouge' ? 'right' : 'left', inwards = side === 'gouge' ? 'left' : 'right';
+    const arrow = side === 'gouge' ? `\u2190 ${text}` : `${text} \u2192`;
+    return {
+      xAxis: held * unit.per_mm,
+      lineStyle: { color: colours.ink, width: inside ? 2 : 0, type: 'solid' },
+      label: { show: true, position: 'end', distance: side === 'gouge' && width_px < NARROW_PX ? 56 : 38,
+        color: colours.ink, fontWeight: 600, fontSize: 13, align: room ? outwards : inwards,
+        formatter: inside ? text : arrow },
+    };
+  });
+}
+
+/** The percentiles that the data have: {name, at_mm}. */
+export function percentilesOf({ percentiles }) {
+  return ['p01', 'p50', 'p99']
+    .filter((name) => Number.isFinite(percentiles?.[`${name}_mm`]))
+    .map((name) => ({ name, at_mm: percentiles[`${name}_mm`] }));
+}
+
+function percentileMarks(stage, axis, unit, colours) {
+  // Their labels stand apart even where all three lie close together.
+  const place = { p01: ['right', 4], p50: ['center', 20], p99: ['left', 4] };
+  return percentilesOf(stage)
+    .filter(({ at_mm }) => at_mm >= axis.low_mm && at_mm <= axis.high_mm)
+    .map(({ name, at_mm }) => ({
+      xAxis: at_mm * unit.per_mm,
+      lineStyle: { color: colours.link, width: 1.5, type: [2, 3] },
+      label: {
+        show: true, position: 'end', distance: place[name][1], align: place[name][0], color: colours.link,
+        fontSize: 13, formatter: name,
+      },
+    }));
+}

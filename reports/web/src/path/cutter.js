@@ -1,0 +1,55 @@
+/**
+ * The outline of a cutter from its tip up, [radius, height] in mm: where it is turned about its axis it
+ * is the tool. Types as in job files; `null` where the figures make none.
+ * @param {{type, diameter_mm, corner_radius_mm?, flute_length_mm?, taper_angle_deg?, tip_angle_deg?}} cutter
+ */
+export function cutterOutline(cutter, arcSteps = 12) {
+  const radius = cutter?.diameter_mm / 2;
+  if (!(radius > 0)) return null;
+  const height = cutter.flute_length_mm > 0 ? cutter.flute_length_mm : 4 * radius;
+  const rise = tangent(cutter.tip_angle_deg), lean = tangent(cutter.taper_angle_deg);
+  const corner = Math.min(cutter.corner_radius_mm ?? 0, radius);
+  if (cutter.type === 'drill' || cutter.type === 'apt')
+    return ending([[0, 0], [radius, rise * radius]], lean, height);
+  const outline = [[0, 0]];
+  if (radius > corner) outline.push([radius - corner, 0]);
+  // The rounding ends where it touches the side.
+  const sweep = Math.PI / 2 - Math.atan(lean);
+  for (let i = 1; corner > 0 && i <= arcSteps; ++i) {
+    const angle = (sweep * i) / arcSteps;
+    outline.push([radius - corner + corner * Math.sin(angle), corner * (1 - Math.cos(angle))]);
+  }
+  return ending(outline, lean, height);
+}
+
+const tangent = (degrees) => Math.tan(((degrees ?? 0) * Math.PI) / 180);
+
+/** `outline` with its side, which gains `lean` of radius for each mm of height, and its upper face. */
+function ending(outline, lean, height) {
+  const [radius, z] = outline[outline.length - 1];
+  const top = Math.max(height, z);
+  const wide = Math.max(0, radius + lean * (top - z));
+  return [...outline, [wide, top], [0, top]];
+}
+
+/**
+ * The body that `outline` sweeps when turned about Z, as wires: circles, and the outline at even angles.
+ * @returns {{points: Float32Array, lines: Uint32Array}} lines as VTK has cells: count, vertices, ...
+ */
+export function wireBody(outline, { around = 32, meridians = 8, circles = 6 } = {}) {
+  const points = [], lines = [];
+  const wire = (vertices) => {
+    lines.push(vertices.length, ...vertices.map((_, i) => points.length / 3 + i));
+    points.push(...vertices.flat());
+  };
+  const at = (radius, z, turn) => {
+    const angle = 2 * Math.PI * turn;
+    return [radius * Math.cos(angle), radius * Math.sin(angle), z];
+  };
+  const rings = outline.filter(([radius]) => radius > 0);
+  const every = Math.max(1, Math.ceil(rings.length / circles));
+  rings.filter((_, i) => (rings.length - 1 - i) % every === 0).forEach(([radius, z]) =>
+    wire(Array.from({ length: around + 1 }, (_, k) => at(radius, z, k / around))));
+  for (let k = 0; k < meridians; ++k) wire(outline.map(([radius, z]) => at(radius, z, k / meridians)));
+  return { points: Float32Array.from(points), lines: Uint32Array.from(lines) };
+}

@@ -1,0 +1,34 @@
+import { make } from './dom.js';
+import { legendTicks, shareOf } from './values.js';
+import { viridisGradient } from './viridis.js';
+import { clockText, threeDigits } from './words.js';
+
+/** What the colours of the path mean, in figures with their unit. */
+export function createLegend() {
+  const title = make('p', { class: 'path-legend-title' });
+  const bar = make('div', { class: 'path-legend-bar' });
+  bar.style.backgroundImage = viridisGradient();
+  const ticks = make('div', { class: 'path-legend-ticks' });
+  const dash = make('span', { class: 'path-dash' });
+  const rapid = make('p', { class: 'path-legend-rapid' }, dash, 'dashed: rapid');
+  const element = make('div', { class: 'path-legend', 'data-testid': 'path-legend' },
+    title, bar, ticks, rapid);
+  return {
+    element,
+    update(chosen) {
+      title.textContent = chosen.key === 'order' ? chosen.label : `${chosen.label} in ${chosen.unit}`;
+      const values = legendTicks(chosen);
+      ticks.replaceChildren(...values.map((value, i) => tick(chosen, value, i === values.length - 1)));
+    },
+    setRapids: (shown) => (rapid.hidden = !shown),
+  };
+}
+
+function tick(chosen, value, last) {
+  const text = chosen.key === 'order' ? clockText(value, 0) : threeDigits(value);
+  const element = make('span', {}, last && chosen.clipped ? `\u2265 ${text}` : text);
+  const share = shareOf(chosen, value);
+  element.style.left = `${100 * share}%`;
+  element.style.transform = `translateX(${-100 * share}%)`;
+  return element;
+}

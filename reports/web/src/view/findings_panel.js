@@ -1,0 +1,115 @@
+import { make } from './dom.js';
+import { exceeds, findingsOf, headline, programAround } from './findings.js';
+import { coordinate, parameter, statedLength } from './format.js';
+
+/**
+ * The findings of a stage, worst first, and what is to be said about the chosen one.
+ * @param {object} report
+ * @param {(id: string) => void} choose
+ */
+export function createFindingsPanel(report, choose) {
+  const title = make('h3');
+  const list = make('ul', { class: 'view-findings', data: { testid: 'view-findings' } });
+  const detail = make('div', { class: 'view-detail', data: { testid: 'view-finding' }, 'aria-live': 'polite' });
+  const element = make('div', { class: 'view-side' }, [title, list, detail]);
+  return {
+    element,
+    showStage(stage) {
+      const findings = findingsOf(stage);
+      title.textContent = titleOf(findings);
+      list.replaceChildren(...findings.map((finding) => make('li', {}, [button(finding, choose)])));
+      list.hidden = findings.length === 0;
+      detail.replaceChildren();
+    },
+    showFinding(stageIndex, finding) {
+      for (const entry of list.querySelectorAll('button'))
+        entry.setAttribute('aria-pressed', String(entry.dataset.findingId === finding?.id));
+      detail.replaceChildren(...(finding ? details(report, stageIndex, finding) : []));
+      setData(detail, finding);
+      scrollWithin(list, list.querySelector('[aria-pressed=true]'));
+    },
+  };
+}
+
+function titleOf(findings) {
+  if (findings.length === 0) return 'No findings in this stage';
+  const beyond = findings.filter(exceeds).length;
+  const count = findings.length === 1 ? '1 finding' : `${findings.length} findings`;
+  return beyond === 0 ? `${count}, none beyond a limit` : `${count}, worst first`;
+}
+
+function button(finding, choose) {
+  return make('button', {
+    type: 'button', class: `view-entry ${finding.kind}`, 'aria-pressed': 'false',
+    data: { findingId: finding.id }, on: { click: () => choose(finding.id) },
+  }, [
+    make('b', { class: 'view-id', text: finding.id }),
+    make('span', { class: 'view-headline', text: headline(finding) }),
+    make('small', { text: whereOf(finding) }),
+  ]);
+}
+
+function whereOf({ patch, line }) {
+  const parts = [];
+  if (line) parts.push(`line ${line}`);
+  if (patch !== undefined && patch !== null) parts.push(`patch ${patch}`);
+  return parts.join(' · ');
+}
+
+/** Scrolls the list alone: the page must not move when a finding is chosen. */
+function scrollWithin(list, entry) {
+  if (!entry) return;
+  const box = entry.getBoundingClientRect(), frame = list.getBoundingClientRect();
+  if (box.top < frame.top) list.scrollTop -= frame.top - box.top;
+  else if (box.bottom > frame.bottom) list.scrollTop += box.bottom - frame.bottom;
+}
+
+function details(report, stageIndex, finding) {
+  const figures = [['Place', placeOf(finding)], ['Patch', patchOf(finding)], ['Size', sizeOf(finding)],
+    ['Program', lineOf(report, stageIndex, finding)]];
+  return [
+    make('h4', {}, [make('b', { class: `view-id ${finding.kind}`, text: finding.id }), ' ', sentence(finding)]),
+    make('dl', {}, figures.filter(([, text]) => text).flatMap(([name, text]) =>
+      [make('div', {}, [make('dt', { text: name }), make('dd', { text })])])),
+    listing(programAround(report, stageIndex, finding), finding),
+  ];
+}
+
+function sentence(finding) {
+  if (finding.limit_mm === undefined) return headline(finding);
+  const than = exceeds(finding) ? 'beyond the limit of' : 'within the limit of';
+  return `${headline(finding)}, ${than} ${statedLength(finding.limit_mm)}`;
+}
+
+const placeOf = ({ point_mm }) => point_mm && `${point_mm.map(coordinate).join(', ')} mm`;
+
+function patchOf({ patch, u, v }) {
+  return patch === undefined || patch === null ? '' : `${patch}, u ${parameter(u)}, v ${parameter(v)}`;
+}
+
+function sizeOf({ area_mm2, kind }) {
+  if (kind === 'process' || !area_mm2) return '';
+  return `about ${Number(area_mm2.toPrecision(2))} mm²`;
+}
+
+function lineOf(report, stageIndex, { line, stage, body, part, against }) {
+  if (!line) return '';
+  const name = report.stages[stage ?? stageIndex]?.name;
+  const who = part && against ? `, ${part} against ${against}` : body && body !== 'cutter' ? `, by the ${body}` : '';
+  return `line ${line}${name ? ` of ${name}` : ''}${who}`;
+}
+
+function listing(lines, finding) {
+  if (lines.length === 0) return '';
+  return make('ol', { class: 'view-listing' }, lines.map(({ line, text }) =>
+    make('li', { class: line === finding.line ? 'named' : '', 'aria-current': line === finding.line && 'true' }, [
+      make('span', { text: String(line) }), make('code', { text }),
+    ])));
+}
+
+function setData(detail, finding) {
+  for (const [name, value] of [['id', finding?.id], ['depthMm', finding?.depth_mm], ['line', finding?.line]]) {
+    if (value === undefined || value === null) delete detail.dataset[name];
+    else detail.dataset[name] = String(value);
+  }
+}

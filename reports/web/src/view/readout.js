@@ -1,0 +1,63 @@
+import { make } from './dom.js';
+import { coordinate, deviationWord, parameter, signedMeasured } from './format.js';
+
+const FIGURES = ['x-mm', 'y-mm', 'z-mm', 'deviation-mm', 'patch', 'u', 'v', 'line', 'stage', 'reachable', 'raw',
+  'sample', 'sample-deviation-mm'];
+
+/**
+ * What is under the pointer, in words; the same as full-precision numbers in data attributes. It speaks to
+ * screen readers only where the keyboard moves the crosshair: a moving mouse would never let them finish.
+ */
+export function createReadout() {
+  const chip = make('i', { class: 'view-chip', 'aria-hidden': 'true' });
+  const deviation = make('strong');
+  const word = make('span', { class: 'view-word' });
+  const place = make('span'), patch = make('span'), line = make('span');
+  const idle = make('p', { class: 'view-idle', text: 'Point at the part to read the deviation there.' });
+  const figures = make('p', { hidden: true }, [
+    make('span', { class: 'view-deviation' }, [chip, deviation, ' ', word]), place, patch, line,
+  ]);
+  const element = make('div', {
+    class: 'view-readout', data: { testid: 'view-readout' }, 'aria-live': 'off', 'aria-atomic': 'true',
+  }, [idle, figures]);
+  return {
+    element,
+    /** @param {boolean} spoken whether a screen reader should say it */
+    show(reading, { sign, limits, colour, stages }, spoken) {
+      element.setAttribute('aria-live', spoken ? 'polite' : 'off');
+      setAttributes(element, reading);
+      idle.hidden = reading !== null;
+      figures.hidden = reading === null;
+      if (!reading) return;
+      chip.style.background = colour;
+      deviation.textContent = signedMeasured(sign * reading.deviation_mm);
+      word.textContent = wordOf(reading, limits);
+      place.textContent = `X ${coordinate(reading.point_mm[0])}  Y ${coordinate(reading.point_mm[1])}  Z ${coordinate(reading.point_mm[2])} mm`;
+      patch.textContent = `patch ${reading.patch}, u ${parameter(reading.u)}, v ${parameter(reading.v)}`;
+      line.textContent = lineOf(reading, stages);
+    },
+  };
+}
+
+function wordOf(reading, limits) {
+  const word = deviationWord(reading.deviation_mm, limits);
+  return reading.reachable ? word : `${word}; the cutter cannot reach here`;
+}
+
+/** The program line of the nearest pass, or that none came near. */
+function lineOf(reading, stages) {
+  if (reading.raw) return 'nearest: the raw stock, no pass';
+  const name = stages[reading.stage]?.name;
+  return `nearest pass: line ${reading.line}${name ? ` of ${name}` : ''}`;
+}
+
+function setAttributes(element, reading) {
+  if (!reading) {
+    FIGURES.forEach((name) => element.removeAttribute(`data-${name}`));
+    return;
+  }
+  const [x, y, z] = reading.point_mm;
+  const values = [x, y, z, reading.deviation_mm, reading.patch, reading.u, reading.v, reading.line, reading.stage,
+    reading.reachable, reading.raw, reading.sample, reading.sample_deviation_mm];
+  FIGURES.forEach((name, k) => element.setAttribute(`data-${name}`, String(values[k])));
+}

@@ -1,0 +1,82 @@
+import { colour, css } from './colour_scale.js';
+import { fixed, signedLength } from './format.js';
+import { profileAxes } from './section.js';
+
+const SVG = 'http://www.w3.org/2000/svg';
+const WIDTH = 1000, HEIGHT = 170, TOP = 12, BOTTOM = 24, LEFT = 74, RIGHT = 12;
+const AXES = 'XYZ';
+
+/** A drawing of the deviation along a section, coloured as the map, with the gate limits as lines. */
+export function createSectionChart() {
+  const svg = element('svg', {
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'view-chart', role: 'img', 'data-testid': 'view-section-chart',
+  });
+  return {
+    element: svg,
+    /** @param {{axis, bounds_mm, scale, sign, band}} look */
+    show(pieces, look) {
+      svg.replaceChildren();
+      if (pieces.length > 0) draw(svg, pieces, look);
+      svg.setAttribute('aria-label', 'Deviation along the section');
+    },
+  };
+}
+
+function element(tag, attributes, text) {
+  const node = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  if (text !== undefined) node.textContent = text;
+  return node;
+}
+
+function draw(svg, pieces, look) {
+  const [along] = profileAxes(look.axis);
+  const { scale, bounds_mm } = look;
+  const [low, high] = [bounds_mm[0][along], bounds_mm[1][along]];
+  const x = (mm) => LEFT + ((mm - low) / (high - low || 1)) * (WIDTH - LEFT - RIGHT);
+  const span = scale.uncut.end_mm + scale.gouge.end_mm;
+  const top = look.sign > 0 ? scale.uncut.end_mm : scale.gouge.end_mm;
+  const y = (deviation_mm) => {
+    const shown = Math.max(-scale.gouge.end_mm, Math.min(scale.uncut.end_mm, deviation_mm)) * look.sign;
+    return TOP + ((top - shown) / span) * (HEIGHT - TOP - BOTTOM);
+  };
+  svg.append(gradient(look, y));
+  const zero = y(0);
+  const path = pieces.map(({ from, to, deviation_mm: [a, b] }) => {
+    const [p, q] = [x(from[along]).toFixed(1), x(to[along]).toFixed(1)];
+    return `M${p} ${zero}V${y(a).toFixed(2)}L${q} ${y(b).toFixed(2)}V${zero}Z`;
+  }).join('');
+  svg.append(element('path', { d: path, class: 'profile', fill: 'url(#view-profile-colours)' }));
+  const outline = pieces.map(({ from, to, deviation_mm: [a, b] }) =>
+    `M${x(from[along]).toFixed(1)} ${y(a).toFixed(2)}L${x(to[along]).toFixed(1)} ${y(b).toFixed(2)}`).join('');
+  svg.append(element('path', { d: outline, class: 'outline' }));
+  rule(svg, zero, 'zero', '0');
+  if (scale.uncut.hasLimit) rule(svg, y(scale.uncut.limit_mm), 'limit', signedLength(look.sign * scale.uncut.limit_mm));
+  if (scale.gouge.hasLimit) rule(svg, y(-scale.gouge.limit_mm), 'limit', signedLength(-look.sign * scale.gouge.limit_mm));
+  for (const [mm, anchor] of [[low, 'start'], [(low + high) / 2, 'middle'], [high, 'end']])
+    svg.append(element('text', { x: x(mm), y: HEIGHT - 6, 'text-anchor': anchor }, `${AXES[along]} ${fixed(mm, 1)}`));
+}
+
+function rule(svg, y, name, text) {
+  svg.append(element('line', { x1: LEFT, x2: WIDTH - RIGHT, y1: y, y2: y, class: name }));
+  svg.append(element('text', { x: LEFT - 8, y: y + 4, 'text-anchor': 'end' }, text));
+}
+
+/** Colours by height: the same scale as the map's, with its jumps. */
+function gradient({ scale, band }, y) {
+  const ends = [y(scale.uncut.end_mm), y(-scale.gouge.end_mm)];
+  const node = element('linearGradient', {
+    id: 'view-profile-colours', gradientUnits: 'userSpaceOnUse', x1: 0, x2: 0, y1: ends[0], y2: ends[1],
+  });
+  const places = [];
+  for (const [side, way] of [[scale.uncut, 1], [scale.gouge, -1]]) {
+    const { limit_mm, end_mm } = side;
+    for (const mm of [0, limit_mm / 2, limit_mm, limit_mm * (1 + 1e-6), (limit_mm + end_mm) / 2, end_mm]) places.push(way * mm);
+  }
+  places.sort((a, b) => b - a);
+  for (const mm of places)
+    node.append(element('stop', {
+      offset: (y(mm) - ends[0]) / (ends[1] - ends[0]), 'stop-color': css(colour(scale, mm, band)),
+    }));
+  return node;
+}

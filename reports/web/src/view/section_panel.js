@@ -1,0 +1,66 @@
+import { make, uniqueId } from './dom.js';
+import { fixed } from './format.js';
+import { createSectionChart } from './section_chart.js';
+
+const STEPS = 400;
+
+/**
+ * Controls of the section plane.
+ * @param {number[][]} bounds_mm of the part
+ * @param {() => void} changed
+ */
+export function createSectionPanel(bounds_mm, changed) {
+  const axis = choice('Cut square to', 'view-section', [['none', 'no section'], ['0', 'X'], ['1', 'Y'], ['2', 'Z']]);
+  const offset = make('input', {
+    type: 'range', min: 0, max: STEPS, step: 1, value: STEPS / 2, 'aria-label': 'Place of the section',
+    data: { testid: 'view-section-offset' },
+  });
+  const figure = make('output', { class: 'view-offset' });
+  const flip = make('input', { type: 'checkbox', data: { testid: 'view-section-flip' } });
+  const chart = createSectionChart();
+  const note = make('p', { class: 'view-note' });
+  const rest = make('div', { class: 'view-section-rest', hidden: true }, [
+    make('label', { class: 'view-slide' }, [offset, figure]),
+    make('label', { class: 'view-check' }, [flip, 'show the other half']),
+  ]);
+  const drawing = make('div', { hidden: true }, [chart.element, note]);
+  const element = make('div', { class: 'view-section' }, [make('div', { class: 'view-row' }, [axis.label, rest]), drawing]);
+
+  const section = () => {
+    if (axis.select.value === 'none') return null;
+    const k = Number(axis.select.value);
+    const [low, high] = [bounds_mm[0][k], bounds_mm[1][k]];
+    return { axis: k, offset_mm: low + ((high - low) * Number(offset.value)) / STEPS, flip: flip.checked };
+  };
+  const announce = () => {
+    const now = section();
+    rest.hidden = drawing.hidden = !now;
+    if (now) {
+      figure.textContent = `${'XYZ'[now.axis]} ${fixed(now.offset_mm, 2)} mm`;
+      offset.setAttribute('aria-valuetext', figure.textContent);
+    }
+    changed();
+  };
+  axis.select.addEventListener('change', announce);
+  offset.addEventListener('input', announce);
+  flip.addEventListener('change', announce);
+  return {
+    element, section, chart,
+    setNote: (text) => { note.textContent = text; },
+    /** Puts the plane as near to a point as its steps go. */
+    through(point_mm) {
+      const now = section();
+      if (!now || !point_mm) return;
+      const [low, high] = [bounds_mm[0][now.axis], bounds_mm[1][now.axis]];
+      offset.value = Math.round(((point_mm[now.axis] - low) / (high - low || 1)) * STEPS);
+      announce();
+    },
+  };
+}
+
+/** A labelled select. */
+export function choice(text, testid, options) {
+  const id = uniqueId('choice');
+  const select = make('select', { id, data: { testid } }, options.map(([value, name]) => make('option', { value, text: name })));
+  return { select, label: make('label', { class: 'view-choice', for: id }, [make('span', { text }), select]) };
+}

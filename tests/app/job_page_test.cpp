@@ -1,0 +1,262 @@
+#include "tests/app/job_page.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "app/toml_table.h"
+#include "app/words.h"
+#include "tests/app/job_text.h"
+#include "tests/support/catch.h"
+
+namespace limitgauge::app {
+namespace {
+
+/// A key of a table in one of the jobs.
+struct Occurrence {
+  toml::table* job;
+  toml::table* table;
+  std::string prefix;  ///< dotted, names of entries left out: "stage.gate."
+  std::string key;
+};
+
+std::string dotted(const std::string& prefix, const std::string& key) {
+  // The nine work offsets are one row.
+  const bool offset = prefix == "machine.work_offsets.";
+  return prefix + (offset ? "G54" : key);
+}
+
+using Catch::Matchers::EndsWith;
+using Visit = std::function<void(toml::table& table, const std::string& prefix)>;
+
+/// All tables of a job, itself first.
+void visit_tables(toml::table& table, const std::string& prefix, const Visit& visit) {
+  visit(table, prefix);
+  for (auto&& [key, node] : table) {
+    const std::string below = dotted(prefix, std::string(key.str())) + ".";
+    if (toml::table* inner = node.as_table()) visit_tables(*inner, below, visit);
+    if (toml::array* list = node.as_array())
+      for (toml::node& entry : *list)
+        if (toml::table* inner = entry.as_table()) visit_tables(*inner, below, visit);
+  }
+}
+
+bool holds_tables(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  return node.is_table() || (list != nullptr && !list->empty() && list->get(0)->is_table());
+}
+
+std::string text_of(const toml::table& job) {
+  std::ostringstream out;
+  out << job;
+  return out.str();
+}
+
+class Jobs {
+ public:
+  Jobs() {
+    for (const std::string& text : jobs_with_every_key()) jobs_.push_back(toml::parse(text));
+    for (toml::table& job : jobs_)
+      visit_tables(job, "", [&](toml::table& table, const std::string& prefix) {
+        for (auto&& [key, node] : table) {
+          const std::string name = dotted(prefix, std::string(key.str()));
+          if (holds_tables(node)) tables_.insert(name);
+          if (!holds_tables(node) || name == "machine.work_offsets.G54")
+            keys_[name].push_back({&job, &table, prefix, std::string(key.str())});
+        }
+      });
+  }
+
+  std::vector<toml::table>& jobs() { return jobs_; }
+  const std::set<std::string>& tables() const { return tables_; }
+  const std::map<std::string, std::vector<Occurrence>>& keys() const { return keys_; }
+
+ private:
+  std::vector<toml::table> jobs_;
+  std::set<std::string> tables_;
+  std::map<std::string, std::vector<Occurrence>> keys_;
+};
+
+/// What the job is refused with when the key's value is another: `value` as TOML, or none at all.
+std::string error_with(const Occurrence& at, const std::string& value) {
+  const toml::table before = *at.table;
+  at.table->erase(at.key);
+  if (!value.empty()) {
+    toml::table stated = toml::parse("value = " + value);
+    stated.get("value")->visit([&](auto& node) { at.table->insert(at.key, node); });
+  }
+  const std::string error = error_of(text_of(*at.job));
+  *at.table = before;
+  return error;
+}
+
+bool accepted(const Occurrence& at, const std::string& value) {
+  return error_with(at, value) == "no error";
+}
+
+/// Values at and beyond the ends of a range.
+struct Ends {
+  std::vector<std::string> inside, outside;
+};
+
+/// For the words of docs/job.md's column "range"; nothing where they are words of another kind.
+std::optional<Ends> ends_of(const std::string& range) {
+  static const std::vector<std::pair<std::string, Ends>> kRanges = {
+      {"> 0, or `auto`", {{"\"auto\""}, {"0", "-1", "\"fine\""}}},
+      {"> 0, < 90", {{"1", "89"}, {"0", "90"}}},
+      {"> 0, < 180", {{"1", "179"}, {"0", "180"}}},
+      {"> 0 for a bull, ≥ 0 else", {{}, {"-1"}}},
+      {"> 0", {{}, {"0", "-1", "nan", "\"1\""}}},
+      {"≥ 0", {{"0"}, {"-1", "inf"}}},
+      {"0 to 1", {{"0", "1"}, {"-0.01", "1.01"}}},
+      {"0 to 90", {{"0", "90"}, {"-0.01", "90.01"}}},
+      {"whole, 0 to 9", {{}, {"-1", "0.5", "10"}}},
+      {"whole, 0 up", {{}, {"-1", "0.5"}}},
+      {"whole, 1 up", {{"1"}, {"-1", "0.5"}}},
+      {"true, false", {{"true", "false"}, {"1", "\"true\""}}},
+      {"three numbers > 0", {{"[1, 2, 3]"}, {"[1, 2, 0]", "[1, 2]"}}},
+      {"three numbers, or a table", {{"[-1, 0, 2]"}, {"[1, 2]", "1"}}},
+      {"three numbers", {{"[-1, 0, 2]"}, {"[1, 2]", "[1, 2, \"3\"]", "1"}}},
+      {"two ascending numbers", {{"[-1, 0.5]"}, {"[2, 1]", "[1, 1]", "[1, 2, 3]"}}},
+      {"two ascending whole numbers", {{"[1, 1]", "[1, 2]"}, {"[2, 1]", "[1, 2.5]"}}},
+      {"a file", {{}, {"\"no-such-file\"", "\"\"", "1"}}},
+      {"any", {{}, {"\"1\"", "nan"}}},
+      {"text", {{}, {"\"\"", "1"}}},
+      {"text, once", {{}, {"\"\"", "1"}}},
+      {"an `id`", {{}, {"\"no-such-tool\""}}},
+      {"as the job's, once", {{}, {"\"a/b\"", "\".a\""}}},
+      {"letters, digits, `.`, `_`, `-`; 100 at most, the first neither `.` nor `-`",
+       {{"\"a.B_9-\""}, {"\"a b\"", "\".a\"", "\"-a\"", "\"a/b\""}}}};
+  for (const auto& [words, ends] : kRanges)
+    if (range == words) return ends;
+  return std::nullopt;
+}
+
+/// "`a`, `b`" as "\"a\", \"b\"", which is how an error lists choices.
+std::string choices_of(std::string range) {
+  for (char& c : range)
+    if (c == '`') c = '"';
+  return range;
+}
+
+std::string joined(const std::set<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += word + '\n';
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("docs/job.md has the keys that a job can have, and no others", "[unit][job]") {
+  Jobs jobs;
+  std::set<std::string> known;
+  for (toml::table& job : jobs.jobs()) {
+    REQUIRE(error_of(text_of(job)) == "no error");
+    visit_tables(job, "", [&](toml::table& table, const std::string& prefix) {
+      table.insert("no-such-key", 1);
+      const std::string text = text_of(job);
+      table.erase("no-such-key");
+      INFO("in " << prefix);
+      try {
+        read(text);
+        FAIL("an unknown key was taken");
+      } catch (const UnknownKey& error) {
+        for (const std::string& key : error.known()) known.insert(dotted(prefix, key));
+      }
+    });
+  }
+  std::set<std::string> documented, leaves;
+  for (const auto& [key, row] : documented_keys()) documented.insert(key);
+  for (const std::string& key : known) {
+    // Otherwise a key could hold keys that were not looked at.
+    INFO(key << " is in none of the jobs of this test");
+    REQUIRE((jobs.keys().count(key) > 0 || jobs.tables().count(key) > 0));
+    if (jobs.keys().count(key) > 0) leaves.insert(key);
+  }
+  CHECK(joined(documented) == joined(leaves));
+}
+
+TEST_CASE("ranges in docs/job.md are those of the reader", "[unit][job]") {
+  Jobs jobs;
+  for (const auto& [key, row] : documented_keys()) {
+    INFO(key << ": " << row.range);
+    REQUIRE(jobs.keys().count(key) == 1);
+    const std::vector<Occurrence>& places = jobs.keys().at(key);
+    const std::optional<Ends> ends = ends_of(row.range);
+    if (!ends) {
+      // A list of words: the reader's own error names the same.
+      const std::string error = error_with(places.front(), "\"no-such-word\"");
+      CHECK_THAT(error, EndsWith("expected one of " + choices_of(row.range)));
+      continue;
+    }
+    for (const std::string& value : ends->outside)
+      for (const Occurrence& at : places) {
+        INFO("with " << value);
+        CHECK_FALSE(accepted(at, value));
+      }
+    for (const std::string& value : ends->inside) {
+      INFO("with " << value << ": " << error_with(places.front(), value));
+      CHECK(std::any_of(places.begin(), places.end(),
+                        [&](const Occurrence& at) { return accepted(at, value); }));
+    }
+  }
+}
+
+TEST_CASE("docs/job.md says which keys must be stated", "[unit][job]") {
+  Jobs jobs;
+  for (const auto& [key, row] : documented_keys()) {
+    INFO(key << ", default " << row.fallback);
+    REQUIRE(jobs.keys().count(key) == 1);
+    const auto missed = [](const Occurrence& at) { return !accepted(at, ""); };
+    const std::vector<Occurrence>& places = jobs.keys().at(key);
+    if (row.fallback == "–")
+      CHECK(std::any_of(places.begin(), places.end(), missed));
+    else
+      CHECK_FALSE(std::all_of(places.begin(), places.end(), missed));
+  }
+}
+
+TEST_CASE("defaults in docs/job.md are those of the reader", "[unit][job]") {
+  const Job job = read(with(good_job(), "strategy = \"zigzag\"", "strategy = \"steep_shallow\""));
+  const JobStage& stage = job.stages.at(0);
+  const engine::strategy::CutOptions& cut = stage.plan->cut;
+  using engine::strategy::Entry;
+  const std::map<std::string, std::string> defaults = {
+      {"surface.precision", words(job.precision_mm)},
+      {"surface.transform.scale", words(job.placement.scale)},
+      {"machine.rapid", words(job.rapid_mm_min)},
+      {"machine.clearance", words(job.clearance_mm)},
+      {"machine.acceleration", job.acceleration_mm_s2 ? "some" : "none"},
+      {"machine.junction_deviation", words(job.junction_deviation_mm)},
+      {"program_frame.rotate_z", words(job.program_frame.rotate_z_deg)},
+      {"post.dialect", model::name(job.post.dialect)},
+      {"post.decimals", std::to_string(job.post.decimals)},
+      {"post.arcs", job.post.arc_tolerance_mm ? "some" : "none"},
+      {"post.line_numbers", job.post.line_numbers ? "true" : "false"},
+      {"post.cl_data", job.post.cl_data ? "true" : "false"},
+      {"tool.flute_length", words(stage.cutter.flute_length_mm / 6) + " diameters"},
+      {"tool.plunge", stage.cutter.steepest_descent_deg == 90 ? "true" : "false"},
+      {"stage.allowance", words(stage.allowance_mm)},
+      {"stage.plunge_feed", cut.plunge_feed_mm_min == 500 ? "a third of the feed" : "other"},
+      {"stage.link_feed", cut.link_feed_mm_min == cut.feed_mm_min ? "the feed" : "other"},
+      {"stage.angle", words(cut.angle_deg)},
+      {"stage.steep_angle", words(cut.steep_angle_deg)},
+      {"stage.overlap", cut.overlap_or_default_mm() == 2 * cut.step_mm ? "two steps" : "other"},
+      {"stage.boundary_pass", cut.boundary_pass ? "true" : "false"},
+      {"stage.entry", cut.entry == Entry::ramp ? "ramp" : "other"},
+      {"stage.ramp_angle", words(cut.ramp_angle_deg)},
+      {"stage.gate.uncut", stage.limits.has_uncut ? "some" : "none"},
+      {"simulation.voxel", job.voxel_mm ? "some" : "auto"},
+      {"verification.resolution", job.resolution_mm ? "some" : "auto"},
+      {"report.pictures", job.pictures ? "true" : "false"}};
+  const std::map<std::string, DocumentedKey> page = documented_keys();
+  for (const auto& [key, value] : defaults) {
+    INFO(key);
+    REQUIRE(page.count(key) == 1);
+    CHECK(page.at(key).fallback == value);
+  }
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,75 @@
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { after } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { given, reportFile } from './pages.mjs';
+
+// Lies with the page's libraries in the build folder.
+const { chromium } = createRequire(join(given('LIMITGAUGE_NODE_MODULES'), 'limitgauge'))('playwright-core');
+
+/** WebGL on a machine without a graphics card. */
+export const softwareGraphics = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+/**
+ * Debian's Chromium without a window, closed when the file's tests are over. Without its sandbox, which
+ * root and most containers cannot have: it opens nothing but pages written by this project.
+ * @param {string[]} options of the command line
+ */
+export async function openBrowser(options = softwareGraphics) {
+  const browser = await chromium.launch({
+    executablePath: given('LIMITGAUGE_CHROMIUM'), chromiumSandbox: false, args: options,
+  });
+  after(() => browser.close());
+  return browser;
+}
+
+/** All that a page which minds its own business never does, as it happens: a list of sentences. */
+function watch(page, address) {
+  const faults = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error') faults.push(`console: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => faults.push(`error: ${error.stack ?? error}`));
+  page.on('dialog', (dialog) => {
+    faults.push(`dialog: ${dialog.message()}`);
+    dialog.dismiss();
+  });
+  page.on('popup', (other) => faults.push(`window: ${other.url()}`));
+  page.on('crash', () => faults.push('the page crashed'));
+  page.on('request', (request) => {
+    const url = request.url().split('#')[0];
+    if (url !== address && !/^(data|blob):/.test(url)) faults.push(`request: ${url}`);
+  });
+  return faults;
+}
+
+/**
+ * Opens a report from disk as a reader would, hands the page to `use`, and sees to it that nothing went
+ * wrong in it meanwhile.
+ * @param options width, height (px); ready: false to go on before the script is; all else as
+ *   playwright's newContext takes it
+ */
+export async function withReport(browser, name, options, use) {
+  const { width = 1280, height = 900, ready = true, ...others } = options;
+  const context = await browser.newContext({ viewport: { width, height }, ...others });
+  try {
+    const page = await context.newPage();
+    const address = pathToFileURL(reportFile(name)).href;
+    const faults = watch(page, address);
+    await page.goto(address);
+    if (ready && others.javaScriptEnabled !== false) await whenReady(page);
+    await use(page, faults);
+    assert.deepEqual(faults, []);
+  } finally {
+    await context.close();
+  }
+}
+
+/** Until the script says that all of it stands, and what it drew is on the screen. */
+export async function whenReady(page) {
+  await page.evaluate(async () => {
+    await window.limitgauge?.ready;
+    for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+  });
+}

@@ -1,0 +1,51 @@
+// make_pages.mjs PROGRAM WRITE_SAMPLES FIXTURES OUT_DIR
+//
+// The reports that the tests open: samples of known figures, a job as it is, and a job whose program
+// gouges, with markup in its comments and in the cage's name.
+import { execFileSync } from 'node:child_process';
+import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+const [program, writeSamples, fixtures, out] = process.argv.slice(2);
+const hostileCage = 'plate"><img src=x onerror=window.hostile=1>.obj';
+const hostileComment = '(</script><img src=x onerror=window.hostile=1><svg onload=window.hostile=1>)';
+
+/** `text` with its one occurrence of `from` replaced. */
+function replaceOne(text, from, to) {
+  const parts = text.split(from);
+  if (parts.length !== 2) throw new Error(`"${from}" stands ${parts.length - 1} times`);
+  return parts.join(to);
+}
+
+/** Runs the program; a verdict that is no pass is exit code 1 or 2. */
+function run(job, name, expected) {
+  try {
+    execFileSync(program, ['run', job, '-o', join(out, name), '--quiet'], { stdio: 'inherit' });
+  } catch (error) {
+    if (error.status !== expected) throw error;
+    return;
+  }
+  if (expected !== 0) throw new Error(`${job} passed`);
+}
+
+/** A groove of 60 µm in one row of the finish, off the floor of the plate. */
+function gougingJob() {
+  const folder = join(out, 'gouging-job');
+  mkdirSync(folder, { recursive: true });
+  cpSync(join(fixtures, 'plate.obj'), join(folder, hostileCage));
+  const text = (name) => readFileSync(join(fixtures, name), 'latin1');
+  const job = replaceOne(text('plate.toml'), '"plate.obj"', `'${hostileCage}'`);
+  writeFileSync(join(folder, 'plate.toml'), job);
+  const groove = `N185 Y-4. ${hostileComment}\nN190 Z-0.06 X14.`;
+  let gouging = replaceOne(text('plate.ngc'), 'N185 Y-4.\nN190 X14.', groove);
+  // A comment as a German controller's editor stores it: no UTF-8.
+  gouging = replaceOne(gouging, 'N195 Y1.', 'N195 Z0. Y1. (TIEFE GEPR\xdcFT)');
+  writeFileSync(join(folder, 'plate.ngc'), gouging, 'latin1');
+  return join(folder, 'plate.toml');
+}
+
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+execFileSync(writeSamples, [out, 'passed', 'failed', 'undecided', 'hostile', 'large']);
+run(join(fixtures, '../jobs/quick-dome.toml'), 'dome', 0);
+run(gougingJob(), 'gouging', 1);

@@ -1,0 +1,38 @@
+#include "tests/e2e/program.h"
+#include "tests/e2e/shell.h"
+#include "tests/support/catch.h"
+
+namespace limitgauge::e2e {
+namespace fs = std::filesystem;
+namespace {
+
+TEST_CASE("what is installed stands where a system looks for it, and runs", "[e2e][install]") {
+  const Scratch scratch;
+  const fs::path prefix = scratch / "usr";
+  const ShellOutcome installed = bash(
+      "'" LIMITGAUGE_CMAKE "' --install '" LIMITGAUGE_BUILD "' --prefix '" + prefix.string() + "'");
+  INFO(installed.out);
+  REQUIRE(installed.exit_code == 0);
+  for (const char* file :
+       {"bin/limitgauge", "share/man/man1/limitgauge.1",
+        "share/bash-completion/completions/limitgauge", "share/zsh/site-functions/_limitgauge",
+        "share/fish/vendor_completions.d/limitgauge.fish", "share/limitgauge/result.schema.json",
+        "share/doc/limitgauge/README.md", "share/doc/limitgauge/LICENSE",
+        "share/doc/limitgauge/docs/verifier.md"}) {
+    CAPTURE(file);
+    CHECK(fs::is_regular_file(prefix / file));
+    CHECK(fs::file_size(prefix / file) > 500);
+  }
+  const std::string program = (prefix / "bin/limitgauge").string();
+  const ShellOutcome version = bash(program + " --version");
+  CHECK(version.exit_code == 0);
+  CHECK_THAT(version.out, ContainsSubstring("limitgauge 0."));
+  const ShellOutcome planned = bash("cd '" + scratch.path().string() + "' && " + program +
+                                    " plan '" + fixture("jobs/quick-dome.toml") + "' -o paths");
+  INFO(planned.out);
+  CHECK(planned.exit_code == 0);
+  CHECK(fs::exists(scratch / "paths/finish/toolpath.ngc"));
+}
+
+}  // namespace
+}  // namespace limitgauge::e2e

@@ -139,6 +139,18 @@ TEST_CASE("a stage that was not run has no measured part", "[unit][json]") {
   for (const char* key : {"toolpath", "simulation", "deviation"}) CHECK_FALSE(stage.contains(key));
 }
 
+TEST_CASE("the files that were read stand with their checksums", "[unit][json]") {
+  RunResult result = sample_result(Outcome::passed);
+  result.inputs = {{"program", "a\x01.ngc", 12, std::string(64, '5')}};
+  const Json inputs = json_of(result)["inputs"];
+  REQUIRE(inputs.size() == 1);
+  CHECK(keys_of(inputs[0]) == std::vector<std::string>{"role", "file", "bytes", "sha256"});
+  CHECK(inputs[0]["role"] == "program");
+  CHECK(inputs[0]["file"] == "a\xEF\xBF\xBD.ngc");
+  CHECK(inputs[0]["bytes"] == 12);
+  CHECK(inputs[0]["sha256"] == std::string(64, '5'));
+}
+
 TEST_CASE("a program stands in the place of a strategy", "[unit][json]") {
   RunResult result = sample_result(Outcome::passed);
   result.stages[0].strategy.clear();
@@ -165,7 +177,8 @@ TEST_CASE("the same result gives the same bytes, in the contract's order", "[uni
   CHECK(text == text_of(sample_result(Outcome::indeterminate)));
   CHECK(keys_of(Json::parse(text)) ==
         std::vector<std::string>{"schema", "job", "version", "created", "threads", "verdict",
-                                 "stock", "surface", "programs", "stages", "assumptions"});
+                                 "inputs", "stock", "surface", "programs", "stages",
+                                 "assumptions"});
 }
 
 TEST_CASE("names from files stay text", "[unit][json]") {

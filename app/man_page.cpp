@@ -151,7 +151,10 @@ std::string man_page(const CommandReference& program, std::string_view version) 
          bold("-o") + " says:\n" + notes(file_notes(), false);
   out += section("ENVIRONMENT") + notes(environment_notes(), true);
   out += section("EXAMPLES") + examples();
-  out += section("SEE ALSO") + plain("The documents that were installed with the program.") + "\n";
+  out += section("SEE ALSO") +
+         paragraph(
+             "README.md and docs/ in share/doc/limitgauge, and the schema of result.json in "
+             "share/limitgauge, below the folder that the program was installed to.");
   return out;
 }
 

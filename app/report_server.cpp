@@ -80,7 +80,9 @@ ReportServer::Impl::Impl(const std::filesystem::path& folder, int port) : files_
   });
   server_.set_payload_max_length(0);
   server_.set_tcp_nodelay(true);
-  server_.set_keep_alive_timeout(1);  // ends soon after Ctrl-C, too
+  // Whoever is silent is not waited for, so that Ctrl-C ends it soon.
+  server_.set_keep_alive_timeout(1);
+  server_.set_read_timeout(2);
   server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
   server_.set_pre_routing_handler(
       [this](const httplib::Request& request, httplib::Response& response) {
@@ -115,9 +117,12 @@ ReportServer::Impl::Answered ReportServer::Impl::admit(const httplib::Request& r
 
 void ReportServer::Impl::answer(const httplib::Request& request,
                                 httplib::Response& response) const {
-  const bool named = request.path.size() > 1;
-  const std::string path = named ? request.path.substr(1) : "report.html";
-  if (std::shared_ptr<const OpenFile> file = files_.open(path)) {
+  // Anything but a path from the root is none of this folder's names.
+  const bool rooted = request.path.starts_with('/');
+  const std::string path =
+      request.path == "/" ? "report.html" : request.path.substr(rooted ? 1 : 0);
+  std::shared_ptr<const OpenFile> file = rooted ? files_.open(path) : nullptr;
+  if (file) {
     send(std::move(file), path, response);
   } else {
     refuse(response, 404, "There is no such file in this report.");

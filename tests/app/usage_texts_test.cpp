@@ -80,7 +80,7 @@ TEST_CASE("help of the program lists exit codes, files and environment", "[unit]
   const std::string help = program_help(command_reference());
   for (const auto& notes : {exit_code_notes(), file_notes(), environment_notes()})
     for (const UsageNote& note : notes)
-      CHECK_THAT(help, ContainsSubstring("\n  " + std::string(note.name) + " "));
+      CHECK_THAT(help, ContainsSubstring("\n  " + std::string(note.name)));
   CHECK_THAT(help, ContainsSubstring("NO_COLOR") && ContainsSubstring("report.html"));
 }
 

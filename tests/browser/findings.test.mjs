@@ -43,7 +43,7 @@ test('every finding of a failed stage is flown to from the list in the view', ()
   }));
 
 for (const reducedMotion of ['no-preference', 'reduce'])
-  test(`the camera ${reducedMotion === 'reduce' ? 'is there at once' : 'flies'} and stays at the finding`, () =>
+  test(`${reducedMotion}: the camera ${reducedMotion === 'reduce' ? 'is at once' : 'flies'} there`, () =>
     withReport(browser, 'failed', { reducedMotion }, async (page) => {
       const [worst] = resultOf('failed').stages[1].deviation.gouges;
       await showStage(page, 1);

@@ -194,7 +194,7 @@ TEST_CASE("tools stand in all their measures, each once", "[unit][html]") {
   CHECK(cells_of(rows[1])[10] == "semi-finish, finish");
 }
 
-TEST_CASE("the files that were read stand with their checksums", "[unit][html]") {
+TEST_CASE("the page lists the files that were read with their checksums", "[unit][html]") {
   RunResult result = sample_result(Outcome::passed);
   result.inputs = {{"cage", "cages/a b.obj", 12345, std::string(64, 'a')}};
   ParsedPage page;

@@ -26,7 +26,7 @@ const focused = (page) => page.evaluate(() => {
     stop: e.dataset.stop,
     what: `${e.tagName} ${e.dataset.testid ?? ''} ${(e.ariaLabel ?? e.textContent).trim().slice(0, 30)}`,
     marked: look(getComputedStyle(e)) || (e.parentElement && look(getComputedStyle(e.parentElement))),
-    onScreen: box.bottom > 0 && box.top < innerHeight,
+    onScreen: box.bottom > 0 && box.top < innerHeight && box.right > 0 && box.left < innerWidth,
   };
 });
 

@@ -8,13 +8,19 @@ import { reportFile } from './support/pages.mjs';
 const browser = await openBrowser();
 const longest_s = 3;
 
-/** From the start of navigation until all stands and its first frame is drawn, s. */
-const opening = () => {
+/** Notes when all stands and its first frame is drawn, ms from the start of navigation. */
+const noteReady = () => document.addEventListener('DOMContentLoaded', async () => {
+  await window.limitgauge.ready;
+  requestAnimationFrame(() => (window.ready_ms = performance.now()));
+});
+
+async function opening() {
   let seconds;
-  return withReport(browser, 'large', {}, async (page) => {
-    seconds = (await page.evaluate(() => performance.now())) / 1000;
-  }).then(() => seconds);
-};
+  await withReport(browser, 'large', { early: noteReady }, async (page) => {
+    seconds = (await page.evaluate(() => window.ready_ms)) / 1000;
+  });
+  return seconds;
+}
 
 test('the page holds 200,000 cells in a few megabytes', (t) =>
   withReport(browser, 'large', {}, async (page) => {
@@ -35,5 +41,5 @@ test(`it opens within ${longest_s} s`, async (t) => {
   times.sort((a, b) => a - b);
   const words = times.map((seconds) => seconds.toFixed(2));
   t.diagnostic(`opened in ${words.join(', ')} s, median ${words[1]} s`);
-  assert.ok(times[0] < longest_s, `${times[0]} s`);
+  assert.ok(times[0] > 0 && times[0] < longest_s, `${times[0]} s`);
 });

@@ -8,15 +8,21 @@ import { reportFile } from './support/pages.mjs';
 const browser = await openBrowser();
 const longest_s = 3;
 
-/** From the start of navigation until all stands and its first frame is drawn, s. */
-const opening = () => {
-  let seconds;
-  return withReport(browser, 'large', {}, async (page) => {
-    seconds = (await page.evaluate(() => performance.now())) / 1000;
-  }).then(() => seconds);
-};
+/** Notes when all stands and its first frame is drawn, ms from the start of navigation. */
+const noteReady = () => document.addEventListener('DOMContentLoaded', async () => {
+  await window.limitgauge.ready;
+  requestAnimationFrame(() => (window.ready_ms = performance.now()));
+});
 
-test('the page holds 200,000 cells in a few megabytes', () =>
+async function opening() {
+  let seconds;
+  await withReport(browser, 'large', { early: noteReady }, async (page) => {
+    seconds = (await page.evaluate(() => window.ready_ms)) / 1000;
+  });
+  return seconds;
+}
+
+test('the page holds 200,000 cells in a few megabytes', (t) =>
   withReport(browser, 'large', {}, async (page) => {
     const cells = await page.evaluate(() => {
       const { surfaces } = JSON.parse(document.getElementById('limitgauge-report').textContent);
@@ -25,14 +31,15 @@ test('the page holds 200,000 cells in a few megabytes', () =>
     assert.ok(cells >= 200_000, `${cells} cells`);
     const megabytes = statSync(reportFile('large')).size / 1e6;
     assert.ok(megabytes < 8, `${megabytes} MB`);
-    console.log(`# ${cells} cells, ${megabytes.toFixed(1)} MB`);
+    t.diagnostic(`${cells} cells, ${megabytes.toFixed(1)} MB`);
   }));
 
 // Other work on the machine only ever adds time: the best of three is nearest to what the page takes.
-test(`it opens within ${longest_s} s`, async () => {
+test(`it opens within ${longest_s} s`, async (t) => {
   const times = [];
   for (let i = 0; i < 3; ++i) times.push(await opening());
   times.sort((a, b) => a - b);
-  console.log(`# opened in ${times.map((t) => t.toFixed(2)).join(', ')} s, median ${times[1].toFixed(2)} s`);
-  assert.ok(times[0] < longest_s, `${times[0]} s`);
+  const words = times.map((seconds) => seconds.toFixed(2));
+  t.diagnostic(`opened in ${words.join(', ')} s, median ${words[1]} s`);
+  assert.ok(times[0] > 0 && times[0] < longest_s, `${times[0]} s`);
 });

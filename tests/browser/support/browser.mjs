@@ -47,19 +47,20 @@ function watch(page, address) {
 /**
  * Opens a report from disk as a reader would, hands the page to `use`, and sees to it that nothing went
  * wrong in it meanwhile.
- * @param options width, height (px); ready: false to go on before the script is; all else as
- *   playwright's newContext takes it
+ * @param options width, height (px); early: a function that runs in the page before its own script; all
+ *   else as playwright's newContext takes it
  */
 export async function withReport(browser, name, options, use) {
-  const { width = 1280, height = 900, ready = true, ...others } = options;
+  const { width = 1280, height = 900, early, ...others } = options;
   const context = await browser.newContext({ viewport: { width, height }, ...others });
   try {
     context.setDefaultTimeout(15_000);
     const page = await context.newPage();
     const address = pathToFileURL(reportFile(name)).href;
     const faults = watch(page, address);
+    if (early) await page.addInitScript(early);
     await page.goto(address);
-    if (ready && others.javaScriptEnabled !== false) await whenReady(page);
+    if (others.javaScriptEnabled !== false) await whenReady(page);
     await use(page, faults);
     assert.deepEqual(faults, []);
   } finally {

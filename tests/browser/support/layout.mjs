@@ -62,8 +62,9 @@ export function meetingLabels(page) {
   return page.evaluate(() => {
     const faults = [];
     const scales = '.view-ticks, .view-words, .path-legend-ticks, .below, .above';
+    // A line's box is higher than its letters.
     const meet = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 &&
-      a.top < b.bottom - 1 && b.top < a.bottom - 1;
+      a.top < b.bottom - 4 && b.top < a.bottom - 4;
     for (const scale of document.querySelectorAll(scales)) {
       if (!scale.checkVisibility()) continue;
       const labels = [...scale.children]

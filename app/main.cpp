@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
                         std::cerr,
                         may_colour(isatty(STDOUT_FILENO) == 1, std::getenv("NO_COLOR"), term),
                         may_redraw(isatty(STDERR_FILENO) == 1, term),
-                        columns_of(STDOUT_FILENO, 100),
+                        columns_of(STDOUT_FILENO, 120),
                         [] { return columns_of(STDERR_FILENO, 80); },
                         &catch_interrupts()};
   return static_cast<int>(run_command_line(argc, argv, console));

@@ -3,9 +3,9 @@ import './charts.css';
 import { duration } from '../path/timeline.js';
 import { clockText } from '../path/words.js';
 import { make } from '../view/dom.js';
-import { threeDigits } from '../view/format.js';
-import { findingTimes, histogramAxis, histogramBars, processBins } from './bins.js';
-import { histogramOption, percentilesOf, signed, unitOf } from './histogram_option.js';
+import { signedMeasured, threeDigits } from '../view/format.js';
+import { findingTimes, histogramBars, processBins } from './bins.js';
+import { histogramOption, percentilesOf } from './histogram_option.js';
 import { createLiveChart, whenSeen } from './live_chart.js';
 import { processHeight, processOption } from './process_option.js';
 
@@ -48,9 +48,7 @@ function liveHistogram(figure, stage) {
 
 /** The percentiles as figures. */
 function percentileWords(stage) {
-  const unit = unitOf(histogramAxis(stage.histogram, stage.limits));
-  const texts = percentilesOf(stage).map(({ name, at_mm }) =>
-    `${name} ${signed(threeDigits(at_mm * unit.perMm), at_mm)} ${unit.symbol}`);
+  const texts = percentilesOf(stage).map(({ name, at_mm }) => `${name} ${signedMeasured(at_mm)}`);
   if (texts.length === 0) return [];
   return [make('p', { class: 'chart-words', data: { testid: 'histogram-percentiles' } },
     ['Percentiles of the area:', ...texts].map((text) => make('span', { text })))];

@@ -40,7 +40,7 @@ export function histogramOption({ bars, stage, logarithmic }, colours, width_px)
 /** The unit of the whole axis. */
 export const unitOf = ({ low_mm, high_mm }) => unitFor(Math.max(-low_mm, high_mm));
 
-export const signed = (text, value) => (value > 0 ? `+${text}` : text);
+const signed = (text, value) => (value > 0 ? `+${text}` : text);
 const signedTick = (value) => signed(String(Number(value.toPrecision(6))).replace('-', '\u2212'), value);
 
 const areaTick = (value) => (value >= 1e4 ? grouped(value) : String(Number(value.toPrecision(6))));

@@ -3,7 +3,7 @@ import './charts.css';
 import { duration } from '../path/timeline.js';
 import { clockText } from '../path/words.js';
 import { make } from '../view/dom.js';
-import { signedMeasured, threeDigits } from '../view/format.js';
+import { signedMeasured } from '../view/format.js';
 import { findingTimes, histogramBars, processBins } from './bins.js';
 import { histogramOption, percentilesOf } from './histogram_option.js';
 import { createLiveChart, whenSeen } from './live_chart.js';

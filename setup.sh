@@ -12,8 +12,9 @@ packages=(
   nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev
   # the report's script, bundled from reports/web at build time; a node that came with npm brings both
   nodejs
-  # command line and job files, checksums of what was read; the server of `limitgauge view`, found by pkg-config
-  libcli11-dev libtomlplusplus-dev libcpp-httplib-dev libssl-dev pkgconf
+  # command line and job files; the server of `limitgauge view`, found by pkg-config;
+  # checksums of what was read
+  libcli11-dev libtomlplusplus-dev libcpp-httplib-dev pkgconf libssl-dev
   # tests: the framework, a second reader of our VTK files, a validator of our JSON, a
   # reader of our JUnit, another evaluator of our surfaces, a reader of our manual page
   catch2 libvtk9-dev python3 python3-jsonschema python3-junitparser libosd-dev mandoc

@@ -71,8 +71,8 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
   write_deviation_vtp(ran.deviation.field, into / "deviation.vtp");
   StageFiles files;
   if (ran.path)
-    files.path_view = page::path_view(*ran.path, ran.removal.moves,
-                                      {options.rapid_mm_min, ran.machining_time_s});
+    files.path_view =
+        page::path_view(*ran.path, ran.removal.moves, {options.rapid_mm_min, ran.machining_time_s});
   StagePictures& pictures = files.pictures;
   if (options.pictures) pictures = {deviation_png(stage), perspective_png(stage), {}};
   if (ran.stock) {

@@ -46,8 +46,11 @@ Json stage_json(const StageResult& stage, std::size_t index) {
           {"allowance_mm", stage.allowance_mm},
           {"limits", limits_json(stage.limits)},
           {"gouges", Json::array()},
+          {"gouges_total", 0},
           {"uncuts", Json::array()},
+          {"uncuts_total", 0},
           {"process", Json::array()},
+          {"process_total", 0},
           {"field", nullptr},
           {"path", nullptr}};
 }

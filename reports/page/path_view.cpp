@@ -13,11 +13,11 @@ using model::Vec3;
 /// Indices of the moves that segments end with, ascending.
 using Ends = std::vector<std::uint32_t>;
 
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+double squared_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double squared = length_squared(along);
   const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0;
-  return distance(p, lerp(a, b, t));
+  return length_squared(p - a - along * t);
 }
 
 /// What may be joined.
@@ -31,26 +31,25 @@ struct Rule {
   }
 };
 
-/// Joins neighbours of `ends` by one rule.
+/// Joins moves by one rule.
 class Joiner {
  public:
-  Joiner(const Toolpath& path, const Ends& ends, const Rule& rule)
-      : path_(path), ends_(ends), rule_(rule) {}
+  Joiner(const Toolpath& path, const Rule& rule) : path_(path), rule_(rule) {}
 
   Ends joined() const {
     Ends out;
-    for (std::size_t i = 0; i < ends_.size();) {
+    for (std::size_t i = 0; i < path_.moves.size();) {
       i += longest(i);
-      out.push_back(ends_[i - 1]);
+      out.push_back(static_cast<std::uint32_t>(i - 1));
     }
     return out;
   }
 
  private:
-  /// How many from `first` on make one segment. By doubling, then halving: what is found holds,
-  /// though a longer one might, too.
+  /// How many moves from `first` on make one segment. By doubling, then halving: what is found
+  /// holds, though a longer one might, too.
   std::size_t longest(std::size_t first) const {
-    const std::size_t left = ends_.size() - first;
+    const std::size_t left = path_.moves.size() - first;
     std::size_t good = 1, step = 1;
     while (good + step <= left && holds(first, good + step)) good += step, step *= 2;
     for (; step > 0; step /= 2)
@@ -59,19 +58,18 @@ class Joiner {
   }
 
   bool holds(std::size_t first, std::size_t count) const {
-    const Vec3& from = first == 0 ? path_.start : tip(first - 1);
-    const Vec3& to = tip(first + count - 1);
-    for (std::size_t i = first; i + 1 < first + count; ++i)
-      if (!rule_.joins(path_.moves[ends_[i]], path_.moves[ends_[i + 1]]) ||
-          distance_to_segment(tip(i), from, to) > rule_.within_mm)
+    const std::size_t last = first + count - 1;
+    const Vec3& from = model::move_from(path_, first);
+    const Vec3& to = path_.moves[last].to;
+    const double squared = rule_.within_mm * rule_.within_mm;
+    for (std::size_t i = first; i < last; ++i)
+      if (!rule_.joins(path_.moves[i], path_.moves[i + 1]) ||
+          squared_to_segment(path_.moves[i].to, from, to) > squared)
         return false;
     return true;
   }
 
-  const Vec3& tip(std::size_t i) const { return path_.moves[ends_[i]].to; }
-
   const Toolpath& path_;
-  const Ends& ends_;
   const Rule& rule_;
 };
 
@@ -82,15 +80,42 @@ double extent_mm(const Toolpath& path) {
   return length(box.size());
 }
 
-/// Every round joins what the one before left, so that all rounds together cost little more than
-/// the first ones.
+/// Distances grow by a fourth root of 2 a level, from a 65536th of the path's extent to all of it,
+/// where everything is one segment.
+constexpr int kLevels = 65;
+
+Rule rule_at(int level, double extent) {
+  // Of a path that stays where it is, too, everything must come to be joined.
+  const double within = std::max(extent, 1e-3) * std::exp2(0.25 * level - 16);
+  return {within, within > extent / 500, within > extent / 50};
+}
+
+Ends joined_at(int level, const Toolpath& path, double extent) {
+  const Rule rule = rule_at(level, extent);
+  return Joiner(path, rule).joined();
+}
+
+/// By the least level that is found to fit.
 Ends fitting(const Toolpath& path, std::size_t most) {
+  const double extent = extent_mm(path);
+  int too_low = -1, fits = kLevels;
+  Ends ends = joined_at(fits, path, extent);
+  while (fits - too_low > 1) {
+    const int level = (too_low + fits) / 2;
+    Ends joined = joined_at(level, path, extent);
+    if (joined.size() > most) {
+      too_low = level;
+    } else {
+      fits = level, ends = std::move(joined);
+    }
+  }
+  return ends;
+}
+
+/// Every move a segment.
+Ends all_moves(const Toolpath& path) {
   Ends ends(path.moves.size());
   for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = static_cast<std::uint32_t>(i);
-  const double extent = extent_mm(path);
-  // Of a path that stays where it is, too, the rules must come to relax.
-  for (double within = std::max(extent / 65536, 1e-6); ends.size() > most; within *= 2)
-    ends = Joiner(path, ends, {within, within > extent / 500, within > extent / 50}).joined();
   return ends;
 }
 
@@ -101,10 +126,10 @@ double farthest_mm(const Toolpath& path, const Ends& ends) {
   for (const std::uint32_t last : ends) {
     const Vec3& from = model::move_from(path, first);
     for (std::size_t i = first; i < last; ++i)
-      most = std::max(most, distance_to_segment(path.moves[i].to, from, path.moves[last].to));
+      most = std::max(most, squared_to_segment(path.moves[i].to, from, path.moves[last].to));
     first = last + std::size_t(1);
   }
-  return most;
+  return std::sqrt(most);
 }
 
 /// What the moves of a segment add up to.
@@ -149,7 +174,8 @@ PathView path_view(const Toolpath& path, std::span<const simulator::MoveRemoval>
   PathView view;
   view.start = path.start, view.moves = path.moves.size();
   view.has_rates = !removal.empty() && removal.size() == path.moves.size();
-  const Ends ends = fitting(path, std::max<std::size_t>(options.most_segments, 1));
+  const std::size_t most = std::max<std::size_t>(options.most_segments, 1);
+  const Ends ends = view.moves > most ? fitting(path, most) : all_moves(path);
   view.within_mm = farthest_mm(path, ends);
   const double programmed_s = model::lengths(path, options.rapid_mm_min).time_s;
   const bool scaled = options.machining_time_s > 0 && programmed_s > 0;

@@ -41,7 +41,8 @@ struct PathViewOptions {
 /// `path` in at most `most_segments` (no less than 1). Moves of one kind and feed are joined where
 /// the tips stay within a distance of the segment that joins them; the distance grows until they
 /// fit. Beyond a 500th of the path's extent moves of different feeds are joined as well, beyond a
-/// 50th rapids with feeds. Time is linear in moves but for logarithms.
+/// 50th rapids with feeds. Takes a few passes over the moves, each linear but for the logarithm of
+/// a segment's moves.
 PathView path_view(const model::Toolpath& path, std::span<const simulator::MoveRemoval> removal,
                    const PathViewOptions& options);
 

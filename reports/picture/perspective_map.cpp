@@ -23,14 +23,20 @@ struct Layers {
   std::vector<float> light;  ///< 0 to 1; minus that where the surface is seen from its back
 };
 
-/// How light falls on a surface with this normal, from above and behind the viewer's left shoulder.
-float lit(const Vec3& normal, const Vec3& towards_eye, const PerspectiveView& view) {
-  const Vec3 n = model::normalized(normal);
-  const bool back = model::dot(n, towards_eye) < 0;
-  const Vec3 lamp = model::normalized(towards_eye * 0.5 + view.up() * 0.75 - view.right() * 0.7);
-  const double light = std::max(0.05, model::dot(back ? -n : n, lamp));
-  return static_cast<float>(back ? -light : light);
-}
+/// Light from above and behind the viewer's left shoulder.
+struct Lamp {
+  explicit Lamp(const PerspectiveView& view)
+      : direction(model::normalized(view.towards() * 0.5 + view.up() * 0.75 - view.right() * 0.7)) {
+  }
+  /// How much falls on a surface with this normal that is seen along `to_eye`.
+  float on(const Vec3& normal, const Vec3& to_eye) const {
+    const bool back = model::dot(normal, to_eye) < 0;
+    const double facing = model::dot(model::normalized(normal), direction);
+    const double light = std::max(0.05, back ? -facing : facing);
+    return static_cast<float>(back ? -light : light);
+  }
+  Vec3 direction;
+};
 
 template <typename Paint>
 void fill_quads(DepthBuffer& depth, const verifier::DeviationField& field,
@@ -50,6 +56,7 @@ void fill_quads(DepthBuffer& depth, const verifier::DeviationField& field,
 
 void fill_layers(DepthBuffer& depth, Layers& layers, const verifier::DeviationField& field,
                  const PerspectiveView& view) {
+  const Lamp lamp(view);
   fill_quads(depth, field, view,
              [&](std::size_t i, const Sample& a, const Sample& b, const Sample& c, const auto& w) {
                layers.deviation_mm[i] = static_cast<float>(
@@ -57,8 +64,8 @@ void fill_layers(DepthBuffer& depth, Layers& layers, const verifier::DeviationFi
                layers.reachable[i] =
                    static_cast<float>(w[0] * a.reachable + w[1] * b.reachable + w[2] * c.reachable);
                const Vec3 p = a.place.point * w[0] + b.place.point * w[1] + c.place.point * w[2];
-               layers.light[i] = lit(a.normal * w[0] + b.normal * w[1] + c.normal * w[2],
-                                     view.towards_eye(p), view);
+               layers.light[i] =
+                   lamp.on(a.normal * w[0] + b.normal * w[1] + c.normal * w[2], view.eye() - p);
              });
 }
 

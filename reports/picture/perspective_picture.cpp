@@ -72,7 +72,8 @@ void draw_header(Image& image, const StageResult& stage) {
             {kMargin + 4.0, 58}, {30, kInk, 0.15});
   std::string figures;
   for (const GateFigure& figure : gate_figures(stage)) {
-    if (figure.name != "gouge" && figure.name != "uncut") continue;
+    const bool is_depth = figure.name == "gouge" || figure.name == "uncut";
+    if (!is_depth && figure.standing != Standing::beyond) continue;
     figures += (figures.empty() ? "" : ",   ") + figure.name + " " + figure.measured;
     if (!figure.limit.empty()) figures += " (limit " + figure.limit + ")";
   }

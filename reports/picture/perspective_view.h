@@ -15,8 +15,10 @@ class PerspectiveView {
 
   /// z is the inverse of the distance along the view: linear on the screen over a flat triangle.
   ScreenPoint project(const model::Vec3& p) const;
-  /// The direction from `p` to the eye, of length one.
-  model::Vec3 towards_eye(const model::Vec3& p) const { return model::normalized(eye_ - p); }
+  const model::Vec3& eye() const { return eye_; }
+  /// From the middle of the field to the eye, and what leads right and up on the screen: of length
+  /// one.
+  const model::Vec3& towards() const { return towards_; }
   const model::Vec3& right() const { return right_; }
   const model::Vec3& up() const { return up_; }
   int width() const { return width_; }

@@ -180,6 +180,11 @@ name = "c"
 tool = "apt10"
 program = "foreign/plate.ngc"
 program_comment = "FINISH"
+[[stage]]
+name = "d"
+tool = "drill6"
+program = "foreign/plate.ngc"
+program_tool = 1
 [published]
 source = "a paper"
 patches = 12

@@ -42,26 +42,19 @@ test('every finding of a failed stage is flown to from the list in the view', ()
       }
   }));
 
-test('the flight moves the camera, step by step, and ends at the finding', () =>
-  withReport(browser, 'failed', {}, async (page) => {
-    const [worst] = resultOf('failed').stages[1].deviation.gouges;
-    await showStage(page, 1);
-    const before = await stateOf(page);
-    const frames = await page.evaluate(async () => {
-      const { view } = window.limitgauge, seen = [];
-      const done = view.choose(1, 'U1');
-      const watch = () => seen.push(view.state().camera.focal.join());
-      const timer = setInterval(watch, 10);
-      await done;
-      clearInterval(timer);
-      watch();
-      return new Set(seen).size;
-    });
-    assert.ok(frames >= 3, `${frames} places of the camera`);
-    await page.locator('[data-testid="view-findings"] [data-finding-id="G1"]').click();
-    await expectChosen(page, 1, 'G1', worst);
-    assert.notDeepEqual((await stateOf(page)).camera.focal, before.camera.focal);
-  }));
+for (const reducedMotion of ['no-preference', 'reduce'])
+  test(`${reducedMotion}: the camera ${reducedMotion === 'reduce' ? 'is at once' : 'flies'} there`, () =>
+    withReport(browser, 'failed', { reducedMotion }, async (page) => {
+      const [worst] = resultOf('failed').stages[1].deviation.gouges;
+      await showStage(page, 1);
+      await page.evaluate(() => {
+        window.onTheWay = 0;
+        window.limitgauge.view.scene.onFrame(({ moving }) => (window.onTheWay += moving));
+      });
+      await page.locator('[data-testid="view-findings"] [data-finding-id="G1"]').click();
+      await expectChosen(page, 1, 'G1', worst);
+      assert.equal(await page.evaluate(() => window.onTheWay > 0), reducedMotion !== 'reduce');
+    }));
 
 test('from the first screen to the worst gouge: one button; its program text is shown', () =>
   withReport(browser, 'gouging', {}, async (page) => {

@@ -52,7 +52,8 @@ test('the slider moves the tool along the program: its place, line and feed at e
   withReport(browser, 'failed', {}, async (page) => {
     await showFinish(page);
     const slider = part(page, 'path-time');
-    const [last, step] = [Number(await slider.getAttribute('max')), Number(await slider.getAttribute('step'))];
+    const attribute = async (name) => Number(await slider.getAttribute(name));
+    const last = await attribute('max'), step = await attribute('step');
     assert.ok(last >= total_s - 1e-3 && last <= total_s + step, `${last} s of ${total_s} s`);
     for (const share of [0.001, 0.25, 0.5031, 0.777]) {
       await slider.fill(String(Number((Math.round((share * total_s) / step) * step).toFixed(6))));

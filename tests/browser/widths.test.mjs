@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { openBrowser, withReport } from './support/browser.mjs';
-import { misfits, smallTargets } from './support/layout.mjs';
+import { meetingLabels, misfits, smallTargets } from './support/layout.mjs';
 
 const browser = await openBrowser();
 
@@ -14,4 +14,5 @@ for (const name of ['passed', 'failed', 'undecided', 'dome', 'gouging', 'hostile
           await details.evaluate((element) => (element.open = true));
         assert.deepEqual(await misfits(page), []);
         assert.deepEqual(await smallTargets(page), []);
+        assert.deepEqual(await meetingLabels(page), []);
       }));

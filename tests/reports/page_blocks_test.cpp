@@ -94,8 +94,8 @@ TEST_CASE("points differ from the same axis of the point before", "[unit][page]"
   Blob blob;
   const Json block = blob.add(points, 3);
   CHECK(block["order"] == 2);
-  // First the points' own numbers zigzag-coded, then first differences less none, then zeros.
-  const std::vector<std::uint32_t> coded = {0, 9, 0, 2000, 9, 6};
+  // Zigzag-coded: (0, -5, 0), the first step (1000, 0, 3) less that, and no change of the step.
+  const std::vector<std::uint32_t> coded = {0, 9, 0, 2000, 10, 6};
   for (std::size_t i = 0; i < coded.size(); ++i) CHECK(word_at(blob.bytes(), block, i) == coded[i]);
   for (std::size_t i = 6; i < points.size(); ++i) CHECK(word_at(blob.bytes(), block, i) == 0);
 }

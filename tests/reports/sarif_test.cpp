@@ -24,9 +24,13 @@ json run_of(const RunResult& result) {
   return json::parse(text_of(result))["runs"][0];
 }
 
+json results_of(const RunResult& result) {
+  return run_of(result)["results"];
+}
+
 std::set<std::string> prints(const RunResult& result, const std::string& key) {
   std::set<std::string> out;
-  for (const json& entry : run_of(result)["results"])
+  for (const json& entry : results_of(result))
     if (entry["partialFingerprints"].contains(key))
       out.insert(entry["partialFingerprints"][key].get<std::string>());
   return out;
@@ -111,7 +115,7 @@ TEST_CASE("findings in one cell are counted", "[unit][sarif]") {
   auto& gouges = result.stages[1].ran->deviation.gouges;
   gouges.push_back(gouges.front());
   std::multiset<std::string> ends;
-  for (const json& entry : run_of(result)["results"])
+  for (const json& entry : results_of(result))
     if (entry["ruleId"] == "gouge") {
       const std::string print = entry["partialFingerprints"]["primaryLocationLineHash"];
       ends.insert(print.substr(16));
@@ -123,14 +127,14 @@ TEST_CASE("a verdict that no finding explains is a result of its own", "[unit][s
   RunResult result = sample_result(Outcome::passed, 9);
   CHECK(run_of(result)["results"].empty());
   result.stages[0].decision = {verifier::Verdict::fail, {"for a reason of its own"}};
-  json results = run_of(result)["results"];
+  json results = results_of(result);
   REQUIRE(results.size() == 1);
   CHECK(results[0]["ruleId"] == "verdict");
   CHECK(results[0]["level"] == "error");
   CHECK_THAT(results[0]["message"]["text"].get<std::string>(),
              ContainsSubstring("for a reason of its own"));
   result.stages[0].ran->deviation.coverage = 0.5;
-  results = run_of(result)["results"];
+  results = results_of(result);
   REQUIRE(results.size() == 1);
   CHECK(results[0]["ruleId"] == "coverage");
   result.stages[0].decision = {verifier::Verdict::indeterminate, {"open"}};

@@ -54,6 +54,9 @@ TEST_CASE("a stage that ran leaves its files, twice the same", "[unit][files]") 
   CHECK(surface->triangles == 2 * surface->vertices - 4);
   CHECK(surface->voxel_mm == 1.0);
   CHECK(surface->unmoved_vertices == 0);
+  REQUIRE(path_view);
+  CHECK(path_view->segments.size() == stage.ran->path->moves.size());
+  CHECK(path_view->segments.back().end_s == Approx(stage.ran->machining_time_s));
 }
 
 TEST_CASE("pictures can be left out", "[unit][files]") {
@@ -70,7 +73,7 @@ TEST_CASE("a stage that was not run leaves nothing", "[unit][files]") {
   const auto [pictures, surface, path_view] =
       write_stage_files(sample_result(Outcome::failed, 3).stages[2], folder.path(), {});
   CHECK(std::filesystem::is_empty(folder.path()));
-  CHECK((pictures.deviation_png.empty() && pictures.stock_png.empty() && !surface));
+  CHECK((pictures.deviation_png.empty() && pictures.stock_png.empty() && !surface && !path_view));
 }
 
 TEST_CASE("a stage's name never leads out of the folder", "[unit][files]") {

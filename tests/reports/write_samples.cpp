@@ -1,7 +1,7 @@
-// write_samples FOLDER [--no-pictures] [NAME...]: the reports of sample jobs, each in its folder, for
-// checks by readers that are not ours: passed, failed, undecided and foreign (without names these),
-// for browsers hostile (markup in every text) and large (200,000 cells a stage), and thinned, whose
-// field is too large to be shown whole.
+// write_samples FOLDER [--no-pictures] [NAME...]: the reports of sample jobs, each in its folder,
+// for checks by readers that are not ours: passed, failed, undecided and foreign (without names
+// these), for browsers hostile (markup in every text) and large (200,000 cells a stage), and
+// thinned, whose field is too large to be shown whole.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -57,8 +57,7 @@ void write_stage(StageResult& stage, bool names_folder, const std::filesystem::p
                  bool pictures) {
   std::string name = stage.name;
   if (!names_folder) stage.name = "stage";
-  StageFiles files =
-      write_stage_files(stage, folder, {.pictures = pictures, .rapid_mm_min = 5000});
+  StageFiles files = write_stage_files(stage, folder, {.pictures = pictures, .rapid_mm_min = 5000});
   if (stage.ran) {
     stage.ran->path_view = std::move(files.path_view);
     write_field(stage, folder / stage.name / "field.txt");

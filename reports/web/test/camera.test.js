@@ -1,10 +1,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { axes, between, fitted, project, ray, VIEWS, zoomed } from '../src/view/camera.js';
+import { axes, between, corners, fitted, project, ray, VIEWS, zoomed } from '../src/view/camera.js';
 import { dot, length, subtract } from '../src/view/vector.js';
 
 const size = { width: 800, height: 500 };
-const box = [[0, 0, -2], [40, 20, 2]];
+const box = corners([[0, 0, -2], [40, 20, 2]]);
 
 test('the named views look where they say', () => {
   const near = (a, b) => a.forEach((c, k) => assert.ok(Math.abs(c - b[k]) < 1e-12));
@@ -17,10 +17,14 @@ test('the named views look where they say', () => {
 test('a fitted camera shows all corners of the box', () => {
   for (const view of Object.values(VIEWS)) {
     const camera = fitted(view, box, size);
+    let spread = 0;
     for (let k = 0; k < 8; ++k) {
-      const { x, y } = project(camera, size, [0, 1, 2].map((axis) => box[(k >> axis) & 1][axis]));
+      const { x, y } = project(camera, size, box[k]);
       assert.ok(x > 0 && x < size.width && y > 0 && y < size.height);
+      const aside = [x / size.width, y / size.height].map((share) => Math.abs(share - 0.5));
+      spread = Math.max(spread, ...aside);
     }
+    assert.ok(spread > 0.35, 'and does not leave it small');
   }
 });
 

@@ -6,7 +6,7 @@ import {
 } from '../src/charts/bins.js';
 import { clockInterval } from '../src/charts/clock_axis.js';
 import { histogramOption, percentilesOf, unitOf } from '../src/charts/histogram_option.js';
-import { processOption } from '../src/charts/process_option.js';
+import { leastRate, processOption } from '../src/charts/process_option.js';
 import { clockMark } from '../src/path/words.js';
 import { sampleReport } from './sample.js';
 
@@ -133,6 +133,18 @@ test('the histogram marks zero, both limits and the percentiles, and holds far l
   ]);
   const far = marks({ limits: { uncut_mm: 0.9 }, percentiles: undefined });
   assert.deepEqual(far[1].slice(1), ['uncut limit 900 \u00b5m \u2192', 0]);
+});
+
+test('a logarithmic removal rate begins at a power of ten, no more than five below the largest', () => {
+  const rates = (...means) => means.map((mean) => ({ mean, max: 2 * mean }));
+  assert.equal(leastRate(rates(30, 4000)), 10);
+  assert.equal(leastRate(rates(0, 4000)), 1000);
+  assert.ok(Math.abs(leastRate(rates(1e-9, 4000)) - 0.1) < 1e-12);
+  const { path, ...stage } = sampleReport().stages[0];
+  path.rate_mm3_min.fill(0, 0, 400);
+  const chart = { bins: processBins(path, 50), total_s: 43, stage, findings: [], logarithmic: true };
+  const { series, yAxis } = processOption(chart, colours, 1000);
+  assert.deepEqual([yAxis[0].type, yAxis[1].type, series[0].data[0]], ['log', 'value', [0, null]]);
 });
 
 test('the process has a panel for each figure that the data have', () => {

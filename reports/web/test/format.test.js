@@ -21,6 +21,12 @@ test('stated lengths keep their digits', () => {
   assert.equal(format.signedLength(-0.05), '−50 µm');
 });
 
+test('deviations carry their sign; below a nanometre there is none', () => {
+  assert.equal(format.signedMeasured(0.0498123), '+49.8 µm');
+  assert.equal(format.signedMeasured(-0.0498123), '−49.8 µm');
+  assert.equal(format.signedMeasured(-5e-13), '0 µm');
+});
+
 test('never minus zero', () => {
   assert.equal(format.fixed(-0.0001, 2), '0.00');
   assert.equal(format.coordinate(-1.23456), '−1.235');

@@ -117,7 +117,7 @@ test('what the path may be coloured by, with the ends of the scale', () => {
   assert.deepEqual([rate.low, rate.high, rate.clipped], [0, 300, false]);
   assert.equal(shareOf(feed, 375), 0.5);
   assert.equal(shareOf(feed, 5000), 1);
-  assert.deepEqual(legendTicks(feed), [150, 262.5, 375, 487.5, 600]);
+  assert.deepEqual(legendTicks(feed, 5), [150, 262.5, 375, 487.5, 600]);
 });
 
 test('a short peak of the removal rate does not stretch its scale', () => {
@@ -136,13 +136,15 @@ test('a choice without figures says why', () => {
 
 test('a scale without length has one mark', () => {
   const feed = colourChoices({ ...smallPath(), feed_mm_min: Float32Array.from([9, 600, 600, 9]) })[1];
-  assert.deepEqual(legendTicks(feed), [600]);
+  assert.deepEqual(legendTicks(feed, 5), [600]);
   assert.equal(shareOf(feed, 600), 0.5);
 });
 
 test('how exact the drawn path is', () => {
   assert.equal(exactness(smallPath()),
     '4 lines are drawn for the 9 moves of the program: every move lies within 4 \u00b5m of what is drawn.');
+  assert.match(exactness({ ...smallPath(), within_mm: 0.03812 }), /within 39 \u00b5m of/, 'never less than it is');
+  assert.match(exactness({ ...smallPath(), within_mm: 0.25 }), /within 0.25 mm of/);
   assert.equal(exactness({ ...smallPath(), within_mm: 0, moves: 97689 }),
     'All 97\u202f689 moves of the program are drawn.');
 });

@@ -54,6 +54,7 @@ export async function withReport(browser, name, options, use) {
   const { width = 1280, height = 900, ready = true, ...others } = options;
   const context = await browser.newContext({ viewport: { width, height }, ...others });
   try {
+    context.setDefaultTimeout(15_000);
     const page = await context.newPage();
     const address = pathToFileURL(reportFile(name)).href;
     const faults = watch(page, address);

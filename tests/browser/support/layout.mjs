@@ -44,14 +44,33 @@ export function smallTargets(page) {
   return page.evaluate((controls) => {
     const least = 24, faults = [];
     const boxes = [...document.querySelectorAll(controls)]
-      .filter((e) => e.checkVisibility({ visibilityProperty: true }) && !e.closest('p, li, td, dd, caption') &&
-        !e.closest('.echarts, [data-chart]'))
+      .filter((e) => e.checkVisibility({ visibilityProperty: true }) && !e.closest('p, li, td, dd, caption'))
       .map((e) => ({ e, box: (e.closest('label') ?? e).getBoundingClientRect() }))
       .filter(({ box }) => box.width > 1 && box.height > 1);
     for (const { e, box } of boxes)
       if (box.width < least || box.height < least)
-        faults.push(`${e.tagName.toLowerCase()} "${(e.ariaLabel ?? e.textContent ?? '').trim().slice(0, 40)}" ` +
+        faults.push(`${e.tagName} "${(e.ariaLabel ?? e.textContent ?? '').trim().slice(0, 40)}" ` +
           `${box.width.toFixed(0)} x ${box.height.toFixed(0)} px`);
     return faults;
   }, controls);
+}
+
+/** Words of scales that run into each other: pairs of their texts. */
+export function meetingLabels(page) {
+  return page.evaluate(() => {
+    const faults = [];
+    const scales = '.view-ticks, .view-words, .path-legend-ticks, .below, .above';
+    const meet = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 &&
+      a.top < b.bottom - 1 && b.top < a.bottom - 1;
+    for (const scale of document.querySelectorAll(scales)) {
+      if (!scale.checkVisibility()) continue;
+      const labels = [...scale.children]
+        .map((e) => ({ text: e.textContent, box: e.getBoundingClientRect() }))
+        .filter(({ box }) => box.width > 0);
+      labels.forEach((a, i) => labels.slice(i + 1).forEach((b) => {
+        if (meet(a.box, b.box)) faults.push(`${a.text} | ${b.text}`);
+      }));
+    }
+    return faults;
+  });
 }

@@ -53,6 +53,6 @@ export const distance = (a, b) => Math.hypot(...a.map((c, i) => c - b[i]));
 
 /** Shows the toolpath with its controls. */
 export async function showPath(page) {
-  await part(page, 'path-visible').check();
+  await part(page, 'view-path').check();
   await settle(page);
 }

@@ -1,8 +1,9 @@
 import './charts.css';
 
-import { make } from '../path/dom.js';
 import { duration } from '../path/timeline.js';
-import { clockText, threeDigits } from '../path/words.js';
+import { clockText } from '../path/words.js';
+import { make } from '../view/dom.js';
+import { threeDigits } from '../view/format.js';
 import { findingTimes, histogramAxis, histogramBars, processBins } from './bins.js';
 import { histogramOption, percentilesOf, signed, unitOf } from './histogram_option.js';
 import { createLiveChart, whenSeen } from './live_chart.js';
@@ -30,10 +31,10 @@ export function startCharts(report, root) {
 /** Stands instead of the static picture, which is kept for print. */
 function liveHistogram(figure, stage) {
   const drawn = { bars: histogramBars(stage.histogram, stage.limits), stage, logarithmic: false };
-  const plot = make('div', { class: 'chart-plot chart-histogram', 'data-testid': 'histogram-chart' });
-  const log = make('input', { type: 'checkbox', 'data-testid': 'histogram-log' });
-  const controls = make('label', { class: 'chart-switch' }, log, 'logarithmic area');
-  figure.append(make('div', { 'data-live': true }, controls, plot, percentileWords(stage)));
+  const plot = make('div', { class: 'chart-plot chart-histogram', data: { testid: 'histogram-chart' } });
+  const log = make('input', { type: 'checkbox', data: { testid: 'histogram-log' } });
+  const controls = make('label', { class: 'chart-switch' }, [log, 'logarithmic area']);
+  figure.append(make('div', { 'data-live': true }, [controls, plot, ...percentileWords(stage)]));
   const picture = figure.querySelector('.static');
   if (picture) picture.hidden = true;
   figure.classList.add('chart-drawn');
@@ -49,17 +50,19 @@ function liveHistogram(figure, stage) {
 function percentileWords(stage) {
   const unit = unitOf(histogramAxis(stage.histogram, stage.limits));
   const texts = percentilesOf(stage).map(({ name, at_mm }) =>
-    `${name} ${signed(threeDigits(at_mm * unit.per_mm), at_mm)} ${unit.symbol}`);
-  if (texts.length === 0) return '';
-  return make('p', { class: 'chart-words', 'data-testid': 'histogram-percentiles' },
-    make('span', {}, 'Percentiles of the area:'), ...texts.map((text) => make('span', {}, text)));
+    `${name} ${signed(threeDigits(at_mm * unit.perMm), at_mm)} ${unit.symbol}`);
+  if (texts.length === 0) return [];
+  return [make('p', { class: 'chart-words', data: { testid: 'histogram-percentiles' } },
+    ['Percentiles of the area:', ...texts].map((text) => make('span', { text })))];
 }
 
 /** Its figures are worked out when it is about to be seen, too: they may have to be unpacked. */
 function processChart(place, stage, index) {
-  const plot = make('div', { class: 'chart-plot chart-process', 'data-testid': 'process-chart' });
-  const caption = make('figcaption', {}, '');
-  const figure = make('figure', {}, caption, plot);
+  const plot = make('div', { class: 'chart-plot chart-process', data: { testid: 'process-chart' } });
+  const caption = make('figcaption');
+  const log = make('input', { type: 'checkbox', data: { testid: 'process-log' } });
+  const controls = make('label', { class: 'chart-switch' }, [log, 'logarithmic removal rate']);
+  const figure = make('figure', {}, [caption, controls, plot]);
   place.append(figure);
   whenSeen(plot, () => {
     const drawn = processFigures(stage, plot.clientWidth);
@@ -68,8 +71,14 @@ function processChart(place, stage, index) {
       return;
     }
     caption.textContent = processWords(drawn);
+    controls.hidden = !drawn.bins.rate;
     plot.style.height = `${processHeight(drawn.bins)}px`;
-    const { chart } = createLiveChart(plot, (colours, width_px) => processOption(drawn, colours, width_px));
+    const { chart, redraw } = createLiveChart(plot, (colours, width_px) =>
+      processOption(drawn, colours, width_px));
+    log.addEventListener('change', () => {
+      drawn.logarithmic = log.checked;
+      redraw();
+    });
     chart.getZr().on('click', ({ offsetX }) => {
       const time_s = chart.convertFromPixel({ xAxisIndex: 0 }, offsetX);
       if (time_s >= 0 && time_s <= drawn.total_s)
@@ -94,5 +103,6 @@ function processWords({ stage, bins, findings }) {
   else words.push('The report holds no removal rates of this stage.');
   if (stage.path.within_mm > 0 && bins.rate) words.push('Rates are means over what is drawn as one line.');
   if (findings.length > 0) words.push('Dashed lines mark process findings.');
+  words.push('A click shows the tool at that time in the 3D view.');
   return words.join(' ');
 }

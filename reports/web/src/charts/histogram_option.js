@@ -1,4 +1,5 @@
-import { grouped, threeDigits } from '../path/words.js';
+import { grouped } from '../path/words.js';
+import { threeDigits, unitFor } from '../view/format.js';
 import { histogramAxis, leastDecade, placeWords } from './bins.js';
 import { axisOption, commonOption, tooltipLines } from './theme.js';
 
@@ -24,7 +25,7 @@ export function histogramOption({ bars, stage, logarithmic }, colours, width_px)
       formatter: (params) => barTooltip(params, bars, stage.limits, unit),
     },
     xAxis: axisOption(colours, {
-      type: 'value', min: axis.low_mm * unit.per_mm, max: axis.high_mm * unit.per_mm,
+      type: 'value', min: axis.low_mm * unit.perMm, max: axis.high_mm * unit.perMm,
       name: `deviation, ${unit.symbol}`, nameLocation: 'middle', nameGap: 26, splitLine: { show: false },
       axisLabel: {
         color: colours.soft, fontSize: 13, hideOverlap: true, showMinLabel: false, showMaxLabel: false,
@@ -36,10 +37,8 @@ export function histogramOption({ bars, stage, logarithmic }, colours, width_px)
   };
 }
 
-/** Micrometres where every figure of the axis is below 0.1 mm. */
-export function unitOf({ low_mm, high_mm }) {
-  return Math.max(-low_mm, high_mm) < 0.1 ? { per_mm: 1000, symbol: '\u00b5m' } : { per_mm: 1, symbol: 'mm' };
-}
+/** The unit of the whole axis. */
+export const unitOf = ({ low_mm, high_mm }) => unitFor(Math.max(-low_mm, high_mm));
 
 export const signed = (text, value) => (value > 0 ? `+${text}` : text);
 const signedTick = (value) => signed(String(Number(value.toPrecision(6))).replace('-', '\u2212'), value);
@@ -61,11 +60,11 @@ function barSeries(bars, unit, colours, logarithmic) {
   return {
     type: 'custom', name: 'area', clip: true,
     encode: { x: 0, y: 1 },
-    data: bars.map(({ low_mm, high_mm, area_mm2 }) => [((low_mm + high_mm) / 2) * unit.per_mm, area_mm2]),
+    data: bars.map(({ low_mm, high_mm, area_mm2 }) => [((low_mm + high_mm) / 2) * unit.perMm, area_mm2]),
     renderItem(params, api) {
       const { low_mm, high_mm, area_mm2, side } = bars[params.dataIndex];
-      const [left, top] = api.coord([low_mm * unit.per_mm, area_mm2]);
-      const [right, bottom] = api.coord([high_mm * unit.per_mm, base]);
+      const [left, top] = api.coord([low_mm * unit.perMm, area_mm2]);
+      const [right, bottom] = api.coord([high_mm * unit.perMm, base]);
       // A bin that holds anything at all must be seen.
       const height = Math.max(bottom - top, 2);
       return {
@@ -81,10 +80,10 @@ function barTooltip(params, bars, limits, unit) {
   const bar = bars[params[0]?.dataIndex];
   if (!bar) return '';
   const whole = bars.reduce((sum, { area_mm2 }) => sum + area_mm2, 0);
-  const end = (mm) => signed(threeDigits(mm * unit.per_mm), mm);
+  const end = (mm) => signed(threeDigits(mm * unit.perMm), mm);
   return tooltipLines([
     `${end(bar.low_mm)} to ${end(bar.high_mm)} ${unit.symbol}`,
-    `${threeDigits(bar.area_mm2)} mm\u00b2, ${threeDigits((100 * bar.area_mm2) / whole)} % of the surface`,
+    `${threeDigits(bar.area_mm2)} mm\u00b2, ${threeDigits((100 * bar.area_mm2) / whole)} % of the area`,
     placeWords(bar, limits),
   ]);
 }
@@ -106,15 +105,17 @@ function markSeries(stage, axis, unit, colours, width_px) {
 function limitMarks({ gouge_mm, uncut_mm }, axis, unit, colours, width_px) {
   const marks = [['gouge', gouge_mm === undefined ? undefined : -gouge_mm], ['uncut', uncut_mm]];
   return marks.filter(([, at]) => at !== undefined).map(([side, at]) => {
-    const text = `${side} limit ${Number((Math.abs(at) * unit.per_mm).toPrecision(9))} ${unit.symbol}`;
-    const held = Math.min(Math.max(at, axis.low_mm), axis.high_mm), inside = held === at;
+    const text = `${side} limit ${Number((Math.abs(at) * unit.perMm).toPrecision(9))} ${unit.symbol}`;
+    // A mark at the very end of the axis is lost to rounding.
+    const margin = 1e-3 * (axis.high_mm - axis.low_mm);
+    const held = Math.min(Math.max(at, axis.low_mm + margin), axis.high_mm - margin), inside = held === at;
     const share = (held - axis.low_mm) / (axis.high_mm - axis.low_mm);
     // Outwards of its line where there is room; in a row of its own where both may meet.
     const room = (side === 'gouge' ? share : 1 - share) * width_px > LABEL_PX;
     const outwards = side === 'gouge' ? 'right' : 'left', inwards = side === 'gouge' ? 'left' : 'right';
     const arrow = side === 'gouge' ? `\u2190 ${text}` : `${text} \u2192`;
     return {
-      xAxis: held * unit.per_mm,
+      xAxis: held * unit.perMm,
       lineStyle: { color: colours.ink, width: inside ? 2 : 0, type: 'solid' },
       label: { show: true, position: 'end', distance: side === 'gouge' && width_px < NARROW_PX ? 56 : 38,
         color: colours.ink, fontWeight: 600, fontSize: 13, align: room ? outwards : inwards,
@@ -136,7 +137,7 @@ function percentileMarks(stage, axis, unit, colours) {
   return percentilesOf(stage)
     .filter(({ at_mm }) => at_mm >= axis.low_mm && at_mm <= axis.high_mm)
     .map(({ name, at_mm }) => ({
-      xAxis: at_mm * unit.per_mm,
+      xAxis: at_mm * unit.perMm,
       lineStyle: { color: colours.link, width: 1.5, type: [2, 3] },
       label: {
         show: true, position: 'end', distance: place[name][1], align: place[name][0], color: colours.link,

@@ -16,10 +16,16 @@ export function commonOption(colours, description) {
     textStyle: { fontFamily: colours.font, color: colours.ink },
     aria: { enabled: true, label: { description } },
     tooltip: {
-      trigger: 'axis', confine: true, transitionDuration: 0, backgroundColor: colours.panel,
-      borderColor: colours.rule, textStyle: { color: colours.ink, fontFamily: colours.font, fontSize: 14 },
+      trigger: 'axis', confine: true, transitionDuration: 0, position: besidePointer,
+      backgroundColor: colours.panel, borderColor: colours.rule,
+      textStyle: { color: colours.ink, fontFamily: colours.font, fontSize: 14 },
     },
   };
+}
+
+/** At the chart's upper edge, on the side with more room: what is pointed at stays in sight. */
+function besidePointer([x], params, element, place, { contentSize, viewSize }) {
+  return [x < viewSize[0] / 2 ? x + 16 : x - contentSize[0] - 16, 0];
 }
 
 /** An axis in the page's colours. */

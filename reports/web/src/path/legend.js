@@ -1,7 +1,7 @@
-import { make } from './dom.js';
+import { make } from '../view/dom.js';
 import { legendTicks, shareOf } from './values.js';
 import { viridisGradient } from './viridis.js';
-import { clockText, threeDigits } from './words.js';
+import { clockText, figure } from './words.js';
 
 /** What the colours of the path mean, in figures with their unit. */
 export function createLegend() {
@@ -10,14 +10,15 @@ export function createLegend() {
   bar.style.backgroundImage = viridisGradient();
   const ticks = make('div', { class: 'path-legend-ticks' });
   const dash = make('span', { class: 'path-dash' });
-  const rapid = make('p', { class: 'path-legend-rapid' }, dash, 'dashed: rapid');
-  const element = make('div', { class: 'path-legend', 'data-testid': 'path-legend' },
-    title, bar, ticks, rapid);
+  const rapid = make('p', { class: 'path-legend-rapid' }, [dash, 'dashed: rapid']);
+  const element = make('div', { class: 'path-legend', data: { testid: 'path-legend' } },
+    [title, bar, ticks, rapid]);
   return {
     element,
     update(chosen) {
       title.textContent = chosen.key === 'order' ? chosen.label : `${chosen.label} in ${chosen.unit}`;
-      const values = legendTicks(chosen);
+      // Times are long words.
+      const values = legendTicks(chosen, chosen.key === 'order' ? 3 : 5);
       ticks.replaceChildren(...values.map((value, i) => tick(chosen, value, i === values.length - 1)));
     },
     setRapids: (shown) => (rapid.hidden = !shown),
@@ -25,8 +26,8 @@ export function createLegend() {
 }
 
 function tick(chosen, value, last) {
-  const text = chosen.key === 'order' ? clockText(value, 0) : threeDigits(value);
-  const element = make('span', {}, last && chosen.clipped ? `\u2265 ${text}` : text);
+  const text = chosen.key === 'order' ? clockText(value, chosen.high < 60 ? 1 : 0) : figure(value);
+  const element = make('span', { text: last && chosen.clipped ? `\u2265 ${text}` : text });
   const share = shareOf(chosen, value);
   element.style.left = `${100 * share}%`;
   element.style.transform = `translateX(${-100 * share}%)`;

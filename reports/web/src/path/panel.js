@@ -1,4 +1,5 @@
-import { choice, labelled, make } from './dom.js';
+import { make } from '../view/dom.js';
+import { coordinate } from '../view/format.js';
 import { createLegend } from './legend.js';
 import { clockMark, clockText, feedText, grouped, rateText } from './words.js';
 
@@ -6,52 +7,64 @@ export const SPEEDS = [1, 5, 20, 60, 200, 600, 2000];
 const WINDOWS_S = [0, 1, 5, 20, 60, 300, 1200];
 
 /**
- * The controls of the toolpath. `on` is told what the reader did: colour(key), rapids(bool),
+ * The controls of the toolpath. `on` is told what the reader did: colour(key), rapids(bool), veil(bool),
  * time(s), window(s), speed(factor), play(), step(direction).
  */
 export function createPanel(on) {
   const parts = controls();
   const legend = createLegend();
-  const body = make('div', {},
-    make('div', { class: 'path-row' }, labelled('Coloured by', parts.colour), labelled('Show', parts.window),
-      labelled('Rapids', parts.rapids)),
+  const transport = [parts.back, parts.play, parts.forward, parts.slider, labelled('Speed', parts.speed)];
+  const body = make('div', {}, [
+    make('div', { class: 'path-row' }, [
+      labelled('Path coloured by', parts.colour), labelled('Show', parts.window),
+      labelled('Rapids', parts.rapids), labelled('Map shows through', parts.veil),
+    ]),
     parts.reason, legend.element,
-    make('div', { class: 'path-row path-transport' }, parts.back, parts.play, parts.forward, parts.slider,
-      labelled('Speed', parts.speed)),
-    parts.readout, parts.exact);
-  const element = make('section',
-    { class: 'path-panel', 'data-testid': 'path-panel', 'aria-label': 'Toolpath', hidden: true },
-    parts.none, body);
+    make('div', { class: 'path-row path-transport' }, transport),
+    parts.readout, parts.exact,
+  ]);
+  const element = make('section', {
+    class: 'path-panel', data: { testid: 'path-panel' }, 'aria-label': 'Toolpath', hidden: true,
+  }, [parts.none, body]);
   listen(parts, on);
   return { element, ...updates(parts, legend, body) };
 }
 
 function controls() {
-  const id = (name) => ({ 'data-testid': `path-${name}` });
+  const id = (name) => ({ data: { testid: `path-${name}` } });
   const button = (name, text, label) =>
-    make('button', { type: 'button', ...id(name), 'aria-label': label, title: label }, text);
+    make('button', { type: 'button', ...id(name), 'aria-label': label, title: label, text });
+  const choice = (name, values, textOf, more) => make('select', { ...id(name), ...more },
+    values.map((value) => make('option', { value, text: textOf(value) })));
   return {
-    none: make('p', { class: 'path-soft', ...id('none') }, 'No path of this stage stands in the report.'),
+    none: make('p', {
+      class: 'path-soft', ...id('none'), text: 'No path of this stage stands in the report.',
+    }),
     colour: make('select', id('colour')),
     reason: make('p', { class: 'path-soft', ...id('reason') }),
-    window: choice(WINDOWS_S.map((s) => ({ value: s, text: windowText(s) })), id('window')),
+    window: choice('window', WINDOWS_S, windowText),
     rapids: make('input', { type: 'checkbox', checked: true, ...id('rapids') }),
+    veil: make('input', { type: 'checkbox', ...id('veil') }),
     back: button('back', '\u25c2|', 'To the end of the move before'),
     play: button('play', 'Play', 'Play the path'),
     forward: button('forward', '|\u25b8', 'To the end of the next move'),
     slider: make('input', { type: 'range', min: 0, ...id('time'), 'aria-label': 'Machining time' }),
-    speed: choice(SPEEDS.map((s) => ({ value: s, text: `\u00d7 ${grouped(s)}` })),
-      { ...id('speed'), title: 'Seconds of machining in one second' }),
+    speed: choice('speed', SPEEDS, (s) => `\u00d7 ${grouped(s)}`,
+      { title: 'Seconds of machining in one second' }),
     readout: make('dl', { class: 'path-readout', ...id('readout') }),
     exact: make('p', { class: 'path-soft', ...id('exact') }),
   };
 }
+
+/** A control with its words. */
+const labelled = (text, control) => make('label', {}, [make('span', { text }), control]);
 
 const windowText = (seconds) =>
   (seconds === 0 ? 'all up to this time' : `only the last ${clockMark(seconds)}`);
 
 function listen(parts, on) {
   parts.rapids.addEventListener('change', () => on.rapids(parts.rapids.checked));
+  parts.veil.addEventListener('change', () => on.veil(parts.veil.checked));
   parts.colour.addEventListener('change', () => on.colour(parts.colour.value));
   parts.window.addEventListener('change', () => on.window(Number(parts.window.value)));
   parts.speed.addEventListener('change', () => on.speed(Number(parts.speed.value)));
@@ -69,8 +82,9 @@ function updates(parts, legend, body) {
     },
     setChoices(choices) {
       parts.colour.replaceChildren(...choices.map(({ key, label, reason }) =>
-        make('option', { value: key, disabled: Boolean(reason) },
-          reason ? `${label}: not available` : label)));
+        make('option', {
+          value: key, disabled: Boolean(reason), text: reason ? `${label}: not available` : label,
+        })));
       parts.reason.textContent = choices.filter(({ reason }) => reason)
         .map(({ label, reason }) => `${label}: not available, ${reason}.`).join(' ');
       parts.reason.hidden = parts.reason.textContent === '';
@@ -105,11 +119,12 @@ function showTime(parts, now, total_s, decimals, text) {
     ['Program line', now.line > 0 ? grouped(now.line) : 'none'],
     ['Feed', now.kind === 'rapid' ? 'rapid' : feedText(now.feed_mm_min)],
     ['Removal rate', now.rate_mm3_min === null ? 'not measured' : rateText(now.rate_mm3_min)],
-    ['Tool tip (X, Y, Z)', `${now.point_mm.map((c) => c.toFixed(3).replace('-', '\u2212')).join(', ')} mm`],
+    ['Tool tip (X, Y, Z)', `${now.point_mm.map(coordinate).join(', ')} mm`],
   ];
   const items = figures.map(([name, value]) =>
-    make('div', {}, make('dt', {}, name), make('dd', { 'data-figure': name }, value)));
-  if (text) items.push(make('div', { class: 'path-text' }, make('dt', {}, 'Program'),
-    make('dd', {}, make('code', {}, text))));
+    make('div', {}, [make('dt', { text: name }), make('dd', { data: { figure: name }, text: value })]));
+  if (text)
+    items.push(make('div', { class: 'path-text' },
+      [make('dt', { text: 'Program' }), make('dd', {}, [make('code', { text })])]));
   parts.readout.replaceChildren(...items);
 }

@@ -25,7 +25,7 @@ export function createPathActor(path, heightOf) {
   data.getPointData().addArray(
     vtkDataArray.newInstance({ name: 'trait', numberOfComponents: TRAIT_COMPONENTS, values: traits }));
 
-  const shown = { from_s: 0, to_s: Infinity, rapids: true, plane: EVERYWHERE, heightOf };
+  const shown = { from_s: 0, to_s: Infinity, rapids: true, veil: false, plane: EVERYWHERE, heightOf };
   const mapper = vtkMapper.newInstance();
   mapper.setInputData(data);
   mapper.setColorModeToDirectScalars();
@@ -53,8 +53,8 @@ export function createPathActor(path, heightOf) {
       uploads += 1;
     },
     /**
-     * What is seen: from_s to to_s, rapids or not, and the side of `plane` ([x, y, z, offset]) where
-     * it is not negative. Takes effect with the next drawing.
+     * What is seen: from_s to to_s, rapids or not, every other pixel where there is a veil, and the side
+     * of `plane` ([x, y, z, offset]) where it is not negative. Takes effect with the next drawing.
      */
     setShown: (part) => Object.assign(shown, part),
     uploads: () => uploads,
@@ -66,6 +66,7 @@ function setUniforms(shown, cells, renderer) {
   program.setUniformf('pathFrom', shown.from_s);
   program.setUniformf('pathTo', Math.min(shown.to_s, 3e38));
   program.setUniformf('pathRapids', shown.rapids ? 1 : 0);
+  program.setUniformf('pathVeil', shown.veil ? 1 : 0);
   program.setUniformf('pathDash', DASH_PIXELS * pixelSize(renderer.getActiveCamera(), shown.heightOf()));
   program.setUniform4f('pathPlane', ...inVertices(shown.plane, cells.getCABO()));
 }
@@ -104,13 +105,15 @@ function shaderReplacements() {
     replace('Fragment', '//VTK::Color::Dec', [
       'varying vec3 traitVSOutput;', 'varying float sideVSOutput;',
       'uniform float pathFrom;', 'uniform float pathTo;', 'uniform float pathRapids;',
-      'uniform float pathDash;',
+      'uniform float pathDash;', 'uniform float pathVeil;',
     ]),
     replace('Fragment', '//VTK::Color::Impl', [
       '  if (sideVSOutput < 0.0) discard;',
       '  if (traitVSOutput.x < pathFrom || traitVSOutput.x > pathTo) discard;',
       '  bool gap = pathRapids < 0.5 || fract(traitVSOutput.z / pathDash) > 0.55;',
       '  if (traitVSOutput.y < 0.5 && gap) discard;',
+      // Blending would have the whole scene drawn again.
+      '  if (pathVeil > 0.5 && mod(floor(gl_FragCoord.x) + floor(gl_FragCoord.y), 2.0) < 0.5) discard;',
     ]),
   ];
 }

@@ -8,9 +8,9 @@ import { createToolMarker } from './tool_marker.js';
 import { colourChoices, exactness, shareOf } from './values.js';
 import { viridis } from './viridis.js';
 
-/** Set apart from every colour of the scale, on either ground. */
-const RAPID = { light: [90, 98, 110], dark: [176, 184, 194] };
-const TOOL = { light: [70, 80, 95], dark: [205, 212, 220] };
+/** Greys and a blue grey that no scale has, seen on the page's ground and on the pale map. */
+const RAPID = { light: [90, 98, 110], dark: [138, 150, 165] };
+const TOOL = { light: [50, 60, 75], dark: [96, 128, 165] };
 
 /**
  * The toolpath of a stage over the error map, with its controls.
@@ -47,12 +47,13 @@ class PathLayer {
     this.stage = null;
     this.prepared = null;
     this.section = null;
-    this.view = { colour: 'order', rapids: true, window_s: 0, dark: false };
+    this.view = { colour: 'order', rapids: true, veil: false, window_s: 0, dark: false };
     this.time_s = 0;
     this.player = createPlayer((seconds) => this.advance(seconds));
     this.panel = createPanel({
       colour: (key) => this.setColour(key),
       rapids: (rapids) => this.setRapids(rapids),
+      veil: (veil) => this.setVeil(veil),
       time: (time_s) => this.setTime(time_s),
       window: (window_s) => this.setWindow(window_s),
       speed: (factor) => this.player.setSpeed(factor),
@@ -168,6 +169,11 @@ class PathLayer {
     this.setTime(this.time_s);
   }
 
+  setVeil(veil) {
+    this.view.veil = veil;
+    this.setTime(this.time_s);
+  }
+
   setWindow(window_s) {
     this.view.window_s = window_s;
     this.setTime(this.time_s);
@@ -176,6 +182,7 @@ class PathLayer {
   /** Shows the path up to `time_s`: two numbers for the shader, a place for the tool. */
   setTime(time_s) {
     const path = this.path();
+    if (path === null) return;
     this.time_s = Math.min(Math.max(time_s, 0), this.total_s);
     this.now = instant(path, this.time_s);
     this.panel.setTime(this.now, this.total_s, this.scale.decimals, this.programText(this.now.line));
@@ -189,9 +196,9 @@ class PathLayer {
   }
 
   shownPart() {
-    const { window_s, rapids } = this.view;
+    const { window_s, rapids, veil } = this.view;
     const from_s = window_s > 0 ? this.time_s - window_s : -1;
-    return { from_s, to_s: this.time_s, rapids, plane: sectionPlane(this.section) };
+    return { from_s, to_s: this.time_s, rapids, veil, plane: sectionPlane(this.section) };
   }
 
   programText(line) {

@@ -1,5 +1,6 @@
+import { statedLength } from '../view/format.js';
 import { beginning, duration } from './timeline.js';
-import { grouped, statedLength } from './words.js';
+import { grouped } from './words.js';
 
 const FEED = 1;
 
@@ -33,7 +34,7 @@ function rate(path) {
   const most = extremes(path, path.rate_mm3_min)[1];
   if (!(most > 0)) return { ...choice, reason: 'this path removes nothing' };
   // A few short peaks would leave one colour for all the rest.
-  const usual = quantileInTime(path, path.rate_mm3_min, 0.99);
+  const usual = quantileInTime(path, path.rate_mm3_min, 0.9);
   const high = usual > 0 ? usual : most;
   return { ...choice, values: path.rate_mm3_min, low: 0, high, clipped: most > high };
 }
@@ -73,7 +74,7 @@ export function shareOf(choice, value) {
 }
 
 /** Numbers for a legend, from `low` to `high`: its ends and what lies evenly between. */
-export function legendTicks(choice, count = 5) {
+export function legendTicks(choice, count) {
   if (!(choice.high > choice.low)) return [choice.low];
   return Array.from({ length: count }, (_, i) => choice.low + (i * (choice.high - choice.low)) / (count - 1));
 }
@@ -83,5 +84,11 @@ export function exactness(path) {
   const moves = grouped(path.moves);
   if (!(path.within_mm > 0)) return `All ${moves} moves of the program are drawn.`;
   return `${grouped(path.end_s.length)} lines are drawn for the ${moves} moves of the program: ` +
-    `every move lies within ${statedLength(path.within_mm)} of what is drawn.`;
+    `every move lies within ${statedLength(roundedUp(path.within_mm))} of what is drawn.`;
+}
+
+/** To two digits, upwards: what is said stays true. */
+function roundedUp(mm) {
+  const unit = 10 ** (Math.floor(Math.log10(mm)) - 1);
+  return Math.ceil(mm / unit - 1e-9) * unit;
 }

@@ -1,23 +1,10 @@
-/** `value` with three significant digits, thousands set apart from five digits on. */
-export function threeDigits(value) {
-  if (value === 0) return '0';
-  const size = Math.abs(value);
-  const decimals = Math.min(Math.max(2 - Math.floor(Math.log10(size)), 0), 9);
-  const text = value.toFixed(decimals);
-  return size >= 9999.5 ? grouped(Math.round(value)) : text.replace('-', '\u2212');
-}
+import { threeDigits } from '../view/format.js';
 
 /** 98325 as "98 325", with narrow no-break spaces from five digits on. */
 export function grouped(count) {
   const digits = String(Math.abs(count));
   const spaced = digits.length < 5 ? digits : digits.replace(/(?=(\d{3})+$)(?!^)/g, '\u202f');
   return (count < 0 ? '\u2212' : '') + spaced;
-}
-
-/** A stated length, all its digits. */
-export function statedLength(mm) {
-  const small = mm < 0.1;
-  return `${Number((small ? mm * 1000 : mm).toPrecision(9))} ${small ? '\u00b5m' : 'mm'}`;
 }
 
 /** Machining time as "12.4 s", "3 min 05.2 s", "1 h 02 min 07 s"; no decimals from an hour on. */
@@ -41,5 +28,10 @@ export function clockMark(seconds) {
   return parts.filter(([count]) => count > 0).map(([count, unit]) => `${count} ${unit}`).join(' ');
 }
 
-export const feedText = (mm_min) => `${threeDigits(mm_min)} mm/min`;
-export const rateText = (mm3_min) => `${threeDigits(mm3_min)} mm\u00b3/min`;
+/** Three significant digits, or all before the point, these set apart. */
+export function figure(value) {
+  return Math.abs(value) >= 9999.5 ? grouped(Math.round(value)) : threeDigits(value);
+}
+
+export const feedText = (mm_min) => `${figure(mm_min)} mm/min`;
+export const rateText = (mm3_min) => `${figure(mm3_min)} mm\u00b3/min`;

@@ -54,7 +54,8 @@ export function ray(camera, { width, height }, x, y, size_mm) {
     add(scaled(right, (x - width / 2) * pixel), scaled(up, (height / 2 - y) * pixel)),
   );
   const distance = eyeDistance(camera, size_mm);
-  if (!camera.perspective) return { origin: add(inPlane, scaled(back, distance)), direction: scaled(back, -1) };
+  if (!camera.perspective)
+    return { origin: add(inPlane, scaled(back, distance)), direction: scaled(back, -1) };
   const eye = add(camera.focal, scaled(back, distance));
   return { origin: eye, direction: subtract(inPlane, eye) };
 }
@@ -82,17 +83,38 @@ export function zoomed(camera, size, factor, x, y, size_mm) {
   return panned({ ...camera, scale }, size, dx, dy);
 }
 
-/** A camera with `view`'s directions that sees the whole box. */
-export function fitted(view, [low, high], { width, height }) {
-  const focal = scaled(add(low, high), 0.5);
+/**
+ * A camera with `view`'s directions that sees all of some points, as large as they go.
+ * @param {number[][]} points mm; enough of them to stand for the part
+ */
+export function fitted(view, points, { width, height }) {
   const { right, up, back } = axes(view);
-  const half = scaled(subtract(high, low), 0.5);
-  const reach = (axis) => half.reduce((sum, h, k) => sum + h * Math.abs(axis[k]), 0);
+  const [across, along, deep] = [right, up, back].map((axis) => spanOn(axis, points));
+  const focal = [[right, across], [up, along], [back, deep]]
+    .reduce((sum, [axis, span]) => add(sum, scaled(axis, (span.low + span.high) / 2)), [0, 0, 0]);
   const aspect = width / Math.max(1, height);
-  let scale = Math.max(reach(up), reach(right) / aspect, 1e-9) * 1.06;
-  if (view.perspective) scale += reach(back) / REACH;
+  let scale = Math.max(half(along), half(across) / aspect, 1e-9) * MARGIN;
+  // What is nearer than the focal point looks larger.
+  if (view.perspective) scale *= 1 + half(deep) / (scale * REACH);
   return { ...view, focal, scale };
 }
+
+const MARGIN = 1.08;
+const half = ({ low, high }) => (high - low) / 2;
+
+function spanOn(axis, points) {
+  let low = Infinity, high = -Infinity;
+  for (const point of points) {
+    const at = dot(axis, point);
+    low = Math.min(low, at);
+    high = Math.max(high, at);
+  }
+  return { low, high };
+}
+
+/** The corners of a box. */
+export const corners = ([low, high]) =>
+  Array.from({ length: 8 }, (_, k) => [0, 1, 2].map((axis) => ((k >> axis) & 1 ? high : low)[axis]));
 
 const shortWay = (from, to) => from + ((((to - from) % 360) + 540) % 360) - 180;
 

@@ -47,5 +47,6 @@ export function createColourPanel(changed) {
 function figure(text, testid) {
   const id = uniqueId('figure');
   const input = make('input', { id, type: 'number', min: '0', step: 'any', data: { testid } });
-  return { input, label: make('label', { class: 'view-choice', for: id }, [make('span', { text: `${text}, µm` }), input]) };
+  const name = make('span', { text: `${text}, µm` });
+  return { input, label: make('label', { class: 'view-choice', for: id }, [name, input]) };
 }

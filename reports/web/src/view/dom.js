@@ -9,13 +9,17 @@ export function make(tag, properties = {}, children = []) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(properties)) {
     if (name === 'text') element.textContent = value;
-    else if (name === 'on') for (const [event, handler] of Object.entries(value)) element.addEventListener(event, handler);
+    else if (name === 'on') listen(element, value);
     else if (name === 'data') Object.assign(element.dataset, value);
     else if (value === true) element.setAttribute(name, '');
     else if (value !== false && value !== undefined) element.setAttribute(name, value);
   }
   element.append(...children);
   return element;
+}
+
+function listen(element, handlers) {
+  for (const [event, handler] of Object.entries(handlers)) element.addEventListener(event, handler);
 }
 
 /** An id that no other element of the page has. */

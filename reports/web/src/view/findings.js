@@ -1,26 +1,41 @@
 import { measuredLength } from './format.js';
 
-const KINDS = { G: 'gouge', U: 'uncut', P: 'process' };
-
 /**
- * All findings of a stage, the worst first: collisions, then gouges and leftovers by how many times
- * they exceed their limit, then near misses.
+ * All findings of a stage, the worst first: gouges and leftovers beyond their limit, by how many times,
+ * then collisions and faults, then what is within its limit, then near misses.
  */
 export function findingsOf(stage) {
+  if (!sorted.has(stage)) sorted.set(stage, worstFirst(stage));
+  return sorted.get(stage);
+}
+
+const sorted = new WeakMap();
+
+/** How many findings the page leaves out: it lists no more than the worst of each kind. */
+export function leftOut(stage) {
+  return ['gouges', 'uncuts', 'process'].reduce((sum, kind) =>
+    sum + Math.max(0, (stage[`${kind}_total`] ?? 0) - (stage[kind]?.length ?? 0)), 0);
+}
+
+function worstFirst({ gouges = [], uncuts = [], process = [], limits }) {
   const all = [
-    ...(stage.gouges ?? []).map((finding) => ({ ...finding, kind: 'gouge', limit_mm: stage.limits?.gouge_mm })),
-    ...(stage.uncuts ?? []).map((finding) => ({ ...finding, kind: 'uncut', limit_mm: stage.limits?.uncut_mm })),
-    ...(stage.process ?? []).map((finding) => ({ ...finding, kind: 'process', process: finding.kind })),
+    ...gouges.map((finding) => ({ ...finding, kind: 'gouge', limit_mm: limits?.gouge_mm })),
+    ...uncuts.map((finding) => ({ ...finding, kind: 'uncut', limit_mm: limits?.uncut_mm })),
+    ...process.map((finding) => ({ ...finding, kind: 'process', process: finding.kind,
+      fails: finding.fails ?? finding.kind !== 'near_miss' })),
   ];
   return all.sort((a, b) => severity(b) - severity(a));
 }
 
-const COLLISION = 1e9;
+/** What stands before what, whatever the depth. */
+const BEYOND_LIMIT = 2e9, FAILS = 1e9;
 
-function severity({ kind, process, depth_mm, limit_mm }) {
-  if (kind === 'process') return process === 'near_miss' ? -1 / (1 + Math.abs(depth_mm ?? 0)) : COLLISION + (depth_mm ?? 0);
+function severity(finding) {
+  const { kind, depth_mm, limit_mm } = finding;
+  if (kind === 'process') return finding.fails ? FAILS + (depth_mm ?? 0) : -1 / (1 + Math.abs(depth_mm ?? 0));
   // Without a limit nothing is exceeded: such findings follow those that count, the deeper first.
-  return limit_mm > 0 ? depth_mm / limit_mm : Math.min(1, depth_mm / 1e3);
+  if (!(limit_mm > 0)) return Math.min(1, depth_mm / 1e3);
+  return depth_mm / limit_mm + (exceeds(finding) ? BEYOND_LIMIT : 0);
 }
 
 /** The same in a sentence's words: "49.9 µm too deep". */
@@ -36,15 +51,13 @@ export function headline(finding) {
 
 /** Whether a finding alone would fail its gate. */
 export function exceeds(finding) {
-  if (finding.kind === 'process') return finding.process !== 'near_miss';
+  if (finding.kind === 'process') return finding.fails;
   return finding.limit_mm !== undefined && finding.depth_mm > finding.limit_mm;
 }
 
-export const kindOfId = (id) => KINDS[id[0]];
-
-/** Lines of program text around `line`, from what the page holds; empty where it holds none. */
+/** Lines around a finding's, of the stage whose program it is; empty where the page has none. */
 export function programAround(report, stageIndex, finding, reach = 3) {
-  const near = (stage) => (stage?.text ?? []).filter(({ line }) => Math.abs(line - finding.line) <= reach);
-  const own = near(report.stages[finding.stage ?? stageIndex]);
-  return own.some(({ line }) => line === finding.line) ? own : near(report.stages[stageIndex]);
+  if (finding.raw_stock || !finding.line) return [];
+  const { text = [] } = report.stages[finding.stage ?? stageIndex] ?? {};
+  return text.filter(({ line }) => Math.abs(line - finding.line) <= reach);
 }

@@ -1,5 +1,5 @@
 import { make } from './dom.js';
-import { exceeds, findingsOf, headline, programAround } from './findings.js';
+import { exceeds, findingsOf, headline, leftOut, programAround } from './findings.js';
 import { coordinate, parameter, statedLength } from './format.js';
 
 /**
@@ -10,13 +10,15 @@ import { coordinate, parameter, statedLength } from './format.js';
 export function createFindingsPanel(report, choose) {
   const title = make('h3');
   const list = make('ul', { class: 'view-findings', data: { testid: 'view-findings' } });
-  const detail = make('div', { class: 'view-detail', data: { testid: 'view-finding' }, 'aria-live': 'polite' });
+  const detail = make('div', {
+    class: 'view-detail', data: { testid: 'view-finding' }, 'aria-live': 'polite',
+  });
   const element = make('div', { class: 'view-side' }, [title, list, detail]);
   return {
     element,
     showStage(stage) {
       const findings = findingsOf(stage);
-      title.textContent = titleOf(findings);
+      title.textContent = titleOf(findings, leftOut(stage));
       list.replaceChildren(...findings.map((finding) => make('li', {}, [button(finding, choose)])));
       list.hidden = findings.length === 0;
       detail.replaceChildren();
@@ -31,10 +33,11 @@ export function createFindingsPanel(report, choose) {
   };
 }
 
-function titleOf(findings) {
+function titleOf(findings, more) {
   if (findings.length === 0) return 'No findings in this stage';
   const beyond = findings.filter(exceeds).length;
   const count = findings.length === 1 ? '1 finding' : `${findings.length} findings`;
+  if (more > 0) return `The worst ${findings.length} of ${findings.length + more} findings`;
   return beyond === 0 ? `${count}, none beyond a limit` : `${count}, worst first`;
 }
 
@@ -49,9 +52,10 @@ function button(finding, choose) {
   ]);
 }
 
-function whereOf({ patch, line }) {
+function whereOf({ patch, line, raw_stock }) {
   const parts = [];
-  if (line) parts.push(`line ${line}`);
+  if (raw_stock) parts.push('raw stock');
+  else if (line) parts.push(`line ${line}`);
   if (patch !== undefined && patch !== null) parts.push(`patch ${patch}`);
   return parts.join(' · ');
 }
@@ -68,7 +72,9 @@ function details(report, stageIndex, finding) {
   const figures = [['Place', placeOf(finding)], ['Patch', patchOf(finding)], ['Size', sizeOf(finding)],
     ['Program', lineOf(report, stageIndex, finding)]];
   return [
-    make('h4', {}, [make('b', { class: `view-id ${finding.kind}`, text: finding.id }), ' ', sentence(finding)]),
+    make('h4', {}, [
+      make('b', { class: `view-id ${finding.kind}`, text: finding.id }), ' ', sentence(finding),
+    ]),
     make('dl', {}, figures.filter(([, text]) => text).flatMap(([name, text]) =>
       [make('div', {}, [make('dt', { text: name }), make('dd', { text })])])),
     listing(programAround(report, stageIndex, finding), finding),
@@ -92,23 +98,31 @@ function sizeOf({ area_mm2, kind }) {
   return `about ${Number(area_mm2.toPrecision(2))} mm²`;
 }
 
-function lineOf(report, stageIndex, { line, stage, body, part, against }) {
+function lineOf(report, stageIndex, { line, stage, body, part, against, raw_stock }) {
+  if (raw_stock) return 'no pass: a face of the raw stock';
   if (!line) return '';
   const name = report.stages[stage ?? stageIndex]?.name;
-  const who = part && against ? `, ${part} against ${against}` : body && body !== 'cutter' ? `, by the ${body}` : '';
-  return `line ${line}${name ? ` of ${name}` : ''}${who}`;
+  const words = [`line ${line}`];
+  if (name) words.push(` of ${name}`);
+  if (part && against) words.push(`, ${part} against ${against}`);
+  else if (body && body !== 'cutter') words.push(`, by the ${body}`);
+  return words.join('');
 }
 
 function listing(lines, finding) {
   if (lines.length === 0) return '';
-  return make('ol', { class: 'view-listing' }, lines.map(({ line, text }) =>
-    make('li', { class: line === finding.line ? 'named' : '', 'aria-current': line === finding.line && 'true' }, [
+  const entry = ({ line, text }) => {
+    const named = line === finding.line;
+    return make('li', { class: named ? 'named' : '', 'aria-current': named && 'true' }, [
       make('span', { text: String(line) }), make('code', { text }),
-    ])));
+    ]);
+  };
+  return make('ol', { class: exceeds(finding) ? 'view-listing beyond' : 'view-listing' }, lines.map(entry));
 }
 
 function setData(detail, finding) {
-  for (const [name, value] of [['id', finding?.id], ['depthMm', finding?.depth_mm], ['line', finding?.line]]) {
+  const values = { id: finding?.id, depthMm: finding?.depth_mm, line: finding?.line };
+  for (const [name, value] of Object.entries(values)) {
     if (value === undefined || value === null) delete detail.dataset[name];
     else detail.dataset[name] = String(value);
   }

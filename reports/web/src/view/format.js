@@ -9,6 +9,9 @@ export function unitFor(largest_mm) {
     : { perMm: 1, symbol: 'mm' };
 }
 
+/** One unit for the figures of a scale: µm up to a millimetre, so that 50 and 100 µm stand side by side. */
+export const scaleUnit = (largest_mm) => (largest_mm < 1 ? unitFor(0) : { perMm: 1, symbol: 'mm' });
+
 /** `value` with `decimals` places, a true minus sign, and never "-0". */
 export function fixed(value, decimals) {
   const text = value.toFixed(decimals);
@@ -39,15 +42,18 @@ export function statedLength(mm) {
   return `${Number((mm * unit.perMm).toPrecision(12))} ${unit.symbol}`.replace('-', '−');
 }
 
-/** The same with its sign always written, for scales: "+20 µm", "−10 µm", "0". */
-export function signedLength(mm) {
+/** The same with its sign always written and in one unit, for scales: "+20 µm", "−10 µm", "0". */
+export function signedLength(mm, unit = unitFor(mm)) {
   if (mm === 0) return '0';
-  return (mm > 0 ? '+' : '') + statedLength(mm);
+  const figure = String(Number((Math.abs(mm) * unit.perMm).toPrecision(12)));
+  return `${mm > 0 ? '+' : '−'}${figure} ${unit.symbol}`;
 }
 
-/** A deviation with its sign in the chosen convention: "−49.8 µm". */
+const NOTHING_MM = 5e-7;
+
+/** A deviation with its sign in the chosen convention: "−49.8 µm"; below a nanometre it is none. */
 export function signedMeasured(mm) {
-  if (mm === 0) return '0 µm';
+  if (Math.abs(mm) < NOTHING_MM) return '0 µm';
   return (mm > 0 ? '+' : '') + measuredLength(mm);
 }
 

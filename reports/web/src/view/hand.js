@@ -99,7 +99,8 @@ function keyed(event, scene) {
   const arrow = ARROWS[event.key];
   if (!arrow) return undefined;
   const [x, y] = arrow;
-  if (event.shiftKey) return panned(camera, size, -x * PAN_KEY_SHARE * size.height, -y * PAN_KEY_SHARE * size.height);
+  const step = PAN_KEY_SHARE * size.height;
+  if (event.shiftKey) return panned(camera, size, -x * step, -y * step);
   const perDegree = size.height / 180;
   return turned(camera, size, x * TURN_KEY_DEG * perDegree, y * TURN_KEY_DEG * perDegree);
 }

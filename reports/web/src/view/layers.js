@@ -5,7 +5,12 @@ import { createSurfaceActor } from './surface_actor.js';
 export function createLayers(scene) {
   const surface = createSurfaceActor();
   const section = createSectionActors();
-  scene.add(surface.actor);
+  surface.actors.forEach(scene.add);
+  surface.setCoarse(false);
+  scene.beforeFrame(({ moving, slow }) => {
+    surface.setCoarse(moving && slow);
+    surface.look.pixelRatio = scene.pixelRatio();
+  });
   section.actors.forEach(scene.add);
   const follow = () => {
     const { dark, ink, background } = scene.theme();

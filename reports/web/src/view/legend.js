@@ -1,6 +1,6 @@
 import { colour, css, position, ticks_mm } from './colour_scale.js';
 import { make } from './dom.js';
-import { signedLength } from './format.js';
+import { scaleUnit, signedLength } from './format.js';
 
 const STEPS = 400;
 
@@ -11,7 +11,8 @@ export function createLegend() {
   const ticks = make('div', { class: 'view-ticks' });
   const words = make('div', { class: 'view-words' });
   const unreachable = make('p', { class: 'view-hatched' }, [
-    make('span', { class: 'view-hatch', 'aria-hidden': 'true' }), 'hatched: the cutter cannot reach, not gated',
+    make('span', { class: 'view-hatch', 'aria-hidden': 'true' }),
+    'hatched: the cutter cannot reach, not gated',
   ]);
   const element = make('div', { class: 'view-legend', data: { testid: 'view-legend' } }, [
     words, make('div', { class: 'view-ramp-box' }, [canvas, mark]), ticks, unreachable,
@@ -64,9 +65,10 @@ function wordsOf({ gouge, uncut }) {
 
 function ticksOf(scale, sign) {
   const sides = [scale.gouge, scale.gouge, null, scale.uncut, scale.uncut];
+  const unit = scaleUnit(Math.max(scale.gouge.end_mm, scale.uncut.end_mm));
   return ticks_mm(scale).map((mm, k) => {
     const isLimit = (k === 1 || k === 3) && sides[k].hasLimit;
-    const tick = make('span', { class: isLimit ? 'limit' : '' }, [signedLength(sign * mm)]);
+    const tick = make('span', { class: isLimit ? 'limit' : '' }, [signedLength(sign * mm, unit)]);
     tick.style.left = `${percent(position(scale, mm))}%`;
     if (isLimit) tick.append(make('small', { text: 'limit' }));
     return tick;

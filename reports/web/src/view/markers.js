@@ -2,6 +2,8 @@ import { make } from './dom.js';
 import { headline } from './findings.js';
 
 const LABEL = { width: 34, height: 24 };
+/** Room that the chosen finding's words may take on the right. */
+const LABEL_SPACE = 210;
 
 /**
  * Names of findings over the picture. They are buttons for the mouse; with the keyboard the list beside
@@ -24,15 +26,18 @@ export function createMarkers(scene, choose, isHidden) {
       element.hidden = !inside;
       if (!inside) continue;
       element.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
-      element.classList.toggle('quiet', finding !== chosen && overlaps(taken, at));
-      taken.push(at);
+      const quiet = finding !== chosen && overlaps(taken, at);
+      element.classList.toggle('quiet', quiet);
+      element.classList.toggle('leftwards', at.x > width - LABEL_SPACE);
+      if (!quiet) taken.push(at);
       if (!moving) element.classList.toggle('behind', isHidden(finding));
     }
   };
   return {
     show(findings) {
       // The worst last, so that they lie on top; places are given out from the worst on.
-      marks = findings.filter(({ point_mm }) => point_mm).map((finding) => ({ finding, element: marker(finding, choose) }));
+      marks = findings.filter(({ point_mm }) => point_mm)
+        .map((finding) => ({ finding, element: marker(finding, choose) }));
       layer.replaceChildren(...marks.map(({ element }) => element).reverse());
       chosen = null;
       scene.render();
@@ -53,5 +58,10 @@ function marker(finding, choose) {
     type: 'button', tabindex: '-1', class: `view-marker ${finding.kind}`, title: headline(finding),
     'aria-label': `${finding.id}: ${headline(finding)}`,
     data: { markerId: finding.id }, on: { click: () => choose(finding.id) },
-  }, [make('i'), make('b', { text: finding.id }), make('em', { text: headline(finding) })]);
+  }, [
+    make('i'),
+    make('span', { class: 'view-tag' }, [
+      make('b', { text: finding.id }), make('em', { text: headline(finding) }),
+    ]),
+  ]);
 }

@@ -80,7 +80,7 @@ function buildTree(surface) {
   const count = 2 * leaves;
   // Node 1 is the root, node n has children 2n and 2n + 1, leaves stand at the end.
   const nodes = new Float32Array(6 * count);
-  for (let node = 0; node < count; ++node) nodes.fill(Infinity, 6 * node, 6 * node + 3).fill(-Infinity, 6 * node + 3, 6 * node + 6);
+  for (let k = 0; k < nodes.length; ++k) nodes[k] = k % 6 < 3 ? Infinity : -Infinity;
   const grow = (node, array, at) => {
     for (let axis = 0; axis < 3; ++axis) {
       nodes[6 * node + axis] = Math.min(nodes[6 * node + axis], array[at + axis]);

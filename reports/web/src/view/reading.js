@@ -1,4 +1,4 @@
-const CANNOT_REACH = 1, RAW_STOCK = 2;
+const CANNOT_REACH = 1, RAW_STOCK = 2, WORST_NEARBY = 4;
 
 /**
  * What the report says about a place on the surface.
@@ -7,6 +7,9 @@ const CANNOT_REACH = 1, RAW_STOCK = 2;
  * interpolated over the triangle that is drawn, as the colours are. What cannot lie between two samples
  * (`line`, `stage`, `reachable`, `raw`) is of the nearest sample, `sample`, whose own deviation is
  * `sample_deviation_mm`: that one is a number of the measured field, unchanged.
+ *
+ * Where a field is too large to be shown whole, a sample may stand for the deepest place near it:
+ * `worst_nearby`.
  *
  * @param {object} surface of the report, decoded
  * @param {object} field of a stage, decoded
@@ -33,6 +36,7 @@ function ofSample(field, sample) {
     stage: field.stage[sample],
     reachable: (flags & CANNOT_REACH) === 0,
     raw: (flags & RAW_STOCK) !== 0,
+    worst_nearby: (flags & WORST_NEARBY) !== 0,
     sample,
     sample_deviation_mm: field.deviation_mm[sample],
   };

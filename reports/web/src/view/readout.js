@@ -1,8 +1,15 @@
 import { make } from './dom.js';
 import { coordinate, deviationWord, parameter, signedMeasured } from './format.js';
 
-const FIGURES = ['x-mm', 'y-mm', 'z-mm', 'deviation-mm', 'patch', 'u', 'v', 'line', 'stage', 'reachable', 'raw',
-  'sample', 'sample-deviation-mm'];
+const FIGURES = {
+  'x-mm': ({ point_mm }) => point_mm[0],
+  'y-mm': ({ point_mm }) => point_mm[1],
+  'z-mm': ({ point_mm }) => point_mm[2],
+  'deviation-mm': ({ deviation_mm }) => deviation_mm,
+  'sample-deviation-mm': ({ sample_deviation_mm }) => sample_deviation_mm,
+  ...Object.fromEntries(['patch', 'u', 'v', 'line', 'stage', 'reachable', 'raw', 'sample']
+    .map((name) => [name, (reading) => reading[name]])),
+};
 
 /**
  * What is under the pointer, in words; the same as full-precision numbers in data attributes. It speaks to
@@ -32,7 +39,8 @@ export function createReadout() {
       chip.style.background = colour;
       deviation.textContent = signedMeasured(sign * reading.deviation_mm);
       word.textContent = wordOf(reading, limits);
-      place.textContent = `X ${coordinate(reading.point_mm[0])}  Y ${coordinate(reading.point_mm[1])}  Z ${coordinate(reading.point_mm[2])} mm`;
+      const [x, y, z] = reading.point_mm.map(coordinate);
+      place.textContent = `X ${x}  Y ${y}  Z ${z} mm`;
       patch.textContent = `patch ${reading.patch}, u ${parameter(reading.u)}, v ${parameter(reading.v)}`;
       line.textContent = lineOf(reading, stages);
     },
@@ -41,7 +49,8 @@ export function createReadout() {
 
 function wordOf(reading, limits) {
   const word = deviationWord(reading.deviation_mm, limits);
-  return reading.reachable ? word : `${word}; the cutter cannot reach here`;
+  if (!reading.reachable) return `${word}; the cutter cannot reach here`;
+  return reading.worst_nearby ? `${word} (the worst nearby)` : word;
 }
 
 /** The program line of the nearest pass, or that none came near. */
@@ -52,12 +61,7 @@ function lineOf(reading, stages) {
 }
 
 function setAttributes(element, reading) {
-  if (!reading) {
-    FIGURES.forEach((name) => element.removeAttribute(`data-${name}`));
-    return;
-  }
-  const [x, y, z] = reading.point_mm;
-  const values = [x, y, z, reading.deviation_mm, reading.patch, reading.u, reading.v, reading.line, reading.stage,
-    reading.reachable, reading.raw, reading.sample, reading.sample_deviation_mm];
-  FIGURES.forEach((name, k) => element.setAttribute(`data-${name}`, String(values[k])));
+  for (const [name, figure] of Object.entries(FIGURES))
+    if (reading) element.setAttribute(`data-${name}`, String(figure(reading)));
+    else element.removeAttribute(`data-${name}`);
 }

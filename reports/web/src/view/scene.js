@@ -2,50 +2,65 @@ import '@kitware/vtk.js/Rendering/OpenGL/Profiles/Geometry';
 import vtkOpenGLRenderWindow from '@kitware/vtk.js/Rendering/OpenGL/RenderWindow';
 import vtkRenderWindow from '@kitware/vtk.js/Rendering/Core/RenderWindow';
 import vtkRenderer from '@kitware/vtk.js/Rendering/Core/Renderer';
-import { axes, eyeDistance, fitted, HALF_ANGLE_DEG, lookingAt, project, ray, VIEWS } from './camera.js';
+import {
+  axes, corners, eyeDistance, fitted, HALF_ANGLE_DEG, lookingAt, project, ray, VIEWS,
+} from './camera.js';
 import { createFlight } from './flight.js';
 import { onThemeChange, pageTheme } from './theme.js';
-import { add, length, scaled, subtract } from './vector.js';
+import { add, length, pointAt, scaled, subtract } from './vector.js';
 
 const REST_MS = 160;
 const SLOW_FRAME_MS = 45;
 const LARGEST_PIXEL_RATIO = 2;
 const SMALLEST_PIXEL_RATIO = 0.5;
 
-/** Whether this browser draws with WebGL 2 at all. */
-export function canDraw() {
-  const context = document.createElement('canvas').getContext('webgl2');
-  context?.getExtension('WEBGL_lose_context')?.loseContext();
-  return Boolean(context);
-}
-
 /**
  * A vtk.js window in `container` with a camera that turns about Z. Frames are drawn on demand: `render`
  * asks for one, and any number of askings before it is due make one. While the camera moves and frames
- * are slow, they have fewer pixels; a moment after it rests the picture is whole again.
+ * are slow, they have fewer pixels and `beforeFrame` is told; a moment after it rests the picture is whole
+ * again.
  * @param {HTMLElement} container positioned, of a size
- * @param {{bounds_mm: number[][]}} report
+ * @param {object} report, decoded
+ * @returns {object|null} null where the browser does not draw with WebGL 2
  */
-export function createScene(container, { bounds_mm }) {
-  const { renderWindow, renderer, view } = createWindow(container);
+export function createScene(container, report) {
+  const { bounds_mm } = report;
+  const outline = outlinePoints(report);
+  let whole = outline;
+  const window3d = createWindow(container);
+  if (!window3d) return null;
+  const { renderWindow, renderer, view, software } = window3d;
   const size_mm = length(subtract(bounds_mm[1], bounds_mm[0])) || 1;
-  const listeners = { frame: [], theme: [], lost: [] };
-  let camera = null, frame = 0, restTimer = 0, moving = false, slowness = 1, frames = 0;
+  const listeners = { before: [], frame: [], theme: [], lost: [] };
+  let camera = null, moving = false, lost = false;
+  let frame = 0, frames = 0, restTimer = 0, slow = software, share = 1;
   let theme = pageTheme(container);
 
   const size = () => ({ width: container.clientWidth || 1, height: container.clientHeight || 1 });
   const draw = () => {
     frame = 0;
+    // The context may be gone some time before its event comes.
+    if (lost || view.getContext()?.isContextLost()) return;
     const before = performance.now();
-    resize(view, size(), moving ? slowness : 1);
+    resize(view, size(), moving ? share : 1);
+    listeners.before.forEach((callback) => callback({ moving, slow }));
     place(renderer.getActiveCamera(), camera, size_mm, bounds_mm);
     renderWindow.render();
-    if (moving) slowness = nextSlowness(slowness, finish(view, before));
+    if (moving) {
+      const took_ms = finish(view, before);
+      // Once the whole is known to be slow it is not tried again in motion: that would flicker.
+      slow ||= took_ms > SLOW_FRAME_MS;
+      share = nextShare(share, took_ms);
+      // Counted from the end of a frame: a slow one must not be taken for rest.
+      clearTimeout(restTimer);
+      restTimer = setTimeout(rest, REST_MS);
+    }
     frames += 1;
     listeners.frame.forEach((callback) => callback({ moving }));
   };
-  const render = () => (frame ||= requestAnimationFrame(draw));
+  const render = () => { if (!lost) frame ||= requestAnimationFrame(draw); };
   const rest = () => {
+    if (flight.flying()) return;
     moving = false;
     render();
   };
@@ -53,8 +68,7 @@ export function createScene(container, { bounds_mm }) {
     camera = next;
     moving = true;
     clearTimeout(restTimer);
-    if (stillMoving) restTimer = setTimeout(rest, REST_MS);
-    else moving = false;
+    if (!stillMoving) moving = false;
     render();
   };
   const flight = createFlight(() => camera, setCamera);
@@ -65,11 +79,15 @@ export function createScene(container, { bounds_mm }) {
     render();
   };
 
-  camera = fitted(VIEWS.perspective, bounds_mm, size());
+  camera = fitted(VIEWS.perspective, outline, size());
   applyTheme();
   onThemeChange(applyTheme);
   new ResizeObserver(render).observe(container);
-  container.querySelector('canvas').addEventListener('webglcontextlost', () => listeners.lost.forEach((f) => f()));
+  container.querySelector('canvas').addEventListener('webglcontextlost', () => {
+    lost = true;
+    flight.stop();
+    listeners.lost.forEach((callback) => callback());
+  });
 
   return {
     add: (actor) => { renderer.addActor(actor); render(); },
@@ -80,10 +98,14 @@ export function createScene(container, { bounds_mm }) {
     setCamera: (next) => { flight.stop(); setCamera(next); },
     /** Flies to a camera; resolves where it has landed or was taken over. */
     fly: (target) => flight.start(target),
-    flyTo: ({ point_mm, normal = [0, 0, 1], distance_mm }) =>
-      flight.start(lookingAt(camera, point_mm, normal, distance_mm / 2)),
+    flyTo: ({ point_mm, normal, distance_mm }) =>
+      flight.start(lookingAt(camera, point_mm, normal ?? [0, 0, 1], distance_mm / 2)),
     /** The whole part, from a named view or from where it is seen now. */
-    home: (view) => flight.start(fitted(VIEWS[view] ?? camera, bounds_mm, size())),
+    home: (view) => flight.start(fitted(VIEWS[view] ?? camera, whole, size())),
+    /** The same at once, as the page opens. */
+    lookHome: () => setCamera(fitted(VIEWS.perspective, whole, size()), false),
+    /** Places that "whole part" must show beside the part itself. */
+    setInterest: (points_mm) => { whole = [...outline, ...points_mm]; },
     project: (point_mm) => project(camera, size(), point_mm),
     ray: (x, y) => ray(camera, size(), x, y, size_mm),
     viewDirection: () => scaled(axes(camera).back, -1),
@@ -94,6 +116,8 @@ export function createScene(container, { bounds_mm }) {
       const look = () => (moving || frame || flight.flying() ? requestAnimationFrame(look) : resolve());
       look();
     }),
+    /** Called before a frame with {moving, slow}: slow says that drawing everything takes too long. */
+    beforeFrame: (callback) => listeners.before.push(callback),
     onFrame: (callback) => listeners.frame.push(callback),
     onTheme: (callback) => listeners.theme.push(callback),
     onLost: (callback) => listeners.lost.push(callback),
@@ -102,16 +126,39 @@ export function createScene(container, { bounds_mm }) {
   };
 }
 
+const OUTLINE_POINTS = 4000;
+
+/** Points that stand for the part where it is to fill the picture. */
+function outlinePoints({ surfaces, bounds_mm }) {
+  const positions = surfaces[0]?.positions;
+  if (!positions) return corners(bounds_mm);
+  const count = positions.length / 3, step = Math.max(1, Math.floor(count / OUTLINE_POINTS));
+  return Array.from({ length: Math.ceil(count / step) }, (_, k) => pointAt(positions, k * step));
+}
+
+/** What vtk.js itself asks for. */
+const CONTEXT = { depth: true, alpha: true, powerPreference: 'high-performance' };
+
 function createWindow(container) {
   const renderWindow = vtkRenderWindow.newInstance();
   const renderer = vtkRenderer.newInstance();
   renderWindow.addRenderer(renderer);
   const view = vtkOpenGLRenderWindow.newInstance();
   renderWindow.addView(view);
+  // Asked for here first, since vtk.js takes it for granted; a canvas has but one.
+  const context = view.getCanvas().getContext('webgl2', CONTEXT);
+  if (!context) return null;
   view.setContainer(container);
   const [canvas] = container.getElementsByTagName('canvas');
   Object.assign(canvas.style, { width: '100%', height: '100%', display: 'block' });
-  return { renderWindow, renderer, view };
+  return { renderWindow, renderer, view, software: isSoftware(context) };
+}
+
+/** Whether the processor does the graphics card's work: then it is slow, known before the first frame. */
+function isSoftware(context) {
+  const info = context.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  return /swiftshader|llvmpipe|software/i.test(name);
 }
 
 function resize(view, { width, height }, share) {
@@ -127,7 +174,7 @@ function finish(view, begun) {
   return performance.now() - begun;
 }
 
-function nextSlowness(share, took_ms) {
+function nextShare(share, took_ms) {
   if (took_ms > SLOW_FRAME_MS) return Math.max(SMALLEST_PIXEL_RATIO, share * 0.75);
   return took_ms < SLOW_FRAME_MS / 3 ? Math.min(1, share * 1.2) : share;
 }

@@ -13,8 +13,9 @@ export function cutCurve({ positions, cells }, deviation_mm, axis, offset_mm) {
   const pieces = [];
   for (let at = 0; at < cells.length; at += 4) {
     const a = cells[at], b = cells[at + 1], c = cells[at + 2], d = cells[at + 3];
-    const sides = [a, b, c, d].reduce((bits, k, bit) => bits | ((positions[3 * k + axis] >= offset_mm) << bit), 0);
-    if (sides === 0 || sides === 15) continue;
+    const above = positions[3 * a + axis] >= offset_mm;
+    if (above === positions[3 * b + axis] >= offset_mm && above === positions[3 * c + axis] >= offset_mm
+      && above === positions[3 * d + axis] >= offset_mm) continue;
     for (const corners of [[a, b, c], [a, c, d]]) {
       const piece = cutTriangle(positions, deviation_mm, corners, axis, offset_mm);
       if (piece) pieces.push(piece);

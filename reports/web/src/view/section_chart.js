@@ -1,22 +1,26 @@
 import { colour, css } from './colour_scale.js';
-import { fixed, signedLength } from './format.js';
+import { fixed, scaleUnit, signedLength } from './format.js';
 import { profileAxes } from './section.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
-const WIDTH = 1000, HEIGHT = 170, TOP = 12, BOTTOM = 24, LEFT = 74, RIGHT = 12;
+const USUAL_WIDTH = 1000, HEIGHT = 190, TOP = 12, BOTTOM = 24, LEFT = 78, RIGHT = 12;
 const AXES = 'XYZ';
 
 /** A drawing of the deviation along a section, coloured as the map, with the gate limits as lines. */
 export function createSectionChart() {
   const svg = element('svg', {
-    viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'view-chart', role: 'img', 'data-testid': 'view-section-chart',
+    class: 'view-chart', role: 'img', 'data-testid': 'view-section-chart',
   });
   return {
     element: svg,
     /** @param {{axis, bounds_mm, scale, sign, band}} look */
     show(pieces, look) {
       svg.replaceChildren();
-      if (pieces.length > 0) draw(svg, pieces, look);
+      svg.style.display = pieces.length > 0 ? '' : 'none';
+      // As many units as pixels: text keeps its size on narrow pages.
+      const width = svg.clientWidth || USUAL_WIDTH;
+      svg.setAttribute('viewBox', `0 0 ${width} ${HEIGHT}`);
+      if (pieces.length > 0) draw(svg, pieces, { ...look, width });
       svg.setAttribute('aria-label', 'Deviation along the section');
     },
   };
@@ -33,13 +37,11 @@ function draw(svg, pieces, look) {
   const [along] = profileAxes(look.axis);
   const { scale, bounds_mm } = look;
   const [low, high] = [bounds_mm[0][along], bounds_mm[1][along]];
-  const x = (mm) => LEFT + ((mm - low) / (high - low || 1)) * (WIDTH - LEFT - RIGHT);
-  const span = scale.uncut.end_mm + scale.gouge.end_mm;
-  const top = look.sign > 0 ? scale.uncut.end_mm : scale.gouge.end_mm;
-  const y = (deviation_mm) => {
-    const shown = Math.max(-scale.gouge.end_mm, Math.min(scale.uncut.end_mm, deviation_mm)) * look.sign;
-    return TOP + ((top - shown) / span) * (HEIGHT - TOP - BOTTOM);
-  };
+  const x = (mm) => LEFT + ((mm - low) / (high - low || 1)) * (look.width - LEFT - RIGHT);
+  const { uncut, gouge } = reach(pieces, scale);
+  const top = look.sign > 0 ? uncut : gouge;
+  const perMm = (HEIGHT - TOP - BOTTOM) / (uncut + gouge);
+  const y = (deviation_mm) => TOP + (top - deviation_mm * look.sign) * perMm;
   svg.append(gradient(look, y));
   const zero = y(0);
   const path = pieces.map(({ from, to, deviation_mm: [a, b] }) => {
@@ -47,18 +49,40 @@ function draw(svg, pieces, look) {
     return `M${p} ${zero}V${y(a).toFixed(2)}L${q} ${y(b).toFixed(2)}V${zero}Z`;
   }).join('');
   svg.append(element('path', { d: path, class: 'profile', fill: 'url(#view-profile-colours)' }));
-  const outline = pieces.map(({ from, to, deviation_mm: [a, b] }) =>
-    `M${x(from[along]).toFixed(1)} ${y(a).toFixed(2)}L${x(to[along]).toFixed(1)} ${y(b).toFixed(2)}`).join('');
+  const outline = pieces.map(({ from, to, deviation_mm: [a, b] }) => {
+    const [p, q] = [x(from[along]).toFixed(1), x(to[along]).toFixed(1)];
+    return `M${p} ${y(a).toFixed(2)}L${q} ${y(b).toFixed(2)}`;
+  }).join('');
   svg.append(element('path', { d: outline, class: 'outline' }));
-  rule(svg, zero, 'zero', '0');
-  if (scale.uncut.hasLimit) rule(svg, y(scale.uncut.limit_mm), 'limit', signedLength(look.sign * scale.uncut.limit_mm));
-  if (scale.gouge.hasLimit) rule(svg, y(-scale.gouge.limit_mm), 'limit', signedLength(-look.sign * scale.gouge.limit_mm));
+  drawRules(svg, look, y, scaleUnit(Math.max(scale.uncut.end_mm, scale.gouge.end_mm)));
   for (const [mm, anchor] of [[low, 'start'], [(low + high) / 2, 'middle'], [high, 'end']])
-    svg.append(element('text', { x: x(mm), y: HEIGHT - 6, 'text-anchor': anchor }, `${AXES[along]} ${fixed(mm, 1)}`));
+    svg.append(element('text', { x: x(mm), y: HEIGHT - 6, 'text-anchor': anchor },
+      `${AXES[along]} ${fixed(mm, 1)}`));
 }
 
-function rule(svg, y, name, text) {
-  svg.append(element('line', { x1: LEFT, x2: WIDTH - RIGHT, y1: y, y2: y, class: name }));
+/** How far the drawing reaches on each side: over the limit and what the section holds, with room. */
+function reach(pieces, scale) {
+  let uncut = 0, gouge = 0;
+  for (const { deviation_mm } of pieces)
+    for (const mm of deviation_mm) [uncut, gouge] = [Math.max(uncut, mm), Math.max(gouge, -mm)];
+  const side = ({ limit_mm, end_mm, hasLimit }, largest) =>
+    1.12 * Math.max(largest, hasLimit ? limit_mm : 0.1 * end_mm);
+  return { uncut: side(scale.uncut, uncut), gouge: side(scale.gouge, gouge) };
+}
+
+/** Zero and the limits as lines; a figure that would lie on zero's is left out. */
+function drawRules(svg, { scale, sign, width }, y, unit) {
+  rule(svg, width, y(0), 'zero', '0');
+  for (const [side, way] of [[scale.uncut, 1], [scale.gouge, -1]]) {
+    if (!side.hasLimit) continue;
+    const at = y(way * side.limit_mm);
+    const figure = signedLength(sign * way * side.limit_mm, unit);
+    rule(svg, width, at, 'limit', Math.abs(at - y(0)) > 15 ? figure : '');
+  }
+}
+
+function rule(svg, width, y, name, text) {
+  svg.append(element('line', { x1: LEFT, x2: width - RIGHT, y1: y, y2: y, class: name }));
   svg.append(element('text', { x: LEFT - 8, y: y + 4, 'text-anchor': 'end' }, text));
 }
 
@@ -71,7 +95,8 @@ function gradient({ scale, band }, y) {
   const places = [];
   for (const [side, way] of [[scale.uncut, 1], [scale.gouge, -1]]) {
     const { limit_mm, end_mm } = side;
-    for (const mm of [0, limit_mm / 2, limit_mm, limit_mm * (1 + 1e-6), (limit_mm + end_mm) / 2, end_mm]) places.push(way * mm);
+    const bends = [0, limit_mm / 2, limit_mm, limit_mm * (1 + 1e-6), (limit_mm + end_mm) / 2, end_mm];
+    places.push(...bends.map((mm) => way * mm));
   }
   places.sort((a, b) => b - a);
   for (const mm of places)

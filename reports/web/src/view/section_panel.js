@@ -7,10 +7,12 @@ const STEPS = 400;
 /**
  * Controls of the section plane.
  * @param {number[][]} bounds_mm of the part
+ * @param {() => number[]|undefined} interest a point that a new section should pass
  * @param {() => void} changed
  */
-export function createSectionPanel(bounds_mm, changed) {
-  const axis = choice('Cut square to', 'view-section', [['none', 'no section'], ['0', 'X'], ['1', 'Y'], ['2', 'Z']]);
+export function createSectionPanel(bounds_mm, interest, changed) {
+  const axis = choice('Section', 'view-section',
+    [['none', 'none'], ['0', 'square to X'], ['1', 'square to Y'], ['2', 'square to Z']]);
   const offset = make('input', {
     type: 'range', min: 0, max: STEPS, step: 1, value: STEPS / 2, 'aria-label': 'Place of the section',
     data: { testid: 'view-section-offset' },
@@ -24,7 +26,9 @@ export function createSectionPanel(bounds_mm, changed) {
     make('label', { class: 'view-check' }, [flip, 'show the other half']),
   ]);
   const drawing = make('div', { hidden: true }, [chart.element, note]);
-  const element = make('div', { class: 'view-section' }, [make('div', { class: 'view-row' }, [axis.label, rest]), drawing]);
+  const element = make('div', { class: 'view-section' }, [
+    make('div', { class: 'view-row' }, [axis.label, rest]), drawing,
+  ]);
 
   const section = () => {
     if (axis.select.value === 'none') return null;
@@ -41,26 +45,34 @@ export function createSectionPanel(bounds_mm, changed) {
     }
     changed();
   };
-  axis.select.addEventListener('change', announce);
+  const through = (point_mm) => {
+    const now = section();
+    if (!now || !point_mm) return announce();
+    const [low, high] = [bounds_mm[0][now.axis], bounds_mm[1][now.axis]];
+    const share = (point_mm[now.axis] - low) / (high - low || 1);
+    // A place beside the part has no section through it.
+    if (share > 0 && share < 1) offset.value = Math.round(share * STEPS);
+    return announce();
+  };
+  axis.select.addEventListener('change', () => {
+    offset.value = STEPS / 2;
+    through(interest());
+  });
   offset.addEventListener('input', announce);
   flip.addEventListener('change', announce);
   return {
     element, section, chart,
     setNote: (text) => { note.textContent = text; },
     /** Puts the plane as near to a point as its steps go. */
-    through(point_mm) {
-      const now = section();
-      if (!now || !point_mm) return;
-      const [low, high] = [bounds_mm[0][now.axis], bounds_mm[1][now.axis]];
-      offset.value = Math.round(((point_mm[now.axis] - low) / (high - low || 1)) * STEPS);
-      announce();
-    },
+    through: (point_mm) => { if (section()) through(point_mm); },
   };
 }
 
 /** A labelled select. */
 export function choice(text, testid, options) {
   const id = uniqueId('choice');
-  const select = make('select', { id, data: { testid } }, options.map(([value, name]) => make('option', { value, text: name })));
-  return { select, label: make('label', { class: 'view-choice', for: id }, [make('span', { text }), select]) };
+  const select = make('select', { id, data: { testid } },
+    options.map(([value, name]) => make('option', { value, text: name })));
+  const label = make('label', { class: 'view-choice', for: id }, [make('span', { text }), select]);
+  return { select, label };
 }

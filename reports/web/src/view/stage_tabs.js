@@ -10,7 +10,9 @@ export function createStageTabs(stages, panelId, choose) {
     on: { click: () => choose(index) },
   }, [
     make('span', { text: stage.name }),
-    make('span', { class: `badge ${CLASSES[stage.verdict] ?? ''}`, text: WORDS[stage.verdict] ?? stage.verdict }),
+    make('span', {
+      class: `badge ${CLASSES[stage.verdict] ?? ''}`, text: WORDS[stage.verdict] ?? stage.verdict,
+    }),
   ]));
   const element = make('div', {
     class: 'view-tabs', role: 'tablist', 'aria-label': 'Stage', data: { testid: 'view-stages' },

@@ -2,6 +2,7 @@ import vtkDataArray from '@kitware/vtk.js/Common/Core/DataArray';
 import vtkPolyData from '@kitware/vtk.js/Common/DataModel/PolyData';
 import vtkActor from '@kitware/vtk.js/Rendering/Core/Actor';
 import vtkMapper from '@kitware/vtk.js/Rendering/Core/Mapper';
+import { coarsened, gathered } from './coarse.js';
 import { sideUniform } from './colour_shader.js';
 import { SURFACE_REPLACEMENTS } from './surface_shader.js';
 
@@ -13,12 +14,46 @@ const EVERYTHING = [0, 0, 0, 1];
  * that the shader is given with each frame: changing them sends no geometry again.
  */
 export function createSurfaceActor() {
-  const mapper = vtkMapper.newInstance({ scalarVisibility: false });
-  const actor = vtkActor.newInstance();
   const look = {
     scale: null, band: false, map: true, borders: true, border: [0, 0, 0], back: [0.6, 0.6, 0.6],
     plane: EVERYTHING, pixelRatio: 1,
   };
+  const fine = meshActor(look), coarse = meshActor(look);
+  const coarser = new Map();
+  let shown = null, coarseShows = null;
+  const showCoarse = ({ surface, field }) => {
+    if (!coarser.has(surface)) coarser.set(surface, coarsened(surface));
+    const less = coarser.get(surface);
+    if (less) {
+      const { samples } = less;
+      coarse.show(less.surface, gathered(field.deviation_mm, samples), gathered(field.flags, samples));
+    }
+    coarseShows = shown;
+    return less !== null;
+  };
+  return {
+    actors: [fine.actor, coarse.actor], look,
+    /** Shows a stage's field on its surface. */
+    show(surface, field) {
+      fine.show(surface, field.deviation_mm, field.flags);
+      shown = { surface, field };
+    },
+    /**
+     * Draws with fewer cells. They are made when they are first wanted; then both meshes stay where they
+     * are, on the graphics card.
+     */
+    setCoarse(wanted) {
+      const ready = wanted
+        && (coarseShows === shown ? coarser.get(shown.surface) !== null : showCoarse(shown));
+      coarse.actor.setVisibility(ready);
+      fine.actor.setVisibility(!ready);
+    },
+  };
+}
+
+function meshActor(look) {
+  const mapper = vtkMapper.newInstance({ scalarVisibility: false });
+  const actor = vtkActor.newInstance();
   mapper.setCustomShaderAttributes(['deviation', 'unreachable', 'place']);
   mapper.setViewSpecificProperties({
     OpenGL: { ShaderReplacements: SURFACE_REPLACEMENTS },
@@ -26,16 +61,15 @@ export function createSurfaceActor() {
   });
   actor.setMapper(mapper);
   // Facing the reader, a place has exactly the legend's colour.
-  actor.getProperty().set({ ambient: 0.5, diffuse: 0.5, specular: 0 });
+  actor.getProperty().set({ ambient: 0.76, diffuse: 0.24, specular: 0 });
   const meshes = new Map();
   return {
-    actor, look,
-    /** Shows a stage's field on its surface. */
-    show(surface, field) {
+    actor,
+    show(surface, deviation_mm, flags) {
       if (!meshes.has(surface)) meshes.set(surface, surfaceMesh(surface));
       const mesh = meshes.get(surface);
-      setArray(mesh, 'deviation', field.deviation_mm, 1);
-      setArray(mesh, 'unreachable', Float32Array.from(field.flags, (flags) => flags & CANNOT_REACH), 1);
+      setArray(mesh, 'deviation', deviation_mm, 1);
+      setArray(mesh, 'unreachable', Float32Array.from(flags, (bits) => bits & CANNOT_REACH), 1);
       mesh.modified();
       mapper.setInputData(mesh);
     },
@@ -69,15 +103,14 @@ function quads(cells) {
 }
 
 /** u, v of every sample, by which the shader knows the borders of patches. */
-function places({ patches, first, positions }) {
+function places({ patches, first, positions, u, v }) {
   const values = new Float32Array((positions.length / 3) * 2);
   patches.forEach(({ columns, rows }, patch) => {
-    let at = 2 * first[patch];
-    for (let row = 0; row < rows; ++row)
-      for (let column = 0; column < columns; ++column) {
-        values[at++] = column / (columns - 1);
-        values[at++] = row / (rows - 1);
-      }
+    for (let k = 0; k < columns * rows; ++k) {
+      const sample = first[patch] + k;
+      values[2 * sample] = u ? u[sample] : (k % columns) / (columns - 1);
+      values[2 * sample + 1] = v ? v[sample] : Math.floor(k / columns) / (rows - 1);
+    }
   });
   return values;
 }

@@ -40,7 +40,7 @@ const HATCH = `
 /** Distance to the patch's border in pixels; the patch beside draws the other half of the line. */
 const BORDERS = `
   vec2 toBorder = min(placeVS, 1.0 - placeVS) / max(fwidth(placeVS), vec2(1e-9));
-  float line = 1.0 - smoothstep(0.35, 1.1, min(toBorder.x, toBorder.y) / pixelRatio);`;
+  float line = 1.0 - smoothstep(0.15, 0.8, min(toBorder.x, toBorder.y) / pixelRatio);`;
 
 const FRAGMENT_CODE = `
 ${BORDERS}

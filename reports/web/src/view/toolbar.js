@@ -14,7 +14,9 @@ export function createToolbar({ look, toggles }) {
     type: 'button', title, data: { testid: `view-${id}` }, on: { click: () => look(view) },
   }, [text]));
   const checks = toggles.map(({ id, text, checked, change }) => {
-    const box = make('input', { type: 'checkbox', data: { testid: id }, on: { change: () => change(box.checked) } });
+    const box = make('input', {
+      type: 'checkbox', data: { testid: id }, on: { change: () => change(box.checked) },
+    });
     box.checked = checked;
     return make('label', { class: 'view-check' }, [box, text]);
   });

@@ -1,7 +1,7 @@
 import './viewer.css';
 import { createLayers } from './layers.js';
 import { make } from './dom.js';
-import { canDraw, createScene } from './scene.js';
+import { createScene } from './scene.js';
 import { createViewer } from './viewer.js';
 
 const MISSING = 'The 3D view needs WebGL 2, which this browser does not offer or has switched off. '
@@ -18,18 +18,18 @@ const LOST = 'The graphics card has taken its memory back, and the 3D view with 
  */
 export async function startView(report, element) {
   if (!report.stages.some(({ field }) => field)) return null;
-  if (!canDraw()) {
-    element.replaceChildren(sentence(MISSING));
-    return null;
-  }
   const frame = make('div', {
     class: 'view-frame', tabindex: '0', role: 'application', data: { testid: 'view-canvas' },
-    'aria-label': 'Error map of the part. Arrow keys turn it, Shift with arrow keys moves it, plus and minus zoom, '
-      + 'Home shows the whole part; the deviation at the crosshair is read out.',
+    'aria-label': 'Error map of the part. Arrow keys turn it, Shift with arrow keys moves it, '
+      + 'plus and minus zoom, Home shows the whole part; the deviation at the crosshair is read out.',
   });
   const viewer = createViewer(report, frame);
   element.replaceChildren(viewer.element);
   const scene = createScene(frame, report);
+  if (!scene) {
+    element.replaceChildren(sentence(MISSING));
+    return null;
+  }
   scene.onLost(() => viewer.element.replaceChildren(sentence(LOST)));
   const view = viewer.attach(scene, createLayers(scene, report));
   await view.settled();

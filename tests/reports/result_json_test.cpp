@@ -139,7 +139,7 @@ TEST_CASE("a stage that was not run has no measured part", "[unit][json]") {
   for (const char* key : {"toolpath", "simulation", "deviation"}) CHECK_FALSE(stage.contains(key));
 }
 
-TEST_CASE("result.json holds the files that were read with their checksums", "[unit][json]") {
+TEST_CASE("the files that were read stand with their checksums", "[unit][json]") {
   RunResult result = sample_result(Outcome::passed);
   result.inputs = {{"program", "a\x01.ngc", 12, std::string(64, '5')}};
   const Json inputs = json_of(result)["inputs"];

@@ -40,6 +40,8 @@ test('a chart of the process stands for each stage of a real job', () =>
       });
       const chart = place.locator('[data-testid="process-chart"]');
       await chart.waitFor();
+      // It is drawn when it has come into sight, a moment later.
+      await chart.locator('svg').waitFor();
       assert.ok((await colours(chart)) >= 3);
     }
   }));

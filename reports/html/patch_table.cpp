@@ -20,13 +20,18 @@ std::string number_of(const std::vector<int>& numbers, int patch) {
   return i < numbers.size() ? std::to_string(numbers[i]) : "–";
 }
 
+/// Below a nanometre the samples' own rounding would be shown.
+std::string seen_length(double mm) {
+  constexpr double kNothing_mm = 5e-7;
+  return measured_length(mm < kNothing_mm ? 0 : mm);
+}
+
 Row patch_row(const RunResult& result, std::size_t index, const PatchFigures& f) {
-  return {
-      {std::to_string(f.patch), number_of(result.surface.depths, f.patch),
-       number_of(result.stages[index].ran->sampling_intervals, f.patch),
-       measured_length(f.gouge_mm), measured_length(f.uncut_mm), three_digits(f.area_mm2) + " mm²",
-       percent_text(f.unreachable_share()), grouped(f.samples)},
-      fmt::format(" data-stage=\"{}\" data-patch=\"{}\"", index, f.patch)};
+  return {{std::to_string(f.patch), number_of(result.surface.depths, f.patch),
+           number_of(result.stages[index].ran->sampling_intervals, f.patch),
+           seen_length(f.gouge_mm), seen_length(f.uncut_mm), three_digits(f.area_mm2) + " mm²",
+           percent_text(f.unreachable_share()), grouped(f.samples)},
+          fmt::format(" data-stage=\"{}\" data-patch=\"{}\"", index, f.patch)};
 }
 
 std::string summary(std::size_t shown, std::size_t all) {

@@ -1,6 +1,6 @@
 import { make } from './dom.js';
 
-const WORDS = { pass: 'pass', fail: 'fail', indeterminate: 'indeterminate', not_run: 'not run' };
+const WORDS = { pass: 'passed', fail: 'failed', indeterminate: 'undecided', not_run: 'not run' };
 const CLASSES = { pass: 'pass', fail: 'fail', indeterminate: 'open' };
 
 /** Tabs for the stages, left and right arrow move between them. */

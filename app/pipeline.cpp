@@ -241,8 +241,8 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   cut(job_.stages[index], ran);
   measure(index, ran);
   stage.decision = decide(ran.deviation, stage.limits, process_faults(ran.process));
-  reports::StageFiles files =
-      write_stage_files(stage, folder_, {job_.pictures, control(stage.name + ": writing"), job_.rapid_mm_min});
+  reports::StageFiles files = write_stage_files(
+      stage, folder_, {job_.pictures, control(stage.name + ": writing"), job_.rapid_mm_min});
   ran.surface = files.surface;
   ran.path_view = std::move(files.path_view);
   if (job_.pictures) stage.pictures = std::move(files.pictures);

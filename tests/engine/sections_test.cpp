@@ -128,7 +128,7 @@ void check_watertight(const PatchModel& model, const OffsetModel& mesh, int plan
 TEST_CASE("sections of every kind of cage are watertight", "[slow][section]") {
   for (const model::Cage& cage : tests::feature_cages()) {
     INFO(cage.name);
-    const PatchModel model(cage, {0.01, 0, 5}, {});
+    const PatchModel model(cage, {0.03, 0, 4}, {});
     check_watertight(model, sample_offset(model, 0, 0.05), 8);
   }
 }

@@ -9,7 +9,9 @@ target_compile_options(limitgauge_options INTERFACE
   # The same input gives the same bytes wherever it is built: no fused multiply-add.
   -ffp-contract=off)
 if(LIMITGAUGE_WERROR)
-  target_compile_options(limitgauge_options INTERFACE -Werror)
+  # A target may ask to be told only: -Wno-error of its own would come before this one.
+  target_compile_options(limitgauge_options INTERFACE
+    $<$<NOT:$<BOOL:$<TARGET_PROPERTY:LIMITGAUGE_WARNINGS_TOLD>>>:-Werror>)
 endif()
 if(LIMITGAUGE_SANITIZE)
   target_compile_options(limitgauge_options INTERFACE

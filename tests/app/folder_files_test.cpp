@@ -8,6 +8,7 @@
 
 #include "engine/model/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
 
 namespace limitgauge::app {
 namespace fs = std::filesystem;
@@ -17,24 +18,20 @@ namespace {
 class Folder {
  public:
   Folder() {
-    std::string name = (fs::temp_directory_path() / "limitgauge-files-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-    fs::create_directories(path_ / "out/rough/deep");
+    fs::create_directories(path("out/rough/deep"));
     write("secret.txt", "secret");
     write("out/report.html", "page");
     write("out/.hidden", "hidden");
     write("out/rough/toolpath.ngc", "G0 X0\nM2\n");
     write("out/rough/deep/a b%20.txt", "deep");
   }
-  ~Folder() { fs::remove_all(path_); }
   void write(const std::string& file, const std::string& text) const {
-    std::ofstream(path_ / file) << text;
+    std::ofstream(path(file)) << text;
   }
-  fs::path path(const std::string& name) const { return path_ / name; }
+  fs::path path(const std::string& name) const { return folder_.path() / name; }
 
  private:
-  fs::path path_;
+  tests::TemporaryFolder folder_;
 };
 
 std::string text_of(const FolderFiles& files, const std::string& path) {

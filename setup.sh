@@ -15,6 +15,8 @@ packages=(
   # command line and job files; the server of `limitgauge view`, found by pkg-config;
   # checksums of what was read
   libcli11-dev libtomlplusplus-dev libcpp-httplib-dev pkgconf libssl-dev
+  # histories; the search of a study
+  libsqlite3-dev libnlopt-cxx-dev
   # tests: the framework, a second reader of our VTK files, a validator of our JSON, a
   # reader of our JUnit, another evaluator of our surfaces, a reader of our manual page
   catch2 libvtk9-dev python3 python3-jsonschema python3-junitparser libosd-dev mandoc
@@ -24,6 +26,8 @@ packages=(
   clang libclang-rt-dev
   # tests of the report in a real browser
   chromium
+  # tests of studies as job arrays: a cluster of one node
+  slurm-wlm munge
 )
 command -v npm >/dev/null || packages+=(npm)
 

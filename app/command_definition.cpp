@@ -1,34 +1,11 @@
 #include "app/command_definition.h"
 
-#include <cmath>
-#include <cstdlib>
 #include <utility>
+
+#include "app/option_checks.h"
 
 namespace limitgauge::app {
 namespace {
-
-CLI::Validator number_above_zero(bool or_zero) {
-  return CLI::Validator(
-      [or_zero](const std::string& text) {
-        const double value = std::strtod(text.c_str(), nullptr);
-        if (std::isfinite(value) && (value > 0 || (or_zero && value == 0))) return "";
-        return or_zero ? "is no number from zero up" : "is no number above zero";
-      },
-      "");
-}
-
-CLI::Validator finite_number() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "is no number";
-      },
-      "");
-}
-
-CLI::Validator whole_number(int low, int high) {
-  // The range is the validator's own text for errors, and no part of the help.
-  return CLI::Validator(CLI::Range(low, high)).description("");
-}
 
 CLI::Option* add_limit(CLI::App& app, const std::string& option, double& value, bool& stated,
                        const std::string& help) {
@@ -55,6 +32,9 @@ CommandDefinition::CommandDefinition()
   add_plan();
   add_verify();
   add_inspect();
+  add_compare();
+  add_study();
+  add_history();
   add_view();
 }
 
@@ -97,6 +77,7 @@ void CommandDefinition::add_run() {
   file(sub.add_option("JOB", parsed_.run.job, "Job file (TOML)"), "toml")->required();
   folder(sub.add_option("-o,--output", parsed_.run.output,
                         "Output folder (default: limitgauge-out/NAME)"));
+  add_history_options(sub);
   add_common(sub);
 }
 

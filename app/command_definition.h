@@ -17,6 +17,9 @@ struct Parsed {
   PlanCommand plan;
   VerifyCommand verify;
   InspectCommand inspect;
+  CompareCommand compare;
+  StudyCommand study;
+  HistoryCommand history;
   ViewCommand view;
 };
 
@@ -45,6 +48,10 @@ class CommandDefinition {
   void add_inputs(CLI::App& sub);
   void add_checks(CLI::App& sub);
   void add_inspect();
+  void add_compare();
+  void add_study();
+  void add_history();
+  void add_history_options(CLI::App& run);
   void add_view();
   OptionReference reference(const CLI::Option& option) const;
   CommandReference reference(const CLI::App& app) const;

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <thread>
 
@@ -14,8 +13,6 @@
 
 namespace limitgauge::app {
 namespace {
-
-constexpr std::array<std::string_view, 3> kLaterCommands = {"compare", "study", "history"};
 
 std::string in_quotes(std::string_view text) {
   std::string result = "\"";
@@ -45,10 +42,6 @@ void refuse_unknown_command(int argc, const char* const* argv, CLI::App& app) {
   const std::string_view word = argv[1];
   const std::vector<std::string> names = command_names(app);
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
-  if (std::find(kLaterCommands.begin(), kLaterCommands.end(), word) != kLaterCommands.end()) {
-    throw UsageError("the command " + in_quotes(word) + " is not in this release; expected " +
-                     list(names));
-  }
   const std::vector<std::string_view> known(names.begin(), names.end());
   throw UsageError("unknown command " + in_quotes(word) + "; expected " +
                    in_quotes(nearest_key(word, known)) + " or another of " + list(names));
@@ -68,11 +61,11 @@ std::optional<std::string> generated(int argc, const char* const* argv,
 }
 
 void check_combinations(const std::string& command, const CommonOptions& common) {
-  const bool has_job = command == "run" || command == "plan";
+  const bool has_job = command == "run" || command == "plan" || command == "study";
   if (!has_job && !common.overrides.empty()) {
     throw UsageError(
         "--set overrides a key of a job and this command reads none; "
-        "expected it with run or plan");
+        "expected it with run, plan or study");
   }
   if (common.quiet && common.verbose) {
     throw UsageError("--quiet and --verbose contradict each other; expected one of them");
@@ -91,6 +84,9 @@ Command chosen(const std::string& command, const Parsed& parsed) {
   if (command == "plan") return parsed.plan;
   if (command == "verify") return parsed.verify;
   if (command == "inspect") return parsed.inspect;
+  if (command == "compare") return parsed.compare;
+  if (command == "study") return parsed.study;
+  if (command == "history") return parsed.history;
   return parsed.view;
 }
 

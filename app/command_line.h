@@ -17,9 +17,15 @@ struct CommonOptions {
   std::vector<std::string> overrides;  ///< `key=value`
 };
 
+/// How a run enters a history.
+struct HistoryOptions {
+  std::filesystem::path file;  ///< empty: into none
+  std::string label, commit;
+};
 struct RunCommand {
   std::filesystem::path job;
   std::filesystem::path output;  ///< empty: limitgauge-out/NAME
+  HistoryOptions history;
 };
 struct PlanCommand {
   std::filesystem::path job;
@@ -45,6 +51,19 @@ struct InspectCommand {
   bool moves = false;
   MachineOptions machine;
 };
+struct CompareCommand {
+  std::filesystem::path base, now;  ///< result.json, or the folder that has one
+  std::filesystem::path output;     ///< empty: no files
+};
+struct StudyCommand {
+  std::filesystem::path study;
+  std::filesystem::path output;  ///< empty: limitgauge-out/NAME
+  std::string engine = "local";
+};
+struct HistoryCommand {
+  std::filesystem::path file;
+  std::filesystem::path output;  ///< empty: limitgauge-out/STEM of the file
+};
 struct ViewCommand {
   std::filesystem::path folder;  ///< of a finished run, or its report.html
   int port = 0;                  ///< 0: a free one
@@ -55,8 +74,8 @@ struct PrintCommand {
   std::string text;
 };
 
-using Command =
-    std::variant<RunCommand, PlanCommand, VerifyCommand, InspectCommand, ViewCommand, PrintCommand>;
+using Command = std::variant<RunCommand, PlanCommand, VerifyCommand, InspectCommand, CompareCommand,
+                             StudyCommand, HistoryCommand, ViewCommand, PrintCommand>;
 
 struct CommandLine {
   Command command;

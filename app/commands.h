@@ -28,6 +28,11 @@ ExitCode execute(const PlanCommand& command, const CommonOptions& common, const 
 ExitCode execute(const VerifyCommand& command, const CommonOptions& common, const Console& console);
 ExitCode execute(const InspectCommand& command, const CommonOptions& common,
                  const Console& console);
+ExitCode execute(const CompareCommand& command, const CommonOptions& common,
+                 const Console& console);
+ExitCode execute(const StudyCommand& command, const CommonOptions& common, const Console& console);
+ExitCode execute(const HistoryCommand& command, const CommonOptions& common,
+                 const Console& console);
 ExitCode execute(const ViewCommand& command, const CommonOptions& common, const Console& console);
 
 /// Says what the exception being handled means to the user and gives its exit code; to be called

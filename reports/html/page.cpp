@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <ostream>
 
 #include "reports/embedded.h"
@@ -9,12 +7,12 @@
 #include "reports/html/job_section.h"
 #include "reports/html/markup.h"
 #include "reports/html/masthead.h"
+#include "reports/html/shell.h"
 #include "reports/html/stage_section.h"
 #include "reports/html/stage_table.h"
 #include "reports/html/surface_section.h"
 #include "reports/page/page_script.h"
 #include "reports/report.h"
-#include "reports/text.h"
 
 namespace limitgauge::reports {
 namespace {
@@ -22,16 +20,8 @@ namespace {
 using namespace html;
 
 std::string head(const RunResult& result) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n"
-      // Nothing is loaded and nothing of a file's text runs.
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
-      "<title>{}: {} – Limitgauge</title>\n<style>\n{}{}</style></head>\n"
-      "<body><a class=\"skip\" href=\"#figures\">Skip to the figures</a>\n<div class=\"page\">\n",
-      page::content_policy(), escape_markup(result.job), word(result.verdict),
-      embedded::report_css(), embedded::script_css());
+  return shell_head(result.job + ": " + word(result.verdict),
+                    {embedded::report_js(), embedded::report_js_sha256(), embedded::script_css()});
 }
 
 /// Where the page's script shows the part; without it the maps of the stages say the same.

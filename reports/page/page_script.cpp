@@ -7,11 +7,6 @@
 
 namespace limitgauge::reports::page {
 
-std::string content_policy() {
-  return "default-src 'none'; img-src data: blob:; style-src 'unsafe-inline'; script-src 'sha256-" +
-         std::string(embedded::report_js_sha256()) + "'";
-}
-
 void write_page_script(const RunResult& result, std::ostream& out) {
   const PageData data = page_data(result);
   out << "<script type=\"application/json\" id=\"limitgauge-report\">" << data.json << "</script>\n"

@@ -1,15 +1,10 @@
 #pragma once
 
 #include <iosfwd>
-#include <string>
 
 #include "reports/run_result.h"
 
 namespace limitgauge::reports::page {
-
-/// The page's content security policy: nothing is loaded, and no script runs but the one of this
-/// program, known by its checksum.
-std::string content_policy();
 
 /// The page's data and script, for the end of its body (format: reports/web/README.md).
 void write_page_script(const RunResult& result, std::ostream& out);

@@ -1,7 +1,7 @@
 // node build.mjs NODE_MODULES OUT_DIR
 //
-// Bundles src/main.js with its libraries into OUT_DIR/report.js and OUT_DIR/report.css, and writes
-// OUT_DIR/report.js.sha256, by which the page's content security policy knows the script.
+// Bundles each page's script with its libraries into OUT_DIR/PAGE.js and OUT_DIR/PAGE.css, and writes
+// OUT_DIR/PAGE.js.sha256, by which the page's content security policy knows the script.
 import { createHash } from 'node:crypto';
 import { readFile, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -14,21 +14,23 @@ const [modules, out] = process.argv.slice(2).map((path) => resolve(path));
 const require = createRequire(join(modules, 'limitgauge'));
 const { build } = await import(pathToFileURL(require.resolve('esbuild')));
 
-const result = await build({
-  entryPoints: [join(here, 'src/main.js')],
-  outfile: join(out, 'report.js'),
-  absWorkingDir: here,
-  nodePaths: [modules],
-  bundle: true,
-  minify: true,
-  format: 'iife',
-  charset: 'ascii',
-  target: ['chrome100', 'firefox115'],
-  legalComments: 'none',
-  metafile: true,
-  logLevel: 'warning',
-});
-if (result.warnings.length > 0) process.exit(1);
+const pages = { report: 'src/main.js', study: 'src/study/main.js', history: 'src/history/main.js' };
 
-const script = await readFile(join(out, 'report.js'));
-await writeFile(join(out, 'report.js.sha256'), createHash('sha256').update(script).digest('base64'));
+for (const [page, entry] of Object.entries(pages)) {
+  const result = await build({
+    entryPoints: [join(here, entry)],
+    outfile: join(out, `${page}.js`),
+    absWorkingDir: here,
+    nodePaths: [modules],
+    bundle: true,
+    minify: true,
+    format: 'iife',
+    charset: 'ascii',
+    target: ['chrome100', 'firefox115'],
+    legalComments: 'none',
+    logLevel: 'warning',
+  });
+  if (result.warnings.length > 0) process.exit(1);
+  const script = await readFile(join(out, `${page}.js`));
+  await writeFile(join(out, `${page}.js.sha256`), createHash('sha256').update(script).digest('base64'));
+}

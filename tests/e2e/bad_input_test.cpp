@@ -61,7 +61,6 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
       {{"inspect", "index.obj"}, "index.obj:5:"},
       {{"inspect", "bad.ngc", "--moves"}, "bad.ngc:3:1"},
       {{"inspect", "quad.obj", "--samples", "3", "--csv", "no/such/folder.csv"}, "folder"},
-      {{"study", "a.toml"}, "not in this release"},
       {{"rnu", "a.toml"}, "\"run\""},
       {{}, "error"},
   };

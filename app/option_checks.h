@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace limitgauge::app {
+
+/// What the value of an option must be; errors say it, help does not.
+CLI::Validator number_above_zero(bool or_zero);
+CLI::Validator finite_number();
+CLI::Validator whole_number(int low, int high);
+
+}  // namespace limitgauge::app

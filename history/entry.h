@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace limitgauge::history {
+
+/// One figure of one run.
+struct Value {
+  std::string stage;         ///< empty: of the whole run
+  std::string metric;        ///< id as in reports/record/metrics.h, with its unit: "gouge_mm"
+  double low = 0, high = 0;  ///< the same twice where it is no certified interval
+};
+
+/// One run as the history keeps it.
+struct Entry {
+  std::int64_t id = 0;  ///< given by the file, rising
+  std::string created;  ///< ISO 8601, UTC
+  std::string job;
+  std::string version;  ///< of Limitgauge
+  std::string commit;   ///< of what was verified, as the user's version control calls it; or empty
+  std::string label;    ///< the user's own; or empty
+  std::string verdict;  ///< pass, fail, indeterminate
+  std::vector<Value> values;
+};
+
+}  // namespace limitgauge::history

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "reports/record/run_record.h"
+
+namespace limitgauge::reports::record {
+
+enum class Better { lower, higher, neither };
+
+/// Where a figure comes from, and so how far it can be trusted.
+enum class Source {
+  certified,  ///< an interval that holds the truth
+  measured,   ///< from samples of the surface or of the stock
+  planned,    ///< an exact figure of the path: length, time of machining
+  effort,     ///< seconds and bytes of this program: another machine, other figures
+};
+
+/// One figure of a stage.
+struct Metric {
+  std::string_view id;     ///< "gouge_mm": as in result.json
+  std::string_view label;  ///< "gouge"
+  std::string_view unit;   ///< "mm", "s", ""
+  Better better = Better::neither;
+  Source source = Source::measured;
+  /// The figure, as an interval of no width where it is no certified one.
+  verifier::Interval (*of)(const StageMeasures&) = nullptr;
+};
+
+/// All of them, in the order in which reports list them: certified ones first.
+std::span<const Metric> stage_metrics();
+/// Nothing where there is no such metric.
+const Metric* find_metric(std::string_view id);
+
+/// Sum over the stages that were run.
+double machining_time_s(const RunRecord& run);
+
+}  // namespace limitgauge::reports::record

@@ -1,0 +1,4 @@
+import './study.css';
+
+/** The script of a study's page. */
+window.limitgauge = { ready: Promise.resolve() };

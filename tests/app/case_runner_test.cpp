@@ -94,11 +94,13 @@ name = "first"
 tool = "flat"
 program = "p.ngc"
 program_tool = 1
+gate = { uncut = 5 }
 [[stage]]
 name = "second"
 tool = "ball"
 program = "p.ngc"
 program_tool = 2
+gate = { uncut = 5 }
 [[stage]]
 name = "third"
 tool = "ball"
@@ -293,9 +295,27 @@ TEST_CASE("of stages in memory those last used are kept", "[unit][study]") {
   CHECK(shelf.find("a"));
   CHECK_FALSE(shelf.find("b"));
   CHECK(shelf.find("c"));
+  for (const char* key : {"e", "f", "g"}) shelf.put(key, prefix(1));
+  CHECK_FALSE(shelf.find("a"));
+  CHECK_FALSE(shelf.find("c"));
+  CHECK(shelf.find("e"));
   shelf.put("d", prefix(1000));
   CHECK(shelf.find("d"));
-  CHECK_FALSE(shelf.find("c"));
+  CHECK_FALSE(shelf.find("e"));
+}
+
+TEST_CASE("the forecast of a case grows with its stock's level set and the model",
+          "[unit][study]") {
+  const Cases cases(job_of(kPrograms));
+  const auto forecast = [&](const std::string& override) {
+    return static_cast<double>(forecast_bytes(cases.file(), Overrides{override}));
+  };
+  const double coarse = forecast("simulation.voxel=0.1"), fine = forecast("simulation.voxel=0.025");
+  CHECK(coarse > 30e6);
+  CHECK(coarse < 120e6);
+  // Sixteen times the surface in voxels, and what the tables of a tree take in any case.
+  CHECK(fine - coarse > 5e6);
+  CHECK(forecast("surface.precision=0.0005") > forecast("surface.precision=0.05"));
 }
 
 }  // namespace limitgauge::app

@@ -1,6 +1,8 @@
 #include "app/study_figures.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include "reports/record/metrics.h"
 
@@ -134,6 +136,13 @@ const StageRecord* stage_named(const RunRecord& run, const std::string& name) {
   return nullptr;
 }
 
+/// True where less is better, or where someone may want to pay with it.
+bool can_be_objective(const Metric& metric) {
+  constexpr std::string_view kWanted[] = {"p99_mm", "cut_length_mm", "rapid_length_mm", "moves"};
+  return metric.better == Better::lower ||
+         std::find(std::begin(kWanted), std::end(kWanted), metric.id) != std::end(kWanted);
+}
+
 }  // namespace
 
 std::vector<study::Figure> study_figures(std::span<const std::string> stages) {
@@ -148,7 +157,7 @@ std::vector<std::string> objective_ids(std::span<const std::string> stages) {
   std::vector<std::string> ids = {"machining_time_s", "gate_excess"};
   for (const std::string& stage : stages) {
     for (const Metric* metric : metrics()) {
-      if (metric->better != Better::lower) continue;
+      if (!can_be_objective(*metric)) continue;
       std::vector<study::Figure> figures;
       add_figures(figures, stage, *metric);
       for (study::Figure& figure : figures) ids.push_back(std::move(figure.id));

@@ -34,8 +34,7 @@ std::string marks(const StudyView& view, std::size_t row) {
 }  // namespace
 
 std::string case_table(const StudyView& view, const std::string& caption,
-                       std::span<const std::size_t> rows, std::span<const std::size_t> figures,
-                       bool anchored) {
+                       std::span<const std::size_t> rows, std::span<const std::size_t> figures) {
   std::vector<ShownFigure> shown;
   for (const std::size_t i : figures) shown.emplace_back(view.table, i);
   std::vector<html::Row> lines;
@@ -51,7 +50,6 @@ std::string case_table(const StudyView& view, const std::string& caption,
       line.cells.push_back(escape_markup(setting_text(setting)));
     for (std::size_t k = 0; k < shown.size(); ++k)
       line.cells.push_back(shown[k].cell(row.figures.at(figures[k])));
-    if (anchored) line.attributes = " id=\"" + case_anchor(number) + "\"";
     lines.push_back(std::move(line));
   }
   return html::table(caption, columns(view, shown), lines);

@@ -23,10 +23,10 @@ std::string cases_section(const StudyView& view) {
   return fmt::format(
              "<section id=\"cases\"><h2>Cases</h2>\n<p>{} Those that passed come first, then "
              "undecided and failed ones, the cheapest at the head. A number leads to the case’s "
-             "whole result.</p>\n<div data-cases=\"\">",
+             "whole result.</p>\n<div data-cases=\"\"><div class=\"static\">",
              which) +
-         case_table(view, "Settings and figures", rows, objectives(view), true) +
-         "</div></section>\n";
+         case_table(view, "Settings and figures", rows, objectives(view)) +
+         "</div></div></section>\n";
 }
 
 }  // namespace limitgauge::reports::study_report

@@ -30,7 +30,7 @@ std::string front_table(const StudyView& view, const study::Front& front) {
     if (const auto figure = figure_index(view.table, id)) figures.push_back(*figure);
   const std::span<const std::size_t> rows(front.rows.data(),
                                           std::min(front.rows.size(), kMostRows));
-  return case_table(view, caption(view, front), rows, figures, false);
+  return case_table(view, caption(view, front), rows, figures);
 }
 
 }  // namespace

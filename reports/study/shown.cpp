@@ -109,8 +109,4 @@ std::string ShownFigure::value(double value) const {
   return unit_.empty() ? cell(value) : cell(value) + " " + escape_markup(unit_);
 }
 
-std::string case_anchor(std::size_t case_index) {
-  return "case-" + std::to_string(case_index);
-}
-
 }  // namespace limitgauge::reports::study_report

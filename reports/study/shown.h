@@ -36,7 +36,4 @@ class ShownFigure {
   std::string unit_;
 };
 
-/// Where a row of the table of cases can be found; "#case-12".
-std::string case_anchor(std::size_t case_index);
-
 }  // namespace limitgauge::reports::study_report

@@ -47,7 +47,8 @@ Json plan_json(const study::Plan& plan) {
   if (plan.method == study::Method::search)
     out["search"] = {{"cost", clean_text(plan.search.cost)},
                      {"most_cases", plan.search.most_cases},
-                     {"accuracy", finite("search accuracy", plan.search.accuracy)}};
+                     {"accuracy", finite("search accuracy", plan.search.accuracy)},
+                     {"batch", plan.search.batch}};
   out["cost"] = clean_text(plan.cost);
   out["accuracy"] = texts(plan.accuracy);
   return out;

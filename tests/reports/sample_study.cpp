@@ -157,7 +157,7 @@ std::vector<double> steps_of(std::size_t count) {
 }
 
 study::Variable variable(const std::string& key, const std::vector<double>& values) {
-  study::Variable out{key, {}, {}};
+  study::Variable out{key, {}, {}, {}};
   for (const double value : values) out.values.push_back(number(value));
   return out;
 }
@@ -215,7 +215,7 @@ SampleStudy hostile_study() {
     row.reason = "\t-1+" + markup + "\r\nsecond \x01 line";
   }
   table.rows[2].figures.assign(table.figures.size(), std::nullopt);
-  sample.plan.variables[0] = {table.keys[0], {table.rows[0].asked.settings[0]}, {}};
+  sample.plan.variables[0] = {table.keys[0], {table.rows[0].asked.settings[0]}, {}, {}};
   sample.analysis = {};
   sample.analysis.fronts = {front(table, machining_time, uncut_high)};
   sample.analysis.recommendation.reason = "Nothing passes: " + markup;

@@ -50,7 +50,7 @@ std::vector<std::string> line(const StudyView& view, const study::Response& resp
   const Ends e = ends(response);
   return {escape_markup(view.table.keys.at(response.key)), between(view, response),
           shown.value(e.least) + " … " + shown.value(e.most),
-          fmt::format("{}{} %", bar(strength(response)), fixed(100 * strength(response), 0)),
+          fmt::format("{}<span>{} %</span>", bar(strength(response)), fixed(100 * strength(response), 0)),
           response.has_elasticity ? html::typeset(fixed(response.elasticity, 2)) : "–"};
 }
 

@@ -246,6 +246,7 @@ SampleStudy single_study() {
   SampleStudy sample = sample_study();
   sample.plan.method = study::Method::list;
   sample.table.rows.resize(1);
+  sample.analysis = {};
   analyse(sample, 0);
   sample.about = {};
   return sample;

@@ -51,7 +51,7 @@ class CommandDefinition {
   void add_compare();
   void add_study();
   void add_history();
-  void add_history_options(CLI::App& run);
+  void add_history_options(CLI::App& run, HistoryOptions& history);
   void add_view();
   OptionReference reference(const CLI::Option& option) const;
   CommandReference reference(const CLI::App& app) const;

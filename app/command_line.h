@@ -45,6 +45,7 @@ struct VerifyCommand {
   std::vector<std::filesystem::path> fixtures;
   verifier::GateLimits limits;
   std::filesystem::path output;  ///< empty: limitgauge-out/STEM of the program
+  HistoryOptions history;
 };
 struct InspectCommand {
   std::filesystem::path file;
@@ -76,7 +77,11 @@ struct StudyCommand {
 };
 struct HistoryCommand {
   std::filesystem::path file;
-  std::filesystem::path output;  ///< empty: limitgauge-out/STEM of the file
+  std::filesystem::path output;              ///< empty: limitgauge-out/STEM of the file
+  std::string job;                           ///< empty: all of them
+  std::vector<std::string> stages, metrics;  ///< empty: all stages, the usual figures
+  int last = 0;                              ///< runs at most, the newest; never zero once parsed
+  std::string since;                         ///< ISO 8601, UTC, or its beginning; empty: ever
 };
 struct ViewCommand {
   std::filesystem::path folder;  ///< of a finished run, or its report.html

@@ -70,6 +70,7 @@ std::string against_own(const Told& told, const Row& best, const Row& own) {
   if (own.status != Status::pass)
     return has_result(own) ? " With " + name + ") it " + verb(own) + why(own) + "."
                            : " With " + name + ") there is no result" + why(own) + ".";
+  if (!figure_of(own, *told.objectives.cost)) return {};
   const double saved = told.cost(own) - told.cost(best);
   const double share = told.cost(own) > 0 ? saved / told.cost(own) : 0;
   return saved > 0

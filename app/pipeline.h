@@ -27,6 +27,8 @@ struct RunOptions {
   const std::atomic<bool>* stop = nullptr;
   RunWatch watch;
   std::string created;  ///< ISO 8601, UTC; stands in the result as it is
+  /// False: no files of stages are written, and the result has no figures of them.
+  bool stage_files = true;
 };
 
 /// Runs the job's stages into `folder`: path, cut, measurement, gate; the files of a stage are

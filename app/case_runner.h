@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "app/pipeline.h"
+#include "study/store.h"
+
+namespace limitgauge::app {
+
+/// Runs case after case of a study, without files of stages. A case goes on from the longest run of
+/// first stages that it shares with an earlier one, which is kept in memory or was put into the
+/// store by whatever process; nothing that is taken up again is planned or measured again. Not to
+/// be used from two threads at a time.
+class CaseRunner {
+ public:
+  /// Stages in memory are let go, those not used for longest first, when they take more than
+  /// `most_bytes_kept`; the last ones stay. Of `options` a stop flag, the threads and the watch
+  /// matter. `store` must outlive it.
+  CaseRunner(const study::Store& store, RunOptions options,
+             std::size_t most_bytes_kept = std::size_t{1} << 30);
+  ~CaseRunner();
+  CaseRunner(CaseRunner&&) noexcept;
+  CaseRunner& operator=(CaseRunner&&) noexcept;
+
+  /// The text of result.json that `limitgauge run` of this job would write, but for times, memory,
+  /// and the figures of files that are not written. Puts no result into the store. Throws
+  /// InputError, ResourceError, Interrupted, verifier::InstrumentDisagreement.
+  std::string run(const std::filesystem::path& job, std::span<const std::string> overrides);
+
+  /// Stages of the last case that were taken up again: from memory, or from the store.
+  struct Reuse {
+    std::size_t stages = 0;
+    bool from_store = false;
+  };
+  Reuse last_reuse() const;
+
+ private:
+  struct Kept;
+  std::unique_ptr<Kept> kept_;
+};
+
+/// Memory that a process which runs this case, and then others like it, takes at its peak, about:
+/// to choose how many may run beside each other. Throws InputError, ResourceError.
+std::size_t forecast_bytes(const std::filesystem::path& job,
+                           std::span<const std::string> overrides);
+
+}  // namespace limitgauge::app

@@ -1,14 +1,24 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/html/markup.h"
 #include "reports/study/case_table.h"
 #include "reports/study/parts.h"
+#include "reports/study/shown.h"
 #include "reports/text.h"
 
 namespace limitgauge::reports::study_report {
 namespace {
 
 constexpr std::size_t kMostRows = 100;
+
+std::string settings_words(const StudyView& view, std::size_t row) {
+  std::string out;
+  for (const study::Setting& setting : view.table.rows.at(row).asked.settings)
+    out += (out.empty() ? "" : " · ") + escape_markup(setting_text(setting));
+  return out;
+}
 
 std::string caption(const StudyView& view, const study::Front& front) {
   std::string out;
@@ -33,6 +43,30 @@ std::string front_table(const StudyView& view, const study::Front& front) {
   return case_table(view, caption(view, front), rows, figures);
 }
 
+/// Cases whose time buys nothing, and which one gives as much for less.
+std::string bought_for_nothing(const StudyView& view) {
+  const auto& list = view.analysis.bought_for_nothing;
+  const std::vector<std::size_t> figures = objectives(view);
+  if (list.empty() || figures.empty()) return {};
+  const ShownFigure cost(view.table, figures.front());
+  std::vector<std::vector<std::string>> lines;
+  for (std::size_t i = 0; i < std::min(list.size(), kMostRows); ++i)
+    lines.push_back({case_link(view, list[i].row), settings_words(view, list[i].row),
+                     case_link(view, list[i].by), settings_words(view, list[i].by),
+                     cost.value(list[i].dearer)});
+  std::string caption = fmt::format("{} case{} that pass, and what gives as much for less",
+                                    grouped(list.size()), list.size() == 1 ? "" : "s");
+  if (list.size() > kMostRows)
+    caption += fmt::format("; the first {} of them, all are in study.json", kMostRows);
+  return "<h3>Bought for nothing</h3>\n" + html::table(caption,
+                                                       {{"Case", true},
+                                                        {"Settings", false},
+                                                        {"better: case", true},
+                                                        {"its settings", false},
+                                                        {"saves", true}},
+                                                       lines);
+}
+
 }  // namespace
 
 std::string fronts_section(const StudyView& view) {
@@ -50,7 +84,7 @@ std::string fronts_section(const StudyView& view) {
     out =
         "<section id=\"fronts\"><h2>What accuracy costs</h2>\n<p>No case passed or failed with "
         "figures that could be set against each other.</p>\n";
-  return out + "</section>\n";
+  return out + bought_for_nothing(view) + "</section>\n";
 }
 
 }  // namespace limitgauge::reports::study_report

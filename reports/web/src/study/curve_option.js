@@ -80,13 +80,15 @@ function rangeBars(means, colours) {
   };
 }
 
-/** All other keys as in the reference case. */
+/** All other keys as in the reference case; where no two cases differ in one key alone, its fitted effect. */
 function referenceLine(study, key, figure, colours) {
   const response = study.responses.find((r) => r.key === key && study.figures[r.figure] === figure);
-  if (!response || response.rows.length < 2) return [];
+  if (!response || response.rows.length + response.fit.length < 2) return [];
+  const points = response.rows.map((row) => [study.keys[key].value(row), figure.value(row)]);
+  const fit = response.fit.map(([setting, value]) => [setting, value * figure.perUnit]);
   return [{
-    type: 'line', name: 'reference', symbol: 'emptyDiamond', symbolSize: 8, z: 5,
-    data: response.rows.map((row) => [study.keys[key].value(row), figure.value(row)]),
+    type: 'line', name: 'reference', symbol: points.length > 0 ? 'emptyDiamond' : 'none', symbolSize: 8, z: 5,
+    data: points.length > 0 ? points : fit,
     lineStyle: { color: colours.ink, width: 1.5, type: 'dashed' }, itemStyle: { color: colours.ink },
   }];
 }

@@ -40,7 +40,8 @@ function binned(points) {
 function meansOf(groups) {
   const mean = (list, i) => list.reduce((sum, point) => sum + point[i], 0) / list.length;
   return [...groups.values()].map((list) => ({
-    at: mean(list, 0), mean: mean(list, 1), count: list.length,
+    // A mean of equal settings need not be that setting to its last digit.
+    at: list[0][0] === list.at(-1)[0] ? list[0][0] : mean(list, 0), mean: mean(list, 1), count: list.length,
     least: list.reduce((least, [, value]) => Math.min(least, value), Infinity),
     most: list.reduce((most, [, value]) => Math.max(most, value), -Infinity),
   }));

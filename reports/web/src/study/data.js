@@ -54,7 +54,7 @@ function figureQuantity(figure, index) {
   const shown = shownFigure(figure);
   return {
     kind: 'figure', index, id: `figure ${figure.id}`, title: shown.title, name: figure.label, numeric: true,
-    categories: null, values: figure.values,
+    categories: null, perUnit: shown.perUnit,
     value: (row) => (figure.values[row] === null ? null : figure.values[row] * shown.perUnit),
     text: (row) => shown.text(figure.values[row]),
     cell: (row) => shown.cell(figure.values[row]),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -55,6 +56,9 @@ struct InspectCommand {
 struct CompareCommand {
   std::filesystem::path base, now;  ///< result.json, or the folder that has one
   std::filesystem::path output;     ///< empty: no files
+  /// Machining time may grow by so much; empty: it is not judged.
+  std::optional<double> time_limit_percent;
+  std::vector<std::string> metrics, ignored;  ///< ids of what is judged
 };
 struct StudyCommand {
   std::filesystem::path study;

@@ -14,6 +14,12 @@ void add_limits(const record::StageRecord& stage, std::vector<history::Value>& v
   add(stage.limits.has_coverage, "coverage_limit", stage.limits.coverage);
 }
 
+void add_fineness(const record::StageRecord& stage, std::vector<history::Value>& values) {
+  const double resolution = stage.measures->resolution_mm, voxel = stage.measures->voxel_mm;
+  values.push_back({stage.name, "resolution_mm", resolution, resolution});
+  values.push_back({stage.name, "voxel_mm", voxel, voxel});
+}
+
 }  // namespace
 
 history::Entry entry_of(const record::RunRecord& run) {
@@ -32,6 +38,7 @@ history::Entry entry_of(const record::RunRecord& run) {
       entry.values.push_back({stage.name, std::string(metric.id), figure.low, figure.high});
     }
     add_limits(stage, entry.values);
+    add_fineness(stage, entry.values);
   }
   return entry;
 }

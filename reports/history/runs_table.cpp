@@ -11,11 +11,10 @@
 namespace limitgauge::reports::history_report {
 namespace {
 
-using html::Column;
 using html::Row;
 
 /// Beyond it a figure fails, whatever the others do.
-bool is_beyond(const history_report::Column& column, const Cell& cell) {
+bool is_beyond(const Column& column, const Cell& cell) {
   if (!cell.value || !cell.limit) return false;
   return column.metric == "coverage" ? cell.value->high < *cell.limit
                                      : cell.value->low > *cell.limit;
@@ -30,8 +29,7 @@ std::string trend_markup(const Cell& cell) {
   return fmt::format("<small class=\"{}\">{}</small>", css, text);
 }
 
-std::string figure_cell(const history_report::Column& column, const ShownColumn& shown,
-                        const Cell& cell) {
+std::string figure_cell(const Column& column, const ShownColumn& shown, const Cell& cell) {
   if (!cell.value) return "–";
   std::string out = html::typeset(shown.figure(cell));
   if (is_beyond(column, cell))
@@ -67,7 +65,8 @@ std::string verdict_badge(std::string_view verdict) {
 
 std::string runs_table(const JobHistory& job, std::size_t index) {
   std::vector<ShownColumn> shown;
-  std::vector<Column> columns = {{"Run", true}, {"Date, UTC"}, {"Commit, label"}, {"Verdict"}};
+  std::vector<html::Column> columns = {
+      {"Run", true}, {"Date, UTC"}, {"Commit, label"}, {"Verdict"}};
   for (std::size_t i = 0; i < job.columns.size(); ++i) {
     shown.emplace_back(job, i);
     const std::string unit = shown[i].unit().empty() ? "" : ", " + shown[i].unit();

@@ -71,7 +71,7 @@ std::string design_section(const StudyView& view) {
           i < view.about.own.size() ? escape_markup(setting_text(view.about.own[i])) : "–");
   }
   std::vector<html::Column> columns = {{"Key", false}, {"Values", false}};
-  if (!view.about.own.empty()) columns.push_back({"in the job", true});
+  if (!view.about.own.empty()) columns.push_back({"in the job", false});
   std::string sentences = method_sentence(view);
   if (!view.analysis.search_ending.empty())
     sentences += " " + escape_markup(view.analysis.search_ending);

@@ -11,7 +11,16 @@
 namespace limitgauge::reports::study_report {
 namespace {
 
-constexpr std::size_t kMostRows = 100;
+constexpr std::size_t kMostRows = 40;
+
+/// At most kMostRows of a list, evenly spread, both ends among them.
+std::vector<std::size_t> spread(const std::vector<std::size_t>& rows) {
+  if (rows.size() <= kMostRows) return rows;
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < kMostRows; ++i)
+    out.push_back(rows[i * (rows.size() - 1) / (kMostRows - 1)]);
+  return out;
+}
 
 std::string settings_words(const StudyView& view, std::size_t row) {
   std::string out;
@@ -30,7 +39,7 @@ std::string caption(const StudyView& view, const study::Front& front) {
   const std::size_t all = front.rows.size();
   out += fmt::format(": {} case{} that no other one beats", all, all == 1 ? "" : "s");
   if (all > kMostRows)
-    out += fmt::format("; the first {} of them, all are in study.json", kMostRows);
+    out += fmt::format("; {} of them evenly spread, all are in study.json", kMostRows);
   return out;
 }
 
@@ -38,9 +47,7 @@ std::string front_table(const StudyView& view, const study::Front& front) {
   std::vector<std::size_t> figures;
   for (const std::string& id : front.objectives)
     if (const auto figure = figure_index(view.table, id)) figures.push_back(*figure);
-  const std::span<const std::size_t> rows(front.rows.data(),
-                                          std::min(front.rows.size(), kMostRows));
-  return case_table(view, caption(view, front), rows, figures);
+  return case_table(view, caption(view, front), spread(front.rows), figures);
 }
 
 /// Cases whose time buys nothing, and which one gives as much for less.
@@ -58,13 +65,13 @@ std::string bought_for_nothing(const StudyView& view) {
                                     grouped(list.size()), list.size() == 1 ? "" : "s");
   if (list.size() > kMostRows)
     caption += fmt::format("; the first {} of them, all are in study.json", kMostRows);
-  return "<h3>Bought for nothing</h3>\n" + html::table(caption,
-                                                       {{"Case", true},
-                                                        {"Settings", false},
-                                                        {"better: case", true},
-                                                        {"its settings", false},
-                                                        {"saves", true}},
-                                                       lines);
+  const std::vector<html::Column> columns = {{"Case", true},
+                                             {"Settings", false},
+                                             {"better: case", true},
+                                             {"its settings", false},
+                                             {"saves", true}};
+  return "<details><summary>Bought for nothing</summary>\n" + html::table(caption, columns, lines) +
+         "</details>\n";
 }
 
 }  // namespace
@@ -78,7 +85,11 @@ std::string fronts_section(const StudyView& view) {
   for (const study::Front& front : view.analysis.fronts) {
     if (front.rows.empty()) continue;
     any = true;
-    out += front_table(view, front);
+    // A front of three figures is long, and the other two say most of it.
+    out += front.objectives.size() > 2
+               ? "<details><summary>The front of all figures together</summary>\n" +
+                     front_table(view, front) + "</details>\n"
+               : front_table(view, front);
   }
   if (!any)
     out =

@@ -6,7 +6,9 @@ import { sortedRows, tableColumns } from '../src/study/columns.js';
 import { curvesOf } from '../src/study/curves.js';
 import { caseLines, decodeStudy, resultPath } from '../src/study/data.js';
 import { paretoFront } from '../src/study/front.js';
-import { axisPlace, parallelHeight, parallelOption, parallelQuantities } from '../src/study/parallel_option.js';
+import {
+  axisPlace, parallelHeight, parallelOption, parallelQuantities,
+} from '../src/study/parallel_option.js';
 import { scatterOption } from '../src/study/scatter_option.js';
 import { clockText, durationText, percentText, shownFigure } from '../src/study/shown.js';
 
@@ -23,7 +25,10 @@ function sampleData() {
     reasons: { texts: ['', markup], of: [0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1] },
     keys: [
       { key: 'stage.finish.step', settings: steps.map((step) => [String(step), step]), of },
-      { key: 'stage.finish.strategy', settings: [['zigzag', null], [markup, null]], of: of.map((_, row) => row % 2) },
+      {
+        key: 'stage.finish.strategy', settings: [['zigzag', null], [markup, null]],
+        of: of.map((_, row) => row % 2),
+      },
     ],
     figures: [
       { id: 'machining_time_s', label: 'machining time', unit: 's', values: time },
@@ -43,7 +48,8 @@ test('data: values stand in one unit, what is missing is null', () => {
   assert.ok(Math.abs(uncut.value(0) - 0.01 / 24 * 1000) < 1e-12);
   assert.equal(uncut.text(11), '–');
   assert.equal(time.value(11), null);
-  assert.deepEqual([step.value(5), step.text(5), strategy.value(1), strategy.text(1)], [0.2, '0.2', 1, markup]);
+  assert.deepEqual([step.value(5), step.text(5), strategy.value(1), strategy.text(1)],
+    [0.2, '0.2', 1, markup]);
   assert.equal(verdict.text(11), '– lost');
   assert.throws(() => decodeStudy({ format: 'limitgauge.study-page/2' }), /not known/);
 });
@@ -54,8 +60,10 @@ test('a result is found where the program puts it', () => {
 });
 
 test('figures are said as in the tables', () => {
-  assert.deepEqual([0.05, 12.44, 70, 3725].map(durationText), ['0.05 s', '12.4 s', '1 min 10 s', '1 h 02 min']);
-  assert.deepEqual([45, 150, 3720].map(clockText), ['45 s', '2:30', '1:02:00']);
+  assert.deepEqual([0.05, 12.44, 70, 3725].map(durationText),
+    ['0.05 s', '12.4 s', '1 min 10 s', '1 h 02 min']);
+  assert.deepEqual([45, 150, 3720].map((s) => clockText(s)), ['45 s', '2:30', '1:02:00']);
+  assert.deepEqual([clockText(150.26, 1), clockText(179.999, 1), clockText(62, 2)], ['2:30.3', '3:00.0', '1:02.00']);
   assert.equal(percentText(0.99999), '99.99 %');
   const shown = shownFigure({ id: 'x', label: 'moves', unit: '', values: [12345, null] });
   assert.deepEqual([shown.title, shown.cell(12345), shown.cell(null)], ['moves', '12345', '–']);
@@ -66,7 +74,8 @@ test('filters: in any range of a quantity, in one of each; what is missing is in
   const rows = (ranges, statuses = [0, 1, 2, 3, 4]) =>
     filteredRows(study, { ranges: new Map(ranges), statuses: new Set(statuses) });
   assert.deepEqual(rows([['key stage.finish.step', [[0.15, 0.3]]]]), [4, 5, 6, 7]);
-  assert.deepEqual(rows([['key stage.finish.step', [[0, 0.1], [0.4, 1]]], ['key stage.finish.strategy', [[0, 0]]]]),
+  assert.deepEqual(rows([['key stage.finish.step', [[0, 0.1], [0.4, 1]]],
+    ['key stage.finish.strategy', [[0, 0]]]]),
     [0, 2, 8, 10]);
   assert.deepEqual(rows([['figure machining_time_s', [[-Infinity, Infinity]]]]).includes(11), false);
   assert.deepEqual(rows([], [1, 4]), [8, 10, 11]);
@@ -147,7 +156,8 @@ test('scatter: what is filtered away stays as a shade, the front joins what is n
   const axes = { x: study.figures[0], y: study.figures[1] };
   board.setRanges('key stage.finish.step', [[0.1, 0.1]]);
   const { series } = scatterOption(board, axes, colours, 800);
-  const left = series.slice(0, 5).flatMap(({ data }) => data), kept = series.slice(5, 10).flatMap(({ data }) => data);
+  const left = series.slice(0, 5).flatMap(({ data }) => data);
+  const kept = series.slice(5, 10).flatMap(({ data }) => data);
   assert.deepEqual([left.length, kept.length], [7, 4]);
   const front = series.find(({ name }) => name === 'front');
   assert.deepEqual(front.data.map(([x]) => x), [150, 300, 600]);

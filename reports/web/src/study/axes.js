@@ -1,11 +1,11 @@
 /** A key with fewer settings has them for marks. */
 const MOST_MARKS = 12;
 
-/** A quantity's name over as many lines as it has parts: "finish", "step". */
-export function titleLines(quantity) {
+/** The parts of a quantity's name, each on a line of its own where `between` is a line feed. */
+export function titleParts(quantity, between = '\n') {
   const parts = quantity.kind === 'key' ? quantity.title.replace(/^stage\./, '').split('.')
     : quantity.title.split(': ');
-  return parts.map((part) => shortened(part, 22)).join('\n');
+  return parts.map((part) => shortened(part, 26)).join(between);
 }
 
 const shortened = (text, most) => (text.length > most ? `${text.slice(0, most - 1)}…` : text);

@@ -3,7 +3,8 @@ import { sortedRows, tableColumns } from './columns.js';
 import { hasResult, marksOf, resultPath } from './data.js';
 import { LOOKS } from './looks.js';
 
-const A_PAGE = 50;
+/** How many cases are listed at first: on a narrow page each is a block of lines. */
+const aPage = () => (matchMedia('(max-width: 46rem)').matches ? 10 : 50);
 
 /**
  * The table of the cases that the filter leaves, a page at a time, by any column.
@@ -12,12 +13,12 @@ const A_PAGE = 50;
  */
 export function createCaseTable(board) {
   const { study } = board, columns = tableColumns(study);
-  const state = { column: columns[1], descending: false, most: A_PAGE, rows: [] };
+  const state = { column: columns[1], descending: false, most: aPage(), rows: [] };
   const body = make('tbody', { role: 'rowgroup' });
   const said = make('p', { class: 'note', 'aria-live': 'polite', data: { testid: 'study-shown' } });
   const more = make('button', {
     type: 'button', text: 'Show more', data: { testid: 'study-more' },
-    on: { click: () => { state.most += 4 * A_PAGE; draw(); } },
+    on: { click: () => { state.most += 4 * aPage(); draw(); } },
   });
   const heads = columns.map((column) => headOf(column, () => {
     state.descending = state.column === column && !state.descending;
@@ -37,7 +38,7 @@ export function createCaseTable(board) {
     draw();
   };
   board.onFilter(() => {
-    state.most = A_PAGE;
+    state.most = aPage();
     sort();
   });
   board.onChoice(() => body.querySelectorAll('tr').forEach((line) =>
@@ -82,7 +83,8 @@ function contentOf(board, column, row) {
 /** As the page's own badges look. */
 export function badge(status) {
   const { css, sign, word } = LOOKS[status];
-  return make('span', { class: `badge ${css}` }, [make('span', { 'aria-hidden': 'true', text: sign }), ` ${word}`]);
+  const mark = make('span', { 'aria-hidden': 'true', text: sign });
+  return make('span', { class: `badge ${css}` }, [mark, ` ${word}`]);
 }
 
 /** The link to a case's result; nothing where it has none. */

@@ -17,7 +17,8 @@ export function tableColumns(study) {
 /** What to look at first: by verdict, then by the first objective. */
 function verdictOrder(study) {
   const cost = study.figures[study.objectives[0]];
-  const order = sortedRows(Array.from({ length: study.count }, (_, row) => row), (row) => cost?.value(row) ?? null);
+  const all = Array.from({ length: study.count }, (_, row) => row);
+  const order = sortedRows(all, (row) => cost?.value(row) ?? null, false);
   const place = new Uint32Array(study.count);
   order.forEach((row, i) => (place[row] = i));
   return (row) => RANK[study.statuses[row]] * study.count + place[row];

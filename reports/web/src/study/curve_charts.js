@@ -9,7 +9,8 @@ import { quantityChoice } from './scatter_chart.js';
  * @param board as createBoard gives it
  */
 export function curveFigure(board) {
-  const { study } = board, state = { figure: study.figures[study.objectives[1] ?? study.objectives[0] ?? 0] };
+  const { study } = board;
+  const state = { figure: study.figures[study.objectives[1] ?? study.objectives[0] ?? 0] };
   const redraws = [];
   const panels = study.keys.map((_, key) => {
     const plot = make('div', { class: 'chart-plot study-curve', data: { testid: 'study-curve' } });
@@ -24,8 +25,9 @@ export function curveFigure(board) {
     redraw();
   }, study.figures);
   return make('figure', {}, [make('figcaption', {
-    text: 'How a figure answers to each key. Thick: mean and range of the cases shown; thin: cases that differ '
-      + 'in this key alone; dashed: all other keys as in the reference case.',
+    text: 'How a figure answers to each key. Thick: mean and range of the cases shown; thin: cases that '
+      + 'differ in this key alone; dashed: all other keys as in the reference case, or the effect of the key '
+      + 'fitted through all cases.',
   }), make('div', { class: 'study-row' }, [choice]), make('div', { class: 'study-curves' }, panels)]);
 }
 

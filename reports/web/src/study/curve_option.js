@@ -2,6 +2,8 @@ import { axisOption, commonOption, tooltipLines } from '../charts/theme.js';
 import { quantityAxis } from './axes.js';
 import { curvesOf } from './curves.js';
 
+const MOST_SYMBOLS = 30;
+
 /**
  * What ECharts draws of a figure against a key: mean and range over the other keys, a line for each of
  * their combinations where those are few, and what the reference case gives.
@@ -49,8 +51,8 @@ function margins([low, high]) {
 }
 
 const thinLine = (data, colours) => ({
-  type: 'line', data, symbol: 'none', silent: true, lineStyle: { color: colours.bar, width: 1, opacity: 0.55 },
-  tooltip: { show: false },
+  type: 'line', data, symbol: 'none', silent: true, tooltip: { show: false },
+  lineStyle: { color: colours.bar, width: 1, opacity: 0.55 },
 });
 
 const scattered = (points, colours) => ({
@@ -65,8 +67,8 @@ const meanLine = (means, colours) => ({
 
 function rangeBars(means, colours) {
   return {
-    type: 'custom', name: 'range', silent: true, z: 3, data: means.map(({ at, least, most }) => [at, least, most]),
-    encode: { x: 0, y: [1, 2] },
+    type: 'custom', name: 'range', silent: true, z: 3, encode: { x: 0, y: [1, 2] },
+    data: means.map(({ at, least, most }) => [at, least, most]),
     renderItem(params, api) {
       const [x, low] = api.coord([api.value(0), api.value(1)]);
       const [, high] = api.coord([api.value(0), api.value(2)]);
@@ -80,14 +82,15 @@ function rangeBars(means, colours) {
   };
 }
 
-/** All other keys as in the reference case; where no two cases differ in one key alone, its fitted effect. */
+/** All other keys as in the reference case; its fitted effect where no two cases differ in it alone. */
 function referenceLine(study, key, figure, colours) {
   const response = study.responses.find((r) => r.key === key && study.figures[r.figure] === figure);
   if (!response || response.rows.length + response.fit.length < 2) return [];
   const points = response.rows.map((row) => [study.keys[key].value(row), figure.value(row)]);
   const fit = response.fit.map(([setting, value]) => [setting, value * figure.perUnit]);
   return [{
-    type: 'line', name: 'reference', symbol: points.length > 0 ? 'emptyDiamond' : 'none', symbolSize: 8, z: 5,
+    type: 'line', name: 'reference', symbolSize: 8, z: 5,
+    symbol: points.length > 0 && points.length <= MOST_SYMBOLS ? 'diamond' : 'none',
     data: points.length > 0 ? points : fit,
     lineStyle: { color: colours.ink, width: 1.5, type: 'dashed' }, itemStyle: { color: colours.ink },
   }];

@@ -5,8 +5,8 @@ const MOST_LINES = 24, MOST_SETTINGS = 30, BINS = 8;
  * other keys' settings where those are few enough to be told apart.
  * @param {object} study as decodeStudy gives it
  * @param {number[]} rows that count
- * @returns {{means: {at, mean, least, most, count}[], lines: [number, number][][], points: [number, number, number][]}}
- *   `points` ([setting, value, row]) where settings are drawn from a range: means are then of bins
+ * @returns {{means: {at, mean, least, most, count}[], lines, points}} `lines` of [setting, value]; `points`
+ *   ([setting, value, row]) where settings are drawn from a range: means are then of bins
  */
 export function curvesOf(study, keyIndex, figure, rows) {
   const key = study.keys[keyIndex];

@@ -46,7 +46,8 @@ function verdictQuantity(statuses) {
   const text = ({ sign, word }) => `${sign} ${word}`;
   return {
     kind: 'verdict', id: 'verdict', title: 'verdict', numeric: false, categories: LOOKS.map(text),
-    value: (row) => statuses[row], text: (row) => text(LOOKS[statuses[row]]), mark: (value) => text(LOOKS[value]),
+    value: (row) => statuses[row], text: (row) => text(LOOKS[statuses[row]]),
+    mark: (value) => text(LOOKS[value]),
   };
 }
 

@@ -53,8 +53,8 @@ function rangeFields(board, quantity) {
 
 function numberFields(board, quantity, [low, high]) {
   const field = (name, bound) => make('input', {
-    type: 'number', step: 'any', 'aria-label': `${quantity.title} ${name}`, placeholder: quantity.kind === 'key'
-      ? String(bound) : String(Number(bound.toPrecision(4))),
+    type: 'number', step: 'any', 'aria-label': `${quantity.title} ${name}`,
+    placeholder: String(quantity.kind === 'key' ? bound : Number(bound.toPrecision(4))),
   });
   const from = field('from', low), to = field('to', high);
   const apply = () => {

@@ -1,4 +1,4 @@
-/** How each status looks in words and charts, in the order in which the page's data count them: never by colour alone. */
+/** How each status looks, in the order in which the page's data count them: never by colour alone. */
 export const LOOKS = [
   { word: 'passed', sign: '✓', css: 'pass', colour: 'passed', symbol: 'circle', dash: 'solid' },
   {

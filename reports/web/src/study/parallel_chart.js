@@ -1,4 +1,5 @@
 import { make, onceAFrame } from '../view/dom.js';
+import { extentOf } from './axes.js';
 import { createChart } from './library.js';
 import { axisPlace, parallelHeight, parallelOption, parallelQuantities } from './parallel_option.js';
 
@@ -31,7 +32,8 @@ export function createParallelChart(board, plot) {
     restoring = true;
     for (const { id } of parallelQuantities(study))
       chart.dispatchAction({
-        type: 'axisAreaSelect', parallelAxisId: id, intervals: finite(study, id, board.ranges().get(id) ?? []),
+        type: 'axisAreaSelect', parallelAxisId: id,
+        intervals: finite(study, id, board.ranges().get(id) ?? []),
       });
     restoring = false;
   };
@@ -49,8 +51,7 @@ export function createParallelChart(board, plot) {
 function finite(study, id, intervals) {
   const quantity = study.quantities.find((q) => q.id === id);
   if (intervals.length === 0) return [];
-  const values = Array.from({ length: study.count }, (_, row) => quantity.value(row)).filter((v) => v !== null);
-  const least = values.reduce((a, b) => Math.min(a, b)), most = values.reduce((a, b) => Math.max(a, b));
+  const [least, most] = extentOf(quantity, study.count);
   return intervals.map(([low, high]) => [Math.max(low, least), Math.min(high, most)]);
 }
 
@@ -58,9 +59,9 @@ function finite(study, id, intervals) {
 export function parallelFigure() {
   const plot = make('div', { class: 'chart-plot study-parallel', data: { testid: 'study-parallel' } });
   const figure = make('figure', {}, [make('figcaption', {
-    text: 'A line is a case, an axis a key or a figure. Drag along an axis to keep the cases that run through '
-      + 'there, click beside the mark to lift it. The thick line is the recommended case, the dotted one the '
-      + 'job’s own.',
+    text: 'A line is a case, an axis a key or a figure. Drag along an axis to keep the cases that run '
+      + 'through there, click beside the mark to lift it. The thick line is the recommended case, the dotted '
+      + 'one the job’s own.',
   }), plot]);
   return { figure, plot };
 }

@@ -1,5 +1,5 @@
 import { commonOption, tooltipLines } from '../charts/theme.js';
-import { extentOf, quantityAxis, titleLines } from './axes.js';
+import { extentOf, quantityAxis, titleParts } from './axes.js';
 import { caseLines } from './data.js';
 import { LOOKS } from './looks.js';
 
@@ -33,8 +33,9 @@ export function parallelOption(board, colours, width_px) {
     },
     parallel: placeOf(narrow),
     parallelAxis: quantities.map((quantity, dim) => ({
-      ...baseAxis(colours, narrow, study.count), dim, id: quantity.id, name: titleLines(quantity),
-      ...axisOf(quantity, study, colours),
+      ...baseAxis(colours, narrow, study.count), dim, id: quantity.id,
+      name: titleParts(quantity, narrow ? ' ' : '\n'),
+      ...axisOf(quantity, study, colours, narrow),
     })),
     series: [
       ...LOOKS.map((look, status) => statusLines(board, quantities, look, status, colours)),
@@ -43,7 +44,8 @@ export function parallelOption(board, colours, width_px) {
   };
 }
 
-const placeOf = (narrow) => (narrow ? { layout: 'vertical', left: 24, right: 24, top: 44, bottom: 30 }
+const placeOf = (narrow) => (narrow
+  ? { layout: 'vertical', left: 24, right: 24, top: 44, bottom: 30 }
   : { layout: 'horizontal', left: 48, right: 84, top: 56, bottom: 28 });
 
 /** Where the middle of a quantity's axis stands in the chart, px. */
@@ -60,10 +62,13 @@ function baseAxis(colours, narrow, count) {
     nameLocation: 'end', nameGap: narrow ? 10 : 14, realtime: count <= MOST_LIVE, inverse: false,
     nameTextStyle: {
       color: colours.ink, fontSize: 12, lineHeight: 15, align: narrow ? 'right' : 'center',
-      verticalAlign: 'bottom', ...(narrow ? { padding: [0, 0, 16, 0] } : {}),
+      verticalAlign: 'bottom', textBorderColor: colours.page, textBorderWidth: 3,
+      ...(narrow ? { padding: [0, 0, 16, 0] } : {}),
     },
     axisLine: { lineStyle: { color: colours.ink, width: 1.2 } },
-    areaSelectStyle: { width: 22, borderWidth: 1, borderColor: colours.link, color: colours.link, opacity: 0.2 },
+    areaSelectStyle: {
+      width: 22, borderWidth: 1, borderColor: colours.link, color: colours.link, opacity: 0.2,
+    },
   };
 }
 
@@ -72,13 +77,19 @@ const words = (colours, more) => ({
   color: colours.ink, fontSize: 12, textBorderColor: colours.page, textBorderWidth: 3, ...more,
 });
 
-function axisOf(quantity, study, colours) {
+const signsAlone = { interval: 0, formatter: (text) => text.split(' ')[0] };
+
+function axisOf(quantity, study, colours, narrow) {
   const axis = quantityAxis(quantity), [low, high] = extentOf(quantity, study.count) ?? [0, 1];
   const ends = quantity.kind === 'key' && axis.type === 'value'
     ? { min: low < high ? low : low - 1, max: low < high ? high : high + 1 } : {};
   return {
     ...axis, ...ends, axisTick: { ...axis.axisTick, lineStyle: { color: colours.soft } },
-    axisLabel: words(colours, { ...axis.axisLabel, hideOverlap: true }),
+    axisLabel: words(colours, {
+      ...axis.axisLabel, hideOverlap: true,
+      // Side by side there is room for the signs alone; the boxes above say their words.
+      ...(narrow && quantity.kind === 'verdict' ? signsAlone : {}),
+    }),
   };
 }
 
@@ -101,11 +112,12 @@ function statusLines(board, quantities, look, status, colours) {
   };
 }
 
-const opacityFor = (count) => Math.max(0.05, Math.min(0.75, 40 / Math.sqrt(count) / 10 + 0.1));
+/** Thousands of lines over each other show where most of them run. */
+const opacityFor = (count) => Math.min(0.75, 200 / count + 0.01);
 
 /** What must be found at a glance: the job's own case, the recommended and the chosen one. */
 function highlights(board, quantities, colours) {
-  const { study } = board;
+  const { study } = board, chosen = board.chosen() === study.recommended ? null : board.chosen();
   const line = (name, row, style) => ({
     type: 'parallel', name, id: name, z: 5, silent: true, inactiveOpacity: 1, activeOpacity: 1,
     data: row === null ? [] : [{ value: valuesOf(quantities, row), row }],
@@ -114,6 +126,6 @@ function highlights(board, quantities, colours) {
   return [
     line('own', study.own, { color: colours.soft, width: 3.5, type: [2, 4] }),
     line('recommended', study.recommended, { color: colours.link, width: 4 }),
-    line('chosen', board.chosen() === study.recommended ? null : board.chosen(), { color: colours.ink, width: 2.5 }),
+    line('chosen', chosen, { color: colours.ink, width: 2.5 }),
   ];
 }

@@ -8,7 +8,7 @@ import { hasFront, scatterOption } from './scatter_option.js';
  */
 export function scatterFigure(board) {
   const { study } = board, [cost, bought] = study.objectives.map((i) => study.figures[i]);
-  const axes = { x: cost ?? study.quantities[0], y: bought ?? cost ?? study.quantities[1] ?? study.quantities[0] };
+  const axes = { x: cost ?? study.quantities[0], y: bought ?? cost ?? study.quantities[0] };
   const plot = make('div', { class: 'chart-plot study-scatter', data: { testid: 'study-scatter' } });
   const caption = make('figcaption');
   let chart;

@@ -60,7 +60,9 @@ function pointSeries(board, x, y, colours) {
     itemStyle: { color: colours[look.colour], opacity: study.count > FEW ? 0.6 : 0.85 }, ...more,
   });
   return [
-    ...LOOKS.map((look, i) => series(look, data[i].left, { silent: true, itemStyle: { color: colours.none, opacity: 0.12 } })),
+    ...LOOKS.map((look, i) => series(look, data[i].left, {
+      silent: true, itemStyle: { color: colours.none, opacity: 0.12 },
+    })),
     ...LOOKS.map((look, i) => series(look, data[i].kept, { emphasis: { scale: 1.6 } })),
   ];
 }
@@ -85,6 +87,7 @@ function frontSeries(study, x, y, colours) {
 function markSeries(board, x, y, colours) {
   const { study } = board;
   const both = study.own !== null && study.own === study.recommended;
+  const chosen = board.chosen() === study.recommended ? null : board.chosen();
   const mark = (name, row, style, text, position) => (row === null || !stands(x, y, row) ? [] : [{
     type: 'scatter', name, z: 6, silent: true, symbol: style.symbol, symbolSize: style.size,
     data: [point(x, y, row)],
@@ -97,7 +100,8 @@ function markSeries(board, x, y, colours) {
   return [
     ...mark('recommended', study.recommended, { symbol: 'circle', size: 20, colour: colours.link },
       both ? 'recommended: the job’s own' : 'recommended', 'top'),
-    ...(both ? [] : mark('own', study.own, { symbol: 'diamond', size: 24, colour: colours.ink }, 'the job’s own', 'bottom')),
-    ...mark('chosen', board.chosen() === study.recommended ? null : board.chosen(), { symbol: 'rect', size: 24, colour: colours.ink }, '', 'top'),
+    ...mark('own', both ? null : study.own, { symbol: 'diamond', size: 24, colour: colours.ink },
+      'the job’s own', 'top'),
+    ...mark('chosen', chosen, { symbol: 'rect', size: 24, colour: colours.ink }, '', 'top'),
   ];
 }

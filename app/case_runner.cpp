@@ -38,8 +38,8 @@ struct CaseRunner::Kept {
   RunInputs read_inputs(const ReadCase& asked, const std::filesystem::path& file,
                         std::span<const std::string> overrides);
   std::shared_ptr<const StagePrefix> longest(const ReadCase& asked, const RunInputs& inputs);
-  std::shared_ptr<const StagePrefix> from_store(const std::string& key, const Job& job,
-                                                const RunInputs& inputs) const;
+  std::shared_ptr<const StagePrefix> from_store(const std::string& key, std::size_t stages,
+                                                const Job& job, const RunInputs& inputs) const;
   std::shared_ptr<const StagePrefix> with_model(std::shared_ptr<const StagePrefix> prefix,
                                                 const ReadCase& asked) const;
   void take(const ReadCase& asked, const StagePrefix& state);
@@ -67,15 +67,15 @@ RunInputs CaseRunner::Kept::read_inputs(const ReadCase& asked, const std::filesy
   return inputs;
 }
 
-/// Where the stock stands as the stored paths left it.
+/// Its stock stands as the stored paths left it.
 std::shared_ptr<const StagePrefix> CaseRunner::Kept::from_store(const std::string& key,
-                                                                const Job& job,
+                                                                std::size_t stages, const Job& job,
                                                                 const RunInputs& inputs) const {
   const std::optional<std::string> text = store.get(kKind, key);
   std::optional<StagePrefix> prefix;
   if (text) prefix = read_stage_prefix(*text);
-  if (!prefix || prefix->stages.size() > job.stages.size()) return nullptr;
-  const StageWatch watch{options, prefix->stages.size(), job.stages.size()};
+  if (!prefix || prefix->stages.size() != stages) return nullptr;
+  const StageWatch watch{options, stages, job.stages.size()};
   if (!prefix->over())
     prefix->stock =
         cut_again(uncut_stock(job, inputs.settings, watch), passes_of(*prefix, job), watch);
@@ -84,15 +84,15 @@ std::shared_ptr<const StagePrefix> CaseRunner::Kept::from_store(const std::strin
 
 std::shared_ptr<const StagePrefix> CaseRunner::Kept::longest(const ReadCase& asked,
                                                              const RunInputs& inputs) {
-  const std::vector<std::string>& prefixes = asked.keys.prefixes;
-  for (auto key = prefixes.rbegin(); key != prefixes.rend(); ++key) {
-    if (auto known = shelf.find(*key)) {
-      reuse = {known->stages.size(), false};
+  for (std::size_t stages = asked.keys.prefixes.size(); stages > 0; --stages) {
+    const std::string& key = asked.keys.prefixes[stages - 1];
+    if (auto known = shelf.find(key)) {
+      reuse = {stages, false};
       return known;
     }
-    if (auto stored = from_store(*key, asked.job, inputs)) {
-      reuse = {stored->stages.size(), true};
-      shelf.put(*key, stored);
+    if (auto stored = from_store(key, stages, asked.job, inputs)) {
+      reuse = {stages, true};
+      shelf.put(key, stored);
       return stored;
     }
   }

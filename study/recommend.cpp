@@ -1,6 +1,7 @@
 #include "study/recommend.h"
 
 #include <algorithm>
+#include <set>
 
 #include "study/pareto.h"
 #include "study/wording.h"
@@ -164,7 +165,9 @@ std::vector<BoughtForNothing> bought_for_nothing(const Table& table, const Objec
     points.push_back(std::move(*point));
   }
   const std::vector<std::size_t> front = pareto_front(points);
+  const std::set<std::size_t> on_front(front.begin(), front.end());
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (on_front.count(i) > 0) continue;
     const auto beats = [&](std::size_t f) {
       return points[f][0] < points[i][0] &&
              std::equal(points[f].begin() + 1, points[f].end(), points[i].begin() + 1,

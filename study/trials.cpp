@@ -56,6 +56,7 @@ std::vector<std::size_t> Trials::run(const std::vector<Spot>& spots) {
     for (std::size_t i = 0; i < given; ++i) {
       rows[i].asked = asked[i];
       rows_.push_back(std::move(rows[i]));
+      if (!best_ || better(rows_.size() - 1, *best_)) best_ = rows_.size() - 1;
     }
     if (given < asked.size()) throw OutOfCases{true};
   }
@@ -96,13 +97,6 @@ bool Trials::better(std::size_t a, std::size_t b) const {
   if (passes(a) != passes(b)) return passes(a);
   const double of_a = passes(a) ? cost(a) : excess(a), of_b = passes(a) ? cost(b) : excess(b);
   return of_a != of_b ? of_a < of_b : a < b;
-}
-
-std::optional<std::size_t> Trials::best() const {
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (!best || better(i, *best)) best = i;
-  return best;
 }
 
 }  // namespace limitgauge::study

@@ -40,7 +40,7 @@ class Trials {
   /// Passing before not passing, then the cheaper, or the one nearer to passing; then the earlier.
   bool better(std::size_t a, std::size_t b) const;
   /// The best of all.
-  std::optional<std::size_t> best() const;
+  std::optional<std::size_t> best() const { return best_; }
 
  private:
   std::optional<double> figure(std::size_t row, const std::optional<std::size_t>& index) const;
@@ -52,6 +52,7 @@ class Trials {
   std::optional<std::size_t> cost_, excess_;  ///< into Row::figures
   std::map<std::string, std::size_t> known_;  ///< by settings, into rows_
   std::vector<Row> rows_;
+  std::optional<std::size_t> best_;
 };
 
 }  // namespace limitgauge::study

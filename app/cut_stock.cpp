@@ -115,7 +115,7 @@ StageCut cut_stage(const Job& job, const RunInputs& inputs, const JobStage& aske
   ran.removed_volume_mm3 = now.volume_mm3 - volume_mm3;
   now.volume_mm3 = volume_mm3;
   ran.agreement = agreed(asked, compare_stocks(now.lines, now.stock, kComparedLines,
-                                               control(": comparing the models")));
+                                               control(": comparing the models"), volume_mm3));
   const double voxel_mm = now.stock.voxel_mm();
   cut.readings = read_stock(now.stock,
                             near_surface(job, inputs.surface.bounding_box(),

@@ -82,7 +82,7 @@ SlurmctldPidFile=$folder/slurmctld.pid
 SlurmdPidFile=$folder/slurmd.pid
 SlurmctldLogFile=$folder/slurmctld.log
 SlurmdLogFile=$folder/slurmd.log
-MaxArraySize=4
+MaxArraySize=3
 NodeName=$host NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
 PartitionName=cases Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 CONF
@@ -116,13 +116,14 @@ name = "slurm"
 job = "$fixtures/jobs/quick-dome.toml"
 [[vary]]
 key = "stage.finish.step"
-values = [0.4, 1.2, -1]
+values = [1, 2.4, -1]
 [[vary]]
 key = "stage.rough.tolerance"
 values = [0.05, 0.08]
 TOML
 cd "$folder"
-quick=(--set stage.rough.step=2 --set simulation.voxel=0.5)
+quick=(--set stage.rough.step=1 --set stage.finish.gate.uncut=0.2 --set simulation.voxel=0.5
+  --set verification.resolution=0.02)
 run_study() { "$program" study study.toml "${quick[@]}" "$@"; }
 
 run_study -o local --cache cache-local > local.txt

@@ -24,105 +24,101 @@ void write(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
-/// A dome of 20 mm, coarse in everything, and stages to cut it with.
+/// A dome of 5 mm, coarse in everything, and stages to cut it with.
 std::string job_of(const std::string& stages) {
   return R"(name = "dome"
 [surface]
 cage = ")" LIMITGAUGE_FIXTURES R"(/cages/quick-dome.obj"
 precision = 0.05
+transform = { scale = 0.25 }
 [stock]
 shape = "box"
-size = [26, 26, 9]
-corner = [-13, -13, -4]
+size = [7, 7, 3]
+corner = [-3.5, -3.5, -1.5]
 [machine]
 clearance = 2
 [simulation]
-voxel = 0.6
+voxel = 0.25
 [verification]
 resolution = 0.05
 [[tool]]
-id = "flat6"
+id = "flat"
 type = "flat"
-diameter = 6
-flute_length = 20
+diameter = 2
+flute_length = 10
 number = 1
 [[tool]]
-id = "ball6"
+id = "ball"
 type = "ball"
-diameter = 6
-flute_length = 20
+diameter = 2
+flute_length = 10
 number = 2
 )" + stages;
 }
 
 constexpr const char* kRough = R"([[stage]]
 name = "rough"
-tool = "flat6"
+tool = "flat"
 strategy = "contour"
-step = 1.5
-allowance = 0.3
-tolerance = 0.1
+step = 0.5
+allowance = 0.2
+tolerance = 0.05
 feed = 1200
 floor = -0.5
 )";
 constexpr const char* kFinish = R"([[stage]]
 name = "finish"
-tool = "ball6"
+tool = "ball"
 strategy = "zigzag"
-step = 1.5
+step = 0.6
 allowance = 0.1
 tolerance = 0.05
 feed = 1200
 )";
 constexpr const char* kRest = R"([[stage]]
 name = "rest"
-tool = "ball6"
+tool = "ball"
 strategy = "rest"
-step = 1
+step = 0.4
 allowance = 0
 tolerance = 0.05
 feed = 1200
 [stage.gate]
-uncut = 0.3
+uncut = 0.1
 )";
 /// Two stages share this program; where the second begins is where the first one ends. The first
-/// cuts into the dome.
+/// has a pass that only a larger allowance makes a gouge.
 constexpr const char* kPrograms = R"([[stage]]
 name = "first"
-tool = "flat6"
+tool = "flat"
 program = "p.ngc"
 program_tool = 1
 [[stage]]
 name = "second"
-tool = "ball6"
+tool = "ball"
 program = "p.ngc"
 program_tool = 2
 [[stage]]
 name = "third"
-tool = "ball6"
+tool = "ball"
 strategy = "zigzag"
-step = 2
-allowance = 1
+step = 0.8
+allowance = 0
 tolerance = 0.05
 feed = 1200
 )";
 constexpr const char* kProgram = R"(G21 G90 G17
 T1 M6
 S1000 M3
-G0 X-20 Y-20 Z10
-G0 X-20 Y0
-G1 Z1 F500
-G1 X20 Y0
-G0 Z10
-(BETWEEN)
-G0 X-20 Y2
-G1 Z1
-G1 X20 Y2
+G0 X-7 Y-7 Z10
+G0 X-7 Y0
+G1 Z1.2 F500
+G1 X7 Y0
 G0 Z10
 T2 M6
-G0 X-20 Y5
-G1 Z2
-G1 X20 Y5
+G0 X-7 Y3
+G1 Z0.5
+G1 X7 Y3
 G0 Z10
 M2
 )";
@@ -192,14 +188,14 @@ void check_reuse(const Cases& cases, const Overrides& overrides, std::size_t sta
 
 TEST_CASE("a case goes on from the stages that another one ran", "[unit][study]") {
   const Cases cases(job_of(std::string(kRough) + kFinish + kRest));
-  check_reuse(cases, {"stage.rest.step=0.8"}, 2);
+  check_reuse(cases, {"stage.rest.step=0.5"}, 2);
 }
 
 TEST_CASE("a stage that differs is run again, and all that follow", "[unit][study]") {
   const Cases cases(job_of(std::string(kRough) + kFinish + kRest));
   CaseRunner runner = cases.runner();
   runner.run(cases.file(), {});
-  const Overrides finer = {"stage.finish.step=1.2"};
+  const Overrides finer = {"stage.finish.step=0.7"};
   CHECK(stripped(runner.run(cases.file(), finer)) == stripped(cases.run(finer)));
   CHECK(runner.last_reuse().stages == 1);
 }
@@ -207,24 +203,24 @@ TEST_CASE("a stage that differs is run again, and all that follow", "[unit][stud
 TEST_CASE("stages of programs are taken up with the lines that later findings name",
           "[unit][study]") {
   const Cases cases(job_of(kPrograms));
-  check_reuse(cases, {"stage.third.allowance=0.2"}, 2);
-  // The first program's lines are named in either case, not the same ones.
-  const Json one = Json::parse(cases.run()),
-             other = Json::parse(cases.run({"stage.third.allowance=0.2"}));
-  CHECK(one["stages"][0]["program_lines"].size() > 0);
-  CHECK(one["stages"][0]["program_lines"] != other["stages"][0]["program_lines"]);
+  const Overrides thicker = {"stage.third.allowance=0.4"};
+  check_reuse(cases, thicker, 2);
+  const auto lines = [](const std::string& text) {
+    return Json::parse(text)["stages"][0]["program_lines"];
+  };
+  CHECK(lines(cases.run(thicker)).size() > lines(cases.run()).size());
 }
 
 TEST_CASE("a stage that does not pass ends every case that begins with it", "[unit][study]") {
   const Cases cases(
       job_of(std::string(kRough) + "[stage.gate]\nuncut = 0.001\n" + kFinish + kRest));
   REQUIRE(Json::parse(cases.run())["verdict"] == "fail");
-  check_reuse(cases, {"stage.rest.step=0.8"}, 1);
+  check_reuse(cases, {"stage.rest.step=0.5"}, 1);
 }
 
 TEST_CASE("stages that the store does not give back whole are run again", "[unit][study]") {
   const Cases cases(job_of(std::string(kRough) + kFinish));
-  const Overrides overrides = {"stage.finish.step=1.2"};
+  const Overrides overrides = {"stage.finish.step=0.7"};
   const std::string expected = stripped(cases.run(overrides));
   cases.runner().run(cases.file(), {});
   const std::string key = case_keys(cases.file(), overrides).prefix;
@@ -293,10 +289,10 @@ TEST_CASE("only the stages in memory that are within the bound are kept", "[unit
   CaseRunner runner(cases.store(), {}, 1);
   runner.run(cases.file(), {});
   // The last ones put in are there; those before them come from the store.
-  runner.run(cases.file(), Overrides{"stage.rest.step=0.8"});
+  runner.run(cases.file(), Overrides{"stage.rest.step=0.5"});
   CHECK(runner.last_reuse().stages == 2);
   CHECK_FALSE(runner.last_reuse().from_store);
-  runner.run(cases.file(), Overrides{"stage.finish.step=1.2"});
+  runner.run(cases.file(), Overrides{"stage.finish.step=0.7"});
   CHECK(runner.last_reuse().stages == 1);
   CHECK(runner.last_reuse().from_store);
 }

@@ -24,11 +24,10 @@ std::string study_of(const std::string& steps) {
 
 std::vector<std::string> arguments(const std::string& output,
                                    const std::vector<std::string>& more = {}) {
-  std::vector<std::string> all = {"study",   "study.toml",
-                                  "-o",      output,
-                                  "--cache", "cache",
-                                  "--set",   "stage.rough.step=2",
-                                  "--set",   "simulation.voxel=0.5"};
+  std::vector<std::string> all = {"study", "study.toml", "-o", output, "--cache", "cache"};
+  for (const char* setting : {"stage.rough.step=1", "stage.finish.gate.uncut=0.2",
+                              "simulation.voxel=0.5", "verification.resolution=0.02"})
+    all.insert(all.end(), {"--set", setting});
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -77,7 +76,7 @@ std::size_t files_called(const fs::path& folder, const std::string& name) {
 
 TEST_CASE("a study has a row for every case, and repeats no work", "[e2e][slow][study]") {
   const Scratch scratch;
-  write_text(scratch / "study.toml", study_of("0.5, 1.2, -1"));
+  write_text(scratch / "study.toml", study_of("1, 2.4, -1"));
   const Outcome first = limitgauge(scratch, arguments("first"));
   INFO(first.errors);
   REQUIRE(first.exit_code == 0);
@@ -85,7 +84,7 @@ TEST_CASE("a study has a row for every case, and repeats no work", "[e2e][slow][
   CHECK_THAT(first.out, ContainsSubstring("6 cases") && ContainsSubstring("2 error") &&
                             ContainsSubstring("0 reused, 4 run") &&
                             ContainsSubstring("recommended: case") &&
-                            ContainsSubstring("stage.finish.step = 0.5") &&
+                            ContainsSubstring("stage.finish.step = 1") &&
                             ContainsSubstring((scratch / "first/study.html").string()));
   CHECK(files_called(scratch / "first", "result.json") == 4);
   for (const char* file : {"study.csv", "study.json", "study.html"})
@@ -110,11 +109,11 @@ TEST_CASE("a study has a row for every case, and repeats no work", "[e2e][slow][
 
 TEST_CASE("exit codes of studies without a setting to take", "[e2e][slow][study]") {
   const Scratch scratch;
-  write_text(scratch / "study.toml", study_of("1.2"));
+  write_text(scratch / "study.toml", study_of("2.4"));
   const Outcome none = limitgauge(scratch, arguments("none"));
   CHECK(none.exit_code == 1);
   CHECK_THAT(none.out, ContainsSubstring("2 fail") && !ContainsSubstring("recommended:"));
-  // A certified interval that may be this wide decides nothing about a gouge this small.
+  // A certified interval that may be this wide decides nothing.
   const Outcome open =
       limitgauge(scratch, arguments("open", {"--set", "stage.finish.gate.uncut=0.0601", "--set",
                                              "verification.resolution=1"}));
@@ -127,7 +126,7 @@ TEST_CASE("a study that cannot be run writes nothing", "[e2e][study]") {
   write_text(scratch / "study.toml", study_of("-1, -2"));
   const Outcome refused = limitgauge(scratch, arguments("out"));
   CHECK(refused.exit_code == 3);
-  write_text(scratch / "study.toml", study_of("0.5"));
+  write_text(scratch / "study.toml", study_of("1"));
   CHECK(limitgauge(scratch, arguments("out", {"--set", "stage.finish.stop=1"})).exit_code == 3);
   CHECK(limitgauge(scratch, arguments("out", {"--cache-limit", "many"})).exit_code == 3);
   CHECK(limitgauge(scratch, {"study", "none.toml"}).exit_code == 3);
@@ -138,7 +137,7 @@ TEST_CASE("a study that cannot be run writes nothing", "[e2e][study]") {
 
 TEST_CASE("an interrupted study goes on where it was", "[e2e][slow][study]") {
   const Scratch scratch;
-  write_text(scratch / "study.toml", study_of("0.5, 0.6, 0.7, 0.8"));
+  write_text(scratch / "study.toml", study_of("0.9, 1, 1.1"));
   RunningProgram program(scratch, arguments("out", {"--quiet"}));
   REQUIRE(wait_until([&] { return results_in(scratch / "cache") >= 2; }));
   const std::vector<pid_t> workers = children_of(program.id());
@@ -147,13 +146,13 @@ TEST_CASE("an interrupted study goes on where it was", "[e2e][slow][study]") {
   for (const pid_t worker : workers) CHECK(kill(worker, 0) != 0);
   CHECK(scratch.entries() == std::vector<std::string>{"cache", "study.toml"});
   const std::size_t kept = results_in(scratch / "cache");
-  REQUIRE(kept < 8);
+  REQUIRE(kept < 6);
   const Outcome rest = limitgauge(scratch, arguments("out"));
   CHECK(rest.exit_code == 0);
   CHECK_THAT(rest.out, ContainsSubstring(std::to_string(kept) + " reused, " +
-                                         std::to_string(8 - kept) + " run"));
+                                         std::to_string(6 - kept) + " run"));
   // Killed hard, it leaves no workers behind either.
-  write_text(scratch / "study.toml", study_of("0.45, 0.55, 0.65, 0.75"));
+  write_text(scratch / "study.toml", study_of("1.05, 1.15"));
   RunningProgram killed(scratch, arguments("out2", {"--quiet"}));
   REQUIRE(wait_until([&] { return !children_of(killed.id()).empty(); }));
   const std::vector<pid_t> orphans = children_of(killed.id());
@@ -164,25 +163,25 @@ TEST_CASE("an interrupted study goes on where it was", "[e2e][slow][study]") {
 
 TEST_CASE("a killed worker's case is run again", "[e2e][slow][study]") {
   const Scratch scratch;
-  write_text(scratch / "study.toml", study_of("0.5, 0.6"));
+  write_text(scratch / "study.toml", study_of("1, 1.1"));
   RunningProgram program(scratch, arguments("out", {"--jobs", "1"}));
   REQUIRE(wait_until([&] { return !children_of(program.id()).empty(); }));
   CHECK(kill(children_of(program.id()).front(), SIGKILL) == 0);
   CHECK_THAT(program.line(), ContainsSubstring("4 pass"));
   CHECK(program.end(0) == 0);
   // Without another try it is lost, and the rest is not.
-  write_text(scratch / "study.toml", study_of("0.7, 0.8"));
+  write_text(scratch / "study.toml", study_of("1.2"));
   RunningProgram once(scratch, arguments("out2", {"--jobs", "1", "--retries", "0"}));
   REQUIRE(wait_until([&] { return !children_of(once.id()).empty(); }));
   CHECK(kill(children_of(once.id()).front(), SIGKILL) == 0);
-  CHECK_THAT(once.line(), ContainsSubstring("3 pass, 1 lost"));
+  CHECK_THAT(once.line(), ContainsSubstring("1 pass, 1 lost"));
   CHECK_THAT(once.line(), ContainsSubstring("signal 9"));
   CHECK(once.end(0) == 0);
 }
 
 TEST_CASE("two studies share a cache at the same time", "[e2e][slow][study]") {
   const Scratch scratch;
-  write_text(scratch / "study.toml", study_of("0.5, 0.6"));
+  write_text(scratch / "study.toml", study_of("1, 1.1"));
   RunningProgram one(scratch, arguments("one", {"--jobs", "1"}));
   RunningProgram other(scratch, arguments("other", {"--jobs", "1"}));
   CHECK_THAT(one.line(), ContainsSubstring("4 pass"));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -8,7 +7,8 @@
 
 namespace limitgauge::reports::record {
 
-enum class Better { lower, higher, neither };
+/// Which way a figure is better. `nearer_zero`: signed deviations, which may err to either side.
+enum class Better { lower, higher, nearer_zero, neither };
 
 /// Where a figure comes from, and so how far it can be trusted.
 enum class Source {

@@ -19,13 +19,28 @@ struct Place {
   double depth_mm = 0, area_mm2 = 0;
   int patch = 0;
   double u = 0, v = 0;
+  std::string stage;                  ///< whose program the line is of; empty: the stage's own
   std::optional<std::uint32_t> line;  ///< of the program
   std::string line_text;              ///< empty where the result does not have it
+  std::string body;                   ///< of a gouge: "cutter", "shank"; or empty
+  double extent_mm = 0;               ///< diagonal of the finding's box
 };
 
-/// Collisions, travel and the like: figures of the process that any count of is one too many.
+/// A run of moves with the same fault, by its worst place.
+struct ProcessFinding {
+  std::string kind;           ///< "rapid_through_stock", as result.json names it
+  bool fails = true;          ///< all but near misses
+  std::string part, against;  ///< "holder", "stock"; empty where the result does not say
+  std::size_t count = 1;      ///< moves
+  model::Vec3 at_mm;
+  double depth_mm = 0;  ///< of a near miss: what is left of the way
+  std::optional<std::uint32_t> line;
+  std::string line_text;
+};
+
+/// Moves with a fault of one kind: any count is one too many, but for near misses.
 struct ProcessCount {
-  std::string kind;  ///< "rapid_collision", as result.json names it
+  std::string kind;
   std::size_t count = 0;
 };
 
@@ -40,9 +55,12 @@ struct StageMeasures {
   double voxel_mm = 0, voxel_gouge_mm = 0, voxel_uncut_mm = 0;
   double unreachable_area_mm2 = 0, unavoidable_uncut_mm = 0;
   bool findings_complete = true;
+  /// Depth from which a place is a finding: the gate's limit, or half of `low` without one.
+  double gouge_threshold_mm = 0, uncut_threshold_mm = 0;
   std::vector<Place> gouges, uncuts;
-  std::vector<ProcessCount> process;
-  double seconds = 0;  ///< of the whole stage, on whatever machine it was
+  std::vector<ProcessFinding> process_findings;
+  std::vector<ProcessCount> process;  ///< a count a kind, by name of the kind
+  double seconds = 0;                 ///< of the whole stage, on whatever machine it was
   std::size_t peak_memory_bytes = 0;
 };
 
@@ -65,12 +83,14 @@ struct RunRecord {
   unsigned threads = 1;
   verifier::Verdict verdict = verifier::Verdict::not_run;
   std::vector<InputRecord> inputs;
+  std::string cage;                ///< as the job states it
+  double surface_diagonal_mm = 0;  ///< of the limit surface's box
   std::vector<StageRecord> stages;
 };
 
-/// Reads result.json, schema limitgauge.result/1; `shown` names it in errors. Throws
-/// model::InputError with line and column for text that is no JSON, and naming the key for one that
-/// is missing, of another type, not finite, or out of its range.
+/// Reads result.json, schema limitgauge.result/1; `shown` names it in errors. Keys that it does not
+/// know are left alone. Throws model::InputError with line and column for text that is no JSON, and
+/// naming the key for one that is missing, of another type or out of its range.
 RunRecord read_result_json(std::istream& in, const std::string& shown);
 
 }  // namespace limitgauge::reports::record

@@ -1,0 +1,75 @@
+#include "reports/record/metrics.h"
+
+#include <algorithm>
+#include <array>
+
+namespace limitgauge::reports::record {
+namespace {
+
+using verifier::Interval;
+
+template <auto Member>
+Interval figure(const StageMeasures& m) {
+  const auto value = static_cast<double>(m.*Member);
+  return {value, value};
+}
+template <Interval StageMeasures::*Member>
+Interval certified(const StageMeasures& m) {
+  return m.*Member;
+}
+
+using M = StageMeasures;
+constexpr std::array kMetrics = {
+    Metric{"gouge_mm", "gouge", "mm", Better::lower, Source::certified, certified<&M::gouge_mm>},
+    Metric{"uncut_mm", "uncut", "mm", Better::lower, Source::certified, certified<&M::uncut_mm>},
+    Metric{"coverage", "coverage", "", Better::higher, Source::measured, figure<&M::coverage>},
+    Metric{"mean_mm", "mean deviation", "mm", Better::nearer_zero, Source::measured,
+           figure<&M::mean_mm>},
+    Metric{"rms_mm", "rms deviation", "mm", Better::lower, Source::measured, figure<&M::rms_mm>},
+    Metric{"p01_mm", "1st percentile", "mm", Better::nearer_zero, Source::measured,
+           figure<&M::p01_mm>},
+    Metric{"p50_mm", "median", "mm", Better::nearer_zero, Source::measured, figure<&M::p50_mm>},
+    Metric{"p99_mm", "99th percentile", "mm", Better::nearer_zero, Source::measured,
+           figure<&M::p99_mm>},
+    Metric{"voxel_gouge_mm", "gouge in the stock", "mm", Better::lower, Source::measured,
+           figure<&M::voxel_gouge_mm>},
+    Metric{"voxel_uncut_mm", "uncut in the stock", "mm", Better::lower, Source::measured,
+           figure<&M::voxel_uncut_mm>},
+    Metric{"unreachable_area_mm2", "area out of reach", "mm²", Better::neither, Source::measured,
+           figure<&M::unreachable_area_mm2>},
+    Metric{"unavoidable_uncut_mm", "unavoidable uncut", "mm", Better::neither, Source::measured,
+           figure<&M::unavoidable_uncut_mm>},
+    Metric{"removed_volume_mm3", "removed volume", "mm³", Better::neither, Source::measured,
+           figure<&M::removed_volume_mm3>},
+    Metric{"machining_time_s", "machining time", "s", Better::lower, Source::planned,
+           figure<&M::machining_time_s>},
+    Metric{"cut_length_mm", "cut length", "mm", Better::neither, Source::planned,
+           figure<&M::cut_length_mm>},
+    Metric{"rapid_length_mm", "rapid length", "mm", Better::neither, Source::planned,
+           figure<&M::rapid_length_mm>},
+    Metric{"moves", "moves", "", Better::neither, Source::planned, figure<&M::moves>},
+    Metric{"seconds", "seconds to run", "s", Better::lower, Source::effort, figure<&M::seconds>},
+    Metric{"peak_memory_bytes", "peak memory", "bytes", Better::lower, Source::effort,
+           figure<&M::peak_memory_bytes>},
+};
+
+}  // namespace
+
+std::span<const Metric> stage_metrics() {
+  return kMetrics;
+}
+
+const Metric* find_metric(std::string_view id) {
+  const auto found =
+      std::find_if(kMetrics.begin(), kMetrics.end(), [&](const Metric& m) { return m.id == id; });
+  return found == kMetrics.end() ? nullptr : &*found;
+}
+
+double machining_time_s(const RunRecord& run) {
+  double sum = 0;
+  for (const StageRecord& stage : run.stages)
+    if (stage.measures) sum += stage.measures->machining_time_s;
+  return sum;
+}
+
+}  // namespace limitgauge::reports::record

@@ -1,0 +1,117 @@
+#include "reports/record/stage_reader.h"
+
+#include <algorithm>
+
+namespace limitgauge::reports::record {
+namespace {
+
+void read_gate(const JsonValue& gate, verifier::GateLimits& out) {
+  const auto limit = [&gate](const char* key, bool& has, double& value, bool is_share) {
+    const std::optional<JsonValue> stated = gate.find(key);
+    has = stated.has_value();
+    if (stated) value = is_share ? stated->share() : stated->length();
+  };
+  limit("gouge_mm", out.has_gouge, out.gouge_mm, false);
+  limit("uncut_mm", out.has_uncut, out.uncut_mm, false);
+  limit("coverage", out.has_coverage, out.coverage, true);
+}
+
+void read_toolpath(const JsonValue& path, StageMeasures& out) {
+  out.machining_time_s = path["machining_time_s"].length();
+  out.cut_length_mm = path["cut_length_mm"].length();
+  out.rapid_length_mm = path["rapid_length_mm"].length();
+  out.moves = path["moves"].count();
+}
+
+void read_simulation(const JsonValue& simulation, StageMeasures& out) {
+  out.voxel_mm = simulation["voxel_mm"].length();
+  out.removed_volume_mm3 = simulation["removed_volume_mm3"].number();
+  out.peak_memory_bytes = simulation["peak_memory_bytes"].count();
+}
+
+void read_statistics(const JsonValue& deviation, StageMeasures& out) {
+  out.coverage = deviation["coverage"].share();
+  out.mean_mm = deviation["mean_mm"].number();
+  out.rms_mm = deviation["rms_mm"].length();
+  out.p01_mm = deviation["p01_mm"].number();
+  out.p50_mm = deviation["p50_mm"].number();
+  out.p99_mm = deviation["p99_mm"].number();
+  out.voxel_gouge_mm = deviation["voxel_gouge_mm"].length();
+  out.voxel_uncut_mm = deviation["voxel_uncut_mm"].length();
+  out.unreachable_area_mm2 = deviation["unreachable_area_mm2"].length();
+  out.unavoidable_uncut_mm = deviation["unavoidable_uncut_mm"].length();
+}
+
+/// The schema lets a result leave these out; what it then stands for follows from the rest.
+void read_certificate(const JsonValue& deviation, StageMeasures& out) {
+  out.gouge_mm = deviation["gouge_mm"].interval();
+  out.uncut_mm = deviation["uncut_mm"].interval();
+  const auto or_else = [&deviation](const char* key, double other) {
+    const std::optional<JsonValue> stated = deviation.find(key);
+    return stated ? stated->length() : other;
+  };
+  const auto flag = [&deviation](const char* key) {
+    const std::optional<JsonValue> stated = deviation.find(key);
+    return !stated || stated->flag();
+  };
+  out.resolution_mm =
+      or_else("resolution_mm", std::max(out.gouge_mm.width(), out.uncut_mm.width()));
+  out.reached_resolution = flag("reached_resolution");
+  out.findings_complete = flag("findings_complete");
+  out.gouge_threshold_mm = or_else("gouge_threshold_mm", out.gouge_mm.low / 2);
+  out.uncut_threshold_mm = or_else("uncut_threshold_mm", out.uncut_mm.low / 2);
+}
+
+StageMeasures read_measures(const JsonValue& stage, const std::string& name,
+                            const LineTexts& texts) {
+  StageMeasures out;
+  read_toolpath(stage["toolpath"], out);
+  const JsonValue simulation = stage["simulation"], deviation = stage["deviation"];
+  read_simulation(simulation, out);
+  read_certificate(deviation, out);
+  read_statistics(deviation, out);
+  out.gouges = read_places(deviation["gouges"].items(), name, texts);
+  out.uncuts = read_places(deviation["uncuts"].items(), name, texts);
+  out.process_findings = read_process(simulation, name, texts);
+  out.process = count_process(out.process_findings);
+  out.seconds = stage["seconds"].length();
+  return out;
+}
+
+void read_setup(const JsonValue& stage, StageRecord& out) {
+  if (const std::optional<JsonValue> strategy = stage.find("strategy"))
+    out.strategy = strategy->text();
+  else if (const std::optional<JsonValue> program = stage.find("program"))
+    out.program = program->text();
+  else
+    stage.refuse("has neither a \"strategy\" nor a \"program\"", "one of them");
+  out.allowance_mm = stage["allowance_mm"].number();
+  if (const std::optional<JsonValue> step = stage.find("step_mm")) out.step_mm = step->length();
+  if (const std::optional<JsonValue> t = stage.find("tolerance_mm")) out.tolerance_mm = t->length();
+  if (const std::optional<JsonValue> gate = stage.find("gate")) read_gate(*gate, out.limits);
+}
+
+}  // namespace
+
+verifier::Verdict read_verdict(const JsonValue& value) {
+  const std::string word = value.text();
+  if (word == "pass") return verifier::Verdict::pass;
+  if (word == "fail") return verifier::Verdict::fail;
+  if (word == "indeterminate") return verifier::Verdict::indeterminate;
+  if (word == "not_run") return verifier::Verdict::not_run;
+  value.refuse("is no verdict", "pass, fail, indeterminate or not_run");
+}
+
+StageRecord read_stage(const JsonValue& stage, const LineTexts& texts) {
+  StageRecord out;
+  out.name = stage["name"].text();
+  out.tool = stage["tool"].text();
+  read_setup(stage, out);
+  out.verdict = read_verdict(stage["verdict"]);
+  for (const JsonValue& reason : stage["reasons"].items()) out.reasons.push_back(reason.text());
+  if (out.verdict != verifier::Verdict::not_run)
+    out.measures = read_measures(stage, out.name, texts);
+  return out;
+}
+
+}  // namespace limitgauge::reports::record

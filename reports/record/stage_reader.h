@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "reports/record/json_value.h"
+#include "reports/record/run_record.h"
+
+namespace limitgauge::reports::record {
+
+/// The text of the program lines that a result holds, by stage and line.
+using LineTexts = std::map<std::pair<std::string, std::uint32_t>, std::string>;
+
+/// One entry of `stages`.
+StageRecord read_stage(const JsonValue& stage, const LineTexts& texts);
+/// `pass`, `fail`, `indeterminate` or `not_run`.
+verifier::Verdict read_verdict(const JsonValue& value);
+
+/// The places of `gouges` or `uncuts` of the stage `name`.
+std::vector<Place> read_places(const std::vector<JsonValue>& findings, const std::string& name,
+                               const LineTexts& texts);
+/// What is wrong with the process; of results that do not gather it, from the two lists of
+/// collisions.
+std::vector<ProcessFinding> read_process(const JsonValue& simulation, const std::string& name,
+                                         const LineTexts& texts);
+/// Moves of each kind, by name.
+std::vector<ProcessCount> count_process(const std::vector<ProcessFinding>& findings);
+
+}  // namespace limitgauge::reports::record

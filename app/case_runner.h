@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "app/case_keys.h"
 #include "app/pipeline.h"
 #include "study/store.h"
 
@@ -18,8 +19,8 @@ namespace limitgauge::app {
 class CaseRunner {
  public:
   /// Stages in memory are let go, those not used for longest first, when they take more than
-  /// `most_bytes_kept`; the last ones stay. Of `options` a stop flag, the threads and the watch
-  /// matter. `store` must outlive it.
+  /// `most_bytes_kept`; the last ones stay. Where `options` say nothing of when a result was
+  /// created, it is when its case began. `store` must outlive this.
   CaseRunner(const study::Store& store, RunOptions options,
              std::size_t most_bytes_kept = std::size_t{1} << 30);
   ~CaseRunner();
@@ -31,6 +32,9 @@ class CaseRunner {
   /// InputError, ResourceError, Interrupted, verifier::InstrumentDisagreement.
   std::string run(const std::filesystem::path& job, std::span<const std::string> overrides);
 
+  /// Of the last case, as its files were when they were read: whoever puts its result into the
+  /// store takes this key.
+  const CaseKeys& last_keys() const;
   /// Stages of the last case that were taken up again: from memory, or from the store.
   struct Reuse {
     std::size_t stages = 0;

@@ -94,6 +94,7 @@ void StudyRun::run_cases(StudyCases& cases, StudyOutcome& outcome) const {
   study::SearchResult found = study::search(
       plan_, outcome.table.figures,
       [&cases](std::span<const study::Case> asked) { return cases.rows(asked); }, console_.stop);
+  if (found.how == study::SearchResult::Ending::stopped) throw model::Interrupted();
   outcome.table.rows = std::move(found.rows);
   outcome.analysis = analyse(plan_, outcome.table);
   outcome.analysis.search_ending = std::move(found.ending);

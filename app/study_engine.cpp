@@ -1,11 +1,14 @@
 #include "app/study_engine.h"
 
 #include <algorithm>
+#include <random>
+#include <sstream>
 
 #include "app/case_runner.h"
 #include "engine/model/error.h"
 #include "study/local_pool.h"
 #include "study/memory.h"
+#include "study/slurm.h"
 
 namespace limitgauge::app {
 namespace {
@@ -57,12 +60,37 @@ std::unique_ptr<study::Executor> local_pool(const StudyCommand& command,
   return std::make_unique<study::LocalPool>(std::move(options));
 }
 
+/// No other study, on whatever machine, has it.
+std::string unique_name() {
+  std::random_device chance;
+  std::ostringstream name;
+  name << "limitgauge-" << std::hex << chance() << chance();
+  return name.str();
+}
+
+std::unique_ptr<study::Executor> slurm(const StudyCommand& command, const fs::path& job,
+                                       const study::Store& store,
+                                       const std::function<void(const std::string&)>& note) {
+  study::SlurmOptions options;
+  options.name = unique_name();
+  options.folder = store.folder() / "slurm" / options.name;
+  options.working_directory = fs::current_path();
+  if (command.jobs > 0) options.running = command.jobs;
+  options.retries = command.retries;
+  options.options = command.slurm_options;
+  options.note = note;
+  options.worker = worker_command(fs::read_symlink("/proc/self/exe"), job, store);
+  add(options.worker, "--worker-keeps", std::to_string(kMostKept));
+  return std::make_unique<study::Slurm>(std::move(options), store);
+}
+
 }  // namespace
 
 std::unique_ptr<study::Executor> study_engine(const StudyCommand& command,
                                               const CommonOptions& common, const fs::path& job,
                                               const study::Store& store,
                                               const std::function<void(const std::string&)>& note) {
+  if (command.engine == "slurm") return slurm(command, job, store, note);
   return local_pool(command, common, job, store, note);
 }
 

@@ -147,10 +147,10 @@ void read_search(const TomlTable& root, StudyFile& file) {
   if (!root.has("search")) return;
   const TomlTable table(root.table("search"), "[search]",
                         {"cost", "most_cases", "accuracy", "batch"});
-  constexpr std::size_t kMostBatch = 64;
+  constexpr std::size_t kMostBatch = 64, kMostSearched = 10'000;
   if (table.has("cost")) search.cost = table.text("cost"), file.search_cost = table.place("cost");
   if (table.has("most_cases"))
-    search.most_cases = whole_from(table, "most_cases", 2, study::kMostCases);
+    search.most_cases = whole_from(table, "most_cases", 2, kMostSearched);
   if (table.has("accuracy")) search.accuracy = table.between("accuracy", 1e-6, 0.5);
   if (table.has("batch")) search.batch = whole_from(table, "batch", 1, kMostBatch);
 }

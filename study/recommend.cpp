@@ -1,6 +1,7 @@
 #include "study/recommend.h"
 
 #include <algorithm>
+#include <set>
 
 #include "study/pareto.h"
 #include "study/wording.h"
@@ -70,6 +71,7 @@ std::string against_own(const Told& told, const Row& best, const Row& own) {
   if (own.status != Status::pass)
     return has_result(own) ? " With " + name + ") it " + verb(own) + why(own) + "."
                            : " With " + name + ") there is no result" + why(own) + ".";
+  if (!figure_of(own, *told.objectives.cost)) return {};
   const double saved = told.cost(own) - told.cost(best);
   const double share = told.cost(own) > 0 ? saved / told.cost(own) : 0;
   return saved > 0
@@ -163,7 +165,9 @@ std::vector<BoughtForNothing> bought_for_nothing(const Table& table, const Objec
     points.push_back(std::move(*point));
   }
   const std::vector<std::size_t> front = pareto_front(points);
+  const std::set<std::size_t> on_front(front.begin(), front.end());
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (on_front.count(i) > 0) continue;
     const auto beats = [&](std::size_t f) {
       return points[f][0] < points[i][0] &&
              std::equal(points[f].begin() + 1, points[f].end(), points[i].begin() + 1,

@@ -31,11 +31,11 @@ struct SearchResult {
 /// search reads plan.search.cost and "gate_excess". The same plan and the same rows give the same
 /// search, whatever runs them.
 ///
-/// One variable that has an order: both ends and settings between them, then the stretch between the
-/// last that passes and the first that does not is cut into plan.search.batch + 1 parts until it is
-/// no wider than plan.search.accuracy. Several: a Latin hypercube to begin with, COBYLA (Powell 1994)
-/// from the best of it with the excess as its constraint, then a pattern search that also tries
-/// other texts and ends where no neighbour at the accuracy is better.
+/// One variable that has an order: both ends and settings between them, then the stretch between
+/// the last that passes and the first that does not is cut into plan.search.batch + 1 parts until
+/// it is no wider than plan.search.accuracy. Several: a Latin hypercube to begin with, COBYLA
+/// (Powell 1994) from the best of it with the excess as its constraint, then a pattern search that
+/// also tries other texts and ends where no neighbour at the accuracy is better.
 SearchResult search(const Plan& plan, std::span<const Figure> figures, const Evaluate& evaluate,
                     const std::atomic<bool>* stop = nullptr);
 

@@ -9,36 +9,11 @@
 #include "study/random_numbers.h"
 #include "study/sampling.h"
 #include "study/settings.h"
+#include "tests/study/study_tables.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::study {
 namespace {
-
-Variable listed(const std::string& key, const std::vector<double>& numbers) {
-  Variable variable{key, {}, {}, {}};
-  for (const double number : numbers) variable.values.push_back(number_setting(number));
-  return variable;
-}
-
-Variable words(const std::string& key, const std::vector<std::string>& texts) {
-  Variable variable{key, {}, {}, {}};
-  for (const std::string& text : texts) variable.values.push_back({'"' + text + '"', {}});
-  return variable;
-}
-
-Variable ranged(const std::string& key, const Range& range) {
-  return {key, {}, range, {}};
-}
-
-Plan plan_of(Method method, std::vector<Variable> variables, std::size_t samples = 0,
-             std::uint64_t seed = 0) {
-  Plan plan;
-  plan.method = method;
-  plan.variables = std::move(variables);
-  plan.samples = samples;
-  plan.seed = seed;
-  return plan;
-}
 
 std::vector<std::string> texts_of(const Case& one) {
   std::vector<std::string> texts;

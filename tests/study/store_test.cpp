@@ -99,7 +99,7 @@ TEST_CASE("a key or kind that is none is refused", "[unit][study]") {
 TEST_CASE("a damaged entry counts as not there and is replaced", "[unit][study]") {
   const tests::TemporaryFolder folder;
   const Store store(folder.path(), kNoLimit);
-  const std::string key = key_of(7), content = content_of(7, 500);
+  const std::string key = key_of(7), content = content_of(7, 60);
   store.put("result", key, content);
   std::ifstream in(file_of(store, key), std::ios::binary);
   const std::string whole{std::istreambuf_iterator<char>(in), {}};
@@ -194,7 +194,7 @@ TEST_CASE("a full disk is an error and leaves no half entry", "[unit][study]") {
 
 TEST_CASE("many writers, readers and trimmers of one folder", "[unit][study]") {
   const tests::TemporaryFolder folder;
-  constexpr unsigned kKeys = 40, kRounds = 15;
+  constexpr unsigned kKeys = 40, kRounds = 5;
   std::vector<pid_t> children;
   for (unsigned process = 0; process < 4; ++process) {
     children.push_back(in_child([&] {

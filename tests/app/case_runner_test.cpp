@@ -88,19 +88,17 @@ feed = 1200
 uncut = 0.1
 )";
 /// Two stages share this program; where the second begins is where the first one ends. The first
-/// has a pass that only a larger allowance makes a gouge.
+/// goes lower over the top of the dome: a larger allowance makes that the deepest gouge.
 constexpr const char* kPrograms = R"([[stage]]
 name = "first"
 tool = "flat"
 program = "p.ngc"
 program_tool = 1
-gate = { uncut = 5 }
 [[stage]]
 name = "second"
 tool = "ball"
 program = "p.ngc"
 program_tool = 2
-gate = { uncut = 5 }
 [[stage]]
 name = "third"
 tool = "ball"
@@ -115,8 +113,12 @@ T1 M6
 S1000 M3
 G0 X-7 Y-7 Z10
 G0 X-7 Y0
-G1 Z0.8 F500
-G1 X7 Y0
+G1 Z0.9 F500
+G1 X-0.2
+G1 Z0.8
+G1 X0.2
+G1 Z0.9
+G1 X7
 G0 Z10
 T2 M6
 S1000 M3

@@ -80,8 +80,12 @@ StudyCasesOptions StudyRun::cases_options(ProgressLine& progress) const {
   const std::size_t least = plan_.method == study::Method::search ? plan_.search.most_cases : 1;
   options.progress = [&progress, least](const StudyProgress& at) {
     progress.rename(progress_words(at));
-    progress.update(static_cast<double>(at.ended) / static_cast<double>(std::max(at.cases, least)));
+    // What was known already says nothing of the time that the others take.
+    const std::size_t others = std::max({at.cases, least, at.reused + 1}) - at.reused;
+    progress.update(static_cast<double>(at.ended - at.reused) / static_cast<double>(others));
   };
+  // Only now: the results that this study takes up again are the youngest.
+  options.before_running = [this] { store_.trim(began_); };
   return options;
 }
 

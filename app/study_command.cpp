@@ -154,19 +154,6 @@ StudyOutcome StudyRun::work() {
   return outcome;
 }
 
-ExitCode exit_code(const StudyOutcome& outcome) {
-  if (outcome.analysis.recommendation.row) return ExitCode::pass;
-  const auto any = [&](std::initializer_list<study::Status> statuses) {
-    return std::any_of(
-        outcome.table.rows.begin(), outcome.table.rows.end(), [&](const study::Row& row) {
-          return std::find(statuses.begin(), statuses.end(), row.status) != statuses.end();
-        });
-  };
-  if (any({study::Status::indeterminate})) return ExitCode::indeterminate;
-  if (any({study::Status::pass, study::Status::fail})) return ExitCode::fail;
-  return any({study::Status::lost}) ? ExitCode::resources : ExitCode::fail;
-}
-
 }  // namespace
 
 ExitCode execute(const StudyCommand& command, const CommonOptions& common, const Console& console) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -44,6 +45,7 @@ struct VerifyCommand {
   std::vector<std::filesystem::path> fixtures;
   verifier::GateLimits limits;
   std::filesystem::path output;  ///< empty: limitgauge-out/STEM of the program
+  HistoryOptions history;
 };
 struct InspectCommand {
   std::filesystem::path file;
@@ -55,6 +57,9 @@ struct InspectCommand {
 struct CompareCommand {
   std::filesystem::path base, now;  ///< result.json, or the folder that has one
   std::filesystem::path output;     ///< empty: no files
+  /// Machining time may grow by so much; empty: it is not judged.
+  std::optional<double> time_limit_percent;
+  std::vector<std::string> metrics, ignored;  ///< ids of what is judged
 };
 struct StudyCommand {
   std::filesystem::path study;
@@ -72,7 +77,11 @@ struct StudyCommand {
 };
 struct HistoryCommand {
   std::filesystem::path file;
-  std::filesystem::path output;  ///< empty: limitgauge-out/STEM of the file
+  std::filesystem::path output;              ///< empty: limitgauge-out/STEM of the file
+  std::string job;                           ///< empty: all of them
+  std::vector<std::string> stages, metrics;  ///< empty: all stages, the usual figures
+  int last = 0;                              ///< runs at most, the newest; never zero once parsed
+  std::string since;                         ///< ISO 8601, UTC, or its beginning; empty: ever
 };
 struct ViewCommand {
   std::filesystem::path folder;  ///< of a finished run, or its report.html

@@ -110,22 +110,6 @@ void require_job_key(const BaseJob& job, std::size_t v) {
   }
 }
 
-Job job_in_order(const BaseJob& job) {
-  try {
-    return job.read_with({});
-  } catch (const model::InputError&) {
-    Overrides first;
-    for (const study::Variable& variable : job.file.plan.variables)
-      first.push_back(first_override(variable));
-    try {
-      return job.read_with(first);
-    } catch (const model::InputError&) {
-      // What is wrong with the job as it stands is what its author can mend.
-    }
-    throw;
-  }
-}
-
 /// A figure that is to be small: of those, a front makes sense.
 void require_objective(const std::string& id, const std::vector<std::string>& stages,
                        const model::SourcePlace& place) {
@@ -150,7 +134,7 @@ void relate_to_job(StudyFile& file, const std::string& job_text,
                    std::span<const std::string> overrides) {
   const BaseJob job{file, job_text, {overrides.begin(), overrides.end()}};
   for (std::size_t v = 0; v < file.plan.variables.size(); ++v) require_job_key(job, v);
-  const Job read = job_in_order(job);
+  const Job read = job.read_with({});
   take_bases(file, job);
   require_figures(file, read);
 }

@@ -9,7 +9,7 @@ namespace limitgauge::app {
 
 /// Holds a study against the text of its job: fills in the bases that the study leaves to the job,
 /// and refuses keys that the job cannot have, figures that its stages do not give, and a job that
-/// is not in order, neither as it stands nor with the study's first settings.
+/// is not in order as it stands.
 void relate_to_job(StudyFile& file, const std::string& job_text,
                    std::span<const std::string> overrides);
 

@@ -33,20 +33,24 @@ bool is_asked(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Newest first. Conditions that are not stated are not there, so that the indices serve.
-std::string runs_sql(const Query& query) {
-  std::string sql =
-      "SELECT id, created, job, version, commit_id, label, verdict FROM run WHERE true";
+/// `what` of the runs that are asked for. Conditions that are not stated are not there, so that the
+/// indices serve.
+Statement asked_runs(const Database& database, const Query& query, const std::string& what,
+                     const std::string& order) {
+  std::string sql = "SELECT " + what + " FROM run WHERE true";
   if (query.job) sql += " AND job = ?1";
   if (!query.since.empty()) sql += " AND created >= ?2";
-  return sql + " ORDER BY id DESC LIMIT ?3";
+  Statement row(database, sql + order);
+  if (query.job) row.bind(1, *query.job);
+  if (!query.since.empty()) row.bind(2, query.since);
+  return row;
 }
 
 std::vector<Entry> read_runs(const Database& database, const Query& query) {
   constexpr std::size_t kAll = std::numeric_limits<std::int64_t>::max();
-  Statement row(database, runs_sql(query));
-  if (query.job) row.bind(1, *query.job);
-  if (!query.since.empty()) row.bind(2, query.since);
+  Statement row =
+      asked_runs(database, query, "id, created, job, version, commit_id, label, verdict",
+                 " ORDER BY id DESC LIMIT ?3");
   row.bind(3, static_cast<std::int64_t>(std::min(query.last.value_or(kAll), kAll)));
   std::vector<Entry> entries;
   while (row.step()) {
@@ -113,6 +117,12 @@ std::vector<Entry> History::runs(const Query& query) const {
   read_stages(*database_, entries);
   read_values(*database_, query, entries);
   return entries;
+}
+
+std::size_t History::count(const Query& query) const {
+  Statement row = asked_runs(*database_, query, "count(*)", "");
+  row.step();
+  return static_cast<std::size_t>(row.integer(0));
 }
 
 std::vector<Series> History::series() const {

@@ -41,6 +41,8 @@ class History {
 
   /// Runs, oldest first, with those of their figures that are asked for.
   std::vector<Entry> runs(const Query& query) const;
+  /// How many there are, were it not for `last`.
+  std::size_t count(const Query& query) const;
   /// By stage and metric.
   std::vector<Series> series() const;
   /// Names of the jobs, each once, sorted.

@@ -9,29 +9,23 @@ namespace {
 
 using Point = std::vector<double>;
 
-bool at_most(const Point& a, const Point& b) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i] > b[i]) return false;
-  return true;
-}
-
 /// What was found so far, asked for points in rising order: none of them can dominate an earlier,
 /// and the first coordinate of an earlier one never stands in the way.
 class Found {
  public:
+  explicit Found(std::size_t dimension) : others_(dimension > 0 ? dimension - 1 : 0) {}
+
   bool dominates(const Point& point) const {
-    if (kept_.empty()) return false;
+    if (count_ == 0 || others_ == 0) return count_ > 0;
     // Of two coordinates the last kept has the least second one.
-    if (point.size() <= 2) return at_most(*kept_.back(), point);
-    if (point.size() == 3) return is_over_stairs(point);
-    // Neighbours in order are the likeliest to beat it.
-    return std::any_of(kept_.rbegin(), kept_.rend(),
-                       [&](const Point* kept) { return at_most(*kept, point); });
+    if (others_ == 1) return kept_.back() <= point[1];
+    return others_ == 2 ? is_over_stairs(point) : is_over_one(point);
   }
 
   void keep(const Point& point) {
-    kept_.push_back(&point);
-    if (point.size() != 3) return;
+    ++count_;
+    kept_.insert(kept_.end(), point.begin() + 1, point.end());
+    if (others_ != 2) return;
     auto step = stairs_.insert_or_assign(point[1], point[2]).first;
     for (++step; step != stairs_.end() && step->second >= point[2];) step = stairs_.erase(step);
   }
@@ -42,7 +36,20 @@ class Found {
     return beyond != stairs_.begin() && std::prev(beyond)->second <= point[2];
   }
 
-  std::vector<const Point*> kept_;
+  /// One after the other in memory: for ten thousand on the front this is what takes the time.
+  bool is_over_one(const Point& point) const {
+    const double* mine = point.data() + 1;
+    for (const double* kept = kept_.data() + kept_.size(); kept != kept_.data();) {
+      kept -= others_;
+      bool at_most = true;
+      for (std::size_t i = 0; i < others_ && at_most; ++i) at_most = kept[i] <= mine[i];
+      if (at_most) return true;
+    }
+    return false;
+  }
+
+  std::size_t others_, count_ = 0;
+  std::vector<double> kept_;  ///< all coordinates but the first
   /// Of three coordinates: the second with the least third up to there, which falls along it.
   std::map<double, double> stairs_;
 };
@@ -56,7 +63,7 @@ std::vector<std::size_t> pareto_front(const std::vector<Point>& points) {
     return points[a] != points[b] ? points[a] < points[b] : a < b;
   });
   std::vector<std::size_t> front;
-  Found found;
+  Found found(points.empty() ? 0 : points.front().size());
   for (const std::size_t i : order) {
     const bool alike = !front.empty() && points[front.back()] == points[i];
     if (!alike && found.dominates(points[i])) continue;

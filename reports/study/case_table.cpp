@@ -33,6 +33,13 @@ std::string marks(const StudyView& view, std::size_t row) {
 
 }  // namespace
 
+std::string case_link(const StudyView& view, std::size_t row) {
+  const study::Row& what = view.table.rows.at(row);
+  const std::size_t number = what.asked.index;
+  if (!has_result(what)) return std::to_string(number);
+  return fmt::format("<a href=\"{}\">{}</a>", result_path(number), number);
+}
+
 std::string case_table(const StudyView& view, const std::string& caption,
                        std::span<const std::size_t> rows, std::span<const std::size_t> figures) {
   std::vector<ShownFigure> shown;
@@ -40,11 +47,8 @@ std::string case_table(const StudyView& view, const std::string& caption,
   std::vector<html::Row> lines;
   for (const std::size_t i : rows) {
     const study::Row& row = view.table.rows.at(i);
-    const std::size_t number = row.asked.index;
     html::Row line;
-    line.cells.push_back(has_result(row)
-                             ? fmt::format("<a href=\"{}\">{}</a>", result_path(number), number)
-                             : std::to_string(number));
+    line.cells.push_back(case_link(view, i));
     line.cells.push_back(badge(row.status) + marks(view, i));
     for (const study::Setting& setting : row.asked.settings)
       line.cells.push_back(escape_markup(setting_text(setting)));

@@ -71,8 +71,11 @@ std::string design_section(const StudyView& view) {
           i < view.about.own.size() ? escape_markup(setting_text(view.about.own[i])) : "–");
   }
   std::vector<html::Column> columns = {{"Key", false}, {"Values", false}};
-  if (!view.about.own.empty()) columns.push_back({"in the job", true});
-  return "<section id=\"design\"><h2>What was varied</h2>\n<p>" + method_sentence(view) + "</p>\n" +
+  if (!view.about.own.empty()) columns.push_back({"in the job", false});
+  std::string sentences = method_sentence(view);
+  if (!view.analysis.search_ending.empty())
+    sentences += " " + escape_markup(view.analysis.search_ending);
+  return "<section id=\"design\"><h2>What was varied</h2>\n<p>" + sentences + "</p>\n" +
          html::table("Keys of the job, as --set takes them", columns, lines) + "</section>\n";
 }
 

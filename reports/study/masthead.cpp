@@ -28,7 +28,8 @@ std::string settings_card(const StudyView& view, const study::Row& row) {
         fmt::format("<div><dt>{}</dt><dd>{}{}</dd></div>", escape_markup(view.table.keys[i]), taken,
                     instead_of(i < own.size() ? code(setting_text(own[i])) : std::string(), taken));
   }
-  return "<div class=\"worst\"><p class=\"what\">Settings</p><dl>" + list + "</dl></div>\n";
+  return "<div class=\"worst\"><p class=\"what\">Settings</p><dl class=\"study-list\">" + list +
+         "</dl></div>\n";
 }
 
 /// "−12.3 %", from what the job's own setting gives; nothing below a thousandth.
@@ -51,7 +52,8 @@ std::string figures_card(const StudyView& view, const study::Row& row) {
         ShownFigure(view.table, i).value(*value), before ? change(*before, *value) : std::string());
   }
   if (list.empty()) return {};
-  return "<div class=\"worst\"><p class=\"what\">What it gives</p><dl>" + list + "</dl></div>\n";
+  return "<div class=\"worst\"><p class=\"what\">What it gives</p><dl class=\"study-list\">" +
+         list + "</dl></div>\n";
 }
 
 /// As a POSIX shell reads it.
@@ -69,7 +71,7 @@ std::string quoted(const std::string& text) {
 std::string command(const StudyView& view, const study::Row& row) {
   std::string line = "limitgauge run " + quoted(view.table.job);
   for (std::size_t i = 0; i < view.table.keys.size(); ++i)
-    line += " --set " + quoted(view.table.keys[i] + "=" + row.asked.settings.at(i).toml);
+    line += " \\\n  --set " + quoted(view.table.keys[i] + "=" + row.asked.settings.at(i).toml);
   return "<p class=\"study-command\">" + code(line) + "</p>\n";
 }
 
@@ -94,12 +96,12 @@ std::string recommendation(const StudyView& view) {
 }
 
 std::string counts(const study::Table& table) {
-  std::string out;
+  std::string out = fmt::format("<p class=\"study-counts\"><strong>{} case{}</strong>",
+                                grouped(table.rows.size()), table.rows.size() == 1 ? "" : "s");
   for (const study::Status status : kStatuses)
     if (const std::size_t n = count(table, status))
-      out += fmt::format("{}<span class=\"part\">{} {}</span>", out.empty() ? "" : " · ",
-                         grouped(n), badge(status));
-  return out.empty() ? "none" : out;
+      out += fmt::format(" <span class=\"part\">{} {}</span>", grouped(n), badge(status));
+  return out + "</p>\n";
 }
 
 std::string effort(const StudyView& view) {
@@ -116,16 +118,13 @@ std::string effort(const StudyView& view) {
 
 std::string masthead(const StudyView& view) {
   const study::Table& table = view.table;
-  std::vector<html::Term> list = {
-      {"Job", escape_markup(table.job)},
-      {"Cases", fmt::format("{}: {}", grouped(table.rows.size()), counts(table))},
-      {"Effort", effort(view)}};
+  std::vector<html::Term> list = {{"Job", escape_markup(table.job)}, {"Effort", effort(view)}};
   if (!view.about.created.empty()) list.push_back({"Created", escape_markup(view.about.created)});
   if (!view.about.version.empty())
     list.push_back({"Program version", "limitgauge " + escape_markup(view.about.version)});
   return fmt::format("<header><p class=\"kind\">Limitgauge · study of settings</p><h1>{}</h1>\n",
                      escape_markup(table.name)) +
-         recommendation(view) + html::terms(list) + "</header>\n";
+         recommendation(view) + counts(table) + html::terms(list) + "</header>\n";
 }
 
 }  // namespace limitgauge::reports::study_report

@@ -79,7 +79,13 @@ Json responses_json(const study::Analysis& analysis) {
   for (const study::Response& response : analysis.responses) {
     Json rows = Json::array();
     for (const study::Response::Point& point : response.points) rows.push_back(point.row);
-    out.push_back({{"key", response.key}, {"figure", response.figure}, {"rows", std::move(rows)}});
+    Json fit = Json::array();
+    for (const study::Response::CurvePoint& point : response.fit)
+      fit.push_back({finite("setting", point.setting), finite("value", point.value)});
+    out.push_back({{"key", response.key},
+                   {"figure", response.figure},
+                   {"rows", std::move(rows)},
+                   {"fit", std::move(fit)}});
   }
   return out;
 }

@@ -16,10 +16,15 @@ struct Ends {
 };
 
 Ends ends(const study::Response& response) {
-  const auto [least, most] =
-      std::minmax_element(response.points.begin(), response.points.end(),
-                          [](const auto& a, const auto& b) { return a.value < b.value; });
-  return {least->value, most->value};
+  std::vector<double> values;
+  for (const auto& point : response.points) values.push_back(point.value);
+  for (const auto& point : response.fit) values.push_back(point.value);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {*least, *most};
+}
+
+bool is_known(const study::Response& response) {
+  return !response.points.empty() || !response.fit.empty();
 }
 
 /// Change by the largest value: 0 where the key does nothing, 1 where it decides all.
@@ -38,26 +43,32 @@ std::string bar(double share) {
 }
 
 std::string between(const StudyView& view, const study::Response& response) {
-  const auto text = [&](std::size_t point) {
-    const study::Row& row = view.table.rows.at(response.points[point].row);
+  if (response.points.empty())
+    return html::typeset(three_digits(response.fit.front().setting)) + " … " +
+           html::typeset(three_digits(response.fit.back().setting));
+  const auto text = [&](const study::Response::Point& point) {
+    const study::Row& row = view.table.rows.at(point.row);
     return escape_markup(setting_text(row.asked.settings.at(response.key)));
   };
-  return text(0) + " … " + text(response.points.size() - 1);
+  return text(response.points.front()) + " … " + text(response.points.back());
 }
 
 std::vector<std::string> line(const StudyView& view, const study::Response& response) {
   const ShownFigure shown(view.table, response.figure);
   const Ends e = ends(response);
-  return {escape_markup(view.table.keys.at(response.key)), between(view, response),
+  return {escape_markup(view.table.keys.at(response.key)),
+          between(view, response),
           shown.value(e.least) + " … " + shown.value(e.most),
-          fmt::format("{}{} %", bar(strength(response)), fixed(100 * strength(response), 0)),
+          fmt::format("{}<span>{} %</span>", bar(strength(response)),
+                      fixed(100 * strength(response), 0)),
+          response.variance_share ? fixed(100 * *response.variance_share, 0) + " %" : "–",
           response.has_elasticity ? html::typeset(fixed(response.elasticity, 2)) : "–"};
 }
 
 std::string table_of(const StudyView& view, std::size_t figure) {
   std::vector<const study::Response*> list;
   for (const study::Response& response : view.analysis.responses)
-    if (response.figure == figure && !response.points.empty()) list.push_back(&response);
+    if (response.figure == figure && is_known(response)) list.push_back(&response);
   if (list.empty()) return {};
   std::stable_sort(list.begin(), list.end(),
                    [](const auto* a, const auto* b) { return strength(*a) > strength(*b); });
@@ -68,8 +79,25 @@ std::string table_of(const StudyView& view, std::size_t figure) {
                       {"tried", false},
                       {"least … most", true},
                       {"change, of the most", true},
+                      {"of the variance", true},
                       {"elasticity", true}},
                      lines);
+}
+
+std::string how(const StudyView& view) {
+  const auto& responses = view.analysis.responses;
+  if (std::none_of(responses.begin(), responses.end(), is_known))
+    return "There are too few finished cases to tell.";
+  if (std::all_of(responses.begin(), responses.end(),
+                  [](const study::Response& r) { return r.points.empty(); }))
+    return "How far a figure moves over the range of one key, fitted by least squares through all "
+           "cases; the strongest key first.";
+  std::string out = "How far a figure moves when one key alone is varied, all others kept as in ";
+  if (view.analysis.reference)
+    out += fmt::format("case {}", view.table.rows.at(*view.analysis.reference).asked.index);
+  else
+    out += "the reference case";
+  return out + "; the strongest key first.";
 }
 
 }  // namespace
@@ -83,13 +111,7 @@ std::string sensitivity_section(const StudyView& view) {
       others += table_of(view, figure);
   if (!others.empty())
     others = "<details><summary>Other figures</summary>\n" + others + "</details>\n";
-  if (tables.empty() && others.empty())
-    tables = "<p>No two finished cases differ in one key alone.</p>\n";
-  else
-    tables =
-        "<p>How far a figure moves when one key alone is varied, all others kept as they are "
-        "in the reference case; the strongest key first.</p>\n" +
-        tables;
+  tables = "<p>" + how(view) + "</p>\n" + tables;
   return "<section id=\"sensitivity\"><h2>What each key does</h2>\n" + tables + others +
          "</section>\n";
 }

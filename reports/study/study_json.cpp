@@ -101,18 +101,55 @@ Json fronts_json(const StudyView& view) {
   return out;
 }
 
+Json fit_json(const study::Response& response) {
+  Json out = Json::array();
+  for (const study::Response::CurvePoint& point : response.fit)
+    out.push_back(
+        {{"setting", finite("setting", point.setting)}, {"value", finite("value", point.value)}});
+  return out;
+}
+
 Json response_json(const StudyView& view, const study::Response& response) {
   Json points = Json::array();
   for (const study::Response::Point& point : response.points)
     points.push_back({{"case", case_of(view.table, point.row)},
                       {"setting", finite("setting", point.setting)},
                       {"value", finite("value", point.value)}});
-  return {{"key", clean_text(view.table.keys.at(response.key))},
-          {"figure", clean_text(view.table.figures.at(response.figure).id)},
-          {"change", finite("change", response.change)},
-          {"elasticity",
-           response.has_elasticity ? Json(finite("elasticity", response.elasticity)) : Json()},
-          {"points", std::move(points)}};
+  return {
+      {"key", clean_text(view.table.keys.at(response.key))},
+      {"figure", clean_text(view.table.figures.at(response.figure).id)},
+      {"change", finite("change", response.change)},
+      {"elasticity",
+       response.has_elasticity ? Json(finite("elasticity", response.elasticity)) : Json()},
+      {"variance_share",
+       response.variance_share ? Json(finite("variance share", *response.variance_share)) : Json()},
+      {"points", std::move(points)},
+      {"fit", fit_json(response)}};
+}
+
+Json rankings_json(const StudyView& view) {
+  Json out = Json::array();
+  for (const study::Ranking& ranking : view.analysis.rankings) {
+    Json keys = Json::array();
+    for (const std::size_t i : ranking.responses)
+      keys.push_back(clean_text(view.table.keys.at(view.analysis.responses.at(i).key)));
+    out.push_back({{"figure", clean_text(view.table.figures.at(ranking.figure).id)},
+                   {"keys", std::move(keys)}});
+  }
+  return out;
+}
+
+Json bought_json(const StudyView& view) {
+  Json out = Json::array();
+  for (const study::BoughtForNothing& bought : view.analysis.bought_for_nothing)
+    out.push_back({{"case", case_of(view.table, bought.row)},
+                   {"by", case_of(view.table, bought.by)},
+                   {"dearer", finite("dearer", bought.dearer)}});
+  return out;
+}
+
+Json optional_case(const study::Table& table, const std::optional<std::size_t>& row) {
+  return row ? Json(case_of(table, *row)) : Json();
 }
 
 Json analysis_json(const StudyView& view) {
@@ -121,10 +158,13 @@ Json analysis_json(const StudyView& view) {
     responses.push_back(response_json(view, response));
   const study::Recommendation& taken = view.analysis.recommendation;
   return {{"fronts", fronts_json(view)},
+          {"reference", optional_case(view.table, view.analysis.reference)},
           {"responses", std::move(responses)},
+          {"rankings", rankings_json(view)},
+          {"bought_for_nothing", bought_json(view)},
           {"recommendation",
-           {{"case", taken.row ? Json(case_of(view.table, *taken.row)) : Json()},
-            {"reason", clean_text(taken.reason)}}}};
+           {{"case", optional_case(view.table, taken.row)}, {"reason", clean_text(taken.reason)}}},
+          {"search_ending", clean_text(view.analysis.search_ending)}};
 }
 
 /// What differs between two runs of the same study.
@@ -174,9 +214,8 @@ void write_study_json(const study::Plan& plan, const study::Table& table,
                 {"figures", figures_json(table)}, {"counts", counts_json(table)},
                 {"cases", cases_json(table)},     {"analysis", analysis_json(view)}};
   if (!about.own.empty()) {
-    const std::optional<std::size_t> row = own_row(view);
     whole["own"] = {{"settings", settings_json(about.own)},
-                    {"case", row ? Json(case_of(table, *row)) : Json()}};
+                    {"case", optional_case(table, own_row(view))}};
   }
   whole["run"] = run_json(view);
   write_value(whole, "", out);

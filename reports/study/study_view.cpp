@@ -52,19 +52,9 @@ const std::string& study_schema() {
   return text;
 }
 
-bool has_result(const study::Row& row) {
-  return row.status != Status::error && row.status != Status::lost;
-}
-
 std::size_t count(const study::Table& table, Status status) {
   return std::count_if(table.rows.begin(), table.rows.end(),
                        [&](const study::Row& row) { return row.status == status; });
-}
-
-std::optional<std::size_t> figure_index(const study::Table& table, std::string_view id) {
-  for (std::size_t i = 0; i < table.figures.size(); ++i)
-    if (table.figures[i].id == id) return i;
-  return std::nullopt;
 }
 
 std::vector<std::size_t> objectives(const StudyView& view) {
@@ -72,12 +62,14 @@ std::vector<std::size_t> objectives(const StudyView& view) {
   for (const study::Front& front : view.analysis.fronts)
     for (const std::string& id : front.objectives) add(list, figure_index(view.table, id));
   if (!list.empty()) return list;
-  add(list, figure_index(view.table, view.plan.cost));
-  for (const std::string& id : view.plan.accuracy) add(list, figure_index(view.table, id));
+  const study::Objectives named = study::objectives(view.plan, view.table);
+  add(list, named.cost);
+  for (const std::size_t figure : named.accuracy) add(list, figure);
   return list;
 }
 
 std::optional<std::size_t> own_row(const StudyView& view) {
+  if (view.analysis.own) return view.analysis.own;
   const auto& own = view.about.own;
   const auto& rows = view.table.rows;
   if (own.empty()) return std::nullopt;

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "reports/study/study_report.h"
+#include "study/objectives.h"
 
 namespace limitgauge::reports::study_report {
 
@@ -22,11 +22,7 @@ constexpr std::array<study::Status, 5> kStatuses = {study::Status::pass, study::
                                                     study::Status::indeterminate,
                                                     study::Status::error, study::Status::lost};
 
-/// Whether the case came to a verdict, so that there is a result.json of it.
-bool has_result(const study::Row& row);
 std::size_t count(const study::Table& table, study::Status status);
-/// Index in Table::figures; nothing where there is no such figure.
-std::optional<std::size_t> figure_index(const study::Table& table, std::string_view id);
 /// The figures that the study is about, what is paid with first: those of the fronts, and where
 /// there is none those that the plan names. Indices in Table::figures.
 std::vector<std::size_t> objectives(const StudyView& view);

@@ -67,6 +67,7 @@ TEST_CASE("only what is asked for is read", "[unit][history]") {
   query.job = "even";
   CHECK(ids(history.runs(query)) == std::vector<std::int64_t>{2, 4, 6, 8});
   query.last = 3;
+  CHECK(history.count(query) == 4);
   CHECK(ids(history.runs(query)) == std::vector<std::int64_t>{4, 6, 8});
   query.since = "2026-11-18";
   CHECK(ids(history.runs(query)) == std::vector<std::int64_t>{8});

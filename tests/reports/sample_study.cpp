@@ -80,75 +80,6 @@ void lose(study::Row& row, Status status, const std::string& reason, unsigned at
   std::fill(row.figures.begin(), row.figures.end(), std::nullopt);
 }
 
-bool is_measured(const study::Row& row) {
-  return row.status == Status::pass || row.status == Status::fail;
-}
-
-/// By sorting: of rows that take longer only those that are better than all before stay.
-study::Front front(const study::Table& table, std::size_t cost, std::size_t accuracy) {
-  study::Front out{{table.figures[cost].id, table.figures[accuracy].id}, {}};
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    if (is_measured(table.rows[i])) order.push_back(i);
-  const auto rank = [&](std::size_t i) {
-    return std::pair(*table.rows[i].figures[cost], *table.rows[i].figures[accuracy]);
-  };
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
-  for (const std::size_t i : order)
-    if (out.rows.empty() || rank(i).second < rank(out.rows.back()).second) out.rows.push_back(i);
-  return out;
-}
-
-/// All keys but one as in `reference`.
-study::Response response(const study::Table& table, std::size_t reference, std::size_t key,
-                         std::size_t figure) {
-  study::Response out;
-  out.key = key;
-  out.figure = figure;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const study::Row& row = table.rows[i];
-    bool along = is_measured(row);
-    for (std::size_t k = 0; k < table.keys.size(); ++k)
-      along =
-          along && (k == key || row.asked.settings[k] == table.rows[reference].asked.settings[k]);
-    if (along) out.points.push_back({i, *row.asked.settings[key].number, *row.figures[figure]});
-  }
-  std::sort(out.points.begin(), out.points.end(),
-            [](const auto& a, const auto& b) { return a.setting < b.setting; });
-  if (out.points.empty()) return out;
-  const auto [least, most] =
-      std::minmax_element(out.points.begin(), out.points.end(),
-                          [](const auto& a, const auto& b) { return a.value < b.value; });
-  out.change = most->value - least->value;
-  out.has_elasticity = out.points.size() >= 3;
-  const auto& a = out.points.front();
-  const auto& b = out.points.back();
-  if (out.has_elasticity)
-    out.elasticity = std::log(b.value / a.value) / std::log(b.setting / a.setting);
-  return out;
-}
-
-void analyse(SampleStudy& sample, std::size_t reference) {
-  const study::Table& table = sample.table;
-  study::Analysis& analysis = sample.analysis;
-  analysis.fronts = {front(table, machining_time, uncut_high),
-                     front(table, machining_time, gouge_high)};
-  for (std::size_t key = 0; key < table.keys.size(); ++key)
-    for (const std::size_t figure : {machining_time, uncut_high, gouge_high, coverage})
-      analysis.responses.push_back(response(table, reference, key, figure));
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    auto& taken = analysis.recommendation.row;
-    if (table.rows[i].status == Status::pass &&
-        (!taken ||
-         table.rows[i].figures[machining_time] < table.rows[*taken].figures[machining_time]))
-      taken = i;
-  }
-  analysis.recommendation.reason =
-      "It is the case with the least machining time of those that pass every gate. The next "
-      "cheaper one fails: finish: uncut is beyond its limit of 0.03 mm.";
-}
-
 std::vector<double> steps_of(std::size_t count) {
   if (count == 5) return {0.2, 0.3, 0.4, 0.6, 0.8};
   std::vector<double> steps;
@@ -186,7 +117,8 @@ SampleStudy sample_study_of(std::size_t count) {
   lose(sample.table.rows[20], Status::lost, "the process was ended by signal 9 (killed)", 3);
   sample.about = {
       "0.1.0", "2026-11-22T01:40:00Z", "local", 148.2, {number(0.3), number(0.01), number(0.3)}};
-  analyse(sample, 19);
+  for (std::size_t i = 0; i < 3; ++i) sample.plan.variables[i].base = sample.about.own[i];
+  sample.analysis = study::analyse(sample.plan, sample.table);
   return sample;
 }
 
@@ -217,7 +149,7 @@ SampleStudy hostile_study() {
   table.rows[2].figures.assign(table.figures.size(), std::nullopt);
   sample.plan.variables[0] = {table.keys[0], {table.rows[0].asked.settings[0]}, {}, {}};
   sample.analysis = {};
-  sample.analysis.fronts = {front(table, machining_time, uncut_high)};
+  sample.analysis.fronts = {{{table.figures[0].id, table.figures[1].id}, {0}}};
   sample.analysis.recommendation.reason = "Nothing passes: " + markup;
   sample.about.created = sample.about.engine = markup;
   sample.about.own = table.rows[0].asked.settings;
@@ -235,10 +167,7 @@ SampleStudy failed_study() {
       row.reason = "finish: gouge is beyond its limit of 0.001 mm";
     }
   }
-  sample.analysis.fronts.clear();
-  sample.analysis.responses.clear();
-  sample.analysis.recommendation = {std::nullopt, "No case passes every gate."};
-  sample.plan.accuracy = {"finish.uncut_mm.high", "no such figure"};
+  sample.analysis = study::analyse(sample.plan, sample.table);
   return sample;
 }
 
@@ -246,7 +175,7 @@ SampleStudy single_study() {
   SampleStudy sample = sample_study();
   sample.plan.method = study::Method::list;
   sample.table.rows.resize(1);
-  analyse(sample, 0);
+  sample.analysis = study::analyse(sample.plan, sample.table);
   sample.about = {};
   return sample;
 }

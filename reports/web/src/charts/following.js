@@ -4,10 +4,12 @@ import { pageColours } from './theme.js';
  * Keeps a chart at its container's size and in the page's light or dark colours.
  * @param chart an ECharts instance in `container`
  * @param {(colours, width_px: number) => object} optionOf what ECharts is to draw
+ * @param {boolean} [merges] what is not named again stays: what a reader has marked on an axis
  * @returns the chart and `redraw()`, for when what `optionOf` reads has changed
  */
-export function followPage(chart, container, optionOf) {
-  const redraw = () => chart.setOption(optionOf(pageColours(), container.clientWidth), { notMerge: true });
+export function followPage(chart, container, optionOf, merges = false) {
+  const redraw = () =>
+    chart.setOption(optionOf(pageColours(), container.clientWidth), { notMerge: !merges });
   redraw();
   let width = container.clientWidth, waiting = false;
   new ResizeObserver(() => {

@@ -5,8 +5,8 @@ const MOST_LINES = 24, MOST_SETTINGS = 30, BINS = 8;
  * other keys' settings where those are few enough to be told apart.
  * @param {object} study as decodeStudy gives it
  * @param {number[]} rows that count
- * @returns {{means: {at, mean, least, most, count}[], lines: [number, number][][], points: [number, number, number][]}}
- *   `points` ([setting, value, row]) where settings are drawn from a range: means are then of bins
+ * @returns {{means: {at, mean, least, most, count}[], lines, points}} `lines` of [setting, value]; `points`
+ *   ([setting, value, row]) where settings are drawn from a range: means are then of bins
  */
 export function curvesOf(study, keyIndex, figure, rows) {
   const key = study.keys[keyIndex];
@@ -40,7 +40,8 @@ function binned(points) {
 function meansOf(groups) {
   const mean = (list, i) => list.reduce((sum, point) => sum + point[i], 0) / list.length;
   return [...groups.values()].map((list) => ({
-    at: mean(list, 0), mean: mean(list, 1), count: list.length,
+    // A mean of equal settings need not be that setting to its last digit.
+    at: list[0][0] === list.at(-1)[0] ? list[0][0] : mean(list, 0), mean: mean(list, 1), count: list.length,
     least: list.reduce((least, [, value]) => Math.min(least, value), Infinity),
     most: list.reduce((most, [, value]) => Math.max(most, value), -Infinity),
   }));

@@ -1,7 +1,5 @@
+import { LOOKS } from './looks.js';
 import { shownFigure } from './shown.js';
-
-/** What a case may have come to, in the order in which the page's data count. */
-export const STATUSES = ['pass', 'fail', 'indeterminate', 'error', 'lost'];
 
 /**
  * What can stand on an axis: a varied key or a figure.
@@ -9,6 +7,7 @@ export const STATUSES = ['pass', 'fail', 'indeterminate', 'error', 'lost'];
  * @property {string} id unique among keys and figures
  * @property {string} title with the unit that `value` is in
  * @property {string[]|null} categories the settings of a key that are no numbers
+ * @property {number[]} [settings] those of a key that are
  * @property {(row: number) => number|null} value a place among the categories, or a number
  * @property {(row: number) => string} text as people read it, with its unit
  * @property {(value: number) => string} mark for an axis
@@ -23,7 +22,7 @@ export function decodeStudy(data) {
   const keys = data.keys.map(keyQuantity), figures = data.figures.map(figureQuantity);
   return {
     count: data.cases.length, numbers: data.cases, statuses: data.status, keys, figures,
-    quantities: [...keys, ...figures],
+    quantities: [...keys, ...figures, verdictQuantity(data.status)],
     objectives: data.objectives, fronts: data.fronts, responses: data.responses,
     recommended: data.recommended, own: data.own,
     reason: (row) => data.reasons.texts[data.reasons.of[row]],
@@ -35,6 +34,7 @@ function keyQuantity({ key, settings, of }, index) {
   return {
     kind: 'key', index, id: `key ${key}`, title: key, numeric,
     categories: numeric ? null : settings.map(([text]) => text),
+    settings: numeric ? settings.map(([, number]) => number).sort((a, b) => a - b) : null,
     value: (row) => (numeric ? settings[of[row]][1] : of[row]),
     text: (row) => settings[of[row]][0],
     mark: (value) => (numeric ? String(Number(value.toPrecision(6))).replace('-', '−')
@@ -42,11 +42,20 @@ function keyQuantity({ key, settings, of }, index) {
   };
 }
 
+function verdictQuantity(statuses) {
+  const text = ({ sign, word }) => `${sign} ${word}`;
+  return {
+    kind: 'verdict', id: 'verdict', title: 'verdict', numeric: false, categories: LOOKS.map(text),
+    value: (row) => statuses[row], text: (row) => text(LOOKS[statuses[row]]),
+    mark: (value) => text(LOOKS[value]),
+  };
+}
+
 function figureQuantity(figure, index) {
   const shown = shownFigure(figure);
   return {
     kind: 'figure', index, id: `figure ${figure.id}`, title: shown.title, name: figure.label, numeric: true,
-    categories: null, values: figure.values,
+    categories: null, perUnit: shown.perUnit,
     value: (row) => (figure.values[row] === null ? null : figure.values[row] * shown.perUnit),
     text: (row) => shown.text(figure.values[row]),
     cell: (row) => shown.cell(figure.values[row]),
@@ -54,8 +63,13 @@ function figureQuantity(figure, index) {
   };
 }
 
-/** Whether the case came to a verdict: only then it has a result and figures that count. */
-export const hasResult = (study, row) => study.statuses[row] <= 2;
+const LAST_WITH_RESULT = 2, LAST_DECIDED = 1;
+
+/** Whether the case came to a verdict: only then it has a result. */
+export const hasResult = (study, row) => study.statuses[row] <= LAST_WITH_RESULT;
+
+/** Whether the case passed or failed: such cases make up fronts. */
+export const isDecided = (study, row) => study.statuses[row] <= LAST_DECIDED;
 
 /** Where a case's result lies beside the page; as reports/study/study_view.cpp says it. */
 export function resultPath(number) {
@@ -74,20 +88,12 @@ export function marksOf(study, row) {
 /** The lines that say what a case is. */
 export function caseLines(study, row) {
   const marks = marksOf(study, row);
+  const beside = marks.length > 0 ? ` (${marks.join(', ')})` : '';
   return [
-    `case ${study.numbers[row]}: ${LOOKS[study.statuses[row]].word}${marks.length ? ` (${marks.join(', ')})` : ''}`,
+    `case ${study.numbers[row]}: ${LOOKS[study.statuses[row]].word}${beside}`,
     ...study.keys.map((key) => `${key.title} = ${key.text(row)}`),
     ...study.objectives.map((i) => study.figures[i]).filter((figure) => figure.value(row) !== null)
       .map((figure) => `${figure.name}: ${figure.text(row)}`),
     ...(study.reason(row) ? [study.reason(row)] : []),
   ];
 }
-
-/** How each status looks in words and charts: never by colour alone. */
-export const LOOKS = [
-  { word: 'passed', sign: '✓', css: 'pass', symbol: 'circle', dash: 'solid' },
-  { word: 'failed', sign: '✕', css: 'fail', symbol: 'path://M0,2L2,0L5,3L8,0L10,2L7,5L10,8L8,10L5,7L2,10L0,8L3,5Z', dash: [6, 3] },
-  { word: 'undecided', sign: '?', css: 'open', symbol: 'triangle', dash: [2, 3] },
-  { word: 'error', sign: '!', css: 'none', symbol: 'rect', dash: [1, 4] },
-  { word: 'lost', sign: '–', css: 'none', symbol: 'rect', dash: [1, 4] },
-];

@@ -8,11 +8,14 @@ export function durationText(seconds) {
   return `${Math.floor(whole / 3600)} h ${two(Math.floor((whole % 3600) / 60))} min`;
 }
 
-/** For the marks of an axis: "45 s", "2:30", "1:02:00". */
-export function clockText(seconds) {
-  if (seconds < 60) return `${Number(seconds.toPrecision(3))} s`;
+/** For the marks of an axis: "45 s", "2:30", "1:02:00"; with `decimals` "2:30.5" below an hour. */
+export function clockText(seconds, decimals = 0) {
+  if (seconds < 60) return `${Number(seconds.toPrecision(3 + decimals))} s`;
   const whole = Math.round(seconds), two = (n) => String(n).padStart(2, '0');
-  const minutes = Math.floor(whole / 60);
+  const rounded = decimals > 0 ? Number(seconds.toFixed(decimals)) : whole;
+  const minutes = Math.floor(rounded / 60);
+  if (minutes < 60 && decimals > 0)
+    return `${minutes}:${(rounded - 60 * minutes).toFixed(decimals).padStart(3 + decimals, '0')}`;
   if (minutes < 60) return `${minutes}:${two(whole % 60)}`;
   return `${Math.floor(minutes / 60)}:${two(minutes % 60)}:${two(whole % 60)}`;
 }
@@ -35,13 +38,22 @@ export function shownFigure({ id, label, unit, values }) {
   const perUnit = length?.perMm ?? 1;
   const symbol = length ? length.symbol : kind === 'plain' ? unit : '';
   const say = { length: threeDigits, duration: durationText, share: percentText, plain: plainText }[kind];
+  const decimals = span(values) < 10 ? (span(values) < 1 ? 2 : 1) : 0;
   const cell = (value) => (value === null ? '–' : say(value * perUnit));
   return {
     title: symbol ? `${label}, ${symbol}` : label, perUnit, cell,
     text: (value) => (value !== null && symbol ? `${cell(value)} ${symbol}` : cell(value)),
-    mark: { duration: clockText, share: (value) => `${Number((value * 100).toPrecision(4))} %` }[kind]
-      ?? ((value) => String(Number(value.toPrecision(4))).replace('-', '−')),
+    mark: {
+      duration: (value) => clockText(value, decimals),
+      share: (value) => `${Number((value * 100).toPrecision(4))} %`,
+    }[kind] ?? ((value) => String(Number(value.toPrecision(4))).replace('-', '−')),
   };
+}
+
+/** By how much the largest value is above the least. */
+function span(values) {
+  const there = values.filter((value) => value !== null);
+  return there.reduce((a, b) => Math.max(a, b), -Infinity) - there.reduce((a, b) => Math.min(a, b), Infinity);
 }
 
 const largest = (values) => values.reduce((most, value) => Math.max(most, Math.abs(value ?? 0)), 0);

@@ -1,0 +1,141 @@
+#include "reports/compare/figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/compare/noise.h"
+#include "reports/compare/places.h"
+#include "reports/compare/selection.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports::compare {
+namespace {
+
+using record::Metric;
+using record::Source;
+using record::StageMeasures;
+using verifier::Interval;
+
+/// How far the samples go to the side of a figure.
+double sampled_extreme(const Metric& metric, const Interval& sampled) {
+  return metric.id == "gouge_mm" ? -sampled.low : sampled.high;
+}
+
+/// Three readings that agree: the place that is proved to be reached, the bound that is promised,
+/// and the extreme of the samples, which are exact and lie in the same places in both runs.
+/// Intervals that overlap may hide a change that they show; and where nothing changed, no sample
+/// did.
+bool all_rose(const Metric& metric, const StageMeasures& from, const StageMeasures& to,
+              const Fineness& fineness) {
+  if (!from.sampled_mm || !to.sampled_mm) return false;
+  const double floor = sample_floor_mm(fineness);
+  const Interval was = metric.of(from), is = metric.of(to);
+  return is.low - was.low > floor && is.high - was.high > floor &&
+         sampled_extreme(metric, *to.sampled_mm) - sampled_extreme(metric, *from.sampled_mm) >
+             floor;
+}
+
+void judge_certified(FigureChange& change, const StageMeasures& base, const StageMeasures& now,
+                     const Fineness& fineness) {
+  const Metric& metric = *change.metric;
+  change.judgement = judge_figure(metric, change.base, change.now, fineness);
+  const double promise = change.now.high - change.base.high;
+  const std::string floor = stated_length(*change.floor);
+  if (wholly_above(change.now, change.base)) {
+    change.why = "proved: the new interval lies wholly above the old one";
+  } else if (wholly_above(change.base, change.now)) {
+    change.why = "proved: the new interval lies wholly below the old one";
+  } else if (change.judgement != Judgement::same) {
+    change.why = std::string("the bound that is promised ") + (promise > 0 ? "grew" : "fell") +
+                 " by " + measured_length(std::abs(promise)) + ", more than the resolution of " +
+                 floor;
+  } else if (all_rose(metric, base, now, fineness)) {
+    change.judgement = Judgement::worse;
+    change.why =
+        "the depth reached, the bound promised and the deepest sample all grew by more than " +
+        stated_length(sample_floor_mm(fineness));
+  } else if (all_rose(metric, now, base, fineness)) {
+    change.judgement = Judgement::better;
+    change.why =
+        "the depth reached, the bound promised and the deepest sample all fell by more than " +
+        stated_length(sample_floor_mm(fineness));
+  } else {
+    change.why = "the intervals meet, and the bound promised moved by no more than " + floor +
+                 ", the resolution";
+  }
+}
+
+std::string why_measured(const Metric& metric) {
+  if (metric.id == "coverage") return "samples on the rim of a limit change sides";
+  if (metric.id.starts_with("voxel_")) return "no finer than the stock's voxels";
+  return "of exact samples in the same places; the floor is a tenth of the resolution";
+}
+
+/// Longer is worse only from the stated limit on, shorter is better as soon as it is not rounding.
+void judge_time(FigureChange& change, const Options& options) {
+  if (!options.time_limit_percent) {
+    change.why = "shown; judged with --time-limit only";
+    return;
+  }
+  change.why = "may grow by " + three_digits(*options.time_limit_percent) + " %";
+  const double base = change.base.high, grown = change.now.high - base;
+  change.floor = noise_floor(*change.metric, base, {});
+  if (grown > 0) change.floor = std::max(*change.floor, *options.time_limit_percent / 100 * base);
+  if (std::abs(grown) <= *change.floor)
+    change.judgement = Judgement::same;
+  else
+    change.judgement = grown > 0 ? Judgement::worse : Judgement::better;
+}
+
+void judge(FigureChange& change, const StageMeasures& base, const StageMeasures& now,
+           const Options& options) {
+  const Metric& metric = *change.metric;
+  const Fineness fineness = fineness_of(base, now);
+  if (metric.source == Source::effort) {
+    change.why = "of this program on its machine; never judged";
+  } else if (metric.better == record::Better::neither) {
+    change.why = "neither way is better";
+  } else if (!is_judged(options, metric.id)) {
+    change.why = "not asked for";
+  } else if (metric.source == Source::planned) {
+    judge_time(change, options);
+  } else {
+    change.floor = noise_floor(metric, change.base.high, fineness);
+    if (metric.source == Source::certified) return judge_certified(change, base, now, fineness);
+    change.judgement = judge_figure(metric, change.base, change.now, fineness);
+    change.why = why_measured(metric);
+  }
+}
+
+/// A figure that gets worse is named with the place in the new run, one that gets better with the
+/// place that the base run had.
+std::optional<FoundPlace> deepest(const FigureChange& change,
+                                  const std::vector<record::Place>& base,
+                                  const std::vector<record::Place>& now) {
+  const std::vector<record::Place>& run = change.judgement == Judgement::better ? base : now;
+  if (run.empty() || change.metric->source != Source::certified) return std::nullopt;
+  return found_place(*std::max_element(run.begin(), run.end(), [](const auto& a, const auto& b) {
+    return a.depth_mm < b.depth_mm;
+  }));
+}
+
+}  // namespace
+
+std::vector<FigureChange> compare_figures(const StageMeasures& base, const StageMeasures& now,
+                                          const Options& options) {
+  std::vector<FigureChange> out;
+  for (const Metric& metric : record::stage_metrics()) {
+    FigureChange change;
+    change.metric = &metric;
+    change.base = metric.of(base);
+    change.now = metric.of(now);
+    judge(change, base, now, options);
+    const bool is_gouge = metric.id == "gouge_mm";
+    change.where =
+        deepest(change, is_gouge ? base.gouges : base.uncuts, is_gouge ? now.gouges : now.uncuts);
+    out.push_back(std::move(change));
+  }
+  return out;
+}
+
+}  // namespace limitgauge::reports::compare

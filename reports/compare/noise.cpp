@@ -1,0 +1,78 @@
+#include "reports/compare/noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limitgauge::reports::compare {
+namespace {
+
+using record::Better;
+using record::Metric;
+using record::Source;
+using verifier::Interval;
+
+/// A nanometre: far below the digits of a program, far above rounding. An interval of no width
+/// would else call the last bit a change.
+constexpr double kRounding_mm = 1e-6;
+/// Samples on the rim of a limit change sides on rounding alone.
+constexpr double kCoverageFloor = 0.001;
+/// Lengths and times of a path are exact but for the digits of its program.
+constexpr double kPlannedFloor = 0.001;
+
+/// Samples are exact: what is left is what matters, a hundredth of the gate where the resolution is
+/// a tenth of it.
+constexpr double kSampleShare = 0.1;
+
+Judgement by_floor(double harm, double floor) {
+  if (harm > floor) return Judgement::worse;
+  return harm < -floor ? Judgement::better : Judgement::same;
+}
+
+/// Gouge before uncut: what is cut away cannot be put back. Turned round, it says the contrary.
+Judgement by_side(double base, double now, double floor) {
+  const Judgement gouge = by_floor(std::max(-now, 0.0) - std::max(-base, 0.0), floor);
+  if (gouge != Judgement::same) return gouge;
+  return by_floor(std::max(now, 0.0) - std::max(base, 0.0), floor);
+}
+
+}  // namespace
+
+bool wholly_above(const Interval& a, const Interval& b) {
+  return a.low > b.high + kRounding_mm;
+}
+
+Fineness fineness_of(const record::StageMeasures& base, const record::StageMeasures& now) {
+  return {std::max(base.resolution_mm, now.resolution_mm), std::max(base.voxel_mm, now.voxel_mm)};
+}
+
+double sample_floor_mm(const Fineness& fineness) {
+  return std::max(kSampleShare * fineness.resolution_mm, kRounding_mm);
+}
+
+double noise_floor(const Metric& metric, double base, const Fineness& fineness) {
+  if (metric.source == Source::planned) return kPlannedFloor * std::abs(base);
+  if (metric.id == "coverage") return kCoverageFloor;
+  if (metric.id.starts_with("voxel_")) return std::max(fineness.voxel_mm, kRounding_mm);
+  if (metric.source == Source::certified) return std::max(fineness.resolution_mm, kRounding_mm);
+  return sample_floor_mm(fineness);
+}
+
+/// The truth of either run may lie anywhere in its interval, so bounds alone say little: a change
+/// is one where the intervals do not meet, or where the upper end, which is what a run promises,
+/// moved by more than an interval may be wide. An unchanged truth cannot do either, as long as both
+/// runs reached their resolution; a run that did not promises less, and that shows here.
+Judgement judge_figure(const Metric& metric, const Interval& base, const Interval& now,
+                       const Fineness& fineness) {
+  if (metric.better == Better::neither || metric.source == Source::effort)
+    return Judgement::not_judged;
+  if (metric.source == Source::certified) {
+    if (wholly_above(now, base)) return Judgement::worse;
+    if (wholly_above(base, now)) return Judgement::better;
+  }
+  const double floor = noise_floor(metric, base.high, fineness);
+  if (metric.better == Better::nearer_zero) return by_side(base.high, now.high, floor);
+  const double grown = now.high - base.high;
+  return by_floor(metric.better == Better::higher ? -grown : grown, floor);
+}
+
+}  // namespace limitgauge::reports::compare

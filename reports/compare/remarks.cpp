@@ -1,0 +1,142 @@
+#include "reports/compare/remarks.h"
+
+#include <algorithm>
+#include <map>
+
+#include "reports/compare/selection.h"
+#include "reports/compare/words.h"
+#include "reports/text.h"
+
+namespace limitgauge::reports::compare {
+namespace {
+
+using verifier::Verdict;
+
+int rank(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return 0;
+    case Verdict::indeterminate:
+      return 1;
+    case Verdict::fail:
+      return 2;
+    default:
+      return 3;
+  }
+}
+
+struct Limit {
+  const char* what;
+  bool has_base, has_now;
+  double base, now;
+  bool more_is_looser;
+};
+
+std::string limit_text(const Limit& limit, double value) {
+  return limit.more_is_looser ? stated_length(value) : percent_text(value);
+}
+
+std::optional<Remark> compare_limit(const Limit& limit, const Options& options) {
+  const std::string what = std::string("limit of ") + limit.what + " ";
+  const auto remark = [&](Judgement judgement, const std::string& text) {
+    return Remark{"gate", if_judged(options, "gate", judgement), what + text};
+  };
+  if (limit.has_base && !limit.has_now)
+    return remark(Judgement::worse, "taken away: it was " + limit_text(limit, limit.base));
+  if (!limit.has_base && limit.has_now)
+    return remark(Judgement::better, "set: " + limit_text(limit, limit.now));
+  if (!limit.has_base || limit.base == limit.now) return std::nullopt;
+  const bool is_looser = (limit.now > limit.base) == limit.more_is_looser;
+  return remark(is_looser ? Judgement::worse : Judgement::better,
+                std::string(is_looser ? "loosened" : "tightened") + " from " +
+                    limit_text(limit, limit.base) + " to " + limit_text(limit, limit.now));
+}
+
+void name_change(std::vector<Remark>& out, const std::string& id, const std::string& what,
+                 const std::string& base, const std::string& now) {
+  if (base != now)
+    out.push_back({id, Judgement::not_judged, what + " was " + base + ", is " + now});
+}
+
+void name_lack(std::vector<Remark>& out, const std::string& id, const std::string& what, bool base,
+               bool now) {
+  if (!base && !now) return;
+  const char* who = base && now ? " (both runs)" : base ? " (base run)" : " (new run)";
+  out.push_back({id, Judgement::not_judged, what + who});
+}
+
+std::string moves_text(std::size_t count) {
+  return grouped(count) + (count == 1 ? " move" : " moves");
+}
+
+}  // namespace
+
+std::optional<Remark> compare_verdicts(const std::string& what, Verdict base, Verdict now) {
+  if (base == now) return std::nullopt;
+  return Remark{"verdict", rank(now) > rank(base) ? Judgement::worse : Judgement::better,
+                what + " was " + verdict_word(base) + ", is " + verdict_word(now)};
+}
+
+std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifier::GateLimits& now,
+                                  const Options& options) {
+  std::vector<Remark> out;
+  for (const Limit& limit :
+       {Limit{"gouge", base.has_gouge, now.has_gouge, base.gouge_mm, now.gouge_mm, true},
+        Limit{"uncut", base.has_uncut, now.has_uncut, base.uncut_mm, now.uncut_mm, true},
+        Limit{"coverage", base.has_coverage, now.has_coverage, base.coverage, now.coverage, false}})
+    if (std::optional<Remark> remark = compare_limit(limit, options))
+      out.push_back(std::move(*remark));
+  return out;
+}
+
+std::vector<Remark> compare_settings(const record::StageRecord& base,
+                                     const record::StageRecord& now) {
+  std::vector<Remark> out;
+  name_change(out, "tool", "tool", base.tool, now.tool);
+  const auto way = [](const record::StageRecord& stage) {
+    return stage.program.empty() ? stage.strategy : "program " + stage.program;
+  };
+  name_change(out, "strategy", "path", way(base), way(now));
+  name_change(out, "step", "step", stated_length(base.step_mm), stated_length(now.step_mm));
+  name_change(out, "tolerance", "tolerance", stated_length(base.tolerance_mm),
+              stated_length(now.tolerance_mm));
+  if (base.allowance_mm != now.allowance_mm)
+    out.push_back({"allowance", Judgement::not_judged,
+                   "allowance was " + stated_length(base.allowance_mm) + ", is " +
+                       stated_length(now.allowance_mm) +
+                       ": gouge and uncut are measured against another surface"});
+  return out;
+}
+
+std::vector<Remark> compare_certificates(const record::StageMeasures& base,
+                                         const record::StageMeasures& now) {
+  std::vector<Remark> out;
+  name_change(out, "resolution", "resolution", stated_length(base.resolution_mm),
+              stated_length(now.resolution_mm));
+  name_lack(out, "resolution", "resolution was not reached", !base.reached_resolution,
+            !now.reached_resolution);
+  name_lack(out, "findings", "list of findings is not complete", !base.findings_complete,
+            !now.findings_complete);
+  return out;
+}
+
+std::vector<Remark> compare_process_counts(const record::StageMeasures& base,
+                                           const record::StageMeasures& now,
+                                           const Options& options) {
+  std::map<std::string, std::pair<std::size_t, std::size_t>> counts;
+  for (const record::ProcessCount& c : base.process) counts[c.kind].first = c.count;
+  for (const record::ProcessCount& c : now.process) counts[c.kind].second = c.count;
+  std::vector<Remark> out;
+  for (const auto& [kind, both] : counts) {
+    const auto [was, is] = both;
+    if (was == is) continue;
+    const Judgement judgement = is > was ? Judgement::worse : Judgement::better;
+    out.push_back(
+        {"process",
+         kind == "near_miss" ? Judgement::not_judged : if_judged(options, "process", judgement),
+         kind_words(kind) + ": " + moves_text(was) + " before, now " + moves_text(is)});
+  }
+  return out;
+}
+
+}  // namespace limitgauge::reports::compare

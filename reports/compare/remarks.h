@@ -1,0 +1,28 @@
+#pragma once
+
+#include "reports/compare/comparison.h"
+
+namespace limitgauge::reports::compare {
+
+/// "fail" after "pass": what became worse comes later in the order pass, indeterminate, fail, not
+/// run. Nothing where both are alike.
+std::optional<Remark> compare_verdicts(const std::string& what, verifier::Verdict base,
+                                       verifier::Verdict now);
+/// Limits that were loosened or taken away count as worse: a gate that gives way hides what the
+/// figures then do.
+std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifier::GateLimits& now,
+                                  const Options& options);
+/// Tool, strategy, allowance and the like: named, for they explain.
+std::vector<Remark> compare_settings(const record::StageRecord& base,
+                                     const record::StageRecord& now);
+/// Resolutions asked for, reached or not, and findings that are not all listed.
+std::vector<Remark> compare_certificates(const record::StageMeasures& base,
+                                         const record::StageMeasures& now);
+/// Moves with a fault, by kind.
+std::vector<Remark> compare_process_counts(const record::StageMeasures& base,
+                                           const record::StageMeasures& now,
+                                           const Options& options);
+/// Job, version, inputs by their checksums, and the order of the stages.
+std::vector<Remark> compare_heads(const record::RunRecord& base, const record::RunRecord& now);
+
+}  // namespace limitgauge::reports::compare

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "reports/compare/comparison.h"
+
+namespace limitgauge::reports::compare {
+
+/// For a terminal of `width` columns: the figures that count, what changed besides, and the
+/// judgement; `all` lists every figure.
+std::string text_table(const Comparison& comparison, bool colour, std::size_t width, bool all);
+/// compare.md: short enough for a comment on a change, its texts escaped.
+void write_markdown(const Comparison& comparison, std::ostream& out);
+/// compare.html: one self-contained page without a script.
+void write_html(const Comparison& comparison, std::ostream& out);
+/// compare.json, schema limitgauge.compare/1.
+void write_json(const Comparison& comparison, std::ostream& out);
+
+}  // namespace limitgauge::reports::compare

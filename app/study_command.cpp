@@ -53,7 +53,7 @@ class StudyRun {
   StudyCasesOptions cases_options(ProgressLine& progress) const;
   void run_cases(StudyCases& cases, StudyOutcome& outcome) const;
   void run_watched(StudyOutcome& outcome, ProgressLine& progress);
-  [[noreturn]] void say_interrupted(const StudyProgress& at) const;
+  [[noreturn]] void say_interrupted() const;
 
   const StudyCommand& command_;
   const CommonOptions& common_;
@@ -104,9 +104,9 @@ void StudyRun::run_cases(StudyCases& cases, StudyOutcome& outcome) const {
   outcome.analysis.search_ending = std::move(found.ending);
 }
 
-void StudyRun::say_interrupted(const StudyProgress& at) const {
-  throw model::ResourceError("limitgauge: interrupted; " + std::to_string(at.reused + at.run) +
-                             " results are kept in " + store_.folder().string() +
+void StudyRun::say_interrupted() const {
+  throw model::ResourceError("limitgauge: interrupted; every finished case is kept in " +
+                             store_.folder().string() +
                              ": run the same command again to go on from there");
 }
 
@@ -124,7 +124,7 @@ void StudyRun::run_watched(StudyOutcome& outcome, ProgressLine& progress) {
   try {
     run_cases(cases, outcome);
   } catch (const model::Interrupted&) {
-    say_interrupted(cases.progress());
+    say_interrupted();
   }
   outcome.progress = cases.progress();
 }

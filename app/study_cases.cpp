@@ -3,6 +3,7 @@
 #include <optional>
 #include <sstream>
 #include <unordered_map>
+#include <utility>
 
 #include "app/one_line.h"
 #include "app/study_figures.h"
@@ -111,7 +112,10 @@ std::vector<study::Row> StudyCases::rows(std::span<const study::Case> cases) {
   know(all);
   progress_.cases += cases.size();
   take_from_store(all);
-  if (!all.requests.empty()) run_others(all);
+  if (!all.requests.empty()) {
+    if (!std::exchange(any_run_, true)) options_.before_running();
+    run_others(all);
+  }
   return std::move(all.rows);
 }
 

@@ -28,6 +28,8 @@ struct StudyCasesOptions {
   /// Every result that there is, once: the text of result.json.
   std::function<void(std::size_t index, const std::string& text)> result;
   std::function<void(const StudyProgress&)> progress;
+  /// Called once, before anything is run: what is known is known by then.
+  std::function<void()> before_running = [] {};
 };
 
 /// Turns cases into rows: by results that the store has, and through an executor for the others.
@@ -55,7 +57,7 @@ class StudyCases {
   study::Executor& executor_;
   CaseKeyMaker keys_;
   StudyProgress progress_;
-  bool any_accepted_ = false;
+  bool any_accepted_ = false, any_run_ = false;
 };
 
 }  // namespace limitgauge::app

@@ -53,7 +53,7 @@ class StudyRun {
   StudyCasesOptions cases_options(ProgressLine& progress) const;
   void run_cases(StudyCases& cases, StudyOutcome& outcome) const;
   void run_watched(StudyOutcome& outcome, ProgressLine& progress);
-  [[noreturn]] void say_interrupted(const StudyProgress& at) const;
+  [[noreturn]] void say_interrupted() const;
 
   const StudyCommand& command_;
   const CommonOptions& common_;
@@ -80,8 +80,12 @@ StudyCasesOptions StudyRun::cases_options(ProgressLine& progress) const {
   const std::size_t least = plan_.method == study::Method::search ? plan_.search.most_cases : 1;
   options.progress = [&progress, least](const StudyProgress& at) {
     progress.rename(progress_words(at));
-    progress.update(static_cast<double>(at.ended) / static_cast<double>(std::max(at.cases, least)));
+    // What was known already says nothing of the time that the others take.
+    const std::size_t others = std::max({at.cases, least, at.reused + 1}) - at.reused;
+    progress.update(static_cast<double>(at.ended - at.reused) / static_cast<double>(others));
   };
+  // Only now: the results that this study takes up again are the youngest.
+  options.before_running = [this] { store_.trim(began_); };
   return options;
 }
 
@@ -100,9 +104,9 @@ void StudyRun::run_cases(StudyCases& cases, StudyOutcome& outcome) const {
   outcome.analysis.search_ending = std::move(found.ending);
 }
 
-void StudyRun::say_interrupted(const StudyProgress& at) const {
-  throw model::ResourceError("limitgauge: interrupted; " + std::to_string(at.reused + at.run) +
-                             " results are kept in " + store_.folder().string() +
+void StudyRun::say_interrupted() const {
+  throw model::ResourceError("limitgauge: interrupted; every finished case is kept in " +
+                             store_.folder().string() +
                              ": run the same command again to go on from there");
 }
 
@@ -120,7 +124,7 @@ void StudyRun::run_watched(StudyOutcome& outcome, ProgressLine& progress) {
   try {
     run_cases(cases, outcome);
   } catch (const model::Interrupted&) {
-    say_interrupted(cases.progress());
+    say_interrupted();
   }
   outcome.progress = cases.progress();
 }
@@ -148,19 +152,6 @@ StudyOutcome StudyRun::work() {
   write_study(plan_, outcome, folder_.working());
   folder_.finish();
   return outcome;
-}
-
-ExitCode exit_code(const StudyOutcome& outcome) {
-  if (outcome.analysis.recommendation.row) return ExitCode::pass;
-  const auto any = [&](std::initializer_list<study::Status> statuses) {
-    return std::any_of(
-        outcome.table.rows.begin(), outcome.table.rows.end(), [&](const study::Row& row) {
-          return std::find(statuses.begin(), statuses.end(), row.status) != statuses.end();
-        });
-  };
-  if (any({study::Status::indeterminate})) return ExitCode::indeterminate;
-  if (any({study::Status::pass, study::Status::fail})) return ExitCode::fail;
-  return any({study::Status::lost}) ? ExitCode::resources : ExitCode::fail;
 }
 
 }  // namespace

@@ -79,7 +79,11 @@ std::unique_ptr<study::Executor> slurm(const StudyCommand& command, const fs::pa
   options.retries = command.retries;
   options.options = command.slurm_options;
   options.note = note;
-  options.worker = worker_command(fs::read_symlink("/proc/self/exe"), job, store);
+  const fs::path program = fs::read_symlink("/proc/self/exe");
+  if (!fs::exists(program))
+    throw model::ResourceError(
+        "limitgauge: error: its own file has been replaced since it was started; start it again");
+  options.worker = worker_command(program, job, store);
   add(options.worker, "--worker-keeps", std::to_string(kMostKept));
   return std::make_unique<study::Slurm>(std::move(options), store);
 }

@@ -1,6 +1,7 @@
 #include "app/study_output.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <ostream>
 #include <sstream>
@@ -115,6 +116,19 @@ void print_study(const StudyOutcome& outcome, std::ostream& out) {
   print_counts(outcome, out);
   print_reasons(outcome.table, out);
   print_recommendation(outcome, out);
+}
+
+ExitCode exit_code(const StudyOutcome& outcome) {
+  if (outcome.analysis.recommendation.row) return ExitCode::pass;
+  const auto any = [&](std::initializer_list<study::Status> statuses) {
+    return std::any_of(
+        outcome.table.rows.begin(), outcome.table.rows.end(), [&](const study::Row& row) {
+          return std::find(statuses.begin(), statuses.end(), row.status) != statuses.end();
+        });
+  };
+  if (any({study::Status::indeterminate})) return ExitCode::indeterminate;
+  if (any({study::Status::pass, study::Status::fail})) return ExitCode::fail;
+  return any({study::Status::lost}) ? ExitCode::resources : ExitCode::fail;
 }
 
 }  // namespace limitgauge::app

@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "app/commands.h"
 #include "app/study_cases.h"
 #include "study/analysis.h"
 #include "study/plan.h"
@@ -27,5 +28,8 @@ void write_case(std::size_t index, const std::string& text, const std::filesyste
 
 /// How many cases came out how, why some have no result, and the setting to take.
 void print_study(const StudyOutcome& outcome, std::ostream& out);
+
+/// A recommended setting, or why there is none.
+ExitCode exit_code(const StudyOutcome& outcome);
 
 }  // namespace limitgauge::app

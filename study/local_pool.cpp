@@ -40,6 +40,11 @@ class PoolRun {
         attempts_(requests.size(), 0),
         forecasts_(requests.size()) {}
 
+  /// Whatever ended the work: what is still being computed is of no use to anybody.
+  ~PoolRun();
+  PoolRun(const PoolRun&) = delete;
+  PoolRun& operator=(const PoolRun&) = delete;
+
   void work(const std::atomic<bool>& stop);
 
  private:
@@ -51,7 +56,6 @@ class PoolRun {
   void mourn(Seat& seat);
   void leave(Seat& seat);
   void end_attempt(Seat& seat, CaseOutcome outcome, bool may_go_better);
-  [[noreturn]] void give_up();
 
   const LocalPoolOptions& options_;
   const std::vector<CaseRequest>& requests_;
@@ -67,22 +71,21 @@ class PoolRun {
 
 void PoolRun::work(const std::atomic<bool>& stop) {
   while (ended_ < requests_.size()) {
-    if (stop) give_up();
+    if (stop) throw model::Interrupted();
     fill_seats();
     wait_for_answers();
-    if (stop) give_up();
+    if (stop) throw model::Interrupted();
     for (Seat& seat : seats_)
       if (seat.position) hear(seat);
   }
 }
 
-/// All are told before any is waited for.
-void PoolRun::give_up() {
+PoolRun::~PoolRun() {
+  // All are told before any is waited for.
   for (Seat& seat : seats_)
-    if (seat.worker) seat.worker->interrupt();
+    if (seat.worker && seat.position) seat.worker->interrupt();
   for (Seat& seat : seats_)
-    if (seat.worker) seat.worker->end(kToStop);
-  throw model::Interrupted();
+    if (seat.worker && seat.position) seat.worker->end(kToStop);
 }
 
 void PoolRun::fill_seats() {

@@ -6,6 +6,7 @@
 
 #include "app/byte_size.h"
 #include "app/study_figures.h"
+#include "app/study_output.h"
 #include "engine/model/error.h"
 #include "reports/report.h"
 #include "tests/reports/sample_result.h"
@@ -149,6 +150,21 @@ TEST_CASE("time that many cases take to be known, collected and reused", "[.case
                << std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count()
                << " s");
   }
+}
+
+TEST_CASE("exit codes of a study", "[unit][study]") {
+  using study::Status;
+  const auto code = [](std::initializer_list<Status> statuses, bool recommended = false) {
+    StudyOutcome outcome;
+    for (const Status status : statuses) outcome.table.rows.emplace_back().status = status;
+    if (recommended) outcome.analysis.recommendation.row = 0;
+    return exit_code(outcome);
+  };
+  CHECK(code({Status::pass, Status::fail, Status::lost}, true) == ExitCode::pass);
+  CHECK(code({Status::fail, Status::error, Status::lost}) == ExitCode::fail);
+  CHECK(code({Status::error}) == ExitCode::fail);
+  CHECK(code({Status::fail, Status::indeterminate}) == ExitCode::indeterminate);
+  CHECK(code({Status::lost, Status::error}) == ExitCode::resources);
 }
 
 TEST_CASE("sizes as people write them", "[unit][study]") {

@@ -63,7 +63,8 @@ test('figures are said as in the tables', () => {
   assert.deepEqual([0.05, 12.44, 70, 3725].map(durationText),
     ['0.05 s', '12.4 s', '1 min 10 s', '1 h 02 min']);
   assert.deepEqual([45, 150, 3720].map((s) => clockText(s)), ['45 s', '2:30', '1:02:00']);
-  assert.deepEqual([clockText(150.26, 1), clockText(179.999, 1), clockText(62, 2)], ['2:30.3', '3:00.0', '1:02.00']);
+  assert.deepEqual([clockText(150.26, 1), clockText(179.999, 1), clockText(62, 2)],
+    ['2:30.3', '3:00.0', '1:02.00']);
   assert.equal(percentText(0.99999), '99.99 %');
   const shown = shownFigure({ id: 'x', label: 'moves', unit: '', values: [12345, null] });
   assert.deepEqual([shown.title, shown.cell(12345), shown.cell(null)], ['moves', '12345', '–']);

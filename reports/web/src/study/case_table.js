@@ -20,11 +20,13 @@ export function createCaseTable(board) {
     type: 'button', text: 'Show more', data: { testid: 'study-more' },
     on: { click: () => { state.most += 4 * aPage(); draw(); } },
   });
-  const heads = columns.map((column) => headOf(column, () => {
+  const sortBy = (column) => {
     state.descending = state.column === column && !state.descending;
     state.column = column;
     sort();
-  }));
+  };
+  const heads = columns.map((column) => headOf(column, () => sortBy(column)));
+  const order = sortChoice(columns, state, sortBy);
   const draw = () => {
     const shown = state.rows.slice(0, state.most);
     body.replaceChildren(...shown.map((row) => lineOf(board, columns, row)));
@@ -34,6 +36,7 @@ export function createCaseTable(board) {
   };
   const sort = () => {
     heads.forEach((head, i) => setSorted(head, columns[i] === state.column, state.descending));
+    order.draw();
     state.rows = sortedRows(board.rows(), state.column.order, state.descending);
     draw();
   };
@@ -44,11 +47,26 @@ export function createCaseTable(board) {
   board.onChoice(() => body.querySelectorAll('tr').forEach((line) =>
     line.toggleAttribute('data-chosen', Number(line.dataset.row) === board.chosen())));
   sort();
-  return make('div', { class: 'study-table', data: { testid: 'study-table' } }, [said,
+  return make('div', { class: 'study-table', data: { testid: 'study-table' } }, [said, order.element,
     make('div', { class: 'scroll' }, [make('table', { role: 'table' }, [
       make('caption', { text: 'Settings and figures; a click on a head sorts' }),
       make('thead', { role: 'rowgroup' }, [make('tr', { role: 'row' }, heads)]), body,
     ])]), more]);
+}
+
+/** For a narrow page, whose table has no heads. */
+function sortChoice(columns, state, sortBy) {
+  const select = make('select', { on: { change: () => sortBy(columns[Number(select.value)]) } },
+    columns.map(({ title }, i) => make('option', { value: String(i), text: title })));
+  const turn = make('button', { type: 'button', on: { click: () => sortBy(state.column) } });
+  const element = make('div', { class: 'study-row study-order' }, [
+    make('label', { class: 'study-choice' }, ['Sorted by ', select]), turn,
+  ]);
+  const draw = () => {
+    select.value = String(columns.indexOf(state.column));
+    turn.textContent = state.descending ? 'falling' : 'rising';
+  };
+  return { element, draw };
 }
 
 function headOf(column, sortBy) {

@@ -18,8 +18,8 @@ namespace limitgauge::app {
 /// be used from two threads at a time.
 class CaseRunner {
  public:
-  /// Stages in memory are let go, those not used for longest first, when they take more than
-  /// `most_bytes_kept`; the last ones stay. Where `options` say nothing of when a result was
+  /// Of the stages in memory the last few are kept, those last used, within `most_bytes_kept`: run
+  /// cases that share stages one after the other. Where `options` say nothing of when a result was
   /// created, it is when its case began. `store` must outlive this.
   CaseRunner(const study::Store& store, RunOptions options,
              std::size_t most_bytes_kept = std::size_t{1} << 30);

@@ -22,8 +22,10 @@ void PrefixShelf::put(const std::string& key, std::shared_ptr<const StagePrefix>
   entries_.push_front({key, std::move(prefix), bytes});
   std::size_t sum = 0;
   for (const Entry& kept : entries_) sum += kept.bytes;
-  for (; sum > most_bytes_ && entries_.size() > 1; entries_.pop_back())
-    sum -= entries_.back().bytes;
+  const auto too_many = [&] {
+    return entries_.size() > kMostKept || (sum > most_bytes_ && entries_.size() > 1);
+  };
+  for (; too_many(); entries_.pop_back()) sum -= entries_.back().bytes;
 }
 
 }  // namespace limitgauge::app

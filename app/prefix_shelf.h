@@ -9,10 +9,11 @@
 
 namespace limitgauge::app {
 
-/// Prefixes by their keys, within a bound on their memory: those not used for longest are let go,
-/// but never the one that was put in last.
+/// The last few prefixes by their keys, within a bound on their memory: those not used for longest
+/// are let go, but never the one that was put in last.
 class PrefixShelf {
  public:
+  static constexpr std::size_t kMostKept = 3;
   explicit PrefixShelf(std::size_t most_bytes) : most_bytes_(most_bytes) {}
   /// Nothing where there is none.
   std::shared_ptr<const StagePrefix> find(const std::string& key);

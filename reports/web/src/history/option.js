@@ -25,10 +25,10 @@ export function runsInSight(job, { byTime, zoom }) {
  */
 export function historyOption(job, state, colours, width_px) {
   const left = width_px < NARROW_PX ? 46 : 64;
-  const grid = { left, right: 18, height: PANEL_PX };
+  // All panels stand over the same runs, however wide their labels are.
+  const grid = { left, right: 18, height: PANEL_PX, outerBoundsMode: 'none' };
   return {
     ...commonOption(colours, `Figures of ${job.runs.length} runs of ${job.job}; the table below holds them`),
-    title: [],
     grid: job.series.map((_, i) => ({ ...grid, top: TOP_PX + TITLE_PX + i * (TITLE_PX + PANEL_PX) })),
     tooltip: tooltip(job, state, colours),
     axisPointer: { link: [{ xAxisIndex: 'all' }], lineStyle: { color: colours.soft } },
@@ -62,7 +62,7 @@ function tooltip(job, { byTime }, colours) {
 function runAxis(job, { byTime }, panel, colours, width_px) {
   const isLast = panel === job.series.length - 1;
   const label = {
-    show: isLast, color: colours.soft, fontSize: 13, hideOverlap: true,
+    show: isLast, color: colours.soft, fontSize: 13, lineHeight: 17, hideOverlap: true,
     formatter: byTime ? undefined : (index) => axisName(job.runs[Number(index)]),
   };
   const common = { gridIndex: panel, axisLabel: label, splitLine: { show: false } };

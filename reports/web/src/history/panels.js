@@ -60,7 +60,7 @@ function bandSeries(job, series, { byTime }, colours, axes) {
 /** As it was for each run: a gate may have been changed. */
 function limitSeries(job, series, { byTime }, colours, axes) {
   return {
-    ...axes, type: 'line', silent: true, step: 'middle', showSymbol: false, z: 2,
+    ...axes, type: 'line', silent: true, step: 'middle', symbol: 'none', z: 2,
     lineStyle: { color: colours.ink, width: 1.5, type: [6, 4] },
     data: series.values.map((value, index) => [
       placeOf(job.runs[index], byTime), value?.limit === undefined ? null : value.limit * series.scale.factor]),
@@ -105,7 +105,9 @@ export function panelExtent(series, first, last) {
   if (low > high) return [0, 1];
   const isCoverage = series.metric === 'coverage';
   if (series.source === 'certified') low = Math.min(low, 0);
-  if (limit > 0 && limit > high && limit <= 4 * Math.max(high, 1e-9)) high = limit;
+  if (limit > high && limit <= 4 * high) high = limit;
+  // What is next to nothing against the limit must not look like a change.
+  if (series.source === 'certified') high = Math.max(high, limit / 20);
   if (isCoverage && limit > 0) low = Math.min(low, limit);
   const margin = high > low ? 0.08 * (high - low) : Math.max(0.01 * Math.abs(high), 1e-6);
   return [low === 0 ? 0 : low - margin, isCoverage ? Math.min(100, high + margin) : high + margin];

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -41,12 +45,17 @@ Json key_json(const study::Table& table, std::size_t key) {
           {"of", settings.of()}};
 }
 
+/// Seven digits: what no chart and no cell shows would be half of the page.
+double drawn(double value) {
+  return std::strtod(fmt::format("{:.7g}", value).c_str(), nullptr);
+}
+
 Json figure_json(const study::Table& table, std::size_t figure) {
   const study::Figure& what = table.figures[figure];
   Json values = Json::array();
   for (const study::Row& row : table.rows) {
     const std::optional<double>& value = row.figures.at(figure);
-    values.push_back(value ? Json(finite(what.id, *value)) : Json());
+    values.push_back(value ? Json(drawn(finite(what.id, *value))) : Json());
   }
   return {{"id", clean_text(what.id)},
           {"label", clean_text(what.label)},

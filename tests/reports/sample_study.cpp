@@ -143,6 +143,7 @@ SampleStudy hostile_study() {
     study::Row& row = table.rows[i];
     row.asked.settings[0] = {"\"=cmd|' /C calc'!A" + std::to_string(i) + markup + "\"", {}};
     row.asked.settings[1] = {"-0.5", -0.5};
+    row.asked.settings[2] = {"\"=1+1\"", {}};
     row.status = i == 0 ? Status::fail : i == 1 ? Status::indeterminate : Status::error;
     row.reason = "\t-1+" + markup + "\r\nsecond \x01 line";
   }

@@ -62,7 +62,7 @@ TEST_CASE("study.csv holds a line a case, its figures in all their digits", "[un
   CHECK(contains(text, ",key,reused,attempts,seconds\r\n0,pass,\"\",0.2,0.002,0.2,"));
   // A case without figures has empty cells for them, and its reason.
   CHECK(contains(
-      text, "\r\n20,lost,\"the process was ended by signal 9 (killed)\",0.3,0.002,0.5,,,,,,,,"));
+      text, "\r\n20,lost,\"the process was ended by signal 9 (killed)\",0.3,0.01,0.5,,,,,,,,"));
 }
 
 TEST_CASE("study.csv: texts that a spreadsheet would reckon out are harmless, numbers stay numbers",
@@ -71,8 +71,9 @@ TEST_CASE("study.csv: texts that a spreadsheet would reckon out are harmless, nu
   CHECK(contains(text, ",\"'@key"));
   CHECK(contains(text, ",\"'-key\xEF\xBF\xBD\","));
   CHECK(contains(text, ",\"'+machining"));
-  CHECK(contains(text, "\"'\"\"=cmd|'"));
-  CHECK(contains(text, ",-0.5,0.2,"));
+  // In the quotes of TOML it is text already.
+  CHECK(contains(text, ",\"\"\"=cmd|'"));
+  CHECK(contains(text, ",-0.5,\"'=1+1\","));
   CHECK(contains(text, "\"'\t-1+"));
   for (const char* raw : {",\"=", ",\"@", ",\"-", ",\"+"}) CHECK_FALSE(contains(text, raw));
 }
@@ -171,7 +172,9 @@ TEST_CASE("study.html: what the script reads is what the table holds", "[unit]")
       CHECK(key["settings"][key["of"][i].get<std::size_t>()][1] == *row.asked.settings[k].number);
     }
     const Json& uncut = data["figures"][1]["values"][i];
-    CHECK((row.figures[1] ? uncut == *row.figures[1] : uncut.is_null()));
+    REQUIRE(uncut.is_null() == !row.figures[1]);
+    // Seven digits of each figure are drawn.
+    if (row.figures[1]) CHECK(uncut.get<double>() == Approx(*row.figures[1]).epsilon(1e-6));
   }
   CHECK(data["own"] == 19);
 }
@@ -211,7 +214,7 @@ TEST_CASE("study.html of 10,008 cases: listed are the best 200, written in a sec
   const std::string table = words.substr(words.find("<section id=\"cases\""));
   CHECK(occurrences(table.substr(0, table.find("</section>")), "<tr role=\"row\"") == 201);
   CHECK(data_of(page)["cases"].size() == 10'008);
-  // Without the script; measured: 1.3 MB, 0.15 s.
+  // Without the script. Measured: 1.2 MB; with the JSON read back 0.7 s on a busy machine.
   CHECK(page.size() - embedded::study_js().size() < 3'000'000);
   CHECK(seconds < 5);
 }

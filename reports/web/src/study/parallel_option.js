@@ -102,7 +102,9 @@ function statusLines(board, quantities, look, status, colours) {
       data.push({ value: valuesOf(quantities, row), row });
   return {
     type: 'parallel', name: look.word, id: look.word, data, smooth: false,
-    inactiveOpacity: 0.04, activeOpacity: opacityFor(study.count),
+    inactiveOpacity: Math.min(0.04, opacityFor(study.count) / 4), activeOpacity: opacityFor(study.count),
+    // To find which of thousands of lines the pointer is at takes longer than drawing them.
+    silent: study.count > MOST_LIVE,
     lineStyle: {
       color: colours[look.colour], width: study.count > FEW ? 1 : 1.4, opacity: opacityFor(study.count),
       // Thousands of dashed lines would take seconds to draw; the last axis tells them apart.

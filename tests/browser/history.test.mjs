@@ -37,7 +37,7 @@ test('hovering says all of a run, clicking pins it, in the table too', () =>
     const words = await tip.innerText();
     assert.ok(words.includes(runs.at(-1).commit), 'the commit');
     for (const { stage, label } of series) assert.ok(words.includes(`${stage} ${label}`.trim()));
-    assert.match(words, /finish uncut: \[7, 8\] µm, limit 10 µm, (same|better)/);
+    assert.match(words, /finish uncut: \[7\.0, 8\.0\] µm, limit 10 µm, (same|better)/);
     await page.mouse.click(...at);
     assert.equal((await stateOf(page)).pinned, 40);
     assert.match(await panelOf(page).innerText(), /Run 40/);
@@ -126,7 +126,7 @@ for (const name of ['forty', 'two-jobs', 'one', 'hostile'])
 test('without a script the table says all, and on paper nothing wants a pointer', async () => {
   await withReport(browser, 'forty', { javaScriptEnabled: false }, async (page) => {
     assert.equal(await page.locator('tr[data-run]').count(), 40);
-    assert.match(await page.locator('#run-7').innerText(), /\[27, 28\]/);
+    assert.match(await page.locator('#run-7').innerText(), /\[27\.0, 28\.0\]/);
   });
   await withReport(browser, 'forty', {}, async (page) => {
     await drawn(page);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -64,6 +65,15 @@ struct StudyCommand {
   std::filesystem::path study;
   std::filesystem::path output;  ///< empty: limitgauge-out/NAME
   std::string engine = "local";
+  unsigned jobs = 0;  ///< cases at a time; 0: as many as the engine takes by itself
+  unsigned retries = 2;
+  std::filesystem::path cache;  ///< empty: the user's own
+  std::uint64_t cache_limit_bytes = std::uint64_t{4} << 30;
+  std::vector<std::string> slurm_options;
+  /// Of a process that runs cases for another one: where its tasks come from, `-` for standard
+  /// input; `study` is the job then. Empty: this is no such process.
+  std::string worker;
+  std::uint64_t worker_keeps_bytes = 0;  ///< of stages in memory
 };
 struct HistoryCommand {
   std::filesystem::path file;

@@ -37,6 +37,8 @@ void CommandDefinition::add_compare() {
       ->allow_extra_args(false);
   add_common(sub);
   hide_unused(sub);
+  sub.get_option("--verbose")->group("Options")->description("List every figure");
+  sub.get_option("--force")->group("Options");
 }
 
 }  // namespace limitgauge::app

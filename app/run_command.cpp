@@ -1,10 +1,8 @@
-#include <chrono>
-#include <ctime>
 #include <ostream>
-#include <sstream>
 
 #include "app/commands.h"
 #include "app/job_reader.h"
+#include "app/now_utc.h"
 #include "app/output_folder.h"
 #include "app/pipeline.h"
 #include "app/progress.h"
@@ -15,15 +13,6 @@
 
 namespace limitgauge::app {
 namespace {
-
-std::string now_utc() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  std::ostringstream text;
-  text << std::put_time(&parts, "%Y-%m-%dT%H:%M:%SZ");
-  return text.str();
-}
 
 RunOptions options_for(const CommonOptions& common, const Console& console,
                        ProgressLine& progress) {

@@ -14,25 +14,61 @@ namespace {
 using record::Metric;
 using record::Source;
 using record::StageMeasures;
+using verifier::Interval;
 
-std::string why_certified(const FigureChange& change) {
-  if (wholly_above(change.now, change.base))
-    return "proved: the new interval lies wholly above the old one";
-  if (wholly_above(change.base, change.now))
-    return "proved: the new interval lies wholly below the old one";
+/// How far the samples go to the side of a figure.
+double sampled_extreme(const Metric& metric, const Interval& sampled) {
+  return metric.id == "gouge_mm" ? -sampled.low : sampled.high;
+}
+
+/// Three readings that agree: the place that is proved to be reached, the bound that is promised,
+/// and the extreme of the samples, which are exact and lie in the same places in both runs.
+/// Intervals that overlap may hide a change that they show; and where nothing changed, no sample
+/// did.
+bool all_rose(const Metric& metric, const StageMeasures& from, const StageMeasures& to,
+              const Fineness& fineness) {
+  if (!from.sampled_mm || !to.sampled_mm) return false;
+  const double floor = sample_floor_mm(fineness);
+  const Interval was = metric.of(from), is = metric.of(to);
+  return is.low - was.low > floor && is.high - was.high > floor &&
+         sampled_extreme(metric, *to.sampled_mm) - sampled_extreme(metric, *from.sampled_mm) >
+             floor;
+}
+
+void judge_certified(FigureChange& change, const StageMeasures& base, const StageMeasures& now,
+                     const Fineness& fineness) {
+  const Metric& metric = *change.metric;
+  change.judgement = judge_figure(metric, change.base, change.now, fineness);
   const double promise = change.now.high - change.base.high;
   const std::string floor = stated_length(*change.floor);
-  if (change.judgement == Judgement::same)
-    return "the intervals meet, and the bound that is promised moved by no more than " + floor +
-           ", the resolution";
-  return std::string("the bound that is promised ") + (promise > 0 ? "grew" : "fell") + " by " +
-         measured_length(std::abs(promise)) + ", more than the resolution of " + floor;
+  if (wholly_above(change.now, change.base)) {
+    change.why = "proved: the new interval lies wholly above the old one";
+  } else if (wholly_above(change.base, change.now)) {
+    change.why = "proved: the new interval lies wholly below the old one";
+  } else if (change.judgement != Judgement::same) {
+    change.why = std::string("the bound that is promised ") + (promise > 0 ? "grew" : "fell") +
+                 " by " + measured_length(std::abs(promise)) + ", more than the resolution of " +
+                 floor;
+  } else if (all_rose(metric, base, now, fineness)) {
+    change.judgement = Judgement::worse;
+    change.why =
+        "the depth reached, the bound promised and the deepest sample all grew by more than " +
+        stated_length(sample_floor_mm(fineness));
+  } else if (all_rose(metric, now, base, fineness)) {
+    change.judgement = Judgement::better;
+    change.why =
+        "the depth reached, the bound promised and the deepest sample all fell by more than " +
+        stated_length(sample_floor_mm(fineness));
+  } else {
+    change.why = "the intervals meet, and the bound promised moved by no more than " + floor +
+                 ", the resolution";
+  }
 }
 
 std::string why_measured(const Metric& metric) {
   if (metric.id == "coverage") return "samples on the rim of a limit change sides";
   if (metric.id.starts_with("voxel_")) return "no finer than the stock's voxels";
-  return "no statistic moves further than the deviation does somewhere";
+  return "of exact samples in the same places; the floor is a tenth of the resolution";
 }
 
 /// Longer is worse only from the stated limit on, shorter is better as soon as it is not rounding.
@@ -51,8 +87,10 @@ void judge_time(FigureChange& change, const Options& options) {
     change.judgement = grown > 0 ? Judgement::worse : Judgement::better;
 }
 
-void judge(FigureChange& change, const Fineness& fineness, const Options& options) {
+void judge(FigureChange& change, const StageMeasures& base, const StageMeasures& now,
+           const Options& options) {
   const Metric& metric = *change.metric;
+  const Fineness fineness = fineness_of(base, now);
   if (metric.source == Source::effort) {
     change.why = "of this program on its machine; never judged";
   } else if (metric.better == record::Better::neither) {
@@ -63,8 +101,9 @@ void judge(FigureChange& change, const Fineness& fineness, const Options& option
     judge_time(change, options);
   } else {
     change.floor = noise_floor(metric, change.base.high, fineness);
+    if (metric.source == Source::certified) return judge_certified(change, base, now, fineness);
     change.judgement = judge_figure(metric, change.base, change.now, fineness);
-    change.why = metric.source == Source::certified ? why_certified(change) : why_measured(metric);
+    change.why = why_measured(metric);
   }
 }
 
@@ -84,14 +123,13 @@ std::optional<FoundPlace> deepest(const FigureChange& change,
 
 std::vector<FigureChange> compare_figures(const StageMeasures& base, const StageMeasures& now,
                                           const Options& options) {
-  const Fineness fineness = fineness_of(base, now);
   std::vector<FigureChange> out;
   for (const Metric& metric : record::stage_metrics()) {
     FigureChange change;
     change.metric = &metric;
     change.base = metric.of(base);
     change.now = metric.of(now);
-    judge(change, fineness, options);
+    judge(change, base, now, options);
     const bool is_gouge = metric.id == "gouge_mm";
     change.where =
         deepest(change, is_gouge ? base.gouges : base.uncuts, is_gouge ? now.gouges : now.uncuts);

@@ -201,10 +201,16 @@ void write_html(const Comparison& comparison, std::ostream& out) {
       << "<main id=\"figures\" tabindex=\"-1\">\n";
   for (std::size_t i = 0; i < comparison.stages.size(); ++i)
     out << stage_section(comparison.stages[i], i);
-  out << "</main>\n<footer>A figure is worse or better where its change is beyond the noise floor: "
-         "the widest certified interval that either run accepted, 0.1 points of coverage, a voxel "
-         "for what was read off the stock. A certified figure is also where the two intervals do "
-         "not meet. What is not judged is shown for information.</footer>\n"
+  out << "</main>\n<footer>A figure is worse or better where it changed beyond its noise floor: "
+         "for certified figures "
+         "the widest certified interval that either run accepted, for statistics of the deviation "
+         "a "
+         "tenth of it, 0.1 points of coverage, a voxel for what was read off the stock. A "
+         "certified "
+         "figure is also where the two intervals do not meet, and where the depth reached, the "
+         "bound "
+         "promised and the deepest sample all moved the same way. What is not judged is shown for "
+         "information.</footer>\n"
       << html::shell_end({}, {});
 }
 

@@ -19,21 +19,20 @@ constexpr double kCoverageFloor = 0.001;
 /// Lengths and times of a path are exact but for the digits of its program.
 constexpr double kPlannedFloor = 0.001;
 
-/// By how much `now` is worse than `base`; below zero where it is better.
-double harm(const Metric& metric, double base, double now) {
-  switch (metric.better) {
-    case Better::higher:
-      return base - now;
-    case Better::nearer_zero:
-      return std::abs(now) - std::abs(base);
-    default:
-      return now - base;
-  }
-}
+/// Samples are exact: what is left is what matters, a hundredth of the gate where the resolution is
+/// a tenth of it.
+constexpr double kSampleShare = 0.1;
 
 Judgement by_floor(double harm, double floor) {
   if (harm > floor) return Judgement::worse;
   return harm < -floor ? Judgement::better : Judgement::same;
+}
+
+/// Gouge before uncut: what is cut away cannot be put back. Turned round, it says the contrary.
+Judgement by_side(double base, double now, double floor) {
+  const Judgement gouge = by_floor(std::max(-now, 0.0) - std::max(-base, 0.0), floor);
+  if (gouge != Judgement::same) return gouge;
+  return by_floor(std::max(now, 0.0) - std::max(base, 0.0), floor);
 }
 
 }  // namespace
@@ -46,11 +45,16 @@ Fineness fineness_of(const record::StageMeasures& base, const record::StageMeasu
   return {std::max(base.resolution_mm, now.resolution_mm), std::max(base.voxel_mm, now.voxel_mm)};
 }
 
+double sample_floor_mm(const Fineness& fineness) {
+  return std::max(kSampleShare * fineness.resolution_mm, kRounding_mm);
+}
+
 double noise_floor(const Metric& metric, double base, const Fineness& fineness) {
   if (metric.source == Source::planned) return kPlannedFloor * std::abs(base);
   if (metric.id == "coverage") return kCoverageFloor;
-  const bool is_of_stock = metric.id.starts_with("voxel_");
-  return std::max(is_of_stock ? fineness.voxel_mm : fineness.resolution_mm, kRounding_mm);
+  if (metric.id.starts_with("voxel_")) return std::max(fineness.voxel_mm, kRounding_mm);
+  if (metric.source == Source::certified) return std::max(fineness.resolution_mm, kRounding_mm);
+  return sample_floor_mm(fineness);
 }
 
 /// The truth of either run may lie anywhere in its interval, so bounds alone say little: a change
@@ -65,7 +69,10 @@ Judgement judge_figure(const Metric& metric, const Interval& base, const Interva
     if (wholly_above(now, base)) return Judgement::worse;
     if (wholly_above(base, now)) return Judgement::better;
   }
-  return by_floor(harm(metric, base.high, now.high), noise_floor(metric, base.high, fineness));
+  const double floor = noise_floor(metric, base.high, fineness);
+  if (metric.better == Better::nearer_zero) return by_side(base.high, now.high, floor);
+  const double grown = now.high - base.high;
+  return by_floor(metric.better == Better::higher ? -grown : grown, floor);
 }
 
 }  // namespace limitgauge::reports::compare

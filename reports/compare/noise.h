@@ -15,6 +15,9 @@ Fineness fineness_of(const record::StageMeasures& base, const record::StageMeasu
 /// before.
 double noise_floor(const record::Metric& metric, double base, const Fineness& fineness);
 
+/// Up to where a statistic of sampled deviations says nothing.
+double sample_floor_mm(const Fineness& fineness);
+
 /// The rule for one figure; docs/compare.md has it with its reasons. Not judged where neither way
 /// is better, and for what the running took.
 Judgement judge_figure(const record::Metric& metric, const verifier::Interval& base,

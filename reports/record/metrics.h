@@ -7,7 +7,8 @@
 
 namespace limitgauge::reports::record {
 
-/// Which way a figure is better. `nearer_zero`: signed deviations, which may err to either side.
+/// Which way a figure is better. `nearer_zero`: signed deviations; on either side of zero, but what
+/// is gouged cannot be put back.
 enum class Better { lower, higher, nearer_zero, neither };
 
 /// Where a figure comes from, and so how far it can be trusted.

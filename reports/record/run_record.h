@@ -52,6 +52,9 @@ struct StageMeasures {
   double resolution_mm = 0;               ///< widest certified interval that was asked for
   bool reached_resolution = true;
   double coverage = 0, mean_mm = 0, rms_mm = 0, p01_mm = 0, p50_mm = 0, p99_mm = 0;
+  /// Least and greatest of the deviations sampled, negative for gouges; empty where the result does
+  /// not say.
+  std::optional<verifier::Interval> sampled_mm;
   double voxel_mm = 0, voxel_gouge_mm = 0, voxel_uncut_mm = 0;
   double unreachable_area_mm2 = 0, unavoidable_uncut_mm = 0;
   bool findings_complete = true;

@@ -29,6 +29,15 @@ void read_simulation(const JsonValue& simulation, StageMeasures& out) {
   out.peak_memory_bytes = simulation["peak_memory_bytes"].count();
 }
 
+/// The ends of the histogram are those of the samples.
+std::optional<verifier::Interval> read_sampled(const JsonValue& deviation) {
+  const std::vector<JsonValue> edges = deviation["histogram"]["edges_mm"].items();
+  if (edges.empty()) return std::nullopt;
+  const verifier::Interval out{edges.front().number(), edges.back().number()};
+  if (out.low > out.high) deviation["histogram"].refuse("falls", "edges that rise");
+  return out;
+}
+
 void read_statistics(const JsonValue& deviation, StageMeasures& out) {
   out.coverage = deviation["coverage"].share();
   out.mean_mm = deviation["mean_mm"].number();
@@ -36,6 +45,7 @@ void read_statistics(const JsonValue& deviation, StageMeasures& out) {
   out.p01_mm = deviation["p01_mm"].number();
   out.p50_mm = deviation["p50_mm"].number();
   out.p99_mm = deviation["p99_mm"].number();
+  out.sampled_mm = read_sampled(deviation);
   out.voxel_gouge_mm = deviation["voxel_gouge_mm"].length();
   out.voxel_uncut_mm = deviation["voxel_uncut_mm"].length();
   out.unreachable_area_mm2 = deviation["unreachable_area_mm2"].length();

@@ -166,7 +166,7 @@ TEST_CASE("Every key that is needed is missed when it is gone", "[property][reco
                                            "seconds",
                                            "memory_bytes",
                                            "sampling_interval",
-                                           "histogram",
+
                                            "rapid_collisions",
                                            "holder_collisions"};
   const Json schema = Json::parse(result_schema());

@@ -109,6 +109,13 @@ void judge(const Column& column, const Figures& before, const Figures& now,
   cell.judgement = compare::judge_figure(*column.known, earlier, *cell.value, fineness);
 }
 
+/// The time of a run that stopped at a stage is that of another job: nothing to judge by.
+bool is_comparable(const Column& column, const history::Entry& run) {
+  return !column.stage.empty() ||
+         std::none_of(run.stages.begin(), run.stages.end(),
+                      [](const history::StageVerdict& one) { return one.verdict == "not_run"; });
+}
+
 JobHistory history_of(std::span<const history::Entry* const> runs, const Choice& choice) {
   JobHistory job{runs.front()->job, columns_of(runs, choice), {}};
   // Of each column the last run that has it: what the next one is held against.
@@ -126,6 +133,7 @@ JobHistory history_of(std::span<const history::Entry* const> runs, const Choice&
       Cell& cell = run.cells[i];
       cell.value = found->second;
       cell.limit = limit_of(now, column);
+      if (!is_comparable(column, *entry)) continue;
       if (last[i] != nullptr)
         judge(column, *last[i], now, last[i]->at({column.stage, column.metric}), cell);
       last[i] = &now;

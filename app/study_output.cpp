@@ -84,7 +84,8 @@ void print_recommendation(const StudyOutcome& outcome, std::ostream& out) {
     for (std::size_t i = 0; i < row.asked.settings.size(); ++i)
       out << "  " << outcome.table.keys[i] << " = " << row.asked.settings[i].toml << '\n';
   }
-  if (!recommended.reason.empty()) out << reports::clean_text(recommended.reason) << '\n';
+  for (const std::string& said : {recommended.reason, outcome.analysis.search_ending})
+    if (!said.empty()) out << reports::clean_text(said) << '\n';
 }
 
 }  // namespace

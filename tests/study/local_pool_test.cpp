@@ -172,11 +172,11 @@ TEST_CASE("cases wait for memory, by what others took", "[unit][study]") {
   const auto most_at_once = [&](std::uint64_t forecast, std::uint64_t peak) {
     const fs::path own = folder.path() / std::to_string(forecast) / std::to_string(peak);
     fs::create_directories(own);
-    LocalPoolOptions options = shell_pool(
-        own,
-        "mkdir \"$folder/at-$index\"; ls -d \"$folder\"/at-* 2>/dev/null | wc -l >> \"$folder/seen\"; "
-        "sleep 0.05; rmdir \"$folder/at-$index\"; say done " +
-            std::to_string(peak) + " ''");
+    LocalPoolOptions options = shell_pool(own,
+                                          "mkdir \"$folder/at-$index\"; ls -d \"$folder\"/at-* "
+                                          "2>/dev/null | wc -l >> \"$folder/seen\"; "
+                                          "sleep 0.05; rmdir \"$folder/at-$index\"; say done " +
+                                              std::to_string(peak) + " ''");
     options.workers = 4;
     options.memory_bytes = 1000;
     options.forecast_bytes = [forecast](const CaseRequest&) { return forecast; };

@@ -59,7 +59,7 @@ TEST_CASE("history lists runs and writes page, table and figures", "[unit][histo
   CHECK(said.code == 0);
   CHECK(said.errors.empty());
   CHECK_THAT(said.out, ContainsSubstring("part: 2 runs") && ContainsSubstring("other: 1 run\n") &&
-                           ContainsSubstring("[20, 21] ↑ worse") &&
+                           ContainsSubstring("[20.0, 21.0] ↑ worse") &&
                            ContainsSubstring("page: " + at.out + "/history.html"));
   for (const char* name : {"history.html", "history.csv", "history.json"})
     CHECK(fs::file_size(fs::path(at.out) / name) > 100);

@@ -1,6 +1,7 @@
 #include "app/case_memory.h"
 
 #include <algorithm>
+#include <map>
 
 #include "app/case_reading.h"
 #include "app/case_runner.h"
@@ -42,11 +43,27 @@ std::size_t CaseMemory::forecast_bytes() const {
                                   kGridShare * static_cast<double>(grid_bytes));
 }
 
-std::size_t forecast_bytes(const std::filesystem::path& job,
-                           std::span<const std::string> overrides) {
+struct CaseForecast::Known {
   KnownFiles files;
-  const ReadCase asked = read_case(job, overrides, files);
-  return measure_case(asked.job, files.surface(asked.job)).forecast_bytes();
+  std::map<std::string, std::size_t> bytes;  ///< by key of the model and of the first stage
+};
+
+CaseForecast::CaseForecast() : known_(std::make_unique<Known>()) {}
+CaseForecast::~CaseForecast() = default;
+CaseForecast::CaseForecast(CaseForecast&&) noexcept = default;
+CaseForecast& CaseForecast::operator=(CaseForecast&&) noexcept = default;
+
+std::size_t CaseForecast::bytes(const std::filesystem::path& job,
+                                std::span<const std::string> overrides) {
+  const ReadCase asked = read_case(job, overrides, known_->files);
+  const std::vector<std::string>& prefixes = asked.keys.prefixes;
+  const std::string key = asked.model + (prefixes.empty() ? asked.keys.prefix : prefixes.front());
+  const auto found = known_->bytes.find(key);
+  if (found != known_->bytes.end()) return found->second;
+  const std::size_t bytes =
+      measure_case(asked.job, known_->files.surface(asked.job)).forecast_bytes();
+  known_->bytes.emplace(key, bytes);
+  return bytes;
 }
 
 }  // namespace limitgauge::app

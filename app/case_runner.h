@@ -47,9 +47,22 @@ class CaseRunner {
   std::unique_ptr<Kept> kept_;
 };
 
-/// Memory that a process which runs this case, and then others like it, takes at its peak, about:
-/// to choose how many may run beside each other. Throws InputError, ResourceError.
-std::size_t forecast_bytes(const std::filesystem::path& job,
-                           std::span<const std::string> overrides);
+/// Forecasts the memory of case after case. Stock and model of a first stage are built for it, a
+/// second or two of work: cases that share the stage share the forecast.
+class CaseForecast {
+ public:
+  CaseForecast();
+  ~CaseForecast();
+  CaseForecast(CaseForecast&&) noexcept;
+  CaseForecast& operator=(CaseForecast&&) noexcept;
+
+  /// Memory that a process which runs this case, and then others like it, takes at its peak, about:
+  /// to choose how many may run beside each other. Throws InputError, ResourceError.
+  std::size_t bytes(const std::filesystem::path& job, std::span<const std::string> overrides);
+
+ private:
+  struct Known;
+  std::unique_ptr<Known> known_;
+};
 
 }  // namespace limitgauge::app

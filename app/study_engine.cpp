@@ -30,9 +30,10 @@ void add(std::vector<std::string>& command, const std::string& option, const std
 }
 
 /// A case that cannot be forecast is one that cannot be run either: it is tried, and says why.
-std::uint64_t forecast_of(const fs::path& job, const study::CaseRequest& request) {
+std::uint64_t forecast_of(CaseForecast& forecast, const fs::path& job,
+                          const study::CaseRequest& request) {
   try {
-    return forecast_bytes(job, request.overrides);
+    return forecast.bytes(job, request.overrides);
   } catch (const std::exception&) {
     return 0;
   }
@@ -47,9 +48,10 @@ std::unique_ptr<study::Executor> local_pool(const StudyCommand& command,
   options.retries = command.retries;
   options.memory_bytes = static_cast<std::uint64_t>(
       kShareOfMemory * static_cast<double>(study::available_memory_bytes()));
-  options.forecast_bytes = [job](const study::CaseRequest& request) {
-    return forecast_of(job, request);
-  };
+  options.forecast_bytes =
+      [job, forecast = std::make_shared<CaseForecast>()](const study::CaseRequest& request) {
+        return forecast_of(*forecast, job, request);
+      };
   options.note = note;
   // The file that runs, even where another has taken its name since.
   options.worker = worker_command("/proc/self/exe", job, store);

@@ -309,8 +309,9 @@ TEST_CASE("of stages in memory those last used are kept", "[unit][study]") {
 TEST_CASE("the forecast of a case grows with its stock's level set and the model",
           "[unit][study]") {
   const Cases cases(job_of(kPrograms));
+  CaseForecast known;
   const auto forecast = [&](const std::string& override) {
-    return static_cast<double>(forecast_bytes(cases.file(), Overrides{override}));
+    return static_cast<double>(known.bytes(cases.file(), Overrides{override}));
   };
   const double coarse = forecast("simulation.voxel=0.1"), fine = forecast("simulation.voxel=0.025");
   CHECK(coarse > 30e6);
@@ -318,6 +319,8 @@ TEST_CASE("the forecast of a case grows with its stock's level set and the model
   // Sixteen times the surface in voxels, and what the tables of a tree take in any case.
   CHECK(fine - coarse > 5e6);
   CHECK(forecast("surface.precision=0.0005") > forecast("surface.precision=0.05"));
+  // What is known of one case is not said of another.
+  CHECK(forecast("simulation.voxel=0.1") == coarse);
 }
 
 }  // namespace limitgauge::app

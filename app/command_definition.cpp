@@ -77,7 +77,7 @@ void CommandDefinition::add_run() {
   file(sub.add_option("JOB", parsed_.run.job, "Job file (TOML)"), "toml")->required();
   folder(sub.add_option("-o,--output", parsed_.run.output,
                         "Output folder (default: limitgauge-out/NAME)"));
-  add_history_options(sub);
+  add_history_options(sub, parsed_.run.history);
   add_common(sub);
 }
 
@@ -162,6 +162,7 @@ void CommandDefinition::add_verify() {
       ->check(finite_number());
   folder(sub.add_option("-o,--output", verify.output,
                         "Output folder (default: limitgauge-out/NAME of the program)"));
+  add_history_options(sub, verify.history);
   add_common(sub);
 }
 

@@ -50,8 +50,9 @@ class CommandDefinition {
   void add_inspect();
   void add_compare();
   void add_study();
+  void add_study_engine(CLI::App& sub);
   void add_history();
-  void add_history_options(CLI::App& run);
+  void add_history_options(CLI::App& run, HistoryOptions& history);
   void add_view();
   OptionReference reference(const CLI::Option& option) const;
   CommandReference reference(const CLI::App& app) const;

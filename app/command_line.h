@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -44,6 +45,7 @@ struct VerifyCommand {
   std::vector<std::filesystem::path> fixtures;
   verifier::GateLimits limits;
   std::filesystem::path output;  ///< empty: limitgauge-out/STEM of the program
+  HistoryOptions history;
 };
 struct InspectCommand {
   std::filesystem::path file;
@@ -63,10 +65,23 @@ struct StudyCommand {
   std::filesystem::path study;
   std::filesystem::path output;  ///< empty: limitgauge-out/NAME
   std::string engine = "local";
+  unsigned jobs = 0;  ///< cases at a time; 0: as many as the engine takes by itself
+  unsigned retries = 2;
+  std::filesystem::path cache;  ///< empty: the user's own
+  std::uint64_t cache_limit_bytes = std::uint64_t{4} << 30;
+  std::vector<std::string> slurm_options;
+  /// Of a process that runs cases for another one: where its tasks come from, `-` for standard
+  /// input; `study` is the job then. Empty: this is no such process.
+  std::string worker;
+  std::uint64_t worker_keeps_bytes = 0;  ///< of stages in memory
 };
 struct HistoryCommand {
   std::filesystem::path file;
-  std::filesystem::path output;  ///< empty: limitgauge-out/STEM of the file
+  std::filesystem::path output;              ///< empty: limitgauge-out/STEM of the file
+  std::string job;                           ///< empty: all of them
+  std::vector<std::string> stages, metrics;  ///< empty: all stages, the usual figures
+  int last = 0;                              ///< runs at most, the newest; never zero once parsed
+  std::string since;                         ///< ISO 8601, UTC, or its beginning; empty: ever
 };
 struct ViewCommand {
   std::filesystem::path folder;  ///< of a finished run, or its report.html

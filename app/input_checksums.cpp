@@ -1,36 +1,17 @@
 #include "app/input_checksums.h"
 
-#include <openssl/evp.h>
-
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <system_error>
 
+#include "app/sha256.h"
 #include "engine/model/error.h"
 
 namespace limitgauge::app {
 namespace {
 
 constexpr std::size_t kPiece_bytes = std::size_t(1) << 16;
-
-using Digest = std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)>;
-
-void require(int done) {
-  if (done != 1) throw model::ResourceError("no SHA-256: the cryptographic library failed");
-}
-
-std::string hexadecimal(const unsigned char* bytes, std::size_t count) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string out;
-  for (std::size_t i = 0; i < count; ++i) {
-    out += kDigits[bytes[i] >> 4];
-    out += kDigits[bytes[i] & 15];
-  }
-  return out;
-}
 
 /// All that the job names, in the order of the report; a program stands once however many stages
 /// take a part of it.
@@ -83,34 +64,33 @@ std::string shown_name(const std::string& as_stated) {
 }  // namespace
 
 Checksum checksum(std::istream& in) {
-  const Digest digest(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
-  if (!digest) throw model::ResourceError("no SHA-256: out of memory");
-  require(EVP_DigestInit_ex(digest.get(), EVP_sha256(), nullptr));
+  Sha256 digest;
   Checksum out;
   std::vector<char> piece(kPiece_bytes);
   while (in) {
     in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
     const auto count = static_cast<std::size_t>(in.gcount());
-    require(EVP_DigestUpdate(digest.get(), piece.data(), count));
+    digest.add({piece.data(), count});
     out.bytes += count;
   }
   if (in.bad()) throw model::ResourceError("no SHA-256: a file cannot be read to its end");
-  std::array<unsigned char, EVP_MAX_MD_SIZE> sum{};
-  unsigned length = 0;
-  require(EVP_DigestFinal_ex(digest.get(), sum.data(), &length));
-  out.sha256 = hexadecimal(sum.data(), length);
+  out.sha256 = digest.digits();
   return out;
 }
 
-std::vector<reports::InputFile> input_checksums(const Job& job) {
+Checksum file_checksum(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw model::InputError({file.string(), 0, 0}, "cannot be read", "a file");
+  return checksum(in);
+}
+
+std::vector<reports::InputFile> input_checksums(const Job& job, const FileChecksum& sum_of) {
   std::vector<reports::InputFile> inputs;
   for (const JobFile& file : files_of(job)) {
     // What came through a pipe is gone: no sum is better than that of nothing.
     std::error_code error;
     if (exists(file.path, error) && !is_regular_file(file.path, error)) continue;
-    std::ifstream in(file.path, std::ios::binary);
-    if (!in) throw model::InputError({file.path.string(), 0, 0}, "cannot be read", "a file");
-    Checksum sum = checksum(in);
+    Checksum sum = sum_of(file.path);
     inputs.push_back(
         {name(file.role), shown_name(file.as_stated), sum.bytes, std::move(sum.sha256)});
   }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <istream>
 #include <string>
 #include <vector>
@@ -17,11 +19,15 @@ struct Checksum {
 };
 /// Throws ResourceError where the stream breaks.
 Checksum checksum(std::istream& in);
+/// Of a whole file. Throws InputError where it cannot be read.
+Checksum file_checksum(const std::filesystem::path& file);
+using FileChecksum = std::function<Checksum(const std::filesystem::path& file)>;
 
 /// Every file that the job names and that makes its result: the job file, the cage, the stock,
 /// programs, fixtures, the tool table; each once, named as stated. Of a path from the root only the
 /// file's name is told: the folders of one machine mean nothing elsewhere. Pipes are left out.
 /// Throws InputError for a file that cannot be read.
-std::vector<reports::InputFile> input_checksums(const Job& job);
+std::vector<reports::InputFile> input_checksums(const Job& job,
+                                                const FileChecksum& sum_of = file_checksum);
 
 }  // namespace limitgauge::app

@@ -3,9 +3,12 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "app/job.h"
+#include "app/stock_file.h"
 #include "app/toml_table.h"
 
 namespace limitgauge::app {
@@ -15,7 +18,14 @@ struct JobContext {
   std::filesystem::path folder;  ///< of the job file
   std::vector<std::string> defaulted;
   std::vector<JobFile> sources;
+  StockReaders stock_readers;
 };
+
+/// The table that a job file's text and the overrides make together.
+toml::table merged_job(const std::string& text, const std::string& name_in_errors,
+                       std::span<const std::string> overrides);
+/// The job that such a table states.
+Job read_merged_job(const toml::table& table, JobContext context);
 
 /// A stock from a file is read, too; what is to be said of it goes among the defaults.
 model::Stock read_stock(const toml::table& stock, JobContext& context);

@@ -103,12 +103,20 @@ bool is_plain_name(std::string_view name) {
          std::all_of(name.begin(), name.end(), plain);
 }
 
-Job read_job_text(const std::string& text, const std::string& name_in_errors,
-                  const std::filesystem::path& folder, std::span<const std::string> overrides) {
+toml::table merged_job(const std::string& text, const std::string& name_in_errors,
+                       std::span<const std::string> overrides) {
   toml::table table = parse_toml(text, name_in_errors);
   apply_overrides(table, overrides);
-  JobContext context{folder, {}, {}};
+  return table;
+}
+
+Job read_merged_job(const toml::table& table, JobContext context) {
   return read_root(table, context);
+}
+
+Job read_job_text(const std::string& text, const std::string& name_in_errors,
+                  const std::filesystem::path& folder, std::span<const std::string> overrides) {
+  return read_merged_job(merged_job(text, name_in_errors, overrides), {folder, {}, {}, {}});
 }
 
 Job read_job(const std::filesystem::path& file, std::span<const std::string> overrides) {

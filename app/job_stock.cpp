@@ -46,13 +46,13 @@ model::Stock read_mesh(const toml::table& table, JobContext& context) {
   if (stock.has("translate")) place.translate_mm = stock.vec3("translate");
   const std::filesystem::path file =
       file_of(stock, context, "a closed mesh as STL, OBJ or PLY, in millimetres");
-  return taken(load_mesh_stock(file, stock.text("file"), place), context);
+  return taken(context.stock_readers.mesh(file, stock.text("file"), place), context);
 }
 
 model::Stock read_vdb(const toml::table& table, JobContext& context) {
   const TomlTable stock(table, "[stock]", {"shape", "file"});
   const std::filesystem::path file = file_of(stock, context, "the stock.vdb of an earlier run");
-  return taken(load_vdb_stock(file, stock.text("file")), context);
+  return taken(context.stock_readers.vdb(file, stock.text("file")), context);
 }
 
 }  // namespace

@@ -27,11 +27,11 @@ bool is_empty_folder(const fs::path& path) {
   return fs::is_directory(path) && fs::is_empty(path);
 }
 
-/// A finished run has a result, a comparison its own, a finished plan a toolpath in each of its
-/// folders.
+/// A finished run has a result, a comparison or a listed history its own, a finished plan a
+/// toolpath in each of its folders.
 bool was_written_here(const fs::path& folder) {
   if (!fs::is_directory(folder)) return false;
-  for (const char* mark : {"result.json", "compare.json"})
+  for (const char* mark : {"result.json", "compare.json", "history.json"})
     if (fs::exists(folder / mark)) return true;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (!fs::exists(entry.path() / "toolpath.ngc")) return false;

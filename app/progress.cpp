@@ -46,6 +46,12 @@ void ProgressLine::phase(const Phase& phase) {
   draw();
 }
 
+void ProgressLine::rename(const std::string& what) {
+  if (!shown_) return;
+  const std::lock_guard lock(mutex_);
+  phase_.what = what;
+}
+
 void ProgressLine::update(double fraction) {
   if (!shown_) return;
   const std::lock_guard lock(mutex_);

@@ -30,6 +30,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void phase(const Phase& phase);
+  /// Other words for the same phase: its clock goes on.
+  void rename(const std::string& what);
   void update(double fraction);
   /// Time has passed: draws the line again for its clock.
   void tick();

@@ -1,28 +1,18 @@
-#include <chrono>
-#include <ctime>
 #include <ostream>
-#include <sstream>
 
 #include "app/commands.h"
 #include "app/job_reader.h"
+#include "app/now_utc.h"
 #include "app/output_folder.h"
 #include "app/pipeline.h"
 #include "app/progress.h"
+#include "app/run_history.h"
 #include "app/verify_job.h"
 #include "engine/model/error.h"
 #include "reports/report.h"
 
 namespace limitgauge::app {
 namespace {
-
-std::string now_utc() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  std::ostringstream text;
-  text << std::put_time(&parts, "%Y-%m-%dT%H:%M:%SZ");
-  return text.str();
-}
 
 RunOptions options_for(const CommonOptions& common, const Console& console,
                        ProgressLine& progress) {
@@ -90,10 +80,21 @@ void watched(const CommonOptions& common, const Console& console, const Work& wo
   work(progress);
 }
 
+/// After the result, which must not be lost for the history's sake.
+void add_to_history(const RunHistory& history, const OutputFolder& folder,
+                    const CommonOptions& common, const Console& console) {
+  if (!history.is_kept()) return;
+  const std::int64_t id = history.add(folder.target());
+  if (!common.quiet)
+    console.out << "history: " << history.file().string() << ", run " << id << std::endl;
+}
+
 ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
-                        const CommonOptions& common, const Console& console) {
+                        const HistoryOptions& kept, const CommonOptions& common,
+                        const Console& console) {
   reports::RunResult result;
   OutputFolder folder(output, common.force);
+  const RunHistory history(kept, folder.target());
   watched(common, console, [&](ProgressLine& progress) {
     const RunInputs inputs = load_inputs(job);
     const RunOptions options = options_for(common, console, progress);
@@ -104,6 +105,7 @@ ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
     });
   });
   print_result(result, folder, common, console);
+  add_to_history(history, folder, common, console);
   return exit_code(result.verdict);
 }
 
@@ -116,14 +118,16 @@ std::filesystem::path or_default(const std::filesystem::path& stated, const std:
 ExitCode execute(const RunCommand& command, const CommonOptions& common, const Console& console) {
   Job job = read_job(command.job, common.overrides);
   if (common.no_pictures) job.pictures = false;
-  return run_and_report(job, or_default(command.output, job.name), common, console);
+  return run_and_report(job, or_default(command.output, job.name), command.history, common,
+                        console);
 }
 
 ExitCode execute(const VerifyCommand& command, const CommonOptions& common,
                  const Console& console) {
   Job job = job_of(command);
   if (common.no_pictures) job.pictures = false;
-  return run_and_report(job, or_default(command.output, job.name), common, console);
+  return run_and_report(job, or_default(command.output, job.name), command.history, common,
+                        console);
 }
 
 ExitCode execute(const PlanCommand& command, const CommonOptions& common, const Console& console) {

@@ -42,14 +42,22 @@ std::vector<model::Fixture> load_fixtures(const Job& job) {
 
 }  // namespace
 
-RunInputs load_inputs(const Job& job) {
+JobSurface load_surface(const Job& job) {
   model::Cage cage = load_cage(job);
   verifier::ReferenceSurface surface = make_surface(job, cage);
-  Settings settings = choose_settings(job, surface.bounding_box());
+  return {std::move(cage), std::move(surface)};
+}
+
+RunInputs load_inputs(const Job& job) {
+  return load_inputs(job, load_surface(job));
+}
+
+RunInputs load_inputs(const Job& job, JobSurface surface) {
+  Settings settings = choose_settings(job, surface.surface.bounding_box());
   std::vector<model::Fixture> fixtures = load_fixtures(job);
   auto programs = load_programs(job, settings, fixtures);
-  return {std::move(cage),     std::move(surface),  std::move(settings),
-          std::move(fixtures), std::move(programs), input_checksums(job)};
+  return {std::move(surface.cage), std::move(surface.surface), std::move(settings),
+          std::move(fixtures),     std::move(programs),        input_checksums(job)};
 }
 
 }  // namespace limitgauge::app

@@ -20,7 +20,17 @@ struct RunInputs {
   std::vector<reports::InputFile> files;             ///< what all of this was read from
 };
 
+/// The surface that a job is about.
+struct JobSurface {
+  model::Cage cage;  ///< placed
+  verifier::ReferenceSurface surface;
+};
+/// Throws InputError for a cage that cannot be used.
+JobSurface load_surface(const Job& job);
+
 /// Throws InputError for a cage or program that cannot be used.
 RunInputs load_inputs(const Job& job);
+/// The same with the job's surface, where it is at hand.
+RunInputs load_inputs(const Job& job, JobSurface surface);
 
 }  // namespace limitgauge::app

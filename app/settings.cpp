@@ -88,7 +88,9 @@ double automatic_voxel_mm(const Job& job) {
   }
   if (tightest == std::numeric_limits<double>::infinity())
     tightest = kVoxelWithoutGate_mm / kVoxelsPerGate;
-  const double wanted = std::clamp(kVoxelsPerGate * tightest, kSmallestVoxel_mm, kLargestVoxel_mm);
+  // In whole micrometres, so that the report can say it.
+  const double by_gate = std::round(kVoxelsPerGate * tightest * 1000) / 1000;
+  const double wanted = std::clamp(by_gate, kSmallestVoxel_mm, kLargestVoxel_mm);
   // A grid costs time and memory by the surface of the stock; the verdict comes from the
   // certificate.
   const model::Vec3 size = model::bounding_box(job.stock).size();

@@ -11,16 +11,10 @@
 
 namespace limitgauge::app {
 
-std::optional<engine::surface::ModelFigures> StagePlanner::figures() const {
-  if (!model_) return std::nullopt;
-  return model_->figures();
-}
-
-const engine::surface::FinishModel& StagePlanner::finish_model(const model::RunControl& control) {
-  if (model_) return *model_;
+engine::surface::ModelRequest model_request(const Job& job) {
   engine::surface::ModelRequest request;
-  request.precision_mm = job_.precision_mm;
-  for (const JobStage& stage : job_.stages) {
+  request.precision_mm = job.precision_mm;
+  for (const JobStage& stage : job.stages) {
     // Only rows of a ball move the surface out; they keep away by their tolerance at most beyond.
     if (!stage.plan || stage.plan->cut.strategy != engine::strategy::Strategy::zigzag ||
         stage.cutter.type != model::CutterType::ball)
@@ -29,7 +23,11 @@ const engine::surface::FinishModel& StagePlanner::finish_model(const model::RunC
         std::max(request.largest_offset_mm,
                  stage.cutter.radius_mm() + stage.allowance_mm + stage.plan->cut.tolerance_mm);
   }
-  model_.emplace(inputs_.cage, request, control);
+  return request;
+}
+
+const engine::surface::FinishModel& StagePlanner::finish_model(const model::RunControl& control) {
+  if (!model_) model_.emplace(inputs_.cage, model_request(job_), control);
   return *model_;
 }
 

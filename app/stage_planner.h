@@ -19,18 +19,24 @@ struct PlannedStage {
   std::vector<std::string> ignored_words;
 };
 
+/// What the engine's model of the surface is built for: all stages of the job share one.
+engine::surface::ModelRequest model_request(const Job& job);
+
 /// Makes the paths of a job's stages. The engine's model is built at the first stage that needs
 /// it, once for all.
 class StagePlanner {
  public:
-  StagePlanner(const Job& job, const RunInputs& inputs) : job_(job), inputs_(inputs) {}
+  /// `model` is the one that this job's would be, where it is at hand.
+  StagePlanner(const Job& job, const RunInputs& inputs,
+               std::optional<engine::surface::FinishModel> model = {})
+      : job_(job), inputs_(inputs), model_(std::move(model)) {}
 
   /// `before` are the passes of the stages before: a rest stage asks the verifier what they have
   /// left. Throws InputError where the stage asks for something that no path can serve.
   PlannedStage plan(std::size_t stage, std::span<const verifier::Pass> before,
                     const model::RunControl& control);
-  /// Figures of the model; empty as long as no stage needed it.
-  std::optional<engine::surface::ModelFigures> figures() const;
+  /// Empty as long as no stage needed it.
+  const std::optional<engine::surface::FinishModel>& model() const { return model_; }
 
  private:
   const engine::surface::FinishModel& finish_model(const model::RunControl& control);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,15 @@ StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& 
 /// Throws InputError for a file that is no stock of an earlier run, ResourceError where its mesh
 /// would not fit into memory.
 StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& as_stated);
+
+/// How a job's stock comes from its file: whoever reads many jobs need not read one file as often.
+struct StockReaders {
+  std::function<StockFile(const std::filesystem::path& file, const std::string& as_stated,
+                          const MeshPlace& place)>
+      mesh = load_mesh_stock;
+  std::function<StockFile(const std::filesystem::path& file, const std::string& as_stated)> vdb =
+      load_vdb_stock;
+};
 
 /// The stock that toolpaths are planned for: of a mesh, the box about it.
 model::Stock planned_stock(const model::Stock& stock);

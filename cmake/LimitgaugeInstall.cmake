@@ -30,6 +30,7 @@ add_custom_target(limitgauge_texts ALL DEPENDS ${texts})
 
 install(TARGETS limitgauge RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES ${CMAKE_SOURCE_DIR}/reports/result.schema.json
+    ${CMAKE_SOURCE_DIR}/reports/study/study.schema.json
   DESTINATION ${CMAKE_INSTALL_DATADIR}/limitgauge)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}

@@ -6,6 +6,7 @@
 namespace limitgauge::reports::embedded {
 
 std::string_view result_schema();
+std::string_view study_schema();
 std::string_view report_css();
 std::string_view report_js();         ///< the page's script, bundled from reports/web
 std::string_view report_js_sha256();  ///< its checksum in base64, for the page's policy

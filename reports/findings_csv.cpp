@@ -1,7 +1,7 @@
-#include <algorithm>
 #include <array>
 #include <ostream>
 
+#include "reports/csv_cell.h"
 #include "reports/finding_list.h"
 #include "reports/report.h"
 #include "reports/text.h"
@@ -12,25 +12,6 @@ namespace {
 constexpr std::string_view kHeader =
     "stage,kind,id,depth_mm,area_mm2,x,y,z,patch,u,v,body,program,line,move,words";
 
-/// What makes a formula of a cell in one spreadsheet or another; the last four are the full-width
-/// forms that some take for the others.
-constexpr std::array<std::string_view, 8> kFormulaHeads = {"=",  "+",  "-",  "@",
-                                                           "＝", "＋", "－", "＠"};
-
-bool may_be_formula(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\n"), text.size()));
-  return std::any_of(kFormulaHeads.begin(), kFormulaHeads.end(),
-                     [&](std::string_view head) { return text.starts_with(head); });
-}
-
-/// In quotes always; an apostrophe before what a spreadsheet would reckon out.
-std::string text_cell(std::string_view text) {
-  const std::string clean = clean_text(text);
-  std::string out = may_be_formula(clean) ? "\"'" : "\"";
-  for (const char c : clean) out.append(c == '"' ? 2 : 1, c);
-  return out + '"';
-}
-
 template <typename T, typename Show>
 std::string optional_cell(const std::optional<T>& value, Show show) {
   return value ? std::string(show(*value)) : std::string();
@@ -40,9 +21,9 @@ std::string row(const RunResult& result, const ListedFinding& f) {
   using verifier::SurfacePlace;
   const auto count = [](std::uint64_t n) { return std::to_string(n); };
   const std::array cells = {
-      text_cell(result.stages[f.stage].name),
-      text_cell(f.kind),
-      text_cell(f.id),
+      csv_text_cell(result.stages[f.stage].name),
+      csv_text_cell(f.kind),
+      csv_text_cell(f.id),
       shortest(f.depth_mm),
       optional_cell(f.area_mm2, shortest),
       shortest(f.point.x),
@@ -51,11 +32,11 @@ std::string row(const RunResult& result, const ListedFinding& f) {
       optional_cell(f.place, [](const SurfacePlace& p) { return std::to_string(p.patch); }),
       optional_cell(f.place, [](const SurfacePlace& p) { return shortest(p.u); }),
       optional_cell(f.place, [](const SurfacePlace& p) { return shortest(p.v); }),
-      text_cell(f.body),
-      text_cell(program_file(result.stages[f.program_stage])),
+      csv_text_cell(f.body),
+      csv_text_cell(program_file(result.stages[f.program_stage])),
       f.line > 0 ? count(f.line) : std::string(),
       f.line > 0 ? count(f.move) : std::string(),
-      text_cell(f.words)};
+      csv_text_cell(f.words)};
   std::string out = cells[0];
   for (std::size_t i = 1; i < cells.size(); ++i) out += "," + cells[i];
   return out;

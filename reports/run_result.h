@@ -89,6 +89,9 @@ struct StageResult {
   std::optional<Ran> ran;
   std::optional<StagePictures> pictures;  ///< empty: a page without pictures
   double seconds = 0;
+  /// recorded_stage() of an earlier run whose stage this is. `ran` then has the path, its program
+  /// and its sampling alone: result.json is all that can be written of it.
+  std::shared_ptr<const std::string> recorded;
 
   /// The decision's; of a stage that was not run, just that.
   verifier::Verdict verdict() const { return ran ? decision.verdict : verifier::Verdict::not_run; }

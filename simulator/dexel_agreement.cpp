@@ -73,7 +73,8 @@ bool StockAgreement::agree() const {
 }
 
 StockAgreement compare_stocks(const DexelStock& dexels, const StockModel& level_set,
-                              std::size_t lines, const model::RunControl& control) {
+                              std::size_t lines, const model::RunControl& control,
+                              std::optional<double> level_set_volume_mm3) {
   const std::size_t all =
       static_cast<std::size_t>(dexels.nx()) * static_cast<std::size_t>(dexels.ny());
   const std::size_t count = std::min(lines, all);
@@ -91,7 +92,7 @@ StockAgreement compare_stocks(const DexelStock& dexels, const StockModel& level_
           sum.at,
           dexels.volume_mm3(),
           dexels.volume_error_mm3(),
-          level_set.volume_mm3(),
+          level_set_volume_mm3 ? *level_set_volume_mm3 : level_set.volume_mm3(control),
           kCreaseShare * level_set.voxel_mm() * dexels.surface_area_mm2()};
 }
 

@@ -13,6 +13,9 @@ namespace limitgauge::study {
 enum class Method { grid, list, random, latin_hypercube, one_at_a_time, search };
 const char* name(Method method);
 
+/// Cases of one study at most.
+inline constexpr std::size_t kMostCases = 100'000;
+
 /// Numbers from `low` to `high`, both in; `steps` of them where they are counted, evenly spread, by
 /// their logarithms where `logarithmic`.
 struct Range {
@@ -23,9 +26,10 @@ struct Range {
 
 /// A key of the job that is varied: over listed values or over a range.
 struct Variable {
-  std::string key;  ///< as --set takes it: "stage.finish.step"
-  std::vector<Setting> values;
+  std::string key;              ///< as --set takes it: "stage.finish.step"
+  std::vector<Setting> values;  ///< empty where there is a range
   std::optional<Range> range;
+  std::optional<Setting> base;  ///< the job's own setting, or what stands in for it; may be unknown
 };
 
 /// What a search is for: the least `cost` at which every gate of every stage passes.
@@ -33,6 +37,9 @@ struct Search {
   std::string cost = "machining_time_s";  ///< id of a figure
   std::size_t most_cases = 40;
   double accuracy = 0.01;  ///< share of a range at which a setting counts as found
+  /// Cases that are run side by side. Part of the plan and not of the machine: it decides which
+  /// cases are run.
+  std::size_t batch = 4;
 };
 
 /// A study as its file states it.
@@ -51,7 +58,11 @@ struct Plan {
       accuracy;  ///< figures that are bought; empty: uncut and gouge of the last stage
 };
 
-/// The cases of a plan that is no search, always the same for the same plan. Throws
+/// Number of cases that design() makes of `plan` (of a search: that it may take at most); the
+/// largest number there is where it would not fit into one.
+std::size_t case_count(const Plan& plan);
+
+/// The cases of a plan that is no search, always the same for the same plan, no two alike. Throws
 /// std::invalid_argument for a plan that the reader would not let through.
 std::vector<Case> design(const Plan& plan);
 

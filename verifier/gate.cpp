@@ -7,14 +7,36 @@
 namespace limitgauge::verifier {
 namespace {
 
-/// Micrometres below a tenth of a millimetre, millimetres above.
+/// Micrometres below a tenth of a millimetre, millimetres above; nanometres where micrometres would
+/// need an exponent.
 std::string length_text(double mm) {
+  constexpr double kMicrometres_mm = 0.1, kNanometres_mm = 1e-6;
   char text[48];
-  if (std::abs(mm) < 0.1)
-    std::snprintf(text, sizeof text, "%.4g µm", mm * 1000);
-  else
+  if (std::abs(mm) >= kMicrometres_mm)
     std::snprintf(text, sizeof text, "%.4g mm", mm);
+  else if (mm == 0 || std::abs(mm) >= kNanometres_mm)
+    std::snprintf(text, sizeof text, "%.4g µm", mm * 1e3);
+  else
+    std::snprintf(text, sizeof text, "%.4g nm", mm * 1e6);
   return text;
+}
+
+using Rounding = double (*)(double);
+
+/// `mm` in four significant digits, rounded by `up_or_down`: what is said of an end of a certified
+/// interval stays true. A number of four digits is itself, whatever its last bits say.
+double outwards(double mm, Rounding up_or_down) {
+  if (mm <= 0) return mm;
+  constexpr double kLastBits = 1e-6;
+  const double unit = std::pow(10.0, std::floor(std::log10(mm)) - 3);
+  const double units = mm / unit;
+  const double nearest = std::round(units);
+  return (std::abs(units - nearest) < kLastBits ? nearest : up_or_down(units)) * unit;
+}
+
+std::string range_text(const Interval& figure) {
+  return "between " + length_text(outwards(figure.low, std::floor)) + " and " +
+         length_text(outwards(figure.high, std::ceil));
 }
 
 Verdict judge(const Interval& figure, double limit_mm) {
@@ -24,8 +46,8 @@ Verdict judge(const Interval& figure, double limit_mm) {
 
 std::string sentence(const std::string& what, const Interval& figure, double limit_mm,
                      Verdict verdict) {
-  const std::string range = what + " certified between " + length_text(figure.low) + " and " +
-                            length_text(figure.high) + ", limit " + length_text(limit_mm);
+  const std::string range =
+      what + " certified " + range_text(figure) + ", limit " + length_text(limit_mm);
   switch (verdict) {
     case Verdict::pass:
       return range + ": within the limit everywhere";

@@ -28,11 +28,11 @@ Json cutter_part(const model::Cutter& c) {
           {"text", model::to_text(c)}};
 }
 
-/// The text of the lines that findings name, of whatever stage found them.
-Json named_program_lines(const RunResult& result, std::size_t index) {
+/// The text of the lines `wanted` and of those that findings name, of whatever stage found them.
+Json named_program_lines(const RunResult& result, std::size_t index,
+                         std::vector<std::uint32_t> wanted) {
   Json out = Json::array();
   if (!result.stages[index].ran || !result.stages[index].ran->program_text) return out;
-  std::vector<std::uint32_t> wanted;
   for (std::size_t stage = index; stage < result.stages.size(); ++stage)
     for (const NamedLine& named : named_lines(result, stage, std::string::npos))
       if (named.stage == index) wanted.push_back(named.line);
@@ -41,10 +41,21 @@ Json named_program_lines(const RunResult& result, std::size_t index) {
   return out;
 }
 
+/// As it was, but for lines that only later stages' findings name.
+Json recorded_part(const RunResult& result, std::size_t index) {
+  Json out = Json::parse(*result.stages[index].recorded);
+  std::vector<std::uint32_t> wanted;
+  for (const Json& line : out.at("program_lines"))
+    wanted.push_back(line.at("line").get<std::uint32_t>());
+  out["program_lines"] = named_program_lines(result, index, std::move(wanted));
+  return out;
+}
+
 }  // namespace
 
 Json stage_part(const RunResult& result, std::size_t index) {
   const StageResult& s = result.stages[index];
+  if (s.recorded) return recorded_part(result, index);
   Json out = {{"name", clean_text(s.name)}, {"tool", clean_text(s.tool)}};
   out["cutter"] = cutter_part(s.cutter);
   if (s.program.empty()) {
@@ -61,7 +72,7 @@ Json stage_part(const RunResult& result, std::size_t index) {
   out["reasons"] = texts(s.decision.reasons);
   if (s.ran) {
     out["toolpath"] = toolpath_part(*s.ran);
-    out["program_lines"] = named_program_lines(result, index);
+    out["program_lines"] = named_program_lines(result, index, {});
     out["simulation"] = simulation_part(*s.ran);
     out["deviation"] = deviation_part(result, s.ran->deviation);
   }

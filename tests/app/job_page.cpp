@@ -24,15 +24,15 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 }  // namespace
 
-std::map<std::string, DocumentedKey> documented_keys() {
+std::map<std::string, DocumentedKey> documented_keys(const std::string& page) {
   std::map<std::string, DocumentedKey> keys;
-  std::ifstream page(std::string(LIMITGAUGE_FIXTURES) + "/../docs/job.md");
-  for (std::string line; std::getline(page, line);) {
+  std::ifstream lines(std::string(LIMITGAUGE_FIXTURES) + "/../docs/" + page);
+  for (std::string line; std::getline(lines, line);) {
     const std::vector<std::string> cells = cells_of(line);
     if (cells.size() < 5 || cells[0].size() < 3 || cells[0].front() != '`') continue;
     const std::string key = cells[0].substr(1, cells[0].size() - 2);
     if (!keys.emplace(key, DocumentedKey{cells[1], cells[2], cells[3]}).second)
-      throw std::runtime_error("docs/job.md has " + key + " twice");
+      throw std::runtime_error("docs/" + page + " has " + key + " twice");
   }
   return keys;
 }

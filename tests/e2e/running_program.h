@@ -19,6 +19,7 @@ class RunningProgram {
 
   /// The next line of its standard output; waits for it.
   std::string line();
+  pid_t id() const { return child_; }
   /// Sends the signal and waits: the exit code, or minus the signal that ended it.
   int end(int signal);
 

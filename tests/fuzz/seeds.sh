@@ -6,14 +6,14 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 fixtures=$here/../../fixtures
 to=$1
 
-# collect TARGET PATTERN - by name and a running number: files of two folders may share a name.
+# collect TARGET PATTERN [FOLDER] - by name and a running number: files of two folders may share a name.
 collect() {
-  local target=$1 pattern=$2 file count=0
+  local target=$1 pattern=$2 within=${3:-$fixtures} file count=0
   mkdir -p "$to/$target"
   while IFS= read -r file; do
     count=$((count + 1))
     cp "$file" "$to/$target/$count-$(basename "$file")"
-  done < <(find "$fixtures" -type f -name "$pattern" | sort)
+  done < <(find "$within" -type f -name "$pattern" | sort)
 }
 
 rm -rf "$to"
@@ -29,4 +29,6 @@ mkdir -p "$to/result"
 cp "$fixtures"/baselines/*.json "$to/result/"
 # The jobs' files stand beside other folders' jobs; the target has one folder with one of each.
 sed -i -E 's#"[^"]*\.obj"#"part.obj"#; s#"[^"]*\.ngc"#"part.ngc"#' "$to"/job/*.toml
+collect study '*.toml' "$fixtures/studies"
+sed -i -E 's#^job = "[^"]*"#job = "study_job.toml"#' "$to"/study/*.toml
 cp -r "$here"/seeds/* "$to"/

@@ -42,6 +42,17 @@ TEST_CASE("figures without a limit cannot fail", "[unit]") {
   CHECK(decide(with({5, 6}, {7, 8}, 0), {}).verdict == Verdict::pass);
 }
 
+TEST_CASE("what is said of a certified interval is true to its digits", "[unit]") {
+  const auto said = [](Interval gouge) {
+    return decide(with(gouge, {0, 0}), kLimits).reasons.at(0);
+  };
+  CHECK_THAT(said({0, 0.000950011}), ContainsSubstring("between 0 µm and 0.9501 µm, limit 10 µm"));
+  CHECK_THAT(said({0.00123456, 0.00234561}), ContainsSubstring("between 1.234 µm and 2.346 µm"));
+  CHECK_THAT(said({0.0011, 0.007}), ContainsSubstring("between 1.1 µm and 7 µm"));
+  CHECK_THAT(said({0, 1.1e-8}), ContainsSubstring("between 0 µm and 0.011 nm"));
+  CHECK_THAT(said({1.23456, 2.34561}), ContainsSubstring("between 1.234 mm and 2.346 mm"));
+}
+
 TEST_CASE("material that stands beside removed space fails the uncut gate", "[unit]") {
   StageDeviation wall = with({0, 0}, {0.001, 0.002});
   wall.voxel_uncut_mm = 3;

@@ -48,15 +48,15 @@ function watch(page, address) {
  * Opens a report from disk as a reader would, hands the page to `use`, and sees to it that nothing went
  * wrong in it meanwhile.
  * @param options width, height (px); early: a function that runs in the page before its own script; all
- *   else as playwright's newContext takes it
+ *   else as playwright's newContext takes it; file: what of the folder is opened, report.html else
  */
 export async function withReport(browser, name, options, use) {
-  const { width = 1280, height = 900, early, ...others } = options;
+  const { width = 1280, height = 900, early, file, ...others } = options;
   const context = await browser.newContext({ viewport: { width, height }, ...others });
   try {
     context.setDefaultTimeout(15_000);
     const page = await context.newPage();
-    const address = pathToFileURL(reportFile(name)).href;
+    const address = pathToFileURL(reportFile(name, file)).href;
     const faults = watch(page, address);
     if (early) await page.addInitScript(early);
     await page.goto(address);

@@ -1,4 +1,4 @@
-// make_pages.mjs PROGRAM WRITE_SAMPLES FIXTURES OUT_DIR
+// make_pages.mjs PROGRAM WRITE_SAMPLES WRITE_STUDIES FIXTURES OUT_DIR
 //
 // The reports that the tests open: samples of known figures, a job as it is, and a job whose program
 // gouges, with markup in its comments and in the cage's name.
@@ -6,7 +6,7 @@ import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-const [program, writeSamples, fixtures, out] = process.argv.slice(2);
+const [program, writeSamples, writeStudies, fixtures, out] = process.argv.slice(2);
 const hostileCage = 'plate"><img src=x onerror=window.hostile=1>.obj';
 const hostileComment = '(</script><img src=x onerror=window.hostile=1><svg onload=window.hostile=1>)';
 
@@ -47,5 +47,6 @@ function gougingJob() {
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 execFileSync(writeSamples, [out, 'passed', 'failed', 'undecided', 'hostile', 'large']);
+execFileSync(writeStudies, [join(out, 'studies')]);
 run(join(fixtures, '../jobs/quick-dome.toml'), 'dome', 0);
 run(gougingJob(), 'gouging', 1);

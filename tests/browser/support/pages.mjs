@@ -11,7 +11,7 @@ export function given(name) {
 const folder = (name) => join(given('LIMITGAUGE_PAGES'), name);
 
 /** The sample's or job's page, written by make_pages.mjs. */
-export const reportFile = (name) => join(folder(name), 'report.html');
+export const reportFile = (name, file = 'report.html') => join(folder(name), file);
 
 /** What stands in result.json beside it. */
 export const resultOf = (name) => JSON.parse(readFileSync(join(folder(name), 'result.json'), 'utf8'));

@@ -1,5 +1,7 @@
+import { followPage } from './following.js';
 import { init } from './library.js';
-import { pageColours } from './theme.js';
+
+export { whenSeen } from './following.js';
 
 /**
  * A chart in `container` that follows its size and the page's light or dark colours.
@@ -7,30 +9,5 @@ import { pageColours } from './theme.js';
  * @returns the ECharts instance and `redraw()`, for when what `optionOf` reads has changed
  */
 export function createLiveChart(container, optionOf) {
-  const chart = init(container, null, { renderer: 'svg' });
-  const redraw = () => chart.setOption(optionOf(pageColours(), container.clientWidth), { notMerge: true });
-  redraw();
-  let width = container.clientWidth, waiting = false;
-  new ResizeObserver(() => {
-    if (waiting || container.clientWidth === width || container.clientWidth === 0) return;
-    waiting = true;
-    requestAnimationFrame(() => {
-      waiting = false;
-      width = container.clientWidth;
-      chart.resize();
-      redraw();
-    });
-  }).observe(container);
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
-  return { chart, redraw };
-}
-
-/** Calls `build` once, when `element` is about to come into sight. */
-export function whenSeen(element, build) {
-  const observer = new IntersectionObserver((entries) => {
-    if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
-    observer.disconnect();
-    build();
-  }, { rootMargin: '200px' });
-  observer.observe(element);
+  return followPage(init(container, null, { renderer: 'svg' }), container, optionOf);
 }

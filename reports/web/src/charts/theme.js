@@ -6,6 +6,7 @@ export function pageColours(root = document.documentElement) {
     ink: colour('ink'), soft: colour('soft'), rule: colour('rule'), panel: colour('panel'),
     bar: colour('bar'), gouge: colour('gouge'), uncut: colour('uncut'),
     fail: colour('fail'), open: colour('open'), link: colour('link'), font: colour('sans'),
+    pass: colour('pass'), none: colour('none'), page: colour('page'),
   };
 }
 

@@ -1,4 +1,18 @@
+import '../charts/charts.css';
 import './history.css';
 
-/** The script of a history's page. */
-window.limitgauge = { ready: Promise.resolve() };
+import { createHistoryChart } from './chart.js';
+import { decodeHistory } from './data.js';
+
+/** What the script adds to a page that says everything of weight without it. */
+async function start() {
+  const history = decodeHistory(document);
+  return history.jobs.map((job, index) => {
+    const place = document.querySelector(`[data-chart="history"][data-job="${index}"]`);
+    return createHistoryChart(place, job, document.querySelector(`[data-runs="${index}"]`));
+  });
+}
+
+/** For the page's own tests: `ready` resolves to the charts, one a job. */
+window.limitgauge = { ready: start() };
+window.limitgauge.ready.catch((error) => console.error(error));

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "app/stage_watch.h"
+#include "simulator/dexel_stock.h"
+#include "simulator/stock_model.h"
+#include "verifier/verify.h"
+
+namespace limitgauge::app {
+
+/// What stands between two stages, by both stock models. A value, cheap to copy.
+struct CutStock {
+  simulator::StockModel stock;
+  double volume_mm3 = 0;  ///< of `stock`
+  simulator::DexelStock lines;
+};
+
+/// Before the first stage.
+CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch& watch);
+
+/// `before` after `passes`, of which nothing else is wanted: the same to the last bit as they left
+/// it when they were first cut.
+CutStock cut_again(CutStock before, std::span<const verifier::Pass> passes,
+                   const StageWatch& watch);
+
+/// How far from the surface the stock is read for a stage.
+double readings_within_mm(const JobStage& asked, double voxel_mm);
+
+/// A stage's cut: the stock after it, and its surface near the part as the voxel instrument reads
+/// it.
+struct StageCut {
+  CutStock after;
+  std::vector<verifier::StockReading> readings;
+};
+
+/// Cuts the path of `ran`, whose figures of the cut and of the process it fills in. A stock that
+/// nobody shares is cut where it stands. Throws InstrumentDisagreement where the two stock models
+/// contradict each other, ResourceError, Interrupted.
+StageCut cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
+                   const StageWatch& watch, reports::StageResult::Ran& ran);
+
+}  // namespace limitgauge::app

@@ -1,1 +1,0 @@
-#include "history/entry.h"

@@ -1,0 +1,121 @@
+#include "history/recorder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/model/error.h"
+#include "history/database.h"
+#include "history/schema.h"
+#include "history/statement.h"
+
+namespace limitgauge::history {
+namespace fs = std::filesystem;
+namespace {
+
+/// SQLite's journal stands beside the file: the folder must take new files. Asking for permission
+/// would not do, a share may say yes and then refuse.
+void require_room_beside(const fs::path& file) {
+  const fs::path folder = fs::absolute(file).parent_path();
+  const fs::path probe =
+      folder / ("." + file.filename().string() + ".probe-" + std::to_string(getpid()));
+  const int opened = ::open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
+  const int reason = errno;
+  if (opened >= 0) {
+    ::close(opened);
+    ::unlink(probe.c_str());
+    return;
+  }
+  const std::string wrong =
+      std::string("a history cannot be made or written here: ") + std::strerror(reason);
+  if (reason == ENOSPC || reason == EDQUOT || reason == EMFILE || reason == ENFILE)
+    throw model::ResourceError(file.string() + ": error: " + wrong);
+  throw model::InputError({file.string(), 0, 0}, wrong, "a folder that exists and can be written");
+}
+
+/// Takes the lock and writes a page, which is taken back.
+void require_writable(const fs::path& file) {
+  const Database database(file, Database::Mode::read);
+  const Transaction transaction(database, Transaction::Kind::write);
+  const int version = database.number("PRAGMA user_version");
+  database.execute(("PRAGMA user_version = " + std::to_string(version)).c_str());
+}
+
+bool has_content(const fs::path& file) {
+  std::error_code missing;
+  return fs::file_size(file, missing) > 0 && !missing;
+}
+
+void require_fit(const Entry& entry) {
+  if (entry.label.size() > kLongestName || entry.commit.size() > kLongestName)
+    throw std::invalid_argument("a label or a commit of a history is too long");
+  for (const Value& value : entry.values)
+    if (!std::isfinite(value.low) || !std::isfinite(value.high))
+      throw std::invalid_argument("a figure of a history is not finite: " + value.metric);
+}
+
+std::int64_t insert_run(const Database& database, const Entry& entry) {
+  Statement run(database,
+                "INSERT INTO run (created, job, version, commit_id, label, verdict) "
+                "VALUES (?1, ?2, ?3, ?4, ?5, ?6) RETURNING id");
+  run.bind(1, entry.created).bind(2, entry.job).bind(3, entry.version);
+  run.bind(4, entry.commit).bind(5, entry.label).bind(6, entry.verdict);
+  run.step();
+  const std::int64_t id = run.integer(0);
+  run.run();
+  return id;
+}
+
+void insert_stages(const Database& database, std::int64_t id, const Entry& entry) {
+  Statement stage(database,
+                  "INSERT INTO stage (run, place, name, verdict) VALUES (?1, ?2, ?3, ?4)");
+  std::int64_t place = 0;
+  for (const StageVerdict& one : entry.stages) {
+    stage.bind(1, id).bind(2, place++).bind(3, one.stage).bind(4, one.verdict).run();
+  }
+}
+
+void insert_values(const Database& database, std::int64_t id, const Entry& entry) {
+  Statement series(database, "INSERT OR IGNORE INTO series (stage, metric) VALUES (?1, ?2)");
+  Statement value(database,
+                  "INSERT INTO value (run, series, low, high) VALUES (?1, "
+                  "(SELECT id FROM series WHERE stage = ?2 AND metric = ?3), ?4, ?5)");
+  for (const Value& one : entry.values) {
+    series.bind(1, one.stage).bind(2, one.metric).run();
+    value.bind(1, id).bind(2, one.stage).bind(3, one.metric);
+    value.bind(4, one.low).bind(5, one.high).run();
+  }
+}
+
+}  // namespace
+
+Recorder::Recorder(fs::path file) : file_(std::move(file)) {
+  require_history(file_);
+  require_room_beside(file_);
+  if (has_content(file_)) require_writable(file_);
+}
+
+std::int64_t Recorder::append(const Entry& entry) const {
+  require_fit(entry);
+  require_history(file_);
+  const Database database(file_, Database::Mode::write);
+  // The journal that rolls back is SQLite's own way and stays: the one that is written ahead needs
+  // memory that all its users share, which no network file system has. EXTRA has the folder
+  // written out as well, so that no journal comes back after a power cut.
+  database.execute("PRAGMA synchronous = EXTRA; PRAGMA foreign_keys = ON");
+  Transaction transaction(database, Transaction::Kind::write);
+  migrate(database);
+  const std::int64_t id = insert_run(database, entry);
+  insert_stages(database, id, entry);
+  insert_values(database, id, entry);
+  transaction.commit();
+  return id;
+}
+
+}  // namespace limitgauge::history

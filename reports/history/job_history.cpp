@@ -1,0 +1,155 @@
+#include "reports/history/job_history.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "reports/compare/noise.h"
+
+namespace limitgauge::reports::history_report {
+namespace {
+
+using Names = std::vector<std::string>;
+/// Figures of one run, by stage and metric.
+using Figures = std::map<std::pair<std::string, std::string>, verifier::Interval>;
+
+bool holds(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_asked(const Choice& choice, const std::string& stage, const std::string& metric) {
+  const bool by_default = metric == "gouge_mm" || metric == "uncut_mm" ||
+                          // Of all stages together, unless one is looked at.
+                          (metric == "machining_time_s" && stage.empty() == choice.stages.empty());
+  if (!choice.stages.empty() && !holds(choice.stages, stage)) return false;
+  return choice.metrics.empty() ? by_default : holds(choice.metrics, metric);
+}
+
+Column column_of(const std::string& stage, const std::string& metric) {
+  Column column{stage, metric, metric, "", record::find_metric(metric)};
+  if (column.known == nullptr) return column;
+  column.label = column.known->label;
+  column.unit = column.known->unit;
+  return column;
+}
+
+std::optional<double> limit_of(const Figures& figures, const Column& column) {
+  std::string id = column.metric;
+  const std::size_t unit = id.rfind("_mm");
+  id.insert(unit == std::string::npos ? id.size() : unit, "_limit");
+  const auto found = figures.find({column.stage, id});
+  if (found == figures.end()) return std::nullopt;
+  return found->second.high;
+}
+
+/// The names of the stages, in the order of the newest run; those of older jobs after them.
+Names stages_of(std::span<const history::Entry* const> runs) {
+  Names names = {""};
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+    for (const history::StageVerdict& one : (*run)->stages)
+      if (!holds(names, one.stage)) names.push_back(one.stage);
+    // A history of the first version does not list them.
+    for (const history::Value& one : (*run)->values)
+      if (!holds(names, one.stage)) names.push_back(one.stage);
+  }
+  return names;
+}
+
+/// As reports list the metrics; what this program does not know after them.
+std::size_t rank(const std::string& metric) {
+  const std::span<const record::Metric> all = record::stage_metrics();
+  return static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(),
+                   [&](const record::Metric& one) { return one.id == metric; }) -
+      all.begin());
+}
+
+std::vector<Column> columns_of(std::span<const history::Entry* const> runs, const Choice& choice) {
+  std::map<std::string, Names> metrics;
+  for (const history::Entry* run : runs)
+    for (const history::Value& one : run->values) {
+      Names& known = metrics[one.stage];
+      if (is_asked(choice, one.stage, one.metric) && !holds(known, one.metric))
+        known.push_back(one.metric);
+    }
+  std::vector<Column> columns;
+  for (const std::string& stage : stages_of(runs)) {
+    Names& known = metrics[stage];
+    std::stable_sort(known.begin(), known.end(),
+                     [](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
+    for (const std::string& metric : known) columns.push_back(column_of(stage, metric));
+  }
+  return columns;
+}
+
+Figures figures_of(const history::Entry& run) {
+  Figures figures;
+  for (const history::Value& one : run.values)
+    figures[{one.stage, one.metric}] = {one.low, one.high};
+  return figures;
+}
+
+double greatest(const Figures& before, const Figures& now, const std::string& stage,
+                const std::string& metric) {
+  double most = 0;
+  for (const Figures* figures : {&before, &now}) {
+    const auto found = figures->find({stage, metric});
+    if (found != figures->end()) most = std::max(most, found->second.high);
+  }
+  return most;
+}
+
+void judge(const Column& column, const Figures& before, const Figures& now,
+           const verifier::Interval& earlier, Cell& cell) {
+  const double change = (cell.value->low + cell.value->high) - (earlier.low + earlier.high);
+  cell.direction = change > 0 ? 1 : change < 0 ? -1 : 0;
+  if (column.known == nullptr) return;
+  const compare::Fineness fineness{greatest(before, now, column.stage, "resolution_mm"),
+                                   greatest(before, now, column.stage, "voxel_mm")};
+  cell.judgement = compare::judge_figure(*column.known, earlier, *cell.value, fineness);
+}
+
+JobHistory history_of(std::span<const history::Entry* const> runs, const Choice& choice) {
+  JobHistory job{runs.front()->job, columns_of(runs, choice), {}};
+  // Of each column the last run that has it: what the next one is held against.
+  std::vector<const Figures*> last(job.columns.size(), nullptr);
+  std::vector<Figures> figures;
+  figures.reserve(runs.size());
+  for (const history::Entry* entry : runs) {
+    const Figures& now = figures.emplace_back(figures_of(*entry));
+    Run& run = job.runs.emplace_back(Run{*entry, std::vector<Cell>(job.columns.size())});
+    run.entry.values.clear();
+    for (std::size_t i = 0; i < job.columns.size(); ++i) {
+      const Column& column = job.columns[i];
+      const auto found = now.find({column.stage, column.metric});
+      if (found == now.end()) continue;
+      Cell& cell = run.cells[i];
+      cell.value = found->second;
+      cell.limit = limit_of(now, column);
+      if (last[i] != nullptr)
+        judge(column, *last[i], now, last[i]->at({column.stage, column.metric}), cell);
+      last[i] = &now;
+    }
+  }
+  return job;
+}
+
+}  // namespace
+
+std::vector<std::string> metrics_to_read(const Choice& choice) {
+  Names names = {"gouge_mm",       "uncut_mm",       "machining_time_s", "gouge_limit_mm",
+                 "uncut_limit_mm", "coverage_limit", "resolution_mm",    "voxel_mm"};
+  for (const std::string& metric : choice.metrics)
+    if (!holds(names, metric)) names.push_back(metric);
+  return names;
+}
+
+std::vector<JobHistory> job_histories(std::span<const history::Entry> runs, const Choice& choice) {
+  std::map<std::string, std::vector<const history::Entry*>> jobs;
+  for (const history::Entry& run : runs) jobs[run.job].push_back(&run);
+  std::vector<JobHistory> all;
+  for (const auto& [name, entries] : jobs) all.push_back(history_of(entries, choice));
+  return all;
+}
+
+}  // namespace limitgauge::reports::history_report

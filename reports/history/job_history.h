@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "history/entry.h"
+#include "reports/compare/comparison.h"
+#include "reports/record/metrics.h"
+#include "verifier/deviation.h"
+
+/// Past runs, job by job, as the terminal, the page and the files show them.
+namespace limitgauge::reports::history_report {
+
+/// What is shown; empty: all stages, and of the metrics gouge, uncut and the machining time.
+struct Choice {
+  std::vector<std::string> stages, metrics;
+};
+
+/// One figure over the runs of a job.
+struct Column {
+  std::string stage, metric;  ///< stage empty: of the whole run
+  std::string label, unit;    ///< "gouge", "mm"; the id of a metric that this program does not know
+  const record::Metric* known = nullptr;  ///< null for such a one
+};
+
+/// The figure of one run, and what it is against the one before that has it.
+struct Cell {
+  std::optional<verifier::Interval> value;
+  std::optional<double> limit;                  ///< of the gate, as it was for that run
+  std::optional<compare::Judgement> judgement;  ///< empty where there is nothing to judge by
+  int direction = 0;  ///< +1 where the figure's middle grew, −1 where it fell
+};
+
+struct Run {
+  history::Entry entry;  ///< without its values
+  std::vector<Cell> cells;
+};
+
+struct JobHistory {
+  std::string job;
+  std::vector<Column> columns;  ///< the whole run's first, then by stage
+  std::vector<Run> runs;        ///< oldest first
+};
+
+struct Overview {
+  std::string file;       ///< as the user names it
+  std::string version;    ///< of this program
+  std::size_t found = 0;  ///< runs that were asked for, before the newest were taken
+  Choice choice;
+  std::vector<JobHistory> jobs;  ///< by name
+};
+
+/// Metrics that must be read for `choice`: limits and what trends are judged by among them.
+std::vector<std::string> metrics_to_read(const Choice& choice);
+
+/// `runs` by job, oldest first as they are.
+std::vector<JobHistory> job_histories(std::span<const history::Entry> runs, const Choice& choice);
+
+}  // namespace limitgauge::reports::history_report

@@ -1,0 +1,46 @@
+#include "reports/history/run_entry.h"
+
+#include "reports/record/metrics.h"
+
+namespace limitgauge::reports::history_report {
+namespace {
+
+void add_limits(const record::StageRecord& stage, std::vector<history::Value>& values) {
+  const auto add = [&](bool stated, const char* metric, double limit) {
+    if (stated) values.push_back({stage.name, metric, limit, limit});
+  };
+  add(stage.limits.has_gouge, "gouge_limit_mm", stage.limits.gouge_mm);
+  add(stage.limits.has_uncut, "uncut_limit_mm", stage.limits.uncut_mm);
+  add(stage.limits.has_coverage, "coverage_limit", stage.limits.coverage);
+}
+
+void add_fineness(const record::StageRecord& stage, std::vector<history::Value>& values) {
+  const double resolution = stage.measures->resolution_mm, voxel = stage.measures->voxel_mm;
+  values.push_back({stage.name, "resolution_mm", resolution, resolution});
+  values.push_back({stage.name, "voxel_mm", voxel, voxel});
+}
+
+}  // namespace
+
+history::Entry entry_of(const record::RunRecord& run) {
+  history::Entry entry;
+  entry.created = run.created;
+  entry.job = run.job;
+  entry.version = run.version;
+  entry.verdict = verifier::name(run.verdict);
+  const double whole_s = record::machining_time_s(run);
+  entry.values.push_back({"", "machining_time_s", whole_s, whole_s});
+  for (const record::StageRecord& stage : run.stages) {
+    entry.stages.push_back({stage.name, verifier::name(stage.verdict)});
+    if (!stage.measures) continue;
+    for (const record::Metric& metric : record::stage_metrics()) {
+      const verifier::Interval figure = metric.of(*stage.measures);
+      entry.values.push_back({stage.name, std::string(metric.id), figure.low, figure.high});
+    }
+    add_limits(stage, entry.values);
+    add_fineness(stage, entry.values);
+  }
+  return entry;
+}
+
+}  // namespace limitgauge::reports::history_report

@@ -1,0 +1,83 @@
+import { fixed, threeDigits, unitFor } from '../view/format.js';
+
+/**
+ * The page's data, as reports/history/history_json.cpp writes them, with what charts need of them:
+ * runs have `index` and `time_ms`, series a `scale`.
+ * @returns {{file: string, jobs: object[]}}
+ */
+export function decodeHistory(root) {
+  const history = JSON.parse(root.getElementById('limitgauge-data').textContent);
+  if (history.schema !== 'limitgauge.history/1') throw new Error(`unknown data: ${history.schema}`);
+  for (const job of history.jobs) {
+    job.runs.forEach((run, index) => Object.assign(run, { index, time_ms: Date.parse(run.created) }));
+    for (const series of job.series) series.scale = scaleOf(series);
+  }
+  return history;
+}
+
+/** Of what the figures are shown in: lengths in one unit, shares in percent. */
+export function scaleOf({ unit, metric, values }) {
+  if (metric === 'coverage') return { factor: 100, symbol: '%' };
+  if (unit !== 'mm') return { factor: 1, symbol: unit };
+  const ends = values.flatMap((value) => (value ? [value.low, value.high] : []));
+  const { perMm, symbol } = unitFor(Math.max(0, ...ends.map(Math.abs)));
+  return { factor: perMm, symbol };
+}
+
+/** "finish gouge" */
+export const seriesTitle = ({ stage, label }) => (stage ? `${stage} ${label}` : label);
+
+/** What a figure of the series is drawn at: of an interval the end that the gate is held against. */
+export const drawnAt = (series, value) =>
+  (series.metric === 'coverage' ? value.low : value.high) * series.scale.factor;
+
+/** The verdict that goes with a figure: its stage's, or the run's. */
+export function verdictOf(run, series) {
+  if (!series.stage) return run.verdict;
+  return run.stages.find(({ name }) => name === series.stage)?.verdict ?? run.verdict;
+}
+
+/** A commit as short as it tells, or the label, or the number. */
+export function runName(run) {
+  if (run.commit) return /^[0-9a-f]{11,}$/i.test(run.commit) ? run.commit.slice(0, 7) : run.commit;
+  return run.label || `run ${run.id}`;
+}
+
+const number = (shown) => (Math.abs(shown) >= 1000 ? fixed(shown, 0) : threeDigits(shown));
+
+/** A certified interval is rounded outwards, so that what is shown stays true. */
+export function figureText({ scale, source, metric }, value) {
+  if (!value) return 'not measured';
+  const unit = scale.symbol ? ` ${scale.symbol}` : '';
+  const [low, high] = [value.low, value.high].map((end) => end * scale.factor);
+  if (metric === 'coverage') return `${fixed(Math.floor(low * 100) / 100, 2)}${unit}`;
+  return source === 'certified' ? `${intervalText(low, high)}${unit}` : `${number(high)}${unit}`;
+}
+
+function intervalText(low, high) {
+  if (low === 0 && high === 0) return '[0, 0]';
+  const digits = high > low ? Math.ceil(-Math.log10((high - low) / 5)) : 4;
+  const decimals = Math.min(4, Math.max(0, digits)), scale = 10 ** decimals;
+  // What already has no more digits, but for the last bits of its binary form, stays.
+  const outwards = (end, round) => {
+    const nearest = Math.round(end * scale);
+    return (Math.abs(end * scale - nearest) < 1e-6 ? nearest : round(end * scale)) / scale;
+  };
+  return `[${fixed(outwards(low, Math.floor), decimals)}, ${fixed(outwards(high, Math.ceil), decimals)}]`;
+}
+
+/** "limit 30 µm" */
+export function limitText({ scale }, limit) {
+  const figure = Number((limit * scale.factor).toPrecision(12));
+  return `limit ${figure}${scale.symbol ? ` ${scale.symbol}` : ''}`;
+}
+
+/** "2026-11-22 01:37 UTC" */
+export const momentText = ({ created }) => `${created.slice(0, 16).replace('T', ' ')} UTC`;
+
+/** The run nearest to a place on the axis, which counts runs or milliseconds. */
+export function nearestRun(runs, at, byTime) {
+  if (!byTime) return runs[Math.min(runs.length - 1, Math.max(0, Math.round(at)))];
+  const distance = (run) => Math.abs(run.time_ms - at);
+  return runs.reduce((best, run) => (distance(run) <= distance(best) ? run : best));
+}

@@ -1,0 +1,144 @@
+#include "app/study_figures.h"
+
+#include <algorithm>
+
+#include "reports/record/run_record.h"
+#include "tests/support/catch.h"
+
+namespace limitgauge::app {
+namespace {
+
+using reports::record::RunRecord;
+using reports::record::StageMeasures;
+using reports::record::StageRecord;
+using verifier::Verdict;
+
+const std::vector<std::string> kStages = {"rough", "finish"};
+
+StageRecord stage(const std::string& name, double gouge_high, double uncut_high) {
+  StageRecord record;
+  record.name = name;
+  record.verdict = Verdict::pass;
+  record.limits = {true, true, false, 0.02, 0.04, 0};
+  StageMeasures measures;
+  measures.machining_time_s = 100;
+  measures.gouge_mm = {gouge_high / 2, gouge_high};
+  measures.uncut_mm = {uncut_high / 2, uncut_high};
+  measures.coverage = 0.995;
+  record.measures = measures;
+  return record;
+}
+
+RunRecord run_of(std::vector<StageRecord> stages, Verdict verdict) {
+  RunRecord run;
+  run.verdict = verdict;
+  run.stages = std::move(stages);
+  return run;
+}
+
+std::optional<double> figure(const study::Row& row, const std::string& id) {
+  const std::vector<study::Figure> figures = study_figures(kStages);
+  const auto found = std::find_if(figures.begin(), figures.end(),
+                                  [&](const study::Figure& f) { return f.id == id; });
+  REQUIRE(found != figures.end());
+  REQUIRE(row.figures.size() == figures.size());
+  return row.figures[static_cast<std::size_t>(found - figures.begin())];
+}
+
+study::Row row_of(const RunRecord& run) {
+  study::Row row;
+  fill_row(row, run, kStages);
+  return row;
+}
+
+}  // namespace
+
+TEST_CASE("a row has the figures of the whole run and of each stage", "[unit][study]") {
+  const study::Row row =
+      row_of(run_of({stage("rough", 0.01, 0.03), stage("finish", 0.005, 0.02)}, Verdict::pass));
+  CHECK(row.status == study::Status::pass);
+  CHECK(row.reason.empty());
+  CHECK(row.figures[0] == 200);
+  CHECK(*figure(row, "gate_excess") == Approx(-0.25));  // 0.03 of 0.04
+  CHECK(figure(row, "rough.gouge_mm.high") == 0.01);
+  CHECK(figure(row, "finish.uncut_mm.low") == 0.01);
+  CHECK(figure(row, "finish.machining_time_s") == 100);
+  const std::vector<study::Figure> figures = study_figures(kStages);
+  for (const study::Figure& one : figures) {
+    CHECK(one.id.find("seconds") == std::string::npos);
+    CHECK(one.id.find("bytes") == std::string::npos);
+  }
+  const std::vector<std::string> ids = objective_ids(kStages);
+  const auto has = [&](const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  CHECK(has("finish.uncut_mm.high"));
+  CHECK(has("finish.cut_length_mm"));
+  CHECK_FALSE(has("finish.coverage"));
+  CHECK_FALSE(has("finish.mean_mm"));
+  for (const std::string& id : ids) CHECK(figure(row, id));
+}
+
+TEST_CASE("a stage that was not run has no figures", "[unit][study]") {
+  StageRecord failed = stage("rough", 0.05, 0.03);
+  failed.verdict = Verdict::fail;
+  StageRecord skipped = stage("finish", 0, 0);
+  skipped.verdict = Verdict::not_run;
+  skipped.measures.reset();
+  const study::Row row = row_of(run_of({failed, skipped}, Verdict::fail));
+  CHECK(row.status == study::Status::fail);
+  CHECK(row.reason == "rough: gouge beyond its limit");
+  CHECK(row.figures[0] == 100);
+  CHECK_FALSE(figure(row, "finish.uncut_mm.high"));
+  CHECK(*figure(row, "gate_excess") == Approx(1.5));
+}
+
+TEST_CASE("the excess is above zero where a gate does not pass", "[unit][study]") {
+  const auto excess = [](StageRecord one, Verdict verdict) {
+    one.verdict = verdict;
+    return gate_excess(run_of({one}, verdict)).value();
+  };
+  CHECK(excess(stage("a", 0.02, 0.01), Verdict::pass) == 0);
+  CHECK(excess(stage("a", 0.03, 0.01), Verdict::indeterminate) == Approx(0.5));
+
+  StageRecord covered = stage("a", 0.001, 0.001);
+  covered.limits.has_coverage = true;
+  covered.limits.coverage = 0.99;
+  CHECK(excess(covered, Verdict::pass) == Approx(-0.5));  // half of what may be left
+  covered.limits.coverage = 0.9975;
+  CHECK(excess(covered, Verdict::fail) == Approx(1));
+  covered.limits.coverage = 1;
+  CHECK(excess(covered, Verdict::fail) == Approx(5));
+
+  StageRecord hit = stage("a", 0.001, 0.001);
+  hit.measures->process = {{"rapid_collision", 3}, {"holder_collision", 1}};
+  CHECK(excess(hit, Verdict::fail) == 4);
+  hit.measures->process.clear();
+  hit.measures->voxel_uncut_mm = 0.1;
+  CHECK(excess(hit, Verdict::fail) == Approx(1.5));
+  hit.measures->voxel_uncut_mm = 0;
+  CHECK(excess(hit, Verdict::fail) == 1);
+
+  StageRecord open = stage("a", 0.001, 0.001);
+  open.limits = {};
+  CHECK_FALSE(gate_excess(run_of({open}, Verdict::pass)));
+}
+
+TEST_CASE("reasons name what does not pass, and group", "[unit][study]") {
+  const auto reason = [](StageRecord one, Verdict verdict) {
+    one.verdict = verdict;
+    return row_of(run_of({one}, verdict)).reason;
+  };
+  CHECK(reason(stage("a", 0.03, 0.05), Verdict::indeterminate) ==
+        "a: gouge not decided at this resolution, uncut not decided at this resolution");
+  CHECK(reason(stage("a", 0.05, 0.09), Verdict::fail) ==
+        "a: gouge beyond its limit, uncut beyond its limit");
+  StageRecord hit = stage("a", 0.001, 0.001);
+  hit.measures->process = {{"rapid_collision", 3}};
+  CHECK(reason(hit, Verdict::fail) == "a: rapid collision");
+  hit.measures->process.clear();
+  hit.reasons = {"gouge: within", "material stands 2 mm over the allowance surface"};
+  CHECK(reason(hit, Verdict::fail) == "a: material stands 2 mm over the allowance surface");
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,225 @@
+#include "history/schema.h"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <functional>
+
+#include "engine/model/error.h"
+#include "history/history.h"
+#include "history/recorder.h"
+#include "tests/history/history_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/temporary_folder.h"
+
+namespace limitgauge::history {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::query;
+using tests::sample_entry;
+using tests::TemporaryFolder;
+
+/// A history as version 1 wrote it, with one run.
+constexpr const char* kVersion1 = R"sql(
+CREATE TABLE run (id INTEGER PRIMARY KEY AUTOINCREMENT, created TEXT NOT NULL, job TEXT NOT NULL,
+  version TEXT NOT NULL, commit_id TEXT NOT NULL, label TEXT NOT NULL, verdict TEXT NOT NULL) STRICT;
+CREATE TABLE series (id INTEGER PRIMARY KEY, stage TEXT NOT NULL, metric TEXT NOT NULL,
+  UNIQUE (stage, metric)) STRICT;
+CREATE TABLE value (run INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+  series INTEGER NOT NULL REFERENCES series, low REAL NOT NULL, high REAL NOT NULL,
+  PRIMARY KEY (run, series)) STRICT, WITHOUT ROWID;
+CREATE VIEW figure AS SELECT value.run AS run, series.stage AS stage, series.metric AS metric,
+  value.low AS low, value.high AS high FROM value JOIN series ON series.id = value.series;
+INSERT INTO run VALUES (41, '2026-01-02T03:04:05Z', 'old', '0.1.0', 'abc', 'first', 'fail');
+INSERT INTO series VALUES (1, 'finish', 'gouge_mm');
+INSERT INTO value VALUES (41, 1, 0.125, 0.25);
+PRAGMA application_id = 0x4C474849;
+PRAGMA user_version = 1;
+)sql";
+
+Entry entry_of_version_1() {
+  Entry entry;
+  entry.id = 41;
+  entry.created = "2026-01-02T03:04:05Z";
+  entry.job = "old";
+  entry.version = "0.1.0";
+  entry.commit = "abc";
+  entry.label = "first";
+  entry.verdict = "fail";
+  entry.values = {{"finish", "gouge_mm", 0.125, 0.25}};
+  return entry;
+}
+
+void put(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator{}));
+}
+
+std::string input_error(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const model::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// Neither reading nor adding is possible, both say why, and not a byte changes.
+void check_refused(const fs::path& file, const std::string& why) {
+  const std::string before = tests::bytes_of(file);
+  CHECK_THAT(input_error([&] { History{file}; }), ContainsSubstring(why));
+  CHECK_THAT(input_error([&] { Recorder{file}; }), ContainsSubstring(why));
+  CHECK(tests::bytes_of(file) == before);
+  CHECK(entries(file.parent_path()) == 1);
+}
+
+TEST_CASE("a history of version 1 is read as it stands", "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "old.sqlite";
+  query(file, kVersion1);
+  const std::string before = tests::bytes_of(file);
+  CHECK(History(file).runs({}) == std::vector<Entry>{entry_of_version_1()});
+  CHECK(tests::bytes_of(file) == before);
+}
+
+TEST_CASE("the first run that is added brings version 1 to the newest", "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "old.sqlite";
+  query(file, kVersion1);
+  const Recorder recorder(file);
+  CHECK(query(file, "PRAGMA user_version") == "1");
+  Entry entry = sample_entry(1);
+  entry.id = recorder.append(entry);
+  CHECK(entry.id == 42);
+  CHECK(query(file, "PRAGMA user_version") == std::to_string(newest_version()));
+  CHECK(History(file).runs({}) == std::vector<Entry>{entry_of_version_1(), entry});
+  // The same as a file that never was any other.
+  const fs::path fresh = folder.path() / "new.sqlite";
+  Recorder(fresh).append(entry);
+  const char* kSchema =
+      "SELECT group_concat(name || sql) FROM (SELECT name, sql FROM sqlite_schema "
+      "WHERE name IN ('stage', 'run_of_job', 'run_by_time') ORDER BY name)";
+  CHECK(query(file, kSchema) == query(fresh, kSchema));
+}
+
+TEST_CASE("a history of a newer version is refused", "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "new.sqlite";
+  Recorder(file).append(sample_entry(1));
+  query(file, "PRAGMA user_version = 99");
+  check_refused(file, "this history has version 99, and this program knows those up to 2");
+}
+
+TEST_CASE("what is no history is refused and not touched", "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "file";
+  for (const std::string& text :
+       {std::string("hello"), std::string(5000, 'x'), std::string("SQLite format 3")}) {
+    put(file, text);
+    check_refused(file, "this is no SQLite file");
+  }
+}
+
+TEST_CASE("a database of somebody else is refused and not touched", "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "accounts.db";
+  query(file, "CREATE TABLE run (id INTEGER); PRAGMA user_version = 1");
+  check_refused(file, "none of limitgauge's");
+  query(file, "PRAGMA application_id = 12345");
+  check_refused(file, "none of limitgauge's");
+}
+
+TEST_CASE("a damaged history says so", "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "runs.sqlite";
+  Recorder(file).append(sample_entry(1));
+  fs::resize_file(file, 4096);
+  check_refused(file, "this history is damaged");
+}
+
+TEST_CASE("what is not there, or has no place to be, is said", "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path nowhere = folder.path() / "missing" / "runs.sqlite";
+  CHECK_THAT(input_error([&] { History{nowhere}; }), ContainsSubstring("there is no such history"));
+  CHECK_THAT(input_error([&] { Recorder{nowhere}; }),
+             ContainsSubstring("No such file or directory"));
+  CHECK_THAT(input_error([&] { Recorder{folder.path()}; }), ContainsSubstring("this is a folder"));
+  CHECK(entries(folder.path()) == 0);
+}
+
+TEST_CASE("seeing to it that a history can be written writes nothing", "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "runs.sqlite";
+  const Recorder fresh(file);
+  CHECK(entries(folder.path()) == 0);
+  put(file, "");
+  CHECK(History(file).runs({}).empty());
+  fresh.append(sample_entry(1));
+  const std::string before = tests::bytes_of(file);
+  const Recorder again(file);
+  CHECK(tests::bytes_of(file) == before);
+  CHECK(entries(folder.path()) == 1);
+}
+
+/// What a child that is not root, or no longer, is told by `Recorder(file)`.
+int refusal(const fs::path& file) {
+  if (getuid() == 0 && setuid(65534) != 0) return 98;
+  try {
+    const Recorder recorder(file);
+    return 0;
+  } catch (const model::InputError&) {
+    return 3;
+  } catch (const model::ResourceError&) {
+    return 4;
+  }
+}
+
+TEST_CASE("a history or a folder that may not be written is refused before a run",
+          "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "runs.sqlite";
+  Recorder(file).append(sample_entry(1));
+  const auto refused = [&](mode_t of_folder, mode_t of_file) {
+    chmod(folder.path().c_str(), of_folder);
+    chmod(file.c_str(), of_file);
+    const int code = tests::wait_for(tests::start_child([&] { return refusal(file); }));
+    chmod(folder.path().c_str(), 0700);
+    return code;
+  };
+  CHECK(refused(0777, 0666) == 0);
+  CHECK(refused(0777, 0444) == 3);
+  CHECK(refused(0555, 0666) == 3);
+}
+
+TEST_CASE("a full disk is said, and the history stays whole", "[unit][history]") {
+  const TemporaryFolder folder;
+  const Recorder recorder(folder.path() / "runs.sqlite");
+  for (int i = 0; i < 20; ++i) recorder.append(sample_entry(i));
+  const auto size = fs::file_size(recorder.file());
+  const int code = tests::wait_for(tests::start_child([&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{size, size};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      recorder.append(sample_entry(99, 400));
+    } catch (const model::ResourceError&) {
+      return 4;
+    }
+    return 0;
+  }));
+  CHECK(code == 4);
+  CHECK(query(recorder.file(), "PRAGMA integrity_check") == "ok");
+  CHECK(query(recorder.file(), "SELECT count(*) FROM run") == "20");
+  CHECK(recorder.append(sample_entry(99, 400)) == 21);
+}
+
+}  // namespace
+}  // namespace limitgauge::history

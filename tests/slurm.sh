@@ -1,0 +1,227 @@
+#!/bin/bash
+# A study on a real Slurm: munge, a controller and a node daemon of this machine, in a folder of
+# their own, on free ports, as root and without cgroups. Runs the same study locally and compares.
+#
+#   tests/slurm.sh PROGRAM        exit code 77: skipped, because something for it is missing
+set -euo pipefail
+
+program=$(realpath "${1:?usage: tests/slurm.sh PROGRAM}")
+fixtures=$(realpath "$(dirname "$0")/../fixtures")
+PATH=$PATH:/usr/sbin:/sbin
+
+skip() { echo "skipped: $*"; exit 77; }
+[ "$(id -u)" = 0 ] || skip "Slurm's daemons are started as root here, and this is $(id -un)"
+for needed in munged slurmctld slurmd sbatch squeue scancel scontrol sinfo python3; do
+  command -v "$needed" >/dev/null || skip "there is no $needed (Debian: slurm-wlm, munge)"
+done
+
+began=$(date +%s%N)
+say() { printf '%6.1f s  %s\n' "$(($(date +%s%N) - began))e-9" "$*"; }
+
+folder=$(mktemp -d /tmp/limitgauge-slurm-XXXXXX)
+chmod 711 "$folder"
+daemons=()
+study=
+stop_all() {
+  local code=$?
+  trap - EXIT INT TERM
+  [ -z "$study" ] || kill -KILL "$study" 2>/dev/null || true
+  if [ $code -ne 0 ]; then
+    tail -n 20 "$folder"/*.log 2>/dev/null || true
+  fi
+  [ ${#daemons[@]} -lt 2 ] || timeout 10 scancel --user=root 2>/dev/null || true
+  # Last started, first stopped; what does not go is killed.
+  for ((i = ${#daemons[@]} - 1; i >= 0; --i)); do
+    kill "${daemons[i]}" 2>/dev/null || true
+    for _ in $(seq 50); do kill -0 "${daemons[i]}" 2>/dev/null || break; sleep 0.1; done
+    kill -KILL "${daemons[i]}" 2>/dev/null || true
+    wait "${daemons[i]}" 2>/dev/null || true
+  done
+  rm -rf "$folder"
+  exit $code
+}
+trap stop_all EXIT
+trap 'exit 130' INT TERM
+fail() { echo "FAILED: $*"; exit 1; }
+
+# ---- a cluster of one node
+read -r controller_port node_port < <(python3 - <<'PYTHON'
+import socket
+sockets = [socket.socket() for _ in range(2)]
+for s in sockets:
+    s.bind(('127.0.0.1', 0))
+print(*(s.getsockname()[1] for s in sockets))
+PYTHON
+)
+host=$(hostname -s)
+head -c 1024 /dev/urandom > "$folder/munge.key"
+chmod 400 "$folder/munge.key"
+mkdir "$folder/state" "$folder/spool"
+cat > "$folder/slurm.conf" <<CONF
+ClusterName=limitgauge
+SlurmctldHost=$host(127.0.0.1)
+SlurmctldPort=$controller_port
+SlurmdPort=$node_port
+SlurmUser=root
+SlurmdUser=root
+AuthType=auth/munge
+AuthInfo=socket=$folder/munge.socket
+CredType=cred/munge
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+MpiDefault=none
+ReturnToService=2
+SlurmdParameters=config_overrides
+SchedulerParameters=sched_interval=1,batch_sched_delay=0,bf_interval=1
+StateSaveLocation=$folder/state
+SlurmdSpoolDir=$folder/spool
+SlurmctldPidFile=$folder/slurmctld.pid
+SlurmdPidFile=$folder/slurmd.pid
+SlurmctldLogFile=$folder/slurmctld.log
+SlurmdLogFile=$folder/slurmd.log
+MaxArraySize=3
+NodeName=$host NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
+PartitionName=cases Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+CONF
+export SLURM_CONF=$folder/slurm.conf
+# What a job that we may ourselves be in was given is not for the jobs here.
+for name in $(compgen -e | grep -E '^(SLURM_|SBATCH_)' | grep -v '^SLURM_CONF$' || true); do
+  unset "$name"
+done
+
+munged --foreground --force --socket="$folder/munge.socket" --key-file="$folder/munge.key" \
+  --pid-file="$folder/munged.pid" --seed-file="$folder/munge.seed" \
+  --log-file="$folder/munged.log" > "$folder/munged.out.log" 2>&1 &
+daemons+=($!)
+for _ in $(seq 100); do [ -S "$folder/munge.socket" ] && break; sleep 0.1; done
+[ -S "$folder/munge.socket" ] || fail "munge does not start"
+slurmctld -D > "$folder/slurmctld.out.log" 2>&1 &
+daemons+=($!)
+slurmd -D > "$folder/slurmd.out.log" 2>&1 &
+daemons+=($!)
+for _ in $(seq 200); do
+  [ "$(timeout 5 sinfo --noheader --format=%T 2>/dev/null)" = idle ] && break
+  sleep 0.1
+done
+[ "$(sinfo --noheader --format=%T)" = idle ] || fail "the cluster does not come up"
+say "$(slurmd -V): $(sinfo --noheader --format='%D node, %c processors, %T')," \
+  "arrays of at most $(scontrol show config | awk '/^MaxArraySize/ { print $3 }') tasks"
+
+# ---- a study of six cases, one of which the job refuses
+cat > "$folder/study.toml" <<TOML
+name = "slurm"
+job = "$fixtures/jobs/quick-dome.toml"
+[[vary]]
+key = "stage.finish.step"
+values = [1, 2.4, -1]
+[[vary]]
+key = "stage.rough.tolerance"
+values = [0.05, 0.08]
+TOML
+cd "$folder"
+quick=(--set stage.rough.step=1 --set stage.finish.gate.uncut=0.2 --set simulation.voxel=0.5
+  --set verification.resolution=0.02)
+run_study() { "$program" study study.toml "${quick[@]}" "$@"; }
+
+run_study -o local --cache cache-local > local.txt
+say "local: $(head -n 1 local.txt)"
+
+# ---- the same on Slurm, where one task is killed once
+"$program" study study.toml "${quick[@]}" -o slurm --cache cache-slurm --engine slurm --jobs 2 \
+  > slurm.txt 2> slurm.err &
+study=$!
+killed=
+for _ in $(seq 300); do
+  task=$(squeue --noheader --array --states=RUNNING --format=%i | head -n 1)
+  if [ -n "$task" ] && scancel --signal=KILL --full "$task" 2>/dev/null; then
+    killed=$task
+    break
+  fi
+  kill -0 "$study" 2>/dev/null || break
+  sleep 0.05
+done
+[ -n "$killed" ] || fail "no task was seen at work: $(cat slurm.err)"
+say "killed task $killed"
+code=0
+wait "$study" || code=$?
+study=
+cat slurm.err
+[ $code = 0 ] || fail "the study ended with exit code $code"
+say "slurm: $(head -n 1 slurm.txt)"
+grep -q "its Slurm task ${killed} ended without an answer" slurm.err ||
+  fail "the killed task is not told of"
+
+# ---- the same results, byte for byte, but for what is a matter of the run
+python3 - <<'PYTHON'
+import json, pathlib, sys
+
+OF_THE_RUN = {'created', 'threads', 'seconds', 'peak_memory_bytes', 'attempts', 'reused', 'run'}
+
+def without_run(value):
+    if isinstance(value, list):
+        return [without_run(v) for v in value]
+    if isinstance(value, dict):
+        return {k: without_run(v) for k, v in value.items() if k not in OF_THE_RUN}
+    return value
+
+def files(folder):
+    return sorted(str(p.relative_to(folder)) for p in pathlib.Path(folder).rglob('*')
+                  if p.is_file())
+
+def content(path):
+    if path.suffix == '.json':
+        return json.dumps(without_run(json.loads(path.read_text())))
+    if path.suffix == '.csv':
+        lines = [line.split(',') for line in path.read_text().splitlines()]
+        kept = [i for i, name in enumerate(lines[0])
+                if name not in OF_THE_RUN]
+        return [[line[i] for i in kept if i < len(line)] for line in lines]
+    return None
+
+names = files('local')
+assert names == files('slurm'), (names, files('slurm'))
+assert sum(name.endswith('result.json') for name in names) == 4, names
+for name in names:
+    a, b = (content(pathlib.Path(folder) / name) for folder in ('local', 'slurm'))
+    if a != b:
+        sys.exit(f'{name} differs:\n{a}\n{b}')
+attempts = [row['attempts'] for row in json.loads(pathlib.Path('slurm/study.json').read_text())['run']['cases']] \
+    if 'cases' in json.loads(pathlib.Path('slurm/study.json').read_text()).get('run', {}) else None
+print(f'{len(names)} files agree; attempts: {attempts}')
+PYTHON
+[ ! -d cache-slurm/slurm ] || [ -z "$(ls cache-slurm/slurm)" ] || fail "the work folder was left"
+
+# ---- what was run on Slurm is there for a local run
+run_study -o again --cache cache-slurm > again.txt
+grep -q "4 reused, 0 run" again.txt || fail "results of Slurm are not reused: $(cat again.txt)"
+
+# ---- a refusal, and a machine without Slurm
+code=0
+run_study -o no --cache cache-no --engine slurm --slurm-option=--partition=none 2> no.err || code=$?
+[ $code = 4 ] || fail "a refused submission ended with exit code $code"
+grep -qi partition no.err || fail "the refusal is not told: $(cat no.err)"
+code=0
+PATH=/nowhere run_study -o no --cache cache-no --engine slurm 2> no.err || code=$?
+[ $code = 3 ] || fail "a machine without Slurm ended with exit code $code"
+[ ! -e no ] || fail "an output folder was left"
+
+# ---- interrupted: nothing stays in the queue
+"$program" study study.toml "${quick[@]}" -o stopped --cache cache-stopped --engine slurm --jobs 1 \
+  2> stopped.err &
+study=$!
+for _ in $(seq 200); do
+  [ -z "$(squeue --noheader --states=RUNNING)" ] || break
+  sleep 0.05
+done
+kill -TERM "$study"
+code=0
+wait "$study" || code=$?
+study=
+[ $code = 4 ] || fail "the interrupted study ended with exit code $code"
+[ -z "$(squeue --noheader --states=PENDING,RUNNING)" ] || fail "jobs were left in the queue"
+[ ! -e stopped ] || fail "an output folder was left"
+say "interrupted: $(cat stopped.err)"
+say "all well"

@@ -125,47 +125,49 @@ json comparison_in(const fs::path& folder) {
 TEST_CASE("what got worse turns compare red, and its lines are named", "[e2e][compare]") {
   const Scratch scratch;
   REQUIRE(run(scratch, kZigzag, "base").exit_code == 0);
+  const auto compare = [&](const std::string& base, const std::string& now,
+                           const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"compare", base, now, "-o", "c-" + base + now};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = limitgauge(scratch, arguments);
+    UNSCOPED_INFO(outcome.out << outcome.errors);
+    return outcome;
+  };
 
-  SECTION("the same job with other threads is the same") {
-    REQUIRE(run(scratch, kZigzag, "new", {"--threads", "1"}).exit_code == 0);
-    const Outcome outcome = limitgauge(scratch, {"compare", "base", "new/result.json", "-o", "c"});
-    INFO(outcome.out << outcome.errors);
-    CHECK(outcome.exit_code == 0);
-    CHECK_THAT(outcome.out, ContainsSubstring("comparison: same"));
-    CHECK(comparison_in(scratch / "c")["worse"] == 0);
-    CHECK(comparison_in(scratch / "c")["better"] == 0);
-  }
-  SECTION("a step-over of 20 % more is worse, and turned round better") {
-    REQUIRE(run(scratch, kZigzag, "new", {"--set", "stage.finish.step=0.36"}).exit_code == 0);
-    const Outcome outcome = limitgauge(scratch, {"compare", "base", "new", "-o", "c"});
-    INFO(outcome.out << outcome.errors);
-    CHECK(outcome.exit_code == 1);
-    const json uncut = figure(comparison_in(scratch / "c"), "uncut_mm");
-    CHECK(uncut["judgement"] == "worse");
-    CHECK(uncut["deepest"]["line"] > 0);
-    CHECK(comparison_in(scratch / "c")["stages"][0]["name"] == "finish");
-    CHECK_THAT(read_text(scratch / "c/compare.md"), ContainsSubstring("| finish | uncut |"));
-    const Outcome back = limitgauge(scratch, {"compare", "new", "base"});
-    CHECK(back.exit_code == 0);
-    CHECK_THAT(back.out, ContainsSubstring("comparison: better"));
-    const Outcome time = limitgauge(scratch, {"compare", "new", "base", "--time-limit", "10"});
-    CHECK(time.exit_code == 1);
-  }
-  SECTION("a row that is sunk by 5 µm is worse, and is named") {
-    const Sunk sunk = sink_row(read_text(scratch / "base/finish/toolpath.ngc"), 1.0);
-    REQUIRE(sunk.lines.size() > 20);
-    write_text(scratch / "sunk.ngc", sunk.program);
-    REQUIRE(run(scratch, "program = \"sunk.ngc\"", "new").exit_code == 0);
-    const Outcome outcome = limitgauge(scratch, {"compare", "base", "new", "-o", "c"});
-    INFO(outcome.out << outcome.errors);
-    CHECK(outcome.exit_code == 1);
-    const json gouge = figure(comparison_in(scratch / "c"), "gouge_mm");
-    CHECK(gouge["judgement"] == "worse");
-    const int line = gouge["deepest"]["line"];
-    CHECK(sunk.lines.count(line) == 1);
-    CHECK_THAT(outcome.out, ContainsSubstring("line " + std::to_string(line) + ": Y"));
-    CHECK(limitgauge(scratch, {"compare", "new", "base"}).exit_code == 0);
-  }
+  // The same job with other threads is the same.
+  REQUIRE(run(scratch, kZigzag, "threads", {"--threads", "1"}).exit_code == 0);
+  const Outcome same = compare("base", "threads");
+  CHECK(same.exit_code == 0);
+  CHECK_THAT(same.out, ContainsSubstring("comparison: same"));
+  CHECK(comparison_in(scratch / "c-basethreads")["worse"] == 0);
+  CHECK(comparison_in(scratch / "c-basethreads")["better"] == 0);
+
+  // A step-over of 20 % more is worse, and turned round better.
+  REQUIRE(run(scratch, kZigzag, "step", {"--set", "stage.finish.step=0.36"}).exit_code == 0);
+  CHECK(compare("base", "step").exit_code == 1);
+  const json step = comparison_in(scratch / "c-basestep");
+  CHECK(figure(step, "uncut_mm")["judgement"] == "worse");
+  CHECK(figure(step, "uncut_mm")["deepest"]["line"] > 0);
+  CHECK(step["stages"][0]["name"] == "finish");
+  CHECK_THAT(read_text(scratch / "c-basestep/compare.md"), ContainsSubstring("| finish | uncut |"));
+  const Outcome back = compare("step", "base");
+  CHECK(back.exit_code == 0);
+  CHECK_THAT(back.out, ContainsSubstring("comparison: better"));
+  CHECK(compare("step", "base", {"--time-limit", "10", "--force"}).exit_code == 1);
+
+  // A row that is sunk by 5 µm is worse, and is named.
+  const Sunk sunk = sink_row(read_text(scratch / "base/finish/toolpath.ngc"), 1.0);
+  REQUIRE(sunk.lines.size() > 20);
+  write_text(scratch / "sunk.ngc", sunk.program);
+  REQUIRE(run(scratch, "program = \"sunk.ngc\"", "sunk").exit_code == 0);
+  const Outcome red = compare("base", "sunk");
+  CHECK(red.exit_code == 1);
+  const json gouge = figure(comparison_in(scratch / "c-basesunk"), "gouge_mm");
+  REQUIRE(gouge["judgement"] == "worse");
+  const int line = gouge["deepest"]["line"];
+  CHECK(sunk.lines.count(line) == 1);
+  CHECK_THAT(red.out, ContainsSubstring("line " + std::to_string(line) + ": Y"));
+  CHECK(compare("sunk", "base").exit_code == 0);
 }
 
 TEST_CASE("compare refuses what it cannot compare and keeps to its folder", "[e2e][compare]") {
@@ -180,7 +182,7 @@ TEST_CASE("compare refuses what it cannot compare and keeps to its folder", "[e2
   write_text(scratch / "broken.json", "{\n\"schema\": 1,}");
   const Outcome broken = compare({base, "broken.json"});
   CHECK(broken.exit_code == 3);
-  CHECK_THAT(broken.errors, ContainsSubstring("broken.json:2:14: error: broken JSON"));
+  CHECK_THAT(broken.errors, ContainsSubstring("broken.json:2:13: error: broken JSON"));
   const Outcome typo = compare({base, base, "--ignore", "uncut"});
   CHECK(typo.exit_code == 3);
   CHECK_THAT(typo.errors, ContainsSubstring("uncut_mm"));

@@ -248,7 +248,7 @@ TEST_CASE("A new collision is a regression, a near miss is not", "[unit][compare
   REQUIRE(comparison.stages[0].findings.size() == 1);
   CHECK(comparison.stages[0].findings[0].judgement == Judgement::worse);
   CHECK(text_table(comparison, false, 100, false)
-            .find("new rapid through standing material 0.5 mm, line 77: G0 X1 at (1.000, 2.000, "
+            .find("new rapid through standing material 0.500 mm, line 77: G0 X1 at (1.000, 2.000, "
                   "3.000): worse") != std::string::npos);
   CHECK(compare_runs(sample_run(), now, {{}, {}, {"process"}}).worse == 0);
   now.stages[0].measures->process_findings[0].kind = "near_miss";

@@ -70,7 +70,7 @@ class Workshop:
         before, rough = (fixtures / 'plate.ngc').read_text().split('(ROUGH)')
         (self.work / 'parts/plate.ngc').write_text(before + rough.split('(FINISH)')[1])
         job = (fixtures / 'plate.toml').read_text().replace('0.25', '1')
-        job += '[verification]\nresolution = 0.002\n'
+        job += '[verification]\nresolution = 0.002\n[report]\npictures = false\n'
         stages = job.split('[[stage]]')
         job = '[[stage]]'.join([stages[0], stages[2]])  # the finish alone: it leaves nothing standing
         (self.work / 'parts/part.toml').write_text(job)

@@ -18,8 +18,9 @@ packages=(
   # histories; the search of a study
   libsqlite3-dev libnlopt-cxx-dev
   # tests: the framework, a second reader of our VTK files, a validator of our JSON, a
-  # reader of our JUnit, another evaluator of our surfaces, a reader of our manual page
-  catch2 libvtk9-dev python3 python3-jsonschema python3-junitparser libosd-dev mandoc
+  # reader of our JUnit, another evaluator of our surfaces, a reader of our manual page, one of
+  # the examples for CI
+  catch2 libvtk9-dev python3 python3-jsonschema python3-junitparser libosd-dev mandoc python3-yaml
   # benchmarks: the harness, and the closest-point tree that ours is compared with
   libbenchmark-dev libcgal-dev
   # fuzz tests: clang of either release (14, 19) with its fuzzer's and sanitizers' runtimes

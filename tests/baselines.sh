@@ -22,11 +22,11 @@ trap 'rm -rf "$scratch"' EXIT
 
 # Exit codes 0 to 2 are results; the kept one says which it was.
 run_job() {
-  local name=$1 job status=0
-  job=$(sed -n "s/^$name //p" jobs.txt)
-  [ -n "$job" ] || { echo "baselines.sh: no baseline is called $name (jobs.txt)" >&2; exit 3; }
-  "$program" run "$job" -o "$scratch/$name" --no-pictures --quiet || status=$?
-  [ "$status" -le 2 ] || exit "$status"
+  local name=$1 status=0 job
+  read -ra job < <(sed -n "s/^$name //p" jobs.txt) ||
+    { echo "baselines.sh: no baseline is called $name (jobs.txt)" >&2; exit 3; }
+  "$program" run "${job[@]}" -o "$scratch/$name" --no-pictures --quiet || status=$?
+  [ "$status" -le 2 ] || { echo "baselines.sh: $name did not run" >&2; exit "$status"; }
 }
 
 approve() {

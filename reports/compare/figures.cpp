@@ -94,7 +94,7 @@ void judge(FigureChange& change, const StageMeasures& base, const StageMeasures&
   if (metric.source == Source::effort) {
     change.why = "of this program on its machine; never judged";
   } else if (metric.better == record::Better::neither) {
-    change.why = "neither way is better";
+    change.why = "shown; neither way is better by itself";
   } else if (!is_judged(options, metric.id)) {
     change.why = "not asked for";
   } else if (metric.source == Source::planned) {

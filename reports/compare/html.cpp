@@ -57,6 +57,14 @@ std::string remark_list(const std::vector<Remark>& remarks) {
   return out + "</ul>\n";
 }
 
+std::string place_cell(const FoundPlace& place, const std::string& stage) {
+  std::string line = "–";
+  if (place.line) line = fmt::format("line {}", *place.line);
+  if (!place.stage.empty() && place.stage != stage) line += " of " + escape_markup(place.stage);
+  if (!place.line_text.empty()) line += " <code>" + escape_markup(place.line_text) + "</code>";
+  return line;
+}
+
 /// What a reader came for: everything that is worse, each with a link to its stage.
 std::string regressions(const Comparison& comparison) {
   std::string out;
@@ -72,7 +80,9 @@ std::string regressions(const Comparison& comparison) {
     for (const FigureChange& figure : stage.figures) {
       if (figure.judgement != Judgement::worse) continue;
       const FigureText text = figure_text(figure);
-      item(link + fmt::format("{} {} before, now {}; {}", figure.metric->label, text.base, text.now,
+      item(link + fmt::format("{} {} before, now {}{}; {}", figure.metric->label, text.base,
+                              text.now,
+                              figure.where ? ", " + place_cell(*figure.where, stage.name) : "",
                               escape_markup(figure.why)));
     }
     std::size_t findings = 0;
@@ -107,18 +117,21 @@ std::string masthead(const Comparison& comparison) {
          remark_list(comparison.remarks) + "</header>\n";
 }
 
-std::string figures_table(const StageComparison& stage) {
+html::Row figure_row(const FigureChange& figure) {
+  const FigureText text = figure_text(figure);
+  return {{std::string(figure.metric->label), text.base, text.now, text.change,
+           text.floor.empty() ? "–" : text.floor,
+           fmt::format("<span class=\"sum\">{} <small>{}</small></span>", badge(figure.judgement),
+                       escape_markup(figure.why))},
+          {}};
+}
+
+std::string figures_table(const StageComparison& stage, bool judged, const char* caption) {
   std::vector<html::Row> rows;
-  for (const FigureChange& figure : stage.figures) {
-    const FigureText text = figure_text(figure);
-    rows.push_back({{std::string(figure.metric->label), text.base, text.now, text.change,
-                     text.floor.empty() ? "–" : text.floor,
-                     fmt::format("<span class=\"sum\">{} <small>{}</small></span>",
-                                 badge(figure.judgement), escape_markup(figure.why))},
-                    {}});
-  }
-  if (rows.empty()) return "<p>No figures: not both runs measured this stage.</p>\n";
-  return html::table("Figures",
+  for (const FigureChange& figure : stage.figures)
+    if ((figure.judgement != Judgement::not_judged) == judged) rows.push_back(figure_row(figure));
+  if (rows.empty()) return {};
+  return html::table(caption,
                      {{"Figure"},
                       {"Base", true},
                       {"New", true},
@@ -128,12 +141,11 @@ std::string figures_table(const StageComparison& stage) {
                      rows);
 }
 
-std::string place_cell(const FoundPlace& place, const std::string& stage) {
-  std::string line = "–";
-  if (place.line) line = fmt::format("line {}", *place.line);
-  if (!place.stage.empty() && place.stage != stage) line += " of " + escape_markup(place.stage);
-  if (!place.line_text.empty()) line += " <code>" + escape_markup(place.line_text) + "</code>";
-  return line;
+std::string figures_part(const StageComparison& stage) {
+  if (stage.figures.empty()) return "<p>No figures: not both runs measured this stage.</p>\n";
+  return figures_table(stage, true, "Figures") +
+         "<details><summary>Figures that are not judged</summary>\n" +
+         figures_table(stage, false, "Shown for information") + "</details>\n";
 }
 
 html::Row finding_row(const StageComparison& stage, const FindingChange& change) {
@@ -190,8 +202,8 @@ std::string stage_section(const StageComparison& stage, std::size_t index) {
   return fmt::format(
       "<section id=\"{}\"><h2>{}</h2>\n<p>Verdict: {} before, now {}.</p>\n{}{}{}{}</section>\n",
       stage_anchor(index), escape_markup(stage.name), verdict_badge(stage.base),
-      verdict_badge(stage.now), remark_list(stage.remarks), worst_place(stage),
-      figures_table(stage), findings_table(stage));
+      verdict_badge(stage.now), remark_list(stage.remarks), worst_place(stage), figures_part(stage),
+      findings_table(stage));
 }
 
 }  // namespace

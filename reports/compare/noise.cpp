@@ -28,11 +28,18 @@ Judgement by_floor(double harm, double floor) {
   return harm < -floor ? Judgement::better : Judgement::same;
 }
 
-/// Gouge before uncut: what is cut away cannot be put back. Turned round, it says the contrary.
-Judgement by_side(double base, double now, double floor) {
-  const Judgement gouge = by_floor(std::max(-now, 0.0) - std::max(-base, 0.0), floor);
-  if (gouge != Judgement::same) return gouge;
-  return by_floor(std::max(now, 0.0) - std::max(base, 0.0), floor);
+/// The figure as a number that is better the lower it is.
+double badness(const Metric& metric, double value) {
+  switch (metric.better) {
+    case Better::higher:
+      return -value;
+    case Better::less_gouge:
+      return std::max(-value, 0.0);
+    case Better::less_uncut:
+      return std::max(value, 0.0);
+    default:
+      return value;
+  }
 }
 
 }  // namespace
@@ -69,10 +76,8 @@ Judgement judge_figure(const Metric& metric, const Interval& base, const Interva
     if (wholly_above(now, base)) return Judgement::worse;
     if (wholly_above(base, now)) return Judgement::better;
   }
-  const double floor = noise_floor(metric, base.high, fineness);
-  if (metric.better == Better::nearer_zero) return by_side(base.high, now.high, floor);
-  const double grown = now.high - base.high;
-  return by_floor(metric.better == Better::higher ? -grown : grown, floor);
+  return by_floor(badness(metric, now.high) - badness(metric, base.high),
+                  noise_floor(metric, base.high, fineness));
 }
 
 }  // namespace limitgauge::reports::compare

@@ -97,9 +97,11 @@ std::vector<Remark> compare_settings(const record::StageRecord& base,
     return stage.program.empty() ? stage.strategy : "program " + stage.program;
   };
   name_change(out, "strategy", "path", way(base), way(now));
-  name_change(out, "step", "step", stated_length(base.step_mm), stated_length(now.step_mm));
-  name_change(out, "tolerance", "tolerance", stated_length(base.tolerance_mm),
-              stated_length(now.tolerance_mm));
+  if (base.program.empty() && now.program.empty()) {
+    name_change(out, "step", "step", stated_length(base.step_mm), stated_length(now.step_mm));
+    name_change(out, "tolerance", "tolerance", stated_length(base.tolerance_mm),
+                stated_length(now.tolerance_mm));
+  }
   if (base.allowance_mm != now.allowance_mm)
     out.push_back({"allowance", Judgement::not_judged,
                    "allowance was " + stated_length(base.allowance_mm) + ", is " +

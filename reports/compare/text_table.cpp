@@ -96,8 +96,9 @@ std::string line_of(const Row& row, const Layout& layout, bool is_head, bool col
 }
 
 std::string remark_line(const std::string& prefix, const Remark& remark, bool colour) {
-  return prefix + clean_text(remark.text) + ": " +
-         painted(name(remark.judgement), remark.judgement, colour) + '\n';
+  const std::string text = prefix + clean_text(remark.text);
+  if (remark.judgement == Judgement::not_judged) return text + '\n';
+  return text + ": " + painted(name(remark.judgement), remark.judgement, colour) + '\n';
 }
 
 std::string named_place(const FoundPlace& place, const std::string& stage) {

@@ -11,6 +11,8 @@ namespace {
 
 using verifier::Interval;
 
+constexpr double kLeastPercent = 0.01;
+
 std::string signed_text(double value, const std::string& magnitude) {
   return (value < 0 ? "−" : "+") + magnitude;
 }
@@ -51,8 +53,11 @@ std::string plain(const record::Metric& metric, double value) {
 FigureText plain_cells(const FigureChange& change) {
   const double was = change.base.high, is = change.now.high;
   std::string moved = was == is ? "0" : "";
-  if (moved.empty() && was != 0)
-    moved = signed_text(is - was, three_digits(100 * std::abs((is - was) / was)) + " %");
+  if (moved.empty() && was != 0) {
+    const double percent = 100 * std::abs((is - was) / was);
+    moved = percent < kLeastPercent ? "below 0.01 %"
+                                    : signed_text(is - was, three_digits(percent) + " %");
+  }
   return {plain(*change.metric, was), plain(*change.metric, is), moved,
           change.floor ? plain(*change.metric, *change.floor) : ""};
 }

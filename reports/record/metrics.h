@@ -7,9 +7,10 @@
 
 namespace limitgauge::reports::record {
 
-/// Which way a figure is better. `nearer_zero`: signed deviations; on either side of zero, but what
-/// is gouged cannot be put back.
-enum class Better { lower, higher, nearer_zero, neither };
+/// Which way a figure is better. `less_gouge` and `less_uncut`: signed deviations at either end of
+/// their distribution, which count as far as they lie below or above zero. A mean or a median has
+/// no better side: it falls with a gouge, too.
+enum class Better { lower, higher, less_gouge, less_uncut, neither };
 
 /// Where a figure comes from, and so how far it can be trusted.
 enum class Source {

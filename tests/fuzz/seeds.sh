@@ -25,6 +25,8 @@ collect program '*.ngc'
 collect cl_data '*.apt'
 collect tool_table '*.tbl'
 collect job '*.toml'
+mkdir -p "$to/result"
+cp "$fixtures"/baselines/*.json "$to/result/"
 # The jobs' files stand beside other folders' jobs; the target has one folder with one of each.
 sed -i -E 's#"[^"]*\.obj"#"part.obj"#; s#"[^"]*\.ngc"#"part.ngc"#' "$to"/job/*.toml
 collect study '*.toml' "$fixtures/studies"

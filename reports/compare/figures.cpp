@@ -65,10 +65,12 @@ void judge_certified(FigureChange& change, const StageMeasures& base, const Stag
   }
 }
 
-std::string why_measured(const Metric& metric) {
-  if (metric.id == "coverage") return "samples on the rim of a limit change sides";
-  if (metric.id.starts_with("voxel_")) return "no finer than the stock's voxels";
-  return "of exact samples in the same places; the floor is a tenth of the resolution";
+std::string why_measured(const FigureChange& change) {
+  const std::string_view id = change.metric->id;
+  const std::string where = change.judgement == Judgement::same ? "within " : "beyond ";
+  if (id == "coverage") return where + "a tenth of a point: samples on the rim change sides";
+  if (id.starts_with("voxel_")) return where + "a voxel of the stock";
+  return where + "a tenth of the resolution";
 }
 
 /// Longer is worse only from the stated limit on, shorter is better as soon as it is not rounding.
@@ -103,7 +105,7 @@ void judge(FigureChange& change, const StageMeasures& base, const StageMeasures&
     change.floor = noise_floor(metric, change.base.high, fineness);
     if (metric.source == Source::certified) return judge_certified(change, base, now, fineness);
     change.judgement = judge_figure(metric, change.base, change.now, fineness);
-    change.why = why_measured(metric);
+    change.why = why_measured(change);
   }
 }
 

@@ -14,6 +14,9 @@ constexpr std::size_t kMostFindings = 10;
 constexpr std::size_t kMostRemarks = 20;
 constexpr std::size_t kLongestText = 200;
 
+/// Within a line, and without brackets or a colon beside them, these mean nothing.
+constexpr std::string_view kHarmless = ".,-()";
+
 /// `text` as Markdown shows it letter by letter: nothing in it is a link, a mention, markup, or the
 /// end of a table's cell.
 std::string escaped(const std::string& text) {
@@ -22,7 +25,7 @@ std::string escaped(const std::string& text) {
     const auto byte = static_cast<unsigned char>(c);
     if (c == '\n' || c == '\t') {
       out += ' ';
-    } else if (std::ispunct(byte) != 0 && c != '.' && c != ',' && c != ' ') {
+    } else if (std::ispunct(byte) != 0 && kHarmless.find(c) == std::string_view::npos) {
       // An entity ends no cell and calls nobody, which a backslash before "|" or "@" may.
       out += "&#" + std::to_string(byte) + ";";
     } else {

@@ -143,6 +143,13 @@ bool can_be_objective(const Metric& metric) {
          std::find(std::begin(kWanted), std::end(kWanted), metric.id) != std::end(kWanted);
 }
 
+/// Of a job that came to its last stage: what a part of the stages takes says nothing of the whole.
+std::optional<double> whole_machining_time_s(const RunRecord& run) {
+  const auto ran = [](const StageRecord& stage) { return stage.measures.has_value(); };
+  if (!std::all_of(run.stages.begin(), run.stages.end(), ran)) return std::nullopt;
+  return reports::record::machining_time_s(run);
+}
+
 }  // namespace
 
 std::vector<study::Figure> study_figures(std::span<const std::string> stages) {
@@ -179,7 +186,7 @@ std::optional<double> gate_excess(const RunRecord& run) {
 void fill_row(study::Row& row, const RunRecord& run, std::span<const std::string> stages) {
   row.status = status_of(run.verdict);
   row.reason = row.status == study::Status::pass ? std::string() : reason_of(run);
-  row.figures = {reports::record::machining_time_s(run), gate_excess(run)};
+  row.figures = {whole_machining_time_s(run), gate_excess(run)};
   for (const std::string& name : stages)
     for (const Metric* metric : metrics()) add_values(row.figures, stage_named(run, name), *metric);
 }

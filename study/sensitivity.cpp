@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "study/least_squares.h"
 #include "study/objectives.h"
@@ -123,8 +124,17 @@ double squares_about_means(const Known& found, const Means& means) {
   return sum;
 }
 
+/// Zero where the figures are alike but for rounding: there is nothing to have a share in.
+double variation(const std::vector<double>& values) {
+  constexpr double kLastBits = 1e-12;
+  const double largest = std::accumulate(values.begin(), values.end(), 0.0, [](double a, double b) {
+    return std::max(a, std::abs(b));
+  });
+  return spread(values) > kLastBits * largest ? squares_about_mean(values) : 0;
+}
+
 std::optional<double> share_of_means(const Known& found, std::size_t levels) {
-  const double all = squares_about_mean(found.pairs.y);
+  const double all = variation(found.pairs.y);
   if (!(all > 0)) return std::nullopt;
   const double left = squares_about_means(found, means_of(found, levels));
   return std::clamp(1 - left / all, 0.0, 1.0);
@@ -132,7 +142,7 @@ std::optional<double> share_of_means(const Known& found, std::size_t levels) {
 
 /// What is left after a fit, held against what was there, both for each degree of freedom.
 std::optional<double> share_of_fit(double left, std::size_t coefficients, const Pairs& pairs) {
-  const double all = squares_about_mean(pairs.y);
+  const double all = variation(pairs.y);
   const auto n = static_cast<double>(pairs.y.size());
   const double freedom = n - static_cast<double>(coefficients);
   if (!(all > 0) || freedom < 1) return std::nullopt;

@@ -147,6 +147,19 @@ TEST_CASE("a grid without the job's settings goes through what is nearest", "[un
   CHECK_FALSE(word.has_elasticity);
 }
 
+TEST_CASE("a figure that never changes has no variance to share", "[unit][sensitivity]") {
+  // Their mean, summed up and divided, is not the number itself.
+  Plan plan = plan_of(Method::grid, {listed("a", {1, 2, 3, 4, 5, 6, 7}), listed("b", {1, 3, 5})});
+  const Job constant = [](const std::vector<Setting>& s) {
+    return Answer{100 / number(s, 0), -0.5, 0.000950011};
+  };
+  const Analysis analysis = analyse(plan, table_of(plan, constant));
+  for (const std::size_t key : {0, 1}) {
+    CHECK(response_to(analysis, key, 2).change == 0);
+    CHECK_FALSE(response_to(analysis, key, 2).variance_share);
+  }
+}
+
 TEST_CASE("one at a time: a response for each key through the base", "[unit][sensitivity]") {
   Plan plan = plan_of(Method::one_at_a_time, {listed("a", {1, 4}), listed("b", {1, 2, 3})});
   plan.variables[0].base = number_setting(2);

@@ -19,7 +19,7 @@ using model::CutterType;
 using model::Vec3;
 using namespace tests;
 
-constexpr int kPairs = 200;
+constexpr int kPairs = 80;
 /// The map of a stage has samples 0.25 mm apart: a tenth of that along and across.
 constexpr double kSpacing_mm = 0.025;
 /// Two implementations of a distance, each good to 1e-9 mm.

@@ -129,7 +129,7 @@ TEST_CASE("sections of every kind of cage are watertight", "[slow][section]") {
   for (const model::Cage& cage : tests::feature_cages()) {
     INFO(cage.name);
     const PatchModel model(cage, {0.03, 0, 4}, {});
-    check_watertight(model, sample_offset(model, 0, 0.05), 8);
+    check_watertight(model, sample_offset(model, 0, 0.05), 5);
   }
 }
 

@@ -143,7 +143,7 @@ TEST_CASE("a worker that cannot be started is an error of its own", "[unit][stud
 
 TEST_CASE("a pool that is stopped ends its workers", "[unit][study]") {
   const tests::TemporaryFolder folder;
-  LocalPoolOptions options = shell_pool(folder.path(), "echo $$ > \"$folder/$index\"; sleep 60");
+  LocalPoolOptions options = shell_pool(folder.path(), "echo $$ > \"$folder/$index\"; exec sleep 60");
   options.workers = 2;
   std::atomic<bool> stop{false};
   std::thread stopper([&] {

@@ -5,6 +5,7 @@
 #include "app/cache_folder.h"
 #include "app/commands.h"
 #include "app/job_reader.h"
+#include "app/now_utc.h"
 #include "app/output_folder.h"
 #include "app/progress.h"
 #include "app/study_cases.h"
@@ -13,7 +14,6 @@
 #include "app/study_file.h"
 #include "app/study_output.h"
 #include "app/study_worker.h"
-#include "app/utc_time.h"
 #include "engine/model/error.h"
 #include "study/search.h"
 

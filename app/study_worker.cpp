@@ -10,9 +10,9 @@
 
 #include "app/case_keys.h"
 #include "app/case_runner.h"
+#include "app/now_utc.h"
 #include "app/one_line.h"
 #include "app/process_memory.h"
-#include "app/utc_time.h"
 #include "engine/model/error.h"
 #include "study/store.h"
 #include "study/worker_lines.h"

@@ -14,19 +14,6 @@ const char* id(Judgement judgement) {
   return judgement == Judgement::not_judged ? "not_judged" : name(judgement);
 }
 
-const char* source_id(record::Source source) {
-  switch (source) {
-    case record::Source::certified:
-      return "certified";
-    case record::Source::measured:
-      return "measured";
-    case record::Source::planned:
-      return "planned";
-    default:
-      return "effort";
-  }
-}
-
 Json head_part(const RunHead& head) {
   return {{"job", clean_text(head.job)},
           {"version", clean_text(head.version)},
@@ -49,7 +36,7 @@ Json place_part(const FoundPlace& place) {
 
 Json figure_part(const FigureChange& figure) {
   Json out = {{"metric", figure.metric->id},
-              {"source", source_id(figure.metric->source)},
+              {"source", record::name(figure.metric->source)},
               {"judgement", id(figure.judgement)},
               {"why", clean_text(figure.why)}};
   if (figure.metric->source == record::Source::certified) {

@@ -25,18 +25,7 @@ Json run_json(const history::Entry& run) {
 }
 
 const char* source_name(const Column& column) {
-  if (column.known == nullptr) return "unknown";
-  switch (column.known->source) {
-    case record::Source::certified:
-      return "certified";
-    case record::Source::measured:
-      return "measured";
-    case record::Source::planned:
-      return "planned";
-    case record::Source::effort:
-      break;
-  }
-  return "effort";
+  return column.known == nullptr ? "unknown" : record::name(column.known->source);
 }
 
 Json cell_json(const Cell& cell) {

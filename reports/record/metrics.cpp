@@ -65,6 +65,20 @@ const Metric* find_metric(std::string_view id) {
   return found == kMetrics.end() ? nullptr : &*found;
 }
 
+const char* name(Source source) {
+  switch (source) {
+    case Source::certified:
+      return "certified";
+    case Source::measured:
+      return "measured";
+    case Source::planned:
+      return "planned";
+    case Source::effort:
+      break;
+  }
+  return "effort";
+}
+
 double machining_time_s(const RunRecord& run) {
   double sum = 0;
   for (const StageRecord& stage : run.stages)

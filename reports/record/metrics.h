@@ -20,6 +20,9 @@ enum class Source {
   effort,     ///< seconds and bytes of this program: another machine, other figures
 };
 
+/// "certified" and so on.
+const char* name(Source source);
+
 /// One figure of a stage.
 struct Metric {
   std::string_view id;     ///< "gouge_mm": as in result.json

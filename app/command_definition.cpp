@@ -3,21 +3,31 @@
 #include <utility>
 
 #include "app/option_checks.h"
+#include "app/reach_limit.h"
 
 namespace limitgauge::app {
 namespace {
 
 CLI::Option* add_limit(CLI::App& app, const std::string& option, double& value, bool& stated,
                        const std::string& help) {
-  return app
-      .add_option_function<double>(
-          option,
-          [&value, &stated](const double& limit) {
-            value = limit;
-            stated = true;
-          },
-          help)
-      ->check(number_above_zero(false));
+  return app.add_option_function<double>(
+      option,
+      [&value, &stated](const double& limit) {
+        value = limit;
+        stated = true;
+      },
+      help);
+}
+
+CLI::Option* add_unreachable(CLI::App& app, verifier::GateLimits& limits) {
+  return app.add_option_function<std::string>(
+      "--unreachable",
+      [&limits](const std::string& text) {
+        if (!set_unreachable(text, limits))
+          throw CLI::ValidationError("--unreachable", "\"" + text + "\" is neither " + kReachLimit);
+      },
+      "Largest part of the surface that no cutter used so far may reach: a share, or an area as "
+      "12.5mm2 (default: measured, not gated)");
 }
 
 }  // namespace
@@ -98,6 +108,10 @@ void CommandDefinition::add_machine(CLI::App& sub, MachineOptions& machine) {
   hint(sub.add_option("--home", machine.home, "The machine's reference point, where G28 goes, mm"),
        "X,Y,Z");
   hint(sub.add_option("--second-home", machine.second_home, "Where G30 goes, mm"), "X,Y,Z");
+  hint(sub.add_option("--start", machine.start,
+                      "Where the tip stands before the first line, in the program's frame, mm "
+                      "(default: verify: its zero, above everything; inspect: 0,0,0)"),
+       "X,Y,Z");
   file(sub.add_option("--tool-table", machine.tool_table,
                       "Lengths and diameters of the tools: LinuxCNC's tool table, mm"),
        "tbl");
@@ -140,10 +154,22 @@ void CommandDefinition::add_checks(CLI::App& sub) {
       ->check(number_above_zero(false));
   hint(add_limit(sub, "--gouge", verify.limits.gouge_mm, verify.limits.has_gouge,
                  "Largest gouge that passes, mm (default: measured, not gated)"),
-       "MM");
+       "MM")
+      ->check(number_above_zero(false));
   hint(add_limit(sub, "--uncut", verify.limits.uncut_mm, verify.limits.has_uncut,
                  "Largest uncut that passes, mm (default: measured, not gated)"),
-       "MM");
+       "MM")
+      ->check(number_above_zero(false));
+  hint(add_limit(sub, "--coverage", verify.limits.coverage, verify.limits.has_coverage,
+                 "Least share of the reachable area within both limits, 0 to 1 (default: "
+                 "measured, not gated)"),
+       "SHARE")
+      ->check(share());
+  hint(add_unreachable(sub, verify.limits), "SHARE");
+  hint(add_limit(sub, "--unavoidable", verify.limits.unavoidable_mm, verify.limits.has_unavoidable,
+                 "Largest uncut where nothing can reach, mm (default: measured, not gated)"),
+       "MM")
+      ->check(number_above_zero(true));
 }
 
 void CommandDefinition::add_verify() {

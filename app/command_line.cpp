@@ -61,11 +61,12 @@ std::optional<std::string> generated(int argc, const char* const* argv,
 }
 
 void check_combinations(const std::string& command, const CommonOptions& common) {
-  const bool has_job = command == "run" || command == "plan" || command == "study";
+  const bool has_job =
+      command == "run" || command == "plan" || command == "verify" || command == "study";
   if (!has_job && !common.overrides.empty()) {
     throw UsageError(
         "--set overrides a key of a job and this command reads none; "
-        "expected it with run, plan or study");
+        "expected it with run, plan, verify or study");
   }
   if (common.quiet && common.verbose) {
     throw UsageError("--quiet and --verbose contradict each other; expected one of them");

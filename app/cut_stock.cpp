@@ -51,30 +51,6 @@ const simulator::StockAgreement& agreed(const JobStage& asked,
   throw verifier::InstrumentDisagreement(what.str());
 }
 
-/// The box of the surface with room around it, and everything above it: a leftover may be as high
-/// as the raw stock. Below, as far as holes are looked for.
-model::Box3 near_surface(const Job& job, const model::Box3& surface, double within_mm,
-                         double voxel_mm) {
-  model::Box3 box = surface.grown(within_mm);
-  box.high.z = std::max(box.high.z, model::bounding_box(job.stock).high.z + voxel_mm);
-  box.low.z = std::min(box.low.z, surface.low.z - verifier::kStockSight_mm);
-  return box;
-}
-
-std::vector<verifier::StockReading> read_stock(const simulator::StockModel& stock,
-                                               const model::Box3& region,
-                                               const model::RunControl& control) {
-  std::vector<verifier::StockReading> readings;
-  stock.visit_surface_points(
-      region,
-      [&readings](std::span<const simulator::StockPoint> points) {
-        for (const simulator::StockPoint& p : points)
-          readings.push_back({p.position, p.residual_mm});
-      },
-      control);
-  return readings;
-}
-
 }  // namespace
 
 CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch& watch) {
@@ -95,19 +71,11 @@ CutStock cut_again(CutStock before, std::span<const verifier::Pass> passes,
   return before;
 }
 
-double readings_within_mm(const JobStage& asked, double voxel_mm) {
-  // Well beyond what a gate speaks of; the floor and the sides of the stock are far from the part.
-  constexpr double kVoxels = 10;
-  return kVoxels * voxel_mm +
-         2 * (asked.allowance_mm + std::max(asked.limits.gouge_mm, asked.limits.uncut_mm));
-}
-
-StageCut cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
+CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
                    const StageWatch& watch, reports::StageResult::Ran& ran) {
   const simulator::Pass pass{asked.cutter, ran.path};
   const auto control = [&](const char* what) { return watch.control(asked.name + what); };
-  StageCut cut{std::move(before), {}};
-  CutStock& now = cut.after;
+  CutStock now = std::move(before);
   follow_process(job, inputs, asked, pass, now, watch, ran);
   say_forecast(asked, now.stock.forecast(pass, control(": forecasting")), watch);
   now.stock = std::move(now.stock).cut(pass, control(": cutting"));
@@ -116,15 +84,10 @@ StageCut cut_stage(const Job& job, const RunInputs& inputs, const JobStage& aske
   now.volume_mm3 = volume_mm3;
   ran.agreement = agreed(asked, compare_stocks(now.lines, now.stock, kComparedLines,
                                                control(": comparing the models"), volume_mm3));
-  const double voxel_mm = now.stock.voxel_mm();
-  cut.readings = read_stock(now.stock,
-                            near_surface(job, inputs.surface.bounding_box(),
-                                         readings_within_mm(asked, voxel_mm), voxel_mm),
-                            control(": reading the stock"));
-  ran.voxel_mm = voxel_mm;
+  ran.voxel_mm = now.stock.voxel_mm();
   ran.tiles = now.stock.tiles();
   ran.stock = now.stock;
-  return cut;
+  return now;
 }
 
 }  // namespace limitgauge::app

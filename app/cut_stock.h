@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "app/stage_watch.h"
 #include "simulator/dexel_stock.h"
@@ -24,20 +24,10 @@ CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch&
 CutStock cut_again(CutStock before, std::span<const verifier::Pass> passes,
                    const StageWatch& watch);
 
-/// How far from the surface the stock is read for a stage.
-double readings_within_mm(const JobStage& asked, double voxel_mm);
-
-/// A stage's cut: the stock after it, and its surface near the part as the voxel instrument reads
-/// it.
-struct StageCut {
-  CutStock after;
-  std::vector<verifier::StockReading> readings;
-};
-
 /// Cuts the path of `ran`, whose figures of the cut and of the process it fills in. A stock that
 /// nobody shares is cut where it stands. Throws InstrumentDisagreement where the two stock models
 /// contradict each other, ResourceError, Interrupted.
-StageCut cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
+CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
                    const StageWatch& watch, reports::StageResult::Ran& ran);
 
 }  // namespace limitgauge::app

@@ -37,6 +37,15 @@ void print_motion(std::ostream& out, const Motion& motion) {
   out << '\n';
 }
 
+/// Where the program starts nobody stated: axes that it has not named stand at 0.
+void print_start(std::ostream& out, const model::Program& program) {
+  const auto leaning = std::find_if(program.motions.begin(), program.motions.end(),
+                                    [](const Motion& motion) { return !motion.position_known; });
+  if (leaning == program.motions.end()) return;
+  out << "assumed: line " << leaning->line
+      << ", moves before X, Y and Z have all been named; the others stand at 0 (--start)\n";
+}
+
 void print_summary(std::ostream& out, const model::Program& program) {
   const auto count = [&](MotionKind kind) {
     return std::count_if(program.motions.begin(), program.motions.end(),
@@ -44,7 +53,7 @@ void print_summary(std::ostream& out, const model::Program& program) {
   };
   model::Box3 box;
   for (const Motion& motion : program.motions) {
-    if (motion.position_known) box.add(motion.to);
+    box.add(motion.to);
   }
   out << "rapids        " << count(MotionKind::rapid) << '\n'
       << "feeds         " << count(MotionKind::feed) << '\n'
@@ -56,6 +65,7 @@ void print_summary(std::ostream& out, const model::Program& program) {
   }
   out << "tools         " << program.tool_changes.size() << " changes\n";
   for (const std::string& said : program.assumed) out << "assumed: " << said << '\n';
+  print_start(out, program);
   out << "words set aside " << program.ignored.size() << '\n';
   for (const model::IgnoredWord& word : program.ignored) {
     out << "  line " << word.line << ": " << word.word << '\n';

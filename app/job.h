@@ -103,7 +103,7 @@ struct Job {
   bool pictures = true;
   std::optional<model::Box3> travel_mm;        ///< of the tip; infinite where an axis has no limit
   double near_miss_mm = 0;                     ///< 0: near misses are not looked for
-  std::optional<double> contact_tolerance_mm;  ///< empty: one voxel
+  std::optional<double> contact_tolerance_mm;  ///< empty: not stated
   std::vector<JobFixture> fixtures;
   std::optional<reports::PublishedFigures> published;
   /// What the job was read from and is named nowhere else here: job file, stock, tool table.

@@ -18,7 +18,7 @@ JobFixture read_fixture(const toml::table& table, const JobContext& context) {
     throw model::InputError(fixture.place("file"), "no file \"" + read.file_as_stated + "\"",
                             "a closed mesh as STL, OBJ or PLY");
   }
-  if (fixture.has("translate")) read.translate_mm = fixture.vec3("translate");
+  if (fixture.has("translate")) read.translate_mm = fixture.position("translate");
   return read;
 }
 

@@ -27,6 +27,19 @@ toml::table merged_job(const std::string& text, const std::string& name_in_error
 /// The job that such a table states.
 Job read_merged_job(const toml::table& table, JobContext context);
 
+/// The tables and keys that a job may have.
+inline constexpr const char* kJobKeys[] = {
+    "name",       "surface",      "stock",  "machine", "fixture",   "tool",         "stage",
+    "simulation", "verification", "report", "post",    "published", "program_frame"};
+/// The name, which must do as a folder's.
+std::string read_job_name(const TomlTable& root);
+/// `transform` of [surface], where it is stated.
+void read_placement(const TomlTable& surface, Job& job);
+/// [simulation], [verification] and [report], as far as they are stated.
+void read_settings(const TomlTable& root, Job& job);
+/// The limits of a stage; none where it has no gate.
+verifier::GateLimits read_gate(const TomlTable& stage);
+
 /// A stock from a file is read, too; what is to be said of it goes among the defaults.
 model::Stock read_stock(const toml::table& stock, JobContext& context);
 /// The tools; two of one id or number are an error.

@@ -65,7 +65,7 @@ void say_defaults(const TomlTable& post, const Job& job, JobContext& context) {
 void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   const TomlTable machine(table_or_none(root, "machine"), "[machine]",
                           {"rapid", "clearance", "acceleration", "junction_deviation", "travel",
-                           "work_offsets", "home", "second_home"});
+                           "work_offsets", "home", "second_home", "start"});
   if (machine.has("rapid")) {
     job.rapid_mm_min = machine.positive("rapid");
   } else {

@@ -15,15 +15,6 @@
 namespace limitgauge::app {
 namespace {
 
-void read_placement(const TomlTable& surface, Job& job) {
-  if (!surface.has("transform")) return;
-  const TomlTable transform(surface.table("transform"), "\"transform\" of [surface]",
-                            {"scale", "rotate_z", "translate"});
-  if (transform.has("scale")) job.placement.scale = transform.positive("scale");
-  if (transform.has("rotate_z")) job.placement.rotate_z_deg = transform.number("rotate_z");
-  if (transform.has("translate")) job.placement.translate_mm = transform.vec3("translate");
-}
-
 void read_surface(const toml::table& table, Job& job, JobContext& context) {
   const TomlTable surface(table, "[surface]", {"cage", "precision", "transform"});
   job.cage_as_stated = surface.text("cage");
@@ -38,6 +29,45 @@ void read_surface(const toml::table& table, Job& job, JobContext& context) {
     context.defaulted.push_back("surface precision " + words(job.precision_mm) + " mm (default)");
   }
   read_placement(surface, job);
+}
+
+Job read_root(const toml::table& table, JobContext& context) {
+  const TomlTable root(table, "the job", {}, kJobKeys);
+  Job job;
+  job.name = read_job_name(root);
+  read_surface(root.table("surface"), job, context);
+  job.stock = read_stock(root.table("stock"), context);
+  read_machine(root, job, context);
+  read_fixtures(root, job, context);
+  const std::vector<JobTool> tools = read_tools(root.tables("tool"), context);
+  job.machine.tools = tool_table(tools);
+  job.stages = read_stages(root.tables("stage"), tools, context);
+  read_post(root, job, context);
+  read_settings(root, job);
+  if (root.has("published")) job.published = read_published(root);
+  job.defaulted = std::move(context.defaulted);
+  job.sources = std::move(context.sources);
+  return job;
+}
+
+}  // namespace
+
+std::string read_job_name(const TomlTable& root) {
+  const std::string name = root.text("name");
+  if (!is_plain_name(name)) {
+    throw model::InputError(root.place("name"), "\"" + name + "\" cannot name a folder",
+                            "letters, digits, '.', '_', '-'");
+  }
+  return name;
+}
+
+void read_placement(const TomlTable& surface, Job& job) {
+  if (!surface.has("transform")) return;
+  const TomlTable transform(surface.table("transform"), "\"transform\" of [surface]",
+                            {"scale", "rotate_z", "translate"});
+  if (transform.has("scale")) job.placement.scale = transform.positive("scale");
+  if (transform.has("rotate_z")) job.placement.rotate_z_deg = transform.number("rotate_z");
+  if (transform.has("translate")) job.placement.translate_mm = transform.vec3("translate");
 }
 
 void read_settings(const TomlTable& root, Job& job) {
@@ -60,39 +90,6 @@ void read_settings(const TomlTable& root, Job& job) {
     if (report.has("pictures")) job.pictures = report.boolean("pictures");
   }
 }
-
-std::string read_name(const TomlTable& root) {
-  const std::string name = root.text("name");
-  if (!is_plain_name(name)) {
-    throw model::InputError(root.place("name"), "\"" + name + "\" cannot name a folder",
-                            "letters, digits, '.', '_', '-'");
-  }
-  return name;
-}
-
-Job read_root(const toml::table& table, JobContext& context) {
-  const TomlTable root(
-      table, "the job",
-      {"name", "surface", "stock", "machine", "fixture", "tool", "stage", "simulation",
-       "verification", "report", "post", "published", "program_frame"});
-  Job job;
-  job.name = read_name(root);
-  read_surface(root.table("surface"), job, context);
-  job.stock = read_stock(root.table("stock"), context);
-  read_machine(root, job, context);
-  read_fixtures(root, job, context);
-  const std::vector<JobTool> tools = read_tools(root.tables("tool"), context);
-  job.machine.tools = tool_table(tools);
-  job.stages = read_stages(root.tables("stage"), tools, context);
-  read_post(root, job, context);
-  read_settings(root, job);
-  if (root.has("published")) job.published = read_published(root);
-  job.defaulted = std::move(context.defaulted);
-  job.sources = std::move(context.sources);
-  return job;
-}
-
-}  // namespace
 
 bool is_plain_name(std::string_view name) {
   const auto plain = [](char c) {

@@ -11,9 +11,9 @@ static_assert(std::size(kNames) == model::kWorkOffsets);
 
 /// `G54 = [x, y, z]` or `"G59.1" = { origin = [x, y, z], rotate_z = a }`.
 model::WorkOffset read_offset(const TomlTable& offsets, const std::string& key) {
-  if (!offsets.is_table(key)) return {offsets.vec3(key), 0};
+  if (!offsets.is_table(key)) return {offsets.position(key), 0};
   const TomlTable turned(offsets.table(key), key + " of [machine]", {"origin", "rotate_z"});
-  return {turned.vec3("origin"), turned.has("rotate_z") ? turned.number("rotate_z") : 0};
+  return {turned.position("origin"), turned.has("rotate_z") ? turned.number("rotate_z") : 0};
 }
 
 void read_offsets(const TomlTable& machine, model::MachineSetup& setup) {
@@ -27,11 +27,12 @@ void read_offsets(const TomlTable& machine, model::MachineSetup& setup) {
 
 void read_setup(const TomlTable& root, const TomlTable& machine, Job& job) {
   if (machine.has("work_offsets")) read_offsets(machine, job.machine);
-  if (machine.has("home")) job.machine.home_mm = machine.vec3("home");
-  if (machine.has("second_home")) job.machine.second_home_mm = machine.vec3("second_home");
+  if (machine.has("home")) job.machine.home_mm = machine.position("home");
+  if (machine.has("second_home")) job.machine.second_home_mm = machine.position("second_home");
+  if (machine.has("start")) job.machine.start_mm = machine.position("start");
   if (!root.has("program_frame")) return;
   const TomlTable frame(root.table("program_frame"), "[program_frame]", {"offset", "rotate_z"});
-  if (frame.has("offset")) job.program_frame.translate_mm = frame.vec3("offset");
+  if (frame.has("offset")) job.program_frame.translate_mm = frame.position("offset");
   if (frame.has("rotate_z")) job.program_frame.rotate_z_deg = frame.number("rotate_z");
 }
 

@@ -2,6 +2,7 @@
 #include "app/job_parts.h"
 #include "app/job_reader.h"
 #include "app/nearest_key.h"
+#include "app/reach_limit.h"
 #include "app/toml_table.h"
 #include "engine/model/text_file.h"
 
@@ -52,19 +53,6 @@ void read_source(const TomlTable& stage, bool first, JobStage& result, JobContex
     throw model::InputError(stage.place("program"), "no file \"" + result.program_as_stated + "\"",
                             "a program");
   }
-}
-
-verifier::GateLimits read_gate(const TomlTable& stage) {
-  verifier::GateLimits limits;
-  if (!stage.has("gate")) return limits;
-  const TomlTable gate(stage.table("gate"), "[stage.gate]", {"gouge", "uncut", "coverage"});
-  limits.has_gouge = gate.has("gouge");
-  limits.has_uncut = gate.has("uncut");
-  limits.has_coverage = gate.has("coverage");
-  if (limits.has_gouge) limits.gouge_mm = gate.positive("gouge");
-  if (limits.has_uncut) limits.uncut_mm = gate.positive("uncut");
-  if (limits.has_coverage) limits.coverage = gate.share("coverage");
-  return limits;
 }
 
 /// By its id; a stage that names the program's tool number may leave the id out.
@@ -150,7 +138,37 @@ JobStage read_stage(const toml::table& table, const std::vector<JobStage>& befor
   return result;
 }
 
+/// A number is a share of the surface, a text an area.
+void read_unreachable(const TomlTable& gate, verifier::GateLimits& limits) {
+  if (!gate.is_text("unreachable")) {
+    limits.has_unreachable = true;
+    limits.unreachable = gate.share("unreachable");
+    return;
+  }
+  const std::string text = gate.text("unreachable");
+  if (!set_unreachable(text, limits) || limits.unreachable_is_share)
+    throw model::InputError(gate.place("unreachable"),
+                            "\"unreachable\" in [stage.gate] is \"" + text + "\"", kReachLimit);
+}
+
 }  // namespace
+
+verifier::GateLimits read_gate(const TomlTable& stage) {
+  verifier::GateLimits limits;
+  if (!stage.has("gate")) return limits;
+  const TomlTable gate(stage.table("gate"), "[stage.gate]",
+                       {"gouge", "uncut", "coverage", "unreachable", "unavoidable"});
+  limits.has_gouge = gate.has("gouge");
+  limits.has_uncut = gate.has("uncut");
+  limits.has_coverage = gate.has("coverage");
+  limits.has_unavoidable = gate.has("unavoidable");
+  if (limits.has_gouge) limits.gouge_mm = gate.positive("gouge");
+  if (limits.has_uncut) limits.uncut_mm = gate.positive("uncut");
+  if (limits.has_coverage) limits.coverage = gate.share("coverage");
+  if (limits.has_unavoidable) limits.unavoidable_mm = gate.not_negative("unavoidable");
+  if (gate.has("unreachable")) read_unreachable(gate, limits);
+  return limits;
+}
 
 std::vector<JobStage> read_stages(const std::vector<const toml::table*>& stages,
                                   const std::vector<JobTool>& tools, JobContext& context) {

@@ -1,10 +1,19 @@
 #include "app/job_parts.h"
 #include "app/stock_file.h"
 #include "app/toml_table.h"
+#include "engine/model/coordinate_limit.h"
 #include "engine/model/text_file.h"
 
 namespace limitgauge::app {
 namespace {
+
+/// `key` is what makes the stock as large as it is.
+model::Stock near_stock(const TomlTable& table, const char* key, model::Stock stock) {
+  const model::Box3 box = bounding_box(stock);
+  if (model::is_near(box)) return stock;
+  throw model::InputError(table.place(key), "the stock reaches to " + model::farthest_words(box),
+                          model::kFarthestExpected);
+}
 
 model::Stock read_box(const toml::table& table) {
   const TomlTable stock(table, "[stock]", {"shape", "size", "corner"});
@@ -13,13 +22,15 @@ model::Stock read_box(const toml::table& table) {
     throw model::InputError(stock.place("size"), "a size of the stock is not above zero",
                             "three numbers above zero");
   }
-  return model::BoxStock{stock.vec3("corner"), size};
+  return near_stock(stock, "size", model::BoxStock{stock.position("corner"), size});
 }
 
 model::Stock read_cylinder(const toml::table& table) {
   const TomlTable stock(table, "[stock]", {"shape", "diameter", "height", "base"});
-  return model::CylinderStock{stock.vec3("base"), stock.positive("diameter"),
-                              stock.positive("height")};
+  const double diameter_mm = stock.positive("diameter"), height_mm = stock.positive("height");
+  const char* const larger = diameter_mm > height_mm ? "diameter" : "height";
+  return near_stock(stock, larger,
+                    model::CylinderStock{stock.position("base"), diameter_mm, height_mm});
 }
 
 std::filesystem::path file_of(const TomlTable& stock, JobContext& context, const char* expected) {

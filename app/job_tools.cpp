@@ -6,6 +6,7 @@
 #include "app/nearest_key.h"
 #include "app/toml_table.h"
 #include "app/words.h"
+#include "engine/model/coordinate_limit.h"
 #include "engine/model/cutter_figures.h"
 
 namespace limitgauge::app {
@@ -163,6 +164,10 @@ void read_table_entry(const TomlTable& tool, JobTool& result) {
     throw model::InputError(tool.place("length"), "\"length\" of a tool without a number",
                             "\"number\" too: programs ask for a tool by it");
   result.length_mm = tool.positive("length");
+  if (!model::is_near(*result.length_mm))
+    throw model::InputError(tool.place("length"),
+                            "\"length\" in [[tool]] is " + words(*result.length_mm) + " mm",
+                            model::kFarthestExpected);
 }
 
 JobTool read_tool(const toml::table& table, JobContext& context) {

@@ -1,6 +1,7 @@
 #include "app/machine_options.h"
 
 #include "app/command_line.h"
+#include "engine/model/coordinate_limit.h"
 #include "engine/model/text_file.h"
 #include "engine/model/words.h"
 
@@ -25,6 +26,15 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
   return numbers;
 }
 
+model::Vec3 near_point(const std::string& option, const std::string& text,
+                       const std::vector<double>& values) {
+  const model::Vec3 point_mm{values[0], values[1], values[2]};
+  if (!model::is_near(point_mm))
+    throw UsageError(option + " " + text + ": " + model::farthest_words(point_mm) + "; expected " +
+                     model::kFarthestExpected);
+  return point_mm;
+}
+
 /// `G54` to `G59.3`, in capitals or not.
 std::size_t offset_index(const std::string& text, std::string name) {
   for (char& c : name)
@@ -45,15 +55,14 @@ void add_offset(const std::string& text, model::MachineSetup& machine) {
   if (machine.work_offsets[index])
     throw UsageError("--work-offset " + text + ": " + model::work_offset_name(index) +
                      " is stated twice; expected it once");
-  machine.work_offsets[index] =
-      model::WorkOffset{{values[0], values[1], values[2]}, values.size() > 3 ? values[3] : 0};
+  machine.work_offsets[index] = model::WorkOffset{near_point("--work-offset", text, values),
+                                                  values.size() > 3 ? values[3] : 0};
 }
 
 }  // namespace
 
 model::Vec3 point_of(const std::string& option, const std::string& text) {
-  const std::vector<double> values = numbers_of(option, text, text, 3, 3);
-  return {values[0], values[1], values[2]};
+  return near_point(option, text, numbers_of(option, text, text, 3, 3));
 }
 
 model::MachineSetup machine_of(const MachineOptions& options) {
@@ -62,6 +71,7 @@ model::MachineSetup machine_of(const MachineOptions& options) {
   if (!options.home.empty()) machine.home_mm = point_of("--home", options.home);
   if (!options.second_home.empty())
     machine.second_home_mm = point_of("--second-home", options.second_home);
+  if (!options.start.empty()) machine.start_mm = point_of("--start", options.start);
   if (!options.tool_table.empty())
     machine.tools = model::parse_tool_table(model::read_text_file(options.tool_table),
                                             options.tool_table.string());

@@ -12,6 +12,7 @@ namespace limitgauge::app {
 struct MachineOptions {
   std::vector<std::string> work_offsets;  ///< `G54=X,Y,Z` or `G54=X,Y,Z,TURN`
   std::string home, second_home;          ///< `X,Y,Z`; empty: not stated
+  std::string start;                      ///< `X,Y,Z` of the tip; empty: not stated
   std::filesystem::path tool_table;       ///< LinuxCNC's; empty: none
 };
 

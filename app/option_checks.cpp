@@ -23,6 +23,15 @@ CLI::Validator finite_number() {
       "");
 }
 
+CLI::Validator share() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        const double value = std::strtod(text.c_str(), nullptr);
+        return value >= 0 && value <= 1 ? "" : "is no share from 0 to 1";
+      },
+      "");
+}
+
 CLI::Validator whole_number(int low, int high) {
   // The range is the validator's own text for errors, and no part of the help.
   return CLI::Validator(CLI::Range(low, high)).description("");

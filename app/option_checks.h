@@ -7,6 +7,7 @@ namespace limitgauge::app {
 /// What the value of an option must be; errors say it, help does not.
 CLI::Validator number_above_zero(bool or_zero);
 CLI::Validator finite_number();
+CLI::Validator share();  ///< from 0 to 1
 CLI::Validator whole_number(int low, int high);
 
 }  // namespace limitgauge::app

@@ -11,6 +11,7 @@
 #include "app/stage_planner.h"
 #include "app/stage_prefix.h"
 #include "app/stage_program.h"
+#include "app/stock_probe.h"
 #include "engine/model/machining_time.h"
 #include "reports/process.h"
 #include "reports/report.h"
@@ -60,6 +61,7 @@ class Bench {
   void make_path(std::size_t index, reports::StageResult::Ran& ran);
   void cut(const JobStage& asked, reports::StageResult::Ran& ran);
   void measure(std::size_t index, reports::StageResult::Ran& ran);
+  std::vector<std::string> names_up_to(std::size_t index) const;
   void write_files(reports::StageResult& stage) const;
   void hand_over(const reports::RunResult& result) const;
   std::optional<engine::surface::ModelFigures> figures() const;
@@ -74,7 +76,6 @@ class Bench {
   std::size_t stage_ = 0;  ///< the one at work, counted from 1
   std::optional<CutStock> stock_;
   std::vector<verifier::Pass> passes_;
-  std::vector<verifier::StockReading> readings_;
 };
 
 void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
@@ -104,20 +105,23 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
 
 void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
   const Stopwatch stopwatch;
-  readings_.clear();
   CutStock before = std::move(*stock_);
   stock_.reset();
-  StageCut done = cut_stage(job_, inputs_, asked, std::move(before), watch(), ran);
-  stock_ = std::move(done.after);
-  readings_ = std::move(done.readings);
+  stock_ = cut_stage(job_, inputs_, asked, std::move(before), watch(), ran);
   ran.simulation_seconds = stopwatch.seconds();
   ran.peak_memory_bytes = peak_memory_bytes();
 }
 
 std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Finding> findings) {
   std::vector<verifier::ProcessFault> faults;
-  for (const simulator::FindingKind kind : reports::kFindingKinds)
-    if (fails(kind)) faults.push_back({reports::words_for(kind), reports::count(findings, {kind})});
+  for (const simulator::FindingKind kind : reports::kFindingKinds) {
+    if (!fails(kind)) continue;
+    verifier::ProcessFault fault{reports::words_for(kind), reports::count(findings, {kind})};
+    for (const simulator::Finding& f : findings)
+      if (f.kind == kind && (!fault.worst || f.depth_mm > fault.worst->depth_mm))
+        fault.worst = {f.point, f.line, f.depth_mm};
+    faults.push_back(std::move(fault));
+  }
   return faults;
 }
 
@@ -128,10 +132,16 @@ void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   check.allowance_mm = asked.allowance_mm;
   check.limits = asked.limits;
   check.resolution_mm = inputs_.settings.resolution_mm[index];
-  check.voxel_mm = stock_->stock.voxel_mm();
-  check.readings_within_mm = readings_within_mm(asked, check.voxel_mm);
-  ran.deviation = measure_stage(inputs_.surface, job_.stock, passes_, readings_, check,
+  const StockRayProbe probe(stock_->stock);
+  ran.deviation = measure_stage(inputs_.surface, job_.stock, passes_, &probe, check,
                                 control(asked.name + ": measuring"));
+}
+
+/// For lines of the programs of earlier stages.
+std::vector<std::string> Bench::names_up_to(std::size_t index) const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i <= index; ++i) names.push_back(job_.stages[i].name);
+  return names;
 }
 
 void Bench::write_files(reports::StageResult& stage) const {
@@ -149,7 +159,8 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   make_path(index, ran);
   cut(job_.stages[index], ran);
   measure(index, ran);
-  stage.decision = decide(ran.deviation, stage.limits, process_faults(ran.process));
+  stage.decision =
+      decide(ran.deviation, stage.limits, process_faults(ran.process), names_up_to(index));
   if (options_.stage_files) {
     write_files(stage);
   } else {

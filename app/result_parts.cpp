@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/words.h"
 #include "reports/recorded_stage.h"
 
 namespace limitgauge::app {
@@ -21,6 +22,23 @@ reports::StageResult stage_as_asked(const JobStage& asked) {
   stage.step_mm = asked.plan->cut.step_mm;
   stage.tolerance_mm = asked.plan->cut.tolerance_mm;
   return stage;
+}
+
+std::string words_of_start(const model::Vec3& at_mm) {
+  return "programs start with the tip at (" + words(at_mm.x) + ", " + words(at_mm.y) + ", " +
+         words(at_mm.z) +
+         ") mm of their frame (default: its zero in X and Y; in Z above stock, part, fixtures and "
+         "every height that a program names, by the clearance)";
+}
+
+/// Where the programs start, which is the same for all of them.
+void add_start(const RunInputs& inputs, reports::RunResult& result) {
+  for (const std::optional<ForeignPath>& program : inputs.programs) {
+    if (!program) continue;
+    result.program_start = program->start;
+    if (program->start.assumed) result.assumptions.push_back(words_of_start(program->start.at_mm));
+    return;
+  }
 }
 
 /// What the reader of programs took for granted; stages that share a program share it.
@@ -68,6 +86,7 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
   result.raw_stock = job.stock;
   result.surface = surface_as_read(job, inputs);
   result.assumptions = assumptions(job, inputs.settings);
+  add_start(inputs, result);
   add_assumed(inputs, result.assumptions);
   result.program_frame = job.program_frame;
   result.machine = job.machine;

@@ -8,6 +8,7 @@
 #include "app/progress.h"
 #include "app/run_history.h"
 #include "app/verify_job.h"
+#include "app/verify_overrides.h"
 #include "engine/model/error.h"
 #include "reports/report.h"
 
@@ -125,6 +126,7 @@ ExitCode execute(const RunCommand& command, const CommonOptions& common, const C
 ExitCode execute(const VerifyCommand& command, const CommonOptions& common,
                  const Console& console) {
   Job job = job_of(command);
+  apply_verify_overrides(job, common.overrides);
   if (common.no_pictures) job.pictures = false;
   return run_and_report(job, or_default(command.output, job.name), command.history, common,
                         console);

@@ -110,11 +110,14 @@ double rest_threshold_mm(const JobStage& stage) {
   return stage.limits.has_uncut ? stage.limits.uncut_mm / 2 : stage.plan->cut.tolerance_mm;
 }
 
+/// What one calls a touch, whatever the voxel is: the search knows the stock exactly. Well above
+/// the rounding of coordinates and the chords of arcs, well below what leaves a mark that matters.
+constexpr double kContactTolerance_mm = 0.01;
+
 Settings choose_settings(const Job& job, const model::Box3& surface) {
   Settings settings;
   settings.voxel_mm = job.voxel_mm.value_or(automatic_voxel_mm(job));
-  // What one calls a touch; the search itself knows the stock exactly.
-  settings.contact_tolerance_mm = job.contact_tolerance_mm.value_or(settings.voxel_mm);
+  settings.contact_tolerance_mm = job.contact_tolerance_mm.value_or(kContactTolerance_mm);
   settings.memory_limit_bytes = memory_limit();
   settings.line_spacing_mm = simulator::removal_spacing_mm(settings.voxel_mm, job.stock, {});
   for (const JobStage& stage : job.stages) {
@@ -133,8 +136,9 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
       frame_words(job),
       machining_time_words(job),
       "tool changes move nothing: each tool starts where the one before stood",
-      "collisions: contacts shallower than " + words(settings.contact_tolerance_mm) + " mm" +
-          (job.contact_tolerance_mm ? "" : " (one voxel)") + " count as none",
+      "collisions: contacts shallower than " + words(1e3 * settings.contact_tolerance_mm) + " µm" +
+          (job.contact_tolerance_mm ? "" : " (not stated)") +
+          " fail nothing; those of a tenth of that and more are listed",
       job.travel_mm ? "travel limits: as the job states them, for the tool tip in the job's frame"
                     : "travel limits: none stated, none checked",
       job.near_miss_mm > 0

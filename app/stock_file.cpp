@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/words.h"
+#include "engine/model/coordinate_limit.h"
 #include "engine/model/error.h"
 #include "engine/model/mesh_defect.h"
 #include "engine/model/mesh_reader.h"
@@ -14,6 +15,13 @@ namespace {
 
 model::MeshStock stock_of(model::TriangleMesh mesh, const std::string& as_stated, double voxel_mm) {
   return {std::make_shared<const model::TriangleMesh>(std::move(mesh)), as_stated, voxel_mm};
+}
+
+StockFile near_stock(const std::filesystem::path& file, StockFile loaded) {
+  const model::Box3 box = bounding_box(*loaded.stock.mesh);
+  if (model::is_near(box)) return loaded;
+  throw model::InputError({file.string()}, "the stock reaches to " + model::farthest_words(box),
+                          model::kFarthestExpected);
 }
 
 bool is_moved(const MeshPlace& place) {
@@ -38,7 +46,7 @@ StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& 
                                  std::to_string(reading.dropped_triangles) + " in number");
   }
   loaded.stock = stock_of(std::move(reading.mesh), as_stated, 0);
-  return loaded;
+  return near_stock(file, std::move(loaded));
 }
 
 StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& as_stated) {
@@ -48,7 +56,7 @@ StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& a
                                ": taken as the triangle mesh of its zero set at a voxel of " +
                                words(read.voxel_mm) + " mm; nothing is known of what cut it");
   loaded.stock = stock_of(std::move(read.mesh), as_stated, read.voxel_mm);
-  return loaded;
+  return near_stock(file, std::move(loaded));
 }
 
 model::Stock planned_stock(const model::Stock& stock) {

@@ -36,11 +36,18 @@ void add_figures(std::vector<study::Figure>& all, const std::string& stage, cons
   all.push_back({id + ".high", label + ", certified", unit});
 }
 
+/// Excess in parts of the limit, or of `least` where that is more.
+double relative(double figure, double limit, double least) {
+  return (figure - limit) / std::max(limit, least);
+}
+
 /// Of the limits of one stage; what is at most 0 is kept.
 std::vector<double> excesses(const StageMeasures& measures, const verifier::GateLimits& limits) {
   std::vector<double> all;
   if (limits.has_gouge && limits.gouge_mm > 0)
-    all.push_back((measures.gouge_mm.high - limits.gouge_mm) / limits.gouge_mm);
+    all.push_back(
+        (std::max(measures.gouge_mm.high, measures.missing_stock_mm.high) - limits.gouge_mm) /
+        limits.gouge_mm);
   if (limits.has_uncut && limits.uncut_mm > 0)
     all.push_back((measures.uncut_mm.high - limits.uncut_mm) / limits.uncut_mm);
   if (limits.has_coverage) {
@@ -48,6 +55,13 @@ std::vector<double> excesses(const StageMeasures& measures, const verifier::Gate
     const double may_be_left = std::max(1 - limits.coverage, 1e-3);
     all.push_back((limits.coverage - measures.coverage) / may_be_left);
   }
+  // Where nothing may be out of reach, likewise; a micrometre or a hundredth of a mm² of what may
+  // not be at all.
+  if (limits.has_unreachable)
+    all.push_back(relative(unreachable_figure(measures, limits.unreachable_is_share).high,
+                           limits.unreachable, limits.unreachable_is_share ? 1e-3 : 1e-2));
+  if (limits.has_unavoidable)
+    all.push_back(relative(measures.unavoidable_mm.high, limits.unavoidable_mm, 1e-3));
   return all;
 }
 
@@ -57,14 +71,7 @@ double other_excess(const StageRecord& stage) {
   double faults = 0;
   for (const reports::record::ProcessCount& fault : measures.process)
     faults += static_cast<double>(fault.count);
-  if (faults > 0) return faults;
-  const verifier::GateLimits& limits = stage.limits;
-  double excess = 0;
-  if (limits.has_gouge && limits.gouge_mm > 0)
-    excess = std::max(excess, measures.voxel_gouge_mm / limits.gouge_mm - 1);
-  if (limits.has_uncut && limits.uncut_mm > 0)
-    excess = std::max(excess, measures.voxel_uncut_mm / limits.uncut_mm - 1);
-  return excess > 0 ? excess : 1;
+  return faults > 0 ? faults : 1;
 }
 
 std::optional<double> stage_excess(const StageRecord& stage) {
@@ -79,6 +86,18 @@ const char* judged(const verifier::Interval& figure, double limit) {
   return figure.low > limit ? " beyond its limit" : " not decided at this resolution";
 }
 
+template <class Add>
+void add_reach(const StageMeasures& measures, const verifier::GateLimits& limits, const Add& add) {
+  const verifier::Interval area_mm2 = unreachable_figure(measures, false),
+                           figure = unreachable_figure(measures, limits.unreachable_is_share);
+  if (area_mm2.high > 0 && measures.reach.reachable_mm2 <= 0 && measures.reachable_area_mm2 <= 0)
+    add("nothing in reach");
+  if (limits.has_unreachable && figure.high > limits.unreachable)
+    add(std::string("unreachable area") + judged(figure, limits.unreachable));
+  if (limits.has_unavoidable && measures.unavoidable_mm.high > limits.unavoidable_mm)
+    add(std::string("unavoidable uncut") + judged(measures.unavoidable_mm, limits.unavoidable_mm));
+}
+
 /// What keeps the stage from passing, in a few words.
 std::string reason_of(const StageRecord& stage) {
   std::string reason;
@@ -90,7 +109,10 @@ std::string reason_of(const StageRecord& stage) {
       add(std::string("gouge") + judged(measures.gouge_mm, limits.gouge_mm));
     if (limits.has_uncut && measures.uncut_mm.high > limits.uncut_mm)
       add(std::string("uncut") + judged(measures.uncut_mm, limits.uncut_mm));
+    if (limits.has_gouge && measures.missing_stock_mm.high > limits.gouge_mm)
+      add(std::string("missing stock") + judged(measures.missing_stock_mm, limits.gouge_mm));
     if (limits.has_coverage && measures.coverage < limits.coverage) add("coverage too small");
+    add_reach(measures, limits, add);
     for (const reports::record::ProcessCount& fault : measures.process) {
       std::string kind = fault.kind;
       std::replace(kind.begin(), kind.end(), '_', ' ');

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/nearest_key.h"
+#include "engine/model/coordinate_limit.h"
 
 namespace limitgauge::app {
 namespace {
@@ -188,6 +189,13 @@ model::Vec3 TomlTable::vec3(std::string_view key) const {
     value[axis] = *entry;
   }
   return value;
+}
+
+model::Vec3 TomlTable::position(std::string_view key) const {
+  const model::Vec3 value_mm = vec3(key);
+  if (!model::is_near(value_mm))
+    refuse(key, "has " + model::farthest_words(value_mm), model::kFarthestExpected);
+  return value_mm;
 }
 
 const toml::table& TomlTable::table(std::string_view key) const {

@@ -39,6 +39,7 @@ class TomlTable {
 
   bool has(std::string_view key) const { return table_->contains(key); }
   bool is_table(std::string_view key) const { return (*table_)[key].is_table(); }
+  bool is_text(std::string_view key) const { return (*table_)[key].is_string(); }
   const std::string& where() const { return where_; }
   model::SourcePlace place() const { return place_of(table_->source()); }
   /// Place of the value of `key`, or of the table where there is none.
@@ -57,6 +58,7 @@ class TomlTable {
   std::pair<int, int> whole_pair(std::string_view key) const;              ///< ascending
   bool boolean(std::string_view key) const;
   model::Vec3 vec3(std::string_view key) const;
+  model::Vec3 position(std::string_view key) const;  ///< within model::kFarthestMm of zero
   const toml::table& table(std::string_view key) const;
   /// The tables of `[[key]]`.
   std::vector<const toml::table*> tables(std::string_view key) const;

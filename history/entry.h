@@ -33,6 +33,8 @@ struct Entry {
   std::string commit;   ///< of what was verified, as the user's version control calls it; or empty
   std::string label;    ///< the user's own; or empty
   std::string verdict;  ///< pass, fail, indeterminate
+  /// Of the result that the figures are from, limitgauge.result/N: what their names mean.
+  int result_schema = 2;
   std::vector<StageVerdict> stages;  ///< in the order of the job
   std::vector<Value> values;
 

@@ -48,9 +48,9 @@ Statement asked_runs(const Database& database, const Query& query, const std::st
 
 std::vector<Entry> read_runs(const Database& database, const Query& query) {
   constexpr std::size_t kAll = std::numeric_limits<std::int64_t>::max();
-  Statement row =
-      asked_runs(database, query, "id, created, job, version, commit_id, label, verdict",
-                 " ORDER BY id DESC LIMIT ?3");
+  Statement row = asked_runs(database, query,
+                             "id, created, job, version, commit_id, label, verdict, result_schema",
+                             " ORDER BY id DESC LIMIT ?3");
   row.bind(3, static_cast<std::int64_t>(std::min(query.last.value_or(kAll), kAll)));
   std::vector<Entry> entries;
   while (row.step()) {
@@ -62,6 +62,7 @@ std::vector<Entry> read_runs(const Database& database, const Query& query) {
     entry.commit = row.text(4);
     entry.label = row.text(5);
     entry.verdict = row.text(6);
+    entry.result_schema = static_cast<int>(row.integer(7));
   }
   std::reverse(entries.begin(), entries.end());
   return entries;

@@ -62,10 +62,11 @@ void require_fit(const Entry& entry) {
 
 std::int64_t insert_run(const Database& database, const Entry& entry) {
   Statement run(database,
-                "INSERT INTO run (created, job, version, commit_id, label, verdict) "
-                "VALUES (?1, ?2, ?3, ?4, ?5, ?6) RETURNING id");
+                "INSERT INTO run (created, job, version, commit_id, label, verdict, result_schema) "
+                "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) RETURNING id");
   run.bind(1, entry.created).bind(2, entry.job).bind(3, entry.version);
   run.bind(4, entry.commit).bind(5, entry.label).bind(6, entry.verdict);
+  run.bind(7, std::int64_t{entry.result_schema});
   run.step();
   const std::int64_t id = run.integer(0);
   run.run();

@@ -55,6 +55,11 @@ CREATE TABLE stage (
 ) STRICT, WITHOUT ROWID;
 CREATE INDEX run_of_job ON run (job, id);
 CREATE INDEX run_by_time ON run (created);
+)sql",
+    // 3: the schema of the result that a run's figures are from. All before were
+    // limitgauge.result/1.
+    R"sql(
+ALTER TABLE run ADD COLUMN result_schema INTEGER NOT NULL DEFAULT 1;
 )sql"};
 
 struct Header {

@@ -7,7 +7,7 @@
 namespace limitgauge::reports {
 namespace {
 
-/// One side of the gate: gouges or leftovers.
+/// One side of the gate: gouges, leftovers or missing stock.
 struct Side {
   const char* kind;
   char letter;
@@ -33,6 +33,7 @@ Significance significance_of(const Side& side, std::size_t i) {
 }
 
 std::string words_of(const Side& side, const verifier::Finding& f) {
+  if (side.letter == 'M') return "raw stock does not cover the surface";
   if (side.letter == 'G') return "gouge by the " + f.body;
   return f.raw_stock ? "raw stock left standing" : "material left standing";
 }
@@ -87,8 +88,10 @@ std::vector<ListedFinding> list_findings(const RunResult& result, std::size_t in
   if (!stage.ran) return out;
   const verifier::StageDeviation& d = stage.ran->deviation;
   const verifier::GateLimits& l = stage.limits;
-  for (const Side& side : {Side{"gouge", 'G', d.gouges, d.gouge_mm, l.has_gouge, l.gouge_mm},
-                           Side{"uncut", 'U', d.uncuts, d.uncut_mm, l.has_uncut, l.uncut_mm}})
+  for (const Side& side :
+       {Side{"gouge", 'G', d.gouges, d.gouge_mm, l.has_gouge, l.gouge_mm},
+        Side{"uncut", 'U', d.uncuts, d.uncut_mm, l.has_uncut, l.uncut_mm},
+        Side{"missing_stock", 'M', d.missing_stock, d.missing_stock_mm, l.has_gouge, l.gouge_mm}})
     for (std::size_t i = 0; i < side.findings.size(); ++i) out.push_back(listed(side, i, index));
   const std::vector<simulator::FindingGroup> groups = worst_first(stage.ran->process);
   for (std::size_t i = 0; i < groups.size(); ++i)

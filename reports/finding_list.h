@@ -21,8 +21,9 @@ enum class Significance {
 /// One finding of a stage, of whatever instrument: a gouge, a leftover, or a run of moves with the
 /// same process finding.
 struct ListedFinding {
-  std::string id;    ///< as the page numbers it: "G1", "U3", "P2"
-  std::string kind;  ///< "gouge", "uncut", or a process finding's name in result.json
+  std::string id;  ///< as the page numbers it: "G1", "U3", "M1", "P2"
+  std::string
+      kind;  ///< "gouge", "uncut", "missing_stock", or a process finding's name in result.json
   Significance significance = Significance::informs;
   std::size_t stage = 0;          ///< that it was found in
   std::size_t program_stage = 0;  ///< whose program `line` and `move` are of
@@ -41,8 +42,8 @@ struct ListedFinding {
   model::Vec3 about;
 };
 
-/// All findings of stage `index`: gouges, leftovers, process findings, each as the page numbers
-/// them. Empty where the stage was not run.
+/// All findings of stage `index`: gouges, leftovers, missing stock, process findings, each as the
+/// page numbers them. Empty where the stage was not run.
 std::vector<ListedFinding> list_findings(const RunResult& result, std::size_t index);
 
 /// The program of a stage: the file as the job states it, or where its own toolpath lies in the

@@ -55,7 +55,8 @@ struct Suite {
 
 /// Whether a finding counts for a figure of the gate.
 bool counts_for(const ListedFinding& f, const std::string& figure) {
-  if (!f.process) return f.kind == figure;
+  if (!f.process)
+    return f.kind == figure || (f.kind == "missing_stock" && figure == "missing stock");
   const simulator::FindingKind kind = f.process->kind;
   if (figure == "rapid collisions") return kind == simulator::FindingKind::rapid_through_stock;
   if (figure == "holder collisions") return is_holder_collision(kind);

@@ -43,6 +43,8 @@ const char* words_for(FindingKind kind) {
       return "descent too steep for the cutter";
     case FindingKind::beyond_travel:
       return "beyond the travel limits";
+    case FindingKind::slight_contact:
+      return "contact within the tolerance";
     case FindingKind::near_miss:
       break;
   }

@@ -14,7 +14,7 @@ namespace limitgauge::reports {
 /// Draws the pictures of a stage that ran, in software: needs no display.
 StagePictures draw_pictures(const StageResult& stage, const model::RunControl& control = {});
 
-/// result.json, schema `limitgauge.result/1`. The same result gives the same bytes. Throws
+/// result.json, schema `limitgauge.result/2`. The same result gives the same bytes. Throws
 /// std::domain_error that names the key of a figure that is not a finite number.
 void write_result_json(const RunResult& result, std::ostream& out);
 /// JUnit: one test case a stage and gate figure.

@@ -9,7 +9,7 @@
 namespace limitgauge::reports {
 
 void write_result_json(const RunResult& result, std::ostream& out) {
-  json::Json root = {{"schema", "limitgauge.result/1"},
+  json::Json root = {{"schema", "limitgauge.result/2"},
                      {"job", clean_text(result.job)},
                      {"version", clean_text(result.version)},
                      {"created", clean_text(result.created)},

@@ -114,8 +114,9 @@ struct RunResult {
   verifier::Verdict verdict = verifier::Verdict::not_run;
   model::Stock raw_stock;
   SurfaceResult surface;
-  model::RigidPlacement program_frame;  ///< programs' work frame in the cage's
-  model::MachineSetup machine;          ///< what programs were told of the machine
+  model::RigidPlacement program_frame;               ///< programs' work frame in the cage's
+  model::MachineSetup machine;                       ///< what programs were told of the machine
+  std::optional<model::ProgramStart> program_start;  ///< where a stage is a program
   std::vector<StageResult> stages;
   std::vector<std::string>
       assumptions;  ///< stated in the report: straight rapids, start unknown, ...

@@ -147,10 +147,14 @@ std::string verdict_table(const RunResult& result, bool colour, std::size_t widt
     if (narrow && result.stages[i].ran)
       out += "  gouge " + row[kGougeColumn] + "   uncut " + row[kUncutColumn] + '\n';
   }
+  for (const StageResult& stage : result.stages)
+    for (const std::string& note : stage_notes(stage))
+      out += wrapped(clean_text(stage.name) + ": " + note, 4, width);
   for (const StageResult& stage : result.stages) {
     if (stage.verdict() == verifier::Verdict::pass) continue;
     for (const std::string& reason : stage.decision.reasons)
-      out += wrapped(clean_text(stage.name) + ": " + clean_text(reason), 4, width);
+      if (!is_note(reason))
+        out += wrapped(clean_text(stage.name) + ": " + clean_text(reason), 4, width);
   }
   return out + "verdict: " + painted(verdict_word(result.verdict), result.verdict, colour) + '\n';
 }

@@ -59,17 +59,35 @@ class Search {
                        block.half);
   }
 
-  // The middle itself, or the body's nearest point where the middle is outside the body.
+  // The middle itself, or the body's nearest point where the middle is outside the body, and where
+  // one comes to from there.
   void offer(const Block& block, const SweptSample& s) {
-    const double least = best_ ? best_->depth_mm : tolerance_;
     const double outside = std::max(0.0, s.distance);
     const double depth_here = depth_under(material_, block.cover, block.middle, {}).value;
-    if (depth_here + outside <= least) return;
+    if (depth_here + std::abs(s.distance) <= least()) return;
     const Vec3 p = block.middle - s.gradient * outside;
-    const Cover cover = outside > 0 ? cover_at(material_, p, block.cover) : block.cover;
-    const double depth = depth_under(material_, cover, p, {}).value;
-    if (depth > least) best_ = Contact{p, depth};
+    climb(p, outside > 0 ? cover_at(material_, p, block.cover) : block.cover);
   }
+
+  // Deeper into the material, by steps that stay in the body since its distance is 1-Lipschitz. So
+  // the first blocks show nearly all the depth there is, also of a long strip that is nowhere
+  // wider than it is deep; without, all of it would have to be cut up finely first.
+  void climb(Vec3 p, Cover cover) {
+    constexpr int kMostSteps = 8;
+    Depth d = depth_under(material_, cover, p, {});
+    for (int step = 0; step < kMostSteps; ++step) {
+      if (d.value > least()) best_ = Contact{p, d.value};
+      const double room = -swept_distance(body_, move_, p).distance;
+      if (room <= tolerance_ / 8) return;
+      const Vec3 next = p + d.gradient * room;
+      cover = cover_at(material_, next, cover);
+      const Depth there = depth_under(material_, cover, next, {});
+      if (there.value <= d.value) return;
+      p = next, d = there;
+    }
+  }
+
+  double least() const { return best_ ? best_->depth_mm : tolerance_; }
 
   const MaterialAtMove& material_;
   const CutterProfile& body_;

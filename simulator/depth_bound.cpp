@@ -13,8 +13,12 @@ Depth depth_in_raw(const MaterialAtMove& m, const Cover& cover, const Vec3& p, c
   const MaterialSample raw = m.before->sample_of({}, p);
   // Then the depth lies below its tangents.
   if (m.before->raw().convex()) return {-raw.value, -raw.gradient, 0, cover};
+  const double reach = length(half);
+  if (reach > 0 && std::abs(raw.value) <= reach)
+    if (const auto cap = m.before->raw().solid()->cap(p, reach))
+      return {cap->depth, -cap->normal, 0, cover};
   // Of any solid the depth is 1-Lipschitz.
-  return {-raw.value, {}, length(half), cover};
+  return {-raw.value, {}, reach, cover};
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ struct Depth {
 };
 
 /// The depth at `p` under one cover alone, never less than the depth under all of them, with the
-/// bend that holds where |δ_a| <= half_a and the depth is positive.
+/// bend that holds where |δ_a| <= half_a and the depth is positive. For half = 0 it is the cover's
+/// own; else it may be an upper bound where the cover is a mesh.
 Depth depth_under(const MaterialAtMove& m, const Cover& cover, const model::Vec3& p,
                   const model::Vec3& half);
 /// The cover that gives the depth at p, looking first at `guess`.

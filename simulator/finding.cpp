@@ -39,6 +39,8 @@ const char* name(FindingKind kind) {
       return "steep_descent";
     case FindingKind::beyond_travel:
       return "beyond_travel";
+    case FindingKind::slight_contact:
+      return "slight_contact";
     case FindingKind::near_miss:
       break;
   }

@@ -21,12 +21,13 @@ enum class FindingKind {
   below_flutes,     ///< material stands above the flutes within the cutter's own radius
   steep_descent,    ///< goes down into material more steeply than the cutter can
   beyond_travel,    ///< outside the stated travel limits
+  slight_contact,   ///< a contact of one of the kinds above, no deeper than the stated tolerance
   near_miss         ///< passes material or a fixture within the stated clearance, not touching
 };
 const char* name(FindingKind kind);  ///< as in result.json: "rapid_through_stock", ...
-/// All but near misses fail a stage.
+/// All but near misses and contacts within the tolerance fail a stage.
 inline bool fails(FindingKind kind) {
-  return kind != FindingKind::near_miss;
+  return kind != FindingKind::near_miss && kind != FindingKind::slight_contact;
 }
 
 /// One finding: the worst place of one kind and part on one move.

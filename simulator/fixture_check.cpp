@@ -41,7 +41,7 @@ Box3 tips_near(const Box3& target, const std::vector<ToolBody>& bodies, double n
 
 FixtureCheck::FixtureCheck(const std::vector<model::Fixture>& fixtures, const Pass& pass,
                            const ToolBodies& bodies, const StockLimits& limits)
-    : path_(*pass.path), bodies_{bodies.flutes}, limits_(limits) {
+    : path_(*pass.path), assembly_(bodies), bodies_{bodies.flutes}, limits_(limits) {
   bodies_.insert(bodies_.end(), bodies.above.begin(), bodies.above.end());
   Box3 all;
   if (!path_.moves.empty()) all.add(path_.start);
@@ -60,6 +60,27 @@ void FixtureCheck::look_at(std::size_t move, std::vector<Finding>& findings) con
   for (const Obstacle& obstacle : obstacles_) {
     if (apart(obstacle.tips, tip_box(tip))) continue;
     for (const ToolBody& body : bodies_) look_at(obstacle, body, move, tip, findings);
+    look_at_joined(obstacle, move, tip, findings);
+  }
+}
+
+const char* FixtureCheck::part_there(const ToolBody& body, const SweptMove& tip,
+                                     const Vec3& p) const {
+  const double t = swept_distance(body.profile, body.of_tip(tip), p).t;
+  return name(assembly_.part_at(p.z - (tip.start.z + t * tip.delta.z)));
+}
+
+void FixtureCheck::look_at_joined(const Obstacle& obstacle, std::size_t i, const SweptMove& tip,
+                                  std::vector<Finding>& findings) const {
+  const double tolerance = limits_.tolerance_mm;
+  for (const ToolBody& body : assembly_.joined) {
+    const SweptMove own = body.of_tip(tip);
+    if (apart(swept_box(body.profile, own), obstacle.solid.box())) continue;
+    const auto place =
+        obstacle.solid.nearest(body.profile, own, 0, tolerance * kPrecisionInTolerances);
+    if (place && place->distance < -tolerance)
+      findings.push_back({FindingKind::fixture_touched, i, path_.moves[i].line, place->point,
+                          -place->distance, part_there(body, tip, place->point), obstacle.name});
   }
 }
 
@@ -85,6 +106,8 @@ void FixtureCheck::look_at(const Obstacle& obstacle, const ToolBody& body, std::
                                              std::numeric_limits<double>::infinity(), precision);
     return found(FindingKind::fixture_touched, wall->point, wall->distance - inside);
   }
+  if (place && place->distance < -limits_.slightest_mm())
+    return found(FindingKind::slight_contact, place->point, -place->distance);
   if (place && near > 0)
     found(FindingKind::near_miss, place->point, -std::max(0.0, place->distance));
 }

@@ -31,9 +31,15 @@ class FixtureCheck {
   };
   void look_at(const Obstacle& obstacle, const ToolBody& body, std::size_t i, const SweptMove& tip,
                std::vector<Finding>& findings) const;
+  /// Adds the deepest place of the fixture in parts that are deeper together than each alone.
+  void look_at_joined(const Obstacle& obstacle, std::size_t i, const SweptMove& tip,
+                      std::vector<Finding>& findings) const;
+  /// The part that is at `p` where the tip is when `body` is deepest there.
+  const char* part_there(const ToolBody& body, const SweptMove& tip, const model::Vec3& p) const;
 
   const model::Toolpath& path_;
-  std::vector<ToolBody> bodies_;
+  const ToolBodies& assembly_;
+  std::vector<ToolBody> bodies_;  // its parts
   StockLimits limits_;
   std::vector<Obstacle> obstacles_;  // those that the path comes near
 };

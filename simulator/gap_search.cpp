@@ -82,8 +82,7 @@ class Search {
 
   // The middle, moved towards the body as far as the depth there surely lets it.
   void offer(const Block& block, const SweptSample& s) {
-    const double spare =
-        depth_under(material_, block.cover, block.middle, block.half).value - depth_;
+    const double spare = depth_under(material_, block.cover, block.middle, {}).value - depth_;
     if (spare < 0 || s.distance - spare >= limit_) return;
     const Vec3 p = block.middle - s.gradient * std::min(spare, std::max(0.0, s.distance));
     const SweptSample at = swept_distance(body_, move_, p);

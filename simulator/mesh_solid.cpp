@@ -111,6 +111,25 @@ SolidSample MeshSolid::sample(const Vec3& p) const {
   return {sign * d, (p - near.point) * (sign / d)};
 }
 
+std::optional<SolidCap> MeshSolid::cap(const Vec3& p, double reach_mm) const {
+  // Coplanar triangles are so within rounding.
+  constexpr double kCoplanar_mm = 1e-10;
+  const MeshTree& tree = state_->tree;
+  const MeshTree::Nearest near = tree.nearest(p);
+  if (near.distance_squared > reach_mm * reach_mm) return std::nullopt;
+  const Triangle& t = tree.triangle(near.slot);
+  const Vec3 normal = facing(t);
+  const double ball = 3 * reach_mm;
+  const bool under = tree.each_about(p, ball, [&](std::uint32_t slot) {
+    const Triangle& other = tree.triangle(slot);
+    const bool rises = std::ranges::any_of(
+        other, [&](const Vec3& v) { return dot(v - t[0], normal) > kCoplanar_mm; });
+    return !rises || distance(nearest_on_triangle(other, p), p) > ball;
+  });
+  if (!under || contains(near.point + normal * (reach_mm / 2))) return std::nullopt;
+  return SolidCap{dot(t[0] - p, normal) + kCoplanar_mm, normal};
+}
+
 bool MeshSolid::contains(const Vec3& p) const {
   return state_->contains(p);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,12 @@ namespace limitgauge::simulator {
 struct SolidSample {
   double distance = 0;  ///< mm, negative inside
   model::Vec3 gradient;
+};
+
+/// A plane over a place of a solid.
+struct SolidCap {
+  double depth = 0;    ///< mm, of the place under the plane
+  model::Vec3 normal;  ///< outwards
 };
 
 /// The solid that a closed triangle mesh bounds: where its winding number is above zero. It is
@@ -29,6 +36,16 @@ class MeshSolid {
   /// surface), with the solid's sign. On the surface the gradient is the normal of a triangle
   /// there.
   SolidSample sample(const model::Vec3& p) const;
+  /// Where the surface passes within `reach_mm` of p: a plane whose depth is nowhere within the
+  /// reach less than the solid's. None where the solid is not found to be convex thereabouts.
+  ///
+  /// The plane is that of the nearest triangle, and no triangle that meets the ball of three times
+  /// the reach about p rises above it. What is in the ball above the plane is then all in the
+  /// solid or all outside, and one look says outside. A place within the reach and under the plane
+  /// has its foot on it in the ball, beyond which is air: no deeper than that. A place over the
+  /// plane is outside; the solid in the ball is at least as far as the plane, and the rest of it
+  /// is at least twice the reach away, which is further than the plane.
+  std::optional<SolidCap> cap(const model::Vec3& p, double reach_mm) const;
   /// Whether p lies in the solid; of its boundary, one side.
   bool contains(const model::Vec3& p) const;
   /// Distances at `out.size()` points of a vertical, `step_mm` apart upwards from p: in all no more

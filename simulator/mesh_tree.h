@@ -32,6 +32,11 @@ class MeshTree {
   template <class Visit>
   void above(double x, double y, double z_from, Visit&& visit) const;
 
+  /// Calls `visit(slot)` for the triangles whose boxes meet a cube about p, until it returns false.
+  /// Whether it never did.
+  template <class Visit>
+  bool each_about(const model::Vec3& p, double half_edge, Visit&& visit) const;
+
   const Triangle& triangle(std::uint32_t slot) const { return triangles_[slot]; }
   std::size_t memory_bytes() const;
 
@@ -48,6 +53,26 @@ class MeshTree {
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
 };
+
+template <class Visit>
+bool MeshTree::each_about(const model::Vec3& p, double half_edge, Visit&& visit) const {
+  std::array<std::uint32_t, 128> stack;
+  int depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const Node& node = nodes_[stack[--depth]];
+    for (int k = 0; k < kWide; ++k) {
+      bool apart = false;
+      for (int a = 0; a < 3; ++a)
+        apart |= p[a] + half_edge < node.low[a][k] || p[a] - half_edge > node.high[a][k];
+      if (apart) continue;
+      if (node.count[k] == 0) stack[depth++] = node.first[k];
+      for (std::uint32_t n = 0; n < node.count[k]; ++n)
+        if (!visit(node.first[k] + n)) return false;
+    }
+  }
+  return true;
+}
 
 template <class Visit>
 void MeshTree::above(double x, double y, double z_from, Visit&& visit) const {

@@ -77,17 +77,23 @@ int rank(const std::string& part) {
   return part == name(ToolPart::cutter) ? 0 : part == name(ToolPart::shank) ? 1 : 2;
 }
 
-// Of one move: near misses of what is touched are left out, and of each kind and part the worst is
-// kept, of equal ones the first.
+// Of one move: near misses and slight contacts of what is touched are left out, and of each kind
+// and part the worst is kept, of equal ones the first.
 void tidy(std::vector<Finding>& findings) {
   if (findings.size() < 2) return;
-  std::vector<std::string> touched;
-  for (const Finding& f : findings)
-    if (is_contact(f.kind)) touched.push_back(f.against);
-  std::erase_if(findings, [&](const Finding& f) {
-    return f.kind == FindingKind::near_miss &&
-           std::find(touched.begin(), touched.end(), f.against) != touched.end();
+  const auto leave_out = [&](FindingKind kind, const auto& counts) {
+    std::vector<std::string> touched;
+    for (const Finding& f : findings)
+      if (counts(f.kind)) touched.push_back(f.against);
+    std::erase_if(findings, [&](const Finding& f) {
+      return f.kind == kind &&
+             std::find(touched.begin(), touched.end(), f.against) != touched.end();
+    });
+  };
+  leave_out(FindingKind::near_miss, [](FindingKind kind) {
+    return is_contact(kind) || kind == FindingKind::slight_contact;
   });
+  leave_out(FindingKind::slight_contact, is_contact);
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     return std::tuple(a.kind, rank(a.part), -a.depth_mm) <
            std::tuple(b.kind, rank(b.part), -b.depth_mm);

@@ -11,7 +11,9 @@ namespace limitgauge::simulator {
 
 /// What a process is checked against.
 struct ProcessLimits {
-  double tolerance_mm = 0;  ///< contacts shallower than this are none; > 0
+  /// Contacts shallower than this fail nothing, and are listed as slight_contact; > 0. What is
+  /// found does not depend on the stock's voxel.
+  double tolerance_mm = 0;
   double near_miss_mm = 0;  ///< passing stock or fixture within this is a near miss; 0: not looked
                             ///< for
   std::optional<model::Box3> travel_mm;  ///< of the tip, infinite where an axis has no limit
@@ -36,9 +38,11 @@ struct ProcessLimits {
 /// - below_flutes: material stands above the flutes' top within their radius there, at a height
 ///   where the stated assembly is narrower or ends. A narrower part that meets material is found by
 ///   this and not as shank_in_stock; a wider one has its own finding and not this.
-/// - fixture_touched: any part on any move. The depth is that of the fixture's surface in the body,
-///   to a fraction of the tolerance; of a body wholly inside the fixture, how deep its middle is in
-///   the body plus the least distance from the body to the fixture's surface.
+/// - fixture_touched: any part on any move. The depth is that of the fixture's surface in the
+///   assembly, which is one body whatever parts it is stated in (ToolBodies::joined: no less than
+///   1/√2 of it where the diameter changes), to a fraction of the tolerance; of a part wholly
+///   inside the fixture, how deep its middle is in the part plus the least distance from the part
+///   to the fixture's surface. Named is the part that is at the place.
 /// - spindle_stopped: a move with the spindle at rest whose flutes meet material.
 /// - feed_missing: any feed move without a feed rate; depth 0 where it meets nothing, and then
 ///   placed where the move begins.
@@ -46,9 +50,11 @@ struct ProcessLimits {
 ///   Cutter::steepest_descent_deg, by more than the rounding of coordinates (1 µm), and meets
 ///   material.
 /// - beyond_travel: the tip ends beyond a limit; `against` is the one by which it is farthest out.
+/// - slight_contact: a contact with stock or fixture of a kind above that is shallower than the
+///   tolerance but not than a tenth of it, below which a body only slides along.
 /// - near_miss: a distance to stock or fixture below `near_miss_mm` where nothing of the move
 ///   touches that stock or that fixture.
-///   Against fixtures: every part on every move, down to contacts too shallow to be one (depth 0).
+///   Against fixtures: every part on every move, down to contacts too slight to be one (depth 0).
 ///   Against stock: parts wider than the flutes' top, on every move, likewise. Parts no wider
 ///   have none: where the flutes fitted they have room. Feed moves' flutes have none: they
 ///   are to touch. Of rapids' flutes, no place counts that the feed move just before the straight

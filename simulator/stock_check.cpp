@@ -57,24 +57,39 @@ void StockCheck::look_at_cutter(std::size_t i, const SweptMove& tip,
                                 std::vector<Finding>& findings) const {
   const Move& m = path_.moves[i];
   const bool rapid = m.kind == MoveKind::rapid, leaves = rapid && backs_out(i);
-  const auto found = [&](FindingKind kind, const Contact& c) {
-    findings.push_back(finding(kind, i, c.point, c.depth_mm, ToolPart::cutter));
-  };
-  if (rapid && !leaves) {
-    if (const auto c = contact_of_flutes(tip, lines_.begin(i)))
-      found(FindingKind::rapid_through_stock, *c);
-    else
-      look_at_rapids_gap(i, tip, findings);
-  }
+  const ToolBody& flutes = bodies_.flutes;
+  if (rapid && !leaves &&
+      !look_for(FindingKind::rapid_through_stock, flutes, i, tip, lines_.begin(i), findings))
+    look_at_rapids_gap(i, tip, findings);
   if (m.spindle_stopped && !leaves)
-    if (const auto c = contact_of_flutes(tip, at_rest_.begin(i)))
-      found(FindingKind::spindle_stopped, *c);
-  if (lacks_feed(m))
-    found(FindingKind::feed_missing,
-          contact_of_flutes(tip, without_feed_.begin(i)).value_or(Contact{tip.start, 0}));
+    look_for(FindingKind::spindle_stopped, flutes, i, tip, at_rest_.begin(i), findings);
+  if (lacks_feed(m)) {
+    const Contact c =
+        contact_of_flutes(tip, without_feed_.begin(i)).value_or(Contact{tip.start, 0});
+    findings.push_back(
+        finding(FindingKind::feed_missing, i, c.point, c.depth_mm, ToolPart::cutter));
+  }
   if (descends_too_steeply(i))
-    if (const auto c = contact_of_flutes(tip, descents_.begin(i)))
-      found(FindingKind::steep_descent, *c);
+    look_for(FindingKind::steep_descent, flutes, i, tip, descents_.begin(i), findings);
+}
+
+bool StockCheck::look_for(FindingKind kind, const ToolBody& body, std::size_t i,
+                          const SweptMove& tip, std::size_t end,
+                          std::vector<Finding>& findings) const {
+  const SweptMove own = body.of_tip(tip);
+  if (map_.clears(body.profile, own)) return false;
+  const MaterialAtMove material = material_at(end);
+  if (const auto c = deepest_contact(material, body.profile, own, limits_.tolerance_mm)) {
+    findings.push_back(finding(kind, i, c->point, c->depth_mm, body.part));
+    return true;
+  }
+  // The first look is only sure of what is half as deep again as the tolerance.
+  const auto c = deepest_contact(material, body.profile, own, limits_.slightest_mm());
+  if (!c) return false;
+  const bool counts = c->depth_mm > limits_.tolerance_mm;
+  findings.push_back(
+      finding(counts ? kind : FindingKind::slight_contact, i, c->point, c->depth_mm, body.part));
+  return counts;
 }
 
 void StockCheck::look_above_flutes(std::size_t i, const SweptMove& tip,
@@ -90,9 +105,7 @@ void StockCheck::look_above_flutes(std::size_t i, const SweptMove& tip,
 void StockCheck::look_over_flutes(std::size_t i, const SweptMove& tip,
                                   std::vector<Finding>& findings) const {
   for (const ToolBody& body : bodies_.over_flutes)
-    if (const auto c = contact(body, tip, i + 1))
-      findings.push_back(
-          finding(FindingKind::below_flutes, i, c->point, c->depth_mm, ToolPart::cutter));
+    look_for(FindingKind::below_flutes, body, i, tip, i + 1, findings);
 }
 
 void StockCheck::look_at_wide_part(const ToolBody& body, std::size_t i, const SweptMove& tip,
@@ -109,10 +122,9 @@ void StockCheck::look_at_wide_part(const ToolBody& body, std::size_t i, const Sw
     findings.push_back(
         finding(FindingKind::near_miss, i, gap->point, -gap->distance_mm, body.part));
   }
-  if (const auto c = contact(body, tip, end))
-    findings.push_back(finding(
-        body.part == ToolPart::shank ? FindingKind::shank_in_stock : FindingKind::holder_in_stock,
-        i, c->point, c->depth_mm, body.part));
+  look_for(
+      body.part == ToolPart::shank ? FindingKind::shank_in_stock : FindingKind::holder_in_stock,
+      body, i, tip, end, findings);
 }
 
 void StockCheck::look_at_rapids_gap(std::size_t i, const SweptMove& tip,

@@ -19,6 +19,9 @@ namespace limitgauge::simulator {
 struct StockLimits {
   double tolerance_mm = 0;
   double near_miss_mm = 0;  ///< 0: not looked for
+
+  /// Shallower contacts are sliding, or rounding.
+  double slightest_mm() const { return tolerance_mm / 10; }
 };
 
 /// Checks the moves of one pass against the stock as it stands at each of them. The rules are those
@@ -42,6 +45,9 @@ class StockCheck {
 
   std::optional<Contact> contact(const ToolBody& body, const SweptMove& tip, std::size_t end) const;
   std::optional<Contact> contact_of_flutes(const SweptMove& tip, std::size_t end) const;
+  /// Appends a contact as `kind`, or one within the tolerance as what it is; true for the former.
+  bool look_for(FindingKind kind, const ToolBody& body, std::size_t i, const SweptMove& tip,
+                std::size_t end, std::vector<Finding>& findings) const;
   bool descends_too_steeply(std::size_t i) const;
   bool backs_out(std::size_t i) const;
   bool keeps_to_its_hole(std::size_t i) const;

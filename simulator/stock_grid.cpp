@@ -128,6 +128,27 @@ double StockGrid::value(const Vec3& p) const {
   return openvdb::tools::BoxSampler::sample(impl_->grid->tree(), openvdb::Vec3d(i.x, i.y, i.z));
 }
 
+GridRun StockGrid::proven_run(const Vec3& from, const Vec3& along, double limit_mm) const {
+  const double voxel = impl_->lattice.voxel_mm;
+  // Single precision's last bits, and a step that is worth its look.
+  const double slack = 1e-5 * voxel, least = 0.05 * voxel;
+  const openvdb::tree::ValueAccessor<const Tree, false> tree(impl_->grid->tree());
+  GridRun run;
+  while (run.length_mm < limit_mm) {
+    const Vec3 p = from + along * run.length_mm;
+    const Vec3 i = (p - impl_->lattice.origin_mm) / voxel;
+    const Index3 nearest{static_cast<int>(std::lround(i.x)), static_cast<int>(std::lround(i.y)),
+                         static_cast<int>(std::lround(i.z))};
+    const double phi = tree.getValue(coord(nearest));
+    const double step = std::abs(phi) - distance(p, impl_->lattice.point(nearest)) - slack;
+    if (step < least) break;
+    run.material = phi < 0;
+    run.length_mm += step;
+  }
+  run.length_mm = std::min(run.length_mm, limit_mm);
+  return run;
+}
+
 GridVolume StockGrid::volume(const RunControl& control) const {
   const Tree& tree = impl_->grid->tree();
   return vdb::volume(tree, ordered_leaves(tree, impl_->box), impl_->box, impl_->lattice.voxel_mm,

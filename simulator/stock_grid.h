@@ -26,6 +26,13 @@ IndexBox stock_extent(const RawStock& raw, const Lattice& lattice);
 /// Columns of one leaf's width over `extent`, with nothing standing.
 ColumnTops empty_tops(const IndexBox& extent, const Lattice& lattice);
 
+/// What a level set alone shows of a straight way: all of it up to `length_mm` is on one side. Of
+/// no length where not even the start's side is shown.
+struct GridRun {
+  bool material = false;
+  double length_mm = 0;
+};
+
 /// The narrow-band level set itself, or the part of it in a box: what holds OpenVDB's tree. A
 /// value; copies share what they hold until one is cut.
 class StockGrid {
@@ -50,6 +57,9 @@ class StockGrid {
   double band_mm() const { return kBandVoxels * lattice().voxel_mm; }
   const IndexBox& box() const;
   double value(const model::Vec3& p_mm) const;
+  /// From `from` along a unit vector: φ is 1-Lipschitz, so a voxel at distance r shows its side of
+  /// everything within |φ| − r.
+  GridRun proven_run(const model::Vec3& from, const model::Vec3& along, double limit_mm) const;
   GridVolume volume(const model::RunControl& control) const;
   std::size_t memory_bytes() const;
   /// Leaves in the box, and beside it.

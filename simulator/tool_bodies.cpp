@@ -1,6 +1,7 @@
 #include "simulator/tool_bodies.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limitgauge::simulator {
 namespace {
@@ -17,6 +18,23 @@ double top_radius(const CutterProfile& profile) {
     (profile.sample(middle, profile.length()).distance <= 0 ? in : out) = middle;
   }
   return in;
+}
+
+double top_of(const ToolBody& body) {
+  return body.base_mm + body.profile.length();
+}
+
+// Onto the last one of the same kind and radius, or as one of its own.
+void add_cylinder(std::vector<ToolBody>& stack, const ToolBody& next) {
+  if (!stack.empty() && stack.back().part == next.part) {
+    ToolBody& last = stack.back();
+    const double a = last.profile.largest_radius(), b = next.profile.largest_radius();
+    if (std::abs(a - b) <= kSameRadius_mm) {
+      last.profile = CutterProfile(std::min(a, b), top_of(next) - last.base_mm);
+      return;
+    }
+  }
+  stack.push_back(next);
 }
 
 }  // namespace
@@ -39,7 +57,7 @@ ToolBodies::ToolBodies(const model::Cutter& cutter, double height_mm)
   double base = cutter.flute_length_mm;
   const auto stack = [&](const std::vector<model::CylinderPart>& parts, ToolPart part) {
     for (const model::CylinderPart& c : parts) {
-      above.push_back({part, CutterProfile(c.diameter_mm / 2, c.length_mm), base});
+      add_cylinder(above, {part, CutterProfile(c.diameter_mm / 2, c.length_mm), base});
       base += c.length_mm;
     }
   };
@@ -58,6 +76,38 @@ ToolBodies::ToolBodies(const model::Cutter& cutter, double height_mm)
     free_from = body.base_mm + body.profile.length();
   }
   fill(height_mm);
+  join_parts(cutter);
+}
+
+void ToolBodies::join_parts(const model::Cutter& cutter) {
+  // With room for rounding: what is wider by less is no step.
+  const auto holds = [](const ToolBody& body, double radius) {
+    return body.profile.largest_radius() >= radius - kSameRadius_mm;
+  };
+  for (std::size_t k = 0; k < above.size(); ++k) {
+    const double radius = above[k].profile.largest_radius() - kSameRadius_mm;
+    std::size_t first = k, last = k;
+    while (first > 0 && holds(above[first - 1], radius)) --first;
+    while (last + 1 < above.size() && holds(above[last + 1], radius)) ++last;
+    const bool into_flutes = first == 0 && top_radius_mm >= radius;
+    if (first == last && !into_flutes) continue;
+    const double low = into_flutes ? flutes.profile.nose_height(radius) : above[first].base_mm;
+    joined.push_back({above[k].part, CutterProfile(radius, top_of(above[last]) - low), low});
+  }
+  // Of a side that leans, more length is another shape.
+  if (above.empty() || cutter.taper_angle_deg != 0 || !holds(above.front(), top_radius_mm)) return;
+  std::size_t last = 0;
+  while (last + 1 < above.size() && holds(above[last + 1], top_radius_mm)) ++last;
+  model::Cutter longer = cutter;
+  longer.flute_length_mm = top_of(above[last]);
+  joined.push_back({ToolPart::cutter, CutterProfile(longer), 0});
+}
+
+ToolPart ToolBodies::part_at(double height_mm) const {
+  if (above.empty() || height_mm <= flutes.profile.length()) return ToolPart::cutter;
+  const auto part = std::find_if(above.begin(), above.end(),
+                                 [&](const ToolBody& body) { return height_mm <= top_of(body); });
+  return part == above.end() ? above.back().part : part->part;
 }
 
 bool ToolBodies::is_wide(const ToolBody& body) const {

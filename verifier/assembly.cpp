@@ -8,46 +8,46 @@ namespace {
 double lowest_tip_mm(const model::Toolpath& path) {
   double lowest = path.start.z;
   for (const model::Move& move : path.moves) lowest = std::min(lowest, move.to.z);
-  return lowest;
+  return lowest - path.chord_error_mm;
 }
 
-void stack(const std::vector<model::CylinderPart>& parts, const char* name, double& base_mm,
-           std::vector<AssemblyBody>& out) {
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    std::string numbered = name;
-    if (parts.size() > 1) numbered += " " + std::to_string(i + 1);
-    out.push_back({std::move(numbered), CutterProfile(parts[i]), base_mm});
-    base_mm += parts[i].length_mm;
+struct StackedPart {
+  std::string body;
+  model::CylinderPart part;
+  double lift_mm = 0;
+};
+
+void stack(const std::vector<model::CylinderPart>& parts, const char* body, double& base_mm,
+           std::vector<StackedPart>& out) {
+  for (const model::CylinderPart& part : parts) {
+    const bool goes_on =
+        !out.empty() && out.back().body == body && out.back().part.diameter_mm == part.diameter_mm;
+    if (goes_on)
+      out.back().part.length_mm += part.length_mm;
+    else
+      out.push_back({body, part, base_mm});
+    base_mm += part.length_mm;
   }
+}
+
+std::vector<StackedPart> parts_above_flutes(const model::Cutter& cutter) {
+  std::vector<StackedPart> parts;
+  double base_mm = cutter.flute_length_mm;
+  stack(cutter.shank, "shank", base_mm, parts);
+  stack(cutter.holder, "holder", base_mm, parts);
+  return parts;
 }
 
 }  // namespace
 
-std::vector<AssemblyBody> bodies_above_flutes(const model::Cutter& cutter) {
-  std::vector<AssemblyBody> bodies;
-  double base_mm = cutter.flute_length_mm;
-  stack(cutter.shank, "shank", base_mm, bodies);
-  stack(cutter.holder, "holder", base_mm, bodies);
-  return bodies;
-}
-
-std::vector<BodySweep> certify_assemblies(const SurfaceCells& cells, std::span<const Pass> passes,
-                                          const CertificateRequest& request,
-                                          const model::RunControl& control) {
-  std::vector<BodySweep> out;
-  // No point of the allowance surface is higher than this.
-  const double highest_mm =
-      cells.nodes().empty() ? 0 : cells.nodes().front().box.high.z + request.allowance_mm;
+std::vector<AssemblySweep> assembly_sweeps(std::span<const Pass> passes, double highest_mm) {
+  std::vector<AssemblySweep> out;
   for (std::size_t stage = 0; stage < passes.size(); ++stage) {
     const Pass& pass = passes[stage];
-    const double lowest_mm = lowest_tip_mm(*pass.path) - pass.path->chord_error_mm;
-    for (const AssemblyBody& body : bodies_above_flutes(pass.cutter)) {
-      BodySweep& sweep = out.emplace_back(BodySweep{stage, body.name, {}, {}});
-      if (lowest_mm + body.lift_mm > highest_mm + kRounding_mm) continue;
-      const Sweep swept{body.profile, body.lift_mm, pass.path};
-      sweep.space.emplace(std::span(&swept, 1));
-      sweep.certificate = certify(cells, *sweep.space, nullptr, request, control);
-    }
+    const double lowest_mm = lowest_tip_mm(*pass.path);
+    for (const StackedPart& part : parts_above_flutes(pass.cutter))
+      if (lowest_mm + part.lift_mm <= highest_mm)
+        out.push_back({stage, part.body, {CutterProfile(part.part), part.lift_mm, pass.path}});
   }
   return out;
 }

@@ -166,16 +166,50 @@ bool CellBounder::sharp(BodyRef body, double radius_mm) const {
   return !space_.is_stock(body) && space_.rounding_mm(body) < kSharp * radius_mm;
 }
 
-bool CellBounder::surely_outside(const Bezier& cell, double margin_mm) {
+bool CellBounder::surely_outside(const Bezier& cell, double margin_mm,
+                                 std::optional<BodyRef> first) {
   const Vec3 centre = middle(cell);
   const double radius = control_radius(cell, centre);
-  near_.clear();
-  space_.within(centre, margin_mm + radius, near_);
-  return std::all_of(near_.begin(), near_.end(), [&](BodyRef body) {
+  const auto clear = [&](BodyRef body) {
     BodyDistance distance;
     if (score(cell, centre, body, distance).lower >= margin_mm) return true;
     return sharp(body, radius) && mixed_lower(cell, centre, body) >= margin_mm;
+  };
+  if (first && !clear(*first)) return false;
+  near_.clear();
+  space_.within(control_box(cell), margin_mm, near_);
+  return std::all_of(near_.begin(), near_.end(), clear);
+}
+
+bool CellBounder::surely_unswept(const Bezier& cell, const Vec3& prism, double margin_mm) {
+  const Vec3 centre = middle(cell) + prism / 2;
+  const double radius = control_radius(cell, middle(cell)) + length(prism) / 2;
+  near_.clear();
+  space_.within(centre, margin_mm + radius, near_);
+  return std::all_of(near_.begin(), near_.end(), [&](BodyRef body) {
+    if (space_.is_stock(body)) return true;
+    const BodyDistance d = space_.distance(body, centre);
+    // Convex hull of both ends: the plane is least at a control point of one of them.
+    const double along = std::min(0.0, dot(d.gradient, prism));
+    return plane_range(cell, centre, d).low + along - d.slack_mm >= margin_mm;
   });
+}
+
+bool CellBounder::surely_inside(const Bezier& cell, double margin_mm, BodyRef first) {
+  const Vec3 centre = middle(cell);
+  const double lowest = space_.distance(first, centre).value;
+  if (lowest > -margin_mm) return false;
+  if (upper_of(cell, centre, first) <= -margin_mm) return true;
+  // A mean that gives a body a tenth or more is low enough at the middle only if that body is.
+  constexpr double kLeastWeight = 0.1;
+  const double radius = control_radius(cell, centre), room = -margin_mm - lowest;
+  near_.clear();
+  space_.within(centre, std::min(radius - margin_mm, lowest + room / kLeastWeight), near_);
+  if (near_.size() < 2) return false;
+  scored_.clear();
+  for (const BodyRef body : near_)
+    if (!space_.is_concave(body)) scored_.push_back({body, space_.distance(body, centre).value});
+  return improve_upper(cell, std::numeric_limits<double>::infinity(), -margin_mm) <= -margin_mm;
 }
 
 CellBounds CellBounder::bound(const Bezier& cell, std::vector<BodyRef>& candidates,

@@ -48,8 +48,14 @@ class CellBounder {
   /// the lower bound once it is above `high_enough`.
   CellBounds bound(const Bezier& cell, std::vector<BodyRef>& candidates, double low_enough,
                    double high_enough = -std::numeric_limits<double>::infinity());
-  /// Proof that δ ≥ `margin_mm` on all of the cell. False means "not proven".
-  bool surely_outside(const Bezier& cell, double margin_mm);
+  /// Proof that δ ≥ `margin_mm` on all of the cell, or all of the cell and of what lies between it
+  /// and the cell moved by `prism`, where raw stock does not count. False means "not proven".
+  /// `first`, the likeliest to be in the way, is looked at before the others.
+  bool surely_outside(const Bezier& cell, double margin_mm, std::optional<BodyRef> first = {});
+  bool surely_unswept(const Bezier& cell, const model::Vec3& prism, double margin_mm);
+  /// Proof that δ ≤ −`margin_mm` on all of the cell, by `first`, a body that is low at its middle,
+  /// or by means of those nearly as low.
+  bool surely_inside(const Bezier& cell, double margin_mm, BodyRef first);
 
  private:
   using Values = std::array<double, 16>;

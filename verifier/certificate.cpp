@@ -2,22 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "engine/model/chunks.h"
-#include "verifier/union_depth.h"
+#include "verifier/run_bounds.h"
 
 namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr std::size_t kBatch = 128;
+/// Cells of the first batch, and of the largest: the first ones show what there is to be found, and
+/// the last ones keep all threads busy.
+constexpr std::size_t kFirstBatch = 64, kLargestBatch = 4096;
 /// Share of all the effort that one cell may take before it is given up, so that one bad spot
-/// cannot hold up a run.
-constexpr double kShareOfCell = 0.01;
+/// cannot hold up a run; and cells it may take once the verdict is settled.
+constexpr double kShareOfCell = 0.003;
+constexpr std::size_t kOnceSettled = 10;
+/// Where the normals of an edge have no cone that shrinks, halving ends.
+constexpr int kDeepest = 120;
 /// Part of the resolution that branch and bound may use; the rest is for rounding.
 constexpr double kShare = 0.95;
 
@@ -31,306 +33,264 @@ double wanted_width_mm(const CertificateRequest& request, double low_mm, double 
   return room > 0 && room < asked ? std::max(room, kFinestShare * asked) : asked;
 }
 
-/// What is known so far of one figure.
-struct Figure {
-  double low = 0;
-  double high = 0;
+struct Outcome {
+  double low = 0, high = 0;
   std::optional<Witness> witness;
+  std::size_t cells = 0;
 
-  void see(double depth_mm, const SurfacePlace& place, BodyRef body) {
-    if (depth_mm > low) low = depth_mm, witness = Witness{place, depth_mm, body};
+  void see(const Witness& found) {
+    if (found.depth_mm > low) low = found.depth_mm, witness = found;
   }
   void cover(double bound_mm) { high = std::max(high, bound_mm); }
-  void merge(const Figure& other) {
+  void merge(const Outcome& other) {
     if (other.low > low) low = other.low, witness = other.witness;
     high = std::max(high, other.high);
+    cells += other.cells;
   }
 };
 
-struct Outcome {
-  Figure gouge, uncut;
-  /// The largest a − δ with δ the depth in the union, as far as ways out of it were found: what is
-  /// to be covered, where `gouge.low` is what is proven to be reached.
-  double gouge_in_union = 0;
-  std::size_t cells = 0;
-};
-
-/// Up to where a bound need not be improved, by what is known to be reached.
-struct Goals {
+/// What one figure is certified of.
+struct Task {
+  const SurfaceCells& cells;
+  const RemovedSpace& space;
+  Side side;
+  const ReachQuery* reach;
   const CertificateRequest& request;
   double errors_mm = 0;
 
-  double gouge(double low_mm) const {
-    return low_mm + kShare * wanted_width_mm(request, low_mm, request.gouge_limit_mm, errors_mm);
+  double limit_mm() const {
+    return side == Side::uncut ? request.uncut_limit_mm : request.gouge_limit_mm;
   }
-  double uncut(double low_mm) const {
-    return low_mm + kShare * wanted_width_mm(request, low_mm, request.uncut_limit_mm, errors_mm);
+  bool settled(double low_mm) const { return low_mm > limit_mm() + errors_mm; }
+  /// Up to where a bound need not be improved, by what is known to be reached.
+  double goal(double low_mm) const {
+    return low_mm + kShare * wanted_width_mm(request, low_mm, limit_mm(), errors_mm);
+  }
+  /// Of a place whose normal is `n`, on the cell or on a sharp edge.
+  bool counts(const SurfaceCell&, const SurfacePlace& place, const Vec3& n) const {
+    return side != Side::uncut || reach->can_be_touched(place, n);
+  }
+  bool counts(const RidgeCell&, const SurfacePlace& place, const Vec3& n) const {
+    return reach->ridge_can_be_touched(place.point, n);
+  }
+  /// Number of cells: those of S, then sharp edges where their normals count.
+  std::size_t size() const {
+    return cells.cells().size() + (side == Side::uncut ? cells.ridges().size() : 0);
+  }
+  template <class See>
+  auto with_cell(std::size_t i, See&& see) const {
+    const std::size_t faces = cells.cells().size();
+    return i < faces ? see(cells.cells()[i]) : see(cells.ridges()[i - faces]);
   }
 };
 
-/// Bodies further than this from everything in a cell say nothing of a gouge.
-double limit_of_interest(const ReachQuery* reach, const CertificateRequest& request) {
-  return reach ? kInfinite : request.allowance_mm;
+OffsetCell offset_of(const SurfaceCell& cell) {
+  return offset_cell(cell.shape, cell.vertex_normal);
+}
+OffsetCell offset_of(const RidgeCell& cell) {
+  return cell.offset();
+}
+SurfacePlace place_of(const SurfaceCell& cell, const Vec3& point) {
+  return middle_place(cell, point);
+}
+SurfacePlace place_of(const RidgeCell& cell, const Vec3&) {
+  return cell.place();
+}
+struct Sight {
+  Vec3 point, normal;
+};
+Sight middle_of(const SurfaceCell& cell) {
+  return {middle(cell.shape), middle_normal(cell)};
+}
+Sight middle_of(const RidgeCell& cell) {
+  const OffsetCell o = cell.offset();
+  return {o.middle, o.normal};
+}
+bool is_tiny(const SurfaceCell&, const OffsetCell& o) {
+  return control_radius(o.shape, o.middle) < kSmallestCell_mm;
+}
+bool is_tiny(const RidgeCell& cell, const OffsetCell&) {
+  return cell.is_tiny();
 }
 
-/// First look at a cell of the list.
-struct FirstLook {
-  CellBounds bounds;
-  double gouge_bound = 0, uncut_bound = 0;
-};
+/// Splits where δ changes most: across the passes far more than along them, but never into slivers.
+std::array<SurfaceCell, 2> halves_of(const SurfaceCell& cell, const Vec3& gradient, double) {
+  const InnerChords chords = inner_chords(cell.shape);
+  const double wide = length(chords.u), tall = length(chords.v);
+  if (wide > 8 * tall || tall > 8 * wide) return wide > tall ? split_u(cell) : split_v(cell);
+  const double bend_u = std::abs(dot(gradient, chords.u));
+  const double bend_v = std::abs(dot(gradient, chords.v));
+  return bend_u + 0.02 * wide >= bend_v + 0.02 * tall ? split_u(cell) : split_v(cell);
+}
+std::array<RidgeCell, 2> halves_of(const RidgeCell& cell, const Vec3&, double t_mm) {
+  return cell.halved(t_mm);
+}
 
 /// Depth-first refinement of one cell of the list, from what the batches before it have found.
 class CellSearch {
  public:
-  CellSearch(const RemovedSpace& space, const ReachQuery* reach, const CertificateRequest& request,
-             const Goals& goals, const Outcome& before, double longest_mm)
-      : bounder_(space),
-        depth_(space, longest_mm),
-        reach_(reach),
-        request_(request),
-        goals_(goals) {
-    out_.gouge.low = before.gouge.low;
-    out_.uncut.low = before.uncut.low;
-    out_.gouge_in_union = before.gouge_in_union;
+  CellSearch(const Task& task, const Outcome& before)
+      : task_(task),
+        bounds_(task.cells, task.space, task.side, task.request.allowance_mm),
+        may_split_(before.cells < task.request.largest_cell_count) {
+    out_.low = before.low, out_.high = before.high;
   }
 
-  Outcome run(const SurfaceCell& cell, BodyRef hint) {
-    std::vector<BodyRef> candidates;
-    bounder_.find_candidates(cell.shape, candidates, hint, limit_of_interest(reach_, request_));
-    search(cell, std::move(candidates), true, reach_ != nullptr);
-    return out_;
-  }
-  /// Without refinement: what is known is all there will be.
-  Outcome cover(const SurfaceCell& cell, const FirstLook& look) {
-    give_up_gouge(cell, look.bounds, look.gouge_bound);
-    out_.uncut.cover(look.uncut_bound);
+  template <class Cell>
+  Outcome run(const Cell& cell) {
+    search(cell, 0);
     return out_;
   }
 
  private:
-  void search(const SurfaceCell& cell, std::vector<BodyRef> candidates, bool gouge_open,
-              bool uncut_open) {
+  double goal() const { return task_.goal(out_.low); }
+  bool spent() const {
+    if (!may_split_) return true;
+    if (task_.settled(out_.low)) return out_.cells > kOnceSettled;
+    return static_cast<double>(out_.cells) >
+           kShareOfCell * static_cast<double>(task_.request.largest_cell_count);
+  }
+
+  template <class Cell>
+  void search(const Cell& cell, int depth) {
     ++out_.cells;
-    const double a = request_.allowance_mm;
-    const double low_enough = uncut_open ? a + uncut_goal() : kInfinite;
-    const double high_enough = gouge_open ? a - gouge_goal() : -kInfinite;
-    const CellBounds b = bounder_.bound(cell.shape, candidates, low_enough, high_enough);
-    const double here = b.nearest.distance.value - a;
-    const SurfacePlace place = middle_place(cell, b.middle);
-    out_.gouge.see(-here, place, b.nearest.body);
-    // Only where the middle itself cannot be touched is there hope to prove it of the whole cell.
-    const bool out_of_reach =
-        uncut_open && here > out_.uncut.low && !see_uncut(cell, place, here, b.nearest.body);
-
-    const double gouge_bound = a - b.lower, uncut_bound = b.upper - a;
-    if (gouge_open && gouge_bound <= gouge_goal()) gouge_open = !covers_union(cell, b);
-    if (uncut_open && uncut_bound <= uncut_goal()) {
-      out_.uncut.cover(uncut_bound);
-      uncut_open = false;
+    const OffsetCell offset = offset_of(cell);
+    if (bounds_.surely_within(offset, goal())) return out_.cover(goal());
+    bool out_of_reach = false;
+    // A run that ends before the goal would raise `low` by less than what is asked for.
+    const bool tiny = depth >= kDeepest || is_tiny(cell, offset);
+    if (tiny || !bounds_.ends_within(offset, goal())) {
+      const TracedRun run = bounds_.run(offset.middle, offset.normal, out_.low);
+      if (run.length_mm > out_.low) {
+        const SurfacePlace place = place_of(cell, offset.middle);
+        out_of_reach = !task_.counts(cell, place, offset.normal);
+        if (!out_of_reach) {
+          out_.see({place, run.length_mm, body_of(run, offset.middle), offset.normal});
+          if (bounds_.surely_within(offset, goal())) return out_.cover(goal());
+        }
+      }
+      if (!out_of_reach && bounds_.surely_within_thin(offset, run.length_mm, goal()))
+        return out_.cover(goal());
     }
-    if (uncut_open && out_of_reach && reach_->surely_unreachable(cell)) uncut_open = false;
-    if (!gouge_open && !uncut_open) return;
-    const bool tiny = control_radius(cell.shape, b.middle) < kSmallestCell_mm;
+    if (out_of_reach && surely_unreachable(cell, offset)) return;
+    if (is_left_out(cell)) return;
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
-    if (uncut_open && out_of_reach && tiny) uncut_open = false;
-    if (tiny || static_cast<double>(out_.cells) >
-                    kShareOfCell * static_cast<double>(request_.largest_cell_count)) {
-      if (gouge_open) give_up_gouge(cell, b, gouge_bound);
-      if (uncut_open) out_.uncut.cover(uncut_bound);
-      return;
+    if (tiny && out_of_reach) return;
+    if (tiny || spent()) return give_up(offset);
+    const auto halves =
+        halves_of(cell, bounds_.gradient_at(offset, goal()), task_.request.allowance_mm + goal());
+    search(halves[0], depth + 1);
+    search(halves[1], depth + 1);
+  }
+
+  /// A cutter beside the part touches its very rim wherever the part ends in the open, and within
+  /// the contact tolerance of it: no leftover is narrower than what can be seen.
+  bool is_left_out(const SurfaceCell& cell) const {
+    return task_.side == Side::uncut && task_.cells.is_rim_strip(cell, kBeside_mm);
+  }
+  static bool is_left_out(const RidgeCell&) { return false; }
+
+  bool surely_unreachable(const SurfaceCell& cell, const OffsetCell&) const {
+    return task_.reach->surely_unreachable(cell);
+  }
+  bool surely_unreachable(const RidgeCell&, const OffsetCell& offset) const {
+    return task_.reach->ridge_surely_unreachable(offset.shape, {offset.normal, offset.spread_rad});
+  }
+
+  /// The move to name: of a gouge the one that reaches furthest, of a leftover the nearest.
+  BodyRef body_of(const TracedRun& run, const Vec3& s) const {
+    return task_.side != Side::uncut && run.body ? *run.body : bounds_.nearest_body(s);
+  }
+
+  /// Without refinement: the first of ever longer runs that is proven.
+  void give_up(const OffsetCell& offset) {
+    const double longest = bounds_.longest_mm(), first = std::max(goal(), out_.high);
+    if (first >= longest) return;
+    double share = 0;
+    for (double length = first; length < longest; length = first * (1 + share)) {
+      if (bounds_.surely_within(offset, length)) return out_.cover(length);
+      share = share > 0 ? 2 * share : 0.05;
     }
-    const auto halves = split_in_u(cell.shape, b) ? split_u(cell) : split_v(cell);
-    search(halves[0], candidates, gouge_open, uncut_open);
-    search(halves[1], std::move(candidates), gouge_open, uncut_open);
+    out_.cover(longest);
   }
 
-  /// Covers the cell by a bound of the gouge in the union, where δ alone bounds that into one body.
-  bool covers_union(const SurfaceCell& cell, const CellBounds& b) {
-    const double a = request_.allowance_mm;
-    if (b.lower >= 0) {  // outside all bodies δ is the distance itself
-      out_.gouge.cover(a - b.lower);
-      return true;
-    }
-    if (depth_.surely_within(cell.shape, b, union_goal() - a)) {
-      out_.gouge.cover(union_goal());
-      return true;
-    }
-    const double radius = control_radius(cell.shape, b.middle);
-    const UnionDepth::Exit exit = depth_.exit(cell.shape, b, union_goal() - a - radius);
-    out_.gouge_in_union = std::max(out_.gouge_in_union, a + exit.length_mm);
-    const double bound = a + exit.length_mm + radius;
-    if (bound > union_goal() && !depth_.surely_within(cell.shape, exit.direction, union_goal() - a))
-      return false;
-    out_.gouge.cover(std::min(bound, union_goal()));
-    return true;
-  }
-
-  void give_up_gouge(const SurfaceCell& cell, const CellBounds& b, double gouge_bound) {
-    out_.gouge.cover(gouge_bound);
-    if (b.lower >= 0) return;
-    const double around = request_.allowance_mm + control_radius(cell.shape, b.middle);
-    out_.gouge.cover(around + depth_.exit(cell.shape, b, union_goal() - around).length_mm);
-  }
-
-  double gouge_goal() const { return goals_.gouge(out_.gouge.low); }
-  /// Where the union is deeper than one body, the interval is that much wider whatever is done:
-  /// then a tenth of that more saves most of the effort.
-  double union_goal() const {
-    constexpr double kShareOfGap = 0.1;
-    const double low = out_.gouge.low, known = std::max(low, out_.gouge_in_union);
-    const double fine = goals_.gouge(known), coarse = known + kShareOfGap * (known - low);
-    const double limit = request_.gouge_limit_mm - goals_.errors_mm;
-    const bool decides = known <= limit && coarse > limit;
-    return decides ? fine : std::max(fine, coarse);
-  }
-
-  double uncut_goal() const { return goals_.uncut(out_.uncut.low); }
-
-  /// Takes the leftover into account if its place can be touched; false if that was not proven.
-  bool see_uncut(const SurfaceCell& cell, const SurfacePlace& place, double depth_mm,
-                 BodyRef body) {
-    if (!reach_->can_be_touched(place, middle_normal(cell))) return false;
-    out_.uncut.see(depth_mm, place, body);
-    return true;
-  }
-
-  /// Split where δ changes most: across the passes far more than along them, but never into
-  /// slivers.
-  static bool split_in_u(const Bezier& b, const CellBounds& bounds) {
-    const InnerChords chords = inner_chords(b);
-    const double wide = length(chords.u), tall = length(chords.v);
-    if (wide > 8 * tall || tall > 8 * wide) return wide > tall;
-    const Vec3& g = bounds.nearest.distance.gradient;
-    const double bend_u = std::abs(dot(g, chords.u)), bend_v = std::abs(dot(g, chords.v));
-    return bend_u + 0.02 * wide >= bend_v + 0.02 * tall;
-  }
-
-  CellBounder bounder_;
-  UnionDepth depth_;
-  const ReachQuery* reach_;
-  const CertificateRequest& request_;
-  const Goals& goals_;
+  const Task& task_;
+  RunBounds bounds_;
+  bool may_split_;
   Outcome out_;
 };
 
-/// Bounds of every cell of the list, and the best samples among their middles.
-std::vector<FirstLook> look_at_all(const SurfaceCells& cells, const RemovedSpace& space,
-                                   const ReachQuery* reach, const CertificateRequest& request,
-                                   const model::RunControl& control) {
-  std::vector<FirstLook> looks(cells.cells().size());
+/// A lower bound of the run at every cell's middle.
+std::vector<double> quick_looks(const Task& task, const model::RunControl& control) {
+  std::vector<double> looks(task.size());
   constexpr std::size_t kChunk = 256;
   model::parallel_chunks(looks.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
-    CellBounder bounder(space);
-    std::vector<BodyRef> candidates;
+    const RunBounds bounds(task.cells, task.space, task.side, task.request.allowance_mm);
     std::optional<BodyRef> hint;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Bezier& shape = cells.cells()[i].shape;
-      bounder.find_candidates(shape, candidates, hint, limit_of_interest(reach, request));
-      looks[i].bounds.nearest.distance.value = kInfinite;
-      if (candidates.empty()) continue;
-      looks[i].bounds = bounder.bound(shape, candidates, kInfinite, -kInfinite);
-      hint = looks[i].bounds.nearest.body;
-      looks[i].gouge_bound = request.allowance_mm - looks[i].bounds.lower;
-      if (reach) looks[i].uncut_bound = looks[i].bounds.upper - request.allowance_mm;
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      looks[i] = task.with_cell(i, [&](const auto& cell) {
+        const auto [m, n] = middle_of(cell);
+        return bounds.quick_run(m, n, hint);
+      });
   });
   return looks;
 }
 
-/// The deepest gouge among the middles.
-void see_gouges(const SurfaceCells& cells, const std::vector<FirstLook>& looks, double allowance_mm,
-                Figure& gouge) {
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    const CellBounds& b = looks[i].bounds;
-    gouge.see(allowance_mm - b.nearest.distance.value, middle_place(cells.cells()[i], b.middle),
-              b.nearest.body);
-  }
-}
-
-/// The largest uncut among the middles that can be touched.
-void see_uncut(const SurfaceCells& cells, const std::vector<FirstLook>& looks,
-               const ReachQuery& reach, double allowance_mm, Figure& uncut) {
-  std::vector<std::size_t> order(looks.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return looks[i].bounds.nearest.distance.value > looks[j].bounds.nearest.distance.value;
-  });
+/// The longest of those that count, traced to its end.
+void see_longest(const Task& task, const std::vector<double>& looks,
+                 const std::vector<std::size_t>& order, Outcome& out) {
+  RunBounds bounds(task.cells, task.space, task.side, task.request.allowance_mm);
   for (const std::size_t i : order) {
-    const CellBounds& b = looks[i].bounds;
-    const double depth = b.nearest.distance.value - allowance_mm;
-    if (depth <= 0) break;
-    const SurfacePlace place = middle_place(cells.cells()[i], b.middle);
-    if (!reach.can_be_touched(place, middle_normal(cells.cells()[i]))) continue;
-    uncut.see(depth, place, b.nearest.body);
-    break;
+    if (looks[i] <= 0) return;
+    const bool found = task.with_cell(i, [&](const auto& cell) {
+      const auto [m, n] = middle_of(cell);
+      const SurfacePlace place = place_of(cell, m);
+      if (!task.counts(cell, place, n)) return false;
+      const TracedRun run = bounds.run(m, n);
+      const bool by_run = task.side != Side::uncut && run.body;
+      out.see({place, run.length_mm, by_run ? *run.body : bounds.nearest_body(m), n});
+      return true;
+    });
+    if (found) return;
   }
 }
 
-Interval interval_of(const Figure& figure, double allowance_for_errors_mm) {
-  return {
-      std::max(0.0, figure.low - allowance_for_errors_mm),
-      std::max({0.0, figure.high + allowance_for_errors_mm, figure.low - allowance_for_errors_mm})};
+Interval interval_of(const Outcome& out, double errors_mm) {
+  return {std::max(0.0, out.low - errors_mm),
+          std::max({0.0, out.high + errors_mm, out.low - errors_mm})};
 }
 
 }  // namespace
 
-Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, const ReachQuery* reach,
-                    const CertificateRequest& request, const model::RunControl& control) {
-  const std::vector<FirstLook> looks = look_at_all(cells, space, reach, request, control);
-  const double errors = kRounding_mm + space.chord_error_mm();
-  const Goals goals{request, errors};
-  // No gate allows a gouge as deep as the part is large.
-  const double longest = length(cells.nodes().front().box.size());
+Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, Side side,
+                    const ReachQuery* reach, const CertificateRequest& request,
+                    const model::RunControl& control) {
+  const Task task{cells, space, side, reach, request, kRounding_mm};
+  const std::vector<double> looks = quick_looks(task, control);
+  std::vector<std::size_t> order(looks.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return looks[i] > looks[j]; });
   Outcome sum;
-  see_gouges(cells, looks, request.allowance_mm, sum.gouge);
-  if (reach) see_uncut(cells, looks, *reach, request.allowance_mm, sum.uncut);
-  sum.cells = looks.size();
-
-  const auto excess = [&](const FirstLook& l) {
-    return std::max(l.gouge_bound - sum.gouge.low, l.uncut_bound - sum.uncut.low);
-  };
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < looks.size(); ++i) order.emplace_back(-excess(looks[i]), i);
-  std::sort(order.begin(), order.end());
-
-  for (std::size_t at = 0; at < order.size(); at += kBatch) {
+  see_longest(task, looks, order, sum);
+  std::size_t batch = kFirstBatch;
+  for (std::size_t at = 0; at < order.size(); at += batch) {
+    batch = at == 0 ? kFirstBatch : std::min(kLargestBatch, at);
     control.check();
     control.report(static_cast<double>(at) / static_cast<double>(order.size()));
-    const std::size_t count = std::min(kBatch, order.size() - at);
+    const std::size_t count = std::min(batch, order.size() - at);
     std::vector<Outcome> found(count);
-    const Outcome before = sum;
     model::parallel_for(count, control.threads, [&](std::size_t k) {
-      const std::size_t i = order[at + k].second;
-      const FirstLook& look = looks[i];
-      const bool settled = look.bounds.lower >= 0 &&
-                           look.gouge_bound <= goals.gouge(before.gouge.low) &&
-                           look.uncut_bound <= goals.uncut(before.uncut.low);
-      if (settled) {
-        found[k].gouge.cover(look.gouge_bound);
-        found[k].uncut.cover(look.uncut_bound);
-        return;
-      }
-      CellSearch search(space, reach, request, goals, before, longest);
-      found[k] = before.cells > request.largest_cell_count
-                     ? search.cover(cells.cells()[i], look)
-                     : search.run(cells.cells()[i], look.bounds.nearest.body);
+      found[k] = task.with_cell(order[at + k],
+                                [&](const auto& cell) { return CellSearch(task, sum).run(cell); });
     });
-    for (const Outcome& o : found) {
-      sum.gouge.merge(o.gouge);
-      sum.uncut.merge(o.uncut);
-      sum.gouge_in_union = std::max(sum.gouge_in_union, o.gouge_in_union);
-      sum.cells += o.cells;
-    }
+    for (const Outcome& o : found) sum.merge(o);
   }
-
   Certificate out;
-  out.gouge_mm = interval_of(sum.gouge, errors);
-  out.uncut_mm = interval_of(sum.uncut, errors);
-  out.gouge = sum.gouge.witness;
-  out.uncut = sum.uncut.witness;
+  out.figure_mm = interval_of(sum, task.errors_mm);
+  out.witness = sum.witness;
   out.cells = sum.cells;
-  out.reached_resolution = out.gouge_mm.width() <= request.resolution_mm &&
-                           out.uncut_mm.width() <= request.resolution_mm;
+  out.reached_resolution = out.figure_mm.width() <= request.resolution_mm;
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "verifier/cell_bounds.h"
 #include "verifier/deviation.h"
 #include "verifier/reach_query.h"
+#include "verifier/run_tracer.h"
 #include "verifier/surface_cells.h"
 
 namespace limitgauge::verifier {
@@ -27,16 +28,16 @@ struct CertificateRequest {
 struct Witness {
   SurfacePlace place;
   double depth_mm = 0;
-  BodyRef body;
+  BodyRef body;  ///< that a gouge was swept by, or that is nearest to a leftover's place
+  model::Vec3 normal;
 };
 
-/// Two-sided bounds of the deepest gouge, max (a − δ), over S and of the largest uncut, max (δ −
-/// a), over the part of S that is not surely unreachable; never negative. `low` is δ at a point of
-/// S (for uncut: at one that can be touched), less what chords and rounding may add; `high` is a
-/// bound on every cell, of a gouge on its depth in the union of all bodies (UnionDepth).
+/// Two-sided bounds of the longest run of one kind over S (definition 2); never negative. `low` is
+/// a run proven at a point of S (of uncut: one that can be touched), less what chords and rounding
+/// may add; `high` is proven of every cell, but for those that are proven to be out of reach.
 struct Certificate {
-  Interval gouge_mm, uncut_mm;
-  std::optional<Witness> gouge, uncut;
+  Interval figure_mm;
+  std::optional<Witness> witness;
   std::size_t cells = 0;
   bool reached_resolution = true;
 };
@@ -45,10 +46,13 @@ struct Certificate {
 /// distance: coordinates below 10 m, far above the true error.
 inline constexpr double kRounding_mm = 1e-9 + SurfaceCells::kOmitted_mm;
 
-/// Without `reach` gouge alone is certified and uncut is empty, as for a shank.
+/// Certifies one figure of a removed space: of uncut over all that `reach` does not prove to be out
+/// of reach, sharp edges with all their normals included; of gouge, and of missing stock (in a
+/// space of raw stock alone), over all of S, for which `reach` is not asked.
 /// Branch and bound over the cells, worst first. Batches of fixed size see the best values of the
 /// batches before them only, so the result is the same for any number of threads.
-Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, const ReachQuery* reach,
-                    const CertificateRequest& request, const model::RunControl& control);
+Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, Side side,
+                    const ReachQuery* reach, const CertificateRequest& request,
+                    const model::RunControl& control);
 
 }  // namespace limitgauge::verifier

@@ -70,12 +70,14 @@ struct UncertaintyTerm {
   bool in_certificate = true;  ///< false: concerns the voxel figures only
 };
 
-/// The sampled deviation field for maps: a grid mesh over the limit surface.
+/// The sampled deviation field for maps: a grid mesh over the limit surface. A sample's deviation
+/// is a run along its normal n (definition 2): from s + a·n outwards through material, positive, or
+/// from there inwards through what is no longer material, negative.
 struct DeviationField {
   struct Sample {
     SurfacePlace place;
     model::Vec3 normal;
-    float deviation_mm = 0;  ///< δ − allowance
+    float deviation_mm = 0;  ///< uncut, or gouge with its sign changed
     bool reachable = true;
     bool raw_stock = false;  ///< a face of the raw stock is nearest, not a move
     std::uint32_t stage = 0, move = 0, line = 0;  ///< nearest pass; all 0 where the raw stock ends
@@ -94,11 +96,15 @@ struct DeviationField {
   std::vector<Grid> grids;                          ///< in the order of the samples
 };
 
-/// What one stage's verification found; all deviations are measured against the allowance surface.
+/// What one stage's verification found; all deviations are runs along the limit surface's normals,
+/// measured from the allowance surface (definition 2).
 struct StageDeviation {
-  Interval gouge_mm, uncut_mm;  ///< certified; gouge by any body of any assembly
-  /// By body: the fluted parts of all stages together first, then shanks and holders.
+  Interval gouge_mm, uncut_mm;  ///< certified; gouge by everything that swept the space
+  /// By body: the fluted parts of all stages together first; then, of each stage where they come
+  /// that low, shank and holder as one body.
   std::vector<BodyFigure> bodies;
+  /// How deep S lies outside the raw stock, which no program line is to blame for.
+  Interval missing_stock_mm;
   double coverage = 0;  ///< share of the reachable area within both gate limits
   double mean_mm = 0, rms_mm = 0, p01_mm = 0, p50_mm = 0, p99_mm = 0;
   double voxel_gouge_mm = 0, voxel_uncut_mm = 0;  ///< the voxel instrument's readings
@@ -108,10 +114,12 @@ struct StageDeviation {
   struct ProvenReach {
     double reachable_mm2 = 0, unreachable_mm2 = 0, undecided_mm2 = 0;
   } proven_reach;
-  /// What no toolpath with this cutter can remove, certified: `low` for a point of the surface.
+  /// What no toolpath with the cutters used so far can remove, certified: `low` for a point of the
+  /// surface. Distances to the nearest place that a cutter can take away, not runs.
   Interval unavoidable_uncut_mm;
   Histogram histogram;
   std::vector<Finding> gouges, uncuts;
+  std::vector<Finding> missing_stock;  ///< places where the raw stock does not cover S
   /// Depth from which places are findings: the gate limit, or half of `low` where nothing limits.
   double gouge_threshold_mm = 0, uncut_threshold_mm = 0;
   /// The findings hold every place deeper than the threshold and a resolution.
@@ -128,6 +136,11 @@ struct StageDeviation {
 struct GateLimits {
   bool has_gouge = false, has_uncut = false, has_coverage = false;
   double gouge_mm = 0, uncut_mm = 0, coverage = 0;
+  /// The part of S that no cutter used so far can reach, in mm² or as a share of its area.
+  bool has_unreachable = false, unreachable_is_share = true;
+  double unreachable = 0;
+  bool has_unavoidable = false;
+  double unavoidable_mm = 0;  ///< largest uncut where nothing can reach
 };
 
 /// The three-valued decision, with the reason for each figure in words.

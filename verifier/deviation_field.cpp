@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/model/chunks.h"
+#include "verifier/run_bounds.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -72,29 +73,45 @@ DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm
   return field;
 }
 
-std::vector<Vec3> measure_field(DeviationField& field, const RemovedSpace& space,
-                                const ReachQuery& reach, std::span<const Pass> passes,
-                                double allowance_mm, const model::RunControl& control) {
-  std::vector<Vec3> tips(field.samples.size());
+namespace {
+
+/// Signed run along the normal at a sample. Shorter ones are not held against crossings of S: a
+/// surface folded so near to itself is not sampled finely enough to be seen here anyway.
+double run_at(const DeviationField::Sample& s, const RunBounds& uncut, const RunBounds& gouge) {
+  constexpr double kShort_mm = 0.02;
+  if (!(length_squared(s.normal) > 0)) return 0;
+  const double out = uncut.run(s.place.point, s.normal, kShort_mm).length_mm;
+  return out > 0 ? out : -gouge.run(s.place.point, s.normal, kShort_mm).length_mm;
+}
+
+}  // namespace
+
+std::vector<ReachQuery::Touch> measure_field(DeviationField& field, const SurfaceCells& cells,
+                                             const Spaces& spaces, const ReachQuery& reach,
+                                             std::span<const Pass> passes, double allowance_mm,
+                                             const model::RunControl& control) {
+  std::vector<ReachQuery::Touch> touches(field.samples.size());
+  const RunBounds uncut(cells, spaces.cut, Side::uncut, allowance_mm);
+  const RunBounds gouge(cells, spaces.swept, Side::gouge, allowance_mm);
   constexpr std::size_t kChunk = 512;
-  model::parallel_chunks(tips.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+  model::parallel_chunks(touches.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     std::optional<BodyRef> hint;
     for (std::size_t i = begin; i < end; ++i) {
       DeviationField::Sample& s = field.samples[i];
-      const Nearest nearest = space.nearest(s.place.point, hint);
+      const Nearest nearest = spaces.cut.nearest(s.place.point, hint);
       hint = nearest.body;
-      s.deviation_mm = static_cast<float>(nearest.distance.value - allowance_mm);
-      s.raw_stock = space.is_stock(nearest.body);
+      s.deviation_mm = static_cast<float>(run_at(s, uncut, gouge));
+      s.raw_stock = spaces.cut.is_stock(nearest.body);
       if (!s.raw_stock) {
         s.stage = nearest.body.pass, s.move = nearest.body.index;
         s.line = passes[s.stage].path->moves[s.move].line;
       }
-      const auto tip = reach.touching_tip(s.place, s.normal);
-      s.reachable = tip.has_value();
-      if (tip) tips[i] = *tip;
+      const auto touch = reach.touch(s.place, s.normal);
+      s.reachable = touch.has_value();
+      if (touch) touches[i] = *touch;
     }
   });
-  return tips;
+  return touches;
 }
 
 }  // namespace limitgauge::verifier

@@ -13,10 +13,18 @@ namespace limitgauge::verifier {
 /// Deviations are not filled in yet.
 DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm);
 
-/// Fills in δ − allowance, reachability and the nearest pass of every sample. Returns the tip that
+/// What runs are measured in: flutes and raw stock for material, and shanks and holders besides for
+/// what was removed; the same space where these come nowhere near.
+struct Spaces {
+  const RemovedSpace& cut;
+  const RemovedSpace& swept;
+};
+
+/// Fills in the runs, reachability and the nearest pass of every sample. Returns the position that
 /// touches each reachable sample, beside the samples.
-std::vector<model::Vec3> measure_field(DeviationField& field, const RemovedSpace& space,
-                                       const ReachQuery& reach, std::span<const Pass> passes,
-                                       double allowance_mm, const model::RunControl& control);
+std::vector<ReachQuery::Touch> measure_field(DeviationField& field, const SurfaceCells& cells,
+                                             const Spaces& spaces, const ReachQuery& reach,
+                                             std::span<const Pass> passes, double allowance_mm,
+                                             const model::RunControl& control);
 
 }  // namespace limitgauge::verifier

@@ -51,12 +51,20 @@ class Clusters {
   double bucket_mm_ = 0;
 };
 
-void name_move(Finding& f, BodyRef body, std::span<const Pass> passes, std::size_t first_stage) {
-  f.stage = first_stage + body.pass;
-  f.raw_stock = f.stage >= passes.size();
-  f.move = f.raw_stock ? 0 : body.index;
-  f.line = f.raw_stock ? 0 : passes[f.stage].path->moves[f.move].line;
-  if (f.raw_stock) f.stage = 0;
+void name_move(Finding& f, BodyRef body, std::span<const Pass> passes,
+               std::span<const AssemblySweep> parts) {
+  const std::size_t swept = passes.size() + parts.size();
+  f.raw_stock = body.pass >= swept;
+  f.stage = f.move = f.line = 0;
+  f.body = "cutter";
+  if (f.raw_stock) return;
+  f.stage = body.pass;
+  if (body.pass >= passes.size()) {
+    f.stage = parts[body.pass - passes.size()].stage;
+    f.body = parts[body.pass - passes.size()].body;
+  }
+  f.move = body.index;
+  f.line = passes[f.stage].path->moves[f.move].line;
 }
 
 /// The nearest body of each run of consecutive moves that are all near: what leaves and comes back
@@ -99,8 +107,8 @@ void keep_deepest(std::vector<Finding>& findings) {
 }
 
 std::vector<Finding> gather_findings(const Exceedance& found, const std::optional<Witness>& witness,
-                                     std::span<const Pass> passes, std::size_t first_stage,
-                                     const std::string& body) {
+                                     std::span<const Pass> passes,
+                                     std::span<const AssemblySweep> parts) {
   std::vector<Spot> spots = found.spots;
   if (witness) spots.push_back({witness->place, witness->depth_mm, 0, 0, witness->body});
   Clusters clusters(spots);
@@ -111,8 +119,8 @@ std::vector<Finding> gather_findings(const Exceedance& found, const std::optiona
     f.area_mm2 += spot.area_mm2;
     f.extent_mm.add(spot.place.point);
     if (spot.depth_mm <= f.depth_mm) continue;
-    f.place = spot.place, f.depth_mm = spot.depth_mm, f.body = body;
-    name_move(f, spot.body, passes, first_stage);
+    f.place = spot.place, f.depth_mm = spot.depth_mm;
+    name_move(f, spot.body, passes, parts);
   }
   std::vector<Finding> findings;
   for (auto& [root, finding] : by_root) findings.push_back(std::move(finding));
@@ -120,11 +128,11 @@ std::vector<Finding> gather_findings(const Exceedance& found, const std::optiona
 }
 
 void name_passes(std::vector<Finding>& leftovers, const RemovedSpace& space,
-                 std::span<const Pass> passes, double allowance_mm) {
+                 std::span<const Pass> passes) {
   // A pass that bounds a leftover is not much further away than the nearest.
   constexpr double kShare = 1.5, kFurther_mm = 0.05;
   for (Finding& f : leftovers) {
-    const double nearest = std::max(0.0, f.depth_mm + allowance_mm);
+    const double nearest = std::max(0.0, space.nearest(f.place.point).distance.value);
     f.passes = passes_around(f.place.point, space, passes, kShare * nearest + kFurther_mm);
   }
 }

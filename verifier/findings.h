@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verifier/assembly.h"
 #include "verifier/exceedance.h"
 #include "verifier/verify.h"
 
@@ -10,16 +11,16 @@ inline constexpr std::size_t kMostFindings = 200;
 /// Spots with less than this between them belong to one finding.
 inline constexpr double kTogether_mm = 0.4;
 
-/// Gathers spots, and the certificate's witness, into findings, deepest first. Bodies count
-/// their passes from `first_stage`; `body` says what swept them.
+/// Gathers spots, and the certificate's witness, into findings, deepest first. `parts` are the
+/// sweeps that the space holds after the passes.
 std::vector<Finding> gather_findings(const Exceedance& found, const std::optional<Witness>& witness,
-                                     std::span<const Pass> passes, std::size_t first_stage,
-                                     const std::string& body);
+                                     std::span<const Pass> passes,
+                                     std::span<const AssemblySweep> parts);
 
 /// Names the passes around each leftover: moves about as near as the nearest, one of each run of
 /// consecutive moves.
 void name_passes(std::vector<Finding>& leftovers, const RemovedSpace& space,
-                 std::span<const Pass> passes, double allowance_mm);
+                 std::span<const Pass> passes);
 
 /// Deepest first; the most that are kept.
 void keep_deepest(std::vector<Finding>& findings);

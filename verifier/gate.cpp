@@ -1,60 +1,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
+#include "verifier/gate_words.h"
 #include "verifier/verify.h"
 
 namespace limitgauge::verifier {
 namespace {
-
-/// Micrometres below a tenth of a millimetre, millimetres above; nanometres where micrometres would
-/// need an exponent.
-std::string length_text(double mm) {
-  constexpr double kMicrometres_mm = 0.1, kNanometres_mm = 1e-6;
-  char text[48];
-  if (std::abs(mm) >= kMicrometres_mm)
-    std::snprintf(text, sizeof text, "%.4g mm", mm);
-  else if (mm == 0 || std::abs(mm) >= kNanometres_mm)
-    std::snprintf(text, sizeof text, "%.4g µm", mm * 1e3);
-  else
-    std::snprintf(text, sizeof text, "%.4g nm", mm * 1e6);
-  return text;
-}
-
-using Rounding = double (*)(double);
-
-/// `mm` in four significant digits, rounded by `up_or_down`: what is said of an end of a certified
-/// interval stays true. A number of four digits is itself, whatever its last bits say.
-double outwards(double mm, Rounding up_or_down) {
-  if (mm <= 0) return mm;
-  constexpr double kLastBits = 1e-6;
-  const double unit = std::pow(10.0, std::floor(std::log10(mm)) - 3);
-  const double units = mm / unit;
-  const double nearest = std::round(units);
-  return (std::abs(units - nearest) < kLastBits ? nearest : up_or_down(units)) * unit;
-}
-
-std::string range_text(const Interval& figure) {
-  return "between " + length_text(outwards(figure.low, std::floor)) + " and " +
-         length_text(outwards(figure.high, std::ceil));
-}
 
 Verdict judge(const Interval& figure, double limit_mm) {
   if (figure.high <= limit_mm) return Verdict::pass;
   return figure.low > limit_mm ? Verdict::fail : Verdict::indeterminate;
 }
 
-std::string sentence(const std::string& what, const Interval& figure, double limit_mm,
-                     Verdict verdict) {
-  const std::string range =
-      what + " certified " + range_text(figure) + ", limit " + length_text(limit_mm);
+const char* standing(Verdict verdict) {
   switch (verdict) {
     case Verdict::pass:
-      return range + ": within the limit everywhere";
+      return ": within the limit everywhere";
     case Verdict::fail:
-      return range + ": beyond the limit";
+      return ": beyond the limit";
     default:
-      return range + ": cannot be decided at this resolution";
+      return ": cannot be decided at this resolution";
   }
 }
 
@@ -74,28 +41,124 @@ std::string gouge_by(const StageDeviation& deviation) {
   return what;
 }
 
-void judge_length(GateDecision& out, const std::string& what, const Interval& figure,
-                  double limit_mm) {
-  const Verdict verdict = judge(figure, limit_mm);
-  out.reasons.push_back(sentence(what, figure, limit_mm, verdict));
-  worsen(out.verdict, verdict);
+/// What one stage is judged by, and the words of its decision.
+class Decision {
+ public:
+  Decision(const StageDeviation& deviation, const GateLimits& limits,
+           std::span<const std::string> stages)
+      : d_(deviation), limits_(limits), stages_(stages) {}
+
+  void judge_runs();
+  void judge_coverage();
+  void judge_reach();
+  void judge_missing_stock();
+  void judge_process(const ProcessFault& fault);
+  void tell_reach();
+  GateDecision take() { return std::move(out_); }
+
+ private:
+  /// `where`: the words for the place, said of a figure that does not pass.
+  void add(const std::string& sentence, Verdict verdict, const std::string& where) {
+    out_.reasons.push_back(sentence + (verdict == Verdict::pass ? "" : where));
+    worsen(out_.verdict, verdict);
+  }
+  void judge_length(const std::string& what, const Interval& figure, double limit_mm,
+                    const std::string& where) {
+    const Verdict verdict = judge(figure, limit_mm);
+    add(what + " certified " + range_text(figure) + ", limit " + length_text(limit_mm) +
+            standing(verdict),
+        verdict, where);
+  }
+  void judge_unreachable();
+
+  const StageDeviation& d_;
+  const GateLimits& limits_;
+  std::span<const std::string> stages_;
+  GateDecision out_{Verdict::pass, {}};
+};
+
+void Decision::judge_runs() {
+  if (limits_.has_gouge)
+    judge_length(gouge_by(d_), d_.gouge_mm, limits_.gouge_mm, deepest_text(d_.gouges, stages_));
+  if (limits_.has_uncut)
+    judge_length("uncut", d_.uncut_mm, limits_.uncut_mm, deepest_text(d_.uncuts, stages_));
 }
 
-/// δ measures to the nearest removed space or material: beside a thin wall, and in a hole that is
-/// deeper than wide, it stays small, and the stock points show the height. Of cusps and of corners
-/// that go into S they show somewhat more than δ too (under half as much again up to cusps of two
-/// fifths of the radius, a fifth at right angles), so only twice the certified figure counts.
-bool shows_more(double voxel_mm, double certified_mm, double limit_mm) {
-  constexpr double kTwice = 2, kLeast_mm = 1e-3;  // stock points have errors of their own
-  return certified_mm <= limit_mm && voxel_mm > limit_mm &&
-         voxel_mm > kTwice * std::max(certified_mm, kLeast_mm);
+void Decision::judge_coverage() {
+  if (!limits_.has_coverage) return;
+  const bool enough = d_.coverage >= limits_.coverage;
+  char text[128];
+  std::snprintf(text, sizeof text, "coverage %.4f of the reachable area, least accepted %.4f: %s",
+                d_.coverage, limits_.coverage, enough ? "enough" : "too little");
+  add(text, enough ? Verdict::pass : Verdict::fail, {});
 }
 
-void judge_process(GateDecision& out, const ProcessFault& fault) {
+/// What is proven to be out of reach is the low end, with what is undecided the high one.
+void Decision::judge_unreachable() {
+  const Interval area_mm2 = unreachable_area_mm2(d_);
+  const double whole_mm2 = whole_area_mm2(d_);
+  if (!(whole_mm2 > 0)) return;
+  const double unit_mm2 = limits_.unreachable_is_share ? whole_mm2 : 1;
+  const Verdict verdict =
+      judge({area_mm2.low / unit_mm2, area_mm2.high / unit_mm2}, limits_.unreachable);
+  add("unreachable certified " + area_range_text(area_mm2, whole_mm2) + ", limit " +
+          (limits_.unreachable_is_share ? share_text(limits_.unreachable)
+                                        : area_text(limits_.unreachable)) +
+          (verdict == Verdict::pass ? ": within the limit" : standing(verdict)),
+      verdict, out_of_reach_text(d_.field, stages_));
+}
+
+void Decision::judge_reach() {
+  if (nothing_in_reach(d_))
+    add("no cutter used so far can reach any of the surface", Verdict::fail,
+        out_of_reach_text(d_.field, stages_));
+  if (limits_.has_unreachable) judge_unreachable();
+  if (limits_.has_unavoidable)
+    judge_length("unavoidable uncut", d_.unavoidable_uncut_mm, limits_.unavoidable_mm,
+                 out_of_reach_text(d_.field, stages_));
+}
+
+/// No program line is to blame, yet the part cannot come out of this stock: the limit is that of
+/// gouges. Without one it is told and cannot fail.
+void Decision::judge_missing_stock() {
+  const Interval& figure = d_.missing_stock_mm;
+  const std::string range =
+      "missing stock: S lies " + range_text(figure) + " outside the raw stock";
+  const std::string where = deepest_text(d_.missing_stock, stages_);
+  if (!limits_.has_gouge) {
+    if (figure.low > 0) out_.reasons.push_back(range + where);
+    return;
+  }
+  const Verdict verdict = judge(figure, limits_.gouge_mm);
+  if (verdict == Verdict::pass && !(figure.low > 0)) return;
+  add(range + ", limit " + length_text(limits_.gouge_mm) + standing(verdict), verdict, where);
+}
+
+void Decision::judge_process(const ProcessFault& fault) {
   if (fault.count == 0) return;
-  out.reasons.push_back(fault.what + ": " + std::to_string(fault.count) +
-                        (fault.count == 1 ? " move" : " moves"));
-  worsen(out.verdict, Verdict::fail);
+  std::string text =
+      fault.what + ": " + std::to_string(fault.count) + (fault.count == 1 ? " move" : " moves");
+  if (fault.worst) {
+    text += fault.worst->depth_mm > 0 ? "; deepest " + length_text(fault.worst->depth_mm) + " "
+                                      : std::string("; ");
+    text += place_text(fault.worst->point);
+    if (fault.worst->line > 0) text += ", program line " + std::to_string(fault.worst->line);
+  }
+  add(text, Verdict::fail, {});
+}
+
+/// Said beside every verdict: what is out of reach is judged by no other figure.
+void Decision::tell_reach() {
+  const double area_mm2 = d_.proven_reach.unreachable_mm2 > 0 ? d_.proven_reach.unreachable_mm2
+                                                              : d_.unreachable_area_mm2;
+  const double whole_mm2 = whole_area_mm2(d_);
+  if (!(area_mm2 > 0) || !(whole_mm2 > 0)) return;
+  std::string text =
+      "unreachable: " + area_text(area_mm2) + " (" + share_text(area_mm2 / whole_mm2) + ")";
+  if (d_.proven_reach.undecided_mm2 > 0)
+    text += ", undecided " + area_text(d_.proven_reach.undecided_mm2);
+  out_.reasons.push_back(text + ", unavoidable uncut up to " +
+                         length_text(d_.unavoidable_uncut_mm.high));
 }
 
 }  // namespace
@@ -119,38 +182,36 @@ double automatic_resolution_mm(const GateLimits& limits) {
   double tightest = std::numeric_limits<double>::infinity();
   if (limits.has_gouge && limits.gouge_mm > 0) tightest = std::min(tightest, limits.gouge_mm);
   if (limits.has_uncut && limits.uncut_mm > 0) tightest = std::min(tightest, limits.uncut_mm);
+  if (limits.has_unavoidable && limits.unavoidable_mm > 0)
+    tightest = std::min(tightest, limits.unavoidable_mm);
   return std::isfinite(tightest) ? tightest / 10 : kUnlimited_mm;
 }
 
+double whole_area_mm2(const StageDeviation& d) {
+  if (d.surface_area_mm2 > 0) return d.surface_area_mm2;
+  return d.proven_reach.reachable_mm2 + d.proven_reach.unreachable_mm2 +
+         d.proven_reach.undecided_mm2;
+}
+
+Interval unreachable_area_mm2(const StageDeviation& d) {
+  const StageDeviation::ProvenReach& reach = d.proven_reach;
+  return {reach.unreachable_mm2, reach.unreachable_mm2 + reach.undecided_mm2};
+}
+
+bool nothing_in_reach(const StageDeviation& d) {
+  return d.surface_area_mm2 > 0 && d.proven_reach.reachable_mm2 <= 0 && d.reachable_area_mm2 <= 0;
+}
+
 GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
-                    std::span<const ProcessFault> faults) {
-  GateDecision out{Verdict::pass, {}};
-  if (limits.has_gouge) {
-    judge_length(out, gouge_by(deviation), deviation.gouge_mm, limits.gouge_mm);
-    if (shows_more(deviation.voxel_gouge_mm, deviation.gouge_mm.low, limits.gouge_mm)) {
-      out.reasons.push_back("the stock lies " + length_text(deviation.voxel_gouge_mm) +
-                            " under the allowance surface, limit " + length_text(limits.gouge_mm));
-      worsen(out.verdict, Verdict::fail);
-    }
-  }
-  if (limits.has_uncut) {
-    judge_length(out, "uncut", deviation.uncut_mm, limits.uncut_mm);
-    if (shows_more(deviation.voxel_uncut_mm, deviation.uncut_mm.high, limits.uncut_mm)) {
-      out.reasons.push_back("material stands " + length_text(deviation.voxel_uncut_mm) +
-                            " over the allowance surface, limit " + length_text(limits.uncut_mm));
-      worsen(out.verdict, Verdict::fail);
-    }
-  }
-  if (limits.has_coverage) {
-    const bool enough = deviation.coverage >= limits.coverage;
-    char text[128];
-    std::snprintf(text, sizeof text, "coverage %.4f of the reachable area, least accepted %.4f: %s",
-                  deviation.coverage, limits.coverage, enough ? "enough" : "too little");
-    out.reasons.emplace_back(text);
-    if (!enough) worsen(out.verdict, Verdict::fail);
-  }
-  for (const ProcessFault& fault : faults) judge_process(out, fault);
-  return out;
+                    std::span<const ProcessFault> faults, std::span<const std::string> stages) {
+  Decision decision(deviation, limits, stages);
+  decision.judge_runs();
+  decision.judge_coverage();
+  decision.judge_reach();
+  decision.judge_missing_stock();
+  for (const ProcessFault& fault : faults) decision.judge_process(fault);
+  decision.tell_reach();
+  return decision.take();
 }
 
 }  // namespace limitgauge::verifier

@@ -49,7 +49,7 @@ LeftoverRegions find_leftover_regions(const ReferenceSurface& surface,
   const CutterProfile cutter(request.cutter);
   const Reachability search(cells, cutter, request.allowance_mm, kContact_mm);
   const ReachMap proven = classify_reach(cells, search, {kRim_mm, kEffort}, control);
-  const ReachQuery reach(search, proven);
+  const ReachQuery reach(std::span(&search, 1), proven);
   ExceedanceRequest asked;
   asked.side = Side::uncut;
   asked.allowance_mm = request.allowance_mm;

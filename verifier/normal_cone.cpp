@@ -1,7 +1,7 @@
+#include "verifier/normal_cone.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "verifier/reachability.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -11,7 +11,8 @@ using model::Vec3;
 constexpr double kChoose2[] = {1, 2, 1}, kChoose3[] = {1, 3, 3, 1},
                  kChoose5[] = {1, 5, 10, 10, 5, 1};
 
-/// Bézier coefficients of S_u × S_v, of degree 5 in both, up to a common positive factor.
+}  // namespace
+
 std::array<Vec3, 36> normal_coefficients(const Bezier& cell) {
   std::array<Vec3, 36> out{};
   for (int j = 0; j < 4; ++j)
@@ -41,8 +42,6 @@ std::optional<NormalCone> cone_round(const std::array<Vec3, 36>& coefficients, c
   constexpr double kRoundingAngle = 1e-7;  // of acos near one
   return NormalCone{axis, std::acos(std::min(1.0, cosine)) + kRoundingAngle};
 }
-
-}  // namespace
 
 std::optional<NormalCone> normal_cone(const Bezier& cell) {
   const std::array<Vec3, 36> coefficients = normal_coefficients(cell);

@@ -41,8 +41,10 @@ class Classifier {
     const auto contact =
         CellContact::of(open.cell.shape, reachability_.profile(), reachability_.allowance_mm());
     if (!contact) return Reach::undecided;
-    if (contact->too_steep()) return Reach::unreachable;
-    if (open.witness && contact->always_below(*open.witness, limit_)) return Reach::unreachable;
+    const bool endless = reachability_.is_endless();
+    if (endless && contact->too_steep()) return Reach::unreachable;
+    if (endless && open.witness && contact->always_below(*open.witness, limit_))
+      return Reach::unreachable;
     if (contact->level() && reachability_.profile().flat_mm > 0)
       return decide_level(open, *contact);
     if (contact->touchable() && prove(open, *contact)) return Reach::reachable;
@@ -160,6 +162,7 @@ class Classifier {
 
   /// Whether some point of S is cut into wherever the cutter touches the cell.
   bool refute(Open& open, const CellContact& contact) const {
+    if (!reachability_.is_endless()) return reachability_.surely_unreachable(open.cell.shape);
     if (contact.turning()) {
       // The middle's own contact first: a proof costs many.
       const Vec3 n = middle_normal(open.cell);
@@ -195,16 +198,23 @@ Reach ReachMap::of(const SurfaceCell& cell) const {
 }
 
 Reach ReachMap::at(int patch, double u, double v) const {
-  const auto k = index_->find(patch, u, v);
-  return k ? entries_[*k].reach : Reach::undecided;
+  const Entry* entry = entry_at(patch, u, v);
+  return entry ? entry->reach : Reach::undecided;
 }
 
-ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachability,
-                        const ReachOptions& options, const model::RunControl& control) {
+const ReachMap::Entry* ReachMap::entry_at(int patch, double u, double v) const {
+  const auto k = index_->find(patch, u, v);
+  return k ? &entries_[*k] : nullptr;
+}
+
+namespace {
+
+/// Halves cells until each is proven for one cutter, or the effort is spent.
+std::vector<ReachMap::Entry> classify_cells(const SurfaceCells& cells, std::vector<Open> level,
+                                            const Reachability& reachability,
+                                            const ReachOptions& options,
+                                            const model::RunControl& control) {
   const Classifier classifier(cells, reachability);
-  std::vector<Open> level;
-  for (const SurfaceCell& cell : cells.cells())
-    if (control_radius(cell.shape, cell.shape.control(0)) > 0) level.push_back({cell, {}, {}, {}});
   std::vector<ReachMap::Entry> done;
   std::size_t seen = 0;
   while (!level.empty()) {
@@ -216,7 +226,7 @@ ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachabil
     model::parallel_chunks(level.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         Open& open = level[i];
-        found[i] = {open.cell, classifier.decide(open), 0};
+        found[i] = {open.cell, classifier.decide(open), 0, 0};
         halve[i] =
             found[i].reach == Reach::undecided && !last &&
             control_radius(open.cell.shape, middle(open.cell.shape)) > options.smallest_radius_mm;
@@ -234,6 +244,39 @@ ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachabil
     }
     level = std::move(next);
   }
+  return done;
+}
+
+}  // namespace
+
+ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachability,
+                        const ReachOptions& options, const model::RunControl& control) {
+  return classify_reach(cells, std::span(&reachability, 1), std::span(&options, 1), control);
+}
+
+ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability> cutters,
+                        std::span<const ReachOptions> options, const model::RunControl& control) {
+  // What is left for the next cutter, with what those before it have proven.
+  std::vector<ReachMap::Entry> left, done;
+  for (const SurfaceCell& cell : cells.cells())
+    if (control_radius(cell.shape, cell.shape.control(0)) > 0)
+      left.push_back({cell, Reach::unreachable, 0, 0});
+  for (std::size_t k = 0; k < cutters.size() && !left.empty(); ++k) {
+    std::vector<ReachMap::Entry> next;
+    for (const Reach before : {Reach::unreachable, Reach::undecided}) {
+      std::vector<Open> level;
+      for (const ReachMap::Entry& e : left)
+        if (e.reach == before) level.push_back({e.cell, {}, {}, {}});
+      for (ReachMap::Entry e :
+           classify_cells(cells, std::move(level), cutters[k], options[k], control)) {
+        e.cutter = k;
+        if (e.reach == Reach::unreachable) e.reach = before;
+        (e.reach == Reach::reachable ? done : next).push_back(e);
+      }
+    }
+    left = std::move(next);
+  }
+  done.insert(done.end(), left.begin(), left.end());
   return ReachMap(std::move(done));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/model/run_control.h"
@@ -27,6 +28,7 @@ class ReachMap {
     SurfaceCell cell;
     Reach reach = Reach::undecided;
     double area_mm2 = 0;
+    std::size_t cutter = 0;  ///< of a reachable cell: one that can touch all of it
   };
 
   explicit ReachMap(std::vector<Entry> entries);
@@ -39,6 +41,8 @@ class ReachMap {
   const std::vector<Entry>& entries() const { return entries_; }
   /// What is proven of the point of S at a patch's parameters; undecided at an irregular vertex.
   Reach at(int patch, double u, double v) const;
+  /// The entry that holds it; none at an irregular vertex.
+  const Entry* entry_at(int patch, double u, double v) const;
   /// What is proven of all points of `cell`, a part of one of the entries; undecided otherwise.
   Reach of(const SurfaceCell& cell) const;
 
@@ -52,5 +56,9 @@ class ReachMap {
 /// Reachable and the contact tolerance as in `Reachability`. The same for any number of threads.
 ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachability,
                         const ReachOptions& options, const model::RunControl& control);
+/// Of several cutters, the first with the first options: what one of them can touch is reachable,
+/// what none of them can is unreachable. Each looks only at what those before it cannot touch.
+ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability> cutters,
+                        std::span<const ReachOptions> options, const model::RunControl& control);
 
 }  // namespace limitgauge::verifier

@@ -1,5 +1,7 @@
 #include "verifier/reach_query.h"
 
+#include <algorithm>
+
 namespace limitgauge::verifier {
 
 using model::Vec3;
@@ -13,15 +15,25 @@ bool ReachQuery::can_be_touched(const SurfacePlace& place, const Vec3& normal) c
     case Reach::undecided:
       break;
   }
-  return search_.touching_tip(place.point, normal).has_value();
+  return ridge_can_be_touched(place.point, normal);
 }
 
-std::optional<Vec3> ReachQuery::touching_tip(const SurfacePlace& place, const Vec3& normal) const {
-  const Reach proven = proven_.at(place.patch, place.u, place.v);
-  if (proven == Reach::unreachable) return std::nullopt;
-  if (proven == Reach::reachable)
-    if (const auto tip = search_.contact_tip(place.point, normal)) return tip;
-  return search_.touching_tip(place.point, normal);
+bool ReachQuery::ridge_can_be_touched(const Vec3& p, const Vec3& normal) const {
+  return std::any_of(searches_.begin(), searches_.end(), [&](const Reachability& search) {
+    return search.touching_tip(p, normal).has_value();
+  });
+}
+
+std::optional<ReachQuery::Touch> ReachQuery::touch(const SurfacePlace& place,
+                                                   const Vec3& normal) const {
+  const auto entry = proven_.entry_at(place.patch, place.u, place.v);
+  if (entry && entry->reach == Reach::unreachable) return std::nullopt;
+  if (entry && entry->reach == Reach::reachable)
+    if (const auto tip = searches_[entry->cutter].contact_tip(place.point, normal))
+      return Touch{entry->cutter, *tip};
+  for (std::size_t k = 0; k < searches_.size(); ++k)
+    if (const auto tip = searches_[k].touching_tip(place.point, normal)) return Touch{k, *tip};
+  return std::nullopt;
 }
 
 bool ReachQuery::surely_unreachable(const SurfaceCell& cell) const {
@@ -33,7 +45,14 @@ bool ReachQuery::surely_unreachable(const SurfaceCell& cell) const {
     case Reach::undecided:
       break;
   }
-  return search_.surely_unreachable(cell.shape);
+  const auto cone = normal_cone(cell.shape);
+  return cone && ridge_surely_unreachable(cell.shape, *cone);
+}
+
+bool ReachQuery::ridge_surely_unreachable(const Bezier& cell, const NormalCone& normals) const {
+  return std::all_of(searches_.begin(), searches_.end(), [&](const Reachability& search) {
+    return search.surely_unreachable(cell, normals);
+  });
 }
 
 }  // namespace limitgauge::verifier

@@ -5,23 +5,32 @@
 
 namespace limitgauge::verifier {
 
-/// Whether places and cells of S can be touched: as the map has proven of the cells that hold them,
-/// else by a search for each. Both with the same cutter, allowance and contact tolerance.
+/// Whether places and cells of S can be touched by any of several cutters: as the map has proven of
+/// the cells that hold them, else by a search for each. All with the same allowance and contact
+/// tolerance; sharp edges, whose points have many normals, are always searched.
 class ReachQuery {
  public:
-  ReachQuery(const Reachability& search, const ReachMap& proven)
-      : search_(search), proven_(proven) {}
+  ReachQuery(std::span<const Reachability> searches, const ReachMap& proven)
+      : searches_(searches), proven_(proven) {}
 
   /// A proof that a gouge-free position touches S at the place, where its unit normal is `normal`.
   bool can_be_touched(const SurfacePlace& place, const model::Vec3& normal) const;
-  /// That position.
-  std::optional<model::Vec3> touching_tip(const SurfacePlace& place,
-                                          const model::Vec3& normal) const;
+  /// The same of a point of a sharp edge with one of its normals.
+  bool ridge_can_be_touched(const model::Vec3& p, const model::Vec3& normal) const;
+  /// That position, and whose it is.
+  struct Touch {
+    std::size_t cutter = 0;
+    model::Vec3 tip;
+  };
+  std::optional<Touch> touch(const SurfacePlace& place, const model::Vec3& normal) const;
   /// Proof that no point of the cell can be touched. False means "not proven".
   bool surely_unreachable(const SurfaceCell& cell) const;
+  bool ridge_surely_unreachable(const Bezier& cell, const NormalCone& normals) const;
+
+  std::span<const Reachability> searches() const { return searches_; }
 
  private:
-  const Reachability& search_;
+  std::span<const Reachability> searches_;
   const ReachMap& proven_;
 };
 

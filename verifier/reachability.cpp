@@ -35,19 +35,20 @@ double over_bottom(const CutterProfile& p, const Vec3& n) {
 
 /// Searches one cell for a point nearer than the limit; empty where that stays undecided, as where
 /// the effort is spent.
-std::optional<bool> any_below(const CutterProfile& profile, const Bezier& cell, const Vec3& tip,
+std::optional<bool> any_below(const StandingPart& part, const Bezier& cell, const Vec3& tip,
                               double limit_mm, int depth, int& effort) {
   if (--effort < 0) return std::nullopt;
   const Vec3 centre = middle(cell);
-  const BodyDistance d = standing_distance(profile, tip, centre);
+  const BodyDistance d = part.endless ? standing_distance(part.profile, tip, centre)
+                                      : closed_standing_distance(part.profile, tip, centre);
   if (d.value < limit_mm) return true;
   if (least_by_plane(d, centre, cell) >= limit_mm) return false;
   if (depth > kDeepest || control_radius(cell, centre) < kSmallestCell_mm) return std::nullopt;
   std::optional<bool> result = false;
   for (const Bezier& half : halved(cell)) {
-    const auto part = any_below(profile, half, tip, limit_mm, depth + 1, effort);
-    if (part && *part) return part;
-    if (!part) result = part;
+    const auto below = any_below(part, half, tip, limit_mm, depth + 1, effort);
+    if (below && *below) return below;
+    if (!below) result = below;
   }
   return result;
 }
@@ -60,23 +61,56 @@ double standing_bound(const CutterProfile& profile, const Vec3& tip, const model
   return open_distance(profile, std::sqrt(dx * dx + dy * dy), box.high.z - tip.z).value;
 }
 
-Reachability::Below Reachability::comes_below(const CutterProfile& profile, const Vec3& tip,
+Reachability::Reachability(const SurfaceCells& cells, const CutterProfile& profile,
+                           double allowance_mm, double contact_mm)
+    : cells_(cells),
+      profile_(profile),
+      allowance_mm_(allowance_mm),
+      contact_mm_(contact_mm),
+      parts_{{profile, 0, true}} {}
+
+Reachability::Reachability(const SurfaceCells& cells, const model::Cutter& cutter,
+                           double allowance_mm, double contact_mm)
+    : Reachability(cells, CutterProfile(cutter), allowance_mm, contact_mm) {
+  double base = cutter.flute_length_mm;
+  std::vector<StandingPart> parts = parts_;
+  parts.front().endless = false;
+  for (const auto* list : {&cutter.shank, &cutter.holder})
+    for (const model::CylinderPart& part : *list) {
+      const double radius = part.diameter_mm / 2;
+      neck_ = neck_ || radius < profile_.top_radius_mm();
+      const double height = base + part.length_mm - profile_.top_mm;
+      narrower_above_ =
+          narrower_above_ || radius < profile_.top_radius_mm() + profile_.endless_slope() * height;
+      parts.push_back({CutterProfile(part), base, false});
+      base += part.length_mm;
+    }
+  // What goes on above the last part is as wide as it.
+  parts.back().endless = true;
+  if (neck_) parts_ = std::move(parts);
+}
+
+Reachability::Below Reachability::comes_below(std::span<const StandingPart> parts, const Vec3& tip,
                                               double limit_mm) const {
   Below worst = Below::none;
-  nearest_first(
-      cells_.nodes(), [&](const BoxNode& node) { return standing_bound(profile, tip, node.box); },
-      [&](double bound) { return bound >= limit_mm || worst == Below::found; },
-      [&](const BoxNode& leaf) {
-        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          int effort = kMostLooks;
-          const auto part = any_below(profile, cells_.cells()[k].shape, tip, limit_mm, 0, effort);
-          if (!part) worst = Below::undecided;
-          if (part && *part) {
-            worst = Below::found;
-            return;
+  for (const StandingPart& part : parts) {
+    const Vec3 base = tip + Vec3{0, 0, part.lift_mm};
+    nearest_first(
+        cells_.nodes(), [&](const BoxNode& node) { return part_bound_mm(part, tip, node.box); },
+        [&](double bound) { return bound >= limit_mm || worst == Below::found; },
+        [&](const BoxNode& leaf) {
+          for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+            int effort = kMostLooks;
+            const auto below = any_below(part, cells_.cells()[k].shape, base, limit_mm, 0, effort);
+            if (!below) worst = Below::undecided;
+            if (below && *below) {
+              worst = Below::found;
+              return;
+            }
           }
-        }
-      });
+        });
+    if (worst == Below::found) break;
+  }
   return worst;
 }
 
@@ -95,13 +129,41 @@ std::optional<Vec3> Reachability::contact_tip(const Vec3& p, const Vec3& n) cons
 }
 
 std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) const {
-  if (n.z < slope_sine(profile_) - kLevel) return std::nullopt;
   const double limit = allowance_mm_ - contact_mm_;
-  if (const auto tip = contact_tip(p, n))
-    return comes_below(profile_, *tip, limit) == Below::none ? tip : std::nullopt;
-  for (const Vec3& tip : contact_choices(p, n))
-    if (comes_below(profile_, tip, limit) == Below::none) return tip;
+  if (n.z >= slope_sine(profile_) - kLevel) {
+    const auto tip = contact_tip(p, n);
+    const std::vector<Vec3> choices = tip ? std::vector{*tip} : contact_choices(p, n);
+    for (const Vec3& choice : choices)
+      if (comes_below(parts_, choice, limit) == Below::none) return choice;
+  }
+  if (neck_)
+    for (const Vec3& choice : necked_choices(p, n))
+      if (comes_below(parts_, choice, limit) == Below::none) return choice;
   return std::nullopt;
+}
+
+/// With the wall of the flutes at several heights, or with their top.
+std::vector<Vec3> Reachability::necked_choices(const Vec3& p, const Vec3& n) const {
+  constexpr int kHeights = 8;
+  std::vector<Vec3> tips;
+  if (profile_.slope != 0) return tips;
+  const double level = std::hypot(n.x, n.y), radius = profile_.top_radius_mm();
+  const Vec3 touched = p + n * allowance_mm_;
+  if (std::abs(n.z) <= kLevel && level > 0) {
+    const Vec3 axis = touched + Vec3{n.x, n.y, 0} * (radius / level);
+    for (int k = 1; k <= kHeights; ++k) {
+      const double up = profile_.core_mm + (profile_.top_mm - profile_.core_mm) * k / kHeights;
+      tips.push_back(axis - Vec3{0, 0, up});
+    }
+  } else if (n.z < 0) {
+    const Vec3 axis = touched - Vec3{0, 0, profile_.top_mm};
+    if (level > kLevel) return {axis + Vec3{n.x, n.y, 0} * (radius / level)};
+    for (int k = -1; k < kDirections; ++k) {
+      const double angle = 2 * pi * k / kDirections, out = k < 0 ? 0 : radius;
+      tips.push_back(axis + Vec3{out * std::cos(angle), out * std::sin(angle), 0});
+    }
+  }
+  return tips;
 }
 
 std::vector<Vec3> Reachability::contact_choices(const Vec3& p, const Vec3& n) const {
@@ -132,35 +194,49 @@ bool Reachability::surely_unreachable_by_tip(const Bezier& cell, const NormalCon
   const double stray =
       control_radius(cell, centre) + std::abs(allowance_mm_) * 2 * std::sin(spread / 2);
   const Vec3 tip = centre + cone.axis * allowance_mm_;
-  return comes_below(profile_, tip, allowance_mm_ - contact_mm_ - stray) == Below::found;
+  return comes_below(parts_, tip, allowance_mm_ - contact_mm_ - stray) == Below::found;
 }
 
 bool Reachability::surely_unreachable(const Bezier& cell) const {
-  if (profile_.flat_mm < 0) return false;
   const auto cone = normal_cone(cell);
-  if (!cone) return false;
+  return cone && surely_unreachable(cell, *cone);
+}
+
+bool Reachability::surely_unreachable(const Bezier& cell, const NormalCone& normals) const {
+  if (profile_.flat_mm < 0) return false;
+  const NormalCone* cone = &normals;
   const double tilt = std::acos(std::clamp(cone->axis.z, -1.0, 1.0)), spread = cone->half_angle_rad;
-  if (!profile_.undercuts() && tilt - spread > pi / 2 - std::asin(slope_sine(profile_)))
-    return true;
+  // What leans inwards, or has a neck over a side that leans outwards, may touch with its side too.
+  if (profile_.undercuts() || (neck_ && profile_.slope != 0)) return false;
+  if (!neck_ && tilt - spread > pi / 2 - std::asin(slope_sine(profile_))) return true;
+  if (narrower_above_ && !neck_) return false;
   if (profile_.is_pointed()) {
     const double bottom = std::atan(profile_.rise);
     if (tilt + spread < bottom - kLevel) return surely_unreachable_by_tip(cell, *cone);
     if (tilt - spread <= bottom + kLevel) return false;
   }
-  // What leans inwards may touch with its side too.
-  if (profile_.undercuts()) return false;
+  if (!neck_) return surely_unreachable_round(cell, *cone);
+  const ContactBlock block(cells_, parts_, allowance_mm_ - contact_mm_);
+  const auto regions = contact_regions(cell, *cone);
+  return std::all_of(regions.begin(), regions.end(),
+                     [&](const ContactRegion& region) { return block.blocks(region); });
+}
 
+/// Of the endless cutter, from positions round the place at so small a step that one with a flat
+/// smaller by it lies inside all those between.
+bool Reachability::surely_unreachable_round(const Bezier& cell, const NormalCone& cone) const {
+  const double tilt = std::acos(std::clamp(cone.axis.z, -1.0, 1.0)), spread = cone.half_angle_rad;
   const Vec3 centre = middle(cell);
   const double reach = profile_.rounding_mm + allowance_mm_;
-  const Vec3 core = core_touching(centre, cone->axis);
+  const Vec3 core = core_touching(centre, cone.axis);
   // Every contact position of the cell has its core this near to one of those tried below ...
   const double stray =
       control_radius(cell, centre) + reach * 2 * std::sin(std::min(spread, pi) / 2);
   const double limit = allowance_mm_ - contact_mm_ - stray;
   const double flat = profile_.flat_mm;
-  if (flat <= 0) return comes_below(profile_, core, limit) == Below::found;
+  if (flat <= 0) return comes_below(parts_, core, limit) == Below::found;
   const bool all_round = tilt <= spread + kLevel;
-  const double aside = std::atan2(cone->axis.y, cone->axis.x);
+  const double aside = std::atan2(cone.axis.y, cone.axis.x);
   const double half_arc =
       all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
   const int samples = std::max(1, static_cast<int>(std::ceil(kCircleSamples * half_arc / pi)));
@@ -168,18 +244,49 @@ bool Reachability::surely_unreachable(const Bezier& cell) const {
   const double half_step = half_arc / samples, half_ring = all_round ? flat / (2 * kRings) : 0;
   // ... and its axis this near in plan: a cutter whose flat is smaller by that much lies inside all
   // those placed around it, so what it cuts into, they do.
-  CutterProfile inner = profile_;
-  inner.flat_mm = flat - std::hypot(flat * half_step, half_ring);
-  if (inner.flat_mm < 0) return false;
+  StandingPart inner = parts_.front();
+  inner.profile.flat_mm = flat - std::hypot(flat * half_step, half_ring);
+  if (inner.profile.flat_mm < 0) return false;
   for (int r = 0; r < rings; ++r) {
     const double out = all_round ? flat - half_ring * (2 * r + 1) : flat;
     for (int k = 0; k < samples; ++k) {
       const double angle = aside - half_arc + half_step * (2 * k + 1);
       const Vec3 tip = core + Vec3{out * std::cos(angle), out * std::sin(angle), 0};
-      if (comes_below(inner, tip, limit) != Below::found) return false;
+      if (comes_below(std::span(&inner, 1), tip, limit) != Below::found) return false;
     }
   }
   return true;
+}
+
+std::vector<ContactRegion> Reachability::contact_regions(const Bezier& cell,
+                                                         const NormalCone& cone) const {
+  const double tilt = std::acos(std::clamp(cone.axis.z, -1.0, 1.0)), spread = cone.half_angle_rad;
+  const Vec3 centre = middle(cell);
+  const double radius = control_radius(cell, centre), turn = 2 * std::sin(std::min(spread, pi) / 2);
+  const bool all_round = tilt <= spread + kLevel || pi - tilt <= spread + kLevel;
+  const double aside = std::atan2(cone.axis.y, cone.axis.x);
+  const double half_arc =
+      all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
+  const auto region = [&](const Vec3& core, double out, bool disc, double stray) {
+    return ContactRegion{core, disc ? 0 : out, out, aside - half_arc, aside + half_arc, 0,
+                         0,    stray};
+  };
+  std::vector<ContactRegion> out;
+  const double reach = profile_.rounding_mm + allowance_mm_;
+  if (!neck_ || tilt - spread <= pi / 2 + kLevel)
+    out.push_back(region(core_touching(centre, cone.axis), std::max(0.0, profile_.flat_mm),
+                         tilt <= spread + kLevel, radius + std::abs(reach) * turn));
+  if (!neck_) return out;
+  const double width = profile_.top_radius_mm(), stray = radius + std::abs(allowance_mm_) * turn;
+  const Vec3 touched = centre + cone.axis * allowance_mm_;
+  if (tilt + spread >= pi / 2 - kLevel) {
+    ContactRegion wall = region(touched, width, false, stray);
+    wall.z0 = profile_.core_mm, wall.z1 = profile_.top_mm;
+    if (tilt - spread > pi / 2 + kLevel) wall.z0 = profile_.top_mm;  // the top alone
+    if (pi - tilt <= spread + kLevel) wall.r0 = 0;                   // any of its points
+    out.push_back(wall);
+  }
+  return out;
 }
 
 }  // namespace limitgauge::verifier

@@ -27,13 +27,15 @@ std::vector<std::uint32_t>& query_stack() {
 
 }  // namespace
 
-RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes)
+RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes,
+                           std::span<const Sweep> more)
     : stock_(stock) {
   if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) {
     if (!mesh->mesh) throw std::invalid_argument("a mesh stock without a mesh");
     mesh_ = std::make_shared<const MeshOutside>(*mesh->mesh);
   }
   for (const Pass& pass : passes) add_sweep({CutterProfile(pass.cutter), 0, pass.path});
+  for (const Sweep& sweep : more) add_sweep(sweep);
 }
 
 RemovedSpace::RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions) {
@@ -102,6 +104,13 @@ Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint) const 
   return best;
 }
 
+double RemovedSpace::stock_distance_mm(const Vec3& p) const {
+  Nearest best{{static_cast<std::uint32_t>(passes_.size()) + 1, 0},
+               {std::numeric_limits<double>::infinity(), {}, 0}};
+  nearest_of_stock(p, best);
+  return best.distance.value;
+}
+
 void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
   const auto outside = static_cast<std::uint32_t>(passes_.size());
   if (mesh_) {
@@ -117,27 +126,60 @@ void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
   }
 }
 
-void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
+/// Calls `take(place of the body)` for all bodies of a pass in nodes that are `near`.
+template <class Near, class Take>
+void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) const {
+  const PassBodies& bodies = passes_[pass];
+  if (bodies.nodes.empty()) return;
   auto& stack = query_stack();
+  stack.assign(1, 0);
+  while (!stack.empty()) {
+    const std::uint32_t at = stack.back();
+    stack.pop_back();
+    const BoxNode& node = bodies.nodes[at];
+    if (!near(node.box)) continue;
+    if (node.count == 0) {
+      stack.push_back(node.right);
+      stack.push_back(at + 1);
+      continue;
+    }
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) take(k);
+  }
+}
+
+void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
     const PassBodies& bodies = passes_[pass];
-    if (bodies.nodes.empty()) continue;
-    stack.assign(1, 0);
-    while (!stack.empty()) {
-      const std::uint32_t at = stack.back();
-      stack.pop_back();
-      const BoxNode& node = bodies.nodes[at];
-      if (box_bound(bodies.profile, node.box, p) > limit_mm) continue;
-      if (node.count == 0) {
-        stack.push_back(node.right);
-        stack.push_back(at + 1);
-        continue;
-      }
-      for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
-        if (body_value(bodies.profile, bodies.bodies[k], p) <= limit_mm)
-          out.push_back({pass, bodies.index[k]});
-    }
+    visit_near(
+        pass, [&](const Box3& tips) { return box_bound(bodies.profile, tips, p) <= limit_mm; },
+        [&](std::uint32_t k) {
+          if (body_value(bodies.profile, bodies.bodies[k], p) <= limit_mm)
+            out.push_back({pass, bodies.index[k]});
+        });
   }
+  stock_within(p, limit_mm, out);
+}
+
+void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>& out) const {
+  // From a point of the box to a tip is as from its centre to the tip, moved by half the box.
+  const Vec3 centre = box.centre(), half = box.size() / 2;
+  const auto bound = [&](const CutterProfile& profile, const Box3& tips) {
+    return box_bound(profile, {tips.low - half, tips.high + half}, centre);
+  };
+  for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
+    const PassBodies& bodies = passes_[pass];
+    visit_near(
+        pass, [&](const Box3& tips) { return bound(bodies.profile, tips) <= limit_mm; },
+        [&](std::uint32_t k) {
+          Box3 tips;
+          tips.add(bodies.bodies[k].from), tips.add(bodies.bodies[k].to);
+          if (bound(bodies.profile, tips) <= limit_mm) out.push_back({pass, bodies.index[k]});
+        });
+  }
+  stock_within(centre, limit_mm + length(half), out);
+}
+
+void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
   const auto outside = static_cast<std::uint32_t>(passes_.size());
   for (std::uint32_t face = 0; face < stock_faces(); ++face)
     if (stock_distance(face, p).value <= limit_mm) out.push_back({outside, face});

@@ -42,7 +42,9 @@ struct Nearest {
 class RemovedSpace {
  public:
   /// Throws std::invalid_argument for a mesh without triangles or with numbers out of range.
-  RemovedSpace(const model::Stock& stock, std::span<const Pass> passes);
+  /// `more` are further sweeps, of shanks and holders: BodyRef::pass counts them after the passes.
+  RemovedSpace(const model::Stock& stock, std::span<const Pass> passes,
+               std::span<const Sweep> more = {});
   /// The union of single positions of one cutter in endless stock.
   RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions);
   /// The union of sweeps in endless stock; BodyRef::pass counts the sweeps.
@@ -52,6 +54,10 @@ class RemovedSpace {
   Nearest nearest(const model::Vec3& p, std::optional<BodyRef> hint = {}) const;
   /// All bodies with d(p) ≤ limit_mm, in a fixed order, appended to `out`.
   void within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
+
+  /// All bodies that may come within `limit_mm` of a point of `box`, in a fixed order, appended to
+  /// `out`.
+  void within(const model::Box3& box, double limit_mm, std::vector<BodyRef>& out) const;
 
   BodyDistance distance(BodyRef body, const model::Vec3& p) const;
   /// d at the sixteen control points of `cell` (for a mesh, see mesh_of).
@@ -67,6 +73,13 @@ class RemovedSpace {
     return passes_[body.pass].profile.rounding_mm;
   }
   bool is_stock(BodyRef body) const { return body.pass == passes_.size(); }
+  /// Of the raw stock; none where it is endless.
+  std::optional<model::Box3> stock_box() const {
+    return stock_ ? std::optional(model::bounding_box(*stock_)) : std::nullopt;
+  }
+  /// Least distance to what lies outside the raw stock, its sign as that of δ; infinite where the
+  /// stock is endless.
+  double stock_distance_mm(const model::Vec3& p) const;
   /// Largest distance between a programmed arc and the chords that stand for it, over all passes.
   double chord_error_mm() const { return chord_error_mm_; }
 
@@ -83,6 +96,9 @@ class RemovedSpace {
 
   void add_sweep(const Sweep& sweep);
   static PassBodies index_bodies(const CutterProfile& profile, std::vector<SweptBody> bodies);
+  template <class Near, class Take>
+  void visit_near(std::uint32_t pass, Near&& near, Take&& take) const;
+  void stock_within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
   void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best) const;
   void nearest_of_stock(const model::Vec3& p, Nearest& best) const;
   /// Half spaces and the side of a bar; a mesh has none.

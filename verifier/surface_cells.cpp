@@ -42,9 +42,16 @@ void split_until(const SurfaceCell& cell, double radius_mm, std::vector<SurfaceC
     split_until(half, radius_mm, out);
 }
 
+std::vector<std::vector<const Speck*>> specks_by_patch(const SurfaceTree& tree) {
+  std::vector<std::vector<const Speck*>> out(static_cast<std::size_t>(tree.patch_count()));
+  for (const Speck& s : tree.specks()) out[s.square.patch].push_back(&s);
+  return out;
+}
+
 }  // namespace
 
 Vec3 middle_normal(const SurfaceCell& cell) {
+  if (length_squared(cell.vertex_normal) > 0) return cell.vertex_normal;
   const BezierJet j = jet(cell.shape, 0.5, 0.5);
   const Vec3 normal = cross(j.du, j.dv);
   return length_squared(normal) > 0 ? normalized(normal) : cell.vertex_normal;
@@ -63,16 +70,21 @@ std::array<SurfaceCell, 2> halved(const SurfaceCell& cell) {
 }
 
 SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
-    : feet_(tree), features_(tree.features()) {
+    : ridges_(ridge_cells(tree, radius_mm)), feet_(tree), features_(tree.features()) {
   for (const Speck& s : tree.specks()) {
     SurfaceCell cell{{}, s.square.patch, s.square.u, s.square.v, s.square.size, s.square.size};
     for (int k = 0; k < 16; ++k) cell.shape.set(k, s.position);
     cell.vertex_normal = s.normal;
     cells_.push_back(cell);
   }
+  const auto specks = specks_by_patch(tree);
   for (const Piece* piece : tree.pieces_beyond(kOmitted_mm)) {
     const ParameterSquare& q = piece->square;
-    split_until({piece->shape, q.patch, q.u, q.v, q.size, q.size}, radius_mm, cells_);
+    SurfaceCell cell{piece->shape, q.patch, q.u, q.v, q.size, q.size};
+    for (const Speck* speck : specks[q.patch])
+      if (control_radius(piece->shape, speck->position) <= kVertexNormal_mm)
+        cell.vertex_normal = speck->normal;
+    split_until(cell, radius_mm, cells_);
   }
   std::vector<model::Box3> boxes;
   boxes.reserve(cells_.size());
@@ -83,6 +95,16 @@ SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
   for (const std::uint32_t i : tree_of_cells.order) sorted.push_back(cells_[i]);
   cells_ = std::move(sorted);
   nodes_ = std::move(tree_of_cells.nodes);
+}
+
+bool SurfaceCells::is_rim_strip(const SurfaceCell& cell, double width_mm) const {
+  const PatchFeatures& features = features_.of(cell.patch);
+  const bool on_side[] = {cell.v <= 0, cell.u_at(1) >= 1, cell.v_at(1) >= 1, cell.u <= 0};
+  for (int side = 0; side < 4; ++side) {
+    if (!on_side[side] || features.sides[side] != SurfaceFeature::boundary) continue;
+    if ((side % 2 == 0 ? extent_v(cell.shape) : extent_u(cell.shape)) <= width_mm) return true;
+  }
+  return false;
 }
 
 }  // namespace limitgauge::verifier

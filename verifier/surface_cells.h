@@ -5,6 +5,7 @@
 #include "verifier/box_tree.h"
 #include "verifier/deviation.h"
 #include "verifier/foot_tree.h"
+#include "verifier/ridge_cells.h"
 #include "verifier/surface_tree.h"
 
 namespace limitgauge::verifier {
@@ -15,7 +16,9 @@ struct SurfaceCell {
   int patch = 0;
   double u = 0, v = 0, size_u = 1, size_v = 1;
 
-  model::Vec3 vertex_normal = {};  ///< of a cell that is one point: an irregular vertex
+  /// Of a cell that is one point, an irregular vertex, or so near to one that its own slopes cannot
+  /// be told from its coordinates: the vertex's.
+  model::Vec3 vertex_normal = {};
 
   double u_at(double s) const { return u + s * size_u; }
   double v_at(double t) const { return v + t * size_v; }
@@ -41,19 +44,26 @@ inline constexpr double kSmallestCell_mm = 1e-6;
 class SurfaceCells {
  public:
   static constexpr double kOmitted_mm = 1e-8;
+  /// Pieces within this of an irregular vertex have its normal: theirs are lost in rounding.
+  static constexpr double kVertexNormal_mm = 1e-6;
   /// Cells are split until their control points lie within `radius_mm` of their middle.
   SurfaceCells(const SurfaceTree& tree, double radius_mm);
 
   const std::vector<SurfaceCell>& cells() const { return cells_; }
+  /// Sharp edges and vertices, with the normals between those of the cells beside them.
+  const std::vector<RidgeCell>& ridges() const { return ridges_; }
 
   /// The tree over the control boxes of the cells, which lie in the order of its leaves.
   const std::vector<BoxNode>& nodes() const { return nodes_; }
   /// The same surface as closest-point searches see it: its own cells, whatever `radius_mm` is.
   const FootTree& feet() const { return feet_; }
+  /// Whether the cell lies along an open boundary of S and is no wider than `width_mm` across it.
+  bool is_rim_strip(const SurfaceCell& cell, double width_mm) const;
   const SurfaceFeatures& features() const { return features_; }
 
  private:
   std::vector<SurfaceCell> cells_;
+  std::vector<RidgeCell> ridges_;
   std::vector<BoxNode> nodes_;
   FootTree feet_;
   SurfaceFeatures features_;

@@ -7,6 +7,7 @@
 #include "engine/model/cage.h"
 #include "verifier/bezier.h"
 #include "verifier/reference_surface.h"
+#include "verifier/sharp_lines.h"
 #include "verifier/surface_features.h"
 
 namespace limitgauge::verifier {
@@ -47,6 +48,7 @@ class SurfaceTree {
   const model::Box3& bounding_box() const { return bounding_box_; }
   double area_mm2() const { return area_mm2_; }
   const SurfaceFeatures& features() const { return features_; }
+  const SharpLines& sharp_lines() const { return sharp_lines_; }
 
  private:
   friend class SurfaceTreeBuilder;
@@ -60,6 +62,7 @@ class SurfaceTree {
   std::vector<Piece> pieces_;
   std::vector<Speck> specks_;
   SurfaceFeatures features_;
+  SharpLines sharp_lines_;
   model::Box3 bounding_box_;
   double area_mm2_ = 0;
 };

@@ -156,6 +156,7 @@ SurfaceTree::SurfaceTree(const model::Cage& cage) {
     }
   }
   features_ = SurfaceFeatures(cage);
+  sharp_lines_ = SharpLines(cage);
   bounding_box_ = exact_bounding_box(*this);
   area_mm2_ = surface_area_mm2(*this);
 }

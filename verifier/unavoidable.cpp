@@ -37,7 +37,8 @@ struct Tried {
 
 /// Positions that touch the middles of cells: the classification proved those of reachable cells;
 /// where it has no proof they are searched for, if asked.
-std::vector<Vec3> tips_of(const ReachMap& map, const Reachability& reachability, bool with_search,
+std::vector<Vec3> tips_of(const ReachMap& map, const Reachability& reachability,
+                          std::size_t cutter_index, bool with_search,
                           const model::RunControl& control) {
   const auto& entries = map.entries();
   std::vector<std::optional<Vec3>> found(entries.size());
@@ -46,7 +47,8 @@ std::vector<Vec3> tips_of(const ReachMap& map, const Reachability& reachability,
     const SurfaceCell& cell = entries[k].cell;
     const bool round = reachability.profile().flat_mm <= 0;
     const auto c = CellContact::of(cell.shape, reachability.profile(), reachability.allowance_mm());
-    if (entries[k].reach == Reach::reachable && c && (round || (!c->turning() && !c->level())))
+    const bool proven = entries[k].reach == Reach::reachable && entries[k].cutter == cutter_index;
+    if (proven && c && (round || (!c->turning() && !c->level())))
       found[k] = c->tip();
     else if (with_search)
       found[k] = reachability.touching_tip(middle(cell.shape), middle_normal(cell));
@@ -298,9 +300,9 @@ class Search {
 Unavoidable unavoidable_uncut(const SurfaceCells& cells, const ReachMap& map,
                               const Reachability& reachability, std::span<const Vec3> free_tips,
                               const model::Cutter& cutter, const UnavoidableOptions& options,
-                              const model::RunControl& control) {
+                              const model::RunControl& control, std::size_t cutter_index) {
   if (cells.cells().empty()) return {{0, 0}, {}, true, 0, 0, 0};
-  std::vector<Vec3> tips = tips_of(map, reachability, free_tips.empty(), control);
+  std::vector<Vec3> tips = tips_of(map, reachability, cutter_index, free_tips.empty(), control);
   tips.insert(tips.end(), free_tips.begin(), free_tips.end());
   tips.push_back(retracted(cells, reachability.allowance_mm()));
   Search search(cells, reachability, std::move(tips), cutter, options, control);

@@ -32,13 +32,15 @@ struct Unavoidable {
 /// without end; no closer than the allowance less the contact tolerance). At a point that can be
 /// touched it is not above zero, so only the others count. Proofs: CERTIFICATE.md, section 4.
 ///
-/// `map` must be of the same `cells` and `reachability`, and `reachability` of `cutter`. All
+/// `map` must be of the same `cells`, and `reachability`, of `cutter`, the one that stands at
+/// `cutter_index` among those it was made with. All
 /// `free_tips` must be proven gouge-free with a contact tolerance no larger than that of
 /// `reachability`; more of them save time; where there are none, they
 /// are searched for. The same for any number of threads.
 Unavoidable unavoidable_uncut(const SurfaceCells& cells, const ReachMap& map,
                               const Reachability& reachability,
                               std::span<const model::Vec3> free_tips, const model::Cutter& cutter,
-                              const UnavoidableOptions& options, const model::RunControl& control);
+                              const UnavoidableOptions& options, const model::RunControl& control,
+                              std::size_t cutter_index = 0);
 
 }  // namespace limitgauge::verifier

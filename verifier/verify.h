@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -22,14 +24,23 @@ struct Pass {
   std::shared_ptr<const model::Toolpath> path;
 };
 
-/// A point of the simulated stock's surface, as the voxel instrument reads it.
-struct StockReading {
-  model::Vec3 position;
-  double error_mm = 0;  ///< bound on its distance from the true surface of the cut stock
+/// The simulated stock, as the second instrument asks it: rays from S. Implemented over the
+/// simulator, which shares no distance, tree or library with this folder. Const calls from several
+/// threads at once.
+class StockProbe {
+ public:
+  virtual ~StockProbe() = default;
+  /// What stands at `from`, and how far along a unit vector everything is like that.
+  struct Run {
+    bool material = false;
+    double length_mm = 0;  ///< no more than asked for
+    bool ends = false;     ///< material turns into air, or air into material, at its end
+    double error_mm = 0;   ///< bound on the distance of that end from the true surface of the stock
+  };
+  virtual Run run(const model::Vec3& from, const model::Vec3& along, double limit_mm) const = 0;
+  /// Spacing of its grid in mm, for the report.
+  virtual double spacing_mm() const = 0;
 };
-
-/// How far from S at least a point of the stock is seen to be a leftover or the bottom of a hole.
-inline constexpr double kStockSight_mm = 3;
 
 /// What a stage is measured for.
 struct StageCheck {
@@ -37,20 +48,17 @@ struct StageCheck {
   GateLimits limits;
   double resolution_mm = 0;        ///< widest certified interval asked for; > 0
   double field_spacing_mm = 0.25;  ///< largest distance between samples of the deviation field
-  /// Stock readings are complete within this distance of S sideways and below, and all above.
-  double readings_within_mm = 0;
-  double voxel_mm = 0;  ///< spacing of the stock readings; 0 when there are none
   std::size_t largest_cell_count = 5'000'000;  ///< where branch and bound gives up
 };
 
 /// Resolution "auto": a tenth of the tightest gate limit, 1 µm where nothing is limited.
 double automatic_resolution_mm(const GateLimits& limits);
 
-/// Measures the stage whose pass is the last of `passes`. `readings` are points of the simulated
-/// stock; the two instruments are compared, and a disagreement beyond their bounds throws
-/// InstrumentDisagreement. The result is the same for any number of threads.
+/// Measures the stage whose pass is the last of `passes`. `probe` asks the simulated stock, none
+/// leaves the second instrument out; the two instruments are compared, and a disagreement beyond
+/// their bounds throws InstrumentDisagreement. The result is the same for any number of threads.
 StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock& raw_stock,
-                             std::span<const Pass> passes, std::span<const StockReading> readings,
+                             std::span<const Pass> passes, const StockProbe* probe,
                              const StageCheck& check, const model::RunControl& control);
 
 /// The two instruments contradict each other: an internal error, exit code 4.
@@ -63,13 +71,29 @@ class InstrumentDisagreement : public std::runtime_error {
 struct ProcessFault {
   std::string what;
   std::size_t count = 0;
+  struct Place {
+    model::Vec3 point;
+    std::uint32_t line = 0;  ///< of the program; 0: of none
+    double depth_mm = 0;     ///< 0 or less: there is none to tell
+  };
+  std::optional<Place> worst = std::nullopt;  ///< where it is deepest
 };
 
+/// Area of S that shares are of.
+double whole_area_mm2(const StageDeviation& deviation);
+/// Proven out of reach, and with what is undecided: what the gate `unreachable` judges.
+Interval unreachable_area_mm2(const StageDeviation& deviation);
+/// Neither a proof nor a sample puts any of S in reach.
+bool nothing_in_reach(const StageDeviation& deviation);
+
 /// The gate's decision rule: pass when every `high` is within its limit, fail when some `low` is
-/// beyond it, indeterminate between. Two things that δ, measured to the nearest removed space or
-/// material, cannot see are taken from the voxel instrument: thin walls and holes deeper than wide.
-/// Each kind of process fault found at least once fails the stage.
+/// beyond it, indeterminate between; a figure without a limit cannot fail. Missing raw stock is
+/// held against the gouge limit under a name of its own. Whatever the limits, a stage fails where
+/// no cutter reaches any of the surface, and for each kind of process fault found at least once.
+/// Reasons of figures that do not pass name the deepest place, its depth and program line; `stages`
+/// are the names of the stages up to this one, for lines of earlier programs.
 GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
-                    std::span<const ProcessFault> faults = {});
+                    std::span<const ProcessFault> faults = {},
+                    std::span<const std::string> stages = {});
 
 }  // namespace limitgauge::verifier

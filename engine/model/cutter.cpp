@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "engine/model/angle.h"
+#include "engine/model/coordinate_limit.h"
 #include "engine/model/cutter_figures.h"
 
 namespace limitgauge::model {
@@ -12,6 +13,9 @@ namespace {
 void require_positive(double value, const char* figure) {
   if (!std::isfinite(value) || value <= 0)
     throw std::invalid_argument(std::string(figure) + " must be greater than 0");
+  if (!is_near(value))
+    throw std::invalid_argument(std::string(figure) + " is " + shortest(value) +
+                                " mm; lengths may be " + kFarthestExpected);
 }
 
 void require_parts(const std::vector<CylinderPart>& parts, const std::string& what) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/model/coordinate_limit.h"
 #include "engine/model/error.h"
 #include "engine/model/words.h"
 
@@ -10,7 +11,6 @@ namespace limitgauge::model {
 namespace {
 
 constexpr double kInchMm = 25.4;
-constexpr double kLargestMm = 1e6;
 constexpr std::size_t kMostTools = 1000;
 
 bool is_blank(char c) {
@@ -88,8 +88,8 @@ int ToolLine::tool_number(double value, std::size_t begin) {
 
 double ToolLine::length(double value, std::size_t begin) {
   const double length_mm = value * unit_mm_;
-  if (!(std::abs(length_mm) <= kLargestMm))
-    fail(begin, "a length beyond any tool", "at most 1e6 mm");
+  if (!is_near(length_mm))
+    fail(begin, "a length beyond any tool: " + shortest(length_mm) + " mm", kFarthestExpected);
   return length_mm;
 }
 

@@ -36,9 +36,21 @@ struct MachineSetup {
   std::optional<ToolEntry> only_tool;
   /// The tool in the spindle before the first tool change; empty: none, or the only one in `tools`.
   std::optional<int> loaded_tool;
+  /// Where the tip stands before the first line, in the frame of G54. Every axis is known then, as
+  /// it is to a control. Empty: at the programmed zero.
+  std::optional<Vec3> start_mm;
+  /// Nobody stated `start_mm`: it is where the tip is taken to stand, and an axis stays unknown
+  /// until the program names it.
+  bool start_is_assumed = false;
   /// As LinuxCNC with an empty parameter file: offsets and reference points not stated lie at the
   /// machine's zero. Each that the program uses is listed in Program::assumed.
   bool assume_fresh_machine = false;
+};
+
+/// Where the tip stands before the first line of a job's programs, in the frame of their G54.
+struct ProgramStart {
+  Vec3 at_mm;
+  bool assumed = false;  ///< nobody stated it
 };
 
 /// `G54` to `G59.3` for index 0 to 8.

@@ -30,7 +30,9 @@ constexpr std::array<int, 3> axes_of(ArcPlane plane) {
 struct Motion {
   MotionKind kind = MotionKind::rapid;
   ArcPlane plane = ArcPlane::xy;
-  bool position_known = true;  ///< every axis has been programmed by the end of this motion
+  /// Every axis has been stated or programmed by the end of this motion; of the others `to` is as
+  /// far from where the tip was taken to stand as the program has moved them.
+  bool position_known = true;
   /// By M5, a tool change or S0, or before the first M3 or M4 of a program that has one.
   bool spindle_stopped : 1 = false;
   /// Z stands at a place that nothing states (G28, G30 or G53 Z0 of a machine whose setup is not
@@ -38,6 +40,8 @@ struct Motion {
   bool parked : 1 = false;
   /// X or Y stand at such a place; allowed only while parked.
   bool astray : 1 = false;
+  /// Z has been stated or programmed by the end of this motion.
+  bool height_known : 1 = true;
   std::uint32_t line = 0;
   float feed_mm_min = 0;  ///< 0 where a feed move has none: a finding, not an error
   Vec3 to;
@@ -80,6 +84,9 @@ struct Program {
   /// What was taken for granted, in words with the line: an offset of a fresh machine, a park
   /// position, a length offset that is taken to be the tool's own.
   std::vector<std::string> assumed;
+  /// What G92 or G10 L20 say of where the tip stood before the first line, in the frame of G54, of
+  /// axes that nothing had stated or programmed until then.
+  std::array<std::optional<double>, 3> start_said_mm;
   bool starts_spindle = false;  ///< M3 or M4 somewhere; without, the spindle is taken to turn
 };
 
@@ -88,7 +95,8 @@ struct Program {
 /// with line and column, never skipped. The motions are those of LinuxCNC (its order of execution,
 /// arc tolerances and count of turns), with these choices where it asks the machine:
 ///  - lines that begin with `/` are carried out (the switch is off) and listed as ignored `/`;
-///  - axes that were never programmed stand at 0 and leave position_known false;
+///  - axes that were never programmed stand where `machine` has the start, by default at 0, and
+///    leave position_known false unless the start is stated;
 ///  - a program may end without M2 or M30, unless it began with `%`; nothing behind its end is read
 ///    but subprograms that it calls;
 ///  - a parameter that was never set is an error where it is read;

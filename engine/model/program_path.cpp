@@ -95,7 +95,9 @@ class PathMaker {
     path_.moves.reserve(motions);
   }
 
-  void begin_at(const Motion& motion);
+  /// Where `motion` ends.
+  void begin_behind(const Motion& motion);
+  void begin_at(const Vec3& machine_mm);
   void add(const Motion& motion);
   Toolpath take() { return std::move(path_); }
 
@@ -107,6 +109,7 @@ class PathMaker {
     const Vec3 p = placed(machine_mm);
     return {p.x, p.y, options_.park_z_mm};
   }
+  void approach(const Motion& rapid);
   void add_move(const Motion& motion, const Vec3& part_mm, bool rapid);
   void add_arc(const Motion& arc);
   void park(const Motion& motion);
@@ -118,11 +121,23 @@ class PathMaker {
   bool started_ = false, parked_ = false;
 };
 
-void PathMaker::begin_at(const Motion& motion) {
-  at_mm_ = motion.to;
+void PathMaker::begin_behind(const Motion& motion) {
+  begin_at(motion.to);
   parked_ = motion.parked;
-  started_ = motion.position_known;
-  if (started_) path_.start = parked_ ? at_park_height(at_mm_) : placed(at_mm_);
+  if (parked_) path_.start = at_park_height(at_mm_);
+}
+
+void PathMaker::begin_at(const Vec3& machine_mm) {
+  at_mm_ = machine_mm;
+  parked_ = false;
+  started_ = true;
+  path_.start = placed(at_mm_);
+}
+
+/// A rapid of a program whose start nobody asks for.
+void PathMaker::approach(const Motion& rapid) {
+  begin_behind(rapid);
+  started_ = rapid.position_known;
 }
 
 void PathMaker::add_move(const Motion& motion, const Vec3& part_mm, bool rapid) {
@@ -155,7 +170,10 @@ void PathMaker::park(const Motion& motion) {
 }
 
 void PathMaker::add(const Motion& motion) {
-  if (!started_) return begin_at(motion);
+  if (!started_) {
+    if (motion.kind == MotionKind::rapid) return approach(motion);
+    begin_at(at_mm_);
+  }
   if (motion.parked) {
     park(motion);
   } else if (motion.kind == MotionKind::arc && !parked_) {
@@ -185,10 +203,11 @@ Toolpath to_toolpath(const Program& program, const PathOptions& options) {
   const std::size_t last = std::min(options.last, program.motions.size());
   const std::size_t first = std::min(options.first, last);
   PathMaker maker(options, last - first);
+  if (first == 0 && options.start_mm) maker.begin_at(*options.start_mm);
   if (first > 0) {
     Motion before = program.motions[first - 1];
     before.to.z += options.start_shift_z_mm;
-    maker.begin_at(before);
+    maker.begin_behind(before);
   }
   for (std::size_t i = first; i < last; ++i) maker.add(program.motions[i]);
   return maker.take();
@@ -203,7 +222,7 @@ Toolpath to_toolpath(const Program& program, double chord_error_mm) {
 double highest_z_mm(const Program& program, const RigidPlacement& machine_in_part) {
   double highest = -std::numeric_limits<double>::infinity();
   for (const Motion& motion : program.motions)
-    if (motion.position_known)
+    if (motion.height_known)
       highest = std::max(highest, motion.to.z + machine_in_part.translate_mm.z);
   return highest;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "engine/model/program.h"
 #include "engine/model/toolpath.h"
@@ -29,6 +30,10 @@ struct PathOptions {
   /// How much higher than the motion before `first` ended the tip stands at the start: another tool
   /// may have come into the spindle.
   double start_shift_z_mm = 0;
+  /// Where the tip stands before the first motion of the program, machine frame. Empty for programs
+  /// that this project wrote itself, whose first two rapids lead to where their path begins: the
+  /// path then starts where every axis is known, or with the first motion that is no rapid.
+  std::optional<Vec3> start_mm = std::nullopt;
   /// A path of more is refused: chords may be many where an arc is wide and the error small.
   double most_moves = 4e8;
   /// The motions that are taken: [first, last).
@@ -38,16 +43,16 @@ struct PathOptions {
 /// Straight moves in the part's frame for motions of `program`, arcs as chords of at most a quarter
 /// turn whose ends lie on the arc and which stay within `chord_error_mm` of it; the largest error
 /// made is recorded in the result. An arc that ends within 1e-6 radians beyond its start is a full
-/// turn. Motions before every axis is known give no move: the path starts where the position is
-/// known. A tool that parks goes straight up to the park height, crosses there, and comes down by
-/// the straight move that the program states: the real one starts higher and stays above it.
-/// Throws std::invalid_argument unless 0 < chord_error_mm < infinity, ResourceError for more than
-/// `most_moves` moves.
+/// turn. Every motion gives its moves, from `start_mm` on. A tool that parks goes straight up to
+/// the park height, crosses there, and comes down by the straight move that the program states: the
+/// real one starts higher and stays above it. Throws std::invalid_argument unless 0 <
+/// chord_error_mm < infinity, ResourceError for more than `most_moves` moves.
 Toolpath to_toolpath(const Program& program, const PathOptions& options);
-/// The whole program on a machine whose frame is the part's, where nothing parks.
+/// The whole program on a machine whose frame is the part's, where nothing parks and no start is
+/// stated.
 Toolpath to_toolpath(const Program& program, double chord_error_mm);
 
-/// Highest Z in the part's frame that any motion of known position ends at; -infinity where there
+/// Highest Z in the part's frame that any motion of known height ends at; -infinity where there
 /// is none.
 double highest_z_mm(const Program& program, const RigidPlacement& machine_in_part);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/model/coordinate_limit.h"
 #include "engine/model/mesh_defect.h"
 #include "engine/model/spec_text.h"
 #include "engine/model/words.h"
@@ -87,6 +88,9 @@ Box3 bounding_box(const Stock& stock) {
 
 void require_valid(const Stock& stock) {
   std::visit(Checker{}, stock);
+  if (const Box3 box = bounding_box(stock); !is_near(box))
+    throw std::invalid_argument("the stock reaches to " + farthest_words(box) + "; expected " +
+                                kFarthestExpected);
 }
 
 Stock parse_stock(std::string_view text) {

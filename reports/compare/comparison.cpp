@@ -55,6 +55,8 @@ void compare_stages(const StageRecord& base, const StageRecord& now, double reac
   add(out.remarks, compare_settings(base, now));
   if (!base.measures || !now.measures) return;
   add(out.remarks, compare_certificates(*base.measures, *now.measures));
+  if (std::optional<Remark> remark = tell_reach(*base.measures, *now.measures))
+    out.remarks.push_back(std::move(*remark));
   add(out.remarks, compare_process_counts(*base.measures, *now.measures, options));
   out.figures = compare_figures(*base.measures, *now.measures, options);
   compare_findings(base, now, reach_mm, options, out);
@@ -89,6 +91,23 @@ void require_common(const RunRecord& base, const RunRecord& now,
                           "two results of one job");
 }
 
+/// Held against each other, such figures would rise or fall by what their names mean.
+void require_one_schema(const RunRecord& base, const RunRecord& now) {
+  if (base.schema == now.schema) return;
+  const auto name = [](const RunRecord& run) {
+    return "limitgauge.result/" + std::to_string(run.schema);
+  };
+  const bool base_is_older = base.schema < now.schema;
+  throw model::InputError(
+      {},
+      "the base is of schema " + name(base) + " and the new result of " + name(now) +
+          ", and gouge and uncut do not mean the same in both: since /2 they are runs along the "
+          "normal (definition 2), in /1 they were distances to the nearest removed space or "
+          "material",
+      std::string("two results of one schema; make the ") +
+          (base_is_older ? "baseline" : "new one") + " again with this limitgauge");
+}
+
 void count(Comparison& out) {
   const auto add_one = [&out](Judgement judgement) {
     if (judgement == Judgement::worse) ++out.worse;
@@ -110,6 +129,7 @@ Judgement Comparison::judgement() const {
 }
 
 Comparison compare_runs(const RunRecord& base, const RunRecord& now, const Options& options) {
+  require_one_schema(base, now);
   const std::vector<StagePair> pairs = paired_stages(base, now);
   require_common(base, now, pairs);
   Comparison out;

@@ -93,7 +93,7 @@ struct Comparison {
 };
 
 /// Throws model::InputError where the runs have nothing in common: other jobs, and no stage of one
-/// name.
+/// name; and for results of two schemas, whose gouge and uncut mean different things.
 Comparison compare_runs(const record::RunRecord& base, const record::RunRecord& now,
                         const Options& options);
 

@@ -115,6 +115,13 @@ Side uncuts_of(const record::StageRecord& stage, double reach_mm) {
   return places_of(m.uncuts, m.uncut_threshold_mm, m.findings_complete, limit, reach_mm);
 }
 
+/// The gate's limit of gouges holds for the stock, too; what was found of it is in the list.
+Side missing_stock_of(const record::StageRecord& stage, double reach_mm) {
+  const record::StageMeasures& m = *stage.measures;
+  const double limit = stage.limits.has_gouge ? stage.limits.gouge_mm : kUnlimited;
+  return places_of(m.missing_stock, m.gouge_threshold_mm, m.findings_complete, limit, reach_mm);
+}
+
 /// Faults of one kind, part and obstacle, and whether they fail the stage.
 using ProcessKey = std::tuple<std::string, bool, std::string, std::string>;
 
@@ -161,6 +168,8 @@ void compare_findings(const record::StageRecord& base, const record::StageRecord
                 gouges_of(base, reach_mm), gouges_of(now, reach_mm), out);
   compare_sides({"uncut", floor_mm, reach_mm, is_judged(options, "uncut_mm")},
                 uncuts_of(base, reach_mm), uncuts_of(now, reach_mm), out);
+  compare_sides({"missing_stock", floor_mm, reach_mm, is_judged(options, "gouge_mm")},
+                missing_stock_of(base, reach_mm), missing_stock_of(now, reach_mm), out);
   compare_process(base, now, reach_mm, options, out);
   std::stable_sort(out.findings.begin(), out.findings.end(),
                    [](const FindingChange& a, const FindingChange& b) {

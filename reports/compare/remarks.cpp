@@ -30,10 +30,11 @@ struct Limit {
   bool has_base, has_now;
   double base, now;
   bool more_is_looser;
+  std::string (*text)(double) = stated_length;
 };
 
-std::string limit_text(const Limit& limit, double value) {
-  return limit.more_is_looser ? stated_length(value) : percent_text(value);
+std::string stated_area(double mm2) {
+  return shortest(mm2) + " mm²";
 }
 
 std::optional<Remark> compare_limit(const Limit& limit, const Options& options) {
@@ -42,14 +43,14 @@ std::optional<Remark> compare_limit(const Limit& limit, const Options& options) 
     return Remark{"gate", if_judged(options, "gate", judgement), what + text};
   };
   if (limit.has_base && !limit.has_now)
-    return remark(Judgement::worse, "taken away: it was " + limit_text(limit, limit.base));
+    return remark(Judgement::worse, "taken away: it was " + limit.text(limit.base));
   if (!limit.has_base && limit.has_now)
-    return remark(Judgement::better, "set: " + limit_text(limit, limit.now));
+    return remark(Judgement::better, "set: " + limit.text(limit.now));
   if (!limit.has_base || limit.base == limit.now) return std::nullopt;
   const bool is_looser = (limit.now > limit.base) == limit.more_is_looser;
   return remark(is_looser ? Judgement::worse : Judgement::better,
                 std::string(is_looser ? "loosened" : "tightened") + " from " +
-                    limit_text(limit, limit.base) + " to " + limit_text(limit, limit.now));
+                    limit.text(limit.base) + " to " + limit.text(limit.now));
 }
 
 void name_change(std::vector<Remark>& out, const std::string& id, const std::string& what,
@@ -83,7 +84,17 @@ std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifi
   for (const Limit& limit :
        {Limit{"gouge", base.has_gouge, now.has_gouge, base.gouge_mm, now.gouge_mm, true},
         Limit{"uncut", base.has_uncut, now.has_uncut, base.uncut_mm, now.uncut_mm, true},
-        Limit{"coverage", base.has_coverage, now.has_coverage, base.coverage, now.coverage, false}})
+        Limit{"coverage", base.has_coverage, now.has_coverage, base.coverage, now.coverage, false,
+              percent_text},
+        // A share and an area cannot be compared: one is taken away and the other set.
+        Limit{"the unreachable share", base.has_unreachable && base.unreachable_is_share,
+              now.has_unreachable && now.unreachable_is_share, base.unreachable, now.unreachable,
+              true, percent_text},
+        Limit{"the unreachable area", base.has_unreachable && !base.unreachable_is_share,
+              now.has_unreachable && !now.unreachable_is_share, base.unreachable, now.unreachable,
+              true, stated_area},
+        Limit{"unavoidable uncut", base.has_unavoidable, now.has_unavoidable, base.unavoidable_mm,
+              now.unavoidable_mm, true}})
     if (std::optional<Remark> remark = compare_limit(limit, options))
       out.push_back(std::move(*remark));
   return out;
@@ -122,6 +133,31 @@ std::vector<Remark> compare_certificates(const record::StageMeasures& base,
   return out;
 }
 
+namespace {
+
+/// Empty where all is in reach.
+std::string reach_text(const record::StageMeasures& m) {
+  const double area_mm2 =
+      m.reach.unreachable_mm2 > 0 ? m.reach.unreachable_mm2 : m.unreachable_area_mm2;
+  if (!(area_mm2 > 0)) return {};
+  std::string text = three_digits(area_mm2) + " mm²";
+  const double whole_mm2 = m.reach.reachable_mm2 + m.reach.unreachable_mm2 + m.reach.undecided_mm2;
+  if (whole_mm2 > 0) text += " (" + three_digits(100 * area_mm2 / whole_mm2) + " %)";
+  return text + ", unavoidable uncut up to " + measured_length(m.unavoidable_mm.high);
+}
+
+}  // namespace
+
+std::optional<Remark> tell_reach(const record::StageMeasures& base,
+                                 const record::StageMeasures& now) {
+  const std::string was = reach_text(base), is = reach_text(now);
+  if (was.empty() && is.empty()) return std::nullopt;
+  const std::string said = is.empty() ? std::string("nothing") : is;
+  return Remark{
+      "reach", Judgement::not_judged,
+      "unreachable: " + said + (was == is ? "" : "; before: " + (was.empty() ? "nothing" : was))};
+}
+
 std::vector<Remark> compare_process_counts(const record::StageMeasures& base,
                                            const record::StageMeasures& now,
                                            const Options& options) {
@@ -133,10 +169,11 @@ std::vector<Remark> compare_process_counts(const record::StageMeasures& base,
     const auto [was, is] = both;
     if (was == is) continue;
     const Judgement judgement = is > was ? Judgement::worse : Judgement::better;
-    out.push_back(
-        {"process",
-         kind == "near_miss" ? Judgement::not_judged : if_judged(options, "process", judgement),
-         kind_words(kind) + ": " + moves_text(was) + " before, now " + moves_text(is)});
+    out.push_back({"process",
+                   kind == "near_miss" || kind == "slight_contact"
+                       ? Judgement::not_judged
+                       : if_judged(options, "process", judgement),
+                   kind_words(kind) + ": " + moves_text(was) + " before, now " + moves_text(is)});
   }
   return out;
 }

@@ -18,6 +18,9 @@ std::vector<Remark> compare_settings(const record::StageRecord& base,
 /// Resolutions asked for, reached or not, and findings that are not all listed.
 std::vector<Remark> compare_certificates(const record::StageMeasures& base,
                                          const record::StageMeasures& now);
+/// What no cutter used so far can reach, in both runs; nothing where all is in reach.
+std::optional<Remark> tell_reach(const record::StageMeasures& base,
+                                 const record::StageMeasures& now);
 /// Moves with a fault, by kind.
 std::vector<Remark> compare_process_counts(const record::StageMeasures& base,
                                            const record::StageMeasures& now,

@@ -100,6 +100,7 @@ std::string verdict_word(verifier::Verdict verdict) {
 }
 
 std::string kind_words(const std::string& kind) {
+  if (kind == "missing_stock") return "missing stock";
   for (const simulator::FindingKind known : kFindingKinds)
     if (kind == simulator::name(known)) return words_for(known);
   return kind;

@@ -74,6 +74,9 @@ std::string job_section(const JobHistory& job, std::size_t index) {
          terms({{"Passed", passed_words(job)},
                 {"First run shown", escape_markup(moment(first.created)) + " UTC"},
                 {"Last run", escape_markup(moment(last.created)) + " UTC"}}) +
+         (job.changes_meaning() ? fmt::format("<p class=\"note\"><strong>{}</strong></p>\n",
+                                              escape_markup(kNewMeaning))
+                                : std::string()) +
          charts(index) + runs_table(job, index) + "</section>\n";
 }
 

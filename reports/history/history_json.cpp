@@ -21,6 +21,7 @@ Json run_json(const history::Entry& run) {
           {"commit", clean_text(run.commit)},
           {"label", clean_text(run.label)},
           {"verdict", clean_text(run.verdict)},
+          {"result_schema", "limitgauge.result/" + std::to_string(run.result_schema)},
           {"stages", std::move(stages)}};
 }
 

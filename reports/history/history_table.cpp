@@ -116,6 +116,7 @@ std::string history_table(const Overview& overview, bool colour) {
     if (!out.empty()) out += '\n';
     out += shortened(job.job, 60) + ": " + std::to_string(job.runs.size()) +
            (job.runs.size() == 1 ? " run\n" : " runs\n") + job_table(job, overview.choice, colour);
+    if (job.changes_meaning()) out += std::string(kNewMeaning) + '\n';
   }
   return out;
 }

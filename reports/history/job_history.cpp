@@ -116,10 +116,17 @@ bool is_comparable(const Column& column, const history::Entry& run) {
                       [](const history::StageVerdict& one) { return one.verdict == "not_run"; });
 }
 
+/// Lengths and times of paths mean what they always meant.
+bool depends_on_schema(const Column& column) {
+  return column.known != nullptr && (column.known->source == record::Source::certified ||
+                                     column.known->source == record::Source::measured);
+}
+
 JobHistory history_of(std::span<const history::Entry* const> runs, const Choice& choice) {
   JobHistory job{runs.front()->job, columns_of(runs, choice), {}};
   // Of each column the last run that has it: what the next one is held against.
   std::vector<const Figures*> last(job.columns.size(), nullptr);
+  std::vector<int> schema(job.columns.size(), 0);
   std::vector<Figures> figures;
   figures.reserve(runs.size());
   for (const history::Entry* entry : runs) {
@@ -134,7 +141,10 @@ JobHistory history_of(std::span<const history::Entry* const> runs, const Choice&
       cell.value = found->second;
       cell.limit = limit_of(now, column);
       if (!is_comparable(column, *entry)) continue;
-      if (last[i] != nullptr)
+      cell.new_meaning =
+          last[i] != nullptr && schema[i] != entry->result_schema && depends_on_schema(column);
+      schema[i] = entry->result_schema;
+      if (last[i] != nullptr && !cell.new_meaning)
         judge(column, *last[i], now, last[i]->at({column.stage, column.metric}), cell);
       last[i] = &now;
     }
@@ -144,9 +154,24 @@ JobHistory history_of(std::span<const history::Entry* const> runs, const Choice&
 
 }  // namespace
 
+bool JobHistory::changes_meaning() const {
+  return std::any_of(runs.begin(), runs.end(), [](const Run& run) {
+    return std::any_of(run.cells.begin(), run.cells.end(),
+                       [](const Cell& cell) { return cell.new_meaning; });
+  });
+}
+
 std::vector<std::string> metrics_to_read(const Choice& choice) {
-  Names names = {"gouge_mm",       "uncut_mm",       "machining_time_s", "gouge_limit_mm",
-                 "uncut_limit_mm", "coverage_limit", "resolution_mm",    "voxel_mm"};
+  Names names = {"gouge_mm",
+                 "uncut_mm",
+                 "machining_time_s",
+                 "gouge_limit_mm",
+                 "uncut_limit_mm",
+                 "coverage_limit",
+                 "unavoidable_uncut_limit_mm",
+                 "unreachable_area_limit_mm2",
+                 "resolution_mm",
+                 "voxel_mm"};
   for (const std::string& metric : choice.metrics)
     if (!holds(names, metric)) names.push_back(metric);
   return names;

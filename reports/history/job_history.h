@@ -30,6 +30,8 @@ struct Cell {
   std::optional<verifier::Interval> value;
   std::optional<double> limit;                  ///< of the gate, as it was for that run
   std::optional<compare::Judgement> judgement;  ///< empty where there is nothing to judge by
+  /// The run before measured something else under this name: nothing is judged.
+  bool new_meaning = false;
   int direction = 0;  ///< +1 where the figure's middle grew, −1 where it fell
 };
 
@@ -39,6 +41,10 @@ struct Run {
 };
 
 struct JobHistory {
+  /// Whether runs of result schema 1 stand beside later ones, whose gouge and uncut mean runs along
+  /// the normal.
+  bool changes_meaning() const;
+
   std::string job;
   std::vector<Column> columns;  ///< the whole run's first, then by stage
   std::vector<Run> runs;        ///< oldest first
@@ -51,6 +57,12 @@ struct Overview {
   Choice choice;
   std::vector<JobHistory> jobs;  ///< by name
 };
+
+/// What is to be said of a job whose figures change their meaning.
+inline constexpr const char* kNewMeaning =
+    "Gouge, uncut and what is measured beside them mean something else from the first run marked "
+    "\"new meaning\" on (limitgauge.result/2): runs along the normal, no longer distances to the "
+    "nearest removed space or material. No trend is drawn across that.";
 
 /// Metrics that must be read for `choice`: limits and what trends are judged by among them.
 std::vector<std::string> metrics_to_read(const Choice& choice);

@@ -12,6 +12,10 @@ void add_limits(const record::StageRecord& stage, std::vector<history::Value>& v
   add(stage.limits.has_gouge, "gouge_limit_mm", stage.limits.gouge_mm);
   add(stage.limits.has_uncut, "uncut_limit_mm", stage.limits.uncut_mm);
   add(stage.limits.has_coverage, "coverage_limit", stage.limits.coverage);
+  add(stage.limits.has_unavoidable, "unavoidable_uncut_limit_mm", stage.limits.unavoidable_mm);
+  add(stage.limits.has_unreachable,
+      stage.limits.unreachable_is_share ? "unreachable_limit" : "unreachable_area_limit_mm2",
+      stage.limits.unreachable);
 }
 
 void add_fineness(const record::StageRecord& stage, std::vector<history::Value>& values) {
@@ -28,6 +32,7 @@ history::Entry entry_of(const record::RunRecord& run) {
   entry.job = run.job;
   entry.version = run.version;
   entry.verdict = verifier::name(run.verdict);
+  entry.result_schema = run.schema;
   const double whole_s = record::machining_time_s(run);
   entry.values.push_back({"", "machining_time_s", whole_s, whole_s});
   for (const record::StageRecord& stage : run.stages) {

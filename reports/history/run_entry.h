@@ -6,7 +6,8 @@
 namespace limitgauge::reports::history_report {
 
 /// What a history keeps of a run: every figure of each stage that was run, its gate's limits
-/// (`gouge_limit_mm`, `uncut_limit_mm`, `coverage_limit`), how finely it was measured
+/// (`gouge_limit_mm`, `uncut_limit_mm`, `coverage_limit`, `unavoidable_uncut_limit_mm`,
+/// `unreachable_limit` or `unreachable_area_limit_mm2`), how finely it was measured
 /// (`resolution_mm`, `voxel_mm`), the machining time of the whole run, and
 /// the verdicts. Commit and label are the caller's.
 history::Entry entry_of(const record::RunRecord& run);

@@ -56,13 +56,14 @@ std::string ShownColumn::limit(const Cell& cell) const {
 
 std::string trend(const Cell& cell) {
   const std::string word = trend_word(cell);
-  if (word.empty()) return {};
+  if (word.empty() || cell.new_meaning) return word;
   if (word == "same") return "=";
   const std::string arrow = cell.direction > 0 ? "↑" : "↓";
   return word == "higher" || word == "lower" ? arrow : arrow + " " + word;
 }
 
 const char* trend_word(const Cell& cell) {
+  if (cell.new_meaning) return "new meaning";
   using compare::Judgement;
   switch (cell.judgement.value_or(Judgement::not_judged)) {
     case Judgement::better:

@@ -35,7 +35,7 @@ class ShownColumn {
 
 /// "↑ worse", "↓ better", "=", "↑" where neither way is better, empty for a first one.
 std::string trend(const Cell& cell);
-/// The word alone: "better", "same", "worse", "higher", "lower", or empty.
+/// The word alone: "better", "same", "worse", "higher", "lower", "new meaning", or empty.
 const char* trend_word(const Cell& cell);
 
 /// A hash in as many digits as tell it apart; any other name whole, up to 24 characters.

@@ -6,14 +6,19 @@ namespace limitgauge::reports::html {
 namespace {
 
 constexpr const char* kDecisionRule = R"(<section id="decision"><h2>How it was decided</h2>
-<p>Deviation is the signed distance from each point of the exact limit surface to the space that was
-removed, less the stage's allowance. Positive is material still standing (uncut), negative is cut too
-deep (gouge). Part and simulation share one frame; nothing was fitted.</p>
+<p>Deviation is a run along the normal of the exact limit surface, from the allowance surface: outwards
+through the material that still stands (uncut, positive), or inwards through what is no longer there
+(gouge, negative). At a sharp edge every normal between those of its two faces counts. Part and
+simulation share one frame; nothing was fitted.</p>
+<p>Uncut is judged where a cutter used so far can reach. What none can reach is proven, has an area of
+its own beside the verdict, and can be gated, as can the material that must stay there. Where nothing at
+all is in reach, the stage fails. Where the raw stock does not cover the surface, that is a finding of
+its own, held against the gouge limit; no program line is to blame for it.</p>
 <ul><li><strong>Passed</strong>: the upper end of every certified interval is inside its limit, so that
 no point of the surface exceeds it; coverage is at least what is asked for; the process has no fault
 (a collision, a cut with the spindle at rest, ...); near misses are shown and do not count.</li>
 <li><strong>Failed</strong>: the lower end of an interval is beyond its limit, so that some point
-truly exceeds it; or coverage is too small; or the process has a fault.</li>
+truly exceeds it; or coverage is too small; or nothing is in reach; or the process has a fault.</li>
 <li><strong>Undecided</strong>: a limit lies inside a certified interval at the finest resolution
 allowed.</li></ul>
 <p>This is the rule of ISO 14253-1 in spirit: conformance is proven to pass and non-conformance is

@@ -24,8 +24,10 @@ std::string markers(const std::vector<verifier::Finding>& findings, char letter,
   std::string out;
   for (std::size_t i = 0; i < std::min(findings.size(), kMarkersPerKind); ++i) {
     const PixelPoint p = frame.pixel(findings[i].place.point);
-    out += fmt::format("<span class=\"marker\" style=\"left:{}%;top:{}%\"><i>{}{}</i></span>",
-                       fixed(100 * p.x / frame.width, 2), fixed(100 * p.y / frame.height, 2),
+    // On the right its name stands to the left, so that narrow screens do not scroll for it.
+    const char* side = 2 * p.x > frame.width ? " left" : "";
+    out += fmt::format("<span class=\"marker{}\" style=\"left:{}%;top:{}%\"><i>{}{}</i></span>",
+                       side, fixed(100 * p.x / frame.width, 2), fixed(100 * p.y / frame.height, 2),
                        letter, i + 1);
   }
   return out;

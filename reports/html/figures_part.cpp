@@ -21,25 +21,26 @@ std::string travel(double mm) {
 std::string deviation_terms(const verifier::StageDeviation& d) {
   const auto area = [](double mm2) { return three_digits(mm2) + " mm²"; };
   return "<h3>Deviation</h3>" +
-         terms({{"Mean", signed_length(d.mean_mm)},
-                {"Root mean square", signed_length(d.rms_mm)},
-                {"1st percentile", signed_length(d.p01_mm)},
-                {"Median", signed_length(d.p50_mm)},
-                {"99th percentile", signed_length(d.p99_mm)},
-                {"Second instrument (voxels): gouge", measured_length(d.voxel_gouge_mm)},
-                {"Second instrument (voxels): uncut", measured_length(d.voxel_uncut_mm)},
-                {"Reachable area", area(d.reachable_area_mm2)},
-                {"Unreachable area", area(d.unreachable_area_mm2)},
-                {"Proven in reach, out of reach, neither",
-                 area(d.proven_reach.reachable_mm2) + ", " + area(d.proven_reach.unreachable_mm2) +
-                     ", " + area(d.proven_reach.undecided_mm2)},
-                {"Unavoidable uncut", measured_length(d.unavoidable_uncut_mm.low) + " to " +
-                                          measured_length(d.unavoidable_uncut_mm.high)},
-                {"Cells examined", grouped(d.cells)},
-                {"Interval width asked for",
-                 stated_length(d.resolution_mm) +
-                     (d.reached_resolution ? ", reached" : ", not reached")},
-                {"Verification took", duration_text(d.seconds)}});
+         terms(
+             {{"Mean", signed_length(d.mean_mm)},
+              {"Root mean square", signed_length(d.rms_mm)},
+              {"1st percentile", signed_length(d.p01_mm)},
+              {"Median", signed_length(d.p50_mm)},
+              {"99th percentile", signed_length(d.p99_mm)},
+              {"Second instrument (rays into the stock): gouge", measured_length(d.voxel_gouge_mm)},
+              {"Second instrument (rays into the stock): uncut", measured_length(d.voxel_uncut_mm)},
+              {"Reachable area", area(d.reachable_area_mm2)},
+              {"Unreachable area", area(d.unreachable_area_mm2)},
+              {"Proven in reach, out of reach, neither",
+               area(d.proven_reach.reachable_mm2) + ", " + area(d.proven_reach.unreachable_mm2) +
+                   ", " + area(d.proven_reach.undecided_mm2)},
+              {"Unavoidable uncut", measured_length(d.unavoidable_uncut_mm.low) + " to " +
+                                        measured_length(d.unavoidable_uncut_mm.high)},
+              {"Cells examined", grouped(d.cells)},
+              {"Interval width asked for",
+               stated_length(d.resolution_mm) +
+                   (d.reached_resolution ? ", reached" : ", not reached")},
+              {"Verification took", duration_text(d.seconds)}});
 }
 
 std::string path_terms(const StageResult::Ran& r) {

@@ -68,8 +68,10 @@ Row finding_row(const RunResult& result, std::size_t index, const std::string& n
   return {{name, measured_length(f.depth_mm), three_digits(f.area_mm2) + " mm²",
            extent_text(f.extent_mm), coordinates(f.place.point), std::to_string(f.place.patch),
            fixed(f.place.u, 4), fixed(f.place.v, 4), stage, line_link(result, index, f),
-           grouped(f.move), left_by(f)},
-          finding_attributes(index, name)};
+           grouped(f.move), name.front() == 'M' ? "raw stock" : left_by(f)},
+          // The map in the page knows gouges and leftovers.
+          name.front() == 'M' ? " id=\"" + finding_anchor(index, name) + "\""
+                              : finding_attributes(index, name)};
 }
 
 std::string findings_table(const RunResult& result, std::size_t index,
@@ -113,6 +115,7 @@ std::string findings_part(const RunResult& result, std::size_t index) {
   const verifier::StageDeviation& d = result.stages[index].ran->deviation;
   return threshold_note(d) + findings_table(result, index, d.gouges, "Gouges, deepest first", 'G') +
          findings_table(result, index, d.uncuts, "Material left standing, highest first", 'U') +
+         findings_table(result, index, d.missing_stock, "Missing raw stock, deepest first", 'M') +
          bodies_table(result, d);
 }
 

@@ -33,12 +33,8 @@ std::string gate_part(const StageResult& stage) {
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const GateFigure& f = figures[i];
     rows.push_back({f.name, f.measured, i < 2 ? charts[i] : "",
-                    f.limit.empty() ? "–"
-                                    : (i == 2  ? "≥ "
-                                       : i < 2 ? "≤ "
-                                               : "") +
-                                          f.limit,
-                    i < 2 ? ratios[i] : "", badge(f.standing)});
+                    f.limit.empty() ? "–" : f.relation + f.limit, i < 2 ? ratios[i] : "",
+                    badge(f.standing)});
   }
   return table(
       "Gate figures. An interval is proven: some point reaches its lower end, no point of "

@@ -34,6 +34,9 @@ void add_machine(const RunResult& result, std::vector<Term>& list) {
     if (const auto& offset = machine.work_offsets[i])
       list.push_back({std::string("Work offset ") + model::work_offset_name(i),
                       origin_text(offset->origin_mm, offset->rotation_deg)});
+  if (const auto& start = result.program_start)
+    list.push_back(
+        {"Programs start at", origin_text(start->at_mm, 0) + (start->assumed ? " (assumed)" : "")});
   if (machine.home_mm) list.push_back({"Home (G28)", origin_text(*machine.home_mm, 0)});
   if (machine.second_home_mm)
     list.push_back({"Second home (G30)", origin_text(*machine.second_home_mm, 0)});

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/gate_figures.h"
 #include "reports/html/anchors.h"
 #include "reports/html/job_section.h"
 #include "reports/html/markup.h"
@@ -34,9 +35,20 @@ std::string reasons_list(const RunResult& result) {
     const verifier::Verdict verdict = stage.verdict();
     if (verdict == verifier::Verdict::pass && result.verdict != verifier::Verdict::pass) continue;
     for (const std::string& reason : stage.decision.reasons)
-      out += fmt::format("<li><a href=\"#{}\">{}</a>: {}</li>\n", stage_anchor(i),
-                         escape_markup(stage.name), escape_markup(reason));
+      if (!is_note(reason))
+        out += fmt::format("<li><a href=\"#{}\">{}</a>: {}</li>\n", stage_anchor(i),
+                           escape_markup(stage.name), escape_markup(reason));
   }
+  return out.empty() ? out : "<ul class=\"reasons\">" + out + "</ul>\n";
+}
+
+/// What no cutter reaches and what stock is missing, of every stage: a verdict says nothing of it.
+std::string notes_list(const RunResult& result) {
+  std::string out;
+  for (std::size_t i = 0; i < result.stages.size(); ++i)
+    for (const std::string& note : stage_notes(result.stages[i]))
+      out += fmt::format("<li><a href=\"#{}\">{}</a>: <strong>{}</strong></li>\n", stage_anchor(i),
+                         escape_markup(result.stages[i].name), escape_markup(note));
   return out.empty() ? out : "<ul class=\"reasons\">" + out + "</ul>\n";
 }
 
@@ -46,9 +58,10 @@ std::string masthead(const RunResult& result) {
   return fmt::format(
              "<header><p class=\"kind\">Limitgauge · certificate of toolpath verification</p>"
              "<h1>{}</h1>\n<div class=\"verdict {}\"><p "
-             "class=\"word\">{}</p><p>{}</p>\n{}{}</div>\n",
+             "class=\"word\">{}</p><p>{}</p>\n{}{}{}</div>\n",
              escape_markup(result.job), css_class(result.verdict), badge(result.verdict),
-             verdict_sentence(result.verdict), worst_places(result), reasons_list(result)) +
+             verdict_sentence(result.verdict), notes_list(result), worst_places(result),
+             reasons_list(result)) +
          terms({{"Created", escape_markup(result.created)},
                 {"Design surface", escape_markup(result.surface.cage)},
                 {"Stock", stock_text(result.raw_stock)},

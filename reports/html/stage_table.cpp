@@ -26,6 +26,7 @@ std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) 
           figure(0),
           figure(1),
           figure(2),
+          figure(3),
           stage.ran ? grouped(hits) : "–",
           stage.ran ? duration_text(stage.ran->machining_time_s) : "–",
           badge(stage.verdict())};
@@ -38,18 +39,22 @@ std::string stage_table(const RunResult& result) {
   for (std::size_t i = 0; i < result.stages.size(); ++i)
     rows.push_back(stage_row(result.stages[i], i));
   return "<section id=\"stages\"><h2>Stages</h2>\n" +
-         table("Gouge and uncut are certified intervals against the stage's own allowance surface.",
-               {{"Stage"},
-                {"Tool"},
-                {"Path"},
-                {"Allowance", true},
-                {"Gouge", true},
-                {"Uncut", true},
-                {"Coverage", true},
-                {"Process faults", true},
-                {"Machining time", true},
-                {"Verdict"}},
-               rows) +
+         table(
+             "Gouge and uncut are certified runs along the normals, against the stage's own "
+             "allowance "
+             "surface; unreachable is what no cutter used so far can touch.",
+             {{"Stage"},
+              {"Tool"},
+              {"Path"},
+              {"Allowance", true},
+              {"Gouge", true},
+              {"Uncut", true},
+              {"Coverage", true},
+              {"Unreachable", true},
+              {"Process faults", true},
+              {"Machining time", true},
+              {"Verdict"}},
+             rows) +
          "</section>\n";
 }
 

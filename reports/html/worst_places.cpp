@@ -121,6 +121,20 @@ std::string side_card(const RunResult& result, std::size_t index, const Side& si
                           : finding_card(result, index, side, figure, findings.front());
 }
 
+/// Where the raw stock does not cover the surface, if that keeps the stage from passing.
+std::string stock_card(const RunResult& result, std::size_t index) {
+  const std::vector<verifier::Finding>& findings =
+      result.stages[index].ran->deviation.missing_stock;
+  for (const GateFigure& figure : gate_figures(result.stages[index])) {
+    const bool blamed =
+        figure.standing == Standing::beyond || figure.standing == Standing::undecided;
+    if (figure.name != "missing stock" || !blamed || findings.empty()) continue;
+    return card("Missing raw stock", measured_length(findings.front().depth_mm),
+                {{"Where", place_text(findings.front().place)}, certified(figure)});
+  }
+  return {};
+}
+
 std::string process_card(const RunResult& result, std::size_t index) {
   const std::vector<simulator::FindingGroup> groups =
       worst_first(result.stages[index].ran->process);
@@ -144,7 +158,8 @@ std::string worst_places(const RunResult& result) {
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     const StageResult& stage = result.stages[i];
     if (!stage.ran || stage.verdict() == verifier::Verdict::pass) continue;
-    cards += side_card(result, i, kGouge) + side_card(result, i, kUncut) + process_card(result, i);
+    cards += side_card(result, i, kGouge) + side_card(result, i, kUncut) + stock_card(result, i) +
+             process_card(result, i);
   }
   return cards.empty() ? cards : "<div class=\"cards\">" + cards + "</div>\n";
 }

@@ -64,6 +64,7 @@ Json deviation_part(const RunResult& result, const verifier::StageDeviation& d) 
   return {
       {"gouge_mm", interval("deviation.gouge_mm", d.gouge_mm)},
       {"uncut_mm", interval("deviation.uncut_mm", d.uncut_mm)},
+      {"missing_stock_mm", interval("deviation.missing_stock_mm", d.missing_stock_mm)},
       {"coverage", finite("deviation.coverage", d.coverage)},
       {"mean_mm", finite("deviation.mean_mm", d.mean_mm)},
       {"rms_mm", finite("deviation.rms_mm", d.rms_mm)},
@@ -75,10 +76,10 @@ Json deviation_part(const RunResult& result, const verifier::StageDeviation& d) 
       {"surface_area_mm2", finite("deviation.surface_area_mm2", d.surface_area_mm2)},
       {"reachable_area_mm2", finite("deviation.reachable_area_mm2", d.reachable_area_mm2)},
       {"unreachable_area_mm2", finite("deviation.unreachable_area_mm2", d.unreachable_area_mm2)},
-      {"proven_reach",
-       {{"reachable_mm2", finite("proven_reach", d.proven_reach.reachable_mm2)},
-        {"unreachable_mm2", finite("proven_reach", d.proven_reach.unreachable_mm2)},
-        {"undecided_mm2", finite("proven_reach", d.proven_reach.undecided_mm2)}}},
+      {"reach",
+       {{"reachable_mm2", finite("reach", d.proven_reach.reachable_mm2)},
+        {"unreachable_mm2", finite("reach", d.proven_reach.unreachable_mm2)},
+        {"undecided_mm2", finite("reach", d.proven_reach.undecided_mm2)}}},
       {"unavoidable_uncut_mm",
        finite("deviation.unavoidable_uncut_mm", d.unavoidable_uncut_mm.low)},
       {"unavoidable_uncut_certified_mm",
@@ -96,6 +97,7 @@ Json deviation_part(const RunResult& result, const verifier::StageDeviation& d) 
       {"findings_complete", d.findings_complete},
       {"gouges", findings(result, d.gouges)},
       {"uncuts", findings(result, d.uncuts)},
+      {"missing_stocks", findings(result, d.missing_stock)},
       {"uncertainty", budget_part(d.budget)}};
 }
 

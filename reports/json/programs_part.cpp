@@ -22,6 +22,10 @@ Json programs_part(const RunResult& result) {
               {"rotate_z_deg", finite("programs.rotate_z_deg", result.program_frame.rotate_z_deg)},
               {"work_offsets", std::move(offsets)},
               {"tools", std::move(tools)}};
+  if (result.program_start) {
+    out["start_mm"] = point("programs.start_mm", result.program_start->at_mm);
+    out["start_assumed"] = result.program_start->assumed;
+  }
   if (machine.home_mm) out["home_mm"] = point("programs.home_mm", *machine.home_mm);
   if (machine.second_home_mm)
     out["second_home_mm"] = point("programs.second_home_mm", *machine.second_home_mm);

@@ -15,6 +15,10 @@ Json gate_part(const verifier::GateLimits& l) {
   if (l.has_gouge) out["gouge_mm"] = finite("gate.gouge_mm", l.gouge_mm);
   if (l.has_uncut) out["uncut_mm"] = finite("gate.uncut_mm", l.uncut_mm);
   if (l.has_coverage) out["coverage"] = finite("gate.coverage", l.coverage);
+  if (l.has_unreachable)
+    out[l.unreachable_is_share ? "unreachable" : "unreachable_mm2"] =
+        finite("gate.unreachable", l.unreachable);
+  if (l.has_unavoidable) out["unavoidable_mm"] = finite("gate.unavoidable_mm", l.unavoidable_mm);
   return out;
 }
 

@@ -40,7 +40,7 @@ std::optional<JsonValue> JsonValue::find(const std::string& key) const {
 
 JsonValue JsonValue::operator[](const std::string& key) const {
   if (std::optional<JsonValue> value = find(key)) return *value;
-  refuse("has no key \"" + key + "\"", "a result of schema limitgauge.result/1");
+  refuse("has no key \"" + key + "\"", "a result as limitgauge writes it");
 }
 
 std::vector<JsonValue> JsonValue::items() const {

@@ -86,4 +86,12 @@ double machining_time_s(const RunRecord& run) {
   return sum;
 }
 
+Interval unreachable_figure(const StageMeasures& measures, bool is_share) {
+  const verifier::StageDeviation::ProvenReach& reach = measures.reach;
+  const Interval area_mm2{reach.unreachable_mm2, reach.unreachable_mm2 + reach.undecided_mm2};
+  const double whole_mm2 = reach.reachable_mm2 + area_mm2.high;
+  if (!is_share || !(whole_mm2 > 0)) return area_mm2;
+  return {area_mm2.low / whole_mm2, area_mm2.high / whole_mm2};
+}
+
 }  // namespace limitgauge::reports::record

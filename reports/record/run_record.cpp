@@ -9,12 +9,15 @@
 namespace limitgauge::reports::record {
 namespace {
 
-constexpr const char* kSchema = "limitgauge.result/1";
+constexpr const char* kSchema = "limitgauge.result/";
 
-void require_schema(const JsonValue& root) {
+int read_schema(const JsonValue& root) {
+  const std::string known = std::string(kSchema) + "1 or " + kSchema + "2";
   const std::optional<JsonValue> schema = root.find("schema");
-  if (!schema) root.refuse("has no key \"schema\"", std::string("a result of schema ") + kSchema);
-  if (schema->text() != kSchema) schema->refuse("is another one", kSchema);
+  if (!schema) root.refuse("has no key \"schema\"", "a result of schema " + known);
+  for (const int version : {1, 2})
+    if (schema->text() == kSchema + std::to_string(version)) return version;
+  schema->refuse("is another one", known);
 }
 
 /// A finding may name a line of an earlier stage's program: all are gathered first.
@@ -50,8 +53,8 @@ void read_surface(const JsonValue& surface, RunRecord& out) {
 RunRecord read_result_json(std::istream& in, const std::string& shown) {
   const nlohmann::json tree = parse_json(model::read_text(in, shown), shown);
   const JsonValue root(tree, shown);
-  require_schema(root);
   RunRecord out;
+  out.schema = read_schema(root);
   out.job = root["job"].text();
   out.version = root["version"].text();
   out.created = root["created"].text();
@@ -62,7 +65,7 @@ RunRecord read_result_json(std::istream& in, const std::string& shown) {
   read_surface(root["surface"], out);
   const std::vector<JsonValue> stages = root["stages"].items();
   const LineTexts texts = line_texts(stages);
-  for (const JsonValue& stage : stages) out.stages.push_back(read_stage(stage, texts));
+  for (const JsonValue& stage : stages) out.stages.push_back(read_stage(stage, out.schema, texts));
   return out;
 }
 

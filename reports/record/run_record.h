@@ -57,15 +57,23 @@ struct StageMeasures {
   std::optional<verifier::Interval> sampled_mm;
   double voxel_mm = 0, voxel_gouge_mm = 0, voxel_uncut_mm = 0;
   double unreachable_area_mm2 = 0, unavoidable_uncut_mm = 0;
+  verifier::StageDeviation::ProvenReach reach;  ///< of schema 2
+  double reachable_area_mm2 = 0;                ///< by samples; of schema 2
+  /// Certified; both ends are `unavoidable_uncut_mm` where the result does not say.
+  verifier::Interval unavoidable_mm;
+  verifier::Interval missing_stock_mm;  ///< certified; of schema 2
   bool findings_complete = true;
   /// Depth from which a place is a finding: the gate's limit, or half of `low` without one.
   double gouge_threshold_mm = 0, uncut_threshold_mm = 0;
-  std::vector<Place> gouges, uncuts;
+  std::vector<Place> gouges, uncuts, missing_stock;
   std::vector<ProcessFinding> process_findings;
   std::vector<ProcessCount> process;  ///< a count a kind, by name of the kind
   double seconds = 0;                 ///< of the whole stage, on whatever machine it was
   std::size_t peak_memory_bytes = 0;
 };
+
+/// The figure that the gate `unreachable` judges: a share of the surface or mm².
+verifier::Interval unreachable_figure(const StageMeasures& measures, bool is_share);
 
 struct StageRecord {
   std::string name, tool;
@@ -82,6 +90,9 @@ struct InputRecord {
 };
 
 struct RunRecord {
+  /// Of result.json. In 1 gouge and uncut are distances to the nearest removed space or material,
+  /// in 2 runs along the normal: figures of the two cannot be held against each other.
+  int schema = 2;
   std::string job, version, created;
   unsigned threads = 1;
   verifier::Verdict verdict = verifier::Verdict::not_run;
@@ -91,9 +102,9 @@ struct RunRecord {
   std::vector<StageRecord> stages;
 };
 
-/// Reads result.json, schema limitgauge.result/1; `shown` names it in errors. Keys that it does not
-/// know are left alone. Throws model::InputError with line and column for text that is no JSON, and
-/// naming the key for one that is missing, of another type or out of its range.
+/// Reads result.json, schema limitgauge.result/1 or /2; `shown` names it in errors. Keys that it
+/// does not know are left alone. Throws model::InputError with line and column for text that is no
+/// JSON, and naming the key for one that is missing, of another type or out of its range.
 RunRecord read_result_json(std::istream& in, const std::string& shown);
 
 }  // namespace limitgauge::reports::record

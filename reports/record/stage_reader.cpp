@@ -5,6 +5,8 @@
 namespace limitgauge::reports::record {
 namespace {
 
+using verifier::Interval;
+
 void read_gate(const JsonValue& gate, verifier::GateLimits& out) {
   const auto limit = [&gate](const char* key, bool& has, double& value, bool is_share) {
     const std::optional<JsonValue> stated = gate.find(key);
@@ -14,6 +16,10 @@ void read_gate(const JsonValue& gate, verifier::GateLimits& out) {
   limit("gouge_mm", out.has_gouge, out.gouge_mm, false);
   limit("uncut_mm", out.has_uncut, out.uncut_mm, false);
   limit("coverage", out.has_coverage, out.coverage, true);
+  limit("unavoidable_mm", out.has_unavoidable, out.unavoidable_mm, false);
+  out.unreachable_is_share = !gate.find("unreachable_mm2");
+  limit(out.unreachable_is_share ? "unreachable" : "unreachable_mm2", out.has_unreachable,
+        out.unreachable, out.unreachable_is_share);
 }
 
 void read_toolpath(const JsonValue& path, StageMeasures& out) {
@@ -50,6 +56,21 @@ void read_statistics(const JsonValue& deviation, StageMeasures& out) {
   out.voxel_uncut_mm = deviation["voxel_uncut_mm"].length();
   out.unreachable_area_mm2 = deviation["unreachable_area_mm2"].length();
   out.unavoidable_uncut_mm = deviation["unavoidable_uncut_mm"].length();
+  const std::optional<JsonValue> certified = deviation.find("unavoidable_uncut_certified_mm");
+  out.unavoidable_mm = certified ? certified->interval()
+                                 : Interval{out.unavoidable_uncut_mm, out.unavoidable_uncut_mm};
+}
+
+/// What results of schema 1 did not know.
+void read_reach(const JsonValue& deviation, const std::string& name, const LineTexts& texts,
+                StageMeasures& out) {
+  const JsonValue reach = deviation["reach"];
+  out.reach = {reach["reachable_mm2"].length(), reach["unreachable_mm2"].length(),
+               reach["undecided_mm2"].length()};
+  if (const std::optional<JsonValue> area = deviation.find("reachable_area_mm2"))
+    out.reachable_area_mm2 = area->length();
+  out.missing_stock_mm = deviation["missing_stock_mm"].interval();
+  out.missing_stock = read_places(deviation["missing_stocks"].items(), name, texts);
 }
 
 /// The schema lets a result leave these out; what it then stands for follows from the rest.
@@ -72,7 +93,7 @@ void read_certificate(const JsonValue& deviation, StageMeasures& out) {
   out.uncut_threshold_mm = or_else("uncut_threshold_mm", out.uncut_mm.low / 2);
 }
 
-StageMeasures read_measures(const JsonValue& stage, const std::string& name,
+StageMeasures read_measures(const JsonValue& stage, const std::string& name, int schema,
                             const LineTexts& texts) {
   StageMeasures out;
   read_toolpath(stage["toolpath"], out);
@@ -82,6 +103,7 @@ StageMeasures read_measures(const JsonValue& stage, const std::string& name,
   read_statistics(deviation, out);
   out.gouges = read_places(deviation["gouges"].items(), name, texts);
   out.uncuts = read_places(deviation["uncuts"].items(), name, texts);
+  if (schema > 1) read_reach(deviation, name, texts, out);
   out.process_findings = read_process(simulation, name, texts);
   out.process = count_process(out.process_findings);
   out.seconds = stage["seconds"].length();
@@ -112,7 +134,7 @@ verifier::Verdict read_verdict(const JsonValue& value) {
   value.refuse("is no verdict", "pass, fail, indeterminate or not_run");
 }
 
-StageRecord read_stage(const JsonValue& stage, const LineTexts& texts) {
+StageRecord read_stage(const JsonValue& stage, int schema, const LineTexts& texts) {
   StageRecord out;
   out.name = stage["name"].text();
   out.tool = stage["tool"].text();
@@ -120,7 +142,7 @@ StageRecord read_stage(const JsonValue& stage, const LineTexts& texts) {
   out.verdict = read_verdict(stage["verdict"]);
   for (const JsonValue& reason : stage["reasons"].items()) out.reasons.push_back(reason.text());
   if (out.verdict != verifier::Verdict::not_run)
-    out.measures = read_measures(stage, out.name, texts);
+    out.measures = read_measures(stage, out.name, schema, texts);
   return out;
 }
 

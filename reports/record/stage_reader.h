@@ -13,12 +13,12 @@ namespace limitgauge::reports::record {
 /// The text of the program lines that a result holds, by stage and line.
 using LineTexts = std::map<std::pair<std::string, std::uint32_t>, std::string>;
 
-/// One entry of `stages`.
-StageRecord read_stage(const JsonValue& stage, const LineTexts& texts);
+/// One entry of `stages` of a result of version `schema`.
+StageRecord read_stage(const JsonValue& stage, int schema, const LineTexts& texts);
 /// `pass`, `fail`, `indeterminate` or `not_run`.
 verifier::Verdict read_verdict(const JsonValue& value);
 
-/// The places of `gouges` or `uncuts` of the stage `name`.
+/// The places of `gouges`, `uncuts` or `missing_stocks` of the stage `name`.
 std::vector<Place> read_places(const std::vector<JsonValue>& findings, const std::string& name,
                                const LineTexts& texts);
 /// What is wrong with the process; of results that do not gather it, from the two lists of

@@ -25,6 +25,7 @@ std::optional<double> limit_of(const StageResult& stage, const ListedFinding& f)
   const verifier::GateLimits& l = stage.limits;
   if (f.kind == "gouge" && l.has_gouge) return l.gouge_mm;
   if (f.kind == "uncut" && l.has_uncut) return l.uncut_mm;
+  if (f.kind == "missing_stock" && l.has_gouge) return l.gouge_mm;
   return {};
 }
 

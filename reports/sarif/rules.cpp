@@ -12,17 +12,23 @@ struct Rule {
 
 constexpr std::array kRules = {
     Rule{"gouge", "Gouge", "error", "The cut goes below the allowance surface.",
-         "The depth is a distance along the normal from the limit surface moved out by the "
-         "allowance, proven to be reached at the place named. Error: beyond the gate's limit; "
+         "The depth is the run along the normal from the limit surface moved out by the "
+         "allowance inwards through what was taken away, proven at the place named. Error: beyond "
+         "the gate's limit; "
          "warning: the certified interval holds the limit; note: the job sets no limit. Look at "
          "the tip's height on the line named; where a shank or holder is named, at the reach of "
          "the tool."},
     Rule{"uncut", "Leftover", "error",
-         "Material stands above the allowance surface where the cutter could have reached.",
-         "The depth is the height of the material along the normal, proven to stand at the place "
+         "Material stands above the allowance surface where a cutter could have reached.",
+         "The depth is the run along the normal outwards through the material that stands, proven "
+         "at the place "
          "named. The line is that of the nearest pass, the related locations are the passes around "
          "it. Levels as for gouges. Look at the step between the passes named, or for a pass that "
          "is missing."},
+    Rule{"missing_stock", "MissingStock", "error", "The raw stock does not cover the surface.",
+         "The depth says how far the surface lies outside the raw stock at the place named; no "
+         "program line is to blame. Levels as for gouges, against the gouge limit. Look at the "
+         "stock's size and position."},
     Rule{"rapid_through_stock", "RapidThroughStock", "error",
          "A rapid goes through material that stands at that moment.",
          "Raise the clearance height, or let the move be a feed."},
@@ -48,12 +54,23 @@ constexpr std::array kRules = {
          "Ramp or helix in at a slope that the tool allows."},
     Rule{"beyond_travel", "BeyondTravel", "error", "A move leaves the machine's travel limits.",
          "Move the program's zero, or clamp the part elsewhere."},
+    Rule{"slight_contact", "SlightContact", "note",
+         "A rapid, a part above the flutes or a move at rest touches by less than the contact "
+         "tolerance.",
+         "Nothing fails; the tolerance stands among the report's assumptions, and a job can state "
+         "a tighter one."},
     Rule{"near_miss", "NearMiss", "note",
          "A rapid, shank or holder passes stock or a fixture within the stated clearance.",
          "Nothing is touched and nothing fails; the distance that is left stands in the result."},
     Rule{kCoverageRule, "Coverage", "error",
          "Too little of the reachable surface lies inside both limits.",
          "The share is by area. The gouges and leftovers say where it is lost."},
+    Rule{kUnreachableRule, "Unreachable", "error",
+         "More of the surface is out of reach of every cutter used so far than the gate allows.",
+         "The area is certified. Use a cutter that reaches there, or another setup."},
+    Rule{kUnavoidableRule, "UnavoidableUncut", "error",
+         "More material must be left where no cutter used so far can reach than the gate allows.",
+         "The height is certified. Use a smaller cutter there, or one that reaches."},
     Rule{kVerdictRule, "Verdict", "error",
          "A verdict other than pass that no single place explains.",
          "The message has the reasons that the gate gave."},

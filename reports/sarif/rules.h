@@ -10,6 +10,8 @@ using Json = nlohmann::ordered_json;
 
 /// What a verdict rests on besides findings.
 inline constexpr const char* kCoverageRule = "coverage";
+inline constexpr const char* kUnreachableRule = "unreachable";
+inline constexpr const char* kUnavoidableRule = "unavoidable_uncut";
 inline constexpr const char* kVerdictRule = "verdict";
 
 /// "rules" of the tool: one for each kind of finding, with help, always all and in the same order.

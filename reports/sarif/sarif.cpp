@@ -2,6 +2,7 @@
 #include <map>
 #include <ostream>
 
+#include "reports/gate_figures.h"
 #include "reports/report.h"
 #include "reports/sarif/fingerprint.h"
 #include "reports/sarif/result_entry.h"
@@ -26,6 +27,12 @@ bool coverage_fails(const StageResult& stage) {
   return stage.limits.has_coverage && stage.ran->deviation.coverage < stage.limits.coverage;
 }
 
+/// Of figures that no finding stands for.
+const char* rule_of(const GateFigure& figure) {
+  if (figure.name == "unreachable") return sarif::kUnreachableRule;
+  return figure.name == "unavoidable uncut" ? sarif::kUnavoidableRule : nullptr;
+}
+
 /// A verdict that the findings do not explain must not vanish.
 void add_unplaced(Json& results, const RunResult& result, std::size_t index,
                   const sarif::Places& places, bool has_error, bool has_warning) {
@@ -36,6 +43,17 @@ void add_unplaced(Json& results, const RunResult& result, std::size_t index,
                                          "coverage " + percent_text(stage.ran->deviation.coverage) +
                                              ", limit " + percent_text(stage.limits.coverage),
                                          places));
+  }
+  for (const GateFigure& figure : gate_figures(stage)) {
+    const char* rule = rule_of(figure);
+    const bool beyond = figure.standing == Standing::beyond;
+    if (rule == nullptr || (!beyond && figure.standing != Standing::undecided)) continue;
+    (beyond ? has_error : has_warning) = true;
+    results.push_back(sarif::stage_entry(
+        result, index, rule, beyond ? "error" : "warning",
+        figure.name + " " + figure.measured +
+            (figure.limit.empty() ? ": nothing is in reach" : ", limit " + figure.limit),
+        places));
   }
   const bool fails = stage.verdict() == Verdict::fail && !has_error;
   const bool open = stage.verdict() == Verdict::indeterminate && !has_error && !has_warning;

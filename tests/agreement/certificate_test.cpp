@@ -165,7 +165,7 @@ void check_pair(int n, const Cutter& cutter, std::mt19937& random, Tally& tally)
   check.resolution_mm = 0.005;
   check.field_spacing_mm = 2;
   check.largest_cell_count = 20'000;
-  const auto d = measure_stage(surface, kBlock, {&pass, 1}, {}, check, {2});
+  const auto d = measure_stage(surface, kBlock, {&pass, 1}, nullptr, check, {2});
   tally.narrow += d.reached_resolution;
   tally.left += d.uncut_mm.low > 0;
 

@@ -74,7 +74,7 @@ struct Bench {
     check.limits.has_gouge = check.limits.has_uncut = true;
     check.limits.gouge_mm = check.limits.uncut_mm = kUncutLimit_mm;
     check.resolution_mm = 0.004;
-    const auto measured = measure_stage(reference, stock, passes, {}, check, {});
+    const auto measured = measure_stage(reference, stock, passes, nullptr, check, {});
     return decide(measured, check.limits).verdict;
   }
 };

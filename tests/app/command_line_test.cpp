@@ -59,6 +59,33 @@ TEST_CASE("verify gates only what it is told", "[unit][command_line]") {
   CHECK_THAT(error_of(more), ContainsSubstring("--allowance"));
 }
 
+TEST_CASE("verify gates coverage and what cannot be reached", "[unit][command_line]") {
+  const auto limits = [](const char* unreachable) {
+    const CommandLine line = parse({"verify", "--cage", "c.obj", "--stock", "box:1,1,1@0,0,0",
+                                    "--tool", "ball:D=6", "--program", "p.ngc", "--coverage",
+                                    "0.99", "--unavoidable", "0", "--unreachable", unreachable});
+    return std::get<VerifyCommand>(line.command).limits;
+  };
+  const verifier::GateLimits share = limits("0.05"), area = limits("12.5 mm2");
+  CHECK(share.has_coverage);
+  CHECK(share.coverage == 0.99);
+  CHECK(share.has_unavoidable);
+  CHECK(share.unavoidable_mm == 0);
+  CHECK(share.has_unreachable);
+  CHECK(share.unreachable_is_share);
+  CHECK(share.unreachable == 0.05);
+  CHECK_FALSE(area.unreachable_is_share);
+  CHECK(area.unreachable == 12.5);
+  for (const char* option : {"--coverage", "--unreachable", "--unavoidable"})
+    for (const char* value : {"-1", "a", "nan", "1.5 m"}) {
+      const std::string error =
+          error_of({"verify", "--cage", "c.obj", "--stock", "box:1,1,1@0,0,0", "--tool", "ball:D=6",
+                    "--program", "p.ngc", option, value});
+      INFO(error);
+      CHECK_THAT(error, ContainsSubstring(option));
+    }
+}
+
 TEST_CASE("view takes a folder, a port and whether to open a browser", "[unit][command_line]") {
   const CommandLine plain_line = parse({"view", "out"});
   const auto& plain = std::get<ViewCommand>(plain_line.command);

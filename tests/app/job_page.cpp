@@ -77,6 +77,8 @@ floor = -1
 gouge = 0.1
 uncut = 1
 coverage = 0.9
+unreachable = 0.5
+unavoidable = 2
 [[stage]]
 name = "finish"
 tool = "bull8"
@@ -134,6 +136,7 @@ translate = [1, 0, 0]
 [machine]
 acceleration = 400
 junction_deviation = 0.02
+start = [0, 0, 120]
 home = [0, 0, 300]
 second_home = [0, 0, 200]
 [machine.work_offsets]

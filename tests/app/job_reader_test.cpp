@@ -195,6 +195,15 @@ TEST_CASE("a bad job is refused with its place and what was expected", "[unit][j
        "job.toml:20:9: error: \"gouge\" in [stage.gate] is 0; expected a number above zero"},
       {"gouge = 0.01", "coverage = 1.5",
        "job.toml:20:12: error: \"coverage\" in [stage.gate] is 1.5; expected a share from 0 to 1"},
+      {"gouge = 0.01", "unreachable = \"12 cm2\"",
+       "job.toml:20:15: error: \"unreachable\" in [stage.gate] is \"12 cm2\"; expected a share "
+       "from 0 to 1, or an area as \"12.5 mm2\""},
+      {"gouge = 0.01", "unreachable = 1.5",
+       "job.toml:20:15: error: \"unreachable\" in [stage.gate] is 1.5; expected a share from 0 to "
+       "1"},
+      {"gouge = 0.01", "unavoidable = -0.1",
+       "job.toml:20:15: error: \"unavoidable\" in [stage.gate] is -0.1; expected a number that is "
+       "not negative"},
       {"gouge = 0.01", "gouges = 0.01",
        "job.toml:20:1: error: unknown key \"gouges\" in [stage.gate]; expected \"gouge\" or "
        "another "

@@ -39,6 +39,43 @@ TEST_CASE("tools with numbers are the machine's tool table", "[unit][job]") {
   CHECK(read(good_job()).machine.tools.empty());
 }
 
+TEST_CASE("where programs start, as a job states it", "[unit][job]") {
+  CHECK(read(with_machine("start = [1, 2, 30]")).machine.start_mm == model::Vec3{1, 2, 30});
+  CHECK(!read(good_job()).machine.start_mm);
+  CHECK(read(good_job(), {"machine.start=[0, 0, 9]"}).machine.start_mm == model::Vec3{0, 0, 9});
+  // The key stands in the second line of what with_machine puts before [[tool]], line 8.
+  const auto wrong = [](const std::string& value) {
+    return error_of(with_machine("start = " + value));
+  };
+  CHECK_THAT(wrong("[0, 0]"), ContainsSubstring("job.toml:9:9: error: \"start\" in [machine] has 2 "
+                                                "entries; expected an array of three numbers"));
+  CHECK_THAT(wrong("[0, nan, 0]"),
+             ContainsSubstring("job.toml:9:9: error: \"start\" in [machine] has an entry that is "
+                               "no finite number"));
+  CHECK_THAT(wrong("\"above\""), ContainsSubstring("job.toml:9:9: error: \"start\""));
+  CHECK_THAT(wrong("[0, 0, 10001]"),
+             ContainsSubstring("job.toml:9:9: error: \"start\" in [machine] has z = 10001 mm; "
+                               "expected at most 10000 mm (10 m) from zero"));
+}
+
+TEST_CASE("places of a job beyond 10 m", "[unit][job]") {
+  CHECK_THAT(error_of(with_machine("work_offsets = { G54 = [0, -10001, 0] }")),
+             ContainsSubstring("job.toml:9:24: error: \"G54\" in \"work_offsets\" of [machine] has "
+                               "y = -10001 mm"));
+  CHECK_THAT(error_of(with_machine("home = [1e6, 0, 0]")), ContainsSubstring("x = 1"));
+  CHECK_THAT(error_of(with(good_job(), "[26, 26, 9]", "[26, 26, 10005]")),
+             ContainsSubstring("job.toml:6:8: error: the stock reaches to z = 10001 mm"));
+  CHECK_THAT(error_of(with(good_job(), "[-13, -13, -4]", "[-13, -13e3, -4]")),
+             ContainsSubstring("job.toml:7:10: error: \"corner\" in [stock] has y = -13000 mm"));
+  CHECK_THAT(error_of(with(good_job(), "diameter = 6", "diameter = 20001")),
+             ContainsSubstring("diameter is 20001 mm; lengths may be at most 10000 mm"));
+  CHECK_THAT(error_of(with(good_job(), "diameter = 6",
+                           "diameter = 6\nholder = { diameter = 9, length = 1e5 }")),
+             ContainsSubstring("holder length is "));
+  CHECK_THAT(error_of(with(good_job(), "diameter = 6", "diameter = 6\nnumber = 1\nlength = 1e5")),
+             ContainsSubstring("\"length\" in [[tool]] is "));
+}
+
 TEST_CASE("setups that a job gets wrong", "[unit][job]") {
   CHECK_THAT(error_of(with_machine("work_offsets = { G60 = [0, 0, 0] }")),
              ContainsSubstring("unknown key \"G60\" in \"work_offsets\" of [machine]"));

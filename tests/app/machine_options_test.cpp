@@ -27,6 +27,7 @@ TEST_CASE("the machine as the command line states it", "[unit][cli]") {
   MachineOptions options;
   options.work_offsets = {"G54=1,2,3", "g59.1=4,5,6,30"};
   options.home = "0,0,150";
+  options.start = "1,-2,30.5";
   options.tool_table = table;
   const model::MachineSetup machine = machine_of(options);
   REQUIRE(machine.work_offsets[0]);
@@ -35,6 +36,7 @@ TEST_CASE("the machine as the command line states it", "[unit][cli]") {
   CHECK(machine.work_offsets[6]->rotation_deg == 30);
   CHECK(machine.home_mm == model::Vec3{0, 0, 150});
   CHECK(!machine.second_home_mm);
+  CHECK(machine.start_mm == model::Vec3{1, -2, 30.5});
   REQUIRE(machine.tools.size() == 2);
   CHECK(machine.tools[0].length_mm == 80.5);
   CHECK(machine.tools[1].diameter_mm == 8.0);
@@ -47,6 +49,11 @@ TEST_CASE("machine options that say nothing", "[unit][cli]") {
   options.home = "1,x,2";
   CHECK_THAT(error_of(options), ContainsSubstring("\"x\" is no number"));
   options.home = "";
+  for (const char* wrong : {"1,2", "1,nan,2", "above", "1,2,3,4", "1e5,0,0"}) {
+    options.start = wrong;
+    CHECK_THAT(error_of(options), ContainsSubstring(std::string("--start ") + wrong + ": "));
+  }
+  options.start = "";
   options.work_offsets = {"G60=1,2,3"};
   CHECK_THAT(error_of(options), ContainsSubstring("\"G60\" is no work offset"));
   options.work_offsets = {"G54=1,2,3", "G54=1,2,3"};

@@ -114,10 +114,23 @@ TEST_CASE("the excess is above zero where a gate does not pass", "[unit][study]"
   hit.measures->process = {{"rapid_collision", 3}, {"holder_collision", 1}};
   CHECK(excess(hit, Verdict::fail) == 4);
   hit.measures->process.clear();
-  hit.measures->voxel_uncut_mm = 0.1;
-  CHECK(excess(hit, Verdict::fail) == Approx(1.5));
-  hit.measures->voxel_uncut_mm = 0;
+  hit.measures->voxel_uncut_mm = 0.1;  // both instruments measure runs: it gates nothing
   CHECK(excess(hit, Verdict::fail) == 1);
+
+  StageRecord bare = stage("a", 0.001, 0.001);
+  bare.measures->missing_stock_mm = {0.05, 0.06};
+  CHECK(excess(bare, Verdict::fail) == Approx(2));  // 0.06 of 0.02
+  StageRecord far = stage("a", 0.001, 0.001);
+  far.measures->reach = {90, 8, 2};
+  far.limits.has_unreachable = true, far.limits.unreachable = 0.05;
+  CHECK(excess(far, Verdict::fail) == Approx(1));
+  far.limits.unreachable_is_share = false, far.limits.unreachable = 8;
+  CHECK(excess(far, Verdict::indeterminate) == Approx(0.25));
+  far.limits.unreachable = 0;
+  CHECK(excess(far, Verdict::fail) == Approx(1000));
+  far.limits.has_unreachable = false, far.limits.has_unavoidable = true;
+  far.limits.unavoidable_mm = 0.1, far.measures->unavoidable_mm = {0.1, 0.3};
+  CHECK(excess(far, Verdict::indeterminate) == Approx(2));
 
   StageRecord open = stage("a", 0.001, 0.001);
   open.limits = {};
@@ -137,8 +150,15 @@ TEST_CASE("reasons name what does not pass, and group", "[unit][study]") {
   hit.measures->process = {{"rapid_collision", 3}};
   CHECK(reason(hit, Verdict::fail) == "a: rapid collision");
   hit.measures->process.clear();
-  hit.reasons = {"gouge: within", "material stands 2 mm over the allowance surface"};
-  CHECK(reason(hit, Verdict::fail) == "a: material stands 2 mm over the allowance surface");
+  hit.reasons = {"gouge: within", "something else"};
+  CHECK(reason(hit, Verdict::fail) == "a: something else");
+  hit.measures->missing_stock_mm = {0.05, 0.06};
+  hit.measures->reach = {0, 8, 2};
+  hit.limits.has_unreachable = hit.limits.has_unavoidable = true;
+  hit.limits.unreachable = 0.9, hit.measures->unavoidable_mm = {1, 2};
+  CHECK(reason(hit, Verdict::fail) ==
+        "a: missing stock beyond its limit, nothing in reach, unreachable area not decided at this "
+        "resolution, unavoidable uncut beyond its limit");
 }
 
 }  // namespace limitgauge::app

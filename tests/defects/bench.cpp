@@ -4,8 +4,10 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <set>
 
+#include "app/stock_probe.h"
 #include "simulator/stock_model.h"
 
 namespace limitgauge::tests::defects {
@@ -19,10 +21,12 @@ constexpr double kSpacing_mm = 0.12;
 constexpr double kFieldSpacing_mm = 0.4;
 constexpr double kVoxel_mm = 0.15;
 constexpr double kAllowanceTwin_mm = 0.1;
-/// Two implementations of the same distance, each ended within 1e-9 mm.
-constexpr double kSame_mm = 5e-9;
+/// Two implementations of the same distances; marches of the oracle are one-sided.
+constexpr double kSame_mm = 1e-6;
 /// Findings come from a field that is stored in single precision.
-constexpr double kSameInField_mm = 1e-6;
+/// The bottom of a gouge by one of the moves that end there.
+constexpr double kBottom_mm = 1e-5;
+constexpr double kSameInField_mm = 2e-6;
 
 /// Limits that nothing comes near: figures are narrowed to the width asked for wherever they lie,
 /// and the only finding is the deepest.
@@ -72,21 +76,24 @@ struct Run {
   model::Toolpath path;
   model::Cutter cutter;
   double allowance_mm = 0;
-  DeviationOracle oracle;
+  std::shared_ptr<const model::Toolpath> shared_path;
+  simulator::Pass pass;
+  RunOracle oracle;
 
-  Run(const SampledSurface& surface, const model::BoxStock& stock, const std::string& text,
+  Run(const Target& target, const model::BoxStock& stock, const std::string& text,
       const model::Cutter& used, double allowance)
       : path(read_back(text)),
         cutter(used),
         allowance_mm(allowance),
-        oracle(surface, stock, used, path) {}
+        shared_path(std::make_shared<const model::Toolpath>(path)),
+        pass{used, shared_path},
+        oracle(target, stock, {&pass, 1}, allowance) {}
 };
 
 /// The unharmed program with what it is known to keep.
 struct Twin {
   Sound sound;
   Run run;
-  ReachOracle reach;
   verifier::GateLimits limits;
   std::set<Segment> segments_of;
 };
@@ -95,9 +102,8 @@ class PairBench {
  public:
   explicit PairBench(const PairPlan& plan)
       : plan_(plan),
-        surface_(plan.cage),
-        samples_(surface_, kSpacing_mm),
-        stock_(block_around(surface_.bounding_box())),
+        target_(plan.cage, kSpacing_mm),
+        stock_(block_around(target_.surface.bounding_box())),
         name_(plan.surface_name + ", " + plan.cutter.id) {}
 
   PairResult run() {
@@ -115,16 +121,13 @@ class PairBench {
   void make_twin(double allowance_mm, std::optional<Twin>& twin) {
     const RasterRequest request{plan_.cutter, allowance_mm, plan_.step_mm, plan_.across};
     const double safe_z = stock_.corner_mm.z + stock_.size_mm.z + 2;
-    Sound sound{samples_,      program_of(gouge_free_rows(samples_, request), safe_z, plan_.modal),
-                plan_.cutter,  allowance_mm,
-                plan_.step_mm, plan_.across,
-                safe_z};
-    Run run(samples_, stock_, sound.program.text(), plan_.cutter, allowance_mm);
-    twin.emplace(Twin{std::move(sound),
-                      std::move(run),
-                      ReachOracle(samples_, plan_.cutter, allowance_mm),
-                      {},
-                      {}});
+    Sound sound{
+        target_.samples, program_of(gouge_free_rows(target_.samples, request), safe_z, plan_.modal),
+        plan_.cutter,    allowance_mm,
+        plan_.step_mm,   plan_.across,
+        safe_z};
+    Run run(target_, stock_, sound.program.text(), plan_.cutter, allowance_mm);
+    twin.emplace(Twin{std::move(sound), std::move(run), {}, {}});
     twin->segments_of = segments(twin->run.path);
     judge_twin(*twin);
   }
@@ -139,16 +142,14 @@ class PairBench {
       const StageDeviation d = measure(twin.run, kFarLimits, result.voxels);
       twin.limits = {true, true, false, d.gouge_mm.high, d.uncut_mm.high, 0};
       judge_gouge(twin.run, d, result.gouge);
-      judge_uncut(twin.run, twin.reach, d, result.uncut);
+      judge_uncut(twin.run, d, result.uncut);
       const verifier::GateLimits gate = {true,
                                          true,
                                          false,
-                                         result.gouge.union_truth_mm + plan_.resolution_mm,
+                                         result.gouge.truth_mm + plan_.resolution_mm,
                                          allowed_uncut_mm(twin, d) + plan_.resolution_mm,
                                          0};
       result.verdict = certified_verdict(d, gate);
-      if (result.voxels && !voxels_agree(twin.run, d, gate))
-        result.broken = "the voxel figure fails a gate that no material stands above";
       result.reached_resolution = d.reached_resolution;
     } catch (const std::exception& error) {
       result.broken = error.what();
@@ -168,7 +169,7 @@ class PairBench {
     result.gated = turn % 3 == 0;
     try {
       const Planted planted = plant(twin.sound, mishap);
-      const Run run(samples_, stock_, planted.text, planted.cutter, planted.allowance_mm);
+      const Run run(target_, stock_, planted.text, planted.cutter, planted.allowance_mm);
       const StageDeviation d = measure(run, result.gated ? twin.limits : kFarLimits, result.voxels);
       result.cells = d.cells;
       result.reached_resolution = d.reached_resolution;
@@ -182,14 +183,7 @@ class PairBench {
 
   void judge_sides(Twin& twin, const Run& run, const StageDeviation& d, CaseResult& result) {
     judge_gouge(run, d, result.gouge);
-    const bool same_reach = run.cutter.diameter_mm == twin.run.cutter.diameter_mm &&
-                            run.allowance_mm == twin.run.allowance_mm;
-    if (same_reach) {
-      judge_uncut(run, twin.reach, d, result.uncut);
-    } else {
-      ReachOracle reach(samples_, run.cutter, run.allowance_mm);
-      judge_uncut(run, reach, d, result.uncut);
-    }
+    judge_uncut(run, d, result.uncut);
     result.gouge.gate_mm = twin.limits.gouge_mm;
     result.uncut.gate_mm = twin.limits.uncut_mm;
     const auto fails = [&](bool gouge) {
@@ -205,27 +199,17 @@ class PairBench {
   }
 
   /// The most that a right verdict may call uncut: the tolerance of contact counts as reached.
-  static double allowed_uncut_mm(Twin& twin, const StageDeviation& d) {
-    return twin.run.oracle
-        .highest(twin.run.allowance_mm, twin.reach, Reach::maybe, places_of(d.uncuts))
-        .depth_mm;
+  static double allowed_uncut_mm(const Twin& twin, const StageDeviation& d) {
+    double most = twin.run.oracle.surely_uncut(places_of(d.uncuts)).depth_mm;
+    for (const Place& p : places_of(d.uncuts))
+      most = std::max(most, twin.run.oracle.possibly_uncut(p));
+    return most;
   }
 
   /// The decision by the certified intervals alone.
   static verifier::Verdict certified_verdict(StageDeviation d, const verifier::GateLimits& limits) {
     d.voxel_uncut_mm = 0;
     return decide(d, limits).verdict;
-  }
-
-  /// Readings of the simulated stock must not fail a gate that the height of what stands keeps.
-  bool voxels_agree(const Run& run, const StageDeviation& d, verifier::GateLimits gate) const {
-    double height = 0;
-    for (const Finding& f : d.uncuts) {
-      const Extreme here{f.depth_mm, {f.place.patch, f.place.u, f.place.v}};
-      height = std::max(height, run.oracle.height(run.allowance_mm, here));
-    }
-    gate.uncut_mm = std::max(gate.uncut_mm, height + plan_.resolution_mm);
-    return decide(d, gate).verdict != verifier::Verdict::fail;
   }
 
   StageDeviation measure(const Run& run, const verifier::GateLimits& limits, bool voxels) const {
@@ -235,29 +219,18 @@ class PairBench {
     check.resolution_mm = plan_.resolution_mm;
     check.field_spacing_mm = kFieldSpacing_mm;
     const auto path = std::make_shared<const model::Toolpath>(run.path);
-    std::vector<verifier::StockReading> readings;
-    if (voxels) {
-      check.voxel_mm = kVoxel_mm;
-      check.readings_within_mm = 10 * kVoxel_mm + 2 * run.allowance_mm;
-      readings = read_stock(run, path, check.readings_within_mm);
-    }
+    std::optional<app::StockRayProbe> probe;
+    if (voxels) probe.emplace(cut_stock(run, path));
     const verifier::Pass pass{run.cutter, path};
-    return measure_stage(surface_, stock_, {&pass, 1}, readings, check, {1, nullptr, {}});
+    return measure_stage(target_.surface, stock_, {&pass, 1}, probe ? &*probe : nullptr, check,
+                         {1, nullptr, {}});
   }
 
-  std::vector<verifier::StockReading> read_stock(const Run& run,
-                                                 const std::shared_ptr<const model::Toolpath>& path,
-                                                 double within_mm) const {
+  simulator::StockModel cut_stock(const Run& run,
+                                  const std::shared_ptr<const model::Toolpath>& path) const {
     constexpr std::size_t kMemory = std::size_t{4} << 30;
     const model::RunControl control{1, nullptr, {}};
-    const simulator::StockModel cut =
-        simulator::StockModel(stock_, kVoxel_mm, kMemory).cut({run.cutter, path}, control);
-    model::Box3 region = surface_.bounding_box().grown(within_mm);
-    region.high.z = std::max(region.high.z, stock_.corner_mm.z + stock_.size_mm.z + kVoxel_mm);
-    std::vector<verifier::StockReading> readings;
-    for (const simulator::StockPoint& p : cut.surface_points(region, control))
-      readings.push_back({p.position, p.residual_mm});
-    return readings;
+    return simulator::StockModel(stock_, kVoxel_mm, kMemory).cut({run.cutter, path}, control);
   }
 
   static std::vector<Place> places_of(const std::vector<Finding>& findings) {
@@ -269,30 +242,31 @@ class PairBench {
   }
 
   void judge_gouge(const Run& run, const StageDeviation& d, SideResult& side) const {
-    const Extreme truth = run.oracle.deepest(run.allowance_mm, places_of(d.gouges));
     side.certified = d.gouge_mm;
-    side.truth_mm = truth.depth_mm;
-    side.union_truth_mm = run.oracle.deepest_in_union(run.allowance_mm, truth);
-    side.contained =
-        truth.depth_mm <= d.gouge_mm.high + kSame_mm && truth.depth_mm >= d.gouge_mm.low - kSame_mm;
+    side.truth_mm = run.oracle.surely_gouged(places_of(d.gouges)).depth_mm;
+    double most = side.truth_mm;
+    for (const Place& p : places_of(d.gouges)) most = std::max(most, run.oracle.possibly_gouged(p));
+    side.contained = holds(d.gouge_mm, side.truth_mm, most);
   }
 
-  void judge_uncut(const Run& run, ReachOracle& reach, const StageDeviation& d,
-                   SideResult& side) const {
-    const Extreme truth =
-        run.oracle.highest(run.allowance_mm, reach, Reach::sure, places_of(d.uncuts));
+  void judge_uncut(const Run& run, const StageDeviation& d, SideResult& side) const {
     side.certified = d.uncut_mm;
-    side.truth_mm = truth.depth_mm;
+    side.truth_mm = run.oracle.surely_uncut(places_of(d.uncuts)).depth_mm;
     // The certified low end may be reached where contact is within the stated tolerance only.
-    double reached = truth.depth_mm;
-    for (const Finding& f : d.uncuts) {
-      if (reached >= d.uncut_mm.low - kSame_mm) break;
-      const verifier::SurfaceSample s = surface_.evaluate(f.place.patch, f.place.u, f.place.v);
-      if (reach.at(s.position, s.normal) != Reach::no)
-        reached = std::max(reached, run.oracle.delta(s.position) - run.allowance_mm);
-    }
-    side.contained =
-        truth.depth_mm <= d.uncut_mm.high + kSame_mm && reached >= d.uncut_mm.low - kSameInField_mm;
+    double most = side.truth_mm;
+    for (const Place& p : places_of(d.uncuts)) most = std::max(most, run.oracle.possibly_uncut(p));
+    side.contained = holds(d.uncut_mm, side.truth_mm, most);
+  }
+
+  /// No place has more than `high`, and some may have `low`.
+  static bool holds(const verifier::Interval& certified, double sure_mm, double possible_mm) {
+    return sure_mm <= certified.high + kSame_mm && possible_mm >= certified.low - kSame_mm;
+  }
+
+  static double distance_to_move(const Run& run, std::size_t move, const Vec3& p) {
+    const simulator::SweptMove swept(model::move_from(run.path, move), run.path.moves[move].to,
+                                     static_cast<std::uint32_t>(move));
+    return swept_distance(simulator::CutterProfile(run.cutter), swept, p).distance;
   }
 
   void find_places(const Twin& twin, const Run& run, const StageDeviation& d,
@@ -307,19 +281,20 @@ class PairBench {
       return !other_program || std::any_of(made.begin(), made.end(), near) ||
              std::any_of(lost.begin(), lost.end(), near);
     };
-    const double a = run.allowance_mm, a_twin = twin.run.allowance_mm;
+    const double a = run.allowance_mm;
     for (const Finding& f : d.gouges) {
       const Vec3& p = f.place.point;
-      const double depth = a - run.oracle.delta(p);
-      if (std::abs(depth - f.depth_mm) > kSameInField_mm) {
-        result.broken = "a gouge's depth is not what the simulator says there";
+      const Place place{f.place.patch, f.place.u, f.place.v};
+      if (run.oracle.possibly_gouged(place) < f.depth_mm - kSameInField_mm) {
+        result.broken = "a gouge is not as deep as the simulator says there";
         return;
       }
-      if (depth <= result.gouge.gate_mm) continue;
-      if (a_twin - twin.run.oracle.delta(p) > result.gouge.gate_mm || !beside(p)) continue;
+      if (f.depth_mm <= result.gouge.gate_mm || !beside(p)) continue;
+      if (twin.run.oracle.possibly_gouged(place) > result.gouge.gate_mm + kSame_mm) continue;
       result.gouge.located = true;
-      const bool cut_there = !f.raw_stock && std::abs(run.oracle.of_move(f.move, p).distance -
-                                                      (a - depth)) <= kSameInField_mm;
+      // The move named swept the bottom of the run.
+      const Vec3 bottom = p + target_.samples.at(place).normal * (a - f.depth_mm);
+      const bool cut_there = !f.raw_stock && distance_to_move(run, f.move, bottom) <= kBottom_mm;
       const bool touched =
           !other_program || (!f.raw_stock && !twin.segments_of.contains(segment(run.path, f.move)));
       const bool line = !f.raw_stock && f.line == run.path.moves[f.move].line && f.line > 0;
@@ -330,17 +305,20 @@ class PairBench {
       const Vec3& p = f.place.point;
       // Worse than the twin there: another allowance or cutter moves the rim of what can be
       // reached.
-      const double left = run.oracle.delta(p) - a, left_by_twin = twin.run.oracle.delta(p) - a_twin;
-      if (left <= result.uncut.gate_mm || !beside(p)) continue;
-      if (left <= left_by_twin + plan_.resolution_mm) continue;
+      const Place place{f.place.patch, f.place.u, f.place.v};
+      if (f.depth_mm <= result.uncut.gate_mm || !beside(p)) continue;
+      // What the oracle gives both, reach aside.
+      const Vec3 n = target_.samples.at(place).normal;
+      if (run.oracle.uncut(p, n).possible_mm <=
+          twin.run.oracle.uncut(p, n).possible_mm + plan_.resolution_mm)
+        continue;
       result.uncut.located = true;
       break;
     }
   }
 
   const PairPlan& plan_;
-  verifier::ReferenceSurface surface_;
-  SampledSurface samples_;
+  Target target_;
   model::BoxStock stock_;
   std::string name_;
   PairResult out_;

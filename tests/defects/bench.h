@@ -12,9 +12,8 @@ namespace limitgauge::tests::defects {
 
 /// Gouge or leftover: what one case says on one side.
 struct SideResult {
-  double truth_mm = 0;        ///< by the oracle, as δ is defined: the depth into one body
-  double union_truth_mm = 0;  ///< of a gouge: the depth in all that was cut
-  double gate_mm = 0;         ///< what the unharmed twin is certified to keep
+  double truth_mm = 0;  ///< by the oracle: the longest run along a normal that it is sure of
+  double gate_mm = 0;   ///< what the unharmed twin is certified to keep
   verifier::Interval certified;
   bool due = false;       ///< deeper than the gate by more than the width: must be found
   bool failed = false;    ///< the gate of the twin's figure fails

@@ -13,8 +13,10 @@
 #include <string_view>
 
 #include "engine/model/run_control.h"
+#include "tests/defects/scenes.h"
 #include "tests/defects/surfaces.h"
 #include "tests/defects/table.h"
+#include "tests/defects/triples.h"
 
 namespace limitgauge::tests::defects {
 namespace {
@@ -25,7 +27,9 @@ constexpr double kSmallest_mm = 0.0005, kLargest_mm = 2;
 constexpr std::size_t kVoxelsEvery = 12;
 
 struct Options {
-  std::size_t sample = 0;  ///< cases; 0: all
+  std::size_t sample = 0;                                        ///< cases; 0: all
+  std::size_t scenes = std::numeric_limits<std::size_t>::max();  ///< of those there are
+  std::size_t triples = 0;  ///< random triples held against the oracle
   unsigned threads = 2;
   std::string surface, cutter;  ///< only these
   std::string cases_file;
@@ -94,6 +98,8 @@ bool read_options(int count, char** words, Options& options) {
       return std::from_chars(value.data(), value.data() + value.size(), to).ec == std::errc{};
     };
     const bool good = key == "--sample"    ? number(options.sample)
+                      : key == "--scenes"  ? number(options.scenes)
+                      : key == "--triples" ? number(options.triples)
                       : key == "--threads" ? number(options.threads)
                       : key == "--surface" ? (options.surface = value, true)
                       : key == "--cutter"  ? (options.cutter = value, true)
@@ -127,6 +133,39 @@ std::vector<PairResult> run_pairs(const std::vector<PairPlan>& plans, const Opti
   return results;
 }
 
+/// The scenes, the triples: true where nothing went wrong.
+bool run_scenes(const Options& options) {
+  std::vector<Scene> scenes = suite_scenes();
+  if (options.scenes < scenes.size()) scenes.resize(options.scenes);
+  std::vector<SceneResult> results(scenes.size());
+  model::parallel_for(scenes.size(), options.threads, [&](std::size_t k) {
+    results[k] = run_scene(scenes[k]);
+    const SceneResult& r = results[k];
+    std::fprintf(stderr, "%s, %s%s: %s, %.1f s\n", name(r.kind), r.label.c_str(),
+                 r.harmed ? "" : " (twin)", verifier::name(r.verdict), r.seconds);
+  });
+  write_scene_table(std::cout, results);
+  write_scene_failures(std::cerr, results);
+  return std::all_of(results.begin(), results.end(), [](const SceneResult& r) { return r.good(); });
+}
+
+bool run_triples(const Options& options) {
+  std::vector<TripleResult> results(options.triples);
+  model::parallel_for(options.triples, options.threads, [&](std::size_t k) {
+    results[k] = hold_against_oracle(random_triple(static_cast<unsigned>(k)));
+  });
+  std::size_t wrong = 0;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    wrong += !results[k].contradictions.empty();
+    for (const std::string& what : results[k].contradictions)
+      std::cerr << "triple " << k << ": " << what << "\n";
+  }
+  if (!results.empty())
+    std::cout << "\nRandom triples of surface, cutters and paths held against the oracle: "
+              << results.size() << ", with a contradiction: " << wrong << ".\n";
+  return wrong == 0;
+}
+
 int run(const Options& options) {
   std::vector<PairPlan> plans = full_plan(options);
   if (options.sample > 0) plans = sample_of(plans, options.sample);
@@ -142,7 +181,9 @@ int run(const Options& options) {
   if (left_out > 0)
     std::cout << "\nNot run for want of time: " << left_out << " of " << results.size()
               << " pairs of surface and cutter.\n";
-  return summarize(results).good() && left_out == 0 ? 0 : 1;
+  std::cout << "\n";
+  const bool scenes_good = run_scenes(options), triples_good = run_triples(options);
+  return summarize(results).good() && left_out == 0 && scenes_good && triples_good ? 0 : 1;
 }
 
 }  // namespace
@@ -153,7 +194,8 @@ int main(int count, char** words) {
   Options options;
   if (!read_options(count, words, options)) {
     std::fprintf(stderr,
-                 "usage: limitgauge_defects [--sample CASES] [--threads N] [--surface NAME] "
+                 "usage: limitgauge_defects [--sample CASES] [--scenes COUNT] [--triples COUNT] "
+                 "[--threads N] [--surface NAME] "
                  "[--cutter ID] [--cases FILE.tsv] [--minutes M]\n");
     return 2;
   }

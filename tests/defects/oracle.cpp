@@ -2,240 +2,286 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <numbers>
 #include <numeric>
 
 namespace limitgauge::tests::defects {
 namespace {
 
 using model::Vec3;
-using verifier::SurfaceSample;
 
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
-/// Clearances that count as free for sure, and that may: around the 1e-4 mm of CERTIFICATE.md.
-constexpr double kSureContact_mm = 5e-5, kMaybeContact_mm = 2e-4;
-constexpr double kFinest_mm = 1e-5, kFinestReached_mm = 1e-4;
-constexpr std::size_t kGougeStarts = 16, kUncutStarts = 5;
-constexpr double kStartsApart_mm = 0.25;
-constexpr int kDirectionsOut = 64;
-constexpr std::size_t kUnionPlaces = 5;
-/// δ changes by no more than the way gone, but for rounding.
-constexpr double kSlack_mm = 1e-9;
+/// Films: material or air thinner than this says nothing for certain ...
+constexpr double kSure_mm = 2e-6;
+/// ... and thinner than this is passed over where a run may go on.
+constexpr double kPossible_mm = 1e-5;
+/// Climbs end at steps of this; what they found is certain all the same.
+constexpr double kFinest_mm = 1e-4;
+constexpr std::size_t kStarts = 4;
+constexpr double kStartsApart_mm = 0.3;
+constexpr int kFan = 8, kFineFan = 48;
 
-simulator::Pass pass_of(const model::Cutter& cutter, const model::Toolpath& path) {
-  return {cutter, std::make_shared<const model::Toolpath>(path)};
-}
-
-/// Places of the largest values, some way apart, at most `most`, among those that are accepted.
-template <class Accept>
-std::vector<std::size_t> spread_starts(const std::vector<SampledSurface::Node>& nodes,
-                                       const std::vector<double>& value, std::size_t most,
-                                       Accept&& accept) {
-  std::vector<std::size_t> order(nodes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return value[a] > value[b]; });
-  std::vector<std::size_t> out;
-  for (const std::size_t k : order) {
-    if (out.size() == most || value[k] <= 0) break;
-    const bool near = std::any_of(out.begin(), out.end(), [&](std::size_t o) {
-      return nodes[o].place.patch == nodes[k].place.patch &&
-             distance(nodes[o].point, nodes[k].point) < kStartsApart_mm;
-    });
-    if (!near && accept(k)) out.push_back(k);
-  }
+std::vector<model::Cutter> cutters_of(std::span<const simulator::Pass> passes) {
+  std::vector<model::Cutter> out;
+  for (const simulator::Pass& p : passes) out.push_back(p.cutter);
   return out;
 }
 
-Vec3 fibonacci(int k, int count) {
-  const double z = 1 - (2 * k + 1.0) / count, around = 2 * std::numbers::pi * k / std::numbers::phi;
-  const double r = std::sqrt(1 - z * z);
-  return {r * std::cos(around), r * std::sin(around), z};
+std::shared_ptr<const simulator::SweepIndex> sweep(const simulator::Pass& pass) {
+  return std::make_shared<const simulator::SweepIndex>(pass);
+}
+
+/// A cylinder of the tool above its flutes, as a flat cutter on a path of its own.
+simulator::Pass lifted(const simulator::Pass& pass, const model::CylinderPart& part,
+                       double lift_mm) {
+  model::Toolpath path = *pass.path;
+  path.start.z += lift_mm;
+  for (model::Move& m : path.moves) m.to.z += lift_mm;
+  model::Cutter body{"body", model::CutterType::flat, part.diameter_mm, 0, 0, part.length_mm, {},
+                     {}};
+  return {body, std::make_shared<const model::Toolpath>(std::move(path))};
+}
+
+/// What a march gives up with: nothing more for a run that must be certain, all for one that may
+/// be.
+enum class Claim { sure, possible };
+
+/// How far f stays above `end`, in steps that f itself allows (it changes by no more than the way).
+template <class F>
+double march(F&& f, Claim claim, double limit, int most_steps = 30'000) {
+  const double end = claim == Claim::sure ? kSure_mm : -kPossible_mm / 2;
+  const double least_step = claim == Claim::sure ? kSure_mm / 2 : kPossible_mm / 2;
+  double t = 0;
+  for (int step = 0; step < most_steps && t < limit; ++step) {
+    const double here = f(t);
+    if (!(here > end)) return t;
+    t += std::max(here - end, least_step);
+  }
+  return t < limit && claim == Claim::sure ? t : limit;
 }
 
 }  // namespace
 
-ReachOracle::ReachOracle(const SampledSurface& surface, const model::Cutter& cutter,
-                         double allowance_mm)
-    : surface_(surface),
+RunOracle::RunOracle(const Target& target, const model::Stock& stock,
+                     std::span<const simulator::Pass> passes, double allowance_mm)
+    : target_(target),
+      raw_(stock),
       allowance_(allowance_mm),
-      flat_(Nose(cutter, 0).flat()),
-      rounding_(Nose(cutter, 0).corner()),
-      wall_sine_(Nose(cutter, 0).wall_sine()),
-      surely_(cutter, allowance_mm - kSureContact_mm),
-      maybe_(cutter, allowance_mm - kMaybeContact_mm),
-      nodes_(surface.nodes().size()) {}
-
-Reach ReachOracle::with_tip(const Vec3& tip) const {
-  const auto sure = surface_.drop(surely_, tip.x, tip.y);
-  if (!sure || sure->tip_z <= tip.z) return Reach::sure;
-  const auto maybe = surface_.drop(maybe_, tip.x, tip.y);
-  return !maybe || maybe->tip_z <= tip.z ? Reach::maybe : Reach::no;
-}
-
-Reach ReachOracle::at(const Vec3& point, const Vec3& normal) const {
-  constexpr double kLevel = 1e-9, kSteep = 1e-6;
-  constexpr int kTurns = 16;
-  if (normal.z < wall_sine_ - kSteep) return Reach::no;
-  const Vec3 core = point + normal * (rounding_ + allowance_) - Vec3{0, 0, rounding_};
-  const double level = std::hypot(normal.x, normal.y);
-  Reach best = Reach::no;
-  if (flat_ == 0 || level > kLevel) {
-    const double out = flat_ == 0 ? 0 : flat_ / level;
-    best = with_tip(core + Vec3{normal.x * out, normal.y * out, 0});
-  } else {
-    for (int k = -1; k < kTurns && best != Reach::sure; ++k) {
-      const double angle = 2 * std::numbers::pi * k / kTurns, out = k < 0 ? 0 : flat_;
-      best = std::max(best, with_tip(core + Vec3{out * std::cos(angle), out * std::sin(angle), 0}));
-    }
-  }
-  return normal.z < wall_sine_ + kSteep ? std::min(best, Reach::maybe) : best;
-}
-
-Reach ReachOracle::of_node(std::size_t node) {
-  auto& known = nodes_[node];
-  if (!known) known = at(surface_.nodes()[node].point, surface_.nodes()[node].normal);
-  return *known;
-}
-
-DeviationOracle::DeviationOracle(const SampledSurface& surface, const model::BoxStock& stock,
-                                 const model::Cutter& cutter, const model::Toolpath& path)
-    : surface_(surface), stock_(stock), cutter_(cutter), index_(pass_of(cutter, path)) {
-  for (std::size_t i = 0; i < path.moves.size(); ++i)
-    moves_.emplace_back(model::move_from(path, i), path.moves[i].to, static_cast<std::uint32_t>(i));
-  at_nodes_.reserve(surface.nodes().size());
-  double last = std::numeric_limits<double>::infinity();
-  Vec3 from;
-  for (const auto& node : surface.nodes()) {
-    last = delta(node.point, last + distance(from, node.point));
-    from = node.point;
-    at_nodes_.push_back(static_cast<float>(last));
+      reach_(target.samples, cutters_of(passes), allowance_mm) {
+  model::Box3 all = raw_.box();
+  all.add(target.surface.bounding_box());
+  longest_ = length(all.size());
+  for (const simulator::Pass& pass : passes) {
+    if (pass.path->moves.empty()) continue;
+    flutes_.push_back(sweep(pass));
+    everything_.push_back(flutes_.back());
+    double lift = pass.cutter.flute_length_mm;
+    for (const auto* parts : {&pass.cutter.shank, &pass.cutter.holder})
+      for (const model::CylinderPart& part : *parts) {
+        everything_.push_back(sweep(lifted(pass, part, lift)));
+        lift += part.length_mm;
+      }
   }
 }
 
-double DeviationOracle::delta(const Vec3& p, double at_most) const {
-  double least = at_most + kSlack_mm;
-  for (int axis = 0; axis < 3; ++axis)
-    least = std::min({least, p[axis] - stock_.corner_mm[axis],
-                      stock_.corner_mm[axis] + stock_.size_mm[axis] - p[axis]});
-  const auto nearest = index_.nearest(p, least);
-  return nearest ? nearest->at.distance : least;
+double RunOracle::least(const Bodies& bodies, const Vec3& p) {
+  constexpr double kFar_mm = 1e3;
+  double out = kFar_mm;
+  for (const auto& body : bodies)
+    if (const auto nearest = body->nearest(p, out)) out = std::min(out, nearest->at.distance);
+  return out;
 }
 
-simulator::SweptSample DeviationOracle::of_move(std::size_t move, const Vec3& p) const {
-  return swept_distance(index_.profile(), moves_[move], p);
+double RunOracle::swept_distance_mm(const Vec3& p) const {
+  return least(flutes_, p);
 }
 
-Extreme DeviationOracle::deepest(double allowance_mm, const std::vector<Place>& hints) const {
-  const auto& nodes = surface_.nodes();
-  std::vector<double> value(nodes.size());
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    // Troughs narrower than the samples are apart begin above S.
-    value[k] = allowance_mm - at_nodes_[k] + 1;
+double RunOracle::inside_material(const Bodies& swept, const Vec3& p) const {
+  const double depth = -raw_.distance(p).distance;
+  return depth <= 0 ? depth : std::min(depth, least(swept, p));
+}
+
+/// A run that begins `from_mm` along a ray from s is ended by S. What crosses the way before it
+/// begins ends what must be certain, and nothing of what may be.
+double RunOracle::ended_by_surface(const Vec3& point, const Vec3& along, double from_mm,
+                                   double run_mm, bool sure) const {
+  constexpr double kPast_mm = 1e-5;
+  if (run_mm <= 0) return 0;
+  const double least = (sure ? std::min(from_mm, 0.0) : from_mm) + kPast_mm;
+  const auto c = target_.crossings.first(point, along, least, from_mm + run_mm, point);
+  return std::clamp((sure ? c.possible : c.sure) - from_mm, 0.0, run_mm);
+}
+
+double RunOracle::sure_uncut(const Vec3& point, const Vec3& normal, int most_steps) const {
+  const Vec3 from = point + normal * allowance_;
+  const double run = march([&](double t) { return inside_material(flutes_, from + normal * t); },
+                           Claim::sure, longest_, most_steps);
+  return ended_by_surface(point, normal, allowance_, run, true);
+}
+
+double RunOracle::possible_uncut(const Vec3& point, const Vec3& normal) const {
+  const Vec3 from = point + normal * (allowance_ + kPossible_mm);
+  // What starts in air has no run.
+  if (inside_material(flutes_, from) <= -kPossible_mm) return 0;
+  const double run = march([&](double t) { return inside_material(flutes_, from + normal * t); },
+                           Claim::possible, longest_);
+  return ended_by_surface(point, normal, allowance_, run + 2 * kPossible_mm, false);
+}
+
+double RunOracle::gouge_run(const Vec3& point, const Vec3& normal, bool sure,
+                            int most_steps) const {
+  const Vec3 from = point + normal * (sure ? allowance_ : allowance_ - kPossible_mm);
+  const double needed = sure ? kSure_mm : -kPossible_mm;
+  double last = 0;
+  // How far no material is: inside what was swept its depth, outside the raw stock the way there.
+  const auto free = [&](double t) {
+    const Vec3 p = from - normal * t;
+    const double swept = -least(everything_, p), outside = raw_.distance(p).distance;
+    if (swept > needed) last = std::max(last, t + std::max(swept, 0.0));
+    return std::max(swept, outside);
+  };
+  double run =
+      std::min(march(free, sure ? Claim::sure : Claim::possible, longest_, most_steps), longest_);
+  run = std::min(run, last);
+  if (!sure && run > 0) run += 2 * kPossible_mm;
+  return ended_by_surface(point, -normal, -allowance_, run, sure);
+}
+
+double RunOracle::missing_run(const Vec3& point, const Vec3& normal, bool sure) const {
+  const Vec3 from = sure ? point : point - normal * kPossible_mm;
+  const double run = march([&](double t) { return raw_.distance(from - normal * t).distance; },
+                           sure ? Claim::sure : Claim::possible, longest_);
+  return ended_by_surface(point, -normal, 0, sure || run <= 0 ? run : run + 2 * kPossible_mm, sure);
+}
+
+/// The highest `run(place, point, normal, at_least)` over samples and climbs from the best of them:
+/// a run that is no more than `at_least` need not be worked out. Where `sharp`, the fans of sharp
+/// places too, each direction of which climbs along its edge for itself.
+template <class Run>
+Extreme RunOracle::highest(const std::vector<Place>& hints, bool sharp, Run&& run) const {
+  const auto& nodes = target_.samples.nodes();
+  struct Value {
+    double value;
+    std::size_t node;
+  };
+  std::vector<Value> values;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const double value = run(nodes[k].point, nodes[k].normal, kNowhere, false);
+    if (value > 0) values.push_back({value, k});
+  }
+  std::stable_sort(values.begin(), values.end(),
+                   [](const Value& a, const Value& b) { return a.value > b.value; });
   std::vector<Place> starts = hints;
-  for (const std::size_t k :
-       spread_starts(nodes, value, kGougeStarts, [](std::size_t) { return true; }))
-    starts.push_back(nodes[k].place);
-  Extreme best{0, {}};
+  std::vector<std::size_t> taken;
+  std::size_t refused = 0;
+  constexpr std::size_t kMostRefused = 80;
+  for (const Value& v : values) {
+    if (taken.size() == kStarts || refused == kMostRefused) break;
+    const bool near = std::any_of(taken.begin(), taken.end(), [&](std::size_t o) {
+      return nodes[o].place.patch == nodes[v.node].place.patch &&
+             distance(nodes[o].point, nodes[v.node].point) < kStartsApart_mm;
+    });
+    if (near) continue;
+    if (run(nodes[v.node].point, nodes[v.node].normal, 0, true) <= 0) {
+      ++refused;
+      continue;
+    }
+    taken.push_back(v.node), starts.push_back(nodes[v.node].place);
+  }
+  Extreme best;
   for (const Place& start : starts) {
-    double found = 0, last = std::numeric_limits<double>::infinity();
-    Vec3 from;
-    const Place place = surface_.climb(
+    double found = 0, reached = 0;
+    const Place place = target_.samples.climb(
         start,
-        [&](const Place&, const SurfaceSample& s) {
-          last = delta(s.position, last + distance(from, s.position));
-          from = s.position;
-          return allowance_mm - last;
+        [&](const Place&, const verifier::SurfaceSample& s) {
+          const double here = run(s.position, s.normal, reached, true);
+          if (here <= reached) return kNowhere;
+          return reached = here;
         },
         kFinest_mm, found);
     if (found > best.depth_mm) best = {found, place};
   }
-  return best;
-}
-
-Extreme DeviationOracle::highest(double allowance_mm, ReachOracle& reach, Reach least,
-                                 const std::vector<Place>& hints) const {
-  const auto& nodes = surface_.nodes();
-  std::vector<double> value(nodes.size());
-  for (std::size_t k = 0; k < nodes.size(); ++k) value[k] = at_nodes_[k] - allowance_mm;
-  std::vector<Place> starts = hints;
-  for (const std::size_t k : spread_starts(nodes, value, kUncutStarts, [&](std::size_t node) {
-         return reach.of_node(node) >= least;
-       }))
-    starts.push_back(nodes[k].place);
-  Extreme best{0, {}};
-  for (const Place& start : starts) {
-    double found = 0;
-    double reached = kNowhere;
-    const Place place = surface_.climb(
-        start,
-        [&](const Place&, const SurfaceSample& s) {
-          const double here = delta(s.position) - allowance_mm;
-          // Only a step upwards is worth the question whether it can be reached.
-          if (here <= reached || reach.at(s.position, s.normal) < least) return kNowhere;
-          return reached = here;
-        },
-        kFinestReached_mm, found);
-    if (found > best.depth_mm) best = {found, place};
-  }
-  return best;
-}
-
-double DeviationOracle::height(double allowance_mm, const Extreme& highest) const {
-  const verifier::SurfaceSample s = surface_.at(highest.place);
-  constexpr double kOn_mm = 1e-7;
-  double t = 0;
-  // Steps of δ never pass the surface of what was removed.
-  for (double left = delta(s.position); left > kOn_mm; left = delta(s.position + s.normal * t))
-    t += left;
-  return std::max(highest.depth_mm, t - allowance_mm);
-}
-
-double DeviationOracle::way_out(const Vec3& p, const Vec3& direction, double shorter_than) const {
-  constexpr double kOn_mm = 1e-7;
-  double inside = 0;
-  for (double t = 0; t < shorter_than; t += inside) {
-    // As far as the last step went, δ has risen at the most: to nothing.
-    inside = -delta(p + direction * t, kOn_mm);
-    if (inside <= kOn_mm) return t;
-  }
-  return shorter_than;
-}
-
-double DeviationOracle::depth_in_union(const Vec3& p) const {
-  double shortest = std::numeric_limits<double>::infinity();
-  Vec3 best;
-  const auto probe = [&](const Vec3& direction) {
-    const double t = way_out(p, direction, shortest);
-    if (t < shortest) shortest = t, best = direction;
+  if (!sharp) return best;
+  struct Leaning {
+    double value;
+    std::size_t edge;
+    Vec3 normal;
   };
-  probe({0, 0, -1});
-  for (int k = 0; k < kDirectionsOut; ++k) probe(fibonacci(k, kDirectionsOut));
-  for (double cone = 0.2; cone > 1e-4; cone /= 2) {
-    const Vec3 axis = best;
-    const Vec3 side =
-        normalized(cross(axis, std::abs(axis.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
-    const Vec3 other = cross(axis, side);
-    for (int k = 0; k < 6; ++k)
-      probe(normalized(axis + (side * std::cos(k * std::numbers::pi / 3) +
-                               other * std::sin(k * std::numbers::pi / 3)) *
-                                  cone));
+  std::vector<Leaning> leaning;
+  const auto& edge = target_.sharp.samples();
+  for (std::size_t k = 0; k < edge.size(); ++k) {
+    const Vec3 point = target_.samples.at(edge[k]).position;
+    for (const Vec3& n : target_.sharp.fan(edge[k], kFan)) {
+      const double here = run(point, n, kNowhere, false);
+      if (here > best.depth_mm) leaning.push_back({here, k, n});
+    }
   }
-  return shortest;
+  std::stable_sort(leaning.begin(), leaning.end(),
+                   [](const Leaning& a, const Leaning& b) { return a.value > b.value; });
+  constexpr std::size_t kMostLooks = 150;
+  for (std::size_t k = 0; k < std::min(kMostLooks, leaning.size()); ++k) {
+    // The longest first; then some from everywhere.
+    const std::size_t spread =
+        leaning.size() > kMostLooks && k % 2 == 1 ? k * (leaning.size() / kMostLooks) : k;
+    const Leaning& l = leaning[spread];
+    if (l.value <= best.depth_mm) continue;
+    const double here =
+        run(target_.samples.at(edge[l.edge]).position, l.normal, best.depth_mm, true);
+    if (here > best.depth_mm) best = {here, edge[l.edge]};
+  }
+  return best;
 }
 
-double DeviationOracle::deepest_in_union(double allowance_mm, const Extreme& deepest) const {
-  const auto& nodes = surface_.nodes();
-  std::vector<double> value(nodes.size());
-  for (std::size_t k = 0; k < nodes.size(); ++k) value[k] = -at_nodes_[k];
-  double depth = deepest.depth_mm;
-  const Vec3 worst = surface_.at(deepest.place).position;
-  if (delta(worst) < 0) depth = std::max(depth, allowance_mm + depth_in_union(worst));
-  for (const std::size_t k :
-       spread_starts(nodes, value, kUnionPlaces, [](std::size_t) { return true; }))
-    depth = std::max(depth, allowance_mm + depth_in_union(nodes[k].point));
-  return depth;
+namespace {
+/// Of a march that must be certain: a few to choose where to look, many there.
+int steps(bool exact) {
+  return exact ? 20'000 : 1000;
+}
+}  // namespace
+
+Extreme RunOracle::surely_uncut(const std::vector<Place>& hints) const {
+  return highest(hints, true, [&](const Vec3& p, const Vec3& n, double at_least, bool in_reach) {
+    const double here = sure_uncut(p, n, steps(in_reach));
+    if (here <= 0 || here <= at_least || !in_reach) return here;
+    return reach_.at(p, n, Reach::sure) == Reach::sure ? here : 0.0;
+  });
+}
+
+Extreme RunOracle::surely_gouged(const std::vector<Place>& hints) const {
+  // The least over a sharp place's normals is no more than beside it.
+  return highest(hints, false,
+                 [&](const Vec3& p, const Vec3& n, double, bool) { return gouge_run(p, n, true); });
+}
+
+Extreme RunOracle::surely_missing() const {
+  return highest({}, false, [&](const Vec3& p, const Vec3& n, double, bool) {
+    return missing_run(p, n, true);
+  });
+}
+
+double RunOracle::possibly_uncut(const Place& place) const {
+  const Vec3 point = target_.samples.at(place).position;
+  double most = 0;
+  for (const Vec3& n : target_.sharp.fan(place, kFineFan)) {
+    const double here = possible_uncut(point, n);
+    if (here > most && reach_.at(point, n) != Reach::no) most = here;
+  }
+  return most;
+}
+
+double RunOracle::possibly_gouged(const Place& place) const {
+  const Vec3 point = target_.samples.at(place).position;
+  double most = 0;
+  for (const Vec3& n : target_.sharp.span_at(place).faces)
+    most = std::max(most, gouge_run(point, n, false));
+  return most;
+}
+
+double RunOracle::possibly_missing(const Place& place) const {
+  const Vec3 point = target_.samples.at(place).position;
+  double most = 0;
+  for (const Vec3& n : target_.sharp.span_at(place).faces)
+    most = std::max(most, missing_run(point, n, false));
+  return most;
 }
 
 }  // namespace limitgauge::tests::defects

@@ -1,14 +1,29 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/model/stock.h"
-#include "engine/model/toolpath.h"
-#include "simulator/sweep_index.h"
-#include "tests/defects/sampled_surface.h"
+#include "simulator/material.h"
+#include "tests/defects/crossings.h"
+#include "tests/defects/reach_oracle.h"
+#include "tests/defects/sharp_places.h"
 
 namespace limitgauge::tests::defects {
+
+/// S with all that asks about it: built once for many programs.
+struct Target {
+  verifier::ReferenceSurface surface;
+  SampledSurface samples;
+  SharpPlaces sharp;
+  Crossings crossings;
+
+  Target(const model::Cage& cage, double spacing_mm)
+      : surface(cage), samples(surface, spacing_mm), sharp(cage, samples), crossings(samples) {}
+  Target(const Target&) = delete;
+};
 
 /// A figure found by looking everywhere, and where.
 struct Extreme {
@@ -16,63 +31,75 @@ struct Extreme {
   Place place;
 };
 
-/// Whether a cutter can touch a place without gouging: by dropping it there. Between the two sure
-/// answers lies the tolerance of contact that the verifier states.
-enum class Reach { no, maybe, sure };
-
-/// Reachability of the samples of one surface by one cutter, worked out where it is asked for.
-class ReachOracle {
- public:
-  ReachOracle(const SampledSurface& surface, const model::Cutter& cutter, double allowance_mm);
-  Reach at(const model::Vec3& point, const model::Vec3& normal) const;
-  Reach of_node(std::size_t node);
-
- private:
-  Reach with_tip(const model::Vec3& tip) const;
-
-  const SampledSurface& surface_;
-  double allowance_ = 0, flat_ = 0, rounding_ = 0, wall_sine_ = 0;
-  Nose surely_, maybe_;
-  std::vector<std::optional<Reach>> nodes_;
+/// A run along a normal: what it has for certain and what it may have, apart by films under 10 nm
+/// and where it grazes S.
+struct Bracket {
+  double sure_mm = 0, possible_mm = 0;
 };
 
-/// δ over S by the simulator's distances: independent of the verifier's.
-class DeviationOracle {
+/// Definition 2 by looking everywhere: runs along the normals of dense samples of S, marched
+/// through the exact material by the simulator's distances, over all of N(s) at sharp edges. It
+/// shares nothing with the verifier but the exact limit surface, which is held against OpenSubdiv
+/// elsewhere.
+class RunOracle {
  public:
-  DeviationOracle(const SampledSurface& surface, const model::BoxStock& stock,
-                  const model::Cutter& cutter, const model::Toolpath& path);
+  /// `passes` are all so far; the cutters' shanks and holders sweep for gouges only.
+  RunOracle(const Target& target, const model::Stock& stock,
+            std::span<const simulator::Pass> passes, double allowance_mm);
 
-  /// min over moves of the swept distance, and over the faces of the block of the depth in it.
-  double delta(const model::Vec3& p) const {
-    return delta(p, std::numeric_limits<double>::infinity());
+  /// Material from s + a·n outwards, as far as the next crossing of S.
+  Bracket uncut(const model::Vec3& point, const model::Vec3& normal) const {
+    return {sure_uncut(point, normal), possible_uncut(point, normal)};
   }
-  /// The move with the least swept distance at `p` and that distance.
-  simulator::SweptSample of_move(std::size_t move, const model::Vec3& p) const;
-  /// max of a − δ; `hints` are further places to begin from.
-  Extreme deepest(double allowance_mm, const std::vector<Place>& hints) const;
-  /// max of δ − a over the places whose reach is `least` or better: surely reached, or reached
-  /// within the tolerance of contact, which on a wall takes in a strip below its equator.
-  Extreme highest(double allowance_mm, ReachOracle& reach, Reach least,
-                  const std::vector<Place>& hints) const;
-  /// How high the material stands over the highest place, along its normal: by p⁴/(64·R³) more than
-  /// δ between two balls a step p apart.
-  double height(double allowance_mm, const Extreme& highest) const;
-  /// How deep the union of all moves goes below S: the largest distance, among the deepest places,
-  /// to the nearest point that no move has cut, by marching in many directions.
-  double deepest_in_union(double allowance_mm, const Extreme& deepest) const;
+  /// What is no longer material from s + a·n inwards, as far as something was swept.
+  Bracket gouge(const model::Vec3& point, const model::Vec3& normal) const {
+    return {gouge_run(point, normal, true), gouge_run(point, normal, false)};
+  }
+  /// From s inwards outside the raw stock.
+  Bracket missing(const model::Vec3& point, const model::Vec3& normal) const {
+    return {missing_run(point, normal, true), missing_run(point, normal, false)};
+  }
+
+  /// What some place in reach surely has; `hints` are further places to begin from.
+  Extreme surely_uncut(const std::vector<Place>& hints) const;
+  Extreme surely_gouged(const std::vector<Place>& hints) const;
+  Extreme surely_missing() const;
+
+  /// The most that may be said of a place: over all of N(s) that may be reached; for a gouge what
+  /// places beside it come to on any of the faces, since on the edge itself the least counts.
+  double possibly_uncut(const Place& place) const;
+  double possibly_gouged(const Place& place) const;
+  double possibly_missing(const Place& place) const;
+
+  Reach reach(const model::Vec3& point, const model::Vec3& normal) const {
+    return reach_.at(point, normal);
+  }
+  double allowance_mm() const { return allowance_; }
+  /// min over all passes' flutes of the swept distance.
+  double swept_distance_mm(const model::Vec3& p) const;
 
  private:
-  /// δ where it is known to be no more than `at_most`: the search is cut off there.
-  double delta(const model::Vec3& p, double at_most) const;
-  double depth_in_union(const model::Vec3& p) const;
-  double way_out(const model::Vec3& p, const model::Vec3& direction, double shorter_than) const;
+  using Bodies = std::vector<std::shared_ptr<const simulator::SweepIndex>>;
+  static double least(const Bodies& bodies, const model::Vec3& p);
+  /// Depth in the raw stock and distance from what was swept, the lesser: positive in material.
+  double inside_material(const Bodies& swept, const model::Vec3& p) const;
+  template <class Run>
+  Extreme highest(const std::vector<Place>& hints, bool sharp, Run&& run) const;
+  /// `most_steps` bound the march: what is certain becomes less by them.
+  double sure_uncut(const model::Vec3& point, const model::Vec3& normal,
+                    int most_steps = 30'000) const;
+  double possible_uncut(const model::Vec3& point, const model::Vec3& normal) const;
+  double gouge_run(const model::Vec3& point, const model::Vec3& normal, bool sure,
+                   int most_steps = 30'000) const;
+  double missing_run(const model::Vec3& point, const model::Vec3& normal, bool sure) const;
+  double ended_by_surface(const model::Vec3& point, const model::Vec3& along, double from_mm,
+                          double run_mm, bool sure) const;
 
-  const SampledSurface& surface_;
-  model::BoxStock stock_;
-  model::Cutter cutter_;
-  simulator::SweepIndex index_;
-  std::vector<simulator::SweptMove> moves_;
-  std::vector<float> at_nodes_;
+  const Target& target_;
+  simulator::RawStock raw_;
+  double allowance_ = 0, longest_ = 0;
+  Bodies flutes_, everything_;
+  ReachOracle reach_;
 };
 
 }  // namespace limitgauge::tests::defects

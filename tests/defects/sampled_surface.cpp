@@ -47,10 +47,12 @@ double safe_ratio(double step_mm, double speed) {
 }  // namespace
 
 SampledSurface::SampledSurface(const verifier::ReferenceSurface& surface, double spacing_mm)
-    : surface_(surface), spacing_(spacing_mm) {
+    : surface_(surface), spacing_(spacing_mm), grid_of_(surface.patch_count(), -1) {
   for (int patch = 0; patch < surface.patch_count(); ++patch) {
     if (!surface.has_surface(patch)) continue;
     const int n = steps_for(surface, patch, spacing_mm);
+    grid_of_[patch] = static_cast<int>(grids_.size());
+    grids_.push_back({patch, nodes_.size(), n});
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i) {
         const Place place{patch, static_cast<double>(i) / n, static_cast<double>(j) / n};
@@ -75,6 +77,13 @@ void SampledSurface::fill_bins() {
     bin.highest = std::max(bin.highest, p.z);
     bin.nodes.push_back(static_cast<std::uint32_t>(k));
   }
+}
+
+std::pair<int, int> SampledSurface::bin_range(double from, double at, double radius, int count) {
+  const auto bin = [&](double to) {
+    return std::clamp(static_cast<int>(std::floor((to - from) / kBin_mm)), 0, count - 1);
+  };
+  return {bin(at - radius), bin(at + radius)};
 }
 
 /// The best samples under the nose, some way from each other.

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "tests/defects/nose.h"
@@ -30,6 +31,12 @@ class SampledSurface {
     Place place;
     model::Vec3 point, normal;
   };
+  /// The nodes of one patch: (steps + 1)² from `first` on, u fastest.
+  struct Grid {
+    int patch = 0;
+    std::size_t first = 0;
+    int steps = 0;
+  };
 
   SampledSurface(const verifier::ReferenceSurface& surface, double spacing_mm);
 
@@ -41,17 +48,27 @@ class SampledSurface {
   /// down to steps of `finest_mm`. The field may be −infinity where it has no value.
   Place climb(const Place& start, const Field& field, double finest_mm, double& value) const;
 
+  /// Calls `visit(node)` for every node whose (x, y) may lie within `radius_mm` of (x, y).
+  template <class Visit>
+  void near_in_plan(double x, double y, double radius_mm, Visit&& visit) const {
+    const auto [i0, i1] = bin_range(box_.low.x, x, radius_mm, bins_x_);
+    const auto [j0, j1] = bin_range(box_.low.y, y, radius_mm, bins_y_);
+    for (int j = j0; j <= j1; ++j)
+      for (int i = i0; i <= i1; ++i)
+        for (const std::uint32_t k : bins_[static_cast<std::size_t>(j) * bins_x_ + i].nodes)
+          visit(nodes_[k]);
+  }
+
   const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<Grid>& grids() const { return grids_; }
+  const Grid& grid_of(int patch) const { return grids_[static_cast<std::size_t>(grid_of_[patch])]; }
+  double spacing_mm() const { return spacing_; }
   const verifier::ReferenceSurface& surface() const { return surface_; }
   verifier::SurfaceSample at(const Place& place) const {
     return surface_.evaluate(place.patch, place.u, place.v);
   }
 
  private:
-  struct Grid {
-    std::size_t first = 0;
-    int steps = 0;
-  };
   struct Bin {
     double highest = -std::numeric_limits<double>::infinity();
     std::vector<std::uint32_t> nodes;
@@ -62,6 +79,7 @@ class SampledSurface {
   };
 
   void fill_bins();
+  static std::pair<int, int> bin_range(double from, double at, double radius, int count);
   std::vector<Seen> starts(const Nose& nose, double x, double y) const;
   void climb_on_nose(const Nose& nose, double x, double y, Touch& touch) const;
   std::optional<verifier::SurfaceSample> pulled_in(Place& place, double x, double y,
@@ -70,6 +88,8 @@ class SampledSurface {
   verifier::ReferenceSurface surface_;
   double spacing_ = 0;
   std::vector<Node> nodes_;
+  std::vector<Grid> grids_;
+  std::vector<int> grid_of_;  ///< by patch
   model::Box3 box_;
   int bins_x_ = 0, bins_y_ = 0;
   std::vector<Bin> bins_;

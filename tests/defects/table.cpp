@@ -49,16 +49,14 @@ std::vector<Entry> due_entries(const std::vector<PairResult>& results) {
   return out;
 }
 
-/// How far the depth found is from the oracle's, that of a gouge in one move for the lower end, in
-/// all moves for the upper. Cases that were narrowed only as far as the
-/// verdict needs say nothing of that.
+/// How far the certified ends are from the oracle's depth along the normal. Cases that were
+/// narrowed only as far as the verdict needs say nothing of that.
 std::vector<double> errors_of(const std::vector<Entry>& entries) {
   std::vector<double> out;
   for (const Entry& e : entries)
     if (!e.made_by->gated)
-      out.push_back(std::max(
-          std::abs(e.side->certified.low - e.side->truth_mm),
-          std::abs(e.side->certified.high - std::max(e.side->truth_mm, e.side->union_truth_mm))));
+      out.push_back(std::max(std::abs(e.side->certified.low - e.side->truth_mm),
+                             std::abs(e.side->certified.high - e.side->truth_mm)));
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -114,29 +112,6 @@ void write_kinds(std::ostream& out, const std::vector<PairResult>& results,
       if (e.made_by->mishap.kind == kind) here.push_back(e);
     if (here.empty()) continue;
     write_row(out, format("%s | %zu | %zu", name(kind), planted, harmless), here, false);
-  }
-}
-
-/// The upper end for gouges against the depth in all that was cut.
-void write_union(std::ostream& out, const std::vector<Entry>& all) {
-  out << "| depth in the union | cases | read within 1 % or the width | median share read | least "
-         "share read |\n|---|---|---|---|---|\n";
-  constexpr double kNear = 0.01, kWidth_mm = 0.001;
-  for (const Band& band : kBands) {
-    std::vector<double> shares;
-    std::size_t near = 0;
-    for (const Entry& e : all) {
-      const double depth = e.side->union_truth_mm;
-      if (!e.is_gouge || depth < band.from_mm || depth >= band.to_mm) continue;
-      const double read = e.side->certified.high;
-      shares.push_back(std::min(1.0, read / depth));
-      near += read >= depth - std::max(kNear * depth, kWidth_mm);
-    }
-    if (shares.empty()) continue;
-    std::sort(shares.begin(), shares.end());
-    out << "| " << band.name << " | " << shares.size() << " | " << near << " | "
-        << format("%.3f", shares[shares.size() / 2]) << " | " << format("%.3f", shares.front())
-        << " |\n";
   }
 }
 
@@ -204,8 +179,6 @@ void write_tables(std::ostream& out, const std::vector<PairResult>& results) {
   out << "\nBy mishap, gouges and leftovers together; harmless: nothing beyond the twin's gate by "
          "more than the width:\n\n";
   write_kinds(out, results, all);
-  out << "\nThe certified upper end of gouges against the depth in all that was cut:\n\n";
-  write_union(out, all);
 }
 
 void write_failures(std::ostream& out, const std::vector<PairResult>& results) {
@@ -243,21 +216,62 @@ void write_failures(std::ostream& out, const std::vector<PairResult>& results) {
 }
 
 void write_cases(std::ostream& out, const std::vector<PairResult>& results) {
-  out << "pair\tmishap\tsize\tseed\tgouge\tgouge_union\tgouge_low\tgouge_high\tgouge_gate\tuncut\t"
+  out << "pair\tmishap\tsize\tseed\tgouge\tgouge_low\tgouge_high\tgouge_gate\tuncut\t"
          "uncut_low\tuncut_high\tuncut_gate\tcells\tseconds\n";
   for (const PairResult& pair : results) {
     for (const TwinResult& t : pair.twins)
       out << t.pair << "\ttwin\t" << t.allowance_mm << "\t0\t"
-          << format("%.7f\t%.7f\t%.7f\t%.7f\t0\t%.7f\t%.7f\t%.7f\t0\t0\t%.2f\n", t.gouge.truth_mm,
-                    t.gouge.union_truth_mm, t.gouge.certified.low, t.gouge.certified.high,
-                    t.uncut.truth_mm, t.uncut.certified.low, t.uncut.certified.high, t.seconds);
+          << format("%.7f\t%.7f\t%.7f\t0\t%.7f\t%.7f\t%.7f\t0\t0\t%.2f\n", t.gouge.truth_mm,
+                    t.gouge.certified.low, t.gouge.certified.high, t.uncut.truth_mm,
+                    t.uncut.certified.low, t.uncut.certified.high, t.seconds);
     for (const CaseResult& c : pair.cases)
       out << c.pair << "\t" << name(c.mishap.kind)
-          << format("\t%.6g\t%u\t%.7f\t%.7f\t%.7f\t%.7f\t%.7f\t", c.mishap.size_mm, c.mishap.seed,
-                    c.gouge.truth_mm, c.gouge.union_truth_mm, c.gouge.certified.low,
-                    c.gouge.certified.high, c.gouge.gate_mm)
+          << format("\t%.6g\t%u\t%.7f\t%.7f\t%.7f\t%.7f\t", c.mishap.size_mm, c.mishap.seed,
+                    c.gouge.truth_mm, c.gouge.certified.low, c.gouge.certified.high,
+                    c.gouge.gate_mm)
           << format("%.7f\t%.7f\t%.7f\t%.7f\t%zu\t%.2f\n", c.uncut.truth_mm, c.uncut.certified.low,
                     c.uncut.certified.high, c.uncut.gate_mm, c.cells, c.seconds);
+  }
+}
+
+namespace {
+
+void write_scene_row(std::ostream& out, const char* name, const std::vector<SceneResult>& results,
+                     const std::function<bool(const SceneResult&)>& among) {
+  std::size_t planted = 0, found = 0, located = 0, contained = 0, twins = 0, alarms = 0, open = 0;
+  double seconds = 0;
+  for (const SceneResult& r : results) {
+    if (!among(r)) continue;
+    seconds += r.seconds;
+    planted += r.harmed, twins += !r.harmed;
+    found += r.harmed && !r.missed(), alarms += r.false_alarm();
+    located += r.harmed && r.located, contained += r.harmed && r.contained;
+    open += !r.harmed && r.verdict == Verdict::indeterminate;
+  }
+  out << "| " << name << " | " << planted << " | " << found << " | " << planted - found << " | "
+      << located << " | " << contained << " | " << twins << " | " << alarms << " | " << open
+      << " | " << format("%.1f", seconds) << " |\n";
+}
+
+}  // namespace
+
+void write_scene_table(std::ostream& out, const std::vector<SceneResult>& results) {
+  out << "Defects whose depth and place follow from their making, and the like without them:\n\n"
+         "| defect | planted | detected | missed | located | interval holds truth | twins | false "
+         "alarms | twins not decided | seconds |\n|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const SceneKind kind : kSceneKinds)
+    write_scene_row(out, name(kind), results, [&](const SceneResult& r) { return r.kind == kind; });
+  write_scene_row(out, "**all**", results, [](const SceneResult&) { return true; });
+}
+
+void write_scene_failures(std::ostream& out, const std::vector<SceneResult>& results) {
+  for (const SceneResult& r : results) {
+    if (r.good()) continue;
+    out << (r.harmed ? "scene " : "twin scene ") << name(r.kind) << ", " << r.label << ": "
+        << verifier::name(r.verdict)
+        << format(", truth %.6f, certified [%.6f, %.6f]; located %d holds %d, %.1f s ", r.depth_mm,
+                  r.certified.low, r.certified.high, r.located, r.contained, r.seconds)
+        << r.broken << "\n";
   }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tests/defects/bench.h"
+#include "tests/defects/scenes.h"
 
 namespace limitgauge::tests::defects {
 
@@ -24,6 +25,9 @@ Summary summarize(const std::vector<PairResult>& results);
 void write_tables(std::ostream& out, const std::vector<PairResult>& results);
 /// One line a case that went wrong, and one a twin; enough to run it again.
 void write_failures(std::ostream& out, const std::vector<PairResult>& results);
+/// The same of scenes, one row a kind.
+void write_scene_table(std::ostream& out, const std::vector<SceneResult>& results);
+void write_scene_failures(std::ostream& out, const std::vector<SceneResult>& results);
 /// One line a case, tab-separated.
 void write_cases(std::ostream& out, const std::vector<PairResult>& results);
 

@@ -35,6 +35,9 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
              kQuad + "v 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\nf 2 3 4 1\n");
   write_text(scratch / "index.obj", kQuad + "f 1 2 3 9\n");
   write_text(scratch / "quad.obj", kQuad + "f 1 2 3 4\n");
+  write_text(scratch / "point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3 4\n");
+  write_text(scratch / "far.obj", kQuad + "v 1e6 0 0\nf 1 2 3 4\n");
+  write_text(scratch / "far.ngc", "G21 G90\nG0 X0 Y0 Z10\nG1 X10000 F100\nG1 X10001\nM30\n");
   const std::vector<std::string> before = scratch.entries();
   const auto verify = [](const std::string& cage, const std::string& stock, const std::string& tool,
                          const std::string& program) {
@@ -58,6 +61,14 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
       {verify("quad.obj", box, "ball:D=-6", "good.ngc"), "--tool"},
       {verify("quad.obj", box, "cube:D=6", "good.ngc"), "--tool"},
       {verify("quad.obj", box, ball, "bad.ngc"), "bad.ngc:3:1"},
+      {verify("point.obj", box, ball, "good.ngc"),
+       "point.obj: error: the limit surface has no area"},
+      {verify("far.obj", box, ball, "good.ngc"),
+       "far.obj:5:1: error: the cage has a vertex at x = "},
+      {verify("quad.obj", "box:4,4,20000@0,0,0", ball, "good.ngc"), "z = 20000 mm"},
+      {verify("quad.obj", box, "ball:D=6,holder=9:10001", "good.ngc"), "10001 mm"},
+      {verify("quad.obj", box, ball, "far.ngc"), "far.ngc:4: error: the tip moves to x = 10001 mm"},
+      {{"inspect", "good.ngc", "--start", "1,2"}, "--start 1,2: 2 numbers; expected X,Y,Z"},
       {{"inspect", "index.obj"}, "index.obj:5:"},
       {{"inspect", "bad.ngc", "--moves"}, "bad.ngc:3:1"},
       {{"inspect", "quad.obj", "--samples", "3", "--csv", "no/such/folder.csv"}, "folder"},

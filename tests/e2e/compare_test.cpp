@@ -170,6 +170,30 @@ TEST_CASE("what got worse turns compare red, and its lines are named", "[e2e][co
   CHECK(compare("sunk", "base").exit_code == 0);
 }
 
+TEST_CASE("compare refuses a result of one schema against one of another, and says why",
+          "[e2e][compare]") {
+  const Scratch scratch;
+  json result = json::parse(read_text(fixture("baselines/ball.json")));
+  result["schema"] = "limitgauge.result/1";
+  write_text(scratch / "one.json", result.dump());
+  result["schema"] = "limitgauge.result/2";
+  for (json& stage : result["stages"]) {
+    if (!stage.contains("deviation")) continue;
+    stage["deviation"]["reach"] = {
+        {"reachable_mm2", 1}, {"unreachable_mm2", 0}, {"undecided_mm2", 0}};
+    stage["deviation"]["missing_stock_mm"] = {{"low", 0}, {"high", 0}};
+    stage["deviation"]["missing_stocks"] = json::array();
+  }
+  write_text(scratch / "two.json", result.dump());
+  const Outcome mixed = limitgauge(scratch, {"compare", "one.json", "two.json", "-o", "out"});
+  CHECK(mixed.exit_code == 3);
+  CHECK_THAT(mixed.errors, ContainsSubstring("gouge and uncut do not mean the same in both"));
+  CHECK_THAT(mixed.errors, ContainsSubstring("make the baseline again"));
+  CHECK(scratch.entries() == std::vector<std::string>{"one.json", "two.json"});
+  for (const char* alike : {"one.json", "two.json"})
+    CHECK(limitgauge(scratch, {"compare", alike, alike}).exit_code == 0);
+}
+
 TEST_CASE("compare refuses what it cannot compare and keeps to its folder", "[e2e][compare]") {
   const Scratch scratch;
   const std::string base = fixture("baselines/ball.json");

@@ -22,8 +22,8 @@ struct Planted {
   int exit_code = 1;
 };
 
-/// Contacts are found as lower bounds, as a rule within the tolerance of one voxel.
-constexpr double kTolerance_mm = 0.25;
+/// Contacts are found as lower bounds, as a rule within the tolerance of 0.01 mm.
+constexpr double kTolerance_mm = 0.05;
 
 }  // namespace
 
@@ -31,7 +31,9 @@ constexpr double kTolerance_mm = 0.25;
 // Rows at z 0 run 5 mm under what the first level left and 10 mm under the raw top; each clears a
 // strip 4 mm wide. Shank and holder are 8 mm over the tip: 2 mm deep. The stopped rows are judged
 // together: 5 mm deep in the second. Above flutes of 6 mm stand 4 mm, of which the middle is 2 mm
-// from air. The clamp's edge passes the cutter's axis: 4 mm, its radius.
+// from air. The clamp's edge passes the cutter's axis: 4 mm, its radius. The travel ends 5 mm
+// before the rows do, and the way from the program's start to the first of them, line 5, goes there
+// already.
 TEST_CASE("every kind of process finding is found where it was planted, and its twin is clean",
           "[e2e][process]") {
   const Planted planted = GENERATE(Planted{"rapid-through-stock", "rapid_through_stock", 23, 4},
@@ -42,7 +44,7 @@ TEST_CASE("every kind of process finding is found where it was planted, and its 
                                    Planted{"feed-missing", "feed_missing", 7, 5},
                                    Planted{"below-flutes", "below_flutes", 7, 2},
                                    Planted{"steep-descent", "steep_descent", 7, 5},
-                                   Planted{"beyond-travel", "beyond_travel", 6, 5},
+                                   Planted{"beyond-travel", "beyond_travel", 5, 5},
                                    Planted{"near-miss", "near_miss", 29, -1, 0});
   const Scratch scratch;
   const auto stage = run(scratch, planted.job, planted.exit_code);
@@ -60,7 +62,8 @@ TEST_CASE("every kind of process finding is found where it was planted, and its 
     const bool near = finding.contains("distance_mm");
     const double depth =
         near ? -finding["distance_mm"].get<double>() : finding["depth_mm"].get<double>();
-    if (depth > deepest) deepest = depth, worst = finding;
+    // Rows alike are as deep but for rounding: the first of them.
+    if (depth > deepest + 1e-9) deepest = depth, worst = finding;
   }
   INFO(worst.dump());
   CHECK(worst["line"] == planted.line);

@@ -135,6 +135,56 @@ TEST_CASE("verify takes the same program with a tool for each number", "[e2e][fo
                              ": error: T2 is loaded"));
 }
 
+TEST_CASE("a slot cut before Y was named fails as with Y named", "[e2e][foreign]") {
+  // A finished plate with a slot 3 mm deep across its middle.
+  const Scratch scratch;
+  const std::string face =
+      "o100 repeat [7]\nG0 X-26 Z9\nG1 Z0 F400\nG1 X26 F1000\nG0 Z9\nG91\nG0 Y6.5\nG90\no100 "
+      "endrepeat\n";
+  const std::string slot = "G0 X-26\nG0 Z9\nG1 Z-3 F400\nG1 X26 F1000\nG0 Z9\n";
+  write_text(scratch / "unnamed.ngc", slot + "G0 Y-19.5\n" + face);
+  write_text(scratch / "named.ngc", "G0 Y0\n" + slot + "G0 Y-19.5\n" + face);
+  const auto verify = [&](const std::string& program, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"verify",
+                                          "--cage",
+                                          fixture("foreign/plate.obj"),
+                                          "--stock",
+                                          "box:44,44,6@-22,-22,-5",
+                                          "--tool",
+                                          "flat:D=8,L=20",
+                                          "--program",
+                                          program,
+                                          "--gouge",
+                                          "0.5",
+                                          "--no-pictures"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return limitgauge(scratch, arguments);
+  };
+  const Outcome unnamed = verify("unnamed.ngc", {"-o", "unnamed"});
+  CHECK(unnamed.exit_code == 1);
+  CHECK(verify("named.ngc", {"-o", "named"}).exit_code == 1);
+  const json first = json::parse(read_text(scratch / "unnamed/result.json"));
+  const json second = json::parse(read_text(scratch / "named/result.json"));
+  CHECK(first["stages"][0]["deviation"]["gouge_mm"] ==
+        second["stages"][0]["deviation"]["gouge_mm"]);
+  CHECK(first["stages"][0]["deviation"]["uncut_mm"] ==
+        second["stages"][0]["deviation"]["uncut_mm"]);
+  CHECK(low(first["stages"][0], "gouge_mm") > 2.9);
+  CHECK(first["programs"]["start_mm"] == json({0.0, 0.0, 14.0}));
+  CHECK(first["programs"]["start_assumed"] == true);
+  CHECK(assumes(first, "programs start with the tip at (0, 0, 14) mm of their frame"));
+  CHECK(assumes(first, "line 3: cuts before X, Y and Z have all been named"));
+  CHECK(!assumes(second, "cuts before X, Y and Z"));
+  // Stated beside the plate, the same slot cuts nothing that matters.
+  const Outcome stated = verify("unnamed.ngc", {"-o", "stated", "--start", "0,60,20"});
+  INFO(stated.errors);
+  CHECK(stated.exit_code == 0);
+  const json third = json::parse(read_text(scratch / "stated/result.json"));
+  CHECK(third["programs"]["start_mm"] == json({0.0, 60.0, 20.0}));
+  CHECK(third["programs"]["start_assumed"] == false);
+  CHECK(!assumes(third, "programs start with"));
+}
+
 TEST_CASE("a program that lies elsewhere is laid over the cage", "[e2e][foreign]") {
   // The program in the frame of a pallet: its zero at (100, 50, 20), turned by a quarter.
   const Scratch scratch;

@@ -52,7 +52,7 @@ TEST_CASE("the figures of the quick job are those of a sound path", "[e2e][run]"
   REQUIRE(limitgauge(scratch, {"run", kDome, "-o", "out", "--quiet", "--no-pictures"}).exit_code ==
           0);
   const json result = result_of(scratch / "out");
-  CHECK(result["schema"] == "limitgauge.result/1");
+  CHECK(result["schema"] == "limitgauge.result/2");
   CHECK(result["verdict"] == "pass");
   CHECK(result["surface"]["patches"] == 12);
   for (const json& stage : result["stages"]) {

@@ -74,8 +74,10 @@ TEST_CASE("verify judges a program without a job as run does", "[e2e][verify]") 
       limitgauge(scratch, {"run", fixture("jobs/quick-dome.toml"), "-o", "run", "--no-pictures"})
           .exit_code == 0);
   const json of_run = stage_of(scratch / "run");
-  // The same moves and the same gate limits: the same removed material within the two grids.
-  CHECK(stage["toolpath"]["moves"] == of_run["toolpath"]["moves"]);
+  // The same moves, and from where the program is assumed to start two rapids to where the planned
+  // path begins, one up or down and one across; the same gate limits: the same removed material
+  // within the two grids.
+  CHECK(stage["toolpath"]["moves"] == of_run["toolpath"]["moves"].get<int>() + 2);
   CHECK(stage["simulation"]["removed_volume_mm3"].get<double>() ==
         Approx(of_run["simulation"]["removed_volume_mm3"].get<double>()).epsilon(0.01));
 }
@@ -86,6 +88,28 @@ TEST_CASE("without limits a program is measured and not gated", "[e2e][verify]")
   const Outcome outcome = limitgauge(scratch, verify_rough("sunk.ngc", "out"));
   CHECK(outcome.exit_code == 0);
   CHECK(stage_of(scratch / "out")["deviation"]["gouge_mm"]["low"] > 0.1);
+}
+
+TEST_CASE("verify takes keys of the job and gates of what cannot be reached", "[e2e][verify]") {
+  const Scratch scratch;
+  rough_program(scratch);
+  const std::vector<std::string> words = verify_rough("plan/rough/toolpath.ngc", "out");
+  const Outcome outcome = limitgauge(
+      scratch,
+      with(words, {"--coverage", "0.5", "--unreachable", "1", "--unavoidable", "5", "--set",
+                   "simulation.voxel=0.4", "--set", "stage.program.gate.gouge=0.1"}));
+  INFO(outcome.errors);
+  CHECK(outcome.exit_code == 0);
+  const json stage = stage_of(scratch / "out");
+  CHECK(stage["simulation"]["voxel_mm"] == 0.4);
+  CHECK(stage["gate"] ==
+        json{{"coverage", 0.5}, {"gouge_mm", 0.1}, {"unavoidable_mm", 5.0}, {"unreachable", 1.0}});
+  const Outcome wrong = limitgauge(scratch, with(words, {"--set", "simulation.vox=1", "--force"}));
+  CHECK(wrong.exit_code == 3);
+  CHECK_THAT(wrong.errors, ContainsSubstring("--set simulation.vox=1: error: unknown key"));
+  const Outcome unit = limitgauge(scratch, with(words, {"--unreachable", "3 cm2", "--force"}));
+  CHECK(unit.exit_code == 3);
+  CHECK_THAT(unit.errors, ContainsSubstring("--unreachable"));
 }
 
 TEST_CASE("a sunk program fails, and the finding names a line of it", "[e2e][verify]") {

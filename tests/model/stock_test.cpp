@@ -63,6 +63,11 @@ TEST_CASE("stock of no or unbounded size is refused", "[unit][stock]") {
   CHECK_THROWS_AS(require_valid(BoxStock{{0, 0, 0}, {1, 0, 1}}), std::invalid_argument);
   CHECK_THROWS_AS(require_valid(BoxStock{{0, inf, 0}, {1, 1, 1}}), std::invalid_argument);
   CHECK_THROWS_AS(require_valid(CylinderStock{{0, 0, 0}, -1, 1}), std::invalid_argument);
+  // Beyond 10 m nothing is certified.
+  CHECK_NOTHROW(require_valid(BoxStock{{-10000, 0, 0}, {20000, 1, 1}}));
+  CHECK_THROWS_WITH(require_valid(BoxStock{{-1, 9000, 0}, {1, 1001, 1}}),
+                    ContainsSubstring("reaches to y = 10001 mm; expected at most 10000 mm"));
+  CHECK_THROWS_AS(require_valid(CylinderStock{{0, 0, 9999}, 1, 2}), std::invalid_argument);
   CHECK_THROWS_AS(require_valid(CylinderStock{{0, 0, 0}, 1, inf}), std::invalid_argument);
   CHECK_THROWS_AS(require_valid(MeshStock{}), std::invalid_argument);
   auto mesh =

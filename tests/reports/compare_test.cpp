@@ -193,6 +193,60 @@ TEST_CASE("Verdicts, gates and stages that give way are regressions", "[unit][co
   CHECK_THROWS_AS(compare_runs(sample_run(), other, {}), model::InputError);
 }
 
+TEST_CASE("Results of two schemas are not held against each other", "[unit][compare]") {
+  RunRecord old = sample_run();
+  old.schema = 1;
+  CHECK(compare_runs(old, old, {}).judgement() == Judgement::same);
+  for (const auto& [base, now] : {std::pair(old, sample_run()), std::pair(sample_run(), old)}) {
+    try {
+      compare_runs(base, now, {});
+      FAIL("they were compared");
+    } catch (const model::InputError& error) {
+      CHECK_THAT(error.what(), ContainsSubstring("gouge and uncut do not mean the same"));
+      CHECK_THAT(error.what(), ContainsSubstring("again with this limitgauge"));
+    }
+  }
+}
+
+TEST_CASE("Limits of what is out of reach count as any other", "[unit][compare]") {
+  const auto limited = [](bool is_share, double limit) {
+    RunRecord run = sample_run();
+    verifier::GateLimits& limits = run.stages[0].limits;
+    limits.has_unreachable = limits.has_unavoidable = true;
+    limits.unreachable_is_share = is_share;
+    limits.unreachable = limit, limits.unavoidable_mm = 0.3;
+    return run;
+  };
+  CHECK(compare_runs(sample_run(), limited(true, 0.1), {}).better == 2);
+  CHECK(compare_runs(limited(true, 0.1), limited(true, 0.2), {}).worse == 1);
+  const Comparison other = compare_runs(limited(true, 0.1), limited(false, 10), {});
+  CHECK(other.worse == 1);
+  CHECK(other.better == 1);
+}
+
+TEST_CASE("What is out of reach is told in every comparison", "[unit][compare]") {
+  RunRecord base = sample_run(), now = sample_run();
+  now.stages[0].measures->reach = {95, 4, 1};
+  now.stages[0].measures->unavoidable_mm = {0.1, 0.25};
+  const std::string said =
+      "unreachable: 4.00 mm² (4.00 %), unavoidable uncut up to 0.250 mm; before: nothing";
+  const Comparison comparison = compare_runs(base, now, {});
+  REQUIRE(comparison.stages[0].remarks.size() == 1);
+  CHECK(comparison.stages[0].remarks[0].text == said);
+  CHECK_THAT(text_table(comparison, false, 100, false), ContainsSubstring(said));
+  CHECK_THAT(text_of(write_markdown, comparison), ContainsSubstring("unavoidable uncut up to"));
+  CHECK(compare_runs(now, now, {}).stages[0].remarks.size() == 1);
+}
+
+TEST_CASE("Stock that is newly missing is a regression", "[unit][compare]") {
+  RunRecord now = sample_run();
+  now.stages[0].measures->missing_stock = {place_at(3, 0.05, 0)};
+  const Comparison comparison = compare_runs(sample_run(), now, {});
+  REQUIRE(comparison.stages[0].findings.size() == 1);
+  CHECK(comparison.stages[0].findings[0].judgement == Judgement::worse);
+  CHECK_THAT(text_table(comparison, false, 100, false), ContainsSubstring("new missing stock"));
+}
+
 TEST_CASE("Inputs and settings that differ are named", "[unit][compare]") {
   RunRecord now = sample_run();
   now.job = "another";

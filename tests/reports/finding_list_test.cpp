@@ -73,6 +73,23 @@ TEST_CASE("findings are numbered as on the page, process findings worst first",
   CHECK(list_findings(result, 2).empty());
 }
 
+TEST_CASE("missing stock is a finding of its own, held against the gouge limit",
+          "[unit][findings]") {
+  RunResult result = gouged({}, 0, 0.1);
+  verifier::StageDeviation& d = result.stages[0].ran->deviation;
+  d.missing_stock = {at_depth(1.5), at_depth(0.5)};
+  for (verifier::Finding& f : d.missing_stock) f.line = 0;
+  d.missing_stock_mm = {1.5, 1.6};
+  const std::vector<ListedFinding> all = list_findings(result, 0);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].id == "M1");
+  CHECK(all[0].kind == "missing_stock");
+  CHECK(all[0].significance == Significance::fails);
+  CHECK(all[0].line == 0);
+  CHECK(all[1].significance == Significance::within);
+  CHECK_THAT(csv_of(result), ContainsSubstring("\"missing_stock\",\"M1\",1.5"));
+}
+
 TEST_CASE("a program is the file stated, or the stage's own", "[unit][findings]") {
   StageResult stage;
   stage.name = "finish";

@@ -117,6 +117,32 @@ TEST_CASE("trends tell better from worse, and both from what the certificate can
   CHECK(overview_of(runs).jobs[0].runs[1].cells[uncut].judgement == Judgement::same);
 }
 
+TEST_CASE("no trend leads from one meaning of gouge and uncut to another", "[unit][history]") {
+  std::vector<history::Entry> runs = sample_runs(8);
+  CHECK_FALSE(overview_of(runs).jobs[0].changes_meaning());
+  for (int run = 0; run < 6; ++run) runs[run].result_schema = 1;
+  const Overview overview = overview_of(runs);
+  const JobHistory& job = overview.jobs[0];
+  CHECK(job.changes_meaning());
+  const std::size_t uncut = column(job, "finish", "uncut_mm");
+  const std::size_t time = column(job, "", "machining_time_s");
+  // Run 6 would be worse than run 5 by far.
+  CHECK(job.runs[6].cells[uncut].new_meaning);
+  CHECK_FALSE(job.runs[6].cells[uncut].judgement);
+  CHECK(job.runs[6].cells[uncut].direction == 0);
+  CHECK(job.runs[7].cells[uncut].judgement == Judgement::better);
+  CHECK(job.runs[6].cells[time].judgement == Judgement::same);
+  CHECK_THAT(history_table(overview, false),
+             ContainsSubstring("[27.0, 28.0] new meaning") && ContainsSubstring(kNewMeaning));
+  CHECK_THAT(text_of(write_history_html, overview),
+             ContainsSubstring("No trend is drawn across that."));
+  CHECK_THAT(text_of(write_history_csv, overview), ContainsSubstring("\"new meaning\""));
+  const json all = json::parse(text_of(write_history_json, overview));
+  CHECK(all["jobs"][0]["series"][4]["values"][6]["trend"] == "new meaning");
+  CHECK(all["jobs"][0]["runs"][5]["result_schema"] == "limitgauge.result/1");
+  CHECK(all["jobs"][0]["runs"][6]["result_schema"] == "limitgauge.result/2");
+}
+
 TEST_CASE("the table names run, time, commit, verdict and the last stage's figures",
           "[unit][history]") {
   const std::string table = history_table(overview_of(sample_runs(8)), false);

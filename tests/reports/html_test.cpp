@@ -43,6 +43,34 @@ TEST_CASE("the page states the verdict first, then the stages", "[unit][html]") 
   CHECK(contains(page_of(sample_result(Outcome::indeterminate)), "Undecided"));
 }
 
+TEST_CASE("the header speaks of what is out of reach and of missing stock, whatever the verdict",
+          "[unit][html]") {
+  for (const Outcome outcome : {Outcome::passed, Outcome::failed}) {
+    RunResult result = sample_result(outcome);
+    verifier::StageDeviation& d = result.stages[0].ran->deviation;
+    d.surface_area_mm2 = 300;
+    d.proven_reach = {287.2, 12.3, 0.5};
+    d.unavoidable_uncut_mm = {0.1, 0.25};
+    d.missing_stock_mm = {0.5, 0.51};
+    d.missing_stock = {d.uncuts.front()};
+    result.stages[0].decision.reasons.emplace_back("unreachable: said again");
+    ParsedPage page;
+    parse_page(page_of(result), page);
+    const std::string text = text_of(page.tree.find_node(
+        [](const pugi::xml_node& n) { return std::string(n.name()) == "header"; }));
+    INFO(text);
+    CHECK(contains(text,
+                   "unreachable 12.3 to 12.8 mm² (4.10 to 4.27 %), unavoidable uncut up to "
+                   "0.250 mm"));
+    CHECK(contains(text, "missing stock [0.500, 0.510] mm"));
+    CHECK_FALSE(contains(text, "said again"));
+    const pugi::xml_node row = element_with(page.tree, "id", "stage-1-M1");
+    CHECK(std::string(row.name()) == "tr");
+    // The map knows gouges and leftovers only.
+    CHECK_FALSE(row.attribute("data-finding"));
+  }
+}
+
 TEST_CASE("headings are in order, ids are unique, links within the page lead somewhere",
           "[unit][html]") {
   for (const Outcome outcome : {Outcome::passed, Outcome::failed, Outcome::indeterminate}) {

@@ -39,25 +39,25 @@ void require_counts(const pugi::xml_node& node, int tests, int failures, int err
 
 TEST_CASE("a passed job has a case for each stage and figure", "[unit][junit]") {
   const pugi::xml_document document = parsed(sample_result(Outcome::passed));
-  require_counts(document.child("testsuites"), 18, 0, 0, 0);
+  require_counts(document.child("testsuites"), 21, 0, 0, 3);
   CHECK(document.select_nodes("/testsuites/testsuite").size() == 3);
   CHECK(document.select_node("//testsuite[@name='finish']/testcase[@name='coverage']"));
 }
 
 TEST_CASE("a failed stage has failures, the stage after it is skipped", "[unit][junit]") {
   const pugi::xml_document document = parsed(sample_result(Outcome::failed));
-  require_counts(document.child("testsuites"), 18, 4, 0, 6);
+  require_counts(document.child("testsuites"), 21, 4, 0, 9);
   const auto failure =
       document.select_node("//testsuite[@name='semi-finish']/testcase[@name='gouge']/failure");
   REQUIRE(failure);
   CHECK_THAT(failure.node().attribute("message").value(), ContainsSubstring("limit 50 µm"));
   CHECK_THAT(failure.node().attribute("message").value(), ContainsSubstring("patch "));
-  require_counts(document.select_node("//testsuite[@name='finish']").node(), 6, 0, 0, 6);
+  require_counts(document.select_node("//testsuite[@name='finish']").node(), 7, 0, 0, 7);
 }
 
 TEST_CASE("an undecided figure is an error", "[unit][junit]") {
   const pugi::xml_document document = parsed(sample_result(Outcome::indeterminate));
-  require_counts(document.child("testsuites"), 18, 0, 1, 0);
+  require_counts(document.child("testsuites"), 21, 0, 1, 3);
   CHECK(document.select_node("//testsuite[@name='finish']/testcase[@name='uncut']/error"));
 }
 
@@ -65,9 +65,38 @@ TEST_CASE("a figure without a limit is skipped", "[unit][junit]") {
   RunResult result = sample_result(Outcome::passed);
   result.stages[0].limits.has_uncut = false;
   const pugi::xml_document document = parsed(result);
-  require_counts(document.child("testsuites"), 18, 0, 0, 1);
+  require_counts(document.child("testsuites"), 21, 0, 0, 4);
   CHECK_THAT(document.select_node("//skipped").node().attribute("message").value(),
              ContainsSubstring("no limit stated"));
+}
+
+TEST_CASE("what is out of reach has a case of its own, gated or not", "[unit][junit]") {
+  RunResult result = sample_result(Outcome::passed);
+  StageResult& stage = result.stages[2];
+  stage.ran->deviation.surface_area_mm2 = 300;
+  stage.ran->deviation.proven_reach = {287.2, 12.3, 0.5};
+  const auto message = [&](const std::string& outcome, const std::string& figure) {
+    const pugi::xml_document document = parsed(result);
+    const std::string path =
+        "//testsuite[@name='finish']/testcase[@name='" + figure + "']/" + outcome;
+    return std::string(document.select_node(path.c_str()).node().attribute("message").value());
+  };
+  CHECK_THAT(message("skipped", "unreachable"), ContainsSubstring("12.3 to 12.8 mm² (4.10 to"));
+  CHECK_THAT(message("skipped", "unavoidable uncut"), ContainsSubstring("0.31"));
+  stage.limits.has_unreachable = true, stage.limits.unreachable = 0.04;
+  CHECK_THAT(message("failure", "unreachable"), ContainsSubstring(", limit 4 %"));
+  stage.limits.unreachable = 0.042;
+  CHECK_THAT(message("error", "unreachable"), ContainsSubstring(", limit 4.2 %"));
+  stage.limits.unreachable_is_share = false, stage.limits.unreachable = 12.8;
+  CHECK(message("failure", "unreachable").empty());
+  CHECK(message("error", "unreachable").empty());
+  stage.limits.has_unreachable = false;
+  stage.ran->deviation.proven_reach = {0, 300, 0};
+  stage.ran->deviation.reachable_area_mm2 = 0;
+  CHECK_THAT(message("failure", "unreachable"), ContainsSubstring("300 mm² (100 %)"));
+  stage.ran->deviation.missing_stock_mm = {0.5, 0.51};
+  stage.ran->deviation.missing_stock = {stage.ran->deviation.uncuts.front()};
+  CHECK_THAT(message("failure", "missing stock"), ContainsSubstring("; worst M1 "));
 }
 
 TEST_CASE("failures of the process name the worst move", "[unit][junit]") {
@@ -110,7 +139,7 @@ TEST_CASE("a verdict that no figure explains is kept", "[unit][junit]") {
   RunResult result = sample_result(Outcome::passed);
   result.stages[0].decision = {verifier::Verdict::fail, {"for a reason of its own"}};
   const pugi::xml_document document = parsed(result);
-  require_counts(document.child("testsuites"), 19, 1, 0, 0);
+  require_counts(document.child("testsuites"), 22, 1, 0, 3);
   CHECK(document.select_node("//testcase[@name='verdict']/failure"));
 }
 

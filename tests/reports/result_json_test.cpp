@@ -62,7 +62,7 @@ TEST_CASE("result.json has the contract's keys", "[unit][json]") {
   for (const char* key :
        {"schema", "job", "version", "created", "threads", "verdict", "surface", "stages"})
     CHECK(root.contains(key));
-  CHECK(root["schema"] == "limitgauge.result/1");
+  CHECK(root["schema"] == "limitgauge.result/2");
   for (const char* key : {"cage", "patches", "faces", "boundary_edges", "extraordinary_vertices",
                           "bbox_mm", "depth", "sampling_interval", "seconds", "memory_bytes"})
     CHECK(root["surface"].contains(key));

@@ -131,8 +131,9 @@ TEST_CASE("Deep nesting is refused, however it is closed", "[unit][record]") {
 TEST_CASE("A key that is missing or wrong is named with its path", "[unit][record]") {
   CHECK(error_of("[]") == "r.json: error: the whole is a list; expected an object");
   CHECK(error_of("{}").find("the whole has no key \"schema\"") != std::string::npos);
-  CHECK(error_with("/schema", "limitgauge.result/2") ==
-        "r.json: error: schema is another one; expected limitgauge.result/1");
+  CHECK(error_with("/schema", "limitgauge.result/3") ==
+        "r.json: error: schema is another one; expected limitgauge.result/1 or "
+        "limitgauge.result/2");
   CHECK(error_with("/verdict", "maybe") ==
         "r.json: error: verdict is no verdict; expected pass, fail, indeterminate or not_run");
   CHECK(error_with("/threads", 0) == "r.json: error: threads is zero; expected one or more");
@@ -215,6 +216,57 @@ TEST_CASE("Keys of later versions are left alone, those of earlier ones filled i
   REQUIRE_FALSE(measures.process_findings.empty());
   CHECK(measures.process_findings.back().kind == "shank_in_stock");
   CHECK(measures.process_findings.back().line == 7U);
+}
+
+TEST_CASE("What schema 1 did not know is not asked of its results", "[unit][record]") {
+  const std::string whole = text_of(sample_result(Outcome::failed));
+  CHECK(read(whole).schema == 2);
+  Json json = Json::parse(whole);
+  json["schema"] = "limitgauge.result/1";
+  for (Json& stage : json["stages"])
+    for (const char* key : {"reach", "missing_stock_mm", "missing_stocks"})
+      if (stage.contains("deviation")) stage["deviation"].erase(key);
+  const RunRecord run = read(json.dump());
+  CHECK(run.schema == 1);
+  CHECK(run.stages[1].measures->missing_stock.empty());
+  json["schema"] = "limitgauge.result/2";
+  CHECK(error_of(json.dump()).find("has no key \"reach\"") != std::string::npos);
+}
+
+TEST_CASE("Reach, missing stock and their gates are read back", "[unit][record]") {
+  RunResult written = sample_result(Outcome::failed);
+  verifier::StageDeviation& d = written.stages[1].ran->deviation;
+  d.proven_reach = {90, 8, 2};
+  d.missing_stock_mm = {0.25, 0.5};
+  d.missing_stock = {d.gouges.front()};
+  verifier::GateLimits& limits = written.stages[1].limits;
+  limits.has_unreachable = limits.has_unavoidable = true;
+  limits.unreachable = 0.05, limits.unavoidable_mm = 0.3;
+  written.stages[0].limits.has_unreachable = true;
+  written.stages[0].limits.unreachable_is_share = false;
+  written.stages[0].limits.unreachable = 12.5;
+  const RunRecord run = read(text_of(written));
+  const StageMeasures& measures = *run.stages[1].measures;
+  CHECK(measures.reach.reachable_mm2 == 90);
+  CHECK(measures.reach.unreachable_mm2 == 8);
+  CHECK(measures.reach.undecided_mm2 == 2);
+  CHECK(measures.missing_stock_mm.low == 0.25);
+  CHECK(measures.missing_stock_mm.high == 0.5);
+  REQUIRE(measures.missing_stock.size() == 1);
+  CHECK(measures.missing_stock[0].depth_mm == d.gouges.front().depth_mm);
+  CHECK(measures.unavoidable_mm.low == d.unavoidable_uncut_mm.low);
+  CHECK(measures.unavoidable_mm.high == d.unavoidable_uncut_mm.high);
+  const verifier::GateLimits& share = run.stages[1].limits;
+  CHECK(share.has_unreachable);
+  CHECK(share.unreachable_is_share);
+  CHECK(share.unreachable == 0.05);
+  CHECK(share.has_unavoidable);
+  CHECK(share.unavoidable_mm == 0.3);
+  const verifier::GateLimits& area = run.stages[0].limits;
+  CHECK(area.has_unreachable);
+  CHECK_FALSE(area.unreachable_is_share);
+  CHECK(area.unreachable == 12.5);
+  CHECK_FALSE(area.has_unavoidable);
 }
 
 TEST_CASE("Texts of strangers come through as they are", "[unit][record]") {

@@ -142,6 +142,31 @@ TEST_CASE("a verdict that no finding explains is a result of its own", "[unit][s
   CHECK(run_of(result)["results"][0]["level"] == "warning");
 }
 
+TEST_CASE("missing stock and what is out of reach are results", "[unit][sarif]") {
+  RunResult result = sample_result(Outcome::passed, 9);
+  StageResult& stage = result.stages[0];
+  verifier::StageDeviation& d = stage.ran->deviation;
+  stage.decision = {verifier::Verdict::fail, {"for what follows"}};
+  d.missing_stock_mm = {0.5, 0.51};
+  d.missing_stock = {d.uncuts.front()};
+  d.missing_stock[0].depth_mm = 0.5, d.missing_stock[0].line = 0;
+  d.proven_reach = {90, 8, 2};
+  d.surface_area_mm2 = 100;
+  stage.limits.has_unreachable = stage.limits.has_unavoidable = true;
+  stage.limits.unreachable = 0.05;
+  stage.limits.unavoidable_mm = d.unavoidable_uncut_mm.low;
+  const json results = results_of(result);
+  REQUIRE(results.size() == 3);
+  CHECK(results[0]["ruleId"] == "missing_stock");
+  CHECK(results[0]["level"] == "error");
+  CHECK(results[0]["properties"]["limit_mm"] == stage.limits.gouge_mm);
+  CHECK(results[1]["ruleId"] == "unreachable");
+  CHECK(results[1]["level"] == "error");
+  CHECK_THAT(results[1]["message"]["text"].get<std::string>(), ContainsSubstring("limit 5 %"));
+  CHECK(results[2]["ruleId"] == "unavoidable_uncut");
+  CHECK(results[2]["level"] == "warning");
+}
+
 TEST_CASE("stages that were not run are told and not judged", "[unit][sarif]") {
   const json run = run_of(sample_result(Outcome::failed, 9));
   const json& notes = run["invocations"][0]["toolExecutionNotifications"];

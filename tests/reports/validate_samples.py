@@ -48,7 +48,7 @@ def drop(*path):
 changes = {
     "no verdict": drop("verdict"),
     "unknown verdict": set_at("verdict", value="maybe"),
-    "other schema": set_at("schema", value="limitgauge.result/2"),
+    "other schema": set_at("schema", value="limitgauge.result/1"),
     "negative gouge": set_at("stages", 0, "deviation", "gouge_mm", "low", value=-1e-9),
     "null figure": set_at("stages", 0, "deviation", "mean_mm", value=None),
     "run stage without deviation": drop("stages", 0, "deviation"),

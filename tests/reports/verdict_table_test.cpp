@@ -32,6 +32,32 @@ TEST_CASE("the table shows interval, relation and limit", "[unit][table]") {
              ContainsSubstring("? 10 µm"));
 }
 
+TEST_CASE("what is out of reach and what stock is missing stand below the table", "[unit][table]") {
+  RunResult result = sample_result(Outcome::passed);
+  for (StageResult& stage : result.stages) {
+    stage.ran->deviation.unreachable_area_mm2 = 0;
+    stage.ran->deviation.proven_reach = {1000, 0, 0};
+  }
+  CHECK_THAT(verdict_table(result, false),
+             !ContainsSubstring("unreachable") && !ContainsSubstring("missing"));
+  verifier::StageDeviation& d = result.stages[1].ran->deviation;
+  d.surface_area_mm2 = 300;
+  d.proven_reach = {287.2, 12.3, 0.5};
+  d.unavoidable_uncut_mm = {0.1, 0.25};
+  d.missing_stock_mm = {0.5, 0.51};
+  result.stages[1].decision.reasons = {"unreachable: 12.3 mm² said again"};
+  for (const std::size_t width : {100, 80}) {
+    const std::string text = verdict_table(result, false, width);
+    INFO(text);
+    CHECK_THAT(text, ContainsSubstring("\nsemi-finish: unreachable 12.3 to 12.8 mm² (4.10 to "
+                                       "4.27 %),"));
+    CHECK_THAT(text, ContainsSubstring("0.250 mm\n"));
+    CHECK_THAT(text, ContainsSubstring("\nsemi-finish: missing stock [0.500, 0.510] mm"));
+  }
+  result.stages[1].decision.verdict = verifier::Verdict::fail;
+  CHECK_THAT(verdict_table(result, false), !ContainsSubstring("said again"));
+}
+
 TEST_CASE("the table fits 100 columns and stays aligned", "[unit][table]") {
   RunResult result = sample_result(Outcome::failed);
   result.stages[0].name = std::string(70, 'n');

@@ -104,13 +104,16 @@ TEST_CASE("a body meets a fixture at a known depth", "[unit][fixture]") {
   CHECK(holder[1].line == 2);
 }
 
-TEST_CASE("sliding along a fixture within the tolerance is no touch", "[unit][fixture]") {
+TEST_CASE("sliding along a fixture within the tolerance fails nothing", "[unit][fixture]") {
   const TriangleMesh table = box_mesh({{-50, -50, -20}, {50, 50, 0}});
   const auto pass = [](double z) {
     return PathBuilder({-30, 0, 20}).rapid({-30, 0, z}).feed({30, 7, z}).pass(flat4());
   };
   CHECK(check_in_air(pass(0), with_fixture(table)).empty());
-  CHECK(check_in_air(pass(-0.9 * kTolerance), with_fixture(table)).empty());
+  CHECK(check_in_air(pass(-0.09 * kTolerance), with_fixture(table)).empty());
+  const auto slight = check_in_air(pass(-0.9 * kTolerance), with_fixture(table));
+  REQUIRE(slight.size() == 2);
+  for (const Finding& f : slight) CHECK(f.kind == FindingKind::slight_contact);
   const auto all = check_in_air(pass(-2 * kTolerance), with_fixture(table));
   REQUIRE(all.size() == 2);
   CHECK(all[1].depth_mm == Approx(2 * kTolerance).margin(1e-9));
@@ -274,11 +277,18 @@ TEST_CASE("assemblies against a fixture agree with dense sampling", "[property][
     const auto all = check_in_air(pass, with_fixture(mesh, kNear));
     const SweptMove tip(from, pass.path->moves[0].to, 0);
     const simulator::ToolBodies bodies(c, 0);
-    for (const simulator::ToolBody& body : {bodies.flutes, bodies.above[0]}) {
+    const auto least_in = [&](const simulator::ToolBody& body) {
       double least = kForEver;
       for (const auto& t : mesh.triangles)
         least = std::min(least, sampled_least(body.profile, body.of_tip(tip), mesh.vertices[t[0]],
                                               mesh.vertices[t[1]], mesh.vertices[t[2]]));
+      return least;
+    };
+    double least_joined = kForEver;
+    for (const simulator::ToolBody& body : bodies.joined)
+      least_joined = std::min(least_joined, least_in(body));
+    for (const simulator::ToolBody& body : {bodies.flutes, bodies.above[0]}) {
+      const double least = least_in(body);
       const auto hit = std::find_if(all.begin(), all.end(),
                                     [&](const Finding& f) { return f.part == name(body.part); });
       const bool within = brute_inside(mesh, body.of_tip(tip).start + Vec3{0, 0, 2.5});
@@ -288,7 +298,9 @@ TEST_CASE("assemblies against a fixture agree with dense sampling", "[property][
       if (least < -2 * kTolerance) {
         REQUIRE(hit != all.end());
         CHECK(hit->kind == FindingKind::fixture_touched);
-        CHECK(hit->depth_mm == Approx(-least).margin(kTolerance));
+        // A place may lie deeper in both parts together.
+        CHECK(hit->depth_mm >= -least - kTolerance);
+        CHECK(hit->depth_mm <= -std::min(least, least_joined) + kTolerance);
       } else if (least > kNear) {
         CHECK(hit == all.end());
       } else if (least > 0 && !touches) {

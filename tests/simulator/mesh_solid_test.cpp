@@ -277,3 +277,29 @@ TEST_CASE("raw stock as block and as the block's mesh", "[property][mesh][stock]
     for (int k = 0; k < 8; ++k) REQUIRE(other[k] == Approx(one[k]).margin(1e-14));
   }
 }
+
+TEST_CASE("a plane over a solid is nowhere under it within the reach", "[property][mesh]") {
+  // Steps and inner corners; a block that overlaps another, whose inner triangles bound nothing.
+  TriangleMesh steps = block_between({-4, -3, -2}, {4, 3, 0});
+  append_mesh(steps, block_between({-1, -3.5, -1}, {4.5, 2, 2}));
+  const MeshSolid solid = solid_of(steps);
+  Points points(9);
+  int found = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const Vec3 p = points.in_cube(5);
+    const double reach = points.within(0.01, 0.6);
+    const auto cap = solid.cap(p, reach);
+    if (!cap) continue;
+    ++found;
+    REQUIRE(length(cap->normal) == Approx(1).margin(1e-12));
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 off = points.in_cube(reach / std::sqrt(3.0));
+      REQUIRE(-solid.sample(p + off).distance <= cap->depth - dot(cap->normal, off) + 1e-9);
+    }
+  }
+  CHECK(found > 500);
+  // Flat, with both its triangles, at an outer edge, and not at the inner corner of the step.
+  CHECK(solid.cap({-2.5, -1, 0.01}, 0.1));
+  CHECK(solid.cap({-4, -1, -0.01}, 0.1));
+  CHECK_FALSE(solid.cap({-1.01, 0, 0.01}, 0.1));
+}

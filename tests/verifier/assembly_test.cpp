@@ -32,7 +32,7 @@ StageDeviation measure(const ReferenceSurface& surface, const model::Cutter& cut
   check.resolution_mm = 0.001;
   check.field_spacing_mm = 1;
   check.limits = limits;
-  return measure_stage(surface, kBlock, {&pass, 1}, {}, check, {2});
+  return measure_stage(surface, kBlock, {&pass, 1}, nullptr, check, {2});
 }
 
 const BodyFigure& figure_of(const StageDeviation& d, const std::string& body) {
@@ -44,18 +44,21 @@ const BodyFigure& figure_of(const StageDeviation& d, const std::string& body) {
 
 }  // namespace
 
-TEST_CASE("bodies are named and stacked from the tip up", "[unit]") {
-  const model::Cutter cutter{"c",       model::CutterType::flat, 4, 0, 0, 12,
-                             {{4, 20}}, {{20, 5}, {40, 30}}};
-  const auto bodies = bodies_above_flutes(cutter);
-  REQUIRE(bodies.size() == 3);
-  CHECK(bodies[0].name == "shank");
-  CHECK(bodies[0].lift_mm == 12);
-  CHECK(bodies[1].name == "holder 1");
-  CHECK(bodies[1].lift_mm == 32);
-  CHECK(bodies[2].name == "holder 2");
-  CHECK(bodies[2].lift_mm == 37);
-  CHECK(bodies[2].profile.flat_mm == 20);
+TEST_CASE("parts are named and stacked from the tip up, equal ones as one", "[unit]") {
+  const model::Cutter cutter{"c",       model::CutterType::flat,      4, 0, 0, 12,
+                             {{4, 20}}, {{20, 5}, {40, 10}, {40, 20}}};
+  const Pass pass{cutter, shared(single_move({0, 0, 0}, {1, 0, 0}))};
+  const auto parts = assembly_sweeps({&pass, 1}, 100);
+  REQUIRE(parts.size() == 3);
+  CHECK(parts[0].body == "shank");
+  CHECK(parts[0].sweep.lift_mm == 12);
+  CHECK(parts[1].body == "holder");
+  CHECK(parts[1].sweep.lift_mm == 32);
+  CHECK(parts[2].sweep.lift_mm == 37);
+  CHECK(parts[2].sweep.profile.flat_mm == 20);
+  CHECK(parts[2].sweep.profile.top_mm == 30);
+  // Those that stay above everything are left out.
+  CHECK(assembly_sweeps({&pass, 1}, 36).size() == 2);
 }
 
 TEST_CASE("a shank that rubs along a slope gouges by the closed form", "[unit]") {
@@ -65,8 +68,9 @@ TEST_CASE("a shank that rubs along a slope gouges by the closed form", "[unit]")
   const ReferenceSurface plane(plane_cage(8, 1, 0));
   const auto path = single_move({0, -2, tip_z}, {0, 2, tip_z});
   for (const double reach : {3.2, 3.45, 3.6}) {
-    // The plane is inside the shank from its lower face to its wall; the middle is deepest.
-    const double face = tip_z + flutes, depth = std::max(0.0, (reach - face) / 2);
+    // The plane is inside the shank from its lower face to its wall; the middle is deepest, and the
+    // way out along the normal goes to the edge between them.
+    const double face = tip_z + flutes, depth = std::max(0.0, (reach - face) / std::sqrt(2.0));
     const StageDeviation d = measure(plane, assembly(flutes, reach), path);
     const Interval shank = figure_of(d, "shank").gouge_mm;
     CAPTURE(reach, depth, shank.low, shank.high);
@@ -91,8 +95,8 @@ TEST_CASE("a shank that rubs along a slope gouges by the closed form", "[unit]")
 TEST_CASE("what stays above the part is clear of it, exactly", "[unit]") {
   const ReferenceSurface dome(paraboloid_cage(6, -0.05));
   const auto d = measure(dome, assembly(8, 1), single_move({-4, 0, 0}, {4, 0, 0}));
-  CHECK(figure_of(d, "holder").gouge_mm.high == 0);
-  CHECK(figure_of(d, "holder").gouge_mm.low == 0);
+  REQUIRE(d.bodies.size() == 1);
+  CHECK(d.bodies.front().body == "cutter");
 }
 
 TEST_CASE("a holder over a hill that the flutes avoid", "[unit]") {
@@ -101,12 +105,14 @@ TEST_CASE("a holder over a hill that the flutes avoid", "[unit]") {
   model::Cutter cutter{"stub", model::CutterType::ball, 2, 1, 0, 1.5, {}, {{30, 5}}};
   const double foot = -0.0125 * 100;
   const auto d = measure(hill, cutter, single_move({10, 0, foot}, {10, 1, foot}));
-  const Interval holder = figure_of(d, "holder").gouge_mm;
-  // Its lower face is at foot + flute length, the top of the hill at 0.
-  CHECK(holder.low == 0);
-  CHECK(holder.high <= 0.001);
+  // Its lower face is at foot + flute length, 0.25 mm over the top of the hill at 0: it comes
+  // nowhere as low as the surface, so that there is no figure of it.
+  REQUIRE(d.bodies.size() == 1);
+  CHECK(d.bodies.front().body == "cutter");
   cutter.flute_length_mm = 1.0;
   const auto deep = measure(hill, cutter, single_move({10, 0, foot}, {10, 1, foot}));
+  // Now the face is 0.25 mm under the top, where the normal is vertical; down the slope the run
+  // along the normal is longer than the height by less than the slope takes off it.
   const Interval pressed = figure_of(deep, "holder").gouge_mm;
   CHECK(pressed.low <= 0.25);
   CHECK(pressed.high >= 0.25);

@@ -21,7 +21,7 @@ StageDeviation measure(const ReferenceSurface& surface, const model::Cutter& cut
   check.resolution_mm = resolution_mm;
   check.allowance_mm = allowance_mm;
   check.field_spacing_mm = 1;
-  return measure_stage(surface, kBlock, {&pass, 1}, {}, check, {2});
+  return measure_stage(surface, kBlock, {&pass, 1}, nullptr, check, {2});
 }
 
 /// δ under a cusp: the distance from the plane to two balls half a step away. The height of the
@@ -48,18 +48,18 @@ TEST_CASE("a ball raster on a plane leaves the closed-form scallop", "[unit]") {
   }
 }
 
-TEST_CASE("a gouge by two cuts that end in one another is covered to its depth in both", "[unit]") {
-  // Two trenches of a flat cutter of 2 mm, side by side and 3 mm deep, overlapping by 0.2 mm: in
-  // the middle S lies 1 mm deep in one of them, and 1.9 mm in both.
+TEST_CASE("a gouge by two cuts that end in one another is as deep as both", "[unit]") {
+  // Two trenches of a flat cutter of 2 mm, side by side and 3 mm deep, overlapping by 0.2 mm: from
+  // anywhere between their outer walls the way down the normal ends on the floor, 3 mm below S,
+  // however near the walls are.
   const ReferenceSurface plane(plane_cage(5, 0, 0));
   model::Toolpath path;
   path.start = {-0.9, -8, -3};
   for (const Vec3& to : {Vec3{-0.9, 8, -3}, Vec3{0.9, 8, -3}, Vec3{0.9, -8, -3}}) feed_to(path, to);
   const auto d = measure(plane, flat_cutter(1), path, 0.01);
-  CHECK(d.gouge_mm.low >= 0.99);
-  CHECK(d.gouge_mm.low <= 1);
-  CHECK(d.gouge_mm.high >= 1.9);
-  CHECK(d.gouge_mm.high <= 2.1);  // a tenth of the gap more
+  CHECK(d.gouge_mm.low <= 3);
+  CHECK(d.gouge_mm.high >= 3);
+  CHECK(d.gouge_mm.width() <= 0.01);
 }
 
 TEST_CASE("a flat's steps in a slope are as deep in all passes as in one", "[slow]") {
@@ -121,7 +121,8 @@ TEST_CASE("allowance shifts what is uncut and what is gouged", "[unit]") {
   const ReferenceSurface plane(plane_cage(5, 0, 0));
   const auto d = measure(plane, ball_cutter(3),
                          raster(10, 0.1, 5, [](double, double) { return 0.19; }), 0.0005, 0.2);
-  CHECK(d.gouge_mm.low == Approx(0.01).margin(1e-6));
+  CHECK(d.gouge_mm.low <= 0.01);
+  CHECK(d.gouge_mm.low >= 0.01 - 0.0005);
   CHECK(d.gouge_mm.high == Approx(0.01).margin(0.0005));
   CHECK(d.uncut_mm.low == 0);
 }
@@ -137,7 +138,7 @@ TEST_CASE("a limit within the width asked for is decided all the same", "[unit]"
   // Three hundredths and one hundredth of the width to either side of the truth.
   for (const double off : {3e-5, 1e-5, -1e-5, -3e-5}) {
     check.limits = {false, true, false, 0, h + off, 0};
-    const StageDeviation d = measure_stage(plane, kBlock, {&pass, 1}, {}, check, {2});
+    const StageDeviation d = measure_stage(plane, kBlock, {&pass, 1}, nullptr, check, {2});
     CAPTURE(off, h, d.uncut_mm.low, d.uncut_mm.high);
     CHECK(d.uncut_mm.low <= h);
     CHECK(d.uncut_mm.high >= h);
@@ -170,7 +171,7 @@ TEST_CASE("the verdict does not depend on threads, on the order of moves or on t
   check.limits = {true, true, false, 0.1, 5, 0};
   const auto run = [&](model::Toolpath p, unsigned threads) {
     const Pass pass{ball_cutter(3), shared(std::move(p))};
-    return measure_stage(surface, kBlock, {&pass, 1}, {}, check, {threads});
+    return measure_stage(surface, kBlock, {&pass, 1}, nullptr, check, {threads});
   };
   const StageDeviation one = run(path, 1), two = run(path, 3);
   CHECK(one.gouge_mm.low == two.gouge_mm.low);

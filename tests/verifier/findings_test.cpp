@@ -33,7 +33,7 @@ StageDeviation measure(const model::Toolpath& path, const GateLimits& limits) {
   check.resolution_mm = 0.0005;
   check.field_spacing_mm = 5;  // far too wide to see any of this by sampling
   check.limits = limits;
-  return measure_stage(plane, kBlock, {&pass, 1}, {}, check, {2});
+  return measure_stage(plane, kBlock, {&pass, 1}, nullptr, check, {2});
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ TEST_CASE("findings do not depend on the number of threads", "[unit]") {
   check.resolution_mm = 0.0005;
   check.limits = {true, true, false, 0.004, 0.001, 0};
   const auto run = [&](unsigned threads) {
-    return measure_stage(plane, kBlock, {&pass, 1}, {}, check, {threads});
+    return measure_stage(plane, kBlock, {&pass, 1}, nullptr, check, {threads});
   };
   const StageDeviation one = run(1), three = run(3);
   REQUIRE(one.gouges.size() == three.gouges.size());

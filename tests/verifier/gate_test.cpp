@@ -11,6 +11,31 @@ StageDeviation with(Interval gouge, Interval uncut, double coverage = 1) {
   d.coverage = coverage;
   return d;
 }
+
+Finding finding(const model::Vec3& at, double depth_mm, std::uint32_t line) {
+  Finding f;
+  f.place.point = at;
+  f.depth_mm = depth_mm;
+  f.line = line;
+  return f;
+}
+
+/// A surface whose parts were proven to be in reach, out of it, or neither, mm².
+StageDeviation reach(double reachable, double unreachable, double undecided) {
+  StageDeviation d = with({0, 0}, {0, 0});
+  d.proven_reach = {reachable, unreachable, undecided};
+  d.surface_area_mm2 = reachable + unreachable + undecided;
+  return d;
+}
+
+std::string all(const GateDecision& decision) {
+  std::string text;
+  for (const std::string& reason : decision.reasons) text += reason + "\n";
+  return text;
+}
+
+using Catch::Matchers::EndsWith;
+
 const GateLimits kLimits{true, true, true, 0.01, 0.02, 0.99};
 
 }  // namespace
@@ -53,28 +78,147 @@ TEST_CASE("what is said of a certified interval is true to its digits", "[unit]"
   CHECK_THAT(said({1.23456, 2.34561}), ContainsSubstring("between 1.234 mm and 2.346 mm"));
 }
 
-TEST_CASE("material that stands beside removed space fails the uncut gate", "[unit]") {
-  StageDeviation wall = with({0, 0}, {0.001, 0.002});
-  wall.voxel_uncut_mm = 3;
-  const GateDecision decision = decide(wall, kLimits);
-  CHECK(decision.verdict == Verdict::fail);
-  CHECK_THAT(decision.reasons.at(2), ContainsSubstring("material stands 3 mm"));
+TEST_CASE("a figure that does not pass names depth, place and program line", "[unit]") {
+  const Finding shallow = finding({0, 0, 0}, 0.001, 7), deep = finding({1, -2, 3.5}, 0.0123, 120);
+  StageDeviation d = with({0.0123, 0.0125}, {0, 0});
+  d.gouges = {shallow, deep};
+  CHECK_THAT(decide(d, kLimits).reasons.at(0),
+             ContainsSubstring("; deepest 12.3 µm at (1.000, -2.000, 3.500) mm, program line 120"));
+  d.gouge_mm = {0.0099, 0.0101};
+  CHECK_THAT(decide(d, kLimits).reasons.at(0), ContainsSubstring("program line 120"));
+  d.gouge_mm = {0.009, 0.01};
+  CHECK(decide(d, kLimits).reasons.at(0).find("program line") == std::string::npos);
 }
 
-TEST_CASE("a hole that is deeper than wide fails the gouge gate, a corner does not", "[unit]") {
-  StageDeviation hole = with({0.008, 0.009}, {0, 0});
-  hole.voxel_gouge_mm = 1.2;
-  const GateDecision decision = decide(hole, kLimits);
+TEST_CASE("a line of an earlier program comes with the stage whose it is", "[unit]") {
+  StageDeviation d = with({0.02, 0.03}, {0.1, 0.2});
+  d.gouges = {finding({0, 0, 0}, 0.02, 12)};
+  d.uncuts = {finding({0, 0, 0}, 0.1, 34)};
+  d.uncuts[0].stage = 1;
+  const std::vector<std::string> stages = {"rough", "finish"};
+  const GateDecision decision = decide(d, kLimits, {}, stages);
+  CHECK_THAT(decision.reasons.at(0), EndsWith("program line 12 of stage rough"));
+  CHECK_THAT(decision.reasons.at(1), EndsWith("program line 34"));
+}
+
+TEST_CASE("a leftover that the raw stock ends has no program line", "[unit]") {
+  StageDeviation d = with({0, 0}, {0.1, 0.2});
+  d.uncuts = {finding({0, 0, 0}, 0.1, 0)};
+  d.uncuts[0].raw_stock = true;
+  CHECK_THAT(decide(d, kLimits).reasons.at(1), EndsWith("a face of the raw stock"));
+}
+
+TEST_CASE("rays into the simulated stock gate nothing: both instruments measure runs", "[unit]") {
+  StageDeviation d = with({0.008, 0.009}, {0.001, 0.002});
+  d.voxel_gouge_mm = 1.2, d.voxel_uncut_mm = 3;
+  CHECK(decide(d, kLimits).verdict == Verdict::pass);
+}
+
+TEST_CASE("what cannot be reached is gated by its share of the surface", "[unit]") {
+  GateLimits limits;
+  limits.has_unreachable = true, limits.unreachable = 0.05;
+  CHECK(decide(reach(952, 40, 8), limits).verdict == Verdict::pass);
+  CHECK(decide(reach(950, 50, 0), limits).verdict == Verdict::pass);
+  CHECK(decide(reach(951, 40, 12), limits).verdict == Verdict::indeterminate);
+  const GateDecision decision = decide(reach(940, 51, 9), limits);
   CHECK(decision.verdict == Verdict::fail);
-  CHECK_THAT(decision.reasons.at(1), ContainsSubstring("the stock lies 1.2 mm under"));
-  StageDeviation corner = with({0.009, 0.0095}, {0, 0});
-  corner.voxel_gouge_mm = 0.0115;
-  CHECK(decide(corner, kLimits).verdict == Verdict::pass);
+  CHECK(decision.reasons.at(0) ==
+        "unreachable certified between 51 mm² and 60 mm² (5.1 % to 6 %), limit 5 %: beyond the "
+        "limit");
+}
+
+TEST_CASE("what cannot be reached is gated by its area", "[unit]") {
+  GateLimits limits;
+  limits.has_unreachable = true, limits.unreachable_is_share = false, limits.unreachable = 12.5;
+  CHECK(decide(reach(987.5, 10, 2.5), limits).verdict == Verdict::pass);
+  CHECK(decide(reach(987, 12, 1), limits).verdict == Verdict::indeterminate);
+  const GateDecision decision = decide(reach(987, 13, 0), limits);
+  CHECK(decision.verdict == Verdict::fail);
+  CHECK_THAT(decision.reasons.at(0), ContainsSubstring("limit 12.5 mm²"));
+}
+
+TEST_CASE("the unavoidable uncut is gated, and the place out of reach named", "[unit]") {
+  GateLimits limits;
+  limits.has_unavoidable = true, limits.unavoidable_mm = 0.3;
+  StageDeviation d = reach(900, 100, 0);
+  d.unavoidable_uncut_mm = {0.2, 0.3};
+  CHECK(decide(d, limits).verdict == Verdict::pass);
+  d.unavoidable_uncut_mm = {0.2, 0.31};
+  CHECK(decide(d, limits).verdict == Verdict::indeterminate);
+  d.unavoidable_uncut_mm = {0.31, 0.32};
+  DeviationField::Sample near, far;
+  near.reachable = far.reachable = false;
+  near.deviation_mm = 0.25F, far.deviation_mm = 0.5F;
+  far.place.point = {4, 5, 6}, far.line = 9;
+  d.field.samples = {near, far};
+  const GateDecision decision = decide(d, limits);
+  CHECK(decision.verdict == Verdict::fail);
+  CHECK_THAT(decision.reasons.at(0),
+             ContainsSubstring("unavoidable uncut certified between 0.31 mm and 0.32 mm, limit "
+                               "0.3 mm: beyond the limit"));
+  CHECK_THAT(decision.reasons.at(0), ContainsSubstring("(4.000, 5.000, 6.000) mm, program line 9"));
+}
+
+TEST_CASE("nothing in reach fails by name, gates or not", "[unit]") {
+  const StageDeviation none = reach(0, 100, 0);
+  for (const GateLimits& limits : {GateLimits{}, kLimits}) {
+    const GateDecision decision = decide(none, limits);
+    CHECK(decision.verdict == Verdict::fail);
+    CHECK_THAT(all(decision), ContainsSubstring("no cutter used so far can reach any of the "
+                                                "surface"));
+  }
+  CHECK(decide(reach(0, 0, 100), {}).verdict == Verdict::fail);
+  StageDeviation sampled = reach(0, 0, 100);
+  sampled.reachable_area_mm2 = 1;
+  CHECK(decide(sampled, {}).verdict == Verdict::pass);
+  CHECK(decide(reach(1, 99, 0), {}).verdict == Verdict::pass);
+}
+
+TEST_CASE("missing raw stock is held against the gouge limit under its own name", "[unit]") {
+  StageDeviation d = with({0, 0}, {0, 0});
+  d.missing_stock = {finding({1, 2, 3}, 0.5, 0)};
+  d.missing_stock_mm = {0.5, 0.51};
+  const GateDecision beyond = decide(d, kLimits);
+  CHECK(beyond.verdict == Verdict::fail);
+  CHECK(all(beyond).find("missing stock: S lies between 0.5 mm and 0.51 mm outside the raw stock, "
+                         "limit 10 µm: beyond the limit; deepest 0.5 mm at (1.000, 2.000, 3.000) "
+                         "mm") != std::string::npos);
+  d.missing_stock_mm = {0.009, 0.011};
+  CHECK(decide(d, kLimits).verdict == Verdict::indeterminate);
+  d.missing_stock_mm = {0.009, 0.01};
+  CHECK(decide(d, kLimits).verdict == Verdict::pass);
+  CHECK_THAT(all(decide(d, kLimits)), ContainsSubstring("within the limit"));
+  d.missing_stock_mm = {0.5, 0.51};
+  CHECK(decide(d, {}).verdict == Verdict::pass);
+  CHECK_THAT(all(decide(d, {})), ContainsSubstring("missing stock: S lies between"));
+  d.missing_stock_mm = {0, 1e-6};
+  CHECK_THAT(all(decide(d, kLimits)), !ContainsSubstring("missing stock"));
+}
+
+TEST_CASE("what is out of reach is said beside every verdict", "[unit]") {
+  StageDeviation d = reach(287.2, 12.3, 0.5);
+  d.unavoidable_uncut_mm = {0.1, 0.25};
+  CHECK(decide(d, {}).reasons ==
+        std::vector<std::string>{
+            "unreachable: 12.3 mm² (4.1 %), undecided 0.5 mm², unavoidable uncut up to 0.25 mm"});
+  CHECK(decide(reach(300, 0, 0), {}).reasons.empty());
+}
+
+TEST_CASE("a process fault names its deepest place", "[unit]") {
+  ProcessFault holder{"holder in the material", 2};
+  holder.worst = ProcessFault::Place{{1, 2, 3}, 40, 0.25};
+  const GateDecision decision = decide(with({0, 0}, {0, 0}), {}, std::span(&holder, 1));
+  CHECK(decision.reasons ==
+        std::vector<std::string>{"holder in the material: 2 moves; deepest 0.25 mm at (1.000, "
+                                 "2.000, 3.000) mm, program line 40"});
 }
 
 TEST_CASE("automatic resolution is a tenth of the tightest limit", "[unit]") {
   CHECK(automatic_resolution_mm(kLimits) == Approx(0.001));
   CHECK(automatic_resolution_mm({true, true, false, 0.05, 0.004, 0}) == Approx(0.0004));
+  GateLimits unavoidable = kLimits;
+  unavoidable.has_unavoidable = true, unavoidable.unavoidable_mm = 0.005;
+  CHECK(automatic_resolution_mm(unavoidable) == Approx(0.0005));
   CHECK(automatic_resolution_mm({}) == Approx(0.001));
 }
 

@@ -122,13 +122,15 @@ StageDeviation measure(const Setup& s, const GateLimits& limits, unsigned thread
   check.limits = limits;
   check.field_spacing_mm = 100 * s.resolution_mm;
   const Pass pass{s.cutter, shared(s.path)};
-  return measure_stage(ReferenceSurface(s.cage), s.stock, {&pass, 1}, {}, check,
+  return measure_stage(ReferenceSurface(s.cage), s.stock, {&pass, 1}, nullptr, check,
                        {threads, nullptr, {}});
 }
 
-/// A gate that the figures keep with room to spare, and one that they break, times `scale`.
+/// A gate that the figures keep with room to spare, missing stock of a casting among them, and one
+/// that they break, times `scale`.
 GateLimits kept_gate(const StageDeviation& d, double scale = 1) {
-  return {true, true, false, 1.5 * d.gouge_mm.high * scale, 1.5 * d.uncut_mm.high * scale, 0};
+  const double deepest_mm = std::max(d.gouge_mm.high, d.missing_stock_mm.high);
+  return {true, true, false, 1.5 * deepest_mm * scale, 1.5 * d.uncut_mm.high * scale, 0};
 }
 GateLimits broken_gate(const StageDeviation& d, double scale = 1) {
   return {true, true, false, 0.5 * d.gouge_mm.low * scale, 0.5 * d.uncut_mm.low * scale, 0};
@@ -160,6 +162,12 @@ void check_interval(const Interval& a, const Interval& b, double resolution_mm) 
   CHECK(std::abs(a.high - b.high) <= std::max({resolution_mm, a.width(), b.width()}));
 }
 
+void check_verdict(const StageDeviation& d, const GateLimits& limits, Verdict expected) {
+  const GateDecision decision = decide(d, limits);
+  for (const std::string& reason : decision.reasons) UNSCOPED_INFO(reason);
+  CHECK(decision.verdict == expected);
+}
+
 /// `other` must have the figures of `base` times `scale` and the same verdicts.
 void check_same(const Measured& base, const Setup& other, const char* how, double scale = 1) {
   CAPTURE(base.setup.name, how);
@@ -168,8 +176,9 @@ void check_same(const Measured& base, const Setup& other, const char* how, doubl
   const auto scaled = [&](const Interval& i) { return Interval{i.low * scale, i.high * scale}; };
   check_interval(scaled(base.figures.gouge_mm), d.gouge_mm, other.resolution_mm);
   check_interval(scaled(base.figures.uncut_mm), d.uncut_mm, other.resolution_mm);
-  CHECK(decide(d, kept).verdict == Verdict::pass);
-  CHECK(decide(d, broken).verdict == Verdict::fail);
+  check_interval(scaled(base.figures.missing_stock_mm), d.missing_stock_mm, other.resolution_mm);
+  check_verdict(d, kept, Verdict::pass);
+  check_verdict(d, broken, Verdict::fail);
 }
 
 template <class Map>

@@ -27,7 +27,7 @@ StageDeviation measure(const ReferenceSurface& surface, const model::Cutter& cut
   check.resolution_mm = kResolution_mm;
   check.allowance_mm = allowance_mm;
   check.field_spacing_mm = 1;
-  return measure_stage(surface, kBlock, {&pass, 1}, {}, check, {2});
+  return measure_stage(surface, kBlock, {&pass, 1}, nullptr, check, {2});
 }
 
 /// The closed form lies in the interval, which is no wider than was asked for.
@@ -38,11 +38,12 @@ void check_interval(const Interval& interval, double truth_mm) {
   CHECK(interval.width() <= kResolution_mm + 1e-9);
 }
 
-/// δ on a plane at the angle β under rows along its contours, `step` apart in plan, whose sharp
-/// tips run on the plane between sides that rise at the angle a: the point of the plane that is as
-/// far from the side of the row below it as from that of the row above.
+/// The height of the cusps over a plane at the angle β, along its normal, that rows along its
+/// contours leave, `step` apart in plan, whose sharp tips run on the plane between sides that rise
+/// at the angle a. Against the plane the side of the row below rises at a − β and that of the row
+/// above at a + β; the tips are step / cos β apart on it, and the sides meet at the cusp.
 double tip_rows(double a, double beta, double step) {
-  const double lower = std::sin(a - beta), upper = std::sin(a + beta);
+  const double lower = std::tan(a - beta), upper = std::tan(a + beta);
   return step / std::cos(beta) * lower * upper / (lower + upper);
 }
 
@@ -92,10 +93,10 @@ TEST_CASE("a plane steeper than the point is touched by the drill's corner", "[u
   CHECK(d.gouge_mm.high <= kResolution_mm);
 }
 
-TEST_CASE("drilled holes gouge a plane as deep as their cones are wide", "[unit]") {
+TEST_CASE("drilled holes gouge a plane as deep as their tips go", "[unit]") {
   const ReferenceSurface plane(plane_cage(5, 0, 0));
   const auto drill = model::parse_cutter("drill:D=3,angle=118,L=60");
-  const double a = 31 * std::numbers::pi / 180, depth = 0.5;
+  const double depth = 0.5;
   model::Toolpath path;
   path.start = {-3, -3, 5};
   for (int k = 0; k < 9; ++k) {
@@ -103,8 +104,8 @@ TEST_CASE("drilled holes gouge a plane as deep as their cones are wide", "[unit]
     for (const double z : {5.0, k == 4 ? -depth : -depth / 2, 5.0}) feed_to(path, {x, y, z});
   }
   const auto d = measure(plane, drill, path);
-  // The middle of the deepest hole is that far from its cone.
-  check_interval(d.gouge_mm, depth * std::cos(a));
+  // Straight down from the plane to the tip of the deepest hole; its cone rises from there.
+  check_interval(d.gouge_mm, depth);
   REQUIRE(!d.gouges.empty());
   CHECK(std::hypot(d.gouges.front().place.point.x, d.gouges.front().place.point.y) < 0.1);
 }

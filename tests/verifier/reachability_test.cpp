@@ -66,7 +66,7 @@ TEST_CASE("what a large ball leaves in a bowl is unavoidable and not the toolpat
   check.resolution_mm = 0.01;
   check.field_spacing_mm = 0.5;
   const model::Stock block = model::BoxStock{{-60, -60, -60}, {120, 120, 120}};
-  const StageDeviation d = measure_stage(bowl, block, {&pass, 1}, {}, check, {2});
+  const StageDeviation d = measure_stage(bowl, block, {&pass, 1}, nullptr, check, {2});
   const double left = std::pow(2 * kBowl * kRadius - 1, 2) / (4 * kBowl);
   CHECK(d.unavoidable_uncut_mm.low <= left);
   CHECK(d.unavoidable_uncut_mm.high >= left);

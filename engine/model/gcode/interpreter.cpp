@@ -191,7 +191,7 @@ void Interpreter::set_late_modes(const Statement& statement) {
 void Interpreter::carry_out_non_modal(const Statement& statement) {
   switch (statement.g(GGroup::non_modal).value_or(-1)) {
     case 100:
-      return set_data(statement, state_, assumed_);
+      return set_data(statement, state_, program_, assumed_);
     case 280:
     case 300:
       return go_home(statement);
@@ -200,7 +200,7 @@ void Interpreter::carry_out_non_modal(const Statement& statement) {
       return store_reference(statement, state_);
     case 520:
     case 920:
-      return set_axis_offsets(statement, state_, assumed_);
+      return set_axis_offsets(statement, state_, program_, assumed_);
     case 530:
       if (!statement.has_axes() && !statement.g_word(GGroup::motion))
         statement.fail(*statement.g_word(GGroup::non_modal), "G53 without a motion",
@@ -282,6 +282,8 @@ void Interpreter::emit(const Statement& statement, Motion motion) {
   const Spindle& spindle = state_.spindle;
   if (spindle.on && (!*spindle.on || spindle.rpm == 0)) motion.spindle_stopped = true;
   motion.position_known = state_.known[0] && state_.known[1] && state_.known[2];
+  motion.height_known = state_.known[2];
+  state_.has_moved = true;
   motion.parked = state_.adrift[2];
   motion.astray = state_.adrift[0] || state_.adrift[1];
   if (compensation_.idle()) {

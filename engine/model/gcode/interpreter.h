@@ -14,7 +14,8 @@
 namespace limitgauge::model::gcode {
 
 /// Carries out the blocks of a program in LinuxCNC's order of execution and keeps its canonical
-/// motions. Axes never programmed stand at 0 and are not known.
+/// motions. Axes never programmed stand where the machine's start has them, or at 0, and are not
+/// known.
 class Interpreter {
  public:
   /// The machine's own parameters are given to `parameters`, which like `lexer` outlives this and

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/model/angle.h"
 #include "engine/model/words.h"
 
 namespace limitgauge::model::gcode {
@@ -21,6 +22,19 @@ MachineState::MachineState(const MachineSetup& machine)
                 stated_point(machine.second_home_mm, machine.assume_fresh_machine)},
       fresh(machine.assume_fresh_machine) {
   refresh();
+  if (!machine.start_mm) return;
+  has_start = true;
+  start_mm = *machine.start_mm;
+  known.fill(!machine.start_is_assumed);
+  position_mm = frame.to_work(systems.frame(0).to_machine(*machine.start_mm));
+}
+
+void MachineState::take_place(int axis, double value_mm) {
+  Vec3 shift_mm;
+  shift_mm[axis] = value_mm - position_mm[axis];
+  start_mm += turned(shift_mm, frame.rotation_deg - systems.system(0).rotation_deg);
+  position_mm[axis] = value_mm;
+  known[axis] = true;
 }
 
 void MachineState::refresh() {

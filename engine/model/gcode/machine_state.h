@@ -65,6 +65,9 @@ struct MachineState {
   std::array<ReferencePoint, 2> reference;  ///< of G28 and G30
   bool fresh = false;                       ///< MachineSetup::assume_fresh_machine
   std::optional<int> selected_tool;         ///< by T
+  bool has_start = false;                   ///< MachineSetup::start_mm
+  bool has_moved = false;
+  Vec3 start_mm;  ///< of the tip, in the frame of G54; follows what G92 says of unknown axes
 
   /// In the active work frame; under cutter compensation the programmed point.
   Vec3 position_mm;
@@ -81,6 +84,12 @@ struct MachineState {
     refresh();
     stay_at(before);
   }
+  /// Whether a tool that is changed now comes to stand with its tip where that of the one before
+  /// stood: before the first motion, since the start is the tip's, and at an assumed height.
+  bool keeps_tip_at_change() const { return has_start && (!has_moved || !known[2]); }
+  /// The work coordinate of an unknown axis turns out to be `value_mm`: so was it at the start, as
+  /// far away as the program has moved since.
+  void take_place(int axis, double value_mm);
   bool is_compensated() const { return modal.compensation != 400; }
   bool is_adrift() const { return adrift[0] || adrift[1] || adrift[2]; }
 

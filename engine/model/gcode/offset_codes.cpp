@@ -91,9 +91,9 @@ void check_place(const Statement& statement, const Word& word, const MachineStat
 
 /// G92 and G10 L20 where the program has not said yet where the tool stands: they say it.
 void take_place(const Statement& statement, MachineState& state, int axis, double value_mm,
-                Assumptions& assumed) {
-  state.position_mm[axis] = value_mm;
-  state.known[axis] = true;
+                Program& program, Assumptions& assumed) {
+  state.take_place(axis, value_mm);
+  program.start_said_mm[axis] = state.start_mm[axis];
   assumed.add(statement.line(), std::string("the tool stands where ") +
                                     std::string(statement.g_word(GGroup::non_modal)->text) +
                                     " says, " + kAxes[axis] + shortest(value_mm) + " mm of " +
@@ -104,7 +104,8 @@ bool states_place(const MachineState& state, int axis) {
   return !state.known[axis] && !state.fresh && state.systems.system().usable[axis];
 }
 
-void touch_system(const Statement& statement, MachineState& state, Assumptions& assumed) {
+void touch_system(const Statement& statement, MachineState& state, Program& program,
+                  Assumptions& assumed) {
   refuse_words(statement, {'I', 'J', 'Q', 'R'}, "G10 L20");
   const std::size_t index = system_of(statement, state);
   if (index == state.systems.active())
@@ -117,7 +118,7 @@ void touch_system(const Statement& statement, MachineState& state, Assumptions& 
     check_place(statement, *word, state, axis);
     const double value_mm = length_of(statement, *word, state);
     if (active && states_place(state, axis)) {
-      take_place(statement, state, axis, value_mm, assumed);
+      take_place(statement, state, axis, value_mm, program, assumed);
     } else if (!state.known[axis] && !state.fresh) {
       statement.fail(*word, "G10 L20 from a place that the program has not stated",
                      "a motion of that axis to a coordinate first");
@@ -172,12 +173,13 @@ void select_system(const Statement& statement, MachineState& state, Assumptions&
   state.keeping_tip([&] { state.systems.select(index); });
 }
 
-void set_data(const Statement& statement, MachineState& state, Assumptions& assumed) {
+void set_data(const Statement& statement, MachineState& state, Program& program,
+              Assumptions& assumed) {
   const char* const expected = "L2 or L20 for a coordinate system, L1 for a tool";
   const Word& l = required(statement, 'L', expected);
   const int kind = whole(l.value).value_or(-1);
   if (kind == 2) return set_origin(statement, state, assumed);
-  if (kind == 20) return touch_system(statement, state, assumed);
+  if (kind == 20) return touch_system(statement, state, program, assumed);
   if (kind == 1) return set_tool_data(statement, state);
   if (kind == 10 || kind == 11)
     statement.fail(l,
@@ -190,7 +192,8 @@ void set_data(const Statement& statement, MachineState& state, Assumptions& assu
   statement.fail(l, in_quotes(l.text) + " beside G10", expected);
 }
 
-void set_axis_offsets(const Statement& statement, MachineState& state, Assumptions& assumed) {
+void set_axis_offsets(const Statement& statement, MachineState& state, Program& program,
+                      Assumptions& assumed) {
   forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state);
   const bool shifts = statement.g(GGroup::non_modal) == 520;
   if (!statement.has_axes())
@@ -204,7 +207,7 @@ void set_axis_offsets(const Statement& statement, MachineState& state, Assumptio
     const double value_mm = length_of(statement, *word, state);
     const double before_mm = state.systems.g92_mm()[axis];
     if (!shifts && states_place(state, axis)) {
-      take_place(statement, state, axis, value_mm, assumed);
+      take_place(statement, state, axis, value_mm, program, assumed);
       state.systems.set_g92(axis, before_mm);
     } else if (shifts) {
       state.systems.set_g92(axis, value_mm);

@@ -127,6 +127,7 @@ void change_tool(const Statement& statement, MachineState& state, Program& progr
     statement.fail(word, "more than a million tool changes", "fewer");
   if (state.tools.loaded() != tool)
     program.tool_changes.push_back({statement.line(), program.motions.size(), *tool});
+  if (state.keeps_tip_at_change()) return state.keeping_tip([&] { state.tools.load(*tool); });
   state.tools.load(*tool);
   state.refresh();
 }

@@ -111,6 +111,19 @@ test('gaps, limits, bands and the pinned run are drawn', () => {
   assert.equal(last('4'), 'run 5\n#5');
 });
 
+test('no line leads across a change of meaning, which is marked', () => {
+  const [job] = sampleHistory().jobs;
+  Object.assign(job.series[1].values[2], { trend: 'new meaning' });
+  const { series } = historyOption(job, all, colours, 1000);
+  const [, , , before, after] = series;
+  const drawn = ({ data }) => data.map(({ value }) => value[1] !== null);
+  assert.deepEqual(drawn(before), [true, true, false, false, false]);
+  assert.deepEqual(drawn(after), [false, false, true, false, true]);
+  assert.deepEqual(before.markLine.data.map(({ xAxis }) => xAxis), [2]);
+  assert.deepEqual(after.markLine.data, []);
+  assert.match(runLines(job, job.runs[2]).at(-1), /new meaning$/);
+});
+
 test('the words of a run name every figure', () => {
   const [job] = sampleHistory().jobs;
   assert.deepEqual(runLines(job, job.runs[2]), [

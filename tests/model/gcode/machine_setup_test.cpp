@@ -46,5 +46,7 @@ TEST_CASE("what is wrong with a tool table has its place", "[unit][gcode]") {
   CHECK(table_error("T1\nT1\n").find("tool.tbl:2:1: error: tool 1 twice") == 0);
   CHECK(table_error("T1 X1\n").find("tool.tbl:1:4: error: a tool offset along X") == 0);
   CHECK(table_error("T1 Z1e9\n").find("tool.tbl:1:4: error: a length beyond any tool") == 0);
+  CHECK(table_error("T1 Z10001\n").find("10001 mm; expected at most 10000 mm") !=
+        std::string::npos);
   CHECK(table_error("T1 *\n").find("tool.tbl:1:4: error: a tool table's line has a word") == 0);
 }

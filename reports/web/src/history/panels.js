@@ -11,6 +11,9 @@ const NO_MARK = { symbol: 'rect', size: 6 };
 const colourOf = (verdict, colours) =>
   ({ pass: colours.pass, fail: colours.fail, indeterminate: colours.open })[verdict] ?? colours.soft;
 
+/** Whether the run before measured something else under this name. */
+const isNewMeaning = (value) => value?.trend === 'new meaning';
+
 /** Where a run stands on the axis. */
 export const placeOf = (run, byTime) => (byTime ? run.time_ms : run.index);
 
@@ -26,7 +29,7 @@ export function panelSeries(job, series, how, colours) {
     ...(series.source === 'certified' ? [bandSeries(job, series, how, colours, axes)] : []),
     ...(series.values.some((value) => value?.limit !== undefined)
       ? [limitSeries(job, series, how, colours, axes)] : []),
-    figureSeries(job, series, how, colours, axes),
+    ...stretches(series).map((stretch) => figureSeries(job, series, stretch, how, colours, axes)),
   ];
 }
 
@@ -47,7 +50,7 @@ function bandSeries(job, series, { byTime }, colours, axes) {
         type: 'rect', shape: { x: x - 2, y: top, width: 4, height: Math.max(bottom - top, 1) },
         style: { fill: colours.bar, opacity: 0.8 },
       };
-      if (!next) return { type: 'group', children: [bar] };
+      if (!next || isNewMeaning(series.values[dataIndex + 1])) return { type: 'group', children: [bar] };
       const points = [point(here, 1), point(here, 2), point(next, 2), point(next, 1)];
       return {
         type: 'group',
@@ -67,10 +70,18 @@ function limitSeries(job, series, { byTime }, colours, axes) {
   };
 }
 
-function figureSeries(job, series, { byTime, pinned }, colours, axes) {
+/** Runs whose figures mean the same, as pairs [first, last]: no line leads from one to the next. */
+function stretches({ values }) {
+  const begins = [0, ...values.flatMap((value, index) => (isNewMeaning(value) ? [index] : []))];
+  return begins.map((first, i) => [first, (begins[i + 1] ?? values.length) - 1]);
+}
+
+/** The first stretch brings the lines across the panel. */
+function figureSeries(job, series, [first, last], { byTime, pinned }, colours, axes) {
   return {
     ...axes, type: 'line', z: 3, lineStyle: { color: colours.link, width: 1.5 },
-    data: series.values.map((value, index) => {
+    data: series.values.map((any, index) => {
+      const value = index >= first && index <= last ? any : null;
       const run = job.runs[index], verdict = verdictOf(run, series);
       const { symbol, size } = MARKS[verdict] ?? NO_MARK;
       return {
@@ -84,7 +95,13 @@ function figureSeries(job, series, { byTime, pinned }, colours, axes) {
     markLine: {
       silent: true, symbol: 'none', animation: false, label: { show: false },
       lineStyle: { color: colours.ink, width: 1.5, type: 'solid' },
-      data: pinned ? [{ xAxis: placeOf(pinned, byTime) }] : [],
+      data: first > 0 ? [] : [
+        ...(pinned ? [{ xAxis: placeOf(pinned, byTime) }] : []),
+        ...series.values.flatMap((value, index) => (isNewMeaning(value) ? [{
+          xAxis: placeOf(job.runs[index], byTime), lineStyle: { type: 'dashed' },
+          label: { show: true, formatter: 'new meaning', color: colours.ink },
+        }] : [])),
+      ],
     },
   };
 }

@@ -1,0 +1,70 @@
+// The simulator's stock and the verifier's distances, held against each other by rays: neither
+// knows the other.
+#include "verifier/stock_rays.h"
+#include "app/stock_probe.h"
+#include "tests/support/cages.h"
+#include "tests/support/catch.h"
+#include "tests/support/rasters.h"
+#include "tests/support/solid_meshes.h"
+#include "verifier/deviation_field.h"
+#include "verifier/surface_tree.h"
+
+namespace limitgauge {
+namespace {
+
+using namespace tests;
+using model::Vec3;
+
+/// All samples count as in reach. A disagreement would throw.
+verifier::RayFigures read(const verifier::ReferenceSurface& surface, const model::Stock& raw,
+                          const verifier::Pass& pass, double voxel_mm, double allowance_mm = 0) {
+  constexpr std::size_t kMemory = std::size_t{1} << 30;
+  const app::StockRayProbe probe(
+      simulator::StockModel(raw, voxel_mm, kMemory).cut({pass.cutter, pass.path}, {2}));
+  const verifier::SurfaceCells cells(surface.tree(), 0.3);
+  const verifier::RemovedSpace removed(raw, {&pass, 1}), outside(raw, {});
+  verifier::RayRequest request;
+  request.allowance_mm = allowance_mm;
+  constexpr double kSpacing_mm = 0.25, kFar_mm = 60;
+  return read_rays({cells, removed, outside, probe, kFar_mm},
+                   verifier::sample_surface(surface, kSpacing_mm), request, {2});
+}
+
+}  // namespace
+
+TEST_CASE("rays into the simulated stock agree with the analytic distances", "[property][rays]") {
+  const verifier::ReferenceSurface dome(paraboloid_cage(5, -0.03));
+  const model::Stock block = model::BoxStock{{-12, -12, -10}, {24, 24, 12}};
+  const model::Stock bar = model::CylinderStock{{0, 0, -10}, 26, 12};
+  const model::Stock mesh = mesh_stock(box_mesh({-12, -12, -10}, {24, 24, 12}));
+  const auto height = [](double x, double y) { return -0.03 * (x * x + y * y) - 0.02; };
+  for (const model::Stock& raw : {block, bar, mesh})
+    for (const model::Cutter& c : {ball_cutter(1.5), flat_cutter(1)})
+      for (const double allowance_mm : {0.0, 0.1}) {
+        const verifier::Pass pass{c, shared(raster(6, 0.7, 0.5, height))};
+        const verifier::RayFigures d = read(dome, raw, pass, 0.4, allowance_mm);
+        CHECK(d.rays > 1000);
+        CHECK(d.uncut_mm + d.gouge_mm > 0);
+      }
+}
+
+TEST_CASE("fins thinner than any voxel read their height", "[unit][rays]") {
+  // Flats of D4 at a step of 4 mm and 0.1 mm: fins 5 mm tall.
+  const verifier::ReferenceSurface plane(plane_cage(4, 0, 0));
+  const model::Stock block = model::BoxStock{{-20, -20, -10}, {40, 40, 15}};
+  for (const double w : {0.002, 0.1}) {
+    model::Toolpath path;
+    path.start = {-2 - w / 2, -12, 10};
+    for (const double x : {-6 - 1.5 * w, -2 - w / 2, 2 + w / 2, 6 + 1.5 * w}) {
+      feed_to(path, {x, -12, 10});
+      feed_to(path, {x, -12, 0});
+      feed_to(path, {x, 12, 0});
+      feed_to(path, {x, 12, 10});
+    }
+    const verifier::RayFigures d = read(plane, block, {flat_cutter(2), shared(path)}, 0.5);
+    CHECK(d.uncut_mm == Approx(5).margin(1e-6));
+    CHECK(d.gouge_mm == Approx(0).margin(1e-6));
+  }
+}
+
+}  // namespace limitgauge

@@ -1,0 +1,28 @@
+// No certified interval may contradict what looking everywhere finds.
+#include "tests/defects/triples.h"
+#include "tests/support/catch.h"
+
+namespace limitgauge::tests::defects {
+namespace {
+
+void hold(unsigned from, unsigned to) {
+  for (unsigned seed = from; seed < to; ++seed) {
+    const TripleResult result = hold_against_oracle(random_triple(seed));
+    CAPTURE(seed);
+    for (const std::string& what : result.contradictions)
+      FAIL_CHECK("triple " << seed << ": " << what);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("certified intervals hold what the oracle finds: sixty random triples", "[.][triples]") {
+  hold(0, 60);
+}
+
+TEST_CASE("certified intervals hold what the oracle finds: further random triples",
+          "[.][triples]") {
+  hold(60, 310);
+}
+
+}  // namespace limitgauge::tests::defects

@@ -1,0 +1,117 @@
+// Material over sharp convex edges: a cutter rides on an edge along every normal between the faces.
+#include <cmath>
+
+#include "tests/support/catch.h"
+#include "tests/support/judging.h"
+#include "tests/support/part_cages.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using namespace tests;
+
+/// Places within 1e-4 mm of a contact count as reached.
+constexpr double kContact_mm = 1e-4;
+
+model::Cutter taper_cutter(double diameter_mm, double angle_deg) {
+  return {"taper", model::CutterType::taper, diameter_mm, diameter_mm / 2, angle_deg, 30, {}, {}};
+}
+
+/// Rows of a ball along the floor on both sides of ridges, from `clear_mm` off their feet on.
+model::Toolpath floor_beside(const Ridges& r, double clear_mm, double step_mm) {
+  const double foot = r.count * r.pitch_mm / 2, end = foot + r.floor_mm, y = r.length_mm;
+  model::Toolpath path;
+  path.start = {-end - 4, -y, 9};
+  for (const double side : {-1.0, 1.0})
+    for (double x = foot + clear_mm; x < end + 4; x += step_mm) {
+      feed_to(path, {side * x, -y, 9});
+      feed_to(path, {side * x, -y, 0});
+      feed_to(path, {side * x, y, 0});
+      feed_to(path, {side * x, y, 9});
+    }
+  return path;
+}
+
+model::Toolpath nothing() {
+  return moves_through({{-20, -20, 30}, {20, 20, 30}});
+}
+
+}  // namespace
+
+TEST_CASE("ridges that were never touched are uncut by what stands on them",
+          "[unit][definition2]") {
+  // 90 degrees, 1 mm apart, 0.5 mm high, the block 2 mm higher; the floor beside them is milled by
+  // a ball of D6, whose flank stays off the ridges. The ball rides on an outer ridge leaning
+  // outwards until it touches the floor: its centre 3 mm over it and 2.5 mm over the edge, so the
+  // run through the block is 2 / (2.5 / 3) = 2.4 mm; straight up it is 2.
+  const Ridges ridges{5, 1, 45, 8, 9};
+  const ReferenceSurface surface(ridge_cage(ridges));
+  const auto block = block_between({-11.5, -4, -4}, {11.5, 4, 2.5});
+  const std::vector<Pass> passes = {pass_of(ball_cutter(3), floor_beside(ridges, 4.5, 0.1))};
+  const Judged judged = judge(surface, block, passes, uncut_gate(0.5));
+  CAPTURE(judged.deviation.uncut_mm.low, judged.deviation.uncut_mm.high);
+  CHECK(judged.decision.verdict == Verdict::fail);
+  // Beside the ridges the ball leaves the floor, as far in as it could have touched it: there the
+  // block stands 2.5 mm high, which is more.
+  const double truth = 2.5;
+  const StageDeviation d = measured(surface, block, passes, 0.01);
+  CAPTURE(d.uncut_mm.low, d.uncut_mm.high);
+  CHECK(d.uncut_mm.low >= 2 / (2.5 / 3));
+  CHECK(d.uncut_mm.low <= truth + kContact_mm);
+  CHECK(d.uncut_mm.high >= truth - 1e-9);
+  CHECK(d.uncut_mm.width() <= 0.01);
+}
+
+TEST_CASE("one roof under a ball that cuts nothing is uncut by all that stands on it",
+          "[unit][definition2]") {
+  const Ridges roof{1, 1, 50, 6, 3};  // 80 degrees at the top
+  const ReferenceSurface surface(ridge_cage(roof));
+  const auto block = block_between({-4, -4, -4}, {4, 4, roof.height_mm() + 1.5});
+  const Judged judged =
+      judge(surface, block, {pass_of(ball_cutter(3), nothing())}, uncut_gate(0.5));
+  CHECK(judged.decision.verdict == Verdict::fail);
+  CHECK(judged.deviation.uncut_mm.low > 0.5);
+}
+
+TEST_CASE("a taper that goes between ridges reaches their edges too", "[unit][definition2]") {
+  // Five ridges of 80 degrees; the taper mills the floor and the block stands on the ridges.
+  const Ridges ridges{5, 1, 50, 6, 6};
+  const ReferenceSurface surface(ridge_cage(ridges));
+  const auto block = block_between({-8.5, -3.5, -4}, {8.5, 3.5, ridges.height_mm() + 1});
+  const std::vector<Pass> passes = {pass_of(taper_cutter(1, 15), floor_beside(ridges, 1.5, 0.05))};
+  const Judged judged = judge(surface, block, passes, uncut_gate(0.5));
+  CAPTURE(judged.deviation.uncut_mm.low, judged.deviation.uncut_mm.high);
+  CHECK(judged.decision.verdict == Verdict::fail);
+  CHECK(judged.deviation.uncut_mm.low > 0.5);
+}
+
+TEST_CASE("over rims and corners of a boss the run is the longest between the faces' normals",
+          "[unit][definition2]") {
+  // All faces keep 0.2 mm: over an edge that is 0.2·√2, over a corner 0.2·√3.
+  const double off = 0.2, half = 2, r = 2, out = half + off + r;
+  const ReferenceSurface surface(boss_cage({{-half, -half, -2}, {half, half, 0}}));
+  const auto block = block_between({-5, -5, -6}, {5, 5, 1});
+  model::Toolpath path = moves_through({{-out, -out, 9},
+                                        {-out, -out, -2.5},
+                                        {out, -out, -2.5},
+                                        {out, out, -2.5},
+                                        {-out, out, -2.5},
+                                        {-out, -out, -2.5},
+                                        {-9, -9, off}});
+  for (const double y : {-4.0, -2.0, 0.0, 2.0, 4.0})
+    for (const double x : {-9.0, 9.0, -9.0}) feed_to(path, {x, y, off});
+  const std::vector<Pass> passes = {pass_of(flat_cutter(r), path)};
+  const double truth = off * std::sqrt(3.0);
+  const StageDeviation d = measured(surface, block, passes, 0.002);
+  CAPTURE(d.uncut_mm.low, d.uncut_mm.high, truth);
+  CHECK(d.uncut_mm.low <= truth + 1e-9);
+  CHECK(d.uncut_mm.high >= truth - 1e-9);
+  CHECK(d.uncut_mm.width() <= 0.002);
+  CHECK(d.gouge_mm.low == 0);
+  // The faces and the edges alone would pass.
+  CHECK(judge(surface, block, passes, uncut_gate(0.3)).decision.verdict == Verdict::fail);
+  CHECK(judge(surface, block, passes, uncut_gate(0.36)).decision.verdict == Verdict::pass);
+}
+
+}  // namespace limitgauge::verifier

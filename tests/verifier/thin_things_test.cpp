@@ -1,0 +1,127 @@
+// What is thinner than it is tall or deep: fins, holes, coarse cusps, plates near the block's
+// faces.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/catch.h"
+#include "tests/support/judging.h"
+#include "tests/support/part_cages.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using namespace tests;
+
+}  // namespace
+
+TEST_CASE("fins between two passes of a flat stand with their height", "[unit][definition2]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const auto block = block_between({-6, -6, -6}, {6, 6, 5});
+  for (const double thick : {0.002, 0.02, 0.05, 0.09, 0.099}) {
+    const double x = 4 + thick / 2;
+    const std::vector<Pass> passes = {pass_of(flat_cutter(4), moves_through({{-x, -11, 9},
+                                                                             {-x, -11, 0},
+                                                                             {-x, 11, 0},
+                                                                             {-x, 11, 9},
+                                                                             {x, 11, 9},
+                                                                             {x, 11, 0},
+                                                                             {x, -11, 0}}))};
+    const Judged judged = judge(plane, block, passes, both_gates(0.05, 0.05));
+    CAPTURE(thick, judged.deviation.uncut_mm.low, judged.deviation.uncut_mm.high);
+    CHECK(judged.decision.verdict == Verdict::fail);
+    CHECK(judged.deviation.uncut_mm.low <= 5);
+    CHECK(judged.deviation.uncut_mm.high >= 5);
+    CHECK(judged.deviation.gouge_mm.low == 0);
+    REQUIRE(!judged.deviation.uncuts.empty());
+    const Finding& fin = judged.deviation.uncuts.front();
+    CHECK(std::abs(fin.place.point.x) <= thick / 2 + 1e-6);
+    CHECK(fin.line > 0);
+  }
+}
+
+TEST_CASE("holes deeper than wide are gouges of their depth", "[unit][definition2]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const auto block = block_between({-6, -6, -6}, {6, 6, 0});
+  for (const double diameter : {0.05, 0.08, 0.11}) {
+    const std::vector<Pass> passes = {pass_of(
+        flat_cutter(diameter / 2), moves_through({{1.3, 0.7, 9}, {1.3, 0.7, -4}, {1.3, 0.7, 9}}))};
+    const Judged judged = judge(plane, block, passes, gouge_gate(0.06));
+    CAPTURE(diameter, judged.deviation.gouge_mm.low, judged.deviation.gouge_mm.high);
+    CHECK(judged.decision.verdict == Verdict::fail);
+    CHECK(judged.deviation.gouge_mm.low <= 4);
+    CHECK(judged.deviation.gouge_mm.high >= 4);
+    REQUIRE(!judged.deviation.gouges.empty());
+    const Finding& hole = judged.deviation.gouges.front();
+    CHECK(level_distance(hole.place.point, {1.3, 0.7, 0}) <= diameter / 2 + 1e-6);
+  }
+}
+
+TEST_CASE("a fin of the part that was milled away is gouged through", "[slow][definition2]") {
+  // 0.09 mm thick and 1 mm tall: 0.09 from its walls, 1 from its top.
+  const ReferenceSurface fin(
+      drawn_outline({{-4, 0}, {-0.045, 0}, {-0.045, 1}, {0.045, 1}, {0.045, 0}, {4, 0}}, 6));
+  const auto block = block_between({-5, -4, -5}, {5, 4, 1});
+  const std::vector<Pass> passes = {
+      pass_of(flat_cutter(5), moves_through({{0, -20, 0}, {0, 20, 0}}))};
+  CHECK(judge(fin, block, passes, gouge_gate(0.08)).decision.verdict == Verdict::fail);
+  const StageDeviation d = measured(fin, block, passes, 0.005);
+  CAPTURE(d.gouge_mm.low, d.gouge_mm.high);
+  CHECK(d.gouge_mm.low <= 1 + 1e-9);
+  CHECK(d.gouge_mm.high >= 1 - 1e-9);
+}
+
+TEST_CASE("cusps from fine to coarse by their closed form", "[unit][definition2]") {
+  // The height of a cusp between balls of radius R a step p apart is R − √(R² − p²/4).
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const auto block = block_between({-6, -6, -6}, {6, 6, 4});
+  for (const auto& [radius, step] :
+       {std::pair{3.0, 0.1}, {3.0, 1.0}, {2.0, 3.5}, {1.0, 1.9}, {5.0, 2.5}}) {
+    const double half = step * std::ceil(7 / step);
+    const std::vector<Pass> passes = {pass_of(
+        ball_cutter(radius), raster(half, step, 2 * half, [](double, double) { return 0.0; }))};
+    const double cusp = radius - std::sqrt(radius * radius - step * step / 4);
+    const double width = std::max(cusp / 1000, 0.0005);
+    const StageDeviation d = measured(plane, block, passes, width);
+    CAPTURE(radius, step, cusp, d.uncut_mm.low, d.uncut_mm.high);
+    CHECK(d.uncut_mm.low <= cusp + 1e-9);
+    CHECK(d.uncut_mm.high >= cusp - 1e-9);
+    CHECK(d.uncut_mm.width() <= width);
+    CHECK(d.reached_resolution);
+    CHECK(d.gouge_mm.low == 0);
+    CHECK(judge(plane, block, passes, uncut_gate(0.7 * cusp)).decision.verdict == Verdict::fail);
+    CHECK(judge(plane, block, passes, uncut_gate(1.3 * cusp)).decision.verdict == Verdict::pass);
+  }
+}
+
+TEST_CASE("the outside of the block has cut nothing", "[unit][definition2]") {
+  // A plate 0.5 mm above the underside of its block, 10 mm of stock on it, nothing cut.
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const auto block = block_between({-6, -6, -0.5}, {6, 6, 10});
+  const std::vector<Pass> passes = {
+      pass_of(ball_cutter(3), moves_through({{-9, -9, 20}, {9, 9, 20}}))};
+  const Judged judged = judge(plane, block, passes, uncut_gate(0.6));
+  CAPTURE(judged.deviation.uncut_mm.low, judged.deviation.uncut_mm.high);
+  CHECK(judged.decision.verdict == Verdict::fail);
+  CHECK(judged.deviation.uncut_mm.low <= 10);
+  CHECK(judged.deviation.uncut_mm.high >= 10);
+  const StageDeviation d = measured(plane, block, passes, 0.01);
+  CHECK(d.uncut_mm.low == Approx(10).margin(0.01));
+  CHECK(d.missing_stock_mm.low == 0);
+  CHECK(d.missing_stock_mm.high <= 0.01);
+}
+
+TEST_CASE("raw stock that does not cover the part is no program's gouge", "[unit][definition2]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const auto block = block_between({-6, -6, -6}, {6, 6, -0.3});
+  const std::vector<Pass> passes = {
+      pass_of(ball_cutter(3), moves_through({{-9, -9, 20}, {9, 9, 20}}))};
+  const StageDeviation d = measured(plane, block, passes, 0.001);
+  CHECK(d.gouge_mm.high <= 0.001);
+  CHECK(d.missing_stock_mm.low <= 0.3);
+  CHECK(d.missing_stock_mm.high >= 0.3);
+  CHECK(d.missing_stock_mm.low > 0.29);
+  CHECK(!d.missing_stock.empty());
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,253 @@
+#include "verifier/run_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "verifier/nearest_first.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+/// Steps of one run: what is grazed longer is cut short there, which is a bound as well.
+constexpr int kMostSteps = 400;
+constexpr double kItself_mm = 1e-5;
+/// Skins that a run through removed space passes over.
+constexpr double kStepOver_mm = 4 * kSkin_mm;
+
+/// A part of a ray: from + t·along for t in [low, high].
+struct Stretch {
+  double low = 0, high = 0;
+  bool empty() const { return !(low <= high); }
+};
+
+/// A ray as an axis of coordinates: how far along it and how far aside a point lies.
+class Ray {
+ public:
+  Ray(const Vec3& from, const Vec3& along)
+      : from_(from),
+        along_(along),
+        aside_(normalized(cross(along, std::abs(along.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}))),
+        across_(cross(along, aside_)) {}
+
+  /// Where it may meet the hull of the cell's control points.
+  Stretch within(const Bezier& cell) const {
+    Range t, x, y;
+    for (int k = 0; k < 16; ++k) {
+      const Vec3 p = cell.control(k) - from_;
+      t.add(dot(p, along_)), x.add(dot(p, aside_)), y.add(dot(p, across_));
+    }
+    if (!x.holds_zero() || !y.holds_zero()) return {1, 0};
+    return {t.low - kGrown_mm, t.high + kGrown_mm};
+  }
+  Stretch within(const model::Box3& box) const {
+    const Vec3 c = box.centre() - from_, h = box.size() / 2;
+    const auto half = [&](const Vec3& v) {
+      return std::abs(v.x) * h.x + std::abs(v.y) * h.y + std::abs(v.z) * h.z + kGrown_mm;
+    };
+    if (std::abs(dot(c, aside_)) > half(aside_) || std::abs(dot(c, across_)) > half(across_))
+      return {1, 0};
+    const double at = dot(c, along_), reach = half(along_);
+    return {at - reach, at + reach};
+  }
+
+ private:
+  static constexpr double kGrown_mm = 1e-9;
+  struct Range {
+    double low = 1e300, high = -1e300;
+    void add(double v) { low = std::min(low, v), high = std::max(high, v); }
+    bool holds_zero() const { return low <= kGrown_mm && high >= -kGrown_mm; }
+  };
+  Vec3 from_, along_, aside_, across_;
+};
+
+/// Without what is s itself.
+Stretch beyond_itself(Stretch s) {
+  if (s.low >= -kItself_mm) s.low = std::max(s.low, kItself_mm);
+  if (s.high <= kItself_mm) s.high = std::min(s.high, -kItself_mm);
+  return s;
+}
+
+class CrossingSearch {
+ public:
+  CrossingSearch(const SurfaceCells& cells, const Vec3& from, const Vec3& along, Stretch wanted)
+      : cells_(cells), ray_(from, along), first_(wanted.high), from_(wanted.low) {}
+
+  double run() {
+    nearest_first(
+        cells_.nodes(), [&](const BoxNode& node) { return start_of(ray_.within(node.box)); },
+        [&](double bound) { return bound >= first_; },
+        [&](const BoxNode& leaf) {
+          for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+            descend(cells_.cells()[k].shape);
+        });
+    return first_;
+  }
+
+ private:
+  /// The first place of interest in a stretch; infinite where there is none.
+  double start_of(Stretch s) const {
+    s.low = std::max(s.low, from_);
+    if (s.low >= -kItself_mm && s.high <= kItself_mm) return kNone;
+    s = beyond_itself(s);
+    return s.empty() ? kNone : s.low;
+  }
+  void descend(const Bezier& cell) {
+    const double start = start_of(ray_.within(cell));
+    if (start >= first_) return;
+    if (control_radius(cell, middle(cell)) < kSmallestCell_mm) {
+      first_ = start;
+      return;
+    }
+    const auto parts = halved(cell);
+    const bool later = start_of(ray_.within(parts[1])) < start_of(ray_.within(parts[0]));
+    descend(parts[later ? 1 : 0]);
+    descend(parts[later ? 0 : 1]);
+  }
+
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+  const SurfaceCells& cells_;
+  Ray ray_;
+  double first_, from_;
+};
+
+}  // namespace
+
+double next_crossing_mm(const SurfaceCells& cells, const Vec3& s, const Vec3& along, double from_mm,
+                        double to_mm) {
+  return CrossingSearch(cells, s, along, {from_mm, to_mm}).run();
+}
+
+/// How much further everything is material: bodies further than `sight_mm` cannot be met before it,
+/// and those nearer not before the zeros of their planes.
+double RunTracer::step_through_material(const Vec3& p, const Vec3& along, const Nearest& nearest,
+                                        double sight_mm) const {
+  thread_local std::vector<BodyRef> near;
+  near.clear();
+  const double error = space_.chord_error_mm(), least = nearest.distance.value - error;
+  double step = sight_mm;
+  space_.within(p, step + error, near);
+  for (const BodyRef body : near) {
+    const BodyDistance d = space_.distance(body, p);
+    // The distance of a mesh's outside, or a bar's, does not lie above its plane.
+    if (space_.mesh_of(body) || space_.is_concave(body)) {
+      step = std::min(step, d.value - error);
+      continue;
+    }
+    const double closing = -dot(d.gradient, along);
+    if (closing > 0) step = std::min(step, std::max(0.0, d.value - d.slack_mm - error) / closing);
+  }
+  return std::max(step, least);
+}
+
+TracedRun RunTracer::material(const Vec3& s, const Vec3& n, double allowance_mm, double limit_mm,
+                              double least_mm) const {
+  TracedRun run;
+  std::optional<BodyRef> hint;
+  constexpr double kSight = 2;
+  double sight = 0;
+  const Vec3 from = s + n * allowance_mm;
+  for (int step = 0; step < kMostSteps && run.length_mm < limit_mm; ++step) {
+    const Vec3 p = from + n * run.length_mm;
+    const Nearest nearest = space_.nearest(p, hint);
+    hint = run.body = nearest.body;
+    const double sure = nearest.distance.value - space_.chord_error_mm();
+    if (!(sure > kSkin_mm)) break;
+    if (sure <= kBeside_mm && std::abs(dot(nearest.distance.gradient, n)) <= kAlong) break;
+    // Along a wall nothing but sight limits the steps: ever further, then.
+    sight = std::max(sight, kSight * sure);
+    const double gone = step_through_material(p, n, nearest, sight);
+    sight = gone >= sight ? kSight * sight : kSight * sure;
+    run.length_mm += gone;
+  }
+  run.length_mm = std::min(run.length_mm, limit_mm);
+  if (run.length_mm <= least_mm) return run;
+  const double to = allowance_mm + run.length_mm;
+  const double crossing = next_crossing_mm(cells_, s, n, allowance_mm, to);
+  if (crossing < to) run.length_mm = crossing - allowance_mm, run.meets_surface = true;
+  return run;
+}
+
+/// The last place along the ray, from t on where the body holds it, that the body still holds.
+double RunTracer::exit_of(BodyRef body, const Vec3& p, const Vec3& along, double t,
+                          double limit_mm) const {
+  const auto depth = [&](double at) {
+    return -space_.distance(body, p + along * at).value - space_.chord_error_mm();
+  };
+  double inside = t, here = depth(t);
+  if (space_.is_stock(body)) {
+    // Not all of these are convex, so by steps that are no longer than the place is deep.
+    for (int step = 0; step < kMostSteps && here > kSkin_mm / 2 && inside < limit_mm; ++step)
+      inside += here, here = depth(inside);
+    return std::min(inside, limit_mm);
+  }
+  // Convex: what lies between two places inside is inside.
+  double outside = inside;
+  for (double by = std::max(here, kSkin_mm); outside < limit_mm; by *= 2) {
+    outside = std::min(inside + by, limit_mm);
+    here = depth(outside);
+    if (here < 0) break;
+    inside = outside;
+  }
+  constexpr double kFine_mm = 1e-9;
+  while (outside - inside > kFine_mm) {
+    const double middle = (inside + outside) / 2;
+    (depth(middle) >= 0 ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+/// Whether a wall along the ray stands next to it, by which S is met.
+bool RunTracer::stands_beside(const Nearest& nearest, const Vec3& p, const Vec3& along) const {
+  const Vec3& g = nearest.distance.gradient;
+  if (nearest.distance.value < -kBeside_mm || std::abs(dot(g, along)) > kAlong) return false;
+  return space_.nearest(p + g * (2 * kBeside_mm)).distance.value > 0;
+}
+
+/// From body to body through what does not stand; `visit(body, end)` is told of each. Returns where
+/// something stands, or the limit.
+template <class Visit>
+double RunTracer::walk_removed(const Vec3& p, const Vec3& along, double limit_mm,
+                               Visit&& visit) const {
+  double t = 0;
+  std::optional<BodyRef> hint;
+  for (int step = 0; step < kMostSteps && t < limit_mm; ++step) {
+    Nearest nearest = space_.nearest(p + along * t, hint);
+    hint = nearest.body;
+    const double sure = -kSkin_mm - space_.chord_error_mm();
+    if (nearest.distance.value >= sure) {
+      // Two bodies that meet face to face leave no film between them.
+      nearest = space_.nearest(p + along * (t + kStepOver_mm), hint);
+      if (nearest.distance.value >= sure) break;
+      t += kStepOver_mm;
+    }
+    if (stands_beside(nearest, p + along * t, along)) break;
+    const double end = exit_of(nearest.body, p, along, t, limit_mm);
+    if (!(end > t)) break;
+    t = end;
+    visit(nearest.body, end);
+  }
+  return t;
+}
+
+TracedRun RunTracer::removed(const Vec3& s, const Vec3& n, double allowance_mm, double limit_mm,
+                             double least_mm, bool stock_counts) const {
+  TracedRun run;
+  walk_removed(s + n * allowance_mm, -n, limit_mm, [&](BodyRef body, double end) {
+    if (stock_counts || !space_.is_stock(body)) run = {end, body, false};
+  });
+  if (run.length_mm <= least_mm) return run;
+  // t counts from s, inwards.
+  const double to = run.length_mm - allowance_mm;
+  const double crossing = next_crossing_mm(cells_, s, -n, -allowance_mm, to);
+  if (crossing < to) run.length_mm = crossing + allowance_mm, run.meets_surface = true;
+  return run;
+}
+
+double RunTracer::free_length_mm(const Vec3& p, const Vec3& along, double limit_mm) const {
+  return walk_removed(p, along, limit_mm, [](BodyRef, double) {});
+}
+
+}  // namespace limitgauge::verifier

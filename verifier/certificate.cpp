@@ -162,6 +162,7 @@ class CellSearch {
     if (tiny || !bounds_.ends_within(offset, goal())) {
       const TracedRun run = bounds_.run(offset.middle, offset.normal, out_.low);
       if (run.length_mm > out_.low) {
+        if (is_left_out(cell) || surely_unreachable(cell, offset)) return;
         const SurfacePlace place = place_of(cell, offset.middle);
         out_of_reach = !task_.counts(cell, place, offset.normal);
         if (!out_of_reach) {
@@ -172,7 +173,6 @@ class CellSearch {
       if (!out_of_reach && bounds_.surely_within_thin(offset, run.length_mm, goal()))
         return out_.cover(goal());
     }
-    if (out_of_reach && surely_unreachable(cell, offset)) return;
     if (is_left_out(cell)) return;
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (tiny && out_of_reach) return;
@@ -191,10 +191,11 @@ class CellSearch {
   static bool is_left_out(const RidgeCell&) { return false; }
 
   bool surely_unreachable(const SurfaceCell& cell, const OffsetCell&) const {
-    return task_.reach->surely_unreachable(cell);
+    return task_.side == Side::uncut && task_.reach->surely_unreachable(cell);
   }
   bool surely_unreachable(const RidgeCell&, const OffsetCell& offset) const {
-    return task_.reach->ridge_surely_unreachable(offset.shape, {offset.normal, offset.spread_rad});
+    return task_.side == Side::uncut &&
+           task_.reach->ridge_surely_unreachable(offset.shape, {offset.normal, offset.spread_rad});
   }
 
   /// The move to name: of a gouge the one that reaches furthest, of a leftover the nearest.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "verifier/nearest_first.h"
 #include "verifier/swept_body.h"
@@ -12,13 +13,20 @@ namespace {
 
 using model::Vec3;
 
-/// Pieces of a region looked at before the proof is given up.
-constexpr int kMostPieces = 60;
+/// Searches for points of S that a proof may take before it is given up, and such points that a
+/// piece is held against.
+constexpr int kMostSearches = 80;
+constexpr std::size_t kMostKnown = 24;
 /// Share of its depth by which the deepest point may be missed: any deep point serves.
-constexpr double kCoarse = 0.2;
+constexpr double kCoarse = 0.01;
 
-Vec3 tip_at(const ContactRegion& g, double r, double angle, double z) {
-  return g.core + Vec3{r * std::cos(angle), r * std::sin(angle), -z};
+Vec3 tip_at(const Vec3& core, double r, double angle, double z) {
+  return core + Vec3{r * std::cos(angle), r * std::sin(angle), -z};
+}
+
+Vec3 middle_tip(const ContactRegion& g) {
+  const Vec3 core = (g.cores[0] + g.cores[1] + g.cores[2] + g.cores[3]) / 4;
+  return tip_at(core, (g.r0 + g.r1) / 2, (g.angle0 + g.angle1) / 2, (g.z0 + g.z1) / 2);
 }
 
 BodyDistance part_plane(const StandingPart& part, const Vec3& tip, const Vec3& p) {
@@ -27,10 +35,50 @@ BodyDistance part_plane(const StandingPart& part, const Vec3& tip, const Vec3& p
                       : closed_standing_distance(part.profile, at, p);
 }
 
-/// The search for a point of S deep in one part of the cutter.
-struct DeepSearch {
-  const StandingPart& part;
-  Vec3 tip;
+/// The place of a piece round one core that is farthest in plan from p: straight away from it on
+/// the outer arc, else a corner.
+Vec3 farthest_in_plan(const ContactRegion& g, const Vec3& core, double z, const Vec3& p) {
+  const double mid = (g.angle0 + g.angle1) / 2, half = (g.angle1 - g.angle0) / 2;
+  const double away = std::atan2(core.y - p.y, core.x - p.x);
+  if (std::abs(std::remainder(away - mid, 2 * std::numbers::pi)) <= half)
+    return tip_at(core, g.r1, away, z);
+  Vec3 out;
+  double most = -1;
+  for (const double r : {g.r0, g.r1})
+    for (const double angle : {g.angle0, g.angle1}) {
+      const Vec3 tip = tip_at(core, r, angle, z);
+      const double apart = std::hypot(tip.x - p.x, tip.y - p.y);
+      if (apart > most) most = apart, out = tip;
+    }
+  return out;
+}
+
+/// Greatest signed distance from p to a part over all positions of a piece, and its plane: the
+/// distance grows with the one in plan, and is convex in the tip's height and core.
+BodyDistance greatest_distance(const StandingPart& part, const ContactRegion& g, const Vec3& p) {
+  BodyDistance out;
+  out.value = -std::numeric_limits<double>::infinity();
+  for (const Vec3& core : g.cores)
+    for (const double z : {g.z0, g.z1}) {
+      const BodyDistance d = part_plane(part, farthest_in_plan(g, core, z, p), p);
+      if (d.value > out.value) out = d;
+      if (g.z0 == g.z1) break;
+    }
+  return out;
+}
+
+Vec3 lowest_corner(const Bezier& cell, const Vec3& gradient) {
+  Vec3 out = cell.control(0);
+  for (const int k : {3, 12, 15})
+    if (dot(gradient, cell.control(k) - out) < 0) out = cell.control(k);
+  return out;
+}
+
+/// The search for a point of S at which a convex function is low: any below the start, or one
+/// nearly as low as the lowest.
+template <class Function>
+struct LowSearch {
+  const Function& function;
   double start_mm, least_mm;
   bool any = false;
   std::optional<Vec3> found = {};
@@ -39,10 +87,17 @@ struct DeepSearch {
     if (any && found) return -std::numeric_limits<double>::infinity();
     return least_mm - kCoarse * (start_mm - least_mm);
   }
+  void see(const Vec3& p, double value_mm) {
+    if (value_mm < least_mm) least_mm = value_mm, found = p;
+  }
   void descend(const Bezier& cell) {
     const Vec3 centre = middle(cell);
-    const BodyDistance d = part_plane(part, tip, centre);
-    if (d.value < least_mm) least_mm = d.value, found = centre;
+    const BodyDistance d = function(centre);
+    see(centre, d.value);
+    if (least_by_plane(d, centre, cell) >= enough()) return;
+    // What lies on an edge of S is lowest at a corner of its cells, however small they are.
+    const Vec3 corner = lowest_corner(cell, d.gradient);
+    see(corner, function(corner).value);
     if (least_by_plane(d, centre, cell) >= enough() ||
         control_radius(cell, centre) < kSmallestCell_mm)
       return;
@@ -50,11 +105,24 @@ struct DeepSearch {
   }
 };
 
-}  // namespace
-
-double part_distance_mm(const StandingPart& part, const Vec3& tip, const Vec3& p) {
-  return part_plane(part, tip, p).value;
+/// Such a point, where the function is no less than the distance to a part with its tip at `tip`.
+template <class Function>
+std::optional<Vec3> low_point(const SurfaceCells& cells, const StandingPart& part, const Vec3& tip,
+                              const Function& function, double start_mm, double& least_mm,
+                              bool any) {
+  LowSearch<Function> search{function, start_mm, least_mm, any};
+  nearest_first(
+      cells.nodes(), [&](const BoxNode& node) { return part_bound_mm(part, tip, node.box); },
+      [&](double bound) { return bound >= search.enough(); },
+      [&](const BoxNode& leaf) {
+        for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i)
+          search.descend(cells.cells()[i].shape);
+      });
+  least_mm = search.least_mm;
+  return search.found;
 }
+
+}  // namespace
 
 double part_bound_mm(const StandingPart& part, const Vec3& tip, const model::Box3& box) {
   const double dx = std::max({box.low.x - tip.x, 0.0, tip.x - box.high.x});
@@ -64,72 +132,167 @@ double part_bound_mm(const StandingPart& part, const Vec3& tip, const model::Box
   return part.endless ? open : std::max(open, box.low.z - base - part.profile.top_mm);
 }
 
-/// A point of S nearer than the limit: any, or one nearly as deep as the deepest.
-std::optional<ContactBlock::Obstacle> ContactBlock::deep_obstacle(const Vec3& tip, double limit_mm,
-                                                                  bool any) const {
+CellRectangle rectangle_round(const Bezier& cell, const Vec3& normal) {
+  const Vec3 centre = middle(cell);
+  const InnerChords chords = inner_chords(cell);
+  const Vec3 longer = dot(chords.u, chords.u) >= dot(chords.v, chords.v) ? chords.u : chords.v;
+  Vec3 along = longer - normal * dot(longer, normal);
+  const Vec3 any = std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+  along = normalized(dot(along, along) > 0 ? along : cross(normal, any));
+  const Vec3 across = cross(normal, along);
+  double wide = 0, tall = 0;
+  CellRectangle out;
+  for (int k = 0; k < 16; ++k) {
+    const Vec3 p = cell.control(k) - centre;
+    wide = std::max(wide, std::abs(dot(p, along)));
+    tall = std::max(tall, std::abs(dot(p, across)));
+    out.thickness_mm = std::max(out.thickness_mm, std::abs(dot(p, normal)));
+  }
+  for (int k = 0; k < 4; ++k)
+    out.corners[k] = centre + along * (k & 1 ? wide : -wide) + across * (k & 2 ? tall : -tall);
+  return out;
+}
+
+/// A point of S nearer than the limit to the cutter at `tip`: any, or nearly the deepest.
+std::optional<ContactBlock::Obstacle> ContactBlock::obstacle_at(const Vec3& tip, double limit_mm,
+                                                                bool any) const {
   std::optional<Obstacle> out;
   double least = limit_mm;
   for (std::size_t k = 0; k < parts_.size() && !(any && out); ++k) {
-    DeepSearch search{parts_[k], tip, limit_mm, least, any};
-    nearest_first(
-        cells_.nodes(),
-        [&](const BoxNode& node) { return part_bound_mm(parts_[k], tip, node.box); },
-        [&](double bound) { return bound >= search.enough(); },
-        [&](const BoxNode& leaf) {
-          for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i)
-            search.descend(cells_.cells()[i].shape);
-        });
-    if (search.found) out = Obstacle{*search.found, k}, least = search.least_mm;
+    const auto distance = [&](const Vec3& p) { return part_plane(parts_[k], tip, p); };
+    if (const auto p = low_point(cells_, parts_[k], tip, distance, limit_mm, least, any))
+      out = Obstacle{*p, k};
   }
   return out;
 }
 
-bool ContactBlock::holds(const ContactRegion& g, const Obstacle& obstacle) const {
-  const double bulge = g.r1 * (1 - std::cos(std::min(g.angle1 - g.angle0, 3.14) / 2));
-  const double limit = limit_mm_ - g.stray_mm - bulge;
-  for (int k = 0; k < 8; ++k) {
-    const Vec3 tip =
-        tip_at(g, k & 1 ? g.r0 : g.r1, k & 2 ? g.angle0 : g.angle1, k & 4 ? g.z0 : g.z1);
-    if (part_distance_mm(parts_[obstacle.part], tip, obstacle.point) >= limit) return false;
+/// A point of S nearer than the limit to the cutter at every position of the piece.
+std::optional<ContactBlock::Obstacle> ContactBlock::obstacle_of(const ContactRegion& g) const {
+  const double limit = limit_mm_ - g.stray_mm;
+  const Vec3 tip = middle_tip(g);
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    double least = limit;
+    const auto distance = [&](const Vec3& p) { return greatest_distance(parts_[k], g, p); };
+    if (const auto p = low_point(cells_, parts_[k], tip, distance, limit, least, true))
+      return Obstacle{*p, k};
   }
-  return true;
+  return std::nullopt;
 }
 
-bool ContactBlock::blocks(const ContactRegion& g, std::optional<Obstacle> known,
-                          int& effort) const {
-  constexpr double kWidest_rad = 1.6;  // corners say nothing of an arc that is wider
-  if (--effort < 0) return false;
-  const double turn = g.angle1 - g.angle0;
-  const bool narrow = turn <= kWidest_rad;
-  if (known && narrow && holds(g, *known)) return true;
-  const Vec3 middle_tip =
-      tip_at(g, (g.r0 + g.r1) / 2, (g.angle0 + g.angle1) / 2, (g.z0 + g.z1) / 2);
-  known = deep_obstacle(middle_tip, limit_mm_ - g.stray_mm);
-  if (!known) return false;
-  if (narrow && holds(g, *known)) return true;
+bool ContactBlock::holds(const ContactRegion& g, const Obstacle& obstacle) const {
+  return greatest_distance(parts_[obstacle.part], g, obstacle.point).value < limit_mm_ - g.stray_mm;
+}
+
+/// What is known of S by the proofs of the pieces before.
+struct ContactBlock::Search {
+  std::vector<Obstacle> known;
+  int searches = 0;
+  bool inside = false;  ///< whether free places are looked for inside the outer arc, too
+  double smallest_mm = 0;
+
+  void learn(const Obstacle& o) {
+    if (known.size() == kMostKnown) known.erase(known.begin());
+    known.push_back(o);
+  }
+};
+
+/// Looks for a position of the region that no one obstacle bars for all of the hull of the cores:
+/// ever again what is least barred by those known so far, until they bar all that is tried.
+std::optional<ContactRegion> ContactBlock::free_spot(const ContactRegion& g, Search& search) const {
+  constexpr int kTried = 20;
+  const double limit = limit_mm_ - g.stray_mm;
+  for (int k = 0; k < kTried; ++k) {
+    const ContactRegion spot = least_barred(g, search);
+    const bool barred = std::any_of(search.known.begin(), search.known.end(),
+                                    [&](const Obstacle& o) { return holds(spot, o); });
+    if (barred) return std::nullopt;
+    const auto met = obstacle_at(middle_tip(spot), limit, false);
+    if (!met || !holds(spot, *met)) return spot;
+    search.learn(*met);
+  }
+  return std::nullopt;
+}
+
+/// Distance from the nearest of the known obstacles to the cutter in the middle of a piece.
+double ContactBlock::barred_mm(const ContactRegion& spot, const Search& search) const {
+  const Vec3 tip = middle_tip(spot);
+  double out = std::numeric_limits<double>::max();
+  for (const Obstacle& o : search.known)
+    out = std::min(out, part_plane(parts_[o.part], tip, o.point).value);
+  return out;
+}
+
+/// Of positions all over the region, or on its outer arc, that which the known obstacles bar least;
+/// between two walls there may be one such place only, which is closed in on along the arc.
+ContactRegion ContactBlock::least_barred(const ContactRegion& g, const Search& search) const {
+  constexpr int kRound = 24, kRings = 2, kSteps = 24;
+  ContactRegion best = g;
+  double most = -std::numeric_limits<double>::infinity();
+  const auto value = [&](double r, double angle, double z) {
+    ContactRegion spot = g;
+    spot.r0 = spot.r1 = r, spot.angle0 = spot.angle1 = angle, spot.z0 = spot.z1 = z;
+    const double here = barred_mm(spot, search);
+    if (here > most) most = here, best = spot;
+    return here;
+  };
+  const double step = (g.angle1 - g.angle0) / kRound;
+  const int rings = search.inside && g.r0 < g.r1 ? kRings : 0;
+  for (const double z : {g.z0, g.z1}) {
+    for (int ring = 0; ring <= rings; ++ring)
+      for (int k = 0; k <= kRound; ++k)
+        value(g.r1 + (rings ? (g.r0 - g.r1) * ring / rings : 0), g.angle0 + step * k, z);
+    if (g.z0 == g.z1) break;
+  }
+  const ContactRegion from = best;
+  double low = std::max(g.angle0, from.angle0 - step),
+         high = std::min(g.angle1, from.angle0 + step);
+  for (int k = 0; k < kSteps && from.r1 * (high - low) > kSmallestCell_mm; ++k) {
+    const double third = (high - low) / 3;
+    if (value(from.r1, low + third, from.z0) < value(from.r1, high - third, from.z0))
+      low += third;
+    else
+      high -= third;
+  }
+  return best;
+}
+
+std::optional<Vec3> ContactBlock::free_tip(const ContactRegion& region) const {
+  Search search;
+  search.inside = true;
+  const auto spot = free_spot(region, search);
+  return spot ? std::optional(middle_tip(*spot)) : std::nullopt;
+}
+
+bool ContactBlock::blocks(const ContactRegion& g, Search& search) const {
+  for (std::size_t k = search.known.size(); k-- > 0;)
+    if (holds(g, search.known[k])) return true;
+  const double by_angle = g.r1 * (g.angle1 - g.angle0), by_r = g.r1 - g.r0, by_z = g.z1 - g.z0;
+  // Of a piece smaller than the hull of the cores it is the hull that is too large.
+  if (std::max({by_angle, by_r, by_z}) < search.smallest_mm) return false;
+  constexpr double kWidest_rad = 1.6;  // no one point serves for more of a circle
+  if (g.r1 <= 0 || g.angle1 - g.angle0 <= kWidest_rad) {
+    if (++search.searches > kMostSearches) return false;
+    if (const auto met = obstacle_of(g)) {
+      search.learn(*met);
+      return true;
+    }
+    if (!obstacle_at(middle_tip(g), limit_mm_ - g.stray_mm, true)) return false;
+  }
   ContactRegion low = g, high = g;
-  const double by_r = g.r1 - g.r0, by_z = g.z1 - g.z0;
-  if (g.r1 * turn >= by_r && g.r1 * turn >= by_z)
+  if (by_angle >= by_r && by_angle >= by_z)
     low.angle1 = high.angle0 = (g.angle0 + g.angle1) / 2;
   else if (by_r >= by_z)
     low.r1 = high.r0 = (g.r0 + g.r1) / 2;
   else
     low.z1 = high.z0 = (g.z0 + g.z1) / 2;
-  return blocks(low, known, effort) && blocks(high, known, effort);
+  return blocks(high, search) && blocks(low, search);
 }
 
 bool ContactBlock::blocks(const ContactRegion& region) const {
-  // Where one position is free, or nearly, there is nothing to prove: the ends and the middle
-  // first.
-  constexpr int kTried = 8;
-  for (int k = 0; k <= kTried; ++k) {
-    const double angle = region.angle0 + (region.angle1 - region.angle0) * k / kTried;
-    for (const double z : {region.z0, region.z1})
-      if (!deep_obstacle(tip_at(region, region.r1, angle, z), limit_mm_ - region.stray_mm, true))
-        return false;
-  }
-  int effort = kMostPieces;
-  return blocks(region, std::nullopt, effort);
+  Search search;
+  for (const Vec3& corner : region.cores)
+    search.smallest_mm = std::max(search.smallest_mm, distance(corner, region.cores[0]) / 2);
+  return !free_spot(region, search) && blocks(region, search);
 }
 
 }  // namespace limitgauge::verifier

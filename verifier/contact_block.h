@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -17,17 +18,25 @@ struct StandingPart {
 };
 
 /// Tip positions core + (r·cos θ, r·sin θ, −z), each as far as `stray_mm` from it, for r, θ and z
-/// in ranges.
+/// in ranges and every core in the hull of four points.
 struct ContactRegion {
-  model::Vec3 core;
+  std::array<model::Vec3, 4> cores;
   double r0 = 0, r1 = 0, angle0 = 0, angle1 = 0, z0 = 0, z1 = 0;
   double stray_mm = 0;
 };
 
+/// Four corners of a rectangle through the middle of a cell, along its longer way, and how far its
+/// control points lie from it at most: the cell is within that of the rectangle's hull.
+struct CellRectangle {
+  std::array<model::Vec3, 4> corners;
+  double thickness_mm = 0;
+};
+CellRectangle rectangle_round(const Bezier& cell, const model::Vec3& normal);
+
 /// Proof that a cutter made of parts comes nearer than a limit to S from every position of a
-/// region: the distance to a part is convex in its position, so a point of S that is near enough at
-/// all corners of a piece of the region is near enough in all of it, but for the bulge of an arc
-/// over its chord. Pieces are halved where that does not hold.
+/// region: of one point of S, the distance to a part grows with the one in plan, which is greatest
+/// at the far end of a piece of the region, and is convex in the core and the height. Pieces are
+/// halved where no point serves for all, until they are as small as the hull of their cores.
 class ContactBlock {
  public:
   ContactBlock(const SurfaceCells& cells, const std::vector<StandingPart>& parts, double limit_mm)
@@ -35,25 +44,31 @@ class ContactBlock {
 
   /// False means "not proven".
   bool blocks(const ContactRegion& region) const;
+  /// A position of the region from which the cutter comes no nearer than the limit to S, if one was
+  /// found; of several cores, from the middle.
+  std::optional<model::Vec3> free_tip(const ContactRegion& region) const;
 
  private:
   struct Obstacle {
     model::Vec3 point;
     std::size_t part = 0;
   };
-  bool blocks(const ContactRegion& region, std::optional<Obstacle> known, int& effort) const;
-  bool holds(const ContactRegion& region, const Obstacle& obstacle) const;
-  std::optional<Obstacle> deep_obstacle(const model::Vec3& tip, double limit_mm,
-                                        bool any = false) const;
+  struct Search;
+  std::optional<ContactRegion> free_spot(const ContactRegion& region, Search& search) const;
+  double barred_mm(const ContactRegion& spot, const Search& search) const;
+  ContactRegion least_barred(const ContactRegion& region, const Search& search) const;
+  bool blocks(const ContactRegion& piece, Search& search) const;
+  bool holds(const ContactRegion& piece, const Obstacle& obstacle) const;
+  std::optional<Obstacle> obstacle_at(const model::Vec3& tip, double limit_mm, bool any) const;
+  std::optional<Obstacle> obstacle_of(const ContactRegion& piece) const;
 
   const SurfaceCells& cells_;
   const std::vector<StandingPart>& parts_;
   double limit_mm_;
 };
 
-/// Signed distance from a point to a part of a cutter with its tip at `tip`, and a lower bound of
-/// it over a box.
-double part_distance_mm(const StandingPart& part, const model::Vec3& tip, const model::Vec3& p);
+/// A lower bound of the signed distance from the points of a box to a part of a cutter with its tip
+/// at `tip`.
 double part_bound_mm(const StandingPart& part, const model::Vec3& tip, const model::Box3& box);
 
 }  // namespace limitgauge::verifier

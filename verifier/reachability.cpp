@@ -20,9 +20,6 @@ constexpr int kDeepest = 60;
 /// Parts of a cell looked at for one position: a contact in one point takes some dozens, one along
 /// a line some thousands.
 constexpr int kMostLooks = 20'000;
-/// Contact positions tried around the circle of a flat cutter, and rings of them inwards.
-constexpr int kCircleSamples = 24;
-constexpr int kRings = 4;
 
 double slope_sine(const CutterProfile& p) {
   return p.endless_slope() / std::sqrt(1 + p.endless_slope() * p.endless_slope());
@@ -139,6 +136,15 @@ std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) con
   if (neck_)
     for (const Vec3& choice : necked_choices(p, n))
       if (comes_below(parts_, choice, limit) == Below::none) return choice;
+  // Where one line of positions may be free, or one alone, as in a slot as wide as the cutter.
+  const bool level_flat = std::hypot(n.x, n.y) <= kLevel && profile_.flat_mm > 0;
+  if (profile_.is_pointed() || profile_.undercuts() || !level_flat) return std::nullopt;
+  Bezier place;
+  for (int k = 0; k < 16; ++k) place.set(k, p);
+  const ContactBlock block(cells_, parts_, limit);
+  for (const ContactRegion& region : contact_regions(place, {n, 0}))
+    if (const auto tip = block.free_tip(region))
+      if (comes_below(parts_, *tip, limit) == Below::none) return tip;
   return std::nullopt;
 }
 
@@ -215,72 +221,42 @@ bool Reachability::surely_unreachable(const Bezier& cell, const NormalCone& norm
     if (tilt + spread < bottom - kLevel) return surely_unreachable_by_tip(cell, *cone);
     if (tilt - spread <= bottom + kLevel) return false;
   }
-  if (!neck_) return surely_unreachable_round(cell, *cone);
   const ContactBlock block(cells_, parts_, allowance_mm_ - contact_mm_);
   const auto regions = contact_regions(cell, *cone);
   return std::all_of(regions.begin(), regions.end(),
                      [&](const ContactRegion& region) { return block.blocks(region); });
 }
 
-/// Of the endless cutter, from positions round the place at so small a step that one with a flat
-/// smaller by it lies inside all those between.
-bool Reachability::surely_unreachable_round(const Bezier& cell, const NormalCone& cone) const {
-  const double tilt = std::acos(std::clamp(cone.axis.z, -1.0, 1.0)), spread = cone.half_angle_rad;
-  const Vec3 centre = middle(cell);
-  const double reach = profile_.rounding_mm + allowance_mm_;
-  const Vec3 core = core_touching(centre, cone.axis);
-  // Every contact position of the cell has its core this near to one of those tried below ...
-  const double stray =
-      control_radius(cell, centre) + reach * 2 * std::sin(std::min(spread, pi) / 2);
-  const double limit = allowance_mm_ - contact_mm_ - stray;
-  const double flat = profile_.flat_mm;
-  if (flat <= 0) return comes_below(parts_, core, limit) == Below::found;
-  const bool all_round = tilt <= spread + kLevel;
-  const double aside = std::atan2(cone.axis.y, cone.axis.x);
-  const double half_arc =
-      all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
-  const int samples = std::max(1, static_cast<int>(std::ceil(kCircleSamples * half_arc / pi)));
-  const int rings = all_round ? kRings : 1;
-  const double half_step = half_arc / samples, half_ring = all_round ? flat / (2 * kRings) : 0;
-  // ... and its axis this near in plan: a cutter whose flat is smaller by that much lies inside all
-  // those placed around it, so what it cuts into, they do.
-  StandingPart inner = parts_.front();
-  inner.profile.flat_mm = flat - std::hypot(flat * half_step, half_ring);
-  if (inner.profile.flat_mm < 0) return false;
-  for (int r = 0; r < rings; ++r) {
-    const double out = all_round ? flat - half_ring * (2 * r + 1) : flat;
-    for (int k = 0; k < samples; ++k) {
-      const double angle = aside - half_arc + half_step * (2 * k + 1);
-      const Vec3 tip = core + Vec3{out * std::cos(angle), out * std::sin(angle), 0};
-      if (comes_below(std::span(&inner, 1), tip, limit) != Below::found) return false;
-    }
-  }
-  return true;
-}
-
 std::vector<ContactRegion> Reachability::contact_regions(const Bezier& cell,
                                                          const NormalCone& cone) const {
   const double tilt = std::acos(std::clamp(cone.axis.z, -1.0, 1.0)), spread = cone.half_angle_rad;
-  const Vec3 centre = middle(cell);
-  const double radius = control_radius(cell, centre), turn = 2 * std::sin(std::min(spread, pi) / 2);
+  const CellRectangle around = rectangle_round(cell, cone.axis);
+  const double turn = 2 * std::sin(std::min(spread, pi) / 2);
   const bool all_round = tilt <= spread + kLevel || pi - tilt <= spread + kLevel;
   const double aside = std::atan2(cone.axis.y, cone.axis.x);
   const double half_arc =
       all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
-  const auto region = [&](const Vec3& core, double out, bool disc, double stray) {
-    return ContactRegion{core, disc ? 0 : out, out, aside - half_arc, aside + half_arc, 0,
-                         0,    stray};
+  const auto region = [&](const Vec3& shift, double out, bool disc, double stray) {
+    ContactRegion g{around.corners,
+                    disc ? 0 : out,
+                    out,
+                    aside - half_arc,
+                    aside + half_arc,
+                    0,
+                    0,
+                    around.thickness_mm + stray};
+    for (Vec3& core : g.cores) core += shift;
+    return g;
   };
   std::vector<ContactRegion> out;
   const double reach = profile_.rounding_mm + allowance_mm_;
   if (!neck_ || tilt - spread <= pi / 2 + kLevel)
-    out.push_back(region(core_touching(centre, cone.axis), std::max(0.0, profile_.flat_mm),
-                         tilt <= spread + kLevel, radius + std::abs(reach) * turn));
+    out.push_back(region(core_touching({}, cone.axis), std::max(0.0, profile_.flat_mm),
+                         tilt <= spread + kLevel, std::abs(reach) * turn));
   if (!neck_) return out;
-  const double width = profile_.top_radius_mm(), stray = radius + std::abs(allowance_mm_) * turn;
-  const Vec3 touched = centre + cone.axis * allowance_mm_;
+  const double width = profile_.top_radius_mm(), stray = std::abs(allowance_mm_) * turn;
   if (tilt + spread >= pi / 2 - kLevel) {
-    ContactRegion wall = region(touched, width, false, stray);
+    ContactRegion wall = region(cone.axis * allowance_mm_, width, false, stray);
     wall.z0 = profile_.core_mm, wall.z1 = profile_.top_mm;
     if (tilt - spread > pi / 2 + kLevel) wall.z0 = profile_.top_mm;  // the top alone
     if (pi - tilt <= spread + kLevel) wall.r0 = 0;                   // any of its points

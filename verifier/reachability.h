@@ -63,7 +63,6 @@ class Reachability {
   bool surely_unreachable_by_tip(const Bezier& cell, const NormalCone& cone) const;
   /// All tips that touch the cell with the cutter's bottom, its wall, or the top of its flutes.
   std::vector<ContactRegion> contact_regions(const Bezier& cell, const NormalCone& cone) const;
-  bool surely_unreachable_round(const Bezier& cell, const NormalCone& cone) const;
   /// Whether some point of S is nearer than `limit_mm` to a cutter of such parts with its tip at
   /// `tip`.
   Below comes_below(std::span<const StandingPart> parts, const model::Vec3& tip,

@@ -199,11 +199,18 @@ double RunTracer::exit_of(BodyRef body, const Vec3& p, const Vec3& along, double
   return inside;
 }
 
-/// Whether a wall along the ray stands next to it, by which S is met.
-bool RunTracer::stands_beside(const Nearest& nearest, const Vec3& p, const Vec3& along) const {
-  const Vec3& g = nearest.distance.gradient;
-  if (nearest.distance.value < -kBeside_mm || std::abs(dot(g, along)) > kAlong) return false;
-  return space_.nearest(p + g * (2 * kBeside_mm)).distance.value > 0;
+/// Up to where nothing stands next to the ray either, where a wall runs along it, by which S is met;
+/// the limit where none does. `p` is where the ray begins, `at` the nearest body at t.
+double RunTracer::free_beside(const Nearest& at, const Vec3& p, const Vec3& along, double t,
+                              double limit_mm) const {
+  const Vec3& g = at.distance.gradient;
+  if (at.distance.value < -kBeside_mm || std::abs(dot(g, along)) > kAlong) return limit_mm;
+  // Just past the face that may end here.
+  const Vec3 beside = p + g * (2 * kBeside_mm);
+  const double past = t + kStepOver_mm;
+  const Nearest next = space_.nearest(beside + along * past);
+  if (next.distance.value > 0) return t;
+  return exit_of(next.body, beside, along, past, limit_mm);
 }
 
 /// From body to body through what does not stand; `visit(body, end)` is told of each. Returns where
@@ -223,8 +230,8 @@ double RunTracer::walk_removed(const Vec3& p, const Vec3& along, double limit_mm
       if (nearest.distance.value >= sure) break;
       t += kStepOver_mm;
     }
-    if (stands_beside(nearest, p + along * t, along)) break;
-    const double end = exit_of(nearest.body, p, along, t, limit_mm);
+    const double end = std::min(exit_of(nearest.body, p, along, t, limit_mm),
+                                free_beside(nearest, p, along, t, limit_mm));
     if (!(end > t)) break;
     t = end;
     visit(nearest.body, end);

@@ -53,7 +53,8 @@ class RunTracer {
  private:
   double step_through_material(const model::Vec3& p, const model::Vec3& along,
                                const Nearest& nearest, double sight_mm) const;
-  bool stands_beside(const Nearest& nearest, const model::Vec3& p, const model::Vec3& along) const;
+  double free_beside(const Nearest& at, const model::Vec3& p, const model::Vec3& along, double t,
+                     double limit_mm) const;
   double exit_of(BodyRef body, const model::Vec3& p, const model::Vec3& along, double t,
                  double limit_mm) const;
   template <class Visit>

@@ -59,6 +59,26 @@ double march(F&& f, Claim claim, double limit, int most_steps = 30'000) {
   return t < limit && claim == Claim::sure ? t : limit;
 }
 
+/// The verifier states that what lies half a micrometre beside a normal may count as met by it. So a
+/// place surely has what the normals this far beside it have as well, and may have what any has.
+constexpr double kBeside_mm = 7.5e-4;
+
+/// A run's value at a point and four beside it, gathered by `pick`.
+template <class Run, class Pick>
+double with_beside(const Vec3& point, const Vec3& normal, Run&& run, Pick&& pick) {
+  const Vec3 e = normalized(cross(normal, std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+  const Vec3 f = cross(normal, e);
+  double out = run(point);
+  for (const Vec3& aside : {e, -e, f, -f}) out = pick(out, run(point + aside * kBeside_mm));
+  return out;
+}
+double lesser(double a, double b) {
+  return std::min(a, b);
+}
+double greater(double a, double b) {
+  return std::max(a, b);
+}
+
 }  // namespace
 
 RunOracle::RunOracle(const Target& target, const model::Stock& stock,
@@ -240,21 +260,26 @@ int steps(bool exact) {
 
 Extreme RunOracle::surely_uncut(const std::vector<Place>& hints) const {
   return highest(hints, true, [&](const Vec3& p, const Vec3& n, double at_least, bool in_reach) {
-    const double here = sure_uncut(p, n, steps(in_reach));
+    const auto run = [&](const Vec3& q) { return sure_uncut(q, n, steps(in_reach)); };
+    double here = run(p);
     if (here <= 0 || here <= at_least || !in_reach) return here;
-    return reach_.at(p, n, Reach::sure) == Reach::sure ? here : 0.0;
+    here = with_beside(p, n, run, lesser);
+    return here > at_least && reach_.at(p, n, Reach::sure) == Reach::sure ? here : 0.0;
   });
 }
 
 Extreme RunOracle::surely_gouged(const std::vector<Place>& hints) const {
   // The least over a sharp place's normals is no more than beside it.
-  return highest(hints, false,
-                 [&](const Vec3& p, const Vec3& n, double, bool) { return gouge_run(p, n, true); });
+  return highest(hints, false, [&](const Vec3& p, const Vec3& n, double, bool exact) {
+    const auto run = [&](const Vec3& q) { return gouge_run(q, n, true); };
+    return exact ? with_beside(p, n, run, lesser) : run(p);
+  });
 }
 
 Extreme RunOracle::surely_missing() const {
-  return highest({}, false, [&](const Vec3& p, const Vec3& n, double, bool) {
-    return missing_run(p, n, true);
+  return highest({}, false, [&](const Vec3& p, const Vec3& n, double, bool exact) {
+    const auto run = [&](const Vec3& q) { return missing_run(q, n, true); };
+    return exact ? with_beside(p, n, run, lesser) : run(p);
   });
 }
 
@@ -262,7 +287,8 @@ double RunOracle::possibly_uncut(const Place& place) const {
   const Vec3 point = target_.samples.at(place).position;
   double most = 0;
   for (const Vec3& n : target_.sharp.fan(place, kFineFan)) {
-    const double here = possible_uncut(point, n);
+    const double here =
+        with_beside(point, n, [&](const Vec3& q) { return possible_uncut(q, n); }, greater);
     if (here > most && reach_.at(point, n) != Reach::no) most = here;
   }
   return most;
@@ -272,7 +298,8 @@ double RunOracle::possibly_gouged(const Place& place) const {
   const Vec3 point = target_.samples.at(place).position;
   double most = 0;
   for (const Vec3& n : target_.sharp.span_at(place).faces)
-    most = std::max(most, gouge_run(point, n, false));
+    most = std::max(
+        most, with_beside(point, n, [&](const Vec3& q) { return gouge_run(q, n, false); }, greater));
   return most;
 }
 
@@ -280,7 +307,9 @@ double RunOracle::possibly_missing(const Place& place) const {
   const Vec3 point = target_.samples.at(place).position;
   double most = 0;
   for (const Vec3& n : target_.sharp.span_at(place).faces)
-    most = std::max(most, missing_run(point, n, false));
+    most = std::max(
+        most,
+        with_beside(point, n, [&](const Vec3& q) { return missing_run(q, n, false); }, greater));
   return most;
 }
 

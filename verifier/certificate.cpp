@@ -113,16 +113,26 @@ bool is_tiny(const RidgeCell& cell, const OffsetCell&) {
   return cell.is_tiny();
 }
 
-/// Splits where δ changes most: across the passes far more than along them, but never into slivers.
-std::array<SurfaceCell, 2> halves_of(const SurfaceCell& cell, const Vec3& gradient, double) {
+/// Longest way of a cell, as a multiple of the shorter, beyond which only that is halved: bounds on
+/// bent cells are no better for slivers, those on a plane beside a straight edge are.
+constexpr double kLongest = 8, kLongestOnPlane = 64;
+double longest_way(const OffsetCell& cell) {
+  constexpr double kPlane = 1e-6;
+  return cell.remainder <= kPlane ? kLongestOnPlane : kLongest;
+}
+
+/// Splits where δ changes most: across the passes far more than along them.
+std::array<SurfaceCell, 2> halves_of(const SurfaceCell& cell, const Vec3& gradient,
+                                     const OffsetCell& offset, double) {
   const InnerChords chords = inner_chords(cell.shape);
-  const double wide = length(chords.u), tall = length(chords.v);
-  if (wide > 8 * tall || tall > 8 * wide) return wide > tall ? split_u(cell) : split_v(cell);
+  const double wide = length(chords.u), tall = length(chords.v), most = longest_way(offset);
+  if (wide > most * tall || tall > most * wide) return wide > tall ? split_u(cell) : split_v(cell);
   const double bend_u = std::abs(dot(gradient, chords.u));
   const double bend_v = std::abs(dot(gradient, chords.v));
   return bend_u + 0.02 * wide >= bend_v + 0.02 * tall ? split_u(cell) : split_v(cell);
 }
-std::array<RidgeCell, 2> halves_of(const RidgeCell& cell, const Vec3&, double t_mm) {
+std::array<RidgeCell, 2> halves_of(const RidgeCell& cell, const Vec3&, const OffsetCell&,
+                                   double t_mm) {
   return cell.halved(t_mm);
 }
 
@@ -177,8 +187,7 @@ class CellSearch {
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (tiny && out_of_reach) return;
     if (tiny || spent()) return give_up(offset);
-    const auto halves =
-        halves_of(cell, bounds_.gradient_at(offset, goal()), task_.request.allowance_mm + goal());
+    const auto halves = out_of_reach ? halves_by_reach(cell, offset) : halves_of(cell, offset);
     search(halves[0], depth + 1);
     search(halves[1], depth + 1);
   }
@@ -190,6 +199,27 @@ class CellSearch {
   }
   static bool is_left_out(const RidgeCell&) { return false; }
 
+  template <class Cell>
+  std::array<Cell, 2> halves_of(const Cell& cell, const OffsetCell& offset) {
+    return verifier::halves_of(cell, bounds_.gradient_at(offset, goal()), offset,
+                               task_.request.allowance_mm + goal());
+  }
+  /// Beside the rim of what can be reached: so that one half is out of reach, if that can be.
+  std::array<SurfaceCell, 2> halves_by_reach(const SurfaceCell& cell, const OffsetCell& offset) {
+    const InnerChords chords = inner_chords(cell.shape);
+    const double wide = length(chords.u), tall = length(chords.v);
+    const bool u_first = wide >= tall;
+    for (const bool by_u : {u_first, !u_first}) {
+      if (by_u ? tall > kLongestOnPlane * wide : wide > kLongestOnPlane * tall) continue;
+      const auto halves = by_u ? split_u(cell) : split_v(cell);
+      if (surely_unreachable(halves[0], offset) || surely_unreachable(halves[1], offset))
+        return halves;
+    }
+    return halves_of(cell, offset);
+  }
+  std::array<RidgeCell, 2> halves_by_reach(const RidgeCell& cell, const OffsetCell& offset) {
+    return halves_of(cell, offset);
+  }
   bool surely_unreachable(const SurfaceCell& cell, const OffsetCell&) const {
     return task_.side == Side::uncut && task_.reach->surely_unreachable(cell);
   }

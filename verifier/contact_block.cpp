@@ -35,35 +35,54 @@ BodyDistance part_plane(const StandingPart& part, const Vec3& tip, const Vec3& p
                       : closed_standing_distance(part.profile, at, p);
 }
 
-/// The place of a piece round one core that is farthest in plan from p: straight away from it on
-/// the outer arc, else a corner.
-Vec3 farthest_in_plan(const ContactRegion& g, const Vec3& core, double z, const Vec3& p) {
-  const double mid = (g.angle0 + g.angle1) / 2, half = (g.angle1 - g.angle0) / 2;
-  const double away = std::atan2(core.y - p.y, core.x - p.x);
-  if (std::abs(std::remainder(away - mid, 2 * std::numbers::pi)) <= half)
-    return tip_at(core, g.r1, away, z);
-  Vec3 out;
-  double most = -1;
-  for (const double r : {g.r0, g.r1})
-    for (const double angle : {g.angle0, g.angle1}) {
-      const Vec3 tip = tip_at(core, r, angle, z);
-      const double apart = std::hypot(tip.x - p.x, tip.y - p.y);
-      if (apart > most) most = apart, out = tip;
+/// A piece of a region in plan: what is asked of it for one obstacle after the other.
+class PlanPiece {
+ public:
+  explicit PlanPiece(const ContactRegion& g)
+      : outer_(g.r1), cos_half_(std::cos(std::min((g.angle1 - g.angle0) / 2, std::numbers::pi))) {
+    middle_ = tip_at({}, 1, (g.angle0 + g.angle1) / 2, 0);
+    const Vec3 ends[] = {tip_at({}, 1, g.angle0, 0), tip_at({}, 1, g.angle1, 0)};
+    corners_ = {ends[0] * g.r0, ends[1] * g.r0, ends[0] * g.r1, ends[1] * g.r1};
+  }
+
+  /// The place round a core that is farthest in plan from p: straight away from it on the outer
+  /// arc, else a corner.
+  Vec3 farthest(const Vec3& core, const Vec3& p) const {
+    const double x = core.x - p.x, y = core.y - p.y, apart = std::sqrt(x * x + y * y);
+    if (x * middle_.x + y * middle_.y >= apart * cos_half_) {
+      const double scale = apart > 0 ? outer_ / apart : 0;
+      const Vec3 out = apart > 0 ? Vec3{x * scale, y * scale, 0} : middle_ * outer_;
+      return core + out;
     }
-  return out;
-}
+    Vec3 out;
+    double most = -1;
+    for (const Vec3& corner : corners_) {
+      const double cx = x + corner.x, cy = y + corner.y, square = cx * cx + cy * cy;
+      if (square > most) most = square, out = corner;
+    }
+    return core + out;
+  }
+
+ private:
+  double outer_, cos_half_;
+  Vec3 middle_;
+  std::array<Vec3, 4> corners_;
+};
 
 /// Greatest signed distance from p to a part over all positions of a piece, and its plane: the
 /// distance grows with the one in plan, and is convex in the tip's height and core.
-BodyDistance greatest_distance(const StandingPart& part, const ContactRegion& g, const Vec3& p) {
+BodyDistance greatest_distance(const StandingPart& part, const ContactRegion& g,
+                               const PlanPiece& plan, const Vec3& p) {
   BodyDistance out;
   out.value = -std::numeric_limits<double>::infinity();
-  for (const Vec3& core : g.cores)
+  for (const Vec3& core : g.cores) {
+    const Vec3 far = plan.farthest(core, p);
     for (const double z : {g.z0, g.z1}) {
-      const BodyDistance d = part_plane(part, farthest_in_plan(g, core, z, p), p);
+      const BodyDistance d = part_plane(part, far - Vec3{0, 0, z}, p);
       if (d.value > out.value) out = d;
       if (g.z0 == g.z1) break;
     }
+  }
   return out;
 }
 
@@ -170,17 +189,22 @@ std::optional<ContactBlock::Obstacle> ContactBlock::obstacle_at(const Vec3& tip,
 std::optional<ContactBlock::Obstacle> ContactBlock::obstacle_of(const ContactRegion& g) const {
   const double limit = limit_mm_ - g.stray_mm;
   const Vec3 tip = middle_tip(g);
+  const PlanPiece plan(g);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     double least = limit;
-    const auto distance = [&](const Vec3& p) { return greatest_distance(parts_[k], g, p); };
+    const auto distance = [&](const Vec3& p) { return greatest_distance(parts_[k], g, plan, p); };
     if (const auto p = low_point(cells_, parts_[k], tip, distance, limit, least, true))
       return Obstacle{*p, k};
   }
   return std::nullopt;
 }
 
-bool ContactBlock::holds(const ContactRegion& g, const Obstacle& obstacle) const {
-  return greatest_distance(parts_[obstacle.part], g, obstacle.point).value < limit_mm_ - g.stray_mm;
+/// One of the known obstacles that bars all of a piece, the last learnt first.
+bool ContactBlock::any_holds(const ContactRegion& g, const std::vector<Obstacle>& known) const {
+  const PlanPiece plan(g);
+  return std::any_of(known.rbegin(), known.rend(), [&](const Obstacle& o) {
+    return greatest_distance(parts_[o.part], g, plan, o.point).value < limit_mm_ - g.stray_mm;
+  });
 }
 
 /// What is known of S by the proofs of the pieces before.
@@ -203,11 +227,9 @@ std::optional<ContactRegion> ContactBlock::free_spot(const ContactRegion& g, Sea
   const double limit = limit_mm_ - g.stray_mm;
   for (int k = 0; k < kTried; ++k) {
     const ContactRegion spot = least_barred(g, search);
-    const bool barred = std::any_of(search.known.begin(), search.known.end(),
-                                    [&](const Obstacle& o) { return holds(spot, o); });
-    if (barred) return std::nullopt;
+    if (any_holds(spot, search.known)) return std::nullopt;
     const auto met = obstacle_at(middle_tip(spot), limit, false);
-    if (!met || !holds(spot, *met)) return spot;
+    if (!met || !any_holds(spot, {*met})) return spot;
     search.learn(*met);
   }
   return std::nullopt;
@@ -264,8 +286,7 @@ std::optional<Vec3> ContactBlock::free_tip(const ContactRegion& region) const {
 }
 
 bool ContactBlock::blocks(const ContactRegion& g, Search& search) const {
-  for (std::size_t k = search.known.size(); k-- > 0;)
-    if (holds(g, search.known[k])) return true;
+  if (any_holds(g, search.known)) return true;
   const double by_angle = g.r1 * (g.angle1 - g.angle0), by_r = g.r1 - g.r0, by_z = g.z1 - g.z0;
   // Of a piece smaller than the hull of the cores it is the hull that is too large.
   if (std::max({by_angle, by_r, by_z}) < search.smallest_mm) return false;

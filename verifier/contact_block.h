@@ -58,7 +58,7 @@ class ContactBlock {
   double barred_mm(const ContactRegion& spot, const Search& search) const;
   ContactRegion least_barred(const ContactRegion& region, const Search& search) const;
   bool blocks(const ContactRegion& piece, Search& search) const;
-  bool holds(const ContactRegion& piece, const Obstacle& obstacle) const;
+  bool any_holds(const ContactRegion& piece, const std::vector<Obstacle>& known) const;
   std::optional<Obstacle> obstacle_at(const model::Vec3& tip, double limit_mm, bool any) const;
   std::optional<Obstacle> obstacle_of(const ContactRegion& piece) const;
 

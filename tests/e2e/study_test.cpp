@@ -25,8 +25,9 @@ std::string study_of(const std::string& steps, const std::string& tolerances = "
 std::vector<std::string> arguments(const std::string& output,
                                    const std::vector<std::string>& more = {}) {
   std::vector<std::string> all = {"study", "study.toml", "-o", output, "--cache", "cache"};
-  for (const char* setting : {"stage.rough.step=1", "stage.finish.gate.uncut=0.2",
-                              "simulation.voxel=0.5", "verification.resolution=0.02"})
+  for (const char* setting :
+       {"stage.rough.step=1", "stage.rough.gate.uncut=2", "stage.finish.gate.uncut=0.2",
+        "simulation.voxel=0.5", "verification.resolution=0.02"})
     all.insert(all.end(), {"--set", setting});
   all.insert(all.end(), more.begin(), more.end());
   return all;

@@ -64,15 +64,15 @@ TEST_CASE("a gouge by two cuts that end in one another is as deep as both", "[un
 
 TEST_CASE("a flat's steps in a slope are as deep in all passes as in one", "[slow]") {
   // On a plane of 45 degrees each row of a flat goes as far down at its corner as the rows are
-  // apart: what stands are steps whose outer corners touch S, and whose inner ones lie under it. A
-  // point of S between two outer corners is half a step from the floor and from the wall.
+  // apart: what stands are steps whose outer corners touch S, and whose inner ones lie under it. An
+  // inner corner lies a step, times cos 45°, under the middle between two outer ones.
   const ReferenceSurface plane(plane_cage(5, 1, 0));
   const double step = 0.2;
   const auto d =
       measure(plane, flat_cutter(1),
               raster(9, step, 9, [&](double x, double) { return x + 1 - step; }), 0.0005);
-  CHECK(d.gouge_mm.low == Approx(step / 2).margin(0.0005));
-  CHECK(d.gouge_mm.high == Approx(step / 2).margin(0.0005));
+  CHECK(d.gouge_mm.low == Approx(step / std::sqrt(2)).margin(0.0005));
+  CHECK(d.gouge_mm.high == Approx(step / std::sqrt(2)).margin(0.0005));
 }
 
 TEST_CASE("scallop on a slope, measured normal to it", "[unit]") {

@@ -32,8 +32,7 @@ ReachOptions reach_effort(const CutterProfile& cutter, double area_mm2) {
   const double radius = cutter.rounding_mm + cutter.flat_mm;
   if (cutter.is_pointed() || cutter.undercuts()) return {0.05, 1};
   if (std::numbers::pi * radius * radius > area_mm2 / 2) return {0.05, 1};
-  if (cutter.flat_mm > 0) return {0.1, 250'000};
-  return {0.05, 60'000};
+  return {0.05, cutter.flat_mm > 0 ? std::size_t{250'000} : std::size_t{60'000}};
 }
 
 /// Where branch and bound starts: small enough that few moves matter to a cell, and no more than a

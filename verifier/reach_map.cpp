@@ -19,6 +19,9 @@ using std::numbers::pi;
 /// Cells of S a cell may still have to be held against, before it is halved without remembering.
 constexpr std::size_t kMostPending = 64;
 constexpr int kDirections = 16;
+/// On the floor of a slot as wide as the cutter one line of positions is free, which no small cell
+/// is proven by either.
+constexpr double kCoarserOnLevel = 2;
 
 /// A cell that is not proven yet, and what is known of it from the cell it is half of.
 struct Open {
@@ -26,6 +29,7 @@ struct Open {
   std::optional<Vec3> witness;         ///< a point of S that the cutter cuts into nearby
   std::optional<ClearedRect> cleared;  ///< proven not to be cut into
   std::vector<std::uint32_t> pending;  ///< with `cleared`: all other cells not proven so
+  bool level = false;                  ///< a flat may touch with any of its points
 };
 
 class Classifier {
@@ -45,8 +49,8 @@ class Classifier {
     if (endless && contact->too_steep()) return Reach::unreachable;
     if (endless && open.witness && contact->always_below(*open.witness, limit_))
       return Reach::unreachable;
-    if (contact->level() && reachability_.profile().flat_mm > 0)
-      return decide_level(open, *contact);
+    open.level = contact->level() && reachability_.profile().flat_mm > 0;
+    if (open.level) return decide_level(open, *contact);
     if (contact->touchable() && prove(open, *contact)) return Reach::reachable;
     // Where all else of S is cleared, only what is left of it can be cut into: its middles have
     // been looked at.
@@ -60,7 +64,7 @@ class Classifier {
     for (int k = -1; k < kDirections; ++k) {
       const double angle = 2 * pi * k / kDirections;
       const double out = k < 0 ? 0 : reachability_.profile().flat_mm;
-      Open alone{open.cell, {}, {}, {}};
+      Open alone{open.cell, {}, {}, {}, false};
       if (prove(alone, contact.displaced({out * std::cos(angle), out * std::sin(angle), 0})))
         return Reach::reachable;
     }
@@ -227,9 +231,10 @@ std::vector<ReachMap::Entry> classify_cells(const SurfaceCells& cells, std::vect
       for (std::size_t i = begin; i < end; ++i) {
         Open& open = level[i];
         found[i] = {open.cell, classifier.decide(open), 0, 0};
-        halve[i] =
-            found[i].reach == Reach::undecided && !last &&
-            control_radius(open.cell.shape, middle(open.cell.shape)) > options.smallest_radius_mm;
+        const double smallest =
+            open.level ? kCoarserOnLevel * options.smallest_radius_mm : options.smallest_radius_mm;
+        halve[i] = found[i].reach == Reach::undecided && !last &&
+                   control_radius(open.cell.shape, middle(open.cell.shape)) > smallest;
         if (!halve[i]) found[i].area_mm2 = area_mm2(open.cell.shape);
       }
     });
@@ -240,7 +245,7 @@ std::vector<ReachMap::Entry> classify_cells(const SurfaceCells& cells, std::vect
         continue;
       }
       for (const SurfaceCell& half : halved(level[i].cell))
-        next.push_back({half, level[i].witness, level[i].cleared, level[i].pending});
+        next.push_back({half, level[i].witness, level[i].cleared, level[i].pending, false});
     }
     level = std::move(next);
   }
@@ -266,7 +271,7 @@ ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability>
     for (const Reach before : {Reach::unreachable, Reach::undecided}) {
       std::vector<Open> level;
       for (const ReachMap::Entry& e : left)
-        if (e.reach == before) level.push_back({e.cell, {}, {}, {}});
+        if (e.reach == before) level.push_back({e.cell, {}, {}, {}, false});
       for (ReachMap::Entry e :
            classify_cells(cells, std::move(level), cutters[k], options[k], control)) {
         e.cutter = k;

@@ -203,22 +203,46 @@ void add_edge(const SharpEdge& edge, const PiecesOfPatch& pieces, double radius_
   }
 }
 
+/// Whether no face round a vertex rises over the tangent plane of another, but for what it bends
+/// itself: only then have the normals between them all a meaning. Where some edges are valleys, the
+/// others' own ends say all.
+bool is_convex(const std::vector<PatchCorner>& corners, const std::vector<Vec3>& normals,
+               const SurfaceTree& tree) {
+  constexpr double kInto = 1e-3, kLevel = 1e-6;
+  constexpr double kU[] = {0, 1, 1, 0}, kV[] = {0, 0, 1, 1};
+  for (const PatchCorner& c : corners) {
+    const double u = kU[c.corner], v = kV[c.corner];
+    const Vec3 vertex = tree.evaluate(c.patch, u, v).position;
+    for (const auto& [du, dv] : {std::pair{kInto, 0.0}, {0.0, kInto}, {kInto, kInto}}) {
+      const Vec3 way = tree.evaluate(c.patch, std::abs(u - du), std::abs(v - dv)).position - vertex;
+      const double apart = length(way);
+      for (const Vec3& n : normals)
+        if (dot(n, way) > apart * (kLevel + apart)) return false;
+    }
+  }
+  return true;
+}
+
 /// The normals between those of the faces round a vertex: a fan of triangles round their mean.
 void add_vertex(const std::vector<PatchCorner>& corners, const SurfaceTree& tree,
                 std::vector<RidgeCell>& out) {
   constexpr double kU[] = {0, 1, 1, 0}, kV[] = {0, 0, 1, 1};
+  // Beside the vertex, whose own limit nothing may come near to.
+  constexpr double kBeside = 1e-6;
   std::vector<Vec3> normals;
   Vec3 mean;
   RidgeCell cell;
   for (const PatchCorner& c : corners) {
-    const SurfaceSample s = tree.evaluate(c.patch, kU[c.corner], kV[c.corner]);
-    if (!(length(s.normal) > 0)) continue;
-    normals.push_back(s.normal);
-    mean += s.normal;
+    const double u = kU[c.corner], v = kV[c.corner];
+    const SurfaceSample s = tree.evaluate(c.patch, u, v);
+    const Vec3 normal = tree.evaluate(c.patch, std::abs(u - kBeside), std::abs(v - kBeside)).normal;
+    if (!(length(normal) > 0)) continue;
+    normals.push_back(normal);
+    mean += normal;
     cell.patch = c.patch, cell.u0 = cell.u1 = kU[c.corner], cell.v0 = cell.v1 = kV[c.corner];
     for (int k = 0; k < 16; ++k) cell.shape.set(k, s.position);
   }
-  if (normals.size() < 2 || !(length(mean) > 1e-6)) return;
+  if (normals.size() < 2 || !(length(mean) > 1e-6) || !is_convex(corners, normals, tree)) return;
   mean = normalized(mean);
   const Vec3 side = normalized(cross(mean, std::abs(mean.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
   const Vec3 other = cross(mean, side);

@@ -1,6 +1,8 @@
 #include "verifier/surface_cells.h"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 
 namespace limitgauge::verifier {
 
@@ -48,6 +50,23 @@ std::vector<std::vector<const Speck*>> specks_by_patch(const SurfaceTree& tree) 
   return out;
 }
 
+/// The normal of the piece of its patch that lies nearest to a speck, but beyond the pieces that
+/// lose theirs in rounding. At a vertex where the tangent plane turns with the way that leads
+/// there, or tends to its limit more slowly than any scale that can be cut, this is what can be
+/// measured.
+Vec3 normal_beside(const Speck& speck, const std::vector<const Piece*>& pieces) {
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 normal = speck.normal;
+  for (const Piece* piece : pieces) {
+    const double radius = control_radius(piece->shape, speck.position);
+    if (radius <= SurfaceCells::kVertexNormal_mm || radius >= least) continue;
+    const BezierJet j = jet(piece->shape, 0.5, 0.5);
+    const Vec3 n = cross(j.du, j.dv);
+    if (length_squared(n) > 0) least = radius, normal = normalized(n);
+  }
+  return normal;
+}
+
 }  // namespace
 
 Vec3 middle_normal(const SurfaceCell& cell) {
@@ -71,19 +90,24 @@ std::array<SurfaceCell, 2> halved(const SurfaceCell& cell) {
 
 SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
     : ridges_(ridge_cells(tree, radius_mm)), feet_(tree), features_(tree.features()) {
+  const std::vector<const Piece*> pieces = tree.pieces_beyond(kOmitted_mm);
+  std::vector<std::vector<const Piece*>> of_patch(static_cast<std::size_t>(tree.patch_count()));
+  for (const Piece* piece : pieces) of_patch[piece->square.patch].push_back(piece);
+  std::map<const Speck*, Vec3> normals;
   for (const Speck& s : tree.specks()) {
+    normals[&s] = normal_beside(s, of_patch[s.square.patch]);
     SurfaceCell cell{{}, s.square.patch, s.square.u, s.square.v, s.square.size, s.square.size};
     for (int k = 0; k < 16; ++k) cell.shape.set(k, s.position);
-    cell.vertex_normal = s.normal;
+    cell.vertex_normal = normals[&s];
     cells_.push_back(cell);
   }
   const auto specks = specks_by_patch(tree);
-  for (const Piece* piece : tree.pieces_beyond(kOmitted_mm)) {
+  for (const Piece* piece : pieces) {
     const ParameterSquare& q = piece->square;
     SurfaceCell cell{piece->shape, q.patch, q.u, q.v, q.size, q.size};
     for (const Speck* speck : specks[q.patch])
       if (control_radius(piece->shape, speck->position) <= kVertexNormal_mm)
-        cell.vertex_normal = speck->normal;
+        cell.vertex_normal = normals[speck];
     split_until(cell, radius_mm, cells_);
   }
   std::vector<model::Box3> boxes;

@@ -17,7 +17,7 @@ struct SurfaceCell {
   double u = 0, v = 0, size_u = 1, size_v = 1;
 
   /// Of a cell that is one point, an irregular vertex, or so near to one that its own slopes cannot
-  /// be told from its coordinates: the vertex's.
+  /// be told from its coordinates: the one beside it.
   model::Vec3 vertex_normal = {};
 
   double u_at(double s) const { return u + s * size_u; }
@@ -44,7 +44,8 @@ inline constexpr double kSmallestCell_mm = 1e-6;
 class SurfaceCells {
  public:
   static constexpr double kOmitted_mm = 1e-8;
-  /// Pieces within this of an irregular vertex have its normal: theirs are lost in rounding.
+  /// Pieces within this of an irregular vertex have the normal of the next piece beyond: theirs are
+  /// lost in rounding, and the vertex's own may be a limit that nothing comes near to.
   static constexpr double kVertexNormal_mm = 1e-6;
   /// Cells are split until their control points lie within `radius_mm` of their middle.
   SurfaceCells(const SurfaceTree& tree, double radius_mm);

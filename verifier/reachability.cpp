@@ -20,6 +20,9 @@ constexpr int kDeepest = 60;
 /// Parts of a cell looked at for one position: a contact in one point takes some dozens, one along
 /// a line some thousands.
 constexpr int kMostLooks = 20'000;
+/// Contact positions tried around the circle of a flat cutter, and rings of them inwards.
+constexpr int kCircleSamples = 24;
+constexpr int kRings = 4;
 
 double slope_sine(const CutterProfile& p) {
   return p.endless_slope() / std::sqrt(1 + p.endless_slope() * p.endless_slope());
@@ -221,10 +224,51 @@ bool Reachability::surely_unreachable(const Bezier& cell, const NormalCone& norm
     if (tilt + spread < bottom - kLevel) return surely_unreachable_by_tip(cell, *cone);
     if (tilt - spread <= bottom + kLevel) return false;
   }
+  // On a plane the rim of what can be reached has to be closed in on; a bent cell's own bends say
+  // sooner that it is too large.
+  constexpr double kPlane_rad = 1e-6;
+  const bool level_flat = tilt + spread <= kPlane_rad && profile_.flat_mm > 0;
+  if (!neck_ && !level_flat) return surely_unreachable_round(cell, *cone);
   const ContactBlock block(cells_, parts_, allowance_mm_ - contact_mm_);
   const auto regions = contact_regions(cell, *cone);
   return std::all_of(regions.begin(), regions.end(),
                      [&](const ContactRegion& region) { return block.blocks(region); });
+}
+
+/// Of the endless cutter, from positions round the place at so small a step that one with a flat
+/// smaller by it lies inside all those between.
+bool Reachability::surely_unreachable_round(const Bezier& cell, const NormalCone& cone) const {
+  const double tilt = std::acos(std::clamp(cone.axis.z, -1.0, 1.0)), spread = cone.half_angle_rad;
+  const Vec3 centre = middle(cell);
+  const double reach = profile_.rounding_mm + allowance_mm_;
+  const Vec3 core = core_touching(centre, cone.axis);
+  // Every contact position of the cell has its core this near to one of those tried below ...
+  const double stray =
+      control_radius(cell, centre) + reach * 2 * std::sin(std::min(spread, pi) / 2);
+  const double limit = allowance_mm_ - contact_mm_ - stray;
+  const double flat = profile_.flat_mm;
+  if (flat <= 0) return comes_below(parts_, core, limit) == Below::found;
+  const bool all_round = tilt <= spread + kLevel;
+  const double aside = std::atan2(cone.axis.y, cone.axis.x);
+  const double half_arc =
+      all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
+  const int samples = std::max(1, static_cast<int>(std::ceil(kCircleSamples * half_arc / pi)));
+  const int rings = all_round ? kRings : 1;
+  const double half_step = half_arc / samples, half_ring = all_round ? flat / (2 * kRings) : 0;
+  // ... and its axis this near in plan: a cutter whose flat is smaller by that much lies inside all
+  // those placed around it, so what it cuts into, they do.
+  StandingPart inner = parts_.front();
+  inner.profile.flat_mm = flat - std::hypot(flat * half_step, half_ring);
+  if (inner.profile.flat_mm < 0) return false;
+  for (int r = 0; r < rings; ++r) {
+    const double out = all_round ? flat - half_ring * (2 * r + 1) : flat;
+    for (int k = 0; k < samples; ++k) {
+      const double angle = aside - half_arc + half_step * (2 * k + 1);
+      const Vec3 tip = core + Vec3{out * std::cos(angle), out * std::sin(angle), 0};
+      if (comes_below(std::span(&inner, 1), tip, limit) != Below::found) return false;
+    }
+  }
+  return true;
 }
 
 std::vector<ContactRegion> Reachability::contact_regions(const Bezier& cell,

@@ -61,6 +61,7 @@ class Reachability {
   std::vector<model::Vec3> contact_choices(const model::Vec3& p, const model::Vec3& n) const;
   std::vector<model::Vec3> necked_choices(const model::Vec3& p, const model::Vec3& n) const;
   bool surely_unreachable_by_tip(const Bezier& cell, const NormalCone& cone) const;
+  bool surely_unreachable_round(const Bezier& cell, const NormalCone& cone) const;
   /// All tips that touch the cell with the cutter's bottom, its wall, or the top of its flutes.
   std::vector<ContactRegion> contact_regions(const Bezier& cell, const NormalCone& cone) const;
   /// Whether some point of S is nearer than `limit_mm` to a cutter of such parts with its tip at

@@ -38,7 +38,7 @@ struct Nearest {
 
 /// All that has been cut so far and all that lies outside the raw stock. δ(p) is the least of the
 /// bodies' signed distances: exact outside the removed space, with the right sign everywhere;
-/// inside, the depth into one body (a union's true depth can be larger, see UnionDepth).
+/// inside, the depth into one body (a union's true depth can be larger).
 class RemovedSpace {
  public:
   /// Throws std::invalid_argument for a mesh without triangles or with numbers out of range.

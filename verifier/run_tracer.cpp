@@ -241,15 +241,23 @@ double RunTracer::walk_removed(const Vec3& p, const Vec3& along, double limit_mm
 
 TracedRun RunTracer::removed(const Vec3& s, const Vec3& n, double allowance_mm, double limit_mm,
                              double least_mm, bool stock_counts) const {
-  TracedRun run;
-  walk_removed(s + n * allowance_mm, -n, limit_mm, [&](BodyRef body, double end) {
-    if (stock_counts || !space_.is_stock(body)) run = {end, body, false};
-  });
+  const auto run_within = [&](double limit) {
+    TracedRun run;
+    walk_removed(s + n * allowance_mm, -n, limit, [&](BodyRef body, double end) {
+      if (stock_counts || !space_.is_stock(body)) run = {end, body, false};
+    });
+    return run;
+  };
+  TracedRun run = run_within(limit_mm);
   if (run.length_mm <= least_mm) return run;
   // t counts from s, inwards.
   const double to = run.length_mm - allowance_mm;
   const double crossing = next_crossing_mm(cells_, s, -n, -allowance_mm, to);
-  if (crossing < to) run.length_mm = crossing + allowance_mm, run.meets_surface = true;
+  if (crossing >= to) return run;
+  // What a body swept beyond the crossing says nothing of the way there.
+  const double ended = crossing + allowance_mm;
+  run = run_within(ended);
+  run.meets_surface = run.length_mm >= ended;
   return run;
 }
 

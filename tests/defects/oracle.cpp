@@ -164,13 +164,18 @@ double RunOracle::gouge_run(const Vec3& point, const Vec3& normal, bool sure,
     if (swept <= needed) return outside;
     last = std::max(last, t + std::max(swept, 0.0));
     // No further than what was swept is sure to go on: it may end outside the raw stock.
-    return swept;
+    return swept > 0 ? swept : std::max(swept, outside);
   };
   double run = march(free, sure ? Claim::sure : Claim::possible, longest_, most_steps);
   if (sure) run = std::min(run, longest_);
   run = std::min(run, last);
   if (!sure && run > 0) run += 2 * kPossible_mm;
-  return ended_by_surface(point, -normal, -allowance_, run, sure);
+  const double ended = ended_by_surface(point, -normal, -allowance_, run, sure);
+  if (!sure || ended >= run) return ended;
+  // What was swept beyond the crossing says nothing of the way there.
+  last = 0;
+  march(free, Claim::sure, ended, most_steps);
+  return std::min(ended, last);
 }
 
 double RunOracle::missing_run(const Vec3& point, const Vec3& normal, bool sure) const {

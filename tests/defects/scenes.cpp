@@ -59,10 +59,10 @@ void ridges(std::vector<Scene>& out) {
       for (double x = foot + radius + 2 * over + 1; x < end + 4; x += 0.15)
         cut_along(path, {side * x, -7, 0}, {side * x, 7, 0});
     s.passes = {pass_of(ball_cutter(radius), path)};
-    s.limits = uncut_gate(0.05);
     s.depth_mm = over;
-    // What leans outwards is no longer than to the flank's normal.
-    s.most_mm = over / std::cos(flank * std::numbers::pi / 180) + 1e-3;
+    // It stands over the valleys and the feet, too, and along the normals of the flanks.
+    s.most_mm = top / std::cos(flank * std::numbers::pi / 180) + 1e-3;
+    s.limits = uncut_gate(s.harmed ? 0.05 : s.most_mm);
     if (!s.harmed) {
       // The floor between the ridges' feet and the milled part is covered: the twin is the bare
       // block, with no floor beside the ridges.
@@ -151,7 +151,9 @@ void cusps(std::vector<Scene>& out) {
     Scene s;
     s.kind = SceneKind::cusp, s.harmed = k < kCount;
     const double r = spread(k % 4, 4, 1, 4), p = 2 * r * spread(k % kCount, kCount, 0.02, 0.97),
-                 cusp = r - std::sqrt(r * r - p * p / 4), half = p * std::ceil((4 + r) / p);
+                 cusp = r - std::sqrt(r * r - p * p / 4);
+    // The middle between two rows lies on the part, however far they are apart.
+    const double half = p * (std::ceil((4 + r) / p) + 0.5);
     s.label = text("radius %.3g mm, rows %.4g mm apart", r, p);
     s.cage = plane_cage(3, 0, 0);
     s.stock = block_between({-3.5, -3.5, -4}, {3.5, 3.5, 5});
@@ -213,7 +215,7 @@ void undercuts(std::vector<Scene>& out) {
     const double floor = -1 - open;
     s.cage = drawn_outline({{-5, 0}, {0, 0}, {0, -1}, {-deep, -1}, {-deep, floor}, {5, floor}}, 4);
     s.stock = block_between({-5.5, -2.5, floor - 3}, {5.5, 2.5, 0.5});
-    constexpr double kPastContact_mm = 0.001;
+    constexpr double kPastContact_mm = 0.0004;
     model::Toolpath path;
     for (double x = -6; x <= 6; x += r) cut_along(path, {x, -6, 0}, {x, 6, 0});
     for (double x = r - kPastContact_mm; x < 6; x += r)

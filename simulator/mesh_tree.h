@@ -49,23 +49,23 @@ class MeshTree {
     std::array<std::uint32_t, kWide> first, count;
   };
   struct Builder;
+  /// Visits the triangles of all leaves whose boxes `meets(node, child)`, until a visit says false.
+  template <class Meets, class Visit>
+  bool each_where(Meets&& meets, Visit&& visit) const;
 
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
 };
 
-template <class Visit>
-bool MeshTree::each_about(const model::Vec3& p, double half_edge, Visit&& visit) const {
+template <class Meets, class Visit>
+bool MeshTree::each_where(Meets&& meets, Visit&& visit) const {
   std::array<std::uint32_t, 128> stack;
   int depth = 0;
   stack[depth++] = 0;
   while (depth > 0) {
     const Node& node = nodes_[stack[--depth]];
     for (int k = 0; k < kWide; ++k) {
-      bool apart = false;
-      for (int a = 0; a < 3; ++a)
-        apart |= p[a] + half_edge < node.low[a][k] || p[a] - half_edge > node.high[a][k];
-      if (apart) continue;
+      if (!meets(node, k)) continue;
       if (node.count[k] == 0) stack[depth++] = node.first[k];
       for (std::uint32_t n = 0; n < node.count[k]; ++n)
         if (!visit(node.first[k] + n)) return false;
@@ -75,20 +75,26 @@ bool MeshTree::each_about(const model::Vec3& p, double half_edge, Visit&& visit)
 }
 
 template <class Visit>
+bool MeshTree::each_about(const model::Vec3& p, double half_edge, Visit&& visit) const {
+  const auto meets = [&](const Node& node, int k) {
+    bool apart = false;
+    for (int a = 0; a < 3; ++a)
+      apart |= p[a] + half_edge < node.low[a][k] || p[a] - half_edge > node.high[a][k];
+    return !apart;
+  };
+  return each_where(meets, visit);
+}
+
+template <class Visit>
 void MeshTree::above(double x, double y, double z_from, Visit&& visit) const {
-  std::array<std::uint32_t, 128> stack;
-  int depth = 0;
-  stack[depth++] = 0;
-  while (depth > 0) {
-    const Node& node = nodes_[stack[--depth]];
-    for (int k = 0; k < kWide; ++k) {
-      if (x < node.low[0][k] || x > node.high[0][k] || y < node.low[1][k] || y > node.high[1][k] ||
-          z_from > node.high[2][k])
-        continue;
-      if (node.count[k] == 0) stack[depth++] = node.first[k];
-      for (std::uint32_t n = 0; n < node.count[k]; ++n) visit(node.first[k] + n);
-    }
-  }
+  const auto meets = [&](const Node& node, int k) {
+    return x >= node.low[0][k] && x <= node.high[0][k] && y >= node.low[1][k] &&
+           y <= node.high[1][k] && z_from <= node.high[2][k];
+  };
+  each_where(meets, [&](std::uint32_t triangle) {
+    visit(triangle);
+    return true;
+  });
 }
 
 }  // namespace limitgauge::simulator

@@ -166,13 +166,14 @@ class CellSearch {
     ++out_.cells;
     const OffsetCell offset = offset_of(cell);
     if (bounds_.surely_within(offset, goal())) return out_.cover(goal());
+    if (is_left_out(cell)) return;
     bool out_of_reach = false;
     // A run that ends before the goal would raise `low` by less than what is asked for.
     const bool tiny = depth >= kDeepest || is_tiny(cell, offset);
     if (tiny || !bounds_.ends_within(offset, goal())) {
       const TracedRun run = bounds_.run(offset.middle, offset.normal, out_.low);
       if (run.length_mm > out_.low) {
-        if (is_left_out(cell) || surely_unreachable(cell, offset)) return;
+        if (surely_unreachable(cell, offset)) return;
         const SurfacePlace place = place_of(cell, offset.middle);
         out_of_reach = !task_.counts(cell, place, offset.normal);
         if (!out_of_reach) {
@@ -183,7 +184,6 @@ class CellSearch {
       if (!out_of_reach && bounds_.surely_within_thin(offset, run.length_mm, goal()))
         return out_.cover(goal());
     }
-    if (is_left_out(cell)) return;
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (tiny && out_of_reach) return;
     if (tiny || spent()) return give_up(offset);

@@ -42,8 +42,8 @@ struct Certificate {
   bool reached_resolution = true;
 };
 
-/// What rounding in double precision and the points omitted near irregular vertices may add to any
-/// distance: coordinates below 10 m, far above the true error.
+/// What rounding in double precision and the vertices that stand for the points about them may add
+/// to any distance: coordinates below 10 m, far above the true error.
 inline constexpr double kRounding_mm = 1e-9 + SurfaceCells::kOmitted_mm;
 
 /// Certifies one figure of a removed space: of uncut over all that `reach` does not prove to be out

@@ -199,10 +199,10 @@ std::optional<ContactBlock::Obstacle> ContactBlock::obstacle_of(const ContactReg
   return std::nullopt;
 }
 
-/// One of the known obstacles that bars all of a piece, the last learnt first.
-bool ContactBlock::any_holds(const ContactRegion& g, const std::vector<Obstacle>& known) const {
+/// Whether one of the obstacles bars all of a piece, the last first.
+bool ContactBlock::any_holds(const ContactRegion& g, std::span<const Obstacle> obstacles) const {
   const PlanPiece plan(g);
-  return std::any_of(known.rbegin(), known.rend(), [&](const Obstacle& o) {
+  return std::any_of(obstacles.rbegin(), obstacles.rend(), [&](const Obstacle& o) {
     return greatest_distance(parts_[o.part], g, plan, o.point).value < limit_mm_ - g.stray_mm;
   });
 }
@@ -229,7 +229,7 @@ std::optional<ContactRegion> ContactBlock::free_spot(const ContactRegion& g, Sea
     const ContactRegion spot = least_barred(g, search);
     if (any_holds(spot, search.known)) return std::nullopt;
     const auto met = obstacle_at(middle_tip(spot), limit, false);
-    if (!met || !any_holds(spot, {*met})) return spot;
+    if (!met || !any_holds(spot, std::span(&*met, 1))) return spot;
     search.learn(*met);
   }
   return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "verifier/cutter_profile.h"
@@ -58,7 +59,7 @@ class ContactBlock {
   double barred_mm(const ContactRegion& spot, const Search& search) const;
   ContactRegion least_barred(const ContactRegion& region, const Search& search) const;
   bool blocks(const ContactRegion& piece, Search& search) const;
-  bool any_holds(const ContactRegion& piece, const std::vector<Obstacle>& known) const;
+  bool any_holds(const ContactRegion& piece, std::span<const Obstacle> obstacles) const;
   std::optional<Obstacle> obstacle_at(const model::Vec3& tip, double limit_mm, bool any) const;
   std::optional<Obstacle> obstacle_of(const ContactRegion& piece) const;
 

@@ -16,9 +16,12 @@ using record::Source;
 using record::StageMeasures;
 using verifier::Interval;
 
-/// How far the samples go to the side of a figure.
-double sampled_extreme(const Metric& metric, const Interval& sampled) {
-  return metric.id == "gouge_mm" ? -sampled.low : sampled.high;
+/// How far the samples go to the side of a figure; none for one that they do not tell of.
+std::optional<double> sampled_extreme(const Metric& metric, const StageMeasures& measures) {
+  if (!measures.sampled_mm) return std::nullopt;
+  if (metric.id == "gouge_mm") return -measures.sampled_mm->low;
+  if (metric.id == "uncut_mm") return measures.sampled_mm->high;
+  return std::nullopt;
 }
 
 /// Three readings that agree: the place that is proved to be reached, the bound that is promised,
@@ -27,12 +30,12 @@ double sampled_extreme(const Metric& metric, const Interval& sampled) {
 /// did.
 bool all_rose(const Metric& metric, const StageMeasures& from, const StageMeasures& to,
               const Fineness& fineness) {
-  if (!from.sampled_mm || !to.sampled_mm) return false;
+  const auto sampled_from = sampled_extreme(metric, from), sampled_to = sampled_extreme(metric, to);
+  if (!sampled_from || !sampled_to) return false;
   const double floor = sample_floor_mm(fineness);
   const Interval was = metric.of(from), is = metric.of(to);
   return is.low - was.low > floor && is.high - was.high > floor &&
-         sampled_extreme(metric, *to.sampled_mm) - sampled_extreme(metric, *from.sampled_mm) >
-             floor;
+         *sampled_to - *sampled_from > floor;
 }
 
 void judge_certified(FigureChange& change, const StageMeasures& base, const StageMeasures& now,
@@ -121,6 +124,11 @@ std::optional<FoundPlace> deepest(const FigureChange& change,
   }));
 }
 
+const std::vector<record::Place>& places_of(const Metric& metric, const StageMeasures& measures) {
+  if (metric.id == "gouge_mm") return measures.gouges;
+  return metric.id == "missing_stock_mm" ? measures.missing_stock : measures.uncuts;
+}
+
 }  // namespace
 
 std::vector<FigureChange> compare_figures(const StageMeasures& base, const StageMeasures& now,
@@ -132,9 +140,7 @@ std::vector<FigureChange> compare_figures(const StageMeasures& base, const Stage
     change.base = metric.of(base);
     change.now = metric.of(now);
     judge(change, base, now, options);
-    const bool is_gouge = metric.id == "gouge_mm";
-    change.where =
-        deepest(change, is_gouge ? base.gouges : base.uncuts, is_gouge ? now.gouges : now.uncuts);
+    change.where = deepest(change, places_of(metric, base), places_of(metric, now));
     out.push_back(std::move(change));
   }
   return out;

@@ -168,7 +168,7 @@ void compare_findings(const record::StageRecord& base, const record::StageRecord
                 gouges_of(base, reach_mm), gouges_of(now, reach_mm), out);
   compare_sides({"uncut", floor_mm, reach_mm, is_judged(options, "uncut_mm")},
                 uncuts_of(base, reach_mm), uncuts_of(now, reach_mm), out);
-  compare_sides({"missing_stock", floor_mm, reach_mm, is_judged(options, "gouge_mm")},
+  compare_sides({"missing_stock", floor_mm, reach_mm, is_judged(options, "missing_stock_mm")},
                 missing_stock_of(base, reach_mm), missing_stock_of(now, reach_mm), out);
   compare_process(base, now, reach_mm, options, out);
   std::stable_sort(out.findings.begin(), out.findings.end(),

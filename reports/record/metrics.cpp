@@ -22,6 +22,8 @@ using M = StageMeasures;
 constexpr std::array kMetrics = {
     Metric{"gouge_mm", "gouge", "mm", Better::lower, Source::certified, certified<&M::gouge_mm>},
     Metric{"uncut_mm", "uncut", "mm", Better::lower, Source::certified, certified<&M::uncut_mm>},
+    Metric{"missing_stock_mm", "missing stock", "mm", Better::lower, Source::certified,
+           certified<&M::missing_stock_mm>},
     Metric{"coverage", "coverage", "", Better::higher, Source::measured, figure<&M::coverage>},
     Metric{"mean_mm", "mean deviation", "mm", Better::neither, Source::measured,
            figure<&M::mean_mm>},

@@ -319,28 +319,26 @@ double RunOracle::possibly_uncut(const Place& place) const {
   return most;
 }
 
-double RunOracle::possibly_gouged(const Place& place) const {
+template <class Run>
+double RunOracle::possible_of_faces(const Place& place, Run&& run) const {
   double most = 0;
   for (const Place& near : target_.sharp.beside(place)) {
     const Vec3 point = target_.samples.at(near).position;
     for (const Vec3& n : target_.sharp.span_at(near).faces)
-      most = std::max(
-          most, with_beside(
-                    point, n, [&](const Vec3& q) { return gouge_run(q, n, false); }, greater));
+      most = std::max(most,
+                      with_beside(point, n, [&](const Vec3& q) { return run(q, n); }, greater));
   }
   return most;
 }
 
+double RunOracle::possibly_gouged(const Place& place) const {
+  return possible_of_faces(
+      place, [&](const Vec3& q, const Vec3& n) { return gouge_run(q, n, false); });
+}
+
 double RunOracle::possibly_missing(const Place& place) const {
-  double most = 0;
-  for (const Place& near : target_.sharp.beside(place)) {
-    const Vec3 point = target_.samples.at(near).position;
-    for (const Vec3& n : target_.sharp.span_at(near).faces)
-      most = std::max(
-          most, with_beside(
-                    point, n, [&](const Vec3& q) { return missing_run(q, n, false); }, greater));
-  }
-  return most;
+  return possible_of_faces(
+      place, [&](const Vec3& q, const Vec3& n) { return missing_run(q, n, false); });
 }
 
 }  // namespace limitgauge::tests::defects

@@ -92,6 +92,9 @@ class RunOracle {
   double gouge_run(const model::Vec3& point, const model::Vec3& normal, bool sure,
                    int most_steps = 30'000) const;
   double missing_run(const model::Vec3& point, const model::Vec3& normal, bool sure) const;
+  /// The longest that `run(point, normal)` comes to on the faces at a place, and beside it.
+  template <class Run>
+  double possible_of_faces(const Place& place, Run&& run) const;
   double ended_by_surface(const model::Vec3& point, const model::Vec3& along, double from_mm,
                           double run_mm, bool sure) const;
 

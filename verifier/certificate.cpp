@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/model/chunks.h"
+#include "verifier/rim_strips.h"
 #include "verifier/run_bounds.h"
 
 namespace limitgauge::verifier {
@@ -186,8 +187,12 @@ class CellSearch {
     }
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (tiny && out_of_reach) return;
+    const auto strips = tiny ? std::nullopt : within_strips(cell, offset);
+    if (strips && *strips) return out_.cover(goal());
     if (tiny || spent()) return give_up(offset);
-    const auto halves = out_of_reach ? halves_by_reach(cell, offset) : halves_of(cell, offset);
+    // Along an open end of S the rim of reach is another than the one that strips lie along.
+    const bool by_reach = out_of_reach && (!strips || is_at_rim(cell));
+    const auto halves = by_reach ? halves_by_reach(cell, offset) : halves_of(cell, offset);
     search(halves[0], depth + 1);
     search(halves[1], depth + 1);
   }
@@ -198,6 +203,10 @@ class CellSearch {
     return task_.side == Side::uncut && task_.cells.is_rim_strip(cell, kBeside_mm);
   }
   static bool is_left_out(const RidgeCell&) { return false; }
+  bool is_at_rim(const SurfaceCell& cell) const {
+    return task_.cells.is_rim_strip(cell, std::numeric_limits<double>::infinity());
+  }
+  static bool is_at_rim(const RidgeCell&) { return false; }
 
   template <class Cell>
   std::array<Cell, 2> halves_of(const Cell& cell, const OffsetCell& offset) {
@@ -220,6 +229,12 @@ class CellSearch {
   std::array<RidgeCell, 2> halves_by_reach(const RidgeCell& cell, const OffsetCell& offset) {
     return halves_of(cell, offset);
   }
+  std::optional<bool> within_strips(const SurfaceCell&, const OffsetCell& offset) {
+    if (task_.side != Side::uncut) return std::nullopt;
+    return RimStrips(bounds_, *task_.reach)
+        .surely_within(offset, task_.request.allowance_mm, goal());
+  }
+  static std::optional<bool> within_strips(const RidgeCell&, const OffsetCell&) { return {}; }
   bool surely_unreachable(const SurfaceCell& cell, const OffsetCell&) const {
     return task_.side == Side::uncut && task_.reach->surely_unreachable(cell);
   }

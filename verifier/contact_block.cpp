@@ -69,6 +69,103 @@ class PlanPiece {
   std::array<Vec3, 4> corners_;
 };
 
+struct PlanPoint {
+  double x = 0, y = 0;
+};
+/// Points whose convex hull is meant.
+using PlanHull = std::vector<PlanPoint>;
+struct PlanDisc {
+  double x = 0, y = 0, radius = 0;
+
+  double outside(const PlanPoint& p) const {
+    return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y) - radius * radius;
+  }
+  /// Where the segment from a, inside, to b, outside, leaves the disc; no nearer to b.
+  PlanPoint exit(const PlanPoint& a, const PlanPoint& b) const {
+    const double dx = b.x - a.x, dy = b.y - a.y, ax = a.x - x, ay = a.y - y;
+    const double whole = dx * dx + dy * dy, half = ax * dx + ay * dy,
+                 free = std::max(0.0, half * half - whole * outside(a));
+    const double t = whole > 0 ? std::clamp((std::sqrt(free) - half) / whole, 0.0, 1.0) : 0;
+    return {a.x + t * dx, a.y + t * dy};
+  }
+};
+
+/// Widest piece of a circle that a hull of its tangents stands for.
+constexpr double kWidestHull_rad = 0.8;
+
+/// The corners of the hull, in order.
+PlanHull corners_of(PlanHull points) {
+  if (points.size() < 3) return points;
+  std::sort(points.begin(), points.end(), [](const PlanPoint& a, const PlanPoint& b) {
+    return a.x != b.x ? a.x < b.x : a.y < b.y;
+  });
+  PlanHull out;
+  const auto add_side = [&](auto begin, auto end) {
+    const std::size_t first = out.size();
+    for (auto p = begin; p != end; ++p) {
+      while (out.size() >= first + 2) {
+        const PlanPoint &a = out[out.size() - 2], &b = out.back();
+        if ((b.x - a.x) * (p->y - a.y) - (b.y - a.y) * (p->x - a.x) > 0) break;
+        out.pop_back();
+      }
+      out.push_back(*p);
+    }
+    out.pop_back();
+  };
+  add_side(points.begin(), points.end());
+  add_side(points.rbegin(), points.rend());
+  return out;
+}
+
+/// A hull that holds the tips of a piece in plan: cores and, added, the sector within its tangents.
+PlanHull hull_of(const ContactRegion& g) {
+  constexpr int kTangents = 4;
+  PlanHull sector = {{g.r0 * std::cos(g.angle0), g.r0 * std::sin(g.angle0)},
+                     {g.r0 * std::cos(g.angle1), g.r0 * std::sin(g.angle1)},
+                     {g.r1 * std::cos(g.angle0), g.r1 * std::sin(g.angle0)},
+                     {g.r1 * std::cos(g.angle1), g.r1 * std::sin(g.angle1)}};
+  const double step = (g.angle1 - g.angle0) / kTangents, out = g.r1 / std::cos(step / 2);
+  for (int k = 0; k < kTangents; ++k) {
+    const double angle = g.angle0 + (k + 0.5) * step;
+    sector.push_back({out * std::cos(angle), out * std::sin(angle)});
+  }
+  PlanHull hull;
+  for (const Vec3& core : g.cores)
+    for (const PlanPoint& p : sector) hull.push_back({core.x + p.x, core.y + p.y});
+  return corners_of(std::move(hull));
+}
+
+/// What a disc leaves of a hull lies in the hull of the corners outside it and of where the sides
+/// leave it.
+PlanHull less(const PlanHull& hull, const PlanDisc& disc) {
+  PlanHull out;
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    const PlanPoint &a = hull[k], &b = hull[(k + 1) % hull.size()];
+    const bool a_inside = disc.outside(a) < 0, b_inside = disc.outside(b) < 0;
+    if (!a_inside) out.push_back(a);
+    if (a_inside != b_inside) out.push_back(a_inside ? disc.exit(a, b) : disc.exit(b, a));
+  }
+  return corners_of(std::move(out));
+}
+
+/// Whether the hull lies in the union of the discs: ever the one that holds most of what is left.
+bool covered(PlanHull hull, std::vector<PlanDisc> discs) {
+  while (!hull.empty() && !discs.empty()) {
+    const auto held = [&](const PlanDisc& disc) {
+      return std::count_if(hull.begin(), hull.end(),
+                           [&](const PlanPoint& p) { return disc.outside(p) < 0; });
+    };
+    std::size_t best = 0;
+    std::ptrdiff_t most = 0;
+    for (std::size_t k = 0; k < discs.size(); ++k)
+      if (const auto count = held(discs[k]); count > most) most = count, best = k;
+    if (most == 0) return false;
+    hull = less(hull, discs[best]);
+    discs.erase(discs.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  return hull.empty();
+}
+
 /// Greatest signed distance from p to a part over all positions of a piece, and its plane: the
 /// distance grows with the one in plan, and is convex in the tip's height and core.
 BodyDistance greatest_distance(const StandingPart& part, const ContactRegion& g,
@@ -207,6 +304,42 @@ bool ContactBlock::any_holds(const ContactRegion& g, std::span<const Obstacle> o
   });
 }
 
+/// The radius in plan up to which a point of S bars every tip at that height.
+double ContactBlock::barred_radius_mm(const Obstacle& o, double tip_z_mm, double limit_mm) const {
+  constexpr double kFine_mm = 1e-7;
+  const StandingPart& part = parts_[o.part];
+  const auto bars = [&](double rho) {
+    const Vec3 tip{o.point.x - rho, o.point.y, tip_z_mm};
+    return part_plane(part, tip, o.point).value < limit_mm;
+  };
+  double low = 0, high = part.profile.largest_radius_mm() + std::abs(limit_mm);
+  if (!bars(low)) return 0;
+  if (bars(high)) return high;
+  while (high - low > kFine_mm) {
+    const double middle = (low + high) / 2;
+    (bars(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Whether the obstacles together bar all of a piece of level positions: its hull, less one disc
+/// after the other.
+bool ContactBlock::all_hold(const ContactRegion& g, std::span<const Obstacle> obstacles) const {
+  constexpr double kLevel_mm = 1e-9;
+  const double z = g.cores[0].z;
+  if (g.z0 != g.z1) return false;
+  for (const Vec3& core : g.cores)
+    if (std::abs(core.z - z) > kLevel_mm) return false;
+  // A nanometre for tips that are not quite level.
+  const double limit = limit_mm_ - g.stray_mm - kLevel_mm;
+  PlanHull hull = hull_of(g);
+  std::vector<PlanDisc> discs;
+  for (const Obstacle& o : obstacles)
+    if (const double radius = barred_radius_mm(o, z - g.z0, limit); radius > 0)
+      discs.push_back({o.point.x, o.point.y, radius});
+  return covered(std::move(hull), discs);
+}
+
 /// What is known of S by the proofs of the pieces before.
 struct ContactBlock::Search {
   std::vector<Obstacle> known;
@@ -220,17 +353,48 @@ struct ContactBlock::Search {
   }
 };
 
-/// Looks for a position of the region that no one obstacle bars for all of the hull of the cores:
-/// ever again what is least barred by those known so far, until they bar all that is tried.
+/// Learns what bars the middle of a piece, and the middle from each of the cores; false where nothing
+/// does.
+bool ContactBlock::learn_corners(const ContactRegion& g, Search& search) const {
+  const double limit = limit_mm_ - g.stray_mm;
+  ContactRegion from = g;
+  const auto learn = [&] {
+    const auto met = obstacle_at(middle_tip(from), limit, false);
+    if (met) search.learn(*met);
+    return met.has_value();
+  };
+  if (!learn()) return false;
+  if (distance(g.cores[0], g.cores[3]) <= kSmallestCell_mm) return true;
+  for (const Vec3& core : g.cores) {
+    from.cores.fill(core);
+    if (!learn()) return false;
+  }
+  return true;
+}
+
+/// Whether a single position, for all of the hull of the cores, is barred by one obstacle or by
+/// those met at its corners together; learns them.
+bool ContactBlock::is_spot_barred(const ContactRegion& spot, Search& search) const {
+  const auto met = obstacle_at(middle_tip(spot), limit_mm_ - spot.stray_mm, false);
+  if (!met) return false;
+  search.learn(*met);
+  if (any_holds(spot, std::span(&*met, 1))) return true;
+  if (const auto all = obstacle_of(spot)) {
+    search.learn(*all);
+    return true;
+  }
+  return learn_corners(spot, search) && all_hold(spot, search.known);
+}
+
+/// Looks for a position of the region that is not barred for all of the hull of the cores: ever
+/// again what is least barred by the obstacles known so far, until they bar all that is tried.
 std::optional<ContactRegion> ContactBlock::free_spot(const ContactRegion& g, Search& search) const {
   constexpr int kTried = 20;
-  const double limit = limit_mm_ - g.stray_mm;
   for (int k = 0; k < kTried; ++k) {
     const ContactRegion spot = least_barred(g, search);
-    if (any_holds(spot, search.known)) return std::nullopt;
-    const auto met = obstacle_at(middle_tip(spot), limit, false);
-    if (!met || !any_holds(spot, std::span(&*met, 1))) return spot;
-    search.learn(*met);
+    const bool is_known = any_holds(spot, search.known);
+    if (!is_known && !is_spot_barred(spot, search)) return spot;
+    if (is_known) break;
   }
   return std::nullopt;
 }
@@ -287,6 +451,7 @@ std::optional<Vec3> ContactBlock::free_tip(const ContactRegion& region) const {
 
 bool ContactBlock::blocks(const ContactRegion& g, Search& search) const {
   if (any_holds(g, search.known)) return true;
+  if (g.angle1 - g.angle0 <= kWidestHull_rad && all_hold(g, search.known)) return true;
   const double by_angle = g.r1 * (g.angle1 - g.angle0), by_r = g.r1 - g.r0, by_z = g.z1 - g.z0;
   // Of a piece smaller than the hull of the cores it is the hull that is too large.
   if (std::max({by_angle, by_r, by_z}) < search.smallest_mm) return false;
@@ -297,7 +462,8 @@ bool ContactBlock::blocks(const ContactRegion& g, Search& search) const {
       search.learn(*met);
       return true;
     }
-    if (!obstacle_at(middle_tip(g), limit_mm_ - g.stray_mm, true)) return false;
+    if (!learn_corners(g, search)) return false;
+    if (g.angle1 - g.angle0 <= kWidestHull_rad && all_hold(g, search.known)) return true;
   }
   ContactRegion low = g, high = g;
   if (by_angle >= by_r && by_angle >= by_z)

@@ -36,8 +36,10 @@ CellRectangle rectangle_round(const Bezier& cell, const model::Vec3& normal);
 
 /// Proof that a cutter made of parts comes nearer than a limit to S from every position of a
 /// region: of one point of S, the distance to a part grows with the one in plan, which is greatest
-/// at the far end of a piece of the region, and is convex in the core and the height. Pieces are
-/// halved where no point serves for all, until they are as small as the hull of their cores.
+/// at the far end of a piece of the region, and is convex in the core and the height. Of level
+/// positions one point bars a disc, and several points together whatever lies in the union of
+/// theirs. Pieces are halved where neither serves, until they are as small as the hull of their
+/// cores.
 class ContactBlock {
  public:
   ContactBlock(const SurfaceCells& cells, const std::vector<StandingPart>& parts, double limit_mm)
@@ -56,10 +58,14 @@ class ContactBlock {
   };
   struct Search;
   std::optional<ContactRegion> free_spot(const ContactRegion& region, Search& search) const;
+  bool learn_corners(const ContactRegion& piece, Search& search) const;
+  bool is_spot_barred(const ContactRegion& spot, Search& search) const;
   double barred_mm(const ContactRegion& spot, const Search& search) const;
   ContactRegion least_barred(const ContactRegion& region, const Search& search) const;
   bool blocks(const ContactRegion& piece, Search& search) const;
   bool any_holds(const ContactRegion& piece, std::span<const Obstacle> obstacles) const;
+  bool all_hold(const ContactRegion& piece, std::span<const Obstacle> obstacles) const;
+  double barred_radius_mm(const Obstacle& obstacle, double tip_z_mm, double limit_mm) const;
   std::optional<Obstacle> obstacle_at(const model::Vec3& tip, double limit_mm, bool any) const;
   std::optional<Obstacle> obstacle_of(const ContactRegion& piece) const;
 

@@ -227,8 +227,7 @@ bool Reachability::surely_unreachable(const Bezier& cell, const NormalCone& norm
   // On a plane the rim of what can be reached has to be closed in on; a bent cell's own bends say
   // sooner that it is too large.
   constexpr double kPlane_rad = 1e-6;
-  const bool level_flat = tilt + spread <= kPlane_rad && profile_.flat_mm > 0;
-  if (!neck_ && !level_flat) return surely_unreachable_round(cell, *cone);
+  if (!neck_ && spread > kPlane_rad) return surely_unreachable_round(cell, *cone);
   const ContactBlock block(cells_, parts_, allowance_mm_ - contact_mm_);
   const auto regions = contact_regions(cell, *cone);
   return std::all_of(regions.begin(), regions.end(),

@@ -25,7 +25,35 @@ std::vector<std::uint32_t>& query_stack() {
   return stack;
 }
 
+/// Steps to where a ray meets one body: far more than a tangent that touches takes.
+constexpr int kMostSteps = 400;
+/// What a step towards a distance falls short of by rounding.
+constexpr double kReached_mm = 1e-9;
+
+/// The first t in [0, limit_mm) at which the ray meets a body whose distance, less its error, is
+/// `distance(t)`; the limit where there is none. A convex one lies above its planes, whose zeros
+/// come before its own; of others a step is no longer than the place is far.
+template <class Distance>
+double first_meeting(Distance&& distance, const Vec3& ray, bool is_convex, double limit_mm,
+                     const EndRule& rule) {
+  double t = 0;
+  for (int step = 0; step < kMostSteps && t < limit_mm; ++step) {
+    const BodyDistance d = distance(t);
+    if (rule.is_met(d.value, d.gradient, ray)) return t;
+    const double closing = is_convex ? -dot(d.gradient, ray) : 1;
+    if (closing <= 0) return limit_mm;
+    const double wanted = d.value > rule.beside_mm + kReached_mm ? rule.beside_mm : 0;
+    t += std::max(d.value - d.slack_mm - wanted, kReached_mm / 2) / closing;
+  }
+  return std::min(t, limit_mm);
+}
+
 }  // namespace
+
+bool EndRule::is_met(double distance_mm, const Vec3& gradient, const Vec3& ray) const {
+  if (distance_mm <= skin_mm) return true;
+  return distance_mm <= beside_mm + kReached_mm && std::abs(dot(gradient, ray)) <= along;
+}
 
 RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes,
                            std::span<const Sweep> more)
@@ -102,6 +130,61 @@ Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint) const 
   if (mesh_ && !is_stock(best.body)) nearest_of_stock(p, best);
   if (!is_stock(best.body)) best.distance = distance(best.body, p);
   return best;
+}
+
+void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& p, const Vec3& ray,
+                                const EndRule& rule, Meeting& first) const {
+  constexpr int kLooks = 4;
+  const PassBodies& bodies = passes_[pass];
+  const auto start_of = [&](const BoxNode& node) {
+    double t = 0;
+    for (int k = 0; k < kLooks && t < first.t_mm; ++k) {
+      const double room =
+          box_bound(bodies.profile, node.box, p + ray * t) - chord_error_mm_ - rule.beside_mm;
+      if (room <= kReached_mm) break;
+      t += room;
+    }
+    return t;
+  };
+  nearest_first(
+      bodies.nodes, start_of, [&](double start) { return start >= first.t_mm; },
+      [&](const BoxNode& leaf) {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+          const auto distance = [&](double t) {
+            BodyDistance d = body_distance(bodies.profile, bodies.bodies[k], p + ray * t);
+            d.value -= chord_error_mm_;
+            return d;
+          };
+          const double t = first_meeting(distance, ray, true, first.t_mm, rule);
+          if (t < first.t_mm) first = {t, BodyRef{pass, bodies.index[k]}};
+        }
+      });
+}
+
+void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndRule& rule,
+                                      Meeting& first) const {
+  const auto outside = static_cast<std::uint32_t>(passes_.size());
+  for (std::uint32_t face = 0; face < (mesh_ ? 1 : stock_faces()); ++face) {
+    const BodyRef body{outside, face};
+    const auto distance = [&](double t) {
+      BodyDistance d = this->distance(body, p + ray * t);
+      d.value -= chord_error_mm_;
+      return d;
+    };
+    const bool is_convex = !mesh_ && !is_concave(body);
+    const double t = first_meeting(distance, ray, is_convex, first.t_mm, rule);
+    if (t < first.t_mm) first = {t, body};
+  }
+}
+
+RemovedSpace::Meeting RemovedSpace::first_met(const Vec3& p, const Vec3& ray, double limit_mm,
+                                              const EndRule& rule) const {
+  Meeting first{limit_mm, {}};
+  if (!mesh_) first_met_of_stock(p, ray, rule, first);
+  for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;)
+    first_met_in(k, p, ray, rule, first);
+  if (mesh_) first_met_of_stock(p, ray, rule, first);
+  return first;
 }
 
 double RemovedSpace::stock_distance_mm(const Vec3& p) const {

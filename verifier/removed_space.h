@@ -36,6 +36,14 @@ struct Nearest {
   BodyDistance distance;
 };
 
+/// When a ray through material counts as ended by a body: so near to it, or so near with a face of
+/// it running along the ray, up to that sine of the angle between.
+struct EndRule {
+  double skin_mm = 0, beside_mm = 0, along = 0;
+
+  bool is_met(double distance_mm, const model::Vec3& gradient, const model::Vec3& ray) const;
+};
+
 /// All that has been cut so far and all that lies outside the raw stock. δ(p) is the least of the
 /// bodies' signed distances: exact outside the removed space, with the right sign everywhere;
 /// inside, the depth into one body (a union's true depth can be larger).
@@ -58,6 +66,15 @@ class RemovedSpace {
   /// All bodies that may come within `limit_mm` of a point of `box`, in a fixed order, appended to
   /// `out`.
   void within(const model::Box3& box, double limit_mm, std::vector<BodyRef>& out) const;
+
+  /// The first t in [0, limit_mm] at which p + t·ray, a unit vector, meets a body by the rule, and
+  /// the body; the limit where none does. All before it is material.
+  struct Meeting {
+    double t_mm = 0;
+    std::optional<BodyRef> body;
+  };
+  Meeting first_met(const model::Vec3& p, const model::Vec3& ray, double limit_mm,
+                    const EndRule& rule) const;
 
   BodyDistance distance(BodyRef body, const model::Vec3& p) const;
   /// d at the sixteen control points of `cell` (for a mesh, see mesh_of).
@@ -101,6 +118,10 @@ class RemovedSpace {
   void stock_within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
   void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best) const;
   void nearest_of_stock(const model::Vec3& p, Nearest& best) const;
+  void first_met_in(std::uint32_t pass, const model::Vec3& p, const model::Vec3& ray,
+                    const EndRule& rule, Meeting& first) const;
+  void first_met_of_stock(const model::Vec3& p, const model::Vec3& ray, const EndRule& rule,
+                          Meeting& first) const;
   /// Half spaces and the side of a bar; a mesh has none.
   std::uint32_t stock_faces() const;
   BodyDistance stock_distance(std::uint32_t face, const model::Vec3& p) const;

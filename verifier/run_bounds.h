@@ -29,6 +29,7 @@ class RunBounds {
   double quick_run(const model::Vec3& s, const model::Vec3& n, std::optional<BodyRef>& hint) const;
   /// The body nearest to s.
   BodyRef nearest_body(const model::Vec3& s) const { return space_.nearest(s).body; }
+  Nearest nearest(const model::Vec3& p) const { return space_.nearest(p); }
   /// How δ changes at the middle of the cell, moved to where its runs would end.
   model::Vec3 gradient_at(const OffsetCell& cell, double length_mm);
 

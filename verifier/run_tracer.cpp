@@ -120,49 +120,11 @@ double next_crossing_mm(const SurfaceCells& cells, const Vec3& s, const Vec3& al
   return CrossingSearch(cells, s, along, {from_mm, to_mm}).run();
 }
 
-/// How much further everything is material: bodies further than `sight_mm` cannot be met before it,
-/// and those nearer not before the zeros of their planes.
-double RunTracer::step_through_material(const Vec3& p, const Vec3& along, const Nearest& nearest,
-                                        double sight_mm) const {
-  thread_local std::vector<BodyRef> near;
-  near.clear();
-  const double error = space_.chord_error_mm(), least = nearest.distance.value - error;
-  double step = sight_mm;
-  space_.within(p, step + error, near);
-  for (const BodyRef body : near) {
-    const BodyDistance d = space_.distance(body, p);
-    // The distance of a mesh's outside, or a bar's, does not lie above its plane.
-    if (space_.mesh_of(body) || space_.is_concave(body)) {
-      step = std::min(step, d.value - error);
-      continue;
-    }
-    const double closing = -dot(d.gradient, along);
-    if (closing > 0) step = std::min(step, std::max(0.0, d.value - d.slack_mm - error) / closing);
-  }
-  return std::max(step, least);
-}
-
 TracedRun RunTracer::material(const Vec3& s, const Vec3& n, double allowance_mm, double limit_mm,
                               double least_mm) const {
-  TracedRun run;
-  std::optional<BodyRef> hint;
-  constexpr double kSight = 2;
-  double sight = 0;
-  const Vec3 from = s + n * allowance_mm;
-  for (int step = 0; step < kMostSteps && run.length_mm < limit_mm; ++step) {
-    const Vec3 p = from + n * run.length_mm;
-    const Nearest nearest = space_.nearest(p, hint);
-    hint = run.body = nearest.body;
-    const double sure = nearest.distance.value - space_.chord_error_mm();
-    if (!(sure > kSkin_mm)) break;
-    if (sure <= kBeside_mm && std::abs(dot(nearest.distance.gradient, n)) <= kAlong) break;
-    // Along a wall nothing but sight limits the steps: ever further, then.
-    sight = std::max(sight, kSight * sure);
-    const double gone = step_through_material(p, n, nearest, sight);
-    sight = gone >= sight ? kSight * sight : kSight * sure;
-    run.length_mm += gone;
-  }
-  run.length_mm = std::min(run.length_mm, limit_mm);
+  constexpr EndRule kEnds{kSkin_mm, kBeside_mm, kAlong};
+  const auto met = space_.first_met(s + n * allowance_mm, n, limit_mm, kEnds);
+  TracedRun run{met.t_mm, met.body, false};
   if (run.length_mm <= least_mm) return run;
   const double to = allowance_mm + run.length_mm;
   const double crossing = next_crossing_mm(cells_, s, n, allowance_mm, to);

@@ -51,8 +51,6 @@ class RunTracer {
   double free_length_mm(const model::Vec3& p, const model::Vec3& along, double limit_mm) const;
 
  private:
-  double step_through_material(const model::Vec3& p, const model::Vec3& along,
-                               const Nearest& nearest, double sight_mm) const;
   double free_beside(const Nearest& at, const model::Vec3& p, const model::Vec3& along, double t,
                      double limit_mm) const;
   double exit_of(BodyRef body, const model::Vec3& p, const model::Vec3& along, double t,

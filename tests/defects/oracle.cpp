@@ -185,6 +185,15 @@ double RunOracle::missing_run(const Vec3& point, const Vec3& normal, bool sure) 
   return ended_by_surface(point, -normal, 0, sure || run <= 0 ? run : run + 2 * kPossible_mm, sure);
 }
 
+/// A vertex's own normal may be a limit that nothing comes near to: what is certain there is what its
+/// faces come to beside it.
+Place RunOracle::off_vertex(Place place) {
+  static constexpr double kAside = 1e-6;
+  const auto moved = [](double p) { return std::clamp(p, kAside, 1 - kAside); };
+  const Place inner{place.patch, moved(place.u), moved(place.v)};
+  return inner.u != place.u && inner.v != place.v ? inner : place;
+}
+
 /// The highest `run(place, point, normal, at_least)` over samples and climbs from the best of them:
 /// a run that is no more than `at_least` need not be worked out. Where `sharp`, the fans of sharp
 /// places too, each direction of which climbs along its edge for itself.
@@ -224,7 +233,9 @@ Extreme RunOracle::highest(const std::vector<Place>& hints, bool sharp, Run&& ru
     double found = 0, reached = 0;
     const Place place = target_.samples.climb(
         start,
-        [&](const Place&, const verifier::SurfaceSample& s) {
+        [&](const Place& at, const verifier::SurfaceSample& there) {
+          const Place inner = off_vertex(at);
+          const verifier::SurfaceSample s = inner.u == at.u ? there : target_.samples.at(inner);
           const double here = run(s.position, s.normal, reached, true);
           if (here <= reached) return kNowhere;
           return reached = here;

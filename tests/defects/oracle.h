@@ -83,6 +83,7 @@ class RunOracle {
   static double least(const Bodies& bodies, const model::Vec3& p);
   /// Depth in the raw stock and distance from what was swept, the lesser: positive in material.
   double inside_material(const Bodies& swept, const model::Vec3& p) const;
+  static Place off_vertex(Place place);
   template <class Run>
   Extreme highest(const std::vector<Place>& hints, bool sharp, Run&& run) const;
   /// `most_steps` bound the march: what is certain becomes less by them.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "verifier/normal_cone.h"
 #include "verifier/surface_cells.h"
@@ -267,6 +268,9 @@ SurfacePlace RidgeCell::place() const {
 OffsetCell RidgeCell::offset() const {
   Vec3 axis;
   for (int k = 0; k < count; ++k) axis += normalized(at_middle(normals[k]));
+  // Of normals that cancel none is the middle one, and their cone is all directions.
+  constexpr double kCancels = 1e-6;
+  if (length(axis) < kCancels) return offset_cell(shape, {}, std::numbers::pi);
   axis = normalized(axis);
   // All normals are positive combinations of the coefficients, so they lie in their cone.
   double spread = 0;

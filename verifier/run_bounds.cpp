@@ -109,7 +109,7 @@ bool RunBounds::ends_within(const OffsetCell& cell, double length_mm) {
 bool RunBounds::surely_within_thin(const OffsetCell& cell, double run_mm, double length_mm) {
   if (run_mm >= length_mm) return false;
   // Where the run ends, or what ends it is beside it.
-  const double past = run_mm + kSkin_mm;
+  const double past = run_mm + kStepOver_mm;
   if (side_ != Side::uncut) return stands(cell, allowance_mm_ - past);
   if (is_gone(cell, allowance_mm_ + past)) return true;
   const double from = allowance_mm_ + run_mm;
@@ -120,6 +120,7 @@ bool RunBounds::surely_within_thin(const OffsetCell& cell, double run_mm, double
 }
 
 TracedRun RunBounds::run(const Vec3& s, const Vec3& n, double least_mm) const {
+  if (n == Vec3{}) return {};
   if (side_ == Side::uncut) return tracer_.material(s, n, allowance_mm_, longest_mm_, least_mm);
   return tracer_.removed(s, n, allowance_mm_, longest_mm_, least_mm, side_ == Side::missing_stock);
 }

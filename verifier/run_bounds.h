@@ -23,7 +23,7 @@ class RunBounds {
   /// middle's run ends before `length_mm`: where what is removed is thin.
   bool surely_within_thin(const OffsetCell& cell, double run_mm, double length_mm);
   /// The run at a point of S with one of its normals, as far as it is proven; `least_mm` as in
-  /// RunTracer.
+  /// RunTracer. None for a normal of no length, in the middle of normals that cancel.
   TracedRun run(const model::Vec3& s, const model::Vec3& n, double least_mm = 0) const;
   /// A lower bound of that run by one query.
   double quick_run(const model::Vec3& s, const model::Vec3& n, std::optional<BodyRef>& hint) const;

@@ -14,8 +14,6 @@ using model::Vec3;
 /// Steps of one run: what is grazed longer is cut short there, which is a bound as well.
 constexpr int kMostSteps = 400;
 constexpr double kItself_mm = 1e-5;
-/// Skins that a run through removed space passes over.
-constexpr double kStepOver_mm = 4 * kSkin_mm;
 
 /// A part of a ray: from + t·along for t in [low, high].
 struct Stretch {
@@ -123,8 +121,18 @@ double next_crossing_mm(const SurfaceCells& cells, const Vec3& s, const Vec3& al
 TracedRun RunTracer::material(const Vec3& s, const Vec3& n, double allowance_mm, double limit_mm,
                               double least_mm) const {
   constexpr EndRule kEnds{kSkin_mm, kBeside_mm, kAlong};
-  const auto met = space_.first_met(s + n * allowance_mm, n, limit_mm, kEnds);
-  TracedRun run{met.t_mm, met.body, false};
+  const Vec3 from = s + n * allowance_mm;
+  TracedRun run;
+  for (int step = 0; step < kMostSteps && run.length_mm < limit_mm; ++step) {
+    const auto met = space_.first_met(from + n * run.length_mm, n, limit_mm - run.length_mm, kEnds);
+    run.length_mm += met.t_mm, run.body = met.body;
+    if (!met.body) break;
+    // A slit thinner than a skin, as between a cut and material that touches its edge, ends no run.
+    const double past = run.length_mm + kStepOver_mm;
+    const BodyDistance next = space_.nearest(from + n * past, met.body).distance;
+    if (kEnds.is_met(next.value - space_.chord_error_mm(), next.gradient, n)) break;
+    run.length_mm = std::min(past, limit_mm);
+  }
   if (run.length_mm <= least_mm) return run;
   const double to = allowance_mm + run.length_mm;
   const double crossing = next_crossing_mm(cells_, s, n, allowance_mm, to);

@@ -13,6 +13,8 @@ enum class Side { gouge, uncut, missing_stock };
 /// Skins of material, and slits in it, thinner than a nanometre do not count as either: passes that
 /// meet face to face leave no film between them, and a block flush with S is not missing there.
 inline constexpr double kSkin_mm = 1e-6;
+/// By how much a run looks past such a skin or slit.
+inline constexpr double kStepOver_mm = 4 * kSkin_mm;
 
 /// What lies this near beside a normal, behind a face that runs along it, counts as met by it: a
 /// wall cut flush with an edge of S, or half a micrometre off, is no gouge as deep as the wall is

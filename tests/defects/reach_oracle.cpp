@@ -118,6 +118,36 @@ Reach ReachOracle::standing(const Tool& tool, const Vec3& tip, Reach least) cons
   return clearance(bodies.first(1), tip, may) >= may ? Reach::maybe : Reach::no;
 }
 
+/// Between walls one position of a flat may be free, or a line of them: where the clearance is most,
+/// from several starts by ever smaller steps.
+Reach ReachOracle::widest(const Tool& tool, const Vec3& core) const {
+  constexpr int kStarts = 8, kWays = 8;
+  const std::span<const Body> flutes(tool.bodies.data(), 1);
+  const double may = allowance_ - kMaybeContact_mm;
+  const auto within = [&](Vec3 offset) {
+    const double out = std::hypot(offset.x, offset.y);
+    return out > tool.flat_mm ? offset * (tool.flat_mm / out) : offset;
+  };
+  for (int start = 0; start < kStarts; ++start) {
+    const double from = 2 * std::numbers::pi * start / kStarts;
+    Vec3 at = Vec3{std::cos(from), std::sin(from), 0} * (0.7 * tool.flat_mm);
+    double value = clearance(flutes, core + at, may);
+    for (double step = tool.flat_mm / 2; step > kFinest_mm && value < may;) {
+      Vec3 best = at;
+      for (int k = 0; k < kWays; ++k) {
+        const double way = 2 * std::numbers::pi * (k + 0.3 * start) / kWays;
+        const Vec3 tried = within(at + Vec3{std::cos(way), std::sin(way), 0} * step);
+        const double here = clearance(flutes, core + tried, may);
+        if (here > value) value = here, best = tried;
+      }
+      if (best == at) step /= 2;
+      at = best;
+    }
+    if (value >= may && standing(tool, core + at, Reach::maybe) != Reach::no) return Reach::maybe;
+  }
+  return Reach::no;
+}
+
 Reach ReachOracle::with(const Tool& tool, const Vec3& point, const Vec3& normal,
                         Reach least) const {
   constexpr double kLevel = 1e-9, kRounding = 1e-10, kSteep = 1e-6;
@@ -139,6 +169,7 @@ Reach ReachOracle::with(const Tool& tool, const Vec3& point, const Vec3& normal,
           best,
           standing(tool, core + Vec3{out * std::cos(angle), out * std::sin(angle), 0}, least));
     }
+    if (best == Reach::no && least != Reach::sure) best = widest(tool, core);
   }
   return normal.z < tool.wall_sine - kRounding ? std::min(best, Reach::maybe) : best;
 }

@@ -37,6 +37,7 @@ class ReachOracle {
   static Tool tool_of(const model::Cutter& cutter, double above_mm);
   Reach with(const Tool& tool, const model::Vec3& point, const model::Vec3& normal,
              Reach least) const;
+  Reach widest(const Tool& tool, const model::Vec3& core) const;
   Reach standing(const Tool& tool, const model::Vec3& tip, Reach least) const;
   /// The least distance of S from some of the bodies, as far as it is less than `enough`.
   double clearance(std::span<const Body> bodies, const model::Vec3& tip, double enough) const;

@@ -231,16 +231,17 @@ class CellSearch {
   }
   std::optional<bool> within_strips(const SurfaceCell&, const OffsetCell& offset) {
     if (task_.side != Side::uncut) return std::nullopt;
-    return RimStrips(bounds_, *task_.reach)
+    return RimStrips(bounds_, *task_.reach, memory_)
         .surely_within(offset, task_.request.allowance_mm, goal());
   }
   static std::optional<bool> within_strips(const RidgeCell&, const OffsetCell&) { return {}; }
-  bool surely_unreachable(const SurfaceCell& cell, const OffsetCell&) const {
-    return task_.side == Side::uncut && task_.reach->surely_unreachable(cell);
+  bool surely_unreachable(const SurfaceCell& cell, const OffsetCell&) {
+    return task_.side == Side::uncut && task_.reach->surely_unreachable(cell, &memory_);
   }
-  bool surely_unreachable(const RidgeCell&, const OffsetCell& offset) const {
+  bool surely_unreachable(const RidgeCell&, const OffsetCell& offset) {
     return task_.side == Side::uncut &&
-           task_.reach->ridge_surely_unreachable(offset.shape, {offset.normal, offset.spread_rad});
+           task_.reach->ridge_surely_unreachable(offset.shape, {offset.normal, offset.spread_rad},
+                                                 &memory_);
   }
 
   /// The move to name: of a gouge the one that reaches furthest, of a leftover the nearest.
@@ -262,6 +263,7 @@ class CellSearch {
 
   const Task& task_;
   RunBounds bounds_;
+  ReachMemory memory_;
   bool may_split_;
   Outcome out_;
 };

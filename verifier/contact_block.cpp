@@ -342,7 +342,7 @@ bool ContactBlock::all_hold(const ContactRegion& g, std::span<const Obstacle> ob
 
 /// What is known of S by the proofs of the pieces before.
 struct ContactBlock::Search {
-  std::vector<Obstacle> known;
+  ContactMemory known;
   int searches = 0;
   bool inside = false;  ///< whether free places are looked for inside the outer arc, too
   double smallest_mm = 0;
@@ -353,8 +353,8 @@ struct ContactBlock::Search {
   }
 };
 
-/// Learns what bars the middle of a piece, and the middle from each of the cores; false where nothing
-/// does.
+/// Learns what bars the middle of a piece, and the middle from each of the cores; false where
+/// nothing does.
 bool ContactBlock::learn_corners(const ContactRegion& g, Search& search) const {
   const double limit = limit_mm_ - g.stray_mm;
   ContactRegion from = g;
@@ -392,7 +392,7 @@ std::optional<ContactRegion> ContactBlock::free_spot(const ContactRegion& g, Sea
   constexpr int kTried = 20;
   for (int k = 0; k < kTried; ++k) {
     const ContactRegion spot = least_barred(g, search);
-    const bool is_known = any_holds(spot, search.known);
+    const bool is_known = any_holds(spot, search.known) || all_hold(spot, search.known);
     if (!is_known && !is_spot_barred(spot, search)) return spot;
     if (is_known) break;
   }
@@ -475,11 +475,14 @@ bool ContactBlock::blocks(const ContactRegion& g, Search& search) const {
   return blocks(high, search) && blocks(low, search);
 }
 
-bool ContactBlock::blocks(const ContactRegion& region) const {
+bool ContactBlock::blocks(const ContactRegion& region, ContactMemory* memory) const {
   Search search;
+  if (memory) search.known = *memory;
   for (const Vec3& corner : region.cores)
     search.smallest_mm = std::max(search.smallest_mm, distance(corner, region.cores[0]) / 2);
-  return !free_spot(region, search) && blocks(region, search);
+  const bool proven = !free_spot(region, search) && blocks(region, search);
+  if (memory) *memory = std::move(search.known);
+  return proven;
 }
 
 }  // namespace limitgauge::verifier

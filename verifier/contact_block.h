@@ -34,6 +34,14 @@ struct CellRectangle {
 };
 CellRectangle rectangle_round(const Bezier& cell, const model::Vec3& normal);
 
+/// A point of S that bars a part of a cutter from some positions.
+struct ContactObstacle {
+  model::Vec3 point;
+  std::size_t part = 0;
+};
+/// What proofs about one cutter met last: they begin with it, so that one for a neighbour is short.
+using ContactMemory = std::vector<ContactObstacle>;
+
 /// Proof that a cutter made of parts comes nearer than a limit to S from every position of a
 /// region: of one point of S, the distance to a part grows with the one in plan, which is greatest
 /// at the far end of a piece of the region, and is convex in the core and the height. Of level
@@ -45,17 +53,14 @@ class ContactBlock {
   ContactBlock(const SurfaceCells& cells, const std::vector<StandingPart>& parts, double limit_mm)
       : cells_(cells), parts_(parts), limit_mm_(limit_mm) {}
 
-  /// False means "not proven".
-  bool blocks(const ContactRegion& region) const;
+  /// False means "not proven". What was met is left in the memory, if there is one.
+  bool blocks(const ContactRegion& region, ContactMemory* memory = nullptr) const;
   /// A position of the region from which the cutter comes no nearer than the limit to S, if one was
   /// found; of several cores, from the middle.
   std::optional<model::Vec3> free_tip(const ContactRegion& region) const;
 
  private:
-  struct Obstacle {
-    model::Vec3 point;
-    std::size_t part = 0;
-  };
+  using Obstacle = ContactObstacle;
   struct Search;
   std::optional<ContactRegion> free_spot(const ContactRegion& region, Search& search) const;
   bool learn_corners(const ContactRegion& piece, Search& search) const;

@@ -36,7 +36,7 @@ std::optional<ReachQuery::Touch> ReachQuery::touch(const SurfacePlace& place,
   return std::nullopt;
 }
 
-bool ReachQuery::surely_unreachable(const SurfaceCell& cell) const {
+bool ReachQuery::surely_unreachable(const SurfaceCell& cell, ReachMemory* memory) const {
   switch (proven_.of(cell)) {
     case Reach::reachable:
       return false;
@@ -46,13 +46,16 @@ bool ReachQuery::surely_unreachable(const SurfaceCell& cell) const {
       break;
   }
   const auto cone = normal_cone(cell.shape);
-  return cone && ridge_surely_unreachable(cell.shape, *cone);
+  return cone && ridge_surely_unreachable(cell.shape, *cone, memory);
 }
 
-bool ReachQuery::ridge_surely_unreachable(const Bezier& cell, const NormalCone& normals) const {
-  return std::all_of(searches_.begin(), searches_.end(), [&](const Reachability& search) {
-    return search.surely_unreachable(cell, normals);
-  });
+bool ReachQuery::ridge_surely_unreachable(const Bezier& cell, const NormalCone& normals,
+                                          ReachMemory* memory) const {
+  if (memory) memory->resize(searches_.size());
+  for (std::size_t k = 0; k < searches_.size(); ++k)
+    if (!searches_[k].surely_unreachable(cell, normals, memory ? &(*memory)[k] : nullptr))
+      return false;
+  return true;
 }
 
 }  // namespace limitgauge::verifier

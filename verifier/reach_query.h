@@ -5,6 +5,9 @@
 
 namespace limitgauge::verifier {
 
+/// What a search over neighbouring cells keeps from one proof to the next, by cutter.
+using ReachMemory = std::vector<ContactMemory>;
+
 /// Whether places and cells of S can be touched by any of several cutters: as the map has proven of
 /// the cells that hold them, else by a search for each. All with the same allowance and contact
 /// tolerance; sharp edges, whose points have many normals, are always searched.
@@ -24,8 +27,9 @@ class ReachQuery {
   };
   std::optional<Touch> touch(const SurfacePlace& place, const model::Vec3& normal) const;
   /// Proof that no point of the cell can be touched. False means "not proven".
-  bool surely_unreachable(const SurfaceCell& cell) const;
-  bool ridge_surely_unreachable(const Bezier& cell, const NormalCone& normals) const;
+  bool surely_unreachable(const SurfaceCell& cell, ReachMemory* memory = nullptr) const;
+  bool ridge_surely_unreachable(const Bezier& cell, const NormalCone& normals,
+                                ReachMemory* memory = nullptr) const;
 
   std::span<const Reachability> searches() const { return searches_; }
 

@@ -211,7 +211,8 @@ bool Reachability::surely_unreachable(const Bezier& cell) const {
   return cone && surely_unreachable(cell, *cone);
 }
 
-bool Reachability::surely_unreachable(const Bezier& cell, const NormalCone& normals) const {
+bool Reachability::surely_unreachable(const Bezier& cell, const NormalCone& normals,
+                                      ContactMemory* memory) const {
   if (profile_.flat_mm < 0) return false;
   const NormalCone* cone = &normals;
   const double tilt = std::acos(std::clamp(cone->axis.z, -1.0, 1.0)), spread = cone->half_angle_rad;
@@ -231,7 +232,7 @@ bool Reachability::surely_unreachable(const Bezier& cell, const NormalCone& norm
   const ContactBlock block(cells_, parts_, allowance_mm_ - contact_mm_);
   const auto regions = contact_regions(cell, *cone);
   return std::all_of(regions.begin(), regions.end(),
-                     [&](const ContactRegion& region) { return block.blocks(region); });
+                     [&](const ContactRegion& region) { return block.blocks(region, memory); });
 }
 
 /// Of the endless cutter, from positions round the place at so small a step that one with a flat

@@ -44,7 +44,9 @@ class Reachability {
   /// Proof that no point of the cell can be touched. False means "not proven".
   bool surely_unreachable(const Bezier& cell) const;
   /// The same where the normals are given, as on a sharp edge.
-  bool surely_unreachable(const Bezier& cell, const NormalCone& normals) const;
+  /// What proofs for neighbours met may be kept in a memory, and begins the next.
+  bool surely_unreachable(const Bezier& cell, const NormalCone& normals,
+                          ContactMemory* memory = nullptr) const;
   /// Whether proofs by the endless wall alone say that a place is out of reach: not of a cutter
   /// that has less above its flutes than that.
   bool is_endless() const { return !narrower_above_; }

@@ -34,8 +34,8 @@ Bezier RimStrips::Frame::strip(double from_x, double to_x) const {
   return out;
 }
 
-/// By the faces that stand on the plane next to the cell's corners and middle: the nearest one gives
-/// the direction, and the others must not turn from it by more than a strip allows.
+/// By the faces that stand on the plane next to the cell's corners and middle: the nearest one
+/// gives the direction, and the others must not turn from it by more than a strip allows.
 std::optional<RimStrips::Frame> RimStrips::frame_of(const OffsetCell& cell, double t_mm) {
   Vec3 across, turned[5];
   int found = 0;
@@ -64,8 +64,8 @@ std::optional<RimStrips::Frame> RimStrips::frame_of(const OffsetCell& cell, doub
   return f;
 }
 
-/// Up to where strips from the inner side on are proven to have no longer run: what was cut, and what
-/// is beside it by next to nothing.
+/// Up to where strips from the inner side on are proven to have no longer run: what was cut, and
+/// what is beside it by next to nothing.
 double RimStrips::gone_up_to(const Frame& f, double length_mm) {
   constexpr int kStrips = 3;
   constexpr double kFine_mm = kBeside_mm / 16;
@@ -88,7 +88,7 @@ double RimStrips::gone_up_to(const Frame& f, double length_mm) {
 
 /// The outer part first, which is proven soonest.
 bool RimStrips::unreachable_between(const Frame& f, double from_x, double to_x, int splits) {
-  if (reach_.ridge_surely_unreachable(f.strip(from_x, to_x), {f.normal, 0})) return true;
+  if (reach_.ridge_surely_unreachable(f.strip(from_x, to_x), {f.normal, 0}, &memory_)) return true;
   if (splits == 0) return false;
   const double x = from_x + (to_x - from_x) / 4;
   return unreachable_between(f, x, to_x, splits - 1) &&

@@ -6,13 +6,14 @@
 namespace limitgauge::verifier {
 
 /// Proofs for flat cells of S on which what was cut ends where the cutter's reach does, as in the
-/// corner of a pocket that was cut clean: there material stands right behind the rim, so that halves
-/// of a cell are proven on one side or the other only once they are as small as the strip in which
-/// both hold. That strip is short across the rim and long along it, whichever way it lies to the
-/// cell's parameters.
+/// corner of a pocket that was cut clean: there material stands right behind the rim, so that
+/// halves of a cell are proven on one side or the other only once they are as small as the strip in
+/// which both hold. That strip is short across the rim and long along it, whichever way it lies to
+/// the cell's parameters.
 class RimStrips {
  public:
-  RimStrips(RunBounds& bounds, const ReachQuery& reach) : bounds_(bounds), reach_(reach) {}
+  RimStrips(RunBounds& bounds, const ReachQuery& reach, ReachMemory& memory)
+      : bounds_(bounds), reach_(reach), memory_(memory) {}
 
   /// Proof that no place of the cell has a run longer than `length_mm` unless it cannot be touched:
   /// in a rectangle that holds the cell and lies along the rim, the strip nearest to what was cut
@@ -33,6 +34,7 @@ class RimStrips {
 
   RunBounds& bounds_;
   const ReachQuery& reach_;
+  ReachMemory& memory_;
 };
 
 }  // namespace limitgauge::verifier

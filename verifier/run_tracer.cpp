@@ -169,8 +169,8 @@ double RunTracer::exit_of(BodyRef body, const Vec3& p, const Vec3& along, double
   return inside;
 }
 
-/// Up to where nothing stands next to the ray either, where a wall runs along it, by which S is met;
-/// the limit where none does. `p` is where the ray begins, `at` the nearest body at t.
+/// Up to where nothing stands next to the ray either, where a wall runs along it, by which S is
+/// met; the limit where none does. `p` is where the ray begins, `at` the nearest body at t.
 double RunTracer::free_beside(const Nearest& at, const Vec3& p, const Vec3& along, double t,
                               double limit_mm) const {
   const Vec3& g = at.distance.gradient;

@@ -185,8 +185,8 @@ double RunOracle::missing_run(const Vec3& point, const Vec3& normal, bool sure) 
   return ended_by_surface(point, -normal, 0, sure || run <= 0 ? run : run + 2 * kPossible_mm, sure);
 }
 
-/// A vertex's own normal may be a limit that nothing comes near to: what is certain there is what its
-/// faces come to beside it.
+/// A vertex's own normal may be a limit that nothing comes near to: what is certain there is what
+/// its faces come to beside it.
 Place RunOracle::off_vertex(Place place) {
   static constexpr double kAside = 1e-6;
   const auto moved = [](double p) { return std::clamp(p, kAside, 1 - kAside); };
@@ -336,20 +336,20 @@ double RunOracle::possible_of_faces(const Place& place, Run&& run) const {
   for (const Place& near : target_.sharp.beside(place)) {
     const Vec3 point = target_.samples.at(near).position;
     for (const Vec3& n : target_.sharp.span_at(near).faces)
-      most = std::max(most,
-                      with_beside(point, n, [&](const Vec3& q) { return run(q, n); }, greater));
+      most = std::max(most, with_beside(
+                                point, n, [&](const Vec3& q) { return run(q, n); }, greater));
   }
   return most;
 }
 
 double RunOracle::possibly_gouged(const Place& place) const {
-  return possible_of_faces(
-      place, [&](const Vec3& q, const Vec3& n) { return gouge_run(q, n, false); });
+  return possible_of_faces(place,
+                           [&](const Vec3& q, const Vec3& n) { return gouge_run(q, n, false); });
 }
 
 double RunOracle::possibly_missing(const Place& place) const {
-  return possible_of_faces(
-      place, [&](const Vec3& q, const Vec3& n) { return missing_run(q, n, false); });
+  return possible_of_faces(place,
+                           [&](const Vec3& q, const Vec3& n) { return missing_run(q, n, false); });
 }
 
 }  // namespace limitgauge::tests::defects

@@ -118,8 +118,8 @@ Reach ReachOracle::standing(const Tool& tool, const Vec3& tip, Reach least) cons
   return clearance(bodies.first(1), tip, may) >= may ? Reach::maybe : Reach::no;
 }
 
-/// Between walls one position of a flat may be free, or a line of them: where the clearance is most,
-/// from several starts by ever smaller steps.
+/// Between walls one position of a flat may be free, or a line of them: where the clearance is
+/// most, from several starts by ever smaller steps.
 Reach ReachOracle::widest(const Tool& tool, const Vec3& core) const {
   constexpr int kStarts = 8, kWays = 8;
   const std::span<const Body> flutes(tool.bodies.data(), 1);

@@ -46,8 +46,10 @@ struct Judged {
 
 /// Measured and decided as a job does it by default: resolution "auto".
 inline Judged judge(const verifier::ReferenceSurface& surface, const model::Stock& stock,
-                    const std::vector<verifier::Pass>& passes, const verifier::GateLimits& limits) {
+                    const std::vector<verifier::Pass>& passes, const verifier::GateLimits& limits,
+                    double allowance_mm = 0) {
   verifier::StageCheck check;
+  check.allowance_mm = allowance_mm;
   check.limits = limits;
   check.resolution_mm = verifier::automatic_resolution_mm(limits);
   check.field_spacing_mm = 0.5;

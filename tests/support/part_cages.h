@@ -118,6 +118,38 @@ inline model::Cage boss_on_floor_cage(const model::Box3& boss, double floor_mm) 
   return cage;
 }
 
+/// A square pocket with upright walls in a square top at z = 0, sharp all round.
+struct Pocket {
+  double half_mm = 3, depth_mm = 4, top_half_mm = 9;
+};
+inline model::Cage pocket_cage(const Pocket& p) {
+  model::Cage cage;
+  cage.name = "pocket";
+  const double x[] = {-p.top_half_mm, -p.half_mm, p.half_mm, p.top_half_mm};
+  for (const double b : x)
+    for (const double a : x) cage.vertices.push_back({a, b, 0});
+  for (const double b : {-p.half_mm, p.half_mm})
+    for (const double a : {-p.half_mm, p.half_mm}) cage.vertices.push_back({a, b, -p.depth_mm});
+  const auto top = [](int i, int j) { return static_cast<model::Index>(4 * j + i); };
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i)
+      if (i != 1 || j != 1)
+        cage.add_face(std::array{top(i, j), top(i + 1, j), top(i + 1, j + 1), top(i, j + 1)});
+  // Rim and floor, counterclockwise from the lower left.
+  const model::Index rim[] = {top(1, 1), top(2, 1), top(2, 2), top(1, 2)},
+                     floor[] = {16, 17, 19, 18};
+  cage.add_face(floor);
+  for (int k = 0; k < 4; ++k) {
+    const int next = (k + 1) % 4;
+    cage.add_face(std::array{rim[k], rim[next], floor[next], floor[k]});
+    cage.creases.push_back({{rim[k], rim[next]}, model::kInfiniteSharpness});
+    cage.creases.push_back({{floor[k], floor[next]}, model::kInfiniteSharpness});
+    cage.creases.push_back({{rim[k], floor[k]}, model::kInfiniteSharpness});
+  }
+  cage.boundary = model::BoundaryRule::edge_and_corner;
+  return cage;
+}
+
 /// The same surface, wound the other way.
 inline model::Cage flipped(const model::Cage& cage) {
   model::Cage out = cage;

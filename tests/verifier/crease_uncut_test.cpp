@@ -114,4 +114,29 @@ TEST_CASE("over rims and corners of a boss the run is the longest between the fa
   CHECK(judge(surface, block, passes, uncut_gate(0.36)).decision.verdict == Verdict::pass);
 }
 
+TEST_CASE("material that touches an edge of the part and no more stands over it",
+          "[unit][definition2]") {
+  // A step 1 mm down. A flat mills the upper face up to the edge, a disc of 1 mm the lower one from
+  // the wall on, under a bar that stays: 2 by 1 mm, whose lower corner lies on the edge. A ball
+  // could ride on the edge along every normal, so the run is the bar's diagonal.
+  const double wide = 2, tall = 1;
+  const ReferenceSurface surface(drawn_outline({{-4, 0}, {0, 0}, {0, -1}, {wide, -1}}, 6));
+  const auto block = block_between({-4, -3, -4}, {wide, 3, tall});
+  model::Cutter disc = flat_cutter(2);
+  disc.flute_length_mm = 1, disc.shank = {{0.2, 20}};
+  const auto along = [](const std::vector<double>& xs, double z) {
+    std::vector<Vec3> tips = {{xs.front(), -9, z}};
+    for (const double x : xs)
+      tips.push_back({x, -9, z}), tips.push_back({x, 9, z}), tips.push_back({x, -9, z});
+    return moves_through(tips);
+  };
+  const std::vector<Pass> passes = {pass_of(flat_cutter(2), along({-2, -4}, 0)),
+                                    pass_of(disc, along({2, 3}, -1)),
+                                    pass_of(ball_cutter(0.8), nothing())};
+  const Judged judged = judge(surface, block, passes, uncut_gate(0.05));
+  CAPTURE(judged.deviation.uncut_mm.low, judged.deviation.uncut_mm.high);
+  CHECK(judged.decision.verdict == Verdict::fail);
+  CHECK(judged.deviation.uncut_mm.low == Approx(std::hypot(wide, tall)).epsilon(0.05));
+}
+
 }  // namespace limitgauge::verifier

@@ -1,6 +1,7 @@
 // Parts of planes that once took minutes, or no verdict came of: settled at the default resolution,
 // in less than 20 s of processor time.
 #include <ctime>
+#include <numbers>
 
 #include "tests/support/catch.h"
 #include "tests/support/judging.h"
@@ -16,10 +17,11 @@ constexpr double kMost_s = 20;
 
 /// The verdict, which must be one, in the time allowed.
 Judged settle(const model::Cage& cage, const model::BoxStock& block,
-              const std::vector<Pass>& passes, const GateLimits& limits, Verdict expected) {
+              const std::vector<Pass>& passes, const GateLimits& limits, Verdict expected,
+              double allowance_mm = 0) {
   const ReferenceSurface surface(cage);
   const std::clock_t start = std::clock();
-  const Judged judged = judge(surface, block, passes, limits);
+  const Judged judged = judge(surface, block, passes, limits, allowance_mm);
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   const StageDeviation& d = judged.deviation;
   CAPTURE(d.gouge_mm.low, d.gouge_mm.high, d.uncut_mm.low, d.uncut_mm.high, d.cells, seconds);
@@ -154,6 +156,48 @@ TEST_CASE("settled: a boss of planes", "[slow][definition2]") {
   for (model::Move& m : wide.moves)
     if (m.to.z < 0) m.to.x *= (out + 0.2) / out, m.to.y *= (out + 0.2) / out;
   settle(cage, block, {pass_of(flat_cutter(r), wide)}, both_gates(0.05, 0.05), Verdict::fail);
+}
+
+TEST_CASE("settled: a pocket cut clean, whose corners the flat cannot reach",
+          "[slow][definition2]") {
+  const double half = 3, r = 2, deep = -4, way = half - r;
+  const model::Cage cage = pocket_cage({half, -deep, 9});
+  const auto block = block_between({-9, -9, -8}, {9, 9, 0});
+  const auto milled = [&](double floor) {
+    model::Toolpath path = begun();
+    feed_to(path, {0, 0, 9});
+    for (const Vec3& to : {Vec3{0, 0, floor},
+                           {-way, 0, floor},
+                           {-way, -way, floor},
+                           {way, -way, floor},
+                           {way, way, floor},
+                           {-way, way, floor},
+                           {-way, -way, floor},
+                           {-way, -way, 9}})
+      feed_to(path, to);
+    return std::vector<Pass>{pass_of(flat_cutter(r), path)};
+  };
+  // The fillets of radius r stand, 0.83 mm over the diagonals, where nothing reaches them.
+  const Judged clean = settle(cage, block, milled(deep), both_gates(0.01, 0.01), Verdict::pass);
+  CHECK(clean.deviation.unavoidable_uncut_mm.high ==
+        Approx((std::numbers::sqrt2 - 1) * r).margin(0.01));
+  const Judged deeper =
+      settle(cage, block, milled(deep - 0.02), both_gates(0.01, 0.01), Verdict::fail);
+  CHECK(deeper.deviation.gouge_mm.low == Approx(0.02).margin(1e-5));
+  const Judged shallow =
+      settle(cage, block, milled(deep + 0.02), both_gates(0.01, 0.01), Verdict::fail);
+  // From the foot of a wall what stands on the floor reads as wide as the pocket is.
+  CHECK(shallow.deviation.uncut_mm.low == Approx(2 * half).margin(1e-5));
+}
+
+TEST_CASE("settled: a step cut to its allowance exactly", "[slow][definition2]") {
+  // Floor and wall keep 0.3 mm and are asked for 0.3 mm.
+  const model::Cage cage = drawn_outline({{-4, 0}, {0, 0}, {0, 4}}, 10);
+  const auto block = block_between({-6, -10, -4}, {4, 10, 4});
+  const double keep = 0.3, r = 3;
+  model::Toolpath path = begun();
+  for (const double x : {-keep - r, -keep - 2 * r}) cut_along(path, {x, -20, keep}, {x, 20, keep});
+  settle(cage, block, {pass_of(flat_cutter(r), path)}, both_gates(0.05, 0.2), Verdict::pass, keep);
 }
 
 }  // namespace limitgauge::verifier

@@ -140,8 +140,9 @@ std::array<RidgeCell, 2> halves_of(const RidgeCell& cell, const Vec3&, const Off
 /// Depth-first refinement of one cell of the list, from what the batches before it have found.
 class CellSearch {
  public:
-  CellSearch(const Task& task, const Outcome& before)
+  CellSearch(const Task& task, const Outcome& before, const model::RunControl& control)
       : task_(task),
+        control_(control),
         bounds_(task.cells, task.space, task.side, task.request.allowance_mm),
         may_split_(before.cells < task.request.largest_cell_count) {
     out_.low = before.low, out_.high = before.high;
@@ -164,6 +165,8 @@ class CellSearch {
 
   template <class Cell>
   void search(const Cell& cell, int depth) {
+    // Where reach has no proof, a cell may take milliseconds.
+    control_.check();
     ++out_.cells;
     const OffsetCell offset = offset_of(cell);
     if (bounds_.surely_within(offset, goal())) return out_.cover(goal());
@@ -262,6 +265,7 @@ class CellSearch {
   }
 
   const Task& task_;
+  const model::RunControl& control_;
   RunBounds bounds_;
   ReachMemory memory_;
   bool may_split_;
@@ -329,8 +333,9 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, Side s
     const std::size_t count = std::min(batch, order.size() - at);
     std::vector<Outcome> found(count);
     model::parallel_for(count, control.threads, [&](std::size_t k) {
-      found[k] = task.with_cell(order[at + k],
-                                [&](const auto& cell) { return CellSearch(task, sum).run(cell); });
+      found[k] = task.with_cell(order[at + k], [&](const auto& cell) {
+        return CellSearch(task, sum, control).run(cell);
+      });
     });
     for (const Outcome& o : found) sum.merge(o);
   }

@@ -110,6 +110,15 @@ Sight middle_of(const RidgeCell& cell) {
 bool is_tiny(const SurfaceCell&, const OffsetCell& o) {
   return control_radius(o.shape, o.middle) < kSmallestCell_mm;
 }
+/// With its middle's normal for all of it: beside an irregular vertex the normals of a nanometre may
+/// still be some degrees apart.
+OffsetCell as_spot(const SurfaceCell&, OffsetCell o) {
+  o.remainder = 0, o.turning = {};
+  return o;
+}
+OffsetCell as_spot(const RidgeCell&, const OffsetCell& o) {
+  return o;
+}
 bool is_tiny(const RidgeCell& cell, const OffsetCell&) {
   return cell.is_tiny();
 }
@@ -190,6 +199,7 @@ class CellSearch {
     }
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (tiny && out_of_reach) return;
+    if (tiny && bounds_.surely_within(as_spot(cell, offset), goal())) return out_.cover(goal());
     const auto strips = tiny ? std::nullopt : within_strips(cell, offset);
     if (strips && *strips) return out_.cover(goal());
     if (tiny || spent()) return give_up(offset);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "verifier/nearest_first.h"
+#include "verifier/plan_cover.h"
 #include "verifier/swept_body.h"
 
 namespace limitgauge::verifier {
@@ -69,53 +70,8 @@ class PlanPiece {
   std::array<Vec3, 4> corners_;
 };
 
-struct PlanPoint {
-  double x = 0, y = 0;
-};
-/// Points whose convex hull is meant.
-using PlanHull = std::vector<PlanPoint>;
-struct PlanDisc {
-  double x = 0, y = 0, radius = 0;
-
-  double outside(const PlanPoint& p) const {
-    return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y) - radius * radius;
-  }
-  /// Where the segment from a, inside, to b, outside, leaves the disc; no nearer to b.
-  PlanPoint exit(const PlanPoint& a, const PlanPoint& b) const {
-    const double dx = b.x - a.x, dy = b.y - a.y, ax = a.x - x, ay = a.y - y;
-    const double whole = dx * dx + dy * dy, half = ax * dx + ay * dy,
-                 free = std::max(0.0, half * half - whole * outside(a));
-    const double t = whole > 0 ? std::clamp((std::sqrt(free) - half) / whole, 0.0, 1.0) : 0;
-    return {a.x + t * dx, a.y + t * dy};
-  }
-};
-
 /// Widest piece of a circle that a hull of its tangents stands for.
 constexpr double kWidestHull_rad = 0.8;
-
-/// The corners of the hull, in order.
-PlanHull corners_of(PlanHull points) {
-  if (points.size() < 3) return points;
-  std::sort(points.begin(), points.end(), [](const PlanPoint& a, const PlanPoint& b) {
-    return a.x != b.x ? a.x < b.x : a.y < b.y;
-  });
-  PlanHull out;
-  const auto add_side = [&](auto begin, auto end) {
-    const std::size_t first = out.size();
-    for (auto p = begin; p != end; ++p) {
-      while (out.size() >= first + 2) {
-        const PlanPoint &a = out[out.size() - 2], &b = out.back();
-        if ((b.x - a.x) * (p->y - a.y) - (b.y - a.y) * (p->x - a.x) > 0) break;
-        out.pop_back();
-      }
-      out.push_back(*p);
-    }
-    out.pop_back();
-  };
-  add_side(points.begin(), points.end());
-  add_side(points.rbegin(), points.rend());
-  return out;
-}
 
 /// A hull that holds the tips of a piece in plan: cores and, added, the sector within its tangents.
 PlanHull hull_of(const ContactRegion& g) {
@@ -133,37 +89,6 @@ PlanHull hull_of(const ContactRegion& g) {
   for (const Vec3& core : g.cores)
     for (const PlanPoint& p : sector) hull.push_back({core.x + p.x, core.y + p.y});
   return corners_of(std::move(hull));
-}
-
-/// What a disc leaves of a hull lies in the hull of the corners outside it and of where the sides
-/// leave it.
-PlanHull less(const PlanHull& hull, const PlanDisc& disc) {
-  PlanHull out;
-  for (std::size_t k = 0; k < hull.size(); ++k) {
-    const PlanPoint &a = hull[k], &b = hull[(k + 1) % hull.size()];
-    const bool a_inside = disc.outside(a) < 0, b_inside = disc.outside(b) < 0;
-    if (!a_inside) out.push_back(a);
-    if (a_inside != b_inside) out.push_back(a_inside ? disc.exit(a, b) : disc.exit(b, a));
-  }
-  return corners_of(std::move(out));
-}
-
-/// Whether the hull lies in the union of the discs: ever the one that holds most of what is left.
-bool covered(PlanHull hull, std::vector<PlanDisc> discs) {
-  while (!hull.empty() && !discs.empty()) {
-    const auto held = [&](const PlanDisc& disc) {
-      return std::count_if(hull.begin(), hull.end(),
-                           [&](const PlanPoint& p) { return disc.outside(p) < 0; });
-    };
-    std::size_t best = 0;
-    std::ptrdiff_t most = 0;
-    for (std::size_t k = 0; k < discs.size(); ++k)
-      if (const auto count = held(discs[k]); count > most) most = count, best = k;
-    if (most == 0) return false;
-    hull = less(hull, discs[best]);
-    discs.erase(discs.begin() + static_cast<std::ptrdiff_t>(best));
-  }
-  return hull.empty();
 }
 
 /// Greatest signed distance from p to a part over all positions of a piece, and its plane: the

@@ -33,10 +33,20 @@ void limit(int what, std::size_t most) {
 // What breaks is to say nothing, leave no core, and run no handler of the process that it came
 // from.
 void be_quiet() {
-  for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM})
+  for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGALRM})
     std::signal(signal, SIG_DFL);
   if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) dup2(nowhere, STDERR_FILENO);
   limit(RLIMIT_CORE, 0);
+}
+
+// This process has one thread of those that it was copied from. A lock that another one held stays
+// locked: an exception takes a grid down with TBB, and that waits then without using any time.
+void end_after(unsigned wall_seconds) {
+  sigset_t alarm_only;
+  sigemptyset(&alarm_only);
+  sigaddset(&alarm_only, SIGALRM);
+  sigprocmask(SIG_UNBLOCK, &alarm_only, nullptr);
+  alarm(wall_seconds);
 }
 
 [[noreturn]] void work_and_leave(const std::function<void()>& work, const ProcessLimits& limits,
@@ -45,6 +55,7 @@ void be_quiet() {
   be_quiet();
   limit(RLIMIT_AS, bytes_before + limits.memory_bytes);
   limit(RLIMIT_CPU, limits.cpu_seconds);
+  end_after(limits.wall_seconds);
   try {
     work();
   } catch (const std::bad_alloc&) {

@@ -9,6 +9,7 @@ namespace limitgauge::simulator {
 struct ProcessLimits {
   std::size_t memory_bytes = 0;  ///< beyond what this process has already
   unsigned cpu_seconds = 0;
+  unsigned wall_seconds = 0;  ///< for work that waits for ever, on a lock that nobody gives back
 };
 
 /// Does `work` in a process of its own, which leaves no trace but the answer: true if it came to

@@ -5,6 +5,7 @@
 #include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/LevelSetSphere.h>
 #include <openvdb/tools/LevelSetUtil.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -243,9 +244,13 @@ TEST_CASE("damaged files are refused or read, never worse", "[property][mesh][vd
 }
 
 TEST_CASE("work that breaks down does so in its own process", "[unit][vdb]") {
-  const ProcessLimits limits{std::size_t{1} << 28, 5};
+  const ProcessLimits limits{std::size_t{1} << 28, 5, 60};
   CHECK(comes_to_its_end([] {}, limits));
   CHECK(comes_to_its_end([] { throw std::runtime_error("told the caller elsewhere"); }, limits));
   CHECK_FALSE(comes_to_its_end([] { throw std::bad_alloc(); }, limits));
   CHECK_FALSE(comes_to_its_end([] { std::abort(); }, limits));
+}
+
+TEST_CASE("work that waits for ever is ended", "[unit][vdb]") {
+  CHECK_FALSE(comes_to_its_end([] { pause(); }, {std::size_t{1} << 28, 5, 1}));
 }

@@ -51,7 +51,22 @@ class RowTracer {
     const Vec3 p = point(along, 0);
     const auto touched = surface_.drop(nose_, p.x, p.y);
     if (!touched || touched->rho > last_rho_ || touched->tip_z < lowest_) return std::nullopt;
+    if (rolls_off_rim(p, touched->place)) return std::nullopt;
     return point(along, touched->tip_z);
+  }
+  /// Where S ends, a cutter that comes from beyond touches the rim with another normal than S has
+  /// there, and passes under it: a gouge along S's own.
+  bool rolls_off_rim(const Vec3& axis, const Place& place) const {
+    // Twice as much is gouged.
+    constexpr double kAside_mm = 5e-5, kLevel = 1e-9;
+    if (!surface_.is_on_rim(place)) return false;
+    const verifier::SurfaceSample s = surface_.at(place);
+    const double level = std::hypot(s.normal.x, s.normal.y);
+    if (level < kLevel) return false;
+    const double out = nose_.corner() + nose_.flat() / level;
+    const double x = s.position.x + s.normal.x * out - axis.x,
+                 y = s.position.y + s.normal.y * out - axis.y;
+    return std::hypot(x, y) > kAside_mm;
   }
   /// The last tip that touches, between one that does and one that does not.
   Vec3 edge(double touching, double missing) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "verifier/surface_tree.h"
+
 namespace limitgauge::tests::defects {
 namespace {
 
@@ -194,6 +196,15 @@ std::optional<Touch> SampledSurface::drop(const Nose& nose, double x, double y) 
     if (!best || touch.tip_z > best->tip_z) best = touch;
   }
   return best;
+}
+
+bool SampledSurface::is_on_rim(const Place& p) const {
+  constexpr double kOnSide = 1e-6;
+  const auto& sides = surface_.tree().features().of(p.patch).sides;
+  const double from[4] = {p.v, 1 - p.u, 1 - p.v, p.u};
+  for (int k = 0; k < 4; ++k)
+    if (from[k] <= kOnSide && sides[k] == verifier::SurfaceFeature::boundary) return true;
+  return false;
 }
 
 Place SampledSurface::climb(const Place& start, const Field& field, double finest_mm,

@@ -64,6 +64,8 @@ class SampledSurface {
   const Grid& grid_of(int patch) const { return grids_[static_cast<std::size_t>(grid_of_[patch])]; }
   double spacing_mm() const { return spacing_; }
   const verifier::ReferenceSurface& surface() const { return surface_; }
+  /// Whether S ends at the place.
+  bool is_on_rim(const Place& place) const;
   verifier::SurfaceSample at(const Place& place) const {
     return surface_.evaluate(place.patch, place.u, place.v);
   }

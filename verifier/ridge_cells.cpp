@@ -93,6 +93,23 @@ Strip strip_of(const Piece& piece, int side) {
   return s;
 }
 
+/// Strips from one end of an edge on, at an irregular vertex ever smaller: their normals are lost
+/// in rounding there, so those that lie wholly within kVertexNormal_mm of the end have the normal
+/// of the next one, as the cells of S have.
+template <class Iterator>
+void steady_normals(Iterator begin, Iterator end, bool at_front) {
+  if (begin == end) return;
+  const Vec3 vertex = at_front ? begin->points.front() : begin->points.back();
+  const auto beyond = std::find_if(begin, end, [&](const Strip& s) {
+    return std::any_of(s.points.begin(), s.points.end(), [&](const Vec3& p) {
+      return distance(p, vertex) > SurfaceCells::kVertexNormal_mm;
+    });
+  });
+  if (beyond == end) return;
+  const Vec3 normal = at_middle(beyond->normals);
+  for (auto s = begin; s != beyond; ++s) s->normals.fill(normal);
+}
+
 using PiecesOfPatch = std::vector<std::vector<const Piece*>>;
 
 /// All strips of one side of an edge, in their order along it.
@@ -112,6 +129,8 @@ std::vector<Strip> strips_of(const std::vector<PatchSide>& sides, const PiecesOf
       out.push_back(s);
     }
   std::sort(out.begin(), out.end(), [](const Strip& a, const Strip& b) { return a.from < b.from; });
+  steady_normals(out.begin(), out.end(), true);
+  steady_normals(out.rbegin(), out.rend(), false);
   return out;
 }
 

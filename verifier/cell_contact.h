@@ -1,6 +1,9 @@
 #pragma once
 
-#include "verifier/reachability.h"
+#include <optional>
+
+#include "verifier/cutter_profile.h"
+#include "verifier/offset_cell.h"
 
 namespace limitgauge::verifier {
 
@@ -13,7 +16,7 @@ class CellContact {
   /// Empty where the cell has no cone of normals narrow enough to reason with, and for a bottom
   /// that rises or a side that leans inwards: the proofs below and in `LocalContact` do not cover
   /// them.
-  static std::optional<CellContact> of(const Bezier& cell, const CutterProfile& profile,
+  static std::optional<CellContact> of(const OffsetCell& cell, const CutterProfile& profile,
                                        double allowance_mm);
 
   /// Every normal of the cell points further down than the cutter's wall leans.
@@ -28,8 +31,9 @@ class CellContact {
   /// On a level cell: the contact that has the axis displaced by `shift` for all of its points.
   CellContact displaced(const model::Vec3& shift) const;
 
-  const model::Vec3& middle() const { return middle_; }
-  const model::Vec3& normal() const { return normal_; }
+  const OffsetCell& offset() const { return cell_; }
+  const model::Vec3& middle() const { return cell_.middle; }
+  const model::Vec3& normal() const { return cell_.normal; }
   const model::Vec3& direction() const { return direction_; }
   const model::Vec3& tip() const { return tip_; }
   /// The cutter; where the direction is not bounded one with twice the flat, at the middle of all.
@@ -46,18 +50,16 @@ class CellContact {
   /// Greatest n(s)·(q − s) over the cell and over all q with n₀·q ≤ `along` within `apart` of the
   /// middle. The contact plane bounds the cutter: d(q − T(s)) ≥ a − n(s)·(q − s).
   double over_contact_plane(double along, double apart) const;
-  /// Whether d(q − T(s)) < limit for every s: d is convex, so the corners of a box that holds all
-  /// T(s) decide.
-  bool always_below(const model::Vec3& q, double limit_mm) const;
 
  private:
   static constexpr double kAngle = 1e-6;
 
-  CellContact(const Bezier& cell, const CutterProfile& profile) : cell_(cell), profile_(profile) {}
+  CellContact(const OffsetCell& cell, const CutterProfile& profile)
+      : cell_(cell), profile_(profile) {}
 
-  Bezier cell_;
+  OffsetCell cell_;
   CutterProfile profile_;
-  model::Vec3 middle_, normal_, direction_, tip_;
+  model::Vec3 direction_, tip_;
   double reach_ = 0;  ///< rounding + allowance
   double flat_ = 0;   ///< the flat's part in the shift of the tip
   double alpha_ = 0, beta_ = 0, tilt_ = 0, steepest_ = 0, radius_ = 0, stray_ = 0;

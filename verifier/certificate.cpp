@@ -14,11 +14,13 @@ using model::Vec3;
 
 /// Cells of the first batch, and of the largest: the first ones show what there is to be found, and
 /// the last ones keep all threads busy.
-constexpr std::size_t kFirstBatch = 64, kLargestBatch = 4096;
+constexpr std::size_t kFirstBatch = 16, kLargestBatch = 4096;
 /// Share of all the effort that one cell may take before it is given up, so that one bad spot
 /// cannot hold up a run; and cells it may take once the verdict is settled.
 constexpr double kShareOfCell = 0.003;
 constexpr std::size_t kOnceSettled = 10;
+/// Cells that a search for what can touch a piece of a face counts as: it takes as long as they do.
+constexpr std::size_t kCellsOfReach = 8;
 /// Where the normals of an edge have no cone that shrinks, halving ends.
 constexpr int kDeepest = 120;
 /// Part of the resolution that branch and bound may use; the rest is for rounding.
@@ -110,17 +112,17 @@ Sight middle_of(const RidgeCell& cell) {
 bool is_tiny(const SurfaceCell&, const OffsetCell& o) {
   return control_radius(o.shape, o.middle) < kSmallestCell_mm;
 }
-/// With its middle's normal for all of it: beside an irregular vertex the normals of a nanometre may
-/// still be some degrees apart.
+bool is_tiny(const RidgeCell& cell, const OffsetCell&) {
+  return cell.is_tiny();
+}
+/// With its middle's normal for all of it: beside an irregular vertex the normals of a nanometre
+/// may still be some degrees apart.
 OffsetCell as_spot(const SurfaceCell&, OffsetCell o) {
   o.remainder = 0, o.turning = {};
   return o;
 }
 OffsetCell as_spot(const RidgeCell&, const OffsetCell& o) {
   return o;
-}
-bool is_tiny(const RidgeCell& cell, const OffsetCell&) {
-  return cell.is_tiny();
 }
 
 /// Longest way of a cell, as a multiple of the shorter, beyond which only that is halved: bounds on
@@ -157,8 +159,12 @@ class CellSearch {
     out_.low = before.low, out_.high = before.high;
   }
 
-  template <class Cell>
-  Outcome run(const Cell& cell) {
+  Outcome run(const SurfaceCell& cell) {
+    whole_ = &cell;
+    search(cell, 0);
+    return out_;
+  }
+  Outcome run(const RidgeCell& cell) {
     search(cell, 0);
     return out_;
   }
@@ -168,7 +174,7 @@ class CellSearch {
   bool spent() const {
     if (!may_split_) return true;
     if (task_.settled(out_.low)) return out_.cells > kOnceSettled;
-    return static_cast<double>(out_.cells) >
+    return static_cast<double>(out_.cells + kCellsOfReach * reach_searches_) >
            kShareOfCell * static_cast<double>(task_.request.largest_cell_count);
   }
 
@@ -191,11 +197,15 @@ class CellSearch {
         out_of_reach = !task_.counts(cell, place, offset.normal);
         if (!out_of_reach) {
           out_.see({place, run.length_mm, body_of(run, offset.middle), offset.normal});
+          climb(cell);
           if (bounds_.surely_within(offset, goal())) return out_.cover(goal());
         }
       }
-      if (!out_of_reach && bounds_.surely_within_thin(offset, run.length_mm, goal()))
+      if (!out_of_reach && bounds_.surely_within_thin(offset, run, goal()))
         return out_.cover(goal());
+      // The middle's run is short, another one of the cell may not be: of a cell out of reach it
+      // need not be found.
+      if (run.length_mm <= out_.low && surely_unreachable(cell, offset)) return;
     }
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (tiny && out_of_reach) return;
@@ -234,7 +244,8 @@ class CellSearch {
     for (const bool by_u : {u_first, !u_first}) {
       if (by_u ? tall > kLongestOnPlane * wide : wide > kLongestOnPlane * tall) continue;
       const auto halves = by_u ? split_u(cell) : split_v(cell);
-      if (surely_unreachable(halves[0], offset) || surely_unreachable(halves[1], offset))
+      if (surely_unreachable(halves[0], offset_of(halves[0])) ||
+          surely_unreachable(halves[1], offset_of(halves[1])))
         return halves;
     }
     return halves_of(cell, offset);
@@ -248,13 +259,54 @@ class CellSearch {
         .surely_within(offset, task_.request.allowance_mm, goal());
   }
   static std::optional<bool> within_strips(const RidgeCell&, const OffsetCell&) { return {}; }
-  bool surely_unreachable(const SurfaceCell& cell, const OffsetCell&) {
-    return task_.side == Side::uncut && task_.reach->surely_unreachable(cell, &memory_);
+  bool surely_unreachable(const SurfaceCell& cell, const OffsetCell& offset) {
+    if (task_.side != Side::uncut) return false;
+    if (!task_.reach->is_mapped(cell)) ++reach_searches_;
+    return task_.reach->surely_unreachable(cell, offset, &memory_);
   }
   bool surely_unreachable(const RidgeCell&, const OffsetCell& offset) {
-    return task_.side == Side::uncut &&
-           task_.reach->ridge_surely_unreachable(offset.shape, {offset.normal, offset.spread_rad},
-                                                 &memory_);
+    return task_.side == Side::uncut && task_.reach->ridge_surely_unreachable(offset, &memory_);
+  }
+
+  /// From the middle of a part of the whole cell to where its runs are longest, by a compass
+  /// search: else a run that grows over it would be followed up one width of the interval at a
+  /// time.
+  void climb(const SurfaceCell& from) {
+    constexpr double kFirst = 0.25, kFinest = 1e-3;
+    // On its border a place may have further normals.
+    constexpr double kInside = 1.0 / 64;
+    const SurfaceCell& whole = *whole_;
+    // Next to an open end of S strips are left out, and beside an irregular vertex the normals of a
+    // micrometre are rounding.
+    if (is_at_rim(whole) || length(whole.vertex_normal) > 0) return;
+    double s = (from.u_at(0.5) - whole.u) / whole.size_u;
+    double t = (from.v_at(0.5) - whole.v) / whole.size_v;
+    for (double step = kFirst; step > kFinest;) {
+      bool better = false;
+      for (int k = 0; k < 8 && !better; ++k) {
+        constexpr int kU[] = {1, 0, -1, 0, 1, -1, -1, 1}, kV[] = {0, 1, 0, -1, 1, 1, -1, -1};
+        const double u = std::clamp(s + kU[k] * step, kInside, 1 - kInside);
+        const double v = std::clamp(t + kV[k] * step, kInside, 1 - kInside);
+        if (see_at(u, v)) s = u, t = v, better = true;
+      }
+      if (!better) step /= 2;
+    }
+  }
+  void climb(const RidgeCell&) {}
+
+  /// Whether a longer run than any so far counts at a place of the whole cell.
+  bool see_at(double s, double t) {
+    const BezierJet at = jet(whole_->shape, s, t);
+    const Vec3 across = cross(at.du, at.dv);
+    if (!(length(across) > 0)) return false;
+    const Vec3 n = normalized(across);
+    // What is longer by less than can be told closes no cell.
+    const double least = out_.low + kShare * (1 - kShare) * task_.request.resolution_mm;
+    const TracedRun run = bounds_.run(at.position, n, least);
+    const SurfacePlace place{whole_->patch, whole_->u_at(s), whole_->v_at(t), at.position};
+    if (run.length_mm <= least || !task_.counts(*whole_, place, n)) return false;
+    out_.see({place, run.length_mm, body_of(run, at.position), n});
+    return true;
   }
 
   /// The move to name: of a gouge the one that reaches furthest, of a leftover the nearest.
@@ -278,6 +330,8 @@ class CellSearch {
   const model::RunControl& control_;
   RunBounds bounds_;
   ReachMemory memory_;
+  const SurfaceCell* whole_ = nullptr;  ///< that is searched, if it is no edge
+  std::size_t reach_searches_ = 0;
   bool may_split_;
   Outcome out_;
 };

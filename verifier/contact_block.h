@@ -58,6 +58,10 @@ class ContactBlock {
   /// A position of the region from which the cutter comes no nearer than the limit to S, if one was
   /// found; of several cores, from the middle.
   std::optional<model::Vec3> free_tip(const ContactRegion& region) const;
+  /// A point of S nearer than the limit to the cutter at `tip`, nearly the deepest in it.
+  std::optional<ContactObstacle> deepest(const model::Vec3& tip) const {
+    return obstacle_at(tip, limit_mm_, false);
+  }
 
  private:
   using Obstacle = ContactObstacle;

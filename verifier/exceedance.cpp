@@ -46,14 +46,14 @@ class SpotSearch {
     const OffsetCell offset = offset_cell(cell.shape, cell.vertex_normal);
     if (bounds_.surely_within(offset, enough())) return;
     const TracedRun run = bounds_.run(offset.middle, offset.normal, request_.threshold_mm);
-    if (bounds_.surely_within_thin(offset, run.length_mm, enough())) return;
+    if (bounds_.surely_within_thin(offset, run, enough())) return;
     const double radius = control_radius(cell.shape, offset.middle);
     const bool exceeds = run.length_mm > request_.threshold_mm;
     const SurfacePlace place = middle_place(cell, offset.middle);
     const bool touched = !is_uncut() || !exceeds || reach_->can_be_touched(place, offset.normal);
     if (exceeds && touched && (radius <= request_.spot_radius_mm || exceeds_all_over(cell, radius)))
       return add(place, run, area_mm2(cell.shape), radius);
-    if (!touched && (radius <= kRim_mm || reach_->surely_unreachable(cell))) return;
+    if (!touched && (radius <= kRim_mm || reach_->surely_unreachable(cell, offset))) return;
     if (!may_split(radius)) return;
     const auto halves = halved(cell);
     search(halves[0]);
@@ -71,9 +71,7 @@ class SpotSearch {
     const bool touched = exceeds && reach_->ridge_can_be_touched(offset.middle, offset.normal);
     if (touched && radius <= kLargestSpot_mm) return add(cell.place(), run, 0, radius);
     if (!touched && std::max(radius, across) <= kRim_mm) return;
-    if (exceeds && !touched &&
-        reach_->ridge_surely_unreachable(cell.shape, {offset.normal, offset.spread_rad}))
-      return;
+    if (exceeds && !touched && reach_->ridge_surely_unreachable(offset)) return;
     if (depth >= kDeepest || !may_split(std::max(radius, across))) return;
     const auto halves = cell.halved(request_.allowance_mm + enough());
     search_ridge(halves[0], depth + 1);

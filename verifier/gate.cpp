@@ -14,14 +14,15 @@ Verdict judge(const Interval& figure, double limit_mm) {
   return figure.low > limit_mm ? Verdict::fail : Verdict::indeterminate;
 }
 
-const char* standing(Verdict verdict) {
+const char* standing(Verdict verdict, bool is_narrow) {
   switch (verdict) {
     case Verdict::pass:
       return ": within the limit everywhere";
     case Verdict::fail:
       return ": beyond the limit";
     default:
-      return ": cannot be decided at this resolution";
+      return is_narrow ? ": the limit lies within the interval, neither is proven"
+                       : ": the limit lies within the interval, and no narrower one was proven";
   }
 }
 
@@ -66,7 +67,7 @@ class Decision {
                     const std::string& where) {
     const Verdict verdict = judge(figure, limit_mm);
     add(what + " certified " + range_text(figure) + ", limit " + length_text(limit_mm) +
-            standing(verdict),
+            standing(verdict, d_.reached_resolution),
         verdict, where);
   }
   void judge_unreachable();
@@ -104,7 +105,7 @@ void Decision::judge_unreachable() {
   add("unreachable certified " + area_range_text(area_mm2, whole_mm2) + ", limit " +
           (limits_.unreachable_is_share ? share_text(limits_.unreachable)
                                         : area_text(limits_.unreachable)) +
-          (verdict == Verdict::pass ? ": within the limit" : standing(verdict)),
+          (verdict == Verdict::pass ? ": within the limit" : standing(verdict, false)),
       verdict, out_of_reach_text(d_.field, stages_));
 }
 
@@ -131,7 +132,8 @@ void Decision::judge_missing_stock() {
   }
   const Verdict verdict = judge(figure, limits_.gouge_mm);
   if (verdict == Verdict::pass && !(figure.low > 0)) return;
-  add(range + ", limit " + length_text(limits_.gouge_mm) + standing(verdict), verdict, where);
+  add(range + ", limit " + length_text(limits_.gouge_mm) + standing(verdict, d_.reached_resolution),
+      verdict, where);
 }
 
 void Decision::judge_process(const ProcessFault& fault) {

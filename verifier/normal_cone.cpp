@@ -30,7 +30,8 @@ std::array<Vec3, 36> normal_coefficients(const Bezier& cell) {
   return out;
 }
 
-std::optional<NormalCone> cone_round(const std::array<Vec3, 36>& coefficients, const Vec3& axis) {
+std::optional<double> normal_spread_rad(const std::array<Vec3, 36>& coefficients,
+                                        const Vec3& axis) {
   double cosine = 1;
   for (const Vec3& c : coefficients) {
     const double l = length(c);
@@ -40,18 +41,7 @@ std::optional<NormalCone> cone_round(const std::array<Vec3, 36>& coefficients, c
   // Every normal is a positive combination of the coefficients; so is it within a convex cone.
   if (cosine <= 0) return std::nullopt;
   constexpr double kRoundingAngle = 1e-7;  // of acos near one
-  return NormalCone{axis, std::acos(std::min(1.0, cosine)) + kRoundingAngle};
-}
-
-std::optional<NormalCone> normal_cone(const Bezier& cell) {
-  const std::array<Vec3, 36> coefficients = normal_coefficients(cell);
-  Vec3 sum;
-  for (const Vec3& c : coefficients) sum += normalized(c);
-  return cone_round(coefficients, normalized(sum));
-}
-
-std::optional<NormalCone> normal_cone(const Bezier& cell, const Vec3& axis) {
-  return cone_round(normal_coefficients(cell), axis);
+  return std::acos(std::min(1.0, cosine)) + kRoundingAngle;
 }
 
 }  // namespace limitgauge::verifier

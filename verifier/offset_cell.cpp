@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "verifier/normal_cone.h"
@@ -15,10 +16,10 @@ using model::Vec3;
 constexpr double kPoint_mm = 1e-12;
 
 /// Of a polynomial of degree `kDegree` in u and v with Bézier coefficients c: the plane
-/// at + by_u·(u − 1/2) + by_v·(v − 1/2), and how far from it the polynomial goes at most.
+/// at + by_u·(u − 1/2) + by_v·(v − 1/2), and how far from it each component goes at most.
 struct Plane {
   Vec3 at, by_u, by_v;
-  double apart = 0;
+  Vec3 apart;
 };
 
 template <int kDegree, class Coefficient>
@@ -41,7 +42,7 @@ Plane plane_of(Coefficient&& c) {
         low[k] = std::min(low[k], r[k]), high[k] = std::max(high[k], r[k]);
     }
   p.at = (low + high) / 2;
-  p.apart = length(high - low) / 2;
+  p.apart = (high - low) / 2;
   return p;
 }
 
@@ -65,38 +66,49 @@ double chord_of(double angle_rad) {
   return 2 * std::sin(std::min(angle_rad, std::numbers::pi) / 2);
 }
 
-/// asin for bounds: a right angle and more where the sine says nothing.
-double angle_of(double sine) {
-  return sine < 1 ? std::asin(sine) : std::numbers::pi;
-}
+/// The coefficients of S_u × S_v of a cell with n₀ as third axis.
+struct NormalsInFrame {
+  Vec3 axes[3];
+  std::array<Vec3, 36> c;
+  double least = std::numeric_limits<double>::infinity();  ///< along n₀
 
-/// How far n(s) can be from n₀ + A·(s − m), by the planes of the normals' polynomial and of S.
-double remainder_of(const OffsetCell& cell, const Plane& normals, const Plane& points) {
-  const double size = length(normals.at), norm = norm_of(cell.turning);
-  const double radius = control_radius(cell.shape, cell.middle);
-  const Vec3 n = cell.normal;
-  const auto turned = [&](const Vec3& by) {
-    return cell.turning[0] * by.x + cell.turning[1] * by.y + cell.turning[2] * by.z;
-  };
-  // N and L = n₀ + A·(s − m) as planes in u and v, with |N − plane| ≤ normals.apart and
-  // |L − plane| ≤ off.
-  const Vec3 l_u = turned(points.by_u), l_v = turned(points.by_v);
-  const double off = norm * points.apart + length(turned(points.at - cell.middle));
-  const Vec3 m_u = normals.by_u / size, m_v = normals.by_v / size;
-  const Vec3 m_0 = normals.at / size;
-  // The cross product of the two planes: constant, linear and quadratic terms.
-  const double constant = length(cross(m_0, n));
-  const double linear =
-      (length(cross(m_0, l_u) + cross(m_u, n)) + length(cross(m_0, l_v) + cross(m_v, n))) / 2;
-  const double quadratic = (length(m_u) + length(m_v)) * (length(l_u) + length(l_v)) / 4;
-  const double least_m = 1 - (length(m_u) + length(m_v)) / 2, apart = normals.apart / size;
-  const double least_l = 1 - (length(l_u) + length(l_v)) / 2;
-  if (!(least_m - apart > 0.25) || !(least_l - off > 0.25)) return 2;
-  const double between = angle_of((constant + linear + quadratic) / (least_m * least_l));
-  const double angle = angle_of(apart / least_m) + between + angle_of(off / least_l);
-  // A maps into the plane across n₀, so |L|² = 1 + |A·(s − m)|².
-  const double longer = norm * radius * norm * radius / 2;
-  return std::min(2.0, chord_of(angle) + longer);
+  NormalsInFrame(const std::array<Vec3, 36>& coefficients, const Vec3& n) {
+    const Vec3 any = std::abs(n.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+    axes[0] = normalized(cross(any, n)), axes[1] = cross(n, axes[0]), axes[2] = n;
+    for (int k = 0; k < 36; ++k) {
+      c[k] = {dot(coefficients[k], axes[0]), dot(coefficients[k], axes[1]),
+              dot(coefficients[k], axes[2])};
+      least = std::min(least, c[k].z);
+    }
+  }
+  /// Of a vector in the frame, the part across n₀ in space.
+  Vec3 aside(const Vec3& v) const { return axes[0] * v.x + axes[1] * v.y; }
+};
+
+/// How far n(s) can be from L = n₀ + A·(s − m), by the planes of the normals' polynomial and of S:
+/// with N⊥ and N∥ the parts of S_u × S_v across n₀ and along it, n = cos θ·(n₀ + N⊥/N∥), so that
+/// |n − L| ≤ |N⊥ − N∥·A·(s − m)|/N∥ + (1/cos θ − 1).
+double remainder_of(const OffsetCell& cell, const NormalsInFrame& frame, const Plane& normals,
+                    const Plane& points) {
+  const double size = normals.at.z, least = frame.least / size;
+  if (!(least > 0) || !(std::cos(cell.spread_rad) > 0.25)) return 2;
+  double most_turned = 0;
+  for (int k = 0; k < 16; ++k) {
+    const Vec3 w = cell.shape.control(k) - cell.middle;
+    most_turned = std::max(most_turned, length(cell.turned(w)));
+  }
+  const Vec3 l_u = cell.turned(points.by_u), l_v = cell.turned(points.by_v);
+  const double off =
+      norm_of(cell.turning) * length(points.apart) + length(cell.turned(points.at - cell.middle));
+  const auto aside = [&](const Vec3& v) { return frame.aside(v) / size; };
+  const double constant = length(aside(normals.at));
+  const double linear = (length(aside(normals.by_u) - l_u) + length(aside(normals.by_v) - l_v)) / 2;
+  const double growth = (std::abs(normals.by_u.z) + std::abs(normals.by_v.z)) / size;
+  const double quadratic = growth * (length(l_u) + length(l_v)) / 4;
+  const double apart = std::hypot(normals.apart.x, normals.apart.y) / size;
+  const double error = constant + linear + quadratic + apart + (1 + growth / 2) * off +
+                       normals.apart.z / size * most_turned;
+  return std::min(2.0, error / least + (1 / std::cos(cell.spread_rad) - 1));
 }
 
 }  // namespace
@@ -127,18 +139,19 @@ OffsetCell offset_cell(const Bezier& cell, const Vec3& vertex_normal) {
   const Vec3 across = cross(at.du, at.dv);
   if (length_squared(across) > 0) out.normal = normalized(across);
   const std::array<Vec3, 36> c = normal_coefficients(cell);
-  const auto cone = cone_round(c, out.normal);
-  out.spread_rad = cone ? cone->half_angle_rad : std::numbers::pi;
+  const auto spread = normal_spread_rad(c, out.normal);
+  out.spread_rad = spread.value_or(std::numbers::pi);
   out.remainder = chord_of(out.spread_rad);
-  const Plane normals = plane_of<5>([&](int i, int j) { return c[6 * j + i]; });
-  const double size = length(normals.at);
-  if (!cone || !(size > 0)) return out;
+  if (!spread) return out;
+  const NormalsInFrame frame(c, out.normal);
+  const Plane normals = plane_of<5>([&](int i, int j) { return frame.c[6 * j + i]; });
+  const double size = normals.at.z;
+  if (!(size > 0)) return out;
   const Plane points = plane_of<3>([&](int i, int j) { return cell.control(4 * j + i); });
-  const auto aside = [&](const Vec3& v) { return (v - out.normal * dot(out.normal, v)) / size; };
   OffsetCell turned = out;
-  turned.turning =
-      map_of(out.normal, points.by_u, points.by_v, aside(normals.by_u), aside(normals.by_v));
-  turned.remainder = remainder_of(turned, normals, points);
+  turned.turning = map_of(out.normal, points.by_u, points.by_v, frame.aside(normals.by_u) / size,
+                          frame.aside(normals.by_v) / size);
+  turned.remainder = remainder_of(turned, frame, normals, points);
   return turned.remainder < out.remainder ? turned : out;
 }
 

@@ -23,6 +23,10 @@ struct OffsetCell {
   double remainder = 0;                  ///< at most 2: two unit vectors
   double spread_rad = 0;                 ///< every normal of the cell is this near to n₀
 
+  /// A·w: how the normal turns from the middle to a place w away.
+  model::Vec3 turned(const model::Vec3& w) const {
+    return turning[0] * w.x + turning[1] * w.y + turning[2] * w.z;
+  }
   /// The control points moved by t along the normals, but for |t|·remainder.
   Bezier moved(double t_mm) const;
   model::Vec3 moved_middle(double t_mm) const { return middle + normal * t_mm; }

@@ -6,6 +6,7 @@
 
 #include "engine/model/chunks.h"
 #include "verifier/cell_contact.h"
+#include "verifier/contact_hull.h"
 #include "verifier/local_contact.h"
 #include "verifier/nearest_first.h"
 #include "verifier/swept_body.h"
@@ -42,13 +43,12 @@ class Classifier {
 
   /// Proves the cell to be one or the other, or adds to what is known of it.
   Reach decide(Open& open) const {
-    const auto contact =
-        CellContact::of(open.cell.shape, reachability_.profile(), reachability_.allowance_mm());
+    const auto contact = CellContact::of(offset_cell(open.cell.shape, {}), reachability_.profile(),
+                                         reachability_.allowance_mm());
     if (!contact) return Reach::undecided;
     const bool endless = reachability_.is_endless();
     if (endless && contact->too_steep()) return Reach::unreachable;
-    if (endless && open.witness && contact->always_below(*open.witness, limit_))
-      return Reach::unreachable;
+    if (endless && open.witness && bars_all(*open.witness, *contact)) return Reach::unreachable;
     open.level = contact->level() && reachability_.profile().flat_mm > 0;
     if (open.level) return decide_level(open, *contact);
     if (contact->touchable() && prove(open, *contact)) return Reach::reachable;
@@ -68,8 +68,8 @@ class Classifier {
       if (prove(alone, contact.displaced({out * std::cos(angle), out * std::sin(angle), 0})))
         return Reach::reachable;
     }
-    return reachability_.surely_unreachable(open.cell.shape) ? Reach::unreachable
-                                                             : Reach::undecided;
+    return reachability_.surely_unreachable(contact.offset()) ? Reach::unreachable
+                                                              : Reach::undecided;
   }
 
   bool prove(Open& open, const CellContact& contact) const {
@@ -164,17 +164,25 @@ class Classifier {
     return found;
   }
 
+  /// Whether a point of S is cut into wherever the cutter touches the cell.
+  bool bars_all(const Vec3& q, const CellContact& contact) const {
+    if (contact.turning()) return false;
+    const auto hull =
+        ContactHull::of(contact.offset(), contact.profile(), reachability_.allowance_mm());
+    return hull && hull->always_below(contact.profile(), q, limit_);
+  }
+
   /// Whether some point of S is cut into wherever the cutter touches the cell.
   bool refute(Open& open, const CellContact& contact) const {
-    if (!reachability_.is_endless()) return reachability_.surely_unreachable(open.cell.shape);
+    if (!reachability_.is_endless()) return reachability_.surely_unreachable(contact.offset());
     if (contact.turning()) {
       // The middle's own contact first: a proof costs many.
       const Vec3 n = middle_normal(open.cell);
       return contact.alpha() < 0.3 && !reachability_.touching_tip(contact.middle(), n) &&
-             reachability_.surely_unreachable(open.cell.shape);
+             reachability_.surely_unreachable(contact.offset());
     }
     open.witness = deepest_middle(contact.tip());
-    return open.witness && contact.always_below(*open.witness, limit_);
+    return open.witness && bars_all(*open.witness, contact);
   }
 
   const SurfaceCells& cells_;

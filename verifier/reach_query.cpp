@@ -36,7 +36,8 @@ std::optional<ReachQuery::Touch> ReachQuery::touch(const SurfacePlace& place,
   return std::nullopt;
 }
 
-bool ReachQuery::surely_unreachable(const SurfaceCell& cell, ReachMemory* memory) const {
+bool ReachQuery::surely_unreachable(const SurfaceCell& cell, const OffsetCell& offset,
+                                    ReachMemory* memory) const {
   switch (proven_.of(cell)) {
     case Reach::reachable:
       return false;
@@ -45,16 +46,13 @@ bool ReachQuery::surely_unreachable(const SurfaceCell& cell, ReachMemory* memory
     case Reach::undecided:
       break;
   }
-  const auto cone = normal_cone(cell.shape);
-  return cone && ridge_surely_unreachable(cell.shape, *cone, memory);
+  return ridge_surely_unreachable(offset, memory);
 }
 
-bool ReachQuery::ridge_surely_unreachable(const Bezier& cell, const NormalCone& normals,
-                                          ReachMemory* memory) const {
+bool ReachQuery::ridge_surely_unreachable(const OffsetCell& cell, ReachMemory* memory) const {
   if (memory) memory->resize(searches_.size());
   for (std::size_t k = 0; k < searches_.size(); ++k)
-    if (!searches_[k].surely_unreachable(cell, normals, memory ? &(*memory)[k] : nullptr))
-      return false;
+    if (!searches_[k].surely_unreachable(cell, memory ? &(*memory)[k] : nullptr)) return false;
   return true;
 }
 

@@ -26,10 +26,12 @@ class ReachQuery {
     model::Vec3 tip;
   };
   std::optional<Touch> touch(const SurfacePlace& place, const model::Vec3& normal) const;
+  /// Whether the map says of all of a cell what can be touched.
+  bool is_mapped(const SurfaceCell& cell) const { return proven_.of(cell) != Reach::undecided; }
   /// Proof that no point of the cell can be touched. False means "not proven".
-  bool surely_unreachable(const SurfaceCell& cell, ReachMemory* memory = nullptr) const;
-  bool ridge_surely_unreachable(const Bezier& cell, const NormalCone& normals,
-                                ReachMemory* memory = nullptr) const;
+  bool surely_unreachable(const SurfaceCell& cell, const OffsetCell& offset,
+                          ReachMemory* memory = nullptr) const;
+  bool ridge_surely_unreachable(const OffsetCell& cell, ReachMemory* memory = nullptr) const;
 
   std::span<const Reachability> searches() const { return searches_; }
 

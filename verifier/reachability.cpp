@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "verifier/contact_hull.h"
 #include "verifier/nearest_first.h"
 #include "verifier/swept_body.h"
 
@@ -31,6 +32,18 @@ double slope_sine(const CutterProfile& p) {
 /// Sine of the angle by which S with normal n is steeper than the bottom.
 double over_bottom(const CutterProfile& p, const Vec3& n) {
   return (std::hypot(n.x, n.y) - n.z * p.rise) / std::sqrt(1 + p.rise * p.rise);
+}
+
+/// A piece of a plane, not one of a bent cell that is small. Cones are wider by 1e-7 for rounding.
+bool is_plane(const OffsetCell& cell) {
+  constexpr double kSpread_rad = 1e-6, kRounding_rad = 2e-7, kBend_per_mm = 1e-2;
+  const double radius = control_radius(cell.shape, cell.middle);
+  return cell.spread_rad <= std::min(kSpread_rad, kRounding_rad + kBend_per_mm * radius);
+}
+
+/// Angle of the normal at a cell's middle to the axis of the cutter.
+double tilt_of(const OffsetCell& cell) {
+  return std::acos(std::clamp(cell.normal.z, -1.0, 1.0));
 }
 
 /// Searches one cell for a point nearer than the limit; empty where that stays undecided, as where
@@ -145,7 +158,7 @@ std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) con
   Bezier place;
   for (int k = 0; k < 16; ++k) place.set(k, p);
   const ContactBlock block(cells_, parts_, limit);
-  for (const ContactRegion& region : contact_regions(place, {n, 0}))
+  for (const ContactRegion& region : contact_regions(offset_cell(place, n, 0)))
     if (const auto tip = block.free_tip(region))
       if (comes_below(parts_, *tip, limit) == Below::none) return tip;
   return std::nullopt;
@@ -197,59 +210,63 @@ std::vector<Vec3> Reachability::contact_choices(const Vec3& p, const Vec3& n) co
 }
 
 /// All of the cell is less steep than the bottom rises, so the tip would touch it.
-bool Reachability::surely_unreachable_by_tip(const Bezier& cell, const NormalCone& cone) const {
-  const Vec3 centre = middle(cell);
-  const double spread = std::min(cone.half_angle_rad, pi);
+bool Reachability::surely_unreachable_by_tip(const OffsetCell& cell) const {
+  const double spread = std::min(cell.spread_rad, pi);
   const double stray =
-      control_radius(cell, centre) + std::abs(allowance_mm_) * 2 * std::sin(spread / 2);
-  const Vec3 tip = centre + cone.axis * allowance_mm_;
+      control_radius(cell.shape, cell.middle) + std::abs(allowance_mm_) * 2 * std::sin(spread / 2);
+  const Vec3 tip = cell.moved_middle(allowance_mm_);
   return comes_below(parts_, tip, allowance_mm_ - contact_mm_ - stray) == Below::found;
 }
 
-bool Reachability::surely_unreachable(const Bezier& cell) const {
-  const auto cone = normal_cone(cell);
-  return cone && surely_unreachable(cell, *cone);
-}
-
-bool Reachability::surely_unreachable(const Bezier& cell, const NormalCone& normals,
-                                      ContactMemory* memory) const {
-  if (profile_.flat_mm < 0) return false;
-  const NormalCone* cone = &normals;
-  const double tilt = std::acos(std::clamp(cone->axis.z, -1.0, 1.0)), spread = cone->half_angle_rad;
+bool Reachability::surely_unreachable(const OffsetCell& cell, ContactMemory* memory) const {
+  if (profile_.flat_mm < 0 || !(length(cell.normal) > 0)) return false;
+  const double tilt = tilt_of(cell), spread = cell.spread_rad;
   // What leans inwards, or has a neck over a side that leans outwards, may touch with its side too.
   if (profile_.undercuts() || (neck_ && profile_.slope != 0)) return false;
   if (!neck_ && tilt - spread > pi / 2 - std::asin(slope_sine(profile_))) return true;
   if (narrower_above_ && !neck_) return false;
   if (profile_.is_pointed()) {
     const double bottom = std::atan(profile_.rise);
-    if (tilt + spread < bottom - kLevel) return surely_unreachable_by_tip(cell, *cone);
+    if (tilt + spread < bottom - kLevel) return surely_unreachable_by_tip(cell);
     if (tilt - spread <= bottom + kLevel) return false;
   }
   // On a plane the rim of what can be reached has to be closed in on; a bent cell's own bends say
   // sooner that it is too large.
-  constexpr double kPlane_rad = 1e-6;
-  if (!neck_ && spread > kPlane_rad) return surely_unreachable_round(cell, *cone);
+  if (!neck_ && !is_plane(cell))
+    return surely_unreachable_by_hull(cell, memory) ||
+           (profile_.flat_mm > 0 && surely_unreachable_round(cell));
   const ContactBlock block(cells_, parts_, allowance_mm_ - contact_mm_);
-  const auto regions = contact_regions(cell, *cone);
+  const auto regions = contact_regions(cell);
   return std::all_of(regions.begin(), regions.end(),
                      [&](const ContactRegion& region) { return block.blocks(region, memory); });
 }
 
+/// Of the endless cutter, by one point of S.
+bool Reachability::surely_unreachable_by_hull(const OffsetCell& cell, ContactMemory* memory) const {
+  const auto hull = ContactHull::of(cell, profile_, allowance_mm_);
+  if (!hull) return false;
+  const double limit = allowance_mm_ - contact_mm_;
+  if (memory && !memory->empty() && hull->always_below(profile_, memory->back().point, limit))
+    return true;
+  const auto met = ContactBlock(cells_, parts_, limit).deepest(hull->middle);
+  if (!met) return false;
+  if (memory) memory->assign(1, *met);
+  return hull->always_below(profile_, met->point, limit);
+}
+
 /// Of the endless cutter, from positions round the place at so small a step that one with a flat
 /// smaller by it lies inside all those between.
-bool Reachability::surely_unreachable_round(const Bezier& cell, const NormalCone& cone) const {
-  const double tilt = std::acos(std::clamp(cone.axis.z, -1.0, 1.0)), spread = cone.half_angle_rad;
-  const Vec3 centre = middle(cell);
+bool Reachability::surely_unreachable_round(const OffsetCell& cell) const {
+  const double tilt = tilt_of(cell), spread = cell.spread_rad;
   const double reach = profile_.rounding_mm + allowance_mm_;
-  const Vec3 core = core_touching(centre, cone.axis);
+  const Vec3 core = core_touching(cell.middle, cell.normal);
   // Every contact position of the cell has its core this near to one of those tried below ...
   const double stray =
-      control_radius(cell, centre) + reach * 2 * std::sin(std::min(spread, pi) / 2);
+      control_radius(cell.shape, cell.middle) + reach * 2 * std::sin(std::min(spread, pi) / 2);
   const double limit = allowance_mm_ - contact_mm_ - stray;
   const double flat = profile_.flat_mm;
-  if (flat <= 0) return comes_below(parts_, core, limit) == Below::found;
   const bool all_round = tilt <= spread + kLevel;
-  const double aside = std::atan2(cone.axis.y, cone.axis.x);
+  const double aside = std::atan2(cell.normal.y, cell.normal.x);
   const double half_arc =
       all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
   const int samples = std::max(1, static_cast<int>(std::ceil(kCircleSamples * half_arc / pi)));
@@ -271,13 +288,12 @@ bool Reachability::surely_unreachable_round(const Bezier& cell, const NormalCone
   return true;
 }
 
-std::vector<ContactRegion> Reachability::contact_regions(const Bezier& cell,
-                                                         const NormalCone& cone) const {
-  const double tilt = std::acos(std::clamp(cone.axis.z, -1.0, 1.0)), spread = cone.half_angle_rad;
-  const CellRectangle around = rectangle_round(cell, cone.axis);
+std::vector<ContactRegion> Reachability::contact_regions(const OffsetCell& cell) const {
+  const double tilt = tilt_of(cell), spread = cell.spread_rad;
+  const CellRectangle around = rectangle_round(cell.shape, cell.normal);
   const double turn = 2 * std::sin(std::min(spread, pi) / 2);
   const bool all_round = tilt <= spread + kLevel || pi - tilt <= spread + kLevel;
-  const double aside = std::atan2(cone.axis.y, cone.axis.x);
+  const double aside = std::atan2(cell.normal.y, cell.normal.x);
   const double half_arc =
       all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
   const auto region = [&](const Vec3& shift, double out, bool disc, double stray) {
@@ -295,12 +311,12 @@ std::vector<ContactRegion> Reachability::contact_regions(const Bezier& cell,
   std::vector<ContactRegion> out;
   const double reach = profile_.rounding_mm + allowance_mm_;
   if (!neck_ || tilt - spread <= pi / 2 + kLevel)
-    out.push_back(region(core_touching({}, cone.axis), std::max(0.0, profile_.flat_mm),
+    out.push_back(region(core_touching({}, cell.normal), std::max(0.0, profile_.flat_mm),
                          tilt <= spread + kLevel, std::abs(reach) * turn));
   if (!neck_) return out;
   const double width = profile_.top_radius_mm(), stray = std::abs(allowance_mm_) * turn;
   if (tilt + spread >= pi / 2 - kLevel) {
-    ContactRegion wall = region(cone.axis * allowance_mm_, width, false, stray);
+    ContactRegion wall = region(cell.normal * allowance_mm_, width, false, stray);
     wall.z0 = profile_.core_mm, wall.z1 = profile_.top_mm;
     if (tilt - spread > pi / 2 + kLevel) wall.z0 = profile_.top_mm;  // the top alone
     if (pi - tilt <= spread + kLevel) wall.r0 = 0;                   // any of its points

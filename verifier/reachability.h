@@ -6,7 +6,7 @@
 
 #include "verifier/contact_block.h"
 #include "verifier/cutter_profile.h"
-#include "verifier/normal_cone.h"
+#include "verifier/offset_cell.h"
 #include "verifier/surface_cells.h"
 
 namespace limitgauge::verifier {
@@ -41,12 +41,9 @@ class Reachability {
   bool surely_free(const model::Vec3& tip) const {
     return comes_below(parts_, tip, allowance_mm_ - contact_mm_) == Below::none;
   }
-  /// Proof that no point of the cell can be touched. False means "not proven".
-  bool surely_unreachable(const Bezier& cell) const;
-  /// The same where the normals are given, as on a sharp edge.
-  /// What proofs for neighbours met may be kept in a memory, and begins the next.
-  bool surely_unreachable(const Bezier& cell, const NormalCone& normals,
-                          ContactMemory* memory = nullptr) const;
+  /// Proof that no point of the cell can be touched, with none of the cell's normals. False means
+  /// "not proven". What proofs for neighbours met may be kept in a memory, and begins the next.
+  bool surely_unreachable(const OffsetCell& cell, ContactMemory* memory = nullptr) const;
   /// Whether proofs by the endless wall alone say that a place is out of reach: not of a cutter
   /// that has less above its flutes than that.
   bool is_endless() const { return !narrower_above_; }
@@ -62,10 +59,11 @@ class Reachability {
   /// Positions that touch a place where the contact is no single point of the cutter.
   std::vector<model::Vec3> contact_choices(const model::Vec3& p, const model::Vec3& n) const;
   std::vector<model::Vec3> necked_choices(const model::Vec3& p, const model::Vec3& n) const;
-  bool surely_unreachable_by_tip(const Bezier& cell, const NormalCone& cone) const;
-  bool surely_unreachable_round(const Bezier& cell, const NormalCone& cone) const;
+  bool surely_unreachable_by_tip(const OffsetCell& cell) const;
+  bool surely_unreachable_by_hull(const OffsetCell& cell, ContactMemory* memory) const;
+  bool surely_unreachable_round(const OffsetCell& cell) const;
   /// All tips that touch the cell with the cutter's bottom, its wall, or the top of its flutes.
-  std::vector<ContactRegion> contact_regions(const Bezier& cell, const NormalCone& cone) const;
+  std::vector<ContactRegion> contact_regions(const OffsetCell& cell) const;
   /// Whether some point of S is nearer than `limit_mm` to a cutter of such parts with its tip at
   /// `tip`.
   Below comes_below(std::span<const StandingPart> parts, const model::Vec3& tip,

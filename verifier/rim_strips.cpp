@@ -88,7 +88,8 @@ double RimStrips::gone_up_to(const Frame& f, double length_mm) {
 
 /// The outer part first, which is proven soonest.
 bool RimStrips::unreachable_between(const Frame& f, double from_x, double to_x, int splits) {
-  if (reach_.ridge_surely_unreachable(f.strip(from_x, to_x), {f.normal, 0}, &memory_)) return true;
+  if (reach_.ridge_surely_unreachable(offset_cell(f.strip(from_x, to_x), f.normal, 0), &memory_))
+    return true;
   if (splits == 0) return false;
   const double x = from_x + (to_x - from_x) / 4;
   return unreachable_between(f, x, to_x, splits - 1) &&

@@ -49,13 +49,35 @@ bool RunBounds::is_beside(const OffsetCell& cell, const Nearest& at) const {
 
 /// Whether the cell moved by t was removed, all of it, or what is beside it by next to nothing.
 bool RunBounds::is_gone(const OffsetCell& cell, double t_mm) {
+  return is_gone(cell, t_mm, look(cell.moved_middle(t_mm)));
+}
+
+/// The same by one body, and those about it.
+bool RunBounds::is_gone(const OffsetCell& cell, double t_mm, const Nearest& at) {
   const double margin = margin_mm(cell, t_mm) - kSkin_mm;
-  Nearest at = look(cell.moved_middle(t_mm));
   if (at.distance.value <= -margin && bounder_.surely_inside(cell.moved(t_mm), margin, at.body))
     return true;
   return is_beside(cell, at) &&
          bounder_.surely_inside(shifted(cell.moved(t_mm), at.distance.gradient * -kBeside_mm),
                                 margin, at.body);
+}
+
+/// The same where the middle is deepest in the body that ends its run, between two t: its distance
+/// is convex along the ray (that of the outside of a bar or a mesh is not, and any place will do).
+bool RunBounds::is_gone_deepest(const OffsetCell& cell, BodyRef body, double from_t_mm,
+                                double to_t_mm) {
+  constexpr int kSteps = 40;
+  const auto distance = [&](double t) { return space_.distance(body, cell.moved_middle(t)); };
+  double low = from_t_mm, high = to_t_mm;
+  for (int k = 0; k < kSteps && high - low > kSkin_mm; ++k) {
+    const double third = (high - low) / 3;
+    if (distance(low + third).value <= distance(high - third).value)
+      high -= third;
+    else
+      low += third;
+  }
+  const double t = (low + high) / 2;
+  return is_gone(cell, t, {body, distance(t)});
 }
 
 /// Whether the cell moved by t stands, all of it, or what is beside it by next to nothing: of one
@@ -106,13 +128,15 @@ bool RunBounds::ends_within(const OffsetCell& cell, double length_mm) {
   return side_ == Side::uncut ? at.distance.value <= -error : at.distance.value >= error;
 }
 
-bool RunBounds::surely_within_thin(const OffsetCell& cell, double run_mm, double length_mm) {
+bool RunBounds::surely_within_thin(const OffsetCell& cell, const TracedRun& run, double length_mm) {
+  const double run_mm = run.length_mm;
   if (run_mm >= length_mm) return false;
   // Where the run ends, or what ends it is beside it.
   const double past = run_mm + kStepOver_mm;
   if (side_ != Side::uncut) return stands(cell, allowance_mm_ - past);
   if (is_gone(cell, allowance_mm_ + past)) return true;
   const double from = allowance_mm_ + run_mm;
+  if (run.body && is_gone_deepest(cell, *run.body, from, allowance_mm_ + length_mm)) return true;
   const double limit = length_mm - run_mm;
   const double free = tracer_.free_length_mm(cell.moved_middle(from), cell.normal, limit);
   if (free >= limit || free <= kSkin_mm) return false;

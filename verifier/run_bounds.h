@@ -20,8 +20,8 @@ class RunBounds {
   /// Proof that no run of the cell is longer than `length_mm`. False means "not proven".
   bool surely_within(const OffsetCell& cell, double length_mm);
   /// The same at a place along the middle's normal that its run points to, for a cell whose
-  /// middle's run ends before `length_mm`: where what is removed is thin.
-  bool surely_within_thin(const OffsetCell& cell, double run_mm, double length_mm);
+  /// middle's run ends before `length_mm`: where what is removed is thin, or beside it.
+  bool surely_within_thin(const OffsetCell& cell, const TracedRun& run, double length_mm);
   /// The run at a point of S with one of its normals, as far as it is proven; `least_mm` as in
   /// RunTracer. None for a normal of no length, in the middle of normals that cancel.
   TracedRun run(const model::Vec3& s, const model::Vec3& n, double least_mm = 0) const;
@@ -37,6 +37,8 @@ class RunBounds {
   double margin_mm(const OffsetCell& cell, double t_mm) const;
   bool is_beside(const OffsetCell& cell, const Nearest& at) const;
   bool is_gone(const OffsetCell& cell, double t_mm);
+  bool is_gone(const OffsetCell& cell, double t_mm, const Nearest& at);
+  bool is_gone_deepest(const OffsetCell& cell, BodyRef body, double from_t_mm, double to_t_mm);
   bool stands(const OffsetCell& cell, double t_mm);
   bool surely_unswept(const OffsetCell& cell, double length_mm);
   const Nearest& look(const model::Vec3& p);

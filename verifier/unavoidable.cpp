@@ -46,7 +46,8 @@ std::vector<Vec3> tips_of(const ReachMap& map, const Reachability& reachability,
     if (entries[k].reach == Reach::unreachable) return;
     const SurfaceCell& cell = entries[k].cell;
     const bool round = reachability.profile().flat_mm <= 0;
-    const auto c = CellContact::of(cell.shape, reachability.profile(), reachability.allowance_mm());
+    const auto c = CellContact::of(offset_cell(cell.shape, {}), reachability.profile(),
+                                   reachability.allowance_mm());
     const bool proven = entries[k].reach == Reach::reachable && entries[k].cutter == cutter_index;
     if (proven && c && (round || (!c->turning() && !c->level())))
       found[k] = c->tip();

@@ -20,7 +20,7 @@ const char* verdict_sentence(verifier::Verdict verdict) {
       return "At least one gate figure is proven beyond its limit.";
     case verifier::Verdict::indeterminate:
       return "Nothing is proven beyond a limit, but a certified interval still holds one: neither "
-             "pass nor fail can be stated at this resolution.";
+             "pass nor fail can be stated.";
     case verifier::Verdict::not_run:
       break;
   }

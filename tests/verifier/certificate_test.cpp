@@ -24,10 +24,9 @@ StageDeviation measure(const ReferenceSurface& surface, const model::Cutter& cut
   return measure_stage(surface, kBlock, {&pass, 1}, nullptr, check, {2});
 }
 
-/// δ under a cusp: the distance from the plane to two balls half a step away. The height of the
-/// cusp over the plane, R − √(R² − p²/4), is more by p⁴/(64·R³): 2 nm at R3 and 0.25 mm.
+/// Height of the cusp between two balls a step apart.
 double scallop(double radius, double step) {
-  return std::sqrt(radius * radius + step * step / 4) - radius;
+  return radius - std::sqrt(radius * radius - step * step / 4);
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ TEST_CASE("cells proven out of a drill's reach hold no place it touches", "[prop
   int by_tip = 0, by_corner = 0;
   for (std::size_t k = 0; k < cells.cells().size(); k += 7) {
     const SurfaceCell& cell = cells.cells()[k];
-    if (!reach.surely_unreachable(cell.shape)) continue;
+    if (!reach.surely_unreachable(offset_cell(cell.shape, {}))) continue;
     const Vec3 m = middle(cell.shape);
     CAPTURE(m.x, m.y);
     CHECK_FALSE(reach.touching_tip(m, middle_normal(cell)));
@@ -189,7 +189,8 @@ TEST_CASE("nothing is proven out of an undercutting cutter's reach", "[unit]") {
   const SurfaceCells cells(cube.tree(), 0.1);
   const CutterProfile dovetail(model::parse_cutter("apt:D=2,r=0.1,b=-30,L=1.5"));
   const Reachability reach(cells, dovetail, 0, 1e-4);
-  for (const SurfaceCell& cell : cells.cells()) CHECK_FALSE(reach.surely_unreachable(cell.shape));
+  for (const SurfaceCell& cell : cells.cells())
+    CHECK_FALSE(reach.surely_unreachable(offset_cell(cell.shape, {})));
   const ReachMap map = classify_reach(cells, reach, {0.05, 1}, {2});
   CHECK(map.unreachable_area_mm2() == 0);
   // The endless cutter still proves what it touches from above.

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/model/chunks.h"
+#include "verifier/normal_cone.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -70,10 +71,6 @@ ClosestPoint describe(const SurfaceCells& cells, const Foot& foot, const Vec3& p
   const Vec3 aside = to - out.normal * dot(to, out.normal);
   out.perpendicular = length(aside) <= kPerpendicular * out.distance_mm + kOnFeature_mm;
   return out;
-}
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(length(cross(a, b)), dot(a, b));
 }
 
 /// How much of the surroundings of a place a cell takes up, as an angle.

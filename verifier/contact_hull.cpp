@@ -50,8 +50,7 @@ std::optional<ContactHull> ContactHull::of(const OffsetCell& cell, const CutterP
   out.stray_mm += profile.flat_mm * flat->apart;
   out.middle += flat->ahead * profile.flat_mm;
   for (int k = 0; k < 16; ++k) {
-    const Vec3 w = cell.shape.control(k) - cell.middle;
-    const double turn = dot(flat->aside, cell.turned(w)) / flat->level;
+    const double turn = dot(flat->aside, cell.turned_to(k)) / flat->level;
     out.tips[k] += (flat->ahead + flat->aside * turn) * profile.flat_mm;
   }
   return out;

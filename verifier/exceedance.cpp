@@ -17,6 +17,9 @@ constexpr double kRim_mm = 0.01;
 constexpr double kNarrow_mm = 0.01;
 /// Where the normals of an edge have no cone that shrinks, halving ends.
 constexpr int kDeepest = 60;
+/// Cells that a search for a position that touches a place counts as, and a proof that none touches
+/// a cell: they take as long as so many do.
+constexpr std::size_t kCellsOfTouch = 50, kCellsOfProof = 400;
 constexpr std::size_t kChunk = 64;
 /// Cells of this radius are spots where their corners exceed the threshold as their middle does.
 constexpr double kLargestSpot_mm = 0.4;
@@ -50,10 +53,10 @@ class SpotSearch {
     const double radius = control_radius(cell.shape, offset.middle);
     const bool exceeds = run.length_mm > request_.threshold_mm;
     const SurfacePlace place = middle_place(cell, offset.middle);
-    const bool touched = !is_uncut() || !exceeds || reach_->can_be_touched(place, offset.normal);
+    const bool touched = !is_uncut() || !exceeds || can_be_touched(cell, place, offset.normal);
     if (exceeds && touched && (radius <= request_.spot_radius_mm || exceeds_all_over(cell, radius)))
       return add(place, run, area_mm2(cell.shape), radius);
-    if (!touched && (radius <= kRim_mm || reach_->surely_unreachable(cell, offset))) return;
+    if (!touched && (radius <= kRim_mm || surely_unreachable(cell, offset))) return;
     if (!may_split(radius)) return;
     const auto halves = halved(cell);
     search(halves[0]);
@@ -68,10 +71,11 @@ class SpotSearch {
     const double radius = control_radius(cell.shape, offset.middle);
     const double across = enough() * offset.spread_rad;
     const bool exceeds = run.length_mm > request_.threshold_mm;
+    cells_ += exceeds ? kCellsOfTouch : 0;
     const bool touched = exceeds && reach_->ridge_can_be_touched(offset.middle, offset.normal);
     if (touched && radius <= kLargestSpot_mm) return add(cell.place(), run, 0, radius);
     if (!touched && std::max(radius, across) <= kRim_mm) return;
-    if (exceeds && !touched && reach_->ridge_surely_unreachable(offset)) return;
+    if (exceeds && !touched && surely_unreachable(offset)) return;
     if (depth >= kDeepest || !may_split(std::max(radius, across))) return;
     const auto halves = cell.halved(request_.allowance_mm + enough());
     search_ridge(halves[0], depth + 1);
@@ -82,6 +86,20 @@ class SpotSearch {
     const bool by_run = !is_uncut() && run.body;
     out_.spots.push_back({place, run.length_mm, area_mm2, radius_mm,
                           by_run ? *run.body : bounds_.nearest_body(place.point)});
+  }
+
+  bool can_be_touched(const SurfaceCell& cell, const SurfacePlace& place, const Vec3& normal) {
+    if (!reach_->is_mapped(cell)) cells_ += kCellsOfTouch;
+    return reach_->can_be_touched(place, normal);
+  }
+
+  bool surely_unreachable(const SurfaceCell& cell, const OffsetCell& offset) {
+    if (!reach_->is_mapped(cell)) cells_ += kCellsOfProof;
+    return reach_->surely_unreachable(cell, offset, &memory_);
+  }
+  bool surely_unreachable(const OffsetCell& ridge) {
+    cells_ += kCellsOfProof;
+    return reach_->ridge_surely_unreachable(ridge, &memory_);
   }
 
   bool may_split(double radius_mm) {
@@ -107,6 +125,7 @@ class SpotSearch {
 
   RunBounds bounds_;
   const ReachQuery* reach_;
+  ReachMemory memory_;
   const ExceedanceRequest& request_;
   std::size_t cells_ = 0, cell_limit_;
   const model::RunControl& control_;

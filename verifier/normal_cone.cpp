@@ -13,6 +13,10 @@ constexpr double kChoose2[] = {1, 2, 1}, kChoose3[] = {1, 3, 3, 1},
 
 }  // namespace
 
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
 std::array<Vec3, 36> normal_coefficients(const Bezier& cell) {
   std::array<Vec3, 36> out{};
   for (int j = 0; j < 4; ++j)

@@ -7,6 +7,8 @@
 
 namespace limitgauge::verifier {
 
+double angle_between(const model::Vec3& a, const model::Vec3& b);
+
 /// Bézier coefficients of S_u × S_v, of degree 5 in both (index 6·j + i, i along u), up to a common
 /// positive factor.
 std::array<model::Vec3, 36> normal_coefficients(const Bezier& cell);

@@ -14,6 +14,8 @@ using model::Vec3;
 
 /// What is smaller is one point, but for rounding.
 constexpr double kPoint_mm = 1e-12;
+/// Of a unit vector's components.
+constexpr double kRounding = 1e-14;
 
 /// Of a polynomial of degree `kDegree` in u and v with Bézier coefficients c: the plane
 /// at + by_u·(u − 1/2) + by_v·(v − 1/2), and how far from it each component goes at most.
@@ -117,19 +119,45 @@ Bezier OffsetCell::moved(double t_mm) const {
   Bezier out = shape;
   for (int k = 0; k < 16; ++k) {
     const double x = shape.x[k] - middle.x, y = shape.y[k] - middle.y, z = shape.z[k] - middle.z;
+    const double side = (k / 4) * (2.0 / 3) - 1;
     out.x[k] += t_mm * (normal.x + turning[0].x * x + turning[1].x * y + turning[2].x * z);
     out.y[k] += t_mm * (normal.y + turning[0].y * x + turning[1].y * y + turning[2].y * z);
     out.z[k] += t_mm * (normal.z + turning[0].z * x + turning[1].z * y + turning[2].z * z);
+    out.x[k] += t_mm * side * fan.x, out.y[k] += t_mm * side * fan.y;
+    out.z[k] += t_mm * side * fan.z;
   }
   return out;
 }
 
 OffsetCell offset_cell(const Bezier& cell, const Vec3& normal, double spread_rad) {
-  return {cell, middle(cell), normal, {}, chord_of(spread_rad), spread_rad};
+  return {cell, middle(cell), normal, {}, {}, chord_of(spread_rad), spread_rad};
+}
+
+/// With axes n₀, f along the fan and g across both, a normal is (1, y, z)/√(1 + y² + z²) with y and
+/// z between those of `normals`: |y| ≤ η, |z| ≤ ζ. It is no further from (1, y, 0) than
+/// √(1 + η² + ζ²) − 1 + ζ.
+OffsetCell offset_cell(const Bezier& cell, const Vec3& normal, const Vec3& from, const Vec3& to,
+                       std::span<const Vec3> normals) {
+  double spread = 0;
+  for (const Vec3& c : normals) spread = std::max(spread, angle_between(c, normal));
+  const OffsetCell round = offset_cell(cell, normal, spread);
+  const Vec3 way = to - from, across = way - normal * dot(way, normal);
+  if (!(length(across) > 0) || !(std::cos(spread) > 0)) return round;
+  const Vec3 f = normalized(across), g = cross(normal, f);
+  double along = 0, aside = 0;
+  for (const Vec3& c : normals) {
+    const double up = dot(c, normal);
+    along = std::max(along, std::abs(dot(c, f)) / up);
+    aside = std::max(aside, std::abs(dot(c, g)) / up);
+  }
+  OffsetCell out = round;
+  out.fan = f * along;
+  out.remainder = std::hypot(1.0, along, aside) - 1 + aside + kRounding;
+  return out.remainder < round.remainder ? out : round;
 }
 
 OffsetCell offset_cell(const Bezier& cell, const Vec3& vertex_normal) {
-  OffsetCell out{cell, middle(cell), vertex_normal, {}, 0, 0};
+  OffsetCell out{cell, middle(cell), vertex_normal, {}, {}, 0, 0};
   if (length(vertex_normal) > 0) return out;
   if (control_radius(cell, out.middle) <= kPoint_mm) {
     out.remainder = 1, out.spread_rad = std::numbers::pi;

@@ -134,10 +134,6 @@ std::vector<Strip> strips_of(const std::vector<PatchSide>& sides, const PiecesOf
   return out;
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(length(cross(a, b)), dot(a, b));
-}
-
 /// Every normal of one side meets every one of the other across a valley: t·(n × m) < 0 for all
 /// coefficients, so for all points, with the first side's face to the left of the edge.
 bool is_valley(const RidgeCell& cell, bool first_left) {
@@ -181,23 +177,6 @@ RidgeCell cell_between(const Strip& a, const Strip& b, double from, double to) {
   return cell;
 }
 
-std::array<RidgeCell, 2> halved_along(const RidgeCell& cell) {
-  std::array<RidgeCell, 2> out{cell, cell};
-  const auto shapes = split_u(cell.shape);
-  for (int h = 0; h < 2; ++h) {
-    out[h].shape = shapes[h];
-    for (int k = 0; k < cell.count; ++k)
-      out[h].normals[k] = between(cell.normals[k], h == 0 ? 0 : 0.5, h == 0 ? 0.5 : 1);
-  }
-  out[0].u1 = out[1].u0 = (cell.u0 + cell.u1) / 2;
-  out[0].v1 = out[1].v0 = (cell.v0 + cell.v1) / 2;
-  return out;
-}
-
-double edge_length(const RidgeCell& cell) {
-  return 2 * control_radius(cell.shape, middle(cell.shape));
-}
-
 void add_edge(const SharpEdge& edge, const PiecesOfPatch& pieces, double radius_mm,
               std::vector<RidgeCell>& out) {
   const auto a = strips_of(edge.sides[0], pieces), b = strips_of(edge.sides[1], pieces);
@@ -211,11 +190,11 @@ void add_edge(const SharpEdge& edge, const PiecesOfPatch& pieces, double radius_
         const RidgeCell cell = open.back();
         open.pop_back();
         if (is_smooth(cell) || is_valley(cell, first_left)) continue;
-        if (edge_length(cell) <= 2 * radius_mm) {
+        if (cell.length_mm() <= 2 * radius_mm) {
           out.push_back(cell);
           continue;
         }
-        const auto halves = halved_along(cell);
+        const auto halves = cell.halved_along();
         open.push_back(halves[1]), open.push_back(halves[0]);
       }
     }
@@ -292,10 +271,30 @@ OffsetCell RidgeCell::offset() const {
   if (length(axis) < kCancels) return offset_cell(shape, {}, std::numbers::pi);
   axis = normalized(axis);
   // All normals are positive combinations of the coefficients, so they lie in their cone.
+  std::vector<Vec3> all;
+  for (int k = 0; k < count; ++k) all.insert(all.end(), normals[k].begin(), normals[k].end());
+  if (count == 2)
+    return offset_cell(shape, axis, at_middle(normals[0]), at_middle(normals[1]), all);
   double spread = 0;
-  for (int k = 0; k < count; ++k)
-    for (const Vec3& c : normals[k]) spread = std::max(spread, angle_between(c, axis));
+  for (const Vec3& c : all) spread = std::max(spread, angle_between(c, axis));
   return offset_cell(shape, axis, spread);
+}
+
+double RidgeCell::length_mm() const {
+  return 2 * control_radius(shape, middle(shape));
+}
+
+std::array<RidgeCell, 2> RidgeCell::halved_along() const {
+  std::array<RidgeCell, 2> out{*this, *this};
+  const auto shapes = split_u(shape);
+  for (int h = 0; h < 2; ++h) {
+    out[h].shape = shapes[h];
+    for (int k = 0; k < count; ++k)
+      out[h].normals[k] = between(normals[k], h == 0 ? 0 : 0.5, h == 0 ? 0.5 : 1);
+  }
+  out[0].u1 = out[1].u0 = (u0 + u1) / 2;
+  out[0].v1 = out[1].v0 = (v0 + v1) / 2;
+  return out;
 }
 
 std::array<RidgeCell, 2> RidgeCell::halved(double t_mm) const {
@@ -309,7 +308,7 @@ std::array<RidgeCell, 2> RidgeCell::halved(double t_mm) const {
       if (angle > widest) widest = angle, first = i, second = j;
     }
   const double t = std::abs(t_mm);
-  if (edge_length(*this) + t * turning > t * widest) return halved_along(*this);
+  if (length_mm() + t * turning > t * widest) return halved_along();
   std::array<RidgeCell, 2> out{*this, *this};
   for (int k = 0; k < 6; ++k)
     out[0].normals[second][k] = out[1].normals[first][k] =
@@ -319,7 +318,7 @@ std::array<RidgeCell, 2> RidgeCell::halved(double t_mm) const {
 
 bool RidgeCell::is_tiny() const {
   constexpr double kSmallest_rad = 1e-5;
-  return edge_length(*this) < 2 * kSmallestCell_mm && offset().spread_rad < kSmallest_rad;
+  return length_mm() < 2 * kSmallestCell_mm && offset().spread_rad < kSmallest_rad;
 }
 
 std::vector<RidgeCell> ridge_cells(const SurfaceTree& tree, double radius_mm) {

@@ -110,7 +110,8 @@ bool RunBounds::surely_unswept(const OffsetCell& cell, double length_mm) {
   const double radius = control_radius(cell.shape, cell.middle);
   // The cell moved further is not the moved cell moved along n₀ alone: by as much as A turns it.
   const double turning =
-      (length(cell.turning[0]) + length(cell.turning[1]) + length(cell.turning[2])) * radius;
+      (length(cell.turning[0]) + length(cell.turning[1]) + length(cell.turning[2])) * radius +
+      length(cell.fan);
   const auto unswept = [&](double down) {
     const double margin = margin_mm(cell, std::abs(top) + down) + down * turning - kSkin_mm;
     return bounder_.surely_unswept(moved, cell.normal * -down, margin);

@@ -158,6 +158,42 @@ TEST_CASE("settled: a boss of planes", "[slow][definition2]") {
   settle(cage, block, {pass_of(flat_cutter(r), wide)}, both_gates(0.05, 0.05), Verdict::fail);
 }
 
+TEST_CASE("settled: a boss with its allowance, rolled round its corners and mitred",
+          "[slow][definition2]") {
+  const double half = 3, r = 2, deep = -2, keep = 0.3, round = r + keep, out = half + round;
+  const model::Cage cage = boss_on_floor_cage({{-half, -half, deep}, {half, half, 0}}, 4);
+  const auto block = block_between({-7.5, -7.5, -6}, {7.5, 7.5, 0.5});
+  // Chords outside the arc by no more than the tolerance of contact.
+  constexpr int kChords = 128;
+  const double turn = std::numbers::pi / 2 / kChords, beyond = round / std::cos(turn / 2);
+  const auto milled = [&](bool rolled) {
+    model::Toolpath path = begun();
+    for (double x = -7.5; x <= 9.5; x += 1.5 * r) cut_along(path, {x, -9.5, keep}, {x, 9.5, keep});
+    const double z = deep + keep;
+    feed_to(path, {out, -half, 9});
+    feed_to(path, {out, -half, z});
+    for (int side = 0; side < 4; ++side) {
+      const double x = side % 3 == 0 ? half : -half, y = side < 2 ? half : -half;
+      const double begin = side * std::numbers::pi / 2;
+      feed_to(path, {x + round * std::cos(begin), y + round * std::sin(begin), z});
+      for (int k = 0; rolled && k < kChords; ++k) {
+        const double at = begin + (k + 0.5) * turn;
+        feed_to(path, {x + beyond * std::cos(at), y + beyond * std::sin(at), z});
+      }
+      if (!rolled) feed_to(path, {x > 0 ? out : -out, y > 0 ? out : -out, z});
+    }
+    feed_to(path, {out, -half, z});
+    for (const Vec3& to : {Vec3{8, -8, z}, {8, 8, z}, {-8, 8, z}, {-8, -8, z}, {8, -8, z}})
+      feed_to(path, to);
+    return std::vector<Pass>{pass_of(flat_cutter(r), path)};
+  };
+  settle(cage, block, milled(true), both_gates(0.05, 0.2), Verdict::pass, keep);
+  // A mitre leaves the allowance of the walls on the floor's corner, over all the boss's height.
+  const Judged mitred =
+      settle(cage, block, milled(false), both_gates(0.05, 0.2), Verdict::fail, keep);
+  CHECK(mitred.deviation.uncut_mm.low == Approx(-deep).margin(1e-5));
+}
+
 TEST_CASE("settled: a pocket cut clean, whose corners the flat cannot reach",
           "[slow][definition2]") {
   const double half = 3, r = 2, deep = -4, way = half - r;
@@ -188,6 +224,39 @@ TEST_CASE("settled: a pocket cut clean, whose corners the flat cannot reach",
       settle(cage, block, milled(deep + 0.02), both_gates(0.01, 0.01), Verdict::fail);
   // From the foot of a wall what stands on the floor reads as wide as the pocket is.
   CHECK(shallow.deviation.uncut_mm.low == Approx(2 * half).margin(1e-5));
+}
+
+TEST_CASE("settled: a channel two micrometres narrower than its cutter", "[slow][definition2]") {
+  // A flat goes in a micrometre too deep on either side; a tenth of a millimetre stays on the
+  // floor.
+  const Slot slot{5.998, 3, 5, 10};
+  // From the ends it reaches the floor, and at the walls' rims what it takes is as deep as they
+  // are.
+  const auto block = block_between({-8.5, -5, -8}, {8.5, 5, 0.5});
+  model::Toolpath path = begun();
+  face_top(path, 8.5, 5.5, 3);
+  cut_along(path, {0, -9, -2.9}, {0, 9, -2.9});
+  settle(slot_cage(slot), block, {pass_of(flat_cutter(3), path)}, both_gates(0.05, 0.05),
+         Verdict::fail);
+}
+
+TEST_CASE("settled: a T-slot by two tools", "[slow][definition2]") {
+  const TSlot part{4, 8, 2, 4, 1.5, 12};
+  const auto block = block_between({-6, -6.5, -8}, {6, 6.5, 0.5});
+  model::Toolpath path = begun();
+  for (const double x : {-5.0, -3.0, 3.0, 5.0}) cut_along(path, {x, -8, 0}, {x, 8, 0});
+  for (const double z : {-2.0, -4.0})
+    for (const double x : {-0.5, 0.5}) cut_along(path, {x, -12, z}, {x, 12, z});
+  model::Cutter t_slot = flat_cutter(3);
+  t_slot.flute_length_mm = 1.8, t_slot.shank = {{1.4, 20}};
+  model::Toolpath under = begun();
+  for (const double z : {-4.0, -3.8})
+    for (const double x : {-0.4, 0.0, 0.4}) cut_along(under, {x, -14, z}, {x, 14, z});
+  // Its neck would let it go 0.2 mm further aside, and further yet about the part's ends.
+  const Judged judged =
+      settle(t_slot_cage(part), block, {pass_of(flat_cutter(1.5), path), pass_of(t_slot, under)},
+             both_gates(0.05, 0.05), Verdict::fail);
+  CHECK(judged.deviation.uncut_mm.low > 1.9);
 }
 
 TEST_CASE("settled: a step cut to its allowance exactly", "[slow][definition2]") {

@@ -214,7 +214,7 @@ class CellSearch {
     if (strips && *strips) return out_.cover(goal());
     if (tiny || spent()) return give_up(offset);
     // Along an open end of S the rim of reach is another than the one that strips lie along.
-    const bool by_reach = is_beside_rim(cell, out_of_reach, strips.has_value());
+    const bool by_reach = out_of_reach && (!strips || is_at_rim(cell));
     const auto halves = by_reach ? halves_by_reach(cell, offset) : halves_of(cell, offset);
     search(halves[0], depth + 1);
     search(halves[1], depth + 1);
@@ -229,10 +229,7 @@ class CellSearch {
   bool is_at_rim(const SurfaceCell& cell) const {
     return task_.cells.is_rim_strip(cell, std::numeric_limits<double>::infinity());
   }
-  bool is_beside_rim(const SurfaceCell& cell, bool out_of_reach, bool has_strips) const {
-    return out_of_reach && (!has_strips || is_at_rim(cell));
-  }
-  bool is_beside_rim(const RidgeCell&, bool, bool) const { return task_.side == Side::uncut; }
+  static bool is_at_rim(const RidgeCell&) { return false; }
 
   template <class Cell>
   std::array<Cell, 2> halves_of(const Cell& cell, const OffsetCell& offset) {
@@ -253,18 +250,8 @@ class CellSearch {
     }
     return halves_of(cell, offset);
   }
-  /// The same along the edge: what lies across it, as the floor that a wall stands on does, ends
-  /// the reach along all its normals at once.
   std::array<RidgeCell, 2> halves_by_reach(const RidgeCell& cell, const OffsetCell& offset) {
-    if (cell.length_mm() > kSmallestCell_mm) {
-      const auto halves = cell.halved_along();
-      if (is_settled(halves[0]) || is_settled(halves[1])) return halves;
-    }
     return halves_of(cell, offset);
-  }
-  bool is_settled(const RidgeCell& cell) {
-    const OffsetCell offset = cell.offset();
-    return bounds_.surely_within(offset, goal()) || surely_unreachable(cell, offset);
   }
   std::optional<bool> within_strips(const SurfaceCell&, const OffsetCell& offset) {
     if (task_.side != Side::uncut) return std::nullopt;

@@ -177,6 +177,23 @@ RidgeCell cell_between(const Strip& a, const Strip& b, double from, double to) {
   return cell;
 }
 
+std::array<RidgeCell, 2> halved_along(const RidgeCell& cell) {
+  std::array<RidgeCell, 2> out{cell, cell};
+  const auto shapes = split_u(cell.shape);
+  for (int h = 0; h < 2; ++h) {
+    out[h].shape = shapes[h];
+    for (int k = 0; k < cell.count; ++k)
+      out[h].normals[k] = between(cell.normals[k], h == 0 ? 0 : 0.5, h == 0 ? 0.5 : 1);
+  }
+  out[0].u1 = out[1].u0 = (cell.u0 + cell.u1) / 2;
+  out[0].v1 = out[1].v0 = (cell.v0 + cell.v1) / 2;
+  return out;
+}
+
+double edge_length(const RidgeCell& cell) {
+  return 2 * control_radius(cell.shape, middle(cell.shape));
+}
+
 void add_edge(const SharpEdge& edge, const PiecesOfPatch& pieces, double radius_mm,
               std::vector<RidgeCell>& out) {
   const auto a = strips_of(edge.sides[0], pieces), b = strips_of(edge.sides[1], pieces);
@@ -190,11 +207,11 @@ void add_edge(const SharpEdge& edge, const PiecesOfPatch& pieces, double radius_
         const RidgeCell cell = open.back();
         open.pop_back();
         if (is_smooth(cell) || is_valley(cell, first_left)) continue;
-        if (cell.length_mm() <= 2 * radius_mm) {
+        if (edge_length(cell) <= 2 * radius_mm) {
           out.push_back(cell);
           continue;
         }
-        const auto halves = cell.halved_along();
+        const auto halves = halved_along(cell);
         open.push_back(halves[1]), open.push_back(halves[0]);
       }
     }
@@ -280,23 +297,6 @@ OffsetCell RidgeCell::offset() const {
   return offset_cell(shape, axis, spread);
 }
 
-double RidgeCell::length_mm() const {
-  return 2 * control_radius(shape, middle(shape));
-}
-
-std::array<RidgeCell, 2> RidgeCell::halved_along() const {
-  std::array<RidgeCell, 2> out{*this, *this};
-  const auto shapes = split_u(shape);
-  for (int h = 0; h < 2; ++h) {
-    out[h].shape = shapes[h];
-    for (int k = 0; k < count; ++k)
-      out[h].normals[k] = between(normals[k], h == 0 ? 0 : 0.5, h == 0 ? 0.5 : 1);
-  }
-  out[0].u1 = out[1].u0 = (u0 + u1) / 2;
-  out[0].v1 = out[1].v0 = (v0 + v1) / 2;
-  return out;
-}
-
 std::array<RidgeCell, 2> RidgeCell::halved(double t_mm) const {
   int first = 0, second = 1;
   double widest = -1, turning = 0;
@@ -308,7 +308,7 @@ std::array<RidgeCell, 2> RidgeCell::halved(double t_mm) const {
       if (angle > widest) widest = angle, first = i, second = j;
     }
   const double t = std::abs(t_mm);
-  if (length_mm() + t * turning > t * widest) return halved_along();
+  if (edge_length(*this) + t * turning > t * widest) return halved_along(*this);
   std::array<RidgeCell, 2> out{*this, *this};
   for (int k = 0; k < 6; ++k)
     out[0].normals[second][k] = out[1].normals[first][k] =
@@ -318,7 +318,7 @@ std::array<RidgeCell, 2> RidgeCell::halved(double t_mm) const {
 
 bool RidgeCell::is_tiny() const {
   constexpr double kSmallest_rad = 1e-5;
-  return length_mm() < 2 * kSmallestCell_mm && offset().spread_rad < kSmallest_rad;
+  return edge_length(*this) < 2 * kSmallestCell_mm && offset().spread_rad < kSmallest_rad;
 }
 
 std::vector<RidgeCell> ridge_cells(const SurfaceTree& tree, double radius_mm) {

@@ -24,9 +24,6 @@ struct RidgeCell {
   /// Halves along the edge, or of the normals: by which of the two the places `t_mm` away from the
   /// cell spread more.
   std::array<RidgeCell, 2> halved(double t_mm) const;
-  std::array<RidgeCell, 2> halved_along() const;
-  /// Of the edge's piece, at most.
-  double length_mm() const;
   /// So small that its middle may stand for it.
   bool is_tiny() const;
 };

@@ -336,8 +336,9 @@ class CellSearch {
   Outcome out_;
 };
 
-/// A lower bound of the run at every cell's middle.
-std::vector<double> quick_looks(const Task& task, const model::RunControl& control) {
+/// The run at every cell's middle; but for uncut a lower bound of it, which tells the large ones as
+/// well there.
+std::vector<double> looks_of(const Task& task, const model::RunControl& control) {
   std::vector<double> looks(task.size());
   constexpr std::size_t kChunk = 256;
   model::parallel_chunks(looks.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
@@ -346,7 +347,7 @@ std::vector<double> quick_looks(const Task& task, const model::RunControl& contr
     for (std::size_t i = begin; i < end; ++i)
       looks[i] = task.with_cell(i, [&](const auto& cell) {
         const auto [m, n] = middle_of(cell);
-        return bounds.quick_run(m, n, hint);
+        return task.side == Side::uncut ? bounds.run(m, n).length_mm : bounds.quick_run(m, n, hint);
       });
   });
   return looks;
@@ -382,7 +383,7 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, Side s
                     const ReachQuery* reach, const CertificateRequest& request,
                     const model::RunControl& control) {
   const Task task{cells, space, side, reach, request, kRounding_mm};
-  const std::vector<double> looks = quick_looks(task, control);
+  const std::vector<double> looks = looks_of(task, control);
   std::vector<std::size_t> order(looks.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),
@@ -391,7 +392,7 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, Side s
   see_longest(task, looks, order, sum);
   std::size_t batch = kFirstBatch;
   for (std::size_t at = 0; at < order.size(); at += batch) {
-    batch = at == 0 ? kFirstBatch : std::min(kLargestBatch, at);
+    batch = std::clamp(at / 4, kFirstBatch, kLargestBatch);
     control.check();
     control.report(static_cast<double>(at) / static_cast<double>(order.size()));
     const std::size_t count = std::min(batch, order.size() - at);

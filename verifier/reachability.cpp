@@ -248,7 +248,8 @@ bool Reachability::surely_unreachable_by_hull(const OffsetCell& cell, ContactMem
   const double limit = allowance_mm_ - contact_mm_;
   if (memory && !memory->empty() && hull->always_below(profile_, memory->back().point, limit))
     return true;
-  const auto met = ContactBlock(cells_, parts_, limit).deepest(hull->middle);
+  // What bars all of the hull bars its middle by more than the stray.
+  const auto met = ContactBlock(cells_, parts_, limit - hull->stray_mm).deepest(hull->middle);
   if (!met) return false;
   if (memory) memory->assign(1, *met);
   return hull->always_below(profile_, met->point, limit);

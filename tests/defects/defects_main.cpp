@@ -22,7 +22,7 @@ namespace limitgauge::tests::defects {
 namespace {
 
 /// Widest certified interval.
-constexpr double kResolution_mm = 0.0002;
+constexpr double kResolution_mm = 0.001;
 constexpr double kSmallest_mm = 0.0005, kLargest_mm = 2;
 constexpr std::size_t kVoxelsEvery = 12;
 

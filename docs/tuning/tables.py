@@ -63,8 +63,9 @@ def grid():
         cells = []
         for tolerance in tolerances:
             row = of_step[tolerance]
-            sign = {'pass': '✓', 'fail': '✗'}.get(row['status'], '?')
-            cells.append(f"{sign} {up(row['finish.uncut_mm.high'])}")
+            sign = {'pass': '✓', 'fail': '✗ ≥'}.get(row['status'], '?')
+            end = down(row['finish.uncut_mm.low']) if row['status'] == 'fail' else up(row['finish.uncut_mm.high'])
+            cells.append(f'{sign} {end}')
         body.append([f'{step} mm', seconds(of_step[PAPER[TOLERANCE]]['machining_time_s']) + ' s', *cells])
     return markdown(['step-over', 'machining time', *(f'tolerance {t} mm' for t in tolerances)], body)
 

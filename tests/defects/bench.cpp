@@ -290,7 +290,8 @@ class PairBench {
         return;
       }
       if (f.depth_mm <= result.gouge.gate_mm || !beside(p)) continue;
-      if (twin.run.oracle.possibly_gouged(place) > result.gouge.gate_mm + kSame_mm) continue;
+      // Worse than the twin there: at a ridge the oracle gives the twin up to a micrometre more.
+      if (twin.run.oracle.possibly_gouged(place) > f.depth_mm - plan_.resolution_mm) continue;
       result.gouge.located = true;
       // The move named swept the bottom of the run.
       const Vec3 bottom = p + target_.samples.at(place).normal * (a - f.depth_mm);

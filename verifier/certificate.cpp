@@ -189,7 +189,7 @@ class CellSearch {
     bool out_of_reach = false;
     // A run that ends before the goal would raise `low` by less than what is asked for.
     const bool tiny = depth >= kDeepest || is_tiny(cell, offset);
-    if (tiny || !bounds_.ends_within(offset, goal())) {
+    if (tiny || may_stand_above(depth) || !bounds_.ends_within(offset, goal())) {
       const TracedRun run = bounds_.run(offset.middle, offset.normal, out_.low);
       if (run.length_mm > out_.low) {
         if (surely_unreachable(cell, offset)) return;
@@ -220,10 +220,17 @@ class CellSearch {
     search(halves[1], depth + 1);
   }
 
+  /// Behind a sharp edge a cell may stand at the goal with its middle only, and above it as a
+  /// whole.
+  bool may_stand_above(int depth) const {
+    constexpr int kEvery = 4;
+    return task_.side != Side::uncut && depth % kEvery == kEvery - 1;
+  }
+
   /// A cutter beside the part touches its very rim wherever the part ends in the open, and within
-  /// the contact tolerance of it: no leftover is narrower than what can be seen.
+  /// the contact tolerance of it: no leftover is narrower than what can be seen. Nor is a gouge.
   bool is_left_out(const SurfaceCell& cell) const {
-    return task_.side == Side::uncut && task_.cells.is_rim_strip(cell, kBeside_mm);
+    return task_.cells.is_rim_strip(cell, kBeside_mm);
   }
   static bool is_left_out(const RidgeCell&) { return false; }
   bool is_at_rim(const SurfaceCell& cell) const {

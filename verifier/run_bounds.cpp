@@ -1,12 +1,19 @@
 #include "verifier/run_bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+
+#include "verifier/surface_crossing.h"
 
 namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
+
+/// Faces that meet in a corner.
+constexpr int kMostFaces = 3;
 
 Bezier shifted(Bezier cell, const Vec3& by) {
   for (int k = 0; k < 16; ++k) cell.x[k] += by.x, cell.y[k] += by.y, cell.z[k] += by.z;
@@ -17,7 +24,8 @@ Bezier shifted(Bezier cell, const Vec3& by) {
 
 RunBounds::RunBounds(const SurfaceCells& cells, const RemovedSpace& space, Side side,
                      double allowance_mm)
-    : space_(space),
+    : cells_(cells),
+      space_(space),
       tracer_(cells, space),
       bounder_(space),
       side_(side),
@@ -30,9 +38,35 @@ RunBounds::RunBounds(const SurfaceCells& cells, const RemovedSpace& space, Side 
 
 bool RunBounds::surely_within(const OffsetCell& cell, double length_mm) {
   if (length_mm >= longest_mm_) return true;
-  if (side_ == Side::uncut) return is_gone(cell, allowance_mm_ + length_mm);
+  if (side_ == Side::uncut)
+    return is_gone(cell, allowance_mm_ + length_mm) || surely_crosses(cell, length_mm);
   if (stands(cell, allowance_mm_ - length_mm)) return true;
-  return side_ == Side::gouge && surely_unswept(cell, length_mm);
+  if (side_ == Side::gouge && surely_unswept(cell, length_mm)) return true;
+  return is_wedge_beside(cell, length_mm) || surely_crosses(cell, length_mm);
+}
+
+/// Whether S itself ends the runs of the cell, all of them: as behind a sharp edge of less than a
+/// right angle, across a slot or through a fin.
+bool RunBounds::surely_crosses(const OffsetCell& cell, double length_mm) const {
+  // The far side may lie aslant of the cell's runs: it is met within as much as the cell is wide.
+  constexpr double kWidest = 4;
+  if (allowance_mm_ < 0 || control_radius(cell.shape, cell.middle) > kWidest * length_mm)
+    return false;
+  const double beyond = allowance_mm_ > kBeside_mm ? allowance_mm_ : 0;
+  return side_ == Side::uncut
+             ? surely_crosses_surface(cells_, cell, beyond > 0 ? beyond : -kBeside_mm,
+                                      allowance_mm_ + length_mm)
+             : surely_crosses_surface(cells_, cell, allowance_mm_ - length_mm,
+                                      beyond > 0 ? beyond : kBeside_mm);
+}
+
+/// Whether half a micrometre beside the runs something stands no deeper than a micrometre, beside
+/// all of them in one direction: the cell lies along a sharp edge of the material, or the rim of S
+/// along a side of it.
+bool RunBounds::is_wedge_beside(const OffsetCell& cell, double length_mm) {
+  return std::any_of(kWedge_mm.begin(), kWedge_mm.end(), [&](double deep) {
+    return deep < length_mm && stands_beside(cell, allowance_mm_ - deep, 1);
+  });
 }
 
 /// By how much a place has to be beyond a face for all of a cell moved by t to be beyond it.
@@ -80,24 +114,50 @@ bool RunBounds::is_gone_deepest(const OffsetCell& cell, BodyRef body, double fro
   return is_gone(cell, t, {body, distance(t)});
 }
 
-/// Whether the cell moved by t stands, all of it, or what is beside it by next to nothing: of one
-/// face, or of those that meet in an edge.
+/// Whether the cell moved by t stands, all of it, or what is beside it by next to nothing.
 bool RunBounds::stands(const OffsetCell& cell, double t_mm) {
-  constexpr int kMostFaces = 3;
   const double margin = margin_mm(cell, t_mm) + kSkin_mm;
-  const Vec3 middle = cell.moved_middle(t_mm);
-  Nearest at = look(middle);
+  const Nearest& at = look(cell.moved_middle(t_mm));
   if (at.distance.value >= margin && bounder_.surely_outside(cell.moved(t_mm), margin, at.body))
     return true;
-  Vec3 shift;
-  for (int face = 0; face < kMostFaces && is_beside(cell, at); ++face) {
-    shift += at.distance.gradient * kBeside_mm;
-    at = space_.nearest(middle + shift, at.body);
-    if (at.distance.value >= margin &&
-        bounder_.surely_outside(shifted(cell.moved(t_mm), shift), margin, at.body))
-      return true;
+  return stands_beside(cell, t_mm, kAlong);
+}
+
+/// Whether the cell moved by t stands where it is moved across its normals as well, away from the
+/// faces that come nearest to its corners: those that run along its normals up to that sine of the
+/// angle between, one face or the two or three that meet in an edge or a corner.
+bool RunBounds::stands_beside(const OffsetCell& cell, double t_mm, double along) {
+  constexpr double kSameWay = 0.7;
+  const Nearest& middle = look(cell.moved_middle(t_mm));
+  if (middle.distance.value < -kBeside_mm) return false;
+  const double margin = margin_mm(cell, t_mm) + kSkin_mm;
+  BodyRef body = middle.body;
+  Bezier moved = cell.moved(t_mm);
+  std::array<Vec3, kMostFaces> ways;
+  for (int face = 0; face < kMostFaces; ++face) {
+    const Nearest lowest = lowest_corner(moved, body);
+    body = lowest.body;
+    const Vec3& g = lowest.distance.gradient;
+    const Vec3 way = normalized(g - cell.normal * dot(g, cell.normal));
+    const auto gone = [&](const Vec3& before) { return dot(before, way) > kSameWay; };
+    if (lowest.distance.value < -2 * kBeside_mm || std::abs(dot(g, cell.normal)) > along ||
+        way == Vec3{} || std::any_of(ways.begin(), ways.end(), gone))
+      return false;
+    ways[face] = way;
+    moved = shifted(moved, way * kBeside_mm);
+    if (bounder_.surely_outside(moved, margin, body)) return true;
   }
   return false;
+}
+
+/// δ where it is least of the corners of a cell.
+Nearest RunBounds::lowest_corner(const Bezier& cell, BodyRef hint) const {
+  std::optional<Nearest> lowest;
+  for (const int corner : {0, 3, 12, 15}) {
+    const Nearest at = space_.nearest(cell.control(corner), lowest ? lowest->body : hint);
+    if (!lowest || at.distance.value < lowest->distance.value) lowest = at;
+  }
+  return *lowest;
 }
 
 /// Whether nothing swept what lies below `length_mm`, down to where something stands: what is
@@ -134,7 +194,14 @@ bool RunBounds::surely_within_thin(const OffsetCell& cell, const TracedRun& run,
   if (run_mm >= length_mm) return false;
   // Where the run ends, or what ends it is beside it.
   const double past = run_mm + kStepOver_mm;
-  if (side_ != Side::uncut) return stands(cell, allowance_mm_ - past);
+  if (side_ != Side::uncut) {
+    if (stands(cell, allowance_mm_ - past)) return true;
+    // Or in the middle of what stands there.
+    const Vec3 end = cell.moved_middle(allowance_mm_ - past);
+    const double solid =
+        space_.first_met(end, -cell.normal, length_mm - run_mm, {kSkin_mm, 0, 0}).t_mm;
+    return solid > kSkin_mm && stands(cell, allowance_mm_ - past - solid / 2);
+  }
   if (is_gone(cell, allowance_mm_ + past)) return true;
   const double from = allowance_mm_ + run_mm;
   if (run.body && is_gone_deepest(cell, *run.body, from, allowance_mm_ + length_mm)) return true;

@@ -36,6 +36,10 @@ class RunBounds {
  private:
   double margin_mm(const OffsetCell& cell, double t_mm) const;
   bool is_beside(const OffsetCell& cell, const Nearest& at) const;
+  bool is_wedge_beside(const OffsetCell& cell, double length_mm);
+  bool stands_beside(const OffsetCell& cell, double t_mm, double along);
+  Nearest lowest_corner(const Bezier& cell, BodyRef hint) const;
+  bool surely_crosses(const OffsetCell& cell, double length_mm) const;
   bool is_gone(const OffsetCell& cell, double t_mm);
   bool is_gone(const OffsetCell& cell, double t_mm, const Nearest& at);
   bool is_gone_deepest(const OffsetCell& cell, BodyRef body, double from_t_mm, double to_t_mm);
@@ -43,6 +47,7 @@ class RunBounds {
   bool surely_unswept(const OffsetCell& cell, double length_mm);
   const Nearest& look(const model::Vec3& p);
 
+  const SurfaceCells& cells_;
   const RemovedSpace& space_;
   RunTracer tracer_;
   CellBounder bounder_;

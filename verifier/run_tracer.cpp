@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "verifier/nearest_first.h"
+#include "verifier/surface_crossing.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -13,110 +12,8 @@ using model::Vec3;
 
 /// Steps of one run: what is grazed longer is cut short there, which is a bound as well.
 constexpr int kMostSteps = 400;
-constexpr double kItself_mm = 1e-5;
-
-/// A part of a ray: from + t·along for t in [low, high].
-struct Stretch {
-  double low = 0, high = 0;
-  bool empty() const { return !(low <= high); }
-};
-
-/// A ray as an axis of coordinates: how far along it and how far aside a point lies.
-class Ray {
- public:
-  Ray(const Vec3& from, const Vec3& along)
-      : from_(from),
-        along_(along),
-        aside_(normalized(cross(along, std::abs(along.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}))),
-        across_(cross(along, aside_)) {}
-
-  /// Where it may meet the hull of the cell's control points.
-  Stretch within(const Bezier& cell) const {
-    Range t, x, y;
-    for (int k = 0; k < 16; ++k) {
-      const Vec3 p = cell.control(k) - from_;
-      t.add(dot(p, along_)), x.add(dot(p, aside_)), y.add(dot(p, across_));
-    }
-    if (!x.holds_zero() || !y.holds_zero()) return {1, 0};
-    return {t.low - kGrown_mm, t.high + kGrown_mm};
-  }
-  Stretch within(const model::Box3& box) const {
-    const Vec3 c = box.centre() - from_, h = box.size() / 2;
-    const auto half = [&](const Vec3& v) {
-      return std::abs(v.x) * h.x + std::abs(v.y) * h.y + std::abs(v.z) * h.z + kGrown_mm;
-    };
-    if (std::abs(dot(c, aside_)) > half(aside_) || std::abs(dot(c, across_)) > half(across_))
-      return {1, 0};
-    const double at = dot(c, along_), reach = half(along_);
-    return {at - reach, at + reach};
-  }
-
- private:
-  static constexpr double kGrown_mm = 1e-9;
-  struct Range {
-    double low = 1e300, high = -1e300;
-    void add(double v) { low = std::min(low, v), high = std::max(high, v); }
-    bool holds_zero() const { return low <= kGrown_mm && high >= -kGrown_mm; }
-  };
-  Vec3 from_, along_, aside_, across_;
-};
-
-/// Without what is s itself.
-Stretch beyond_itself(Stretch s) {
-  if (s.low >= -kItself_mm) s.low = std::max(s.low, kItself_mm);
-  if (s.high <= kItself_mm) s.high = std::min(s.high, -kItself_mm);
-  return s;
-}
-
-class CrossingSearch {
- public:
-  CrossingSearch(const SurfaceCells& cells, const Vec3& from, const Vec3& along, Stretch wanted)
-      : cells_(cells), ray_(from, along), first_(wanted.high), from_(wanted.low) {}
-
-  double run() {
-    nearest_first(
-        cells_.nodes(), [&](const BoxNode& node) { return start_of(ray_.within(node.box)); },
-        [&](double bound) { return bound >= first_; },
-        [&](const BoxNode& leaf) {
-          for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
-            descend(cells_.cells()[k].shape);
-        });
-    return first_;
-  }
-
- private:
-  /// The first place of interest in a stretch; infinite where there is none.
-  double start_of(Stretch s) const {
-    s.low = std::max(s.low, from_);
-    if (s.low >= -kItself_mm && s.high <= kItself_mm) return kNone;
-    s = beyond_itself(s);
-    return s.empty() ? kNone : s.low;
-  }
-  void descend(const Bezier& cell) {
-    const double start = start_of(ray_.within(cell));
-    if (start >= first_) return;
-    if (control_radius(cell, middle(cell)) < kSmallestCell_mm) {
-      first_ = start;
-      return;
-    }
-    const auto parts = halved(cell);
-    const bool later = start_of(ray_.within(parts[1])) < start_of(ray_.within(parts[0]));
-    descend(parts[later ? 1 : 0]);
-    descend(parts[later ? 0 : 1]);
-  }
-
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
-  const SurfaceCells& cells_;
-  Ray ray_;
-  double first_, from_;
-};
 
 }  // namespace
-
-double next_crossing_mm(const SurfaceCells& cells, const Vec3& s, const Vec3& along, double from_mm,
-                        double to_mm) {
-  return CrossingSearch(cells, s, along, {from_mm, to_mm}).run();
-}
 
 TracedRun RunTracer::material(const Vec3& s, const Vec3& n, double allowance_mm, double limit_mm,
                               double least_mm) const {
@@ -135,7 +32,7 @@ TracedRun RunTracer::material(const Vec3& s, const Vec3& n, double allowance_mm,
   }
   if (run.length_mm <= least_mm) return run;
   const double to = allowance_mm + run.length_mm;
-  const double crossing = next_crossing_mm(cells_, s, n, allowance_mm, to);
+  const double crossing = next_crossing_mm(cells_, s, n, Way::outwards, allowance_mm, to);
   if (crossing < to) run.length_mm = crossing - allowance_mm, run.meets_surface = true;
   return run;
 }
@@ -183,6 +80,16 @@ double RunTracer::free_beside(const Nearest& at, const Vec3& p, const Vec3& alon
   return exit_of(next.body, beside, along, past, limit_mm);
 }
 
+/// Whether what stands at p, a film's thickness along a ray, is the thin end of more: where a ray
+/// passes through the material just beside a sharp edge of it.
+bool RunTracer::is_wedge(const Vec3& p, const Vec3& along) const {
+  const Vec3 e = normalized(cross(along, std::abs(along.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+  const Vec3 f = cross(along, e);
+  for (const Vec3& aside : {e, -e, f, -f})
+    if (space_.nearest(p + aside * kBeside_mm).distance.value > kStepOver_mm) return true;
+  return false;
+}
+
 /// From body to body through what does not stand; `visit(body, end)` is told of each. Returns where
 /// something stands, or the limit.
 template <class Visit>
@@ -197,7 +104,8 @@ double RunTracer::walk_removed(const Vec3& p, const Vec3& along, double limit_mm
     if (nearest.distance.value >= sure) {
       // Two bodies that meet face to face leave no film between them.
       nearest = space_.nearest(p + along * (t + kStepOver_mm), hint);
-      if (nearest.distance.value >= sure) break;
+      if (nearest.distance.value >= sure || is_wedge(p + along * (t + kStepOver_mm / 2), along))
+        break;
       t += kStepOver_mm;
     }
     const double end = std::min(exit_of(nearest.body, p, along, t, limit_mm),
@@ -222,7 +130,7 @@ TracedRun RunTracer::removed(const Vec3& s, const Vec3& n, double allowance_mm, 
   if (run.length_mm <= least_mm) return run;
   // t counts from s, inwards.
   const double to = run.length_mm - allowance_mm;
-  const double crossing = next_crossing_mm(cells_, s, -n, -allowance_mm, to);
+  const double crossing = next_crossing_mm(cells_, s, n, Way::inwards, -allowance_mm, to);
   if (crossing >= to) return run;
   // What a body swept beyond the crossing says nothing of the way there.
   const double ended = crossing + allowance_mm;

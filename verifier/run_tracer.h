@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "verifier/removed_space.h"
@@ -21,6 +22,10 @@ inline constexpr double kStepOver_mm = 4 * kSkin_mm;
 /// high, nor is a film of that width beside an upright wall a leftover of its height. Fins and
 /// holes from a micrometre on are seen. Half of the last digit of programs in micrometres.
 inline constexpr double kBeside_mm = 5e-4;
+/// Depths at which what stands by so much beside a normal, in whatever direction, counts as met by
+/// it: a sharp edge of the material ends the runs beside it, and the side of a block those at the
+/// rim of S. The second is for edges and sides that lean by no more than 11 degrees.
+inline constexpr std::array<double, 2> kWedge_mm = {8e-4, 1e-4};
 /// Sine of the angle up to which a face is taken to run along a normal.
 inline constexpr double kAlong = 0.1;
 
@@ -55,6 +60,7 @@ class RunTracer {
  private:
   double free_beside(const Nearest& at, const model::Vec3& p, const model::Vec3& along, double t,
                      double limit_mm) const;
+  bool is_wedge(const model::Vec3& p, const model::Vec3& along) const;
   double exit_of(BodyRef body, const model::Vec3& p, const model::Vec3& along, double t,
                  double limit_mm) const;
   template <class Visit>
@@ -64,10 +70,5 @@ class RunTracer {
   const SurfaceCells& cells_;
   const RemovedSpace& space_;
 };
-
-/// A lower bound of the first t in [from_mm, to_mm] at which s + t·along lies on S, but for those
-/// within 1e-5 mm of t = 0, which is s itself; to_mm where there is none.
-double next_crossing_mm(const SurfaceCells& cells, const model::Vec3& s, const model::Vec3& along,
-                        double from_mm, double to_mm);
 
 }  // namespace limitgauge::verifier

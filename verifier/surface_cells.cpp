@@ -121,13 +121,16 @@ SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
   nodes_ = std::move(tree_of_cells.nodes);
 }
 
-bool SurfaceCells::is_rim_strip(const SurfaceCell& cell, double width_mm) const {
-  const PatchFeatures& features = features_.of(cell.patch);
+bool SurfaceCells::is_rim(const SurfaceCell& cell, int side) const {
   const bool on_side[] = {cell.v <= 0, cell.u_at(1) >= 1, cell.v_at(1) >= 1, cell.u <= 0};
-  for (int side = 0; side < 4; ++side) {
-    if (!on_side[side] || features.sides[side] != SurfaceFeature::boundary) continue;
-    if ((side % 2 == 0 ? extent_v(cell.shape) : extent_u(cell.shape)) <= width_mm) return true;
-  }
+  return on_side[side] && features_.of(cell.patch).sides[side] == SurfaceFeature::boundary;
+}
+
+bool SurfaceCells::is_rim_strip(const SurfaceCell& cell, double width_mm) const {
+  for (int side = 0; side < 4; ++side)
+    if (is_rim(cell, side) &&
+        (side % 2 == 0 ? extent_v(cell.shape) : extent_u(cell.shape)) <= width_mm)
+      return true;
   return false;
 }
 

@@ -58,6 +58,8 @@ class SurfaceCells {
   const std::vector<BoxNode>& nodes() const { return nodes_; }
   /// The same surface as closest-point searches see it: its own cells, whatever `radius_mm` is.
   const FootTree& feet() const { return feet_; }
+  /// Whether S ends along a side of the cell, numbered as PatchFeatures has them.
+  bool is_rim(const SurfaceCell& cell, int side) const;
   /// Whether the cell lies along an open boundary of S and is no wider than `width_mm` across it.
   bool is_rim_strip(const SurfaceCell& cell, double width_mm) const;
   const SurfaceFeatures& features() const { return features_; }

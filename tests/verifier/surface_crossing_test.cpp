@@ -1,0 +1,112 @@
+#include "verifier/surface_crossing.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/catch.h"
+#include "tests/support/feature_cages.h"
+#include "tests/support/part_cages.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using namespace tests;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// A ridge of 60 degrees at (0, h) on a floor, along Y.
+constexpr double kHeight_mm = 2;
+std::vector<OutlinePoint> ridge() {
+  const double half = kHeight_mm * std::tan(30 * kDegree);
+  return {{-4, 0}, {-half, 0}, {0, kHeight_mm}, {half, 0}, {4, 0}};
+}
+
+SurfaceCells cells_of(const model::Cage& cage) {
+  return SurfaceCells(ReferenceSurface(cage).tree(), 0.25);
+}
+
+}  // namespace
+
+TEST_CASE("beside an acute edge the other face is met after as much as the tangent says",
+          "[unit][definition2]") {
+  const SurfaceCells cells = cells_of(drawn_outline(ridge(), 6));
+  // Down the left flank from the edge by d, inwards: the right flank after d·tan 60°.
+  const Vec3 down{-std::sin(30 * kDegree), 0, -std::cos(30 * kDegree)},
+      normal{-std::cos(30 * kDegree), 0, std::sin(30 * kDegree)};
+  for (const double d : {1e-7, 1e-6, 1e-5, 1e-3, 0.5}) {
+    CAPTURE(d);
+    const Vec3 s = Vec3{0, 0.3, kHeight_mm} + down * d;
+    const double found = next_crossing_mm(cells, s, normal, Way::inwards, 0, 5);
+    CHECK(found <= d * std::tan(60 * kDegree) + 1e-9);
+    // What is met is known to the size of the smallest cells, and better where s itself is near.
+    CHECK(found >= d * std::tan(60 * kDegree) - (d > 5e-6 ? 4e-6 : 1e-8));
+    CHECK(next_crossing_mm(cells, s, normal, Way::outwards, 0, 1) == 1);
+  }
+}
+
+TEST_CASE("on an edge the faces that meet there are no crossing", "[unit][definition2]") {
+  const SurfaceCells cells = cells_of(drawn_outline(ridge(), 6));
+  for (const double lean : {-50.0, -20.0, 0.0, 35.0}) {
+    const Vec3 n{std::sin(lean * kDegree), 0, std::cos(lean * kDegree)};
+    CHECK(next_crossing_mm(cells, {0, 0.3, kHeight_mm}, n, Way::outwards, 0, 1) == 1);
+  }
+}
+
+TEST_CASE("that all runs of a cell cross the surface is proven where they do, and only there",
+          "[unit][definition2]") {
+  const double tangent = std::tan(60 * kDegree);
+  const SurfaceCells cells = cells_of(drawn_outline(ridge(), 6));
+  std::size_t tried = 0;
+  for (const SurfaceCell& cell : cells.cells()) {
+    const OffsetCell offset = offset_cell(cell.shape, cell.vertex_normal);
+    if (offset.normal.x > -0.5) continue;  // the left flank
+    double nearest = 1e300, furthest = 0;
+    bool at_end = false;
+    for (int k = 0; k < 16; ++k) {
+      const Vec3 p = cell.shape.control(k);
+      const double d = (kHeight_mm - p.z) / std::cos(30 * kDegree);
+      nearest = std::min(nearest, d), furthest = std::max(furthest, d);
+      at_end = at_end || std::abs(p.y) > 3 - 1e-6;
+    }
+    if (at_end || furthest > 1.1) continue;  // what meets the floor
+    ++tried;
+    CHECK_FALSE(surely_crosses_surface(cells, offset, -(furthest - 1e-3) * tangent, 5e-4));
+    CHECK_FALSE(surely_crosses_surface(cells, offset, -nearest * tangent / 2, 5e-4));
+    CAPTURE(nearest, furthest, offset.middle.y);
+    CHECK(surely_crosses_surface(cells, offset, -(furthest * tangent + 1e-3), 5e-4));
+  }
+  CHECK(tried > 20);
+}
+
+TEST_CASE("across a slot the far wall ends the runs, above it nothing does",
+          "[unit][definition2]") {
+  const Slot slot{3, 2, 4, 6};
+  const SurfaceCells cells = cells_of(slot_cage(slot));
+  std::size_t walls = 0, proven = 0;
+  for (const SurfaceCell& cell : cells.cells()) {
+    const OffsetCell offset = offset_cell(cell.shape, cell.vertex_normal);
+    double end = 0, high = -9, low = 9;
+    for (int k = 0; k < 16; ++k) {
+      const Vec3 p = cell.shape.control(k);
+      end = std::max(end, std::abs(p.y)), high = std::max(high, p.z), low = std::min(low, p.z);
+    }
+    if (std::abs(offset.normal.x) < 0.9 || end > 3 - 1e-6) {
+      // From floor and tops nothing is met outwards.
+      CHECK_FALSE(surely_crosses_surface(cells, offset, -5e-4, 2.9));
+      continue;
+    }
+    ++walls;
+    CHECK_FALSE(surely_crosses_surface(cells, offset, -5e-4, slot.width_mm - 1e-3));
+    // Rows of cells at the very top and floor touch the edges of the far wall.
+    if (high > -1e-6 || low < -slot.depth_mm + 1e-6) continue;
+    CHECK(surely_crosses_surface(cells, offset, -5e-4, slot.width_mm + 1e-3));
+    // Begun beyond the place itself, as with an allowance.
+    CHECK(surely_crosses_surface(cells, offset, 0.2, slot.width_mm + 1e-3));
+    ++proven;
+  }
+  CHECK(walls > proven);
+  CHECK(proven > 20);
+}
+
+}  // namespace limitgauge::verifier

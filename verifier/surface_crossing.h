@@ -1,0 +1,23 @@
+#pragma once
+
+#include "verifier/offset_cell.h"
+#include "verifier/surface_cells.h"
+
+namespace limitgauge::verifier {
+
+/// Which way along a normal of S.
+enum class Way { outwards, inwards };
+
+/// A lower bound of the first t in [from_mm, to_mm] at which the line from s along its normal n, or
+/// against it, lies on S; to_mm where there is none. What lies within 1e-5 mm of t = 0 is s itself
+/// where it faces as s does; what faces the other way there is the far side of a sharp edge.
+double next_crossing_mm(const SurfaceCells& cells, const model::Vec3& s, const model::Vec3& n,
+                        Way way, double from_mm, double to_mm);
+
+/// Proof that for every s of the cell the segment from s + low_mm·n(s) to s + high_mm·n(s) lies on
+/// S somewhere, at another place than s itself (CERTIFICATE.md, section 3b, statement 2). False
+/// means "not proven".
+bool surely_crosses_surface(const SurfaceCells& cells, const OffsetCell& cell, double low_mm,
+                            double high_mm);
+
+}  // namespace limitgauge::verifier

@@ -156,6 +156,19 @@ bool longer_in_u(const Bezier& b) {
   return apart(0, 3) + apart(12, 15) >= apart(0, 12) + apart(3, 15);
 }
 
+double extent_u(const Bezier& b) {
+  double longest = 0;
+  for (int j = 0; j < 4; ++j)
+    longest = std::max(longest, distance(b.control(4 * j), b.control(4 * j + 3)));
+  return longest;
+}
+double extent_v(const Bezier& b) {
+  double longest = 0;
+  for (int i = 0; i < 4; ++i)
+    longest = std::max(longest, distance(b.control(i), b.control(12 + i)));
+  return longest;
+}
+
 std::array<Bezier, 2> halved(const Bezier& b) {
   return longer_in_u(b) ? split_u(b) : split_v(b);
 }

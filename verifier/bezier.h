@@ -37,6 +37,9 @@ struct InnerChords {
 InnerChords inner_chords(const Bezier& b);
 /// Whether the sides along u are at least as long, from corner to corner, as those along v.
 bool longer_in_u(const Bezier& b);
+/// The longest distance from the first to the last control point along u, and along v.
+double extent_u(const Bezier& b);
+double extent_v(const Bezier& b);
 /// The halves of the longer way, by longer_in_u.
 std::array<Bezier, 2> halved(const Bezier& b);
 /// The part of `b` over [u0, u1] × [v0, v1], reparametrised to [0, 1]².

@@ -228,9 +228,9 @@ class CellSearch {
   }
 
   /// A cutter beside the part touches its very rim wherever the part ends in the open, and within
-  /// the contact tolerance of it: no leftover is narrower than what can be seen. Nor is a gouge.
+  /// the contact tolerance of it: no leftover is narrower than what can be seen.
   bool is_left_out(const SurfaceCell& cell) const {
-    return task_.cells.is_rim_strip(cell, kBeside_mm);
+    return task_.side == Side::uncut && task_.cells.is_rim_strip(cell, kBeside_mm);
   }
   static bool is_left_out(const RidgeCell&) { return false; }
   bool is_at_rim(const SurfaceCell& cell) const {

@@ -14,9 +14,33 @@ using model::Vec3;
 
 /// Faces that meet in a corner.
 constexpr int kMostFaces = 3;
+/// The control points at the corners of a cell.
+constexpr std::array kCorners = {0, 3, 12, 15};
+/// Deeper in a body than this, no face of it is beside a corner.
+constexpr double kDeep_mm = 2 * kBeside_mm;
 
 Bezier shifted(Bezier cell, const Vec3& by) {
   for (int k = 0; k < 16; ++k) cell.x[k] += by.x, cell.y[k] += by.y, cell.z[k] += by.z;
+  return cell;
+}
+
+/// Whether half a micrometre is much to a cell: what is wider is halved first.
+bool is_narrow(const OffsetCell& cell) {
+  constexpr double kNarrow_mm = 8 * kBeside_mm;
+  return std::min(extent_u(cell.shape), extent_v(cell.shape)) <= kNarrow_mm;
+}
+
+/// Unit vectors across the sides of a cell, and between them.
+std::array<Vec3, 8> ways_along(const OffsetCell& cell) {
+  const auto corner = [&](int k) { return cell.shape.control(k); };
+  const Vec3 u = normalized(corner(3) + corner(15) - corner(0) - corner(12)),
+             v = normalized(corner(12) + corner(15) - corner(0) - corner(3));
+  return {
+      v, -u, -v, u, normalized(u + v), normalized(u - v), normalized(v - u), normalized(-u - v)};
+}
+
+OffsetCell beside(OffsetCell cell, const Vec3& way) {
+  cell.shape = shifted(cell.shape, way * kBeside_mm), cell.middle += way * kBeside_mm;
   return cell;
 }
 
@@ -45,28 +69,35 @@ bool RunBounds::surely_within(const OffsetCell& cell, double length_mm) {
   return is_wedge_beside(cell, length_mm) || surely_crosses(cell, length_mm);
 }
 
-/// Whether S itself ends the runs of the cell, all of them: as behind a sharp edge of less than a
-/// right angle, across a slot or through a fin.
+/// Whether S itself ends the runs of the cell, all of them, or those beside it by next to nothing:
+/// as behind a sharp edge of less than a right angle, across a slot or through a fin.
 bool RunBounds::surely_crosses(const OffsetCell& cell, double length_mm) const {
   // The far side may lie aslant of the cell's runs: it is met within as much as the cell is wide.
   constexpr double kWidest = 4;
   if (allowance_mm_ < 0 || control_radius(cell.shape, cell.middle) > kWidest * length_mm)
     return false;
-  const double beyond = allowance_mm_ > kBeside_mm ? allowance_mm_ : 0;
-  return side_ == Side::uncut
-             ? surely_crosses_surface(cells_, cell, beyond > 0 ? beyond : -kBeside_mm,
-                                      allowance_mm_ + length_mm)
-             : surely_crosses_surface(cells_, cell, allowance_mm_ - length_mm,
-                                      beyond > 0 ? beyond : kBeside_mm);
+  // Where runs begin on s itself, the segments look past it by no more than a skin.
+  if (side_ == Side::uncut)
+    return surely_crosses_surface(cells_, cell,
+                                  allowance_mm_ > kStepOver_mm ? allowance_mm_ : -kStepOver_mm,
+                                  allowance_mm_ + length_mm);
+  const double low = allowance_mm_ - length_mm;
+  if (surely_crosses_surface(cells_, cell, low, std::max(allowance_mm_, kStepOver_mm))) return true;
+  // At the rim, where the far side may end as well. What is beside the cell need not be S.
+  if (!is_narrow(cell) || low >= -kStepOver_mm) return false;
+  const auto ways = ways_along(cell);
+  return std::any_of(ways.begin(), ways.end(), [&](const Vec3& way) {
+    return surely_crosses_surface(cells_, beside(cell, way), low, -kStepOver_mm);
+  });
 }
 
 /// Whether half a micrometre beside the runs something stands no deeper than a micrometre, beside
 /// all of them in one direction: the cell lies along a sharp edge of the material, or the rim of S
 /// along a side of it.
 bool RunBounds::is_wedge_beside(const OffsetCell& cell, double length_mm) {
-  return std::any_of(kWedge_mm.begin(), kWedge_mm.end(), [&](double deep) {
-    return deep < length_mm && stands_beside(cell, allowance_mm_ - deep, 1);
-  });
+  return is_narrow(cell) && std::any_of(kWedge_mm.begin(), kWedge_mm.end(), [&](double deep) {
+           return deep < length_mm && stands_beside(cell, allowance_mm_ - deep, 1);
+         });
 }
 
 /// By how much a place has to be beyond a face for all of a cell moved by t to be beyond it.
@@ -129,7 +160,7 @@ bool RunBounds::stands(const OffsetCell& cell, double t_mm) {
 bool RunBounds::stands_beside(const OffsetCell& cell, double t_mm, double along) {
   constexpr double kSameWay = 0.7;
   const Nearest& middle = look(cell.moved_middle(t_mm));
-  if (middle.distance.value < -kBeside_mm) return false;
+  if (middle.distance.value < -kBeside_mm || is_deep(cell.moved(t_mm), middle.body)) return false;
   const double margin = margin_mm(cell, t_mm) + kSkin_mm;
   BodyRef body = middle.body;
   Bezier moved = cell.moved(t_mm);
@@ -140,7 +171,7 @@ bool RunBounds::stands_beside(const OffsetCell& cell, double t_mm, double along)
     const Vec3& g = lowest.distance.gradient;
     const Vec3 way = normalized(g - cell.normal * dot(g, cell.normal));
     const auto gone = [&](const Vec3& before) { return dot(before, way) > kSameWay; };
-    if (lowest.distance.value < -2 * kBeside_mm || std::abs(dot(g, cell.normal)) > along ||
+    if (lowest.distance.value < -kDeep_mm || std::abs(dot(g, cell.normal)) > along ||
         way == Vec3{} || std::any_of(ways.begin(), ways.end(), gone))
       return false;
     ways[face] = way;
@@ -150,10 +181,17 @@ bool RunBounds::stands_beside(const OffsetCell& cell, double t_mm, double along)
   return false;
 }
 
+/// Whether a corner of a cell lies deeper in a body than what is beside it could stand for.
+bool RunBounds::is_deep(const Bezier& cell, BodyRef body) const {
+  return std::any_of(kCorners.begin(), kCorners.end(), [&](int corner) {
+    return space_.distance(body, cell.control(corner)).value < -kDeep_mm;
+  });
+}
+
 /// δ where it is least of the corners of a cell.
 Nearest RunBounds::lowest_corner(const Bezier& cell, BodyRef hint) const {
   std::optional<Nearest> lowest;
-  for (const int corner : {0, 3, 12, 15}) {
+  for (const int corner : kCorners) {
     const Nearest at = space_.nearest(cell.control(corner), lowest ? lowest->body : hint);
     if (!lowest || at.distance.value < lowest->distance.value) lowest = at;
   }

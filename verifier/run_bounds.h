@@ -38,6 +38,7 @@ class RunBounds {
   bool is_beside(const OffsetCell& cell, const Nearest& at) const;
   bool is_wedge_beside(const OffsetCell& cell, double length_mm);
   bool stands_beside(const OffsetCell& cell, double t_mm, double along);
+  bool is_deep(const Bezier& cell, BodyRef body) const;
   Nearest lowest_corner(const Bezier& cell, BodyRef hint) const;
   bool surely_crosses(const OffsetCell& cell, double length_mm) const;
   bool is_gone(const OffsetCell& cell, double t_mm);

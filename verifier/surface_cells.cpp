@@ -21,19 +21,6 @@ SurfaceCell part(const SurfaceCell& cell, const Bezier& shape, bool in_u, int ha
   return out;
 }
 
-double extent_u(const Bezier& b) {
-  double longest = 0;
-  for (int j = 0; j < 4; ++j)
-    longest = std::max(longest, distance(b.control(4 * j), b.control(4 * j + 3)));
-  return longest;
-}
-double extent_v(const Bezier& b) {
-  double longest = 0;
-  for (int i = 0; i < 4; ++i)
-    longest = std::max(longest, distance(b.control(i), b.control(12 + i)));
-  return longest;
-}
-
 void split_until(const SurfaceCell& cell, double radius_mm, std::vector<SurfaceCell>& out) {
   if (control_radius(cell.shape, middle(cell.shape)) <= radius_mm) {
     out.push_back(cell);

@@ -138,15 +138,16 @@ class CrossingSearch {
 /// The control points along the sides of a cell, one after the other.
 constexpr int kSides[4][4] = {{0, 1, 2, 3}, {3, 7, 11, 15}, {15, 14, 13, 12}, {12, 8, 4, 0}};
 
-/// How often, modulo two, a segment meets S: by the degree of S's projection along it, which is how
-/// often the projected boundaries of the cells that reach it wind round it.
+/// How often a segment meets S from behind, less how often from before: the degree of S's
+/// projection along it, which is how often the projected boundaries of the cells that reach it wind
+/// round it.
 class CrossingCount {
  public:
   CrossingCount(const SurfaceCells& cells, const Vec3& from, const Vec3& along, double length_mm)
       : cells_(cells), ray_(from, along), length_(length_mm) {}
 
   /// None where the segment begins or ends too near to S, or meets the boundary of a cell.
-  std::optional<bool> is_odd() {
+  std::optional<int> degree() {
     nearest_first(
         cells_.nodes(),
         [&](const BoxNode& node) {
@@ -159,7 +160,7 @@ class CrossingCount {
             add(cells_.cells()[k].shape);
         });
     if (failed_) return std::nullopt;
-    return odd_;
+    return degree_;
   }
 
  private:
@@ -168,7 +169,7 @@ class CrossingCount {
     if (failed_ || s.empty() || s.low > length_ || s.high < 0) return;
     if (s.low > 0 && s.high < length_)
       if (const auto winds = winding(cell)) {
-        odd_ = odd_ != (*winds % 2 != 0);
+        degree_ += *winds;
         return;
       }
     if (++halvings_ > kMostHalvings) {
@@ -196,8 +197,8 @@ class CrossingCount {
   const SurfaceCells& cells_;
   Ray ray_;
   double length_;
-  int halvings_ = 0;
-  bool odd_ = false, failed_ = false;
+  int halvings_ = 0, degree_ = 0;
+  bool failed_ = false;
 };
 
 /// The hull of some points, grown.
@@ -315,9 +316,10 @@ bool surely_crosses_surface(const SurfaceCells& cells, const OffsetCell& cell, d
     return false;
   const Vec3 s = point(cell.shape, kU, kV), n = direct_normal(cell.shape, kU, kV);
   if (n == Vec3{}) return false;
-  const auto odd = CrossingCount(cells, s + n * low_mm, n, high_mm - low_mm).is_odd();
+  const auto degree = CrossingCount(cells, s + n * low_mm, n, high_mm - low_mm).degree();
+  // s itself is met from behind: it takes something met from before to make up for it.
   const bool itself = low_mm < 0 && high_mm > 0;
-  if (!odd || *odd == itself) return false;
+  if (!degree || (itself ? *degree > 0 : *degree == 0)) return false;
   const Vec3 e =
       normalized(cross(cell.normal, std::abs(cell.normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
   const Vec3 axes[] = {cell.normal, e, cross(cell.normal, e)};

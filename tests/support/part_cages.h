@@ -161,4 +161,16 @@ inline model::Cage flipped(const model::Cage& cage) {
   return out;
 }
 
+/// Two cages as one part. Creases and corners of the second are left behind.
+inline model::Cage together(model::Cage cage, const model::Cage& other) {
+  const auto first = static_cast<model::Index>(cage.vertices.size());
+  cage.vertices.insert(cage.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (model::Index f = 0; f < other.face_count(); ++f) {
+    std::vector<model::Index> corners(other.face(f).begin(), other.face(f).end());
+    for (model::Index& c : corners) c += first;
+    cage.add_face(corners);
+  }
+  return cage;
+}
+
 }  // namespace limitgauge::tests

@@ -69,16 +69,8 @@ TEST_CASE("where nothing can be reached, nothing passes, by name", "[slow][defin
 
 TEST_CASE("a second sheet wound the other way is unreachable, and can be gated",
           "[unit][definition2]") {
-  model::Cage cage = plane_cage(3, 0, 0);
-  const model::Cage other = flipped(placed(plane_cage(3, 0, 0), {1, 0, {7, 0, 0}}));
-  const auto first = static_cast<model::Index>(cage.vertices.size());
-  cage.vertices.insert(cage.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (model::Index f = 0; f < other.face_count(); ++f) {
-    std::vector<model::Index> corners(other.face(f).begin(), other.face(f).end());
-    for (model::Index& c : corners) c += first;
-    cage.add_face(corners);
-  }
-  const ReferenceSurface sheets(cage);
+  const ReferenceSurface sheets(
+      together(plane_cage(3, 0, 0), flipped(placed(plane_cage(3, 0, 0), {1, 0, {7, 0, 0}}))));
   const auto block = block_between({-4, -4, -6}, {11, 4, 5});
   // The flat mills the first sheet clean; 5 mm stay on the second.
   const std::vector<Pass> passes = {pass_of(

@@ -13,6 +13,8 @@ namespace {
 using model::Vec3;
 using namespace tests;
 
+/// How far segments that begin on S look past it.
+constexpr double kPast_mm = 4e-6;
 constexpr double kDegree = std::numbers::pi / 180;
 
 /// A ridge of 60 degrees at (0, h) on a floor, along Y.
@@ -71,10 +73,10 @@ TEST_CASE("that all runs of a cell cross the surface is proven where they do, an
     }
     if (at_end || furthest > 1.1) continue;  // what meets the floor
     ++tried;
-    CHECK_FALSE(surely_crosses_surface(cells, offset, -(furthest - 1e-3) * tangent, 5e-4));
-    CHECK_FALSE(surely_crosses_surface(cells, offset, -nearest * tangent / 2, 5e-4));
+    CHECK_FALSE(surely_crosses_surface(cells, offset, -(furthest - 1e-3) * tangent, kPast_mm));
+    CHECK_FALSE(surely_crosses_surface(cells, offset, -nearest * tangent / 2, kPast_mm));
     CAPTURE(nearest, furthest, offset.middle.y);
-    CHECK(surely_crosses_surface(cells, offset, -(furthest * tangent + 1e-3), 5e-4));
+    CHECK(surely_crosses_surface(cells, offset, -(furthest * tangent + 1e-3), kPast_mm));
   }
   CHECK(tried > 20);
 }
@@ -93,20 +95,51 @@ TEST_CASE("across a slot the far wall ends the runs, above it nothing does",
     }
     if (std::abs(offset.normal.x) < 0.9 || end > 3 - 1e-6) {
       // From floor and tops nothing is met outwards.
-      CHECK_FALSE(surely_crosses_surface(cells, offset, -5e-4, 2.9));
+      CHECK_FALSE(surely_crosses_surface(cells, offset, -kPast_mm, 2.9));
       continue;
     }
     ++walls;
-    CHECK_FALSE(surely_crosses_surface(cells, offset, -5e-4, slot.width_mm - 1e-3));
+    CHECK_FALSE(surely_crosses_surface(cells, offset, -kPast_mm, slot.width_mm - 1e-3));
     // Rows of cells at the very top and floor touch the edges of the far wall.
     if (high > -1e-6 || low < -slot.depth_mm + 1e-6) continue;
-    CHECK(surely_crosses_surface(cells, offset, -5e-4, slot.width_mm + 1e-3));
+    CHECK(surely_crosses_surface(cells, offset, -kPast_mm, slot.width_mm + 1e-3));
     // Begun beyond the place itself, as with an allowance.
     CHECK(surely_crosses_surface(cells, offset, 0.2, slot.width_mm + 1e-3));
     ++proven;
   }
   CHECK(walls > proven);
   CHECK(proven > 20);
+}
+
+TEST_CASE("a sheet that faces as the first does, next to it, ends no run behind it",
+          "[unit][definition2]") {
+  // 2 to 300 nm apart: whichever lies in front, there is a run of 2 mm behind it.
+  const double apart = GENERATE(2e-6, 1e-4, 3e-4), way = GENERATE(-1.0, 1.0);
+  CAPTURE(apart, way);
+  const model::Cage plane = plane_cage(3, 0, 0);
+  const SurfaceCells cells =
+      cells_of(together(plane, placed(plane_cage(3, 0, 0), {1, 0, {0, 0, way * apart}})));
+  for (const SurfaceCell& cell : cells.cells()) {
+    const OffsetCell offset = offset_cell(cell.shape, cell.vertex_normal);
+    const bool behind = offset.middle.z < std::max(0.0, way * apart) - apart / 2;
+    CHECK_FALSE(surely_crosses_surface(cells, offset, behind ? -2 : -apart / 2, kPast_mm));
+    CHECK_FALSE(surely_crosses_surface(cells, offset, behind ? -kPast_mm : -apart / 2, 2));
+  }
+}
+
+TEST_CASE("a far face in front ends no run that goes the other way", "[unit][definition2]") {
+  // A slit of 0.2 micrometres: its roof faces down. Runs into the floor do not meet it, runs out
+  // of it do.
+  const double slit = 2e-4;
+  const SurfaceCells cells = cells_of(
+      together(plane_cage(3, 0, 0), flipped(placed(plane_cage(3, 0, 0), {1, 0, {0, 0, slit}}))));
+  std::size_t crossed = 0;
+  for (const SurfaceCell& cell : cells.cells()) {
+    const OffsetCell offset = offset_cell(cell.shape, cell.vertex_normal);
+    CHECK_FALSE(surely_crosses_surface(cells, offset, -2, kPast_mm));
+    crossed += surely_crosses_surface(cells, offset, -kPast_mm, 2);
+  }
+  CHECK(crossed > cells.cells().size() / 4);
 }
 
 }  // namespace limitgauge::verifier

@@ -10,6 +10,7 @@
 #include "app/help_text.h"
 #include "app/man_page.h"
 #include "app/nearest_key.h"
+#include "app/reach_limit.h"
 
 namespace limitgauge::app {
 namespace {
@@ -73,6 +74,13 @@ void check_combinations(const std::string& command, const CommonOptions& common)
   }
 }
 
+void check_coverage(const std::string& command, const Parsed& parsed) {
+  // With --set the limits may be stated there: they are looked at when it has been read.
+  if (command == "verify" && parsed.common.overrides.empty() &&
+      !covers_something(parsed.verify.limits))
+    throw UsageError(std::string("--coverage: ") + kCoversNothing + "; expected " + kCoverageNeeds);
+}
+
 CommonOptions common_options(const Parsed& parsed) {
   CommonOptions common = parsed.common;
   const unsigned all = std::max(1U, std::thread::hardware_concurrency());
@@ -119,6 +127,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   const std::string command = app.get_subcommands().front()->get_name();
   const CommonOptions common = common_options(definition.parsed());
   check_combinations(command, common);
+  check_coverage(command, definition.parsed());
   return {chosen(command, definition.parsed()), common};
 }
 

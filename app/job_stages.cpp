@@ -165,6 +165,8 @@ verifier::GateLimits read_gate(const TomlTable& stage) {
   if (limits.has_gouge) limits.gouge_mm = gate.positive("gouge");
   if (limits.has_uncut) limits.uncut_mm = gate.positive("uncut");
   if (limits.has_coverage) limits.coverage = gate.share("coverage");
+  if (!covers_something(limits))
+    throw model::InputError(gate.place("coverage"), kCoversNothing, kCoverageNeeds);
   if (limits.has_unavoidable) limits.unavoidable_mm = gate.not_negative("unavoidable");
   if (gate.has("unreachable")) read_unreachable(gate, limits);
   return limits;

@@ -9,6 +9,15 @@
 namespace limitgauge::verifier {
 namespace {
 
+/// Rounding of what is added up cell by cell: less is no area, and no length.
+constexpr double kNoArea_mm2 = 1e-9, kNoLength_mm = 1e-6;
+
+/// What is no more than rounding, as nothing.
+Interval but_for(const Interval& figure, double rounding) {
+  const auto floored = [&](double v) { return v <= rounding ? 0 : v; };
+  return {floored(figure.low), floored(figure.high)};
+}
+
 Verdict judge(const Interval& figure, double limit_mm) {
   if (figure.high <= limit_mm) return Verdict::pass;
   return figure.low > limit_mm ? Verdict::fail : Verdict::indeterminate;
@@ -96,7 +105,7 @@ void Decision::judge_coverage() {
 
 /// What is proven to be out of reach is the low end, with what is undecided the high one.
 void Decision::judge_unreachable() {
-  const Interval area_mm2 = unreachable_area_mm2(d_);
+  const Interval area_mm2 = but_for(unreachable_area_mm2(d_), kNoArea_mm2);
   const double whole_mm2 = whole_area_mm2(d_);
   if (!(whole_mm2 > 0)) return;
   const double unit_mm2 = limits_.unreachable_is_share ? whole_mm2 : 1;
@@ -115,8 +124,8 @@ void Decision::judge_reach() {
         out_of_reach_text(d_.field, stages_));
   if (limits_.has_unreachable) judge_unreachable();
   if (limits_.has_unavoidable)
-    judge_length("unavoidable uncut", d_.unavoidable_uncut_mm, limits_.unavoidable_mm,
-                 out_of_reach_text(d_.field, stages_));
+    judge_length("unavoidable uncut", but_for(d_.unavoidable_uncut_mm, kNoLength_mm),
+                 limits_.unavoidable_mm, out_of_reach_text(d_.field, stages_));
 }
 
 /// No program line is to blame, yet the part cannot come out of this stock: the limit is that of

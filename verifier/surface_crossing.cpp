@@ -18,6 +18,8 @@ using model::Vec3;
 constexpr double kItself_mm = 1e-5;
 /// Nearer than this two faces cannot be told apart along the ray.
 constexpr double kSamePlace_mm = 2e-9;
+/// Cosine of the angle between the normals of two faces that lie back to back.
+constexpr double kBackToBack = -1 + 1e-9;
 /// What leans across the ray by less than this sine faces neither way.
 constexpr double kFacing = 1e-3;
 
@@ -112,6 +114,10 @@ class CrossingSearch {
     };
     return alike(0.5, 0.5) && alike(0, 0) && alike(1, 0) && alike(1, 1) && alike(0, 1);
   }
+  /// Whether it is the back of another sheet in the same place: of a fin or a slit of no width.
+  bool is_back(const Bezier& cell) const {
+    return dot(direct_normal(cell, 0.5, 0.5), normal_) < kBackToBack;
+  }
   void descend(const Bezier& cell) {
     const Stretch met = ray_.within(cell);
     const double start = start_of(met), radius = control_radius(cell, middle(cell));
@@ -119,7 +125,7 @@ class CrossingSearch {
     const bool near = is_near(met);
     if (near && faces_alike(cell)) return;
     if (radius < (near ? kSamePlace_mm : kSmallestCell_mm)) {
-      if (!near || std::abs(start) > 2 * kSamePlace_mm) first_ = start;
+      if (!near || std::abs(start) > 2 * kSamePlace_mm || is_back(cell)) first_ = start;
       return;
     }
     const auto parts = halved(cell);

@@ -10,7 +10,8 @@ enum class Way { outwards, inwards };
 
 /// A lower bound of the first t in [from_mm, to_mm] at which the line from s along its normal n, or
 /// against it, lies on S; to_mm where there is none. What lies within 1e-5 mm of t = 0 is s itself
-/// where it faces as s does; what faces the other way there is the far side of a sharp edge.
+/// where it faces as s does; what faces the other way there is the far side of a sharp edge,
+/// and in the very same place only where both lie back to back.
 double next_crossing_mm(const SurfaceCells& cells, const model::Vec3& s, const model::Vec3& n,
                         Way way, double from_mm, double to_mm);
 

@@ -61,9 +61,10 @@ TEST_CASE("verify gates only what it is told", "[unit][command_line]") {
 
 TEST_CASE("verify gates coverage and what cannot be reached", "[unit][command_line]") {
   const auto limits = [](const char* unreachable) {
-    const CommandLine line = parse({"verify", "--cage", "c.obj", "--stock", "box:1,1,1@0,0,0",
-                                    "--tool", "ball:D=6", "--program", "p.ngc", "--coverage",
-                                    "0.99", "--unavoidable", "0", "--unreachable", unreachable});
+    const CommandLine line =
+        parse({"verify", "--cage", "c.obj", "--stock", "box:1,1,1@0,0,0", "--tool", "ball:D=6",
+               "--program", "p.ngc", "--uncut", "0.1", "--coverage", "0.99", "--unavoidable", "0",
+               "--unreachable", unreachable});
     return std::get<VerifyCommand>(line.command).limits;
   };
   const verifier::GateLimits share = limits("0.05"), area = limits("12.5 mm2");
@@ -84,6 +85,23 @@ TEST_CASE("verify gates coverage and what cannot be reached", "[unit][command_li
       INFO(error);
       CHECK_THAT(error, ContainsSubstring(option));
     }
+}
+
+TEST_CASE("a coverage of nothing is refused", "[unit][command_line]") {
+  const std::vector<std::string> words = {"verify",          "--cage",     "c.obj",    "--stock",
+                                          "box:1,1,1@0,0,0", "--tool",     "ball:D=6", "--program",
+                                          "p.ngc",           "--coverage", "0.9"};
+  const auto with = [&](std::vector<std::string> more) {
+    std::vector<const char*> all;
+    for (const std::string& word : words) all.push_back(word.c_str());
+    for (const std::string& word : more) all.push_back(word.c_str());
+    return all;
+  };
+  CHECK_THAT(error_of(with({})),
+             ContainsSubstring("--coverage: without a limit of gouge or uncut"));
+  CHECK(std::get<VerifyCommand>(parse(with({"--gouge", "0.1"})).command).limits.has_coverage);
+  CHECK(std::get<VerifyCommand>(parse(with({"--set", "stage.program.gate.uncut=1"})).command)
+            .limits.has_coverage);
 }
 
 TEST_CASE("view takes a folder, a port and whether to open a browser", "[unit][command_line]") {

@@ -193,6 +193,9 @@ TEST_CASE("a bad job is refused with its place and what was expected", "[unit][j
        "job.toml:16:8: error: \"step\" in [[stage]] is -0.1; expected a number above zero"},
       {"gouge = 0.01", "gouge = 0",
        "job.toml:20:9: error: \"gouge\" in [stage.gate] is 0; expected a number above zero"},
+      {"gouge = 0.01", "coverage = 0.9",
+       "job.toml:20:12: error: without a limit of gouge or uncut all of the surface is within; "
+       "expected one of the two to be stated beside it"},
       {"gouge = 0.01", "coverage = 1.5",
        "job.toml:20:12: error: \"coverage\" in [stage.gate] is 1.5; expected a share from 0 to 1"},
       {"gouge = 0.01", "unreachable = \"12 cm2\"",

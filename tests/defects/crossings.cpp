@@ -11,6 +11,8 @@ using model::Vec3;
 constexpr double kItself_mm = 1e-5;
 /// Residuals that are a meeting for sure, and that may be one.
 constexpr double kMeets_mm = 1e-9, kMayMeet_mm = 1e-5;
+/// Cosine from which two sheets in one place lie back to back.
+constexpr double kBackToBack = -1 + 1e-9;
 /// |n·d| from which S is passed and not grazed.
 constexpr double kPasses = 1e-4;
 
@@ -73,7 +75,7 @@ void Crossings::build(std::uint32_t node, std::uint32_t first, std::uint32_t cou
 }
 
 Crossings::First Crossings::first(const Vec3& from, const Vec3& along, double least, double limit,
-                                  const Vec3& except) const {
+                                  const Vec3& except, const Vec3& facing) const {
   First out{limit, limit};
   std::vector<std::uint32_t> stack = {0};
   while (!stack.empty()) {
@@ -86,14 +88,14 @@ Crossings::First Crossings::first(const Vec3& from, const Vec3& along, double le
     }
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
       if (hits(cells_[k].box, from, along, least, out.sure))
-        meet(cells_[k], from, along, least, except, out);
+        meet(cells_[k], from, along, least, except, facing, out);
   }
   return out;
 }
 
 /// Gauss-Newton for the nearest approach of ray and cell, from the cell's middle.
 void Crossings::meet(const Cell& cell, const Vec3& from, const Vec3& along, double least,
-                     const Vec3& except, First& out) const {
+                     const Vec3& except, const Vec3& facing, First& out) const {
   constexpr int kMostSteps = 30;
   const double u0 = std::max(0.0, cell.u - cell.size / 2),
                u1 = std::min(1.0, cell.u + 1.5 * cell.size),
@@ -124,7 +126,13 @@ void Crossings::meet(const Cell& cell, const Vec3& from, const Vec3& along, doub
     if (still) break;
   }
   const double miss = length(apart);
-  if (miss > kMayMeet_mm || t <= least || distance(s.position, except) <= kItself_mm) return;
+  if (miss > kMayMeet_mm) return;
+  if (distance(s.position, except) <= kItself_mm) {
+    // The back of another sheet, on s itself.
+    if (dot(s.normal, facing) < kBackToBack) out.possible = 0;
+    return;
+  }
+  if (t <= least) return;
   out.possible = std::min(out.possible, t);
   if (miss <= kMeets_mm && std::abs(dot(s.normal, along)) > kPasses)
     out.sure = std::min(out.sure, t);

@@ -18,9 +18,9 @@ class Crossings {
     double sure = 0;      ///< the first place where S is passed for certain; else the limit
   };
   /// Along `from` + t·`along` (a unit vector), `least` < t < `limit`, in mm; what lies within
-  /// 1e-5 mm of `except` is no crossing.
+  /// 1e-5 mm of `except` is no crossing, unless it faces right against `facing`.
   First first(const model::Vec3& from, const model::Vec3& along, double least, double limit,
-              const model::Vec3& except) const;
+              const model::Vec3& except, const model::Vec3& facing) const;
 
  private:
   struct Cell {
@@ -35,7 +35,7 @@ class Crossings {
   void add_cells(const SampledSurface::Grid& grid);
   void build(std::uint32_t node, std::uint32_t first, std::uint32_t count);
   void meet(const Cell& cell, const model::Vec3& from, const model::Vec3& along, double least,
-            const model::Vec3& except, First& out) const;
+            const model::Vec3& except, const model::Vec3& facing, First& out) const;
 
   const SampledSurface& surface_;
   std::vector<Cell> cells_;

@@ -127,12 +127,12 @@ double RunOracle::inside_material(const Bodies& swept, const Vec3& p) const {
 
 /// A run that begins `from_mm` along a ray from s is ended by S. What crosses the way before it
 /// begins ends what must be certain, and nothing of what may be.
-double RunOracle::ended_by_surface(const Vec3& point, const Vec3& along, double from_mm,
-                                   double run_mm, bool sure) const {
+double RunOracle::ended_by_surface(const Vec3& point, const Vec3& along, const Vec3& normal,
+                                   double from_mm, double run_mm, bool sure) const {
   constexpr double kPast_mm = 1e-5;
   if (run_mm <= 0) return 0;
   const double least = (sure ? std::min(from_mm, 0.0) : from_mm) + kPast_mm;
-  const auto c = target_.crossings.first(point, along, least, from_mm + run_mm, point);
+  const auto c = target_.crossings.first(point, along, least, from_mm + run_mm, point, normal);
   return std::clamp((sure ? c.possible : c.sure) - from_mm, 0.0, run_mm);
 }
 
@@ -140,7 +140,7 @@ double RunOracle::sure_uncut(const Vec3& point, const Vec3& normal, int most_ste
   const Vec3 from = point + normal * allowance_;
   const double run = march([&](double t) { return inside_material(flutes_, from + normal * t); },
                            Claim::sure, longest_, most_steps);
-  return ended_by_surface(point, normal, allowance_, run, true);
+  return ended_by_surface(point, normal, normal, allowance_, run, true);
 }
 
 double RunOracle::possible_uncut(const Vec3& point, const Vec3& normal) const {
@@ -149,7 +149,7 @@ double RunOracle::possible_uncut(const Vec3& point, const Vec3& normal) const {
   if (inside_material(flutes_, from) <= -kPossible_mm) return 0;
   const double run = march([&](double t) { return inside_material(flutes_, from + normal * t); },
                            Claim::possible, longest_);
-  return ended_by_surface(point, normal, allowance_, run + 2 * kPossible_mm, false);
+  return ended_by_surface(point, normal, normal, allowance_, run + 2 * kPossible_mm, false);
 }
 
 double RunOracle::gouge_run(const Vec3& point, const Vec3& normal, bool sure,
@@ -170,7 +170,7 @@ double RunOracle::gouge_run(const Vec3& point, const Vec3& normal, bool sure,
   if (sure) run = std::min(run, longest_);
   run = std::min(run, last);
   if (!sure && run > 0) run += 2 * kPossible_mm;
-  const double ended = ended_by_surface(point, -normal, -allowance_, run, sure);
+  const double ended = ended_by_surface(point, -normal, normal, -allowance_, run, sure);
   if (!sure || ended >= run) return ended;
   // What was swept beyond the crossing says nothing of the way there.
   last = 0;
@@ -182,7 +182,8 @@ double RunOracle::missing_run(const Vec3& point, const Vec3& normal, bool sure) 
   const Vec3 from = sure ? point : point - normal * kPossible_mm;
   const double run = march([&](double t) { return raw_.distance(from - normal * t).distance; },
                            sure ? Claim::sure : Claim::possible, longest_);
-  return ended_by_surface(point, -normal, 0, sure || run <= 0 ? run : run + 2 * kPossible_mm, sure);
+  return ended_by_surface(point, -normal, normal, 0,
+                          sure || run <= 0 ? run : run + 2 * kPossible_mm, sure);
 }
 
 /// A vertex's own normal may be a limit that nothing comes near to: what is certain there is what

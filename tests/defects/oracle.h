@@ -96,8 +96,9 @@ class RunOracle {
   /// The longest that `run(point, normal)` comes to on the faces at a place, and beside it.
   template <class Run>
   double possible_of_faces(const Place& place, Run&& run) const;
-  double ended_by_surface(const model::Vec3& point, const model::Vec3& along, double from_mm,
-                          double run_mm, bool sure) const;
+  double ended_by_surface(const model::Vec3& point, const model::Vec3& along,
+                          const model::Vec3& normal, double from_mm, double run_mm,
+                          bool sure) const;
 
   const Target& target_;
   simulator::RawStock raw_;

@@ -263,7 +263,8 @@ void first_motions(std::vector<Scene>& out) {
   for (int k = 0; k < kCount + kTwins; ++k) {
     Scene s;
     s.kind = SceneKind::first_motions, s.harmed = k < kCount, s.side = Scene::Side::gouge;
-    const double deep = s.harmed ? spread(k, kCount, 0.1, 3) : -0.01;
+    // As the program's four decimals have it.
+    const double deep = s.harmed ? std::round(spread(k, kCount, 0.1, 3) * 1e4) / 1e4 : -0.01;
     s.label = text("%.3g mm deep", deep);
     s.cage = plane_cage(4, 0, 0);
     s.stock = block_between({-4.5, -4.5, -6}, {4.5, 4.5, 0});

@@ -142,4 +142,19 @@ TEST_CASE("a far face in front ends no run that goes the other way", "[unit][def
   CHECK(crossed > cells.cells().size() / 4);
 }
 
+TEST_CASE("sheets back to back in one place are a fin of no width, and its runs have none",
+          "[unit][definition2]") {
+  const bool back_to_back = GENERATE(true, false);
+  CAPTURE(back_to_back);
+  const model::Cage plane = plane_cage(3, 0, 0);
+  const SurfaceCells cells = cells_of(together(plane, back_to_back ? flipped(plane) : plane));
+  for (const Way way : {Way::outwards, Way::inwards})
+    CHECK(next_crossing_mm(cells, {0.3, 0.4, 0}, {0, 0, 1}, way, 0, 2) ==
+          Approx(back_to_back ? 0 : 2).margin(4e-9));
+  for (const SurfaceCell& cell : cells.cells()) {
+    const OffsetCell offset = offset_cell(cell.shape, cell.vertex_normal);
+    if (!back_to_back) CHECK_FALSE(surely_crosses_surface(cells, offset, -2, kPast_mm));
+  }
+}
+
 }  // namespace limitgauge::verifier

@@ -137,6 +137,18 @@ TEST_CASE("what cannot be reached is gated by its area", "[unit]") {
   CHECK_THAT(decision.reasons.at(0), ContainsSubstring("limit 12.5 mm²"));
 }
 
+TEST_CASE("limits of zero hold where only rounding is, and no further", "[unit]") {
+  GateLimits limits;
+  limits.has_unreachable = limits.has_unavoidable = true;
+  StageDeviation d = reach(1000, 0, 5.8e-21);
+  d.unavoidable_uncut_mm = {0, 6.4e-8};
+  CHECK(decide(d, limits).verdict == Verdict::pass);
+  CHECK(decide(reach(1000, 0, 2e-9), limits).verdict == Verdict::indeterminate);
+  CHECK(decide(reach(1000, 2e-9, 0), limits).verdict == Verdict::fail);
+  d.unavoidable_uncut_mm = {0, 2e-6};
+  CHECK(decide(d, limits).verdict == Verdict::indeterminate);
+}
+
 TEST_CASE("the unavoidable uncut is gated, and the place out of reach named", "[unit]") {
   GateLimits limits;
   limits.has_unavoidable = true, limits.unavoidable_mm = 0.3;

@@ -12,11 +12,18 @@
 namespace limitgauge::reports::html {
 namespace {
 
+/// "71.1 to 515 mm² (3.24 to 23.5 %)" with the share on a line of its own: the row is wide.
+std::string share_below(const std::string& measured) {
+  const std::size_t share = measured.find(" (");
+  if (share == std::string::npos) return measured;
+  return measured.substr(0, share) + "<small>" + measured.substr(share + 1) + "</small>";
+}
+
 std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) {
   const std::vector<GateFigure> f = gate_figures(stage);
   const auto figure = [&](std::size_t i) {
     if (f[i].standing == Standing::not_run) return std::string("–");
-    return f[i].measured + (f[i].limit.empty() ? "" : "<small>limit " + f[i].limit + "</small>");
+    return share_below(f[i].measured) + (f[i].limit.empty() ? "" : "<small>limit " + f[i].limit + "</small>");
   };
   const std::size_t hits = stage.ran ? faults(stage.ran->process) : 0;
   return {fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),

@@ -132,6 +132,14 @@ Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint) const 
   return best;
 }
 
+std::optional<Nearest> RemovedSpace::nearest_swept(const Vec3& p) const {
+  Nearest best{{0, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
+  for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;) nearest_in(k, p, best);
+  if (!std::isfinite(best.distance.value)) return std::nullopt;
+  best.distance = distance(best.body, p);
+  return best;
+}
+
 void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& p, const Vec3& ray,
                                 const EndRule& rule, Meeting& first) const {
   constexpr int kLooks = 4;

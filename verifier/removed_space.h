@@ -60,6 +60,8 @@ class RemovedSpace {
 
   /// The nearest body; among equals the first. A `hint`, any body, saves time where it is near.
   Nearest nearest(const model::Vec3& p, std::optional<BodyRef> hint = {}) const;
+  /// The same of what was swept alone; none where nothing was.
+  std::optional<Nearest> nearest_swept(const model::Vec3& p) const;
   /// All bodies with d(p) ≤ limit_mm, in a fixed order, appended to `out`.
   void within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
 

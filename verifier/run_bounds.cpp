@@ -78,16 +78,18 @@ bool RunBounds::surely_crosses(const OffsetCell& cell, double length_mm) const {
     return false;
   // Where runs begin on s itself, the segments look past it by no more than a skin.
   if (side_ == Side::uncut)
-    return surely_crosses_surface(cells_, cell,
+    return surely_crosses_surface(cells_, cell, Way::outwards,
                                   allowance_mm_ > kStepOver_mm ? allowance_mm_ : -kStepOver_mm,
                                   allowance_mm_ + length_mm);
   const double low = allowance_mm_ - length_mm;
-  if (surely_crosses_surface(cells_, cell, low, std::max(allowance_mm_, kStepOver_mm))) return true;
+  if (surely_crosses_surface(cells_, cell, Way::inwards, low,
+                             std::max(allowance_mm_, kStepOver_mm)))
+    return true;
   // At the rim, where the far side may end as well. What is beside the cell need not be S.
   if (!is_narrow(cell) || low >= -kStepOver_mm) return false;
   const auto ways = ways_along(cell);
   return std::any_of(ways.begin(), ways.end(), [&](const Vec3& way) {
-    return surely_crosses_surface(cells_, beside(cell, way), low, -kStepOver_mm);
+    return surely_crosses_surface(cells_, beside(cell, way), Way::inwards, low, -kStepOver_mm);
   });
 }
 

@@ -90,8 +90,8 @@ bool RunTracer::is_wedge(const Vec3& p, const Vec3& along) const {
   return false;
 }
 
-/// From body to body through what does not stand; `visit(body, end)` is told of each. Returns where
-/// something stands, or the limit.
+/// From body to body through what does not stand; `visit(body, begin, end)` is told of each.
+/// Returns where something stands, or the limit.
 template <class Visit>
 double RunTracer::walk_removed(const Vec3& p, const Vec3& along, double limit_mm,
                                Visit&& visit) const {
@@ -111,18 +111,39 @@ double RunTracer::walk_removed(const Vec3& p, const Vec3& along, double limit_mm
     const double end = std::min(exit_of(nearest.body, p, along, t, limit_mm),
                                 free_beside(nearest, p, along, t, limit_mm));
     if (!(end > t)) break;
+    visit(nearest.body, t, end);
     t = end;
-    visit(nearest.body, end);
   }
   return t;
+}
+
+/// What was swept outside the raw stock, from one t to another where the ray is in nothing else.
+template <class Visit>
+void RunTracer::visit_swept(const Vec3& p, const Vec3& along, double from, double to,
+                            Visit&& visit) const {
+  for (int step = 0; step < kMostSteps && from < to; ++step) {
+    const auto at = space_.nearest_swept(p + along * from);
+    if (!at) return;
+    const double room = at->distance.value + space_.chord_error_mm();
+    if (room > 0) {
+      from += std::max(room, kStepOver_mm);
+      continue;
+    }
+    const double end = exit_of(at->body, p, along, from, to);
+    visit(at->body, end);
+    from = end + kStepOver_mm;
+  }
 }
 
 TracedRun RunTracer::removed(const Vec3& s, const Vec3& n, double allowance_mm, double limit_mm,
                              double least_mm, bool stock_counts) const {
   const auto run_within = [&](double limit) {
     TracedRun run;
-    walk_removed(s + n * allowance_mm, -n, limit, [&](BodyRef body, double end) {
-      if (stock_counts || !space_.is_stock(body)) run = {end, body, false};
+    const Vec3 from = s + n * allowance_mm;
+    const auto see = [&](BodyRef body, double end) { run = {end, body, false}; };
+    walk_removed(from, -n, limit, [&](BodyRef body, double begin, double end) {
+      if (stock_counts || !space_.is_stock(body)) return see(body, end);
+      visit_swept(from, -n, begin, end, see);
     });
     return run;
   };
@@ -140,7 +161,7 @@ TracedRun RunTracer::removed(const Vec3& s, const Vec3& n, double allowance_mm, 
 }
 
 double RunTracer::free_length_mm(const Vec3& p, const Vec3& along, double limit_mm) const {
-  return walk_removed(p, along, limit_mm, [](BodyRef, double) {});
+  return walk_removed(p, along, limit_mm, [](BodyRef, double, double) {});
 }
 
 }  // namespace limitgauge::verifier

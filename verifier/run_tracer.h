@@ -66,6 +66,9 @@ class RunTracer {
   template <class Visit>
   double walk_removed(const model::Vec3& p, const model::Vec3& along, double limit_mm,
                       Visit&& visit) const;
+  template <class Visit>
+  void visit_swept(const model::Vec3& p, const model::Vec3& along, double from, double to,
+                   Visit&& visit) const;
 
   const SurfaceCells& cells_;
   const RemovedSpace& space_;

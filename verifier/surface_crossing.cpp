@@ -1,6 +1,7 @@
 #include "verifier/surface_crossing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -144,16 +145,25 @@ class CrossingSearch {
 /// The control points along the sides of a cell, one after the other.
 constexpr int kSides[4][4] = {{0, 1, 2, 3}, {3, 7, 11, 15}, {15, 14, 13, 12}, {12, 8, 4, 0}};
 
-/// How often a segment meets S from behind, less how often from before: the degree of S's
-/// projection along it, which is how often the projected boundaries of the cells that reach it wind
-/// round it.
+/// A place where a segment goes through S, how far along it, and how often: from behind to before,
+/// less the other way.
+struct Crossing {
+  Stretch where;
+  int times = 0;
+};
+
+/// The crossings of a segment with S, by the degree of S's projection along it: how often the
+/// projected boundaries of the cells that reach it wind round it.
 class CrossingCount {
  public:
-  CrossingCount(const SurfaceCells& cells, const Vec3& from, const Vec3& along, double length_mm)
-      : cells_(cells), ray_(from, along), length_(length_mm) {}
+  /// Crossings are told to `finest_mm` along the segment.
+  CrossingCount(const SurfaceCells& cells, const Vec3& from, const Vec3& along, double length_mm,
+                double finest_mm)
+      : cells_(cells), ray_(from, along), length_(length_mm), finest_(finest_mm) {}
 
-  /// None where the segment begins or ends too near to S, or meets the boundary of a cell.
-  std::optional<int> degree() {
+  /// In their order; none where the segment begins or ends too near to S, or meets the boundary of
+  /// a cell.
+  std::optional<std::vector<Crossing>> run() {
     nearest_first(
         cells_.nodes(),
         [&](const BoxNode& node) {
@@ -166,7 +176,9 @@ class CrossingCount {
             add(cells_.cells()[k].shape);
         });
     if (failed_) return std::nullopt;
-    return degree_;
+    std::sort(out_.begin(), out_.end(),
+              [](const Crossing& a, const Crossing& b) { return a.where.low < b.where.low; });
+    return std::move(out_);
   }
 
  private:
@@ -175,8 +187,8 @@ class CrossingCount {
     if (failed_ || s.empty() || s.low > length_ || s.high < 0) return;
     if (s.low > 0 && s.high < length_)
       if (const auto winds = winding(cell)) {
-        degree_ += *winds;
-        return;
+        if (*winds == 0) return;
+        if (s.high - s.low <= finest_) return out_.push_back({s, *winds});
       }
     if (++halvings_ > kMostHalvings) {
       failed_ = true;
@@ -202,8 +214,9 @@ class CrossingCount {
   static constexpr int kMostHalvings = 200;
   const SurfaceCells& cells_;
   Ray ray_;
-  double length_;
-  int halvings_ = 0, degree_ = 0;
+  double length_, finest_;
+  std::vector<Crossing> out_;
+  int halvings_ = 0;
   bool failed_ = false;
 };
 
@@ -305,6 +318,86 @@ class FreeOfSurface {
   bool failed_ = false;
 };
 
+/// Statement 2 of CERTIFICATE.md, section 3b: of a cell's segments, or of as much of them as comes
+/// before a second crossing.
+class CrossingProof {
+ public:
+  CrossingProof(const SurfaceCells& cells, const OffsetCell& cell, Way way, double low_mm,
+                double high_mm)
+      : cells_(cells),
+        cell_(cell),
+        sign_(way == Way::outwards ? 1 : -1),
+        begin_(way == Way::outwards ? low_mm : high_mm),
+        length_(high_mm - low_mm),
+        itself_(low_mm < 0 && high_mm > 0) {
+    const Vec3 e = normalized(
+        cross(cell.normal, std::abs(cell.normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+    axes_ = {cell.normal, e, cross(cell.normal, e)};
+  }
+
+  bool run() const {
+    // Beyond it, the normals of the cell need not be near to its middle's.
+    constexpr double kLargestRemainder = 0.5;
+    if (cell_.fan != Vec3{} || cell_.remainder > kLargestRemainder || cell_.normal == Vec3{})
+      return false;
+    const auto all = crossings(std::numeric_limits<double>::infinity());
+    if (!all || all->size() <= (itself_ ? 1 : 0)) return false;
+    if (meets(degree(*all)) && is_kept(length_)) return true;
+    return all->size() > (itself_ ? 2 : 1) && runs_before_another();
+  }
+
+ private:
+  std::optional<std::vector<Crossing>> crossings(double finest_mm) const {
+    // A place of the cell that is on no line of symmetry.
+    constexpr double kU = 0.4142, kV = 0.5858;
+    const Vec3 s = point(cell_.shape, kU, kV), n = direct_normal(cell_.shape, kU, kV);
+    if (n == Vec3{}) return std::nullopt;
+    return CrossingCount(cells_, s + n * begin_, n * sign_, length_, finest_mm).run();
+  }
+  /// Along the normals, whichever way the segment goes.
+  int degree(std::span<const Crossing> crossings) const {
+    double sum = 0;
+    for (const Crossing& c : crossings) sum += sign_ * c.times;
+    return static_cast<int>(sum);
+  }
+  /// s itself is met from behind: it takes something met from before to make up for it.
+  bool meets(int degree) const { return itself_ ? degree <= 0 : degree != 0; }
+  /// Ended between one crossing and the next.
+  bool runs_before_another() const {
+    constexpr double kFinest = 1.0 / 1024;
+    const auto all = crossings(length_ * kFinest);
+    if (!all) return false;
+    for (std::size_t k = 1; k < all->size(); ++k) {
+      const double from = (*all)[k - 1].where.high, to = (*all)[k].where.low;
+      if (from < to && meets(degree(std::span(*all).first(k))) && is_kept((from + to) / 2))
+        return true;
+    }
+    return false;
+  }
+  Hull hull_at(double t) const {
+    Hull hull(std::abs(t) * cell_.remainder + kSamePlace_mm, axes_);
+    hull.add(cell_.moved(t));
+    return hull;
+  }
+  /// Whether no segment of that length begins or ends on S, or meets the end of S.
+  bool is_kept(double length_mm) const {
+    const double end = begin_ + sign_ * length_mm;
+    const Hull first = hull_at(begin_), last = hull_at(end);
+    if (!FreeOfSurface(cells_, first).all() || !FreeOfSurface(cells_, last).all()) return false;
+    Hull between(std::max(std::abs(begin_), std::abs(end)) * cell_.remainder + kSamePlace_mm +
+                     SurfaceCells::kOmitted_mm,
+                 axes_);
+    between.add(cell_.moved(begin_)), between.add(cell_.moved(end));
+    return FreeOfSurface(cells_, between).ends();
+  }
+
+  const SurfaceCells& cells_;
+  const OffsetCell& cell_;
+  double sign_, begin_, length_;
+  bool itself_;
+  std::array<Vec3, 3> axes_;
+};
+
 }  // namespace
 
 double next_crossing_mm(const SurfaceCells& cells, const Vec3& s, const Vec3& n, Way way,
@@ -312,35 +405,9 @@ double next_crossing_mm(const SurfaceCells& cells, const Vec3& s, const Vec3& n,
   return CrossingSearch(cells, s, n, way, {from_mm, to_mm}).run();
 }
 
-bool surely_crosses_surface(const SurfaceCells& cells, const OffsetCell& cell, double low_mm,
-                            double high_mm) {
-  // Beyond it, the normals of the cell need not be near to its middle's.
-  constexpr double kLargestRemainder = 0.5;
-  // A place of the cell that is on no line of symmetry.
-  constexpr double kU = 0.4142, kV = 0.5858;
-  if (cell.fan != Vec3{} || cell.remainder > kLargestRemainder || cell.normal == Vec3{})
-    return false;
-  const Vec3 s = point(cell.shape, kU, kV), n = direct_normal(cell.shape, kU, kV);
-  if (n == Vec3{}) return false;
-  const auto degree = CrossingCount(cells, s + n * low_mm, n, high_mm - low_mm).degree();
-  // s itself is met from behind: it takes something met from before to make up for it.
-  const bool itself = low_mm < 0 && high_mm > 0;
-  if (!degree || (itself ? *degree > 0 : *degree == 0)) return false;
-  const Vec3 e =
-      normalized(cross(cell.normal, std::abs(cell.normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
-  const Vec3 axes[] = {cell.normal, e, cross(cell.normal, e)};
-  const auto hull_at = [&](double t) {
-    Hull hull(std::abs(t) * cell.remainder + kSamePlace_mm, axes);
-    hull.add(cell.moved(t));
-    return hull;
-  };
-  const Hull low = hull_at(low_mm), high = hull_at(high_mm);
-  if (!FreeOfSurface(cells, low).all() || !FreeOfSurface(cells, high).all()) return false;
-  Hull between(
-      std::max(-low_mm, high_mm) * cell.remainder + kSamePlace_mm + SurfaceCells::kOmitted_mm,
-      axes);
-  between.add(cell.moved(low_mm)), between.add(cell.moved(high_mm));
-  return FreeOfSurface(cells, between).ends();
+bool surely_crosses_surface(const SurfaceCells& cells, const OffsetCell& cell, Way way,
+                            double low_mm, double high_mm) {
+  return CrossingProof(cells, cell, way, low_mm, high_mm).run();
 }
 
 }  // namespace limitgauge::verifier

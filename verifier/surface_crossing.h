@@ -15,10 +15,10 @@ enum class Way { outwards, inwards };
 double next_crossing_mm(const SurfaceCells& cells, const model::Vec3& s, const model::Vec3& n,
                         Way way, double from_mm, double to_mm);
 
-/// Proof that for every s of the cell the segment from s + low_mm·n(s) to s + high_mm·n(s) lies on
-/// S somewhere, at another place than s itself (CERTIFICATE.md, section 3b, statement 2). False
-/// means "not proven".
-bool surely_crosses_surface(const SurfaceCells& cells, const OffsetCell& cell, double low_mm,
-                            double high_mm);
+/// Proof that for every s of the cell the segment from s + low_mm·n(s) to s + high_mm·n(s), or the
+/// other way, meets S at another place than s itself (CERTIFICATE.md, section 3b, statement 2).
+/// False means "not proven".
+bool surely_crosses_surface(const SurfaceCells& cells, const OffsetCell& cell, Way way,
+                            double low_mm, double high_mm);
 
 }  // namespace limitgauge::verifier

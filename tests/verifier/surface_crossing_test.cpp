@@ -73,10 +73,13 @@ TEST_CASE("that all runs of a cell cross the surface is proven where they do, an
     }
     if (at_end || furthest > 1.1) continue;  // what meets the floor
     ++tried;
-    CHECK_FALSE(surely_crosses_surface(cells, offset, -(furthest - 1e-3) * tangent, kPast_mm));
-    CHECK_FALSE(surely_crosses_surface(cells, offset, -nearest * tangent / 2, kPast_mm));
+    CHECK_FALSE(surely_crosses_surface(cells, offset, Way::inwards, -(furthest - 1e-3) * tangent,
+                                       kPast_mm));
+    CHECK_FALSE(
+        surely_crosses_surface(cells, offset, Way::inwards, -nearest * tangent / 2, kPast_mm));
     CAPTURE(nearest, furthest, offset.middle.y);
-    CHECK(surely_crosses_surface(cells, offset, -(furthest * tangent + 1e-3), kPast_mm));
+    CHECK(surely_crosses_surface(cells, offset, Way::inwards, -(furthest * tangent + 1e-3),
+                                 kPast_mm));
   }
   CHECK(tried > 20);
 }
@@ -95,16 +98,17 @@ TEST_CASE("across a slot the far wall ends the runs, above it nothing does",
     }
     if (std::abs(offset.normal.x) < 0.9 || end > 3 - 1e-6) {
       // From floor and tops nothing is met outwards.
-      CHECK_FALSE(surely_crosses_surface(cells, offset, -kPast_mm, 2.9));
+      CHECK_FALSE(surely_crosses_surface(cells, offset, Way::outwards, -kPast_mm, 2.9));
       continue;
     }
     ++walls;
-    CHECK_FALSE(surely_crosses_surface(cells, offset, -kPast_mm, slot.width_mm - 1e-3));
+    CHECK_FALSE(
+        surely_crosses_surface(cells, offset, Way::outwards, -kPast_mm, slot.width_mm - 1e-3));
     // Rows of cells at the very top and floor touch the edges of the far wall.
     if (high > -1e-6 || low < -slot.depth_mm + 1e-6) continue;
-    CHECK(surely_crosses_surface(cells, offset, -kPast_mm, slot.width_mm + 1e-3));
+    CHECK(surely_crosses_surface(cells, offset, Way::outwards, -kPast_mm, slot.width_mm + 1e-3));
     // Begun beyond the place itself, as with an allowance.
-    CHECK(surely_crosses_surface(cells, offset, 0.2, slot.width_mm + 1e-3));
+    CHECK(surely_crosses_surface(cells, offset, Way::outwards, 0.2, slot.width_mm + 1e-3));
     ++proven;
   }
   CHECK(walls > proven);
@@ -122,8 +126,10 @@ TEST_CASE("a sheet that faces as the first does, next to it, ends no run behind 
   for (const SurfaceCell& cell : cells.cells()) {
     const OffsetCell offset = offset_cell(cell.shape, cell.vertex_normal);
     const bool behind = offset.middle.z < std::max(0.0, way * apart) - apart / 2;
-    CHECK_FALSE(surely_crosses_surface(cells, offset, behind ? -2 : -apart / 2, kPast_mm));
-    CHECK_FALSE(surely_crosses_surface(cells, offset, behind ? -kPast_mm : -apart / 2, 2));
+    CHECK_FALSE(
+        surely_crosses_surface(cells, offset, Way::inwards, behind ? -2 : -apart / 2, kPast_mm));
+    CHECK_FALSE(
+        surely_crosses_surface(cells, offset, Way::outwards, behind ? -kPast_mm : -apart / 2, 2));
   }
 }
 
@@ -136,10 +142,36 @@ TEST_CASE("a far face in front ends no run that goes the other way", "[unit][def
   std::size_t crossed = 0;
   for (const SurfaceCell& cell : cells.cells()) {
     const OffsetCell offset = offset_cell(cell.shape, cell.vertex_normal);
-    CHECK_FALSE(surely_crosses_surface(cells, offset, -2, kPast_mm));
-    crossed += surely_crosses_surface(cells, offset, -kPast_mm, 2);
+    CHECK_FALSE(surely_crosses_surface(cells, offset, Way::inwards, -2, kPast_mm));
+    crossed += surely_crosses_surface(cells, offset, Way::outwards, -kPast_mm, 2);
   }
   CHECK(crossed > cells.cells().size() / 4);
+}
+
+TEST_CASE("a run that meets the surface again and again ends at the first", "[unit][definition2]") {
+  // A floor over a closed hollow over nothing: runs down meet its roof after 1 mm, its floor after
+  // 1.5 mm.
+  const model::Cage plane = plane_cage(3, 0, 0);
+  const auto sheet = [&](double z) { return placed(plane, {1, 0, {0, 0, z}}); };
+  const SurfaceCells cells = cells_of(together(together(plane, flipped(sheet(-1))), sheet(-1.5)));
+  std::size_t tried = 0;
+  for (const SurfaceCell& cell : cells.cells()) {
+    const OffsetCell offset = offset_cell(cell.shape, cell.vertex_normal);
+    double end = 0;
+    for (int k = 0; k < 16; ++k) {
+      const Vec3 p = cell.shape.control(k);
+      end = std::max({end, std::abs(p.x), std::abs(p.y)});
+    }
+    // Beside the rims of the sheets nothing is proven.
+    if (offset.normal.z < 0 || offset.middle.z < -1e-3 || end > 3 - 1e-6) continue;
+    ++tried;
+    CHECK_FALSE(surely_crosses_surface(cells, offset, Way::inwards, -0.99, kPast_mm));
+    CHECK(surely_crosses_surface(cells, offset, Way::inwards, -1.2, kPast_mm));
+    CHECK(surely_crosses_surface(cells, offset, Way::inwards, -4, kPast_mm));
+    // Runs up from the floor meet nothing.
+    CHECK_FALSE(surely_crosses_surface(cells, offset, Way::outwards, -kPast_mm, 4));
+  }
+  CHECK(tried > 20);
 }
 
 TEST_CASE("sheets back to back in one place are a fin of no width, and its runs have none",
@@ -153,7 +185,8 @@ TEST_CASE("sheets back to back in one place are a fin of no width, and its runs 
           Approx(back_to_back ? 0 : 2).margin(4e-9));
   for (const SurfaceCell& cell : cells.cells()) {
     const OffsetCell offset = offset_cell(cell.shape, cell.vertex_normal);
-    if (!back_to_back) CHECK_FALSE(surely_crosses_surface(cells, offset, -2, kPast_mm));
+    if (!back_to_back)
+      CHECK_FALSE(surely_crosses_surface(cells, offset, Way::inwards, -2, kPast_mm));
   }
 }
 

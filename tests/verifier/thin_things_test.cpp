@@ -111,6 +111,27 @@ TEST_CASE("the outside of the block has cut nothing", "[unit][definition2]") {
   CHECK(d.missing_stock_mm.high <= 0.01);
 }
 
+TEST_CASE("a gouge out of the underside is as deep as the last of two tools went",
+          "[unit][definition2]") {
+  // The wide one goes 2 mm out of the block, the narrow one within its track 1 mm further, through
+  // what the outside of the block had already.
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const auto block = block_between({-6, -6, -6}, {6, 6, 0});
+  const auto slot = [](double z) { return moves_through({{0, -20, z}, {0, 20, z}}); };
+  const std::vector<Pass> wide_first = {pass_of(flat_cutter(2), slot(-8)),
+                                        pass_of(flat_cutter(1), slot(-9))},
+                          narrow_first = {wide_first[1], wide_first[0]};
+  for (const auto& passes : {wide_first, narrow_first}) {
+    const StageDeviation d = measured(plane, block, passes, 0.01);
+    CAPTURE(d.gouge_mm.low, d.gouge_mm.high);
+    CHECK(d.gouge_mm.low <= 9 + 1e-9);
+    CHECK(d.gouge_mm.high >= 9 - 1e-9);
+    CHECK(d.gouge_mm.width() <= 0.01);
+    CHECK(judge(plane, block, passes, gouge_gate(8.5)).decision.verdict == Verdict::fail);
+    CHECK(judge(plane, block, passes, gouge_gate(9.5)).decision.verdict == Verdict::pass);
+  }
+}
+
 TEST_CASE("raw stock that does not cover the part is no program's gouge", "[unit][definition2]") {
   const ReferenceSurface plane(plane_cage(5, 0, 0));
   const auto block = block_between({-6, -6, -6}, {6, 6, -0.3});

@@ -156,6 +156,11 @@ bool longer_in_u(const Bezier& b) {
   return apart(0, 3) + apart(12, 15) >= apart(0, 12) + apart(3, 15);
 }
 
+Vec3 unit_normal(const Bezier& b, double u, double v) {
+  const BezierJet j = jet(b, u, v);
+  return normalized(cross(j.du, j.dv));
+}
+
 double extent_u(const Bezier& b) {
   double longest = 0;
   for (int j = 0; j < 4; ++j)

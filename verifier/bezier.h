@@ -24,6 +24,11 @@ struct BezierJet {
 /// i).
 Bezier from_bspline(const std::array<model::Vec3, 16>& grid);
 model::Vec3 point(const Bezier& b, double u, double v);
+/// S_u × S_v at a parameter, of length one; zero where that vanishes.
+model::Vec3 unit_normal(const Bezier& b, double u, double v);
+/// The control points along the four sides, one after the other all round.
+inline constexpr int kSidesRound[4][4] = {
+    {0, 1, 2, 3}, {3, 7, 11, 15}, {15, 14, 13, 12}, {12, 8, 4, 0}};
 /// The point at (1/2, 1/2).
 model::Vec3 middle(const Bezier& b);
 BezierJet jet(const Bezier& b, double u, double v);

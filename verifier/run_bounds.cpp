@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "verifier/surface_crossing.h"
+#include "verifier/crossing_proof.h"
 
 namespace limitgauge::verifier {
 namespace {

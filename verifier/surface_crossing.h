@@ -1,9 +1,14 @@
 #pragma once
 
-#include "verifier/offset_cell.h"
+#include <optional>
+#include <vector>
+
 #include "verifier/surface_cells.h"
 
 namespace limitgauge::verifier {
+
+/// Nearer than this two faces cannot be told apart along a ray.
+inline constexpr double kSamePlace_mm = 2e-9;
 
 /// Which way along a normal of S.
 enum class Way { outwards, inwards };
@@ -15,10 +20,25 @@ enum class Way { outwards, inwards };
 double next_crossing_mm(const SurfaceCells& cells, const model::Vec3& s, const model::Vec3& n,
                         Way way, double from_mm, double to_mm);
 
-/// Proof that for every s of the cell the segment from s + low_mm·n(s) to s + high_mm·n(s), or the
-/// other way, meets S at another place than s itself (CERTIFICATE.md, section 3b, statement 2).
-/// False means "not proven".
-bool surely_crosses_surface(const SurfaceCells& cells, const OffsetCell& cell, Way way,
-                            double low_mm, double high_mm);
+/// A part of a ray: from + t·along for t in [low, high], in mm.
+struct Stretch {
+  double low = 0, high = 0;
+  bool empty() const { return !(low <= high); }
+};
+
+/// A place where a segment goes through S, how far along it, and how often: from behind to before,
+/// less the other way.
+struct Crossing {
+  Stretch where;
+  int times = 0;
+};
+
+/// The crossings of the segment of that length with S, in their order, each known to `finest_mm`
+/// along it: by the degree of S's projection along it, which is how often the projected boundaries
+/// of cells wind round it. None where the segment begins or ends too near to S, or meets the
+/// boundary of a cell.
+std::optional<std::vector<Crossing>> crossings(const SurfaceCells& cells, const model::Vec3& from,
+                                               const model::Vec3& along, double length_mm,
+                                               double finest_mm);
 
 }  // namespace limitgauge::verifier

@@ -1,4 +1,4 @@
-#include "verifier/surface_crossing.h"
+#include "verifier/crossing_proof.h"
 
 #include <cmath>
 #include <numbers>

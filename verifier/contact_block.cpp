@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "verifier/nearest_first.h"
+#include "verifier/normal_cone.h"
 #include "verifier/plan_cover.h"
 #include "verifier/swept_body.h"
 
@@ -178,8 +179,7 @@ CellRectangle rectangle_round(const Bezier& cell, const Vec3& normal) {
   const InnerChords chords = inner_chords(cell);
   const Vec3 longer = dot(chords.u, chords.u) >= dot(chords.v, chords.v) ? chords.u : chords.v;
   Vec3 along = longer - normal * dot(longer, normal);
-  const Vec3 any = std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-  along = normalized(dot(along, along) > 0 ? along : cross(normal, any));
+  along = dot(along, along) > 0 ? normalized(along) : verifier::across(normal);
   const Vec3 across = cross(normal, along);
   double wide = 0, tall = 0;
   CellRectangle out;

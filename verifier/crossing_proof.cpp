@@ -7,6 +7,7 @@
 #include <span>
 
 #include "verifier/nearest_first.h"
+#include "verifier/normal_cone.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -123,8 +124,7 @@ class CrossingProof {
         begin_(way == Way::outwards ? low_mm : high_mm),
         length_(high_mm - low_mm),
         itself_(low_mm < 0 && high_mm > 0) {
-    const Vec3 e = normalized(
-        cross(cell.normal, std::abs(cell.normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+    const Vec3 e = across(cell.normal);
     axes_ = {cell.normal, e, cross(cell.normal, e)};
   }
 
@@ -149,9 +149,9 @@ class CrossingProof {
   }
   /// Along the normals, whichever way the segment goes.
   int degree(std::span<const Crossing> crossings) const {
-    double sum = 0;
-    for (const Crossing& c : crossings) sum += sign_ * c.times;
-    return static_cast<int>(sum);
+    int sum = 0;
+    for (const Crossing& c : crossings) sum += c.times;
+    return sign_ * sum;
   }
   /// s itself is met from behind: it takes something met from before to make up for it.
   bool meets(int degree) const { return itself_ ? degree <= 0 : degree != 0; }
@@ -186,7 +186,8 @@ class CrossingProof {
 
   const SurfaceCells& cells_;
   const OffsetCell& cell_;
-  double sign_, begin_, length_;
+  int sign_;
+  double begin_, length_;
   bool itself_;
   std::array<Vec3, 3> axes_;
 };

@@ -13,6 +13,10 @@ constexpr double kChoose2[] = {1, 2, 1}, kChoose3[] = {1, 3, 3, 1},
 
 }  // namespace
 
+Vec3 across(const Vec3& n) {
+  return normalized(cross(n, std::abs(n.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+}
+
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(length(cross(a, b)), dot(a, b));
 }

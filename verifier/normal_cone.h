@@ -8,6 +8,8 @@
 namespace limitgauge::verifier {
 
 double angle_between(const model::Vec3& a, const model::Vec3& b);
+/// A unit vector across a unit vector.
+model::Vec3 across(const model::Vec3& n);
 
 /// Bézier coefficients of S_u × S_v, of degree 5 in both (index 6·j + i, i along u), up to a common
 /// positive factor.

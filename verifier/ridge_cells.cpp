@@ -260,7 +260,7 @@ void add_vertex(const std::vector<PatchCorner>& corners, const SurfaceTree& tree
   }
   if (normals.size() < 2 || !(length(mean) > 1e-6) || !is_convex(corners, normals, tree)) return;
   mean = normalized(mean);
-  const Vec3 side = normalized(cross(mean, std::abs(mean.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+  const Vec3 side = across(mean);
   const Vec3 other = cross(mean, side);
   std::sort(normals.begin(), normals.end(), [&](const Vec3& a, const Vec3& b) {
     return std::atan2(dot(a, other), dot(a, side)) < std::atan2(dot(b, other), dot(b, side));

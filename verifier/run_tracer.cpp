@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verifier/normal_cone.h"
 #include "verifier/surface_crossing.h"
 
 namespace limitgauge::verifier {
@@ -83,7 +84,7 @@ double RunTracer::free_beside(const Nearest& at, const Vec3& p, const Vec3& alon
 /// Whether what stands at p, a film's thickness along a ray, is the thin end of more: where a ray
 /// passes through the material just beside a sharp edge of it.
 bool RunTracer::is_wedge(const Vec3& p, const Vec3& along) const {
-  const Vec3 e = normalized(cross(along, std::abs(along.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+  const Vec3 e = across(along);
   const Vec3 f = cross(along, e);
   for (const Vec3& aside : {e, -e, f, -f})
     if (space_.nearest(p + aside * kBeside_mm).distance.value > kStepOver_mm) return true;
@@ -117,7 +118,7 @@ double RunTracer::walk_removed(const Vec3& p, const Vec3& along, double limit_mm
   return t;
 }
 
-/// What was swept outside the raw stock, from one t to another where the ray is in nothing else.
+/// What was swept along the ray from one t to another, between which it lies outside the raw stock.
 template <class Visit>
 void RunTracer::visit_swept(const Vec3& p, const Vec3& along, double from, double to,
                             Visit&& visit) const {

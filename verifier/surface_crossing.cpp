@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include "verifier/nearest_first.h"
+#include "verifier/normal_cone.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -24,10 +24,7 @@ constexpr double kFacing = 1e-3;
 class Ray {
  public:
   Ray(const Vec3& from, const Vec3& along)
-      : from_(from),
-        along_(along),
-        aside_(normalized(cross(along, std::abs(along.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}))),
-        across_(cross(along, aside_)) {}
+      : from_(from), along_(along), aside_(across(along)), across_(cross(along, aside_)) {}
 
   /// Where it may meet the hull of the cell's control points.
   Stretch within(const Bezier& cell) const {

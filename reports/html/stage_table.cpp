@@ -23,7 +23,8 @@ std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) 
   const std::vector<GateFigure> f = gate_figures(stage);
   const auto figure = [&](std::size_t i) {
     if (f[i].standing == Standing::not_run) return std::string("–");
-    return share_below(f[i].measured) + (f[i].limit.empty() ? "" : "<small>limit " + f[i].limit + "</small>");
+    return share_below(f[i].measured) +
+           (f[i].limit.empty() ? "" : "<small>limit " + f[i].limit + "</small>");
   };
   const std::size_t hits = stage.ran ? faults(stage.ran->process) : 0;
   return {fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),

@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "app/commands.h"
-#include "app/interrupt.h"
-#include "app/terminal.h"
+#include "app/cli/commands.h"
+#include "app/cli/terminal.h"
+#include "app/output/interrupt.h"
 
 int main(int argc, char** argv) {
   using namespace limitgauge::app;

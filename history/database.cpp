@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "engine/model/error.h"
 #include "history/statement.h"
+#include "model/base/error.h"
 
 namespace limitgauge::history {
 namespace {

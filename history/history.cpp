@@ -4,10 +4,10 @@
 #include <limits>
 #include <unordered_map>
 
-#include "engine/model/error.h"
 #include "history/database.h"
 #include "history/schema.h"
 #include "history/statement.h"
+#include "model/base/error.h"
 
 namespace limitgauge::history {
 namespace fs = std::filesystem;

@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/model/error.h"
 #include "history/database.h"
 #include "history/schema.h"
 #include "history/statement.h"
+#include "model/base/error.h"
 
 namespace limitgauge::history {
 namespace fs = std::filesystem;

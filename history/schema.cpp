@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
-#include "engine/model/error.h"
 #include "history/database.h"
+#include "model/base/error.h"
 
 namespace limitgauge::history {
 namespace {

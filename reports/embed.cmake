@@ -2,7 +2,7 @@
 #
 # Writes a .cpp whose function gives the text of INPUT.
 file(READ "${INPUT}" text)
-file(WRITE "${OUTPUT}" "#include \"reports/embedded.h\"
+file(WRITE "${OUTPUT}" "#include \"reports/text/embedded.h\"
 
 namespace limitgauge::reports::embedded {
 std::string_view ${FUNCTION}() {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "engine/model/cage.h"
-#include "engine/model/run_control.h"
+#include "model/base/run_control.h"
+#include "model/part/cage.h"
 
 namespace limitgauge::engine::surface {
 

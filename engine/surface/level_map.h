@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/model/vec3.h"
+#include "model/geometry/vec3.h"
 
 namespace limitgauge::engine::surface {
 

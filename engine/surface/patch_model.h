@@ -3,11 +3,11 @@
 #include <array>
 #include <vector>
 
-#include "engine/model/run_control.h"
-#include "engine/surface/chord_bound.h"
+#include "engine/surface/cell/chord_bound.h"
+#include "engine/surface/cell/limit_patch.h"
+#include "engine/surface/cell/outer_mesh.h"
 #include "engine/surface/finish_model.h"
-#include "engine/surface/limit_patch.h"
-#include "engine/surface/outer_mesh.h"
+#include "model/base/run_control.h"
 
 namespace limitgauge::engine::surface {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "engine/surface/grid_section.h"
 #include "engine/surface/offset_model.h"
 #include "engine/surface/patch_model.h"
+#include "engine/surface/section/grid_section.h"
 
 namespace limitgauge::engine::surface {
 

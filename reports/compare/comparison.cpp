@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "reports/compare/figures.h"
 #include "reports/compare/findings.h"
 #include "reports/compare/remarks.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/model/vec3.h"
+#include "model/geometry/vec3.h"
 #include "reports/record/metrics.h"
 #include "reports/record/run_record.h"
 

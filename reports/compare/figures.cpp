@@ -6,7 +6,7 @@
 #include "reports/compare/noise.h"
 #include "reports/compare/places.h"
 #include "reports/compare/selection.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::compare {
 namespace {

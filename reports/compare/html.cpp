@@ -6,7 +6,7 @@
 #include "reports/compare/words.h"
 #include "reports/html/markup.h"
 #include "reports/html/shell.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::compare {
 namespace {

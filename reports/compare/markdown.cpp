@@ -4,7 +4,7 @@
 
 #include "reports/compare/report.h"
 #include "reports/compare/words.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::compare {
 namespace {

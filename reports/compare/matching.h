@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/model/vec3.h"
+#include "model/geometry/vec3.h"
 
 namespace limitgauge::reports::compare {
 

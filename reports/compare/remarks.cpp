@@ -5,7 +5,7 @@
 
 #include "reports/compare/selection.h"
 #include "reports/compare/words.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::compare {
 namespace {

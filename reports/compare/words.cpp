@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/process.h"
-#include "reports/text.h"
+#include "reports/run/process.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::compare {
 namespace {

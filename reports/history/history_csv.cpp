@@ -1,9 +1,9 @@
 #include <ostream>
 
-#include "reports/csv_cell.h"
 #include "reports/history/history_report.h"
 #include "reports/history/shown.h"
-#include "reports/text.h"
+#include "reports/text/csv_cell.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {
 namespace {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <ostream>
 
-#include "reports/embedded.h"
 #include "reports/history/history_report.h"
 #include "reports/history/page_data.h"
 #include "reports/history/runs_table.h"
 #include "reports/html/markup.h"
 #include "reports/html/shell.h"
-#include "reports/text.h"
+#include "reports/text/embedded.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {
 namespace {

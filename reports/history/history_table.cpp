@@ -2,7 +2,7 @@
 
 #include "reports/history/history_report.h"
 #include "reports/history/shown.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {
 namespace {

@@ -8,7 +8,7 @@
 #include "history/entry.h"
 #include "reports/compare/comparison.h"
 #include "reports/record/metrics.h"
-#include "verifier/deviation.h"
+#include "verifier/gate/deviation.h"
 
 /// Past runs, job by job, as the terminal, the page and the files show them.
 namespace limitgauge::reports::history_report {

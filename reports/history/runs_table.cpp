@@ -6,7 +6,7 @@
 #include <array>
 
 #include "reports/html/markup.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {
 namespace {

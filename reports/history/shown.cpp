@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "reports/history/job_history.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "reports/gate_figures.h"
-#include "reports/text.h"
+#include "reports/run/gate_figures.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::html {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "reports/picture/deviation_scale.h"
-#include "verifier/deviation.h"
+#include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports::html {
 

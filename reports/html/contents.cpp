@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "reports/html/anchors.h"
-#include "reports/html/engine_section.h"
+#include "reports/html/job/engine_section.h"
 #include "reports/html/markup.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::html {
 namespace {

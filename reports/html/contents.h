@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "reports/run_result.h"
+#include "reports/run/run_result.h"
 
 namespace limitgauge::reports::html {
 

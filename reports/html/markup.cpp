@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "reports/base64.h"
-#include "reports/text.h"
+#include "reports/text/base64.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::html {
 namespace {

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/gate_figures.h"
-#include "verifier/deviation.h"
+#include "reports/run/gate_figures.h"
+#include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports::html {
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "reports/gate_figures.h"
 #include "reports/html/anchors.h"
-#include "reports/html/job_section.h"
+#include "reports/html/job/job_section.h"
 #include "reports/html/markup.h"
-#include "reports/html/worst_places.h"
-#include "reports/text.h"
+#include "reports/html/stage/worst_places.h"
+#include "reports/run/gate_figures.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::html {
 namespace {

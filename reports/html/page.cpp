@@ -1,18 +1,18 @@
 #include <ostream>
 
-#include "reports/embedded.h"
 #include "reports/html/contents.h"
-#include "reports/html/decision_section.h"
-#include "reports/html/engine_section.h"
-#include "reports/html/job_section.h"
+#include "reports/html/job/decision_section.h"
+#include "reports/html/job/engine_section.h"
+#include "reports/html/job/job_section.h"
+#include "reports/html/job/surface_section.h"
 #include "reports/html/markup.h"
 #include "reports/html/masthead.h"
 #include "reports/html/shell.h"
-#include "reports/html/stage_section.h"
-#include "reports/html/stage_table.h"
-#include "reports/html/surface_section.h"
+#include "reports/html/stage/stage_section.h"
+#include "reports/html/stage/stage_table.h"
 #include "reports/page/page_script.h"
-#include "reports/report.h"
+#include "reports/run/report.h"
+#include "reports/text/embedded.h"
 
 namespace limitgauge::reports {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "reports/embedded.h"
-#include "reports/text.h"
+#include "reports/text/embedded.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::html {
 namespace {

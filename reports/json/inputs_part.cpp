@@ -1,6 +1,6 @@
 #include "reports/json/inputs_part.h"
 
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::json {
 

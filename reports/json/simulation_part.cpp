@@ -1,7 +1,7 @@
 #include "reports/json/simulation_part.h"
 
-#include "reports/process.h"
-#include "reports/text.h"
+#include "reports/run/process.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::json {
 namespace {

@@ -3,8 +3,8 @@
 #include "reports/json/deviation_part.h"
 #include "reports/json/simulation_part.h"
 #include "reports/json/toolpath_part.h"
-#include "reports/program_lines.h"
-#include "reports/text.h"
+#include "reports/run/program_lines.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::json {
 namespace {

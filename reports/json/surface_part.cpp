@@ -1,6 +1,6 @@
 #include "reports/json/surface_part.h"
 
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::json {
 namespace {

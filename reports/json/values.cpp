@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::json {
 

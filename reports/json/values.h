@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/run_result.h"
+#include "reports/run/run_result.h"
 
 /// The parts of result.json. Each gives the value of one key; `key` names a figure in the error
 /// that is thrown when it is not finite.

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/model/error.h"
-#include "reports/base64.h"
+#include "model/base/error.h"
+#include "reports/text/base64.h"
 
 namespace limitgauge::reports::page {
 namespace {

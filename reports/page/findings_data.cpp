@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/process.h"
-#include "reports/program_lines.h"
-#include "reports/text.h"
+#include "reports/run/process.h"
+#include "reports/run/program_lines.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::page {
 namespace {

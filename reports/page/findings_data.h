@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reports/page/blocks.h"
-#include "reports/run_result.h"
+#include "reports/run/run_result.h"
 
 namespace limitgauge::reports::page {
 

@@ -3,7 +3,7 @@
 #include "reports/page/field_data.h"
 #include "reports/page/findings_data.h"
 #include "reports/page/path_data.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::page {
 namespace {

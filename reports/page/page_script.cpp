@@ -2,8 +2,8 @@
 
 #include <ostream>
 
-#include "reports/embedded.h"
 #include "reports/page/page_data.h"
+#include "reports/text/embedded.h"
 
 namespace limitgauge::reports::page {
 

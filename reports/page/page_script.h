@@ -2,7 +2,7 @@
 
 #include <iosfwd>
 
-#include "reports/run_result.h"
+#include "reports/run/run_result.h"
 
 namespace limitgauge::reports::page {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/model/toolpath.h"
-#include "simulator/dexel_removal.h"
+#include "model/part/toolpath.h"
+#include "simulator/instrument/dexel_removal.h"
 
 namespace limitgauge::reports::page {
 

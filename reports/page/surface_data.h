@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/page/blocks.h"
-#include "verifier/deviation.h"
+#include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports::page {
 

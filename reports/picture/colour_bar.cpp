@@ -4,7 +4,7 @@
 #include <string>
 
 #include "reports/picture/strokes.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports {
 namespace {

@@ -3,7 +3,7 @@
 #include "reports/picture/deviation_scale.h"
 #include "reports/picture/image.h"
 #include "reports/picture/strokes.h"
-#include "verifier/deviation.h"
+#include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports {
 

@@ -5,7 +5,7 @@
 #include "reports/picture/colour_bar.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/marker.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports {
 namespace {

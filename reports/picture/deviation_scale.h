@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "reports/picture/image.h"
-#include "verifier/deviation.h"
+#include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/model/vec3.h"
+#include "model/geometry/vec3.h"
 #include "reports/picture/strokes.h"
 
 namespace limitgauge::reports {

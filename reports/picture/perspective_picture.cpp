@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "reports/gate_figures.h"
 #include "reports/picture/colour_bar.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/marker.h"
 #include "reports/picture/perspective_map.h"
-#include "reports/text.h"
+#include "reports/run/gate_figures.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reports/picture/raster.h"
-#include "verifier/deviation.h"
+#include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reports/picture/image.h"
-#include "simulator/stock_model.h"
+#include "simulator/stock/stock_model.h"
 
 namespace limitgauge::reports {
 

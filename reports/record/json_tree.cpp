@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 
 namespace limitgauge::reports::record {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 
 namespace limitgauge::reports::record {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/vec3.h"
-#include "verifier/deviation.h"
+#include "model/geometry/vec3.h"
+#include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports::record {
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "engine/model/text_file.h"
+#include "model/base/text_file.h"
 #include "reports/record/json_tree.h"
 #include "reports/record/stage_reader.h"
 

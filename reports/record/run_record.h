@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/vec3.h"
-#include "verifier/deviation.h"
+#include "model/geometry/vec3.h"
+#include "verifier/gate/deviation.h"
 
 /// Results as they are read back from result.json: the one way in which compare, history and study
 /// know a run.

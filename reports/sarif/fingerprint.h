@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "reports/finding_list.h"
+#include "reports/run/finding_list.h"
 
 namespace limitgauge::reports::sarif {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "reports/program_lines.h"
-#include "reports/text.h"
+#include "reports/run/program_lines.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::sarif {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/finding_list.h"
+#include "reports/run/finding_list.h"
 #include "reports/sarif/rules.h"
 
 namespace limitgauge::reports::sarif {

@@ -1,7 +1,7 @@
 #include "reports/sarif/result_entry.h"
 
 #include "reports/sarif/fingerprint.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::sarif {
 namespace {

@@ -2,11 +2,11 @@
 #include <map>
 #include <ostream>
 
-#include "reports/gate_figures.h"
-#include "reports/report.h"
+#include "reports/run/gate_figures.h"
+#include "reports/run/report.h"
 #include "reports/sarif/fingerprint.h"
 #include "reports/sarif/result_entry.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports {
 namespace {

@@ -3,7 +3,7 @@
 #include "reports/html/markup.h"
 #include "reports/study/case_table.h"
 #include "reports/study/parts.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
 namespace {

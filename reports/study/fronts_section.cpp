@@ -6,7 +6,7 @@
 #include "reports/study/case_table.h"
 #include "reports/study/parts.h"
 #include "reports/study/shown.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
 namespace {

@@ -8,7 +8,7 @@
 #include "reports/html/markup.h"
 #include "reports/study/parts.h"
 #include "reports/study/shown.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
 namespace {

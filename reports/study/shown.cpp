@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "reports/html/markup.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
 namespace {

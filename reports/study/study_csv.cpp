@@ -1,9 +1,9 @@
 #include <ostream>
 
-#include "reports/csv_cell.h"
 #include "reports/study/finite.h"
 #include "reports/study/shown.h"
-#include "reports/text.h"
+#include "reports/text/csv_cell.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
 namespace {

@@ -1,9 +1,9 @@
 #include <ostream>
 
-#include "reports/embedded.h"
 #include "reports/html/shell.h"
 #include "reports/study/parts.h"
-#include "reports/text.h"
+#include "reports/text/embedded.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
 namespace {

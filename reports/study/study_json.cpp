@@ -3,7 +3,7 @@
 
 #include "reports/study/finite.h"
 #include "reports/study/study_view.h"
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
 namespace {

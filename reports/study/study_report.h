@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "study/analysis.h"
-#include "study/plan.h"
-#include "study/table.h"
+#include "study/plan/plan.h"
+#include "study/search/analysis.h"
+#include "study/store/table.h"
 
 /// What a study writes.
 namespace limitgauge::reports::study_report {

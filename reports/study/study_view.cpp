@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "reports/embedded.h"
+#include "reports/text/embedded.h"
 
 namespace limitgauge::reports::study_report {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reports/study/study_report.h"
-#include "study/objectives.h"
+#include "study/search/objectives.h"
 
 namespace limitgauge::reports::study_report {
 

@@ -6,12 +6,12 @@
 #include <iterator>
 #include <random>
 
-#include "engine/model/cutter_figures.h"
-#include "simulator/swept_distance.h"
+#include "model/part/cutter_figures.h"
+#include "simulator/sweep/swept_distance.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
-#include "verifier/verify.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge {
 namespace {

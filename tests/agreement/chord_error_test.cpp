@@ -7,14 +7,14 @@
 #include <limits>
 #include <vector>
 
-#include "engine/model/cage_obj.h"
 #include "engine/surface/offset_model.h"
+#include "model/part/cage_obj.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/feature_cages.h"
-#include "verifier/closest_point.h"
-#include "verifier/reference_surface.h"
-#include "verifier/surface_cells.h"
+#include "verifier/cells/surface_cells.h"
+#include "verifier/feet/closest_point.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge {
 namespace {

@@ -2,14 +2,14 @@
 // nothing but the cage.
 #include <filesystem>
 
-#include "engine/model/cage_obj.h"
-#include "engine/surface/cell_patch.h"
-#include "engine/surface/corner_ring.h"
+#include "engine/surface/cell/cell_patch.h"
+#include "engine/surface/cell/corner_ring.h"
 #include "engine/surface/finish_model.h"
 #include "engine/surface/patch_model.h"
+#include "model/part/cage_obj.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
-#include "verifier/reference_surface.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/model/cage.h"
+#include "model/part/cage.h"
 
 namespace limitgauge::tests {
 

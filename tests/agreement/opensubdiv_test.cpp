@@ -10,7 +10,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/feature_cages.h"
 #include "tests/verifier/limit_samples.h"
-#include "verifier/reference_surface.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge {
 namespace {

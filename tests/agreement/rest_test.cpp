@@ -1,13 +1,13 @@
 // What the verifier finds uncut, the engine's rest strategy cuts: and nothing else.
 
-#include "engine/strategy/rest.h"
+#include "engine/strategy/rows/rest.h"
 
 #include <array>
 
 #include "engine/surface/finish_model.h"
 #include "engine/surface/patch_model.h"
 #include "tests/support/catch.h"
-#include "verifier/leftover_regions.h"
+#include "verifier/certificate/leftover_regions.h"
 
 using namespace limitgauge;
 using namespace engine;

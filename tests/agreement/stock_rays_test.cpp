@@ -1,13 +1,13 @@
 // The simulator's stock and the verifier's distances, held against each other by rays: neither
 // knows the other.
-#include "verifier/stock_rays.h"
-#include "app/stock_probe.h"
+#include "verifier/gate/stock_rays.h"
+#include "app/run/stock_probe.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
 #include "tests/support/solid_meshes.h"
-#include "verifier/deviation_field.h"
-#include "verifier/surface_tree.h"
+#include "verifier/gate/deviation_field.h"
+#include "verifier/surface/surface_tree.h"
 
 namespace limitgauge {
 namespace {

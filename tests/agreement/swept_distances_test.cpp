@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "simulator/swept_distance.h"
+#include "simulator/sweep/swept_distance.h"
 #include "tests/support/catch.h"
-#include "verifier/swept_body.h"
+#include "verifier/cutter/swept_body.h"
 
 namespace limitgauge {
 namespace {

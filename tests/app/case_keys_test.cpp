@@ -1,11 +1,11 @@
-#include "app/case_keys.h"
+#include "app/study/case_keys.h"
 
 #include <fstream>
 #include <set>
 
-#include "app/toml_canonical.h"
-#include "engine/model/error.h"
-#include "engine/model/text_file.h"
+#include "app/toml/toml_canonical.h"
+#include "model/base/error.h"
+#include "model/base/text_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,16 +1,16 @@
-#include "app/case_runner.h"
+#include "app/study/case_runner.h"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/case_keys.h"
-#include "app/job_reader.h"
-#include "app/prefix_shelf.h"
-#include "app/stage_prefix_text.h"
-#include "engine/model/error.h"
-#include "engine/model/text_file.h"
-#include "reports/report.h"
+#include "app/job/job_reader.h"
+#include "app/run/stage_prefix_text.h"
+#include "app/study/case_keys.h"
+#include "app/study/prefix_shelf.h"
+#include "model/base/error.h"
+#include "model/base/text_file.h"
+#include "reports/run/report.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

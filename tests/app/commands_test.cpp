@@ -1,10 +1,10 @@
-#include "app/commands.h"
+#include "app/cli/commands.h"
 
 #include <sstream>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/support/catch.h"
-#include "verifier/verify.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/folder_files.h"
+#include "app/output/folder_files.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

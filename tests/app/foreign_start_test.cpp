@@ -1,9 +1,9 @@
-#include "app/foreign_programs.h"
+#include "app/job/foreign_programs.h"
 
 #include <fstream>
 
-#include "app/run_inputs.h"
-#include "engine/model/error.h"
+#include "app/run/run_inputs.h"
+#include "model/base/error.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"

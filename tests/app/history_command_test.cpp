@@ -1,7 +1,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/commands.h"
+#include "app/cli/commands.h"
 #include "history/recorder.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"

@@ -2,8 +2,8 @@
 #include <array>
 #include <string>
 
-#include "app/nearest_key.h"
-#include "engine/model/error.h"
+#include "app/cli/nearest_key.h"
+#include "model/base/error.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 

@@ -1,11 +1,11 @@
-#include "app/input_checksums.h"
+#include "app/run/input_checksums.h"
 
 #include <fstream>
 #include <sstream>
 
-#include "app/job_reader.h"
-#include "app/verify_job.h"
-#include "engine/model/error.h"
+#include "app/job/job_reader.h"
+#include "app/verify/verify_job.h"
+#include "model/base/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "app/toml_table.h"
-#include "app/words.h"
+#include "app/cli/words.h"
+#include "app/toml/toml_table.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 

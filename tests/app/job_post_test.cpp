@@ -1,13 +1,13 @@
-#include "app/job_post.h"
+#include "app/job/job_post.h"
 
 #include <algorithm>
 #include <numbers>
 
-#include "app/settings.h"
-#include "app/stage_program.h"
-#include "engine/model/cl_data.h"
-#include "engine/model/error.h"
-#include "engine/model/program.h"
+#include "app/job/settings.h"
+#include "app/run/stage_program.h"
+#include "model/base/error.h"
+#include "model/gcode/cl_data.h"
+#include "model/gcode/program.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 

@@ -1,6 +1,6 @@
-#include "app/job_reader.h"
+#include "app/job/job_reader.h"
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 

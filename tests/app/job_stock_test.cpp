@@ -2,9 +2,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/stock_file.h"
-#include "engine/model/error.h"
-#include "simulator/stock_model.h"
+#include "app/run/stock_file.h"
+#include "model/base/error.h"
+#include "simulator/stock/stock_model.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_shapes.h"

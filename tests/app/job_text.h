@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "app/job_reader.h"
-#include "engine/model/error.h"
+#include "app/job/job_reader.h"
+#include "model/base/error.h"
 
 namespace limitgauge::app {
 

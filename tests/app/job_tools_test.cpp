@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 

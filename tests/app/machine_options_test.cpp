@@ -1,8 +1,8 @@
-#include "app/machine_options.h"
+#include "app/job/machine_options.h"
 
 #include <fstream>
 
-#include "app/command_line.h"
+#include "app/cli/command_line.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

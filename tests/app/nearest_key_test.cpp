@@ -1,4 +1,4 @@
-#include "app/nearest_key.h"
+#include "app/cli/nearest_key.h"
 
 #include <array>
 

@@ -1,9 +1,9 @@
-#include "app/output_folder.h"
+#include "app/output/output_folder.h"
 
 #include <fstream>
 
-#include "app/output_files.h"
-#include "engine/model/error.h"
+#include "app/output/output_files.h"
+#include "model/base/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
-#include "app/program_parts.h"
+#include "app/job/program_parts.h"
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::app {

@@ -1,8 +1,8 @@
-#include "app/progress.h"
+#include "app/output/progress.h"
 
 #include <sstream>
 
-#include "reports/text.h"
+#include "reports/text/text.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::app {

@@ -1,4 +1,4 @@
-#include "app/settings.h"
+#include "app/job/settings.h"
 
 #include <cmath>
 

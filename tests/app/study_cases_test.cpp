@@ -1,15 +1,15 @@
-#include "app/study_cases.h"
+#include "app/study/study_cases.h"
 
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
 #include <sstream>
 
-#include "app/byte_size.h"
-#include "app/study_figures.h"
-#include "app/study_output.h"
-#include "engine/model/error.h"
-#include "reports/report.h"
+#include "app/output/byte_size.h"
+#include "app/study/study_figures.h"
+#include "app/study/study_output.h"
+#include "model/base/error.h"
+#include "reports/run/report.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"

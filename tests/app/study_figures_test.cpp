@@ -1,4 +1,4 @@
-#include "app/study_figures.h"
+#include "app/study/study_figures.h"
 
 #include <algorithm>
 

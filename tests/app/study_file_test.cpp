@@ -1,9 +1,9 @@
-#include "app/study_file.h"
+#include "app/study/study_file.h"
 
 #include <set>
 
-#include "app/study_job.h"
-#include "engine/model/text_file.h"
+#include "app/study/study_job.h"
+#include "model/base/text_file.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 

@@ -1,10 +1,10 @@
 #include <set>
 
-#include "app/study_file.h"
-#include "app/study_job.h"
-#include "app/toml_table.h"
-#include "app/words.h"
-#include "engine/model/text_file.h"
+#include "app/cli/words.h"
+#include "app/study/study_file.h"
+#include "app/study/study_job.h"
+#include "app/toml/toml_table.h"
+#include "model/base/text_file.h"
 #include "tests/app/job_page.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"

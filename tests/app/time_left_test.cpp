@@ -1,4 +1,4 @@
-#include "app/time_left.h"
+#include "app/output/time_left.h"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
 #include <functional>
 #include <sstream>
 
-#include "app/completions.h"
-#include "app/help_text.h"
-#include "app/man_page.h"
-#include "app/usage_notes.h"
+#include "app/usage/completions.h"
+#include "app/usage/help_text.h"
+#include "app/usage/man_page.h"
+#include "app/usage/usage_notes.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::app {

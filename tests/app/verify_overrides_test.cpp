@@ -1,6 +1,6 @@
-#include "app/verify_overrides.h"
+#include "app/verify/verify_overrides.h"
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::app {

@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "engine/model/cage_obj.h"
-#include "engine/strategy/stage_path.h"
+#include "engine/strategy/linking/stage_path.h"
 #include "engine/surface/patch_model.h"
+#include "model/part/cage_obj.h"
 #include "tests/benchmark/dome_finish.h"
 
 namespace limitgauge::benchmarks {

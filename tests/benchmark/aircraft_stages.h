@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulator/pass.h"
+#include "simulator/sweep/pass.h"
 
 namespace limitgauge::benchmarks {
 

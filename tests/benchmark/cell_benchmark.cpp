@@ -14,8 +14,8 @@
 #include <memory>
 #include <vector>
 
-#include "engine/model/cage_obj.h"
-#include "engine/surface/cell_patch.h"
+#include "engine/surface/cell/cell_patch.h"
+#include "model/part/cage_obj.h"
 #include "tests/benchmark/counted_bytes.h"
 
 namespace limitgauge::benchmarks {

@@ -11,10 +11,10 @@
 #include <random>
 #include <vector>
 
-#include "engine/model/cage_obj.h"
+#include "model/part/cage_obj.h"
 #include "tests/benchmark/dome_finish.h"
 #include "tests/support/cages.h"
-#include "verifier/closest_point.h"
+#include "verifier/feet/closest_point.h"
 
 namespace limitgauge::benchmarks {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "simulator/process_check.h"
-#include "simulator/stock_model.h"
-#include "simulator/sweep_index.h"
+#include "simulator/process/process_check.h"
+#include "simulator/stock/stock_model.h"
+#include "simulator/sweep/sweep_index.h"
 #include "tests/benchmark/aircraft_stages.h"
 #include "tests/benchmark/cut_floor.h"
 #include "tests/benchmark/dome_finish.h"

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/model/chunks.h"
-#include "simulator/stock_grid.h"
-#include "simulator/swept_distance.h"
-#include "simulator/wide.h"
+#include "model/base/chunks.h"
+#include "simulator/grid/stock_grid.h"
+#include "simulator/sweep/swept_distance.h"
+#include "simulator/sweep/wide.h"
 
 namespace limitgauge::benchmarks {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/model/run_control.h"
-#include "simulator/stock_model.h"
+#include "model/base/run_control.h"
+#include "simulator/stock/stock_model.h"
 
 namespace limitgauge::benchmarks {
 

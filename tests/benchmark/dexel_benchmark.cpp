@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "simulator/dexel_stock.h"
+#include "simulator/instrument/dexel_stock.h"
 #include "tests/benchmark/dome_finish.h"
 
 namespace limitgauge::benchmarks {

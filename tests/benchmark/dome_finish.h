@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include "engine/model/cutter.h"
-#include "engine/model/stock.h"
-#include "engine/model/toolpath.h"
+#include "model/part/cutter.h"
+#include "model/part/stock.h"
+#include "model/part/toolpath.h"
 
 namespace limitgauge::benchmarks {
 

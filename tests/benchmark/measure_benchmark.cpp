@@ -3,9 +3,9 @@
 #include "tests/benchmark/dome_finish.h"
 #include "tests/support/cages.h"
 #include "tests/support/solid_meshes.h"
-#include "verifier/certificate.h"
-#include "verifier/closest_point.h"
-#include "verifier/verify.h"
+#include "verifier/certificate/certificate.h"
+#include "verifier/feet/closest_point.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::benchmarks {
 namespace {

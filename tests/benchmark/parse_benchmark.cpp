@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "engine/model/program.h"
+#include "model/gcode/program.h"
 
 namespace limitgauge::benchmarks {
 namespace {

@@ -12,8 +12,8 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/model/cage_obj.h"
-#include "engine/surface/sections.h"
+#include "engine/surface/section/sections.h"
+#include "model/part/cage_obj.h"
 
 namespace limitgauge::benchmarks {
 namespace {

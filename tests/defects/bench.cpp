@@ -7,8 +7,8 @@
 #include <optional>
 #include <set>
 
-#include "app/stock_probe.h"
-#include "simulator/stock_model.h"
+#include "app/run/stock_probe.h"
+#include "simulator/stock/stock_model.h"
 
 namespace limitgauge::tests::defects {
 namespace {

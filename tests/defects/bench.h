@@ -6,7 +6,7 @@
 
 #include "tests/defects/oracle.h"
 #include "tests/defects/planting.h"
-#include "verifier/verify.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::tests::defects {
 

@@ -12,7 +12,7 @@
 #include <numeric>
 #include <string_view>
 
-#include "engine/model/run_control.h"
+#include "model/base/run_control.h"
 #include "tests/defects/scenes.h"
 #include "tests/defects/surfaces.h"
 #include "tests/defects/table.h"

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "engine/model/program_path.h"
+#include "model/gcode/program_path.h"
 
 namespace limitgauge::tests::defects {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/toolpath.h"
+#include "model/part/toolpath.h"
 #include "tests/defects/raster.h"
 
 namespace limitgauge::tests::defects {

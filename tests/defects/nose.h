@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/model/cutter.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::tests::defects {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/model/stock.h"
-#include "simulator/material.h"
+#include "model/part/stock.h"
+#include "simulator/stock/material.h"
 #include "tests/defects/crossings.h"
 #include "tests/defects/reach_oracle.h"
 #include "tests/defects/sharp_places.h"

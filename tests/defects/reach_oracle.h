@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "simulator/cutter_profile.h"
+#include "simulator/sweep/cutter_profile.h"
 #include "tests/defects/sampled_surface.h"
 
 namespace limitgauge::tests::defects {

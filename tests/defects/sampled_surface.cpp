@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "verifier/surface_tree.h"
+#include "verifier/surface/surface_tree.h"
 
 namespace limitgauge::tests::defects {
 namespace {

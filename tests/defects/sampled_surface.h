@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/defects/nose.h"
-#include "verifier/reference_surface.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::tests::defects {
 

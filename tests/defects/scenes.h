@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/cage.h"
-#include "verifier/verify.h"
+#include "model/part/cage.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::tests::defects {
 

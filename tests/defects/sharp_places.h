@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/model/cage.h"
+#include "model/part/cage.h"
 #include "tests/defects/sampled_surface.h"
 
 namespace limitgauge::tests::defects {
@@ -22,7 +22,8 @@ class SharpPlaces {
   };
   Span span_at(const Place& place) const;
   /// The place, and if it is within a nanometre of a corner of its patch those beside that corner
-  /// on all patches that meet there, on their edges too: what may be said of the corner holds there.
+  /// on all patches that meet there, on their edges too: what may be said of the corner holds
+  /// there.
   std::vector<Place> beside(const Place& place) const;
   /// N(s) as a fan: of an edge `count` normals, of a corner about count²/2, else the faces' own.
   std::vector<model::Vec3> fan(const Place& place, int count) const;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <random>
 
-#include "engine/model/cage_obj.h"
+#include "model/part/cage_obj.h"
 #include "tests/support/cages.h"
 
 namespace limitgauge::tests::defects {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/cage.h"
-#include "engine/model/cutter.h"
+#include "model/part/cage.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::tests::defects {
 

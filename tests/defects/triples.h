@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tests/defects/oracle.h"
-#include "verifier/verify.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::tests::defects {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <mutex>
 
-#include "engine/model/run_control.h"
+#include "model/base/run_control.h"
 #include "tests/defects/triples.h"
 
 int main(int count, char** words) {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/model/cage.h"
+#include "model/part/cage.h"
 
 namespace limitgauge::test {
 

@@ -1,4 +1,4 @@
-#include "engine/surface/cell_patch.h"
+#include "engine/surface/cell/cell_patch.h"
 
 #include "tests/engine/cages.h"
 #include "tests/support/catch.h"

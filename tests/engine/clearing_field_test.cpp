@@ -1,10 +1,10 @@
-#include "engine/strategy/clearing_field.h"
+#include "engine/strategy/raster/clearing_field.h"
 
 #include <random>
 
-#include "engine/strategy/clip.h"
-#include "engine/strategy/distance_field.h"
-#include "engine/strategy/swept_raster.h"
+#include "engine/strategy/raster/clip.h"
+#include "engine/strategy/raster/distance_field.h"
+#include "engine/strategy/raster/swept_raster.h"
 #include "tests/engine/cutter_outline.h"
 #include "tests/support/catch.h"
 

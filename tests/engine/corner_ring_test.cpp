@@ -1,4 +1,4 @@
-#include "engine/surface/corner_ring.h"
+#include "engine/surface/cell/corner_ring.h"
 
 #include "engine/surface/patch_model.h"
 #include "tests/engine/cages.h"

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "engine/strategy/cutter_locations.h"
-#include "engine/strategy/limit_locations.h"
+#include "engine/strategy/locations/cutter_locations.h"
+#include "engine/strategy/locations/limit_locations.h"
 #include "engine/surface/patch_model.h"
 #include "tests/engine/lift_probe.h"
 

@@ -1,8 +1,8 @@
 // Cutter locations against evaluators that know nothing of edges, facets, trees or convexity.
 #include <random>
 
-#include "engine/model/run_control.h"
-#include "engine/strategy/cutter_locations.h"
+#include "engine/strategy/locations/cutter_locations.h"
+#include "model/base/run_control.h"
 #include "tests/engine/lift_probe.h"
 #include "tests/support/catch.h"
 

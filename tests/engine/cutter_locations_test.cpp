@@ -1,8 +1,8 @@
-#include "engine/strategy/cutter_locations.h"
+#include "engine/strategy/locations/cutter_locations.h"
 
 #include <stdexcept>
 
-#include "engine/model/run_control.h"
+#include "model/base/run_control.h"
 #include "tests/engine/lift_probe.h"
 #include "tests/support/catch.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/model/cutter.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::test {
 

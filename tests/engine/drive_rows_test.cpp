@@ -1,4 +1,4 @@
-#include "engine/strategy/ball_rows.h"
+#include "engine/strategy/locations/ball_rows.h"
 
 #include <algorithm>
 #include <cmath>

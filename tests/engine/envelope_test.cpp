@@ -1,8 +1,8 @@
-#include "engine/strategy/envelope.h"
+#include "engine/strategy/locations/envelope.h"
 
 #include <cmath>
 
-#include "engine/strategy/reduce.h"
+#include "engine/strategy/linking/reduce.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::engine::strategy;

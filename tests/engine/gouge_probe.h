@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "engine/model/cutter.h"
-#include "engine/model/toolpath.h"
+#include "model/part/cutter.h"
+#include "model/part/toolpath.h"
 
 namespace limitgauge::test {
 

@@ -1,4 +1,4 @@
-#include "engine/surface/grid_section.h"
+#include "engine/surface/section/grid_section.h"
 
 #include <cmath>
 #include <functional>

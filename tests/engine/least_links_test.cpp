@@ -1,4 +1,4 @@
-#include "engine/strategy/least_links.h"
+#include "engine/strategy/linking/least_links.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "engine/strategy/reduce.h"
+#include "engine/strategy/linking/reduce.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::engine::strategy;

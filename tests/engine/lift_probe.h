@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "engine/model/cutter.h"
-#include "engine/surface/grid_section.h"
+#include "engine/surface/section/grid_section.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::test {
 

@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "engine/model/cage_obj.h"
 #include "engine/surface/patch_model.h"
+#include "model/part/cage_obj.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge;

@@ -1,10 +1,10 @@
-#include "engine/strategy/linking.h"
+#include "engine/strategy/linking/linking.h"
 
 #include <numbers>
 #include <set>
 #include <tuple>
 
-#include "engine/strategy/approach.h"
+#include "engine/strategy/linking/approach.h"
 #include "tests/engine/lift_probe.h"
 #include "tests/support/catch.h"
 

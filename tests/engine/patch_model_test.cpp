@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "engine/model/cage_obj.h"
 #include "engine/surface/offset_model.h"
+#include "model/part/cage_obj.h"
 #include "tests/engine/cages.h"
 #include "tests/support/catch.h"
 

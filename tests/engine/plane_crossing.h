@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/surface/grid_section.h"
+#include "engine/surface/section/grid_section.h"
 
 namespace limitgauge::test {
 

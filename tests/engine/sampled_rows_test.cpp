@@ -1,4 +1,4 @@
-#include "engine/strategy/sampled_rows.h"
+#include "engine/strategy/rows/sampled_rows.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "engine/surface/sections.h"
+#include "engine/surface/section/sections.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "engine/strategy/stage_path.h"
+#include "engine/strategy/linking/stage_path.h"
 
 #include <cstring>
 

@@ -1,13 +1,13 @@
-#include "engine/strategy/steep_shallow.h"
+#include "engine/strategy/levels/steep_shallow.h"
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <tuple>
 
-#include "engine/strategy/boundary_pass.h"
-#include "engine/strategy/level_choice.h"
-#include "engine/strategy/pass_clip.h"
+#include "engine/strategy/levels/level_choice.h"
+#include "engine/strategy/linking/pass_clip.h"
+#include "engine/strategy/rows/boundary_pass.h"
 #include "tests/engine/coverage_probe.h"
 #include "tests/engine/strategy_parts.h"
 #include "tests/support/catch.h"

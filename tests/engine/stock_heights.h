@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/model/stock.h"
+#include "model/part/stock.h"
 
 namespace limitgauge::test {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/strategy/limit_locations.h"
-#include "engine/strategy/linking.h"
+#include "engine/strategy/linking/linking.h"
+#include "engine/strategy/locations/limit_locations.h"
 #include "engine/surface/patch_model.h"
 #include "tests/engine/shape_cages.h"
 

@@ -1,4 +1,4 @@
-#include "engine/strategy/waterline.h"
+#include "engine/strategy/levels/waterline.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include <sstream>
 
-#include "engine/model/cage_obj.h"
+#include "model/part/cage_obj.h"
 #include "tests/fuzz/reading.h"
 
 using namespace limitgauge;

@@ -1,6 +1,6 @@
 #include <sstream>
 
-#include "engine/model/cl_data.h"
+#include "model/gcode/cl_data.h"
 #include "tests/fuzz/reading.h"
 
 using namespace limitgauge;

@@ -2,9 +2,9 @@
 // an earlier run, which would bring OpenVDB, is refused.
 #include <memory>
 
-#include "app/stock_file.h"
-#include "engine/model/error.h"
-#include "engine/model/mesh_reader.h"
+#include "app/run/stock_file.h"
+#include "model/base/error.h"
+#include "model/mesh/mesh_reader.h"
 
 namespace limitgauge::app {
 

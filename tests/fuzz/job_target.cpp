@@ -1,7 +1,7 @@
 #include <sstream>
 #include <vector>
 
-#include "app/job_reader.h"
+#include "app/job/job_reader.h"
 #include "tests/fuzz/reading.h"
 
 using namespace limitgauge;

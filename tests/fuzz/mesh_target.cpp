@@ -1,7 +1,7 @@
 #include <sstream>
 
-#include "engine/model/mesh_defect.h"
-#include "engine/model/mesh_reader.h"
+#include "model/mesh/mesh_defect.h"
+#include "model/mesh/mesh_reader.h"
 #include "tests/fuzz/reading.h"
 
 using namespace limitgauge;

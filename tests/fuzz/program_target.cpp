@@ -1,6 +1,6 @@
 #include <sstream>
 
-#include "engine/model/program.h"
+#include "model/gcode/program.h"
 #include "tests/fuzz/reading.h"
 
 using namespace limitgauge;

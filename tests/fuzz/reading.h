@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 
 namespace limitgauge::fuzz {
 

@@ -1,7 +1,7 @@
-#include "app/study_file.h"
-#include "app/study_job.h"
-#include "engine/model/text_file.h"
-#include "study/plan.h"
+#include "app/study/study_file.h"
+#include "app/study/study_job.h"
+#include "model/base/text_file.h"
+#include "study/plan/plan.h"
 #include "tests/fuzz/reading.h"
 
 using namespace limitgauge;

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "engine/model/machine_setup.h"
+#include "model/part/machine_setup.h"
 #include "tests/fuzz/reading.h"
 
 using namespace limitgauge;

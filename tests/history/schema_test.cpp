@@ -8,9 +8,9 @@
 #include <fstream>
 #include <functional>
 
-#include "engine/model/error.h"
 #include "history/history.h"
 #include "history/recorder.h"
+#include "model/base/error.h"
 #include "tests/history/history_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"

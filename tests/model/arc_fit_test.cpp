@@ -1,4 +1,4 @@
-#include "engine/model/arc_fit.h"
+#include "model/gcode/arc_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <random>
 #include <sstream>
 
-#include "engine/model/fixed_number.h"
-#include "engine/model/program_path.h"
+#include "model/base/fixed_number.h"
+#include "model/gcode/program_path.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

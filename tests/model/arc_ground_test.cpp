@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/model/program_path.h"
+#include "model/gcode/program_path.h"
 #include "tests/model/gcode/read_text.h"
 #include "tests/support/catch.h"
 

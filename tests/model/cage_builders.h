@@ -3,7 +3,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "engine/model/cage.h"
+#include "model/part/cage.h"
 
 namespace limitgauge::model::test {
 

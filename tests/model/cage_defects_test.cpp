@@ -1,7 +1,7 @@
 #include <numeric>
 #include <random>
 
-#include "engine/model/cage.h"
+#include "model/part/cage.h"
 #include "tests/model/cage_builders.h"
 #include "tests/support/catch.h"
 

@@ -1,4 +1,4 @@
-#include "engine/model/cage_obj.h"
+#include "model/part/cage_obj.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -6,7 +6,7 @@
 #include <random>
 #include <sstream>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/model/cage_builders.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"

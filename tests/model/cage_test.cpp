@@ -1,4 +1,4 @@
-#include "engine/model/cage.h"
+#include "model/part/cage.h"
 
 #include <random>
 

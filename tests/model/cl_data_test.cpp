@@ -1,4 +1,4 @@
-#include "engine/model/cl_data.h"
+#include "model/gcode/cl_data.h"
 
 #include <cmath>
 #include <limits>
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/model/cutter_figures.h"
+#include "model/part/cutter_figures.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

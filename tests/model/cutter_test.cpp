@@ -1,11 +1,11 @@
-#include "engine/model/cutter_figures.h"
+#include "model/part/cutter_figures.h"
 
 #include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
 

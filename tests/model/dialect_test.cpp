@@ -1,4 +1,4 @@
-#include "engine/model/dialect.h"
+#include "model/gcode/dialect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <random>
 #include <sstream>
 
-#include "engine/model/gcode/arc.h"
-#include "engine/model/program_path.h"
+#include "model/gcode/program_path.h"
+#include "model/gcode/read/arc.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

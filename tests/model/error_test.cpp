@@ -1,4 +1,4 @@
-#include "engine/model/error.h"
+#include "model/base/error.h"
 
 #include "tests/support/catch.h"
 

@@ -2,7 +2,7 @@
 // the codes are documented to do. Simulator and verifier take their paths from the same reader.
 #include <cmath>
 
-#include "engine/model/program_path.h"
+#include "model/gcode/program_path.h"
 #include "tests/model/gcode/read_text.h"
 #include "tests/support/catch.h"
 

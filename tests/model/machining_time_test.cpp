@@ -1,4 +1,4 @@
-#include "engine/model/machining_time.h"
+#include "model/part/machining_time.h"
 
 #include <cmath>
 #include <numbers>

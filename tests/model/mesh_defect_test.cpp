@@ -1,4 +1,4 @@
-#include "engine/model/mesh_defect.h"
+#include "model/mesh/mesh_defect.h"
 
 #include <limits>
 

@@ -1,12 +1,12 @@
-#include "engine/model/mesh_reader.h"
+#include "model/mesh/mesh_reader.h"
 
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <sstream>
 
-#include "engine/model/error.h"
-#include "engine/model/mesh_defect.h"
+#include "model/base/error.h"
+#include "model/mesh/mesh_defect.h"
 #include "tests/model/fixture_files.h"
 #include "tests/model/mesh_texts.h"
 #include "tests/support/catch.h"

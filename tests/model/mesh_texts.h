@@ -6,8 +6,8 @@
 #include <bit>
 #include <string>
 
-#include "engine/model/triangle_mesh.h"
-#include "engine/model/words.h"
+#include "model/base/words.h"
+#include "model/mesh/triangle_mesh.h"
 
 namespace limitgauge::model::test {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/error.h"
-#include "engine/model/program.h"
+#include "model/base/error.h"
+#include "model/gcode/program.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
 

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "engine/model/error.h"
-#include "engine/model/program_path.h"
+#include "model/base/error.h"
+#include "model/gcode/program_path.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
 

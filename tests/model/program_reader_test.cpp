@@ -2,8 +2,8 @@
 #include <random>
 #include <sstream>
 
-#include "engine/model/error.h"
-#include "engine/model/program_path.h"
+#include "model/base/error.h"
+#include "model/gcode/program_path.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

@@ -1,5 +1,5 @@
-#include "engine/model/error.h"
-#include "engine/model/program_path.h"
+#include "model/base/error.h"
+#include "model/gcode/program_path.h"
 #include "tests/model/gcode/read_text.h"
 #include "tests/support/catch.h"
 

@@ -1,10 +1,10 @@
-#include "engine/model/run_control.h"
+#include "model/base/run_control.h"
 
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

@@ -1,9 +1,9 @@
-#include "engine/model/stock.h"
+#include "model/part/stock.h"
 
 #include <limits>
 #include <stdexcept>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_shapes.h"

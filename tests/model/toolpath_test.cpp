@@ -1,4 +1,4 @@
-#include "engine/model/toolpath.h"
+#include "model/part/toolpath.h"
 
 #include "tests/support/catch.h"
 

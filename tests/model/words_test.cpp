@@ -1,4 +1,4 @@
-#include "engine/model/words.h"
+#include "model/base/words.h"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <random>
 #include <sstream>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "reports/compare/matching.h"
 #include "reports/compare/report.h"
 #include "tests/reports/compare_support.h"

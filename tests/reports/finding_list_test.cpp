@@ -1,8 +1,8 @@
-#include "reports/finding_list.h"
+#include "reports/run/finding_list.h"
 
 #include <sstream>
 
-#include "reports/report.h"
+#include "reports/run/report.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 

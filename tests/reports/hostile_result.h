@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/run_result.h"
+#include "reports/run/run_result.h"
 
 namespace limitgauge::reports {
 

@@ -1,7 +1,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "reports/report.h"
+#include "reports/run/report.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "reports/base64.h"
 #include "reports/page/blocks.h"
+#include "reports/text/base64.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::reports;

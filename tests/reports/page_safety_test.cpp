@@ -3,8 +3,8 @@
 #include <array>
 #include <set>
 
-#include "reports/embedded.h"
 #include "reports/page/page_script.h"
+#include "reports/text/embedded.h"
 #include "tests/reports/page_support.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "reports/report.h"
+#include "reports/run/report.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::reports {

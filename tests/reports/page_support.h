@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/run_result.h"
+#include "reports/run/run_result.h"
 
 namespace limitgauge::reports {
 

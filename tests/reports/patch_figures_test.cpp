@@ -1,4 +1,4 @@
-#include "reports/patch_figures.h"
+#include "reports/run/patch_figures.h"
 
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "reports/report.h"
+#include "reports/run/report.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_shapes.h"

@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "reports/record/metrics.h"
-#include "reports/report.h"
+#include "reports/run/report.h"
 #include "tests/reports/hostile_result.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"

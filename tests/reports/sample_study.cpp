@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports {
 namespace {

@@ -2,7 +2,7 @@
 #include <set>
 #include <sstream>
 
-#include "reports/report.h"
+#include "reports/run/report.h"
 #include "reports/sarif/fingerprint.h"
 #include "reports/sarif/places.h"
 #include "tests/reports/sample_result.h"

@@ -1,8 +1,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/model/error.h"
-#include "reports/report.h"
+#include "model/base/error.h"
+#include "reports/run/report.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"

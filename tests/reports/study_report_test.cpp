@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "reports/embedded.h"
 #include "reports/study/shown.h"
+#include "reports/text/embedded.h"
 #include "tests/reports/page_support.h"
 #include "tests/reports/sample_study.h"
 #include "tests/support/catch.h"

@@ -1,4 +1,4 @@
-#include "reports/text.h"
+#include "reports/text/text.h"
 
 #include "tests/support/catch.h"
 

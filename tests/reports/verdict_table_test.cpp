@@ -1,7 +1,7 @@
 #include <sstream>
 
-#include "reports/report.h"
-#include "reports/text.h"
+#include "reports/run/report.h"
+#include "reports/text/text.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 

@@ -1,4 +1,4 @@
-#include "reports/vtp.h"
+#include "reports/vtk/vtp.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "engine/model/error.h"
-#include "reports/report.h"
+#include "model/base/error.h"
+#include "reports/run/report.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/report.h"
+#include "reports/run/report.h"
 #include "tests/reports/hostile_result.h"
 #include "tests/reports/sample_result.h"
 

@@ -2,7 +2,7 @@
 // contact does not depend on the voxel.
 #include <cmath>
 
-#include "simulator/tool_bodies.h"
+#include "simulator/process/tool_bodies.h"
 #include "tests/simulator/process_bench.h"
 #include "tests/support/catch.h"
 #include "tests/support/solid_meshes.h"

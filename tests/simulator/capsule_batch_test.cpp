@@ -1,4 +1,4 @@
-#include "simulator/capsule_batch.h"
+#include "simulator/sweep/capsule_batch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "simulator/process_check.h"
-#include "simulator/swept_distance.h"
+#include "simulator/process/process_check.h"
+#include "simulator/sweep/swept_distance.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"
 

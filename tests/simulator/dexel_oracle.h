@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/model/cutter.h"
-#include "engine/model/vec3.h"
+#include "model/geometry/vec3.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::simulator::test {
 

@@ -1,10 +1,10 @@
-#include "simulator/dexel_removal.h"
+#include "simulator/instrument/dexel_removal.h"
 
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "simulator/dexel_stock.h"
+#include "simulator/instrument/dexel_stock.h"
 #include "tests/simulator/dexel_cutters.h"
 #include "tests/support/catch.h"
 

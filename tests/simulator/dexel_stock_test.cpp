@@ -1,4 +1,4 @@
-#include "simulator/dexel_stock.h"
+#include "simulator/instrument/dexel_stock.h"
 
 #include <array>
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/simulator/dexel_cutters.h"
 #include "tests/support/catch.h"
 

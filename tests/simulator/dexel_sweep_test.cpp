@@ -1,4 +1,4 @@
-#include "simulator/dexel_sweep.h"
+#include "simulator/instrument/dexel_sweep.h"
 
 #include <algorithm>
 #include <array>

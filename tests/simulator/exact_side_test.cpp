@@ -1,4 +1,4 @@
-#include "simulator/exact_side.h"
+#include "simulator/mesh/exact_side.h"
 
 #include <cmath>
 #include <random>

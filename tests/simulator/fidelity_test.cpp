@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "simulator/stock_model.h"
+#include "simulator/stock/stock_model.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"

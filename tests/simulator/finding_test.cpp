@@ -1,11 +1,11 @@
-#include "simulator/finding.h"
+#include "simulator/process/finding.h"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <tuple>
 
-#include "simulator/move_runs.h"
+#include "simulator/sweep/move_runs.h"
 #include "tests/simulator/process_bench.h"
 #include "tests/support/catch.h"
 

@@ -4,8 +4,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "simulator/fixture_solid.h"
-#include "simulator/tool_bodies.h"
+#include "simulator/mesh/fixture_solid.h"
+#include "simulator/process/tool_bodies.h"
 #include "tests/simulator/process_bench.h"
 #include "tests/support/catch.h"
 

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <string>
 
-#include "engine/model/error.h"
-#include "simulator/stock_grid.h"
-#include "simulator/stock_model.h"
+#include "model/base/error.h"
+#include "simulator/grid/stock_grid.h"
+#include "simulator/stock/stock_model.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"
 

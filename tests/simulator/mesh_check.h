@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "engine/model/triangle_mesh.h"
+#include "model/mesh/triangle_mesh.h"
 
 namespace limitgauge::simulator::test {
 

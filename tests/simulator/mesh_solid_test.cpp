@@ -1,11 +1,11 @@
-#include "simulator/mesh_solid.h"
+#include "simulator/mesh/mesh_solid.h"
 
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "simulator/mesh_tree.h"
-#include "simulator/raw_stock.h"
+#include "simulator/mesh/mesh_tree.h"
+#include "simulator/stock/raw_stock.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_shapes.h"
 

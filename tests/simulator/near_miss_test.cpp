@@ -3,8 +3,8 @@
 #include <numbers>
 #include <random>
 
-#include "simulator/gap_search.h"
-#include "simulator/material.h"
+#include "simulator/process/gap_search.h"
+#include "simulator/stock/material.h"
 #include "tests/simulator/process_bench.h"
 #include "tests/support/catch.h"
 

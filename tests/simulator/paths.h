@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "engine/model/cutter.h"
-#include "engine/model/toolpath.h"
-#include "simulator/stock_model.h"
+#include "model/part/cutter.h"
+#include "model/part/toolpath.h"
+#include "simulator/stock/stock_model.h"
 
 namespace limitgauge::simulator::test {
 

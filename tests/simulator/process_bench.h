@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "simulator/process_check.h"
+#include "simulator/process/process_check.h"
 #include "tests/simulator/paths.h"
 
 namespace limitgauge::simulator::test {

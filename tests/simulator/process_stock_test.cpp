@@ -6,8 +6,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "engine/model/error.h"
-#include "simulator/swept_distance.h"
+#include "model/base/error.h"
+#include "simulator/sweep/swept_distance.h"
 #include "tests/simulator/process_bench.h"
 #include "tests/support/catch.h"
 

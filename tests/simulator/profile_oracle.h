@@ -3,8 +3,8 @@
 #include <random>
 #include <vector>
 
-#include "engine/model/cutter.h"
-#include "engine/model/vec3.h"
+#include "model/geometry/vec3.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::simulator::test {
 

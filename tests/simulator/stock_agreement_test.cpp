@@ -7,7 +7,7 @@
 #include <memory>
 #include <random>
 
-#include "simulator/dexel_agreement.h"
+#include "simulator/instrument/dexel_agreement.h"
 #include "tests/simulator/dexel_cutters.h"
 #include "tests/support/catch.h"
 

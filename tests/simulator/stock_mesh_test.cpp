@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "simulator/stock_model.h"
+#include "simulator/stock/stock_model.h"
 #include "tests/simulator/mesh_check.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"

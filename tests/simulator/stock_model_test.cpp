@@ -1,4 +1,4 @@
-#include "simulator/stock_model.h"
+#include "simulator/stock/stock_model.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"

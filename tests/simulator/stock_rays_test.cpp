@@ -1,4 +1,4 @@
-#include "simulator/stock_rays.h"
+#include "simulator/instrument/stock_rays.h"
 
 #include <cmath>
 #include <random>

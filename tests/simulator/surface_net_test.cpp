@@ -1,11 +1,11 @@
-#include "simulator/surface_net.h"
+#include "simulator/mesh/surface_net.h"
 
 #include <map>
 #include <random>
 #include <set>
 
-#include "engine/model/error.h"
-#include "simulator/cell_cycles.h"
+#include "model/base/error.h"
+#include "simulator/mesh/cell_cycles.h"
 #include "tests/simulator/mesh_check.h"
 #include "tests/support/catch.h"
 

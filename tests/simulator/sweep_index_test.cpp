@@ -1,10 +1,10 @@
-#include "simulator/sweep_index.h"
+#include "simulator/sweep/sweep_index.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"
 

@@ -1,10 +1,10 @@
-#include "simulator/swept_distance.h"
+#include "simulator/sweep/swept_distance.h"
 
 #include <cmath>
 #include <random>
 #include <vector>
 
-#include "engine/model/cutter.h"
+#include "model/part/cutter.h"
 #include "tests/simulator/profile_oracle.h"
 #include "tests/support/catch.h"
 

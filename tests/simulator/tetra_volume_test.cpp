@@ -1,4 +1,4 @@
-#include "simulator/tetra_volume.h"
+#include "simulator/mesh/tetra_volume.h"
 
 #include <array>
 #include <random>

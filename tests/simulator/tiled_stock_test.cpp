@@ -2,10 +2,10 @@
 #include <cmath>
 #include <random>
 
-#include "engine/model/error.h"
-#include "simulator/column_tops.h"
-#include "simulator/stock_grid.h"
-#include "simulator/stock_model.h"
+#include "model/base/error.h"
+#include "simulator/grid/stock_grid.h"
+#include "simulator/stock/column_tops.h"
+#include "simulator/stock/stock_model.h"
 #include "tests/simulator/mesh_check.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"

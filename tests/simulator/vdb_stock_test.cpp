@@ -1,4 +1,4 @@
-#include "simulator/vdb_stock.h"
+#include "simulator/grid/vdb_stock.h"
 
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
@@ -15,10 +15,10 @@
 #include <random>
 #include <sstream>
 
-#include "engine/model/error.h"
-#include "engine/model/mesh_defect.h"
-#include "simulator/in_own_process.h"
-#include "simulator/stock_model.h"
+#include "model/base/error.h"
+#include "model/mesh/mesh_defect.h"
+#include "simulator/stock/in_own_process.h"
+#include "simulator/stock/stock_model.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
 #include "tests/support/temporary_folder.h"

@@ -1,12 +1,12 @@
-#include "study/analysis.h"
+#include "study/search/analysis.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "study/least_squares.h"
-#include "study/pareto.h"
-#include "study/random_numbers.h"
-#include "study/wording.h"
+#include "study/plan/random_numbers.h"
+#include "study/search/least_squares.h"
+#include "study/search/pareto.h"
+#include "study/store/wording.h"
 #include "tests/study/study_tables.h"
 #include "tests/support/catch.h"
 

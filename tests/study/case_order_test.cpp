@@ -1,4 +1,4 @@
-#include "study/case_order.h"
+#include "study/execute/case_order.h"
 
 #include <algorithm>
 #include <ctime>

@@ -4,11 +4,11 @@
 #include <set>
 #include <stdexcept>
 
-#include "engine/model/words.h"
-#include "study/plan.h"
-#include "study/random_numbers.h"
-#include "study/sampling.h"
-#include "study/settings.h"
+#include "model/base/words.h"
+#include "study/plan/plan.h"
+#include "study/plan/random_numbers.h"
+#include "study/plan/sampling.h"
+#include "study/plan/settings.h"
 #include "tests/study/study_tables.h"
 #include "tests/support/catch.h"
 

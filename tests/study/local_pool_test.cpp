@@ -1,4 +1,4 @@
-#include "study/local_pool.h"
+#include "study/execute/local_pool.h"
 
 #include <chrono>
 #include <csignal>
@@ -7,9 +7,9 @@
 #include <sstream>
 #include <thread>
 
-#include "engine/model/error.h"
-#include "study/memory.h"
-#include "study/worker_lines.h"
+#include "model/base/error.h"
+#include "study/execute/memory.h"
+#include "study/execute/worker_lines.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "study/search.h"
+#include "study/search/search.h"
 
 #include <cmath>
 #include <set>

@@ -1,9 +1,9 @@
-#include "study/slurm_commands.h"
+#include "study/execute/slurm_commands.h"
 
 #include <fstream>
 
-#include "study/slurm_folder.h"
-#include "study/spawn.h"
+#include "study/execute/slurm_folder.h"
+#include "study/execute/spawn.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

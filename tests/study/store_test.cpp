@@ -1,4 +1,4 @@
-#include "study/store.h"
+#include "study/store/store.h"
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "study/plan.h"
-#include "study/settings.h"
+#include "study/plan/plan.h"
+#include "study/plan/settings.h"
 
 namespace limitgauge::study {
 

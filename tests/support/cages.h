@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "engine/model/cage.h"
+#include "model/part/cage.h"
 
 namespace limitgauge::tests {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "verifier/verify.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::tests {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/model/triangle_mesh.h"
+#include "model/mesh/triangle_mesh.h"
 
 namespace limitgauge::tests {
 

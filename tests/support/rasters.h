@@ -4,8 +4,8 @@
 #include <cmath>
 #include <memory>
 
-#include "engine/model/cutter.h"
-#include "engine/model/toolpath.h"
+#include "model/part/cutter.h"
+#include "model/part/toolpath.h"
 
 namespace limitgauge::tests {
 

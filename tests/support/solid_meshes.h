@@ -6,8 +6,8 @@
 #include <memory>
 #include <numbers>
 
-#include "engine/model/stock.h"
-#include "engine/model/triangle_mesh.h"
+#include "model/mesh/triangle_mesh.h"
+#include "model/part/stock.h"
 
 namespace limitgauge::tests {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/model/cage.h"
+#include "model/part/cage.h"
 
 namespace limitgauge::tests {
 

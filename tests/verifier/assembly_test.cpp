@@ -1,4 +1,4 @@
-#include "verifier/assembly.h"
+#include "verifier/cutter/assembly.h"
 
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"

@@ -1,4 +1,4 @@
-#include "verifier/bezier.h"
+#include "verifier/surface/bezier.h"
 
 #include <random>
 

@@ -4,7 +4,7 @@
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
-#include "verifier/verify.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::verifier {
 namespace {

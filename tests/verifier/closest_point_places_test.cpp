@@ -1,11 +1,11 @@
-#include "verifier/closest_point.h"
+#include "verifier/feet/closest_point.h"
 
 #include <algorithm>
 #include <random>
 
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
-#include "verifier/reference_surface.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::verifier {
 

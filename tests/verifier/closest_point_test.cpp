@@ -1,15 +1,15 @@
-#include "verifier/closest_point.h"
+#include "verifier/feet/closest_point.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <random>
 
-#include "engine/model/cage_obj.h"
-#include "engine/model/error.h"
+#include "model/base/error.h"
+#include "model/part/cage_obj.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
-#include "verifier/reference_surface.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::verifier {
 namespace {

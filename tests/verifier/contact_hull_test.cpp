@@ -1,10 +1,10 @@
-#include "verifier/contact_hull.h"
+#include "verifier/reach/contact_hull.h"
 
-#include "engine/model/cutter.h"
+#include "model/part/cutter.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
-#include "verifier/reference_surface.h"
-#include "verifier/surface_cells.h"
+#include "verifier/cells/surface_cells.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::verifier {
 namespace {

@@ -1,4 +1,4 @@
-#include "verifier/deviation_field.h"
+#include "verifier/gate/deviation_field.h"
 
 #include <cmath>
 

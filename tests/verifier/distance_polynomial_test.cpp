@@ -1,4 +1,4 @@
-#include "verifier/distance_polynomial.h"
+#include "verifier/feet/distance_polynomial.h"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "verifier/findings.h"
+#include "verifier/gate/findings.h"
 
 #include <algorithm>
 #include <numbers>

@@ -1,5 +1,5 @@
 #include "tests/support/catch.h"
-#include "verifier/verify.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::verifier {
 namespace {

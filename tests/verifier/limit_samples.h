@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/support/uniform_refinement.h"
-#include "verifier/reference_surface.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::tests {
 

@@ -1,4 +1,4 @@
-#include "verifier/mesh_outside.h"
+#include "verifier/cutter/mesh_outside.h"
 
 #include <random>
 

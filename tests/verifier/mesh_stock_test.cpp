@@ -4,8 +4,8 @@
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
 #include "tests/support/solid_meshes.h"
-#include "verifier/findings.h"
-#include "verifier/leftover_regions.h"
+#include "verifier/certificate/leftover_regions.h"
+#include "verifier/gate/findings.h"
 
 namespace limitgauge::verifier {
 namespace {

@@ -7,7 +7,7 @@
 #include "tests/support/rasters.h"
 #include "tests/support/solid_meshes.h"
 #include "tests/support/uniform_refinement.h"
-#include "verifier/verify.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::verifier {
 namespace {

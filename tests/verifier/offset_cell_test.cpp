@@ -1,9 +1,9 @@
-#include "verifier/offset_cell.h"
+#include "verifier/cells/offset_cell.h"
 
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
-#include "verifier/reference_surface.h"
-#include "verifier/surface_cells.h"
+#include "verifier/cells/surface_cells.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::verifier {
 

@@ -6,10 +6,10 @@
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
-#include "verifier/reference_surface.h"
-#include "verifier/swept_body.h"
-#include "verifier/unavoidable.h"
-#include "verifier/verify.h"
+#include "verifier/certificate/unavoidable.h"
+#include "verifier/cutter/swept_body.h"
+#include "verifier/gate/verify.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::verifier {
 namespace {

@@ -1,8 +1,8 @@
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
-#include "verifier/reach_map.h"
-#include "verifier/reference_surface.h"
+#include "verifier/reach/reach_map.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::verifier {
 namespace {

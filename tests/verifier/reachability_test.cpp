@@ -1,10 +1,10 @@
-#include "verifier/reachability.h"
+#include "verifier/reach/reachability.h"
 
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
-#include "verifier/reference_surface.h"
-#include "verifier/verify.h"
+#include "verifier/gate/verify.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::verifier {
 namespace {

@@ -5,9 +5,9 @@
 #include "tests/support/catch.h"
 #include "tests/support/feature_cages.h"
 #include "tests/verifier/limit_samples.h"
-#include "verifier/neighbourhood.h"
-#include "verifier/reference_surface.h"
-#include "verifier/vertex_limit.h"
+#include "verifier/surface/neighbourhood.h"
+#include "verifier/surface/reference_surface.h"
+#include "verifier/surface/vertex_limit.h"
 
 namespace limitgauge::verifier {
 namespace {

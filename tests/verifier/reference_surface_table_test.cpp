@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/model/cage_obj.h"
-#include "engine/model/error.h"
+#include "model/base/error.h"
+#include "model/part/cage_obj.h"
 #include "tests/support/catch.h"
 #include "tests/support/feature_cages.h"
 #include "tests/verifier/limit_samples.h"

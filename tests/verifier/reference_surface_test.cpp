@@ -1,11 +1,11 @@
-#include "verifier/reference_surface.h"
+#include "verifier/surface/reference_surface.h"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
-#include "engine/model/cage_obj.h"
+#include "model/part/cage_obj.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/uniform_refinement.h"

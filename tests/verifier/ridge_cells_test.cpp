@@ -1,11 +1,11 @@
-#include "verifier/ridge_cells.h"
+#include "verifier/cells/ridge_cells.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
-#include "verifier/reference_surface.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::verifier {
 

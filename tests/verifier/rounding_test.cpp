@@ -3,8 +3,8 @@
 #include <random>
 
 #include "tests/support/catch.h"
-#include "verifier/certificate.h"
-#include "verifier/swept_body.h"
+#include "verifier/certificate/certificate.h"
+#include "verifier/cutter/swept_body.h"
 
 namespace limitgauge::verifier {
 namespace {

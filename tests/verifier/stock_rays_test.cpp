@@ -1,4 +1,4 @@
-#include "verifier/stock_rays.h"
+#include "verifier/gate/stock_rays.h"
 
 #include <functional>
 

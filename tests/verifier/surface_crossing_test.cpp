@@ -1,4 +1,4 @@
-#include "verifier/crossing_proof.h"
+#include "verifier/certificate/crossing_proof.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "verifier/surface_rules.h"
+#include "verifier/surface/surface_rules.h"
 
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"

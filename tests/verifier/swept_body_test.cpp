@@ -1,10 +1,10 @@
-#include "verifier/swept_body.h"
+#include "verifier/cutter/swept_body.h"
 
 #include <algorithm>
 #include <numbers>
 #include <random>
 
-#include "engine/model/cutter_figures.h"
+#include "model/part/cutter_figures.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::verifier {

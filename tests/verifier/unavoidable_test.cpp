@@ -1,9 +1,9 @@
-#include "verifier/unavoidable.h"
+#include "verifier/certificate/unavoidable.h"
 
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
-#include "verifier/reference_surface.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::verifier {
 namespace {

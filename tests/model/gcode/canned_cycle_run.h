@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "engine/model/gcode/canned_cycle.h"
-#include "engine/model/gcode/lexer.h"
-#include "engine/model/gcode/parameters.h"
-#include "engine/model/gcode/statement.h"
-#include "engine/model/words.h"
+#include "model/base/words.h"
+#include "model/gcode/cycles/canned_cycle.h"
+#include "model/gcode/text/lexer.h"
+#include "model/gcode/text/parameters.h"
+#include "model/gcode/text/statement.h"
 
 namespace limitgauge::model::test {
 

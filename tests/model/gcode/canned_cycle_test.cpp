@@ -1,8 +1,8 @@
-#include "engine/model/gcode/canned_cycle.h"
+#include "model/gcode/cycles/canned_cycle.h"
 
 #include <sstream>
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/model/fixture_files.h"
 #include "tests/model/gcode/canned_cycle_run.h"
 #include "tests/support/catch.h"

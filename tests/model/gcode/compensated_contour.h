@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/gcode/cutter_compensation.h"
+#include "model/gcode/cycles/cutter_compensation.h"
 
 namespace limitgauge::model::test {
 

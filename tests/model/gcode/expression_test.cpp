@@ -1,4 +1,4 @@
-#include "engine/model/gcode/expression.h"
+#include "model/gcode/text/expression.h"
 
 #include <array>
 #include <charconv>

@@ -1,7 +1,7 @@
 #include <sstream>
 
-#include "engine/model/error.h"
-#include "engine/model/program.h"
+#include "model/base/error.h"
+#include "model/gcode/program.h"
 #include "tests/model/gcode/random_flow.h"
 #include "tests/support/catch.h"
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "engine/model/error.h"
-#include "engine/model/gcode/flow.h"
+#include "model/base/error.h"
+#include "model/gcode/flow/flow.h"
 
 namespace limitgauge::model::test {
 

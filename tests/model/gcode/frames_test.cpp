@@ -1,11 +1,11 @@
-#include "engine/model/gcode/frames.h"
+#include "model/gcode/machine/frames.h"
 
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <random>
 
-#include "engine/model/angle.h"
+#include "model/base/angle.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

@@ -1,9 +1,9 @@
-#include "engine/model/gcode/lexer.h"
+#include "model/gcode/text/lexer.h"
 
 #include <charconv>
 #include <random>
 
-#include "engine/model/words.h"
+#include "model/base/words.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
 

@@ -1,6 +1,6 @@
-#include "engine/model/machine_setup.h"
+#include "model/part/machine_setup.h"
 
-#include "engine/model/error.h"
+#include "model/base/error.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
 

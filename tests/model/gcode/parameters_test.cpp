@@ -1,4 +1,4 @@
-#include "engine/model/gcode/parameters.h"
+#include "model/gcode/text/parameters.h"
 
 #include "tests/support/catch.h"
 

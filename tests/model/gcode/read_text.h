@@ -3,8 +3,8 @@
 #include <sstream>
 #include <string>
 
-#include "engine/model/error.h"
-#include "engine/model/program.h"
+#include "model/base/error.h"
+#include "model/gcode/program.h"
 
 namespace limitgauge::model::test {
 

@@ -1,0 +1,228 @@
+#include "app/cli/command_definition.h"
+
+#include <utility>
+
+#include "app/cli/option_checks.h"
+#include "app/run/reach_limit.h"
+
+namespace limitgauge::app {
+namespace {
+
+CLI::Option* add_limit(CLI::App& app, const std::string& option, double& value, bool& stated,
+                       const std::string& help) {
+  return app.add_option_function<double>(
+      option,
+      [&value, &stated](const double& limit) {
+        value = limit;
+        stated = true;
+      },
+      help);
+}
+
+CLI::Option* add_unreachable(CLI::App& app, verifier::GateLimits& limits) {
+  return app.add_option_function<std::string>(
+      "--unreachable",
+      [&limits](const std::string& text) {
+        if (!set_unreachable(text, limits))
+          throw CLI::ValidationError("--unreachable", "\"" + text + "\" is neither " + kReachLimit);
+      },
+      "Largest part of the surface that no cutter used so far may reach: a share, or an area as "
+      "12.5mm2 (default: measured, not gated)");
+}
+
+}  // namespace
+
+CommandDefinition::CommandDefinition()
+    : app_("Simulates, measures and gates toolpaths against an exact limit surface.",
+           "limitgauge") {
+  app_.set_help_flag("-h,--help", "Print this help");
+  app_.set_version_flag("--version", "limitgauge " LIMITGAUGE_VERSION, "Print the version");
+  app_.require_subcommand(1);
+  add_run();
+  add_plan();
+  add_verify();
+  add_inspect();
+  add_compare();
+  add_study();
+  add_history();
+  add_view();
+}
+
+CLI::Option* CommandDefinition::hint(CLI::Option* option, const std::string& value,
+                                     ValueHint hint) {
+  hints_[option] = std::move(hint);
+  return option->type_name(value);
+}
+
+CLI::Option* CommandDefinition::file(CLI::Option* option, const std::string& extension) {
+  return hint(option, "FILE", {ValueHint::Kind::file, extension, {}});
+}
+
+CLI::Option* CommandDefinition::folder(CLI::Option* option) {
+  return hint(option, "DIR", {ValueHint::Kind::folder, {}, {}});
+}
+
+void CommandDefinition::add_common(CLI::App& sub) {
+  CommonOptions& common = parsed_.common;
+  hint(sub.add_option("--threads", parsed_.threads, "Threads to use (default: all)"), "N")
+      ->check(whole_number(1, 4096));
+  sub.add_flag("--quiet", common.quiet, "No table, no progress: errors only");
+  sub.add_flag("--verbose", common.verbose, "Say how long each stage took");
+  sub.add_flag("--no-pictures", common.no_pictures, "Write no pictures");
+  sub.add_flag("--force", common.force, "Overwrite a finished output folder");
+  hint(
+      sub.add_option("--set", common.overrides, "Override a key of the job: stage.finish.step=0.2"),
+      "KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+/// Every command takes the common options; those that change nothing in it are not told of.
+void CommandDefinition::hide_unused(CLI::App& sub) {
+  for (const char* name : {"--threads", "--verbose", "--no-pictures", "--force", "--set"})
+    sub.get_option(name)->group("");
+}
+
+void CommandDefinition::add_run() {
+  CLI::App& sub = *app_.add_subcommand("run", "Plan, cut, verify, gate and report a job");
+  file(sub.add_option("JOB", parsed_.run.job, "Job file (TOML)"), "toml")->required();
+  folder(sub.add_option("-o,--output", parsed_.run.output,
+                        "Output folder (default: limitgauge-out/NAME)"));
+  add_history_options(sub, parsed_.run.history);
+  add_common(sub);
+}
+
+void CommandDefinition::add_plan() {
+  CLI::App& sub = *app_.add_subcommand("plan", "Toolpaths of a job only: G-code and .vtp");
+  file(sub.add_option("JOB", parsed_.plan.job, "Job file (TOML)"), "toml")->required();
+  folder(sub.add_option("-o,--output", parsed_.plan.output,
+                        "Output folder (default: limitgauge-out/NAME-plan)"));
+  add_common(sub);
+}
+
+void CommandDefinition::add_machine(CLI::App& sub, MachineOptions& machine) {
+  hint(sub.add_option("--work-offset", machine.work_offsets,
+                      "G54=X,Y,Z or G54=X,Y,Z,TURN: origin of a work offset on the machine, mm "
+                      "and degrees"),
+       "OFFSET")
+      ->allow_extra_args(false);
+  hint(sub.add_option("--home", machine.home, "The machine's reference point, where G28 goes, mm"),
+       "X,Y,Z");
+  hint(sub.add_option("--second-home", machine.second_home, "Where G30 goes, mm"), "X,Y,Z");
+  hint(sub.add_option("--start", machine.start,
+                      "Where the tip stands before the first line, in the program's frame, mm "
+                      "(default: verify: its zero, above everything; inspect: 0,0,0)"),
+       "X,Y,Z");
+  file(sub.add_option("--tool-table", machine.tool_table,
+                      "Lengths and diameters of the tools: LinuxCNC's tool table, mm"),
+       "tbl");
+}
+
+void CommandDefinition::add_inputs(CLI::App& sub) {
+  VerifyCommand& verify = parsed_.verify;
+  file(sub.add_option("--cage", verify.cage, "Cage of the design (OBJ)"), "obj")->required();
+  hint(sub.add_option("--stock", verify.stock,
+                      "box:LX,LY,LZ@X,Y,Z (size @ lower corner), mm; mesh:FILE (STL, OBJ, PLY); "
+                      "vdb:FILE (stock of an earlier run)"),
+       "STOCK", {ValueHint::Kind::text, {}, {"box:", "mesh:", "vdb:"}})
+      ->required();
+  hint(sub.add_option("--tool", verify.tools,
+                      "ball:D=6 | flat:D=8 | bull:D=8,r=1 | taper:D=1,r=0.5,angle=5 | "
+                      "drill:D=6,angle=118 | apt:D=10,r=1,a=5,b=-10; with L= flute length, ramp= "
+                      "steepest descent, shank=D:L, holder=D:L from the tip up; "
+                      "N=... for each T number of a program with several"),
+       "TOOL",
+       {ValueHint::Kind::text,
+        {},
+        {"ball:D=", "flat:D=", "bull:D=", "taper:D=", "drill:D=", "apt:D="}})
+      ->required()
+      ->allow_extra_args(false);
+  file(sub.add_option("--program", verify.program, "Program (G-code)"))->required();
+  file(sub.add_option("--fixture", verify.fixtures,
+                      "Mesh that nothing of the tool may touch: STL, OBJ, PLY"))
+      ->allow_extra_args(false);
+}
+
+void CommandDefinition::add_checks(CLI::App& sub) {
+  VerifyCommand& verify = parsed_.verify;
+  hint(sub.add_option("--allowance", verify.allowance_mm, "Material to be left (default: 0 mm)"),
+       "MM")
+      ->check(number_above_zero(true));
+  hint(sub.add_option("--near-miss", verify.near_miss_mm,
+                      "List what passes stock or fixtures within this, mm (default: not looked "
+                      "for)"),
+       "MM")
+      ->check(number_above_zero(false));
+  hint(add_limit(sub, "--gouge", verify.limits.gouge_mm, verify.limits.has_gouge,
+                 "Largest gouge that passes, mm (default: measured, not gated)"),
+       "MM")
+      ->check(number_above_zero(false));
+  hint(add_limit(sub, "--uncut", verify.limits.uncut_mm, verify.limits.has_uncut,
+                 "Largest uncut that passes, mm (default: measured, not gated)"),
+       "MM")
+      ->check(number_above_zero(false));
+  hint(add_limit(sub, "--coverage", verify.limits.coverage, verify.limits.has_coverage,
+                 "Least share of the reachable area within both limits, 0 to 1 (default: "
+                 "measured, not gated)"),
+       "SHARE")
+      ->check(share());
+  hint(add_unreachable(sub, verify.limits), "SHARE");
+  hint(add_limit(sub, "--unavoidable", verify.limits.unavoidable_mm, verify.limits.has_unavoidable,
+                 "Largest uncut where nothing can reach, mm (default: measured, not gated)"),
+       "MM")
+      ->check(number_above_zero(true));
+}
+
+void CommandDefinition::add_verify() {
+  VerifyCommand& verify = parsed_.verify;
+  CLI::App& sub = *app_.add_subcommand("verify", "Verify a G-code program without a job file");
+  add_inputs(sub);
+  add_checks(sub);
+  add_machine(sub, verify.machine);
+  hint(sub.add_option("--program-offset", verify.program_offset,
+                      "The program's zero in the cage's frame, mm (default: 0,0,0)"),
+       "X,Y,Z");
+  hint(sub.add_option("--program-rotation", verify.program_rotation_deg,
+                      "Turn of the program's frame about Z against the cage's, degrees "
+                      "(default: 0)"),
+       "DEGREES")
+      ->check(finite_number());
+  folder(sub.add_option("-o,--output", verify.output,
+                        "Output folder (default: limitgauge-out/NAME of the program)"));
+  add_history_options(sub, verify.history);
+  add_common(sub);
+}
+
+void CommandDefinition::add_inspect() {
+  InspectCommand& inspect = parsed_.inspect;
+  CLI::App& sub = *app_.add_subcommand("inspect", "What a cage or a program is");
+  file(sub.add_option("FILE", inspect.file, "Cage (.obj) or program"))->required();
+  CLI::Option* samples = hint(sub.add_option("--samples", inspect.samples,
+                                             "Reference points at N x N parameters of each face"),
+                              "N")
+                             ->check(whole_number(2, 10000));
+  CLI::Option* csv =
+      file(sub.add_option("--csv", inspect.csv, "Where to write the reference points"), "csv");
+  samples->needs(csv);
+  csv->needs(samples);
+  sub.add_flag("--moves", inspect.moves, "The program's canonical moves, one a line, mm")
+      ->excludes(samples);
+  add_machine(sub, inspect.machine);
+  add_common(sub);
+  hide_unused(sub);
+}
+
+void CommandDefinition::add_view() {
+  ViewCommand& view = parsed_.view;
+  CLI::App& sub = *app_.add_subcommand("view", "Open a finished report in the browser");
+  folder(sub.add_option("DIR", view.folder,
+                        "Output folder of a run, or its report.html; served on 127.0.0.1 until "
+                        "Ctrl-C"))
+      ->required();
+  hint(sub.add_option("--port", view.port, "Port to serve it on (default: a free one)"), "N")
+      ->check(whole_number(1, 65535));
+  sub.add_flag("--no-browser", view.no_browser, "Open no browser, only serve");
+  add_common(sub);
+  hide_unused(sub);
+}
+
+}  // namespace limitgauge::app

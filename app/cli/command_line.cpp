@@ -1,0 +1,134 @@
+#include "app/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+#include <thread>
+
+#include "app/cli/command_definition.h"
+#include "app/cli/nearest_key.h"
+#include "app/run/reach_limit.h"
+#include "app/usage/completions.h"
+#include "app/usage/help_text.h"
+#include "app/usage/man_page.h"
+
+namespace limitgauge::app {
+namespace {
+
+std::string in_quotes(std::string_view text) {
+  std::string result = "\"";
+  return result.append(text) + "\"";
+}
+
+std::vector<std::string> command_names(CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands([](CLI::App*) { return true; }))
+    names.push_back(sub->get_name());
+  return names;
+}
+
+/// "run, plan or view".
+std::string list(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+/// A word that is no command, before the library says so in its own way.
+void refuse_unknown_command(int argc, const char* const* argv, CLI::App& app) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  const std::string_view word = argv[1];
+  const std::vector<std::string> names = command_names(app);
+  if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw UsageError("unknown command " + in_quotes(word) + "; expected " +
+                   in_quotes(nearest_key(word, known)) + " or another of " + list(names));
+}
+
+/// `--generate man|bash|zsh|fish`: for the build and for packagers, not for users; no option of the
+/// library, so that it stands in none of the texts that it writes.
+std::optional<std::string> generated(int argc, const char* const* argv,
+                                     const CommandReference& program) {
+  if (argc < 2 || argv[1] != std::string_view("--generate")) return std::nullopt;
+  const std::string_view what = argc == 3 ? argv[2] : "";
+  if (what == "man") return man_page(program, LIMITGAUGE_VERSION);
+  if (what == "bash") return bash_completion(program);
+  if (what == "zsh") return zsh_completion(program);
+  if (what == "fish") return fish_completion(program);
+  throw UsageError("--generate writes one text; expected man, bash, zsh or fish");
+}
+
+void check_combinations(const std::string& command, const CommonOptions& common) {
+  const bool has_job =
+      command == "run" || command == "plan" || command == "verify" || command == "study";
+  if (!has_job && !common.overrides.empty()) {
+    throw UsageError(
+        "--set overrides a key of a job and this command reads none; "
+        "expected it with run, plan, verify or study");
+  }
+  if (common.quiet && common.verbose) {
+    throw UsageError("--quiet and --verbose contradict each other; expected one of them");
+  }
+}
+
+void check_coverage(const std::string& command, const Parsed& parsed) {
+  // With --set the limits may be stated there: they are looked at when it has been read.
+  if (command == "verify" && parsed.common.overrides.empty() &&
+      !covers_something(parsed.verify.limits))
+    throw UsageError(std::string("--coverage: ") + kCoversNothing + "; expected " + kCoverageNeeds);
+}
+
+CommonOptions common_options(const Parsed& parsed) {
+  CommonOptions common = parsed.common;
+  const unsigned all = std::max(1U, std::thread::hardware_concurrency());
+  common.threads = parsed.threads > 0 ? static_cast<unsigned>(parsed.threads) : all;
+  return common;
+}
+
+Command chosen(const std::string& command, const Parsed& parsed) {
+  if (command == "run") return parsed.run;
+  if (command == "plan") return parsed.plan;
+  if (command == "verify") return parsed.verify;
+  if (command == "inspect") return parsed.inspect;
+  if (command == "compare") return parsed.compare;
+  if (command == "study") return parsed.study;
+  if (command == "history") return parsed.history;
+  return parsed.view;
+}
+
+std::string help_of(const CLI::App& app, const CommandReference& program) {
+  const std::vector<CLI::App*> asked = app.get_subcommands();
+  for (const CommandReference& command : program.commands)
+    if (!asked.empty() && command.name == asked.front()->get_name())
+      return command_help(program.name, command);
+  return program_help(program);
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, const char* const* argv) {
+  CommandDefinition definition;
+  CLI::App& app = definition.app();
+  refuse_unknown_command(argc, argv, app);
+  if (std::optional<std::string> text = generated(argc, argv, definition.reference()))
+    return {PrintCommand{*std::move(text)}, {}};
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return {PrintCommand{help_of(app, definition.reference())}, {}};
+  } catch (const CLI::CallForVersion& version) {
+    return {PrintCommand{std::string(version.what()) + "\n"}, {}};
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + "; see limitgauge --help");
+  }
+  const std::string command = app.get_subcommands().front()->get_name();
+  const CommonOptions common = common_options(definition.parsed());
+  check_combinations(command, common);
+  check_coverage(command, definition.parsed());
+  return {chosen(command, definition.parsed()), common};
+}
+
+}  // namespace limitgauge::app

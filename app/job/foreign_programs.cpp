@@ -1,0 +1,226 @@
+#include "app/job/foreign_programs.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/job/program_parts.h"
+#include "model/base/coordinate_limit.h"
+#include "model/base/error.h"
+#include "model/base/text_file.h"
+
+namespace limitgauge::app {
+namespace {
+
+/// The stages that take parts of one file, by their index; one that takes all of it stands alone.
+using Group = std::vector<std::size_t>;
+
+std::vector<Group> groups_of(const Job& job) {
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < job.stages.size(); ++i) {
+    if (job.stages[i].plan) continue;
+    const auto same = [&](const Group& group) {
+      const JobStage &first = job.stages[group.front()], &second = job.stages[i];
+      return first.program == second.program && !(first.part.whole() && second.part.whole());
+    };
+    const auto known = std::find_if(groups.begin(), groups.end(), same);
+    if (known == groups.end()) {
+      groups.push_back({i});
+    } else {
+      known->push_back(i);
+    }
+  }
+  return groups;
+}
+
+/// What a job's programs share beyond their machine.
+struct Surroundings {
+  double above_all_mm = 0;  ///< where parked tools stand, in the cage's frame
+  model::ProgramStart start;
+};
+
+/// The program of one group, read, and its parts as paths.
+class GroupReader {
+ public:
+  GroupReader(const Job& job, const Settings& settings, const Group& group);
+  const Group& group() const { return group_; }
+  double highest_mm() const { return highest_z_mm(program_, options_.machine_in_part); }
+  void place(const Surroundings& surroundings);
+  ForeignPath path_of(std::size_t index) const;
+
+ private:
+  void read(const std::optional<model::Vec3>& assumed_start_mm);
+  bool leans_on_start() const;
+  model::Vec3 start_of(const model::ProgramStart& start) const;
+  double start_shift_mm(std::size_t first) const;
+  void require_near(const model::Vec3& tip_mm, std::uint32_t line) const;
+  void list_assumed(ForeignPath& foreign, std::size_t index) const;
+  const JobStage& stage(std::size_t index) const { return job_.stages[group_[index]]; }
+
+  const Job& job_;
+  const Settings& settings_;
+  const Group& group_;
+  std::string file_, text_;
+  model::Program program_;
+  std::vector<MotionRange> ranges_;
+  model::PathOptions options_;
+  model::ProgramStart start_;
+};
+
+GroupReader::GroupReader(const Job& job, const Settings& settings, const Group& group)
+    : job_(job), settings_(settings), group_(group), file_(stage(0).program.string()) {
+  text_ = model::read_text_file(stage(0).program);
+  options_.machine_in_part = model::machine_in_part(
+      job.program_frame, job.machine.work_offsets.front().value_or(model::WorkOffset()));
+  // What is made of a path, its copy included, takes several times its own room.
+  constexpr double kRoom = 8;
+  options_.most_moves =
+      static_cast<double>(settings.memory_limit_bytes) / (kRoom * sizeof(model::Move));
+  read(model::Vec3());
+}
+
+/// Without a start of the job's, from `assumed_start_mm`.
+void GroupReader::read(const std::optional<model::Vec3>& assumed_start_mm) {
+  std::istringstream in(text_);
+  model::MachineSetup machine = machine_for(job_, stage(0).cutter);
+  machine.start_is_assumed = !machine.start_mm;
+  if (machine.start_is_assumed) machine.start_mm = assumed_start_mm;
+  program_ = model::read_program(in, file_, machine);
+  std::vector<const JobStage*> stages;
+  for (const std::size_t i : group_) stages.push_back(&job_.stages[i]);
+  ranges_ = assign_parts(program_, file_, stages);
+}
+
+/// Whether some motion ends at a place that depends on where the tip stood before the first line.
+bool GroupReader::leans_on_start() const {
+  const auto is_said = [](const std::optional<double>& said) { return said.has_value(); };
+  return std::any_of(program_.start_said_mm.begin(), program_.start_said_mm.end(), is_said) ||
+         std::any_of(program_.motions.begin(), program_.motions.end(),
+                     [](const model::Motion& motion) { return !motion.position_known; });
+}
+
+/// What the program itself says of its start goes before what is assumed of all.
+model::Vec3 GroupReader::start_of(const model::ProgramStart& start) const {
+  model::Vec3 at_mm = start.at_mm;
+  for (int axis = 0; axis < 3; ++axis)
+    at_mm[axis] = program_.start_said_mm[static_cast<std::size_t>(axis)].value_or(at_mm[axis]);
+  return at_mm;
+}
+
+void GroupReader::place(const Surroundings& surroundings) {
+  start_ = surroundings.start;
+  const model::Vec3 start_mm = start_of(start_);
+  if (start_.assumed && leans_on_start()) read(start_mm);
+  const model::WorkOffset g54 = job_.machine.work_offsets.front().value_or(model::WorkOffset());
+  options_.start_mm = model::RigidPlacement{g54.rotation_deg, g54.origin_mm}(start_mm);
+  options_.park_z_mm = surroundings.above_all_mm;
+}
+
+/// A tool change moves nothing: the tip of a longer tool comes to stand lower. Without lengths each
+/// tool is taken to have been set to where the one before stood, and so is it while the height is
+/// that of an assumed start (MachineState::keeps_tip_at_change).
+double GroupReader::start_shift_mm(std::size_t first) const {
+  const auto length_of = [this](int number) -> std::optional<double> {
+    for (const model::ToolEntry& tool : job_.machine.tools)
+      if (tool.number == number) return tool.length_mm;
+    return std::nullopt;
+  };
+  const std::vector<model::ToolChange> changes = loadings(program_);
+  for (std::size_t i = 1; i < changes.size(); ++i) {
+    if (changes[i].motion != first) continue;
+    const auto before = length_of(changes[i - 1].tool), after = length_of(changes[i].tool);
+    const bool kept = !program_.motions[first - 1].height_known;
+    if (before && after && !kept) return *before - *after;
+  }
+  return 0;
+}
+
+void GroupReader::require_near(const model::Vec3& tip_mm, std::uint32_t line) const {
+  if (model::is_near(tip_mm)) return;
+  throw model::InputError(
+      {file_, static_cast<int>(line), 0},
+      "the tip moves to " + model::farthest_words(tip_mm) + " in the frame of the cage",
+      model::kFarthestExpected);
+}
+
+ForeignPath GroupReader::path_of(std::size_t index) const {
+  model::PathOptions options = options_;
+  options.chord_error_mm = chord_error_mm(settings_.resolution_mm[group_[index]]);
+  options.first = ranges_[index].first, options.last = ranges_[index].last;
+  options.start_shift_z_mm = start_shift_mm(options.first);
+  ForeignPath foreign;
+  // Ends first: an arc to somewhere far away would have more chords than there is room for.
+  for (std::size_t i = options.first; i < options.last; ++i)
+    require_near(options.machine_in_part(program_.motions[i].to), program_.motions[i].line);
+  foreign.path = to_toolpath(program_, options);
+  for (const model::Move& move : foreign.path.moves) require_near(move.to, move.line);
+  if (foreign.path.moves.empty())
+    throw model::InputError(
+        {file_, 0, 0},
+        "the program moves nothing" +
+            (stage(index).part.whole() ? std::string() : " in stage " + stage(index).name),
+        "motions");
+  for (const model::IgnoredWord& word : program_.ignored)
+    foreign.ignored_words.push_back(std::to_string(word.line) + ": " + word.word);
+  list_assumed(foreign, index);
+  foreign.start = start_;
+  foreign.text = text_;
+  return foreign;
+}
+
+void GroupReader::list_assumed(ForeignPath& foreign, std::size_t index) const {
+  const std::string head = stage(index).program_as_stated + ", ";
+  for (const std::string& said : program_.assumed) foreign.assumed.push_back(head + said);
+  const auto leaning = std::find_if(
+      program_.motions.begin(), program_.motions.end(), [](const model::Motion& motion) {
+        return !motion.position_known && motion.kind != model::MotionKind::rapid;
+      });
+  if (leaning != program_.motions.end())
+    foreign.assumed.push_back(head + "line " + std::to_string(leaning->line) +
+                              ": cuts before X, Y and Z have all been named; the others are taken "
+                              "to stand where the program starts");
+}
+
+/// Above stock, part, fixtures and everything that the programs reach and start at, by the job's
+/// clearance; no higher than the machine can go.
+double above_everything_mm(const Job& job, const std::vector<model::Fixture>& fixtures,
+                           const model::Box3& part, const std::vector<GroupReader>& readers) {
+  double top = std::max(model::bounding_box(job.stock).high.z, part.high.z);
+  for (const model::Fixture& fixture : fixtures)
+    for (const model::Vec3& vertex : fixture.mesh->vertices) top = std::max(top, vertex.z);
+  for (const GroupReader& reader : readers) top = std::max(top, reader.highest_mm());
+  if (job.machine.start_mm)
+    top = std::max(top, job.machine.start_mm->z + job.program_frame.translate_mm.z);
+  const double wanted_mm = top + job.clearance_mm;
+  return job.travel_mm ? std::max(top, std::min(wanted_mm, job.travel_mm->high.z)) : wanted_mm;
+}
+
+model::ProgramStart start_of(const Job& job, double above_all_mm) {
+  if (job.machine.start_mm) return {*job.machine.start_mm, false};
+  return {{0, 0, above_all_mm - job.program_frame.translate_mm.z}, true};
+}
+
+}  // namespace
+
+model::MachineSetup machine_for(const Job& job, const model::Cutter& cutter) {
+  model::MachineSetup machine = job.machine;
+  if (machine.tools.empty()) machine.only_tool = {0, std::nullopt, cutter.diameter_mm};
+  return machine;
+}
+
+std::vector<std::optional<ForeignPath>> load_programs(const Job& job, const Settings& settings,
+                                                      const std::vector<model::Fixture>& fixtures,
+                                                      const model::Box3& part) {
+  const std::vector<Group> groups = groups_of(job);
+  std::vector<GroupReader> readers;
+  for (const Group& group : groups) readers.emplace_back(job, settings, group);
+  const double above_all_mm = above_everything_mm(job, fixtures, part, readers);
+  std::vector<std::optional<ForeignPath>> programs(job.stages.size());
+  for (GroupReader& reader : readers) {
+    reader.place({above_all_mm, start_of(job, above_all_mm)});
+    for (std::size_t i = 0; i < reader.group().size(); ++i)
+      programs[reader.group()[i]] = reader.path_of(i);
+  }
+  return programs;
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/job/job.h"
+#include "app/job/settings.h"
+#include "model/part/fixture.h"
+
+namespace limitgauge::app {
+
+/// A program, or a part of one, as a stage's path.
+struct ForeignPath {
+  model::Toolpath path;
+  model::ProgramStart start;               ///< the same for all programs of a job
+  std::vector<std::string> ignored_words;  ///< "line: word" that moves nothing
+  std::vector<std::string> assumed;        ///< what the reader took for granted
+  std::string text;                        ///< the whole program
+};
+
+/// The programs of the job's stages, each read once and shared out among the stages that take a
+/// part of it; empty for a stage that is planned. Where the job does not say where they start, that
+/// is their zero in X and Y, and in Z above stock, fixtures, `part` (the box of the surface) and
+/// every height that a program names, by the job's clearance. Throws InputError for what cannot be
+/// read, and for parts that do not fit together.
+std::vector<std::optional<ForeignPath>> load_programs(const Job& job, const Settings& settings,
+                                                      const std::vector<model::Fixture>& fixtures,
+                                                      const model::Box3& part);
+/// What programs take from the machine when `cutter` stands in its spindle.
+model::MachineSetup machine_for(const Job& job, const model::Cutter& cutter);
+
+}  // namespace limitgauge::app

@@ -1,0 +1,25 @@
+#include "app/job/job.h"
+
+namespace limitgauge::app {
+
+const char* strategy_name(engine::strategy::Strategy strategy) {
+  switch (strategy) {
+    case engine::strategy::Strategy::contour:
+      return "contour";
+    case engine::strategy::Strategy::zigzag:
+      return "zigzag";
+    case engine::strategy::Strategy::steep_shallow:
+      return "steep_shallow";
+    case engine::strategy::Strategy::rest:
+      break;
+  }
+  return "rest";
+}
+
+std::string to_text(const ProgramPart& part) {
+  if (part.tool) return "T" + std::to_string(*part.tool);
+  if (part.section) return "section " + std::to_string(*part.section);
+  return part.comment.empty() ? std::string() : "from (" + part.comment + ")";
+}
+
+}  // namespace limitgauge::app

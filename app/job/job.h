@@ -1,0 +1,118 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/strategy/linking/stage_path.h"
+#include "model/gcode/dialect.h"
+#include "model/gcode/program_path.h"
+#include "model/part/cage.h"
+#include "model/part/cutter.h"
+#include "model/part/stock.h"
+#include "reports/run/published.h"
+#include "verifier/gate/deviation.h"
+
+namespace limitgauge::app {
+
+/// The job file's word for `strategy`.
+const char* strategy_name(engine::strategy::Strategy strategy);
+
+/// What a stage asks of the planner; only of stages that are planned here.
+struct StagePlan {
+  engine::strategy::CutOptions cut;
+  std::optional<double> floor_z_mm;  ///< empty: chosen from the surface and the cutter
+};
+
+/// A cutter of the job, as the machine's tool table has it.
+struct JobTool {
+  model::Cutter cutter;
+  std::optional<int> number;        ///< T of programs; empty: whatever number a program says
+  std::optional<double> length_mm;  ///< from the gauge line to the tip
+};
+
+/// Which motions of a program a stage takes; nothing stated: all of them, by one tool. A part ends
+/// where the next part that a stage takes begins, or with the program.
+struct ProgramPart {
+  std::optional<int> tool;     ///< from where T is loaded
+  std::optional<int> section;  ///< from the n-th loading of a tool on, counted from 1
+  std::string comment;         ///< from the comment that says this on
+
+  bool whole() const { return !tool && !section && comment.empty(); }
+};
+/// "T2", "section 3", "from (FINISH)"; empty for the whole program.
+std::string to_text(const ProgramPart& part);
+
+/// One stage of a job: either planned here (`plan`) or read from a program.
+struct JobStage {
+  std::string name;
+  model::Cutter cutter;
+  std::optional<StagePlan> plan;
+  std::filesystem::path program;  ///< where `plan` is empty
+  std::string program_as_stated;  ///< as the job or the command line names it
+  ProgramPart part;
+  std::optional<int> tool_number;  ///< T of `cutter`; empty: whatever number the program says
+  double allowance_mm = 0;         ///< material the stage must leave, along the surface normal
+  verifier::GateLimits limits;
+};
+
+/// A mesh that nothing of the tool may touch.
+struct JobFixture {
+  std::string name;
+  std::filesystem::path file;
+  std::string file_as_stated;
+  model::Vec3 translate_mm;
+};
+
+/// How programs of planned stages are written.
+struct Post {
+  model::Dialect dialect = model::Dialect::linuxcnc;
+  int decimals = 4;
+  std::optional<double> arc_tolerance_mm;  ///< empty: no arcs
+  bool line_numbers = false;
+  bool cl_data = false;  ///< toolpath.apt too
+};
+
+/// A file that a job names.
+struct JobFile {
+  enum class Role { job, cage, stock, program, fixture, tool_table };
+  Role role = Role::job;
+  std::filesystem::path path;
+  std::string as_stated;
+};
+
+/// A job as the file states it, defaults filled in; paths are resolved against the job file.
+struct Job {
+  std::string name;
+  std::filesystem::path cage;
+  std::string cage_as_stated;
+  double precision_mm = 0.01;  ///< bound on the chord error of the engine's limit mesh
+  model::Placement placement;
+  model::Stock stock;
+  double rapid_mm_min = 5000;
+  double clearance_mm = 5;                   ///< height of rapids above the stock
+  std::optional<double> acceleration_mm_s2;  ///< empty: speeds change at once
+  double junction_deviation_mm = 0.01;       ///< how far a corner may be rounded off
+  Post post;
+  model::MachineSetup machine;          ///< what programs take from the machine
+  model::RigidPlacement program_frame;  ///< the programs' work frame (G54) in the cage's frame
+  std::vector<JobStage> stages;
+  std::optional<double> voxel_mm;       ///< empty: "auto"
+  std::optional<double> resolution_mm;  ///< empty: "auto"
+  bool pictures = true;
+  std::optional<model::Box3> travel_mm;        ///< of the tip; infinite where an axis has no limit
+  double near_miss_mm = 0;                     ///< 0: near misses are not looked for
+  std::optional<double> contact_tolerance_mm;  ///< empty: not stated
+  std::vector<JobFixture> fixtures;
+  std::optional<reports::PublishedFigures> published;
+  /// What the job was read from and is named nowhere else here: job file, stock, tool table.
+  std::vector<JobFile> sources;
+  /// Values that the job left to a default, in words, for the report's assumptions.
+  std::vector<std::string> defaulted;
+};
+
+/// Share of the feed at which the cutter plunges where the job says nothing.
+inline constexpr double kDefaultPlungeShare = 1.0 / 3.0;
+
+}  // namespace limitgauge::app

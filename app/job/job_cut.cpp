@@ -1,0 +1,110 @@
+#include "app/job/job_cut.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "app/cli/words.h"
+
+namespace limitgauge::app {
+namespace {
+
+using namespace engine::strategy;
+
+Strategy read_strategy(const TomlTable& stage) {
+  const std::string word = stage.one_of("strategy", {"contour", "zigzag", "steep_shallow", "rest"});
+  if (word == "contour") return Strategy::contour;
+  if (word == "zigzag") return Strategy::zigzag;
+  return word == "rest" ? Strategy::rest : Strategy::steep_shallow;
+}
+
+/// Keys that only some strategies use, and what stands for them where they are left out.
+struct Uses {
+  const char* key;
+  std::vector<Strategy> by;
+  std::string otherwise;  ///< empty where leaving the key out leaves the thing out
+};
+
+std::vector<Uses> uses(const CutOptions& cut) {
+  const std::vector<Strategy> rows = {Strategy::zigzag, Strategy::steep_shallow, Strategy::rest};
+  const std::vector<Strategy> both = {Strategy::steep_shallow, Strategy::rest};
+  const std::vector<Strategy> loops = {Strategy::contour, Strategy::steep_shallow, Strategy::rest};
+  const std::vector<Strategy> all = {Strategy::contour, Strategy::zigzag, Strategy::steep_shallow,
+                                     Strategy::rest};
+  return {{"scallop", rows, ""},
+          {"angle", rows, words(cut.angle_deg)},
+          {"pattern", rows, "zigzag"},
+          {"boundary_pass", rows, "false"},
+          {"steep_angle", both, words(cut.steep_angle_deg)},
+          {"overlap", both, words(cut.overlap_or_default_mm())},
+          {"direction", loops, "either"},
+          {"entry", all, "ramp"},
+          {"ramp_angle", all, words(cut.ramp_angle_deg)},
+          {"plunge_feed", all, words(cut.plunge_feed_mm_min)},
+          {"link_feed", all, words(cut.link_feed_mm_min)}};
+}
+
+/// Says what is left to defaults, and refuses what the strategy would ignore.
+void check_uses(const TomlTable& stage, const std::string& name, const CutOptions& cut,
+                JobContext& context) {
+  std::string said;
+  for (const Uses& use : uses(cut)) {
+    const bool used = std::find(use.by.begin(), use.by.end(), cut.strategy) != use.by.end();
+    if (!used && stage.has(use.key))
+      throw model::InputError(stage.place(use.key),
+                              "\"" + std::string(use.key) + "\" changes nothing of strategy \"" +
+                                  strategy_name(cut.strategy) + "\"",
+                              "a key that this strategy uses");
+    if (!used || stage.has(use.key) || use.otherwise.empty()) continue;
+    said += std::string(said.empty() ? " " : ", ") + use.key + " = " + use.otherwise;
+  }
+  if (!said.empty()) context.defaulted.push_back("stage " + name + ": defaults:" + said);
+}
+
+void read_shape(const TomlTable& stage, CutOptions& cut) {
+  if (stage.has("angle")) cut.angle_deg = stage.number("angle");
+  if (stage.has("pattern"))
+    cut.pattern = stage.one_of("pattern", {"zigzag", "one_way"}) == "zigzag" ? RowPattern::zigzag
+                                                                             : RowPattern::one_way;
+  if (stage.has("direction")) {
+    const std::string word = stage.one_of("direction", {"either", "climb", "conventional"});
+    cut.direction = word == "climb"          ? CutDirection::climb
+                    : word == "conventional" ? CutDirection::conventional
+                                             : CutDirection::either;
+  }
+  if (stage.has("steep_angle")) cut.steep_angle_deg = stage.between("steep_angle", 0, 90);
+  if (stage.has("overlap")) cut.overlap_mm = stage.not_negative("overlap");
+  if (stage.has("boundary_pass")) cut.boundary_pass = stage.boolean("boundary_pass");
+}
+
+void read_entry(const TomlTable& stage, CutOptions& cut) {
+  if (stage.has("entry")) {
+    const std::string word = stage.one_of("entry", {"plunge", "ramp", "helix"});
+    cut.entry = word == "plunge" ? Entry::plunge : word == "ramp" ? Entry::ramp : Entry::helix;
+  }
+  if (stage.has("ramp_angle")) cut.ramp_angle_deg = stage.between("ramp_angle", 0, 90);
+}
+
+void read_feeds(const TomlTable& stage, CutOptions& cut) {
+  cut.feed_mm_min = stage.positive("feed");
+  cut.plunge_feed_mm_min = stage.has("plunge_feed") ? stage.positive("plunge_feed")
+                                                    : cut.feed_mm_min * kDefaultPlungeShare;
+  cut.link_feed_mm_min = stage.has("link_feed") ? stage.positive("link_feed") : cut.feed_mm_min;
+}
+
+}  // namespace
+
+StagePlan read_plan(const TomlTable& stage, const std::string& name, JobContext& context) {
+  StagePlan plan;
+  plan.cut.strategy = read_strategy(stage);
+  plan.cut.step_mm = stage.positive("step");
+  if (stage.has("scallop")) plan.cut.scallop_mm = stage.positive("scallop");
+  plan.cut.tolerance_mm = stage.positive("tolerance");
+  read_shape(stage, plan.cut);
+  read_entry(stage, plan.cut);
+  read_feeds(stage, plan.cut);
+  check_uses(stage, name, plan.cut, context);
+  if (stage.has("floor")) plan.floor_z_mm = stage.number("floor");
+  return plan;
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,126 @@
+#include "app/job/job_reader.h"
+
+#include <algorithm>
+
+#include "app/cli/words.h"
+#include "app/job/job_fixtures.h"
+#include "app/job/job_overrides.h"
+#include "app/job/job_parts.h"
+#include "app/job/job_post.h"
+#include "app/job/job_setup.h"
+#include "app/toml/toml_table.h"
+#include "app/toml/toml_text.h"
+#include "model/base/text_file.h"
+
+namespace limitgauge::app {
+namespace {
+
+void read_surface(const toml::table& table, Job& job, JobContext& context) {
+  const TomlTable surface(table, "[surface]", {"cage", "precision", "transform"});
+  job.cage_as_stated = surface.text("cage");
+  job.cage = context.folder / job.cage_as_stated;
+  if (!model::is_file(job.cage)) {
+    throw model::InputError(surface.place("cage"), "no file \"" + job.cage_as_stated + "\"",
+                            "a cage as OBJ");
+  }
+  if (surface.has("precision")) {
+    job.precision_mm = surface.positive("precision");
+  } else {
+    context.defaulted.push_back("surface precision " + words(job.precision_mm) + " mm (default)");
+  }
+  read_placement(surface, job);
+}
+
+Job read_root(const toml::table& table, JobContext& context) {
+  const TomlTable root(table, "the job", {}, kJobKeys);
+  Job job;
+  job.name = read_job_name(root);
+  read_surface(root.table("surface"), job, context);
+  job.stock = read_stock(root.table("stock"), context);
+  read_machine(root, job, context);
+  read_fixtures(root, job, context);
+  const std::vector<JobTool> tools = read_tools(root.tables("tool"), context);
+  job.machine.tools = tool_table(tools);
+  job.stages = read_stages(root.tables("stage"), tools, context);
+  read_post(root, job, context);
+  read_settings(root, job);
+  if (root.has("published")) job.published = read_published(root);
+  job.defaulted = std::move(context.defaulted);
+  job.sources = std::move(context.sources);
+  return job;
+}
+
+}  // namespace
+
+std::string read_job_name(const TomlTable& root) {
+  const std::string name = root.text("name");
+  if (!is_plain_name(name)) {
+    throw model::InputError(root.place("name"), "\"" + name + "\" cannot name a folder",
+                            "letters, digits, '.', '_', '-'");
+  }
+  return name;
+}
+
+void read_placement(const TomlTable& surface, Job& job) {
+  if (!surface.has("transform")) return;
+  const TomlTable transform(surface.table("transform"), "\"transform\" of [surface]",
+                            {"scale", "rotate_z", "translate"});
+  if (transform.has("scale")) job.placement.scale = transform.positive("scale");
+  if (transform.has("rotate_z")) job.placement.rotate_z_deg = transform.number("rotate_z");
+  if (transform.has("translate")) job.placement.translate_mm = transform.vec3("translate");
+}
+
+void read_settings(const TomlTable& root, Job& job) {
+  if (root.has("simulation")) {
+    const TomlTable simulation(root.table("simulation"), "[simulation]",
+                               {"voxel", "near_miss", "contact_tolerance"});
+    if (simulation.has("voxel")) job.voxel_mm = simulation.positive_or_auto("voxel");
+    if (simulation.has("near_miss")) job.near_miss_mm = simulation.positive("near_miss");
+    if (simulation.has("contact_tolerance"))
+      job.contact_tolerance_mm = simulation.positive("contact_tolerance");
+  }
+  if (root.has("verification")) {
+    const TomlTable verification(root.table("verification"), "[verification]", {"resolution"});
+    if (verification.has("resolution")) {
+      job.resolution_mm = verification.positive_or_auto("resolution");
+    }
+  }
+  if (root.has("report")) {
+    const TomlTable report(root.table("report"), "[report]", {"pictures"});
+    if (report.has("pictures")) job.pictures = report.boolean("pictures");
+  }
+}
+
+bool is_plain_name(std::string_view name) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '_' || c == '-';
+  };
+  return !name.empty() && name.size() <= 100 && name.front() != '.' && name.front() != '-' &&
+         std::all_of(name.begin(), name.end(), plain);
+}
+
+toml::table merged_job(const std::string& text, const std::string& name_in_errors,
+                       std::span<const std::string> overrides) {
+  toml::table table = parse_toml(text, name_in_errors);
+  apply_overrides(table, overrides);
+  return table;
+}
+
+Job read_merged_job(const toml::table& table, JobContext context) {
+  return read_root(table, context);
+}
+
+Job read_job_text(const std::string& text, const std::string& name_in_errors,
+                  const std::filesystem::path& folder, std::span<const std::string> overrides) {
+  return read_merged_job(merged_job(text, name_in_errors, overrides), {folder, {}, {}, {}});
+}
+
+Job read_job(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  Job job =
+      read_job_text(model::read_text_file(file), file.string(), file.parent_path(), overrides);
+  job.sources.push_back({JobFile::Role::job, file, file.string()});
+  return job;
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,81 @@
+#include "app/job/machine_options.h"
+
+#include "app/cli/command_line.h"
+#include "model/base/coordinate_limit.h"
+#include "model/base/text_file.h"
+#include "model/base/words.h"
+
+namespace limitgauge::app {
+namespace {
+
+std::vector<double> numbers_of(const std::string& option, const std::string& text,
+                               std::string_view list, std::size_t least, std::size_t most) {
+  std::vector<double> numbers;
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', at), list.size());
+    const auto value = model::parse_number(list.substr(at, comma - at));
+    if (!value)
+      throw UsageError(option + " " + text + ": \"" + std::string(list.substr(at, comma - at)) +
+                       "\" is no number; expected numbers with commas between them");
+    numbers.push_back(*value);
+    at = comma + 1;
+  }
+  if (numbers.size() < least || numbers.size() > most)
+    throw UsageError(option + " " + text + ": " + std::to_string(numbers.size()) +
+                     " numbers; expected X,Y,Z" + (most > least ? " or X,Y,Z,TURN" : ""));
+  return numbers;
+}
+
+model::Vec3 near_point(const std::string& option, const std::string& text,
+                       const std::vector<double>& values) {
+  const model::Vec3 point_mm{values[0], values[1], values[2]};
+  if (!model::is_near(point_mm))
+    throw UsageError(option + " " + text + ": " + model::farthest_words(point_mm) + "; expected " +
+                     model::kFarthestExpected);
+  return point_mm;
+}
+
+/// `G54` to `G59.3`, in capitals or not.
+std::size_t offset_index(const std::string& text, std::string name) {
+  for (char& c : name)
+    if (c == 'g') c = 'G';
+  for (std::size_t i = 0; i < model::kWorkOffsets; ++i)
+    if (model::work_offset_name(i) == name) return i;
+  throw UsageError("--work-offset " + text + ": \"" + name +
+                   "\" is no work offset; expected G54 to G59 or G59.1 to G59.3");
+}
+
+void add_offset(const std::string& text, model::MachineSetup& machine) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos)
+    throw UsageError("--work-offset " + text + ": expected G54=X,Y,Z or G54=X,Y,Z,TURN");
+  const std::size_t index = offset_index(text, text.substr(0, equals));
+  const std::vector<double> values =
+      numbers_of("--work-offset", text, std::string_view(text).substr(equals + 1), 3, 4);
+  if (machine.work_offsets[index])
+    throw UsageError("--work-offset " + text + ": " + model::work_offset_name(index) +
+                     " is stated twice; expected it once");
+  machine.work_offsets[index] = model::WorkOffset{near_point("--work-offset", text, values),
+                                                  values.size() > 3 ? values[3] : 0};
+}
+
+}  // namespace
+
+model::Vec3 point_of(const std::string& option, const std::string& text) {
+  return near_point(option, text, numbers_of(option, text, text, 3, 3));
+}
+
+model::MachineSetup machine_of(const MachineOptions& options) {
+  model::MachineSetup machine;
+  for (const std::string& text : options.work_offsets) add_offset(text, machine);
+  if (!options.home.empty()) machine.home_mm = point_of("--home", options.home);
+  if (!options.second_home.empty())
+    machine.second_home_mm = point_of("--second-home", options.second_home);
+  if (!options.start.empty()) machine.start_mm = point_of("--start", options.start);
+  if (!options.tool_table.empty())
+    machine.tools = model::parse_tool_table(model::read_text_file(options.tool_table),
+                                            options.tool_table.string());
+  return machine;
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,93 @@
+#include "app/run/cut_stock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "simulator/instrument/dexel_agreement.h"
+#include "simulator/process/process_check.h"
+
+namespace limitgauge::app {
+namespace {
+
+/// Lines on which the two stock models are compared after each stage.
+constexpr std::size_t kComparedLines = 4000;
+
+/// What the shape that is left does not show: collisions and the like, and what each move took.
+void follow_process(const Job& job, const RunInputs& inputs, const JobStage& asked,
+                    const simulator::Pass& pass, CutStock& stock, const StageWatch& watch,
+                    reports::StageResult::Ran& ran) {
+  simulator::ProcessLimits limits;
+  limits.tolerance_mm = inputs.settings.contact_tolerance_mm;
+  limits.near_miss_mm = job.near_miss_mm;
+  limits.travel_mm = job.travel_mm;
+  limits.fixtures = inputs.fixtures;
+  ran.process = check_process(stock.stock, pass, limits,
+                              watch.control(asked.name + ": checking the process"));
+  simulator::DexelStock::Cut after =
+      stock.lines.cut(pass, watch.control(asked.name + ": following the removal"));
+  stock.lines = std::move(after.stock);
+  ran.removal = std::move(after.removal);
+}
+
+void say_forecast(const JobStage& asked, const simulator::CutForecast& forecast,
+                  const StageWatch& watch) {
+  constexpr double kMib = 1024.0 * 1024.0;
+  std::ostringstream line;
+  line << asked.name << ": cutting is forecast to take " << forecast.seconds << " s and "
+       << std::lround(forecast.bytes / kMib) << " MiB";
+  if (forecast.tiled) line << ", tile by tile";
+  watch.options.watch.note(line.str());
+}
+
+/// Two stock models that contradict each other are a bug in one of them: no verdict rests on that.
+const simulator::StockAgreement& agreed(const JobStage& asked,
+                                        const simulator::StockAgreement& found) {
+  if (std::max(found.worst_end_mm, found.worst_side_mm) <= simulator::kAgreement_mm) return found;
+  std::ostringstream what;
+  what << asked.name << ": the two stock models differ by "
+       << std::max(found.worst_end_mm, found.worst_side_mm) << " mm at (" << found.worst_at.x
+       << ", " << found.worst_at.y << ", " << found.worst_at.z << "); please report this";
+  throw verifier::InstrumentDisagreement(what.str());
+}
+
+}  // namespace
+
+CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch& watch) {
+  simulator::StockModel stock(job.stock, settings.voxel_mm, settings.memory_limit_bytes,
+                              watch.control("raw stock"));
+  const double volume_mm3 = stock.volume_mm3(watch.control("raw stock"));
+  return {std::move(stock), volume_mm3, simulator::DexelStock(job.stock, settings.line_spacing_mm)};
+}
+
+CutStock cut_again(CutStock before, std::span<const verifier::Pass> passes,
+                   const StageWatch& watch) {
+  for (const verifier::Pass& taken : passes) {
+    const simulator::Pass pass{taken.cutter, taken.path};
+    before.stock = std::move(before.stock).cut(pass, watch.control("cutting again"));
+    before.lines = before.lines.cut(pass, watch.control("cutting again")).stock;
+  }
+  before.volume_mm3 = before.stock.volume_mm3(watch.control("adding up"));
+  return before;
+}
+
+CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
+                   const StageWatch& watch, reports::StageResult::Ran& ran) {
+  const simulator::Pass pass{asked.cutter, ran.path};
+  const auto control = [&](const char* what) { return watch.control(asked.name + what); };
+  CutStock now = std::move(before);
+  follow_process(job, inputs, asked, pass, now, watch, ran);
+  say_forecast(asked, now.stock.forecast(pass, control(": forecasting")), watch);
+  now.stock = std::move(now.stock).cut(pass, control(": cutting"));
+  const double volume_mm3 = now.stock.volume_mm3(control(": adding up"));
+  ran.removed_volume_mm3 = now.volume_mm3 - volume_mm3;
+  now.volume_mm3 = volume_mm3;
+  ran.agreement = agreed(asked, compare_stocks(now.lines, now.stock, kComparedLines,
+                                               control(": comparing the models"), volume_mm3));
+  ran.voxel_mm = now.stock.voxel_mm();
+  ran.tiles = now.stock.tiles();
+  ran.stock = now.stock;
+  return now;
+}
+
+}  // namespace limitgauge::app

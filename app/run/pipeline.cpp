@@ -1,0 +1,223 @@
+#include "app/run/pipeline.h"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <sstream>
+
+#include "app/output/output_files.h"
+#include "app/output/result_parts.h"
+#include "app/run/cut_stock.h"
+#include "app/run/stage_planner.h"
+#include "app/run/stage_prefix.h"
+#include "app/run/stage_program.h"
+#include "app/run/stock_probe.h"
+#include "model/part/machining_time.h"
+#include "reports/run/process.h"
+#include "reports/run/report.h"
+
+namespace limitgauge::app {
+namespace {
+
+using verifier::Verdict;
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::size_t peak_memory_bytes() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+  constexpr std::size_t kUnit = 1024;  // Linux counts in kilobytes.
+  return static_cast<std::size_t>(usage.ru_maxrss) * kUnit;
+}
+
+/// Where the four parts meet: the state of one run between its stages.
+class Bench {
+ public:
+  Bench(const Job& job, const RunInputs& inputs, const std::filesystem::path& folder,
+        const RunOptions& options, const Resumption& resumption)
+      : job_(job),
+        inputs_(inputs),
+        folder_(folder),
+        options_(options),
+        resumption_(resumption),
+        from_(resumption.from ? *resumption.from : StagePrefix()),
+        planner_(job, inputs, from_.model) {}
+
+  reports::RunResult run();
+
+ private:
+  model::RunControl control(const std::string& what) const { return watch().control(what); }
+  StageWatch watch() const { return {options_, stage_, job_.stages.size()}; }
+  void begin(reports::RunResult& result);
+  void run_stage(std::size_t index, reports::StageResult& stage);
+  void make_path(std::size_t index, reports::StageResult::Ran& ran);
+  void cut(const JobStage& asked, reports::StageResult::Ran& ran);
+  void measure(std::size_t index, reports::StageResult::Ran& ran);
+  std::vector<std::string> names_up_to(std::size_t index) const;
+  void write_files(reports::StageResult& stage) const;
+  void hand_over(const reports::RunResult& result) const;
+  std::optional<engine::surface::ModelFigures> figures() const;
+
+  const Job& job_;
+  const RunInputs& inputs_;
+  const std::filesystem::path& folder_;
+  const RunOptions& options_;
+  const Resumption& resumption_;
+  StagePrefix from_;
+  StagePlanner planner_;
+  std::size_t stage_ = 0;  ///< the one at work, counted from 1
+  std::optional<CutStock> stock_;
+  std::vector<verifier::Pass> passes_;
+};
+
+void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
+  const JobStage& asked = job_.stages[index];
+  const Stopwatch watch;
+  PlannedStage planned = planner_.plan(index, passes_, control(asked.name + ": planning"));
+  if (options_.stage_files) {
+    make_folder(folder_ / asked.name);
+    write_program_files(planned, folder_ / asked.name);
+  }
+  // The model of the surface has a time of its own.
+  ran.plan_seconds = asked.plan ? planned.path.seconds : watch.seconds();
+  ran.planes = planned.path.planes;
+  ran.sampling_interval_min = planned.path.sampling_interval_min;
+  ran.sampling_interval_max = planned.path.sampling_interval_max;
+  ran.sampling_intervals = std::move(planned.path.sampling_intervals);
+  ran.path_memory_bytes = planned.path.memory_bytes;
+  ran.ignored_words = std::move(planned.ignored_words);
+  ran.program_text = std::make_shared<const std::string>(std::move(planned.program));
+  ran.path = std::make_shared<const model::Toolpath>(std::move(planned.path.path));
+  const model::ToolpathLengths sums = lengths(*ran.path, job_.rapid_mm_min);
+  ran.cut_length_mm = sums.cut_mm;
+  ran.rapid_length_mm = sums.rapid_mm;
+  ran.machining_time_s = machining_time_s(
+      *ran.path, {job_.rapid_mm_min, job_.acceleration_mm_s2, job_.junction_deviation_mm});
+}
+
+void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
+  const Stopwatch stopwatch;
+  CutStock before = std::move(*stock_);
+  stock_.reset();
+  stock_ = cut_stage(job_, inputs_, asked, std::move(before), watch(), ran);
+  ran.simulation_seconds = stopwatch.seconds();
+  ran.peak_memory_bytes = peak_memory_bytes();
+}
+
+std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Finding> findings) {
+  std::vector<verifier::ProcessFault> faults;
+  for (const simulator::FindingKind kind : reports::kFindingKinds) {
+    if (!fails(kind)) continue;
+    verifier::ProcessFault fault{reports::words_for(kind), reports::count(findings, {kind})};
+    for (const simulator::Finding& f : findings)
+      if (f.kind == kind && (!fault.worst || f.depth_mm > fault.worst->depth_mm))
+        fault.worst = {f.point, f.line, f.depth_mm};
+    faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
+void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
+  const JobStage& asked = job_.stages[index];
+  passes_.push_back({asked.cutter, ran.path});
+  verifier::StageCheck check;
+  check.allowance_mm = asked.allowance_mm;
+  check.limits = asked.limits;
+  check.resolution_mm = inputs_.settings.resolution_mm[index];
+  const StockRayProbe probe(stock_->stock);
+  ran.deviation = measure_stage(inputs_.surface, job_.stock, passes_, &probe, check,
+                                control(asked.name + ": measuring"));
+}
+
+/// For lines of the programs of earlier stages.
+std::vector<std::string> Bench::names_up_to(std::size_t index) const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i <= index; ++i) names.push_back(job_.stages[i].name);
+  return names;
+}
+
+void Bench::write_files(reports::StageResult& stage) const {
+  reports::StageFiles files = write_stage_files(
+      stage, folder_, {job_.pictures, control(stage.name + ": writing"), job_.rapid_mm_min});
+  stage.ran->surface = files.surface;
+  stage.ran->path_view = std::move(files.path_view);
+  if (job_.pictures) stage.pictures = std::move(files.pictures);
+}
+
+void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
+  const Stopwatch watch;
+  stage_ = index + 1;
+  reports::StageResult::Ran& ran = stage.ran.emplace();
+  make_path(index, ran);
+  cut(job_.stages[index], ran);
+  measure(index, ran);
+  stage.decision =
+      decide(ran.deviation, stage.limits, process_faults(ran.process), names_up_to(index));
+  if (options_.stage_files) {
+    write_files(stage);
+  } else {
+    ran.deviation.field = {};
+  }
+  // What only the stage's files needed.
+  ran.stock.reset();
+  ran.removal.moves = {};
+  stage.seconds = watch.seconds();
+  std::ostringstream line;
+  line << stage.name << ": " << name(stage.decision.verdict) << "; planned "
+       << ran.path->moves.size() << " moves in " << ran.plan_seconds << " s, cut in "
+       << ran.simulation_seconds << " s, measured in " << ran.deviation.seconds << " s";
+  options_.watch.note(line.str());
+}
+
+std::optional<engine::surface::ModelFigures> Bench::figures() const {
+  return planner_.model() ? std::optional(planner_.model()->figures()) : from_.figures;
+}
+
+/// The stages that are there, and what stands after them.
+void Bench::begin(reports::RunResult& result) {
+  for (std::size_t i = 0; i < from_.stages.size(); ++i) {
+    take_up(from_.stages[i], result.stages[i]);
+    result.verdict = from_.stages[i].verdict;
+    passes_.push_back({job_.stages[i].cutter, from_.stages[i].path});
+  }
+  if (result.verdict != Verdict::pass) return;
+  stock_ =
+      from_.stages.empty() ? uncut_stock(job_, inputs_.settings, watch()) : std::move(from_.stock);
+}
+
+void Bench::hand_over(const reports::RunResult& result) const {
+  if (resumption_.after_stage)
+    resumption_.after_stage({recorded_stages(result), figures(), planner_.model(), stock_});
+}
+
+reports::RunResult Bench::run() {
+  reports::RunResult result = result_as_asked(job_, inputs_, options_);
+  result.verdict = Verdict::pass;
+  begin(result);
+  for (std::size_t i = from_.stages.size();
+       i < result.stages.size() && result.verdict == Verdict::pass; ++i) {
+    run_stage(i, result.stages[i]);
+    result.verdict = result.stages[i].decision.verdict;
+    hand_over(result);
+  }
+  finish_surface(result, figures());
+  return result;
+}
+
+}  // namespace
+
+reports::RunResult run_job(const Job& job, const RunInputs& inputs,
+                           const std::filesystem::path& folder, const RunOptions& options,
+                           const Resumption& resumption) {
+  return Bench(job, inputs, folder, options, resumption).run();
+}
+
+}  // namespace limitgauge::app

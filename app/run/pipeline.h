@@ -1,0 +1,61 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/job/job.h"
+#include "app/run/phase.h"
+#include "app/run/run_inputs.h"
+#include "model/base/run_control.h"
+#include "reports/run/run_result.h"
+
+namespace limitgauge::app {
+
+/// How a run is watched. Neither call changes a result.
+struct RunWatch {
+  /// A phase begins; its progress follows through `progress`.
+  std::function<void(const Phase&)> phase = [](const Phase&) {};
+  std::function<void(double fraction)> progress = [](double) {};
+  /// A line for those who want to know more.
+  std::function<void(const std::string&)> note = [](const std::string&) {};
+};
+
+struct RunOptions {
+  unsigned threads = 1;
+  const std::atomic<bool>* stop = nullptr;
+  RunWatch watch;
+  std::string created;  ///< ISO 8601, UTC; stands in the result as it is
+  /// False: no files of stages are written, and the result has no figures of them.
+  bool stage_files = true;
+};
+
+struct StagePrefix;
+
+/// Where a run goes on from, and whom it tells how far it is.
+struct Resumption {
+  /// State after the first stages of a job that begins with the same ones, its stock with it unless
+  /// it is over; of no stages, it may hold a model. Nothing: from the first stage on.
+  std::shared_ptr<const StagePrefix> from;
+  /// The state after each stage that was run; the call may keep a copy.
+  std::function<void(const StagePrefix& state)> after_stage = {};
+};
+
+/// Runs the job's stages into `folder`: path, cut, measurement, gate; the files of a stage are
+/// written as soon as it has been judged. Stops after a stage that does not pass; the later ones
+/// are then `not_run`. Throws InputError for a stage that cannot be planned, ResourceError,
+/// Interrupted, verifier::InstrumentDisagreement.
+reports::RunResult run_job(const Job& job, const RunInputs& inputs,
+                           const std::filesystem::path& folder, const RunOptions& options,
+                           const Resumption& resumption = {});
+
+/// Plans the job's stages into `folder`: toolpath.ngc and toolpath.vtp a stage.
+void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::path& folder,
+              const RunOptions& options);
+
+/// result.json, junit.xml and report.html into `folder`. Throws ResourceError.
+void write_report(const reports::RunResult& result, const std::filesystem::path& folder);
+
+}  // namespace limitgauge::app

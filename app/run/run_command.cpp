@@ -1,0 +1,147 @@
+#include <ostream>
+
+#include "app/cli/commands.h"
+#include "app/job/job_reader.h"
+#include "app/output/now_utc.h"
+#include "app/output/output_folder.h"
+#include "app/output/progress.h"
+#include "app/run/pipeline.h"
+#include "app/run/run_history.h"
+#include "app/verify/verify_job.h"
+#include "app/verify/verify_overrides.h"
+#include "model/base/error.h"
+#include "reports/run/report.h"
+
+namespace limitgauge::app {
+namespace {
+
+RunOptions options_for(const CommonOptions& common, const Console& console,
+                       ProgressLine& progress) {
+  RunOptions options;
+  options.threads = common.threads;
+  options.stop = console.stop;
+  options.created = now_utc();
+  options.watch.phase = [&progress](const Phase& phase) { progress.phase(phase); };
+  options.watch.progress = [&progress](double fraction) { progress.update(fraction); };
+  if (common.verbose) {
+    options.watch.note = [&progress, &console](const std::string& line) {
+      progress.clear();
+      console.errors << line << std::endl;
+    };
+  }
+  return options;
+}
+
+ExitCode exit_code(verifier::Verdict verdict) {
+  switch (verdict) {
+    case verifier::Verdict::pass:
+      return ExitCode::pass;
+    case verifier::Verdict::fail:
+      return ExitCode::fail;
+    default:
+      return ExitCode::indeterminate;
+  }
+}
+
+/// Does `work` in the folder; an error that is not the user's keeps what was finished.
+template <class Work>
+void work_in(OutputFolder& folder, const Work& work) {
+  folder.prepare();
+  try {
+    work();
+    folder.finish();
+  } catch (const model::InputError&) {
+    throw;
+  } catch (const model::Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    const std::string why = error.what();
+    const std::filesystem::path kept = folder.keep_incomplete(
+        "This run did not come to its end: " + why +
+        "\nStages with a deviation.vtp were finished; nothing else here is a result.");
+    throw model::ResourceError(why + "\nlimitgauge: what was finished is kept in " + kept.string());
+  }
+}
+
+void print_result(const reports::RunResult& result, const OutputFolder& folder,
+                  const CommonOptions& common, const Console& console) {
+  if (common.quiet) return;
+  console.out << reports::verdict_table(result, console.colour, console.out_columns)
+              << "report: " << (folder.target() / "report.html").string() << std::endl;
+}
+
+/// Calls `work(progress)` with a line of progress that is gone afterwards, whatever happens.
+template <class Work>
+void watched(const CommonOptions& common, const Console& console, const Work& work) {
+  ProgressSurroundings around;
+  around.columns = console.errors_columns;
+  ProgressLine progress(console.errors, console.progress && !common.quiet, std::move(around));
+  const ProgressTicker ticker(progress);
+  progress.phase({"reading what the job names"});
+  work(progress);
+}
+
+/// After the result, which must not be lost for the history's sake.
+void add_to_history(const RunHistory& history, const OutputFolder& folder,
+                    const CommonOptions& common, const Console& console) {
+  if (!history.is_kept()) return;
+  const std::int64_t id = history.add(folder.target());
+  if (!common.quiet)
+    console.out << "history: " << history.file().string() << ", run " << id << std::endl;
+}
+
+ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
+                        const HistoryOptions& kept, const CommonOptions& common,
+                        const Console& console) {
+  reports::RunResult result;
+  OutputFolder folder(output, common.force);
+  const RunHistory history(kept, folder.target());
+  watched(common, console, [&](ProgressLine& progress) {
+    const RunInputs inputs = load_inputs(job);
+    const RunOptions options = options_for(common, console, progress);
+    work_in(folder, [&] {
+      result = run_job(job, inputs, folder.working(), options);
+      progress.phase({"writing the report"});
+      write_report(result, folder.working());
+    });
+  });
+  print_result(result, folder, common, console);
+  add_to_history(history, folder, common, console);
+  return exit_code(result.verdict);
+}
+
+std::filesystem::path or_default(const std::filesystem::path& stated, const std::string& name) {
+  return stated.empty() ? std::filesystem::path("limitgauge-out") / name : stated;
+}
+
+}  // namespace
+
+ExitCode execute(const RunCommand& command, const CommonOptions& common, const Console& console) {
+  Job job = read_job(command.job, common.overrides);
+  if (common.no_pictures) job.pictures = false;
+  return run_and_report(job, or_default(command.output, job.name), command.history, common,
+                        console);
+}
+
+ExitCode execute(const VerifyCommand& command, const CommonOptions& common,
+                 const Console& console) {
+  Job job = job_of(command);
+  apply_verify_overrides(job, common.overrides);
+  if (common.no_pictures) job.pictures = false;
+  return run_and_report(job, or_default(command.output, job.name), command.history, common,
+                        console);
+}
+
+ExitCode execute(const PlanCommand& command, const CommonOptions& common, const Console& console) {
+  const Job job = read_job(command.job, common.overrides);
+  OutputFolder folder(or_default(command.output, job.name + "-plan"), common.force);
+  watched(common, console, [&](ProgressLine& progress) {
+    const RunInputs inputs = load_inputs(job);
+    const RunOptions options = options_for(common, console, progress);
+    work_in(folder, [&] { plan_job(job, inputs, folder.working(), options); });
+  });
+  if (!common.quiet) console.out << "toolpaths: " << folder.target().string() << std::endl;
+  return ExitCode::pass;
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,127 @@
+#include "app/run/run_inputs.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include "app/run/input_checksums.h"
+#include "model/base/coordinate_limit.h"
+#include "model/base/error.h"
+#include "model/base/text_file.h"
+#include "model/mesh/mesh_reader.h"
+#include "model/part/cage_obj.h"
+
+namespace limitgauge::app {
+namespace {
+
+/// Where vertex `index` stands in an OBJ file that has been read without complaint.
+model::SourcePlace place_of_vertex(const std::filesystem::path& file, std::size_t index) {
+  std::istringstream text(model::read_text_file(file));
+  std::string line, word;
+  for (int number = 1; std::getline(text, line); ++number) {
+    std::istringstream words(line);
+    if (words >> word && word == "v" && index-- == 0)
+      return {file.string(), number, static_cast<int>(line.find('v')) + 1};
+  }
+  return {file.string(), 0, 0};
+}
+
+/// Placed; a vertex too far out is an error at its line.
+model::Cage load_cage(const Job& job) {
+  model::Cage cage = placed(model::read_cage_obj(job.cage), job.placement);
+  for (std::size_t i = 0; i < cage.vertices.size(); ++i)
+    if (!model::is_near(cage.vertices[i]))
+      throw model::InputError(place_of_vertex(job.cage, i),
+                              "the cage has a vertex at " + model::farthest_words(cage.vertices[i]),
+                              model::kFarthestExpected);
+  return cage;
+}
+
+/// What is smaller is a point.
+constexpr double kLeastExtentMm = 2e-3;
+/// Of the extent, or its square. At coordinates of 10 m points on one line are off it by 2e-12 mm,
+/// which is this much of the least extent.
+constexpr double kLeastShare = 1e-9;
+
+[[noreturn]] void refuse_empty(const Job& job) {
+  throw model::InputError({job.cage.string(), 0, 0},
+                          "the limit surface has no area: there is nothing to measure",
+                          "a cage whose points lie neither in one place nor on one line");
+}
+
+/// Before anything is built on it: a surface within one line has cells without a normal.
+bool lies_on_a_line(const model::Cage& cage) {
+  if (cage.face_corners.empty()) return false;
+  const auto at = [&](model::Index corner) {
+    return cage.vertices[static_cast<std::size_t>(corner)];
+  };
+  const model::Vec3 from = at(cage.face_corners.front());
+  model::Vec3 along;
+  for (const model::Index corner : cage.face_corners)
+    if (length(at(corner) - from) > length(along)) along = at(corner) - from;
+  const double extent_mm = length(along);
+  if (extent_mm <= kLeastExtentMm) return true;
+  double off_mm = 0;
+  for (const model::Index corner : cage.face_corners)
+    off_mm = std::max(off_mm, length(cross(at(corner) - from, along)) / extent_mm);
+  return off_mm <= kLeastShare * extent_mm;
+}
+
+bool has_area(const verifier::ReferenceSurface& surface) {
+  const double extent_mm = length(surface.bounding_box().size());
+  return surface.area_mm2() > kLeastShare * extent_mm * extent_mm;
+}
+
+verifier::ReferenceSurface make_surface(const Job& job, const model::Cage& cage) {
+  if (lies_on_a_line(cage)) refuse_empty(job);
+  try {
+    verifier::ReferenceSurface surface(cage);
+    if (surface.bounding_box().empty()) {
+      throw model::InputError({job.cage.string(), 0, 0}, "the cage has no limit surface",
+                              "at least one face that is no hole");
+    }
+    if (!has_area(surface)) refuse_empty(job);
+    return surface;
+  } catch (const std::invalid_argument& error) {
+    throw model::InputError({job.cage.string(), 0, 0}, error.what(), "a two-manifold cage");
+  }
+}
+
+model::Fixture load_fixture(const JobFixture& asked) {
+  model::TriangleMesh mesh = model::read_triangle_mesh(asked.file);
+  for (model::Vec3& vertex : mesh.vertices) vertex += asked.translate_mm;
+  if (const model::Box3 box = bounding_box(mesh); !model::is_near(box))
+    throw model::InputError({asked.file.string(), 0, 0},
+                            "the fixture reaches to " + model::farthest_words(box),
+                            model::kFarthestExpected);
+  return {asked.name, asked.file_as_stated,
+          std::make_shared<const model::TriangleMesh>(std::move(mesh))};
+}
+
+std::vector<model::Fixture> load_fixtures(const Job& job) {
+  std::vector<model::Fixture> fixtures;
+  for (const JobFixture& asked : job.fixtures) fixtures.push_back(load_fixture(asked));
+  return fixtures;
+}
+
+}  // namespace
+
+JobSurface load_surface(const Job& job) {
+  model::Cage cage = load_cage(job);
+  verifier::ReferenceSurface surface = make_surface(job, cage);
+  return {std::move(cage), std::move(surface)};
+}
+
+RunInputs load_inputs(const Job& job) {
+  return load_inputs(job, load_surface(job));
+}
+
+RunInputs load_inputs(const Job& job, JobSurface surface) {
+  Settings settings = choose_settings(job, surface.surface.bounding_box());
+  std::vector<model::Fixture> fixtures = load_fixtures(job);
+  auto programs = load_programs(job, settings, fixtures, surface.surface.bounding_box());
+  return {std::move(surface.cage), std::move(surface.surface), std::move(settings),
+          std::move(fixtures),     std::move(programs),        input_checksums(job)};
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/job/foreign_programs.h"
+#include "reports/run/run_result.h"
+#include "verifier/surface/reference_surface.h"
+
+namespace limitgauge::app {
+
+/// Everything a job reads, read and checked before anything is computed or written.
+struct RunInputs {
+  model::Cage cage;  ///< placed
+  verifier::ReferenceSurface surface;
+  Settings settings;
+  std::vector<model::Fixture> fixtures;
+  std::vector<std::optional<ForeignPath>> programs;  ///< a stage; empty for those planned here
+  std::vector<reports::InputFile> files;             ///< what all of this was read from
+};
+
+/// The surface that a job is about.
+struct JobSurface {
+  model::Cage cage;  ///< placed
+  verifier::ReferenceSurface surface;
+};
+/// Throws InputError for a cage that cannot be used.
+JobSurface load_surface(const Job& job);
+
+/// Throws InputError for a cage or program that cannot be used.
+RunInputs load_inputs(const Job& job);
+/// The same with the job's surface, where it is at hand.
+RunInputs load_inputs(const Job& job, JobSurface surface);
+
+}  // namespace limitgauge::app

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "app/run/pipeline.h"
+#include "app/run/run_inputs.h"
+#include "engine/strategy/linking/stage_path.h"
+#include "engine/surface/finish_model.h"
+#include "verifier/gate/verify.h"
+
+namespace limitgauge::app {
+
+/// A stage's toolpath with its program: planned, or taken from the stage's program.
+struct PlannedStage {
+  engine::strategy::StagePath path;
+  std::string program;  ///< the text that stands in toolpath.ngc
+  std::string cl_data;  ///< the text of toolpath.apt; empty where none is asked for
+  std::vector<std::string> ignored_words;
+};
+
+/// What the engine's model of the surface is built for: all stages of the job share one.
+engine::surface::ModelRequest model_request(const Job& job);
+
+/// Makes the paths of a job's stages. The engine's model is built at the first stage that needs
+/// it, once for all.
+class StagePlanner {
+ public:
+  /// `model` is the one that this job's would be, where it is at hand.
+  StagePlanner(const Job& job, const RunInputs& inputs,
+               std::optional<engine::surface::FinishModel> model = {})
+      : job_(job), inputs_(inputs), model_(std::move(model)) {}
+
+  /// `before` are the passes of the stages before: a rest stage asks the verifier what they have
+  /// left. Throws InputError where the stage asks for something that no path can serve.
+  PlannedStage plan(std::size_t stage, std::span<const verifier::Pass> before,
+                    const model::RunControl& control);
+  /// Empty as long as no stage needed it.
+  const std::optional<engine::surface::FinishModel>& model() const { return model_; }
+
+ private:
+  const engine::surface::FinishModel& finish_model(const model::RunControl& control);
+  engine::strategy::StageRequest request(std::size_t stage) const;
+  std::vector<model::Box3> regions(std::size_t stage, std::span<const verifier::Pass> before,
+                                   const model::RunControl& control) const;
+  PlannedStage plan_own(std::size_t stage, std::span<const verifier::Pass> before,
+                        const model::RunControl& control);
+  PlannedStage take_program(std::size_t stage) const;
+
+  const Job& job_;
+  const RunInputs& inputs_;
+  std::optional<engine::surface::FinishModel> model_;
+};
+
+}  // namespace limitgauge::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/run/cut_stock.h"
+#include "engine/surface/finish_model.h"
+#include "model/part/toolpath.h"
+#include "verifier/gate/deviation.h"
+
+namespace limitgauge::app {
+
+/// A stage that an earlier run has measured: what later stages and result.json take from it.
+struct RecordedStage {
+  std::shared_ptr<const std::string> json;  ///< reports::recorded_stage of it
+  std::shared_ptr<const model::Toolpath> path;
+  std::shared_ptr<const std::string> program_text;
+  int sampling_interval_min = 1, sampling_interval_max = 1;
+  verifier::Verdict verdict = verifier::Verdict::not_run;
+};
+
+/// The state of a job after its first stages: what any job that begins with the same ones can go on
+/// from. A value, cheap to copy.
+struct StagePrefix {
+  std::vector<RecordedStage> stages;
+  /// Of the engine's model; empty as long as no stage needed it.
+  std::optional<engine::surface::ModelFigures> figures;
+  /// The model itself, where it is at hand.
+  std::optional<engine::surface::FinishModel> model;
+  /// What stands, where it is at hand: it can be cut again.
+  std::optional<CutStock> stock;
+
+  /// No stage comes after one that did not pass.
+  bool over() const { return !stages.empty() && stages.back().verdict != verifier::Verdict::pass; }
+  std::size_t memory_bytes() const;
+};
+
+}  // namespace limitgauge::app

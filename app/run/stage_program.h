@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+#include "app/run/stage_planner.h"
+
+namespace limitgauge::app {
+
+/// Writes the path of planned stage `stage` as the job's [post] asks: into `planned.program`, and
+/// into `planned.cl_data` where CL data are asked for. Afterwards `planned.path.path` is what the
+/// program moves: the planned points as rounded, or, with arcs, the program read back with its arcs
+/// as chords within `chord_error_mm`, as for a program of somebody else. The CL data keep the
+/// planned points. Throws InputError where the dialect cannot express the path.
+void write_stage_program(const Job& job, std::size_t stage, double chord_error_mm,
+                         PlannedStage& planned);
+
+/// toolpath.ngc, and toolpath.apt where there are CL data, into the stage's folder.
+void write_program_files(const PlannedStage& planned, const std::filesystem::path& folder);
+
+}  // namespace limitgauge::app

@@ -1,0 +1,68 @@
+#include "app/run/stock_file.h"
+
+#include <memory>
+#include <utility>
+
+#include "app/cli/words.h"
+#include "model/base/coordinate_limit.h"
+#include "model/base/error.h"
+#include "model/mesh/mesh_defect.h"
+#include "model/mesh/mesh_reader.h"
+#include "simulator/grid/vdb_stock.h"
+
+namespace limitgauge::app {
+namespace {
+
+model::MeshStock stock_of(model::TriangleMesh mesh, const std::string& as_stated, double voxel_mm) {
+  return {std::make_shared<const model::TriangleMesh>(std::move(mesh)), as_stated, voxel_mm};
+}
+
+StockFile near_stock(const std::filesystem::path& file, StockFile loaded) {
+  const model::Box3 box = bounding_box(*loaded.stock.mesh);
+  if (model::is_near(box)) return loaded;
+  throw model::InputError({file.string()}, "the stock reaches to " + model::farthest_words(box),
+                          model::kFarthestExpected);
+}
+
+bool is_moved(const MeshPlace& place) {
+  return place.scale != 1 || !(place.translate_mm == model::Vec3{});
+}
+
+}  // namespace
+
+StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& as_stated,
+                          const MeshPlace& place) {
+  model::MeshReading reading = model::read_mesh_file(file);
+  if (is_moved(place)) {
+    reading.mesh = placed(std::move(reading.mesh), place.scale, place.translate_mm);
+    if (const auto defect = find_defect(reading.mesh))
+      throw model::InputError({file.string()}, "scaled and moved: " + defect->wrong,
+                              defect->expected);
+  }
+  StockFile loaded;
+  if (reading.dropped_triangles > 0) {
+    loaded.assumptions.push_back("stock " + as_stated +
+                                 ": left out are triangles with two equal corners, " +
+                                 std::to_string(reading.dropped_triangles) + " in number");
+  }
+  loaded.stock = stock_of(std::move(reading.mesh), as_stated, 0);
+  return near_stock(file, std::move(loaded));
+}
+
+StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& as_stated) {
+  simulator::VdbStock read = simulator::read_vdb_stock(file);
+  StockFile loaded;
+  loaded.assumptions.push_back("stock " + as_stated +
+                               ": taken as the triangle mesh of its zero set at a voxel of " +
+                               words(read.voxel_mm) + " mm; nothing is known of what cut it");
+  loaded.stock = stock_of(std::move(read.mesh), as_stated, read.voxel_mm);
+  return near_stock(file, std::move(loaded));
+}
+
+model::Stock planned_stock(const model::Stock& stock) {
+  if (!std::holds_alternative<model::MeshStock>(stock)) return stock;
+  const model::Box3 box = bounding_box(stock);
+  return model::BoxStock{box.low, box.size()};
+}
+
+}  // namespace limitgauge::app

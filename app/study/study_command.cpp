@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <chrono>
+#include <ostream>
+
+#include "app/cli/commands.h"
+#include "app/job/job_reader.h"
+#include "app/output/cache_folder.h"
+#include "app/output/now_utc.h"
+#include "app/output/output_folder.h"
+#include "app/output/progress.h"
+#include "app/study/study_cases.h"
+#include "app/study/study_engine.h"
+#include "app/study/study_figures.h"
+#include "app/study/study_file.h"
+#include "app/study/study_output.h"
+#include "app/study/study_worker.h"
+#include "model/base/error.h"
+#include "study/search/search.h"
+
+namespace limitgauge::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The clock of a file system may be a little behind.
+constexpr std::chrono::seconds kClocks{5};
+
+std::string progress_words(const StudyProgress& at) {
+  std::string words = std::to_string(at.ended) + " of " + std::to_string(at.cases) + " cases";
+  if (at.reused > 0) words += ", " + std::to_string(at.reused) + " reused";
+  if (at.failed > 0) words += ", " + std::to_string(at.failed) + " without a result";
+  return words;
+}
+
+/// One study from its plan to its table.
+class StudyRun {
+ public:
+  StudyRun(const StudyCommand& command, const CommonOptions& common, const Console& console,
+           study::Plan plan)
+      : command_(command),
+        common_(common),
+        console_(console),
+        plan_(std::move(plan)),
+        job_(fs::absolute(plan_.job).lexically_normal()),
+        store_(cache_folder(command.cache), command.cache_limit_bytes),
+        folder_(command.output.empty() ? fs::path("limitgauge-out") / plan_.name : command.output,
+                common.force) {}
+
+  StudyOutcome work();
+  const OutputFolder& folder() const { return folder_; }
+
+ private:
+  StudyCasesOptions cases_options(ProgressLine& progress) const;
+  void run_cases(StudyCases& cases, StudyOutcome& outcome) const;
+  void run_watched(StudyOutcome& outcome, ProgressLine& progress);
+  [[noreturn]] void say_interrupted() const;
+
+  const StudyCommand& command_;
+  const CommonOptions& common_;
+  const Console& console_;
+  const study::Plan plan_;
+  const fs::path job_;
+  const study::Store store_;
+  OutputFolder folder_;
+  std::vector<std::string> stages_;
+  const fs::file_time_type began_ = fs::file_time_type::clock::now() - kClocks;
+};
+
+StudyCasesOptions StudyRun::cases_options(ProgressLine& progress) const {
+  StudyCasesOptions options;
+  options.job = job_;
+  options.overrides = common_.overrides;
+  for (const study::Variable& variable : plan_.variables) options.keys.push_back(variable.key);
+  options.stages = stages_;
+  options.stop = console_.stop;
+  options.result = [this](std::size_t index, const std::string& text) {
+    write_case(index, text, folder_.working());
+  };
+  // A search asks as it goes: of how many in the end is known as a bound only.
+  const std::size_t least = plan_.method == study::Method::search ? plan_.search.most_cases : 1;
+  options.progress = [&progress, least](const StudyProgress& at) {
+    progress.rename(progress_words(at));
+    // What was known already says nothing of the time that the others take.
+    const std::size_t others = std::max({at.cases, least, at.reused + 1}) - at.reused;
+    progress.update(static_cast<double>(at.ended - at.reused) / static_cast<double>(others));
+  };
+  // Only now: the results that this study takes up again are the youngest.
+  options.before_running = [this] { store_.trim(began_); };
+  return options;
+}
+
+void StudyRun::run_cases(StudyCases& cases, StudyOutcome& outcome) const {
+  if (plan_.method != study::Method::search) {
+    outcome.table.rows = cases.rows(study::design(plan_));
+    outcome.analysis = analyse(plan_, outcome.table);
+    return;
+  }
+  study::SearchResult found = study::search(
+      plan_, outcome.table.figures,
+      [&cases](std::span<const study::Case> asked) { return cases.rows(asked); }, console_.stop);
+  if (found.how == study::SearchResult::Ending::stopped) throw model::Interrupted();
+  outcome.table.rows = std::move(found.rows);
+  outcome.analysis = analyse(plan_, outcome.table);
+  outcome.analysis.search_ending = std::move(found.ending);
+}
+
+void StudyRun::say_interrupted() const {
+  throw model::ResourceError("limitgauge: interrupted; every finished case is kept in " +
+                             store_.folder().string() +
+                             ": run the same command again to go on from there");
+}
+
+void StudyRun::run_watched(StudyOutcome& outcome, ProgressLine& progress) {
+  const auto note = [&](const std::string& line) {
+    if (common_.quiet) return;
+    progress.clear();
+    console_.errors << "limitgauge: " << line << std::endl;
+  };
+  const std::unique_ptr<study::Executor> engine =
+      study_engine(command_, common_, job_, store_, note);
+  folder_.prepare();
+  StudyCases cases(cases_options(progress), store_, *engine);
+  progress.phase({"looking for what is known already"});
+  try {
+    run_cases(cases, outcome);
+  } catch (const model::Interrupted&) {
+    say_interrupted();
+  }
+  outcome.progress = cases.progress();
+}
+
+StudyOutcome StudyRun::work() {
+  const auto began = std::chrono::steady_clock::now();
+  StudyOutcome outcome;
+  outcome.created = now_utc();
+  outcome.engine = command_.engine;
+  outcome.table.name = plan_.name;
+  outcome.table.job = plan_.job_as_stated;
+  for (const study::Variable& variable : plan_.variables)
+    outcome.table.keys.push_back(variable.key);
+  for (const JobStage& stage : read_job(job_, common_.overrides).stages)
+    stages_.push_back(stage.name);
+  outcome.table.figures = study_figures(stages_);
+  ProgressSurroundings around;
+  around.columns = console_.errors_columns;
+  ProgressLine progress(console_.errors, console_.progress && !common_.quiet, std::move(around));
+  const ProgressTicker ticker(progress);
+  run_watched(outcome, progress);
+  progress.phase({"writing the table"});
+  store_.trim(began_);
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  write_study(plan_, outcome, folder_.working());
+  folder_.finish();
+  return outcome;
+}
+
+}  // namespace
+
+ExitCode execute(const StudyCommand& command, const CommonOptions& common, const Console& console) {
+  if (!command.worker.empty()) return run_study_worker(command, common, console);
+  StudyRun run(command, common, console, read_study(command.study, common.overrides));
+  const StudyOutcome outcome = run.work();
+  if (!common.quiet) {
+    print_study(outcome, console.out);
+    console.out << "page: " << (run.folder().target() / "study.html").string() << std::endl;
+  }
+  return exit_code(outcome);
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,103 @@
+#include "app/study/study_engine.h"
+
+#include <algorithm>
+#include <random>
+#include <sstream>
+
+#include "app/study/case_runner.h"
+#include "model/base/error.h"
+#include "study/execute/local_pool.h"
+#include "study/execute/memory.h"
+#include "study/execute/slurm.h"
+
+namespace limitgauge::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kShareOfMemory = 0.9;
+constexpr std::uint64_t kMostKept = std::uint64_t{1} << 30;
+constexpr std::uint64_t kKeptOfMemory = 4;  ///< all workers' stages together: a fourth of it
+
+std::vector<std::string> worker_command(const fs::path& program, const fs::path& job,
+                                        const study::Store& store) {
+  return {program.string(), "study", job.string(), "--quiet", "--cache", store.folder().string()};
+}
+
+void add(std::vector<std::string>& command, const std::string& option, const std::string& value) {
+  command.push_back(option);
+  command.push_back(value);
+}
+
+/// A case that cannot be forecast is one that cannot be run either: it is tried, and says why.
+std::uint64_t forecast_of(CaseForecast& forecast, const fs::path& job,
+                          const study::CaseRequest& request) {
+  try {
+    return forecast.bytes(job, request.overrides);
+  } catch (const std::exception&) {
+    return 0;
+  }
+}
+
+std::unique_ptr<study::Executor> local_pool(const StudyCommand& command,
+                                            const CommonOptions& common, const fs::path& job,
+                                            const study::Store& store,
+                                            const std::function<void(const std::string&)>& note) {
+  study::LocalPoolOptions options;
+  options.workers = command.jobs > 0 ? command.jobs : common.threads;
+  options.retries = command.retries;
+  options.memory_bytes = static_cast<std::uint64_t>(
+      kShareOfMemory * static_cast<double>(study::available_memory_bytes()));
+  options.forecast_bytes =
+      [job, forecast = std::make_shared<CaseForecast>()](const study::CaseRequest& request) {
+        return forecast_of(*forecast, job, request);
+      };
+  options.note = note;
+  // The file that runs, even where another has taken its name since.
+  options.worker = worker_command("/proc/self/exe", job, store);
+  add(options.worker, "--worker", "-");
+  add(options.worker, "--threads", std::to_string(std::max(1U, common.threads / options.workers)));
+  add(options.worker, "--worker-keeps",
+      std::to_string(std::min(kMostKept, options.memory_bytes / kKeptOfMemory / options.workers)));
+  return std::make_unique<study::LocalPool>(std::move(options));
+}
+
+/// No other study, on whatever machine, has it.
+std::string unique_name() {
+  std::random_device chance;
+  std::ostringstream name;
+  name << "limitgauge-" << std::hex << chance() << chance();
+  return name.str();
+}
+
+std::unique_ptr<study::Executor> slurm(const StudyCommand& command, const fs::path& job,
+                                       const study::Store& store,
+                                       const std::function<void(const std::string&)>& note) {
+  study::SlurmOptions options;
+  options.name = unique_name();
+  options.folder = store.folder() / "slurm" / options.name;
+  options.working_directory = fs::current_path();
+  if (command.jobs > 0) options.running = command.jobs;
+  options.retries = command.retries;
+  options.options = command.slurm_options;
+  options.note = note;
+  const fs::path program = fs::read_symlink("/proc/self/exe");
+  if (!fs::exists(program))
+    throw model::ResourceError(
+        "limitgauge: error: its own file has been replaced since it was started; start it again");
+  options.worker = worker_command(program, job, store);
+  add(options.worker, "--worker-keeps", std::to_string(kMostKept));
+  return std::make_unique<study::Slurm>(std::move(options), store);
+}
+
+}  // namespace
+
+std::unique_ptr<study::Executor> study_engine(const StudyCommand& command,
+                                              const CommonOptions& common, const fs::path& job,
+                                              const study::Store& store,
+                                              const std::function<void(const std::string&)>& note) {
+  if (command.engine == "slurm") return slurm(command, job, store, note);
+  return local_pool(command, common, job, store, note);
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/cli/command_line.h"
+#include "study/execute/executor.h"
+#include "study/store/store.h"
+
+namespace limitgauge::app {
+
+/// What runs the cases of this study, as the command line asks for. `job` is absolute. `note` is
+/// told of what was not expected. Throws InputError where this machine does not have it.
+std::unique_ptr<study::Executor> study_engine(const StudyCommand& command,
+                                              const CommonOptions& common,
+                                              const std::filesystem::path& job,
+                                              const study::Store& store,
+                                              const std::function<void(const std::string&)>& note);
+
+}  // namespace limitgauge::app

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "model/base/error.h"
+#include "model/geometry/vec3.h"
+
+namespace limitgauge::app {
+
+/// Where `source` stands; a value that came from an override names the override instead of a file.
+model::SourcePlace place_of(const toml::source_region& source);
+
+/// A key that its table does not have; says which it has.
+class UnknownKey : public model::InputError {
+ public:
+  UnknownKey(const model::SourcePlace& place, std::string_view key, const std::string& where,
+             std::vector<std::string_view> known);
+  const std::vector<std::string>& known() const { return known_; }
+
+ private:
+  std::vector<std::string> known_;
+};
+
+/// A table of a TOML file read by key, with errors that name file, line and column. All its keys
+/// must be among the `known` ones; the error names the nearest.
+class TomlTable {
+ public:
+  TomlTable(const toml::table& table, std::string where,
+            std::initializer_list<std::string_view> known,
+            std::span<const char* const> known_too = {});
+
+  bool has(std::string_view key) const { return table_->contains(key); }
+  bool is_table(std::string_view key) const { return (*table_)[key].is_table(); }
+  bool is_text(std::string_view key) const { return (*table_)[key].is_string(); }
+  const std::string& where() const { return where_; }
+  model::SourcePlace place() const { return place_of(table_->source()); }
+  /// Place of the value of `key`, or of the table where there is none.
+  model::SourcePlace place(std::string_view key) const;
+
+  /// Each throws InputError where the key is missing, of another type, or out of its range.
+  std::string text(std::string_view key) const;
+  std::string one_of(std::string_view key, std::initializer_list<std::string_view> choices) const;
+  double number(std::string_view key) const;
+  double positive(std::string_view key) const;
+  double not_negative(std::string_view key) const;
+  double share(std::string_view key) const;                                ///< from 0 to 1
+  double between(std::string_view key, double above, double below) const;  ///< ends excluded
+  int whole(std::string_view key) const;                                   ///< 0 to a billion
+  std::pair<double, double> ascending_pair(std::string_view key) const;    ///< low < high
+  std::pair<int, int> whole_pair(std::string_view key) const;              ///< ascending
+  bool boolean(std::string_view key) const;
+  model::Vec3 vec3(std::string_view key) const;
+  model::Vec3 position(std::string_view key) const;  ///< within model::kFarthestMm of zero
+  const toml::table& table(std::string_view key) const;
+  /// The tables of `[[key]]`.
+  std::vector<const toml::table*> tables(std::string_view key) const;
+  /// A positive number, or nothing for the word "auto".
+  std::optional<double> positive_or_auto(std::string_view key) const;
+
+ private:
+  const toml::node& node(std::string_view key) const;
+  [[noreturn]] void refuse(std::string_view key, const std::string& wrong,
+                           const std::string& expected) const;
+
+  const toml::table* table_;
+  std::string where_;
+};
+
+}  // namespace limitgauge::app

@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <fstream>
+#include <ostream>
+
+#include "app/cli/commands.h"
+#include "app/cli/nearest_key.h"
+#include "app/output/output_files.h"
+#include "app/output/output_folder.h"
+#include "model/base/error.h"
+#include "reports/compare/report.h"
+
+namespace limitgauge::app {
+namespace fs = std::filesystem;
+namespace compare = reports::compare;
+namespace {
+
+void require_known(const std::vector<std::string>& names, const std::string& option) {
+  const std::vector<std::string_view> known = compare::judged_ids();
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw UsageError(option + " " + name + ": nothing of that name is judged; did you mean " +
+                     nearest_key(name, known) + "?");
+  }
+}
+
+compare::Options options_of(const CompareCommand& command) {
+  require_known(command.metrics, "--metric");
+  require_known(command.ignored, "--ignore");
+  return {command.time_limit_percent, command.metrics, command.ignored};
+}
+
+reports::record::RunRecord read_result(const fs::path& stated) {
+  const fs::path file = fs::is_directory(stated) ? stated / "result.json" : stated;
+  if (!fs::exists(file)) {
+    throw model::InputError({stated.string(), 0, 0},
+                            file == stated ? "no such file" : "has no result.json",
+                            "result.json, or the folder of a finished run");
+  }
+  std::ifstream in(file, std::ios::binary);
+  if (!in || fs::is_directory(file))
+    throw model::InputError({file.string(), 0, 0}, "cannot be read", "result.json");
+  return reports::record::read_result_json(in, file.string());
+}
+
+void write_files(const compare::Comparison& comparison, OutputFolder& folder) {
+  folder.prepare();
+  const auto write = [&](const char* name,
+                         void (*writer)(const compare::Comparison&, std::ostream&)) {
+    write_file(folder.working() / name, [&](std::ostream& out) { writer(comparison, out); });
+  };
+  write("compare.html", compare::write_html);
+  write("compare.md", compare::write_markdown);
+  write("compare.json", compare::write_json);
+  folder.finish();
+}
+
+}  // namespace
+
+ExitCode execute(const CompareCommand& command, const CommonOptions& common,
+                 const Console& console) {
+  const compare::Options options = options_of(command);
+  std::optional<OutputFolder> folder;
+  if (!command.output.empty()) folder.emplace(command.output, common.force);
+  const compare::Comparison comparison =
+      compare::compare_runs(read_result(command.base), read_result(command.now), options);
+  if (folder) write_files(comparison, *folder);
+  if (!common.quiet) {
+    console.out << compare::text_table(comparison, console.colour, console.out_columns,
+                                       common.verbose);
+    if (folder) console.out << "report: " << (folder->target() / "compare.html").string() << '\n';
+    console.out << std::flush;
+  }
+  return comparison.judgement() == compare::Judgement::worse ? ExitCode::fail : ExitCode::pass;
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,128 @@
+#include <cstdio>
+#include <fstream>
+#include <iomanip>
+#include <limits>
+#include <ostream>
+
+#include "app/cli/commands.h"
+#include "app/output/output_files.h"
+#include "app/verify/inspect_program.h"
+#include "model/base/error.h"
+#include "model/part/cage_obj.h"
+#include "verifier/surface/reference_surface.h"
+
+namespace limitgauge::app {
+namespace {
+
+using verifier::ReferenceSurface;
+
+const char* boundary_words(model::BoundaryRule rule) {
+  switch (rule) {
+    case model::BoundaryRule::none:
+      return "none (faces at the boundary are no surface)";
+    case model::BoundaryRule::edge_and_corner:
+      return "edge and corner";
+    case model::BoundaryRule::edge_only:
+      return "edge only";
+  }
+  return "";
+}
+
+void print_counts(std::ostream& out, const char* title,
+                  const std::vector<std::array<model::Index, 2>>& counts) {
+  out << title;
+  if (counts.empty()) out << " none";
+  for (const auto& [what, how_many] : counts) out << ' ' << what << ':' << how_many;
+  out << '\n';
+}
+
+void print_cage(std::ostream& out, const model::Cage& cage, const ReferenceSurface& surface) {
+  const model::CageSummary summary = summarize(cage);
+  const model::Box3& box = surface.bounding_box();
+  out << "vertices               " << summary.vertices << '\n'
+      << "faces                  " << summary.faces << '\n'
+      << "patches                " << summary.patches << '\n'
+      << "boundary edges         " << summary.boundary_edges << '\n'
+      << "extraordinary vertices " << summary.extraordinary_vertices << '\n';
+  print_counts(out, "face sizes            ", summary.face_sizes);
+  print_counts(out, "interior valences     ", summary.interior_valences);
+  print_counts(out, "boundary valences     ", summary.boundary_valences);
+  out << "creases                " << summary.creases << '\n'
+      << "corners                " << summary.corners << '\n'
+      << "holes                  " << summary.holes << '\n'
+      << "boundary rule          " << boundary_words(cage.boundary) << '\n'
+      << std::fixed << std::setprecision(6) << "limit surface low      " << box.low.x << ' '
+      << box.low.y << ' ' << box.low.z << " mm\n"
+      << "limit surface high     " << box.high.x << ' ' << box.high.y << ' ' << box.high.z
+      << " mm\n"
+      << "limit surface size     " << box.size().x << " x " << box.size().y << " x " << box.size().z
+      << " mm\n"
+      << "limit surface area     " << surface.area_mm2() << " mm2\n"
+      << "problems               none" << std::endl;
+}
+
+void write_samples(std::ostream& out, const ReferenceSurface& surface, int samples) {
+  out << "face,u,v,x,y,z,nx,ny,nz\n"
+      << std::setprecision(std::numeric_limits<double>::max_digits10);
+  const double last = samples - 1;
+  for (int patch = 0; patch < surface.patch_count(); ++patch) {
+    if (!surface.has_surface(patch)) continue;
+    for (int j = 0; j < samples; ++j) {
+      for (int i = 0; i < samples; ++i) {
+        const double u = i / last, v = j / last;
+        const verifier::SurfaceSample s = surface.evaluate(patch, u, v);
+        out << patch << ',' << u << ',' << v << ',' << s.position.x << ',' << s.position.y << ','
+            << s.position.z << ',' << s.normal.x << ',' << s.normal.y << ',' << s.normal.z << '\n';
+      }
+    }
+  }
+}
+
+/// Written beside and renamed: a table that is there is complete.
+void write_csv(const InspectCommand& command, const ReferenceSurface& surface) {
+  std::filesystem::path partial = command.csv;
+  partial += ".partial";
+  try {
+    write_file(partial, [&](std::ostream& out) { write_samples(out, surface, command.samples); });
+    std::filesystem::rename(partial, command.csv);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(partial, ignored);
+    throw;
+  }
+}
+
+void require_writable(const std::filesystem::path& csv) {
+  const std::filesystem::path folder = csv.has_parent_path() ? csv.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder)) {
+    throw model::InputError({csv.string(), 0, 0}, "its folder does not exist",
+                            "a file in a folder that does");
+  }
+}
+
+void inspect_cage(const InspectCommand& command, const CommonOptions& common,
+                  const Console& console) {
+  if (!command.csv.empty()) require_writable(command.csv);
+  const model::Cage cage = model::read_cage_obj(command.file);
+  const ReferenceSurface surface(cage);
+  if (!command.csv.empty()) write_csv(command, surface);
+  if (!common.quiet) print_cage(console.out, cage, surface);
+}
+
+}  // namespace
+
+ExitCode execute(const InspectCommand& command, const CommonOptions& common,
+                 const Console& console) {
+  if (command.file.extension() != ".obj") {
+    if (command.samples > 0) {
+      throw UsageError("--samples is for cages; expected a file .obj");
+    }
+    inspect_program(command, common, console);
+    return ExitCode::pass;
+  }
+  if (command.moves) throw UsageError("--moves is for programs; expected a file of G-code");
+  inspect_cage(command, common, console);
+  return ExitCode::pass;
+}
+
+}  // namespace limitgauge::app

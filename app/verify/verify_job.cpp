@@ -1,0 +1,179 @@
+#include "app/verify/verify_job.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include "app/job/foreign_programs.h"
+#include "app/job/job_reader.h"
+#include "app/job/program_parts.h"
+#include "app/run/stock_file.h"
+#include "model/base/error.h"
+#include "model/base/text_file.h"
+
+namespace limitgauge::app {
+namespace {
+
+/// The argument of an option as the file in its errors.
+template <class Parse>
+auto parse_option(const std::string& option, const std::string& text, const Parse& parse) {
+  try {
+    return parse(text);
+  } catch (const model::InputError& error) {
+    const int column = error.place().column;
+    throw UsageError(option + " " + text +
+                     (column > 0 ? " (column " + std::to_string(column) + ")" : std::string()) +
+                     ": " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(option + " " + text + ": " + error.what());
+  }
+}
+
+/// `box:...`, `mesh:FILE` or `vdb:FILE`.
+model::Stock stock_of(const std::string& text, Job& job) {
+  for (const std::string kind : {"mesh:", "vdb:"}) {
+    if (text.rfind(kind, 0) != 0) continue;
+    const std::string file = text.substr(kind.size());
+    StockFile loaded =
+        kind == "mesh:" ? load_mesh_stock(file, file, {}) : load_vdb_stock(file, file);
+    for (std::string& said : loaded.assumptions) job.defaulted.push_back(std::move(said));
+    job.sources.push_back({JobFile::Role::stock, file, file});
+    return std::move(loaded.stock);
+  }
+  return parse_option("--stock", text, [](const std::string& spec) {
+    model::Stock stock = model::parse_stock(spec);
+    require_valid(stock);
+    return stock;
+  });
+}
+
+/// `SPEC` or `N=SPEC`: a specification begins with a letter.
+JobTool tool_of(const std::string& text) {
+  JobTool tool;
+  const std::size_t digits = text.find_first_not_of("0123456789");
+  const bool numbered = digits != 0 && digits < text.size() && text[digits] == '=';
+  if (numbered && digits > 5)
+    throw UsageError("--tool " + text + ": no tool has such a number; expected 1 to 99999");
+  if (numbered) tool.number = std::stoi(text.substr(0, digits));
+  tool.cutter = parse_option("--tool", numbered ? text.substr(digits + 1) : text,
+                             [](const std::string& spec) {
+                               model::Cutter cutter = model::parse_cutter(spec);
+                               require_valid(cutter);
+                               if (cutter.id.empty()) cutter.id = spec;
+                               return cutter;
+                             });
+  return tool;
+}
+
+std::vector<JobTool> tools_of(const VerifyCommand& command) {
+  std::vector<JobTool> tools;
+  for (const std::string& text : command.tools) {
+    JobTool tool = tool_of(text);
+    for (const JobTool& before : tools)
+      if (!tool.number || !before.number || *tool.number == *before.number)
+        throw UsageError("--tool " + text + ": several tools need numbers that differ; expected " +
+                         "N=SPEC for each");
+    tools.push_back(std::move(tool));
+  }
+  return tools;
+}
+
+/// Diameters are the cutters'; lengths come from the tool table, where there is one.
+void add_tools(const std::vector<JobTool>& tools, model::MachineSetup& machine) {
+  for (const JobTool& tool : tools) {
+    if (!tool.number) continue;
+    const auto known =
+        std::find_if(machine.tools.begin(), machine.tools.end(),
+                     [&](const model::ToolEntry& entry) { return entry.number == *tool.number; });
+    if (known == machine.tools.end()) {
+      machine.tools.push_back({*tool.number, std::nullopt, tool.cutter.diameter_mm});
+    } else if (!known->diameter_mm) {
+      known->diameter_mm = tool.cutter.diameter_mm;
+    }
+  }
+}
+
+/// A name for folders out of a file name: what is not plain becomes '_'.
+std::string plain_name(const std::filesystem::path& file) {
+  std::string name = file.stem().string();
+  for (char& c : name) {
+    if (!is_plain_name(std::string("a") + c)) c = '_';
+  }
+  return is_plain_name(name) ? name : "program";
+}
+
+JobFixture fixture_of(const std::filesystem::path& file) {
+  if (!model::is_file(file))
+    throw UsageError("--fixture " + file.string() + ": no such file; expected STL, OBJ or PLY");
+  return {file.filename().string(), file, file.string(), {}};
+}
+
+JobStage stage_of(const VerifyCommand& command, const JobTool& tool) {
+  JobStage stage;
+  stage.name = "program";
+  stage.cutter = tool.cutter;
+  stage.tool_number = tool.number;
+  stage.program = command.program;
+  stage.program_as_stated = command.program.string();
+  stage.allowance_mm = command.allowance_mm;
+  return stage;
+}
+
+const JobTool& tool_numbered(const std::vector<JobTool>& tools, const model::ToolChange& change,
+                             const std::filesystem::path& program) {
+  for (const JobTool& tool : tools)
+    if (tool.number == change.tool) return tool;
+  throw model::InputError({program.string(), static_cast<int>(change.line), 0},
+                          "T" + std::to_string(change.tool) + " is loaded, which no --tool states",
+                          "--tool " + std::to_string(change.tool) + "=SPEC");
+}
+
+/// A stage for each loading of a tool. What the earlier ones leave is the later ones' work, so the
+/// limits hold for the last, which measures everything that was cut.
+std::vector<JobStage> stages_by_tool(const VerifyCommand& command, const Job& job,
+                                     const std::vector<JobTool>& tools) {
+  const model::Program program =
+      model::read_program(command.program, machine_for(job, tools.front().cutter));
+  std::vector<JobStage> stages;
+  for (const model::ToolChange& change : loadings(program)) {
+    JobStage stage = stage_of(command, tool_numbered(tools, change, command.program));
+    stage.part.section = static_cast<int>(stages.size()) + 1;
+    stage.name = "T" + std::to_string(change.tool);
+    const auto times = std::count_if(stages.begin(), stages.end(), [&](const JobStage& before) {
+      return before.tool_number == change.tool;
+    });
+    if (times > 0) stage.name += "-" + std::to_string(times + 1);
+    stages.push_back(std::move(stage));
+  }
+  if (stages.empty())
+    throw model::InputError({command.program.string(), 0, 0}, "the program loads no tool",
+                            "one --tool without a number");
+  return stages;
+}
+
+}  // namespace
+
+Job job_of(const VerifyCommand& command) {
+  Job job;
+  job.name = plain_name(command.program);
+  job.cage = command.cage;
+  job.cage_as_stated = command.cage.string();
+  job.stock = stock_of(command.stock, job);
+  job.near_miss_mm = command.near_miss_mm;
+  for (const std::filesystem::path& file : command.fixtures)
+    job.fixtures.push_back(fixture_of(file));
+  const std::vector<JobTool> tools = tools_of(command);
+  job.machine = machine_of(command.machine);
+  if (const std::filesystem::path& table = command.machine.tool_table; !table.empty())
+    job.sources.push_back({JobFile::Role::tool_table, table, table.string()});
+  add_tools(tools, job.machine);
+  if (!command.program_offset.empty())
+    job.program_frame.translate_mm = point_of("--program-offset", command.program_offset);
+  job.program_frame.rotate_z_deg = command.program_rotation_deg;
+  job.stages = tools.size() == 1 ? std::vector{stage_of(command, tools.front())}
+                                 : stages_by_tool(command, job, tools);
+  job.stages.back().limits = command.limits;
+  return job;
+}
+
+}  // namespace limitgauge::app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "engine/strategy/linking/linking.h"
+
+namespace limitgauge::engine::strategy {
+
+/// May be cut from its end where the pattern is to and fro.
+inline CutPass row_pass(std::vector<Vec3> tips, const StageRequest& request) {
+  CutPass pass;
+  pass.tips = std::move(tips);
+  pass.reversible = request.cut.pattern == RowPattern::zigzag;
+  return pass;
+}
+
+/// Of tips that go climb: turned round for conventional, from either end where both will do.
+inline CutPass contour_pass(std::vector<Vec3> tips, bool closed, const StageRequest& request) {
+  if (request.cut.direction == CutDirection::conventional) std::reverse(tips.begin(), tips.end());
+  CutPass pass;
+  pass.tips = std::move(tips);
+  pass.closed = closed;
+  pass.reversible = request.cut.direction == CutDirection::either;
+  return pass;
+}
+
+}  // namespace limitgauge::engine::strategy

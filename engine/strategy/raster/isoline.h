@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "engine/strategy/raster/height_map.h"
+
+namespace limitgauge::engine::strategy {
+
+/// A point of the XY plane, mm.
+struct FlatPoint {
+  double x = 0, y = 0;
+};
+inline double distance(const FlatPoint& a, const FlatPoint& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+inline FlatPoint lerp(const FlatPoint& a, const FlatPoint& b, double t) {
+  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
+}
+
+/// A curve along which a field has one value; open ones end at the window's border.
+struct Isoline {
+  std::vector<FlatPoint> points;  ///< of a closed one the first is repeated at the end
+  bool closed = false;
+};
+
+/// The isolines of `field` at `value` inside `window`, by marching squares with linear
+/// interpolation; higher values lie on the left.
+std::vector<Isoline> isolines(const Raster& raster, const std::vector<float>& field,
+                              const Window& window, double value);
+
+}  // namespace limitgauge::engine::strategy

@@ -1,0 +1,48 @@
+#include "engine/strategy/rows/zigzag.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/strategy/linking/cut_passes.h"
+#include "engine/strategy/locations/ball_rows.h"
+#include "engine/strategy/rows/boundary_pass.h"
+#include "engine/strategy/rows/sampled_rows.h"
+
+namespace limitgauge::engine::strategy {
+namespace {
+
+/// All rows as one group, cut in any order; one-way rows that are to be climb or conventional
+/// milled as a group each: what is still to be cut then lies on the right of each row, or on its
+/// left.
+std::vector<std::vector<CutPass>> row_groups(std::vector<DriveRow> rows,
+                                             const StageRequest& request) {
+  const bool sided =
+      request.cut.pattern == RowPattern::one_way && request.cut.direction != CutDirection::either;
+  if (sided && request.cut.direction == CutDirection::climb) std::reverse(rows.begin(), rows.end());
+  std::vector<std::vector<CutPass>> groups(1);
+  for (DriveRow& row : rows) {
+    if (sided && !groups.back().empty()) groups.emplace_back();
+    for (auto& run : row.runs) groups.back().push_back(row_pass(std::move(run), request));
+  }
+  return groups;
+}
+
+}  // namespace
+
+StagePath plan_zigzag(const surface::FinishModel& model, const StageRequest& request,
+                      const model::RunControl& control) {
+  const bool ball = request.cutter.type == model::CutterType::ball;
+  const LimitLocations limit = limit_locations(model.patches(), request);
+  DriveRows made =
+      ball ? make_ball_rows(model, request, control) : make_sampled_rows(limit, request, control);
+  StagePath stage;
+  stage.planes = static_cast<int>(made.rows.size());
+  set_intervals(stage, std::move(made.sampling_intervals));
+  std::vector<std::vector<CutPass>> groups = row_groups(std::move(made.rows), request);
+  if (request.cut.boundary_pass)
+    groups.push_back(boundary_passes(model.patches(), limit, request, control));
+  stage.path = link_passes(groups, limit.surface, request, control);
+  return stage;
+}
+
+}  // namespace limitgauge::engine::strategy

@@ -1,0 +1,205 @@
+#include "model/gcode/arc_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/base/fixed_number.h"
+
+namespace limitgauge::model {
+namespace {
+
+using Point = std::array<double, 2>;
+
+constexpr std::size_t kFewestMoves = 3;
+constexpr double kSmallestRadiusMm = 0.01;
+/// Grbl refuses more unless it is below a thousandth of the radius.
+constexpr double kRadiiApartMm = 0.005;
+/// Controls take an arc that turns by less than about 1e-6 for a full turn.
+constexpr double kLeastTurn = 1e-3;
+/// The exchange below ends after a few steps, or does no better.
+constexpr int kMostExchanges = 8;
+
+double dot(Point a, Point b) {
+  return a[0] * b[0] + a[1] * b[1];
+}
+double cross(Point a, Point b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+double size(Point a) {
+  return std::hypot(a[0], a[1]);
+}
+Point minus(Point a, Point b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+Point middle(Point a, Point b) {
+  return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+}
+
+/// Distance from the origin to the segment from `a` to `b`.
+double least_distance(Point a, Point b) {
+  const Point along = minus(b, a);
+  const double squared = dot(along, along);
+  if (squared == 0) return size(a);
+  const double at = std::clamp(-dot(a, along) / squared, 0.0, 1.0);
+  return size({a[0] + at * along[0], a[1] + at * along[1]});
+}
+
+/// Place of the samples of a run by how far they lie off the circle through its ends whose centre
+/// is shift / 2 beside the chord: power - shift * height, about twice the radius times the
+/// distance.
+struct Sample {
+  double power = 0, height = 0;
+  double off(double shift) const { return power - shift * height; }
+};
+
+struct Extremes {
+  Sample low, high;
+  double worst(double shift) const {
+    return std::max(std::abs(low.off(shift)), std::abs(high.off(shift)));
+  }
+};
+
+}  // namespace
+
+std::optional<FittedArc> ArcFitter::from(std::size_t first) {
+  for (const ArcPlane plane : {ArcPlane::xy, ArcPlane::zx, ArcPlane::yz}) {
+    const int normal = axes_of(plane)[2];
+    const double level = move_from(path_, first)[normal];
+    bool flat = path_.moves.size() - first >= kFewestMoves;
+    for (std::size_t i = first; flat && i < first + kFewestMoves; ++i)
+      flat = alike(first, i) && path_.moves[i].to[normal] == level;
+    if (!flat) continue;
+    if (const std::optional<FittedArc> arc = longest_in(plane, first)) return arc;
+  }
+  return std::nullopt;
+}
+
+bool ArcFitter::alike(std::size_t first, std::size_t move) const {
+  return path_.moves[move].kind == MoveKind::feed &&
+         path_.moves[move].feed_mm_min == path_.moves[first].feed_mm_min;
+}
+
+std::optional<FittedArc> ArcFitter::longest_in(ArcPlane plane, std::size_t first) {
+  std::optional<FittedArc> best = fit(plane, first, kFewestMoves);
+  if (!best) return best;
+  const int normal = axes_of(plane)[2];
+  const double level = move_from(path_, first)[normal];
+  std::size_t run = kFewestMoves;  // moves that have been seen to lie in the plane
+  const auto extend = [&](std::size_t wanted) {
+    while (run < wanted && first + run < path_.moves.size() && alike(first, first + run) &&
+           path_.moves[first + run].to[normal] == level)
+      ++run;
+    return run;
+  };
+  std::size_t beyond = 0;  // fewest moves that were tried in vain
+  while (beyond == 0) {
+    const std::size_t count = extend(2 * best->moves);
+    if (count == best->moves) return best;
+    if (const std::optional<FittedArc> arc = fit(plane, first, count))
+      best = arc;
+    else
+      beyond = count;
+  }
+  while (beyond - best->moves > 1) {
+    const std::size_t count = best->moves + (beyond - best->moves) / 2;
+    if (const std::optional<FittedArc> arc = fit(plane, first, count))
+      best = arc;
+    else
+      beyond = count;
+  }
+  return best;
+}
+
+void ArcFitter::gather(ArcPlane plane, std::size_t first, std::size_t count) {
+  const auto [one, two, normal] = axes_of(plane);
+  const Vec3& start = move_from(path_, first);
+  points_.assign(1, Point{0, 0});
+  for (std::size_t i = first; i < first + count; ++i) {
+    const Vec3& to = path_.moves[i].to;
+    points_.push_back({to[one] - start[one], to[two] - start[two]});
+  }
+}
+
+std::optional<FittedArc> ArcFitter::fit(ArcPlane plane, std::size_t first, std::size_t count) {
+  gather(plane, first, count);
+  const std::optional<Point> exact = centre();
+  if (!exact) return std::nullopt;
+  const Point offset = {fixed((*exact)[0], decimals_).value, fixed((*exact)[1], decimals_).value};
+  const std::optional<bool> counter_clockwise = direction(offset);
+  if (!counter_clockwise || !within(offset)) return std::nullopt;
+  return FittedArc{count, plane, *counter_clockwise, offset};
+}
+
+/// Centre of a circle through the run's ends that keeps near to its points and to the middles of
+/// its moves; nothing where no such circle has a fit radius.
+std::optional<Point> ArcFitter::centre() const {
+  const Point end = points_.back();
+  const double chord_mm = size(end);
+  if (chord_mm == 0) return std::nullopt;
+  const Point along = {end[0] / chord_mm, end[1] / chord_mm};
+  const double beside = best_shift(along, chord_mm / 2) / 2;
+  if (!(std::hypot(beside, chord_mm / 2) <= kLargestArcRadiusMm)) return std::nullopt;
+  return Point{end[0] / 2 - beside * along[1], end[1] / 2 + beside * along[0]};
+}
+
+/// Least squares first, then the exchange of Chebyshev approximation: the two samples that are
+/// farthest off on either side are brought to the same distance.
+double ArcFitter::best_shift(Point along, double half_chord_mm) const {
+  std::vector<Sample> samples;
+  samples.reserve(2 * points_.size());
+  const auto add = [&](Point p) {
+    const double x = dot(p, along) - half_chord_mm, y = cross(along, p);
+    samples.push_back({x * x + y * y - half_chord_mm * half_chord_mm, y});
+  };
+  double products = 0, squares = 0;
+  for (std::size_t i = 1; i < points_.size(); ++i)
+    add(middle(points_[i - 1], points_[i])), add(points_[i]);
+  for (const Sample& s : samples) products += s.power * s.height, squares += s.height * s.height;
+  double shift = products / squares, best = shift;
+  double least = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < kMostExchanges; ++step) {
+    const auto less = [shift](const Sample& a, const Sample& b) {
+      return a.off(shift) < b.off(shift);
+    };
+    const auto [low, high] = std::minmax_element(samples.begin(), samples.end(), less);
+    const double worst = Extremes{*low, *high}.worst(shift);
+    if (!(worst < least)) break;
+    least = worst, best = shift;
+    shift = (low->power + high->power) / (low->height + high->height);
+  }
+  return best;
+}
+
+/// Counter-clockwise or not; nothing where a move turns back or by a quarter turn, where a point
+/// lies beyond half a turn, or where the whole turn is next to nothing.
+std::optional<bool> ArcFitter::direction(Point centre) const {
+  const Point begin = minus(points_.front(), centre);
+  const double sign = cross(begin, minus(points_[points_.size() / 2], centre)) < 0 ? -1 : 1;
+  Point last = begin;
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    const Point here = minus(points_[i], centre);
+    const bool onward = sign * cross(last, here) >= 0 && dot(last, here) > 0;
+    if (!onward || sign * cross(begin, here) < 0) return std::nullopt;
+    last = here;
+  }
+  const double turn = std::atan2(sign * cross(begin, last), dot(begin, last));
+  if (!(turn >= kLeastTurn)) return std::nullopt;
+  return sign > 0;
+}
+
+bool ArcFitter::within(Point centre) const {
+  const double begin = size(minus(points_.front(), centre));
+  const double end = size(minus(points_.back(), centre));
+  const double small = std::min(begin, end), large = std::max(begin, end);
+  if (small < kSmallestRadiusMm || large > kLargestArcRadiusMm) return false;
+  if (large - small > kRadiiApartMm) return false;
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    const Point a = minus(points_[i - 1], centre), b = minus(points_[i], centre);
+    if (size(b) - small > tolerance_mm_) return false;
+    if (large - least_distance(a, b) > tolerance_mm_) return false;
+  }
+  return true;
+}
+
+}  // namespace limitgauge::model

@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "model/base/text_file.h"
+#include "model/base/words.h"
+#include "model/gcode/cl_data.h"
+#include "model/gcode/cl_lexer.h"
+
+namespace limitgauge::model {
+namespace {
+
+constexpr double kInchMm = 25.4;
+constexpr double kLargestMm = 1e9;
+
+class ClReader {
+ public:
+  ClReader(const std::string& text, const std::string& name) : lexer_(text, name), name_(name) {}
+
+  ClData read();
+
+ private:
+  void execute(const ClStatement& statement);
+  bool describe(const ClStatement& statement);
+  bool move(const ClStatement& statement);
+  void set_units(const ClStatement& statement);
+  void set_cutter(const ClStatement& statement);
+  void require_cutter(const ClStatement& statement, const SevenFigures& figures) const;
+  void set_feed(const ClStatement& statement);
+  void go_to(const ClStatement& statement);
+  Vec3 point(const ClStatement& statement) const;
+  double number(const ClWord& word) const;
+  double length(const ClWord& word) const;
+  void require_count(const ClStatement& statement, std::size_t least, std::size_t most) const;
+
+  ClLexer lexer_;
+  const std::string& name_;
+  ClData data_;
+  double unit_mm_ = 1;
+  double feed_mm_min_ = 0;
+  bool rapid_ = false, known_ = false;
+};
+
+double ClReader::number(const ClWord& word) const {
+  const std::optional<double> value = parse_number(word.text);
+  if (!value) lexer_.fail(word, in_quotes(word.text) + " is not a number", "a number");
+  return *value;
+}
+
+double ClReader::length(const ClWord& word) const {
+  const double value = number(word) * unit_mm_;
+  if (!(std::abs(value) <= kLargestMm))
+    lexer_.fail(word, "a length beyond any machine", "at most 1e9 mm");
+  return value;
+}
+
+void ClReader::require_count(const ClStatement& statement, std::size_t least,
+                             std::size_t most) const {
+  const std::size_t count = statement.figures.size();
+  if (count >= least && count <= most) return;
+  lexer_.fail(statement.major, statement.major.text + " with " + std::to_string(count) + " figures",
+              least == most ? std::to_string(least)
+                            : std::to_string(least) + " to " + std::to_string(most));
+}
+
+void ClReader::set_units(const ClStatement& statement) {
+  require_count(statement, 1, 1);
+  const ClWord& word = statement.figures[0];
+  if (word.text != "MM" && word.text != "INCHES")
+    lexer_.fail(word, "unknown unit " + in_quotes(word.text), "MM or INCHES");
+  unit_mm_ = word.text == "MM" ? 1 : kInchMm;
+}
+
+void ClReader::set_cutter(const ClStatement& statement) {
+  const std::size_t count = statement.figures.size();
+  if (count != 1 && count != 2 && count != 7)
+    lexer_.fail(statement.major, "CUTTER with " + std::to_string(count) + " figures",
+                "d, or d and r, or all of d,r,e,f,a,b,h");
+  if (data_.cutter)
+    lexer_.fail(statement.major, "a second cutter is not supported in this release",
+                "one tool a program");
+  std::array<double, 7> figures{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool angle = i == 4 || i == 5;
+    figures[i] = angle ? number(statement.figures[i]) : length(statement.figures[i]);
+  }
+  const auto& [d, r, e, f, a, b, h] = figures;
+  data_.cutter = SevenFigures{d, r, e, f, a, b, h};
+  // The short forms are cylinders; nothing is said of their height.
+  if (count <= 2) data_.cutter->centre_radius = d / 2 - r, data_.cutter->centre_height = r;
+  SevenFigures whole = *data_.cutter;
+  if (count <= 2) whole.height = std::max(d, r);
+  require_cutter(statement, whole);
+}
+
+void ClReader::require_cutter(const ClStatement& statement, const SevenFigures& figures) const {
+  try {
+    cutter_of(figures);
+  } catch (const std::invalid_argument& problem) {
+    lexer_.fail(statement.major, problem.what(), "figures that make a cutter");
+  }
+}
+
+void ClReader::set_feed(const ClStatement& statement) {
+  require_count(statement, 1, 2);
+  double unit_mm = unit_mm_;
+  const ClWord* figure = nullptr;
+  for (const ClWord& word : statement.figures) {
+    if (word.text == "MMPM")
+      unit_mm = 1;
+    else if (word.text == "IPM")
+      unit_mm = kInchMm;
+    else if (figure == nullptr)
+      figure = &word;
+    else
+      lexer_.fail(word, "a second feed rate", "MMPM or IPM");
+  }
+  if (figure == nullptr)
+    lexer_.fail(statement.major, "a feed rate without its number", "FEDRAT/500,MMPM");
+  const double feed = number(*figure) * unit_mm;
+  if (!(feed > 0 && feed <= kLargestMm))
+    lexer_.fail(*figure, "feed rate " + in_quotes(figure->text), "more than 0, at most 1e9 mm/min");
+  feed_mm_min_ = feed;
+}
+
+Vec3 ClReader::point(const ClStatement& statement) const {
+  const std::vector<ClWord>& figures = statement.figures;
+  if (figures.size() != 3 && figures.size() != 6)
+    lexer_.fail(statement.major,
+                statement.major.text + " with " + std::to_string(figures.size()) + " figures",
+                "3, or 6 with a tool axis");
+  if (figures.size() == 6 &&
+      !(number(figures[3]) == 0 && number(figures[4]) == 0 && number(figures[5]) == 1))
+    lexer_.fail(figures[3], "a tilted tool axis is not supported in this release", "0,0,1");
+  return {length(figures[0]), length(figures[1]), length(figures[2])};
+}
+
+void ClReader::go_to(const ClStatement& statement) {
+  const Vec3 to = point(statement);
+  const bool rapid = rapid_;
+  rapid_ = false;
+  if (!known_) {
+    data_.path.start = to;
+    known_ = true;
+    return;
+  }
+  if (!rapid && feed_mm_min_ == 0)
+    lexer_.fail(statement.major, "a feed move without a feed rate", "FEDRAT or RAPID before it");
+  data_.path.moves.emplace_back(to, rapid ? 0.0F : static_cast<float>(feed_mm_min_),
+                                statement.major.line, rapid ? MoveKind::rapid : MoveKind::feed);
+}
+
+/// Statements that say what the program is for.
+bool ClReader::describe(const ClStatement& statement) {
+  const std::string& major = statement.major.text;
+  if (major == "PARTNO") return data_.part = statement.text, true;
+  if (major == "UNITS") return set_units(statement), true;
+  if (major == "CUTTER") return set_cutter(statement), true;
+  if (major == "LOADTL") {
+    require_count(statement, 1, 1);
+    const double tool = number(statement.figures[0]);
+    if (!(tool >= 0 && tool <= 1e9 && tool == std::floor(tool)))
+      lexer_.fail(statement.figures[0], "tool number " + in_quotes(statement.figures[0].text),
+                  "an integer from 0");
+    if (data_.tool && *data_.tool != static_cast<int>(tool))
+      lexer_.fail(statement.major, "a change to a second tool is not supported in this release",
+                  "one tool a program");
+    data_.tool = static_cast<int>(tool);
+    return true;
+  }
+  return major == "PPRINT" || major == "REMARK" || major == "SPINDL" || major == "COOLNT";
+}
+
+bool ClReader::move(const ClStatement& statement) {
+  const std::string& major = statement.major.text;
+  if (major == "RAPID") return require_count(statement, 0, 0), rapid_ = true;
+  if (major == "FEDRAT") return set_feed(statement), true;
+  if (major == "GOTO") return go_to(statement), true;
+  if (major != "FROM") return false;
+  if (known_) lexer_.fail(statement.major, "FROM behind a motion", "it first");
+  data_.path.start = point(statement);
+  return known_ = true;
+}
+
+void ClReader::execute(const ClStatement& statement) {
+  if (describe(statement) || move(statement)) return;
+  constexpr std::array<std::string_view, 13> kKnown = {
+      "PARTNO", "PPRINT", "REMARK", "UNITS",  "CUTTER", "LOADTL", "SPINDL",
+      "COOLNT", "FROM",   "RAPID",  "FEDRAT", "GOTO",   "FINI"};
+  const std::string near = nearest_word(statement.major.text, kKnown.data(), kKnown.size());
+  lexer_.fail(statement.major,
+              in_quotes(statement.major.text) + " is not supported in this release",
+              near.empty() ? "straight moves of one tool" : in_quotes(near));
+}
+
+ClData ClReader::read() {
+  ClStatement statement;
+  while (lexer_.next(statement)) {
+    if (statement.major.text == "FINI") {
+      require_count(statement, 0, 0);
+      return std::move(data_);
+    }
+    execute(statement);
+  }
+  throw InputError({name_, static_cast<int>(lexer_.line()), 1},
+                   "the program does not end; it may have been cut off", "FINI");
+}
+
+}  // namespace
+
+ClData read_cl_data(const std::filesystem::path& path) {
+  return ClReader(read_text_file(path), path.string()).read();
+}
+
+ClData read_cl_data(std::istream& in, const std::string& name_in_errors) {
+  const std::string text = read_text(in, name_in_errors);
+  return ClReader(text, name_in_errors).read();
+}
+
+}  // namespace limitgauge::model

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "model/gcode/program.h"
+
+namespace limitgauge::model::gcode {
+
+/// A point or direction in the plane that is compensated in: its first and second axis, mm.
+struct PlaneVector {
+  double a = 0, b = 0;
+
+  friend constexpr bool operator==(PlaneVector, PlaneVector) = default;
+  friend constexpr PlaneVector operator+(PlaneVector p, PlaneVector q) {
+    return {p.a + q.a, p.b + q.b};
+  }
+  friend constexpr PlaneVector operator-(PlaneVector p, PlaneVector q) {
+    return {p.a - q.a, p.b - q.b};
+  }
+  friend constexpr PlaneVector operator*(double s, PlaneVector p) { return {s * p.a, s * p.b}; }
+};
+
+constexpr double dot(PlaneVector p, PlaneVector q) {
+  return p.a * q.a + p.b * q.b;
+}
+constexpr double cross(PlaneVector p, PlaneVector q) {
+  return p.a * q.b - p.b * q.a;
+}
+/// Turned by 90 degrees counter-clockwise.
+constexpr PlaneVector quarter_turn(PlaneVector p) {
+  return {-p.b, p.a};
+}
+inline double length(PlaneVector p) {
+  return std::hypot(p.a, p.b);
+}
+/// As atan2 has it, a vector without length points along the first axis.
+inline PlaneVector unit(PlaneVector p) {
+  const double l = length(p);
+  return l > 0 ? PlaneVector{p.a / l, p.b / l} : PlaneVector{1, 0};
+}
+
+/// The plane's axes in space.
+class PlaneFrame {
+ public:
+  explicit PlaneFrame(ArcPlane plane = ArcPlane::xy) : plane_(plane) {}
+
+  ArcPlane plane() const { return plane_; }
+  PlaneVector flat(const Vec3& point) const {
+    const auto [first, second, normal] = axes_of(plane_);
+    return {point[first], point[second]};
+  }
+  /// `height` gives the coordinate along the plane's normal.
+  Vec3 lifted(PlaneVector point, const Vec3& height) const {
+    const auto [first, second, normal] = axes_of(plane_);
+    Vec3 lifted = height;
+    lifted[first] = point.a;
+    lifted[second] = point.b;
+    return lifted;
+  }
+
+ private:
+  ArcPlane plane_;
+};
+
+/// How far an arc about `centre` turns from `from` to `to`, radians, counter-clockwise positive;
+/// `turns` as Motion's. Equal ends are a full turn.
+double sweep_of(PlaneVector from, PlaneVector to, PlaneVector centre, double turns);
+
+/// For messages: six digits tell what is wrong, seventeen hide it.
+std::string readable(double value);
+
+}  // namespace limitgauge::model::gcode

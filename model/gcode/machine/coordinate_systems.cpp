@@ -1,0 +1,65 @@
+#include "model/gcode/machine/coordinate_systems.h"
+
+#include "model/base/angle.h"
+
+namespace limitgauge::model::gcode {
+namespace {
+
+constexpr std::array<bool, 3> kAll = {true, true, true};
+
+}  // namespace
+
+CoordinateSystems::CoordinateSystems(const MachineSetup& machine) {
+  for (std::size_t i = 0; i < kWorkOffsets; ++i) {
+    const std::optional<WorkOffset>& stated = machine.work_offsets[i];
+    if (!stated && !machine.assume_fresh_machine) continue;
+    const WorkOffset offset = stated.value_or(WorkOffset{});
+    systems_[i] = {offset.origin_mm, offset.rotation_deg, kAll, kAll};
+    frame_is_taken_ = false;
+  }
+  if (frame_is_taken_) systems_[0].usable = kAll;
+}
+
+Frame CoordinateSystems::frame(std::size_t index) const {
+  return {systems_[index].origin_mm, systems_[index].rotation_deg, g92_mm_, 0};
+}
+
+void CoordinateSystems::state(std::size_t index, int axis, double origin_mm) {
+  CoordinateSystem& system = systems_[index];
+  system.origin_mm[axis] = origin_mm;
+  system.usable[axis] = system.stated[axis] = true;
+}
+
+void CoordinateSystems::touch(std::size_t index, const Vec3& machine_mm, const Vec3& work_mm,
+                              const std::array<bool, 3>& set) {
+  CoordinateSystem& system = systems_[index];
+  const bool is_turned = system.rotation_deg != 0;
+  const Vec3 origin_mm = machine_mm - turned(work_mm + g92_mm_, system.rotation_deg);
+  for (int axis = 0; axis < 3; ++axis) {
+    // A turned system's X and Y both depend on both words; LinuxCNC keeps the other coordinate.
+    const bool moves = set[axis] || (is_turned && axis < 2 && (set[0] || set[1]));
+    if (moves) system.origin_mm[axis] = origin_mm[axis];
+    if (set[axis]) system.usable[axis] = true;
+  }
+}
+
+void CoordinateSystems::set_g92(int axis, double offset_mm) {
+  g92_mm_[axis] = offset_mm;
+  saved_g92_mm_ = g92_mm_;
+  g92_applies_ = g92_was_set_ = true;
+}
+
+void CoordinateSystems::cancel_g92(bool forget) {
+  g92_applies_ = false;
+  g92_mm_ = {};
+  if (!forget) return;
+  saved_g92_mm_ = {};
+  g92_was_set_ = true;
+}
+
+void CoordinateSystems::restore_g92() {
+  g92_applies_ = true;
+  g92_mm_ = saved_g92_mm_;
+}
+
+}  // namespace limitgauge::model::gcode

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "model/gcode/machine/coordinate_systems.h"
+#include "model/gcode/machine/tool_table.h"
+#include "model/gcode/program.h"
+#include "model/gcode/text/statement.h"
+
+namespace limitgauge::model::gcode {
+
+/// A thousand kilometres: beyond any machine, and far from where squares overflow.
+inline constexpr double kLargestCoordinateMm = 1e9;
+inline constexpr double kInchMm = 25.4;
+/// What to do about a place on the machine that nothing states, for messages.
+inline constexpr const char* kOffsetRemedy =
+    "the machine's work offset ([machine] work_offsets in the job, or --work-offset)";
+inline constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
+inline constexpr std::array<char, 3> kCentres = {'I', 'J', 'K'};
+
+enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_revolution };
+
+/// What codes set until another code of their group. Power-on state as LinuxCNC's: G17 G21 G40 G49
+/// G54 G80 G90 G91.1 G94 G97 G99, no feed rate.
+struct ModalState {
+  ArcPlane plane = ArcPlane::xy;
+  double unit_mm = 1;
+  bool incremental = false, centre_absolute = false;
+  bool return_to_r = true;    ///< G99
+  int compensation = 400;     ///< G40, G41 or G42, in tenths
+  int length_offset = 490;    ///< G43, G43.1, G43.2 or G49, in tenths
+  std::optional<int> motion;  ///< G code in tenths
+  FeedMode feed_mode = FeedMode::per_minute;
+  double feed_mm = 0;  ///< by minute or by revolution; 0: none
+};
+
+struct Spindle {
+  std::optional<bool> on;  ///< empty: no word of it yet
+  bool clockwise = true;
+  std::optional<double> rpm;      ///< the S word in force
+  bool constant_surface = false;  ///< G96
+};
+
+struct Coolant {
+  bool mist = false, flood = false;
+};
+
+/// A stored position of G28 or G30 in machine coordinates, without the tool's length.
+struct ReferencePoint {
+  Vec3 at_mm;
+  std::array<bool, 3> known{};
+  bool from_program = false;
+};
+
+/// The machine while a program runs: modal state, offsets, tools, and where the tool stands.
+struct MachineState {
+  explicit MachineState(const MachineSetup& machine);
+
+  ModalState modal;
+  Spindle spindle;
+  Coolant coolant;
+  CoordinateSystems systems;
+  ToolTable tools;
+  std::array<ReferencePoint, 2> reference;  ///< of G28 and G30
+  bool fresh = false;                       ///< MachineSetup::assume_fresh_machine
+  std::optional<int> selected_tool;         ///< by T
+  bool has_start = false;                   ///< MachineSetup::start_mm
+  bool has_moved = false;
+  Vec3 start_mm;  ///< of the tip, in the frame of G54; follows what G92 says of unknown axes
+
+  /// In the active work frame; under cutter compensation the programmed point.
+  Vec3 position_mm;
+  std::array<bool, 3> known{};   ///< programmed, or stated by an offset
+  std::array<bool, 3> adrift{};  ///< at a place that nothing states (Motion::parked, astray)
+  Frame frame;                   ///< active; refresh() after a change of systems or tools
+
+  void refresh();
+  /// Carries out a change of the frame that leaves the tool where it is.
+  template <typename Change>
+  void keeping_tip(const Change& change) {
+    const Frame before = frame;
+    change();
+    refresh();
+    stay_at(before);
+  }
+  /// Whether a tool that is changed now comes to stand with its tip where that of the one before
+  /// stood: before the first motion, since the start is the tip's, and at an assumed height.
+  bool keeps_tip_at_change() const { return has_start && (!has_moved || !known[2]); }
+  /// The work coordinate of an unknown axis turns out to be `value_mm`: so was it at the start, as
+  /// far away as the program has moved since.
+  void take_place(int axis, double value_mm);
+  bool is_compensated() const { return modal.compensation != 400; }
+  bool is_adrift() const { return adrift[0] || adrift[1] || adrift[2]; }
+
+ private:
+  void stay_at(const Frame& before);
+};
+
+/// Throws InputError at `word` while cutter compensation is on.
+void forbid_compensation(const Statement& statement, const Word& word, const MachineState& state);
+
+/// A word's length in mm. Throws InputError at a value beyond any machine.
+double length_of(const Statement& statement, const Word& word, const MachineState& state);
+
+}  // namespace limitgauge::model::gcode

@@ -1,0 +1,68 @@
+#include "model/gcode/machine/tool_table.h"
+
+namespace limitgauge::model::gcode {
+
+ToolTable::ToolTable(const MachineSetup& machine) : loaded_(machine.loaded_tool) {
+  for (const ToolEntry& entry : machine.tools)
+    tools_[entry.number] = {entry.length_mm, entry.diameter_mm, entry.length_mm};
+  if (!loaded_ && machine.tools.size() == 1) loaded_ = machine.tools.front().number;
+  if (machine.tools.empty() && machine.only_tool)
+    only_diameter_mm_ = machine.only_tool->diameter_mm;
+}
+
+const ToolTable::Tool* ToolTable::find(int tool) const {
+  const auto found = tools_.find(tool);
+  return found == tools_.end() ? nullptr : &found->second;
+}
+
+std::optional<double> ToolTable::offset_of(int tool) const {
+  const Tool* const entry = find(tool);
+  return entry ? entry->offset_mm : std::nullopt;
+}
+
+std::optional<double> ToolTable::diameter_of(int tool) const {
+  const Tool* const entry = find(tool);
+  if (entry && entry->diameter_mm) return entry->diameter_mm;
+  return loaded_.value_or(tool) == tool ? only_diameter_mm_ : std::nullopt;
+}
+
+std::optional<double> ToolTable::true_length() const {
+  if (!loaded_) return unnamed_length_mm_;
+  if (*loaded_ == 0) return 0.0;
+  const Tool* const entry = find(*loaded_);
+  return entry ? entry->true_length_mm : std::nullopt;
+}
+
+void ToolTable::clear_offset() {
+  in_use_ = {};
+}
+
+void ToolTable::use_own_length() {
+  in_use_ = {true, loaded_, 0};
+  any_offset_used_ = true;
+}
+
+bool ToolTable::use_offset(double offset_mm) {
+  in_use_ = {false, loaded_, offset_mm};
+  any_offset_used_ = true;
+  if (true_length()) return false;
+  if (loaded_) {
+    tools_[*loaded_].true_length_mm = offset_mm;
+  } else {
+    unnamed_length_mm_ = offset_mm;
+  }
+  return true;
+}
+
+double ToolTable::shift_mm() const {
+  if (is_uncertain()) return 0;
+  const std::optional<double> length_mm = true_length();
+  return in_use_.offset_mm - (in_use_.has_unstated_length ? 0 : length_mm.value_or(0));
+}
+
+bool ToolTable::is_uncertain() const {
+  if (in_use_.has_unstated_length) return in_use_.owner != loaded_;
+  return any_offset_used_ && !true_length();
+}
+
+}  // namespace limitgauge::model::gcode

@@ -1,0 +1,242 @@
+#include "model/gcode/program_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "model/base/angle.h"
+#include "model/base/error.h"
+#include "model/base/words.h"
+
+namespace limitgauge::model {
+namespace {
+
+/// LinuxCNC's fuzz: an arc whose end lies less than this beyond its start, in radians, is a full
+/// turn.
+constexpr double kFullTurnFuzz = 1e-6;
+/// Wider chords would not follow an arc's direction, however wide the tolerance.
+constexpr double kWidestChord = std::numbers::pi / 2;
+/// Counted in doubles so far beyond what anyone cuts, chords are no whole numbers any more.
+constexpr double kMostChords = 1e15;
+
+/// An arc from `start` in cylinder coordinates about its centre; the radius may drift a little
+/// along it, as the reader's tolerance allows.
+struct Sweep {
+  std::array<int, 3> axes{};
+  double angle = 0, swept = 0;  ///< radians, signed: positive is counter-clockwise
+  double radius_mm = 0, radius_growth_mm = 0;
+  double height_mm = 0, rise_mm = 0;
+};
+
+Sweep sweep_of(const Motion& arc, const Vec3& start) {
+  Sweep sweep;
+  sweep.axes = axes_of(arc.plane);
+  const auto [first, second, normal] = sweep.axes;
+  const double x1 = start[first] - arc.centre1, y1 = start[second] - arc.centre2;
+  const double x2 = arc.to[first] - arc.centre1, y2 = arc.to[second] - arc.centre2;
+  const double direction = arc.turns < 0 ? -1 : 1;
+  sweep.angle = std::atan2(y1, x1);
+  double forward = direction * (std::atan2(y2, x2) - sweep.angle);
+  while (forward < kFullTurnFuzz) forward += 2 * std::numbers::pi;
+  forward += 2 * std::numbers::pi * (std::max(1.0, std::abs(arc.turns)) - 1);
+  sweep.swept = direction * forward;
+  sweep.radius_mm = std::hypot(x1, y1);
+  sweep.radius_growth_mm = std::hypot(x2, y2) - sweep.radius_mm;
+  sweep.height_mm = start[normal];
+  sweep.rise_mm = arc.to[normal] - start[normal];
+  return sweep;
+}
+
+/// Largest distance between the arc and `chords` equal chords. Exact for a circle and a helix
+/// (r - r cos(h/2)); for a spiral the bound h²/8 · |p''| of linear interpolation.
+double chord_error_mm(const Sweep& sweep, double chords) {
+  const double h = std::abs(sweep.swept) / chords;
+  if (sweep.radius_growth_mm == 0) {
+    const double s = std::sin(h / 4);
+    return 2 * sweep.radius_mm * s * s;
+  }
+  const double widest_mm = sweep.radius_mm + std::max(0.0, sweep.radius_growth_mm);
+  return h * h / 8 * std::hypot(widest_mm, 2 * sweep.radius_growth_mm / sweep.swept);
+}
+
+/// The widest chord, in radians, that keeps the error within the limit.
+double widest_chord(const Sweep& sweep, double limit_mm) {
+  if (sweep.radius_growth_mm == 0)
+    return 4 * std::asin(std::sqrt(std::min(1.0, limit_mm / (2 * sweep.radius_mm))));
+  const double at_one_radian_mm = chord_error_mm(sweep, std::abs(sweep.swept));
+  return std::sqrt(limit_mm / at_one_radian_mm);
+}
+
+double chords_within(const Sweep& sweep, double limit_mm) {
+  const double widest = std::min(kWidestChord, widest_chord(sweep, limit_mm));
+  double chords = std::ceil(std::abs(sweep.swept) / widest);
+  if (!(chords < kMostChords)) return kMostChords;
+  while (chord_error_mm(sweep, chords) > limit_mm) ++chords;
+  return chords;
+}
+
+Vec3 point_at(const Sweep& sweep, const Motion& arc, double fraction) {
+  const double angle = sweep.angle + fraction * sweep.swept;
+  const double radius_mm = sweep.radius_mm + fraction * sweep.radius_growth_mm;
+  Vec3 point;
+  point[sweep.axes[0]] = arc.centre1 + radius_mm * std::cos(angle);
+  point[sweep.axes[1]] = arc.centre2 + radius_mm * std::sin(angle);
+  point[sweep.axes[2]] = sweep.height_mm + fraction * sweep.rise_mm;
+  return point;
+}
+
+/// Lays the motions of a program into the part's frame, one after the other.
+class PathMaker {
+ public:
+  PathMaker(const PathOptions& options, std::size_t motions)
+      : options_(options), as_it_is_(options.machine_in_part == RigidPlacement()) {
+    path_.moves.reserve(motions);
+  }
+
+  /// Where `motion` ends.
+  void begin_behind(const Motion& motion);
+  void begin_at(const Vec3& machine_mm);
+  void add(const Motion& motion);
+  Toolpath take() { return std::move(path_); }
+
+ private:
+  Vec3 placed(const Vec3& machine_mm) const {
+    return as_it_is_ ? machine_mm : options_.machine_in_part(machine_mm);
+  }
+  Vec3 at_park_height(const Vec3& machine_mm) const {
+    const Vec3 p = placed(machine_mm);
+    return {p.x, p.y, options_.park_z_mm};
+  }
+  void approach(const Motion& rapid);
+  void add_move(const Motion& motion, const Vec3& part_mm, bool rapid);
+  void add_arc(const Motion& arc);
+  void park(const Motion& motion);
+
+  const PathOptions& options_;
+  bool as_it_is_;
+  Toolpath path_;
+  Vec3 at_mm_;  ///< machine frame
+  bool started_ = false, parked_ = false;
+};
+
+void PathMaker::begin_behind(const Motion& motion) {
+  begin_at(motion.to);
+  parked_ = motion.parked;
+  if (parked_) path_.start = at_park_height(at_mm_);
+}
+
+void PathMaker::begin_at(const Vec3& machine_mm) {
+  at_mm_ = machine_mm;
+  parked_ = false;
+  started_ = true;
+  path_.start = placed(at_mm_);
+}
+
+/// A rapid of a program whose start nobody asks for.
+void PathMaker::approach(const Motion& rapid) {
+  begin_behind(rapid);
+  started_ = rapid.position_known;
+}
+
+void PathMaker::add_move(const Motion& motion, const Vec3& part_mm, bool rapid) {
+  path_.moves.emplace_back(part_mm, rapid ? 0.0F : motion.feed_mm_min, motion.line,
+                           rapid ? MoveKind::rapid : MoveKind::feed);
+  path_.moves.back().spindle_stopped = motion.spindle_stopped;
+}
+
+void PathMaker::add_arc(const Motion& arc) {
+  const Sweep sweep = sweep_of(arc, at_mm_);
+  const double chords = chords_within(sweep, options_.chord_error_mm);
+  const auto count = static_cast<std::size_t>(chords);
+  if (static_cast<double>(path_.moves.size()) + chords > options_.most_moves)
+    throw ResourceError("line " + std::to_string(arc.line) + " of the program: more than " +
+                        std::to_string(std::llround(options_.most_moves / 1e6)) +
+                        " million moves at a chord error of " + shortest(options_.chord_error_mm) +
+                        " mm; a wider verification.resolution needs fewer");
+  path_.chord_error_mm = std::max(path_.chord_error_mm, chord_error_mm(sweep, chords));
+  for (std::size_t i = 1; i < count; ++i)
+    add_move(arc, placed(point_at(sweep, arc, static_cast<double>(i) / chords)), false);
+  add_move(arc, placed(arc.to), false);
+}
+
+/// Up first, then across: what the tool meets on its way to a place that nobody states must not
+/// depend on that place.
+void PathMaker::park(const Motion& motion) {
+  if (!parked_) add_move(motion, at_park_height(at_mm_), true);
+  if (motion.to.x != at_mm_.x || motion.to.y != at_mm_.y)
+    add_move(motion, at_park_height(motion.to), true);
+}
+
+void PathMaker::add(const Motion& motion) {
+  if (!started_) {
+    if (motion.kind == MotionKind::rapid) return approach(motion);
+    begin_at(at_mm_);
+  }
+  if (motion.parked) {
+    park(motion);
+  } else if (motion.kind == MotionKind::arc && !parked_) {
+    add_arc(motion);
+  } else {
+    add_move(motion, placed(motion.to), motion.kind == MotionKind::rapid);
+  }
+  at_mm_ = motion.to;
+  parked_ = motion.parked;
+}
+
+}  // namespace
+
+Vec3 RigidPlacement::operator()(const Vec3& p) const {
+  return turned(p, rotate_z_deg) + translate_mm;
+}
+
+RigidPlacement machine_in_part(const RigidPlacement& program_frame, const WorkOffset& g54) {
+  RigidPlacement placement{program_frame.rotate_z_deg - g54.rotation_deg, {}};
+  placement.translate_mm = program_frame.translate_mm - placement(g54.origin_mm);
+  return placement;
+}
+
+Toolpath to_toolpath(const Program& program, const PathOptions& options) {
+  if (!(std::isfinite(options.chord_error_mm) && options.chord_error_mm > 0))
+    throw std::invalid_argument("chord error must be greater than 0");
+  const std::size_t last = std::min(options.last, program.motions.size());
+  const std::size_t first = std::min(options.first, last);
+  PathMaker maker(options, last - first);
+  if (first == 0 && options.start_mm) maker.begin_at(*options.start_mm);
+  if (first > 0) {
+    Motion before = program.motions[first - 1];
+    before.to.z += options.start_shift_z_mm;
+    maker.begin_behind(before);
+  }
+  for (std::size_t i = first; i < last; ++i) maker.add(program.motions[i]);
+  return maker.take();
+}
+
+Toolpath to_toolpath(const Program& program, double chord_error_mm) {
+  PathOptions options;
+  options.chord_error_mm = chord_error_mm;
+  return to_toolpath(program, options);
+}
+
+double highest_z_mm(const Program& program, const RigidPlacement& machine_in_part) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Motion& motion : program.motions)
+    if (motion.height_known)
+      highest = std::max(highest, motion.to.z + machine_in_part.translate_mm.z);
+  return highest;
+}
+
+std::string to_text(const Motion& motion) {
+  std::string text = std::to_string(motion.line);
+  const auto add = [&text](double value) { text.append(" ").append(shortest(value)); };
+  const bool arc = motion.kind == MotionKind::arc;
+  text += arc ? " arc " : motion.kind == MotionKind::rapid ? " rapid" : " feed";
+  if (arc) text += std::to_string(static_cast<int>(motion.plane));
+  for (const int axis : {0, 1, 2}) add(motion.to[axis]);
+  if (!arc) return text;
+  for (const double value : {motion.centre1, motion.centre2, motion.turns}) add(value);
+  return text;
+}
+
+}  // namespace limitgauge::model

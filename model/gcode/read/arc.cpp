@@ -1,0 +1,68 @@
+#include "model/gcode/read/arc.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace limitgauge::model::gcode {
+namespace {
+
+/// LinuxCNC's 0.00005 inch.
+constexpr double kSmallestRadiusMm = 0.00005 * 25.4;
+constexpr double kSpiralRelative = 0.001;
+constexpr double kLargestSpirals = 100;
+/// Half chords this near to the radius, relatively, mean a half circle.
+constexpr double kHalfCircle = 1e-12;
+
+/// For messages: six digits tell what is wrong, seventeen hide it.
+std::string readable(double value_mm) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value_mm,
+                                 std::chars_format::general, 6);
+  return std::string(digits.data(), end.ptr);
+}
+
+double apart(PlanePoint a, PlanePoint b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+}  // namespace
+
+ArcCentre centre_by_offset(PlanePoint start, PlanePoint end, PlanePoint centre, double spiral_mm) {
+  const double r1_mm = apart(centre, start), r2_mm = apart(centre, end);
+  if (std::min(r1_mm, r2_mm) < kSmallestRadiusMm)
+    return {centre, "an arc of zero radius", "a centre away from start and end"};
+  const double difference_mm = std::abs(r1_mm - r2_mm);
+  const bool too_far = difference_mm > kLargestSpirals * spiral_mm;
+  const bool visible =
+      difference_mm > spiral_mm && difference_mm / std::max(r1_mm, r2_mm) > kSpiralRelative;
+  if (too_far || visible)
+    return {centre,
+            "the arc's radius is " + readable(r1_mm) + " mm at its start and " + readable(r2_mm) +
+                " mm at its end",
+            "a centre equally far from both"};
+  return {centre, {}, {}};
+}
+
+ArcCentre centre_by_radius(PlanePoint start, PlanePoint end, double radius_mm,
+                           bool counter_clockwise) {
+  if (start == end)
+    return {start, "an arc by radius that ends where it starts", "a centre by I, J, K"};
+  const double radius = std::abs(radius_mm);
+  if (radius < kSmallestRadiusMm) return {start, "an arc of zero radius", "a radius above 0"};
+  const PlanePoint middle = {(start[0] + end[0]) / 2, (start[1] + end[1]) / 2};
+  const double half_chord = apart(start, end) / 2;
+  if (half_chord - radius > kSmallestRadiusMm)
+    return {middle,
+            "a radius of " + readable(radius) + " mm does not span the " +
+                readable(2 * half_chord) + " mm between start and end",
+            "at least " + readable(half_chord)};
+  if (half_chord / radius > 1 - kHalfCircle) return {middle, {}, {}};
+  const double offset = std::sqrt((radius - half_chord) * (radius + half_chord));
+  const double side = counter_clockwise == (radius_mm > 0) ? 1 : -1;
+  const double along = side * offset / (2 * half_chord);
+  return {
+      {middle[0] - along * (end[1] - start[1]), middle[1] + along * (end[0] - start[0])}, {}, {}};
+}
+
+}  // namespace limitgauge::model::gcode

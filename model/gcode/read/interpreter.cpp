@@ -1,0 +1,316 @@
+#include "model/gcode/read/interpreter.h"
+
+#include <algorithm>
+
+#include "model/base/words.h"
+#include "model/gcode/machine/feed.h"
+#include "model/gcode/machine/machine_motion.h"
+#include "model/gcode/read/auxiliaries.h"
+#include "model/gcode/read/motion_codes.h"
+#include "model/gcode/read/offset_codes.h"
+#include "model/gcode/read/radius_codes.h"
+#include "model/gcode/read/tool_codes.h"
+#include "model/gcode/text/system_parameters.h"
+#include "model/gcode/text/word_use.h"
+
+namespace limitgauge::model::gcode {
+namespace {
+
+constexpr double kLargestSpeed = 1e9;
+
+}  // namespace
+
+Interpreter::Interpreter(Program& program, const MachineSetup& machine, const Lexer& lexer,
+                         Parameters& parameters, std::size_t most_motions)
+    : program_(program),
+      assumed_(program.assumed),
+      state_(machine),
+      compensation_([this](const Motion& motion) { put(motion); },
+                    [&lexer](std::uint32_t line) { return lexer.place(line, 1); }),
+      saved_(state_, compensation_, parameters),
+      most_motions_(most_motions) {
+  if (const auto tool = state_.tools.loaded()) program_.tool_changes.push_back({0, 0, *tool});
+  set_system_parameters(parameters);
+}
+
+void Interpreter::set_system_parameters(Parameters& parameters) {
+  // Where a subroutine has just ended, what it saved is back before the next line is read.
+  parameters.set_system(
+      [this](int number) {
+        saved_.leave_calls();
+        return system_parameter(state_, number);
+      },
+      [this, &parameters](std::string_view name) {
+        saved_.leave_calls();
+        return system_parameter(state_, name, parameters.depth() - 1);
+      });
+}
+
+bool Interpreter::execute(const Statement& statement) {
+  if (plain_ && is_plain(statement)) {
+    move_plainly(statement);
+    return true;
+  }
+  list_auxiliaries(statement, program_, motions_so_far());
+  if (statement.block().words.empty()) return true;
+  if (!saved_.leave_calls()) SavedStates::fail(statement, statement.block().words.front());
+  const std::optional<int> motion = motion_of(statement, state_.modal.motion);
+  check_word_use(statement, motion);
+  set_spindle_mode(statement);
+  set_feed(statement, state_);
+  if (state_.modal.feed_mode == FeedMode::inverse_time && motion.value_or(0) == 0)
+    list_unused_feed(statement, program_);
+  set_speed(statement);
+  select_tool(statement, state_);
+  carry_out_m(statement);
+  carry_out_g(statement, motion);
+  plain_ = may_be_plain();
+  return stop(statement);
+}
+
+/// Most blocks of a long program are axis words alone.
+bool Interpreter::is_plain(const Statement& statement) const {
+  return (statement.letters() & ~kAxisLetters) == 0 && statement.has_axes() &&
+         statement.block().comments.empty() && !statement.block().block_delete;
+}
+
+bool Interpreter::may_be_plain() const {
+  return (state_.modal.motion == 0 || state_.modal.motion == 10) &&
+         state_.modal.feed_mode == FeedMode::per_minute && compensation_.idle() && saved_.empty() &&
+         !state_.is_adrift() && !state_.tools.is_uncertain() && state_.systems.system().is_usable();
+}
+
+void Interpreter::move_plainly(const Statement& statement) {
+  Motion motion;
+  const bool rapid = state_.modal.motion == 0;
+  motion.kind = rapid ? MotionKind::rapid : MotionKind::feed;
+  motion.plane = state_.modal.plane;
+  if (!rapid) motion.feed_mm_min = static_cast<float>(state_.modal.feed_mm);
+  motion.to = state_.position_mm = end_of(statement, state_);
+  emit(statement, motion);
+}
+
+void Interpreter::carry_out_m(const Statement& statement) {
+  change_tool(statement, state_, program_);
+  turn_spindle(statement);
+  saved_.carry_out(statement);
+  set_coolant(statement);
+}
+
+void Interpreter::carry_out_g(const Statement& statement, std::optional<int> motion) {
+  set_plane(statement);
+  set_units(statement);
+  set_radius_offset(statement, state_, compensation_);
+  set_length_offset(statement, state_, assumed_);
+  if (statement.g_word(GGroup::coordinate_system)) select_system(statement, state_, assumed_);
+  set_late_modes(statement);
+  carry_out_non_modal(statement);
+  if (statement.g_word(GGroup::axis_offset)) apply_axis_offsets(statement, state_);
+  if (statement.g(GGroup::motion) == 800) {
+    state_.modal.motion.reset();
+    cycles_.forget();
+  }
+  if (motion) move(statement, *motion);
+}
+
+bool Interpreter::stop(const Statement& statement) {
+  const auto code = statement.m(MGroup::stopping);
+  if (!code) return true;
+  compensation_.flush();
+  return *code != 2 && *code != 30;
+}
+
+void Interpreter::set_spindle_mode(const Statement& statement) {
+  const auto code = statement.g(GGroup::spindle_mode);
+  if (!code) return;
+  if (*code == 960 && !statement.word('S'))
+    statement.fail(*statement.g_word(GGroup::spindle_mode), "G96 without its surface speed", "S");
+  state_.spindle.constant_surface = *code == 960;
+}
+
+void Interpreter::set_speed(const Statement& statement) {
+  const Word* const s = statement.word('S');
+  if (!s) return;
+  if (!(s->value >= 0)) statement.fail(*s, "a negative spindle speed", "0 or more");
+  if (!(s->value <= kLargestSpeed))
+    statement.fail(*s, "a spindle speed beyond any machine", "at most 1e9");
+  state_.spindle.rpm = s->value;
+}
+
+/// A tool change stops the spindle, and comes before M3 of the same block. A program without M3 and
+/// M4 leaves the spindle to the operator; one that starts it somewhere had it at rest before.
+void Interpreter::turn_spindle(const Statement& statement) {
+  Spindle& spindle = state_.spindle;
+  if (statement.m(MGroup::tool_change) == 6 && spindle.on) spindle.on = false;
+  const auto code = statement.m(MGroup::spindle);
+  if (!code) return;
+  if (!spindle.on) motions_before_spindle_ = motions_so_far();
+  spindle.on = *code == 3 || *code == 4;
+  spindle.clockwise = *code == 3;
+  if (!*spindle.on || program_.starts_spindle) return;
+  program_.starts_spindle = true;
+  const std::size_t out = std::min(motions_before_spindle_, program_.motions.size());
+  for (std::size_t i = 0; i < out; ++i) program_.motions[i].spindle_stopped = true;
+}
+
+void Interpreter::set_coolant(const Statement& statement) {
+  const int code = statement.m(MGroup::coolant).value_or(0);
+  if (code == 7) state_.coolant.mist = true;
+  if (code == 8) state_.coolant.flood = true;
+  if (code == 9) state_.coolant = {};
+}
+
+void Interpreter::set_plane(const Statement& statement) {
+  const auto code = statement.g(GGroup::plane);
+  if (!code) return;
+  const auto plane = static_cast<ArcPlane>(*code / 10);
+  if (plane != state_.modal.plane)
+    forbid_compensation(statement, *statement.g_word(GGroup::plane), state_);
+  state_.modal.plane = plane;
+}
+
+void Interpreter::set_units(const Statement& statement) {
+  const auto code = statement.g(GGroup::units);
+  if (!code) return;
+  const double unit_mm = *code == 200 ? kInchMm : 1;
+  // A program that mixes units may mean to; one digit does the same by accident.
+  if (unit_mm != state_.modal.unit_mm && !program_.motions.empty())
+    assumed_.add(statement.line(), unit_mm == 1 ? "the units change to millimetres here"
+                                                : "the units change to inches here");
+  state_.modal.unit_mm = unit_mm;
+  compensation_.use_inches(*code == 200);
+}
+
+void Interpreter::set_late_modes(const Statement& statement) {
+  ModalState& modal = state_.modal;
+  if (const auto code = statement.g(GGroup::distance)) modal.incremental = *code == 910;
+  if (const auto code = statement.g(GGroup::arc_distance)) modal.centre_absolute = *code == 901;
+  if (const auto code = statement.g(GGroup::return_level)) modal.return_to_r = *code == 990;
+}
+
+void Interpreter::carry_out_non_modal(const Statement& statement) {
+  switch (statement.g(GGroup::non_modal).value_or(-1)) {
+    case 100:
+      return set_data(statement, state_, program_, assumed_);
+    case 280:
+    case 300:
+      return go_home(statement);
+    case 281:
+    case 301:
+      return store_reference(statement, state_);
+    case 520:
+    case 920:
+      return set_axis_offsets(statement, state_, program_, assumed_);
+    case 530:
+      if (!statement.has_axes() && !statement.g_word(GGroup::motion))
+        statement.fail(*statement.g_word(GGroup::non_modal), "G53 without a motion",
+                       "G0 or G1 and axis words");
+      return;
+    default:
+      return;
+  }
+}
+
+/// By way of the point that the axis words name.
+void Interpreter::go_home(const Statement& statement) {
+  forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state_);
+  check_system(statement, state_);
+  Motion motion;
+  motion.plane = state_.modal.plane;
+  motion.to = state_.position_mm = waypoint_of(statement, state_);
+  emit(statement, motion);
+  motion.to = state_.position_mm = reference_end(statement, state_, assumed_);
+  emit(statement, motion);
+}
+
+void Interpreter::move(const Statement& statement, int code) {
+  if (state_.modal.motion != code && !is_canned_cycle(code)) cycles_.forget();
+  state_.modal.motion = code;
+  if (statement.g(GGroup::non_modal) == 530 && code != 0 && code != 10)
+    statement.fail(*statement.g_word(GGroup::non_modal), "G53 beside a motion that is not straight",
+                   "G0 or G1");
+  if (code == 0 || code == 10)
+    return emit(statement, straight_motion(statement, state_, code == 0, assumed_));
+  if (is_canned_cycle(code)) return cycle(statement, code);
+  emit(statement, arc_motion(statement, state_, code == 30));
+}
+
+SpindleState Interpreter::spindle_state() const {
+  const Spindle& spindle = state_.spindle;
+  if (!spindle.on) return SpindleState::unknown;
+  if (!*spindle.on) return SpindleState::stopped;
+  return spindle.clockwise ? SpindleState::clockwise : SpindleState::counter_clockwise;
+}
+
+void Interpreter::cycle(const Statement& statement, int code) {
+  check_system(statement, state_);
+  check_tip(statement, state_);
+  if (state_.is_adrift())
+    statement.fail(statement.blamed(), "a canned cycle from a place that nothing states",
+                   "a motion of each axis to a coordinate first");
+  const ModalState& modal = state_.modal;
+  const CycleMotions motions =
+      cycles_.moves(statement, {code, modal.plane, modal.unit_mm, modal.incremental,
+                                modal.return_to_r, state_.position_mm, spindle_state(),
+                                modal.feed_mode == FeedMode::inverse_time, compensation_.active()});
+  const std::array<bool, 3> known = state_.known;
+  for (const CycleMove& move : motions.moves) {
+    Motion motion;
+    motion.kind = move.kind;
+    motion.plane = modal.plane;
+    motion.to = move.to_mm;
+    motion.spindle_stopped = move.spindle_stopped;
+    if (move.kind != MotionKind::rapid)
+      motion.feed_mm_min = static_cast<float>(feed_of(statement, state_, 0));
+    for (int axis = 0; axis < 3; ++axis) state_.known[axis] = known[axis] || move.stated[axis];
+    emit(statement, motion);
+  }
+  state_.position_mm = motions.end_mm;
+}
+
+void Interpreter::check_count(const Statement& statement) const {
+  if (motions_so_far() < most_motions_) return;
+  statement.fail(statement.blamed(),
+                 "the program makes more than " + std::to_string(most_motions_) + " motions",
+                 "loops and cycles that make fewer");
+}
+
+/// `motion` is in the active work frame.
+void Interpreter::emit(const Statement& statement, Motion motion) {
+  check_count(statement);
+  motion.line = statement.line();
+  const Spindle& spindle = state_.spindle;
+  if (spindle.on && (!*spindle.on || spindle.rpm == 0)) motion.spindle_stopped = true;
+  motion.position_known = state_.known[0] && state_.known[1] && state_.known[2];
+  motion.height_known = state_.known[2];
+  state_.has_moved = true;
+  motion.parked = state_.adrift[2];
+  motion.astray = state_.adrift[0] || state_.adrift[1];
+  if (compensation_.idle()) {
+    put(motion);
+  } else {
+    compensation_.move(motion);
+  }
+}
+
+/// From the active work frame to the machine's. Nothing changes the frame while cutter compensation
+/// holds motions.
+void Interpreter::put(Motion motion) {
+  const Frame& frame = state_.frame;
+  if (motion.kind == MotionKind::arc) {
+    const auto [first, second, normal] = axes_of(motion.plane);
+    Vec3 centre_mm;
+    centre_mm[first] = motion.centre1;
+    centre_mm[second] = motion.centre2;
+    centre_mm = frame.to_machine(centre_mm);
+    motion.centre1 = centre_mm[first];
+    motion.centre2 = centre_mm[second];
+  }
+  motion.to = frame.to_machine(motion.to);
+  // Waited for the compensation while the program's first M3 or M4 came.
+  if (program_.starts_spindle && program_.motions.size() < motions_before_spindle_)
+    motion.spindle_stopped = true;
+  program_.motions.push_back(motion);
+}
+
+}  // namespace limitgauge::model::gcode

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+
+#include "model/gcode/cycles/canned_cycle.h"
+#include "model/gcode/cycles/cutter_compensation.h"
+#include "model/gcode/machine/machine_state.h"
+#include "model/gcode/machine/saved_state.h"
+#include "model/gcode/program.h"
+#include "model/gcode/read/assumptions.h"
+#include "model/gcode/text/parameters.h"
+#include "model/gcode/text/statement.h"
+
+namespace limitgauge::model::gcode {
+
+/// Carries out the blocks of a program in LinuxCNC's order of execution and keeps its canonical
+/// motions. Axes never programmed stand where the machine's start has them, or at 0, and are not
+/// known.
+class Interpreter {
+ public:
+  /// The machine's own parameters are given to `parameters`, which like `lexer` outlives this and
+  /// is not read after it. `most_motions` bounds what loops and cycles may expand to.
+  Interpreter(Program& program, const MachineSetup& machine, const Lexer& lexer,
+              Parameters& parameters, std::size_t most_motions);
+  Interpreter(const Interpreter&) = delete;
+  Interpreter& operator=(const Interpreter&) = delete;
+
+  /// Returns false when the block ends the program (M2, M30).
+  bool execute(const Statement& statement);
+  /// At the end of the program: lets out the motions that cutter compensation still holds.
+  void finish() { compensation_.flush(); }
+
+ private:
+  void set_system_parameters(Parameters& parameters);
+  bool is_plain(const Statement& statement) const;
+  bool may_be_plain() const;
+  void move_plainly(const Statement& statement);
+  void carry_out_m(const Statement& statement);
+  void carry_out_g(const Statement& statement, std::optional<int> motion);
+  bool stop(const Statement& statement);
+  void set_spindle_mode(const Statement& statement);
+  void set_speed(const Statement& statement);
+  void turn_spindle(const Statement& statement);
+  void set_coolant(const Statement& statement);
+  void set_plane(const Statement& statement);
+  void set_units(const Statement& statement);
+  void set_late_modes(const Statement& statement);
+  void carry_out_non_modal(const Statement& statement);
+  void go_home(const Statement& statement);
+  void move(const Statement& statement, int code);
+  void cycle(const Statement& statement, int code);
+  SpindleState spindle_state() const;
+
+  void emit(const Statement& statement, Motion motion);
+  void put(Motion motion);
+  void check_count(const Statement& statement) const;
+  std::size_t motions_so_far() const { return program_.motions.size() + compensation_.waiting(); }
+
+  Program& program_;
+  Assumptions assumed_;
+  MachineState state_;
+  CutterCompensation compensation_;
+  SavedStates saved_;
+  CannedCycles cycles_;
+  std::size_t most_motions_;
+  std::size_t motions_before_spindle_ = 0;
+  bool plain_ = false;  ///< blocks of axis words alone may go by move_plainly
+};
+
+}  // namespace limitgauge::model::gcode

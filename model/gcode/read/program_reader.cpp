@@ -1,0 +1,46 @@
+#include <algorithm>
+
+#include "model/base/text_file.h"
+#include "model/gcode/flow/flow.h"
+#include "model/gcode/program.h"
+#include "model/gcode/read/interpreter.h"
+#include "model/gcode/text/lexer.h"
+#include "model/gcode/text/statement.h"
+
+namespace limitgauge::model {
+namespace {
+
+/// Shortest line that moves the tool, for the guess at how many motions will come: `X1` and its
+/// end.
+constexpr std::size_t kShortestMoveBytes = 8;
+/// Motions beyond one a line, for loops and cycles; more would be a program that does not end.
+constexpr std::size_t kExpandedMotions = 5'000'000 / gcode::kFlowShare;
+
+Program read_text_program(const std::string& text, const std::string& name,
+                          const MachineSetup& machine) {
+  Program program;
+  program.name = std::filesystem::path(name).stem().string();
+  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  program.motions.reserve(std::min(lines, text.size() / kShortestMoveBytes) + 1);
+  gcode::Parameters parameters;
+  gcode::Lexer lexer(text, name, parameters);
+  gcode::Flow flow(lexer, parameters);
+  gcode::Interpreter interpreter(program, machine, lexer, parameters, lines + kExpandedMotions);
+  gcode::Block block;
+  while (flow.next(block) && interpreter.execute(gcode::Statement(block, lexer))) continue;
+  interpreter.finish();
+  return program;
+}
+
+}  // namespace
+
+Program read_program(const std::filesystem::path& path, const MachineSetup& machine) {
+  return read_text_program(read_text_file(path), path.string(), machine);
+}
+
+Program read_program(std::istream& in, const std::string& name_in_errors,
+                     const MachineSetup& machine) {
+  return read_text_program(read_text(in, name_in_errors), name_in_errors, machine);
+}
+
+}  // namespace limitgauge::model

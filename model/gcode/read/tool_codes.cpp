@@ -1,0 +1,173 @@
+#include "model/gcode/read/tool_codes.h"
+
+#include <limits>
+
+#include "model/base/words.h"
+
+namespace limitgauge::model::gcode {
+namespace {
+
+constexpr std::size_t kMostChanges = 1'000'000;
+constexpr const char* kLengths = "the tools' lengths ([machine] tools in the job, or --tool-table)";
+
+int tool_number(const Statement& statement, const Word& word, const std::string& name) {
+  const auto number = whole(word.value, 0);
+  if (!number || *number < 0)
+    statement.fail(word, name + " " + in_quotes(word.text), "an integer from 0");
+  return *number;
+}
+
+std::string loaded_name(const MachineState& state) {
+  const auto loaded = state.tools.loaded();
+  return loaded ? "tool " + std::to_string(*loaded) : "the tool in the spindle";
+}
+
+void use_stated(const Statement& statement, MachineState& state, double offset_mm,
+                Assumptions& assumed) {
+  if (state.tools.is_full() && !state.tools.true_length())
+    statement.fail(*statement.g_word(GGroup::length_offset), "more than 1000 tools",
+                   "LinuxCNC's limit");
+  bool taken = false;
+  state.keeping_tip([&] { taken = state.tools.use_offset(offset_mm); });
+  if (taken)
+    assumed.add(statement.line(), loaded_name(state) + " is taken to be as long as its offset, " +
+                                      shortest(offset_mm) + " mm");
+}
+
+void use_own(const Statement& statement, MachineState& state, Assumptions& assumed) {
+  state.keeping_tip([&] { state.tools.use_own_length(); });
+  assumed.add(statement.line(), "the length offset is taken to be the length of " +
+                                    loaded_name(state) + ", which nothing states");
+}
+
+/// G43 of tool `number`'s entry.
+void use_entry(const Statement& statement, const Word& blamed, int number, MachineState& state,
+               Assumptions& assumed) {
+  const std::optional<double> entry_mm = number == 0 ? 0.0 : state.tools.offset_of(number);
+  const bool own = state.tools.loaded() == number;
+  if (!own && (!entry_mm || !state.tools.true_length()))
+    statement.fail(blamed,
+                   "the length offset of tool " + std::to_string(number) + " while " +
+                       loaded_name(state) + " is in the spindle, their lengths not stated",
+                   "H" + (state.tools.loaded() ? std::to_string(*state.tools.loaded()) : "") +
+                       ", or " + kLengths);
+  // A habit of some shops and a fault in others: carried out as it stands, and told.
+  if (!own && number != 0)
+    assumed.add(statement.line(), "the length offset of tool " + std::to_string(number) +
+                                      " is used while " + loaded_name(state) +
+                                      " is in the spindle");
+  if (entry_mm) return use_stated(statement, state, *entry_mm, assumed);
+  use_own(statement, state, assumed);
+}
+
+void use_offset(const Statement& statement, MachineState& state, Assumptions& assumed) {
+  const Word* const h = statement.word('H');
+  const int number = h ? tool_number(statement, *h, "length offset") : 0;
+  // LinuxCNC's H0 is the tool in the spindle.
+  if (number != 0) {
+    if (!state.tools.loaded()) {
+      assumed.add(statement.line(),
+                  "the tool in the spindle is taken to be tool " + std::to_string(number));
+      state.keeping_tip([&] { state.tools.load(number); });
+    }
+    return use_entry(statement, *h, number, state, assumed);
+  }
+  if (!state.tools.loaded()) return use_own(statement, state, assumed);
+  use_entry(statement, *statement.g_word(GGroup::length_offset), *state.tools.loaded(), state,
+            assumed);
+}
+
+/// G43.1: the offset stands in the block.
+void use_dynamic(const Statement& statement, MachineState& state, Assumptions& assumed) {
+  const Word& code = *statement.g_word(GGroup::length_offset);
+  for (const char axis : {'X', 'Y'}) {
+    if (const Word* word = statement.word(axis); word && word->value != 0)
+      statement.fail(*word, "a tool offset along " + std::string(1, axis) + " is not carried out",
+                     "0, or Z only");
+  }
+  if (!statement.has_axes()) statement.fail(code, "G43.1 without an offset", "Z");
+  if (const Word* z = statement.word('Z'))
+    use_stated(statement, state, length_of(statement, *z, state), assumed);
+}
+
+/// G43.2: LinuxCNC 2.9 adds the entry that H names.
+void add_entry(const Statement& statement, MachineState& state) {
+  const Word* const h = statement.word('H');
+  if (!h)
+    statement.fail(*statement.g_word(GGroup::length_offset), "G43.2 without the entry to add", "H");
+  const int number = tool_number(statement, *h, "length offset");
+  const auto entry_mm = number == 0 ? 0.0 : state.tools.offset_of(number);
+  if (!entry_mm)
+    statement.fail(*h, "the length offset of tool " + std::to_string(number) + " is not stated",
+                   kLengths);
+  state.keeping_tip([&] { state.tools.add_offset(*entry_mm); });
+}
+
+}  // namespace
+
+void select_tool(const Statement& statement, MachineState& state) {
+  if (const Word* t = statement.word('T'))
+    state.selected_tool = tool_number(statement, *t, "tool number");
+}
+
+void change_tool(const Statement& statement, MachineState& state, Program& program) {
+  const auto code = statement.m(MGroup::tool_change);
+  if (!code) return;
+  const Word& word = *statement.m_word(MGroup::tool_change);
+  forbid_compensation(statement, word, state);
+  std::optional<int> tool = state.selected_tool;
+  if (*code == 61) {
+    const Word* const q = statement.word('Q');
+    if (!q) statement.fail(word, "M61 without a tool", "Q with its number");
+    tool = tool_number(statement, *q, "tool number");
+  } else if (!tool) {
+    statement.fail(word, "a tool change without a tool", "T before M6");
+  }
+  if (program.tool_changes.size() >= kMostChanges)
+    statement.fail(word, "more than a million tool changes", "fewer");
+  if (state.tools.loaded() != tool)
+    program.tool_changes.push_back({statement.line(), program.motions.size(), *tool});
+  if (state.keeps_tip_at_change()) return state.keeping_tip([&] { state.tools.load(*tool); });
+  state.tools.load(*tool);
+  state.refresh();
+}
+
+void set_length_offset(const Statement& statement, MachineState& state, Assumptions& assumed) {
+  const auto code = statement.g(GGroup::length_offset);
+  if (!code) return;
+  forbid_compensation(statement, *statement.g_word(GGroup::length_offset), state);
+  state.modal.length_offset = *code;
+  if (*code == 490) return state.keeping_tip([&] { state.tools.clear_offset(); });
+  if (*code == 430) return use_offset(statement, state, assumed);
+  if (*code == 431) return use_dynamic(statement, state, assumed);
+  add_entry(statement, state);
+}
+
+bool restore_length_offset(MachineState& state, int code) {
+  const bool on = code != 490;
+  if (on == (state.modal.length_offset != 490)) return true;
+  if (on && code != 430) return false;
+  state.modal.length_offset = code;
+  const auto loaded = state.tools.loaded();
+  const auto entry_mm = loaded ? state.tools.offset_of(*loaded) : std::nullopt;
+  state.keeping_tip([&] {
+    if (!on) {
+      state.tools.clear_offset();
+    } else if (entry_mm) {
+      state.tools.use_offset(*entry_mm);
+    } else {
+      state.tools.use_own_length();
+    }
+  });
+  return true;
+}
+
+void check_tip(const Statement& statement, const MachineState& state) {
+  if (!state.tools.is_uncertain()) return;
+  statement.fail(statement.blamed(),
+                 "a feed motion under a length offset that is not that of " + loaded_name(state) +
+                     ", whose length nothing states",
+                 std::string("G43 for this tool, or ") + kLengths);
+}
+
+}  // namespace limitgauge::model::gcode

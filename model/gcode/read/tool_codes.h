@@ -1,0 +1,23 @@
+#pragma once
+
+#include "model/gcode/machine/machine_state.h"
+#include "model/gcode/program.h"
+#include "model/gcode/read/assumptions.h"
+#include "model/gcode/text/statement.h"
+
+namespace limitgauge::model::gcode {
+
+/// T: the tool that the next M6 brings.
+void select_tool(const Statement& statement, MachineState& state);
+/// M6 and M61: the tool's tip comes where the spindle is.
+void change_tool(const Statement& statement, MachineState& state, Program& program);
+/// G43, G43.1, G43.2, G49. H0 means the tool in the spindle, as in LinuxCNC.
+void set_length_offset(const Statement& statement, MachineState& state, Assumptions& assumed);
+/// Takes up a length offset that was saved, as LinuxCNC does: by G49, or by G43 for the tool that
+/// is in the spindle now. False where it was one of G43.1 or G43.2, whose value is not saved.
+bool restore_length_offset(MachineState& state, int code);
+/// A feed motion needs to know where the tip is: throws InputError where the length offset in use
+/// is not that of the tool in the spindle and their lengths are not stated.
+void check_tip(const Statement& statement, const MachineState& state);
+
+}  // namespace limitgauge::model::gcode

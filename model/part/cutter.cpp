@@ -1,0 +1,147 @@
+#include "model/part/cutter.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "model/base/angle.h"
+#include "model/base/coordinate_limit.h"
+#include "model/part/cutter_figures.h"
+
+namespace limitgauge::model {
+namespace {
+
+void require_positive(double value, const char* figure) {
+  if (!std::isfinite(value) || value <= 0)
+    throw std::invalid_argument(std::string(figure) + " must be greater than 0");
+  if (!is_near(value))
+    throw std::invalid_argument(std::string(figure) + " is " + shortest(value) +
+                                " mm; lengths may be " + kFarthestExpected);
+}
+
+void require_parts(const std::vector<CylinderPart>& parts, const std::string& what) {
+  for (const CylinderPart& part : parts) {
+    require_positive(part.diameter_mm, (what + " diameter").c_str());
+    require_positive(part.length_mm, (what + " length").c_str());
+  }
+}
+
+/// What is this little beyond the axis is taken to be on it: rounding of given figures.
+constexpr double kRoundingMm = 1e-9;
+
+bool has_tip_angle(CutterType type) {
+  return type == CutterType::drill || type == CutterType::apt;
+}
+
+/// Height above the tip at which the rounded bottom edge ends and the side begins.
+double side_begins_mm(const SevenFigures& c) {
+  return c.centre_height - c.corner_radius * std::sin(radians(c.upper_angle));
+}
+
+double top_radius_mm(const SevenFigures& c) {
+  const double angle = radians(c.upper_angle);
+  return c.centre_radius + c.corner_radius * std::cos(angle) +
+         (c.height - side_begins_mm(c)) * std::tan(angle);
+}
+
+void require_corner_radius(const Cutter& cutter) {
+  const double r_mm = cutter.corner_radius_mm;
+  if (!std::isfinite(r_mm) || r_mm < 0)
+    throw std::invalid_argument("corner radius must not be negative");
+  if (cutter.type != CutterType::apt && r_mm > cutter.radius_mm())
+    throw std::invalid_argument("corner radius must not exceed half the diameter");
+  if (cutter.type == CutterType::flat && r_mm != 0)
+    throw std::invalid_argument("corner radius of a flat cutter must be 0");
+  if (cutter.type == CutterType::drill && r_mm != 0)
+    throw std::invalid_argument("corner radius of a drill must be 0");
+  if (cutter.type == CutterType::ball && r_mm != cutter.radius_mm())
+    throw std::invalid_argument("corner radius of a ball cutter must be half its diameter");
+  if (cutter.type == CutterType::bull && r_mm == 0)
+    throw std::invalid_argument("corner radius of a bull cutter must be greater than 0");
+}
+
+void require_tip_angle(const Cutter& cutter) {
+  const double angle_deg = cutter.tip_angle_deg;
+  if (cutter.type == CutterType::drill && !(angle_deg > 0 && angle_deg < 90))
+    throw std::invalid_argument("point angle must lie between 0 and 180 degrees");
+  if (cutter.type == CutterType::apt && !(angle_deg >= 0 && angle_deg < 90))
+    throw std::invalid_argument("tip angle must be at least 0 and less than 90 degrees");
+  if (!has_tip_angle(cutter.type) && angle_deg != 0)
+    throw std::invalid_argument("tip angle of a cutter that is neither drill nor apt must be 0");
+}
+
+void require_side_angle(const Cutter& cutter) {
+  const double angle_deg = cutter.taper_angle_deg;
+  if (cutter.type == CutterType::taper && !(angle_deg > 0 && angle_deg < 90))
+    throw std::invalid_argument("taper angle must lie between 0 and 90 degrees");
+  if (cutter.type == CutterType::apt && !(angle_deg > -90 && angle_deg < 90))
+    throw std::invalid_argument("side angle must lie between -90 and 90 degrees");
+  if (cutter.type != CutterType::taper && cutter.type != CutterType::apt && angle_deg != 0)
+    throw std::invalid_argument("taper angle of a cutter that is no taper must be 0");
+  if (!(cutter.tip_angle_deg + angle_deg < 90))
+    throw std::invalid_argument(
+        "side angle and tip angle must make less than 90 degrees: bottom and side do not meet in a "
+        "convex body");
+}
+
+/// Bottom, corner and side one after the other from the tip up, each where it ends before the next.
+void require_outline(const Cutter& cutter) {
+  const SevenFigures c = seven_figures(cutter);
+  if (!std::isfinite(c.centre_radius) || !std::isfinite(c.centre_height))
+    throw std::invalid_argument("side angle and tip angle make no figures that can be worked with");
+  const double reach_mm = c.centre_radius + c.corner_radius * std::sin(radians(c.lower_angle));
+  if (reach_mm < -kRoundingMm)
+    throw std::invalid_argument("corner radius does not fit between the axis and the side");
+  require_positive(cutter.flute_length_mm, "flute length");
+  const bool pointed = cutter.type == CutterType::drill;
+  if (cutter.flute_length_mm < side_begins_mm(c))
+    throw std::invalid_argument(pointed
+                                    ? "flute length must reach to the end of the point"
+                                    : "flute length must reach to the end of the corner radius");
+  if (!(top_radius_mm(c) >= -kRoundingMm))
+    throw std::invalid_argument("side angle closes the side below the end of the flutes");
+}
+
+void require_descent(const Cutter& cutter) {
+  if (!(cutter.steepest_descent_deg >= 0 && cutter.steepest_descent_deg <= 90))
+    throw std::invalid_argument("steepest descent must lie between 0 and 90 degrees");
+}
+
+}  // namespace
+
+double largest_radius_mm(const Cutter& cutter) {
+  const SevenFigures c = seven_figures(cutter);
+  if (c.upper_angle > 0) return top_radius_mm(c);
+  // An upright side, or one that leans inwards: the corner reaches furthest.
+  return cutter.type == CutterType::apt ? c.centre_radius + c.corner_radius : cutter.radius_mm();
+}
+
+void require_valid(const Cutter& cutter) {
+  require_positive(cutter.diameter_mm, "diameter");
+  require_tip_angle(cutter);
+  require_side_angle(cutter);
+  require_corner_radius(cutter);
+  require_outline(cutter);
+  require_descent(cutter);
+  require_parts(cutter.shank, "shank");
+  require_parts(cutter.holder, "holder");
+}
+
+const char* name(CutterType type) {
+  switch (type) {
+    case CutterType::flat:
+      return "flat";
+    case CutterType::ball:
+      return "ball";
+    case CutterType::bull:
+      return "bull";
+    case CutterType::taper:
+      return "taper";
+    case CutterType::drill:
+      return "drill";
+    case CutterType::apt:
+      break;
+  }
+  return "apt";
+}
+
+}  // namespace limitgauge::model

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/geometry/vec3.h"
+
+namespace limitgauge::model {
+
+/// Where a work coordinate system lies on the machine: its origin in machine coordinates, turned
+/// about Z, counter-clockwise seen from above.
+struct WorkOffset {
+  Vec3 origin_mm;
+  double rotation_deg = 0;
+};
+
+/// One line of the machine's tool table. Tool numbers and offset numbers (H, D) share it: H2 asks
+/// for the length of entry 2, D2 for its diameter.
+struct ToolEntry {
+  int number = 0;
+  std::optional<double> length_mm;    ///< from the spindle's gauge line to the tip
+  std::optional<double> diameter_mm;  ///< for cutter compensation
+};
+
+inline constexpr std::size_t kWorkOffsets = 9;  ///< G54 to G59, G59.1 to G59.3
+
+/// What a program takes from the machine that it runs on. What is empty here and asked for by the
+/// program is an error of the reader that names it, except as `assume_fresh_machine` says.
+struct MachineSetup {
+  std::array<std::optional<WorkOffset>, kWorkOffsets> work_offsets;
+  std::optional<Vec3> home_mm, second_home_mm;  ///< G28 and G30, machine coordinates
+  std::vector<ToolEntry> tools;
+  /// What every T loads, whatever its number; only where `tools` is empty.
+  std::optional<ToolEntry> only_tool;
+  /// The tool in the spindle before the first tool change; empty: none, or the only one in `tools`.
+  std::optional<int> loaded_tool;
+  /// Where the tip stands before the first line, in the frame of G54. Every axis is known then, as
+  /// it is to a control. Empty: at the programmed zero.
+  std::optional<Vec3> start_mm;
+  /// Nobody stated `start_mm`: it is where the tip is taken to stand, and an axis stays unknown
+  /// until the program names it.
+  bool start_is_assumed = false;
+  /// As LinuxCNC with an empty parameter file: offsets and reference points not stated lie at the
+  /// machine's zero. Each that the program uses is listed in Program::assumed.
+  bool assume_fresh_machine = false;
+};
+
+/// Where the tip stands before the first line of a job's programs, in the frame of their G54.
+struct ProgramStart {
+  Vec3 at_mm;
+  bool assumed = false;  ///< nobody stated it
+};
+
+/// `G54` to `G59.3` for index 0 to 8.
+std::string work_offset_name(std::size_t index);
+
+/// LinuxCNC's tool table text: a line a tool, `T` number, `Z` length, `D` diameter, other words
+/// (`P` pocket and the rest) read and dropped, `;` begins a remark. Lengths in mm, or inches where
+/// `inch`. Throws InputError with line and column.
+std::vector<ToolEntry> parse_tool_table(const std::string& text, const std::string& name,
+                                        bool inch = false);
+
+}  // namespace limitgauge::model

@@ -1,0 +1,106 @@
+#include "model/part/stock.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "model/base/coordinate_limit.h"
+#include "model/base/spec_text.h"
+#include "model/base/words.h"
+#include "model/mesh/mesh_defect.h"
+
+namespace limitgauge::model {
+namespace {
+
+void require_finite(const Vec3& point, const char* what) {
+  if (!is_finite(point)) throw std::invalid_argument(std::string(what) + " must be finite");
+}
+
+void require_positive(double size_mm, const char* what) {
+  if (!std::isfinite(size_mm) || size_mm <= 0)
+    throw std::invalid_argument(std::string(what) + " must be greater than 0");
+}
+
+struct Checker {
+  void operator()(const BoxStock& box) const {
+    require_finite(box.corner_mm, "stock corner");
+    for (const int axis : {0, 1, 2}) require_positive(box.size_mm[axis], "stock size");
+  }
+  void operator()(const CylinderStock& bar) const {
+    require_finite(bar.base_mm, "stock base");
+    require_positive(bar.diameter_mm, "stock diameter");
+    require_positive(bar.height_mm, "stock height");
+  }
+  void operator()(const MeshStock& stock) const {
+    if (stock.mesh == nullptr) throw std::invalid_argument("stock without its mesh");
+    if (const auto defect = find_defect(*stock.mesh))
+      throw std::invalid_argument("stock mesh: " + defect->wrong);
+    if (!std::isfinite(stock.voxel_mm) || stock.voxel_mm < 0)
+      throw std::invalid_argument("the voxel of the stock must not be negative");
+  }
+};
+
+struct Bounds {
+  Box3 operator()(const BoxStock& box) const {
+    return {box.corner_mm, box.corner_mm + box.size_mm};
+  }
+  Box3 operator()(const CylinderStock& bar) const {
+    const double r_mm = bar.diameter_mm / 2;
+    return {bar.base_mm - Vec3{r_mm, r_mm, 0}, bar.base_mm + Vec3{r_mm, r_mm, bar.height_mm}};
+  }
+  Box3 operator()(const MeshStock& stock) const { return bounding_box(*stock.mesh); }
+};
+
+void read_shape(SpecText& spec) {
+  const std::string shape(spec.take_until(":"));
+  if (shape != "box") spec.fail_at(0, "unknown stock " + in_quotes(shape), "'box:LX,LY,LZ@X,Y,Z'");
+  if (!spec.take(':')) spec.fail_at(spec.position(), "the box has no size", "':LX,LY,LZ@X,Y,Z'");
+}
+
+void expect(SpecText& spec, char c, const char* wrong) {
+  if (!spec.take(c)) spec.fail_at(spec.position(), wrong, std::string("'") + c + "'");
+}
+
+Vec3 read_size(SpecText& spec) {
+  Vec3 size_mm;
+  size_mm.x = spec.positive(",@", "size in X");
+  expect(spec, ',', "the box has no size in Y");
+  size_mm.y = spec.positive(",@", "size in Y");
+  expect(spec, ',', "the box has no size in Z");
+  size_mm.z = spec.positive(",@", "size in Z");
+  return size_mm;
+}
+
+Vec3 read_corner(SpecText& spec) {
+  Vec3 corner_mm;
+  corner_mm.x = spec.number(",", "corner X");
+  expect(spec, ',', "the corner has no Y");
+  corner_mm.y = spec.number(",", "corner Y");
+  expect(spec, ',', "the corner has no Z");
+  corner_mm.z = spec.number("", "corner Z");
+  return corner_mm;
+}
+
+}  // namespace
+
+Box3 bounding_box(const Stock& stock) {
+  return std::visit(Bounds{}, stock);
+}
+
+void require_valid(const Stock& stock) {
+  std::visit(Checker{}, stock);
+  if (const Box3 box = bounding_box(stock); !is_near(box))
+    throw std::invalid_argument("the stock reaches to " + farthest_words(box) + "; expected " +
+                                kFarthestExpected);
+}
+
+Stock parse_stock(std::string_view text) {
+  SpecText spec(text, "stock");
+  read_shape(spec);
+  BoxStock box;
+  box.size_mm = read_size(spec);
+  expect(spec, '@', "the box has no lower corner");
+  box.corner_mm = read_corner(spec);
+  return box;
+}
+
+}  // namespace limitgauge::model

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "model/geometry/vec3.h"
+#include "model/mesh/triangle_mesh.h"
+
+namespace limitgauge::model {
+
+/// Raw stock: an axis-aligned block.
+struct BoxStock {
+  Vec3 corner_mm;  ///< lower corner
+  Vec3 size_mm;
+};
+/// Raw stock: an upright round bar, axis along +Z.
+struct CylinderStock {
+  Vec3 base_mm;  ///< centre of the lower face
+  double diameter_mm = 0;
+  double height_mm = 0;
+};
+
+/// Raw stock: the solid that a closed triangle mesh bounds, in the job's frame. Never null in a
+/// valid stock.
+struct MeshStock {
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::string file;     ///< as the job states it
+  double voxel_mm = 0;  ///< 0: `file` is a mesh; else the voxel of the `.vdb` it was taken from
+};
+
+using Stock = std::variant<BoxStock, CylinderStock, MeshStock>;
+
+/// Of a mesh, one look at every triangle: keep it where it is asked for often.
+Box3 bounding_box(const Stock& stock);
+/// Throws std::invalid_argument for a zero, negative or non-finite size and for a mesh that bounds
+/// no solid (mesh_defect.h).
+void require_valid(const Stock& stock);
+/// `box:LX,LY,LZ@X,Y,Z`: size @ lower corner. Throws InputError with the column in `text`.
+Stock parse_stock(std::string_view text);
+
+}  // namespace limitgauge::model

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/geometry/vec3.h"
+
+namespace limitgauge::model {
+
+enum class MoveKind : std::uint8_t { rapid, feed };
+
+/// A straight move of the tool tip (CL point) to `to`. A rapid is taken to be straight too; every
+/// report says so, since a machine's own rapid need not be. Paths have millions of moves: the kind
+/// and the spindle share their word with the line, which keeps a move within half a cache line.
+struct Move {
+  Vec3 to;                      ///< mm, part frame
+  float feed_mm_min = 0;        ///< of a feed move; 0 where the program states none
+  std::uint32_t line : 30 = 0;  ///< program line, from 1; 0 where there is no program
+  MoveKind kind : 1 = MoveKind::rapid;
+  bool spindle_stopped : 1 = false;  ///< the program is known to have the spindle at rest
+
+  Move() = default;
+  /// Lines are counted to 2^30 - 1 and then from 0 again.
+  Move(const Vec3& target, float feed, std::uint32_t program_line, MoveKind move_kind)
+      : to(target), feed_mm_min(feed), line(program_line & kLineMask), kind(move_kind) {}
+  void set_line(std::uint32_t program_line) { line = program_line & kLineMask; }
+
+ private:
+  static constexpr std::uint32_t kLineMask = (std::uint32_t{1} << 30) - 1;
+};
+static_assert(sizeof(Move) == 32);
+
+/// What one cutter does in one stage: straight moves from `start`.
+struct Toolpath {
+  Vec3 start;  ///< where the tip is before the first move
+  std::vector<Move> moves;
+  double chord_error_mm = 0;  ///< largest distance between a programmed arc and its chords
+};
+
+/// Where move `i` of `path` begins.
+inline const Vec3& move_from(const Toolpath& path, std::size_t i) {
+  return i == 0 ? path.start : path.moves[i - 1].to;
+}
+
+struct ToolpathLengths {
+  double cut_mm = 0, rapid_mm = 0;
+  double time_s = 0;  ///< at the programmed feeds and the given rapid rate, no acceleration
+};
+ToolpathLengths lengths(const Toolpath& path, double rapid_mm_min);
+
+}  // namespace limitgauge::model

@@ -1,0 +1,128 @@
+#include "reports/html/job/engine_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/html/markup.h"
+#include "reports/html/stage/stage_section.h"
+#include "reports/text/text.h"
+
+namespace limitgauge::reports::html {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+const std::string kNothing = "–";
+
+std::string span_text(int low, int high) {
+  return low == high ? std::to_string(low) : fmt::format("{} to {}", low, high);
+}
+
+std::string span_text(const std::optional<std::pair<int, int>>& span) {
+  return span ? span_text(span->first, span->second) : kNothing;
+}
+
+std::string count_text(const std::optional<int>& count) {
+  return count ? grouped(static_cast<std::uint64_t>(std::max(*count, 0))) : kNothing;
+}
+
+std::string seconds_text(const std::optional<double>& seconds) {
+  return seconds ? duration_text(*seconds) : kNothing;
+}
+
+/// Published in units of a million bytes, as this page's own figures are.
+std::string megabytes_text(const std::optional<double>& mb) {
+  constexpr double kMegabyte = 1e6;
+  return mb ? bytes_text(static_cast<std::size_t>(*mb * kMegabyte)) : kNothing;
+}
+
+std::string model_table(const RunResult& result) {
+  const SurfaceResult& s = result.surface;
+  std::vector<Cells> rows = {{"this run", grouped(std::uint64_t(s.summary.patches)),
+                              span_text(s.depth_min, s.depth_max),
+                              span_text(s.sampling_interval_min, s.sampling_interval_max),
+                              duration_text(s.seconds), bytes_text(s.memory_bytes)}};
+  if (s.cell_bytes_counted > 0)
+    rows.push_back({"its CELL control points in single precision, as the paper counts them", "", "",
+                    "", "", bytes_text(s.cell_bytes_counted)});
+  if (const auto& p = result.published)
+    rows.push_back({"published", count_text(p->patches), span_text(p->depth),
+                    span_text(p->sampling_interval), seconds_text(p->seconds),
+                    megabytes_text(p->memory_mb)});
+  return table("Model of the surface",
+               {{""},
+                {"Patches", true},
+                {"Subdivision depth", true},
+                {"Sampling interval", true},
+                {"Time", true},
+                {"Memory", true}},
+               rows);
+}
+
+Cells path_row(const StageResult& stage, const StageResult::Ran& r) {
+  return {escape_markup(stage.name),
+          path_source(stage),
+          stage.step_mm > 0 ? stated_length(stage.step_mm) : kNothing,
+          grouped(std::uint64_t(std::max(r.planes, 0))),
+          span_text(r.sampling_interval_min, r.sampling_interval_max),
+          grouped(r.path ? r.path->moves.size() : 0),
+          duration_text(r.machining_time_s),
+          duration_text(r.plan_seconds),
+          bytes_text(r.path_memory_bytes)};
+}
+
+Cells published_row(const PublishedFigures::Stage& stage) {
+  return {escape_markup(stage.name) + "<small>published</small>",
+          kNothing,
+          kNothing,
+          count_text(stage.planes),
+          kNothing,
+          kNothing,
+          kNothing,
+          seconds_text(stage.seconds),
+          megabytes_text(stage.memory_mb)};
+}
+
+std::string path_table(const RunResult& result) {
+  std::vector<Cells> rows;
+  for (const StageResult& stage : result.stages) {
+    if (!stage.ran) continue;
+    rows.push_back(path_row(stage, *stage.ran));
+    if (!result.published) continue;
+    for (const PublishedFigures::Stage& published : result.published->stages)
+      if (published.name == stage.name) rows.push_back(published_row(published));
+  }
+  return table("Toolpaths",
+               {{"Stage"},
+                {"Path"},
+                {"Path interval", true},
+                {"Planes", true},
+                {"Sampling interval", true},
+                {"Moves", true},
+                {"Machining time", true},
+                {"Planned in", true},
+                {"Memory", true}},
+               rows);
+}
+
+}  // namespace
+
+bool has_engine_section(const RunResult& result) {
+  return std::any_of(result.stages.begin(), result.stages.end(),
+                     [](const StageResult& s) { return s.ran.has_value(); });
+}
+
+std::string engine_section(const RunResult& result) {
+  const bool planned = std::any_of(result.stages.begin(), result.stages.end(),
+                                   [](const StageResult& s) { return s.ran && s.program.empty(); });
+  if (!has_engine_section(result)) return {};
+  const std::string paths = path_table(result);
+  std::string source;
+  if (result.published)
+    source = "<p class=\"note\">Published: " + escape_markup(result.published->source) + "</p>\n";
+  return "<section id=\"toolpaths\"><h2>Toolpaths</h2>\n" +
+         (planned ? model_table(result) : std::string()) + paths + source + "</section>\n";
+}
+
+}  // namespace limitgauge::reports::html

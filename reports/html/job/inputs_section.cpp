@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "reports/html/job/job_section.h"
+#include "reports/html/markup.h"
+#include "reports/text/text.h"
+
+namespace limitgauge::reports::html {
+namespace {
+
+std::string mesh_stock_text(const model::MeshStock& stock) {
+  const model::Vec3 s = bounding_box(*stock.mesh).size();
+  const std::string source =
+      stock.voxel_mm > 0 ? fmt::format(", zero set at a voxel of {} mm", shortest(stock.voxel_mm))
+                         : std::string();
+  return fmt::format("{}: mesh of {} triangles{}, {} × {} × {} mm", escape_markup(stock.file),
+                     grouped(std::uint64_t(stock.mesh->triangles.size())), source, fixed(s.x, 3),
+                     fixed(s.y, 3), fixed(s.z, 3));
+}
+
+std::string origin_text(const model::Vec3& origin_mm, double turn_deg) {
+  std::string out = coordinates(origin_mm) + " mm";
+  if (turn_deg != 0) out += ", turned by " + typeset(shortest(turn_deg)) + "°";
+  return out;
+}
+
+/// What programs of somebody else were told of the machine.
+void add_machine(const RunResult& result, std::vector<Term>& list) {
+  const model::MachineSetup& machine = result.machine;
+  list.push_back({"Programs' frame in the cage's", origin_text(result.program_frame.translate_mm,
+                                                               result.program_frame.rotate_z_deg)});
+  for (std::size_t i = 0; i < machine.work_offsets.size(); ++i)
+    if (const auto& offset = machine.work_offsets[i])
+      list.push_back({std::string("Work offset ") + model::work_offset_name(i),
+                      origin_text(offset->origin_mm, offset->rotation_deg)});
+  if (const auto& start = result.program_start)
+    list.push_back(
+        {"Programs start at", origin_text(start->at_mm, 0) + (start->assumed ? " (assumed)" : "")});
+  if (machine.home_mm) list.push_back({"Home (G28)", origin_text(*machine.home_mm, 0)});
+  if (machine.second_home_mm)
+    list.push_back({"Second home (G30)", origin_text(*machine.second_home_mm, 0)});
+}
+
+std::string machine_tools(const std::vector<model::ToolEntry>& tools) {
+  if (tools.empty()) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (const model::ToolEntry& tool : tools)
+    rows.push_back({"T" + std::to_string(tool.number),
+                    tool.length_mm ? shortest(*tool.length_mm) + " mm" : "–",
+                    tool.diameter_mm ? shortest(*tool.diameter_mm) + " mm" : "–"});
+  return table("The machine's tool table, as programs were read with it",
+               {{"Number"}, {"Length", true}, {"Diameter", true}}, rows);
+}
+
+std::string files_table(const std::vector<InputFile>& inputs) {
+  if (inputs.empty()) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (const InputFile& input : inputs)
+    rows.push_back({escape_markup(input.role), escape_markup(input.file), grouped(input.bytes),
+                    "<code class=\"sum\">" + escape_markup(input.sha256) + "</code>"});
+  return table("Files that were read, named as the job or the command line states them",
+               {{"What"}, {"File"}, {"Bytes", true}, {"SHA-256"}}, rows);
+}
+
+}  // namespace
+
+std::string stock_text(const model::Stock& stock) {
+  if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) return mesh_stock_text(*mesh);
+  if (const auto* box = std::get_if<model::BoxStock>(&stock)) {
+    const model::Vec3& s = box->size_mm;
+    return fmt::format("block {} × {} × {} mm", shortest(s.x), shortest(s.y), shortest(s.z));
+  }
+  const auto& bar = std::get<model::CylinderStock>(stock);
+  return fmt::format("bar ⌀{} × {} mm", shortest(bar.diameter_mm), shortest(bar.height_mm));
+}
+
+std::string inputs_section(const RunResult& result) {
+  std::vector<Term> list = {{"Job", escape_markup(result.job)},
+                            {"Run on", escape_markup(result.created)},
+                            {"Program version", "limitgauge " + escape_markup(result.version)},
+                            {"Threads", std::to_string(result.threads)},
+                            {"Stock", stock_text(result.raw_stock)}};
+  add_machine(result, list);
+  return "<section id=\"inputs\"><h2>Job and inputs</h2>\n" + terms(list) +
+         machine_tools(result.machine.tools) + files_table(result.inputs) + "</section>\n";
+}
+
+}  // namespace limitgauge::reports::html

@@ -1,0 +1,106 @@
+#include "reports/html/stage/stage_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/html/anchors.h"
+#include "reports/html/charts.h"
+#include "reports/html/markup.h"
+#include "reports/html/page_picture.h"
+#include "reports/html/stage/error_map.h"
+#include "reports/html/stage/figures_part.h"
+#include "reports/html/stage/findings_part.h"
+#include "reports/html/stage/gate_part.h"
+#include "reports/html/stage/patch_table.h"
+#include "reports/html/stage/process_part.h"
+#include "reports/html/stage/program_part.h"
+#include "reports/text/text.h"
+
+namespace limitgauge::reports::html {
+namespace {
+
+constexpr std::size_t kLongestList = 20;
+
+std::string ignored_words(const std::vector<std::string>& words) {
+  if (words.empty()) return {};
+  std::string list;
+  for (std::size_t i = 0; i < std::min(words.size(), kLongestList); ++i)
+    list += (i ? ", " : "") + escape_markup(words[i]);
+  return fmt::format(
+      "<p class=\"note\">Words that move nothing; of these only tools and the spindle are heeded "
+      "(line: "
+      "word): "
+      "{}{}.</p>\n",
+      list, words.size() > kLongestList ? " …" : "");
+}
+
+std::string stock_figure(const std::optional<StagePictures>& pictures) {
+  if (!pictures || pictures->stock_png.empty()) return {};
+  return fmt::format(
+      "<figure class=\"stock\"><figcaption>The stock after this stage, as simulated."
+      "</figcaption><img src=\"{}\" alt=\"Shaded view of the cut stock\"/></figure>\n",
+      png_uri(palette_png(read_png(pictures->stock_png))));
+}
+
+std::string plates(const StageResult& stage, std::size_t index) {
+  std::string out = "<div class=\"plates\">";
+  if (stage.pictures) out += error_map(stage);
+  out += stock_figure(stage.pictures);
+  out += histogram_chart(stage.ran->deviation, stage.limits, index);
+  return out + "</div>\n";
+}
+
+std::string measured_part(const RunResult& result, std::size_t index) {
+  const StageResult& stage = result.stages[index];
+  const StageResult::Ran& ran = *stage.ran;
+  std::string out = gate_part(stage) + plates(stage, index);
+  out += "<h3>Gouges and leftovers</h3>\n" + findings_part(result, index);
+  out += "<h3>Process</h3>\n" + process_table(ran, index) + process_charts(index);
+  out += program_part(result, index);
+  out += "<h3>Patches</h3>\n" + patch_table(result, index);
+  out += figures_part(ran) + ignored_words(ran.ignored_words);
+  return out + "<h3>Uncertainty</h3>\n" + budget_table(ran.deviation.budget);
+}
+
+std::string request_line(const StageResult& stage) {
+  std::vector<std::string> parts = {escape_markup(stage.tool) + ", " + cutter_text(stage.cutter),
+                                    path_source(stage)};
+  if (stage.step_mm > 0) parts.push_back("path interval " + stated_length(stage.step_mm));
+  parts.push_back("allowance " + stated_length(stage.allowance_mm));
+  if (stage.tolerance_mm > 0)
+    parts.push_back("path tolerance " + stated_length(stage.tolerance_mm));
+  std::string out;
+  for (const std::string& part : parts)
+    out += fmt::format("{}<span class=\"part\">{}</span>", out.empty() ? "" : " · ", part);
+  return out;
+}
+
+}  // namespace
+
+std::string path_source(const StageResult& stage) {
+  return stage.program.empty()
+             ? escape_markup(stage.strategy)
+             : "program " + escape_markup(stage.program) +
+                   (stage.program_part.empty() ? "" : ", ") + escape_markup(stage.program_part);
+}
+
+std::string cutter_text(const model::Cutter& cutter) {
+  return fmt::format("{} ⌀{}", model::name(cutter.type), stated_length(cutter.diameter_mm));
+}
+
+std::string stage_section(const RunResult& result, std::size_t index) {
+  const StageResult& stage = result.stages[index];
+  std::string reasons;
+  for (const std::string& reason : stage.decision.reasons)
+    reasons += "<li>" + escape_markup(reason) + "</li>";
+  if (!reasons.empty()) reasons = fmt::format("<ul class=\"reasons\">{}</ul>", reasons);
+  return fmt::format(
+      "<section class=\"stage\" id=\"{}\" data-stage=\"{}\"><h2><span class=\"no\">Stage {}</span> "
+      "{} "
+      "{}</h2>\n<p class=\"request\">{}</p>\n{}\n{}</section>\n",
+      stage_anchor(index), index, index + 1, escape_markup(stage.name), badge(stage.verdict()),
+      request_line(stage), reasons, stage.ran ? measured_part(result, index) : std::string());
+}
+
+}  // namespace limitgauge::reports::html

@@ -1,0 +1,167 @@
+#include "reports/html/stage/worst_places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "reports/html/anchors.h"
+#include "reports/html/markup.h"
+#include "reports/html/stage/process_part.h"
+#include "reports/html/stage/program_part.h"
+#include "reports/run/gate_figures.h"
+#include "reports/run/process.h"
+#include "reports/run/program_lines.h"
+#include "reports/text/text.h"
+
+namespace limitgauge::reports::html {
+namespace {
+
+using Samples = std::vector<verifier::DeviationField::Sample>;
+
+/// Gouge or uncut, with what differs between the two.
+struct Side {
+  const char* title;
+  char letter;
+  std::size_t figure;  ///< index in gate_figures
+  double sign;         ///< of the deviation
+};
+constexpr Side kGouge{"Worst gouge", 'G', 0, -1}, kUncut{"Most material left", 'U', 1, +1};
+
+std::string axes(const model::Vec3& p) {
+  return fmt::format(
+      "<span class=\"part\">X {}</span>, <span class=\"part\">Y {}</span>, "
+      "<span class=\"part\">Z {} mm</span>",
+      typeset(fixed(p.x, 3)), typeset(fixed(p.y, 3)), typeset(fixed(p.z, 3)));
+}
+
+std::string place_text(const verifier::SurfacePlace& place) {
+  return axes(place.point) + fmt::format(" · <span class=\"part\">patch {}, u {}, v {}</span>",
+                                         place.patch, fixed(place.u, 4), fixed(place.v, 4));
+}
+
+/// "412 of rough/toolpath.ngc" and what stands on it.
+std::string line_text(const RunResult& result, std::size_t stage, std::uint32_t line) {
+  if (stage >= result.stages.size()) return {};
+  const StageResult& cut = result.stages[stage];
+  std::string out = fmt::format("<strong>line {}</strong> of {}", line, program_file(cut));
+  if (!cut.ran || !cut.ran->program_text) return out;
+  for (const ProgramLine& text : program_lines(*cut.ran->program_text, {{line}}, 0))
+    out += "<br/><code>" + escape_markup(text.text) + "</code>";
+  return out;
+}
+
+std::string card(const std::string& title, const std::string& measure,
+                 const std::vector<Term>& list) {
+  return fmt::format("<div class=\"worst\"><p class=\"what\">{} <strong>{}</strong></p>{}</div>\n",
+                     title, measure, terms(list));
+}
+
+Term certified(const GateFigure& figure) {
+  return {"Certified", figure.measured + (figure.limit.empty() ? ", not limited"
+                                                               : ", limit " + figure.limit + ": " +
+                                                                     name(figure.standing))};
+}
+
+/// Of the listed finding.
+std::string finding_card(const RunResult& result, std::size_t index, const Side& side,
+                         const GateFigure& figure, const verifier::Finding& f) {
+  std::vector<Term> list = {{"Where", place_text(f.place)}};
+  if (f.line > 0) {
+    list.push_back(
+        {side.letter == 'G' ? "Program" : "Nearest pass", line_text(result, f.stage, f.line)});
+  } else if (f.raw_stock) {
+    list.push_back({"Nearest", "a face of the raw stock"});
+  }
+  list.push_back(certified(figure));
+  const std::string id = side.letter + std::string("1");
+  list.push_back(
+      {"More",
+       finding_link(index, id, id + " of stage " + escape_markup(result.stages[index].name))});
+  return card(side.title, measured_length(f.depth_mm), list);
+}
+
+/// The sample that is worst on one side; where nothing is proven beyond a limit there may be no
+/// finding to name.
+const verifier::DeviationField::Sample* worst_sample(const Samples& samples, const Side& side) {
+  const verifier::DeviationField::Sample* worst = nullptr;
+  for (const verifier::DeviationField::Sample& s : samples) {
+    if (side.sign > 0 && !s.reachable) continue;
+    if (!worst || side.sign * s.deviation_mm > side.sign * worst->deviation_mm) worst = &s;
+  }
+  return worst && side.sign * worst->deviation_mm > 0 ? worst : nullptr;
+}
+
+std::string sample_card(const RunResult& result, std::size_t index, const Side& side,
+                        const GateFigure& figure) {
+  const auto* s = worst_sample(result.stages[index].ran->deviation.field.samples, side);
+  if (!s) return {};
+  std::vector<Term> list = {{"Where", place_text(s->place)}};
+  if (s->line > 0) list.push_back({"Nearest pass", line_text(result, s->stage, s->line)});
+  list.push_back(certified(figure));
+  return card(std::string(side.title) + ", of the samples",
+              measured_length(side.sign * s->deviation_mm), list);
+}
+
+/// Whether the figure is one that keeps the stage from passing; too small a coverage speaks of what
+/// is not limited by itself.
+bool is_to_blame(const std::vector<GateFigure>& figures, const Side& side) {
+  const Standing standing = figures[side.figure].standing;
+  if (standing == Standing::beyond || standing == Standing::undecided) return true;
+  return standing == Standing::no_limit && figures[2].standing == Standing::beyond;
+}
+
+std::string side_card(const RunResult& result, std::size_t index, const Side& side) {
+  const std::vector<GateFigure> figures = gate_figures(result.stages[index]);
+  if (!is_to_blame(figures, side)) return {};
+  const verifier::StageDeviation& d = result.stages[index].ran->deviation;
+  const std::vector<verifier::Finding>& findings = side.letter == 'G' ? d.gouges : d.uncuts;
+  const GateFigure& figure = figures[side.figure];
+  return findings.empty() ? sample_card(result, index, side, figure)
+                          : finding_card(result, index, side, figure, findings.front());
+}
+
+/// Where the raw stock does not cover the surface, if that keeps the stage from passing.
+std::string stock_card(const RunResult& result, std::size_t index) {
+  const std::vector<verifier::Finding>& findings =
+      result.stages[index].ran->deviation.missing_stock;
+  for (const GateFigure& figure : gate_figures(result.stages[index])) {
+    const bool blamed =
+        figure.standing == Standing::beyond || figure.standing == Standing::undecided;
+    if (figure.name != "missing stock" || !blamed || findings.empty()) continue;
+    return card("Missing raw stock", measured_length(findings.front().depth_mm),
+                {{"Where", place_text(findings.front().place)}, certified(figure)});
+  }
+  return {};
+}
+
+std::string process_card(const RunResult& result, std::size_t index) {
+  const std::vector<simulator::FindingGroup> groups =
+      worst_first(result.stages[index].ran->process);
+  if (groups.empty() || !fails(groups.front().kind)) return {};
+  const simulator::Finding& f = groups.front().worst;
+  std::vector<Term> list = {
+      {"Where", axes(f.point)},
+      {"Bodies", escape_markup(f.part) + " against " + escape_markup(f.against)}};
+  if (f.line > 0) list.push_back({"Program", line_text(result, index, f.line)});
+  list.push_back({"More", finding_link(index, "P1",
+                                       "P1 of stage " + escape_markup(result.stages[index].name))});
+  std::string what = words_for(f.kind);
+  what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
+  return card(what, f.depth_mm > 0 ? process_depth(f) : "", list);
+}
+
+}  // namespace
+
+std::string worst_places(const RunResult& result) {
+  std::string cards;
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    const StageResult& stage = result.stages[i];
+    if (!stage.ran || stage.verdict() == verifier::Verdict::pass) continue;
+    cards += side_card(result, i, kGouge) + side_card(result, i, kUncut) + stock_card(result, i) +
+             process_card(result, i);
+  }
+  return cards.empty() ? cards : "<div class=\"cards\">" + cards + "</div>\n";
+}
+
+}  // namespace limitgauge::reports::html

@@ -1,0 +1,106 @@
+#include "reports/run/finding_list.h"
+
+#include "reports/run/gate_figures.h"
+#include "reports/run/process.h"
+#include "reports/run/program_lines.h"
+
+namespace limitgauge::reports {
+namespace {
+
+/// One side of the gate: gouges, leftovers or missing stock.
+struct Side {
+  const char* kind;
+  char letter;
+  const std::vector<verifier::Finding>& findings;
+  const verifier::Interval& figure_mm;
+  bool has_limit;
+  double limit_mm;
+};
+
+/// The figure's standing decides, so that levels agree with the verdict to the last bit.
+Significance significance_of(const Side& side, std::size_t i) {
+  if (!side.has_limit) return Significance::informs;
+  const double depth_mm = side.findings[i].depth_mm;
+  switch (standing_of(side.figure_mm, side.limit_mm)) {
+    case Standing::beyond:
+      return i == 0 || depth_mm > side.limit_mm ? Significance::fails : Significance::within;
+    case Standing::undecided:
+      return i == 0 || depth_mm + side.figure_mm.width() > side.limit_mm ? Significance::undecided
+                                                                         : Significance::within;
+    default:
+      return Significance::within;
+  }
+}
+
+std::string words_of(const Side& side, const verifier::Finding& f) {
+  if (side.letter == 'M') return "raw stock does not cover the surface";
+  if (side.letter == 'G') return "gouge by the " + f.body;
+  return f.raw_stock ? "raw stock left standing" : "material left standing";
+}
+
+ListedFinding listed(const Side& side, std::size_t i, std::size_t stage) {
+  const verifier::Finding& f = side.findings[i];
+  ListedFinding out;
+  out.id = side.letter + std::to_string(i + 1);
+  out.kind = side.kind;
+  out.significance = significance_of(side, i);
+  out.stage = stage, out.program_stage = f.line > 0 ? f.stage : stage;
+  out.line = f.line, out.move = f.move;
+  out.depth_mm = f.depth_mm, out.area_mm2 = f.area_mm2;
+  out.place = f.place, out.point = f.place.point;
+  out.body = f.body, out.words = words_of(side, f);
+  out.passes = f.passes;
+  out.about = f.extent_mm.empty() ? f.place.point : (f.extent_mm.low + f.extent_mm.high) / 2.0;
+  return out;
+}
+
+std::string words_of(const simulator::FindingGroup& g) {
+  std::string words = words_for(g.kind);
+  if (!g.part.empty()) words += ": " + g.part;
+  if (!g.against.empty()) words += ", " + g.against;
+  if (g.count > 1)
+    words += "; " + std::to_string(g.count) + " moves, lines " + std::to_string(g.first_line) +
+             " to " + std::to_string(g.last_line);
+  return words;
+}
+
+ListedFinding listed(const simulator::FindingGroup& g, std::size_t i, std::size_t stage,
+                     const StageResult::Ran& ran) {
+  ListedFinding out;
+  out.id = "P" + std::to_string(i + 1);
+  out.kind = simulator::name(g.kind);
+  out.significance = fails(g.kind) ? Significance::fails : Significance::informs;
+  out.stage = out.program_stage = stage;
+  out.line = g.worst.line, out.move = g.worst.move;
+  out.depth_mm = g.worst.depth_mm, out.point = g.worst.point;
+  out.body = g.part, out.words = words_of(g);
+  out.process = g;
+  const bool has_move = ran.path && g.first_move < ran.path->moves.size();
+  out.about = has_move ? ran.path->moves[g.first_move].to : g.worst.point;
+  return out;
+}
+
+}  // namespace
+
+std::vector<ListedFinding> list_findings(const RunResult& result, std::size_t index) {
+  std::vector<ListedFinding> out;
+  const StageResult& stage = result.stages[index];
+  if (!stage.ran) return out;
+  const verifier::StageDeviation& d = stage.ran->deviation;
+  const verifier::GateLimits& l = stage.limits;
+  for (const Side& side :
+       {Side{"gouge", 'G', d.gouges, d.gouge_mm, l.has_gouge, l.gouge_mm},
+        Side{"uncut", 'U', d.uncuts, d.uncut_mm, l.has_uncut, l.uncut_mm},
+        Side{"missing_stock", 'M', d.missing_stock, d.missing_stock_mm, l.has_gouge, l.gouge_mm}})
+    for (std::size_t i = 0; i < side.findings.size(); ++i) out.push_back(listed(side, i, index));
+  const std::vector<simulator::FindingGroup> groups = worst_first(stage.ran->process);
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    out.push_back(listed(groups[i], i, index, *stage.ran));
+  return out;
+}
+
+std::string program_file(const StageResult& stage) {
+  return stage.program.empty() ? stage.name + "/toolpath.ngc" : stage.program;
+}
+
+}  // namespace limitgauge::reports

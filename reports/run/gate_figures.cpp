@@ -1,0 +1,159 @@
+#include "reports/run/gate_figures.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "reports/run/process.h"
+#include "reports/text/text.h"
+#include "verifier/gate/verify.h"
+
+namespace limitgauge::reports {
+namespace {
+
+GateFigure length_figure(const char* what, const verifier::Interval& interval, bool has_limit,
+                         double limit_mm) {
+  const LengthUnit unit = unit_for(std::max(interval.high, has_limit ? limit_mm : 0.0));
+  GateFigure figure{
+      what, Standing::no_limit, interval_numbers(interval, unit) + " " + unit.symbol, {}, "≤ "};
+  if (!has_limit) return figure;
+  figure.standing = standing_of(interval, limit_mm);
+  figure.limit = shortest(std::stod(fixed(limit_mm * unit.per_mm, 9))) + " " + unit.symbol;
+  return figure;
+}
+
+GateFigure coverage_figure(double coverage, const verifier::GateLimits& limits) {
+  GateFigure figure{"coverage", Standing::no_limit, percent_text(coverage), {}, "≥ "};
+  if (!limits.has_coverage) return figure;
+  figure.standing = coverage >= limits.coverage ? Standing::within : Standing::beyond;
+  figure.limit = percent_text(limits.coverage);
+  return figure;
+}
+
+std::string area_text(double mm2) {
+  return (mm2 == 0 ? "0" : three_digits(mm2)) + " mm²";
+}
+
+/// Nothing that is there rounds down to none.
+std::string share_text(double share) {
+  return (share == 0 ? "0" : three_digits(100 * share)) + " %";
+}
+
+/// "12.3 mm² (4.10 %)", with "12.3 to 12.9 mm² (4.10 to 4.30 %)" where some is undecided.
+std::string reach_text(const verifier::Interval& area_mm2, double whole_mm2) {
+  if (!(whole_mm2 > 0)) return area_text(area_mm2.high);
+  const std::string most = area_text(area_mm2.high) + " (",
+                    share = share_text(area_mm2.high / whole_mm2) + ")";
+  if (area_mm2.low == area_mm2.high) return most + share;
+  // The lower end of an interval may round down to none.
+  constexpr double kLeast_mm2 = 1e-3;
+  if (area_mm2.low < kLeast_mm2) return "0 to " + most + "0 to " + share;
+  return three_digits(area_mm2.low) + " to " + most + three_digits(100 * area_mm2.low / whole_mm2) +
+         " to " + share;
+}
+
+GateFigure unreachable_figure(const verifier::StageDeviation& d, const verifier::GateLimits& l) {
+  const verifier::Interval area_mm2 = unreachable_area_mm2(d);
+  const double whole_mm2 = whole_area_mm2(d);
+  GateFigure figure{"unreachable", Standing::no_limit, reach_text(area_mm2, whole_mm2), {}, "≤ "};
+  if (l.has_unreachable && whole_mm2 > 0) {
+    const double unit_mm2 = l.unreachable_is_share ? whole_mm2 : 1;
+    figure.standing =
+        standing_of({area_mm2.low / unit_mm2, area_mm2.high / unit_mm2}, l.unreachable);
+    figure.limit = l.unreachable_is_share
+                       ? shortest(std::stod(fixed(100 * l.unreachable, 9))) + " %"
+                       : shortest(l.unreachable) + " mm²";
+  }
+  // Whatever the limit: what no cutter touches at all is no part of the work.
+  if (nothing_in_reach(d)) figure.standing = Standing::beyond;
+  return figure;
+}
+
+/// What concerns reach and stock, see gate_figures().
+void add_reach(const verifier::StageDeviation& d, const verifier::GateLimits& l,
+               std::vector<GateFigure>& out) {
+  out.push_back(unreachable_figure(d, l));
+  if (l.has_unavoidable || unreachable_area_mm2(d).low > 0)
+    out.push_back(length_figure("unavoidable uncut", d.unavoidable_uncut_mm, l.has_unavoidable,
+                                l.unavoidable_mm));
+  if (d.missing_stock_mm.high > 0)
+    out.push_back(length_figure("missing stock", d.missing_stock_mm, l.has_gouge, l.gouge_mm));
+}
+
+GateFigure count_figure(const char* what, std::size_t count) {
+  return {what, count == 0 ? Standing::within : Standing::beyond, grouped(count), "0"};
+}
+
+}  // namespace
+
+Standing standing_of(const verifier::Interval& interval_mm, double limit_mm) {
+  if (interval_mm.high <= limit_mm) return Standing::within;
+  return interval_mm.low > limit_mm ? Standing::beyond : Standing::undecided;
+}
+
+double accuracy_ratio(const verifier::Interval& interval_mm, double limit_mm) {
+  const double width = interval_mm.width();
+  return width > 0 ? limit_mm / width : std::numeric_limits<double>::infinity();
+}
+
+std::vector<GateFigure> gate_figures(const StageResult& stage) {
+  if (!stage.ran) {
+    std::vector<GateFigure> none;
+    for (const char* what : {"gouge", "uncut", "coverage", "unreachable", "rapid collisions",
+                             "holder collisions", "process faults"})
+      none.push_back({what, Standing::not_run, {}, {}});
+    return none;
+  }
+  const verifier::StageDeviation& d = stage.ran->deviation;
+  const verifier::GateLimits& l = stage.limits;
+  const std::span<const simulator::Finding> process = stage.ran->process;
+  const std::size_t rapid = count(process, {simulator::FindingKind::rapid_through_stock});
+  const auto holder = static_cast<std::size_t>(
+      std::count_if(process.begin(), process.end(),
+                    [](const simulator::Finding& f) { return is_holder_collision(f.kind); }));
+  std::vector<GateFigure> out = {length_figure("gouge", d.gouge_mm, l.has_gouge, l.gouge_mm),
+                                 length_figure("uncut", d.uncut_mm, l.has_uncut, l.uncut_mm),
+                                 coverage_figure(d.coverage, l)};
+  add_reach(d, l, out);
+  out.push_back(count_figure("rapid collisions", rapid));
+  out.push_back(count_figure("holder collisions", holder));
+  out.push_back(count_figure("process faults", faults(process) - rapid - holder));
+  return out;
+}
+
+std::vector<std::string> stage_notes(const StageResult& stage) {
+  if (!stage.ran) return {};
+  const verifier::StageDeviation& d = stage.ran->deviation;
+  std::vector<std::string> out;
+  // By samples where no part was proven.
+  verifier::Interval area_mm2 = unreachable_area_mm2(d);
+  if (area_mm2.low <= 0) area_mm2 = {d.unreachable_area_mm2, d.unreachable_area_mm2};
+  if (area_mm2.low > 0)
+    out.push_back("unreachable " + reach_text(area_mm2, whole_area_mm2(d)) +
+                  ", unavoidable uncut up to " + measured_length(d.unavoidable_uncut_mm.high));
+  if (d.missing_stock_mm.low > 0)
+    out.push_back("missing stock " + length_figure("", d.missing_stock_mm, false, 0).measured +
+                  ": so deep the surface lies outside the raw stock");
+  return out;
+}
+
+bool is_note(const std::string& reason) {
+  return reason.starts_with("unreachable: ");
+}
+
+const char* name(Standing standing) {
+  switch (standing) {
+    case Standing::within:
+      return "within";
+    case Standing::beyond:
+      return "beyond";
+    case Standing::undecided:
+      return "undecided";
+    case Standing::no_limit:
+      return "no limit";
+    case Standing::not_run:
+      return "not run";
+  }
+  return "not run";
+}
+
+}  // namespace limitgauge::reports

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/run/run_result.h"
+
+namespace limitgauge::reports {
+
+/// How one figure of a stage stands against its limit.
+enum class Standing {
+  within,     ///< proven inside the limit
+  beyond,     ///< proven outside
+  undecided,  ///< the certified interval holds the limit
+  no_limit,   ///< measured, not gated
+  not_run,
+};
+
+/// One figure of the gate: what JUnit, the page and the terminal show of it.
+struct GateFigure {
+  /// "gouge", "uncut", "coverage", "unreachable", "unavoidable uncut", "missing stock", "rapid
+  /// collisions", "holder collisions", "process faults" (all others).
+  std::string name;
+  Standing standing = Standing::not_run;
+  std::string measured;       ///< "[0.076, 0.41] µm"; empty when the stage was not run
+  std::string limit;          ///< "10 µm"; empty where there is none
+  const char* relation = "";  ///< how `limit` is meant: "≤ ", "≥ "
+};
+
+/// The figures of `stage` in the order above. Unavoidable uncut is there where it is gated or
+/// something is out of reach, missing stock where some may be missing; the others always.
+std::vector<GateFigure> gate_figures(const StageResult& stage);
+/// What has to be said of a stage beside its verdict, whatever that is: "unreachable 12.3 mm²
+/// (4.10 %), unavoidable uncut up to 0.3 mm"; "missing stock [0.5, 0.51] mm". None where all is in
+/// reach and nothing missing.
+std::vector<std::string> stage_notes(const StageResult& stage);
+/// Whether a reason of the gate says again what `stage_notes` says.
+bool is_note(const std::string& reason);
+/// Where a certified interval stands against a limit.
+Standing standing_of(const verifier::Interval& interval_mm, double limit_mm);
+/// limit : interval width, the test accuracy ratio of the decision rule; infinite for width zero.
+double accuracy_ratio(const verifier::Interval& interval_mm, double limit_mm);
+const char* name(Standing standing);
+
+/// Below this ratio of limit to interval a report warns.
+inline constexpr double kLeastAccuracyRatio = 4;
+
+}  // namespace limitgauge::reports

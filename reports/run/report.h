@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "model/base/run_control.h"
+#include "reports/run/run_result.h"
+
+namespace limitgauge::reports {
+
+/// Draws the pictures of a stage that ran, in software: needs no display.
+StagePictures draw_pictures(const StageResult& stage, const model::RunControl& control = {});
+
+/// result.json, schema `limitgauge.result/2`. The same result gives the same bytes. Throws
+/// std::domain_error that names the key of a figure that is not a finite number.
+void write_result_json(const RunResult& result, std::ostream& out);
+/// JUnit: one test case a stage and gate figure.
+void write_junit(const RunResult& result, std::ostream& out);
+/// findings.sarif, SARIF 2.1.0: a result a finding that is not proven inside its limit, and for a
+/// verdict that no finding explains. Holds no time and no number of threads.
+void write_sarif(const RunResult& result, std::ostream& out);
+/// findings.csv, RFC 4180: a row a finding, all of them. Text that a spreadsheet would take for a
+/// formula has an apostrophe before it.
+void write_findings_csv(const RunResult& result, std::ostream& out);
+/// One self-contained page that works offline, with the pictures that the stages hold.
+void write_html(const RunResult& result, std::ostream& out);
+/// The JSON Schema of result.json, as shipped.
+const std::string& result_schema();
+
+struct StageFileOptions {
+  bool pictures = true;
+  model::RunControl control = {};
+  double rapid_mm_min = 0;  ///< of the machine, for times along the path
+};
+/// What writing a stage's files gives to its result.
+struct StageFiles {
+  StagePictures pictures;                      ///< for StageResult::pictures
+  std::optional<StockSurfaceFigures> surface;  ///< for StageResult::Ran::surface
+  std::optional<page::PathView> path_view;     ///< for StageResult::Ran::path_view
+};
+/// Writes NAME/toolpath.vtp, stock.vdb, stock.vtp, deviation.vtp and the pictures deviation.png,
+/// perspective.png and stock.png of a stage that ran into `folder`/NAME. Needs no display. Throws
+/// ResourceError when a file cannot be written, Interrupted, std::invalid_argument for a name that
+/// is no plain folder name.
+StageFiles write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
+                             const StageFileOptions& options);
+/// toolpath.vtp alone: a line a move with its program line, feed, kind and index, and what it
+/// removed where `removal` has an entry for every move.
+void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,
+                        std::span<const simulator::MoveRemoval> removal = {});
+/// The verdict table for a terminal of `width` columns, 80 or more; `colour` adds ANSI colours.
+std::string verdict_table(const RunResult& result, bool colour, std::size_t width = 100);
+
+}  // namespace limitgauge::reports

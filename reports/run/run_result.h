@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/strategy/linking/stage_path.h"
+#include "model/gcode/program_path.h"
+#include "model/part/cage.h"
+#include "model/part/machine_setup.h"
+#include "reports/page/path_view.h"
+#include "reports/run/published.h"
+#include "simulator/instrument/dexel_agreement.h"
+#include "simulator/instrument/dexel_stock.h"
+#include "simulator/process/finding.h"
+#include "simulator/stock/stock_model.h"
+#include "verifier/gate/deviation.h"
+#include "verifier/surface/surface_rules.h"
+
+namespace limitgauge::reports {
+
+/// The pictures of one stage as PNG bytes; empty where there is nothing to show.
+struct StagePictures {
+  std::string deviation_png;    ///< error map from +Z with colour bar and worst places, on white
+  std::string perspective_png;  ///< the error map in perspective, likewise
+  std::string stock_png;        ///< the cut stock in parallel projection, transparent ground
+};
+
+/// The stock's surface as stock.vtp has it: closed, manifold, its vertices on the exact surface.
+struct StockSurfaceFigures {
+  std::size_t vertices = 0, triangles = 0;
+  double voxel_mm = 0;  ///< of the grid that it was taken from; coarser where memory is short
+  std::size_t unmoved_vertices = 0;  ///< that could not be put onto the exact surface
+};
+
+/// The design surface's part of result.json.
+struct SurfaceResult {
+  std::string cage;  ///< file name as the job states it
+  model::CageSummary summary;
+  verifier::SurfaceRules rules;
+  model::Box3 bbox_mm;  ///< of the limit surface, exact
+  double area_mm2 = 0;
+  int depth_min = 0, depth_max = 0;
+  std::vector<int> depths;  ///< of the finish model, one a patch; empty where none was built
+  int sampling_interval_min = 1, sampling_interval_max = 1;
+  double seconds = 0;
+  std::size_t memory_bytes = 0;
+  /// Of CELL's control points in single precision: as the paper counts them, and as allocated.
+  std::size_t cell_bytes_counted = 0, cell_bytes_allocated = 0;
+};
+
+/// One stage as asked for and as it came out. A stage that was not run has only its request part.
+struct StageResult {
+  std::string name, tool;
+  model::Cutter cutter;
+  std::string strategy;  ///< empty when `program` names a file
+  std::string program;
+  std::string program_part;  ///< "T2", "section 3", "from (FINISH)"; empty: the whole program
+  double allowance_mm = 0, step_mm = 0, tolerance_mm = 0;
+  verifier::GateLimits limits;
+  verifier::GateDecision decision;
+
+  struct Ran {
+    std::shared_ptr<const model::Toolpath> path;
+    int planes = 0;
+    int sampling_interval_min = 1, sampling_interval_max = 1;
+    std::vector<int> sampling_intervals;  ///< one a patch
+    double cut_length_mm = 0, rapid_length_mm = 0, machining_time_s = 0;
+    double plan_seconds = 0;
+    std::size_t path_memory_bytes = 0;
+    std::shared_ptr<const std::string> program_text;  ///< what stands in toolpath.ngc
+    std::vector<std::string> ignored_words;  ///< "line: word" of auxiliaries in a foreign program
+
+    double voxel_mm = 0, removed_volume_mm3 = 0, simulation_seconds = 0;
+    std::size_t tiles = 0;  ///< that the stock was worked out in; 0: as one whole
+    std::size_t peak_memory_bytes = 0;
+    std::optional<StockSurfaceFigures> surface;  ///< once the stage's files are written
+    std::optional<simulator::StockModel> stock;  ///< let go once its files are written
+    std::vector<simulator::Finding> process;     ///< in the order of moves
+    simulator::StockAgreement agreement;         ///< of the two stock models
+    simulator::Removal removal;                  ///< its moves are let go with the stock
+    std::optional<page::PathView> path_view;     ///< once the stage's files are written
+
+    verifier::StageDeviation deviation;
+  };
+  std::optional<Ran> ran;
+  std::optional<StagePictures> pictures;  ///< empty: a page without pictures
+  double seconds = 0;
+  /// recorded_stage() of an earlier run whose stage this is. `ran` then has the path, its program
+  /// and its sampling alone: result.json is all that can be written of it.
+  std::shared_ptr<const std::string> recorded;
+
+  /// The decision's; of a stage that was not run, just that.
+  verifier::Verdict verdict() const { return ran ? decision.verdict : verifier::Verdict::not_run; }
+};
+
+/// A file that the run read.
+struct InputFile {
+  std::string role;  ///< "job", "cage", "stock", "program", "fixture", "tool table"
+  std::string file;  ///< as the job or the command line states it
+  std::uint64_t bytes = 0;
+  std::string sha256;  ///< 64 lower-case hexadecimal digits
+};
+
+/// Everything a report shows.
+struct RunResult {
+  std::string job;      ///< the job's name
+  std::string created;  ///< ISO 8601, UTC
+  std::string version;
+  unsigned threads = 1;
+  verifier::Verdict verdict = verifier::Verdict::not_run;
+  model::Stock raw_stock;
+  SurfaceResult surface;
+  model::RigidPlacement program_frame;               ///< programs' work frame in the cage's
+  model::MachineSetup machine;                       ///< what programs were told of the machine
+  std::optional<model::ProgramStart> program_start;  ///< where a stage is a program
+  std::vector<StageResult> stages;
+  std::vector<std::string>
+      assumptions;  ///< stated in the report: straight rapids, start unknown, ...
+  std::optional<PublishedFigures> published;
+  std::vector<InputFile> inputs;  ///< each file once, in the order of the job
+};
+
+}  // namespace limitgauge::reports

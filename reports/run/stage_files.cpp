@@ -1,0 +1,92 @@
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "model/base/error.h"
+#include "reports/picture/deviation_map.h"
+#include "reports/picture/perspective_picture.h"
+#include "reports/picture/stock_picture.h"
+#include "reports/run/report.h"
+#include "reports/vtk/vtp.h"
+
+namespace limitgauge::reports {
+namespace {
+
+constexpr int kStockPictureWidth = 1000;
+
+void write_bytes(const std::string& bytes, const std::filesystem::path& file) {
+  if (bytes.empty()) return;
+  std::ofstream out(file, std::ios::binary);
+  out << bytes;
+  out.close();
+  if (!out) throw model::ResourceError("cannot write " + file.string());
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw model::ResourceError("cannot make " + folder.string() + ": " + error.message());
+}
+
+/// A stage's name becomes a folder: it must not lead anywhere else.
+std::filesystem::path plain_name(const std::string& name) {
+  const std::filesystem::path path(name);
+  if (name.empty() || name == "." || name == ".." || path.filename() != path)
+    throw std::invalid_argument("stage name is no folder name: " + name);
+  return path;
+}
+
+std::string deviation_png(const StageResult& stage) {
+  const verifier::StageDeviation& d = stage.ran->deviation;
+  if (d.field.quads.empty()) return {};
+  return png_bytes(draw_deviation_picture(d, stage.limits));
+}
+
+std::string perspective_png(const StageResult& stage) {
+  if (stage.ran->deviation.field.quads.empty()) return {};
+  return png_bytes(draw_perspective_picture(stage));
+}
+
+std::string stock_png(const simulator::StockMesh& mesh) {
+  if (mesh.triangles.empty()) return {};
+  return png_bytes(draw_stock_picture(mesh, kStockPictureWidth));
+}
+
+}  // namespace
+
+StagePictures draw_pictures(const StageResult& stage, const model::RunControl& control) {
+  if (!stage.ran) return {};
+  StagePictures pictures{deviation_png(stage), perspective_png(stage), {}};
+  if (stage.ran->stock) pictures.stock_png = stock_png(stage.ran->stock->surface(control).mesh);
+  return pictures;
+}
+
+StageFiles write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
+                             const StageFileOptions& options) {
+  if (!stage.ran) return {};
+  const StageResult::Ran& ran = *stage.ran;
+  const std::filesystem::path into = folder / plain_name(stage.name);
+  make_folder(into);
+  if (ran.path) write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves);
+  write_deviation_vtp(ran.deviation.field, into / "deviation.vtp");
+  StageFiles files;
+  if (ran.path)
+    files.path_view =
+        page::path_view(*ran.path, ran.removal.moves, {options.rapid_mm_min, ran.machining_time_s});
+  StagePictures& pictures = files.pictures;
+  if (options.pictures) pictures = {deviation_png(stage), perspective_png(stage), {}};
+  if (ran.stock) {
+    ran.stock->write_vdb(into / "stock.vdb");
+    const simulator::StockSurface surface = ran.stock->surface(options.control);
+    write_stock_vtp(surface.mesh, into / "stock.vtp");
+    if (options.pictures) pictures.stock_png = stock_png(surface.mesh);
+    files.surface = {surface.mesh.vertices.size(), surface.mesh.triangles.size(), surface.voxel_mm,
+                     surface.unmoved};
+  }
+  write_bytes(pictures.deviation_png, into / "deviation.png");
+  write_bytes(pictures.perspective_png, into / "perspective.png");
+  write_bytes(pictures.stock_png, into / "stock.png");
+  return files;
+}
+
+}  // namespace limitgauge::reports

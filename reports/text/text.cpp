@@ -1,0 +1,208 @@
+#include "reports/text/text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace limitgauge::reports {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+
+/// Length of the well-formed UTF-8 sequence at the head of `s`, 0 where there is none.
+std::size_t sequence_length(std::string_view s) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
+  const unsigned char lead = byte(0);
+  const std::size_t n = lead < 0x80   ? 1
+                        : lead < 0xC2 ? 0
+                        : lead < 0xE0 ? 2
+                        : lead < 0xF0 ? 3
+                        : lead < 0xF5 ? 4
+                                      : 0;
+  if (n == 0 || n > s.size()) return 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  // Overlong forms, surrogates and what lies beyond U+10FFFF.
+  if (n == 3 && lead == 0xE0 && byte(1) < 0xA0) return 0;
+  if (n == 3 && lead == 0xED && byte(1) > 0x9F) return 0;
+  if (n == 4 && lead == 0xF0 && byte(1) < 0x90) return 0;
+  if (n == 4 && lead == 0xF4 && byte(1) > 0x8F) return 0;
+  return n;
+}
+
+bool is_allowed(std::string_view sequence) {
+  if (sequence.size() == 1) {
+    const auto c = static_cast<unsigned char>(sequence[0]);
+    return (c >= 0x20 && c != 0x7F) || c == '\t' || c == '\n';
+  }
+  // C1 controls, and the two non-characters that XML 1.0 leaves out.
+  const bool c1 = sequence.size() == 2 && sequence[0] == '\xC2' &&
+                  static_cast<unsigned char>(sequence[1]) < 0xA0;
+  return !c1 && sequence != "\xEF\xBF\xBE" && sequence != "\xEF\xBF\xBF";
+}
+
+std::string_view entity(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return {};
+  }
+}
+
+int significant_decimals(double value, int digits) {
+  if (value == 0) return 0;
+  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  return std::clamp(digits - 1 - magnitude, 0, 9);
+}
+
+/// Rounds down (`direction` −1) or up (+1) at `decimals`; a value that already has no more digits
+/// than that, but for the last bits of its binary form, stays.
+double rounded_outwards(double value, int decimals, int direction) {
+  const double scale = std::pow(10.0, decimals);
+  const double nearest = std::round(value * scale);
+  if (std::abs(value * scale - nearest) < 1e-6) return nearest / scale;
+  return (direction < 0 ? std::floor(value * scale) : std::ceil(value * scale)) / scale;
+}
+
+}  // namespace
+
+std::string clean_text(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t n = sequence_length(text);
+    const std::string_view head = text.substr(0, std::max<std::size_t>(n, 1));
+    out += n > 0 && is_allowed(head) ? head : kReplacement;
+    text.remove_prefix(head.size());
+  }
+  return out;
+}
+
+std::string escape_markup(std::string_view text) {
+  std::string out;
+  for (const char c : clean_text(text)) {
+    const std::string_view e = entity(c);
+    if (e.empty()) {
+      out += c;
+    } else {
+      out += e;
+    }
+  }
+  return out;
+}
+
+std::size_t code_points(std::string_view text) {
+  return std::count_if(text.begin(), text.end(),
+                       [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+}
+
+std::string shortened(std::string_view text, std::size_t width) {
+  std::string whole = clean_text(text);
+  std::replace(whole.begin(), whole.end(), '\n', ' ');
+  std::replace(whole.begin(), whole.end(), '\t', ' ');
+  if (code_points(whole) <= width) return whole;
+  std::size_t end = 0;
+  for (std::size_t seen = 0; end < whole.size(); ++end) {
+    if ((static_cast<unsigned char>(whole[end]) & 0xC0) != 0x80 && ++seen == width) break;
+  }
+  return whole.substr(0, end) + "…";
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 400> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 std::chars_format::fixed, decimals)
+                       .ptr;
+  std::string text{buffer.data(), end};
+  if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
+}
+
+std::string three_digits(double value) {
+  const double size = std::abs(value);
+  if (size != 0 && size < 1e-4) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::scientific, 2)
+                         .ptr;
+    return {buffer.data(), end};
+  }
+  return fixed(value, significant_decimals(value, 3));
+}
+
+std::string grouped(std::uint64_t count) {
+  std::string digits = std::to_string(count);
+  if (digits.size() < 5) return digits;
+  for (std::size_t i = digits.size() - 3; i > 0 && i < digits.size();
+       i -= std::min<std::size_t>(3, i))
+    digits.insert(i, "\u202F");
+  return digits;
+}
+
+LengthUnit unit_for(double largest_mm) {
+  return std::abs(largest_mm) < 0.1 ? LengthUnit{1000, "µm"} : LengthUnit{1, "mm"};
+}
+
+std::string measured_length(double mm) {
+  const LengthUnit unit = unit_for(mm);
+  return three_digits(mm * unit.per_mm) + " " + unit.symbol;
+}
+
+std::string stated_length(double mm) {
+  if (mm == 0) return "0 mm";
+  const LengthUnit unit = unit_for(mm);
+  // A decimal of the job file times 1000 may carry binary dust in its last digit.
+  return shortest(std::round(mm * unit.per_mm * 1e9) / 1e9) + " " + unit.symbol;
+}
+
+std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit) {
+  const double low = interval_mm.low * unit.per_mm, high = interval_mm.high * unit.per_mm;
+  if (low == 0 && high == 0) return "[0, 0]";
+  const double width = high - low;
+  const int decimals = width > 0 ? std::clamp(int(std::ceil(-std::log10(width / 5))), 0, 4)
+                                 : std::min(4, significant_decimals(high, 3));
+  return std::string("[")
+      .append(fixed(rounded_outwards(low, decimals, -1), decimals))
+      .append(", ")
+      .append(fixed(rounded_outwards(high, decimals, +1), decimals))
+      .append("]");
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 0.95) return fixed(seconds, seconds < 0.095 ? 2 : 1) + " s";
+  if (seconds < 59.95) return fixed(seconds, 1) + " s";
+  const auto whole = static_cast<std::uint64_t>(std::llround(seconds));
+  const auto two = [](std::uint64_t n) { return std::to_string(100 + n).substr(1); };
+  if (whole < 3600) return std::to_string(whole / 60) + " min " + two(whole % 60) + " s";
+  return std::to_string(whole / 3600) + " h " + two(whole % 3600 / 60) + " min";
+}
+
+std::string bytes_text(std::size_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  if (size < 999.5) return std::to_string(bytes) + " bytes";
+  if (size < 999.5e3) return three_digits(size / 1e3) + " kB";
+  if (size < 999.5e6) return three_digits(size / 1e6) + " MB";
+  return three_digits(size / 1e9) + " GB";
+}
+
+std::string percent_text(double share) {
+  return fixed(rounded_outwards(share * 100, 2, -1), 2) + " %";
+}
+
+}  // namespace limitgauge::reports

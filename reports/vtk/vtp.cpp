@@ -1,0 +1,132 @@
+#include "reports/vtk/vtp.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "model/base/error.h"
+#include "reports/run/report.h"
+#include "reports/vtk/vtp_file.h"
+
+namespace limitgauge::reports {
+namespace {
+
+/// VTK reads 32-bit connectivity as it is; half the size of its own 64-bit ids.
+void require_32_bit(std::size_t corners, const std::filesystem::path& file) {
+  if (corners > std::size_t(std::numeric_limits<std::int32_t>::max()))
+    throw model::ResourceError(file.string() + ": too many corners for a .vtp file");
+}
+
+/// 1·size, 2·size, ... : where each of `count` cells of `size` corners ends.
+std::vector<std::int32_t> ends_of(std::size_t count, int size) {
+  std::vector<std::int32_t> ends(count);
+  for (std::size_t i = 0; i < count; ++i) ends[i] = static_cast<std::int32_t>((i + 1) * size);
+  return ends;
+}
+
+template <typename Cells>
+std::vector<std::int32_t> corners_of(const Cells& cells) {
+  std::vector<std::int32_t> corners;
+  for (const auto& cell : cells)
+    for (const std::uint32_t corner : cell) corners.push_back(static_cast<std::int32_t>(corner));
+  return corners;
+}
+
+/// One value of each item of `items`, as `T`.
+template <typename T, typename Items, typename Pick>
+std::vector<T> column(const Items& items, Pick pick) {
+  std::vector<T> out;
+  out.reserve(items.size());
+  for (const auto& item : items) out.push_back(static_cast<T>(pick(item)));
+  return out;
+}
+
+template <typename T>
+std::span<const T> view(const std::vector<T>& values) {
+  return values;
+}
+
+template <typename T>
+void push(std::vector<T>& xyz, const model::Vec3& p) {
+  for (int axis = 0; axis < 3; ++axis) xyz.push_back(static_cast<T>(p[axis]));
+}
+
+/// Single precision: these are figures to colour a path by.
+void add_removal(VtpFile& vtp, std::span<const simulator::MoveRemoval> removal, std::size_t moves) {
+  using simulator::MoveRemoval;
+  if (removal.size() != moves) return;
+  const auto add = [&](const char* name, auto pick) {
+    vtp.add_cell_data(name, view(column<float>(removal, pick)));
+  };
+  add("removed_volume_mm3", [](const MoveRemoval& r) { return r.volume_mm3; });
+  add("removal_rate_mm3_min", [](const MoveRemoval& r) { return r.rate_mm3_min; });
+  add("axial_engagement_mm", [](const MoveRemoval& r) { return r.axial_mm; });
+  add("radial_engagement_mm", [](const MoveRemoval& r) { return r.radial_mm; });
+}
+
+}  // namespace
+
+void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,
+                        std::span<const simulator::MoveRemoval> removal) {
+  const std::size_t n = path.moves.size();
+  require_32_bit(2 * n, file);
+  std::vector<double> xyz;
+  push(xyz, path.start);
+  std::vector<std::int32_t> corners, index;
+  for (std::size_t i = 0; i < n; ++i) {
+    push(xyz, path.moves[i].to);
+    index.push_back(static_cast<std::int32_t>(i));
+    corners.push_back(static_cast<std::int32_t>(i));
+    corners.push_back(static_cast<std::int32_t>(i + 1));
+  }
+  using model::Move;
+  VtpFile vtp(n + 1, n, 0);
+  vtp.add_points(view(xyz));
+  vtp.add_lines(corners, ends_of(n, 2));
+  vtp.add_cell_data("line",
+                    view(column<std::uint32_t>(path.moves, [](const Move& m) { return m.line; })));
+  vtp.add_cell_data("feed_mm_min",
+                    view(column<float>(path.moves, [](const Move& m) { return m.feed_mm_min; })));
+  vtp.add_cell_data("kind",
+                    view(column<std::uint8_t>(path.moves, [](const Move& m) { return m.kind; })));
+  vtp.add_cell_data("move", view(index));
+  add_removal(vtp, removal, n);
+  vtp.write(file);
+}
+
+void write_deviation_vtp(const verifier::DeviationField& field, const std::filesystem::path& file) {
+  using Sample = verifier::DeviationField::Sample;
+  const auto& samples = field.samples;
+  require_32_bit(4 * field.quads.size(), file);
+  std::vector<double> xyz;
+  std::vector<float> normals;
+  for (const Sample& s : samples) push(xyz, s.place.point), push(normals, s.normal);
+  const auto add = [&]<typename T>(VtpFile& vtp, const char* name, T, auto pick) {
+    vtp.add_point_data(name, view(column<T>(samples, pick)));
+  };
+  VtpFile vtp(samples.size(), 0, field.quads.size());
+  vtp.add_points(view(xyz));
+  vtp.add_polygons(corners_of(field.quads), ends_of(field.quads.size(), 4));
+  add(vtp, "deviation_mm", 0.f, [](const Sample& s) { return s.deviation_mm; });
+  add(vtp, "uncut_mm", 0.f, [](const Sample& s) { return std::max(s.deviation_mm, 0.f); });
+  add(vtp, "gouge_mm", 0.f, [](const Sample& s) { return std::max(-s.deviation_mm, 0.f); });
+  add(vtp, "reachable", std::uint8_t{}, [](const Sample& s) { return s.reachable; });
+  add(vtp, "patch", std::int32_t{}, [](const Sample& s) { return s.place.patch; });
+  add(vtp, "u", 0., [](const Sample& s) { return s.place.u; });
+  add(vtp, "v", 0., [](const Sample& s) { return s.place.v; });
+  add(vtp, "line", std::uint32_t{}, [](const Sample& s) { return s.line; });
+  vtp.add_point_data("normal", view(normals), 3);
+  vtp.write(file);
+}
+
+void write_stock_vtp(const simulator::StockMesh& mesh, const std::filesystem::path& file) {
+  require_32_bit(3 * mesh.triangles.size(), file);
+  std::vector<float> xyz;
+  xyz.reserve(3 * mesh.vertices.size());
+  for (const model::Vec3& p : mesh.vertices) push(xyz, p);
+  VtpFile vtp(mesh.vertices.size(), 0, mesh.triangles.size());
+  vtp.add_points(view(xyz));
+  vtp.add_polygons(corners_of(mesh.triangles), ends_of(mesh.triangles.size(), 3));
+  vtp.write(file);
+}
+
+}  // namespace limitgauge::reports

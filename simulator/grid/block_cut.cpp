@@ -1,0 +1,239 @@
+#include "simulator/grid/block_cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limitgauge::simulator {
+namespace {
+
+using model::Vec3;
+
+// Rounding of distances and gradients of part-sized numbers is far below this; a move is only set
+// aside when it loses by more.
+constexpr double kSlack = 1e-9;
+constexpr std::size_t kFewMoves = 32;
+
+Index3 child_corner(const Index3& corner, int half, int child) {
+  return {corner[0] + (child >> 2 & 1) * half, corner[1] + (child >> 1 & 1) * half,
+          corner[2] + (child & 1) * half};
+}
+
+Vec3 gradient(const BatchSamples& s, std::size_t i) {
+  return {s.gx[i], s.gy[i], s.gz[i]};
+}
+
+double norm1(const Vec3& v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+BlockCutter::Reach reach_of(double least, double reach) {
+  if (least > reach) return BlockCutter::Reach::none;
+  return least < -reach ? BlockCutter::Reach::wholly : BlockCutter::Reach::partly;
+}
+
+}  // namespace
+
+BlockCutter::BlockCutter(const SweepIndex& pass, const Lattice& lattice, double band_mm)
+    : pass_(pass), lattice_(lattice), band_(band_mm) {
+  std::size_t halvings = 1;
+  for (int edge = kBlockEdge; edge >= 2; edge /= 2) ++halvings;
+  levels_.resize(halvings);
+}
+
+BlockCutter::Reach BlockCutter::reach(const SweepIndex& pass, const Lattice& lattice,
+                                      double band_mm, const Index3& corner) {
+  const double reach = lattice.half_diagonal(kBlockEdge) + band_mm;
+  const auto found = pass.nearest(lattice.middle(corner, kBlockEdge), reach);
+  return found ? reach_of(found->at.distance, reach) : Reach::none;
+}
+
+void BlockCutter::cut(const Index3& corner, LeafSink& sink) {
+  const Vec3 middle = lattice_.middle(corner, kBlockEdge);
+  const double r = lattice_.half_diagonal(kBlockEdge);
+  const auto found = pass_.nearest(middle, r + band_);
+  if (!found) return;
+  slots_.clear();
+  if (pass_.profile().is_ball() && top_of(corner, kBlockEdge) <= pass_.below_tops_mm()) {
+    const double to_foot = found->at.distance + pass_.profile().corner_radius();
+    pass_.gather_rivals({middle, lattice_.half_edge(kBlockEdge), found->at.gradient * to_foot},
+                        slots_);
+  } else {
+    pass_.gather(middle, found->at.distance + 2 * r + kSlack, slots_);
+  }
+  levels_[0].moves.assign(pass_, slots_);
+  descend(0, corner, kBlockEdge, sink);
+}
+
+bool BlockCutter::balls_below_tops(const MoveBatch& moves, double highest) const {
+  return pass_.profile().is_ball() && highest <= moves.below_tops_mm(pass_.profile());
+}
+
+// A move that is farther than the nearest one by a diagonal cannot matter and is not worked out;
+// one that swallows the whole block ends the search.
+void BlockCutter::sample(Level& level, const Vec3& p, double half_diagonal) const {
+  if (balls_below_tops(level.moves, p.z))
+    return sample_balls(level.moves, pass_.profile().corner_radius(), p, level.samples);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const std::size_t n = level.moves.size();
+  level.samples.resize(n);
+  double least = kFar;
+  for (std::size_t i = 0; i < n && least >= -(half_diagonal + band_); ++i) {
+    const std::uint32_t slot = level.moves.slot[i];
+    const bool far = cannot_be_below(pass_.profile(), pass_.move(slot), p,
+                                     least + 2 * half_diagonal + 2 * kSlack);
+    const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass_.distance(slot, p);
+    least = std::min(least, s.distance);
+    level.samples.distance[i] = s.distance;
+    level.samples.gx[i] = s.gradient.x;
+    level.samples.gy[i] = s.gradient.y;
+    level.samples.gz[i] = s.gradient.z;
+    if (least < -(half_diagonal + band_)) level.samples.resize(i + 1);
+  }
+}
+
+// Of the nearest moves, often several on a flat floor, the one whose distance bends least.
+std::size_t BlockCutter::reference_move(const Level& level, const Vec3& middle, double reach,
+                                        double& bound) const {
+  const auto& d = level.samples.distance;
+  const auto least = std::min_element(d.begin(), d.end());
+  std::size_t best = least - d.begin();
+  bound = 2 * reach;
+  for (std::size_t i = best; i < d.size() && bound > 0; ++i) {
+    if (d[i] > *least) continue;
+    const std::uint32_t slot = level.moves.slot[i];
+    const SweptSample at = pass_.distance(slot, middle);
+    const double e = curvature_bound(pass_.profile(), pass_.move(slot), middle, at, reach) +
+                     reach * distance(at.gradient, gradient(level.samples, i));
+    if (e < bound) bound = e, best = i;
+  }
+  return best;
+}
+
+void BlockCutter::keep_that_matter(Level& level, const Vec3& middle, int edge) const {
+  const double h = lattice_.half_edge(edge), r = lattice_.half_diagonal(edge);
+  const BatchSamples& s = level.samples;
+  double bend = 0;
+  const std::size_t j = reference_move(level, middle, r, bend);
+  const Vec3 g = gradient(s, j);
+  level.kept.clear();
+  for (std::size_t i = 0; i < s.distance.size(); ++i) {
+    const double behind = s.distance[i] - s.distance[j];
+    const double turn = norm1(gradient(s, i) - g);
+    const bool twin = behind == 0 && turn == 0 && bend == 0;
+    if (i == j || (!twin && behind <= std::min(2 * r, h * turn + bend) + kSlack))
+      level.kept.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+BlockCutter::Reach BlockCutter::narrow(Level& level, const Index3& corner, int edge) {
+  if (level.moves.size() == 0) return Reach::none;
+  if (balls_below_tops(level.moves, top_of(corner, edge))) return narrow_balls(level, corner, edge);
+  const Vec3 middle = lattice_.middle(corner, edge);
+  sample(level, middle, lattice_.half_diagonal(edge));
+  const double least =
+      *std::min_element(level.samples.distance.begin(), level.samples.distance.end());
+  const Reach reach = reach_of(least, lattice_.half_diagonal(edge) + band_);
+  if (reach == Reach::partly) keep_that_matter(level, middle, edge);
+  return reach;
+}
+
+BlockCutter::Reach BlockCutter::narrow_balls(Level& level, const Index3& corner, int edge) {
+  const double least =
+      capsules_.nearest(level.moves, lattice_.middle(corner, edge), lattice_.half_edge(edge));
+  const Reach reach = reach_of(std::sqrt(least) - pass_.profile().corner_radius(),
+                               lattice_.half_diagonal(edge) + band_);
+  if (reach == Reach::partly) capsules_.keep(level.moves, level.kept);
+  return reach;
+}
+
+double BlockCutter::top_of(const Index3& corner, int edge) const {
+  return lattice_.point({corner[0], corner[1], corner[2] + edge - 1}).z;
+}
+
+void BlockCutter::descend(int depth, const Index3& corner, int edge, LeafSink& sink) {
+  if (edge == kLeafEdge && !sink.wanted(corner)) return;
+  Level& level = levels_[depth];
+  const Reach reach = narrow(level, corner, edge);
+  if (reach == Reach::none) return;
+  if (reach == Reach::wholly) return sink.removed(corner, edge);
+  if (edge == kLeafEdge) {
+    fill_leaf(depth, corner);
+    return sink.reached(corner, leaf_);
+  }
+  levels_[depth + 1].moves.take(level.moves, level.kept);
+  for (int child = 0; child < 8; ++child)
+    descend(depth + 1, child_corner(corner, edge / 2, child), edge / 2, sink);
+}
+
+void BlockCutter::fill_leaf(int depth, const Index3& corner) {
+  levels_[depth + 1].moves.take(levels_[depth].moves, levels_[depth].kept);
+  for (int child = 0; child < 8; ++child)
+    fill(depth + 1, child_corner(corner, kLeafEdge / 2, child), kLeafEdge / 2);
+}
+
+void BlockCutter::fill(int depth, const Index3& corner, int edge) {
+  Level& level = levels_[depth];
+  const Reach reach = narrow(level, corner, edge);
+  const auto band = static_cast<float>(band_);
+  if (reach == Reach::none) return set_cube(corner, edge, band);
+  if (reach == Reach::wholly) return set_cube(corner, edge, -band);
+  if (worth_no_split(level, corner, edge)) return fill_with_balls(level, corner);
+  levels_[depth + 1].moves.take(level.moves, level.kept);
+  if (edge == 2) return fill_voxels(depth + 1, corner);
+  for (int child = 0; child < 8; ++child)
+    fill(depth + 1, child_corner(corner, edge / 2, child), edge / 2);
+}
+
+// With few moves left, all voxels against all moves take less time than telling cubes apart.
+bool BlockCutter::worth_no_split(const Level& level, const Index3& corner, int edge) const {
+  return edge == kCubeEdge && level.kept.size() <= kFewMoves &&
+         balls_below_tops(level.moves, top_of(corner, edge));
+}
+
+void BlockCutter::fill_with_balls(const Level& level, const Index3& corner) {
+  CubeAxes axes;
+  for (int k = 0; k < kCubeEdge; ++k) {
+    const Vec3 p = lattice_.point({corner[0] + k, corner[1] + k, corner[2] + k});
+    axes.x[k] = p.x, axes.y[k] = p.y, axes.z[k] = p.z;
+  }
+  const CubeDistances d =
+      least_ball_distances(level.moves, level.kept, pass_.profile().corner_radius(), axes);
+  const double* from = d.data();
+  float* to = &leaf_at(corner);
+  for (int z = 0; z < kCubeEdge; ++z)
+    for (int x = 0; x < kCubeEdge; ++x)
+      for (int y = 0; y < kCubeEdge; ++y)
+        to[(x * kLeafEdge + y) * kLeafEdge + z] =
+            static_cast<float>(std::clamp(*from++, -band_, band_));
+}
+
+void BlockCutter::fill_voxels(int depth, const Index3& corner) {
+  const MoveBatch& moves = levels_[depth].moves;
+  std::array<Vec3, 8> points;
+  for (int k = 0; k < 8; ++k) points[k] = lattice_.point(child_corner(corner, 1, k));
+  std::array<double, 8> least;
+  if (balls_below_tops(moves, points[7].z)) {
+    least = least_ball_distances(moves, pass_.profile().corner_radius(), points);
+  } else {
+    least.fill(std::numeric_limits<double>::infinity());
+    for (const std::uint32_t slot : moves.slot)
+      for (int k = 0; k < 8; ++k)
+        least[k] = std::min(least[k], pass_.distance(slot, points[k]).distance);
+  }
+  for (int k = 0; k < 8; ++k)
+    leaf_at(child_corner(corner, 1, k)) = static_cast<float>(std::clamp(least[k], -band_, band_));
+}
+
+float& BlockCutter::leaf_at(const Index3& i) {
+  const auto in_leaf = [](int v) { return v & (kLeafEdge - 1); };
+  return leaf_[(in_leaf(i[0]) * kLeafEdge + in_leaf(i[1])) * kLeafEdge + in_leaf(i[2])];
+}
+
+void BlockCutter::set_cube(const Index3& corner, int edge, float value) {
+  for (int x = 0; x < edge; ++x)
+    for (int y = 0; y < edge; ++y)
+      for (int z = 0; z < edge; ++z) leaf_at({corner[0] + x, corner[1] + y, corner[2] + z}) = value;
+}
+
+}  // namespace limitgauge::simulator

@@ -1,0 +1,99 @@
+#include "simulator/instrument/dexel_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "model/base/chunks.h"
+#include "simulator/stock/material.h"
+
+namespace limitgauge::simulator {
+namespace {
+
+using model::Vec3;
+
+constexpr std::size_t kLinesAtOnce = 64;
+// Thinner material and thinner gaps have no middle to speak of.
+constexpr double kThin_mm = 1e-8;
+// A level set whose voxels hold exact distances errs along creases, where it is linear across the
+// bend: with the square of the voxel, by less than this share of surface times voxel. Over random
+// jobs of every kind of cutter it was 0.03 at a voxel of 0.6 mm, 0.015 at 0.3 and 0.008 at 0.15.
+constexpr double kCreaseShare = 0.05;
+
+struct LineFigures {
+  std::size_t ends = 0;
+  double worst_end = 0, worst_side = 0, worst = 0;
+  Vec3 at;
+
+  void end(double phi, const Vec3& p) { ++ends, note(worst_end, std::abs(phi), p); }
+  void side(double wrong, const Vec3& p) { note(worst_side, wrong, p); }
+  void merge(const LineFigures& other) {
+    ends += other.ends;
+    worst_end = std::max(worst_end, other.worst_end);
+    worst_side = std::max(worst_side, other.worst_side);
+    if (other.worst > worst) worst = other.worst, at = other.at;
+  }
+
+ private:
+  void note(double& figure, double value, const Vec3& p) {
+    figure = std::max(figure, value);
+    if (value > worst) worst = value, at = p;
+  }
+};
+
+LineFigures look_at(const DexelStock& dexels, const StockModel& stock, std::size_t line) {
+  const auto columns = static_cast<std::size_t>(dexels.nx());
+  const int i = static_cast<int>(line % columns), j = static_cast<int>(line / columns);
+  const Vec3 foot = dexels.line_at(i, j);
+  const model::Box3& box = stock.material().raw().box();
+  LineFigures figures;
+  const auto phi = [&](double z) { return stock.exact_value({foot.x, foot.y, z}); };
+  const auto gap = [&](double low, double high) {
+    if (high - low < kThin_mm) return;
+    const double z = (low + high) / 2;
+    figures.side(-phi(z), {foot.x, foot.y, z});
+  };
+  double below = box.low.z;
+  for (const DexelStock::Interval& m : dexels.material(i, j)) {
+    gap(below, m.low_mm);
+    for (const double z : {m.low_mm, m.high_mm}) figures.end(phi(z), {foot.x, foot.y, z});
+    const double middle = (m.low_mm + m.high_mm) / 2;
+    if (m.high_mm - m.low_mm >= kThin_mm) figures.side(phi(middle), {foot.x, foot.y, middle});
+    below = m.high_mm;
+  }
+  gap(below, box.high.z);
+  return figures;
+}
+
+}  // namespace
+
+bool StockAgreement::agree() const {
+  return worst_end_mm <= kAgreement_mm && worst_side_mm <= kAgreement_mm &&
+         std::abs(volume_difference_mm3()) <= dexel_error_mm3 + level_set_error_mm3;
+}
+
+StockAgreement compare_stocks(const DexelStock& dexels, const StockModel& level_set,
+                              std::size_t lines, const model::RunControl& control,
+                              std::optional<double> level_set_volume_mm3) {
+  const std::size_t all =
+      static_cast<std::size_t>(dexels.nx()) * static_cast<std::size_t>(dexels.ny());
+  const std::size_t count = std::min(lines, all);
+  std::vector<LineFigures> parts(model::chunk_count(count, kLinesAtOnce));
+  model::parallel_chunks(count, kLinesAtOnce, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      parts[begin / kLinesAtOnce].merge(look_at(dexels, level_set, k * all / count));
+  });
+  LineFigures sum;
+  for (const LineFigures& part : parts) sum.merge(part);
+  return {count,
+          sum.ends,
+          sum.worst_end,
+          sum.worst_side,
+          sum.at,
+          dexels.volume_mm3(),
+          dexels.volume_error_mm3(),
+          level_set_volume_mm3 ? *level_set_volume_mm3 : level_set.volume_mm3(control),
+          kCreaseShare * level_set.voxel_mm() * dexels.surface_area_mm2()};
+}
+
+}  // namespace limitgauge::simulator

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "model/base/run_control.h"
+#include "simulator/instrument/dexel_stock.h"
+#include "simulator/stock/stock_model.h"
+
+namespace limitgauge::simulator {
+
+/// How well the two stock models agree about the same stock. They have no code in common that says
+/// what a cutter takes away: where they differ, one of them is wrong.
+struct StockAgreement {
+  std::size_t lines = 0;  ///< lines of the dexels that were looked at
+  std::size_t ends = 0;   ///< ends of their intervals
+  /// Largest |φ| of the exact material at an end, where it should be 0.
+  double worst_end_mm = 0;
+  /// Largest |φ| of the wrong sign in the middle of an interval or of a gap.
+  double worst_side_mm = 0;
+  model::Vec3 worst_at;  ///< of the larger of the two
+  double dexel_volume_mm3 = 0, dexel_error_mm3 = 0;
+  double level_set_volume_mm3 = 0, level_set_error_mm3 = 0;
+
+  double volume_difference_mm3() const { return level_set_volume_mm3 - dexel_volume_mm3; }
+  /// True where the exact models agree within kAgreement_mm and the volumes within their errors.
+  bool agree() const;
+};
+
+/// The swept distances are exact to 1e-10 mm, the ends of dexels to 1e-9 mm along Z; a cutter a
+/// micrometre too wide makes more than 1e-5 mm at some end.
+inline constexpr double kAgreement_mm = 1e-6;
+
+/// Compares on at most `lines` lines, spread evenly over all; volumes as a whole. The same for any
+/// number of threads. `level_set_volume_mm3` is the level set's volume, where it is known already:
+/// on coarse grids adding it up takes as long as all the rest.
+StockAgreement compare_stocks(const DexelStock& dexels, const StockModel& level_set,
+                              std::size_t lines, const model::RunControl& control,
+                              std::optional<double> level_set_volume_mm3 = {});
+
+}  // namespace limitgauge::simulator

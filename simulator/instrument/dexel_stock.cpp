@@ -1,0 +1,113 @@
+#include "simulator/instrument/dexel_stock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "simulator/instrument/dexel_cut.h"
+
+namespace limitgauge::simulator {
+namespace {
+
+constexpr int kEdge = DexelTile::kEdge;
+
+DexelLattice lattice_of(const RawStock& raw, double spacing_mm) {
+  if (!(spacing_mm > 0) || !std::isfinite(spacing_mm))
+    throw std::invalid_argument("the spacing of lines must be a positive number");
+  return {raw.box(), spacing_mm};
+}
+
+}  // namespace
+
+struct DexelStock::State {
+  DexelLattice lattice;
+  DexelTiles tiles;
+
+  const DexelTile& tile(int i, int j) const { return *tiles[lattice.tile(i / kEdge, j / kEdge)]; }
+};
+
+DexelStock::DexelStock(const model::Stock& stock, double spacing_mm) {
+  const RawStock raw(stock);
+  const DexelLattice lattice = lattice_of(raw, spacing_mm);
+  state_ = std::make_shared<const State>(State{lattice, raw_tiles(raw, lattice)});
+}
+
+DexelStock::DexelStock(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+
+DexelStock::Cut DexelStock::cut(const Pass& pass, const model::RunControl& control) const {
+  DexelTiles tiles = state_->tiles;
+  std::vector<MoveRemoval> moves = cut_tiles(state_->lattice, tiles, pass, control);
+  const RemovalTotals totals = removal_totals(*pass.path, moves, spacing_mm());
+  return {DexelStock(std::make_shared<const State>(State{state_->lattice, std::move(tiles)})),
+          {std::move(moves), totals}};
+}
+
+double DexelStock::spacing_mm() const {
+  return std::max(state_->lattice.dx, state_->lattice.dy);
+}
+int DexelStock::nx() const {
+  return state_->lattice.nx;
+}
+int DexelStock::ny() const {
+  return state_->lattice.ny;
+}
+model::Vec3 DexelStock::line_at(int i, int j) const {
+  return state_->lattice.line_at(i, j);
+}
+
+double DexelStock::length(int i, int j) const {
+  return state_->tile(i, j).length(DexelTile::line(i % kEdge, j % kEdge));
+}
+
+double DexelStock::volume_mm3() const {
+  double sum = 0;
+  for (int j = 0; j < ny(); ++j)
+    for (int i = 0; i < nx(); ++i) sum += length(i, j);
+  return sum * state_->lattice.cell_mm2();
+}
+
+double DexelStock::volume_error_mm3() const {
+  // A step of height H gives two second differences of H: a quarter of each is the half that it
+  // may count too much or too little. Beyond the box the length goes on as it is.
+  double sum = 0;
+  for (int j = 0; j < ny(); ++j)
+    for (int i = 0; i < nx(); ++i) {
+      const double twice = 2 * length(i, j);
+      const double west = length(std::max(i - 1, 0), j),
+                   east = length(std::min(i + 1, nx() - 1), j);
+      const double south = length(i, std::max(j - 1, 0));
+      const double north = length(i, std::min(j + 1, ny() - 1));
+      sum += std::abs(west + east - twice) + std::abs(south + north - twice);
+    }
+  return sum / 4 * state_->lattice.cell_mm2();
+}
+
+double DexelStock::surface_area_mm2() const {
+  // Shadows: two ends an interval along z, and every change of the length along x and y.
+  const DexelLattice& lattice = state_->lattice;
+  double level = 0, along_x = 0, along_y = 0;
+  for (int j = 0; j < ny(); ++j)
+    for (int i = 0; i < nx(); ++i) {
+      const double own = length(i, j);
+      level += 2 * static_cast<double>(material(i, j).size());
+      along_x += std::abs(own - (i > 0 ? length(i - 1, j) : 0)) + (i + 1 < nx() ? 0 : own);
+      along_y += std::abs(own - (j > 0 ? length(i, j - 1) : 0)) + (j + 1 < ny() ? 0 : own);
+    }
+  return level * lattice.cell_mm2() + along_x * lattice.dy + along_y * lattice.dx;
+}
+
+std::size_t DexelStock::memory_bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& tile : state_->tiles) bytes += tile->memory_bytes();
+  return bytes;
+}
+
+std::vector<DexelStock::Interval> DexelStock::material(int i, int j) const {
+  std::vector<Interval> intervals;
+  for (const DexelInterval& m : state_->tile(i, j).material(DexelTile::line(i % kEdge, j % kEdge)))
+    intervals.push_back({m.low_mm, m.high_mm});
+  return intervals;
+}
+
+}  // namespace limitgauge::simulator

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "model/geometry/vec3.h"
+#include "simulator/instrument/dexel_meridian.h"
+
+namespace limitgauge::simulator {
+
+/// Heights between which there is something on a vertical line.
+struct DexelInterval {
+  double low_mm = 0, high_mm = 0;
+};
+
+/// A range of x; empty where low > high.
+struct DexelSpan {
+  double low = 0, high = 0;
+};
+
+/// What one straight move of a cutter's flutes takes from vertical lines. The swept solid is the
+/// Minkowski sum of two convex sets, so that its part of a line is one interval, found by
+/// minimising a convex function of the place along the move. Lives no longer than its profile.
+class DexelSweep {
+ public:
+  DexelSweep(const DexelProfile& profile, const model::Vec3& from, const model::Vec3& to);
+
+  /// Nothing where the flutes do not reach the line.
+  std::optional<DexelInterval> interval(double x, double y) const;
+  /// The lower ends on `n` lines at (x + i·step, y); infinite where the flutes do not reach the
+  /// line, and where the end is seen not to lie below `standing[i]`.
+  void lower_ends(double x, double y, double step, int n, const double* standing,
+                  double* low) const;
+  /// A range of x that holds all of the sweep with y in [y_low, y_high].
+  DexelSpan span(double y_low, double y_high) const;
+  /// The range of x that the sweep covers at this y.
+  DexelSpan row(double y) const;
+  /// No lower end of an interval at this y lies below this.
+  double least_lower(double y) const;
+
+  bool vertical() const { return run_ == 0; }
+  double lowest_tip() const { return tip_low_; }
+  double lowest_y() const { return std::min(start_.y, end_.y) - profile_->largest_radius(); }
+  double highest_y() const { return std::max(start_.y, end_.y) + profile_->largest_radius(); }
+  /// No upper end of an interval lies below this.
+  double least_upper() const { return tip_low_ + profile_->least_upper(); }
+  double across(double x, double y) const {
+    return (y - start_.y) * along_x_ - (x - start_.x) * along_y_;
+  }
+  double along(double x, double y) const {
+    return (x - start_.x) * along_x_ + (y - start_.y) * along_y_;
+  }
+
+ private:
+  struct Reach {
+    double first, last;  // places along the move from which the cutter covers the line
+  };
+  std::optional<Reach> reach(double along, double across) const;
+  double tip_z(double s) const { return s == run_ ? end_z_ : start_.z + slope_ * s; }
+  double best_place(const ConvexMeridian& side, double toward, double along, double across,
+                    const Reach& reach) const;
+  double radius(double along, double across) const;
+  double lowest(double along, double across, const Reach& reach) const;
+  double highest(double along, double across, const Reach& reach) const;
+  void ball_ends(double x, double y, double step, int n, double* low) const;
+
+  const DexelProfile* profile_;
+  model::Vec3 start_, end_;
+  double end_z_ = 0, tip_low_ = 0, tip_high_ = 0;
+  double run_ = 0, slope_ = 0, along_x_ = 1, along_y_ = 0;
+};
+
+}  // namespace limitgauge::simulator

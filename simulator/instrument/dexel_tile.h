@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "simulator/instrument/dexel_sweep.h"
+
+namespace limitgauge::simulator {
+
+/// Material above the lines of a square part of the grid. Most lines hold a single interval: the
+/// highest of each line stands in arrays of its own.
+struct DexelTile {
+  static constexpr int kEdge = 32;
+  static constexpr int kLines = kEdge * kEdge;
+
+  DexelTile();
+  static int line(int i, int j) { return j * kEdge + i; }
+  bool empty(int line) const { return !(bottom[line] < top[line]); }
+  /// All intervals of a line, ascending.
+  std::vector<DexelInterval> material(int line) const;
+  void set_material(int line, const std::vector<DexelInterval>& intervals);
+  double length(int line) const;  ///< of the material on a line, mm
+  double highest() const;         ///< minus infinity without material
+  std::size_t memory_bytes() const;
+
+  std::array<double, kLines> top, bottom;          ///< of the highest interval
+  std::array<double, kEdge> row_top;               ///< highest material of a row
+  std::vector<std::vector<DexelInterval>> others;  ///< below it, one a line; empty if none have any
+};
+
+/// Where the lines of a tile stand.
+struct DexelFrame {
+  double x = 0, y = 0;    ///< of the first line, mm
+  double dx = 0, dy = 0;  ///< spacings
+};
+
+/// What one move took from the lines of one tile.
+struct TileRemoval {
+  double length_mm = 0;   ///< sum over the lines
+  double deepest_mm = 0;  ///< most on one line
+  /// Places of the lines across and along the move.
+  float across_low = 0, across_high = 0, along_low = 0, along_high = 0;
+};
+
+/// Ends that would move by less than this stay where they are, and no thinner material is kept.
+inline constexpr double kDexelRounding_mm = 1e-9;
+
+/// Takes the sweep from the tile's lines.
+TileRemoval cut(DexelTile& tile, const DexelFrame& frame, const DexelSweep& sweep);
+
+}  // namespace limitgauge::simulator

@@ -1,0 +1,211 @@
+#include "simulator/instrument/stock_check.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "simulator/grid/stock_grid.h"
+
+namespace limitgauge::simulator {
+namespace {
+
+using model::Move;
+using model::MoveKind;
+using model::Vec3;
+
+// What the rounding of coordinates may add to a move's drop.
+constexpr double kRounding_mm = 1e-3;
+
+bool is_steep(const Vec3& from, const Vec3& to, double steepest_deg) {
+  const double most = level_distance(from, to) * std::tan(steepest_deg * std::numbers::pi / 180);
+  return from.z - to.z > most + kRounding_mm;
+}
+
+bool lacks_feed(const Move& m) {
+  return m.kind == MoveKind::feed && !(m.feed_mm_min > 0);
+}
+
+bool over_each_other(const Vec3& a, const Vec3& b) {
+  return a.x == b.x && a.y == b.y;
+}
+
+}  // namespace
+
+StockCheck::StockCheck(const StockModel& before, const Pass& pass, const ToolBodies& bodies,
+                       const StockLimits& limits)
+    : before_(before.material()),
+      pass_(pass),
+      path_(*pass.path),
+      bodies_(bodies),
+      limits_(limits),
+      map_(before.grid().column_tops()),
+      lines_(straight_runs(path_)),
+      at_rest_(series_of(path_.moves.size(),
+                         [&](std::size_t i) { return path_.moves[i].spindle_stopped; })),
+      without_feed_(
+          series_of(path_.moves.size(), [&](std::size_t i) { return lacks_feed(path_.moves[i]); })),
+      descents_(
+          series_of(path_.moves.size(), [&](std::size_t i) { return descends_too_steeply(i); })) {}
+
+void StockCheck::look_at(std::size_t move, std::vector<Finding>& findings) const {
+  const SweptMove tip(move_from(path_, move), path_.moves[move].to,
+                      static_cast<std::uint32_t>(move));
+  look_at_cutter(move, tip, findings);
+  look_above_flutes(move, tip, findings);
+}
+
+void StockCheck::look_at_cutter(std::size_t i, const SweptMove& tip,
+                                std::vector<Finding>& findings) const {
+  const Move& m = path_.moves[i];
+  const bool rapid = m.kind == MoveKind::rapid, leaves = rapid && backs_out(i);
+  const ToolBody& flutes = bodies_.flutes;
+  if (rapid && !leaves &&
+      !look_for(FindingKind::rapid_through_stock, flutes, i, tip, lines_.begin(i), findings))
+    look_at_rapids_gap(i, tip, findings);
+  if (m.spindle_stopped && !leaves)
+    look_for(FindingKind::spindle_stopped, flutes, i, tip, at_rest_.begin(i), findings);
+  if (lacks_feed(m)) {
+    const Contact c =
+        contact_of_flutes(tip, without_feed_.begin(i)).value_or(Contact{tip.start, 0});
+    findings.push_back(
+        finding(FindingKind::feed_missing, i, c.point, c.depth_mm, ToolPart::cutter));
+  }
+  if (descends_too_steeply(i))
+    look_for(FindingKind::steep_descent, flutes, i, tip, descents_.begin(i), findings);
+}
+
+bool StockCheck::look_for(FindingKind kind, const ToolBody& body, std::size_t i,
+                          const SweptMove& tip, std::size_t end,
+                          std::vector<Finding>& findings) const {
+  const SweptMove own = body.of_tip(tip);
+  if (map_.clears(body.profile, own)) return false;
+  const MaterialAtMove material = material_at(end);
+  if (const auto c = deepest_contact(material, body.profile, own, limits_.tolerance_mm)) {
+    findings.push_back(finding(kind, i, c->point, c->depth_mm, body.part));
+    return true;
+  }
+  // The first look is only sure of what is half as deep again as the tolerance.
+  const auto c = deepest_contact(material, body.profile, own, limits_.slightest_mm());
+  if (!c) return false;
+  const bool counts = c->depth_mm > limits_.tolerance_mm;
+  findings.push_back(
+      finding(counts ? kind : FindingKind::slight_contact, i, c->point, c->depth_mm, body.part));
+  return counts;
+}
+
+void StockCheck::look_above_flutes(std::size_t i, const SweptMove& tip,
+                                   std::vector<Finding>& findings) const {
+  // All that is above the flutes' top at once.
+  const double lowest = std::min(tip.start.z, tip.start.z + tip.delta.z);
+  if (lowest + bodies_.flutes.profile.length() - limits_.near_miss_mm >= map_.highest()) return;
+  look_over_flutes(i, tip, findings);
+  for (const ToolBody& body : bodies_.above)
+    if (bodies_.is_wide(body)) look_at_wide_part(body, i, tip, findings);
+}
+
+void StockCheck::look_over_flutes(std::size_t i, const SweptMove& tip,
+                                  std::vector<Finding>& findings) const {
+  for (const ToolBody& body : bodies_.over_flutes)
+    look_for(FindingKind::below_flutes, body, i, tip, i + 1, findings);
+}
+
+void StockCheck::look_at_wide_part(const ToolBody& body, std::size_t i, const SweptMove& tip,
+                                   std::vector<Finding>& findings) const {
+  // What the move's own flutes sweep is gone before its shank gets there.
+  const std::size_t end = i + 1;
+  const bool wider = body.profile.largest_radius() > bodies_.top_radius_mm + limits_.tolerance_mm;
+  if (wider && limits_.near_miss_mm > 0) {
+    const SweptMove own = body.of_tip(tip);
+    if (map_.clears(body.profile, own, limits_.near_miss_mm)) return;
+    const auto gap = least_gap(material_at(end), body.profile, own, limits_.near_miss_mm,
+                               limits_.tolerance_mm, {});
+    if (!gap) return;
+    findings.push_back(
+        finding(FindingKind::near_miss, i, gap->point, -gap->distance_mm, body.part));
+  }
+  look_for(
+      body.part == ToolPart::shank ? FindingKind::shank_in_stock : FindingKind::holder_in_stock,
+      body, i, tip, end, findings);
+}
+
+void StockCheck::look_at_rapids_gap(std::size_t i, const SweptMove& tip,
+                                    std::vector<Finding>& findings) const {
+  const CutterProfile& flutes = bodies_.flutes.profile;
+  if (!(limits_.near_miss_mm > 0) || map_.clears(flutes, tip, limits_.near_miss_mm) ||
+      keeps_to_its_hole(i))
+    return;
+  const std::vector<SweptMove> feeds = feeds_beside(i);
+  const auto gap = least_gap(material_at(lines_.begin(i)), flutes, tip, limits_.near_miss_mm,
+                             limits_.tolerance_mm, {&flutes, feeds});
+  if (gap && gap->distance_mm > limits_.tolerance_mm)
+    findings.push_back(
+        finding(FindingKind::near_miss, i, gap->point, -gap->distance_mm, ToolPart::cutter));
+}
+
+std::optional<Contact> StockCheck::contact(const ToolBody& body, const SweptMove& tip,
+                                           std::size_t end) const {
+  const SweptMove own = body.of_tip(tip);
+  if (map_.clears(body.profile, own)) return std::nullopt;
+  return deepest_contact(material_at(end), body.profile, own, limits_.tolerance_mm);
+}
+
+std::optional<Contact> StockCheck::contact_of_flutes(const SweptMove& tip, std::size_t end) const {
+  return contact(bodies_.flutes, tip, end);
+}
+
+bool StockCheck::descends_too_steeply(std::size_t i) const {
+  const double steepest = pass_.cutter.steepest_descent_deg;
+  if (steepest >= 90 || path_.moves[i].kind != MoveKind::feed) return false;
+  // Of the whole straight line: rounding would hide the slope of its pieces.
+  return is_steep(move_from(path_, lines_.begin(i)), path_.moves[lines_.end(i) - 1].to, steepest);
+}
+
+// Straight up from where the move before the line ended: the flutes stood there, and all that they
+// sweep anew is above their top.
+bool StockCheck::backs_out(std::size_t i) const {
+  const std::size_t begin = lines_.begin(i);
+  if (begin == 0) return false;
+  const Vec3 &from = move_from(path_, begin), &to = path_.moves[i].to;
+  return over_each_other(from, move_from(path_, i)) && over_each_other(from, to) &&
+         to.z >= move_from(path_, i).z && bodies_.widest_at_top() &&
+         from.z + bodies_.flutes.profile.length() >= map_.highest();
+}
+
+// Up from where a feed move ended or down to where one begins, with flutes that are widest at their
+// top and end above all material: no place of it is nearer than the feed move comes.
+bool StockCheck::keeps_to_its_hole(std::size_t i) const {
+  const std::size_t begin = lines_.begin(i), end = lines_.end(i);
+  const Vec3 &from = move_from(path_, begin), &to = path_.moves[end - 1].to;
+  if (!over_each_other(from, to) || !bodies_.widest_at_top()) return false;
+  const bool up = to.z >= from.z;
+  const bool beside_feed = up ? begin > 0 && path_.moves[begin - 1].kind == MoveKind::feed
+                              : end < path_.moves.size() && path_.moves[end].kind == MoveKind::feed;
+  return beside_feed && std::min(from.z, to.z) + bodies_.flutes.profile.length() >= map_.highest();
+}
+
+std::vector<SweptMove> StockCheck::feeds_beside(std::size_t i) const {
+  const std::size_t begin = lines_.begin(i), end = lines_.end(i);
+  std::vector<SweptMove> feeds;
+  if (begin > 0 && path_.moves[begin - 1].kind == MoveKind::feed)
+    feeds.push_back(run_of(begin - 1));
+  if (end < path_.moves.size() && path_.moves[end].kind == MoveKind::feed)
+    feeds.push_back(run_of(end));
+  return feeds;
+}
+
+SweptMove StockCheck::run_of(std::size_t i) const {
+  const std::size_t begin = lines_.begin(i);
+  return {move_from(path_, begin), path_.moves[lines_.end(i) - 1].to,
+          static_cast<std::uint32_t>(begin)};
+}
+
+MaterialAtMove StockCheck::material_at(std::size_t end) const {
+  std::call_once(indexed_, [&] { sweep_ = std::make_unique<const SweepIndex>(pass_); });
+  return {&before_, sweep_.get(), static_cast<std::uint32_t>(end)};
+}
+
+Finding StockCheck::finding(FindingKind kind, std::size_t i, const Vec3& point, double depth,
+                            ToolPart part) const {
+  return {kind, i, path_.moves[i].line, point, depth, name(part), "stock"};
+}
+
+}  // namespace limitgauge::simulator

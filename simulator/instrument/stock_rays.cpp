@@ -1,0 +1,172 @@
+#include "simulator/instrument/stock_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "simulator/grid/stock_grid.h"
+
+namespace limitgauge::simulator {
+namespace {
+
+using model::Vec3;
+
+constexpr double kLeast_mm = StockRays::kLeastFeature_mm;
+/// Steps on the exact material before a ray is given up that follows a surface.
+constexpr int kMostSteps = 4000;
+/// Steps that are all short mean a surface alongside: then the moves about are looked at one by
+/// one.
+constexpr int kShortSteps = 12;
+constexpr double kShort_mm = 0.01;
+/// How far the moves about are gathered for.
+constexpr double kAhead_mm = 0.1;
+
+/// A distance at one place of the ray, and how it changes along it.
+struct Along {
+  double value = 0, slope = 0;
+};
+
+class Walk {
+ public:
+  Walk(const StockModel& stock, const Vec3& from, const Vec3& along, double limit_mm)
+      : material_(stock.material()),
+        grid_(stock.grid()),
+        from_(from),
+        along_(along),
+        limit_mm_(limit_mm) {}
+
+  StockRays::Run go();
+
+ private:
+  Vec3 at(double t) const { return from_ + along_ * t; }
+  StockRays::Run open_end() const { return {*inside_, std::min(t_, limit_mm_), false, 0}; }
+  bool lead_by_grid();
+  MaterialSample sample(const Vec3& p) const;
+  double proven_step(const MaterialSample& s);
+  double way_out(SurfaceMaker body) const;
+  double first_entry() const;
+
+  const Material& material_;
+  const StockGrid& grid_;
+  Vec3 from_, along_;
+  double limit_mm_;
+  double t_ = 0;                ///< all before it is proven
+  std::optional<bool> inside_;  ///< in the material
+  SurfaceMaker hint_;
+  int short_steps_ = 0;
+};
+
+/// Goes as far as the level set proves; true at the limit.
+bool Walk::lead_by_grid() {
+  const GridRun run = grid_.proven_run(at(t_), along_, limit_mm_ - t_);
+  if (run.length_mm <= 0) return false;
+  // After a surface was crossed within the last step, the exact material has to find it.
+  if (inside_ && *inside_ != run.material) return false;
+  inside_ = run.material;
+  t_ += run.length_mm;
+  return t_ >= limit_mm_;
+}
+
+/// As Material::sample, the last pass first, which is most often the nearest.
+MaterialSample Walk::sample(const Vec3& p) const {
+  MaterialSample best = material_.sample_of({}, p);
+  if (hint_.pass > 0) {
+    const MaterialSample guessed = material_.sample_of(hint_, p);
+    if (guessed.value > best.value) best = guessed;
+  }
+  const auto& passes = material_.passes();
+  for (std::size_t k = passes.size(); k-- > 0;)
+    if (const auto found = passes[k]->nearest(p, -best.value))
+      best = {-found->at.distance,
+              -found->at.gradient,
+              {static_cast<std::uint32_t>(k + 1), found->slot}};
+  return best;
+}
+
+/// From t_, inside a convex body, to where the ray leaves it: no further than that, and short of it
+/// by no more than a fraction of kLeast_mm. The body's distance is convex along the ray, so that a
+/// chord lies above it and a tangent below.
+double Walk::way_out(SurfaceMaker body) const {
+  const double inwards = body.pass > 0 ? -1 : 1;  // φ of a move is minus its distance
+  const auto distance = [&](double t) {
+    const MaterialSample s = material_.sample_of(body, at(t));
+    return Along{inwards * s.value, inwards * dot(s.gradient, along_)};
+  };
+  double a = t_, b = limit_mm_;
+  Along low = distance(a), high = distance(b);
+  if (high.value <= 0) return b;
+  constexpr int kMost = 60;
+  for (int k = 0; k < kMost && b - a > 0.1 * kLeast_mm; ++k) {
+    const double chord = a + (b - a) * low.value / (low.value - high.value);
+    const double tangent = high.slope > 0 ? b - high.value / high.slope : b;
+    const double next = k % 2 == 0 ? tangent : chord;
+    const double middle = next > a && next < b ? next : (a + b) / 2;
+    const Along s = distance(middle);
+    if (s.value <= 0)
+      a = middle, low = s;
+    else
+      b = middle, high = s;
+  }
+  return a;
+}
+
+/// From t_, in the material: a way ahead without any move, and shorter than kAhead_mm only where
+/// one is entered.
+double Walk::first_entry() const {
+  const double end = std::min(t_ + kAhead_mm, limit_mm_);
+  double first = end;
+  std::vector<std::uint32_t> slots;
+  for (const auto& pass : material_.passes()) {
+    slots.clear();
+    pass->gather(at(t_), end - t_, slots);
+    for (const std::uint32_t slot : slots) {
+      double t = t_;
+      for (int k = 0; k < 60 && t < first; ++k) {
+        const SweptSample d = pass->distance(slot, at(t));
+        if (d.distance <= 0.1 * kLeast_mm) break;
+        const double slope = dot(d.gradient, along_);
+        if (slope >= 0)
+          t = end;
+        else
+          t = std::min(end, t - d.distance / slope);
+      }
+      first = std::min(first, t);
+    }
+  }
+  return first;
+}
+
+/// How far from t_ the exact material proves that all is like here.
+double Walk::proven_step(const MaterialSample& s) {
+  if (!*inside_) return s.maker.pass > 0 ? std::max(s.value, way_out(s.maker) - t_) : s.value;
+  const double step = -s.value;
+  short_steps_ = step < kShort_mm ? short_steps_ + 1 : 0;
+  if (short_steps_ <= kShortSteps) return step;
+  // The raw stock may end before a move begins.
+  const double raw =
+      material_.raw().convex() ? way_out({}) - t_ : -material_.sample_of({}, at(t_)).value;
+  return std::max(step, std::min(raw, first_entry() - t_));
+}
+
+StockRays::Run Walk::go() {
+  for (int step = 0; step < kMostSteps; ++step) {
+    if (lead_by_grid()) return open_end();
+    const MaterialSample s = sample(at(t_));
+    hint_ = s.maker;
+    const bool inside = s.value < 0;
+    if (inside_ && inside != *inside_) return {*inside_, std::min(t_, limit_mm_), true, kLeast_mm};
+    inside_ = inside;
+    t_ += std::max(proven_step(s), 0.0) + kLeast_mm;
+    if (t_ >= limit_mm_) return open_end();
+  }
+  return open_end();
+}
+
+}  // namespace
+
+StockRays::Run StockRays::run(const Vec3& from, const Vec3& along, double limit_mm) const {
+  if (!(limit_mm > 0)) return {stock_.exact_value(from) < 0, 0, false, 0};
+  return Walk(stock_, from, along, limit_mm).go();
+}
+
+}  // namespace limitgauge::simulator

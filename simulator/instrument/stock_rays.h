@@ -1,0 +1,47 @@
+#pragma once
+
+#include "simulator/stock/material.h"
+#include "simulator/stock/stock_model.h"
+
+namespace limitgauge::simulator {
+
+/// Rays into the stock: what stands at a point, and how far along a straight way everything is like
+/// that. The level set leads as far as it proves where it is; where it does not, near a surface,
+/// the exact material decides. So nothing is passed over for being thinner than a voxel: a fin or
+/// a gap is seen down to kLeastFeature_mm, measured along the ray.
+///
+/// Proofs. φ is 1-Lipschitz, so a voxel at distance r with |φ| > r shows that the point is on the
+/// voxel's side, and so is all within |φ| − r; likewise |φ| at the point itself. In the air a move
+/// is a convex body, of whose inside the ray has one piece, up to where it leaves. In the material
+/// the distance to a move is convex along the ray and lies above its tangent, so the tangent's zero
+/// is never beyond where the ray enters the move.
+///
+/// A model that works tile by tile holds a coarser level set whole: it leads less far, and the
+/// answers are the same. Cheap to copy; shares the stock, so it must be gone before the stock can
+/// be cut where it stands. Const calls from several threads at once.
+class StockRays {
+ public:
+  /// What is thinner along the ray is passed over, and an end is known to.
+  static constexpr double kLeastFeature_mm = 1e-7;
+
+  struct Run {
+    bool material = false;  ///< what stands at the start
+    /// All of this is like the start, but for what is thinner than kLeastFeature_mm.
+    double length_mm = 0;
+    /// Material and air change places at its end. Where they do not and the length is less than was
+    /// asked for, the ray keeps so close to a surface that nothing is known beyond.
+    bool ends = false;
+    double error_mm = 0;  ///< bound on the way from the end to the true change
+  };
+
+  explicit StockRays(StockModel stock) : stock_(std::move(stock)) {}
+
+  /// `along` is a unit vector. A start within rounding of a surface is on either side of it.
+  Run run(const model::Vec3& from, const model::Vec3& along, double limit_mm) const;
+  double voxel_mm() const { return stock_.voxel_mm(); }
+
+ private:
+  StockModel stock_;
+};
+
+}  // namespace limitgauge::simulator

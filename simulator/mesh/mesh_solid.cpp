@@ -1,0 +1,186 @@
+#include "simulator/mesh/mesh_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "model/mesh/mesh_defect.h"
+#include "simulator/mesh/exact_side.h"
+#include "simulator/mesh/mesh_tree.h"
+
+namespace limitgauge::simulator {
+namespace {
+
+using model::Vec3;
+using Triangle = MeshTree::Triangle;
+
+FlatPoint flat(const Vec3& p) {
+  return {p.x, p.y};
+}
+
+// How often the triangle, seen from above, goes around the vertical at p: +1 where it faces
+// upwards, −1 downwards, 0 where it misses it. A vertex at the height y of p counts as below it
+// and a point on an edge as left of it: as if p lay a little to +X and far less to +Y of where it
+// is. Over the triangles of a closed mesh the sum is exactly zero.
+int turns_about(const Triangle& t, const FlatPoint& p) {
+  int turns = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &a = t[k], &b = t[(k + 1) % 3];
+    const bool from_above = a.y > p.y, to_above = b.y > p.y;
+    if (from_above == to_above) continue;
+    const int side = side_of_line(flat(a), flat(b), p);
+    if (to_above && side > 0) ++turns;
+    if (from_above && side < 0) --turns;
+  }
+  return turns;
+}
+
+// Where the vertical meets the triangle's plane, kept to the triangle's heights: of one that is all
+// but vertical the quotient may be anything.
+double height_at(const Triangle& t, double x, double y) {
+  const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
+  const double slope = n.x * (x - t[0].x) + n.y * (y - t[0].y);
+  const auto [low, high] = std::minmax({t[0].z, t[1].z, t[2].z});
+  return n.z == 0 ? low : std::clamp(t[0].z - slope / n.z, low, high);
+}
+
+struct Crossing {
+  double z = 0;
+  int turns = 0;
+};
+
+Vec3 facing(const Triangle& t) {
+  const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
+  const double l = length(n);
+  return l > 0 ? n / l : Vec3{0, 0, 1};
+}
+
+// Nearer than this the way from the nearest point has lost its direction to rounding.
+constexpr double kOnSurface_mm = 1e-9;
+
+}  // namespace
+
+struct MeshSolid::State {
+  std::shared_ptr<const model::TriangleMesh> mesh;
+  MeshTree tree;
+  model::Box3 box;
+  double area_mm2, volume_mm3;
+
+  explicit State(std::shared_ptr<const model::TriangleMesh> m)
+      : mesh(std::move(m)),
+        tree(*mesh),
+        box(bounding_box(*mesh)),
+        area_mm2(model::area_mm2(*mesh)),
+        volume_mm3(model::volume_mm3(*mesh)) {}
+
+  // Of the part of the vertical that is at z_from or above.
+  std::vector<Crossing> crossings(double x, double y, double z_from) const {
+    std::vector<Crossing> found;
+    tree.above(x, y, z_from, [&](std::uint32_t slot) {
+      const Triangle& t = tree.triangle(slot);
+      if (const int turns = turns_about(t, {x, y}); turns != 0)
+        found.push_back({height_at(t, x, y), turns});
+    });
+    return found;
+  }
+
+  bool contains(const Vec3& p) const {
+    if (!box.contains(p)) return false;
+    int winding = 0;
+    tree.above(p.x, p.y, p.z, [&](std::uint32_t slot) {
+      const Triangle& t = tree.triangle(slot);
+      const int turns = turns_about(t, flat(p));
+      if (turns != 0 && height_at(t, p.x, p.y) > p.z) winding += turns;
+    });
+    return winding > 0;
+  }
+};
+
+MeshSolid::MeshSolid(std::shared_ptr<const model::TriangleMesh> mesh) {
+  if (mesh == nullptr) throw std::invalid_argument("a solid without its mesh");
+  if (const auto defect = find_defect(*mesh))
+    throw std::invalid_argument("the mesh bounds no solid: " + defect->wrong);
+  state_ = std::make_shared<const State>(std::move(mesh));
+}
+
+SolidSample MeshSolid::sample(const Vec3& p) const {
+  const MeshTree::Nearest near = state_->tree.nearest(p);
+  const double d = std::sqrt(near.distance_squared), sign = contains(p) ? -1 : 1;
+  if (d <= kOnSurface_mm) return {sign * d, facing(state_->tree.triangle(near.slot))};
+  return {sign * d, (p - near.point) * (sign / d)};
+}
+
+std::optional<SolidCap> MeshSolid::cap(const Vec3& p, double reach_mm) const {
+  // Coplanar triangles are so within rounding.
+  constexpr double kCoplanar_mm = 1e-10;
+  const MeshTree& tree = state_->tree;
+  const MeshTree::Nearest near = tree.nearest(p);
+  if (near.distance_squared > reach_mm * reach_mm) return std::nullopt;
+  const Triangle& t = tree.triangle(near.slot);
+  const Vec3 normal = facing(t);
+  const double ball = 3 * reach_mm;
+  const bool under = tree.each_about(p, ball, [&](std::uint32_t slot) {
+    const Triangle& other = tree.triangle(slot);
+    const bool rises = std::ranges::any_of(
+        other, [&](const Vec3& v) { return dot(v - t[0], normal) > kCoplanar_mm; });
+    return !rises || distance(nearest_on_triangle(other, p), p) > ball;
+  });
+  if (!under || contains(near.point + normal * (reach_mm / 2))) return std::nullopt;
+  return SolidCap{dot(t[0] - p, normal) + kCoplanar_mm, normal};
+}
+
+bool MeshSolid::contains(const Vec3& p) const {
+  return state_->contains(p);
+}
+
+void MeshSolid::distances_up(const Vec3& p, double step_mm, std::span<double> out) const {
+  std::vector<Crossing> above = state_->crossings(p.x, p.y, p.z);
+  std::ranges::sort(above, std::ranges::greater{}, &Crossing::z);
+  int winding = 0;
+  for (const Crossing& c : above)
+    if (c.z > p.z) winding += c.turns;
+  std::uint32_t hint = 0;
+  for (std::size_t n = 0; n < out.size(); ++n) {
+    const Vec3 q{p.x, p.y, p.z + static_cast<double>(n) * step_mm};
+    for (; !above.empty() && above.back().z <= q.z; above.pop_back())
+      if (above.back().z > p.z) winding -= above.back().turns;
+    const MeshTree::Nearest near = state_->tree.nearest(q, hint);
+    hint = near.slot;
+    out[n] = std::copysign(std::sqrt(near.distance_squared), winding > 0 ? -1.0 : 1.0);
+  }
+}
+
+std::vector<double> MeshSolid::crossings(double x_mm, double y_mm) const {
+  std::vector<Crossing> all = state_->crossings(x_mm, y_mm, state_->box.low.z);
+  std::ranges::sort(all, {}, &Crossing::z);
+  std::vector<double> heights;
+  int winding = 0;
+  for (std::size_t n = 0; n < all.size();) {
+    const double z = all[n].z;
+    const bool inside = winding > 0;
+    for (; n < all.size() && all[n].z == z; ++n) winding -= all[n].turns;
+    if ((winding > 0) != inside) heights.push_back(z);
+  }
+  return heights;
+}
+
+const model::TriangleMesh& MeshSolid::mesh() const {
+  return *state_->mesh;
+}
+const model::Box3& MeshSolid::box() const {
+  return state_->box;
+}
+double MeshSolid::area_mm2() const {
+  return state_->area_mm2;
+}
+double MeshSolid::volume_mm3() const {
+  return state_->volume_mm3;
+}
+std::size_t MeshSolid::memory_bytes() const {
+  const model::TriangleMesh& m = *state_->mesh;
+  return state_->tree.memory_bytes() + m.vertices.capacity() * sizeof(m.vertices[0]) +
+         m.triangles.capacity() * sizeof(m.triangles[0]);
+}
+
+}  // namespace limitgauge::simulator

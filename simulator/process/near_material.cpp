@@ -1,0 +1,83 @@
+#include "simulator/process/near_material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limitgauge::simulator {
+namespace {
+
+using model::Vec3;
+
+constexpr double kSlack = 1e-9;
+
+MaterialSample of_move(std::size_t pass, const NearestMove& n) {
+  return {-n.at.distance, -n.at.gradient, {static_cast<std::uint32_t>(pass + 1), n.slot}};
+}
+
+}  // namespace
+
+NearMaterial::NearMaterial(const Material& material, const Lattice& lattice)
+    : material_(material), lattice_(lattice) {
+  for (Level& level : levels_) level.moves.resize(material.passes().size());
+}
+
+void NearMaterial::turn_to(const Index3& cell) {
+  const Level* wider = nullptr;
+  for (Level& level : levels_) {
+    Index3 corner;
+    for (int a = 0; a < 3; ++a) corner[a] = cell[a] & ~(level.edge - 1);
+    if (!level.ready || level.corner != corner) {
+      level.corner = corner;
+      prepare(level, wider);
+      // What hangs on this one is of another place.
+      for (Level* below = &level + 1; below != levels_.data() + levels_.size(); ++below)
+        below->ready = false;
+    }
+    wider = &level;
+  }
+}
+
+// With r the half diagonal, φ is at least φ(middle) − r all over the cube: a pass whose distance at
+// the middle is beyond 2r − φ(middle) makes nothing of it there.
+void NearMaterial::prepare(Level& level, const Level* wider) {
+  const double half = 0.5 * level.edge;
+  level.cube.middle = lattice_.point(level.corner) + Vec3{half, half, half} * lattice_.voxel_mm;
+  level.cube.half_edge_mm = (half + level.margin) * lattice_.voxel_mm;
+  level.raw = raw_distance(material_.raw(), level.cube.middle);
+  const double reach = 2 * level.cube.half_diagonal() + kSlack;
+  double value = level.raw.distance;
+  for (std::size_t k = material_.passes().size(); k-- > 0;) {
+    const SweepIndex& pass = *material_.passes()[k];
+    NearMoves& moves = level.moves[k];
+    const double least = wider ? moves.narrow(pass, wider->moves[k], level.cube, reach - value)
+                               : moves.gather(pass, level.cube, reach - value);
+    value = std::max(value, -least);
+  }
+  level.ready = true;
+}
+
+MaterialSample NearMaterial::sample(const Vec3& p, SurfaceMaker guess) const {
+  for (std::size_t k = levels_.size(); k-- > 0;)
+    if (levels_[k].ready && levels_[k].cube.contains(p)) return sample_in(levels_[k], p, guess);
+  return material_.sample(p, guess);
+}
+
+MaterialSample NearMaterial::sample_in(const Level& level, const Vec3& p,
+                                       SurfaceMaker guess) const {
+  MaterialSample best;
+  best.value = -std::numeric_limits<double>::infinity();
+  // The raw stock's distance changes by no more than the way.
+  const double raw_most = level.raw.distance + distance(p, level.cube.middle) + kSlack;
+  if (guess.pass > 0) best = material_.sample_of(guess, p);
+  if (raw_most > best.value) {
+    const MaterialSample raw = material_.sample_of({}, p);
+    if (raw.value >= best.value) best = raw;
+  }
+  for (std::size_t k = 0; k < level.moves.size(); ++k)
+    if (const auto found = level.moves[k].nearest(*material_.passes()[k], p, -best.value))
+      best = of_move(k, *found);
+  return best;
+}
+
+}  // namespace limitgauge::simulator

@@ -1,0 +1,145 @@
+#include "simulator/process/process_check.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+
+#include "model/base/chunks.h"
+#include "simulator/instrument/stock_check.h"
+#include "simulator/process/fixture_check.h"
+#include "simulator/process/tool_bodies.h"
+#include "simulator/stock/material.h"
+
+namespace limitgauge::simulator {
+namespace {
+
+using model::Box3;
+using model::Toolpath;
+using model::Vec3;
+
+constexpr std::size_t kChunk = 64;
+
+void require_limits(const ProcessLimits& limits) {
+  if (!(limits.tolerance_mm > 0) || !std::isfinite(limits.tolerance_mm))
+    throw std::invalid_argument("the tolerance of contacts must be a positive number");
+  if (!(limits.near_miss_mm >= 0) || !std::isfinite(limits.near_miss_mm))
+    throw std::invalid_argument("the clearance of near misses must be a number from 0 up");
+  for (int a = 0; limits.travel_mm && a < 3; ++a)
+    if (!(limits.travel_mm->low[a] <= limits.travel_mm->high[a]))
+      throw std::invalid_argument("the travel of an axis ends below where it begins");
+}
+
+void require_path(const Pass& pass) {
+  if (!pass.path) throw std::invalid_argument("a pass without a path");
+  const Toolpath& path = *pass.path;
+  if (path.moves.size() >= std::numeric_limits<std::uint32_t>::max())
+    throw std::invalid_argument("a path of 2^32 moves or more");
+  const bool finite =
+      is_finite(path.start) && std::all_of(path.moves.begin(), path.moves.end(),
+                                           [](const model::Move& m) { return is_finite(m.to); });
+  if (!finite) throw std::invalid_argument("a path with a coordinate that is not finite");
+}
+
+// How far above the tip material may stand on some move of the path.
+double height_of_material(const StockModel& before, const Toolpath& path) {
+  double lowest = path.start.z;
+  for (const model::Move& m : path.moves) lowest = std::min(lowest, m.to.z);
+  return bounding_box(before.material().raw()).high.z - lowest;
+}
+
+void look_at_travel(const Box3& travel, const Toolpath& path, std::size_t i,
+                    std::vector<Finding>& findings) {
+  const Vec3& to = path.moves[i].to;
+  if (travel.contains(to)) return;
+  constexpr const char* kBelow[] = {"x-", "y-", "z-"};
+  constexpr const char* kAbove[] = {"x+", "y+", "z+"};
+  Finding f{FindingKind::beyond_travel, i, path.moves[i].line, to, 0, name(ToolPart::cutter), ""};
+  for (int a = 0; a < 3; ++a) {
+    if (travel.low[a] - to[a] > f.depth_mm)
+      f.depth_mm = travel.low[a] - to[a], f.against = kBelow[a];
+    if (to[a] - travel.high[a] > f.depth_mm)
+      f.depth_mm = to[a] - travel.high[a], f.against = kAbove[a];
+  }
+  findings.push_back(f);
+}
+
+bool is_contact(FindingKind kind) {
+  return kind == FindingKind::rapid_through_stock || kind == FindingKind::shank_in_stock ||
+         kind == FindingKind::holder_in_stock || kind == FindingKind::below_flutes ||
+         kind == FindingKind::fixture_touched;
+}
+
+int rank(const std::string& part) {
+  return part == name(ToolPart::cutter) ? 0 : part == name(ToolPart::shank) ? 1 : 2;
+}
+
+// Of one move: near misses and slight contacts of what is touched are left out, and of each kind
+// and part the worst is kept, of equal ones the first.
+void tidy(std::vector<Finding>& findings) {
+  if (findings.size() < 2) return;
+  const auto leave_out = [&](FindingKind kind, const auto& counts) {
+    std::vector<std::string> touched;
+    for (const Finding& f : findings)
+      if (counts(f.kind)) touched.push_back(f.against);
+    std::erase_if(findings, [&](const Finding& f) {
+      return f.kind == kind &&
+             std::find(touched.begin(), touched.end(), f.against) != touched.end();
+    });
+  };
+  leave_out(FindingKind::near_miss, [](FindingKind kind) {
+    return is_contact(kind) || kind == FindingKind::slight_contact;
+  });
+  leave_out(FindingKind::slight_contact, is_contact);
+  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
+    return std::tuple(a.kind, rank(a.part), -a.depth_mm) <
+           std::tuple(b.kind, rank(b.part), -b.depth_mm);
+  });
+  const auto same = [](const Finding& a, const Finding& b) {
+    return a.kind == b.kind && a.part == b.part;
+  };
+  findings.erase(std::unique(findings.begin(), findings.end(), same), findings.end());
+}
+
+std::vector<Finding> joined(std::vector<std::vector<Finding>> chunks) {
+  std::vector<Finding> all;
+  for (std::vector<Finding>& chunk : chunks)
+    all.insert(all.end(), std::make_move_iterator(chunk.begin()),
+               std::make_move_iterator(chunk.end()));
+  return all;
+}
+
+}  // namespace
+
+std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
+                                   const ProcessLimits& limits, const model::RunControl& control) {
+  require_limits(limits);
+  require_path(pass);
+  const Toolpath& path = *pass.path;
+  const ToolBodies bodies(pass.cutter, height_of_material(before, path));
+  const StockLimits depths{limits.tolerance_mm, limits.near_miss_mm};
+  const StockCheck stock(before, pass, bodies, depths);
+  const FixtureCheck fixtures(limits.fixtures, pass, bodies, depths);
+  const std::size_t moves = path.moves.size(), chunks = model::chunk_count(moves, kChunk);
+  std::vector<std::vector<Finding>> found(chunks);
+  std::atomic<std::size_t> done = 0;
+  model::parallel_chunks(moves, kChunk, control, [&](std::size_t begin, std::size_t end) {
+    std::vector<Finding>& all = found[begin / kChunk];
+    std::vector<Finding> of_move;
+    for (std::size_t i = begin; i < end; ++i) {
+      of_move.clear();
+      stock.look_at(i, of_move);
+      fixtures.look_at(i, of_move);
+      if (limits.travel_mm) look_at_travel(*limits.travel_mm, path, i, of_move);
+      tidy(of_move);
+      std::move(of_move.begin(), of_move.end(), std::back_inserter(all));
+    }
+    control.report(static_cast<double>(++done) / static_cast<double>(chunks));
+  });
+  return joined(std::move(found));
+}
+
+}  // namespace limitgauge::simulator

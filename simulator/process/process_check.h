@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/part/fixture.h"
+#include "simulator/process/finding.h"
+#include "simulator/stock/stock_model.h"
+
+namespace limitgauge::simulator {
+
+/// What a process is checked against.
+struct ProcessLimits {
+  /// Contacts shallower than this fail nothing, and are listed as slight_contact; > 0. What is
+  /// found does not depend on the stock's voxel.
+  double tolerance_mm = 0;
+  double near_miss_mm = 0;  ///< passing stock or fixture within this is a near miss; 0: not looked
+                            ///< for
+  std::optional<model::Box3> travel_mm;  ///< of the tip, infinite where an axis has no limit
+  std::vector<model::Fixture> fixtures;
+};
+
+/// Checks `pass` against the stock as it stands at each move: `before` is the stock at the start of
+/// the stage. Findings are in the order of moves, then of kinds, then of parts; one a move, kind
+/// and part, for its worst place. The same for any number of threads. Throws std::invalid_argument
+/// for limits, a cutter or a path that cannot be, Interrupted.
+///
+/// What stands at a move is `before` less all that the moves before it swept. So that a program
+/// cannot hide a crash by having it in small pieces, the flutes' contacts are judged against the
+/// stock at the start of the straight line of rapids that a rapid is part of (rapid_through_stock,
+/// near_miss), or of the series of neighbouring moves with the spindle at rest (spindle_stopped),
+/// without a feed rate (feed_missing), or down too steeply (steep_descent). What is above the
+/// flutes is judged after the move's own flutes have cut.
+///
+/// - rapid_through_stock: a rapid's flutes in material. A rapid straight up from where the move
+///   before ended is none where the flutes end above all material.
+/// - shank_in_stock, holder_in_stock: a part as wide as the flutes' top or wider in material.
+/// - below_flutes: material stands above the flutes' top within their radius there, at a height
+///   where the stated assembly is narrower or ends. A narrower part that meets material is found by
+///   this and not as shank_in_stock; a wider one has its own finding and not this.
+/// - fixture_touched: any part on any move. The depth is that of the fixture's surface in the
+///   assembly, which is one body whatever parts it is stated in (ToolBodies::joined: no less than
+///   1/√2 of it where the diameter changes), to a fraction of the tolerance; of a part wholly
+///   inside the fixture, how deep its middle is in the part plus the least distance from the part
+///   to the fixture's surface. Named is the part that is at the place.
+/// - spindle_stopped: a move with the spindle at rest whose flutes meet material.
+/// - feed_missing: any feed move without a feed rate; depth 0 where it meets nothing, and then
+///   placed where the move begins.
+/// - steep_descent: a feed move on a straight line that goes down more steeply than
+///   Cutter::steepest_descent_deg, by more than the rounding of coordinates (1 µm), and meets
+///   material.
+/// - beyond_travel: the tip ends beyond a limit; `against` is the one by which it is farthest out.
+/// - slight_contact: a contact with stock or fixture of a kind above that is shallower than the
+///   tolerance but not than a tenth of it, below which a body only slides along.
+/// - near_miss: a distance to stock or fixture below `near_miss_mm` where nothing of the move
+///   touches that stock or that fixture.
+///   Against fixtures: every part on every move, down to contacts too slight to be one (depth 0).
+///   Against stock: parts wider than the flutes' top, on every move, likewise. Parts no wider
+///   have none: where the flutes fitted they have room. Feed moves' flutes have none: they
+///   are to touch. Of rapids' flutes, no place counts that the feed move just before the straight
+///   line of rapids, or the one just after it, comes as near to as the rapid does, within a
+///   tolerance: it has just been cut, is about to be cut, or is passed as closely on purpose. No
+///   near miss is a rapid straight up out of where the move before it ended, as above, nor a rapid
+///   that slides along material, within a tolerance: it follows what a cutter has left. Material
+///   too thin for a ball of half a tolerance's radius does not count.
+std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
+                                   const ProcessLimits& limits, const model::RunControl& control);
+
+}  // namespace limitgauge::simulator

@@ -1,0 +1,75 @@
+#include "simulator/stock/raw_stock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace limitgauge::simulator {
+namespace {
+
+using model::Vec3;
+
+RawSample box_distance(const model::BoxStock& box, const Vec3& p) {
+  const Vec3 half = box.size_mm * 0.5, q = p - (box.corner_mm + half);
+  Vec3 over, away;
+  int nearest_face = 0;
+  for (int a = 0; a < 3; ++a) {
+    over[a] = std::abs(q[a]) - half[a];
+    away[a] = std::max(over[a], 0.0);
+    if (over[a] > over[nearest_face]) nearest_face = a;
+  }
+  Vec3 g;
+  if (over[nearest_face] <= 0) {
+    g[nearest_face] = q[nearest_face] < 0 ? -1 : 1;
+    return {over[nearest_face], g};
+  }
+  const double d = length(away);
+  for (int a = 0; a < 3; ++a) g[a] = std::copysign(away[a] / d, q[a]);
+  return {d, g};
+}
+
+RawSample bar_distance(const model::CylinderStock& bar, const Vec3& p) {
+  const double half = bar.height_mm / 2, x = p.x - bar.base_mm.x, y = p.y - bar.base_mm.y;
+  const double z = p.z - bar.base_mm.z - half, rho = std::sqrt(x * x + y * y);
+  const double side = rho - bar.diameter_mm / 2, end = std::abs(z) - half;
+  double g_rho = side >= end ? 1 : 0, g_z = side >= end ? 0 : 1, d = std::max(side, end);
+  if (side > 0 && end > 0) {
+    d = std::sqrt(side * side + end * end);
+    g_rho = side / d, g_z = end / d;
+  }
+  const double level = rho > 0 ? g_rho / rho : 0.0;
+  return {d, {level * x, level * y, std::copysign(g_z, z)}};
+}
+
+}  // namespace
+
+RawStock::RawStock(const model::Stock& stock) : stock_(stock) {
+  require_valid(stock);
+  box_ = bounding_box(stock);
+  if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) solid_.emplace(mesh->mesh);
+}
+
+RawSample RawStock::distance(const Vec3& p) const {
+  if (const auto* box = std::get_if<model::BoxStock>(&stock_)) return box_distance(*box, p);
+  if (const auto* bar = std::get_if<model::CylinderStock>(&stock_)) return bar_distance(*bar, p);
+  const SolidSample s = solid_->sample(p);
+  return {s.distance, s.gradient};
+}
+
+void RawStock::distances_up(const Vec3& p, double step_mm, std::span<double> out) const {
+  if (solid_) return solid_->distances_up(p, step_mm, out);
+  for (std::size_t n = 0; n < out.size(); ++n)
+    out[n] = distance({p.x, p.y, p.z + static_cast<double>(n) * step_mm}).distance;
+}
+
+double RawStock::surface_area_mm2() const {
+  if (const auto* box = std::get_if<model::BoxStock>(&stock_)) {
+    const Vec3& s = box->size_mm;
+    return 2 * (s.x * s.y + s.y * s.z + s.z * s.x);
+  }
+  if (solid_) return solid_->area_mm2();
+  const auto& bar = std::get<model::CylinderStock>(stock_);
+  return std::numbers::pi * bar.diameter_mm * (bar.diameter_mm / 2 + bar.height_mm);
+}
+
+}  // namespace limitgauge::simulator

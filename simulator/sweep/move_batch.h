@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "simulator/sweep/sweep_index.h"
+
+namespace limitgauge::simulator {
+
+/// What the inner loops read of ball moves.
+struct BallColumns {
+  const double *x, *y, *z, *along_x, *along_y, *run, *rise, *inverse_run, *inverse_length2;
+  const double *inverse_length, *norm1;
+};
+
+/// Moves that may matter in one block, with what the inner loops read laid out in columns.
+class MoveBatch {
+ public:
+  static constexpr std::size_t kPad = 8;
+  /// Makes this the moves of `slots`.
+  void assign(const SweepIndex& pass, const std::vector<std::uint32_t>& slots);
+  /// Makes this the moves of `from` named by their places in it.
+  void take(const MoveBatch& from, const std::vector<std::uint32_t>& places);
+  std::size_t size() const { return slot.size(); }
+
+  BallColumns columns() const;
+  /// The columns are filled up to this many moves, with the last one again: whole registers.
+  std::size_t padded_size() const { return padded(slot.size()); }
+  static constexpr std::size_t padded(std::size_t n) { return (n + kPad - 1) / kPad * kPad; }
+
+  /// Below this height a ball's top does not matter for any move of the batch.
+  double below_tops_mm(const CutterProfile& profile) const;
+
+  std::vector<std::uint32_t> slot;
+  // Ball moves: the centre's start (the lower end of a vertical move, whose upper end is of no
+  // account below the tops), the level direction, run, rise, and inverses of their lengths.
+  std::vector<double> x, y, z, along_x, along_y, run, rise, inverse_run, inverse_length2;
+  std::vector<double> inverse_length, norm1;  // the latter |u|₁ of the unit vector along the move
+  double lowest_tip = 0;
+
+ private:
+  void assign_balls(const SweepIndex& pass);
+};
+
+/// Distances and gradients of a batch at one point.
+struct BatchSamples {
+  std::vector<double> distance, gx, gy, gz;
+  void resize(std::size_t n);
+};
+
+/// Samples of all moves of a batch of ball moves, valid where the tops do not matter.
+void sample_balls(const MoveBatch& batch, double radius, const model::Vec3& p, BatchSamples& out);
+/// Least distance of a batch of ball moves at eight points.
+std::array<double, 8> least_ball_distances(const MoveBatch& batch, double radius,
+                                           const std::array<model::Vec3, 8>& points);
+
+}  // namespace limitgauge::simulator

@@ -1,0 +1,139 @@
+#include "simulator/sweep/near_moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limitgauge::simulator {
+namespace {
+
+using model::Vec3;
+
+// Rounding of distances and gradients of part-sized numbers is far below this; a move is only set
+// aside when it loses by more.
+constexpr double kSlack = 1e-9;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+Vec3 gradient(const BatchSamples& s, std::size_t i) {
+  return {s.gx[i], s.gy[i], s.gz[i]};
+}
+
+double norm1(const Vec3& v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+bool lies_below_tops(const SweepIndex& pass, const MoveBatch& moves, const Cube& cube) {
+  return pass.profile().is_ball() &&
+         cube.middle.z + cube.half_edge_mm <= moves.below_tops_mm(pass.profile());
+}
+
+}  // namespace
+
+double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit) {
+  kept_.clear();
+  moves_.assign(pass, kept_);
+  const auto found = pass.nearest(cube.middle, limit);
+  if (!found) return kFar;
+  if (pass.profile().is_ball() && cube.middle.z + cube.half_edge_mm <= pass.below_tops_mm()) {
+    const double to_foot = found->at.distance + pass.profile().corner_radius();
+    pass.gather_rivals({cube.middle, cube.half_edge_mm, found->at.gradient * to_foot}, kept_);
+  } else {
+    const double reach = found->at.distance + 2 * cube.half_diagonal() + kSlack;
+    pass.gather(cube.middle, std::min(limit, reach), kept_);
+  }
+  moves_.assign(pass, kept_);
+  below_tops_ = lies_below_tops(pass, moves_, cube);
+  return found->at.distance;
+}
+
+double NearMoves::narrow(const SweepIndex& pass, const NearMoves& wider, const Cube& cube,
+                         double limit) {
+  kept_.clear();
+  moves_.assign(pass, kept_);
+  if (wider.empty()) return kFar;
+  below_tops_ = lies_below_tops(pass, wider.moves_, cube);
+  const double least =
+      below_tops_ ? keep_balls(pass, wider.moves_, cube) : keep_others(pass, wider.moves_, cube);
+  if (least > limit) return kFar;
+  moves_.take(wider.moves_, kept_);
+  return least;
+}
+
+double NearMoves::keep_balls(const SweepIndex& pass, const MoveBatch& from, const Cube& cube) {
+  const double least = capsules_.nearest(from, cube.middle, cube.half_edge_mm);
+  capsules_.keep(from, kept_);
+  return std::sqrt(least) - pass.profile().corner_radius();
+}
+
+// A move that is farther than the nearest one by a diagonal cannot matter and is not worked out.
+void NearMoves::sample(const SweepIndex& pass, const MoveBatch& from, const Cube& cube) {
+  const std::size_t n = from.size();
+  samples_.resize(n);
+  double least = kFar;
+  for (std::size_t i = 0; i < n; ++i) {
+    const SweptMove& move = pass.move(from.slot[i]);
+    const bool far = cannot_be_below(pass.profile(), move, cube.middle,
+                                     least + 2 * cube.half_diagonal() + 2 * kSlack);
+    const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass.distance(from.slot[i], cube.middle);
+    least = std::min(least, s.distance);
+    samples_.distance[i] = s.distance;
+    samples_.gx[i] = s.gradient.x, samples_.gy[i] = s.gradient.y, samples_.gz[i] = s.gradient.z;
+  }
+}
+
+// Of the nearest moves, often several on a flat floor, the one whose distance bends least.
+std::size_t NearMoves::straightest(const SweepIndex& pass, const MoveBatch& from, const Cube& cube,
+                                   double& bend) const {
+  const auto& d = samples_.distance;
+  const auto least = std::min_element(d.begin(), d.end());
+  std::size_t best = least - d.begin();
+  const double r = cube.half_diagonal();
+  bend = 2 * r;
+  for (std::size_t i = best; i < d.size() && bend > 0; ++i) {
+    if (d[i] > *least) continue;
+    const std::uint32_t slot = from.slot[i];
+    const SweptSample at{d[i], gradient(samples_, i), pass.distance(slot, cube.middle).t};
+    const double e = curvature_bound(pass.profile(), pass.move(slot), cube.middle, at, r);
+    if (e < bend) bend = e, best = i;
+  }
+  return best;
+}
+
+// d is convex: move i stays above its tangent, the nearest one below a paraboloid.
+double NearMoves::keep_others(const SweepIndex& pass, const MoveBatch& from, const Cube& cube) {
+  sample(pass, from, cube);
+  double bend = 0;
+  const std::size_t j = straightest(pass, from, cube, bend);
+  const Vec3 g = gradient(samples_, j);
+  kept_.clear();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double behind = samples_.distance[i] - samples_.distance[j];
+    const double turn = norm1(gradient(samples_, i) - g);
+    const bool twin = behind == 0 && turn == 0 && bend == 0;
+    const double most = std::min(2 * cube.half_diagonal(), cube.half_edge_mm * turn + bend);
+    if (i == j || (!twin && behind <= most + kSlack))
+      kept_.push_back(static_cast<std::uint32_t>(i));
+  }
+  return samples_.distance[j];
+}
+
+std::optional<NearestMove> NearMoves::nearest(const SweepIndex& pass, const Vec3& p,
+                                              double bound) const {
+  std::optional<NearestMove> best;
+  const auto look_at = [&](std::uint32_t slot) {
+    const SweptSample d = pass.distance(slot, p);
+    if (d.distance < bound) bound = d.distance, best = NearestMove{slot, d};
+  };
+  if (!below_tops_) {
+    for (const std::uint32_t slot : moves_.slot)
+      if (!cannot_be_below(pass.profile(), pass.move(slot), p, bound)) look_at(slot);
+    return best;
+  }
+  if (empty()) return best;
+  sample_balls(moves_, pass.profile().corner_radius(), p, at_);
+  const auto least = std::min_element(at_.distance.begin(), at_.distance.end());
+  if (*least < bound + kSlack) look_at(moves_.slot[least - at_.distance.begin()]);
+  return best;
+}
+
+}  // namespace limitgauge::simulator

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "simulator/sweep/capsule_batch.h"
+#include "simulator/sweep/move_batch.h"
+
+namespace limitgauge::simulator {
+
+/// A cube of places, by its middle and half an edge.
+struct Cube {
+  model::Vec3 middle;
+  double half_edge_mm = 0;
+
+  double half_diagonal() const { return std::sqrt(3.0) * half_edge_mm; }
+  bool contains(const model::Vec3& p) const {
+    return std::abs(p.x - middle.x) <= half_edge_mm && std::abs(p.y - middle.y) <= half_edge_mm &&
+           std::abs(p.z - middle.z) <= half_edge_mm;
+  }
+};
+
+/// The moves of one pass that can be nearest somewhere in a cube.
+class NearMoves {
+ public:
+  /// Out of all moves of the pass. None where the nearest one's distance at the cube's middle is
+  /// not below `limit`. Gives that distance, infinity for none.
+  double gather(const SweepIndex& pass, const Cube& cube, double limit);
+  /// Out of `wider`, those of a cube that holds this one; otherwise likewise.
+  double narrow(const SweepIndex& pass, const NearMoves& wider, const Cube& cube, double limit);
+
+  /// The one nearest to a place in the cube, if its distance is below `bound`.
+  std::optional<NearestMove> nearest(const SweepIndex& pass, const model::Vec3& p,
+                                     double bound) const;
+  bool empty() const { return moves_.size() == 0; }
+
+ private:
+  double keep_balls(const SweepIndex& pass, const MoveBatch& from, const Cube& cube);
+  double keep_others(const SweepIndex& pass, const MoveBatch& from, const Cube& cube);
+  void sample(const SweepIndex& pass, const MoveBatch& from, const Cube& cube);
+  std::size_t straightest(const SweepIndex& pass, const MoveBatch& from, const Cube& cube,
+                          double& bend) const;
+
+  MoveBatch moves_;
+  bool below_tops_ = false;  // all of the cube is, of balls
+  CapsuleNarrowing capsules_;
+  BatchSamples samples_;
+  mutable BatchSamples at_;
+  std::vector<std::uint32_t> kept_;
+};
+
+}  // namespace limitgauge::simulator

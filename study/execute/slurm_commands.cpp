@@ -1,0 +1,149 @@
+#include "study/execute/slurm_commands.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include "model/base/error.h"
+#include "study/execute/spawn.h"
+
+namespace limitgauge::study {
+namespace fs = std::filesystem;
+namespace {
+
+/// What Slurm has where nothing is configured.
+constexpr std::size_t kUsualMostTasks = 1001;
+
+bool in_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
+  return false;
+}
+
+/// The last line that says something.
+std::string words_of(const Printed& printed) {
+  std::istringstream lines(printed.errors.empty() ? printed.out : printed.errors);
+  std::string last;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) last = line;
+  return last.empty() ? "exit code " + std::to_string(printed.exit_code) : last;
+}
+
+/// sbatch fills in what follows a '%'.
+std::string pattern_word(const fs::path& path) {
+  std::string text;
+  for (const char c : path.string()) text += c == '%' ? std::string("%%") : std::string(1, c);
+  return text;
+}
+
+void require_slurm() {
+  for (const char* program : {"sbatch", "squeue", "scancel", "scontrol"}) {
+    if (in_path(program)) continue;
+    throw model::InputError({"--engine slurm", 0, 0},
+                            std::string("there is no ") + program + " on this machine",
+                            "a machine that submits to Slurm, or --engine local");
+  }
+}
+
+std::size_t most_tasks_of_cluster() {
+  const Printed printed = run_program({"scontrol", "show", "config"});
+  if (printed.exit_code != 0)
+    throw model::ResourceError("limitgauge: Slurm does not answer: " + words_of(printed));
+  const std::string stated = value_of(printed.out, "MaxArraySize");
+  const std::size_t most =
+      stated.empty() ? kUsualMostTasks : std::strtoul(stated.c_str(), nullptr, 10);
+  if (most < 2)
+    throw model::ResourceError("limitgauge: this Slurm takes no job arrays (MaxArraySize " +
+                               stated + ")");
+  // One above the largest number that a task may have.
+  return most;
+}
+
+}  // namespace
+
+SlurmCommands::SlurmCommands(std::string name, std::vector<std::string> options,
+                             fs::path working_directory)
+    : name_(std::move(name)),
+      options_(std::move(options)),
+      working_directory_(std::move(working_directory)) {
+  require_slurm();
+  most_tasks_ = most_tasks_of_cluster();
+}
+
+std::string SlurmCommands::submit(const fs::path& script, std::size_t tasks,
+                                  std::size_t running) const {
+  std::vector<std::string> command = {
+      "sbatch",
+      "--parsable",
+      "--job-name=" + name_,
+      "--chdir=" + working_directory_.string(),
+      "--output=" + pattern_word(script.parent_path()) + "/%a.log",
+      "--array=0-" + std::to_string(tasks - 1) + "%" + std::to_string(running)};
+  command.insert(command.end(), options_.begin(), options_.end());
+  command.push_back(script.string());
+  const Printed printed = run_program(command);
+  // "NUMBER", or "NUMBER;CLUSTER".
+  const std::string job = printed.out.substr(0, printed.out.find_first_not_of("0123456789"));
+  if (printed.exit_code == 0 && !job.empty()) return job;
+  throw model::ResourceError("limitgauge: Slurm refuses the job: " + words_of(printed));
+}
+
+std::vector<QueuedTask> tasks_of_queue(const std::string& printed) {
+  std::vector<QueuedTask> tasks;
+  std::istringstream lines(printed);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    QueuedTask task;
+    std::string state;
+    if (!(fields >> task.job >> task.number >> state)) continue;
+    task.started = state != "PENDING";
+    tasks.push_back(std::move(task));
+  }
+  return tasks;
+}
+
+std::optional<std::vector<QueuedTask>> SlurmCommands::queue(std::string& why) const {
+  const Printed printed =
+      run_program({"squeue", "--noheader", "--array", "--name=" + name_, "--format=%F %K %T"});
+  if (printed.exit_code == 0) return tasks_of_queue(printed.out);
+  why = words_of(printed);
+  return std::nullopt;
+}
+
+void SlurmCommands::let_run(const std::string& job, std::size_t running) const {
+  run_program(
+      {"scontrol", "update", "JobId=" + job, "ArrayTaskThrottle=" + std::to_string(running)});
+}
+
+void SlurmCommands::cancel() const {
+  run_program({"scancel", "--name=" + name_});
+}
+
+std::string SlurmCommands::ending(const std::string& job, std::size_t number) const {
+  const Printed printed =
+      run_program({"scontrol", "show", "job", job + "_" + std::to_string(number)});
+  std::string state = value_of(printed.out, "JobState");
+  if (printed.exit_code != 0 || state.empty()) return {};
+  // CODE:SIGNAL
+  const std::string exit = value_of(printed.out, "ExitCode");
+  const std::size_t colon = exit.find(':');
+  if (colon == std::string::npos || exit == "0:0") return state;
+  const std::string signal = exit.substr(colon + 1);
+  return state + (signal == "0" ? ", exit code " + exit.substr(0, colon) : ", signal " + signal);
+}
+
+std::string value_of(const std::string& printed, const std::string& key) {
+  std::istringstream words(printed);
+  for (std::string word; words >> word;) {
+    if (word.compare(0, key.size() + 1, key + "=") == 0) return word.substr(key.size() + 1);
+    std::string equals, value;
+    if (word == key && words >> equals >> value && equals == "=") return value;
+  }
+  return {};
+}
+
+}  // namespace limitgauge::study

@@ -1,0 +1,112 @@
+#include "study/execute/worker_lines.h"
+
+#include <array>
+#include <charconv>
+#include <limits>
+#include <sstream>
+
+namespace limitgauge::study {
+namespace {
+
+/// Closes every line: one that was cut short has none.
+constexpr const char* kEnd = "end";
+constexpr std::array<const char*, 3> kKinds = {"done", "error", "again"};
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\\')
+      result += "\\\\";
+    else if (c == '\t')
+      result += "\\t";
+    else if (c == '\n')
+      result += "\\n";
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string plain(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 == text.size()) {
+      result += text[i];
+      continue;
+    }
+    ++i;
+    result += text[i] == 't' ? '\t' : text[i] == 'n' ? '\n' : text[i];
+  }
+  return result;
+}
+
+std::string line_of(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields) line += escaped(field) + '\t';
+  return line + kEnd + '\n';
+}
+
+/// Empty for a line that is not whole.
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields;
+  std::size_t begin = 0;
+  for (std::size_t tab = line.find('\t'); tab != std::string::npos; tab = line.find('\t', begin)) {
+    fields.push_back(plain(std::string_view(line).substr(begin, tab - begin)));
+    begin = tab + 1;
+  }
+  if (line.substr(begin) != kEnd) fields.clear();
+  return fields;
+}
+
+template <class Number>
+bool read(const std::string& text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && at == end;
+}
+
+std::string words(double number) {
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << number;
+  return text.str();
+}
+
+}  // namespace
+
+std::string to_line(const WorkerTask& task) {
+  std::vector<std::string> fields = {"case", std::to_string(task.index), task.key};
+  fields.insert(fields.end(), task.overrides.begin(), task.overrides.end());
+  return line_of(fields);
+}
+
+std::string to_line(const WorkerAnswer& answer) {
+  return line_of({kKinds[static_cast<std::size_t>(answer.kind)], std::to_string(answer.index),
+                  words(answer.seconds), std::to_string(answer.peak_bytes), answer.reason});
+}
+
+std::optional<WorkerTask> task_of_line(const std::string& line) {
+  const std::vector<std::string> fields = fields_of(line);
+  WorkerTask task;
+  if (fields.size() < 3 || fields[0] != "case" || !read(fields[1], task.index)) return std::nullopt;
+  task.key = fields[2];
+  task.overrides.assign(fields.begin() + 3, fields.end());
+  return task;
+}
+
+std::optional<WorkerAnswer> answer_of_line(const std::string& line) {
+  const std::vector<std::string> fields = fields_of(line);
+  WorkerAnswer answer;
+  if (fields.size() != 5 || !read(fields[1], answer.index) || !read(fields[2], answer.seconds) ||
+      !read(fields[3], answer.peak_bytes))
+    return std::nullopt;
+  answer.reason = fields[4];
+  for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
+    if (fields[0] != kKinds[kind]) continue;
+    answer.kind = static_cast<WorkerAnswer::Kind>(kind);
+    return answer;
+  }
+  return std::nullopt;
+}
+
+}  // namespace limitgauge::study

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "study/search/trials.h"
+
+namespace limitgauge::study {
+
+/// How a search of one kind came to its end.
+struct SearchEnd {
+  SearchResult::Ending how = SearchResult::Ending::converged;
+  std::string reason;  ///< a whole sentence
+};
+
+/// Of one ordered axis. Takes for granted that settings get cheaper in one direction and that, from
+/// some setting on, none passes. Nothing where the rows at hand do not tell the direction; throws
+/// what Trials::run throws.
+std::optional<SearchEnd> section_search(Trials& trials, std::size_t batch);
+
+/// What of that the rows contradict, as a whole sentence; empty where nothing does.
+std::string contradiction(const Trials& trials);
+
+}  // namespace limitgauge::study

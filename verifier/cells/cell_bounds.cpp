@@ -1,0 +1,247 @@
+#include "verifier/cells/cell_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using Values = std::array<double, 16>;
+
+/// Bounds of two bodies that agree but for rounding: neither rules the other out.
+constexpr double kEqual_mm = 1e-9;
+constexpr int kLineSearches = 6;
+/// An edge counts as sharp where its rounding is below so many radii of the cell.
+constexpr double kSharp = 8;
+/// Bodies whose values at the control points are compared when the upper bound is improved.
+constexpr std::size_t kMixed = 24;
+
+struct Range {
+  double low = 0, high = 0;
+};
+
+/// Extremes of the plane value + g·(P_k − m) over the control points.
+Range plane_range(const Bezier& cell, const Vec3& m, const BodyDistance& d) {
+  const double base = d.value - dot(d.gradient, m);
+  Range r{1e300, -1e300};
+  for (int k = 0; k < 16; ++k) {
+    const double at =
+        base + d.gradient.x * cell.x[k] + d.gradient.y * cell.y[k] + d.gradient.z * cell.z[k];
+    r.low = std::min(r.low, at);
+    r.high = std::max(r.high, at);
+  }
+  return r;
+}
+
+double largest(const Values& v) {
+  return *std::max_element(v.begin(), v.end());
+}
+double least(const Values& v) {
+  return *std::min_element(v.begin(), v.end());
+}
+
+/// Moves `a` to the point of the segment from `a` to `b` whose largest entry is least: the upper
+/// envelope of sixteen lines, walked from corner to corner.
+void mix(Values& a, const Values& b) {
+  double at = 0;
+  std::size_t top = std::max_element(a.begin(), a.end()) - a.begin();
+  for (int corner = 0; corner < 16; ++corner) {
+    const double slope = b[top] - a[top];
+    if (slope >= 0) break;
+    double next = 1;
+    std::size_t over = top;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const double steeper = (b[k] - a[k]) - slope;
+      if (steeper <= 0) continue;
+      const double crossing = (a[top] - a[k]) / steeper;
+      if (crossing >= at && crossing < next) next = crossing, over = k;
+    }
+    at = next;
+    if (over == top) break;
+    top = over;
+  }
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] += at * (b[k] - a[k]);
+}
+
+}  // namespace
+
+CellBounder::Scored CellBounder::score(const Bezier& cell, const Vec3& middle, BodyRef body,
+                                       BodyDistance& distance) const {
+  distance = space_.distance(body, middle);
+  if (const MeshOutside* mesh = space_.mesh_of(body))
+    return {body, distance.value, mesh->lower(cell, middle, distance), 0};
+  if (!space_.is_concave(body)) {
+    const Range plane = plane_range(cell, middle, distance);
+    return {body, distance.value, plane.low - distance.slack_mm, 0};
+  }
+  Values at{};
+  space_.values(body, cell, at);
+  return {body, distance.value, least(at), plane_range(cell, middle, distance).high};
+}
+
+double CellBounder::upper_of(const Bezier& cell, const Vec3& middle, BodyRef body) {
+  if (const MeshOutside* mesh = space_.mesh_of(body))
+    return mesh->upper(cell, middle, space_.distance(body, middle));
+  if (space_.is_concave(body)) {
+    BodyDistance distance;
+    return score(cell, middle, body, distance).upper;
+  }
+  Values at{};
+  space_.values(body, cell, at);
+  return largest(at);
+}
+
+void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates,
+                                  std::optional<BodyRef> hint, double limit_mm) {
+  const Vec3 centre = middle(cell);
+  candidates.clear();
+  // d_i changes by at most the radius within the cell.
+  const double radius = control_radius(cell, centre) + kEqual_mm;
+  const Nearest nearest = space_.nearest(centre, hint);
+  if (nearest.distance.value > limit_mm + radius) return;
+  const double upper = upper_of(cell, centre, nearest.body);
+  space_.within(centre, std::min(upper, limit_mm) + radius, candidates);
+}
+
+double CellBounder::improve_upper(const Bezier& cell, double upper, double low_enough) {
+  const std::size_t count = std::min(kMixed, scored_.size());
+  std::partial_sort(scored_.begin(), scored_.begin() + static_cast<std::ptrdiff_t>(count),
+                    scored_.end(), [](const Scored& a, const Scored& b) {
+                      return a.value != b.value ? a.value < b.value : a.body < b.body;
+                    });
+  values_.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    if (!space_.is_concave(scored_[i].body))
+      space_.values(scored_[i].body, cell, values_.emplace_back());
+  if (values_.size() < 2) return upper;
+  const auto first =
+      std::min_element(values_.begin(), values_.end(),
+                       [](const Values& a, const Values& b) { return largest(a) < largest(b); });
+  Values mean = *first;
+  double best = largest(mean);
+  for (int step = 0; step < kLineSearches && best > low_enough; ++step) {
+    const std::size_t worst = std::max_element(mean.begin(), mean.end()) - mean.begin();
+    const auto towards =
+        std::min_element(values_.begin(), values_.end(),
+                         [&](const Values& a, const Values& b) { return a[worst] < b[worst]; });
+    mix(mean, *towards);
+    const double now = largest(mean);
+    const bool stuck = best - now < 1e-3 * std::abs(best - low_enough);
+    best = std::min(best, now);
+    if (stuck) break;
+  }
+  return std::min(best, upper);
+}
+
+double CellBounder::mixed_lower(const Bezier& cell, const Vec3& middle, BodyRef body) const {
+  // The corners see the faces on both sides of an edge; from under S the edge itself is seen.
+  const InnerChords chords = inner_chords(cell);
+  const Vec3 under = middle - normalized(cross(chords.u, chords.v)) * control_radius(cell, middle);
+  const Vec3 points[] = {middle,           under,           cell.control(0), cell.control(3),
+                         cell.control(12), cell.control(15)};
+  constexpr std::size_t kPlanes = std::size(points);
+  // Planes with their signs changed, so that the largest entry is to be made least, as above.
+  std::array<Values, kPlanes> planes{};
+  double slack_mm = 0;
+  for (std::size_t n = 0; n < kPlanes; ++n) {
+    const BodyDistance d = space_.distance(body, points[n]);
+    slack_mm = std::max(slack_mm, d.slack_mm);
+    for (int k = 0; k < 16; ++k)
+      planes[n][k] = -(d.value + dot(d.gradient, cell.control(k) - points[n]));
+  }
+  Values mean =
+      *std::min_element(planes.begin(), planes.end(),
+                        [](const Values& a, const Values& b) { return largest(a) < largest(b); });
+  for (int step = 0; step < kLineSearches; ++step) {
+    const std::size_t worst = std::max_element(mean.begin(), mean.end()) - mean.begin();
+    mix(mean,
+        *std::min_element(planes.begin(), planes.end(),
+                          [&](const Values& a, const Values& b) { return a[worst] < b[worst]; }));
+  }
+  return -largest(mean) - slack_mm;
+}
+
+bool CellBounder::sharp(BodyRef body, double radius_mm) const {
+  return !space_.is_stock(body) && space_.rounding_mm(body) < kSharp * radius_mm;
+}
+
+bool CellBounder::surely_outside(const Bezier& cell, double margin_mm,
+                                 std::optional<BodyRef> first) {
+  const Vec3 centre = middle(cell);
+  const double radius = control_radius(cell, centre);
+  const auto clear = [&](BodyRef body) {
+    BodyDistance distance;
+    if (score(cell, centre, body, distance).lower >= margin_mm) return true;
+    return sharp(body, radius) && mixed_lower(cell, centre, body) >= margin_mm;
+  };
+  if (first && !clear(*first)) return false;
+  near_.clear();
+  space_.within(control_box(cell), margin_mm, near_);
+  return std::all_of(near_.begin(), near_.end(), clear);
+}
+
+bool CellBounder::surely_unswept(const Bezier& cell, const Vec3& prism, double margin_mm) {
+  const Vec3 centre = middle(cell) + prism / 2;
+  const double radius = control_radius(cell, middle(cell)) + length(prism) / 2;
+  near_.clear();
+  space_.within(centre, margin_mm + radius, near_);
+  return std::all_of(near_.begin(), near_.end(), [&](BodyRef body) {
+    if (space_.is_stock(body)) return true;
+    const BodyDistance d = space_.distance(body, centre);
+    // Convex hull of both ends: the plane is least at a control point of one of them.
+    const double along = std::min(0.0, dot(d.gradient, prism));
+    return plane_range(cell, centre, d).low + along - d.slack_mm >= margin_mm;
+  });
+}
+
+bool CellBounder::surely_inside(const Bezier& cell, double margin_mm, BodyRef first) {
+  const Vec3 centre = middle(cell);
+  const double lowest = space_.distance(first, centre).value;
+  if (lowest > -margin_mm) return false;
+  if (upper_of(cell, centre, first) <= -margin_mm) return true;
+  // A mean that gives a body a tenth or more is low enough at the middle only if that body is.
+  constexpr double kLeastWeight = 0.1;
+  const double radius = control_radius(cell, centre), room = -margin_mm - lowest;
+  near_.clear();
+  space_.within(centre, std::min(radius - margin_mm, lowest + room / kLeastWeight), near_);
+  if (near_.size() < 2) return false;
+  scored_.clear();
+  for (const BodyRef body : near_)
+    if (!space_.is_concave(body)) scored_.push_back({body, space_.distance(body, centre).value});
+  return improve_upper(cell, std::numeric_limits<double>::infinity(), -margin_mm) <= -margin_mm;
+}
+
+CellBounds CellBounder::bound(const Bezier& cell, std::vector<BodyRef>& candidates,
+                              double low_enough, double high_enough) {
+  CellBounds out;
+  out.middle = middle(cell);
+  scored_.clear();
+  out.nearest.distance.value = std::numeric_limits<double>::infinity();
+  for (const BodyRef body : candidates) {
+    BodyDistance distance;
+    scored_.push_back(score(cell, out.middle, body, distance));
+    if (distance.value < out.nearest.distance.value) out.nearest = {body, distance};
+  }
+  out.upper = upper_of(cell, out.middle, out.nearest.body);
+  const auto drop = [&] {
+    std::erase_if(scored_, [&](const Scored& s) { return s.lower > out.upper + kEqual_mm; });
+  };
+  drop();
+  if (out.upper > low_enough) {
+    out.upper = improve_upper(cell, out.upper, low_enough);
+    drop();
+  }
+  out.lower = std::numeric_limits<double>::infinity();
+  candidates.clear();
+  const double radius = control_radius(cell, out.middle);
+  for (Scored& s : scored_) {
+    if (s.lower < high_enough && sharp(s.body, radius))
+      s.lower = std::max(s.lower, mixed_lower(cell, out.middle, s.body));
+    out.lower = std::min(out.lower, s.lower);
+    candidates.push_back(s.body);
+  }
+  return out;
+}
+
+}  // namespace limitgauge::verifier

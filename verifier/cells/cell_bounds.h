@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "verifier/cutter/removed_space.h"
+
+namespace limitgauge::verifier {
+
+/// What is known of δ on one cell.
+struct CellBounds {
+  model::Vec3 middle;  ///< a point of the surface
+  Nearest nearest;     ///< δ there
+  double lower = 0, upper = 0;
+};
+
+/// Bounds of δ = min over i of d_i on a Bézier cell with control points P_k and middle m.
+///
+/// Every d_i is convex, so for any weights w_i ≥ 0 with Σ w_i = 1 and every point s of the cell
+///   δ(s) ≤ Σ w_i d_i(s) ≤ max over k of Σ w_i d_i(P_k),
+/// the last because s is a convex combination of the P_k. One body alone is only first-order right
+/// along the cusp between two passes; the mean of the two is second-order. The weights are chosen
+/// by a few exact line searches towards the body that is lowest at the worst control point.
+///
+/// Every d_i lies above its supporting plane at m, so
+///   δ(s) ≥ min over i of [ d_i(m) + min over k of g_i·(P_k − m) ].
+/// Where a sharp edge of a body touches the cell, the plane at m is only first-order right: there
+/// supporting planes at several points x are mixed, which for any weights is a supporting plane
+/// too,
+///   d_i(s) ≥ Σ w_x (d_i(x) + g_x·(s − x)),
+/// so that the mean is level along the cell.
+/// A body whose term exceeds the upper bound is nearest nowhere in the cell and is dropped, for
+/// this cell and all its parts. The side of a round bar is concave: there plane and corner values
+/// swap. The outside of a mesh is neither and has bounds of its own (MeshOutside); a mean may take
+/// in a convex function above it.
+class CellBounder {
+ public:
+  explicit CellBounder(const RemovedSpace& space) : space_(space) {}
+
+  /// The bodies that can be nearest somewhere in `cell`, and no further than `limit_mm` there,
+  /// found through the tree; `hint` as in RemovedSpace::nearest. None only where there are none so
+  /// near.
+  void find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates,
+                       std::optional<BodyRef> hint = {},
+                       double limit_mm = std::numeric_limits<double>::infinity());
+  /// `candidates` must hold every body that can be nearest somewhere in the cell; those that cannot
+  /// are removed. The upper bound is not improved any further once it is below `low_enough`, nor
+  /// the lower bound once it is above `high_enough`.
+  CellBounds bound(const Bezier& cell, std::vector<BodyRef>& candidates, double low_enough,
+                   double high_enough = -std::numeric_limits<double>::infinity());
+  /// Proof that δ ≥ `margin_mm` on all of the cell, or all of the cell and of what lies between it
+  /// and the cell moved by `prism`, where raw stock does not count. False means "not proven".
+  /// `first`, the likeliest to be in the way, is looked at before the others.
+  bool surely_outside(const Bezier& cell, double margin_mm, std::optional<BodyRef> first = {});
+  bool surely_unswept(const Bezier& cell, const model::Vec3& prism, double margin_mm);
+  /// Proof that δ ≤ −`margin_mm` on all of the cell, by `first`, a body that is low at its middle,
+  /// or by means of those nearly as low.
+  bool surely_inside(const Bezier& cell, double margin_mm, BodyRef first);
+
+ private:
+  using Values = std::array<double, 16>;
+  struct Scored {
+    BodyRef body;
+    double value = 0, lower = 0, upper = 0;
+  };
+
+  Scored score(const Bezier& cell, const model::Vec3& middle, BodyRef body,
+               BodyDistance& distance) const;
+  double upper_of(const Bezier& cell, const model::Vec3& middle, BodyRef body);
+  double improve_upper(const Bezier& cell, double upper, double low_enough);
+  double mixed_lower(const Bezier& cell, const model::Vec3& middle, BodyRef body) const;
+  /// Whether that improves the lower bound: a sharp edge in a cell of that size.
+  bool sharp(BodyRef body, double radius_mm) const;
+
+  const RemovedSpace& space_;
+  std::vector<BodyRef> near_;
+  std::vector<Scored> scored_;
+  std::vector<Values> values_;
+};
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,124 @@
+#include "verifier/cells/surface_cells.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace limitgauge::verifier {
+
+using model::Vec3;
+
+namespace {
+
+constexpr std::uint32_t kLeafCells = 2;
+
+SurfaceCell part(const SurfaceCell& cell, const Bezier& shape, bool in_u, int half) {
+  SurfaceCell out = cell;
+  out.shape = shape;
+  double& size = in_u ? out.size_u : out.size_v;
+  size /= 2;
+  (in_u ? out.u : out.v) += half * size;
+  return out;
+}
+
+void split_until(const SurfaceCell& cell, double radius_mm, std::vector<SurfaceCell>& out) {
+  if (control_radius(cell.shape, middle(cell.shape)) <= radius_mm) {
+    out.push_back(cell);
+    return;
+  }
+  for (const SurfaceCell& half :
+       extent_u(cell.shape) >= extent_v(cell.shape) ? split_u(cell) : split_v(cell))
+    split_until(half, radius_mm, out);
+}
+
+std::vector<std::vector<const Speck*>> specks_by_patch(const SurfaceTree& tree) {
+  std::vector<std::vector<const Speck*>> out(static_cast<std::size_t>(tree.patch_count()));
+  for (const Speck& s : tree.specks()) out[s.square.patch].push_back(&s);
+  return out;
+}
+
+/// The normal of the piece of its patch that lies nearest to a speck, but beyond the pieces that
+/// lose theirs in rounding. At a vertex where the tangent plane turns with the way that leads
+/// there, or tends to its limit more slowly than any scale that can be cut, this is what can be
+/// measured.
+Vec3 normal_beside(const Speck& speck, const std::vector<const Piece*>& pieces) {
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 normal = speck.normal;
+  for (const Piece* piece : pieces) {
+    const double radius = control_radius(piece->shape, speck.position);
+    if (radius <= SurfaceCells::kVertexNormal_mm || radius >= least) continue;
+    const BezierJet j = jet(piece->shape, 0.5, 0.5);
+    const Vec3 n = cross(j.du, j.dv);
+    if (length_squared(n) > 0) least = radius, normal = normalized(n);
+  }
+  return normal;
+}
+
+}  // namespace
+
+Vec3 middle_normal(const SurfaceCell& cell) {
+  if (length_squared(cell.vertex_normal) > 0) return cell.vertex_normal;
+  const BezierJet j = jet(cell.shape, 0.5, 0.5);
+  const Vec3 normal = cross(j.du, j.dv);
+  return length_squared(normal) > 0 ? normalized(normal) : cell.vertex_normal;
+}
+
+std::array<SurfaceCell, 2> split_u(const SurfaceCell& cell) {
+  const auto [a, b] = split_u(cell.shape);
+  return {part(cell, a, true, 0), part(cell, b, true, 1)};
+}
+std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell) {
+  const auto [a, b] = split_v(cell.shape);
+  return {part(cell, a, false, 0), part(cell, b, false, 1)};
+}
+std::array<SurfaceCell, 2> halved(const SurfaceCell& cell) {
+  return longer_in_u(cell.shape) ? split_u(cell) : split_v(cell);
+}
+
+SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
+    : ridges_(ridge_cells(tree, radius_mm)), feet_(tree), features_(tree.features()) {
+  const std::vector<const Piece*> pieces = tree.pieces_beyond(kOmitted_mm);
+  std::vector<std::vector<const Piece*>> of_patch(static_cast<std::size_t>(tree.patch_count()));
+  for (const Piece* piece : pieces) of_patch[piece->square.patch].push_back(piece);
+  std::map<const Speck*, Vec3> normals;
+  for (const Speck& s : tree.specks()) {
+    normals[&s] = normal_beside(s, of_patch[s.square.patch]);
+    SurfaceCell cell{{}, s.square.patch, s.square.u, s.square.v, s.square.size, s.square.size};
+    for (int k = 0; k < 16; ++k) cell.shape.set(k, s.position);
+    cell.vertex_normal = normals[&s];
+    cells_.push_back(cell);
+  }
+  const auto specks = specks_by_patch(tree);
+  for (const Piece* piece : pieces) {
+    const ParameterSquare& q = piece->square;
+    SurfaceCell cell{piece->shape, q.patch, q.u, q.v, q.size, q.size};
+    for (const Speck* speck : specks[q.patch])
+      if (control_radius(piece->shape, speck->position) <= kVertexNormal_mm)
+        cell.vertex_normal = normals[speck];
+    split_until(cell, radius_mm, cells_);
+  }
+  std::vector<model::Box3> boxes;
+  boxes.reserve(cells_.size());
+  for (const SurfaceCell& cell : cells_) boxes.push_back(control_box(cell.shape));
+  BoxTree tree_of_cells = box_tree(boxes, kLeafCells);
+  std::vector<SurfaceCell> sorted;
+  sorted.reserve(cells_.size());
+  for (const std::uint32_t i : tree_of_cells.order) sorted.push_back(cells_[i]);
+  cells_ = std::move(sorted);
+  nodes_ = std::move(tree_of_cells.nodes);
+}
+
+bool SurfaceCells::is_rim(const SurfaceCell& cell, int side) const {
+  const bool on_side[] = {cell.v <= 0, cell.u_at(1) >= 1, cell.v_at(1) >= 1, cell.u <= 0};
+  return on_side[side] && features_.of(cell.patch).sides[side] == SurfaceFeature::boundary;
+}
+
+bool SurfaceCells::is_rim_strip(const SurfaceCell& cell, double width_mm) const {
+  for (int side = 0; side < 4; ++side)
+    if (is_rim(cell, side) &&
+        (side % 2 == 0 ? extent_v(cell.shape) : extent_u(cell.shape)) <= width_mm)
+      return true;
+  return false;
+}
+
+}  // namespace limitgauge::verifier

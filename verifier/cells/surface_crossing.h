@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "verifier/cells/surface_cells.h"
+
+namespace limitgauge::verifier {
+
+/// Nearer than this two faces cannot be told apart along a ray.
+inline constexpr double kSamePlace_mm = 2e-9;
+
+/// Which way along a normal of S.
+enum class Way { outwards, inwards };
+
+/// A lower bound of the first t in [from_mm, to_mm] at which the line from s along its normal n, or
+/// against it, lies on S; to_mm where there is none. What lies within 1e-5 mm of t = 0 is s itself
+/// where it faces as s does; what faces the other way there is the far side of a sharp edge,
+/// and in the very same place only where both lie back to back.
+double next_crossing_mm(const SurfaceCells& cells, const model::Vec3& s, const model::Vec3& n,
+                        Way way, double from_mm, double to_mm);
+
+/// A part of a ray: from + t·along for t in [low, high], in mm.
+struct Stretch {
+  double low = 0, high = 0;
+  bool empty() const { return !(low <= high); }
+};
+
+/// A place where a segment goes through S, how far along it, and how often: from behind to before,
+/// less the other way.
+struct Crossing {
+  Stretch where;
+  int times = 0;
+};
+
+/// The crossings of the segment of that length with S, in their order, each known to `finest_mm`
+/// along it: by the degree of S's projection along it, which is how often the projected boundaries
+/// of cells wind round it. None where the segment begins or ends too near to S, or meets the
+/// boundary of a cell.
+std::optional<std::vector<Crossing>> crossings(const SurfaceCells& cells, const model::Vec3& from,
+                                               const model::Vec3& along, double length_mm,
+                                               double finest_mm);
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,280 @@
+#include "verifier/certificate/run_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "verifier/certificate/crossing_proof.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+/// Faces that meet in a corner.
+constexpr int kMostFaces = 3;
+/// The control points at the corners of a cell.
+constexpr std::array kCorners = {0, 3, 12, 15};
+/// Deeper in a body than this, no face of it is beside a corner.
+constexpr double kDeep_mm = 2 * kBeside_mm;
+
+Bezier shifted(Bezier cell, const Vec3& by) {
+  for (int k = 0; k < 16; ++k) cell.x[k] += by.x, cell.y[k] += by.y, cell.z[k] += by.z;
+  return cell;
+}
+
+/// Whether half a micrometre is much to a cell: what is wider is halved first.
+bool is_narrow(const OffsetCell& cell) {
+  constexpr double kNarrow_mm = 8 * kBeside_mm;
+  return std::min(extent_u(cell.shape), extent_v(cell.shape)) <= kNarrow_mm;
+}
+
+/// Unit vectors across the sides of a cell, and between them.
+std::array<Vec3, 8> ways_along(const OffsetCell& cell) {
+  const auto corner = [&](int k) { return cell.shape.control(k); };
+  const Vec3 u = normalized(corner(3) + corner(15) - corner(0) - corner(12)),
+             v = normalized(corner(12) + corner(15) - corner(0) - corner(3));
+  return {
+      v, -u, -v, u, normalized(u + v), normalized(u - v), normalized(v - u), normalized(-u - v)};
+}
+
+OffsetCell beside(OffsetCell cell, const Vec3& way) {
+  cell.shape = shifted(cell.shape, way * kBeside_mm), cell.middle += way * kBeside_mm;
+  return cell;
+}
+
+}  // namespace
+
+RunBounds::RunBounds(const SurfaceCells& cells, const RemovedSpace& space, Side side,
+                     double allowance_mm)
+    : cells_(cells),
+      space_(space),
+      tracer_(cells, space),
+      bounder_(space),
+      side_(side),
+      allowance_mm_(side == Side::missing_stock ? 0 : allowance_mm) {
+  model::Box3 box = space.stock_box().value_or(model::Box3{});
+  if (!cells.nodes().empty())
+    box.add(cells.nodes().front().box.low), box.add(cells.nodes().front().box.high);
+  longest_mm_ = length(box.size()) + std::abs(allowance_mm_) + 1;
+}
+
+bool RunBounds::surely_within(const OffsetCell& cell, double length_mm) {
+  if (length_mm >= longest_mm_) return true;
+  if (side_ == Side::uncut)
+    return is_gone(cell, allowance_mm_ + length_mm) || surely_crosses(cell, length_mm);
+  if (stands(cell, allowance_mm_ - length_mm)) return true;
+  if (side_ == Side::gouge && surely_unswept(cell, length_mm)) return true;
+  return is_wedge_beside(cell, length_mm) || surely_crosses(cell, length_mm);
+}
+
+/// Whether S itself ends the runs of the cell, all of them, or those beside it by next to nothing:
+/// as behind a sharp edge of less than a right angle, across a slot or through a fin.
+bool RunBounds::surely_crosses(const OffsetCell& cell, double length_mm) const {
+  // The far side may lie aslant of the cell's runs: it is met within as much as the cell is wide.
+  constexpr double kWidest = 4;
+  if (allowance_mm_ < 0 || control_radius(cell.shape, cell.middle) > kWidest * length_mm)
+    return false;
+  // Where runs begin on s itself, the segments look past it by no more than a skin.
+  if (side_ == Side::uncut)
+    return surely_crosses_surface(cells_, cell, Way::outwards,
+                                  allowance_mm_ > kStepOver_mm ? allowance_mm_ : -kStepOver_mm,
+                                  allowance_mm_ + length_mm);
+  const double low = allowance_mm_ - length_mm;
+  if (surely_crosses_surface(cells_, cell, Way::inwards, low,
+                             std::max(allowance_mm_, kStepOver_mm)))
+    return true;
+  // At the rim, where the far side may end as well. What is beside the cell need not be S.
+  if (!is_narrow(cell) || low >= -kStepOver_mm) return false;
+  const auto ways = ways_along(cell);
+  return std::any_of(ways.begin(), ways.end(), [&](const Vec3& way) {
+    return surely_crosses_surface(cells_, beside(cell, way), Way::inwards, low, -kStepOver_mm);
+  });
+}
+
+/// Whether half a micrometre beside the runs something stands no deeper than a micrometre, beside
+/// all of them in one direction: the cell lies along a sharp edge of the material, or the rim of S
+/// along a side of it.
+bool RunBounds::is_wedge_beside(const OffsetCell& cell, double length_mm) {
+  return is_narrow(cell) && std::any_of(kWedge_mm.begin(), kWedge_mm.end(), [&](double deep) {
+           return deep < length_mm && stands_beside(cell, allowance_mm_ - deep, 1);
+         });
+}
+
+/// By how much a place has to be beyond a face for all of a cell moved by t to be beyond it.
+double RunBounds::margin_mm(const OffsetCell& cell, double t_mm) const {
+  return std::abs(t_mm) * cell.remainder + space_.chord_error_mm();
+}
+
+/// Whether a face runs along the cell's normals, so near beside the place that what is on its other
+/// side may stand for it.
+bool RunBounds::is_beside(const OffsetCell& cell, const Nearest& at) const {
+  return std::abs(at.distance.value) <= kBeside_mm &&
+         std::abs(dot(at.distance.gradient, cell.normal)) <= kAlong;
+}
+
+/// Whether the cell moved by t was removed, all of it, or what is beside it by next to nothing.
+bool RunBounds::is_gone(const OffsetCell& cell, double t_mm) {
+  return is_gone(cell, t_mm, look(cell.moved_middle(t_mm)));
+}
+
+/// The same by one body, and those about it.
+bool RunBounds::is_gone(const OffsetCell& cell, double t_mm, const Nearest& at) {
+  const double margin = margin_mm(cell, t_mm) - kSkin_mm;
+  if (at.distance.value <= -margin && bounder_.surely_inside(cell.moved(t_mm), margin, at.body))
+    return true;
+  return is_beside(cell, at) &&
+         bounder_.surely_inside(shifted(cell.moved(t_mm), at.distance.gradient * -kBeside_mm),
+                                margin, at.body);
+}
+
+/// The same where the middle is deepest in the body that ends its run, between two t: its distance
+/// is convex along the ray (that of the outside of a bar or a mesh is not, and any place will do).
+bool RunBounds::is_gone_deepest(const OffsetCell& cell, BodyRef body, double from_t_mm,
+                                double to_t_mm) {
+  constexpr int kSteps = 40;
+  const auto distance = [&](double t) { return space_.distance(body, cell.moved_middle(t)); };
+  double low = from_t_mm, high = to_t_mm;
+  for (int k = 0; k < kSteps && high - low > kSkin_mm; ++k) {
+    const double third = (high - low) / 3;
+    if (distance(low + third).value <= distance(high - third).value)
+      high -= third;
+    else
+      low += third;
+  }
+  const double t = (low + high) / 2;
+  return is_gone(cell, t, {body, distance(t)});
+}
+
+/// Whether the cell moved by t stands, all of it, or what is beside it by next to nothing.
+bool RunBounds::stands(const OffsetCell& cell, double t_mm) {
+  const double margin = margin_mm(cell, t_mm) + kSkin_mm;
+  const Nearest& at = look(cell.moved_middle(t_mm));
+  if (at.distance.value >= margin && bounder_.surely_outside(cell.moved(t_mm), margin, at.body))
+    return true;
+  return stands_beside(cell, t_mm, kAlong);
+}
+
+/// Whether the cell moved by t stands where it is moved across its normals as well, away from the
+/// faces that come nearest to its corners: those that run along its normals up to that sine of the
+/// angle between, one face or the two or three that meet in an edge or a corner.
+bool RunBounds::stands_beside(const OffsetCell& cell, double t_mm, double along) {
+  constexpr double kSameWay = 0.7;
+  const Nearest& middle = look(cell.moved_middle(t_mm));
+  if (middle.distance.value < -kBeside_mm || is_deep(cell.moved(t_mm), middle.body)) return false;
+  const double margin = margin_mm(cell, t_mm) + kSkin_mm;
+  BodyRef body = middle.body;
+  Bezier moved = cell.moved(t_mm);
+  std::array<Vec3, kMostFaces> ways;
+  for (int face = 0; face < kMostFaces; ++face) {
+    const Nearest lowest = lowest_corner(moved, body);
+    body = lowest.body;
+    const Vec3& g = lowest.distance.gradient;
+    const Vec3 way = normalized(g - cell.normal * dot(g, cell.normal));
+    const auto gone = [&](const Vec3& before) { return dot(before, way) > kSameWay; };
+    if (lowest.distance.value < -kDeep_mm || std::abs(dot(g, cell.normal)) > along ||
+        way == Vec3{} || std::any_of(ways.begin(), ways.end(), gone))
+      return false;
+    ways[face] = way;
+    moved = shifted(moved, way * kBeside_mm);
+    if (bounder_.surely_outside(moved, margin, body)) return true;
+  }
+  return false;
+}
+
+/// Whether a corner of a cell lies deeper in a body than what is beside it could stand for.
+bool RunBounds::is_deep(const Bezier& cell, BodyRef body) const {
+  return std::any_of(kCorners.begin(), kCorners.end(), [&](int corner) {
+    return space_.distance(body, cell.control(corner)).value < -kDeep_mm;
+  });
+}
+
+/// δ where it is least of the corners of a cell.
+Nearest RunBounds::lowest_corner(const Bezier& cell, BodyRef hint) const {
+  std::optional<Nearest> lowest;
+  for (const int corner : kCorners) {
+    const Nearest at = space_.nearest(cell.control(corner), lowest ? lowest->body : hint);
+    if (!lowest || at.distance.value < lowest->distance.value) lowest = at;
+  }
+  return *lowest;
+}
+
+/// Whether nothing swept what lies below `length_mm`, down to where something stands: what is
+/// missing there was never stock.
+bool RunBounds::surely_unswept(const OffsetCell& cell, double length_mm) {
+  const double top = allowance_mm_ - length_mm;
+  const Vec3 from = cell.moved_middle(top);
+  if (!(space_.stock_distance_mm(from) < kBeside_mm)) return false;
+  const Bezier moved = cell.moved(top);
+  const double radius = control_radius(cell.shape, cell.middle);
+  // The cell moved further is not the moved cell moved along n₀ alone: by as much as A turns it.
+  const double turning =
+      (length(cell.turning[0]) + length(cell.turning[1]) + length(cell.turning[2])) * radius +
+      length(cell.fan);
+  const auto unswept = [&](double down) {
+    const double margin = margin_mm(cell, std::abs(top) + down) + down * turning - kSkin_mm;
+    return bounder_.surely_unswept(moved, cell.normal * -down, margin);
+  };
+  // Most often nothing swept anything there at all.
+  if (unswept(longest_mm_)) return true;
+  const double free = tracer_.free_length_mm(from, -cell.normal, longest_mm_) + 2 * radius;
+  return free < longest_mm_ && stands(cell, top - free) && unswept(free);
+}
+
+bool RunBounds::ends_within(const OffsetCell& cell, double length_mm) {
+  const double t = side_ == Side::uncut ? allowance_mm_ + length_mm : allowance_mm_ - length_mm;
+  const Nearest at = look(cell.moved_middle(t));
+  const double error = space_.chord_error_mm();
+  return side_ == Side::uncut ? at.distance.value <= -error : at.distance.value >= error;
+}
+
+bool RunBounds::surely_within_thin(const OffsetCell& cell, const TracedRun& run, double length_mm) {
+  const double run_mm = run.length_mm;
+  if (run_mm >= length_mm) return false;
+  // Where the run ends, or what ends it is beside it.
+  const double past = run_mm + kStepOver_mm;
+  if (side_ != Side::uncut) {
+    if (stands(cell, allowance_mm_ - past)) return true;
+    // Or in the middle of what stands there.
+    const Vec3 end = cell.moved_middle(allowance_mm_ - past);
+    const double solid =
+        space_.first_met(end, -cell.normal, length_mm - run_mm, {kSkin_mm, 0, 0}).t_mm;
+    return solid > kSkin_mm && stands(cell, allowance_mm_ - past - solid / 2);
+  }
+  if (is_gone(cell, allowance_mm_ + past)) return true;
+  const double from = allowance_mm_ + run_mm;
+  if (run.body && is_gone_deepest(cell, *run.body, from, allowance_mm_ + length_mm)) return true;
+  const double limit = length_mm - run_mm;
+  const double free = tracer_.free_length_mm(cell.moved_middle(from), cell.normal, limit);
+  if (free >= limit || free <= kSkin_mm) return false;
+  return surely_within(cell, run_mm + free / 2);
+}
+
+TracedRun RunBounds::run(const Vec3& s, const Vec3& n, double least_mm) const {
+  if (n == Vec3{}) return {};
+  if (side_ == Side::uncut) return tracer_.material(s, n, allowance_mm_, longest_mm_, least_mm);
+  return tracer_.removed(s, n, allowance_mm_, longest_mm_, least_mm, side_ == Side::missing_stock);
+}
+
+double RunBounds::quick_run(const Vec3& s, const Vec3& n, std::optional<BodyRef>& hint) const {
+  const Nearest at = space_.nearest(s + n * allowance_mm_, hint);
+  hint = at.body;
+  if (side_ == Side::uncut) return std::max(0.0, at.distance.value);
+  if (side_ == Side::gouge && space_.is_stock(at.body)) return 0;
+  return std::max(0.0, -at.distance.value);
+}
+
+Vec3 RunBounds::gradient_at(const OffsetCell& cell, double length_mm) {
+  const double t = side_ == Side::uncut ? allowance_mm_ + length_mm : allowance_mm_ - length_mm;
+  return look(cell.moved_middle(t)).distance.gradient;
+}
+
+/// The nearest body, remembered for the next question of the same place.
+const Nearest& RunBounds::look(const Vec3& p) {
+  if (!looked_ || looked_->first != p)
+    looked_ = {p, space_.nearest(p, looked_ ? std::optional(looked_->second.body) : std::nullopt)};
+  return looked_->second;
+}
+
+}  // namespace limitgauge::verifier

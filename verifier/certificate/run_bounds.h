@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+
+#include "verifier/cells/cell_bounds.h"
+#include "verifier/certificate/run_tracer.h"
+
+namespace limitgauge::verifier {
+
+/// Proofs that no run of one kind, on any point of a cell, is longer than a length, and runs at
+/// single points (CERTIFICATE.md, sections 3 and 3b). `allowance_mm` is 0 for missing stock.
+class RunBounds {
+ public:
+  RunBounds(const SurfaceCells& cells, const RemovedSpace& space, Side side, double allowance_mm);
+
+  /// Longer than any run can be: no gate allows it.
+  double longest_mm() const { return longest_mm_; }
+  /// Whether the middle's run is proven to be no longer, by one query.
+  bool ends_within(const OffsetCell& cell, double length_mm);
+  /// Proof that no run of the cell is longer than `length_mm`. False means "not proven".
+  bool surely_within(const OffsetCell& cell, double length_mm);
+  /// The same at a place along the middle's normal that its run points to, for a cell whose
+  /// middle's run ends before `length_mm`: where what is removed is thin, or beside it.
+  bool surely_within_thin(const OffsetCell& cell, const TracedRun& run, double length_mm);
+  /// The run at a point of S with one of its normals, as far as it is proven; `least_mm` as in
+  /// RunTracer. None for a normal of no length, in the middle of normals that cancel.
+  TracedRun run(const model::Vec3& s, const model::Vec3& n, double least_mm = 0) const;
+  /// A lower bound of that run by one query.
+  double quick_run(const model::Vec3& s, const model::Vec3& n, std::optional<BodyRef>& hint) const;
+  /// The body nearest to s.
+  BodyRef nearest_body(const model::Vec3& s) const { return space_.nearest(s).body; }
+  Nearest nearest(const model::Vec3& p) const { return space_.nearest(p); }
+  /// How δ changes at the middle of the cell, moved to where its runs would end.
+  model::Vec3 gradient_at(const OffsetCell& cell, double length_mm);
+
+ private:
+  double margin_mm(const OffsetCell& cell, double t_mm) const;
+  bool is_beside(const OffsetCell& cell, const Nearest& at) const;
+  bool is_wedge_beside(const OffsetCell& cell, double length_mm);
+  bool stands_beside(const OffsetCell& cell, double t_mm, double along);
+  bool is_deep(const Bezier& cell, BodyRef body) const;
+  Nearest lowest_corner(const Bezier& cell, BodyRef hint) const;
+  bool surely_crosses(const OffsetCell& cell, double length_mm) const;
+  bool is_gone(const OffsetCell& cell, double t_mm);
+  bool is_gone(const OffsetCell& cell, double t_mm, const Nearest& at);
+  bool is_gone_deepest(const OffsetCell& cell, BodyRef body, double from_t_mm, double to_t_mm);
+  bool stands(const OffsetCell& cell, double t_mm);
+  bool surely_unswept(const OffsetCell& cell, double length_mm);
+  const Nearest& look(const model::Vec3& p);
+
+  const SurfaceCells& cells_;
+  const RemovedSpace& space_;
+  RunTracer tracer_;
+  CellBounder bounder_;
+  Side side_;
+  double allowance_mm_, longest_mm_;
+  std::optional<std::pair<model::Vec3, Nearest>> looked_;
+};
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,322 @@
+#include "verifier/cutter/removed_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "verifier/cells/nearest_first.h"
+
+namespace limitgauge::verifier {
+
+using model::Box3;
+using model::Vec3;
+
+namespace {
+
+constexpr std::uint32_t kLeafBodies = 6;
+constexpr std::uint32_t kCylinderSide = 2;
+constexpr double kEqual_mm = 1e-12;
+
+/// A stack on the heap of the thread, kept between queries: a tree over millions of moves is deep.
+std::vector<std::uint32_t>& query_stack() {
+  thread_local std::vector<std::uint32_t> stack;
+  stack.clear();
+  return stack;
+}
+
+/// Steps to where a ray meets one body: far more than a tangent that touches takes.
+constexpr int kMostSteps = 400;
+/// What a step towards a distance falls short of by rounding.
+constexpr double kReached_mm = 1e-9;
+
+/// The first t in [0, limit_mm) at which the ray meets a body whose distance, less its error, is
+/// `distance(t)`; the limit where there is none. A convex one lies above its planes, whose zeros
+/// come before its own; of others a step is no longer than the place is far.
+template <class Distance>
+double first_meeting(Distance&& distance, const Vec3& ray, bool is_convex, double limit_mm,
+                     const EndRule& rule) {
+  double t = 0;
+  for (int step = 0; step < kMostSteps && t < limit_mm; ++step) {
+    const BodyDistance d = distance(t);
+    if (rule.is_met(d.value, d.gradient, ray)) return t;
+    const double closing = is_convex ? -dot(d.gradient, ray) : 1;
+    if (closing <= 0) return limit_mm;
+    const double wanted = d.value > rule.beside_mm + kReached_mm ? rule.beside_mm : 0;
+    t += std::max(d.value - d.slack_mm - wanted, kReached_mm / 2) / closing;
+  }
+  return std::min(t, limit_mm);
+}
+
+}  // namespace
+
+bool EndRule::is_met(double distance_mm, const Vec3& gradient, const Vec3& ray) const {
+  if (distance_mm <= skin_mm) return true;
+  return distance_mm <= beside_mm + kReached_mm && std::abs(dot(gradient, ray)) <= along;
+}
+
+RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes,
+                           std::span<const Sweep> more)
+    : stock_(stock) {
+  if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) {
+    if (!mesh->mesh) throw std::invalid_argument("a mesh stock without a mesh");
+    mesh_ = std::make_shared<const MeshOutside>(*mesh->mesh);
+  }
+  for (const Pass& pass : passes) add_sweep({CutterProfile(pass.cutter), 0, pass.path});
+  for (const Sweep& sweep : more) add_sweep(sweep);
+}
+
+RemovedSpace::RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions) {
+  passes_.push_back(index_bodies(CutterProfile(cutter), std::move(positions)));
+}
+
+RemovedSpace::RemovedSpace(std::span<const Sweep> sweeps) {
+  for (const Sweep& sweep : sweeps) add_sweep(sweep);
+}
+
+void RemovedSpace::add_sweep(const Sweep& sweep) {
+  const model::Toolpath& path = *sweep.path;
+  const Vec3 lift{0, 0, sweep.lift_mm};
+  std::vector<SweptBody> bodies;
+  bodies.reserve(path.moves.size());
+  for (std::size_t i = 0; i < path.moves.size(); ++i)
+    bodies.emplace_back(model::move_from(path, i) + lift, path.moves[i].to + lift);
+  passes_.push_back(index_bodies(sweep.profile, std::move(bodies)));
+  chord_error_mm_ = std::max(chord_error_mm_, path.chord_error_mm);
+}
+
+RemovedSpace::PassBodies RemovedSpace::index_bodies(const CutterProfile& profile,
+                                                    std::vector<SweptBody> bodies) {
+  std::vector<Box3> tips(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    tips[i].add(bodies[i].from), tips[i].add(bodies[i].to);
+  BoxTree tree = box_tree(tips, kLeafBodies);
+  PassBodies p{profile, {}, std::move(tree.order), {}, std::move(tree.nodes)};
+  p.place.resize(bodies.size());
+  p.bodies.reserve(bodies.size());
+  for (std::uint32_t k = 0; k < p.index.size(); ++k) {
+    p.bodies.push_back(bodies[p.index[k]]);
+    p.place[p.index[k]] = k;
+  }
+  return p;
+}
+
+void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) const {
+  const PassBodies& bodies = passes_[pass];
+  nearest_first(
+      bodies.nodes, [&](const BoxNode& node) { return box_bound(bodies.profile, node.box, p); },
+      // Bodies at the same distance but for rounding are all looked at: which of them is named must
+      // not depend on where the search began.
+      [&](double bound) { return bound > best.distance.value + kEqual_mm; },
+      [&](const BoxNode& leaf) {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+          const double d = body_value(bodies.profile, bodies.bodies[k], p);
+          // Among equals the first move is the one named.
+          const BodyRef body{pass, bodies.index[k]};
+          if (d < best.distance.value || (d == best.distance.value && body < best.body))
+            best = {body, {d, {}, 0}};
+        }
+      });
+}
+
+Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint) const {
+  const auto outside = static_cast<std::uint32_t>(passes_.size());
+  Nearest best{{outside + 1, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
+  if (hint) best = {*hint, distance(*hint, p)};
+  if (!mesh_) nearest_of_stock(p, best);
+  // The last pass is most often the nearest: begin with it, so that the others are cut off early.
+  for (std::uint32_t k = outside; k-- > 0;) nearest_in(k, p, best);
+  // A mesh comes last: most points lie deeper in it than the nearest move is away.
+  if (mesh_ && !is_stock(best.body)) nearest_of_stock(p, best);
+  if (!is_stock(best.body)) best.distance = distance(best.body, p);
+  return best;
+}
+
+std::optional<Nearest> RemovedSpace::nearest_swept(const Vec3& p) const {
+  Nearest best{{0, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
+  for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;) nearest_in(k, p, best);
+  if (!std::isfinite(best.distance.value)) return std::nullopt;
+  best.distance = distance(best.body, p);
+  return best;
+}
+
+void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& p, const Vec3& ray,
+                                const EndRule& rule, Meeting& first) const {
+  constexpr int kLooks = 4;
+  const PassBodies& bodies = passes_[pass];
+  const auto start_of = [&](const BoxNode& node) {
+    double t = 0;
+    for (int k = 0; k < kLooks && t < first.t_mm; ++k) {
+      const double room =
+          box_bound(bodies.profile, node.box, p + ray * t) - chord_error_mm_ - rule.beside_mm;
+      if (room <= kReached_mm) break;
+      t += room;
+    }
+    return t;
+  };
+  nearest_first(
+      bodies.nodes, start_of, [&](double start) { return start >= first.t_mm; },
+      [&](const BoxNode& leaf) {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+          const auto distance = [&](double t) {
+            BodyDistance d = body_distance(bodies.profile, bodies.bodies[k], p + ray * t);
+            d.value -= chord_error_mm_;
+            return d;
+          };
+          const double t = first_meeting(distance, ray, true, first.t_mm, rule);
+          if (t < first.t_mm) first = {t, BodyRef{pass, bodies.index[k]}};
+        }
+      });
+}
+
+void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndRule& rule,
+                                      Meeting& first) const {
+  const auto outside = static_cast<std::uint32_t>(passes_.size());
+  for (std::uint32_t face = 0; face < (mesh_ ? 1 : stock_faces()); ++face) {
+    const BodyRef body{outside, face};
+    const auto distance = [&](double t) {
+      BodyDistance d = this->distance(body, p + ray * t);
+      d.value -= chord_error_mm_;
+      return d;
+    };
+    const bool is_convex = !mesh_ && !is_concave(body);
+    const double t = first_meeting(distance, ray, is_convex, first.t_mm, rule);
+    if (t < first.t_mm) first = {t, body};
+  }
+}
+
+RemovedSpace::Meeting RemovedSpace::first_met(const Vec3& p, const Vec3& ray, double limit_mm,
+                                              const EndRule& rule) const {
+  Meeting first{limit_mm, {}};
+  if (!mesh_) first_met_of_stock(p, ray, rule, first);
+  for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;)
+    first_met_in(k, p, ray, rule, first);
+  if (mesh_) first_met_of_stock(p, ray, rule, first);
+  return first;
+}
+
+double RemovedSpace::stock_distance_mm(const Vec3& p) const {
+  Nearest best{{static_cast<std::uint32_t>(passes_.size()) + 1, 0},
+               {std::numeric_limits<double>::infinity(), {}, 0}};
+  nearest_of_stock(p, best);
+  return best.distance.value;
+}
+
+void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
+  const auto outside = static_cast<std::uint32_t>(passes_.size());
+  if (mesh_) {
+    const auto d = mesh_->distance_up_to(p, best.distance.value);
+    if (d && d->value < best.distance.value) best = {{outside, 0}, *d};
+    return;
+  }
+  for (std::uint32_t face = 0; face < stock_faces(); ++face) {
+    const BodyDistance d = stock_distance(face, p);
+    if (d.value < best.distance.value) best = {{outside, face}, d};
+    if (d.value == best.distance.value && best.body.pass == outside && face <= best.body.index)
+      best = {{outside, face}, d};
+  }
+}
+
+/// Calls `take(place of the body)` for all bodies of a pass in nodes that are `near`.
+template <class Near, class Take>
+void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) const {
+  const PassBodies& bodies = passes_[pass];
+  if (bodies.nodes.empty()) return;
+  auto& stack = query_stack();
+  stack.assign(1, 0);
+  while (!stack.empty()) {
+    const std::uint32_t at = stack.back();
+    stack.pop_back();
+    const BoxNode& node = bodies.nodes[at];
+    if (!near(node.box)) continue;
+    if (node.count == 0) {
+      stack.push_back(node.right);
+      stack.push_back(at + 1);
+      continue;
+    }
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) take(k);
+  }
+}
+
+void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
+  for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
+    const PassBodies& bodies = passes_[pass];
+    visit_near(
+        pass, [&](const Box3& tips) { return box_bound(bodies.profile, tips, p) <= limit_mm; },
+        [&](std::uint32_t k) {
+          if (body_value(bodies.profile, bodies.bodies[k], p) <= limit_mm)
+            out.push_back({pass, bodies.index[k]});
+        });
+  }
+  stock_within(p, limit_mm, out);
+}
+
+void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>& out) const {
+  // From a point of the box to a tip is as from its centre to the tip, moved by half the box.
+  const Vec3 centre = box.centre(), half = box.size() / 2;
+  const auto bound = [&](const CutterProfile& profile, const Box3& tips) {
+    return box_bound(profile, {tips.low - half, tips.high + half}, centre);
+  };
+  for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
+    const PassBodies& bodies = passes_[pass];
+    visit_near(
+        pass, [&](const Box3& tips) { return bound(bodies.profile, tips) <= limit_mm; },
+        [&](std::uint32_t k) {
+          Box3 tips;
+          tips.add(bodies.bodies[k].from), tips.add(bodies.bodies[k].to);
+          if (bound(bodies.profile, tips) <= limit_mm) out.push_back({pass, bodies.index[k]});
+        });
+  }
+  stock_within(centre, limit_mm + length(half), out);
+}
+
+void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
+  const auto outside = static_cast<std::uint32_t>(passes_.size());
+  for (std::uint32_t face = 0; face < stock_faces(); ++face)
+    if (stock_distance(face, p).value <= limit_mm) out.push_back({outside, face});
+  if (mesh_ && mesh_->distance_up_to(p, limit_mm)) out.push_back({outside, 0});
+}
+
+BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p) const {
+  if (is_stock(body)) return mesh_ ? mesh_->distance(p) : stock_distance(body.index, p);
+  const PassBodies& pass = passes_[body.pass];
+  return body_distance(pass.profile, pass.of_move(body.index), p);
+}
+
+void RemovedSpace::values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const {
+  if (!is_stock(body)) {
+    const PassBodies& pass = passes_[body.pass];
+    return body_values(pass.profile, pass.of_move(body.index), cell, out);
+  }
+  if (mesh_) return mesh_->values(cell, out);
+  for (int k = 0; k < 16; ++k) out[k] = stock_distance(body.index, cell.control(k)).value;
+}
+
+bool RemovedSpace::is_concave(BodyRef body) const {
+  return is_stock(body) && stock_ && std::holds_alternative<model::CylinderStock>(*stock_) &&
+         body.index == kCylinderSide;
+}
+
+std::uint32_t RemovedSpace::stock_faces() const {
+  if (!stock_ || mesh_) return 0;
+  return std::holds_alternative<model::BoxStock>(*stock_) ? 6 : 3;
+}
+
+/// Distance inwards from one face of the raw stock, negative outside it.
+BodyDistance RemovedSpace::stock_distance(std::uint32_t face, const Vec3& p) const {
+  const Box3 box = model::bounding_box(*stock_);
+  if (std::holds_alternative<model::BoxStock>(*stock_)) {
+    const int axis = static_cast<int>(face / 2);
+    Vec3 inwards;
+    inwards[axis] = face % 2 == 0 ? 1 : -1;
+    return {face % 2 == 0 ? p[axis] - box.low[axis] : box.high[axis] - p[axis], inwards, 0};
+  }
+  if (face != kCylinderSide)
+    return {face == 0 ? p.z - box.low.z : box.high.z - p.z, {0, 0, face == 0 ? 1.0 : -1.0}, 0};
+  const auto& bar = std::get<model::CylinderStock>(*stock_);
+  const double dx = p.x - bar.base_mm.x, dy = p.y - bar.base_mm.y, rho = std::hypot(dx, dy);
+  const double scale = rho > 0 ? -1 / rho : 0;
+  return {bar.diameter_mm / 2 - rho, {dx * scale, dy * scale, 0}, 0};
+}
+
+}  // namespace limitgauge::verifier

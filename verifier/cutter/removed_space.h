@@ -1,0 +1,137 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/part/stock.h"
+#include "verifier/cells/box_tree.h"
+#include "verifier/cutter/mesh_outside.h"
+#include "verifier/cutter/swept_body.h"
+#include "verifier/gate/verify.h"
+
+namespace limitgauge::verifier {
+
+/// What one profile sweeps along a path: the fluted part of a cutter, or a part of its shank or
+/// holder, whose lower end is `lift_mm` above the tip.
+struct Sweep {
+  CutterProfile profile;
+  double lift_mm = 0;
+  std::shared_ptr<const model::Toolpath> path;
+};
+
+/// One of the bodies whose union is the removed space: a move of a pass, or what lies outside one
+/// face of the raw stock (which counts as the pass after the last), or outside all of a mesh.
+struct BodyRef {
+  std::uint32_t pass = 0, index = 0;
+  friend auto operator<=>(const BodyRef&, const BodyRef&) = default;
+};
+
+/// δ at a point: the signed distance to the nearest removed body, and that body.
+struct Nearest {
+  BodyRef body;
+  BodyDistance distance;
+};
+
+/// When a ray through material counts as ended by a body: so near to it, or so near with a face of
+/// it running along the ray, up to that sine of the angle between.
+struct EndRule {
+  double skin_mm = 0, beside_mm = 0, along = 0;
+
+  bool is_met(double distance_mm, const model::Vec3& gradient, const model::Vec3& ray) const;
+};
+
+/// All that has been cut so far and all that lies outside the raw stock. δ(p) is the least of the
+/// bodies' signed distances: exact outside the removed space, with the right sign everywhere;
+/// inside, the depth into one body (a union's true depth can be larger).
+class RemovedSpace {
+ public:
+  /// Throws std::invalid_argument for a mesh without triangles or with numbers out of range.
+  /// `more` are further sweeps, of shanks and holders: BodyRef::pass counts them after the passes.
+  RemovedSpace(const model::Stock& stock, std::span<const Pass> passes,
+               std::span<const Sweep> more = {});
+  /// The union of single positions of one cutter in endless stock.
+  RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions);
+  /// The union of sweeps in endless stock; BodyRef::pass counts the sweeps.
+  explicit RemovedSpace(std::span<const Sweep> sweeps);
+
+  /// The nearest body; among equals the first. A `hint`, any body, saves time where it is near.
+  Nearest nearest(const model::Vec3& p, std::optional<BodyRef> hint = {}) const;
+  /// The same of what was swept alone; none where nothing was.
+  std::optional<Nearest> nearest_swept(const model::Vec3& p) const;
+  /// All bodies with d(p) ≤ limit_mm, in a fixed order, appended to `out`.
+  void within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
+
+  /// All bodies that may come within `limit_mm` of a point of `box`, in a fixed order, appended to
+  /// `out`.
+  void within(const model::Box3& box, double limit_mm, std::vector<BodyRef>& out) const;
+
+  /// The first t in [0, limit_mm] at which p + t·ray, a unit vector, meets a body by the rule, and
+  /// the body; the limit where none does. All before it is material.
+  struct Meeting {
+    double t_mm = 0;
+    std::optional<BodyRef> body;
+  };
+  Meeting first_met(const model::Vec3& p, const model::Vec3& ray, double limit_mm,
+                    const EndRule& rule) const;
+
+  BodyDistance distance(BodyRef body, const model::Vec3& p) const;
+  /// d at the sixteen control points of `cell` (for a mesh, see mesh_of).
+  void values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const;
+  /// The side of a round bar: its distance is concave, not convex.
+  bool is_concave(BodyRef body) const;
+  /// The outside of a mesh, whose distance is neither: it has bounds of its own, and `values` are
+  /// those of a convex function nowhere below it. None for any other body.
+  const MeshOutside* mesh_of(BodyRef body) const { return is_stock(body) ? mesh_.get() : nullptr; }
+  /// Radius of the smallest rounding of a body's edges, in mm; none of a face of the stock.
+  double rounding_mm(BodyRef body) const {
+    if (is_stock(body) || passes_[body.pass].profile.is_pointed()) return 0;
+    return passes_[body.pass].profile.rounding_mm;
+  }
+  bool is_stock(BodyRef body) const { return body.pass == passes_.size(); }
+  /// Of the raw stock; none where it is endless.
+  std::optional<model::Box3> stock_box() const {
+    return stock_ ? std::optional(model::bounding_box(*stock_)) : std::nullopt;
+  }
+  /// Least distance to what lies outside the raw stock, its sign as that of δ; infinite where the
+  /// stock is endless.
+  double stock_distance_mm(const model::Vec3& p) const;
+  /// Largest distance between a programmed arc and the chords that stand for it, over all passes.
+  double chord_error_mm() const { return chord_error_mm_; }
+
+ private:
+  struct PassBodies {
+    CutterProfile profile;
+    std::vector<SweptBody> bodies;     ///< in the order of the leaves, so that a leaf lies together
+    std::vector<std::uint32_t> index;  ///< beside bodies: of the move
+    std::vector<std::uint32_t> place;  ///< by move: where its body is
+    std::vector<BoxNode> nodes;        ///< over the boxes of the bodies' tips
+
+    const SweptBody& of_move(std::uint32_t move) const { return bodies[place[move]]; }
+  };
+
+  void add_sweep(const Sweep& sweep);
+  static PassBodies index_bodies(const CutterProfile& profile, std::vector<SweptBody> bodies);
+  template <class Near, class Take>
+  void visit_near(std::uint32_t pass, Near&& near, Take&& take) const;
+  void stock_within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
+  void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best) const;
+  void nearest_of_stock(const model::Vec3& p, Nearest& best) const;
+  void first_met_in(std::uint32_t pass, const model::Vec3& p, const model::Vec3& ray,
+                    const EndRule& rule, Meeting& first) const;
+  void first_met_of_stock(const model::Vec3& p, const model::Vec3& ray, const EndRule& rule,
+                          Meeting& first) const;
+  /// Half spaces and the side of a bar; a mesh has none.
+  std::uint32_t stock_faces() const;
+  BodyDistance stock_distance(std::uint32_t face, const model::Vec3& p) const;
+
+  std::optional<model::Stock> stock_;
+  std::shared_ptr<const MeshOutside> mesh_;
+  std::vector<PassBodies> passes_;
+  double chord_error_mm_ = 0;
+};
+
+}  // namespace limitgauge::verifier

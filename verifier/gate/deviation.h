@@ -1,0 +1,152 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/geometry/vec3.h"
+
+namespace limitgauge::verifier {
+
+/// A certified interval in mm: some point reaches `low`, no point exceeds `high`.
+struct Interval {
+  double low = 0, high = 0;
+  double width() const { return high - low; }
+};
+
+enum class Verdict { pass, fail, indeterminate, not_run };
+const char* name(Verdict verdict);
+
+/// A place on the limit surface: `patch` counts quads of the cage (an n-gon's corner quads in
+/// order), u and v run from 0 to 1.
+struct SurfacePlace {
+  int patch = 0;
+  double u = 0, v = 0;
+  model::Vec3 point;
+};
+
+/// A pass near a finding: a move that it is bounded by.
+struct NearPass {
+  std::size_t stage = 0, move = 0;
+  std::uint32_t line = 0;
+  double distance_mm = 0;  ///< from the finding's deepest place to the space swept by the move
+};
+
+/// A clustered gouge or leftover; its deepest place, and the move responsible (for a leftover: the
+/// nearest pass that left it). Ordered by depth, deepest first.
+struct Finding {
+  SurfacePlace place;
+  double depth_mm = 0;
+  double area_mm2 = 0;     ///< of the surface deeper than the threshold that belongs to the cluster
+  model::Box3 extent_mm;   ///< box of the cluster
+  std::size_t stage = 0;   ///< stage whose move is named (an earlier one may have gouged)
+  std::size_t move = 0;    ///< index in that stage's path
+  std::uint32_t line = 0;  ///< its program line
+  bool raw_stock = false;  ///< a face of the raw stock is nearest, no move: the names above are 0
+  std::string body = "cutter";  ///< of a gouge: "cutter", "shank" or "holder", numbered if several
+  std::vector<NearPass>
+      passes;  ///< around a leftover: the last stage's first, nearest first, at most 3
+};
+
+/// Gouge by one body of the assembly of one stage's cutter: "cutter" is its fluted part.
+struct BodyFigure {
+  std::size_t stage = 0;
+  std::string body;
+  Interval gouge_mm;
+};
+
+/// Area-weighted distribution of deviation minus allowance over the reachable surface.
+struct Histogram {
+  std::vector<double> edges_mm;  ///< ascending, one more than there are bins
+  std::vector<double> area_mm2;
+};
+
+/// One line of the uncertainty budget: a worst-case bound, never a standard deviation.
+struct UncertaintyTerm {
+  std::string source;
+  double bound_mm = 0;
+  bool in_certificate = true;  ///< false: concerns the voxel figures only
+};
+
+/// The sampled deviation field for maps: a grid mesh over the limit surface. A sample's deviation
+/// is a run along its normal n (definition 2): from s + a·n outwards through material, positive, or
+/// from there inwards through what is no longer material, negative.
+struct DeviationField {
+  struct Sample {
+    SurfacePlace place;
+    model::Vec3 normal;
+    float deviation_mm = 0;  ///< uncut, or gouge with its sign changed
+    bool reachable = true;
+    bool raw_stock = false;  ///< a face of the raw stock is nearest, not a move
+    std::uint32_t stage = 0, move = 0, line = 0;  ///< nearest pass; all 0 where the raw stock ends
+    float area_mm2 = 0;                           ///< share of the surface this sample stands for
+  };
+  /// The samples of one patch: a grid of parameters from 0 to 1, u along the columns (which run
+  /// fastest), v along the rows; at least two of each.
+  struct Grid {
+    int patch = 0;
+    std::uint32_t columns = 0, rows = 0;
+    std::uint32_t first = 0;  ///< index of its first sample
+    friend bool operator==(const Grid&, const Grid&) = default;
+  };
+  std::vector<Sample> samples;
+  std::vector<std::array<std::uint32_t, 4>> quads;  ///< counter-clockwise, indices of samples
+  std::vector<Grid> grids;                          ///< in the order of the samples
+};
+
+/// What one stage's verification found; all deviations are runs along the limit surface's normals,
+/// measured from the allowance surface (definition 2).
+struct StageDeviation {
+  Interval gouge_mm, uncut_mm;  ///< certified; gouge by everything that swept the space
+  /// By body: the fluted parts of all stages together first; then, of each stage where they come
+  /// that low, shank and holder as one body.
+  std::vector<BodyFigure> bodies;
+  /// How deep S lies outside the raw stock, which no program line is to blame for.
+  Interval missing_stock_mm;
+  double coverage = 0;  ///< share of the reachable area within both gate limits
+  double mean_mm = 0, rms_mm = 0, p01_mm = 0, p50_mm = 0, p99_mm = 0;
+  double voxel_gouge_mm = 0, voxel_uncut_mm = 0;  ///< the voxel instrument's readings
+  double surface_area_mm2 = 0;
+  double reachable_area_mm2 = 0, unreachable_area_mm2 = 0;  ///< by samples, which leave no rim
+  /// Parts of the surface of which all points were proven to be in reach, none was, or neither.
+  struct ProvenReach {
+    double reachable_mm2 = 0, unreachable_mm2 = 0, undecided_mm2 = 0;
+  } proven_reach;
+  /// What no toolpath with the cutters used so far can remove, certified: `low` for a point of the
+  /// surface. Distances to the nearest place that a cutter can take away, not runs.
+  Interval unavoidable_uncut_mm;
+  Histogram histogram;
+  std::vector<Finding> gouges, uncuts;
+  std::vector<Finding> missing_stock;  ///< places where the raw stock does not cover S
+  /// Depth from which places are findings: the gate limit, or half of `low` where nothing limits.
+  double gouge_threshold_mm = 0, uncut_threshold_mm = 0;
+  /// The findings hold every place deeper than the threshold and a resolution.
+  bool findings_complete = true;
+  DeviationField field;
+  std::vector<UncertaintyTerm> budget;
+  std::size_t cells = 0;           ///< cells examined by the branch and bound
+  bool reached_resolution = true;  ///< both widths are within what was asked for
+  double resolution_mm = 0;        ///< the width asked for
+  double seconds = 0;
+};
+
+/// Gate limits; a figure that is not limited is measured but cannot fail.
+struct GateLimits {
+  bool has_gouge = false, has_uncut = false, has_coverage = false;
+  double gouge_mm = 0, uncut_mm = 0, coverage = 0;
+  /// The part of S that no cutter used so far can reach, in mm² or as a share of its area.
+  bool has_unreachable = false, unreachable_is_share = true;
+  double unreachable = 0;
+  bool has_unavoidable = false;
+  double unavoidable_mm = 0;  ///< largest uncut where nothing can reach
+};
+
+/// The three-valued decision, with the reason for each figure in words.
+struct GateDecision {
+  Verdict verdict = Verdict::not_run;
+  std::vector<std::string> reasons;
+};
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,117 @@
+#include "verifier/gate/deviation_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/chunks.h"
+#include "verifier/certificate/run_bounds.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+constexpr int kProbe = 8;
+constexpr int kMostSamplesAlongPatch = 4096;
+
+/// Steps in u so that no step along any of a few u-lines is longer than the spacing on average.
+int steps_along(const ReferenceSurface& surface, int patch, bool in_u, double spacing_mm) {
+  double longest = 0;
+  for (int line = 0; line <= kProbe; ++line) {
+    double sum = 0;
+    Vec3 last;
+    for (int k = 0; k <= kProbe; ++k) {
+      const double a = static_cast<double>(k) / kProbe, b = static_cast<double>(line) / kProbe;
+      const Vec3 p = surface.evaluate(patch, in_u ? a : b, in_u ? b : a).position;
+      if (k > 0) sum = std::max(sum, distance(p, last));
+      last = p;
+    }
+    longest = std::max(longest, sum * kProbe);
+  }
+  const double steps = std::ceil(longest / spacing_mm);
+  return static_cast<int>(std::clamp(steps, 2.0, static_cast<double>(kMostSamplesAlongPatch)));
+}
+
+void sample_patch(const ReferenceSurface& surface, int patch, double spacing_mm,
+                  DeviationField& field) {
+  const int nu = steps_along(surface, patch, true, spacing_mm),
+            nv = steps_along(surface, patch, false, spacing_mm);
+  const auto base = static_cast<std::uint32_t>(field.samples.size());
+  field.grids.push_back(
+      {patch, static_cast<std::uint32_t>(nu + 1), static_cast<std::uint32_t>(nv + 1), base});
+  for (int j = 0; j <= nv; ++j)
+    for (int i = 0; i <= nu; ++i) {
+      const double u = static_cast<double>(i) / nu, v = static_cast<double>(j) / nv;
+      const SurfaceSample s = surface.evaluate(patch, u, v);
+      DeviationField::Sample sample;
+      sample.place = {patch, u, v, s.position};
+      sample.normal = s.normal;
+      field.samples.push_back(sample);
+    }
+  const auto at = [&](int i, int j) { return base + static_cast<std::uint32_t>(j * (nu + 1) + i); };
+  for (int j = 0; j < nv; ++j)
+    for (int i = 0; i < nu; ++i)
+      field.quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+}
+
+/// A quarter of each quad's area goes to each of its corners.
+void share_out_areas(DeviationField& field) {
+  for (const auto& quad : field.quads) {
+    const auto p = [&](int k) { return field.samples[quad[k]].place.point; };
+    const double area = length(cross(p(2) - p(0), p(3) - p(1))) / 2;
+    for (const std::uint32_t k : quad) field.samples[k].area_mm2 += static_cast<float>(area / 4);
+  }
+}
+
+}  // namespace
+
+DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm) {
+  DeviationField field;
+  for (int patch = 0; patch < surface.patch_count(); ++patch)
+    if (surface.has_surface(patch)) sample_patch(surface, patch, spacing_mm, field);
+  share_out_areas(field);
+  return field;
+}
+
+namespace {
+
+/// Signed run along the normal at a sample. Shorter ones are not held against crossings of S: a
+/// surface folded so near to itself is not sampled finely enough to be seen here anyway.
+double run_at(const DeviationField::Sample& s, const RunBounds& uncut, const RunBounds& gouge) {
+  constexpr double kShort_mm = 0.02;
+  if (!(length_squared(s.normal) > 0)) return 0;
+  const double out = uncut.run(s.place.point, s.normal, kShort_mm).length_mm;
+  return out > 0 ? out : -gouge.run(s.place.point, s.normal, kShort_mm).length_mm;
+}
+
+}  // namespace
+
+std::vector<ReachQuery::Touch> measure_field(DeviationField& field, const SurfaceCells& cells,
+                                             const Spaces& spaces, const ReachQuery& reach,
+                                             std::span<const Pass> passes, double allowance_mm,
+                                             const model::RunControl& control) {
+  std::vector<ReachQuery::Touch> touches(field.samples.size());
+  const RunBounds uncut(cells, spaces.cut, Side::uncut, allowance_mm);
+  const RunBounds gouge(cells, spaces.swept, Side::gouge, allowance_mm);
+  constexpr std::size_t kChunk = 512;
+  model::parallel_chunks(touches.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    std::optional<BodyRef> hint;
+    for (std::size_t i = begin; i < end; ++i) {
+      DeviationField::Sample& s = field.samples[i];
+      const Nearest nearest = spaces.cut.nearest(s.place.point, hint);
+      hint = nearest.body;
+      s.deviation_mm = static_cast<float>(run_at(s, uncut, gouge));
+      s.raw_stock = spaces.cut.is_stock(nearest.body);
+      if (!s.raw_stock) {
+        s.stage = nearest.body.pass, s.move = nearest.body.index;
+        s.line = passes[s.stage].path->moves[s.move].line;
+      }
+      const auto touch = reach.touch(s.place, s.normal);
+      s.reachable = touch.has_value();
+      if (touch) touches[i] = *touch;
+    }
+  });
+  return touches;
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "model/base/run_control.h"
+#include "verifier/cutter/removed_space.h"
+#include "verifier/gate/deviation.h"
+#include "verifier/reach/reach_query.h"
+#include "verifier/surface/reference_surface.h"
+
+namespace limitgauge::verifier {
+
+/// Samples of S on a grid of parameters in every patch, no two neighbours further apart than
+/// `spacing_mm` (as measured along the patch's grid lines), each with the area it stands for.
+/// Deviations are not filled in yet.
+DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm);
+
+/// What runs are measured in: flutes and raw stock for material, and shanks and holders besides for
+/// what was removed; the same space where these come nowhere near.
+struct Spaces {
+  const RemovedSpace& cut;
+  const RemovedSpace& swept;
+};
+
+/// Fills in the runs, reachability and the nearest pass of every sample. Returns the position that
+/// touches each reachable sample, beside the samples.
+std::vector<ReachQuery::Touch> measure_field(DeviationField& field, const SurfaceCells& cells,
+                                             const Spaces& spaces, const ReachQuery& reach,
+                                             std::span<const Pass> passes, double allowance_mm,
+                                             const model::RunControl& control);
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,228 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "verifier/gate/gate_words.h"
+#include "verifier/gate/verify.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+/// Rounding of what is added up cell by cell: less is no area, and no length.
+constexpr double kNoArea_mm2 = 1e-9, kNoLength_mm = 1e-6;
+
+/// What is no more than rounding, as nothing.
+Interval but_for(const Interval& figure, double rounding) {
+  const auto floored = [&](double v) { return v <= rounding ? 0 : v; };
+  return {floored(figure.low), floored(figure.high)};
+}
+
+Verdict judge(const Interval& figure, double limit_mm) {
+  if (figure.high <= limit_mm) return Verdict::pass;
+  return figure.low > limit_mm ? Verdict::fail : Verdict::indeterminate;
+}
+
+const char* standing(Verdict verdict, bool is_narrow) {
+  switch (verdict) {
+    case Verdict::pass:
+      return ": within the limit everywhere";
+    case Verdict::fail:
+      return ": beyond the limit";
+    default:
+      return is_narrow ? ": the limit lies within the interval, neither is proven"
+                       : ": the limit lies within the interval, and no narrower one was proven";
+  }
+}
+
+void worsen(Verdict& verdict, Verdict by) {
+  const auto rank = [](Verdict v) {
+    return v == Verdict::fail ? 2 : v == Verdict::indeterminate ? 1 : 0;
+  };
+  if (rank(by) > rank(verdict)) verdict = by;
+}
+
+/// "gouge", and by which body if not by the flutes alone.
+std::string gouge_by(const StageDeviation& deviation) {
+  std::string what = "gouge";
+  for (const BodyFigure& b : deviation.bodies)
+    if (b.body != "cutter" && b.gouge_mm.low > 0 && b.gouge_mm.low >= deviation.gouge_mm.low)
+      what += " by the " + b.body;
+  return what;
+}
+
+/// What one stage is judged by, and the words of its decision.
+class Decision {
+ public:
+  Decision(const StageDeviation& deviation, const GateLimits& limits,
+           std::span<const std::string> stages)
+      : d_(deviation), limits_(limits), stages_(stages) {}
+
+  void judge_runs();
+  void judge_coverage();
+  void judge_reach();
+  void judge_missing_stock();
+  void judge_process(const ProcessFault& fault);
+  void tell_reach();
+  GateDecision take() { return std::move(out_); }
+
+ private:
+  /// `where`: the words for the place, said of a figure that does not pass.
+  void add(const std::string& sentence, Verdict verdict, const std::string& where) {
+    out_.reasons.push_back(sentence + (verdict == Verdict::pass ? "" : where));
+    worsen(out_.verdict, verdict);
+  }
+  void judge_length(const std::string& what, const Interval& figure, double limit_mm,
+                    const std::string& where) {
+    const Verdict verdict = judge(figure, limit_mm);
+    add(what + " certified " + range_text(figure) + ", limit " + length_text(limit_mm) +
+            standing(verdict, d_.reached_resolution),
+        verdict, where);
+  }
+  void judge_unreachable();
+
+  const StageDeviation& d_;
+  const GateLimits& limits_;
+  std::span<const std::string> stages_;
+  GateDecision out_{Verdict::pass, {}};
+};
+
+void Decision::judge_runs() {
+  if (limits_.has_gouge)
+    judge_length(gouge_by(d_), d_.gouge_mm, limits_.gouge_mm, deepest_text(d_.gouges, stages_));
+  if (limits_.has_uncut)
+    judge_length("uncut", d_.uncut_mm, limits_.uncut_mm, deepest_text(d_.uncuts, stages_));
+}
+
+void Decision::judge_coverage() {
+  if (!limits_.has_coverage) return;
+  const bool enough = d_.coverage >= limits_.coverage;
+  char text[128];
+  std::snprintf(text, sizeof text, "coverage %.4f of the reachable area, least accepted %.4f: %s",
+                d_.coverage, limits_.coverage, enough ? "enough" : "too little");
+  add(text, enough ? Verdict::pass : Verdict::fail, {});
+}
+
+/// What is proven to be out of reach is the low end, with what is undecided the high one.
+void Decision::judge_unreachable() {
+  const Interval area_mm2 = but_for(unreachable_area_mm2(d_), kNoArea_mm2);
+  const double whole_mm2 = whole_area_mm2(d_);
+  if (!(whole_mm2 > 0)) return;
+  const double unit_mm2 = limits_.unreachable_is_share ? whole_mm2 : 1;
+  const Verdict verdict =
+      judge({area_mm2.low / unit_mm2, area_mm2.high / unit_mm2}, limits_.unreachable);
+  add("unreachable certified " + area_range_text(area_mm2, whole_mm2) + ", limit " +
+          (limits_.unreachable_is_share ? share_text(limits_.unreachable)
+                                        : area_text(limits_.unreachable)) +
+          (verdict == Verdict::pass ? ": within the limit" : standing(verdict, false)),
+      verdict, out_of_reach_text(d_.field, stages_));
+}
+
+void Decision::judge_reach() {
+  if (nothing_in_reach(d_))
+    add("no cutter used so far can reach any of the surface", Verdict::fail,
+        out_of_reach_text(d_.field, stages_));
+  if (limits_.has_unreachable) judge_unreachable();
+  if (limits_.has_unavoidable)
+    judge_length("unavoidable uncut", but_for(d_.unavoidable_uncut_mm, kNoLength_mm),
+                 limits_.unavoidable_mm, out_of_reach_text(d_.field, stages_));
+}
+
+/// No program line is to blame, yet the part cannot come out of this stock: the limit is that of
+/// gouges. Without one it is told and cannot fail.
+void Decision::judge_missing_stock() {
+  const Interval& figure = d_.missing_stock_mm;
+  const std::string range =
+      "missing stock: S lies " + range_text(figure) + " outside the raw stock";
+  const std::string where = deepest_text(d_.missing_stock, stages_);
+  if (!limits_.has_gouge) {
+    if (figure.low > 0) out_.reasons.push_back(range + where);
+    return;
+  }
+  const Verdict verdict = judge(figure, limits_.gouge_mm);
+  if (verdict == Verdict::pass && !(figure.low > 0)) return;
+  add(range + ", limit " + length_text(limits_.gouge_mm) + standing(verdict, d_.reached_resolution),
+      verdict, where);
+}
+
+void Decision::judge_process(const ProcessFault& fault) {
+  if (fault.count == 0) return;
+  std::string text =
+      fault.what + ": " + std::to_string(fault.count) + (fault.count == 1 ? " move" : " moves");
+  if (fault.worst) {
+    text += fault.worst->depth_mm > 0 ? "; deepest " + length_text(fault.worst->depth_mm) + " "
+                                      : std::string("; ");
+    text += place_text(fault.worst->point);
+    if (fault.worst->line > 0) text += ", program line " + std::to_string(fault.worst->line);
+  }
+  add(text, Verdict::fail, {});
+}
+
+/// Said beside every verdict: what is out of reach is judged by no other figure.
+void Decision::tell_reach() {
+  const double area_mm2 = d_.proven_reach.unreachable_mm2 > 0 ? d_.proven_reach.unreachable_mm2
+                                                              : d_.unreachable_area_mm2;
+  const double whole_mm2 = whole_area_mm2(d_);
+  if (!(area_mm2 > 0) || !(whole_mm2 > 0)) return;
+  std::string text =
+      "unreachable: " + area_text(area_mm2) + " (" + share_text(area_mm2 / whole_mm2) + ")";
+  if (d_.proven_reach.undecided_mm2 > 0)
+    text += ", undecided " + area_text(d_.proven_reach.undecided_mm2);
+  out_.reasons.push_back(text + ", unavoidable uncut up to " +
+                         length_text(d_.unavoidable_uncut_mm.high));
+}
+
+}  // namespace
+
+const char* name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::fail:
+      return "fail";
+    case Verdict::indeterminate:
+      return "indeterminate";
+    case Verdict::not_run:
+      break;
+  }
+  return "not_run";
+}
+
+double automatic_resolution_mm(const GateLimits& limits) {
+  constexpr double kUnlimited_mm = 0.001;
+  double tightest = std::numeric_limits<double>::infinity();
+  if (limits.has_gouge && limits.gouge_mm > 0) tightest = std::min(tightest, limits.gouge_mm);
+  if (limits.has_uncut && limits.uncut_mm > 0) tightest = std::min(tightest, limits.uncut_mm);
+  if (limits.has_unavoidable && limits.unavoidable_mm > 0)
+    tightest = std::min(tightest, limits.unavoidable_mm);
+  return std::isfinite(tightest) ? tightest / 10 : kUnlimited_mm;
+}
+
+double whole_area_mm2(const StageDeviation& d) {
+  if (d.surface_area_mm2 > 0) return d.surface_area_mm2;
+  return d.proven_reach.reachable_mm2 + d.proven_reach.unreachable_mm2 +
+         d.proven_reach.undecided_mm2;
+}
+
+Interval unreachable_area_mm2(const StageDeviation& d) {
+  const StageDeviation::ProvenReach& reach = d.proven_reach;
+  return {reach.unreachable_mm2, reach.unreachable_mm2 + reach.undecided_mm2};
+}
+
+bool nothing_in_reach(const StageDeviation& d) {
+  return d.surface_area_mm2 > 0 && d.proven_reach.reachable_mm2 <= 0 && d.reachable_area_mm2 <= 0;
+}
+
+GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
+                    std::span<const ProcessFault> faults, std::span<const std::string> stages) {
+  Decision decision(deviation, limits, stages);
+  decision.judge_runs();
+  decision.judge_coverage();
+  decision.judge_reach();
+  decision.judge_missing_stock();
+  for (const ProcessFault& fault : faults) decision.judge_process(fault);
+  decision.tell_reach();
+  return decision.take();
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,301 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "verifier/certificate/certificate.h"
+#include "verifier/certificate/unavoidable.h"
+#include "verifier/cutter/assembly.h"
+#include "verifier/gate/deviation_field.h"
+#include "verifier/gate/findings.h"
+#include "verifier/gate/statistics.h"
+#include "verifier/gate/stock_rays.h"
+#include "verifier/gate/verify.h"
+#include "verifier/reach/lowest_tip.h"
+#include "verifier/reach/reach_query.h"
+#include "verifier/surface/surface_tree.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+/// Contact tolerance of reachability: a tenth of a micrometre, far below any gate.
+constexpr double kContact_mm = 1e-4;
+
+/// Width to which the unavoidable uncut is certified, where the verdict asks for no less.
+constexpr double kUnavoidable_mm = 5e-3;
+
+/// How finely the rim of what can be reached is resolved, and for how long. The contact of a flat
+/// moves far as the normal turns, so its proofs take smaller cells. To a cutter as wide as the part
+/// every cell is near every other, and of a drill's or an undercutting cutter's contacts no cell is
+/// proven: then each is looked at once.
+ReachOptions reach_effort(const CutterProfile& cutter, double area_mm2) {
+  const double radius = cutter.rounding_mm + cutter.flat_mm;
+  if (cutter.is_pointed() || cutter.undercuts()) return {0.05, 1};
+  if (std::numbers::pi * radius * radius > area_mm2 / 2) return {0.05, 1};
+  return {0.05, cutter.flat_mm > 0 ? std::size_t{250'000} : std::size_t{60'000}};
+}
+
+/// Where branch and bound starts: small enough that few moves matter to a cell, and no more than a
+/// few hundred thousand cells on a large part.
+double first_cell_radius_mm(const ReferenceSurface& surface) {
+  constexpr double kSmall_mm = 0.3, kCells = 200'000;
+  return std::max(kSmall_mm, std::sqrt(surface.area_mm2() / kCells));
+}
+
+CertificateRequest request_of(const StageCheck& check) {
+  const double unlimited = std::numeric_limits<double>::infinity();
+  return {check.allowance_mm, check.limits.has_gouge ? check.limits.gouge_mm : unlimited,
+          check.limits.has_uncut ? check.limits.uncut_mm : unlimited, check.resolution_mm,
+          check.largest_cell_count};
+}
+
+/// The cutters used so far, each of its kind once: that of the last pass first.
+std::vector<model::Cutter> distinct_cutters(std::span<const Pass> passes) {
+  std::vector<model::Cutter> out;
+  for (std::size_t k = passes.size(); k-- > 0;) {
+    model::Cutter cutter = passes[k].cutter;
+    cutter.id.clear();
+    const std::string text = to_text(cutter);
+    const bool known = std::any_of(
+        out.begin(), out.end(), [&](const model::Cutter& other) { return to_text(other) == text; });
+    if (!known) out.push_back(std::move(cutter));
+  }
+  return out;
+}
+
+/// All that reach is judged by.
+struct ReachOfCutters {
+  std::vector<model::Cutter> cutters;
+  std::vector<Reachability> searches;
+  std::vector<ReachOptions> efforts;
+
+  ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> passes, double allowance_mm,
+                 double area_mm2)
+      : cutters(distinct_cutters(passes)) {
+    for (const model::Cutter& cutter : cutters) {
+      const CutterProfile profile(cutter);
+      searches.emplace_back(cells, cutter, allowance_mm, kContact_mm);
+      efforts.push_back(reach_effort(profile, area_mm2));
+    }
+  }
+};
+
+/// What findings are looked for in.
+struct Measured {
+  const SurfaceCells& cells;
+  const Spaces& spaces;
+  const ReachQuery& reach;
+  std::span<const Pass> passes;
+  std::span<const AssemblySweep> parts;
+  const StageCheck& check;
+};
+
+double finding_threshold_mm(bool limited, double limit_mm, const Interval& figure,
+                            double resolution_mm) {
+  return limited ? limit_mm : std::max(figure.low / 2, resolution_mm);
+}
+
+std::vector<UncertaintyTerm> budget_of(const RemovedSpace& space, const StageCheck& check,
+                                       const StockProbe* probe, const RayFigures& rays) {
+  return {
+      {"reference surface near irregular vertices", SurfaceCells::kOmitted_mm, true},
+      {"rounding in double precision", kRounding_mm - SurfaceCells::kOmitted_mm, true},
+      {"arcs stood for by chords", space.chord_error_mm(), true},
+      {"width of the certified interval asked for", check.resolution_mm, true},
+      {"contact tolerance of reachability", kContact_mm, true},
+      {"faces along a normal that count as met by it", kBeside_mm, true},
+      {"rays into the stock: end of a run", rays.largest_error_mm, false},
+      {"rays into the stock: between samples the certificate alone sees",
+       probe ? check.field_spacing_mm : 0, false},
+  };
+}
+
+/// The second instrument, over the samples whose reach is known. No run is longer than the way
+/// through S and the raw stock.
+RayFigures ask_stock(const ReferenceSurface& surface, const model::Stock& raw_stock,
+                     const RemovedSpace& raw, const Measured& m, const StockProbe* probe,
+                     const DeviationField& field, const model::RunControl& control) {
+  if (!probe) return {};
+  model::Box3 box = model::bounding_box(raw_stock);
+  box.add(surface.bounding_box());
+  const RayScene scene{m.cells, m.spaces.cut, raw, *probe,
+                       length(box.size()) + m.check.allowance_mm};
+  RayRequest request;
+  request.allowance_mm = m.check.allowance_mm;
+  return read_rays(scene, field, request, control);
+}
+
+/// Findings on one side of one space; searched for only where something may exceed the threshold.
+std::vector<Finding> findings_of(const Measured& m, const RemovedSpace& space, Side side,
+                                 double threshold_mm, const Certificate& certificate,
+                                 bool& complete, const model::RunControl& control) {
+  Exceedance found;
+  if (certificate.figure_mm.high > threshold_mm) {
+    ExceedanceRequest request;
+    request.side = side;
+    request.allowance_mm = m.check.allowance_mm;
+    request.threshold_mm = threshold_mm;
+    request.slack_mm = m.check.resolution_mm;
+    found = find_exceedance(m.cells, space, &m.reach, request, control);
+  }
+  complete = complete && found.complete;
+  const bool of_stock = side == Side::missing_stock;
+  std::vector<Finding> findings =
+      gather_findings(found, certificate.witness, of_stock ? std::span<const Pass>{} : m.passes,
+                      of_stock ? std::span<const AssemblySweep>{} : m.parts);
+  keep_deepest(findings);
+  return findings;
+}
+
+/// Certified figures of one stage.
+struct Certificates {
+  Certificate gouge, uncut, missing;
+};
+
+void find_places(StageDeviation& out, const Measured& m, const RemovedSpace& raw,
+                 const Certificates& c, const model::RunControl& control) {
+  const GateLimits& limits = m.check.limits;
+  const double resolution = m.check.resolution_mm;
+  out.gouge_threshold_mm =
+      finding_threshold_mm(limits.has_gouge, limits.gouge_mm, out.gouge_mm, resolution);
+  out.uncut_threshold_mm =
+      finding_threshold_mm(limits.has_uncut, limits.uncut_mm, out.uncut_mm, resolution);
+  const double missing =
+      finding_threshold_mm(limits.has_gouge, limits.gouge_mm, out.missing_stock_mm, resolution);
+  bool& complete = out.findings_complete;
+  out.gouges = findings_of(m, m.spaces.swept, Side::gouge, out.gouge_threshold_mm, c.gouge,
+                           complete, control);
+  out.uncuts =
+      findings_of(m, m.spaces.cut, Side::uncut, out.uncut_threshold_mm, c.uncut, complete, control);
+  out.missing_stock =
+      findings_of(m, raw, Side::missing_stock, missing, c.missing, complete, control);
+  name_passes(out.uncuts, m.spaces.cut, m.passes);
+}
+
+/// Gouge by flutes and by each stage's shank and holder for themselves, where these come near.
+void measure_bodies(StageDeviation& out, const Measured& m, const Certificate& all,
+                    const CertificateRequest& request, const model::RunControl& control) {
+  if (m.parts.empty()) {
+    out.bodies.push_back({0, "cutter", all.figure_mm});
+    return;
+  }
+  const auto figure = [&](const RemovedSpace& space) {
+    return certify(m.cells, space, Side::gouge, nullptr, request, control).figure_mm;
+  };
+  out.bodies.push_back({0, "cutter", figure(m.spaces.cut)});
+  for (std::size_t stage = 0; stage < m.passes.size(); ++stage) {
+    std::vector<Sweep> sweeps;
+    std::string name;
+    for (const AssemblySweep& part : m.parts) {
+      if (part.stage != stage) continue;
+      sweeps.push_back(part.sweep);
+      if (name.find(part.body) == std::string::npos)
+        name += (name.empty() ? "" : " and ") + part.body;
+    }
+    if (!sweeps.empty()) out.bodies.push_back({stage, name, figure(RemovedSpace(sweeps))});
+  }
+}
+
+/// Of one cutter, with the positions that touch reachable samples.
+Unavoidable unavoidable_of(const Measured& m, const ReachMap& proven, const ReachOfCutters& by,
+                           std::size_t k, const DeviationField& field,
+                           const std::vector<ReachQuery::Touch>& touches,
+                           const model::RunControl& control) {
+  std::vector<model::Vec3> free_tips;
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    if (field.samples[i].reachable && touches[i].cutter == k) free_tips.push_back(touches[i].tip);
+  UnavoidableOptions options;
+  options.resolution_mm = std::max(kUnavoidable_mm, m.check.resolution_mm);
+  // No map says where these reach, so that all of S is open and every place has to be searched.
+  const CutterProfile& profile = by.searches[k].profile();
+  if (profile.is_pointed() || profile.undercuts())
+    options.largest_cell_count = 20'000, options.largest_point_count = 100,
+    options.largest_square_count = 10'000;
+  return unavoidable_uncut(m.cells, proven, by.searches[k], free_tips, by.cutters[k], options,
+                           control, k);
+}
+
+/// The worst place's best cutter: no more than the least `high`, and no less than what every cutter
+/// is proven to leave at one place.
+Interval unavoidable_of_all(const Measured& m, const ReachMap& proven, const ReachOfCutters& by,
+                            const DeviationField& field,
+                            const std::vector<ReachQuery::Touch>& touches,
+                            const model::RunControl& control) {
+  Unavoidable best;
+  std::size_t of = 0;
+  for (std::size_t k = 0; k < by.searches.size(); ++k) {
+    Unavoidable u = unavoidable_of(m, proven, by, k, field, touches, control);
+    if (k == 0 || u.uncut_mm.high < best.uncut_mm.high) best = std::move(u), of = k;
+    // Nobody asks by which cutter less than the width is left.
+    if (best.uncut_mm.high <= 2 * std::max(kUnavoidable_mm, m.check.resolution_mm)) break;
+  }
+  if (!best.place) return best.uncut_mm;
+  const double a = m.check.allowance_mm;
+  for (std::size_t k = 0; k < by.searches.size() && best.uncut_mm.low > 0; ++k) {
+    if (k == of) continue;
+    constexpr std::size_t kSquares = 20'000;
+    const double goal = a + best.uncut_mm.low;
+    const double low =
+        LowestTip(m.cells, by.searches[k]).prove(best.place->point, goal, kSquares).low_mm - a;
+    best.uncut_mm.low = std::clamp(low, 0.0, best.uncut_mm.low);
+  }
+  return best.uncut_mm;
+}
+
+}  // namespace
+
+StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock& raw_stock,
+                             std::span<const Pass> passes, const StockProbe* probe,
+                             const StageCheck& check, const model::RunControl& control) {
+  if (passes.empty()) throw std::invalid_argument("a stage needs the pass it is measured for");
+  if (!(check.resolution_mm > 0)) throw std::invalid_argument("the resolution must be positive");
+  const auto start = std::chrono::steady_clock::now();
+  const SurfaceCells cells(surface.tree(), first_cell_radius_mm(surface));
+  const RemovedSpace cut(raw_stock, passes), raw(raw_stock, {});
+  const std::vector<AssemblySweep> parts =
+      assembly_sweeps(passes, surface.bounding_box().high.z + check.allowance_mm + kRounding_mm);
+  std::vector<Sweep> sweeps;
+  for (const AssemblySweep& part : parts) sweeps.push_back(part.sweep);
+  std::optional<RemovedSpace> with_parts;
+  if (!parts.empty()) with_parts.emplace(raw_stock, passes, sweeps);
+  const Spaces spaces{cut, with_parts ? *with_parts : cut};
+
+  const ReachOfCutters by(cells, passes, check.allowance_mm, surface.area_mm2());
+  const ReachMap proven = classify_reach(cells, by.searches, by.efforts, control);
+  const ReachQuery reach(by.searches, proven);
+  const Measured measured{cells, spaces, reach, passes, parts, check};
+
+  const CertificateRequest request = request_of(check);
+  const Certificates certificates{
+      certify(cells, spaces.swept, Side::gouge, nullptr, request, control),
+      certify(cells, cut, Side::uncut, &reach, request, control),
+      certify(cells, raw, Side::missing_stock, nullptr, request, control)};
+  StageDeviation out;
+  out.resolution_mm = check.resolution_mm;
+  out.gouge_mm = certificates.gouge.figure_mm;
+  out.uncut_mm = certificates.uncut.figure_mm;
+  out.missing_stock_mm = certificates.missing.figure_mm;
+  out.cells = certificates.gouge.cells + certificates.uncut.cells + certificates.missing.cells;
+  out.reached_resolution =
+      certificates.gouge.reached_resolution && certificates.uncut.reached_resolution;
+  measure_bodies(out, measured, certificates.gouge, request, control);
+
+  out.proven_reach = {proven.reachable_area_mm2(), proven.unreachable_area_mm2(),
+                      proven.undecided_area_mm2()};
+  out.field = sample_surface(surface, check.field_spacing_mm);
+  const std::vector<ReachQuery::Touch> touches =
+      measure_field(out.field, cells, spaces, reach, passes, check.allowance_mm, control);
+  out.unavoidable_uncut_mm = unavoidable_of_all(measured, proven, by, out.field, touches, control);
+  summarize_field(out, check.limits);
+
+  const RayFigures rays = ask_stock(surface, raw_stock, raw, measured, probe, out.field, control);
+  out.voxel_gouge_mm = rays.gouge_mm;
+  out.voxel_uncut_mm = rays.uncut_mm;
+
+  find_places(out, measured, raw, certificates, control);
+  out.budget = budget_of(cut, check, probe, rays);
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return out;
+}
+
+}  // namespace limitgauge::verifier

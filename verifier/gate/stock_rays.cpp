@@ -1,0 +1,213 @@
+#include "verifier/gate/stock_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/base/chunks.h"
+#include "verifier/feet/closest_point.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+/// What two evaluations of the same swept surface may differ by, beyond the error that a run's end
+/// states: both work in double precision, so this is far above rounding and far below any gate.
+constexpr double kAgreement_mm = 1e-6;
+/// A crossing of S is found to this; nearer to the start than kStart_mm none is looked for.
+constexpr double kCrossing_mm = 1e-6, kStart_mm = 1e-6;
+
+std::string place_text(const Vec3& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.4f, %.4f, %.4f)", p.x, p.y, p.z);
+  return text;
+}
+
+[[noreturn]] void disagree(const Vec3& p, const std::string& what, double analytic_mm,
+                           const std::string& voxel) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.6f", analytic_mm);
+  throw InstrumentDisagreement("the two instruments disagree at " + place_text(p) + ": " + what +
+                               ": analytic instrument " + text + " mm, voxel instrument " + voxel);
+}
+
+std::string length_text(double mm) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.6f mm", mm);
+  return text;
+}
+
+/// A run of the probe, and what the analytic instrument says along it.
+struct CheckedRun {
+  Vec3 from, along;
+  double length_mm = 0;
+  bool grazes = false;  ///< keeps to the cut surface itself, whose two sides are both there
+};
+
+/// δ > 0 in material. Half way, nearer to both ends, and at the end itself.
+CheckedRun checked(const RemovedSpace& removed, const Vec3& from, const Vec3& along,
+                   const StockProbe::Run& run, std::optional<BodyRef>& hint) {
+  CheckedRun out{from, along, run.length_mm, false};
+  const double side = run.material ? 1 : -1;
+  // A short run has no room for more than its middle says.
+  constexpr double kShort_mm = 0.02;
+  constexpr double kParts[] = {0.5, 0.125, 0.875};
+  const std::size_t parts = run.length_mm < kShort_mm ? 1 : std::size(kParts);
+  for (std::size_t k = 0; k < parts; ++k) {
+    const Vec3 p = from + along * (kParts[k] * run.length_mm);
+    const Nearest nearest = removed.nearest(p, hint);
+    hint = nearest.body;
+    const double delta = nearest.distance.value;
+    if (side * delta < -kAgreement_mm)
+      disagree(p, "distance from what was removed", delta,
+               run.material ? "material" : "no material");
+    if (k == 0) out.grazes = std::abs(delta) <= kAgreement_mm;
+  }
+  if (!run.ends) return out;
+  const Vec3 end = from + along * run.length_mm;
+  const Nearest nearest = removed.nearest(end, hint);
+  if (std::abs(nearest.distance.value) > run.error_mm + kAgreement_mm)
+    disagree(end, "distance of the simulated stock's surface from the cut surface",
+             nearest.distance.value, length_text(run.error_mm));
+  return out;
+}
+
+/// How far the run stays in what the raw stock was: beyond, nothing was removed.
+double within_raw_mm(const RemovedSpace& raw, const CheckedRun& run) {
+  constexpr int kMostSteps = 200;
+  double t = 0;
+  for (int step = 0; step < kMostSteps && t < run.length_mm; ++step) {
+    const double inside = raw.nearest(run.from + run.along * t).distance.value;
+    if (inside < -kAgreement_mm) return t;
+    t += std::max(inside, kAgreement_mm);
+  }
+  return std::min(t, run.length_mm);
+}
+
+/// By halves: S has no point nearer to the middle of a piece than half its length, or it is looked
+/// at more closely.
+std::optional<double> crossing_between(const SurfaceCells& cells, const Vec3& from,
+                                       const Vec3& along, double low, double high) {
+  if (high <= kStart_mm) return {};
+  const double half = (high - low) / 2, middle = low + half;
+  // A start on S is as far from the first piece's middle as that is long to it, give or take what a
+  // foot is known to.
+  constexpr double kFoot_mm = 2e-9;
+  if (!closest_point(cells, from + along * middle, half - kFoot_mm)) return {};
+  if (half <= kCrossing_mm) return middle;
+  if (const auto found = crossing_between(cells, from, along, low, middle)) return found;
+  return crossing_between(cells, from, along, middle, high);
+}
+
+/// Outwards from the allowance surface: no further than to the next crossing of S.
+double outwards_mm(const RayScene& scene, const CheckedRun& run) {
+  if (run.grazes) return 0;
+  return first_crossing_mm(scene.cells, run.from, run.along, run.length_mm).value_or(run.length_mm);
+}
+
+/// Inwards: the crossing at the place itself is not the next one.
+double inwards_mm(const RayScene& scene, const CheckedRun& run, const Vec3& point,
+                  double allowance_mm) {
+  if (run.grazes) return 0;
+  const double length = within_raw_mm(scene.raw, run);
+  if (length <= allowance_mm) return length;
+  const auto found = first_crossing_mm(scene.cells, point, run.along, length - allowance_mm);
+  return found ? allowance_mm + *found : length;
+}
+
+/// The figure of all rays, with the place of the longest run.
+struct Longest {
+  double length_mm = 0;
+  Vec3 at;
+  void take(double mm, const Vec3& place) {
+    if (mm > length_mm) length_mm = mm, at = place;
+  }
+};
+
+void require_within(const Longest& run, const std::optional<double>& bound_mm, double error_mm,
+                    const char* what) {
+  if (bound_mm && run.length_mm > *bound_mm + error_mm + kAgreement_mm)
+    disagree(run.at, what, *bound_mm, length_text(run.length_mm));
+}
+
+/// A sample on the side of a patch where S has a crease, a corner or its rim.
+bool has_many_normals(const SurfaceFeatures& features, const SurfacePlace& place) {
+  const bool left = place.u <= 0, right = place.u >= 1, low = place.v <= 0, high = place.v >= 1;
+  if (!left && !right && !low && !high) return false;
+  const PatchFeatures& patch = features.of(place.patch);
+  const auto sharp = [](SurfaceFeature f) {
+    return f != SurfaceFeature::smooth && f != SurfaceFeature::extraordinary_vertex;
+  };
+  if ((low && sharp(patch.sides[0])) || (right && sharp(patch.sides[1])) ||
+      (high && sharp(patch.sides[2])) || (left && sharp(patch.sides[3])))
+    return true;
+  const auto corner = [&](bool here, int k) {
+    return here && (sharp(patch.corners[k]) || patch.open[k]);
+  };
+  return corner(left && low, 0) || corner(right && low, 1) || corner(right && high, 2) ||
+         corner(left && high, 3);
+}
+
+RayReading reading_of(const RayScene& scene, const Vec3& point, const Vec3& normal,
+                      double allowance_mm, std::optional<BodyRef>& hint) {
+  const Vec3 start = point + normal * allowance_mm;
+  if (scene.raw.nearest(start).distance.value < -kAgreement_mm) return {};
+  // Most runs are short, and of the others the start's side decides on the way.
+  constexpr double kLook_mm = 0.1;
+  StockProbe::Run run = scene.probe.run(start, normal, std::min(kLook_mm, scene.limit_mm));
+  if (run.material && !run.ends) run = scene.probe.run(start, normal, scene.limit_mm);
+  if (run.material) {
+    const CheckedRun way = checked(scene.removed, start, normal, run, hint);
+    return {outwards_mm(scene, way), 0, run.error_mm};
+  }
+  run = scene.probe.run(start, -normal, scene.limit_mm);
+  if (run.material) return {};  // the start is on the cut surface, on either side of it
+  const CheckedRun way = checked(scene.removed, start, -normal, run, hint);
+  return {0, inwards_mm(scene, way, point, allowance_mm), run.error_mm};
+}
+
+}  // namespace
+
+RayReading read_ray(const RayScene& scene, const Vec3& point, const Vec3& normal,
+                    double allowance_mm) {
+  std::optional<BodyRef> hint;
+  return reading_of(scene, point, normal, allowance_mm, hint);
+}
+
+RayFigures read_rays(const RayScene& scene, const DeviationField& field, const RayRequest& request,
+                     const model::RunControl& control) {
+  const std::size_t most = std::max<std::size_t>(request.most_rays, 1);
+  const std::size_t stride = std::max<std::size_t>((field.samples.size() + most - 1) / most, 1);
+  RayFigures figures;
+  figures.rays = (field.samples.size() + stride - 1) / stride;
+  std::vector<RayReading> read(figures.rays);
+  constexpr std::size_t kChunk = 256;
+  model::parallel_chunks(read.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    std::optional<BodyRef> hint;
+    for (std::size_t i = begin; i < end; ++i) {
+      const DeviationField::Sample& s = field.samples[i * stride];
+      read[i] = reading_of(scene, s.place.point, s.normal, request.allowance_mm, hint);
+    }
+  });
+  Longest gouge, uncut;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const DeviationField::Sample& s = field.samples[i * stride];
+    figures.largest_error_mm = std::max(figures.largest_error_mm, read[i].error_mm);
+    if (s.reachable) uncut.take(read[i].uncut_mm, s.place.point);
+    if (!has_many_normals(scene.cells.features(), s.place))
+      gouge.take(read[i].gouge_mm, s.place.point);
+  }
+  require_within(gouge, request.gouge_bound_mm, figures.largest_error_mm, "longest gouge");
+  require_within(uncut, request.uncut_bound_mm, figures.largest_error_mm, "longest uncut");
+  figures.gouge_mm = gouge.length_mm;
+  figures.uncut_mm = uncut.length_mm;
+  return figures;
+}
+
+std::optional<double> first_crossing_mm(const SurfaceCells& cells, const Vec3& from,
+                                        const Vec3& along, double within_mm) {
+  return crossing_between(cells, from, along, 0, within_mm);
+}
+
+}  // namespace limitgauge::verifier

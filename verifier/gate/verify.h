@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "model/base/run_control.h"
+#include "model/part/cutter.h"
+#include "model/part/stock.h"
+#include "model/part/toolpath.h"
+#include "verifier/gate/deviation.h"
+#include "verifier/surface/reference_surface.h"
+
+namespace limitgauge::verifier {
+
+/// One pass over the part, in the order of the job. Passes before the stage under test count too:
+/// the removed space is everything cut so far and everything outside the raw stock.
+struct Pass {
+  model::Cutter cutter;
+  std::shared_ptr<const model::Toolpath> path;
+};
+
+/// The simulated stock, as the second instrument asks it: rays from S. Implemented over the
+/// simulator, which shares no distance, tree or library with this folder. Const calls from several
+/// threads at once.
+class StockProbe {
+ public:
+  virtual ~StockProbe() = default;
+  /// What stands at `from`, and how far along a unit vector everything is like that.
+  struct Run {
+    bool material = false;
+    double length_mm = 0;  ///< no more than asked for
+    bool ends = false;     ///< material turns into air, or air into material, at its end
+    double error_mm = 0;   ///< bound on the distance of that end from the true surface of the stock
+  };
+  virtual Run run(const model::Vec3& from, const model::Vec3& along, double limit_mm) const = 0;
+  /// Spacing of its grid in mm, for the report.
+  virtual double spacing_mm() const = 0;
+};
+
+/// What a stage is measured for.
+struct StageCheck {
+  double allowance_mm = 0;
+  GateLimits limits;
+  double resolution_mm = 0;        ///< widest certified interval asked for; > 0
+  double field_spacing_mm = 0.25;  ///< largest distance between samples of the deviation field
+  std::size_t largest_cell_count = 5'000'000;  ///< where branch and bound gives up
+};
+
+/// Resolution "auto": a tenth of the tightest gate limit, 1 µm where nothing is limited.
+double automatic_resolution_mm(const GateLimits& limits);
+
+/// Measures the stage whose pass is the last of `passes`. `probe` asks the simulated stock, none
+/// leaves the second instrument out; the two instruments are compared, and a disagreement beyond
+/// their bounds throws InstrumentDisagreement. The result is the same for any number of threads.
+StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock& raw_stock,
+                             std::span<const Pass> passes, const StockProbe* probe,
+                             const StageCheck& check, const model::RunControl& control);
+
+/// The two instruments contradict each other: an internal error, exit code 4.
+class InstrumentDisagreement : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// How often a kind of fault was found in the process, "rapid through standing material" say: what
+/// the surface does not show.
+struct ProcessFault {
+  std::string what;
+  std::size_t count = 0;
+  struct Place {
+    model::Vec3 point;
+    std::uint32_t line = 0;  ///< of the program; 0: of none
+    double depth_mm = 0;     ///< 0 or less: there is none to tell
+  };
+  std::optional<Place> worst = std::nullopt;  ///< where it is deepest
+};
+
+/// Area of S that shares are of.
+double whole_area_mm2(const StageDeviation& deviation);
+/// Proven out of reach, and with what is undecided: what the gate `unreachable` judges.
+Interval unreachable_area_mm2(const StageDeviation& deviation);
+/// Neither a proof nor a sample puts any of S in reach.
+bool nothing_in_reach(const StageDeviation& deviation);
+
+/// The gate's decision rule: pass when every `high` is within its limit, fail when some `low` is
+/// beyond it, indeterminate between; a figure without a limit cannot fail. Missing raw stock is
+/// held against the gouge limit under a name of its own. Whatever the limits, a stage fails where
+/// no cutter reaches any of the surface, and for each kind of process fault found at least once.
+/// Reasons of figures that do not pass name the deepest place, its depth and program line; `stages`
+/// are the names of the stages up to this one, for lines of earlier programs.
+GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
+                    std::span<const ProcessFault> faults = {},
+                    std::span<const std::string> stages = {});
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,413 @@
+#include "verifier/reach/contact_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "verifier/cells/nearest_first.h"
+#include "verifier/cells/normal_cone.h"
+#include "verifier/cutter/swept_body.h"
+#include "verifier/reach/plan_cover.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+/// Searches for points of S that a proof may take before it is given up, and such points that a
+/// piece is held against.
+constexpr int kMostSearches = 80;
+constexpr std::size_t kMostKnown = 24;
+/// Share of its depth by which the deepest point may be missed: any deep point serves.
+constexpr double kCoarse = 0.01;
+
+Vec3 tip_at(const Vec3& core, double r, double angle, double z) {
+  return core + Vec3{r * std::cos(angle), r * std::sin(angle), -z};
+}
+
+Vec3 middle_tip(const ContactRegion& g) {
+  const Vec3 core = (g.cores[0] + g.cores[1] + g.cores[2] + g.cores[3]) / 4;
+  return tip_at(core, (g.r0 + g.r1) / 2, (g.angle0 + g.angle1) / 2, (g.z0 + g.z1) / 2);
+}
+
+BodyDistance part_plane(const StandingPart& part, const Vec3& tip, const Vec3& p) {
+  const Vec3 at = tip + Vec3{0, 0, part.lift_mm};
+  return part.endless ? standing_distance(part.profile, at, p)
+                      : closed_standing_distance(part.profile, at, p);
+}
+
+/// A piece of a region in plan: what is asked of it for one obstacle after the other.
+class PlanPiece {
+ public:
+  explicit PlanPiece(const ContactRegion& g)
+      : outer_(g.r1), cos_half_(std::cos(std::min((g.angle1 - g.angle0) / 2, std::numbers::pi))) {
+    middle_ = tip_at({}, 1, (g.angle0 + g.angle1) / 2, 0);
+    const Vec3 ends[] = {tip_at({}, 1, g.angle0, 0), tip_at({}, 1, g.angle1, 0)};
+    corners_ = {ends[0] * g.r0, ends[1] * g.r0, ends[0] * g.r1, ends[1] * g.r1};
+  }
+
+  /// The place round a core that is farthest in plan from p: straight away from it on the outer
+  /// arc, else a corner.
+  Vec3 farthest(const Vec3& core, const Vec3& p) const {
+    const double x = core.x - p.x, y = core.y - p.y, apart = std::sqrt(x * x + y * y);
+    if (x * middle_.x + y * middle_.y >= apart * cos_half_) {
+      const double scale = apart > 0 ? outer_ / apart : 0;
+      const Vec3 out = apart > 0 ? Vec3{x * scale, y * scale, 0} : middle_ * outer_;
+      return core + out;
+    }
+    Vec3 out;
+    double most = -1;
+    for (const Vec3& corner : corners_) {
+      const double cx = x + corner.x, cy = y + corner.y, square = cx * cx + cy * cy;
+      if (square > most) most = square, out = corner;
+    }
+    return core + out;
+  }
+
+ private:
+  double outer_, cos_half_;
+  Vec3 middle_;
+  std::array<Vec3, 4> corners_;
+};
+
+/// Widest piece of a circle that a hull of its tangents stands for.
+constexpr double kWidestHull_rad = 0.8;
+
+/// A hull that holds the tips of a piece in plan: cores and, added, the sector within its tangents.
+PlanHull hull_of(const ContactRegion& g) {
+  constexpr int kTangents = 4;
+  PlanHull sector = {{g.r0 * std::cos(g.angle0), g.r0 * std::sin(g.angle0)},
+                     {g.r0 * std::cos(g.angle1), g.r0 * std::sin(g.angle1)},
+                     {g.r1 * std::cos(g.angle0), g.r1 * std::sin(g.angle0)},
+                     {g.r1 * std::cos(g.angle1), g.r1 * std::sin(g.angle1)}};
+  const double step = (g.angle1 - g.angle0) / kTangents, out = g.r1 / std::cos(step / 2);
+  for (int k = 0; k < kTangents; ++k) {
+    const double angle = g.angle0 + (k + 0.5) * step;
+    sector.push_back({out * std::cos(angle), out * std::sin(angle)});
+  }
+  PlanHull hull;
+  for (const Vec3& core : g.cores)
+    for (const PlanPoint& p : sector) hull.push_back({core.x + p.x, core.y + p.y});
+  return corners_of(std::move(hull));
+}
+
+/// Greatest signed distance from p to a part over all positions of a piece, and its plane: the
+/// distance grows with the one in plan, and is convex in the tip's height and core.
+BodyDistance greatest_distance(const StandingPart& part, const ContactRegion& g,
+                               const PlanPiece& plan, const Vec3& p) {
+  BodyDistance out;
+  out.value = -std::numeric_limits<double>::infinity();
+  for (const Vec3& core : g.cores) {
+    const Vec3 far = plan.farthest(core, p);
+    for (const double z : {g.z0, g.z1}) {
+      const BodyDistance d = part_plane(part, far - Vec3{0, 0, z}, p);
+      if (d.value > out.value) out = d;
+      if (g.z0 == g.z1) break;
+    }
+  }
+  return out;
+}
+
+Vec3 lowest_corner(const Bezier& cell, const Vec3& gradient) {
+  Vec3 out = cell.control(0);
+  for (const int k : {3, 12, 15})
+    if (dot(gradient, cell.control(k) - out) < 0) out = cell.control(k);
+  return out;
+}
+
+/// The search for a point of S at which a convex function is low: any below the start, or one
+/// nearly as low as the lowest.
+template <class Function>
+struct LowSearch {
+  const Function& function;
+  double start_mm, least_mm;
+  bool any = false;
+  std::optional<Vec3> found = {};
+
+  double enough() const {
+    if (any && found) return -std::numeric_limits<double>::infinity();
+    return least_mm - kCoarse * (start_mm - least_mm);
+  }
+  void see(const Vec3& p, double value_mm) {
+    if (value_mm < least_mm) least_mm = value_mm, found = p;
+  }
+  void descend(const Bezier& cell) {
+    const Vec3 centre = middle(cell);
+    const BodyDistance d = function(centre);
+    see(centre, d.value);
+    if (least_by_plane(d, centre, cell) >= enough()) return;
+    // What lies on an edge of S is lowest at a corner of its cells, however small they are.
+    const Vec3 corner = lowest_corner(cell, d.gradient);
+    see(corner, function(corner).value);
+    if (least_by_plane(d, centre, cell) >= enough() ||
+        control_radius(cell, centre) < kSmallestCell_mm)
+      return;
+    for (const Bezier& half : halved(cell)) descend(half);
+  }
+};
+
+/// Such a point, where the function is no less than the distance to a part with its tip at `tip`.
+template <class Function>
+std::optional<Vec3> low_point(const SurfaceCells& cells, const StandingPart& part, const Vec3& tip,
+                              const Function& function, double start_mm, double& least_mm,
+                              bool any) {
+  LowSearch<Function> search{function, start_mm, least_mm, any};
+  nearest_first(
+      cells.nodes(), [&](const BoxNode& node) { return part_bound_mm(part, tip, node.box); },
+      [&](double bound) { return bound >= search.enough(); },
+      [&](const BoxNode& leaf) {
+        for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i)
+          search.descend(cells.cells()[i].shape);
+      });
+  least_mm = search.least_mm;
+  return search.found;
+}
+
+}  // namespace
+
+double part_bound_mm(const StandingPart& part, const Vec3& tip, const model::Box3& box) {
+  const double dx = std::max({box.low.x - tip.x, 0.0, tip.x - box.high.x});
+  const double dy = std::max({box.low.y - tip.y, 0.0, tip.y - box.high.y});
+  const double base = tip.z + part.lift_mm;
+  const double open = open_distance(part.profile, std::hypot(dx, dy), box.high.z - base).value;
+  return part.endless ? open : std::max(open, box.low.z - base - part.profile.top_mm);
+}
+
+CellRectangle rectangle_round(const Bezier& cell, const Vec3& normal) {
+  const Vec3 centre = middle(cell);
+  const InnerChords chords = inner_chords(cell);
+  const Vec3 longer = dot(chords.u, chords.u) >= dot(chords.v, chords.v) ? chords.u : chords.v;
+  Vec3 along = longer - normal * dot(longer, normal);
+  along = dot(along, along) > 0 ? normalized(along) : verifier::across(normal);
+  const Vec3 across = cross(normal, along);
+  double wide = 0, tall = 0;
+  CellRectangle out;
+  for (int k = 0; k < 16; ++k) {
+    const Vec3 p = cell.control(k) - centre;
+    wide = std::max(wide, std::abs(dot(p, along)));
+    tall = std::max(tall, std::abs(dot(p, across)));
+    out.thickness_mm = std::max(out.thickness_mm, std::abs(dot(p, normal)));
+  }
+  for (int k = 0; k < 4; ++k)
+    out.corners[k] = centre + along * (k & 1 ? wide : -wide) + across * (k & 2 ? tall : -tall);
+  return out;
+}
+
+/// A point of S nearer than the limit to the cutter at `tip`: any, or nearly the deepest.
+std::optional<ContactBlock::Obstacle> ContactBlock::obstacle_at(const Vec3& tip, double limit_mm,
+                                                                bool any) const {
+  std::optional<Obstacle> out;
+  double least = limit_mm;
+  for (std::size_t k = 0; k < parts_.size() && !(any && out); ++k) {
+    const auto distance = [&](const Vec3& p) { return part_plane(parts_[k], tip, p); };
+    if (const auto p = low_point(cells_, parts_[k], tip, distance, limit_mm, least, any))
+      out = Obstacle{*p, k};
+  }
+  return out;
+}
+
+/// A point of S nearer than the limit to the cutter at every position of the piece.
+std::optional<ContactBlock::Obstacle> ContactBlock::obstacle_of(const ContactRegion& g) const {
+  const double limit = limit_mm_ - g.stray_mm;
+  const Vec3 tip = middle_tip(g);
+  const PlanPiece plan(g);
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    double least = limit;
+    const auto distance = [&](const Vec3& p) { return greatest_distance(parts_[k], g, plan, p); };
+    if (const auto p = low_point(cells_, parts_[k], tip, distance, limit, least, true))
+      return Obstacle{*p, k};
+  }
+  return std::nullopt;
+}
+
+/// Whether one of the obstacles bars all of a piece, the last first.
+bool ContactBlock::any_holds(const ContactRegion& g, std::span<const Obstacle> obstacles) const {
+  const PlanPiece plan(g);
+  return std::any_of(obstacles.rbegin(), obstacles.rend(), [&](const Obstacle& o) {
+    return greatest_distance(parts_[o.part], g, plan, o.point).value < limit_mm_ - g.stray_mm;
+  });
+}
+
+/// The radius in plan up to which a point of S bars every tip at that height.
+double ContactBlock::barred_radius_mm(const Obstacle& o, double tip_z_mm, double limit_mm) const {
+  constexpr double kFine_mm = 1e-7;
+  const StandingPart& part = parts_[o.part];
+  const auto bars = [&](double rho) {
+    const Vec3 tip{o.point.x - rho, o.point.y, tip_z_mm};
+    return part_plane(part, tip, o.point).value < limit_mm;
+  };
+  double low = 0, high = part.profile.largest_radius_mm() + std::abs(limit_mm);
+  if (!bars(low)) return 0;
+  if (bars(high)) return high;
+  while (high - low > kFine_mm) {
+    const double middle = (low + high) / 2;
+    (bars(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Whether the obstacles together bar all of a piece of level positions: its hull, less one disc
+/// after the other.
+bool ContactBlock::all_hold(const ContactRegion& g, std::span<const Obstacle> obstacles) const {
+  constexpr double kLevel_mm = 1e-9;
+  const double z = g.cores[0].z;
+  if (g.z0 != g.z1) return false;
+  for (const Vec3& core : g.cores)
+    if (std::abs(core.z - z) > kLevel_mm) return false;
+  // A nanometre for tips that are not quite level.
+  const double limit = limit_mm_ - g.stray_mm - kLevel_mm;
+  PlanHull hull = hull_of(g);
+  std::vector<PlanDisc> discs;
+  for (const Obstacle& o : obstacles)
+    if (const double radius = barred_radius_mm(o, z - g.z0, limit); radius > 0)
+      discs.push_back({o.point.x, o.point.y, radius});
+  return covered(std::move(hull), discs);
+}
+
+/// What is known of S by the proofs of the pieces before.
+struct ContactBlock::Search {
+  ContactMemory known;
+  int searches = 0;
+  bool inside = false;  ///< whether free places are looked for inside the outer arc, too
+  double smallest_mm = 0;
+
+  void learn(const Obstacle& o) {
+    if (known.size() == kMostKnown) known.erase(known.begin());
+    known.push_back(o);
+  }
+};
+
+/// Learns what bars the middle of a piece, and the middle from each of the cores; false where
+/// nothing does.
+bool ContactBlock::learn_corners(const ContactRegion& g, Search& search) const {
+  const double limit = limit_mm_ - g.stray_mm;
+  ContactRegion from = g;
+  const auto learn = [&] {
+    const auto met = obstacle_at(middle_tip(from), limit, false);
+    if (met) search.learn(*met);
+    return met.has_value();
+  };
+  if (!learn()) return false;
+  if (distance(g.cores[0], g.cores[3]) <= kSmallestCell_mm) return true;
+  for (const Vec3& core : g.cores) {
+    from.cores.fill(core);
+    if (!learn()) return false;
+  }
+  return true;
+}
+
+/// Whether a single position, for all of the hull of the cores, is barred by one obstacle or by
+/// those met at its corners together; learns them.
+bool ContactBlock::is_spot_barred(const ContactRegion& spot, Search& search) const {
+  const auto met = obstacle_at(middle_tip(spot), limit_mm_ - spot.stray_mm, false);
+  if (!met) return false;
+  search.learn(*met);
+  if (any_holds(spot, std::span(&*met, 1))) return true;
+  if (const auto all = obstacle_of(spot)) {
+    search.learn(*all);
+    return true;
+  }
+  return learn_corners(spot, search) && all_hold(spot, search.known);
+}
+
+/// Looks for a position of the region that is not barred for all of the hull of the cores: ever
+/// again what is least barred by the obstacles known so far, until they bar all that is tried.
+std::optional<ContactRegion> ContactBlock::free_spot(const ContactRegion& g, Search& search) const {
+  constexpr int kTried = 20;
+  for (int k = 0; k < kTried; ++k) {
+    const ContactRegion spot = least_barred(g, search);
+    const bool is_known = any_holds(spot, search.known) || all_hold(spot, search.known);
+    if (!is_known && !is_spot_barred(spot, search)) return spot;
+    if (is_known) break;
+  }
+  return std::nullopt;
+}
+
+/// Distance from the nearest of the known obstacles to the cutter in the middle of a piece.
+double ContactBlock::barred_mm(const ContactRegion& spot, const Search& search) const {
+  const Vec3 tip = middle_tip(spot);
+  double out = std::numeric_limits<double>::max();
+  for (const Obstacle& o : search.known)
+    out = std::min(out, part_plane(parts_[o.part], tip, o.point).value);
+  return out;
+}
+
+/// Of positions all over the region, or on its outer arc, that which the known obstacles bar least;
+/// between two walls there may be one such place only, which is closed in on along the arc.
+ContactRegion ContactBlock::least_barred(const ContactRegion& g, const Search& search) const {
+  constexpr int kRound = 24, kRings = 2, kSteps = 24;
+  ContactRegion best = g;
+  double most = -std::numeric_limits<double>::infinity();
+  const auto value = [&](double r, double angle, double z) {
+    ContactRegion spot = g;
+    spot.r0 = spot.r1 = r, spot.angle0 = spot.angle1 = angle, spot.z0 = spot.z1 = z;
+    const double here = barred_mm(spot, search);
+    if (here > most) most = here, best = spot;
+    return here;
+  };
+  const double step = (g.angle1 - g.angle0) / kRound;
+  const int rings = search.inside && g.r0 < g.r1 ? kRings : 0;
+  for (const double z : {g.z0, g.z1}) {
+    for (int ring = 0; ring <= rings; ++ring)
+      for (int k = 0; k <= kRound; ++k)
+        value(g.r1 + (rings ? (g.r0 - g.r1) * ring / rings : 0), g.angle0 + step * k, z);
+    if (g.z0 == g.z1) break;
+  }
+  const ContactRegion from = best;
+  double low = std::max(g.angle0, from.angle0 - step),
+         high = std::min(g.angle1, from.angle0 + step);
+  for (int k = 0; k < kSteps && from.r1 * (high - low) > kSmallestCell_mm; ++k) {
+    const double third = (high - low) / 3;
+    if (value(from.r1, low + third, from.z0) < value(from.r1, high - third, from.z0))
+      low += third;
+    else
+      high -= third;
+  }
+  return best;
+}
+
+std::optional<Vec3> ContactBlock::free_tip(const ContactRegion& region) const {
+  Search search;
+  search.inside = true;
+  const auto spot = free_spot(region, search);
+  return spot ? std::optional(middle_tip(*spot)) : std::nullopt;
+}
+
+bool ContactBlock::blocks(const ContactRegion& g, Search& search) const {
+  if (any_holds(g, search.known)) return true;
+  if (g.angle1 - g.angle0 <= kWidestHull_rad && all_hold(g, search.known)) return true;
+  const double by_angle = g.r1 * (g.angle1 - g.angle0), by_r = g.r1 - g.r0, by_z = g.z1 - g.z0;
+  // Of a piece smaller than the hull of the cores it is the hull that is too large.
+  if (std::max({by_angle, by_r, by_z}) < search.smallest_mm) return false;
+  constexpr double kWidest_rad = 1.6;  // no one point serves for more of a circle
+  if (g.r1 <= 0 || g.angle1 - g.angle0 <= kWidest_rad) {
+    if (++search.searches > kMostSearches) return false;
+    if (const auto met = obstacle_of(g)) {
+      search.learn(*met);
+      return true;
+    }
+    if (!learn_corners(g, search)) return false;
+    if (g.angle1 - g.angle0 <= kWidestHull_rad && all_hold(g, search.known)) return true;
+  }
+  ContactRegion low = g, high = g;
+  if (by_angle >= by_r && by_angle >= by_z)
+    low.angle1 = high.angle0 = (g.angle0 + g.angle1) / 2;
+  else if (by_r >= by_z)
+    low.r1 = high.r0 = (g.r0 + g.r1) / 2;
+  else
+    low.z1 = high.z0 = (g.z0 + g.z1) / 2;
+  return blocks(high, search) && blocks(low, search);
+}
+
+bool ContactBlock::blocks(const ContactRegion& region, ContactMemory* memory) const {
+  Search search;
+  if (memory) search.known = *memory;
+  for (const Vec3& corner : region.cores)
+    search.smallest_mm = std::max(search.smallest_mm, distance(corner, region.cores[0]) / 2);
+  const bool proven = !free_spot(region, search) && blocks(region, search);
+  if (memory) *memory = std::move(search.known);
+  return proven;
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,281 @@
+#include "verifier/reach/local_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Box3;
+using model::Vec3;
+
+struct Span {
+  double low = 1e300, high = -1e300;
+  void add(const Span& s) { low = std::min(low, s.low), high = std::max(high, s.high); }
+  Span widened(double by) const { return {low - by, high + by}; }
+};
+Span operator*(const Span& a, const Span& b) {
+  const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
+  return {std::min({p, q, r, s}), std::max({p, q, r, s})};
+}
+Span operator+(const Span& a, const Span& b) {
+  return {a.low + b.low, a.high + b.high};
+}
+Span operator*(double f, const Span& a) {
+  return f >= 0 ? Span{f * a.low, f * a.high} : Span{f * a.high, f * a.low};
+}
+Span square(const Span& a) {
+  const double low = a.low > 0 ? a.low : a.high < 0 ? -a.high : 0;
+  const double high = std::max(std::abs(a.low), std::abs(a.high));
+  return {low * low, high * high};
+}
+double largest(const Span& a) {
+  return std::max(std::abs(a.low), std::abs(a.high));
+}
+
+Span along(const Box3& box, const Vec3& d) {
+  const Vec3 c = box.centre(), h = box.size() * 0.5;
+  const double at = dot(c, d);
+  const double by = h.x * std::abs(d.x) + h.y * std::abs(d.y) + h.z * std::abs(d.z);
+  return {at - by, at + by};
+}
+/// Holds f·x + g·y for every x of one box and y of the other.
+Box3 mixed(double f, const Box3& a, double g, const Box3& b) {
+  const Vec3 c = a.centre() * f + b.centre() * g,
+             h = (a.size() * std::abs(f) + b.size() * std::abs(g)) * 0.5;
+  return {c - h, c + h};
+}
+double longest(const Box3& box) {
+  const auto far = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
+  return length(
+      Vec3{far(box.low.x, box.high.x), far(box.low.y, box.high.y), far(box.low.z, box.high.z)});
+}
+Box3 negated(const Box3& box) {
+  return {-box.high, -box.low};
+}
+
+/// What the cutter's section leaves free: n·w ≤ ½(along·w_t² + across·w_b²), along its meridian and
+/// across it. `turn` is how far the two directions may be turned against the cell's own.
+struct Clearance {
+  double along = 0, across = 0, turn = 0;
+};
+
+}  // namespace
+
+/// Spans over a rectangle: components of the first derivatives, normal parts of the second.
+struct LocalContact::Spans {
+  Span ut, ub, un, vt, vb, vn, uz, vz, uu, uv, vv;
+  double u = 0, v = 0;  ///< greatest lengths of the first derivatives
+
+  /// Greatest length of S over steps (±x, ±y): the integral of U·x + V·y, any two of which have a
+  /// product that lies in the span of x²U·U′ + xy(U·V′ + V·U′) + y²V·V′.
+  double longest(double x, double y) const {
+    const double skew = largest(ut * vt + ub * vb + un * vn);
+    return std::sqrt(u * u * x * x + 2 * skew * x * y + v * v * y * y);
+  }
+};
+
+/// Parameters (x, y) in which S is nearly a plane in square millimetres about a cell's middle,
+/// where bounds on products of derivatives are tightest: u = x·u_x + y·u_y, v = y·v_y.
+struct LocalContact::Square {
+  double u_x = 1, u_y = 0, v_y = 1;
+};
+
+namespace {
+
+/// Clearances that hold for all w = q − s of length up to `far`, rising by up to `rise`; any of
+/// them suffices. k is the curvature of the circle in which the cutter's rounding touches, R′ its
+/// rounding with the allowance, and within the angle `free` of the contact the section is round.
+std::vector<Clearance> clearances(const CellContact& c, double reach, double far, double rise) {
+  std::vector<Clearance> out;
+  const double top = std::min(c.tilt() + c.alpha(), std::numbers::pi / 2),
+               low = std::max(0.0, c.tilt() - c.alpha());
+  if (c.profile().flat_mm <= 0 && reach > 0 && rise <= reach * std::cos(top))
+    out.push_back({1 / reach, 1 / reach, 0});
+  if (c.turning() || c.level()) {
+    out.push_back({0, 0, 0});
+    return out;
+  }
+  // No point of the cutter near the contact lies further from its axis; a straight wall ends it.
+  double furthest = c.profile().flat_mm + reach * std::sin(top) + far;
+  if (c.profile().slope == 0) furthest = std::min(furthest, c.profile().flat_mm + reach);
+  const double k = 1 / furthest;
+  const double across = std::sin(low) * k, turn = c.beta() + c.alpha();
+  out.push_back({0, across, c.beta()});
+  const double free = std::min(low, std::numbers::pi / 2 - std::atan(c.profile().slope) - top);
+  if (free <= 0 || c.profile().flat_mm <= 0) return out;
+  const double y = far + k * far * far / 2;
+  double bend = reach > 0 ? 1 / reach : 1e300;
+  if (y > reach * std::sin(free))
+    bend = std::min(bend, 2 * (y * std::tan(free) - reach * (1 / std::cos(free) - 1)) / (y * y));
+  // (|w_t| − x)² ≥ (1 − η)·w_t² − (1/η − 1)·x² with x = k·w_b²/2, for η = 1/2, and shares of it.
+  for (const double share : {0.02, 0.05, 0.12, 0.25, 0.5, 1.0}) {
+    const double meridian = share * bend / 2, rest = across - meridian * 2 * k * k * far * far / 4;
+    if (rest < 0) continue;
+    out.push_back({meridian, rest, turn});
+    out.push_back({std::min(meridian, rest), std::min(meridian, rest), 0});
+  }
+  return out;
+}
+
+bool positive(const Span& uu, const Span& uv, const Span& vv) {
+  const double off = largest(uv);
+  return uu.low >= 0 && vv.low >= 0 && off * off <= uu.low * vv.low;
+}
+
+}  // namespace
+
+LocalContact::LocalContact(const std::vector<SurfaceCell>& cells, double allowance_mm,
+                           double contact_mm)
+    : index_(cells), charts_(cells, index_), allowance_mm_(allowance_mm), contact_mm_(contact_mm) {
+  hulls_.reserve(cells.size());
+  for (const SurfaceCell& cell : cells) {
+    hulls_.push_back(hull_of(cell));
+    usual_radius_mm_ = std::max(usual_radius_mm_, control_radius(cell.shape, middle(cell.shape)));
+  }
+}
+
+LocalContact::DerivativeHull LocalContact::hull_of(const SurfaceCell& cell) {
+  DerivativeHull h;
+  const Bezier& b = cell.shape;
+  const auto at = [&](int i, int j) { return b.control(4 * j + i); };
+  const double u = 1 / cell.size_u, v = 1 / cell.size_v;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      if (i < 3) h.u.add((at(i + 1, j) - at(i, j)) * (3 * u));
+      if (j < 3) h.v.add((at(i, j + 1) - at(i, j)) * (3 * v));
+      if (i < 2) h.uu.add((at(i + 2, j) - at(i + 1, j) * 2 + at(i, j)) * (6 * u * u));
+      if (j < 2) h.vv.add((at(i, j + 2) - at(i, j + 1) * 2 + at(i, j)) * (6 * v * v));
+      if (i < 3 && j < 3)
+        h.uv.add((at(i + 1, j + 1) - at(i + 1, j) - at(i, j + 1) + at(i, j)) * (9 * u * v));
+    }
+  return h;
+}
+
+ParameterRect LocalContact::clipped(int patch, const ParameterRect& own,
+                                    ParameterRect wanted) const {
+  wanted = {std::max(wanted.u0, -1.0), std::min(wanted.u1, 2.0), std::max(wanted.v0, -1.0),
+            std::min(wanted.v1, 2.0)};
+  if (wanted.u0 < 0 && !charts_.covers(patch, -1, 0)) wanted.u0 = 0;
+  if (wanted.u1 > 1 && !charts_.covers(patch, 1, 0)) wanted.u1 = 1;
+  if (wanted.v0 < 0 && !charts_.covers(patch, 0, -1)) wanted.v0 = 0;
+  if (wanted.v1 > 1 && !charts_.covers(patch, 0, 1)) wanted.v1 = 1;
+  // A corner round which the surface does not go on: give up the side that is further off.
+  for (const int i : {-1, 1})
+    for (const int j : {-1, 1}) {
+      const bool over_u = i < 0 ? wanted.u0 < 0 : wanted.u1 > 1,
+                 over_v = j < 0 ? wanted.v0 < 0 : wanted.v1 > 1;
+      if (!over_u || !over_v || charts_.covers(patch, i, j)) continue;
+      const double gap_u = i < 0 ? own.u0 : 1 - own.u1, gap_v = j < 0 ? own.v0 : 1 - own.v1;
+      if (gap_u > gap_v)
+        (i < 0 ? wanted.u0 : wanted.u1) = i < 0 ? 0 : 1;
+      else
+        (j < 0 ? wanted.v0 : wanted.v1) = j < 0 ? 0 : 1;
+    }
+  return wanted;
+}
+
+LocalContact::Spans LocalContact::spans_over(const ClearedRect& area, const CellContact& contact,
+                                             const Square& q, const Vec3& t, const Vec3& b) const {
+  Spans s;
+  const Vec3 &n = contact.normal(), z{0, 0, 1};
+  const double lean = 2 * std::sin(contact.alpha() / 2);
+  for (const PlacedPatch& placed : charts_.around(area.patch)) {
+    const ParameterRect own = placed.to_own(area.rect);
+    if (own.u0 > 1 || own.u1 < 0 || own.v0 > 1 || own.v1 < 0) continue;
+    index_.overlapping(placed.patch, own, [&](std::uint32_t k) {
+      const DerivativeHull& h = hulls_[k];
+      const bool swapped = placed.turns % 2 == 1;
+      const Box3& along_u = swapped ? h.v : h.u;
+      const Box3& along_v = swapped ? h.u : h.v;
+      const Box3 own_u = placed.turns == 1 || placed.turns == 2 ? negated(along_u) : along_u;
+      const Box3 own_v = placed.turns >= 2 ? negated(along_v) : along_v;
+      const Box3 own_uv = swapped ? negated(h.uv) : h.uv;
+      const Box3 &own_uu = swapped ? h.vv : h.uu, &own_vv = swapped ? h.uu : h.vv;
+      const Box3 u = mixed(q.u_x, own_u, 0, own_v), v = mixed(q.u_y, own_u, q.v_y, own_v);
+      const Box3 uu = mixed(q.u_x * q.u_x, own_uu, 0, own_uv),
+                 uv = mixed(q.u_x * q.u_y, own_uu, q.u_x * q.v_y, own_uv),
+                 vv = mixed(1, mixed(q.u_y * q.u_y, own_uu, 2 * q.u_y * q.v_y, own_uv),
+                            q.v_y * q.v_y, own_vv);
+      s.uz.add(along(own_u, z)), s.vz.add(along(own_v, z));
+      s.ut.add(along(u, t)), s.ub.add(along(u, b)), s.un.add(along(u, n));
+      s.vt.add(along(v, t)), s.vb.add(along(v, b)), s.vn.add(along(v, n));
+      s.uu.add(along(uu, n).widened(lean * longest(uu)));
+      s.uv.add(along(uv, n).widened(lean * longest(uv)));
+      s.vv.add(along(vv, n).widened(lean * longest(vv)));
+      s.u = std::max(s.u, longest(u)), s.v = std::max(s.v, longest(v));
+    });
+  }
+  return s;
+}
+
+bool LocalContact::proven(const ClearedRect& area, const SurfaceCell& cell,
+                          const CellContact& contact) const {
+  const Vec3& e = contact.direction();
+  const Vec3 b{-e.y, e.x, 0}, t = cross(b, contact.normal());
+  const BezierJet j = jet(cell.shape, 0.5, 0.5);
+  const Vec3 along_u = j.du / cell.size_u, along_v = j.dv / cell.size_v;
+  Square q;
+  q.u_x = 1 / length(along_u);
+  const double skew = dot(along_v, along_u) * q.u_x * q.u_x;
+  q.v_y = 1 / length(along_v - along_u * skew);
+  q.u_y = -skew * q.v_y;
+  if (!std::isfinite(q.u_x) || !std::isfinite(q.v_y)) return false;
+  const Spans s = spans_over(area, contact, q, t, b);
+  const ParameterRect own = rect_of(cell);
+  const double du = std::max(own.u1 - area.rect.u0, area.rect.u1 - own.u0),
+               dv = std::max(own.v1 - area.rect.v0, area.rect.v1 - own.v0);
+  const double y = dv / q.v_y, x = (du + std::abs(q.u_y) * y) / q.u_x;
+  const double far = s.longest(x, y), rise = largest(s.uz) * du + largest(s.vz) * dv;
+  const double reach = contact.profile().rounding_mm + allowance_mm_;
+  // What may be cut into, less a normal turned by up to 1e-6 on a wall.
+  const double slack = contact_mm_ - 1e-6 * far;
+  if (slack < 0) return false;
+  for (const Clearance& c : clearances(contact, reach, far, rise)) {
+    const Span ut = s.ut.widened(c.turn * s.u), ub = s.ub.widened(c.turn * s.u),
+               vt = s.vt.widened(c.turn * s.v), vb = s.vb.widened(c.turn * s.v);
+    const Span uu = c.along * square(ut) + c.across * square(ub) + (-1.0) * s.uu,
+               uv = c.along * (ut * vt) + c.across * (ub * vb) + (-1.0) * s.uv,
+               vv = c.along * square(vt) + c.across * square(vb) + (-1.0) * s.vv;
+    const double on_u = slack / (x * x), on_v = slack / (y * y);
+    if (positive(uu + Span{on_u, on_u}, uv, vv + Span{on_v, on_v})) return true;
+  }
+  return false;
+}
+
+std::optional<ClearedRect> LocalContact::clear(const SurfaceCell& cell,
+                                               const CellContact& contact) const {
+  const ParameterRect own = rect_of(cell);
+  const BezierJet j = jet(cell.shape, 0.5, 0.5);
+  const double u = length(j.du) / cell.size_u, v = length(j.dv) / cell.size_v;
+  if (!(u > 0) || !(v > 0)) return std::nullopt;
+  const double h = contact.radius();
+  const auto within = [&](double margin) -> std::optional<ClearedRect> {
+    const ParameterRect wanted{own.u0 - margin / u, own.u1 + margin / u, own.v0 - margin / v,
+                               own.v1 + margin / v};
+    const ClearedRect area{cell.patch, clipped(cell.patch, own, wanted)};
+    if (!proven(area, cell, contact)) return std::nullopt;
+    return area;
+  };
+  // What fails over the smallest fails over all, and few cells fail over some only.
+  const auto smallest = within(3.2 * h);
+  if (!smallest) return std::nullopt;
+  double last = 0;
+  for (const double margin :
+       {std::max(6 * h, 3 * usual_radius_mm_), 6 * h, 5 * h, 4.4 * h, 3.8 * h}) {
+    if (margin == last) continue;
+    last = margin;
+    if (const auto area = within(margin)) return area;
+  }
+  return smallest;
+}
+
+bool LocalContact::holds(const ClearedRect& cleared, const SurfaceCell& cell) const {
+  const auto& chart = charts_.around(cleared.patch);
+  return std::any_of(chart.begin(), chart.end(), [&](const PlacedPatch& p) {
+    return p.patch == cell.patch && cleared.rect.holds(p.to_chart(rect_of(cell)));
+  });
+}
+
+}  // namespace limitgauge::verifier

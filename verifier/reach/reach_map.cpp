@@ -1,0 +1,296 @@
+#include "verifier/reach/reach_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/base/chunks.h"
+#include "verifier/cells/nearest_first.h"
+#include "verifier/cutter/swept_body.h"
+#include "verifier/reach/cell_contact.h"
+#include "verifier/reach/contact_hull.h"
+#include "verifier/reach/local_contact.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using std::numbers::pi;
+
+/// Cells of S a cell may still have to be held against, before it is halved without remembering.
+constexpr std::size_t kMostPending = 64;
+constexpr int kDirections = 16;
+/// On the floor of a slot as wide as the cutter one line of positions is free, which no small cell
+/// is proven by either.
+constexpr double kCoarserOnLevel = 2;
+
+/// A cell that is not proven yet, and what is known of it from the cell it is half of.
+struct Open {
+  SurfaceCell cell;
+  std::optional<Vec3> witness;         ///< a point of S that the cutter cuts into nearby
+  std::optional<ClearedRect> cleared;  ///< proven not to be cut into
+  std::vector<std::uint32_t> pending;  ///< with `cleared`: all other cells not proven so
+  bool level = false;                  ///< a flat may touch with any of its points
+};
+
+class Classifier {
+ public:
+  Classifier(const SurfaceCells& cells, const Reachability& reachability)
+      : cells_(cells),
+        reachability_(reachability),
+        limit_(reachability.allowance_mm() - reachability.contact_mm()),
+        local_(cells.cells(), reachability.allowance_mm(), reachability.contact_mm()) {}
+
+  /// Proves the cell to be one or the other, or adds to what is known of it.
+  Reach decide(Open& open) const {
+    const auto contact = CellContact::of(offset_cell(open.cell.shape, {}), reachability_.profile(),
+                                         reachability_.allowance_mm());
+    if (!contact) return Reach::undecided;
+    const bool endless = reachability_.is_endless();
+    if (endless && contact->too_steep()) return Reach::unreachable;
+    if (endless && open.witness && bars_all(*open.witness, *contact)) return Reach::unreachable;
+    open.level = contact->level() && reachability_.profile().flat_mm > 0;
+    if (open.level) return decide_level(open, *contact);
+    if (contact->touchable() && prove(open, *contact)) return Reach::reachable;
+    // Where all else of S is cleared, only what is left of it can be cut into: its middles have
+    // been looked at.
+    if (open.cleared && !contact->turning() && !open.witness) return Reach::undecided;
+    return refute(open, *contact) ? Reach::unreachable : Reach::undecided;
+  }
+
+ private:
+  /// On a level spot the flat may stand anywhere over the point: one place suffices.
+  Reach decide_level(Open& open, const CellContact& contact) const {
+    for (int k = -1; k < kDirections; ++k) {
+      const double angle = 2 * pi * k / kDirections;
+      const double out = k < 0 ? 0 : reachability_.profile().flat_mm;
+      Open alone{open.cell, {}, {}, {}, false};
+      if (prove(alone, contact.displaced({out * std::cos(angle), out * std::sin(angle), 0})))
+        return Reach::reachable;
+    }
+    return reachability_.surely_unreachable(contact.offset()) ? Reach::unreachable
+                                                              : Reach::undecided;
+  }
+
+  bool prove(Open& open, const CellContact& contact) const {
+    if (!open.cleared) {
+      const auto cleared = local_.clear(open.cell, contact);
+      // A level spot may have nothing bent beside it, and then bounds on the distance do.
+      if (!cleared && !contact.level()) return false;
+      std::vector<std::uint32_t> pending;
+      if (!search(contact, cleared, pending, open.witness)) return false;
+      open.cleared = cleared, open.pending = std::move(pending);
+    } else {
+      std::erase_if(open.pending, [&](std::uint32_t k) {
+        return clears(contact, open.cleared, cells_.cells()[k], open.witness);
+      });
+    }
+    return open.pending.empty();
+  }
+
+  /// Gathers all cells of S that are not proven to stay clear; false when there are too many.
+  bool search(const CellContact& c, const std::optional<ClearedRect>& cleared,
+              std::vector<std::uint32_t>& pending, std::optional<Vec3>& witness) const {
+    bool cut = false;
+    nearest_first(
+        cells_.nodes(),
+        [&](const BoxNode& node) {
+          return standing_bound(c.profile(), c.tip(), node.box) - c.stray();
+        },
+        [&](double bound) { return cut || bound >= limit_; },
+        [&](const BoxNode& leaf) {
+          if (below_contact_plane(c, leaf.box)) return;
+          for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+            if (clears(c, cleared, cells_.cells()[k], witness)) continue;
+            pending.push_back(k);
+            cut = witness.has_value() || pending.size() > kMostPending;
+            if (cut) return;
+          }
+        });
+    return !cut;
+  }
+
+  bool below_contact_plane(const CellContact& c, const model::Box3& box) const {
+    const Vec3 &n = c.normal(), h = box.size() * 0.5, at = box.centre();
+    const double along =
+        dot(n, at) + std::abs(n.x) * h.x + std::abs(n.y) * h.y + std::abs(n.z) * h.z;
+    return c.over_contact_plane(along, distance(at, c.middle()) + length(h)) <=
+           reachability_.contact_mm();
+  }
+
+  /// Whether the cutter stays clear of a cell of S wherever it touches the cell under test.
+  bool clears(const CellContact& c, const std::optional<ClearedRect>& cleared,
+              const SurfaceCell& other, std::optional<Vec3>& witness) const {
+    if (cleared && local_.holds(*cleared, other)) return true;
+    const Vec3 centre = middle(other.shape);
+    const BodyDistance d = standing_distance(c.profile(), c.tip(), centre);
+    if (d.value < limit_ && !c.turning()) {
+      witness = centre;
+      return false;
+    }
+    const double base = d.value - dot(d.gradient, centre);
+    double least = 1e300, along = -1e300;
+    for (int k = 0; k < 16; ++k) {
+      const Vec3 p = other.shape.control(k);
+      least = std::min(least, dot(d.gradient, p));
+      along = std::max(along, dot(c.normal(), p));
+    }
+    if (base + least - c.largest_shift(d.gradient) >= limit_) return true;
+    const double radius = control_radius(other.shape, centre);
+    if (c.over_contact_plane(along, distance(centre, c.middle()) + radius) <=
+        reachability_.contact_mm())
+      return true;
+    if (radius < c.radius() / 2) return false;
+    const auto parts = halved(other);
+    return clears(c, cleared, parts[0], witness) && clears(c, cleared, parts[1], witness);
+  }
+
+  /// The middle of a cell of S that the cutter cuts into deepest: what is shallower than the
+  /// middles show is too shallow to be proven for all contacts of a cell.
+  std::optional<Vec3> deepest_middle(const Vec3& tip) const {
+    std::optional<Vec3> found;
+    const CutterProfile& profile = reachability_.profile();
+    double best = limit_;
+    nearest_first(
+        cells_.nodes(), [&](const BoxNode& node) { return standing_bound(profile, tip, node.box); },
+        [&](double bound) { return bound >= best; },
+        [&](const BoxNode& leaf) {
+          for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+            const Vec3 p = middle(cells_.cells()[k].shape);
+            const double d = standing_distance(profile, tip, p).value;
+            if (d < best) best = d, found = p;
+          }
+        });
+    return found;
+  }
+
+  /// Whether a point of S is cut into wherever the cutter touches the cell.
+  bool bars_all(const Vec3& q, const CellContact& contact) const {
+    if (contact.turning()) return false;
+    const auto hull =
+        ContactHull::of(contact.offset(), contact.profile(), reachability_.allowance_mm());
+    return hull && hull->always_below(contact.profile(), q, limit_);
+  }
+
+  /// Whether some point of S is cut into wherever the cutter touches the cell.
+  bool refute(Open& open, const CellContact& contact) const {
+    if (!reachability_.is_endless()) return reachability_.surely_unreachable(contact.offset());
+    if (contact.turning()) {
+      // The middle's own contact first: a proof costs many.
+      const Vec3 n = middle_normal(open.cell);
+      return contact.alpha() < 0.3 && !reachability_.touching_tip(contact.middle(), n) &&
+             reachability_.surely_unreachable(contact.offset());
+    }
+    open.witness = deepest_middle(contact.tip());
+    return open.witness && bars_all(*open.witness, contact);
+  }
+
+  const SurfaceCells& cells_;
+  const Reachability& reachability_;
+  double limit_;
+  LocalContact local_;
+};
+
+}  // namespace
+
+ReachMap::ReachMap(std::vector<Entry> entries) : entries_(std::move(entries)) {
+  std::vector<SurfaceCell> cells;
+  cells.reserve(entries_.size());
+  for (const Entry& e : entries_) {
+    cells.push_back(e.cell);
+    area_[static_cast<int>(e.reach)] += e.area_mm2;
+  }
+  index_ = std::make_unique<const ParameterIndex>(cells);
+}
+
+Reach ReachMap::of(const SurfaceCell& cell) const {
+  const auto k = index_->find(cell.patch, cell.u_at(0.5), cell.v_at(0.5));
+  if (!k || !rect_of(entries_[*k].cell).holds(rect_of(cell))) return Reach::undecided;
+  return entries_[*k].reach;
+}
+
+Reach ReachMap::at(int patch, double u, double v) const {
+  const Entry* entry = entry_at(patch, u, v);
+  return entry ? entry->reach : Reach::undecided;
+}
+
+const ReachMap::Entry* ReachMap::entry_at(int patch, double u, double v) const {
+  const auto k = index_->find(patch, u, v);
+  return k ? &entries_[*k] : nullptr;
+}
+
+namespace {
+
+/// Halves cells until each is proven for one cutter, or the effort is spent.
+std::vector<ReachMap::Entry> classify_cells(const SurfaceCells& cells, std::vector<Open> level,
+                                            const Reachability& reachability,
+                                            const ReachOptions& options,
+                                            const model::RunControl& control) {
+  const Classifier classifier(cells, reachability);
+  std::vector<ReachMap::Entry> done;
+  std::size_t seen = 0;
+  while (!level.empty()) {
+    seen += level.size();
+    const bool last = seen > options.largest_cell_count;
+    std::vector<ReachMap::Entry> found(level.size());
+    std::vector<char> halve(level.size());
+    constexpr std::size_t kChunk = 64;
+    model::parallel_chunks(level.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        Open& open = level[i];
+        found[i] = {open.cell, classifier.decide(open), 0, 0};
+        const double smallest =
+            open.level ? kCoarserOnLevel * options.smallest_radius_mm : options.smallest_radius_mm;
+        halve[i] = found[i].reach == Reach::undecided && !last &&
+                   control_radius(open.cell.shape, middle(open.cell.shape)) > smallest;
+        if (!halve[i]) found[i].area_mm2 = area_mm2(open.cell.shape);
+      }
+    });
+    std::vector<Open> next;
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      if (!halve[i]) {
+        done.push_back(found[i]);
+        continue;
+      }
+      for (const SurfaceCell& half : halved(level[i].cell))
+        next.push_back({half, level[i].witness, level[i].cleared, level[i].pending, false});
+    }
+    level = std::move(next);
+  }
+  return done;
+}
+
+}  // namespace
+
+ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachability,
+                        const ReachOptions& options, const model::RunControl& control) {
+  return classify_reach(cells, std::span(&reachability, 1), std::span(&options, 1), control);
+}
+
+ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability> cutters,
+                        std::span<const ReachOptions> options, const model::RunControl& control) {
+  // What is left for the next cutter, with what those before it have proven.
+  std::vector<ReachMap::Entry> left, done;
+  for (const SurfaceCell& cell : cells.cells())
+    if (control_radius(cell.shape, cell.shape.control(0)) > 0)
+      left.push_back({cell, Reach::unreachable, 0, 0});
+  for (std::size_t k = 0; k < cutters.size() && !left.empty(); ++k) {
+    std::vector<ReachMap::Entry> next;
+    for (const Reach before : {Reach::unreachable, Reach::undecided}) {
+      std::vector<Open> level;
+      for (const ReachMap::Entry& e : left)
+        if (e.reach == before) level.push_back({e.cell, {}, {}, {}, false});
+      for (ReachMap::Entry e :
+           classify_cells(cells, std::move(level), cutters[k], options[k], control)) {
+        e.cutter = k;
+        if (e.reach == Reach::unreachable) e.reach = before;
+        (e.reach == Reach::reachable ? done : next).push_back(e);
+      }
+    }
+    left = std::move(next);
+  }
+  done.insert(done.end(), left.begin(), left.end());
+  return ReachMap(std::move(done));
+}
+
+}  // namespace limitgauge::verifier

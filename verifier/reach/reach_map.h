@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "model/base/run_control.h"
+#include "verifier/cells/parameter_index.h"
+#include "verifier/reach/reachability.h"
+
+namespace limitgauge::verifier {
+
+/// What was proven of all points of a cell, or of one.
+enum class Reach : std::uint8_t { undecided, reachable, unreachable };
+
+struct ReachOptions {
+  /// Cells whose control points lie this near to their middle are not halved any more: half the
+  /// width of the undecided rim, roughly.
+  double smallest_radius_mm = 0.02;
+  /// Halving ends once so many cells were looked at; those left are undecided.
+  std::size_t largest_cell_count = 100'000;
+};
+
+/// S as cells of which all points can be touched, none can, or neither was proven.
+class ReachMap {
+ public:
+  struct Entry {
+    SurfaceCell cell;
+    Reach reach = Reach::undecided;
+    double area_mm2 = 0;
+    std::size_t cutter = 0;  ///< of a reachable cell: one that can touch all of it
+  };
+
+  explicit ReachMap(std::vector<Entry> entries);
+
+  /// Areas of the cells so proven, by Gauss quadrature; they add up to the area of S.
+  double reachable_area_mm2() const { return area_[1]; }
+  double unreachable_area_mm2() const { return area_[2]; }
+  double undecided_area_mm2() const { return area_[0]; }
+
+  const std::vector<Entry>& entries() const { return entries_; }
+  /// What is proven of the point of S at a patch's parameters; undecided at an irregular vertex.
+  Reach at(int patch, double u, double v) const;
+  /// The entry that holds it; none at an irregular vertex.
+  const Entry* entry_at(int patch, double u, double v) const;
+  /// What is proven of all points of `cell`, a part of one of the entries; undecided otherwise.
+  Reach of(const SurfaceCell& cell) const;
+
+ private:
+  std::vector<Entry> entries_;
+  std::unique_ptr<const ParameterIndex> index_;
+  double area_[3] = {0, 0, 0};
+};
+
+/// Halves the cells until each is proven (CERTIFICATE.md, section 4) or an end of `options` is met.
+/// Reachable and the contact tolerance as in `Reachability`. The same for any number of threads.
+ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachability,
+                        const ReachOptions& options, const model::RunControl& control);
+/// Of several cutters, the first with the first options: what one of them can touch is reachable,
+/// what none of them can is unreachable. Each looks only at what those before it cannot touch.
+ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability> cutters,
+                        std::span<const ReachOptions> options, const model::RunControl& control);
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,59 @@
+#include "verifier/reach/reach_query.h"
+
+#include <algorithm>
+
+namespace limitgauge::verifier {
+
+using model::Vec3;
+
+bool ReachQuery::can_be_touched(const SurfacePlace& place, const Vec3& normal) const {
+  switch (proven_.at(place.patch, place.u, place.v)) {
+    case Reach::reachable:
+      return true;
+    case Reach::unreachable:
+      return false;
+    case Reach::undecided:
+      break;
+  }
+  return ridge_can_be_touched(place.point, normal);
+}
+
+bool ReachQuery::ridge_can_be_touched(const Vec3& p, const Vec3& normal) const {
+  return std::any_of(searches_.begin(), searches_.end(), [&](const Reachability& search) {
+    return search.touching_tip(p, normal).has_value();
+  });
+}
+
+std::optional<ReachQuery::Touch> ReachQuery::touch(const SurfacePlace& place,
+                                                   const Vec3& normal) const {
+  const auto entry = proven_.entry_at(place.patch, place.u, place.v);
+  if (entry && entry->reach == Reach::unreachable) return std::nullopt;
+  if (entry && entry->reach == Reach::reachable)
+    if (const auto tip = searches_[entry->cutter].contact_tip(place.point, normal))
+      return Touch{entry->cutter, *tip};
+  for (std::size_t k = 0; k < searches_.size(); ++k)
+    if (const auto tip = searches_[k].touching_tip(place.point, normal)) return Touch{k, *tip};
+  return std::nullopt;
+}
+
+bool ReachQuery::surely_unreachable(const SurfaceCell& cell, const OffsetCell& offset,
+                                    ReachMemory* memory) const {
+  switch (proven_.of(cell)) {
+    case Reach::reachable:
+      return false;
+    case Reach::unreachable:
+      return true;
+    case Reach::undecided:
+      break;
+  }
+  return ridge_surely_unreachable(offset, memory);
+}
+
+bool ReachQuery::ridge_surely_unreachable(const OffsetCell& cell, ReachMemory* memory) const {
+  if (memory) memory->resize(searches_.size());
+  for (std::size_t k = 0; k < searches_.size(); ++k)
+    if (!searches_[k].surely_unreachable(cell, memory ? &(*memory)[k] : nullptr)) return false;
+  return true;
+}
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "verifier/cells/offset_cell.h"
+#include "verifier/cells/surface_cells.h"
+#include "verifier/cutter/cutter_profile.h"
+#include "verifier/reach/contact_block.h"
+
+namespace limitgauge::verifier {
+
+/// Which points of S a cutter can touch, at distance `allowance`, without coming closer than that
+/// to S anywhere. Where nothing narrower than the flutes is stated above them the wall counts as
+/// going up without end; a neck is judged as it is stated, so that the flutes may stand under a
+/// ledge. Other shanks, and holders, are judged as collisions. Contact on a point with normal n:
+///   tip = s + (rounding + a)·n + flat·n_xy/|n_xy| − core·z,
+/// and no contact where n points further down than the wall allows (n_z < sin of the taper), but
+/// for flutes over which there is a neck, whose top can touch from below. Where the bottom rises
+/// more steeply than S, its sharp tip touches: tip = s + a·n. What a side that leans inwards
+/// reaches from below is proven neither to be touched nor not to be.
+class Reachability {
+ public:
+  /// A position counts as free of gouges when it comes no closer than the allowance less
+  /// `contact_mm`: the smaller, the longer a proof takes. Larger values count more as reachable.
+  Reachability(const SurfaceCells& cells, const CutterProfile& profile, double allowance_mm,
+               double contact_mm);
+  /// With a neck, where the cutter has one.
+  Reachability(const SurfaceCells& cells, const model::Cutter& cutter, double allowance_mm,
+               double contact_mm);
+
+  /// A gouge-free tip position that touches the surface at `p` with normal `n`, if one was proven.
+  std::optional<model::Vec3> touching_tip(const model::Vec3& p, const model::Vec3& n) const;
+  /// Where the tip is that touches the surface at `p` with normal `n`, whatever it cuts into
+  /// elsewhere. Empty where the wall leans too far, and where S is level under a flat, which can
+  /// touch it from any side, or as steep as a rising bottom, which can touch it all along.
+  std::optional<model::Vec3> contact_tip(const model::Vec3& p, const model::Vec3& n) const;
+  /// Proof that the cutter standing with its tip at `tip` is free of gouges. False means "not
+  /// proven".
+  bool surely_free(const model::Vec3& tip) const {
+    return comes_below(parts_, tip, allowance_mm_ - contact_mm_) == Below::none;
+  }
+  /// Proof that no point of the cell can be touched, with none of the cell's normals. False means
+  /// "not proven". What proofs for neighbours met may be kept in a memory, and begins the next.
+  bool surely_unreachable(const OffsetCell& cell, ContactMemory* memory = nullptr) const;
+  /// Whether proofs by the endless wall alone say that a place is out of reach: not of a cutter
+  /// that has less above its flutes than that.
+  bool is_endless() const { return !narrower_above_; }
+
+  const CutterProfile& profile() const { return profile_; }
+  double allowance_mm() const { return allowance_mm_; }
+  double contact_mm() const { return contact_mm_; }
+
+ private:
+  enum class Below { none, found, undecided };
+  /// Lowest point of the core, on the axis' side of the contact, before the flat moves it aside.
+  model::Vec3 core_touching(const model::Vec3& p, const model::Vec3& n) const;
+  /// Positions that touch a place where the contact is no single point of the cutter.
+  std::vector<model::Vec3> contact_choices(const model::Vec3& p, const model::Vec3& n) const;
+  std::vector<model::Vec3> necked_choices(const model::Vec3& p, const model::Vec3& n) const;
+  bool surely_unreachable_by_tip(const OffsetCell& cell) const;
+  bool surely_unreachable_by_hull(const OffsetCell& cell, ContactMemory* memory) const;
+  bool surely_unreachable_round(const OffsetCell& cell) const;
+  /// All tips that touch the cell with the cutter's bottom, its wall, or the top of its flutes.
+  std::vector<ContactRegion> contact_regions(const OffsetCell& cell) const;
+  /// Whether some point of S is nearer than `limit_mm` to a cutter of such parts with its tip at
+  /// `tip`.
+  Below comes_below(std::span<const StandingPart> parts, const model::Vec3& tip,
+                    double limit_mm) const;
+
+  const SurfaceCells& cells_;
+  CutterProfile profile_;
+  double allowance_mm_, contact_mm_;
+  /// What the cutter is taken to be made of: the endless flutes, or flutes and parts as stated.
+  std::vector<StandingPart> parts_;
+  bool neck_ = false;            ///< a part above the flutes is narrower than their top
+  bool narrower_above_ = false;  ///< or than the endless wall
+};
+
+/// A lower bound of the signed distance from the points of `box` to the endless cutter standing at
+/// `tip`.
+double standing_bound(const CutterProfile& profile, const model::Vec3& tip, const model::Box3& box);
+
+}  // namespace limitgauge::verifier

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-./setup.sh
+./setup.sh all
 jobs=$(nproc)
 
 common=(-DLIMITGAUGE_WERROR=ON -DLIMITGAUGE_TESTS=ON "$@")

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-./setup.sh
+./setup.sh build
 cmake --preset release -DLIMITGAUGE_TESTS=OFF >/dev/null
 cmake --build --preset release --target limitgauge
 build/release/limitgauge run fixtures/jobs/aircraft.toml --output out/aircraft --force "$@"

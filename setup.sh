@@ -1,15 +1,23 @@
 #!/usr/bin/env bash
-# The one list of Debian packages (12 and 13) that building, testing and reporting need.
+# The one list of Debian packages (12 and 13), by what they are for:
+#   setup.sh build   building the program and running it (demo.sh needs no more)
+#   setup.sh test    what the tests, benchmarks and fuzz tests need beside that
+#   setup.sh all     both (without an argument as well)
 # Installs those that are missing; does nothing, and needs no network, where all are there.
 set -euo pipefail
 
-packages=(
-  # build
+build=(
   g++ cmake ninja-build ccache git ca-certificates
   # simulator: OpenVDB with what its headers and its library need
   libopenvdb-dev libtbb-dev libimath-dev libboost-dev
-  # reports
-  nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev
+  # meshes and exact predicates, with the exact numbers that they fall back to
+  libcgal-dev libgmp-dev libmpfr-dev
+  # least squares, eigenvectors, poses
+  libeigen3-dev
+  # another evaluator of the limit surface, the witness of every run
+  libosd-dev
+  # reports: JSON, XML, pictures, text; VTK files
+  nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev libvtk9-dev
   # the report's script, bundled from reports/web at build time; a node that came with npm brings both
   nodejs
   # command line and job files; the server of `limitgauge view`, found by pkg-config;
@@ -17,12 +25,15 @@ packages=(
   libcli11-dev libtomlplusplus-dev libcpp-httplib-dev pkgconf libssl-dev
   # histories; the search of a study
   libsqlite3-dev libnlopt-cxx-dev
-  # tests: the framework, a second reader of our VTK files, a validator of our JSON, a
-  # reader of our JUnit, another evaluator of our surfaces, a reader of our manual page, one of
+)
+command -v npm >/dev/null || build+=(npm)
+
+tests=(
+  # the framework, a validator of our JSON, a reader of our JUnit, a reader of our manual page, one of
   # the examples for CI
-  catch2 libvtk9-dev python3 python3-jsonschema python3-junitparser libosd-dev mandoc python3-yaml
-  # benchmarks: the harness, and the closest-point tree that ours is compared with
-  libbenchmark-dev libcgal-dev
+  catch2 python3 python3-jsonschema python3-junitparser mandoc python3-yaml
+  # benchmarks: the harness
+  libbenchmark-dev
   # fuzz tests: clang of either release (14, 19) with its fuzzer's and sanitizers' runtimes
   clang libclang-rt-dev
   # tests of the report in a real browser
@@ -30,7 +41,13 @@ packages=(
   # tests of studies as job arrays: a cluster of one node
   slurm-wlm munge
 )
-command -v npm >/dev/null || packages+=(npm)
+
+case "${1:-all}" in
+  build) packages=("${build[@]}") ;;
+  test) packages=("${tests[@]}") ;;
+  all) packages=("${build[@]}" "${tests[@]}") ;;
+  *) echo "usage: setup.sh [build|test|all]" >&2; exit 2 ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do
@@ -44,7 +61,6 @@ if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null || { echo "setup.sh: these packages are missing and sudo is not there: ${missing[*]}" >&2; exit 1; }
   as_root=(sudo)
 fi
-export DEBIAN_FRONTEND=noninteractive
 echo "setup.sh: installing ${missing[*]}"
 "${as_root[@]}" apt-get update -q
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"

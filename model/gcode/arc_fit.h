@@ -29,18 +29,7 @@ inline constexpr double kLargestArcRadiusMm = 1000;
 /// by the rounding of the centre, do so by 0.005 mm at most: Grbl's rule, and stricter than
 /// LinuxCNC's.
 ///
-/// Within tolerance means both ways. Let c be the centre as it will be read, and r(a) the radius of
-/// the arc at angle a about c; a control lets it drift from the radius at the start to that at the
-/// end, so min(r0, r1) <= r(a) <= max(r0, r1). The run is accepted only if every one of its moves
-/// turns about c in the arc's direction by less than a quarter turn and none of its points lies
-/// beyond half a turn: then each angle a of the arc is met by one place p(a) of the run (by
-/// several where a move has no length or goes straight from or to c), in the order of the angles.
-/// Place and arc at that angle are | |p(a) - c| - r(a) | apart, so that this difference, over all
-/// a, bounds the distance of every point of the run from the arc, of every point of the arc from
-/// the run, and of the two in their order along the way (Fréchet distance). Over a run, |p - c| is
-/// greatest at a point and least at the foot of the perpendicular on a move, or at one of its ends:
-/// both are computed, and greatest - min(r0, r1) and max(r0, r1) - least must not exceed the
-/// tolerance.
+/// Within tolerance means both ways, and in order along the way: model/gcode/ARCS.md.
 class ArcFitter {
  public:
   /// `path` must outlive the fitter. Lengths of centres are rounded to `decimals`.

@@ -10,11 +10,7 @@ namespace limitgauge::simulator {
 /// the exact material decides. So nothing is passed over for being thinner than a voxel: a fin or
 /// a gap is seen down to kLeastFeature_mm, measured along the ray.
 ///
-/// Proofs. φ is 1-Lipschitz, so a voxel at distance r with |φ| > r shows that the point is on the
-/// voxel's side, and so is all within |φ| − r; likewise |φ| at the point itself. In the air a move
-/// is a convex body, of whose inside the ray has one piece, up to where it leaves. In the material
-/// the distance to a move is convex along the ray and lies above its tangent, so the tangent's zero
-/// is never beyond where the ray enters the move.
+/// Proof: simulator/PROOFS.md, P3.
 ///
 /// A model that works tile by tile holds a coarser level set whole: it leads less far, and the
 /// answers are the same. Cheap to copy; shares the stock, so it must be gone before the stock can

@@ -16,17 +16,7 @@ struct FeetColumns {
 
 /// Which ball moves of a batch can be nearest in a cube, and how near the nearest is to its middle.
 /// Valid where the tops do not matter.
-///
-/// A ball's move is the set S of places at or above the way of its centre, grown by the radius:
-/// what counts is the squared distance D² to S. With q from the foot to the middle of the cube, and
-/// δ from there to a place of the cube of half edge h,
-///   D_i²(δ) >= D_i² + 2 q_i·δ + |δ|² − m_i(δ),   D_j²(δ) <= D_j² + 2 q_j·δ + |δ|² − n_j(δ).
-/// m is what a foot gains by sliding along S. With u the direction of the move it is at most
-/// max(0, h|u|₁ − |u·q|)² and (u·δ)² where the foot stays on the way, which is so for
-/// q_z <= −(1 + √3) h, and at most |δ|² always. n is (u_j·δ)² where the foot can slide that far
-/// both ways, and at least 0. Of two moves in nearly the same direction m and n are nearly the
-/// same; what remains is linear in δ, so that i loses against j all over the cube where
-///   D_i² − D_j² > 2h |q_i − q_j|₁ + max(m_i − n_j).
+/// Proof: simulator/PROOFS.md, P1.
 class CapsuleNarrowing {
  public:
   /// The least squared distance at `p`, the middle of a cube. `batch` must not be empty.

@@ -40,8 +40,7 @@ Cover cover_at(const MaterialAtMove& m, const model::Vec3& p, const Cover& guess
 /// Largest value of v·δ over the box |δ_a| <= half_a.
 double support(const model::Vec3& half, const model::Vec3& v);
 /// Upper bound of the depth over the part of a block where the convex distance s, `body` at the
-/// block's middle, is not above zero: for any λ >= 0,
-/// depth <= D + e − λ s + max over the block of (∇D − λ ∇s)·δ, since s + ∇s·δ <= 0 there.
+/// block's middle, is not above zero (simulator/PROOFS.md, P2).
 double depth_bound(const Depth& d, const SweptSample& body, const model::Vec3& half);
 
 /// An axis-aligned block of a search in the material.

@@ -15,24 +15,9 @@ struct CellBounds {
 };
 
 /// Bounds of δ = min over i of d_i on a Bézier cell with control points P_k and middle m.
-///
-/// Every d_i is convex, so for any weights w_i ≥ 0 with Σ w_i = 1 and every point s of the cell
-///   δ(s) ≤ Σ w_i d_i(s) ≤ max over k of Σ w_i d_i(P_k),
-/// the last because s is a convex combination of the P_k. One body alone is only first-order right
-/// along the cusp between two passes; the mean of the two is second-order. The weights are chosen
-/// by a few exact line searches towards the body that is lowest at the worst control point.
-///
-/// Every d_i lies above its supporting plane at m, so
-///   δ(s) ≥ min over i of [ d_i(m) + min over k of g_i·(P_k − m) ].
-/// Where a sharp edge of a body touches the cell, the plane at m is only first-order right: there
-/// supporting planes at several points x are mixed, which for any weights is a supporting plane
-/// too,
-///   d_i(s) ≥ Σ w_x (d_i(x) + g_x·(s − x)),
-/// so that the mean is level along the cell.
-/// A body whose term exceeds the upper bound is nearest nowhere in the cell and is dropped, for
-/// this cell and all its parts. The side of a round bar is concave: there plane and corner values
-/// swap. The outside of a mesh is neither and has bounds of its own (MeshOutside); a mean may take
-/// in a convex function above it.
+/// Formulas and proofs: CERTIFICATE.md, section 3. A body whose term exceeds the upper bound is
+/// nearest nowhere in the cell and is dropped, for this cell and all its parts. The outside of a
+/// mesh has bounds of its own (MeshOutside).
 class CellBounder {
  public:
   explicit CellBounder(const RemovedSpace& space) : space_(space) {}

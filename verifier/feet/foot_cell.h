@@ -10,13 +10,7 @@
 namespace limitgauge::verifier {
 
 /// A part of the limit surface with what a search for the nearest point needs to know beforehand.
-///
-/// With f(s, t) = |S(s, t) − p|²/2 and r = S(middle) − p, each second derivative of f is
-/// (that of |S − S(middle)|²/2) + r·(that of S). The first is a polynomial that does not depend on
-/// p: its range is kept here. The second lies within what r gives with the corners of a box around
-/// the control points of that derivative; the box lies along the tangent plane in the middle,
-/// because r is nearly normal to it where it matters. So a few products bound the Hessian of f over
-/// the whole cell.
+/// Its ranges bound the Hessian of the squared distance over the whole cell (FEET.md, F4).
 struct FootCell {
   struct Range {
     double low = 0, high = 0;

@@ -29,17 +29,11 @@ struct DerivativeBounds {
   double bend_u = 0, bend_v = 0;
 };
 
-/// Bounds for the limit surface over `cell`: the second derivatives lie in the hull of the second
-/// differences of the control net, the third derivatives in that of the third.
+/// Bounds for the limit surface over `cell` (engine/surface/BOUNDS.md, B1).
 DerivativeBounds limit_bounds(const ControlCell& cell);
 
-/// Bounds for S + r n with unit normal n, 0 <= r <= offset_mm. With N = S_u × S_v,
-///   n_u = P N_u / |N|   and   n_uu = P N_uu / |N| - 2 (n·N_u) P N_u / |N|² - n |n_u|²,
-/// P the projection across n, and likewise for uv and vv. Of a product a × b only the parts
-/// a·n and b·n can turn out across n, so P N_u and P N_uu are bounded by the parts of the second
-/// and third derivatives of S along n: flat surfaces with uneven parameters cost nothing. |N| is
-/// bounded below through S_u and S_v at the middle and their change over the cell; where that
-/// bound is not positive nothing is proven.
+/// Bounds for S + r n with unit normal n, 0 <= r <= offset_mm (engine/surface/BOUNDS.md, B2). Not
+/// proven where the normal's length has no positive bound over the cell.
 DerivativeBounds offset_bounds(const ControlCell& cell, double offset_mm);
 
 }  // namespace limitgauge::engine::surface

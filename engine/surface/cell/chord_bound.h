@@ -47,10 +47,10 @@ struct BoundRequest {
   std::array<bool, 4> rim{};  ///< sides at which the surface ends or is sharp
 };
 
-/// Proven bounds for all depths up to the largest, rounding aside, from the control net of `patch`
-/// (of any depth) down to the depth to be analysed: see cell_bounds.h and mesh_bound.h for
-/// cells on which the surface is bicubic, vertex_zone.h for those at extraordinary corners. Past
-/// that depth bounds fall by four a level.
+/// Bounds for all depths up to the largest, rounding aside, from the control net of `patch` (of any
+/// depth) down to the depth to be analysed: by B3 to B7 of engine/surface/BOUNDS.md for cells on
+/// which the surface is bicubic, by B8 for those at extraordinary corners. Past that depth bounds
+/// fall by four a level.
 ChordBounds chord_bounds(CellPatch patch, const BoundRequest& request);
 
 }  // namespace limitgauge::engine::surface

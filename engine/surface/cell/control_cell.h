@@ -32,10 +32,9 @@ class Differences {
   int columns_ = 4, rows_ = 4;
 };
 
-/// The control points of cell (u, v) of a patch of depth 1 or more without semi-sharp tags. Across
-/// a boundary or crease the net is its own reflection, p(-1) = 2 p(0) - p(1): this gives the crease
-/// rules (1 1)/2 and (1 6 1)/8 out of the regular ones and leaves a sharp corner in its place, so
-/// the surface is the same bicubic. None at an extraordinary corner.
+/// The control points of cell (u, v) of a patch of depth 1 or more without semi-sharp tags; across
+/// a boundary or crease the net is its own reflection (engine/surface/BOUNDS.md, B1). None at an
+/// extraordinary corner.
 std::optional<ControlCell> control_cell(const CellPatch& patch, int u, int v);
 
 }  // namespace limitgauge::engine::surface

@@ -18,22 +18,7 @@ struct ZoneBound {
 /// polynomial: over the five cells each way at the corner, and for meshes finer than analysed
 /// elsewhere over the rings of cells between.
 ///
-/// The argument is that of mesh_bound.h for each cell Q with the block D of its neighbours two
-/// cells each way, with these changes. E_n, E_t, ω and σ come from pieces: three cells a level on
-/// which the surface is bicubic (the deviation at their nodes, which is exact, plus their own
-/// interpolation bound, and their Bézier points), and the convex hull of the control points for the
-/// speck that is left. Slope, orientation and one-to-one of the mesh come from its own edges in D,
-/// all pairs of them; those of the surface are not needed: from surface to mesh, let f(p) overhang
-/// no line through a chord of a rim in D by more than ω. Moved by ω c along the middle of the
-/// inward directions (c the inverse of the least cosine with them) it is inside all of them, so in
-/// P L(D), since a way out of P L(D) leads across one of these lines or farther than `reach`, twice
-/// det_min / max(|a|, |b|). From mesh to surface, homotopy and arcs are as there, so
-///   E_n + τ (E_t + |T| x) + x, x = max(ω c, 2σ) at rims,  where E_t + |T| ω c < reach.
-/// E_t, reach and τ are measured after the linear map T of the level plane that takes the mean
-/// edges to unit vectors, since cells at such corners may grow ever thinner. Beyond smooth sides
-/// points slide onto the meshes of other patches. These are taken to rise no more steeply than this
-/// one, so τ E_t counts twice: the one step that is not proven here, since a patch knows nothing of
-/// its neighbours' depths.
+/// Statement, proof and the one step that is not proven: engine/surface/BOUNDS.md, B8.
 class VertexZones {
  public:
   /// Cells each way that are bounded, and that are looked at for it.

@@ -6,19 +6,14 @@
 #include <thread>
 
 #include "app/cli/command_definition.h"
-#include "app/cli/nearest_key.h"
 #include "app/run/reach_limit.h"
 #include "app/usage/completions.h"
 #include "app/usage/help_text.h"
 #include "app/usage/man_page.h"
+#include "model/base/message_text.h"
 
 namespace limitgauge::app {
 namespace {
-
-std::string in_quotes(std::string_view text) {
-  std::string result = "\"";
-  return result.append(text) + "\"";
-}
 
 std::vector<std::string> command_names(CLI::App& app) {
   std::vector<std::string> names;
@@ -44,8 +39,9 @@ void refuse_unknown_command(int argc, const char* const* argv, CLI::App& app) {
   const std::vector<std::string> names = command_names(app);
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
   const std::vector<std::string_view> known(names.begin(), names.end());
-  throw UsageError("unknown command " + in_quotes(word) + "; expected " +
-                   in_quotes(nearest_key(word, known)) + " or another of " + list(names));
+  throw UsageError("unknown command " + model::in_quotes(word) + "; expected " +
+                   model::in_quotes(model::nearest_word(word, known)) + " or another of " +
+                   list(names));
 }
 
 /// `--generate man|bash|zsh|fish`: for the build and for packagers, not for users; no option of the

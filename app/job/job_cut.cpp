@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/cli/words.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::app {
 namespace {
@@ -31,16 +31,16 @@ std::vector<Uses> uses(const CutOptions& cut) {
   const std::vector<Strategy> all = {Strategy::contour, Strategy::zigzag, Strategy::steep_shallow,
                                      Strategy::rest};
   return {{"scallop", rows, ""},
-          {"angle", rows, words(cut.angle_deg)},
+          {"angle", rows, model::shortest(cut.angle_deg)},
           {"pattern", rows, "zigzag"},
           {"boundary_pass", rows, "false"},
-          {"steep_angle", both, words(cut.steep_angle_deg)},
-          {"overlap", both, words(cut.overlap_or_default_mm())},
+          {"steep_angle", both, model::shortest(cut.steep_angle_deg)},
+          {"overlap", both, model::shortest(cut.overlap_or_default_mm())},
           {"direction", loops, "either"},
           {"entry", all, "ramp"},
-          {"ramp_angle", all, words(cut.ramp_angle_deg)},
-          {"plunge_feed", all, words(cut.plunge_feed_mm_min)},
-          {"link_feed", all, words(cut.link_feed_mm_min)}};
+          {"ramp_angle", all, model::shortest(cut.ramp_angle_deg)},
+          {"plunge_feed", all, model::shortest(cut.plunge_feed_mm_min)},
+          {"link_feed", all, model::shortest(cut.link_feed_mm_min)}};
 }
 
 /// Says what is left to defaults, and refuses what the strategy would ignore.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cli/words.h"
 #include "app/job/job_fixtures.h"
 #include "app/job/job_setup.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::app {
 namespace {
@@ -26,7 +26,7 @@ void read_acceleration(const TomlTable& machine, Job& job, JobContext& context) 
           "both, or neither");
     job.junction_deviation_mm = machine.positive("junction_deviation");
   } else if (job.acceleration_mm_s2) {
-    context.defaulted.push_back("junction deviation " + words(job.junction_deviation_mm) +
+    context.defaulted.push_back("junction deviation " + model::shortest(job.junction_deviation_mm) +
                                 " mm (default)");
   }
 }
@@ -41,10 +41,10 @@ int read_decimals(const TomlTable& post, model::Dialect dialect) {
   const double stated = post.number("decimals");
   const int most = model::rules(dialect).most_decimals;
   if (stated != std::floor(stated) || stated < 0 || stated > most)
-    throw model::InputError(
-        post.place("decimals"),
-        "\"decimals\" in [post] is " + words(stated) + " for dialect " + model::name(dialect),
-        "a whole number from 0 to " + std::to_string(most));
+    throw model::InputError(post.place("decimals"),
+                            "\"decimals\" in [post] is " + model::shortest(stated) +
+                                " for dialect " + model::name(dialect),
+                            "a whole number from 0 to " + std::to_string(most));
   return static_cast<int>(stated);
 }
 
@@ -69,7 +69,8 @@ void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   if (machine.has("rapid")) {
     job.rapid_mm_min = machine.positive("rapid");
   } else {
-    context.defaulted.push_back("rapid rate " + words(job.rapid_mm_min) + " mm/min (default)");
+    context.defaulted.push_back("rapid rate " + model::shortest(job.rapid_mm_min) +
+                                " mm/min (default)");
   }
   read_acceleration(machine, job, context);
   if (machine.has("travel")) job.travel_mm = read_travel(machine);
@@ -77,8 +78,8 @@ void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   if (machine.has("clearance")) {
     job.clearance_mm = machine.positive("clearance");
   } else {
-    context.defaulted.push_back("clearance of rapids above the stock " + words(job.clearance_mm) +
-                                " mm (default)");
+    context.defaulted.push_back("clearance of rapids above the stock " +
+                                model::shortest(job.clearance_mm) + " mm (default)");
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/cli/words.h"
 #include "app/job/job_fixtures.h"
 #include "app/job/job_overrides.h"
 #include "app/job/job_parts.h"
@@ -10,6 +9,7 @@
 #include "app/job/job_setup.h"
 #include "app/toml/toml_table.h"
 #include "app/toml/toml_text.h"
+#include "model/base/number_text.h"
 #include "model/base/text_file.h"
 
 namespace limitgauge::app {
@@ -26,7 +26,8 @@ void read_surface(const toml::table& table, Job& job, JobContext& context) {
   if (surface.has("precision")) {
     job.precision_mm = surface.positive("precision");
   } else {
-    context.defaulted.push_back("surface precision " + words(job.precision_mm) + " mm (default)");
+    context.defaulted.push_back("surface precision " + model::shortest(job.precision_mm) +
+                                " mm (default)");
   }
   read_placement(surface, job);
 }

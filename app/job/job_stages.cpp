@@ -1,9 +1,9 @@
-#include "app/cli/nearest_key.h"
 #include "app/job/job_cut.h"
 #include "app/job/job_parts.h"
 #include "app/job/job_reader.h"
 #include "app/run/reach_limit.h"
 #include "app/toml/toml_table.h"
+#include "model/base/message_text.h"
 #include "model/base/text_file.h"
 
 namespace limitgauge::app {
@@ -72,7 +72,7 @@ const JobTool& find_tool(const TomlTable& stage, const std::vector<JobTool>& too
     ids.push_back(tool.cutter.id);
   }
   throw model::InputError(stage.place("tool"), "no tool has the id \"" + id + "\"",
-                          "\"" + nearest_key(id, ids) + "\" or another id of a [[tool]]");
+                          "\"" + model::nearest_word(id, ids) + "\" or another id of a [[tool]]");
 }
 
 constexpr const char* kPartKeys[] = {"program_tool", "program_section", "program_comment"};

@@ -2,11 +2,10 @@
 #include <initializer_list>
 #include <stdexcept>
 
-#include "app/cli/nearest_key.h"
-#include "app/cli/words.h"
 #include "app/job/job_parts.h"
 #include "app/toml/toml_table.h"
 #include "model/base/coordinate_limit.h"
+#include "model/base/number_text.h"
 #include "model/part/cutter_figures.h"
 
 namespace limitgauge::app {
@@ -106,7 +105,8 @@ void read_flute_length(const TomlTable& tool, model::Cutter& cutter, JobContext&
     return;
   }
   context.defaulted.push_back("tool " + cutter.id + ": flute length " +
-                              words(cutter.flute_length_mm) + " mm (default: 4 diameters)");
+                              model::shortest(cutter.flute_length_mm) +
+                              " mm (default: 4 diameters)");
 }
 
 /// A cutter that cannot plunge and has no ramp angle goes down into nothing.
@@ -117,11 +117,11 @@ double steepest_descent_deg(const TomlTable& tool) {
   const double ramp_deg = tool.not_negative("max_ramp_angle");
   if (ramp_deg > 90)
     throw model::InputError(tool.place("max_ramp_angle"),
-                            "\"max_ramp_angle\" in [[tool]] is " + words(ramp_deg),
+                            "\"max_ramp_angle\" in [[tool]] is " + model::shortest(ramp_deg),
                             "an angle from 0 to 90");
   if (states_plunge && plunges != (ramp_deg == 90))
     throw model::InputError(tool.place("max_ramp_angle"),
-                            "\"max_ramp_angle\" " + words(ramp_deg) +
+                            "\"max_ramp_angle\" " + model::shortest(ramp_deg) +
                                 " contradicts plunge = " + (plunges ? "true" : "false"),
                             "one of the two keys");
   return ramp_deg;
@@ -165,9 +165,10 @@ void read_table_entry(const TomlTable& tool, JobTool& result) {
                             "\"number\" too: programs ask for a tool by it");
   result.length_mm = tool.positive("length");
   if (!model::is_near(*result.length_mm))
-    throw model::InputError(tool.place("length"),
-                            "\"length\" in [[tool]] is " + words(*result.length_mm) + " mm",
-                            model::kFarthestExpected);
+    throw model::InputError(
+        tool.place("length"),
+        "\"length\" in [[tool]] is " + model::shortest(*result.length_mm) + " mm",
+        model::kFarthestExpected);
 }
 
 JobTool read_tool(const toml::table& table, JobContext& context) {

@@ -2,8 +2,8 @@
 
 #include "app/cli/command_line.h"
 #include "model/base/coordinate_limit.h"
+#include "model/base/number_text.h"
 #include "model/base/text_file.h"
-#include "model/base/words.h"
 
 namespace limitgauge::app {
 namespace {

@@ -1,11 +1,10 @@
 #include "app/job/settings.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <limits>
 
-#include "app/cli/words.h"
+#include "model/base/memory.h"
+#include "model/base/number_text.h"
 #include "simulator/instrument/dexel_removal.h"
 #include "verifier/gate/verify.h"
 
@@ -17,27 +16,20 @@ constexpr double kSmallestVoxel_mm = 0.05;
 constexpr double kLargestVoxel_mm = 0.25;
 constexpr double kMostSurfaceVoxels = 5e6;
 constexpr double kVoxelWithoutGate_mm = 0.1;
-constexpr double kShareOfMemory = 0.75;
-
-std::size_t memory_limit() {
-  const long pages = sysconf(_SC_PHYS_PAGES);
-  const long page_bytes = sysconf(_SC_PAGE_SIZE);
-  if (pages <= 0 || page_bytes <= 0) return std::numeric_limits<std::size_t>::max();
-  return static_cast<std::size_t>(kShareOfMemory * static_cast<double>(pages) *
-                                  static_cast<double>(page_bytes));
-}
 
 std::string machining_time_words(const Job& job) {
   const std::string rates = "machining time: programmed feeds and a rapid rate of " +
-                            words(job.rapid_mm_min) + " mm/min, ";
+                            model::shortest(job.rapid_mm_min) + " mm/min, ";
   if (!job.acceleration_mm_s2) return rates + "no acceleration: speeds change at once";
-  return rates + "acceleration of " + words(*job.acceleration_mm_s2) +
+  return rates + "acceleration of " + model::shortest(*job.acceleration_mm_s2) +
          " mm/s² along the path, corners rounded off by at most " +
-         words(job.junction_deviation_mm) + " mm; tool changes and spindle starts take no time";
+         model::shortest(job.junction_deviation_mm) +
+         " mm; tool changes and spindle starts take no time";
 }
 
 std::string point_words(const model::Vec3& p) {
-  return "(" + words(p.x) + ", " + words(p.y) + ", " + words(p.z) + ")";
+  return "(" + model::shortest(p.x) + ", " + model::shortest(p.y) + ", " + model::shortest(p.z) +
+         ")";
 }
 
 std::string frame_words(const Job& job) {
@@ -45,33 +37,34 @@ std::string frame_words(const Job& job) {
     return "cage, stock and programs share one frame in millimetres; no alignment is made";
   return "cage and stock share one frame in millimetres; the zero of programs lies at " +
          point_words(job.program_frame.translate_mm) + " in it, turned about Z by " +
-         words(job.program_frame.rotate_z_deg) + " degrees; no alignment is made";
+         model::shortest(job.program_frame.rotate_z_deg) + " degrees; no alignment is made";
 }
 
 void state_stage(const JobStage& stage, double resolution_mm, double floor_z_mm,
                  bool automatic_resolution, const Post& post, std::vector<std::string>& said) {
   const std::string head = "stage " + stage.name + ": ";
   if (automatic_resolution) {
-    said.push_back(head + "resolution " + words(resolution_mm) +
+    said.push_back(head + "resolution " + model::shortest(resolution_mm) +
                    " mm (auto: a tenth of the tightest gate limit)");
   }
   if (stage.plan && !stage.plan->floor_z_mm) {
-    said.push_back(head + "lowest tip height z " + words(floor_z_mm) +
+    said.push_back(head + "lowest tip height z " + model::shortest(floor_z_mm) +
                    " mm (default: lowest point of the surface less the cutter's corner radius)");
   }
   if (stage.plan && post.arc_tolerance_mm) {
     said.push_back(head + "arcs stand for runs of planned moves within " +
-                   words(*post.arc_tolerance_mm) +
+                   model::shortest(*post.arc_tolerance_mm) +
                    " mm; the program is measured as it is written, arcs as chords within " +
-                   words(chord_error_mm(resolution_mm)) + " mm");
+                   model::shortest(chord_error_mm(resolution_mm)) + " mm");
   }
   if (stage.plan && stage.plan->cut.strategy == engine::strategy::Strategy::rest) {
-    said.push_back(head + "cuts where more than " + words(rest_threshold_mm(stage)) +
+    said.push_back(head + "cuts where more than " + model::shortest(rest_threshold_mm(stage)) +
                    " mm stand that its cutter can reach (" +
                    (stage.limits.has_uncut ? "half of its uncut limit" : "its tolerance") + ")");
   }
   if (!stage.plan) {
-    said.push_back(head + "arcs as chords within " + words(chord_error_mm(resolution_mm)) + " mm");
+    said.push_back(head + "arcs as chords within " +
+                   model::shortest(chord_error_mm(resolution_mm)) + " mm");
     said.push_back(head + "the tool is taken to be " + model::to_text(stage.cutter) +
                    (stage.tool_number ? ", T" + std::to_string(*stage.tool_number)
                                       : std::string(", whatever number the program gives it")));
@@ -118,7 +111,7 @@ Settings choose_settings(const Job& job, const model::Box3& surface) {
   Settings settings;
   settings.voxel_mm = job.voxel_mm.value_or(automatic_voxel_mm(job));
   settings.contact_tolerance_mm = job.contact_tolerance_mm.value_or(kContactTolerance_mm);
-  settings.memory_limit_bytes = memory_limit();
+  settings.memory_limit_bytes = model::run_memory_limit_bytes();
   settings.line_spacing_mm = simulator::removal_spacing_mm(settings.voxel_mm, job.stock, {});
   for (const JobStage& stage : job.stages) {
     settings.resolution_mm.push_back(
@@ -136,19 +129,20 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
       frame_words(job),
       machining_time_words(job),
       "tool changes move nothing: each tool starts where the one before stood",
-      "collisions: contacts shallower than " + words(1e3 * settings.contact_tolerance_mm) + " µm" +
+      "collisions: contacts shallower than " +
+          model::shortest(1e3 * settings.contact_tolerance_mm) + " µm" +
           (job.contact_tolerance_mm ? "" : " (not stated)") +
           " fail nothing; those of a tenth of that and more are listed",
       job.travel_mm ? "travel limits: as the job states them, for the tool tip in the job's frame"
                     : "travel limits: none stated, none checked",
       job.near_miss_mm > 0
-          ? "near misses: rapids, shanks and holders within " + words(job.near_miss_mm) +
+          ? "near misses: rapids, shanks and holders within " + model::shortest(job.near_miss_mm) +
                 " mm of stock or fixtures are listed and do not fail a stage"
           : "near misses: no clearance stated, not looked for",
   };
   if (!job.voxel_mm) {
     said.push_back(
-        "voxel " + words(settings.voxel_mm) +
+        "voxel " + model::shortest(settings.voxel_mm) +
         " mm (auto: ten times the tightest gate limit, within 0.05 and 0.25 mm, or as fine as five "
         "million voxels cover the surface of the stock)");
   }

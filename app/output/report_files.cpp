@@ -1,5 +1,5 @@
-#include "app/output/output_files.h"
 #include "app/run/pipeline.h"
+#include "model/base/output_file.h"
 #include "reports/run/report.h"
 
 namespace limitgauge::app {
@@ -7,7 +7,7 @@ namespace limitgauge::app {
 void write_report(const reports::RunResult& result, const std::filesystem::path& folder) {
   using Writer = void (*)(const reports::RunResult&, std::ostream&);
   const auto write = [&](const char* file, Writer writer) {
-    write_file(folder / file, [&](std::ostream& out) { writer(result, out); });
+    model::write_file(folder / file, [&](std::ostream& out) { writer(result, out); });
   };
   write("report.html", reports::write_html);
   write("junit.xml", reports::write_junit);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/cli/words.h"
+#include "model/base/number_text.h"
 #include "reports/run/recorded_stage.h"
 
 namespace limitgauge::app {
@@ -25,8 +25,8 @@ reports::StageResult stage_as_asked(const JobStage& asked) {
 }
 
 std::string words_of_start(const model::Vec3& at_mm) {
-  return "programs start with the tip at (" + words(at_mm.x) + ", " + words(at_mm.y) + ", " +
-         words(at_mm.z) +
+  return "programs start with the tip at (" + model::shortest(at_mm.x) + ", " +
+         model::shortest(at_mm.y) + ", " + model::shortest(at_mm.z) +
          ") mm of their frame (default: its zero in X and Y; in Z above stock, part, fixtures and "
          "every height that a program names, by the clearance)";
 }

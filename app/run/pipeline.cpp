@@ -5,13 +5,13 @@
 #include <chrono>
 #include <sstream>
 
-#include "app/output/output_files.h"
 #include "app/output/result_parts.h"
 #include "app/run/cut_stock.h"
 #include "app/run/stage_planner.h"
 #include "app/run/stage_prefix.h"
 #include "app/run/stage_program.h"
 #include "app/run/stock_probe.h"
+#include "model/base/output_file.h"
 #include "model/part/machining_time.h"
 #include "reports/run/process.h"
 #include "reports/run/report.h"
@@ -83,7 +83,7 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   const Stopwatch watch;
   PlannedStage planned = planner_.plan(index, passes_, control(asked.name + ": planning"));
   if (options_.stage_files) {
-    make_folder(folder_ / asked.name);
+    model::make_folder(folder_ / asked.name);
     write_program_files(planned, folder_ / asked.name);
   }
   // The model of the surface has a time of its own.

@@ -1,7 +1,7 @@
-#include "app/output/output_files.h"
 #include "app/run/pipeline.h"
 #include "app/run/stage_planner.h"
 #include "app/run/stage_program.h"
+#include "model/base/output_file.h"
 #include "reports/run/report.h"
 
 namespace limitgauge::app {
@@ -15,7 +15,7 @@ void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::pa
     options.watch.phase({name + ": planning", i + 1, job.stages.size()});
     PlannedStage planned =
         planner.plan(i, passes, {options.threads, options.stop, options.watch.progress});
-    make_folder(folder / name);
+    model::make_folder(folder / name);
     write_program_files(planned, folder / name);
     reports::write_toolpath_vtp(planned.path.path, folder / name / "toolpath.vtp");
     options.watch.note(name + ": " + std::to_string(planned.path.path.moves.size()) + " moves");

@@ -1,7 +1,6 @@
 #include "app/run/reach_limit.h"
 
-#include "app/cli/words.h"
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::app {
 namespace {
@@ -28,7 +27,7 @@ bool set_unreachable(std::string_view text, verifier::GateLimits& limits) {
 }
 
 std::string unreachable_text(const verifier::GateLimits& limits) {
-  return words(limits.unreachable) + (limits.unreachable_is_share ? "" : " mm2");
+  return model::shortest(limits.unreachable) + (limits.unreachable_is_share ? "" : " mm2");
 }
 
 }  // namespace limitgauge::app

@@ -3,8 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/output/output_files.h"
 #include "model/base/error.h"
+#include "model/base/output_file.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/program_path.h"
 
@@ -62,9 +62,9 @@ void write_stage_program(const Job& job, std::size_t stage, double chord_error_m
 }
 
 void write_program_files(const PlannedStage& planned, const std::filesystem::path& folder) {
-  write_file(folder / "toolpath.ngc", [&](std::ostream& out) { out << planned.program; });
+  model::write_file(folder / "toolpath.ngc", [&](std::ostream& out) { out << planned.program; });
   if (planned.cl_data.empty()) return;
-  write_file(folder / "toolpath.apt", [&](std::ostream& out) { out << planned.cl_data; });
+  model::write_file(folder / "toolpath.apt", [&](std::ostream& out) { out << planned.cl_data; });
 }
 
 }  // namespace limitgauge::app

@@ -6,8 +6,8 @@
 
 #include "app/study/case_runner.h"
 #include "model/base/error.h"
+#include "model/base/memory.h"
 #include "study/execute/local_pool.h"
-#include "study/execute/memory.h"
 #include "study/execute/slurm.h"
 
 namespace limitgauge::app {
@@ -15,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kShareOfMemory = 0.9;
 constexpr std::uint64_t kMostKept = std::uint64_t{1} << 30;
 constexpr std::uint64_t kKeptOfMemory = 4;  ///< all workers' stages together: a fourth of it
 
@@ -46,8 +45,7 @@ std::unique_ptr<study::Executor> local_pool(const StudyCommand& command,
   study::LocalPoolOptions options;
   options.workers = command.jobs > 0 ? command.jobs : common.threads;
   options.retries = command.retries;
-  options.memory_bytes = static_cast<std::uint64_t>(
-      kShareOfMemory * static_cast<double>(study::available_memory_bytes()));
+  options.memory_bytes = model::shared_memory_limit_bytes();
   options.forecast_bytes =
       [job, forecast = std::make_shared<CaseForecast>()](const study::CaseRequest& request) {
         return forecast_of(*forecast, job, request);

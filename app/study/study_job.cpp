@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "app/cli/nearest_key.h"
 #include "app/job/job_overrides.h"
 #include "app/job/job_reader.h"
 #include "app/study/study_figures.h"
 #include "app/study/study_setting.h"
 #include "app/toml/toml_table.h"
 #include "app/toml/toml_text.h"
+#include "model/base/message_text.h"
 #include "study/plan/settings.h"
 
 namespace limitgauge::app {
@@ -116,8 +116,9 @@ void require_objective(const std::string& id, const std::vector<std::string>& st
   const std::vector<std::string> ids = objective_ids(stages);
   if (std::find(ids.begin(), ids.end(), id) != ids.end()) return;
   const std::vector<std::string_view> known(ids.begin(), ids.end());
-  throw model::InputError(place, "no figure \"" + id + "\" that is to be small",
-                          "\"" + nearest_key(id, known) + "\" or another figure of the stages");
+  throw model::InputError(
+      place, "no figure \"" + id + "\" that is to be small",
+      "\"" + model::nearest_word(id, known) + "\" or another figure of the stages");
 }
 
 void require_figures(const StudyFile& file, const Job& job) {

@@ -6,8 +6,8 @@
 #include <ostream>
 #include <sstream>
 
-#include "app/output/output_files.h"
 #include "app/output/time_left.h"
+#include "model/base/output_file.h"
 #include "reports/study/study_report.h"
 #include "reports/text/text.h"
 
@@ -95,11 +95,11 @@ void write_study(const study::Plan& plan, const StudyOutcome& outcome, const fs:
                           std::ostream&, const reports::study_report::About&);
   const reports::study_report::About said = about(plan, outcome);
   const auto write = [&](const char* file, Writer writer) {
-    write_file(folder / file, [&](std::ostream& out) {
+    model::write_file(folder / file, [&](std::ostream& out) {
       writer(plan, outcome.table, outcome.analysis, out, said);
     });
   };
-  write_file(folder / "study.csv", [&](std::ostream& out) {
+  model::write_file(folder / "study.csv", [&](std::ostream& out) {
     reports::study_report::write_study_csv(plan, outcome.table, outcome.analysis, out);
   });
   write("study.html", reports::study_report::write_study_html);
@@ -109,8 +109,8 @@ void write_study(const study::Plan& plan, const StudyOutcome& outcome, const fs:
 
 void write_case(std::size_t index, const std::string& text, const fs::path& folder) {
   const fs::path file = folder / reports::study_report::result_path(index);
-  make_folder(file.parent_path());
-  write_file(file, [&text](std::ostream& out) { out << text; });
+  model::make_folder(file.parent_path());
+  model::write_file(file, [&text](std::ostream& out) { out << text; });
 }
 
 void print_study(const StudyOutcome& outcome, std::ostream& out) {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/toml/toml_table.h"
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::app {
 namespace {

@@ -7,7 +7,8 @@
 
 #include "app/study/study_setting.h"
 #include "app/toml/toml_text.h"
-#include "model/base/words.h"
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::app {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "app/cli/one_line.h"
 #include "app/output/now_utc.h"
-#include "app/output/process_memory.h"
 #include "app/study/case_keys.h"
 #include "app/study/case_runner.h"
 #include "model/base/error.h"
+#include "model/base/memory.h"
 #include "study/execute/worker_lines.h"
 #include "study/store/store.h"
 
@@ -63,7 +63,7 @@ void StudyWorker::run(const WorkerTask& task) {
 WorkerAnswer StudyWorker::answer(const WorkerTask& task) {
   WorkerAnswer answer;
   answer.index = task.index;
-  reset_process_peak();
+  model::reset_process_peak();
   const auto began = std::chrono::steady_clock::now();
   const auto failed = [&](WorkerAnswer::Kind kind, const std::string& why) {
     answer.kind = kind;
@@ -81,7 +81,7 @@ WorkerAnswer StudyWorker::answer(const WorkerTask& task) {
     failed(WorkerAnswer::Kind::error, error.what());
   }
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  answer.peak_bytes = process_peak_bytes();
+  answer.peak_bytes = model::process_peak_bytes();
   return answer;
 }
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "app/cli/nearest_key.h"
 #include "model/base/coordinate_limit.h"
+#include "model/base/message_text.h"
 
 namespace limitgauge::app {
 namespace {
@@ -56,7 +56,7 @@ model::SourcePlace place_of(const toml::source_region& source) {
 UnknownKey::UnknownKey(const model::SourcePlace& place, std::string_view key,
                        const std::string& where, std::vector<std::string_view> known)
     : InputError(place, "unknown key \"" + std::string(key) + "\" in " + where,
-                 "\"" + nearest_key(key, known) + "\" or another known key"),
+                 "\"" + model::nearest_word(key, known) + "\" or another known key"),
       known_(known.begin(), known.end()) {}
 
 TomlTable::TomlTable(const toml::table& table, std::string where,

@@ -3,10 +3,10 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
-#include "app/cli/nearest_key.h"
-#include "app/output/output_files.h"
 #include "app/output/output_folder.h"
 #include "model/base/error.h"
+#include "model/base/message_text.h"
+#include "model/base/output_file.h"
 #include "reports/compare/report.h"
 
 namespace limitgauge::app {
@@ -19,7 +19,7 @@ void require_known(const std::vector<std::string>& names, const std::string& opt
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     throw UsageError(option + " " + name + ": nothing of that name is judged; did you mean " +
-                     nearest_key(name, known) + "?");
+                     model::nearest_word(name, known) + "?");
   }
 }
 
@@ -46,7 +46,7 @@ void write_files(const compare::Comparison& comparison, OutputFolder& folder) {
   folder.prepare();
   const auto write = [&](const char* name,
                          void (*writer)(const compare::Comparison&, std::ostream&)) {
-    write_file(folder.working() / name, [&](std::ostream& out) { writer(comparison, out); });
+    model::write_file(folder.working() / name, [&](std::ostream& out) { writer(comparison, out); });
   };
   write("compare.html", compare::write_html);
   write("compare.md", compare::write_markdown);

@@ -2,11 +2,11 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
-#include "app/cli/nearest_key.h"
-#include "app/output/output_files.h"
 #include "app/output/output_folder.h"
 #include "history/history.h"
 #include "model/base/error.h"
+#include "model/base/message_text.h"
+#include "model/base/output_file.h"
 #include "reports/history/history_report.h"
 
 namespace limitgauge::app {
@@ -21,7 +21,7 @@ void require_known(const fs::path& file, const std::string& option, const std::s
                    const Names& known) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
   const std::vector<std::string_view> views(known.begin(), known.end());
-  const std::string nearest = nearest_key(name, views);
+  const std::string nearest = model::nearest_word(name, views);
   throw model::InputError({file.string(), 0, 0},
                           "this history has no " + option + " \"" + name + "\"",
                           nearest.empty() ? "one that it has" : "\"" + nearest + "\" or another");
@@ -64,7 +64,7 @@ history_report::Overview overview_of(const history::History& history,
 void write_files(const history_report::Overview& overview, const fs::path& folder) {
   using history_report::Overview;
   const auto put = [&](const char* name, void (*write)(const Overview&, std::ostream&)) {
-    write_file(folder / name, [&](std::ostream& out) { write(overview, out); });
+    model::write_file(folder / name, [&](std::ostream& out) { write(overview, out); });
   };
   put("history.html", history_report::write_history_html);
   put("history.csv", history_report::write_history_csv);

@@ -5,9 +5,9 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
-#include "app/output/output_files.h"
 #include "app/verify/inspect_program.h"
 #include "model/base/error.h"
+#include "model/base/output_file.h"
 #include "model/part/cage_obj.h"
 #include "verifier/surface/reference_surface.h"
 
@@ -83,7 +83,8 @@ void write_csv(const InspectCommand& command, const ReferenceSurface& surface) {
   std::filesystem::path partial = command.csv;
   partial += ".partial";
   try {
-    write_file(partial, [&](std::ostream& out) { write_samples(out, surface, command.samples); });
+    model::write_file(partial,
+                      [&](std::ostream& out) { write_samples(out, surface, command.samples); });
     std::filesystem::rename(partial, command.csv);
   } catch (...) {
     std::error_code ignored;

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <ostream>
 
-#include "app/cli/words.h"
+#include "model/base/number_text.h"
 #include "model/gcode/program.h"
 
 namespace limitgauge::app {
@@ -32,7 +32,7 @@ void print_motion(std::ostream& out, const Motion& motion) {
   out << ' ' << fixed(motion.to.x) << ' ' << fixed(motion.to.y) << ' ' << fixed(motion.to.z);
   if (motion.kind == MotionKind::arc) {
     out << ' ' << fixed(motion.centre1) << ' ' << fixed(motion.centre2) << ' '
-        << words(motion.turns);
+        << model::shortest(motion.turns);
   }
   out << '\n';
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::model {

@@ -4,7 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::model {
 

@@ -2,8 +2,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 #include "model/base/text_file.h"
-#include "model/base/words.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/cl_lexer.h"
 
@@ -187,7 +188,7 @@ void ClReader::execute(const ClStatement& statement) {
   constexpr std::array<std::string_view, 13> kKnown = {
       "PARTNO", "PPRINT", "REMARK", "UNITS",  "CUTTER", "LOADTL", "SPINDL",
       "COOLNT", "FROM",   "RAPID",  "FEDRAT", "GOTO",   "FINI"};
-  const std::string near = nearest_word(statement.major.text, kKnown.data(), kKnown.size());
+  const std::string near = meant_word(statement.major.text, kKnown);
   lexer_.fail(statement.major,
               in_quotes(statement.major.text) + " is not supported in this release",
               near.empty() ? "straight moves of one tool" : in_quotes(near));

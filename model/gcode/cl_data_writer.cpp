@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "model/base/fixed_number.h"
+#include "model/base/number_text.h"
 #include "model/base/text_blocks.h"
-#include "model/base/words.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/feed_text.h"
 

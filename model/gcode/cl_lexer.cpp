@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
 
 namespace limitgauge::model {
 namespace {

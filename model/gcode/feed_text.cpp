@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::model {
 

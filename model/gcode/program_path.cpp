@@ -8,7 +8,7 @@
 
 #include "model/base/angle.h"
 #include "model/base/error.h"
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::model {
 namespace {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::model {
 namespace {

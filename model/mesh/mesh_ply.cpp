@@ -6,7 +6,8 @@
 
 #include "model/base/byte_reader.h"
 #include "model/base/error.h"
-#include "model/base/words.h"
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 #include "model/mesh/mesh_polygon.h"
 #include "model/mesh/obj_lexer.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "model/base/error.h"
-#include "model/base/words.h"
+#include "model/base/message_text.h"
 #include "model/mesh/mesh_ply.h"
 
 namespace limitgauge::model {

@@ -10,8 +10,9 @@
 #include <utility>
 
 #include "model/base/error.h"
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 #include "model/base/text_file.h"
-#include "model/base/words.h"
 #include "model/mesh/obj_lexer.h"
 #include "model/part/cage_tags.h"
 
@@ -48,7 +49,7 @@ class ObjReader {
     if (word.text == "t") return tags_.read();
     if (std::ranges::find(kWithoutMeaning, word.text) != kWithoutMeaning.end())
       return lexer_.skip_statement();
-    const std::string near = nearest_word(word.text, kStatements.data(), kStatements.size());
+    const std::string near = meant_word(word.text, kStatements);
     fail(word, "unknown statement " + in_quotes(word.text),
          near.empty() ? "v, f, t or a comment" : in_quotes(near));
   }

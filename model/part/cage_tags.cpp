@@ -6,7 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 #include "model/part/cage_edges.h"
 
 namespace limitgauge::model {
@@ -46,7 +47,7 @@ void CageTags::read() {
   if (std::ranges::find(kWithoutMeaning, tag.name.text) != kWithoutMeaning.end())
     return lexer_.skip_statement();
   if (std::ranges::find(kTags, tag.name.text) == kTags.end()) {
-    const std::string near = nearest_word(tag.name.text, kTags.data(), kTags.size());
+    const std::string near = meant_word(tag.name.text, kTags);
     fail(tag.name, "unknown tag " + in_quotes(tag.name.text),
          near.empty() ? "crease, corner, hole or interpolateboundary" : in_quotes(near));
   }

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "model/base/angle.h"
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::model {
 namespace {

@@ -5,8 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 #include "model/base/spec_text.h"
-#include "model/base/words.h"
 #include "model/part/cutter_figures.h"
 
 namespace limitgauge::model {
@@ -72,7 +73,7 @@ class CutterText {
       if (!text_.take(':')) text_.fail_at(text_.position(), "the cutter has no figures", "':D=6'");
       return;
     }
-    const std::string near = nearest_word(type, kTypeNames.data(), kTypeNames.size());
+    const std::string near = meant_word(type, kTypeNames);
     text_.fail_at(0, "unknown cutter " + in_quotes(type),
                   near.empty() ? "flat, ball, bull, taper, drill or apt" : in_quotes(near));
   }
@@ -121,7 +122,7 @@ class CutterText {
                       keys_of(cutter_.type));
       return;
     }
-    const std::string near = nearest_word(key, words.data(), words.size());
+    const std::string near = meant_word(key, words);
     text_.fail_at(begin, "unknown key " + in_quotes(key),
                   near.empty() ? keys_of(cutter_.type) : in_quotes(near));
   }

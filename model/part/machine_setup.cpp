@@ -5,7 +5,7 @@
 
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::model {
 namespace {

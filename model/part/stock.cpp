@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "model/base/coordinate_limit.h"
+#include "model/base/message_text.h"
 #include "model/base/spec_text.h"
-#include "model/base/words.h"
 #include "model/mesh/mesh_defect.h"
 
 namespace limitgauge::model {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "model/base/number_text.h"
 #include "reports/compare/selection.h"
 #include "reports/compare/words.h"
 #include "reports/text/text.h"
@@ -34,7 +35,7 @@ struct Limit {
 };
 
 std::string stated_area(double mm2) {
-  return shortest(mm2) + " mm²";
+  return model::shortest(mm2) + " mm²";
 }
 
 std::optional<Remark> compare_limit(const Limit& limit, const Options& options) {

@@ -1,36 +1,25 @@
 #include <algorithm>
-#include <array>
 
 #include "reports/compare/report.h"
 #include "reports/compare/words.h"
+#include "reports/text/terminal_table.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::compare {
 namespace {
 
-constexpr std::size_t kColumns = 7;
-constexpr std::size_t kJudgementColumn = 6;
-constexpr std::size_t kGap = 2;
-constexpr std::size_t kShortestName = 5;
+constexpr std::size_t kBaseColumn = 2, kFloorColumn = 5;
 /// A terminal is for the worst of them; the files have all.
 constexpr std::size_t kMostFindings = 8;
 
-struct Row {
-  std::array<std::string, kColumns> cells;
-  Judgement judgement = Judgement::not_judged;
-};
-using Widths = std::array<std::size_t, kColumns>;
-using Columns = std::vector<std::size_t>;
-
-std::string painted(const std::string& text, Judgement judgement, bool colour) {
-  if (!colour) return text;
+Tone tone_of(Judgement judgement) {
   switch (judgement) {
     case Judgement::better:
-      return "\x1b[32m" + text + "\x1b[0m";
+      return Tone::good;
     case Judgement::worse:
-      return "\x1b[1;31m" + text + "\x1b[0m";
+      return Tone::bad;
     default:
-      return "\x1b[2m" + text + "\x1b[0m";
+      return Tone::faint;
   }
 }
 
@@ -41,64 +30,39 @@ bool is_shown(const FigureChange& figure, bool all) {
          figure.judgement == Judgement::worse;
 }
 
-std::vector<Row> rows_of(const Comparison& comparison, bool all) {
-  std::vector<Row> rows = {
-      {{"stage", "figure", "base", "new", "change", "floor", "judgement"}, Judgement::not_judged}};
+TerminalTable::Cell judgement_cell(Judgement judgement) {
+  return {name(judgement), tone_of(judgement)};
+}
+
+/// What a narrow terminal has no room for goes in this order: the floor, the base run; then the
+/// stages' names are shortened.
+TerminalTable table_of(const Comparison& comparison, std::size_t width, bool all) {
+  constexpr TerminalTable::Column kStage = {false, true}, kText, kNumber = {true};
+  TerminalTable table({kStage, kText, kNumber, kNumber, kNumber, kNumber, kText});
+  table.add_row({{"stage"}, {"figure"}, {"base"}, {"new"}, {"change"}, {"floor"}, {"judgement"}});
   for (const StageComparison& stage : comparison.stages) {
     for (const FigureChange& figure : stage.figures) {
       if (!is_shown(figure, all)) continue;
       const FigureText text = figure_text(figure);
-      rows.push_back(
-          {{clean_text(stage.name), std::string(figure.metric->label), text.base, text.now,
-            text.change, text.floor.empty() ? "–" : text.floor, name(figure.judgement)},
-           figure.judgement});
+      table.add_row({{stage.name},
+                     {std::string(figure.metric->label)},
+                     {text.base},
+                     {text.now},
+                     {text.change},
+                     {text.floor.empty() ? "–" : text.floor},
+                     judgement_cell(figure.judgement)});
     }
   }
-  return rows;
-}
-
-std::size_t total(const Widths& widths, const Columns& columns) {
-  std::size_t sum = kGap * (columns.size() - 1);
-  for (const std::size_t c : columns) sum += widths[c];
-  return sum;
-}
-
-struct Layout {
-  Columns columns;
-  Widths widths{};
-};
-
-/// What a narrow terminal has no room for goes in this order: the floor, the base run; then the
-/// stages' names are shortened.
-Layout fitted(const std::vector<Row>& rows, std::size_t width) {
-  Layout out{{0, 1, 2, 3, 4, 5, 6}, {}};
-  for (const Row& row : rows)
-    for (std::size_t c = 0; c < kColumns; ++c)
-      out.widths[c] = std::max(out.widths[c], code_points(row.cells[c]));
-  for (const std::size_t spare : {std::size_t{5}, std::size_t{2}})
-    if (total(out.widths, out.columns) > width) std::erase(out.columns, spare);
-  while (total(out.widths, out.columns) > width && out.widths[0] > kShortestName) --out.widths[0];
-  return out;
-}
-
-std::string line_of(const Row& row, const Layout& layout, bool is_head, bool colour) {
-  std::string line;
-  for (const std::size_t c : layout.columns) {
-    const std::string cell = shortened(row.cells[c], layout.widths[c]);
-    const std::string padding(layout.widths[c] - code_points(cell), ' ');
-    if (!line.empty()) line += std::string(kGap, ' ');
-    if (c == kJudgementColumn)
-      line += is_head ? cell : painted(cell, row.judgement, colour);
-    else
-      line += c < 2 ? cell + padding : padding + cell;
-  }
-  return line + '\n';
+  for (const std::size_t spare : {kFloorColumn, kBaseColumn})
+    if (table.width() > width) table.hide(spare);
+  table.fit(width);
+  return table;
 }
 
 std::string remark_line(const std::string& prefix, const Remark& remark, bool colour) {
   const std::string text = prefix + clean_text(remark.text);
   if (remark.judgement == Judgement::not_judged) return text + '\n';
-  return text + ": " + painted(name(remark.judgement), remark.judgement, colour) + '\n';
+  return text + ": " + painted(name(remark.judgement), tone_of(remark.judgement), colour) + '\n';
 }
 
 std::string named_place(const FoundPlace& place, const std::string& stage) {
@@ -110,7 +74,7 @@ std::string finding_line(const StageComparison& stage, const FindingChange& chan
   const FoundPlace& place = change.now ? *change.now : *change.base;
   return clean_text(stage.name) + ": " + name(change) + " " + clean_text(kind_words(change.kind)) +
          " " + depth_text(change) + ", " + named_place(place, stage.name) + ": " +
-         painted(name(change.judgement), change.judgement, colour) + '\n';
+         painted(name(change.judgement), tone_of(change.judgement), colour) + '\n';
 }
 
 std::string places_of(const StageComparison& stage, bool colour) {
@@ -131,18 +95,18 @@ std::string places_of(const StageComparison& stage, bool colour) {
 }  // namespace
 
 std::string text_table(const Comparison& comparison, bool colour, std::size_t width, bool all) {
-  const std::vector<Row> rows = rows_of(comparison, all);
-  const Layout layout = fitted(rows, width);
+  const TerminalTable table = table_of(comparison, width, all);
   std::string out;
-  for (std::size_t i = 0; rows.size() > 1 && i < rows.size(); ++i)
-    out += line_of(rows[i], layout, i == 0, colour);
+  for (std::size_t i = 0; table.rows() > 1 && i < table.rows(); ++i) out += table.line(i, colour);
   for (const Remark& remark : comparison.remarks) out += remark_line("", remark, colour);
   for (const StageComparison& stage : comparison.stages) {
     for (const Remark& remark : stage.remarks)
       out += remark_line(clean_text(stage.name) + ": ", remark, colour);
     out += places_of(stage, colour);
   }
-  return out + "comparison: " + painted(summary(comparison), comparison.judgement(), colour) + '\n';
+  return out +
+         "comparison: " + painted(summary(comparison), tone_of(comparison.judgement()), colour) +
+         '\n';
 }
 
 }  // namespace limitgauge::reports::compare

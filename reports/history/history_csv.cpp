@@ -1,5 +1,6 @@
 #include <ostream>
 
+#include "model/base/number_text.h"
 #include "reports/history/history_report.h"
 #include "reports/history/shown.h"
 #include "reports/text/csv_cell.h"
@@ -19,8 +20,8 @@ std::string run_cells(const JobHistory& job, const history::Entry& run) {
 
 std::string figure_cells(const Column& column, const Cell& cell) {
   return csv_text_cell(column.stage) + "," + csv_text_cell(column.metric) + "," +
-         shortest(cell.value->low) + "," + shortest(cell.value->high) + "," +
-         (cell.limit ? shortest(*cell.limit) : std::string()) + "," +
+         model::shortest(cell.value->low) + "," + model::shortest(cell.value->high) + "," +
+         (cell.limit ? model::shortest(*cell.limit) : std::string()) + "," +
          csv_text_cell(trend_word(cell));
 }
 

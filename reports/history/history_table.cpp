@@ -1,23 +1,38 @@
 #include <algorithm>
+#include <utility>
 
 #include "reports/history/history_report.h"
 #include "reports/history/shown.h"
+#include "reports/text/terminal_table.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {
 namespace {
 
-constexpr std::size_t kGap = 2, kLongestLabel = 24;
+constexpr std::size_t kLongestLabel = 24;
+
+using TextCell = TerminalTable::Cell;
 
 struct TextColumn {
-  bool right = false;
-  std::vector<std::string> cells;  ///< its title first
+  TerminalTable::Column column;
+  std::vector<TextCell> cells;  ///< its title first
 };
 
-TextColumn column(const JobHistory& job, const std::string& title, bool right,
-                  const auto& text_of) {
-  TextColumn out{right, {title}};
-  for (const Run& run : job.runs) out.cells.push_back(text_of(run));
+template <class TextOf>
+TextColumn column(const JobHistory& job, const std::string& title, bool right, TextOf text_of) {
+  TextColumn out{{right}, {TextCell{title}}};
+  for (const Run& run : job.runs) out.cells.push_back(TextCell{text_of(run)});
+  return out;
+}
+
+/// Trends in colour; they say the same without.
+TextColumn trends(const JobHistory& job, std::size_t index) {
+  TextColumn out{{false, false, 1}, {TextCell{}}};
+  for (const Run& run : job.runs) {
+    const std::string_view word = trend_word(run.cells[index]);
+    const Tone tone = word == "worse" ? Tone::bad : word == "better" ? Tone::good : Tone::plain;
+    out.cells.push_back(TextCell{trend(run.cells[index]), tone});
+  }
   return out;
 }
 
@@ -39,7 +54,7 @@ void add_heads(const JobHistory& job, std::vector<TextColumn>& columns) {
       return shortened(run.entry.label, kLongestLabel);
     }));
   columns.push_back(
-      column(job, "verdict", false, [](const Run& run) { return clean_text(run.entry.verdict); }));
+      column(job, "verdict", false, [](const Run& run) { return run.entry.verdict; }));
 }
 
 /// Those that a line has room for: the whole run's and the last stage's, unless they were chosen.
@@ -55,56 +70,24 @@ void add_figures(const JobHistory& job, const Choice& choice, std::vector<TextCo
     const std::string unit = shown.unit().empty() ? "" : ", " + shown.unit();
     columns.push_back(column(job, shown.title() + unit, true,
                              [&](const Run& run) { return shown.figure(run.cells[i]); }));
-    columns.push_back(column(job, "", false, [&](const Run& run) { return trend(run.cells[i]); }));
+    columns.push_back(trends(job, i));
   }
-}
-
-std::size_t width_of(const TextColumn& column) {
-  std::size_t width = 0;
-  for (const std::string& cell : column.cells) width = std::max(width, code_points(cell));
-  return width;
-}
-
-std::string line(const std::vector<TextColumn>& columns, const std::vector<std::size_t>& widths,
-                 std::size_t row) {
-  std::string out;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string& cell = columns[i].cells[row];
-    const std::string padding(widths[i] - code_points(cell), ' ');
-    if (i > 0) out += std::string(columns[i].cells.front().empty() ? 1 : kGap, ' ');
-    out += columns[i].right ? padding + cell : cell + padding;
-  }
-  out.erase(out.find_last_not_of(' ') + 1);
-  return out + '\n';
-}
-
-/// Trends and verdicts in colour; they say the same without.
-std::string painted(std::string text) {
-  const auto paint = [&](std::string_view word, std::string_view code) {
-    for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos;) {
-      const std::string dressed = std::string(code) + std::string(word) + "\x1b[0m";
-      text.replace(at, word.size(), dressed);
-      at += dressed.size();
-    }
-  };
-  paint("↑ worse", "\x1b[1;31m");
-  paint("↓ worse", "\x1b[1;31m");
-  paint("↑ better", "\x1b[32m");
-  paint("↓ better", "\x1b[32m");
-  return text;
 }
 
 std::string job_table(const JobHistory& job, const Choice& choice, bool colour) {
   std::vector<TextColumn> columns;
   add_heads(job, columns);
   add_figures(job, choice, columns);
-  std::vector<std::size_t> widths;
-  for (const TextColumn& one : columns) widths.push_back(width_of(one));
+  std::vector<TerminalTable::Column> kinds;
+  for (const TextColumn& one : columns) kinds.push_back(one.column);
+  TerminalTable table(std::move(kinds));
   std::string out;
   for (std::size_t row = 0; row <= job.runs.size(); ++row) {
-    const std::string text = line(columns, widths, row);
-    out += colour ? painted(text) : text;
+    std::vector<TextCell> cells;
+    for (const TextColumn& one : columns) cells.push_back(one.cells[row]);
+    table.add_row(std::move(cells));
   }
+  for (std::size_t row = 0; row < table.rows(); ++row) out += table.line(row, colour);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/base/number_text.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {
@@ -51,7 +52,8 @@ std::string ShownColumn::figure(const Cell& cell) const {
 }
 
 std::string ShownColumn::limit(const Cell& cell) const {
-  return cell.limit ? shortest(std::round(*cell.limit * factor_ * 1e9) / 1e9) : std::string();
+  return cell.limit ? model::shortest(std::round(*cell.limit * factor_ * 1e9) / 1e9)
+                    : std::string();
 }
 
 std::string trend(const Cell& cell) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "model/base/number_text.h"
 #include "reports/run/gate_figures.h"
 #include "reports/text/text.h"
 
@@ -16,7 +17,7 @@ namespace {
 std::string signed_number(double value_mm, const LengthUnit& unit) {
   if (value_mm == 0) return "0";
   return (value_mm < 0 ? "−" : "+") +
-         shortest(std::stod(three_digits(std::abs(value_mm) * unit.per_mm)));
+         model::shortest(std::stod(three_digits(std::abs(value_mm) * unit.per_mm)));
 }
 
 /// Where values lie on a horizontal axis, in percent of its width.

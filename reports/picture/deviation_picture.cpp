@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "model/base/number_text.h"
 #include "reports/picture/colour_bar.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/marker.h"
@@ -25,7 +26,7 @@ void draw_scale(Image& image, const MapFrame& frame, const PixelPoint& at) {
                                                    : power;
   const double end = at.x + length_mm * frame.pixels_per_mm;
   draw_stroke(image, {{at.x, at.y - 8}, at, {end, at.y}, {end, at.y - 8}}, 2.5, kInk);
-  draw_text(image, shortest(length_mm) + " mm", {end + 14, at.y + 2}, kText);
+  draw_text(image, model::shortest(length_mm) + " mm", {end + 14, at.y + 2}, kText);
 }
 
 void draw_worst(Image& image, const std::vector<verifier::Finding>& findings, const MapFrame& frame,

@@ -1,6 +1,7 @@
 #include <array>
 #include <ostream>
 
+#include "model/base/number_text.h"
 #include "reports/run/finding_list.h"
 #include "reports/run/report.h"
 #include "reports/text/csv_cell.h"
@@ -24,14 +25,14 @@ std::string row(const RunResult& result, const ListedFinding& f) {
       csv_text_cell(result.stages[f.stage].name),
       csv_text_cell(f.kind),
       csv_text_cell(f.id),
-      shortest(f.depth_mm),
-      optional_cell(f.area_mm2, shortest),
-      shortest(f.point.x),
-      shortest(f.point.y),
-      shortest(f.point.z),
+      model::shortest(f.depth_mm),
+      optional_cell(f.area_mm2, model::shortest),
+      model::shortest(f.point.x),
+      model::shortest(f.point.y),
+      model::shortest(f.point.z),
       optional_cell(f.place, [](const SurfacePlace& p) { return std::to_string(p.patch); }),
-      optional_cell(f.place, [](const SurfacePlace& p) { return shortest(p.u); }),
-      optional_cell(f.place, [](const SurfacePlace& p) { return shortest(p.v); }),
+      optional_cell(f.place, [](const SurfacePlace& p) { return model::shortest(p.u); }),
+      optional_cell(f.place, [](const SurfacePlace& p) { return model::shortest(p.v); }),
       csv_text_cell(f.body),
       csv_text_cell(program_file(result.stages[f.program_stage])),
       f.line > 0 ? count(f.line) : std::string(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/base/number_text.h"
 #include "reports/run/process.h"
 #include "reports/text/text.h"
 #include "verifier/gate/verify.h"
@@ -17,7 +18,7 @@ GateFigure length_figure(const char* what, const verifier::Interval& interval, b
       what, Standing::no_limit, interval_numbers(interval, unit) + " " + unit.symbol, {}, "≤ "};
   if (!has_limit) return figure;
   figure.standing = standing_of(interval, limit_mm);
-  figure.limit = shortest(std::stod(fixed(limit_mm * unit.per_mm, 9))) + " " + unit.symbol;
+  figure.limit = model::shortest(std::stod(fixed(limit_mm * unit.per_mm, 9))) + " " + unit.symbol;
   return figure;
 }
 
@@ -60,8 +61,8 @@ GateFigure unreachable_figure(const verifier::StageDeviation& d, const verifier:
     figure.standing =
         standing_of({area_mm2.low / unit_mm2, area_mm2.high / unit_mm2}, l.unreachable);
     figure.limit = l.unreachable_is_share
-                       ? shortest(std::stod(fixed(100 * l.unreachable, 9))) + " %"
-                       : shortest(l.unreachable) + " mm²";
+                       ? model::shortest(std::stod(fixed(100 * l.unreachable, 9))) + " %"
+                       : model::shortest(l.unreachable) + " mm²";
   }
   // Whatever the limit: what no cutter touches at all is no part of the work.
   if (nothing_in_reach(d)) figure.standing = Standing::beyond;

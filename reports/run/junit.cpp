@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <pugixml.hpp>
 
+#include "model/base/number_text.h"
 #include "reports/run/finding_list.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
@@ -154,7 +155,7 @@ void add_properties(pugi::xml_node suite, const StageResult& stage, const RunRes
   add("cutter", model::to_text(stage.cutter));
   if (!stage.strategy.empty()) add("strategy", stage.strategy);
   add("program", program_file(stage));
-  add("allowance_mm", shortest(stage.allowance_mm));
+  add("allowance_mm", model::shortest(stage.allowance_mm));
 }
 
 Counts add_suite(pugi::xml_node root, const RunResult& result, std::size_t index) {

@@ -1,8 +1,6 @@
-#include <fstream>
 #include <stdexcept>
-#include <system_error>
 
-#include "model/base/error.h"
+#include "model/base/output_file.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/perspective_picture.h"
 #include "reports/picture/stock_picture.h"
@@ -14,18 +12,9 @@ namespace {
 
 constexpr int kStockPictureWidth = 1000;
 
-void write_bytes(const std::string& bytes, const std::filesystem::path& file) {
-  if (bytes.empty()) return;
-  std::ofstream out(file, std::ios::binary);
-  out << bytes;
-  out.close();
-  if (!out) throw model::ResourceError("cannot write " + file.string());
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw model::ResourceError("cannot make " + folder.string() + ": " + error.message());
+/// Nothing where there is no picture.
+void write_picture(const std::string& bytes, const std::filesystem::path& file) {
+  if (!bytes.empty()) model::write_file(file, bytes);
 }
 
 /// A stage's name becomes a folder: it must not lead anywhere else.
@@ -66,7 +55,7 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
   if (!stage.ran) return {};
   const StageResult::Ran& ran = *stage.ran;
   const std::filesystem::path into = folder / plain_name(stage.name);
-  make_folder(into);
+  model::make_folder(into);
   if (ran.path) write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves);
   write_deviation_vtp(ran.deviation.field, into / "deviation.vtp");
   StageFiles files;
@@ -83,9 +72,9 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
     files.surface = {surface.mesh.vertices.size(), surface.mesh.triangles.size(), surface.voxel_mm,
                      surface.unmoved};
   }
-  write_bytes(pictures.deviation_png, into / "deviation.png");
-  write_bytes(pictures.perspective_png, into / "perspective.png");
-  write_bytes(pictures.stock_png, into / "stock.png");
+  write_picture(pictures.deviation_png, into / "deviation.png");
+  write_picture(pictures.perspective_png, into / "perspective.png");
+  write_picture(pictures.stock_png, into / "stock.png");
   return files;
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "model/base/number_text.h"
 #include "reports/html/markup.h"
 #include "reports/study/parts.h"
 #include "reports/study/shown.h"
@@ -41,7 +42,7 @@ std::string method_sentence(const StudyView& view) {
       "Search: the least {} at which every gate passes, in at most {} cases, each key to {} % of "
       "its range.",
       figure_label(view, plan.search.cost), grouped(plan.search.most_cases),
-      shortest(100 * plan.search.accuracy));
+      model::shortest(100 * plan.search.accuracy));
 }
 
 std::string values(const study::Variable& variable) {
@@ -52,7 +53,8 @@ std::string values(const study::Variable& variable) {
     out += fmt::format(" and {} more", variable.values.size() - kMostValues);
   if (const auto& range = variable.range) {
     out += fmt::format("{}from {} to {}", out.empty() ? "" : "; ",
-                       html::typeset(shortest(range->low)), html::typeset(shortest(range->high)));
+                       html::typeset(model::shortest(range->low)),
+                       html::typeset(model::shortest(range->high)));
     if (range->steps > 0) out += fmt::format(" in {} steps", range->steps);
     if (range->logarithmic) out += ", evenly by their logarithms";
   }

@@ -1,5 +1,6 @@
 #include <ostream>
 
+#include "model/base/number_text.h"
 #include "reports/study/finite.h"
 #include "reports/study/shown.h"
 #include "reports/text/csv_cell.h"
@@ -16,7 +17,7 @@ std::string header(const study::Table& table) {
 }
 
 std::string setting_cell(const study::Setting& setting) {
-  return setting.number ? shortest(*setting.number) : csv_text_cell(setting_text(setting));
+  return setting.number ? model::shortest(*setting.number) : csv_text_cell(setting_text(setting));
 }
 
 std::string line(const study::Table& table, const study::Row& row) {
@@ -26,10 +27,10 @@ std::string line(const study::Table& table, const study::Row& row) {
   for (std::size_t i = 0; i < table.figures.size(); ++i) {
     const std::optional<double>& value = row.figures.at(i);
     out += ",";
-    if (value) out += shortest(finite(table.figures[i].id, *value));
+    if (value) out += model::shortest(finite(table.figures[i].id, *value));
   }
   return out + "," + csv_text_cell(row.key) + (row.reused ? ",true," : ",false,") +
-         std::to_string(row.attempts) + "," + shortest(finite("seconds", row.seconds));
+         std::to_string(row.attempts) + "," + model::shortest(finite("seconds", row.seconds));
 }
 
 }  // namespace

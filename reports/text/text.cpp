@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "model/base/number_text.h"
+
 namespace limitgauge::reports {
 namespace {
 
@@ -118,12 +120,6 @@ std::string shortened(std::string_view text, std::size_t width) {
   return whole.substr(0, end) + "…";
 }
 
-std::string shortest(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
-
 std::string fixed(double value, int decimals) {
   std::array<char, 400> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
@@ -168,7 +164,7 @@ std::string stated_length(double mm) {
   if (mm == 0) return "0 mm";
   const LengthUnit unit = unit_for(mm);
   // A decimal of the job file times 1000 may carry binary dust in its last digit.
-  return shortest(std::round(mm * unit.per_mm * 1e9) / 1e9) + " " + unit.symbol;
+  return model::shortest(std::round(mm * unit.per_mm * 1e9) / 1e9) + " " + unit.symbol;
 }
 
 std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit) {

@@ -19,8 +19,6 @@ std::size_t code_points(std::string_view text);
 /// `text` cut to `width` code points, the last one an ellipsis where something is lost.
 std::string shortened(std::string_view text, std::size_t width);
 
-/// The shortest decimal that reads back as `value`.
-std::string shortest(double value);
 /// `value` with `decimals` places after the point; never "-0".
 std::string fixed(double value, int decimals);
 /// `value` with three significant digits, no exponent between 1e-4 and 1e7.

@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "model/base/error.h"
-#include "model/base/words.h"
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 #include "model/mesh/mesh_defect.h"
 #include "simulator/mesh/tetra_surface.h"
 #include "simulator/stock/in_own_process.h"

@@ -7,7 +7,7 @@
 
 #include "model/base/error.h"
 #include "study/execute/case_order.h"
-#include "study/execute/memory.h"
+#include "study/execute/memory_budget.h"
 #include "study/execute/worker_lines.h"
 #include "study/execute/worker_process.h"
 

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "study/plan/whole_file.h"
+#include "model/base/output_file.h"
 
 namespace limitgauge::study {
 namespace fs = std::filesystem;
@@ -45,9 +45,10 @@ ArrayFolder::ArrayFolder(fs::path folder, const std::vector<CaseRequest>& reques
                          const std::vector<std::string>& worker)
     : folder_(std::move(folder)), read_bytes_(batches.size(), 0) {
   for (std::size_t task = 0; task < batches.size(); ++task) {
-    write_whole(folder_ / (std::to_string(task) + ".tasks"), tasks_text(requests, batches[task]));
+    model::write_whole_file(folder_ / (std::to_string(task) + ".tasks"),
+                            tasks_text(requests, batches[task]));
   }
-  write_whole(script(), script_text(folder_, worker));
+  model::write_whole_file(script(), script_text(folder_, worker));
 }
 
 fs::path ArrayFolder::log(std::size_t task) const {

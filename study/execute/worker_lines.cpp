@@ -2,8 +2,8 @@
 
 #include <array>
 #include <charconv>
-#include <limits>
-#include <sstream>
+
+#include "model/base/number_text.h"
 
 namespace limitgauge::study {
 namespace {
@@ -65,13 +65,6 @@ bool read(const std::string& text, Number& number) {
   return error == std::errc() && at == end;
 }
 
-std::string words(double number) {
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << number;
-  return text.str();
-}
-
 }  // namespace
 
 std::string to_line(const WorkerTask& task) {
@@ -82,7 +75,8 @@ std::string to_line(const WorkerTask& task) {
 
 std::string to_line(const WorkerAnswer& answer) {
   return line_of({kKinds[static_cast<std::size_t>(answer.kind)], std::to_string(answer.index),
-                  words(answer.seconds), std::to_string(answer.peak_bytes), answer.reason});
+                  model::shortest(answer.seconds), std::to_string(answer.peak_bytes),
+                  answer.reason});
 }
 
 std::optional<WorkerTask> task_of_line(const std::string& line) {

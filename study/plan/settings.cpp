@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::study {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/base/error.h"
-#include "study/plan/whole_file.h"
+#include "model/base/output_file.h"
 #include "study/store/store_entry.h"
 
 namespace limitgauge::study {
@@ -67,7 +67,7 @@ std::vector<Entry> entries_in(const fs::path& folder) {
   std::vector<Entry> found;
   const auto take = [&found](const fs::directory_entry& entry) {
     const std::string name = entry.path().filename().string();
-    if (is_part_file(name)) return remove_if_left_behind(entry.path());
+    if (model::is_part_file(name)) return remove_if_left_behind(entry.path());
     if (!hexadecimal(name, kKeyDigits - 2 * kFolderDigits)) return;
     std::error_code error;
     const fs::file_time_type used = entry.last_write_time(error);
@@ -107,7 +107,7 @@ bool Store::has(const std::string& kind, const std::string& key) const {
 }
 
 void Store::put(const std::string& kind, const std::string& key, const std::string& content) const {
-  write_whole(place(folder_, kind, key), pack_entry(content, key));
+  model::write_whole_file(place(folder_, kind, key), pack_entry(content, key));
 }
 
 Store::Trimmed Store::trim(fs::file_time_type keep_since) const {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::study {
 namespace {

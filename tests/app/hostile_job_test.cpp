@@ -2,8 +2,8 @@
 #include <array>
 #include <string>
 
-#include "app/cli/nearest_key.h"
 #include "model/base/error.h"
+#include "model/base/message_text.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 
@@ -49,7 +49,7 @@ TEST_CASE("an override that is no TOML in quotes either is refused", "[unit][job
 
 TEST_CASE("names of megabytes are not compared letter by letter", "[unit][job]") {
   const std::string a(1'000'000, 'a'), b(1'000'000, 'b');
-  CHECK(nearest_key(a, std::array<std::string_view, 2>{b, a}) == a);
+  CHECK(model::nearest_word(a, std::array<std::string_view, 2>{b, a}) == a);
   CHECK_THAT(error_of(with(with(good_job(), "id = \"ball3\"", "id = \"" + a + "\""),
                            "tool = \"ball3\"", "tool = \"" + b + "\"")),
              ContainsSubstring("no tool has the id"));

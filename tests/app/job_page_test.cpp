@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "app/cli/words.h"
 #include "app/toml/toml_table.h"
+#include "model/base/number_text.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 
@@ -251,30 +251,30 @@ TEST_CASE("defaults in docs/job.md are those of the reader", "[unit][job]") {
   const engine::strategy::CutOptions& cut = stage.plan->cut;
   using engine::strategy::Entry;
   const std::map<std::string, std::string> defaults = {
-      {"surface.precision", words(job.precision_mm)},
-      {"surface.transform.scale", words(job.placement.scale)},
-      {"machine.rapid", words(job.rapid_mm_min)},
-      {"machine.clearance", words(job.clearance_mm)},
+      {"surface.precision", model::shortest(job.precision_mm)},
+      {"surface.transform.scale", model::shortest(job.placement.scale)},
+      {"machine.rapid", model::shortest(job.rapid_mm_min)},
+      {"machine.clearance", model::shortest(job.clearance_mm)},
       {"machine.acceleration", job.acceleration_mm_s2 ? "some" : "none"},
-      {"machine.junction_deviation", words(job.junction_deviation_mm)},
-      {"program_frame.rotate_z", words(job.program_frame.rotate_z_deg)},
+      {"machine.junction_deviation", model::shortest(job.junction_deviation_mm)},
+      {"program_frame.rotate_z", model::shortest(job.program_frame.rotate_z_deg)},
       {"post.dialect", model::name(job.post.dialect)},
       {"post.decimals", std::to_string(job.post.decimals)},
       {"post.arcs", job.post.arc_tolerance_mm ? "some" : "none"},
       {"post.line_numbers", job.post.line_numbers ? "true" : "false"},
       {"post.cl_data", job.post.cl_data ? "true" : "false"},
-      {"tool.flute_length", words(stage.cutter.flute_length_mm / 6) + " diameters"},
+      {"tool.flute_length", model::shortest(stage.cutter.flute_length_mm / 6) + " diameters"},
       {"tool.plunge", stage.cutter.steepest_descent_deg == 90 ? "true" : "false"},
-      {"stage.allowance", words(stage.allowance_mm)},
+      {"stage.allowance", model::shortest(stage.allowance_mm)},
       {"stage.plunge_feed",
        cut.plunge_feed_mm_min == Approx(500) ? "a third of the feed" : "other"},
       {"stage.link_feed", cut.link_feed_mm_min == cut.feed_mm_min ? "the feed" : "other"},
-      {"stage.angle", words(cut.angle_deg)},
-      {"stage.steep_angle", words(cut.steep_angle_deg)},
+      {"stage.angle", model::shortest(cut.angle_deg)},
+      {"stage.steep_angle", model::shortest(cut.steep_angle_deg)},
       {"stage.overlap", cut.overlap_or_default_mm() == 2 * cut.step_mm ? "two steps" : "other"},
       {"stage.boundary_pass", cut.boundary_pass ? "true" : "false"},
       {"stage.entry", cut.entry == Entry::ramp ? "ramp" : "other"},
-      {"stage.ramp_angle", words(cut.ramp_angle_deg)},
+      {"stage.ramp_angle", model::shortest(cut.ramp_angle_deg)},
       {"stage.gate.uncut", stage.limits.has_uncut ? "some" : "none"},
       {"simulation.voxel", job.voxel_mm ? "some" : "auto"},
       {"verification.resolution", job.resolution_mm ? "some" : "auto"},

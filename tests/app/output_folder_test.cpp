@@ -2,8 +2,8 @@
 
 #include <fstream>
 
-#include "app/output/output_files.h"
 #include "model/base/error.h"
+#include "model/base/output_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void put(const fs::path& file, const std::string& text) {
-  write_file(file, [&](std::ostream& out) { out << text; });
+  model::write_file(file, [&](std::ostream& out) { out << text; });
 }
 
 std::size_t entries(const fs::path& folder) {

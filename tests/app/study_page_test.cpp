@@ -1,9 +1,9 @@
 #include <set>
 
-#include "app/cli/words.h"
 #include "app/study/study_file.h"
 #include "app/study/study_job.h"
 #include "app/toml/toml_table.h"
+#include "model/base/number_text.h"
 #include "model/base/text_file.h"
 #include "tests/app/job_page.h"
 #include "tests/app/job_text.h"
@@ -142,7 +142,7 @@ TEST_CASE("defaults in docs/study.md are those of the reader", "[unit][study]") 
       {"objectives.cost", plain.cost},
       {"search.cost", plain.search.cost == plain.cost ? "the cost of the objectives" : "other"},
       {"search.most_cases", std::to_string(plain.search.most_cases)},
-      {"search.accuracy", words(plain.search.accuracy)},
+      {"search.accuracy", model::shortest(plain.search.accuracy)},
       {"search.batch", std::to_string(plain.search.batch)}};
   for (const auto& [key, value] : defaults) {
     INFO(key);

@@ -6,7 +6,7 @@
 #include <bit>
 #include <string>
 
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 #include "model/mesh/triangle_mesh.h"
 
 namespace limitgauge::model::test {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "model/base/number_text.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports {
@@ -15,7 +16,7 @@ constexpr double kGate_mm = 0.03, kRadius_mm = 3;
 enum Figures { machining_time, uncut_high, gouge_high, uncut_low, gouge_low, coverage, moves };
 
 study::Setting number(double value) {
-  return {shortest(value), value};
+  return {model::shortest(value), value};
 }
 
 std::vector<study::Figure> figures() {

@@ -1,5 +1,6 @@
 #include "reports/text/text.h"
 
+#include "model/base/number_text.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge;
@@ -23,7 +24,7 @@ TEST_CASE("text is cut by code points, not by bytes", "[unit][text]") {
 }
 
 TEST_CASE("numbers keep what they are", "[unit][text]") {
-  CHECK(shortest(0.1) == "0.1");
+  CHECK(model::shortest(0.1) == "0.1");
   CHECK(fixed(-0.0004, 3) == "0.000");
   CHECK(three_digits(0.4451) == "0.445");
   CHECK(three_digits(1234.6) == "1235");

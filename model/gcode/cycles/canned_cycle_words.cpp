@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
 #include "model/gcode/cycles/canned_cycle_path.h"
 
 namespace limitgauge::model::gcode {

@@ -1,6 +1,7 @@
 // The first motion under cutter compensation.
 #include <algorithm>
 
+#include "model/base/number_text.h"
 #include "model/gcode/cycles/cutter_compensation.h"
 
 namespace limitgauge::model::gcode {
@@ -13,7 +14,7 @@ constexpr double kStraight = 1e-6;
 constexpr double kLargestRadiusMm = 1e9;
 
 std::string mm(double value_mm) {
-  return readable(value_mm) + " mm";
+  return six_digits(value_mm) + " mm";
 }
 
 }  // namespace

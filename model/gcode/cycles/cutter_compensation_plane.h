@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "model/base/number_text.h"
 #include "model/gcode/program.h"
 
 namespace limitgauge::model::gcode {
@@ -66,8 +67,5 @@ class PlaneFrame {
 /// How far an arc about `centre` turns from `from` to `to`, radians, counter-clockwise positive;
 /// `turns` as Motion's. Equal ends are a full turn.
 double sweep_of(PlaneVector from, PlaneVector to, PlaneVector centre, double turns);
-
-/// For messages: six digits tell what is wrong, seventeen hide it.
-std::string readable(double value);
 
 }  // namespace limitgauge::model::gcode

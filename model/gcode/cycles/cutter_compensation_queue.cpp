@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "model/base/number_text.h"
+
 namespace limitgauge::model::gcode {
 namespace {
 
@@ -11,7 +13,7 @@ constexpr double kSlackMm = 0.0254;
 constexpr double kSlackInch = 0.001;
 
 std::string degrees(double radians) {
-  return readable(std::abs(radians) * 180 / std::numbers::pi) + " degrees";
+  return six_digits(std::abs(radians) * 180 / std::numbers::pi) + " degrees";
 }
 
 }  // namespace

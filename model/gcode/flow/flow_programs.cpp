@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
 #include "model/gcode/flow/flow.h"
 
 namespace limitgauge::model::gcode {

@@ -1,7 +1,5 @@
 #include "model/gcode/machine/feed.h"
 
-#include "model/base/words.h"
-
 namespace limitgauge::model::gcode {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "model/gcode/machine/saved_state.h"
 
-#include "model/base/words.h"
 #include "model/gcode/read/tool_codes.h"
 
 namespace limitgauge::model::gcode {

@@ -1,8 +1,9 @@
 #include "model/gcode/read/arc.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "model/base/number_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {
@@ -13,14 +14,6 @@ constexpr double kSpiralRelative = 0.001;
 constexpr double kLargestSpirals = 100;
 /// Half chords this near to the radius, relatively, mean a half circle.
 constexpr double kHalfCircle = 1e-12;
-
-/// For messages: six digits tell what is wrong, seventeen hide it.
-std::string readable(double value_mm) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value_mm,
-                                 std::chars_format::general, 6);
-  return std::string(digits.data(), end.ptr);
-}
 
 double apart(PlanePoint a, PlanePoint b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
@@ -38,8 +31,8 @@ ArcCentre centre_by_offset(PlanePoint start, PlanePoint end, PlanePoint centre, 
       difference_mm > spiral_mm && difference_mm / std::max(r1_mm, r2_mm) > kSpiralRelative;
   if (too_far || visible)
     return {centre,
-            "the arc's radius is " + readable(r1_mm) + " mm at its start and " + readable(r2_mm) +
-                " mm at its end",
+            "the arc's radius is " + six_digits(r1_mm) + " mm at its start and " +
+                six_digits(r2_mm) + " mm at its end",
             "a centre equally far from both"};
   return {centre, {}, {}};
 }
@@ -54,9 +47,9 @@ ArcCentre centre_by_radius(PlanePoint start, PlanePoint end, double radius_mm,
   const double half_chord = apart(start, end) / 2;
   if (half_chord - radius > kSmallestRadiusMm)
     return {middle,
-            "a radius of " + readable(radius) + " mm does not span the " +
-                readable(2 * half_chord) + " mm between start and end",
-            "at least " + readable(half_chord)};
+            "a radius of " + six_digits(radius) + " mm does not span the " +
+                six_digits(2 * half_chord) + " mm between start and end",
+            "at least " + six_digits(half_chord)};
   if (half_chord / radius > 1 - kHalfCircle) return {middle, {}, {}};
   const double offset = std::sqrt((radius - half_chord) * (radius + half_chord));
   const double side = counter_clockwise == (radius_mm > 0) ? 1 : -1;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "model/base/words.h"
 #include "model/gcode/machine/feed.h"
 #include "model/gcode/machine/machine_motion.h"
 #include "model/gcode/read/auxiliaries.h"

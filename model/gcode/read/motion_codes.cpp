@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
 #include "model/gcode/machine/feed.h"
 #include "model/gcode/machine/machine_motion.h"
 #include "model/gcode/read/arc.h"

@@ -1,6 +1,6 @@
 #include "model/gcode/read/radius_codes.h"
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -2,7 +2,8 @@
 
 #include <limits>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
 
 namespace limitgauge::model::gcode {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
 #include "model/gcode/text/characters.h"
 #include "model/gcode/text/plain_number.h"
 

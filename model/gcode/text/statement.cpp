@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 #include "model/gcode/text/characters.h"
 #include "model/gcode/text/functions.h"
 #include "model/gcode/text/plain_number.h"

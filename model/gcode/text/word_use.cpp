@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "model/base/words.h"
+#include "model/base/message_text.h"
 #include "model/gcode/cycles/canned_cycle.h"
 
 namespace limitgauge::model::gcode {

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "model/base/number_text.h"
 #include "reports/html/job/job_section.h"
 #include "reports/html/markup.h"
 #include "reports/text/text.h"
@@ -11,9 +12,9 @@ namespace {
 
 std::string mesh_stock_text(const model::MeshStock& stock) {
   const model::Vec3 s = bounding_box(*stock.mesh).size();
-  const std::string source =
-      stock.voxel_mm > 0 ? fmt::format(", zero set at a voxel of {} mm", shortest(stock.voxel_mm))
-                         : std::string();
+  const std::string source = stock.voxel_mm > 0 ? fmt::format(", zero set at a voxel of {} mm",
+                                                              model::shortest(stock.voxel_mm))
+                                                : std::string();
   return fmt::format("{}: mesh of {} triangles{}, {} × {} × {} mm", escape_markup(stock.file),
                      grouped(std::uint64_t(stock.mesh->triangles.size())), source, fixed(s.x, 3),
                      fixed(s.y, 3), fixed(s.z, 3));
@@ -21,7 +22,7 @@ std::string mesh_stock_text(const model::MeshStock& stock) {
 
 std::string origin_text(const model::Vec3& origin_mm, double turn_deg) {
   std::string out = coordinates(origin_mm) + " mm";
-  if (turn_deg != 0) out += ", turned by " + typeset(shortest(turn_deg)) + "°";
+  if (turn_deg != 0) out += ", turned by " + typeset(model::shortest(turn_deg)) + "°";
   return out;
 }
 
@@ -47,8 +48,8 @@ std::string machine_tools(const std::vector<model::ToolEntry>& tools) {
   std::vector<std::vector<std::string>> rows;
   for (const model::ToolEntry& tool : tools)
     rows.push_back({"T" + std::to_string(tool.number),
-                    tool.length_mm ? shortest(*tool.length_mm) + " mm" : "–",
-                    tool.diameter_mm ? shortest(*tool.diameter_mm) + " mm" : "–"});
+                    tool.length_mm ? model::shortest(*tool.length_mm) + " mm" : "–",
+                    tool.diameter_mm ? model::shortest(*tool.diameter_mm) + " mm" : "–"});
   return table("The machine's tool table, as programs were read with it",
                {{"Number"}, {"Length", true}, {"Diameter", true}}, rows);
 }
@@ -69,10 +70,12 @@ std::string stock_text(const model::Stock& stock) {
   if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) return mesh_stock_text(*mesh);
   if (const auto* box = std::get_if<model::BoxStock>(&stock)) {
     const model::Vec3& s = box->size_mm;
-    return fmt::format("block {} × {} × {} mm", shortest(s.x), shortest(s.y), shortest(s.z));
+    return fmt::format("block {} × {} × {} mm", model::shortest(s.x), model::shortest(s.y),
+                       model::shortest(s.z));
   }
   const auto& bar = std::get<model::CylinderStock>(stock);
-  return fmt::format("bar ⌀{} × {} mm", shortest(bar.diameter_mm), shortest(bar.height_mm));
+  return fmt::format("bar ⌀{} × {} mm", model::shortest(bar.diameter_mm),
+                     model::shortest(bar.height_mm));
 }
 
 std::string inputs_section(const RunResult& result) {

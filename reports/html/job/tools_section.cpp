@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/base/number_text.h"
 #include "reports/html/job/job_section.h"
 #include "reports/html/markup.h"
 #include "reports/text/text.h"
@@ -35,7 +36,7 @@ std::string length_or_none(double mm) {
 }
 
 std::string degrees_or_none(double deg) {
-  return deg != 0 ? typeset(shortest(deg)) + "°" : "–";
+  return deg != 0 ? typeset(model::shortest(deg)) + "°" : "–";
 }
 
 /// "⌀6 × 30 mm", from the tip up.
@@ -43,7 +44,7 @@ std::string parts_text(const std::vector<model::CylinderPart>& parts) {
   std::string out;
   for (const model::CylinderPart& part : parts)
     out += fmt::format("{}<span class=\"part\">⌀{} × {} mm</span>", out.empty() ? "" : ", ",
-                       shortest(part.diameter_mm), shortest(part.length_mm));
+                       model::shortest(part.diameter_mm), model::shortest(part.length_mm));
   return out.empty() ? "–" : out;
 }
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 #include "model/gcode/cycles/canned_cycle.h"
 #include "model/gcode/text/lexer.h"
 #include "model/gcode/text/parameters.h"

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <random>
 
-#include "model/base/words.h"
+#include "model/base/number_text.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
 

@@ -1,23 +1,26 @@
-#include "study/plan/whole_file.h"
+#include "model/base/output_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <random>
+#include <string>
 #include <system_error>
 
 #include "model/base/error.h"
 
-namespace limitgauge::study {
+namespace limitgauge::model {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kPart = ".part-";
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
-  throw model::ResourceError(file.string() + ": error: cannot write the file: " + why);
+  throw ResourceError(file.string() + ": error: cannot write the file" +
+                      (why.empty() ? "" : ": " + why));
 }
 
 /// Processes of several machines write into the same folder: their numbers alone may be the same.
@@ -48,16 +51,31 @@ int error_of_file(const fs::path& part, std::string_view bytes) {
 
 }  // namespace
 
-bool is_part_file(std::string_view name) {
-  return name.substr(0, kPart.size()) == kPart;
+void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
+  errno = 0;
+  std::ofstream out(file, std::ios::binary);
+  if (out) write(out);
+  out.close();
+  const int reason = errno;
+  if (!out) refuse(file, reason == 0 ? "" : std::strerror(reason));
 }
 
-void write_whole(const fs::path& file, std::string_view bytes) {
+void write_file(const fs::path& file, std::string_view bytes) {
+  write_file(file, [&](std::ostream& out) { out << bytes; });
+}
+
+void make_folder(const fs::path& folder) {
   std::error_code error;
-  fs::create_directories(file.parent_path(), error);
-  if (error) refuse(file, error.message());
+  fs::create_directories(folder, error);
+  if (!error) return;
+  throw ResourceError(folder.string() + ": error: cannot make the folder: " + error.message());
+}
+
+void write_whole_file(const fs::path& file, std::string_view bytes) {
+  make_folder(file.parent_path());
   const fs::path part = part_beside(file);
   const int wrong = error_of_file(part, bytes);
+  std::error_code error;
   if (wrong == 0) fs::rename(part, file, error);
   if (wrong == 0 && !error) return;
   std::error_code ignored;
@@ -65,4 +83,8 @@ void write_whole(const fs::path& file, std::string_view bytes) {
   refuse(file, wrong != 0 ? std::strerror(wrong) : error.message());
 }
 
-}  // namespace limitgauge::study
+bool is_part_file(std::string_view name) {
+  return name.starts_with(kPart);
+}
+
+}  // namespace limitgauge::model

@@ -1,17 +1,19 @@
-#include "study/execute/memory.h"
+#include "model/base/memory.h"
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
 #include <string>
 
-namespace limitgauge::study {
+namespace limitgauge::model {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
-/// What cases of one forecast may still differ by.
-constexpr double kReserve = 1.1;
+constexpr double kShareOfInstalled = 0.75;
+constexpr double kShareOfAvailable = 0.9;
 
 std::uint64_t number_in(const fs::path& file, std::uint64_t otherwise) {
   std::uint64_t number = 0;
@@ -68,15 +70,30 @@ std::uint64_t available_memory_bytes(const fs::path& root) {
   return std::min(machine_bytes(root), groups_bytes(root));
 }
 
-std::uint64_t MemoryBudget::expected(std::uint64_t forecast_bytes) const {
-  if (worst_ratio_ == 0) return forecast_bytes;
-  return static_cast<std::uint64_t>(kReserve * worst_ratio_ * static_cast<double>(forecast_bytes));
+std::size_t run_memory_limit_bytes() {
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  const long page_bytes = sysconf(_SC_PAGE_SIZE);
+  if (pages <= 0 || page_bytes <= 0) return std::numeric_limits<std::size_t>::max();
+  return static_cast<std::size_t>(kShareOfInstalled * static_cast<double>(pages) *
+                                  static_cast<double>(page_bytes));
 }
 
-void MemoryBudget::learn(std::uint64_t forecast_bytes, std::uint64_t peak_bytes) {
-  if (forecast_bytes == 0 || peak_bytes == 0) return;
-  worst_ratio_ =
-      std::max(worst_ratio_, static_cast<double>(peak_bytes) / static_cast<double>(forecast_bytes));
+std::uint64_t shared_memory_limit_bytes() {
+  return static_cast<std::uint64_t>(kShareOfAvailable *
+                                    static_cast<double>(available_memory_bytes()));
 }
 
-}  // namespace limitgauge::study
+void reset_process_peak() {
+  std::ofstream("/proc/self/clear_refs") << "5\n";
+}
+
+std::uint64_t process_peak_bytes() {
+  std::ifstream in("/proc/self/status");
+  for (std::string name; in >> name;) {
+    std::uint64_t kib = 0;
+    if (name == "VmHWM:" && in >> kib) return kib * 1024;
+  }
+  return 0;
+}
+
+}  // namespace limitgauge::model

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,12 +12,8 @@ std::optional<double> parse_number(std::string_view text);
 /// The shortest decimals that read back as exactly `value`, in scientific notation where that is
 /// shorter. Negative zero is written as 0.
 std::string shortest(double value);
-/// Of `known`, the word that the fewest edits turn `word` into; empty where none is near enough to
-/// be what was meant (more than a third of the letters would change). Case does not count.
-std::string nearest_word(std::string_view word, const std::string_view* known, std::size_t count);
-
-/// `text` between single quotes, cut short where it is long and with `?` for all but
-/// printable ASCII, for error messages.
-std::string in_quotes(std::string_view text);
+/// `value` with at most six significant digits, for messages: six tell what is wrong, seventeen
+/// hide it.
+std::string six_digits(double value);
 
 }  // namespace limitgauge::model

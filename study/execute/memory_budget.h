@@ -1,14 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 
 namespace limitgauge::study {
-
-/// Memory that this process and its children may still take without driving the machine to its
-/// swap: what the kernel holds to be available, within the limits of the control groups that we
-/// are in. The largest number where nothing is known. `root` stands in for "/" in tests.
-std::uint64_t available_memory_bytes(const std::filesystem::path& root = "/");
 
 /// How many cases fit beside each other: forecasts at first, put right by what cases took.
 class MemoryBudget {

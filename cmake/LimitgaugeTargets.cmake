@@ -1,4 +1,6 @@
 get_filename_component(LIMITGAUGE_ROOT ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
+include(GNUInstallDirs)
+include(LimitgaugeExport)
 
 # Warnings and sanitizers shared by every target of the project.
 add_library(limitgauge_options INTERFACE)
@@ -45,7 +47,15 @@ function(limitgauge_library name)
     file(MAKE_DIRECTORY ${parent})
     file(CREATE_LINK ${LIMITGAUGE_ROOT}/${folder} ${view}/${folder} SYMBOLIC)
   endforeach()
-  target_include_directories(limitgauge_${name} PUBLIC ${view})
+  # Installed headers name each other as those of the source tree do, whose root is include/limitgauge.
+  target_include_directories(limitgauge_${name} PUBLIC $<BUILD_INTERFACE:${view}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/limitgauge>)
+  # What headers define inline is compiled by others as well, and must give the same bytes there.
+  target_compile_options(limitgauge_${name} INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>)
+  target_compile_features(limitgauge_${name} INTERFACE $<INSTALL_INTERFACE:cxx_std_20>)
   target_link_libraries(limitgauge_${name}
     PUBLIC ${LIB_PUBLIC} PRIVATE limitgauge_options ${LIB_PRIVATE})
+  set_target_properties(limitgauge_${name} PROPERTIES LIMITGAUGE_FOLDERS "${LIB_FOLDERS}")
+  cmake_language(EVAL CODE "cmake_language(DEFER CALL limitgauge_seal limitgauge_${name})")
 endfunction()

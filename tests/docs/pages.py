@@ -8,7 +8,7 @@ COMMENT = re.compile(r'<!--\s*(.*?)\s*-->')
 FENCE = re.compile(r'^```([A-Za-z]*)\s*$')
 FILE_LINE = re.compile(r'^`([\w.-]+(?:/[\w.-]+)*)`:$')
 
-LANGUAGES = {'sh', 'text', 'toml', 'obj', 'gcode', 'python', 'yaml', 'json', 'xml', 'csv'}
+LANGUAGES = {'sh', 'text', 'toml', 'obj', 'gcode', 'python', 'yaml', 'json', 'xml', 'csv', 'cpp', 'cmake'}
 
 
 class PageError(Exception):

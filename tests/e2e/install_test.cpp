@@ -34,5 +34,33 @@ TEST_CASE("what is installed stands where a system looks for it, and runs", "[e2
   CHECK(fs::exists(scratch / "paths/finish/toolpath.ngc"));
 }
 
+TEST_CASE("packages hold the program and the libraries, and say what they need", "[e2e][install]") {
+  if (!is_installed("dpkg-shlibdeps")) {
+    WARN("dpkg-dev is not installed: no packages are made here");
+    return;
+  }
+  const Scratch scratch;
+  const fs::path cpack = fs::path(LIMITGAUGE_CMAKE).parent_path() / "cpack";
+  const ShellOutcome packed =
+      bash("cd '" + scratch.path().string() + "' && '" + cpack.string() +
+           "' -G DEB --config '" LIMITGAUGE_BUILD "/CPackConfig.cmake' -B . && mkdir both && " +
+           "for package in *.deb; do dpkg-deb -x $package both; dpkg-deb -f $package; done");
+  INFO(packed.out);
+  REQUIRE(packed.exit_code == 0);
+  for (const char* said : {"Package: limitgauge\n", "Package: liblimitgauge-dev\n", "libopenvdb",
+                           "libopenvdb-dev", "Section: science"})
+    CHECK_THAT(packed.out, ContainsSubstring(said));
+  for (const char* file :
+       {"bin/limitgauge", "share/man/man1/limitgauge.1.gz", "share/doc/limitgauge/copyright",
+        "share/zsh/vendor-completions/_limitgauge", "share/doc/liblimitgauge-dev/copyright",
+        "lib/cmake/Limitgauge/LimitgaugeConfig.cmake",
+        "include/limitgauge/verifier/gate/verify.h"}) {
+    CAPTURE(file);
+    CHECK(fs::is_regular_file(scratch / "both/usr" / file));
+  }
+  const ShellOutcome version = bash((scratch / "both/usr/bin/limitgauge").string() + " --version");
+  CHECK(version.exit_code == 0);
+}
+
 }  // namespace
 }  // namespace limitgauge::e2e

@@ -7,6 +7,9 @@ install(FILES ${CMAKE_SOURCE_DIR}/reports/result.schema.json
     ${CMAKE_SOURCE_DIR}/reports/study/study.schema.json
   DESTINATION ${CMAKE_INSTALL_DATADIR}/limitgauge)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Of the libraries in the pages' scripts.
+install(FILES ${CMAKE_BINARY_DIR}/web/third-party.txt DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  RENAME THIRD-PARTY.txt)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
   FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.jpg" PATTERN "*.svg")
 install(FILES verifier/CERTIFICATE.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/verifier)

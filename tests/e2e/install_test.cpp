@@ -18,7 +18,7 @@ TEST_CASE("what is installed stands where a system looks for it, and runs", "[e2
         "share/bash-completion/completions/limitgauge", "share/zsh/site-functions/_limitgauge",
         "share/fish/vendor_completions.d/limitgauge.fish", "share/limitgauge/result.schema.json",
         "share/doc/limitgauge/README.md", "share/doc/limitgauge/LICENSE",
-        "share/doc/limitgauge/docs/verifier.md"}) {
+        "share/doc/limitgauge/docs/verifier.md", "share/doc/limitgauge/THIRD-PARTY.txt"}) {
     CAPTURE(file);
     CHECK(fs::is_regular_file(prefix / file));
     CHECK(fs::file_size(prefix / file) > 500);

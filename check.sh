@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 ./setup.sh all
 jobs=$(nproc)
 
-common=(-DLIMITGAUGE_WERROR=ON -DLIMITGAUGE_TESTS=ON "$@")
+common=(-DLIMITGAUGE_WERROR=ON -DLIMITGAUGE_TESTS=ON -DLIMITGAUGE_UNITY=ON "$@")
 
 cmake --preset release "${common[@]}" >/dev/null
 cmake --build --preset release

@@ -5,6 +5,6 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 ./setup.sh build
-cmake --preset release -DLIMITGAUGE_TESTS=OFF >/dev/null
+cmake --preset release -DLIMITGAUGE_TESTS=OFF -DLIMITGAUGE_UNITY=ON >/dev/null
 cmake --build --preset release --target limitgauge
 build/release/limitgauge run fixtures/jobs/aircraft.toml --output out/aircraft --force "$@"

@@ -33,12 +33,34 @@ if(LIMITGAUGE_FUZZ)
   target_link_options(limitgauge_options INTERFACE ${fuzz_checks})
 endif()
 
-# limitgauge_library(NAME FOLDERS dir... SOURCES file... PUBLIC target... PRIVATE lib...)
+# limitgauge_unity(TARGET SOURCES file... [APART folder...])
+#
+# With LIMITGAUGE_UNITY the sources of one folder are compiled as one file, which reads the headers that they
+# share once: names in their anonymous namespaces must differ within a folder. Files that lie nowhere in the
+# source tree (texts made at build time) and those of folders named APART stay by themselves.
+function(limitgauge_unity target)
+  cmake_parse_arguments(U "" "" "SOURCES;APART" ${ARGN})
+  if(NOT LIMITGAUGE_UNITY)
+    return()
+  endif()
+  foreach(source ${U_SOURCES})
+    cmake_path(IS_ABSOLUTE source absolute)
+    get_filename_component(folder ${source} DIRECTORY)
+    if(NOT absolute AND NOT folder IN_LIST U_APART)
+      string(MAKE_C_IDENTIFIER "${folder}" group)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP "in_${group}")
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# limitgauge_library(NAME FOLDERS dir... SOURCES file... PUBLIC target... PRIVATE lib...
+#   [APART folder...])
 #
 # A library of one house. Its headers are reached through a view of the source tree that holds
 # this library's folders and nothing else, so an include against the arrows does not compile.
 function(limitgauge_library name)
-  cmake_parse_arguments(LIB "" "" "FOLDERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(LIB "" "" "FOLDERS;SOURCES;PUBLIC;PRIVATE;APART" ${ARGN})
   add_library(limitgauge_${name} STATIC ${LIB_SOURCES})
   add_library(limitgauge::${name} ALIAS limitgauge_${name})
   set(view ${CMAKE_BINARY_DIR}/include/${name})
@@ -58,4 +80,5 @@ function(limitgauge_library name)
     PUBLIC ${LIB_PUBLIC} PRIVATE limitgauge_options ${LIB_PRIVATE})
   set_target_properties(limitgauge_${name} PROPERTIES LIMITGAUGE_FOLDERS "${LIB_FOLDERS}")
   cmake_language(EVAL CODE "cmake_language(DEFER CALL limitgauge_seal limitgauge_${name})")
+  limitgauge_unity(limitgauge_${name} SOURCES ${LIB_SOURCES} APART ${LIB_APART})
 endfunction()

@@ -22,11 +22,6 @@ constexpr std::pair<const char*, Method> kMethods[] = {{"grid", Method::grid},
                                                        {"one_at_a_time", Method::one_at_a_time},
                                                        {"search", Method::search}};
 
-void refuse(const model::SourcePlace& place, const std::string& wrong,
-            const std::string& expected) {
-  throw model::InputError(place, wrong, expected);
-}
-
 Method read_method(const TomlTable& root) {
   if (!root.has("method")) return Method::grid;
   const std::string stated = root.one_of(

@@ -9,7 +9,7 @@ namespace limitgauge::app {
 namespace {
 
 /// As a basic string of one line.
-std::string quoted(std::string_view text) {
+std::string toml_quoted(std::string_view text) {
   constexpr const char* kDigits = "0123456789ABCDEF";
   std::string out = "\"";
   for (const char c : text) {
@@ -25,8 +25,8 @@ std::string quoted(std::string_view text) {
   return out + "\"";
 }
 
-[[noreturn]] void refuse(const toml::node& value, const std::string& what,
-                         const std::string& wrong) {
+[[noreturn]] void refuse_value(const toml::node& value, const std::string& what,
+                               const std::string& wrong) {
   throw model::InputError(place_of(value.source()), what + " " + wrong,
                           "finite numbers, texts, true, false, lists or inline tables of them");
 }
@@ -42,21 +42,21 @@ std::string list_text(const toml::array& list, const std::string& what) {
 std::string table_text(const toml::table& table, const std::string& what) {
   std::string text;
   for (const auto& [key, value] : table)
-    text += (text.empty() ? " " : ", ") + quoted(key.str()) + " = " + text_of(value, what);
+    text += (text.empty() ? " " : ", ") + toml_quoted(key.str()) + " = " + text_of(value, what);
   return "{" + text + " }";
 }
 
 std::string text_of(const toml::node& value, const std::string& what) {
   if (const auto* whole = value.as_integer()) return std::to_string(whole->get());
   if (const auto* number = value.as_floating_point()) {
-    if (!std::isfinite(number->get())) refuse(value, what, "has a number that is not finite");
+    if (!std::isfinite(number->get())) refuse_value(value, what, "has a number that is not finite");
     return model::shortest(number->get());
   }
   if (const auto* yes = value.as_boolean()) return yes->get() ? "true" : "false";
-  if (const auto* text = value.as_string()) return quoted(text->get());
+  if (const auto* text = value.as_string()) return toml_quoted(text->get());
   if (const toml::array* list = value.as_array()) return list_text(*list, what);
   if (const toml::table* table = value.as_table()) return table_text(*table, what);
-  refuse(value, what, "has a date or time");
+  refuse_value(value, what, "has a date or time");
 }
 
 }  // namespace

@@ -11,15 +11,15 @@
 #include "model/base/number_text.h"
 
 namespace limitgauge::app {
-namespace {
-
-/// Beyond these, rounding would show between the steps of a range.
-constexpr double kLargest = 1e12, kSmallest = 1e-12, kNarrowest = 1e-7;
-
 void refuse(const model::SourcePlace& place, const std::string& wrong,
             const std::string& expected) {
   throw model::InputError(place, wrong, expected);
 }
+
+namespace {
+
+/// Beyond these, rounding would show between the steps of a range.
+constexpr double kLargest = 1e12, kSmallest = 1e-12, kNarrowest = 1e-7;
 
 std::vector<study::Setting> read_values(const TomlTable& vary, const toml::table& table) {
   const toml::array* list = table.get("values")->as_array();

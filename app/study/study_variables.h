@@ -11,6 +11,10 @@
 /// The readers of what a study file varies.
 namespace limitgauge::app {
 
+/// Throws the InputError about a place of a study file.
+[[noreturn]] void refuse(const model::SourcePlace& place, const std::string& wrong,
+                         const std::string& expected);
+
 /// A key that is varied, with where the study file says so.
 struct VariedKey {
   study::Variable variable;

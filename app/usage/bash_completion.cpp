@@ -13,7 +13,7 @@ std::string option_names(const CommandReference& command) {
   return out;
 }
 
-std::string action(const ValueHint& hint) {
+std::string bash_action(const ValueHint& hint) {
   if (!hint.words.empty()) {
     std::string words;
     for (const std::string& word : hint.words) words += (words.empty() ? "" : " ") + word;
@@ -43,7 +43,8 @@ std::string value_cases(const CommandReference& program) {
   for (const CommandReference& command : program.commands)
     for (const OptionReference& option : command.options)
       if (!option.positional && !option.value.empty())
-        out += "    " + pattern(command, option) + ") " + action(option.hint) + "; return ;;\n";
+        out +=
+            "    " + pattern(command, option) + ") " + bash_action(option.hint) + "; return ;;\n";
   return out;
 }
 
@@ -62,7 +63,8 @@ std::string argument_cases(const CommandReference& program) {
   std::string out;
   for (const CommandReference& command : program.commands)
     for (const OptionReference& option : command.options)
-      if (option.positional) out += "      " + command.name + ") " + action(option.hint) + " ;;\n";
+      if (option.positional)
+        out += "      " + command.name + ") " + bash_action(option.hint) + " ;;\n";
   return out;
 }
 

@@ -4,7 +4,7 @@ namespace limitgauge::app {
 namespace {
 
 /// `text` within single quotes.
-std::string quoted(const std::string& text) {
+std::string fish_quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
     if (c == '\'' || c == '\\') out += '\\';
@@ -18,14 +18,14 @@ std::string offered(const ValueHint& hint) {
   if (!hint.words.empty()) {
     std::string words;
     for (const std::string& word : hint.words) words += (words.empty() ? "" : " ") + word;
-    return " -x -a " + quoted(words);
+    return " -x -a " + fish_quoted(words);
   }
   switch (hint.kind) {
     case ValueHint::Kind::file:
       if (hint.extension.empty()) return " -r -F";
-      return " -x -a " + quoted("(__fish_complete_suffix ." + hint.extension + ")");
+      return " -x -a " + fish_quoted("(__fish_complete_suffix ." + hint.extension + ")");
     case ValueHint::Kind::folder:
-      return " -x -a " + quoted("(__fish_complete_directories)");
+      return " -x -a " + fish_quoted("(__fish_complete_directories)");
     case ValueHint::Kind::text:
       break;
   }
@@ -37,7 +37,7 @@ std::string named(const OptionReference& option) {
   for (const std::string& name : option.names)
     out += name.size() > 2 ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (!option.value.empty()) out += offered(option.hint);
-  return out + " -d " + quoted(option.summary);
+  return out + " -d " + fish_quoted(option.summary);
 }
 
 /// A positional argument: files are what the shell offers where it is not told otherwise.
@@ -49,7 +49,7 @@ std::string argument(const OptionReference& option) {
 std::string lines(const CommandReference& command, const std::string& condition) {
   std::string out;
   for (const OptionReference& option : command.options)
-    out += "complete -c limitgauge -n " + quoted(condition) +
+    out += "complete -c limitgauge -n " + fish_quoted(condition) +
            (option.positional ? argument(option) : named(option)) + "\n";
   return out;
 }
@@ -62,7 +62,7 @@ std::string fish_completion(const CommandReference& program) {
   out += lines(program, "__fish_use_subcommand");
   for (const CommandReference& command : program.commands) {
     out += "\ncomplete -c limitgauge -n __fish_use_subcommand -a " + command.name + " -d " +
-           quoted(command.summary) + "\n";
+           fish_quoted(command.summary) + "\n";
     out += lines(command, "__fish_seen_subcommand_from " + command.name);
   }
   return out;

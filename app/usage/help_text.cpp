@@ -8,7 +8,7 @@
 namespace limitgauge::app {
 namespace {
 
-constexpr std::size_t kWidth = 80;
+constexpr std::size_t kTerminalWidth = 80;
 constexpr std::size_t kNameColumn = 26;
 constexpr std::size_t kIndent = 2;
 
@@ -25,7 +25,7 @@ std::string in_column(const std::string& text, std::size_t at, std::size_t colum
   at = column;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    if (at > column && at + 1 + word.size() > kWidth) {
+    if (at > column && at + 1 + word.size() > kTerminalWidth) {
       out += fresh;
       at = column;
     }

@@ -62,7 +62,7 @@ std::string section(const std::string& title) {
   return ".SH " + title + "\n";
 }
 
-std::string entry(const std::string& term, std::string_view text) {
+std::string man_entry(const std::string& term, std::string_view text) {
   return ".TP\n" + term + "\n" + paragraph(text);
 }
 
@@ -83,7 +83,8 @@ std::string options(const CommandReference& command) {
   std::string out;
   for (const bool positional : {true, false})
     for (const OptionReference& option : command.options)
-      if (option.positional == positional) out += entry(term_of(option), sentence(summary(option)));
+      if (option.positional == positional)
+        out += man_entry(term_of(option), sentence(summary(option)));
   return out;
 }
 
@@ -107,11 +108,11 @@ std::string command_sections(const CommandReference& program) {
   return out;
 }
 
-std::string notes(std::span<const UsageNote> notes, bool names_in_bold) {
+std::string man_notes(std::span<const UsageNote> notes, bool names_in_bold) {
   std::string out;
   for (const UsageNote& note : notes)
-    out += entry(names_in_bold ? bold(note.name) : italic(note.name),
-                 sentence(std::string(note.text)));
+    out += man_entry(names_in_bold ? bold(note.name) : italic(note.name),
+                     sentence(std::string(note.text)));
   return out;
 }
 
@@ -146,10 +147,10 @@ std::string man_page(const CommandReference& program, std::string_view version) 
   out += section("DESCRIPTION") + description(program);
   out += section("OPTIONS") + options(program);
   out += section("COMMANDS") + command_sections(program);
-  out += section("EXIT STATUS") + notes(exit_code_notes(), true);
+  out += section("EXIT STATUS") + man_notes(exit_code_notes(), true);
   out += section("FILES") + "Results go to " + italic("limitgauge-out/NAME") + ", or where " +
-         bold("-o") + " says:\n" + notes(file_notes(), false);
-  out += section("ENVIRONMENT") + notes(environment_notes(), true);
+         bold("-o") + " says:\n" + man_notes(file_notes(), false);
+  out += section("ENVIRONMENT") + man_notes(environment_notes(), true);
   out += section("EXAMPLES") + examples();
   out += section("SEE ALSO") +
          paragraph(

@@ -4,7 +4,7 @@ namespace limitgauge::app {
 namespace {
 
 /// `text` within single quotes.
-std::string quoted(const std::string& text) {
+std::string zsh_quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
     if (c == '\'') {
@@ -26,7 +26,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string action(const ValueHint& hint) {
+std::string zsh_action(const ValueHint& hint) {
   if (!hint.words.empty()) {
     std::string out = "{compadd -S \"\" --";
     for (const std::string& word : hint.words) out += " " + word;
@@ -46,9 +46,9 @@ std::string action(const ValueHint& hint) {
 /// One specification of _arguments for each name: with it, the option's other names are used up.
 std::string specification(const OptionReference& option) {
   const std::string value =
-      option.value.empty() ? "" : ":" + escaped(option.value) + ":" + action(option.hint);
+      option.value.empty() ? "" : ":" + escaped(option.value) + ":" + zsh_action(option.hint);
   if (option.positional)
-    return " " + quoted("*:" + escaped(option.names.front()) + ":" + action(option.hint));
+    return " " + zsh_quoted("*:" + escaped(option.names.front()) + ":" + zsh_action(option.hint));
   std::string others;
   for (const std::string& name : option.names) others += (others.empty() ? "" : " ") + name;
   std::string out;
@@ -56,7 +56,7 @@ std::string specification(const OptionReference& option) {
     const bool is_long = name.size() > 2;
     const std::string mark = option.value.empty() ? "" : is_long ? "=" : "+";
     const std::string before = option.repeatable ? "*" : "(" + others + ")";
-    out += " " + quoted(before + name + mark + "[" + escaped(option.summary) + "]" + value);
+    out += " " + zsh_quoted(before + name + mark + "[" + escaped(option.summary) + "]" + value);
   }
   return out;
 }
@@ -78,7 +78,7 @@ std::string zsh_completion(const CommandReference& program) {
       "_limitgauge() {\n  local context state state_descr line\n  typeset -A opt_args\n"
       "  local -a commands\n  commands=(\n";
   for (const CommandReference& command : program.commands)
-    out += "    " + quoted(command.name + ":" + command.summary) + "\n";
+    out += "    " + zsh_quoted(command.name + ":" + command.summary) + "\n";
   out += "  )\n  _arguments -C" + arguments(program) +
          " \\\n        '1:command:->command' \\\n        '*::argument:->argument'\n"
          "  case $state in\n    command) _describe command commands ;;\n    argument)\n"

@@ -16,8 +16,8 @@ namespace {
 constexpr std::array<std::string_view, 4> kTags = {"crease", "corner", "hole",
                                                    "interpolateboundary"};
 /// Tags about texture coordinates alone.
-constexpr std::array<std::string_view, 2> kWithoutMeaning = {"facevaryinginterpolateboundary",
-                                                             "facevaryingpropagatecorners"};
+constexpr std::array<std::string_view, 2> kTextureTags = {"facevaryinginterpolateboundary",
+                                                          "facevaryingpropagatecorners"};
 
 template <typename Integer>
 bool parse_integer(std::string_view text, Integer& value) {
@@ -44,7 +44,7 @@ std::vector<Edge> edges_of(const Cage& cage) {
 void CageTags::read() {
   Tag tag;
   tag.name = lexer_.word();
-  if (std::ranges::find(kWithoutMeaning, tag.name.text) != kWithoutMeaning.end())
+  if (std::ranges::find(kTextureTags, tag.name.text) != kTextureTags.end())
     return lexer_.skip_statement();
   if (std::ranges::find(kTags, tag.name.text) == kTags.end()) {
     const std::string near = meant_word(tag.name.text, kTags);

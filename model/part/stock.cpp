@@ -15,7 +15,7 @@ void require_finite(const Vec3& point, const char* what) {
   if (!is_finite(point)) throw std::invalid_argument(std::string(what) + " must be finite");
 }
 
-void require_positive(double size_mm, const char* what) {
+void require_size(double size_mm, const char* what) {
   if (!std::isfinite(size_mm) || size_mm <= 0)
     throw std::invalid_argument(std::string(what) + " must be greater than 0");
 }
@@ -23,12 +23,12 @@ void require_positive(double size_mm, const char* what) {
 struct Checker {
   void operator()(const BoxStock& box) const {
     require_finite(box.corner_mm, "stock corner");
-    for (const int axis : {0, 1, 2}) require_positive(box.size_mm[axis], "stock size");
+    for (const int axis : {0, 1, 2}) require_size(box.size_mm[axis], "stock size");
   }
   void operator()(const CylinderStock& bar) const {
     require_finite(bar.base_mm, "stock base");
-    require_positive(bar.diameter_mm, "stock diameter");
-    require_positive(bar.height_mm, "stock height");
+    require_size(bar.diameter_mm, "stock diameter");
+    require_size(bar.height_mm, "stock height");
   }
   void operator()(const MeshStock& stock) const {
     if (stock.mesh == nullptr) throw std::invalid_argument("stock without its mesh");

@@ -10,7 +10,7 @@ namespace limitgauge::reports::compare {
 namespace {
 
 /// A comment on a change is read on the way: no more of a stage than this.
-constexpr std::size_t kMostFindings = 10;
+constexpr std::size_t kMostInComment = 10;
 constexpr std::size_t kMostRemarks = 20;
 constexpr std::size_t kLongestText = 200;
 
@@ -84,7 +84,7 @@ void write_findings(const StageComparison& stage, std::ostream& out) {
       out << "- " << escaped(stage.name) << ": deepest " << figure.metric->label << " "
           << measured_length(figure.where->depth_mm) << ", "
           << place_text(*figure.where, stage.name) << "\n";
-  const std::size_t shown = std::min(stage.findings.size(), kMostFindings);
+  const std::size_t shown = std::min(stage.findings.size(), kMostInComment);
   for (std::size_t i = 0; i < shown; ++i) {
     const FindingChange& change = stage.findings[i];
     out << "- " << escaped(stage.name) << ": " << name(change) << " "

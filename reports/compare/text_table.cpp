@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kBaseColumn = 2, kFloorColumn = 5;
 /// A terminal is for the worst of them; the files have all.
-constexpr std::size_t kMostFindings = 8;
+constexpr std::size_t kMostOnTerminal = 8;
 
 Tone tone_of(Judgement judgement) {
   switch (judgement) {
@@ -84,7 +84,7 @@ std::string places_of(const StageComparison& stage, bool colour) {
       out += clean_text(stage.name) + ": deepest " + std::string(figure.metric->label) + " " +
              measured_length(figure.where->depth_mm) + ", " +
              named_place(*figure.where, stage.name) + '\n';
-  const std::size_t shown = std::min(stage.findings.size(), kMostFindings);
+  const std::size_t shown = std::min(stage.findings.size(), kMostOnTerminal);
   for (std::size_t i = 0; i < shown; ++i) out += finding_line(stage, stage.findings[i], colour);
   if (stage.findings.size() > shown)
     out += clean_text(stage.name) + ": and " + grouped(stage.findings.size() - shown) +

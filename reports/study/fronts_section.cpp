@@ -11,14 +11,14 @@
 namespace limitgauge::reports::study_report {
 namespace {
 
-constexpr std::size_t kMostRows = 40;
+constexpr std::size_t kMostFrontRows = 40;
 
-/// At most kMostRows of a list, evenly spread, both ends among them.
+/// At most kMostFrontRows of a list, evenly spread, both ends among them.
 std::vector<std::size_t> spread(const std::vector<std::size_t>& rows) {
-  if (rows.size() <= kMostRows) return rows;
+  if (rows.size() <= kMostFrontRows) return rows;
   std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < kMostRows; ++i)
-    out.push_back(rows[i * (rows.size() - 1) / (kMostRows - 1)]);
+  for (std::size_t i = 0; i < kMostFrontRows; ++i)
+    out.push_back(rows[i * (rows.size() - 1) / (kMostFrontRows - 1)]);
   return out;
 }
 
@@ -38,8 +38,8 @@ std::string caption(const StudyView& view, const study::Front& front) {
   }
   const std::size_t all = front.rows.size();
   out += fmt::format(": {} case{} that no other one beats", all, all == 1 ? "" : "s");
-  if (all > kMostRows)
-    out += fmt::format("; {} of them evenly spread, all are in study.json", kMostRows);
+  if (all > kMostFrontRows)
+    out += fmt::format("; {} of them evenly spread, all are in study.json", kMostFrontRows);
   return out;
 }
 
@@ -57,14 +57,14 @@ std::string bought_for_nothing(const StudyView& view) {
   if (list.empty() || figures.empty()) return {};
   const ShownFigure cost(view.table, figures.front());
   std::vector<std::vector<std::string>> lines;
-  for (std::size_t i = 0; i < std::min(list.size(), kMostRows); ++i)
+  for (std::size_t i = 0; i < std::min(list.size(), kMostFrontRows); ++i)
     lines.push_back({case_link(view, list[i].row), settings_words(view, list[i].row),
                      case_link(view, list[i].by), settings_words(view, list[i].by),
                      cost.value(list[i].dearer)});
   std::string caption = fmt::format("{} case{} that pass, and what gives as much for less",
                                     grouped(list.size()), list.size() == 1 ? "" : "s");
-  if (list.size() > kMostRows)
-    caption += fmt::format("; the first {} of them, all are in study.json", kMostRows);
+  if (list.size() > kMostFrontRows)
+    caption += fmt::format("; the first {} of them, all are in study.json", kMostFrontRows);
   const std::vector<html::Column> columns = {{"Case", true},
                                              {"Settings", false},
                                              {"better: case", true},

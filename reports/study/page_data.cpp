@@ -99,7 +99,7 @@ Json responses_json(const study::Analysis& analysis) {
   return out;
 }
 
-Json fronts_json(const StudyView& view) {
+Json page_fronts(const StudyView& view) {
   Json out = Json::array();
   for (const study::Front& front : view.analysis.fronts) {
     Json figures = Json::array();
@@ -128,7 +128,7 @@ std::string page_data(const StudyView& view) {
               {"keys", std::move(keys)},
               {"figures", std::move(figures)},
               {"objectives", objectives(view)},
-              {"fronts", fronts_json(view)},
+              {"fronts", page_fronts(view)},
               {"responses", responses_json(view.analysis)},
               {"recommended", optional_json(view.analysis.recommendation.row)},
               {"own", optional_json(own_row(view))}}

@@ -11,16 +11,16 @@ using model::Box3;
 using model::Vec3;
 
 // Refining a contact that is already proven stops here; the header promises a lower bound.
-constexpr int kMostRefinements = 4000;
+constexpr int kMostContactRefinements = 4000;
 
 struct LessBound {
   bool operator()(const Block& a, const Block& b) const { return a.bound < b.bound; }
 };
 
-class Search {
+class ContactSearch {
  public:
-  Search(const MaterialAtMove& material, const CutterProfile& body, const SweptMove& move,
-         double tolerance)
+  ContactSearch(const MaterialAtMove& material, const CutterProfile& body, const SweptMove& move,
+                double tolerance)
       : material_(material), body_(body), move_(move), tolerance_(tolerance) {}
 
   std::optional<Contact> run(const Box3& where) {
@@ -31,7 +31,7 @@ class Search {
       const Block block = queue_.top();
       queue_.pop();
       if (block.bound <= enough()) break;
-      if (best_ && ++refinements > kMostRefinements) break;
+      if (best_ && ++refinements > kMostContactRefinements) break;
       for (const Block& half : halves(block)) look_at(half);
     }
     return best_;
@@ -102,7 +102,7 @@ class Search {
 std::optional<Contact> deepest_contact(const MaterialAtMove& material, const CutterProfile& body,
                                        const SweptMove& move, double tolerance_mm) {
   const Box3 where = common(swept_box(body, move), bounding_box(material.before->raw()));
-  return Search(material, body, move, tolerance_mm).run(where);
+  return ContactSearch(material, body, move, tolerance_mm).run(where);
 }
 
 }  // namespace limitgauge::simulator

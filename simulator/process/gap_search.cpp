@@ -11,16 +11,16 @@ using model::Box3;
 using model::Vec3;
 
 // Narrowing down a gap that is already proven stops here; the header promises an upper bound.
-constexpr int kMostRefinements = 4000;
+constexpr int kMostGapRefinements = 4000;
 
 struct NearestFirst {
   bool operator()(const Block& a, const Block& b) const { return a.bound > b.bound; }
 };
 
-class Search {
+class GapSearch {
  public:
-  Search(const MaterialAtMove& material, const CutterProfile& body, const SweptMove& move,
-         double within, double tolerance, const Excuse& excuse)
+  GapSearch(const MaterialAtMove& material, const CutterProfile& body, const SweptMove& move,
+            double within, double tolerance, const Excuse& excuse)
       : material_(material),
         body_(body),
         move_(move),
@@ -37,7 +37,7 @@ class Search {
       const Block block = queue_.top();
       queue_.pop();
       if (block.bound >= limit_) break;
-      if (best_ && ++refinements > kMostRefinements) break;
+      if (best_ && ++refinements > kMostGapRefinements) break;
       for (const Block& half : halves(block)) look_at(half);
     }
     return best_;
@@ -111,7 +111,7 @@ std::optional<Gap> least_gap(const MaterialAtMove& material, const CutterProfile
                              const Excuse& excuse) {
   const Box3 where = common(swept_box(body, move).grown(within_mm + tolerance_mm / 2),
                             bounding_box(material.before->raw()));
-  return Search(material, body, move, within_mm, tolerance_mm, excuse).run(where);
+  return GapSearch(material, body, move, within_mm, tolerance_mm, excuse).run(where);
 }
 
 }  // namespace limitgauge::simulator

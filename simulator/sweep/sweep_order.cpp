@@ -15,7 +15,7 @@ using model::Vec3;
 constexpr std::uint32_t kLeafMoves = 4;
 // Parts of a path below this are sorted by one thread.
 constexpr std::uint32_t kPartMoves = 1 << 15;
-constexpr std::size_t kChunk = 1 << 14;
+constexpr std::size_t kSortChunk = 1 << 14;
 
 struct Place {
   Vec3 middle;
@@ -48,7 +48,7 @@ class Sorter {
  public:
   Sorter(const model::Toolpath& path, const model::RunControl& control)
       : control_(control), places_(path.moves.size()) {
-    model::parallel_chunks(places_.size(), kChunk, control_, [&](std::size_t a, std::size_t b) {
+    model::parallel_chunks(places_.size(), kSortChunk, control_, [&](std::size_t a, std::size_t b) {
       for (std::size_t i = a; i < b; ++i)
         places_[i] = {(move_from(path, i) + path.moves[i].to) * 0.5, static_cast<std::uint32_t>(i)};
     });

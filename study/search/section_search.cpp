@@ -26,9 +26,9 @@ int direction_of_cost(const Trials& trials) {
 }
 
 /// The way along the axis in its direction of falling cost.
-class Descent {
+class CostDescent {
  public:
-  Descent(Trials& trials, int direction) : trials_(&trials), direction_(direction) {}
+  CostDescent(Trials& trials, int direction) : trials_(&trials), direction_(direction) {}
 
   /// All rows, the dearest setting first.
   std::vector<Place> places() const {
@@ -74,7 +74,7 @@ void run_ends(Trials& trials, std::size_t batch) {
 }
 
 /// Looks closer around the setting that comes nearest to passing.
-void look_for_a_pass(Trials& trials, Descent& descent, std::size_t batch) {
+void look_for_a_pass(Trials& trials, CostDescent& descent, std::size_t batch) {
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds && !trials.passes(*trials.best()); ++round) {
     const std::vector<Place> places = descent.places();
@@ -103,7 +103,7 @@ Bracket bracket_of(const Trials& trials, const std::vector<Place>& places) {
   return bracket;
 }
 
-SearchEnd narrow(Trials& trials, Descent& descent, std::size_t batch) {
+SearchEnd narrow(Trials& trials, CostDescent& descent, std::size_t batch) {
   constexpr double kDust = 1e-9;
   for (;;) {
     const Bracket bracket = bracket_of(trials, descent.places());
@@ -149,7 +149,7 @@ std::optional<SearchEnd> section_search(Trials& trials, std::size_t batch) {
   run_ends(trials, batch);
   const int direction = direction_of_cost(trials);
   if (direction == 0) return std::nullopt;
-  Descent descent(trials, direction);
+  CostDescent descent(trials, direction);
   look_for_a_pass(trials, descent, batch);
   if (!trials.passes(*trials.best()))
     return SearchEnd{SearchResult::Ending::nothing_passes,
@@ -162,7 +162,7 @@ std::string contradiction(const Trials& trials) {
   const int direction = direction_of_cost(trials);
   if (direction == 0) return {};
   Trials copy = trials;
-  const std::vector<Place> places = Descent(copy, direction).places();
+  const std::vector<Place> places = CostDescent(copy, direction).places();
   std::string found = gap_in_passes(trials, places);
   if (found.empty()) found = rise_in_cost(trials, places);
   if (found.empty()) return found;

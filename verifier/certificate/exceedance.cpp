@@ -14,13 +14,13 @@ using model::Vec3;
 constexpr double kRim_mm = 0.01;
 /// Smaller cells are not halved for a narrower place than themselves: beside a wall of standing or
 /// missing material the depth jumps, and no bound closes on the line.
-constexpr double kNarrow_mm = 0.01;
+constexpr double kNarrowCell_mm = 0.01;
 /// Where the normals of an edge have no cone that shrinks, halving ends.
-constexpr int kDeepest = 60;
+constexpr int kMostHalvings = 60;
 /// Cells that a search for a position that touches a place counts as, and a proof that none touches
 /// a cell: they take as long as so many do.
 constexpr std::size_t kCellsOfTouch = 50, kCellsOfProof = 400;
-constexpr std::size_t kChunk = 64;
+constexpr std::size_t kSpotChunk = 64;
 /// Cells of this radius are spots where their corners exceed the threshold as their middle does.
 constexpr double kLargestSpot_mm = 0.4;
 
@@ -76,7 +76,7 @@ class SpotSearch {
     if (touched && radius <= kLargestSpot_mm) return add(cell.place(), run, 0, radius);
     if (!touched && std::max(radius, across) <= kRim_mm) return;
     if (exceeds && !touched && surely_unreachable(offset)) return;
-    if (depth >= kDeepest || !may_split(std::max(radius, across))) return;
+    if (depth >= kMostHalvings || !may_split(std::max(radius, across))) return;
     const auto halves = cell.halved(request_.allowance_mm + enough());
     search_ridge(halves[0], depth + 1);
     search_ridge(halves[1], depth + 1);
@@ -104,7 +104,7 @@ class SpotSearch {
 
   bool may_split(double radius_mm) {
     if (++cells_ > cell_limit_) out_.complete = false;
-    return cells_ <= cell_limit_ && radius_mm >= kNarrow_mm;
+    return cells_ <= cell_limit_ && radius_mm >= kNarrowCell_mm;
   }
 
   /// Looked at in eight places round its middle.
@@ -139,13 +139,13 @@ Exceedance find_exceedance(const SurfaceCells& cells, const RemovedSpace& space,
                            const model::RunControl& control) {
   const std::size_t faces = cells.cells().size();
   const std::size_t count = faces + (request.side == Side::uncut ? cells.ridges().size() : 0);
-  const std::size_t chunks = model::chunk_count(count, kChunk);
+  const std::size_t chunks = model::chunk_count(count, kSpotChunk);
   std::vector<Exceedance> parts(chunks);
   // Each chunk has its own share of the effort, so that the result does not depend on their order;
   // exceedances are local, so the shares add up to more than the whole.
   constexpr std::size_t kLeastShare = 20'000;
   const std::size_t share = std::max(kLeastShare, 4 * request.largest_cell_count / (chunks + 1));
-  model::parallel_chunks(count, kChunk, control, [&](std::size_t begin, std::size_t end) {
+  model::parallel_chunks(count, kSpotChunk, control, [&](std::size_t begin, std::size_t end) {
     SpotSearch search(cells, space, reach, request, share, control);
     for (std::size_t i = begin; i < end; ++i) {
       if (i < faces)
@@ -153,7 +153,7 @@ Exceedance find_exceedance(const SurfaceCells& cells, const RemovedSpace& space,
       else
         search.run(cells.ridges()[i - faces]);
     }
-    parts[begin / kChunk] = search.take();
+    parts[begin / kSpotChunk] = search.take();
   });
   Exceedance out;
   for (Exceedance& part : parts) {

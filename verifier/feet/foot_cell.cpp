@@ -18,7 +18,7 @@ constexpr double kLevel = 1e-14;
 /// Halvings of a step that does not lead down.
 constexpr int kStepHalvings = 40;
 /// Halvings of a window at most: then it is below the last bit of the parameter.
-constexpr int kHalvings = 100;
+constexpr int kWindowHalvings = 100;
 
 /// A rectangle of a cell's parameters.
 struct Window {
@@ -230,7 +230,7 @@ class CellSearch {
                  t = w.t0 + size_t * static_cast<double>(lowest / 7) / 6;
     const Candidate found = descend(cell_.shape, p_, w, s, t, c, needed);
     offer(found);
-    if (found.lower >= half_needed() || depth >= kHalvings) return;
+    if (found.lower >= half_needed() || depth >= kWindowHalvings) return;
     const bool in_s = std::max(std::abs(h.uu_low), std::abs(h.uu_high)) >=
                       std::max(std::abs(h.vv_low), std::abs(h.vv_high));
     // At the foot, if it is well inside: there the halves rise from their corner.

@@ -18,7 +18,7 @@ constexpr double kToSpare = 0.3;
 /// Sine of the angle between the parameter lines below which a cell is taken as it is: where the
 /// parameters degenerate (the rounded corner of one face) no halving evens the metric.
 constexpr double kSkewed = 0.2;
-constexpr int kHalvings = 8;
+constexpr int kMetricHalvings = 8;
 /// Cells smaller than this hold few feet; there is no use in halving them.
 constexpr double kSmall_mm = 1e-2;
 
@@ -95,7 +95,7 @@ void mark_sides(FootCell& cell, const PatchFeatures& features) {
 void halve_until_even(FootCell cell, int depth, std::vector<FootCell>& out) {
   cell.middle = jet(cell.shape, 0.5, 0.5);
   const HessianRange h = hessian_range(distance_polynomial(cell.shape, cell.middle.position));
-  if (depth >= kHalvings || is_even(cell, h)) {
+  if (depth >= kMetricHalvings || is_even(cell, h)) {
     cell.own_ss = {h.uu_low, h.uu_high}, cell.own_tt = {h.vv_low, h.vv_high};
     cell.own_st = {h.uv_low, h.uv_high};
     bound_second_derivatives(cell);

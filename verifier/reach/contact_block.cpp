@@ -20,7 +20,7 @@ using model::Vec3;
 constexpr int kMostSearches = 80;
 constexpr std::size_t kMostKnown = 24;
 /// Share of its depth by which the deepest point may be missed: any deep point serves.
-constexpr double kCoarse = 0.01;
+constexpr double kBlockShare = 0.01;
 
 Vec3 tip_at(const Vec3& core, double r, double angle, double z) {
   return core + Vec3{r * std::cos(angle), r * std::sin(angle), -z};
@@ -127,7 +127,7 @@ struct LowSearch {
 
   double enough() const {
     if (any && found) return -std::numeric_limits<double>::infinity();
-    return least_mm - kCoarse * (start_mm - least_mm);
+    return least_mm - kBlockShare * (start_mm - least_mm);
   }
   void see(const Vec3& p, double value_mm) {
     if (value_mm < least_mm) least_mm = value_mm, found = p;

@@ -5,36 +5,39 @@
 #include <numbers>
 
 namespace limitgauge::verifier {
+
+/// Holds every value of something over a rectangle of parameters.
+struct ValueSpan {
+  double low = 1e300, high = -1e300;
+  void add(const ValueSpan& s) { low = std::min(low, s.low), high = std::max(high, s.high); }
+  ValueSpan widened(double by) const { return {low - by, high + by}; }
+};
+
 namespace {
 
 using model::Box3;
 using model::Vec3;
 
-struct Span {
-  double low = 1e300, high = -1e300;
-  void add(const Span& s) { low = std::min(low, s.low), high = std::max(high, s.high); }
-  Span widened(double by) const { return {low - by, high + by}; }
-};
-Span operator*(const Span& a, const Span& b) {
+ValueSpan operator*(const ValueSpan& a, const ValueSpan& b) {
   const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
   return {std::min({p, q, r, s}), std::max({p, q, r, s})};
 }
-Span operator+(const Span& a, const Span& b) {
+ValueSpan operator+(const ValueSpan& a, const ValueSpan& b) {
   return {a.low + b.low, a.high + b.high};
 }
-Span operator*(double f, const Span& a) {
-  return f >= 0 ? Span{f * a.low, f * a.high} : Span{f * a.high, f * a.low};
+ValueSpan operator*(double f, const ValueSpan& a) {
+  return f >= 0 ? ValueSpan{f * a.low, f * a.high} : ValueSpan{f * a.high, f * a.low};
 }
-Span square(const Span& a) {
+ValueSpan square(const ValueSpan& a) {
   const double low = a.low > 0 ? a.low : a.high < 0 ? -a.high : 0;
   const double high = std::max(std::abs(a.low), std::abs(a.high));
   return {low * low, high * high};
 }
-double largest(const Span& a) {
+double largest(const ValueSpan& a) {
   return std::max(std::abs(a.low), std::abs(a.high));
 }
 
-Span along(const Box3& box, const Vec3& d) {
+ValueSpan along(const Box3& box, const Vec3& d) {
   const Vec3 c = box.centre(), h = box.size() * 0.5;
   const double at = dot(c, d);
   const double by = h.x * std::abs(d.x) + h.y * std::abs(d.y) + h.z * std::abs(d.z);
@@ -65,7 +68,7 @@ struct Clearance {
 
 /// Spans over a rectangle: components of the first derivatives, normal parts of the second.
 struct LocalContact::Spans {
-  Span ut, ub, un, vt, vb, vn, uz, vz, uu, uv, vv;
+  ValueSpan ut, ub, un, vt, vb, vn, uz, vz, uu, uv, vv;
   double u = 0, v = 0;  ///< greatest lengths of the first derivatives
 
   /// Greatest length of S over steps (±x, ±y): the integral of U·x + V·y, any two of which have a
@@ -119,7 +122,7 @@ std::vector<Clearance> clearances(const CellContact& c, double reach, double far
   return out;
 }
 
-bool positive(const Span& uu, const Span& uv, const Span& vv) {
+bool positive(const ValueSpan& uu, const ValueSpan& uv, const ValueSpan& vv) {
   const double off = largest(uv);
   return uu.low >= 0 && vv.low >= 0 && off * off <= uu.low * vv.low;
 }
@@ -233,13 +236,13 @@ bool LocalContact::proven(const ClearedRect& area, const SurfaceCell& cell,
   const double slack = contact_mm_ - 1e-6 * far;
   if (slack < 0) return false;
   for (const Clearance& c : clearances(contact, reach, far, rise)) {
-    const Span ut = s.ut.widened(c.turn * s.u), ub = s.ub.widened(c.turn * s.u),
-               vt = s.vt.widened(c.turn * s.v), vb = s.vb.widened(c.turn * s.v);
-    const Span uu = c.along * square(ut) + c.across * square(ub) + (-1.0) * s.uu,
-               uv = c.along * (ut * vt) + c.across * (ub * vb) + (-1.0) * s.uv,
-               vv = c.along * square(vt) + c.across * square(vb) + (-1.0) * s.vv;
+    const ValueSpan ut = s.ut.widened(c.turn * s.u), ub = s.ub.widened(c.turn * s.u),
+                    vt = s.vt.widened(c.turn * s.v), vb = s.vb.widened(c.turn * s.v);
+    const ValueSpan uu = c.along * square(ut) + c.across * square(ub) + (-1.0) * s.uu,
+                    uv = c.along * (ut * vt) + c.across * (ub * vb) + (-1.0) * s.uv,
+                    vv = c.along * square(vt) + c.across * square(vb) + (-1.0) * s.vv;
     const double on_u = slack / (x * x), on_v = slack / (y * y);
-    if (positive(uu + Span{on_u, on_u}, uv, vv + Span{on_v, on_v})) return true;
+    if (positive(uu + ValueSpan{on_u, on_u}, uv, vv + ValueSpan{on_v, on_v})) return true;
   }
   return false;
 }

@@ -15,7 +15,7 @@ using model::Vec3;
 
 constexpr double kRounding_mm = 1e-9;
 /// Share of its depth by which a deepest point may be missed: any deep point serves.
-constexpr double kCoarse = 0.1;
+constexpr double kTipShare = 0.1;
 /// A plane steeper than this says less about heights than the square's nearest corner.
 constexpr double kSteep = 1e-2;
 constexpr int kHalvings = 8;
@@ -41,7 +41,7 @@ struct LowestTip::Query {
 
   double enough() const {
     return any && found ? -std::numeric_limits<double>::infinity()
-                        : least - std::max(slack, kCoarse * (start - least));
+                        : least - std::max(slack, kTipShare * (start - least));
   }
 };
 
@@ -114,7 +114,7 @@ std::optional<Vec3> LowestTip::lowered(Vec3 tip, double by_mm, double margin_mm)
 }
 
 Vec3 LowestTip::improved(const Vec3& tip, const Vec3& s, double settle_mm) const {
-  constexpr int kDirections = 8;
+  constexpr int kFlatDirections = 8;
   constexpr double kTurn = 2.399963229728653;  // the golden angle: never the same directions twice
   const double margin = std::max(settle_mm / 8, 2 * kSmallestCell_mm);
   Vec3 best = tip;
@@ -134,8 +134,8 @@ Vec3 LowestTip::improved(const Vec3& tip, const Vec3& s, double settle_mm) const
   lower(step);
   while (step > settle_mm) {
     bool moved = false;
-    for (int k = 0; k < kDirections && !moved; ++k) {
-      const double angle = turn + 2 * std::numbers::pi * k / kDirections;
+    for (int k = 0; k < kFlatDirections && !moved; ++k) {
+      const double angle = turn + 2 * std::numbers::pi * k / kFlatDirections;
       moved = tried(best.x + step * std::cos(angle), best.y + step * std::sin(angle));
     }
     turn += kTurn;
@@ -208,7 +208,7 @@ LowestTip::Proof LowestTip::prove(const Vec3& s, double goal_mm,
     if (at.low < goal_mm && z) {
       const Vec3 tip{at.x, at.y, *z};
       // A point cut into by much less than the square is wide proves nothing for its corners.
-      Query query{tip, limit_, kCoarse * at.half};
+      Query query{tip, limit_, kTipShare * at.half};
       look(query);
       const auto& q = query.found;
       if (!q && distance(tip, s) <= goal_mm + kRounding_mm && reachability_.surely_free(tip)) {

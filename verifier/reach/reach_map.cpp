@@ -19,7 +19,7 @@ using std::numbers::pi;
 
 /// Cells of S a cell may still have to be held against, before it is halved without remembering.
 constexpr std::size_t kMostPending = 64;
-constexpr int kDirections = 16;
+constexpr int kLevelDirections = 16;
 /// On the floor of a slot as wide as the cutter one line of positions is free, which no small cell
 /// is proven by either.
 constexpr double kCoarserOnLevel = 2;
@@ -61,8 +61,8 @@ class Classifier {
  private:
   /// On a level spot the flat may stand anywhere over the point: one place suffices.
   Reach decide_level(Open& open, const CellContact& contact) const {
-    for (int k = -1; k < kDirections; ++k) {
-      const double angle = 2 * pi * k / kDirections;
+    for (int k = -1; k < kLevelDirections; ++k) {
+      const double angle = 2 * pi * k / kLevelDirections;
       const double out = k < 0 ? 0 : reachability_.profile().flat_mm;
       Open alone{open.cell, {}, {}, {}, false};
       if (prove(alone, contact.displaced({out * std::cos(angle), out * std::sin(angle), 0})))

@@ -9,7 +9,7 @@ namespace limitgauge::engine::strategy {
 namespace {
 
 /// Loops nearer to each other than this many spacings are cut in the order of their groups.
-constexpr double kNeighbours = 1.25;
+constexpr double kNearLoops = 1.25;
 /// How far outside the stock the cutter comes down beyond touching it, mm.
 constexpr double kOutside_mm = 0.5;
 
@@ -180,7 +180,7 @@ std::vector<LevelPass> order_loops(std::vector<std::vector<Isoline>> groups,
                                    const LevelSpace& space, const StockOutline& outline,
                                    const LoopRule& loops, const PassRule& rule) {
   PassOrder order(space, outline, loops, rule);
-  order.add_all(queued(std::move(groups), kNeighbours * loops.spacing_mm));
+  order.add_all(queued(std::move(groups), kNearLoops * loops.spacing_mm));
   return order.take();
 }
 

@@ -20,7 +20,7 @@ namespace limitgauge::engine::strategy {
 namespace {
 
 /// How far the cells of a steep contact may be from it, in cells: their corners see its slope.
-constexpr double kNeighbours = 2;
+constexpr double kNearCells = 2;
 
 /// Cells so small that a step sees what lies between two passes, and the cutter its own radius.
 double cell_size(const StageRequest& request) {
@@ -96,7 +96,7 @@ SteepRegions find_regions(const surface::PatchModel& model, const LimitLocations
   // Steep places of the cutter location surface that no steep place of the part asks for roll over
   // its boundary or a crease.
   regions.steep = both(steep_cells(regions.slopes, angle),
-                       grown(reach.steep, regions.slopes, kNeighbours * cell));
+                       grown(reach.steep, regions.slopes, kNearCells * cell));
   regions.touched = grown(reach.cells, regions.slopes, overlap);
   regions.contours = both(grown(regions.steep, regions.slopes, overlap), regions.touched);
   regions.rows =

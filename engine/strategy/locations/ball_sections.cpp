@@ -21,8 +21,8 @@ constexpr double kMeshShare = 0.25, kRimShare = 0.1;
 constexpr double kSlit = 1e-9;
 /// Across the rows, in the drive frame.
 constexpr int kAcross = 1;
-/// Rows planned by one thread at a time: neighbours go through the same memory.
-constexpr std::size_t kRowsAChunk = 16;
+/// Drive planes cut by one thread at a time: neighbours go through the same memory.
+constexpr std::size_t kPlanesAChunk = 16;
 
 std::vector<PlanePoint> in_plane(const surface::SectionChain& chain) {
   std::vector<PlanePoint> curve;
@@ -89,7 +89,7 @@ std::vector<Envelope> BallSections::envelopes(std::span<const double> across_mm,
   });
   std::vector<Envelope> found(across_mm.size());
   model::parallel_chunks(
-      across_mm.size(), kRowsAChunk, control, [&](std::size_t begin, std::size_t end) {
+      across_mm.size(), kPlanesAChunk, control, [&](std::size_t begin, std::size_t end) {
         surface::SectionScratch scratch;
         std::vector<Curves> rows(end - begin);
         std::vector<surface::SectionChain> chains;

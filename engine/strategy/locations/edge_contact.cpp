@@ -11,7 +11,7 @@ namespace {
 constexpr double kUprightLength_mm = 1e-12;
 constexpr int kMostSteps = 80;
 /// Share of a square that its rounding may take.
-constexpr double kRounding = 1e-14;
+constexpr double kSquareRounding = 1e-14;
 
 /// A segment as seen from the axis: at the place s its distance is hypot(aside, s) and its height
 /// top - rise (end - s), with rise >= 0; s runs over [begin, end].
@@ -137,7 +137,7 @@ void lift_over_edge(const CutterShape& shape, const Vec3& from, const Vec3& to,
   if (reach < 0) return;
   const double dx = to.x - from.x, dy = to.y - from.y, squared = dx * dx + dy * dy;
   const double area = dx * from.y - dy * from.x, wide = reach + kReachSlack_mm;
-  if (area * area > wide * wide * squared * (1 + kRounding)) return;
+  if (area * area > wide * wide * squared * (1 + kSquareRounding)) return;
   const double length = std::sqrt(squared);
   if (length < kUprightLength_mm) return lift_over_upright(shape, from, to, greatest);
   const Slant slant(from, to, length);

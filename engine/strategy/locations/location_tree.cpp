@@ -17,7 +17,7 @@ constexpr int kLeafSide = 2;
 /// Steepest plane that a node is given (tangent): steeper ones bound nothing.
 constexpr double kSteepestPlane = 50;
 /// Added to plane offsets against rounding, relative to the size of their terms.
-constexpr double kRounding = 1e-14;
+constexpr double kPlaneRounding = 1e-14;
 
 float round_down(double value) {
   const auto f = static_cast<float>(value);
@@ -72,7 +72,7 @@ void set_plane(LocationNode& node, const Grid& grid, const LocationLeaf& cells,
     c = std::max(c, p.z + node.gx * p.x + node.gy * p.y);
     size = std::max(size, std::abs(p.z) + std::abs(node.gx * p.x) + std::abs(node.gy * p.y));
   });
-  lean_on(node, c + kRounding * size, shape);
+  lean_on(node, c + kPlaneRounding * size, shape);
 }
 
 }  // namespace

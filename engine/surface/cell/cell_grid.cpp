@@ -66,10 +66,10 @@ bool CellGrid::meets(int u, int v) const {
 }
 
 SplitBound CellGrid::side_bound(int side, int t) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kNoBound = std::numeric_limits<double>::infinity();
   const auto [u, v] = on_side(side, t);
   const DerivativeBounds& cell = at(u, v);
-  if (!cell.proven) return {kInfinity, kInfinity, 0};
+  if (!cell.proven) return {kNoBound, kNoBound, 0};
   const bool in_u = side % 2 == 0;
   const SplitBound& second = in_u ? cell.duu : cell.dvv;
   return {second.along / 8, std::min(second.across, side_bend(cell, in_u, cell.normal)) / 8, 0};

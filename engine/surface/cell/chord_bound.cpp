@@ -11,7 +11,7 @@
 namespace limitgauge::engine::surface {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// Depth from which bounds are looked at: fewer cells are all corners.
 constexpr int kFirstDepth = 2;
 /// Depth at which the cells at corners are patches of their own.
@@ -45,8 +45,8 @@ class GridBounds {
 };
 
 MeshError unproven() {
-  const SplitBound side{kInfinity, kInfinity, 0};
-  return {kInfinity, kInfinity, kInfinity, {0, kInfinity, 0}, {side, side, side, side}};
+  const SplitBound side{kUnbounded, kUnbounded, 0};
+  return {kUnbounded, kUnbounded, kUnbounded, {0, kUnbounded, 0}, {side, side, side, side}};
 }
 
 void widen(MeshError& error, const ZoneBound& zone) {

@@ -16,13 +16,6 @@ constexpr int kLevels = 16;
 /// Cells around the one that is bounded.
 constexpr int kAround = 2;
 
-/// A chord of one of the patch's sides: P L is inside where the inward product is not negative.
-struct SideChord {
-  Vec3 start, inward;
-  int side = 0;  ///< 0 or 1: the patch's side 0 or 3
-  double outside(const Vec3& p) const { return dot(inward, start - p); }
-};
-
 void widen(SplitBound& all, const SplitBound& by, double scale) {
   all.along = std::max(all.along, by.along * scale);
   all.across = std::max(all.across, by.across * scale);
@@ -70,6 +63,13 @@ class VertexZones::Zone {
   }
 
  private:
+  /// A chord of one of the patch's sides: P L is inside where the inward product is not negative.
+  struct SideChord {
+    Vec3 start, inward;
+    int side = 0;  ///< 0 or 1: the patch's side 0 or 3
+    double outside(const Vec3& p) const { return dot(inward, start - p); }
+  };
+
   const Level& own() const { return levels_[at_]; }
   double height(const Vec3& v) const { return std::abs(dot(normal_, v)); }
   Vec3 level(const Vec3& v) const { return v - normal_ * dot(normal_, v); }

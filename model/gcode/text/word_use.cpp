@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kFreeLetters = letter_bits("FGMSTXYZ");
 constexpr std::uint32_t kCentreLetters = letter_bits("IJK");
-constexpr int kG80 = 800;
+constexpr int kCancelCycle = 800;  // G80, in tenths
 
 /// Codes of group 0 that take the axis words for themselves.
 bool takes_axes(int non_modal) {
@@ -183,7 +183,7 @@ std::optional<int> stated_motion(const Statement& statement, int code) {
   const Word& word = *statement.g_word(GGroup::motion);
   const auto non_modal = statement.g(GGroup::non_modal);
   const bool taken = non_modal && takes_axes(*non_modal);
-  if (code == kG80) {
+  if (code == kCancelCycle) {
     if (statement.has_axes() && !taken)
       statement.fail(axis_of(statement), "an axis word beside G80", "G0, G1, G2 or G3");
     return std::nullopt;

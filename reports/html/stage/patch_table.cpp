@@ -12,7 +12,7 @@ namespace limitgauge::reports::html {
 namespace {
 
 /// Longer tables are folded away; of still longer ones the worst are shown.
-constexpr std::size_t kMostOpen = 40, kMostRows = 400;
+constexpr std::size_t kMostOpenPatches = 40, kMostRows = 400;
 
 /// Of the model and the path that were planned; a program of somebody else has neither.
 std::string number_of(const std::vector<int>& numbers, int patch) {
@@ -50,7 +50,7 @@ std::string patch_table(const RunResult& result, std::size_t index) {
   for (std::size_t i = 0; i < shown; ++i) rows.push_back(patch_row(result, index, patches[i]));
   return fmt::format(
       "<details class=\"patches\"{}><summary>{}</summary>\n{}</details>\n",
-      patches.size() <= kMostOpen ? " open=\"\"" : "", summary(shown, patches.size()),
+      patches.size() <= kMostOpenPatches ? " open=\"\"" : "", summary(shown, patches.size()),
       table(
           "Depth and interval: how finely the engine's model of the patch was subdivided, and how "
           "sparsely this stage's path sampled it. Gouge and uncut are the worst of the patch's "

@@ -13,7 +13,7 @@
 namespace limitgauge::reports::html {
 namespace {
 
-constexpr std::size_t kLongestList = 20;
+constexpr std::size_t kMostGroups = 20;
 
 std::string lines_text(const simulator::FindingGroup& group) {
   if (group.first_line == 0) return "–";
@@ -55,7 +55,7 @@ std::string process_table(const StageResult::Ran& ran, std::size_t stage) {
   if (findings.empty()) return "<p class=\"note\">The process has no fault and no near miss.</p>\n";
   const std::vector<simulator::FindingGroup> groups = worst_first(findings);
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < std::min(groups.size(), kLongestList); ++i)
+  for (std::size_t i = 0; i < std::min(groups.size(), kMostGroups); ++i)
     rows.push_back(row(stage, i, groups[i], ran.program_text != nullptr));
   std::string out = table("Process findings; the stock is judged as it stood at that move.",
                           {{"No."},

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kFindingsShown = 20;
 constexpr std::uint32_t kLinesAround = 3;
 /// Longer listings are folded away; a link to a line unfolds them.
-constexpr std::size_t kMostOpen = 60;
+constexpr std::size_t kMostOpenLines = 60;
 
 /// The names of the findings by the line that they name, of one stage's program.
 using Marks = std::map<std::uint32_t, std::string>;
@@ -52,7 +52,7 @@ std::string listing(const StageResult& stage, const Listed& where, const Marks& 
   return fmt::format(
       "<details class=\"listing\"{}><summary>Program lines of the findings</summary>\n"
       "<table class=\"program\"><caption>{}</caption>\n{}</table></details>\n",
-      lines.size() <= kMostOpen ? " open=\"\"" : "", program_file(stage), rows);
+      lines.size() <= kMostOpenLines ? " open=\"\"" : "", program_file(stage), rows);
 }
 
 }  // namespace

@@ -20,19 +20,19 @@
 namespace limitgauge::reports::html {
 namespace {
 
-constexpr std::size_t kLongestList = 20;
+constexpr std::size_t kMostWords = 20;
 
 std::string ignored_words(const std::vector<std::string>& words) {
   if (words.empty()) return {};
   std::string list;
-  for (std::size_t i = 0; i < std::min(words.size(), kLongestList); ++i)
+  for (std::size_t i = 0; i < std::min(words.size(), kMostWords); ++i)
     list += (i ? ", " : "") + escape_markup(words[i]);
   return fmt::format(
       "<p class=\"note\">Words that move nothing; of these only tools and the spindle are heeded "
       "(line: "
       "word): "
       "{}{}.</p>\n",
-      list, words.size() > kLongestList ? " …" : "");
+      list, words.size() > kMostWords ? " …" : "");
 }
 
 std::string stock_figure(const std::optional<StagePictures>& pictures) {

@@ -32,6 +32,8 @@ tests=(
   # the framework, a validator of our JSON, a reader of our JUnit, a reader of our manual page, one of
   # the examples for CI
   catch2 python3 python3-jsonschema python3-junitparser mandoc python3-yaml
+  # the packages that cpack makes
+  dpkg-dev file
   # benchmarks: the harness
   libbenchmark-dev
   # fuzz tests: clang of either release (14, 19) with its fuzzer's and sanitizers' runtimes

@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Every relative link, anchor and image of the pages leads somewhere."""
+"""Every relative link, anchor and image of the pages leads somewhere.
+
+With --installed, only those to pages and pictures count: others lead into the source tree, which is not there.
+"""
 
 import argparse
 import pathlib
@@ -12,6 +15,7 @@ from pages import prose
 LINK = re.compile(r'\]\(([^)\s]+)\)')
 IMAGE = re.compile(r'(?:src|href)="([^"]+)"')
 CODE = re.compile(r'`[^`]*`')
+PAGES_AND_PICTURES = ('.md', '.png', '.jpg', '.svg')
 OUTSIDE = ('http://', 'https://', 'mailto:')
 
 
@@ -51,11 +55,13 @@ def wrong_target(target, page, top):
     return None
 
 
-def wrong_links(page, top):
+def wrong_links(page, top, installed=False):
     wrong, count = [], 0
     for number, line in text_outside_code(page):
         for target in LINK.findall(line) + IMAGE.findall(line):
             if target.startswith(OUTSIDE):
+                continue
+            if installed and not target.partition('#')[0].endswith(PAGES_AND_PICTURES):
                 continue
             count += 1
             what = wrong_target(target, page, top)
@@ -67,12 +73,14 @@ def wrong_links(page, top):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('source', type=pathlib.Path, help='top of the source tree')
-    top = parser.parse_args().source.resolve()
+    parser.add_argument('--installed', action='store_true', help='it is share/doc/limitgauge')
+    options = parser.parse_args()
+    top = options.source.resolve()
     pages = sorted(p for p in top.rglob('*.md')
                    if not {'build', 'node_modules'} & set(p.relative_to(top).parts))
     wrong, count = [], 0
     for page in pages:
-        found, links = wrong_links(page, top)
+        found, links = wrong_links(page, top, options.installed)
         wrong += found
         count += links
     print(f'{len(pages)} pages, {count} links')

@@ -23,20 +23,26 @@ TEST_CASE("what is installed stands where a system looks for it, and runs", "[e2
     CHECK(fs::is_regular_file(prefix / file));
     CHECK(fs::file_size(prefix / file) > 500);
   }
+  const ShellOutcome links =
+      bash("python3 '" LIMITGAUGE_FIXTURES "/../tests/docs/check_links.py' --installed '" +
+           (prefix / "share/doc/limitgauge").string() + "'");
+  INFO(links.out);
+  CHECK(links.exit_code == 0);
   const std::string program = (prefix / "bin/limitgauge").string();
   const ShellOutcome version = bash(program + " --version");
   CHECK(version.exit_code == 0);
   CHECK_THAT(version.out, ContainsSubstring("limitgauge 0."));
-  const ShellOutcome planned = bash("cd '" + scratch.path().string() + "' && " + program +
-                                    " plan '" + fixture("jobs/quick-dome.toml") + "' -o paths");
+  const ShellOutcome planned =
+      bash("cd '" + scratch.path().string() + "' && " + program +
+           " plan usr/share/doc/limitgauge/fixtures/jobs/quick-dome.toml -o paths");
   INFO(planned.out);
   CHECK(planned.exit_code == 0);
   CHECK(fs::exists(scratch / "paths/finish/toolpath.ngc"));
 }
 
 TEST_CASE("packages hold the program and the libraries, and say what they need", "[e2e][install]") {
-  if (!is_installed("dpkg-shlibdeps")) {
-    WARN("dpkg-dev is not installed: no packages are made here");
+  if (!is_installed("dpkg-shlibdeps") || !is_installed("file")) {
+    WARN("dpkg-dev or file is not installed: no packages are made here");
     return;
   }
   const Scratch scratch;

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "model/mesh/mesh_defect.h"
-#include "simulator/mesh/exact_side.h"
 #include "simulator/mesh/mesh_tree.h"
 
 namespace limitgauge::simulator {
@@ -14,27 +13,6 @@ namespace {
 
 using model::Vec3;
 using Triangle = MeshTree::Triangle;
-
-FlatPoint flat(const Vec3& p) {
-  return {p.x, p.y};
-}
-
-// How often the triangle, seen from above, goes around the vertical at p: +1 where it faces
-// upwards, −1 downwards, 0 where it misses it. A vertex at the height y of p counts as below it
-// and a point on an edge as left of it: as if p lay a little to +X and far less to +Y of where it
-// is. Over the triangles of a closed mesh the sum is exactly zero.
-int turns_about(const Triangle& t, const FlatPoint& p) {
-  int turns = 0;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 &a = t[k], &b = t[(k + 1) % 3];
-    const bool from_above = a.y > p.y, to_above = b.y > p.y;
-    if (from_above == to_above) continue;
-    const int side = side_of_line(flat(a), flat(b), p);
-    if (to_above && side > 0) ++turns;
-    if (from_above && side < 0) --turns;
-  }
-  return turns;
-}
 
 // Where the vertical meets the triangle's plane, kept to the triangle's heights: of one that is all
 // but vertical the quotient may be anything.
@@ -74,27 +52,7 @@ struct MeshSolid::State {
         area_mm2(model::area_mm2(*mesh)),
         volume_mm3(model::volume_mm3(*mesh)) {}
 
-  // Of the part of the vertical that is at z_from or above.
-  std::vector<Crossing> crossings(double x, double y, double z_from) const {
-    std::vector<Crossing> found;
-    tree.above(x, y, z_from, [&](std::uint32_t slot) {
-      const Triangle& t = tree.triangle(slot);
-      if (const int turns = turns_about(t, {x, y}); turns != 0)
-        found.push_back({height_at(t, x, y), turns});
-    });
-    return found;
-  }
-
-  bool contains(const Vec3& p) const {
-    if (!box.contains(p)) return false;
-    int winding = 0;
-    tree.above(p.x, p.y, p.z, [&](std::uint32_t slot) {
-      const Triangle& t = tree.triangle(slot);
-      const int turns = turns_about(t, flat(p));
-      if (turns != 0 && height_at(t, p.x, p.y) > p.z) winding += turns;
-    });
-    return winding > 0;
-  }
+  bool contains(const Vec3& p) const { return box.contains(p) && tree.winding(p) > 0; }
 };
 
 MeshSolid::MeshSolid(std::shared_ptr<const model::TriangleMesh> mesh) {
@@ -106,8 +64,8 @@ MeshSolid::MeshSolid(std::shared_ptr<const model::TriangleMesh> mesh) {
 
 SolidSample MeshSolid::sample(const Vec3& p) const {
   const MeshTree::Nearest near = state_->tree.nearest(p);
-  const double d = std::sqrt(near.distance_squared), sign = contains(p) ? -1 : 1;
-  if (d <= kOnSurface_mm) return {sign * d, facing(state_->tree.triangle(near.slot))};
+  const double d = std::sqrt(near.distance_squared), sign = state_->contains(p) ? -1 : 1;
+  if (d <= kOnSurface_mm) return {sign * d, facing(state_->tree.triangle(near.triangle))};
   return {sign * d, (p - near.point) * (sign / d)};
 }
 
@@ -117,14 +75,14 @@ std::optional<SolidCap> MeshSolid::cap(const Vec3& p, double reach_mm) const {
   const MeshTree& tree = state_->tree;
   const MeshTree::Nearest near = tree.nearest(p);
   if (near.distance_squared > reach_mm * reach_mm) return std::nullopt;
-  const Triangle& t = tree.triangle(near.slot);
+  const Triangle t = tree.triangle(near.triangle);
   const Vec3 normal = facing(t);
   const double ball = 3 * reach_mm;
-  const bool under = tree.each_about(p, ball, [&](std::uint32_t slot) {
-    const Triangle& other = tree.triangle(slot);
+  const bool under = tree.each_about(p, ball, [&](std::uint32_t number) {
+    const Triangle other = tree.triangle(number);
     const bool rises = std::ranges::any_of(
         other, [&](const Vec3& v) { return dot(v - t[0], normal) > kCoplanar_mm; });
-    return !rises || distance(nearest_on_triangle(other, p), p) > ball;
+    return !rises || tree.distance_to(number, p) > ball;
   });
   if (!under || contains(near.point + normal * (reach_mm / 2))) return std::nullopt;
   return SolidCap{dot(t[0] - p, normal) + kCoplanar_mm, normal};
@@ -135,24 +93,24 @@ bool MeshSolid::contains(const Vec3& p) const {
 }
 
 void MeshSolid::distances_up(const Vec3& p, double step_mm, std::span<double> out) const {
-  std::vector<Crossing> above = state_->crossings(p.x, p.y, p.z);
-  std::ranges::sort(above, std::ranges::greater{}, &Crossing::z);
-  int winding = 0;
-  for (const Crossing& c : above)
-    if (c.z > p.z) winding += c.turns;
-  std::uint32_t hint = 0;
+  const MeshTree& tree = state_->tree;
+  std::vector<MeshTree::Passage> above = tree.passages_above(p);
+  std::optional<std::uint32_t> last;
   for (std::size_t n = 0; n < out.size(); ++n) {
     const Vec3 q{p.x, p.y, p.z + static_cast<double>(n) * step_mm};
-    for (; !above.empty() && above.back().z <= q.z; above.pop_back())
-      if (above.back().z > p.z) winding -= above.back().turns;
-    const MeshTree::Nearest near = state_->tree.nearest(q, hint);
-    hint = near.slot;
+    std::erase_if(above, [&](const MeshTree::Passage& c) { return !tree.is_above(c, q); });
+    int winding = 0;
+    for (const MeshTree::Passage& c : above) winding += c.turns;
+    const MeshTree::Nearest near = tree.nearest(q, last);
+    last = near.triangle;
     out[n] = std::copysign(std::sqrt(near.distance_squared), winding > 0 ? -1.0 : 1.0);
   }
 }
 
 std::vector<double> MeshSolid::crossings(double x_mm, double y_mm) const {
-  std::vector<Crossing> all = state_->crossings(x_mm, y_mm, state_->box.low.z);
+  std::vector<Crossing> all;
+  for (const MeshTree::Passage& c : state_->tree.passages(x_mm, y_mm))
+    all.push_back({height_at(state_->tree.triangle(c.triangle), x_mm, y_mm), c.turns});
   std::ranges::sort(all, {}, &Crossing::z);
   std::vector<double> heights;
   int winding = 0;

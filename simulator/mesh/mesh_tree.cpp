@@ -1,192 +1,354 @@
 #include "simulator/mesh/mesh_tree.h"
 
+// A check of CGAL's own that fails would print and throw; what the tree is asked is sound, and the
+// bounds of a search need not shrink from box to box as one of the checks has it.
+#ifndef CGAL_NDEBUG
+#define CGAL_NDEBUG
+#endif
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numeric>
-#include <span>
+#include <utility>
 
 namespace limitgauge::simulator {
 namespace {
 
 using model::Box3;
 using model::Vec3;
+using Passage = MeshTree::Passage;
 
-constexpr std::uint32_t kLeafTriangles = 4;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using ExactKernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+using Point2 = Kernel::Point_2;
+using Point3 = Kernel::Point_3;
+using Triangle3 = Kernel::Triangle_3;
+using Place = std::vector<Triangle3>::const_iterator;
+#if CGAL_VERSION_NR >= 1060000000
+using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Place>;
+using TreeTraits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Place>;
+using TreeTraits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
+using Tree = CGAL::AABB_tree<TreeTraits>;
+using Node = CGAL::AABB_node<TreeTraits>;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// A triangle is a sliver where the sine of its smallest angle is below this. In doubles the foot on
+// its plane is off by about the square of 1e-16 over the sine, relative to the distance.
+constexpr double kSliverSine = 1e-8;
 
-Vec3 nearest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const Vec3 ab = b - a;
-  const double along = dot(ab, p - a), whole = length_squared(ab);
-  if (along <= 0) return a;
-  return along >= whole ? b : a + ab * (along / whole);
+Point3 point3(const Vec3& p) {
+  return {p.x, p.y, p.z};
+}
+Point2 flat(const Point3& p) {
+  return {p.x(), p.y()};
+}
+Vec3 vec3(const Point3& p) {
+  return {p.x(), p.y(), p.z()};
+}
+Box3 box3(const CGAL::Bbox_3& b) {
+  return {{b.xmin(), b.ymin(), b.zmin()}, {b.xmax(), b.ymax(), b.zmax()}};
 }
 
-// In a sliver rounding decides which region a point is in; its edges are then near enough to tell.
-Vec3 nearest_of_sliver(const std::array<Vec3, 3>& t, const Vec3& in_face, const Vec3& p) {
-  Vec3 best = in_face;
+double squared_distance(const CGAL::Bbox_3& box, const Vec3& p) {
+  double sum = 0;
+  for (int a = 0; a < 3; ++a) {
+    const double away = std::max({box.min(a) - p[a], p[a] - box.max(a), 0.0});
+    sum += away * away;
+  }
+  return sum;
+}
+
+// Twice the area and the lengths of the two longest edges.
+struct Extent {
+  double twice_area_mm2, longest_mm, second_mm;
+};
+
+Extent extent(const Triangle3& t) {
+  const Vec3 a = vec3(t[0]), b = vec3(t[1]), c = vec3(t[2]);
+  std::array<double, 3> edges{distance(a, b), distance(b, c), distance(c, a)};
+  std::ranges::sort(edges);
+  return {length(cross(b - a, c - a)), edges[2], edges[1]};
+}
+
+bool is_sliver(const Triangle3& t) {
+  const Extent e = extent(t);
+  return !(e.twice_area_mm2 > kSliverSine * e.longest_mm * e.second_mm);
+}
+
+// With rational numbers: about a tenth of a millisecond, for the few triangles that need it.
+Vec3 exact_foot(const Triangle3& t, const Vec3& p) {
+  const CGAL::Cartesian_converter<Kernel, ExactKernel> exact;
+  const auto foot = ExactKernel().construct_projected_point_3_object()(exact(t), exact(point3(p)));
+  return {CGAL::to_double(foot.x()), CGAL::to_double(foot.y()), CGAL::to_double(foot.z())};
+}
+
+// As many triangles are taken together, without boxes of their own.
+constexpr std::ptrdiff_t kGroup = 4;
+
+// Halves at the median of the boxes' middles, where CGAL would take that of the triangles' first
+// corners. Groups keep their order, so that of equally good places a search finds the same one for
+// every release of CGAL.
+struct Halve {
+  template <class Iterator>
+  void operator()(Iterator begin, Iterator end, const CGAL::Bbox_3&) const {
+    if (end - begin <= kGroup) return;
+    const auto middle = [](const Primitive& t) { return box3(t.id()->bbox()).centre(); };
+    Box3 middles;
+    for (Iterator t = begin; t != end; ++t) middles.add(middle(*t));
+    const Vec3 size = middles.size();
+    int axis = size.y > size.x ? 1 : 0;
+    if (size.z > size[axis]) axis = 2;
+    std::nth_element(begin, begin + (end - begin) / 2, end,
+                     [&](const Primitive& a, const Primitive& b) {
+                       const double at_a = middle(a)[axis], at_b = middle(b)[axis];
+                       return at_a != at_b ? at_a < at_b : a.id() < b.id();
+                     });
+  }
+};
+
+// The nearest point of a sliver, exact where it is nearer than `bound`. The nearest of its edges is
+// further away by no more than its width.
+Vec3 foot_on_sliver(const Triangle3& t, const Vec3& p, double bound) {
+  const auto foot = Kernel().construct_projected_point_3_object();
+  Vec3 best = vec3(t[0]);
   for (int k = 0; k < 3; ++k) {
-    const Vec3 q = nearest_on_segment(t[k], t[(k + 1) % 3], p);
+    const Vec3 q = vec3(foot(Kernel::Segment_3(t[k], t[k + 1]), point3(p)));
     if (length_squared(p - q) < length_squared(p - best)) best = q;
   }
-  return best;
+  const Extent e = extent(t);
+  const double to_edge = distance(p, best), least = to_edge - e.twice_area_mm2 / e.longest_mm;
+  const bool is_segment = !(least < to_edge) || t.is_degenerate();
+  return is_segment || least >= bound ? best : exact_foot(t, p);
+}
+
+// How often the triangle, seen from above, goes around the vertical at p: +1 where it faces
+// upwards, −1 downwards, 0 where it misses it. A vertex at the height y of p counts as below it
+// and a point on an edge as left of it: as if p lay a little to +X and far less to +Y of where it
+// is. Over the triangles of a closed mesh the sum is exactly zero.
+int turns_about(const Triangle3& t, const Point2& p) {
+  int turns = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Point3 &a = t[k], &b = t[k + 1];
+    const bool from_above = a.y() > p.y(), to_above = b.y() > p.y();
+    if (from_above == to_above) continue;
+    const CGAL::Orientation side = CGAL::orientation(flat(a), flat(b), p);
+    if (to_above && side == CGAL::LEFT_TURN) ++turns;
+    if (from_above && side == CGAL::RIGHT_TURN) --turns;
+  }
+  return turns;
+}
+
+bool plane_above(const Triangle3& t, int turns, const Point3& p) {
+  if (p.z() < std::min({t[0].z(), t[1].z(), t[2].z()})) return true;
+  if (p.z() >= std::max({t[0].z(), t[1].z(), t[2].z()})) return false;
+  const CGAL::Orientation side = CGAL::orientation(t[0], t[1], t[2], p);
+  return side == (turns > 0 ? CGAL::NEGATIVE : CGAL::POSITIVE);
 }
 
 }  // namespace
 
-// C. Ericson, Real-Time Collision Detection, 5.1.5: by the regions of corners, edges and face.
-Vec3 nearest_on_triangle(const std::array<Vec3, 3>& t, const Vec3& p) {
-  const auto& [a, b, c] = t;
-  const Vec3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const Vec3 bp = p - b;
-  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + ab * (d1 / (d1 - d3));
-  const Vec3 cp = p - c;
-  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + ac * (d2 / (d2 - d6));
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-  // The squared sine of the angle at a below which the weights have lost half their digits.
-  constexpr double kSliver = 1e-8;
-  const double whole = va + vb + vc;
-  const Vec3 in_face = a + ab * (vb / whole) + ac * (vc / whole);
-  if (whole > kSliver * length_squared(ab) * length_squared(ac)) return in_face;
-  return nearest_of_sliver(t, is_finite(in_face) ? in_face : a, p);
-}
+struct MeshTree::State {
+  std::vector<Triangle3> triangles;
+  std::vector<bool> slivers;
+  Tree tree;
+  Box3 box;
 
-struct MeshTree::Builder {
-  MeshTree& tree;
-  const model::TriangleMesh& mesh;
-  std::vector<Vec3> middles;
-  std::vector<std::uint32_t> order;
-
-  Triangle corners(std::uint32_t t) const {
-    const auto& [a, b, c] = mesh.triangles[t];
-    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+  explicit State(const model::TriangleMesh& mesh) : box(bounding_box(mesh)) {
+    triangles.reserve(mesh.triangles.size());
+    for (const auto& [a, b, c] : mesh.triangles)
+      triangles.emplace_back(point3(mesh.vertices[a]), point3(mesh.vertices[b]),
+                             point3(mesh.vertices[c]));
+    slivers.reserve(triangles.size());
+    for (const Triangle3& t : triangles) slivers.push_back(is_sliver(t));
+    tree.insert(triangles.cbegin(), triangles.cend());
+    tree.custom_build(tree.traits().compute_bbox_object(), Halve());
   }
 
-  void build() {
-    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-    middles.reserve(count), order.resize(count);
-    std::iota(order.begin(), order.end(), 0U);
-    for (std::uint32_t t = 0; t < count; ++t) {
-      const Triangle c = corners(t);
-      middles.push_back((c[0] + c[1] + c[2]) / 3.0);
-    }
-    tree.triangles_.reserve(count);
-    add_node(order);
+  std::uint32_t number(const Primitive& primitive) const {
+    return static_cast<std::uint32_t>(primitive.id() - triangles.cbegin());
   }
-
-  // Cuts at the median across the axis in which the middles spread most.
-  std::size_t halve(std::span<std::uint32_t> part) {
-    Box3 box;
-    for (const std::uint32_t t : part) box.add(middles[t]);
-    const Vec3 size = box.size();
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const std::size_t half = part.size() / 2;
-    std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       const double x = middles[a][axis], y = middles[b][axis];
-                       return x != y ? x < y : a < b;
-                     });
-    return half;
-  }
-
-  std::uint32_t add_node(std::span<std::uint32_t> part) {
-    const auto number = static_cast<std::uint32_t>(tree.nodes_.size());
-    Node& node = tree.nodes_.emplace_back();
-    for (auto& axis : node.low) axis.fill(kInfinity);
-    for (auto& axis : node.high) axis.fill(-kInfinity);
-    node.first.fill(0), node.count.fill(0);
-    int used = 0;
-    if (part.size() <= kLeafTriangles) {
-      add_child(number, used, part);
-      return number;
-    }
-    const std::size_t half = halve(part);
-    for (const auto two : {part.first(half), part.subspan(half)}) {
-      if (two.size() <= kLeafTriangles) {
-        add_child(number, used++, two);
-        continue;
-      }
-      const std::size_t quarter = halve(two);
-      add_child(number, used++, two.first(quarter));
-      add_child(number, used++, two.subspan(quarter));
-    }
-    return number;
-  }
-
-  void add_child(std::uint32_t number, int k, std::span<std::uint32_t> part) {
-    Box3 box;
-    for (const std::uint32_t t : part)
-      for (const Vec3& v : corners(t)) box.add(v);
-    Node& node = tree.nodes_[number];
-    for (int a = 0; a < 3; ++a) node.low[a][k] = box.low[a], node.high[a][k] = box.high[a];
-    if (part.size() <= kLeafTriangles) {
-      node.first[k] = static_cast<std::uint32_t>(tree.triangles_.size());
-      node.count[k] = static_cast<std::uint32_t>(part.size());
-      for (const std::uint32_t t : part) tree.triangles_.push_back(corners(t));
-      return;
-    }
-    // Not through `node`: the nodes move as they grow.
-    const std::uint32_t child = add_node(part);
-    tree.nodes_[number].first[k] = child;
+  Vec3 foot(std::uint32_t n, const Vec3& p, double bound = kInfinity) const {
+    if (slivers[n]) return foot_on_sliver(triangles[n], p, bound);
+    return vec3(Kernel().construct_projected_point_3_object()(triangles[n], point3(p)));
   }
 };
 
-MeshTree::MeshTree(const model::TriangleMesh& mesh) {
-  Builder{*this, mesh, {}, {}}.build();
+namespace {
+
+// What CGAL's tree calls on its way: `do_intersect` whether to go into a node, with a priority
+// where nodes are to be taken in order, `intersection` for each triangle of the nodes gone into.
+
+template <class State>
+struct NearestWalk {
+  using Priority = double;
+  const State& state;
+  MeshTree::Nearest best{0, {}, kInfinity};
+
+  bool go_further() const { return true; }
+  void look_at(const Vec3& p, std::uint32_t n) {
+    const Vec3 q = state.foot(n, p, std::sqrt(best.distance_squared));
+    const double d = length_squared(p - q);
+    if (d < best.distance_squared) best = {n, q, d};
+  }
+  void intersection(const Vec3& p, const Primitive& primitive) {
+    look_at(p, state.number(primitive));
+  }
+  bool do_intersect(const Vec3& p, const Node& node) const {
+    return squared_distance(node.bbox(), p) < best.distance_squared;
+  }
+  std::pair<bool, Priority> do_intersect_with_priority(const Vec3& p, const Node& node) const {
+    const double d = squared_distance(node.bbox(), p);
+    return {d < best.distance_squared, -d};
+  }
+};
+
+// Of the vertical, the part at p.z or above.
+template <class Visit>
+struct VerticalWalk {
+  const Visit& visit;
+
+  bool go_further() const { return true; }
+  void intersection(const Point3& p, const Primitive& primitive) {
+    if (const int turns = turns_about(*primitive.id(), flat(p)); turns != 0)
+      visit(primitive, turns);
+  }
+  bool do_intersect(const Point3& p, const Node& node) const {
+    const CGAL::Bbox_3 b = node.bbox();
+    return p.x() >= b.xmin() && p.x() <= b.xmax() && p.y() >= b.ymin() && p.y() <= b.ymax() &&
+           p.z() <= b.zmax();
+  }
+};
+
+template <class State>
+struct CubeWalk {
+  const State& state;
+  double half_edge;
+  const std::function<bool(std::uint32_t)>& visit;
+  bool all = true;
+
+  bool go_further() const { return all; }
+  void intersection(const Vec3&, const Primitive& primitive) {
+    all = all && visit(state.number(primitive));
+  }
+  bool do_intersect(const Vec3& p, const Node& node) const {
+    const CGAL::Bbox_3 b = node.bbox();
+    for (int a = 0; a < 3; ++a)
+      if (p[a] + half_edge < b.min(a) || p[a] - half_edge > b.max(a)) return false;
+    return true;
+  }
+};
+
+struct Nothing {};
+
+template <class State>
+struct SearchWalk {
+  using Priority = double;
+  const State& state;
+  double least;
+  const std::function<double(const Box3&)>& least_in;
+  const std::function<double(std::uint32_t)>& look;
+
+  bool go_further() const { return true; }
+  void intersection(Nothing, const Primitive& primitive) { least = look(state.number(primitive)); }
+  template <class Iterator>
+  void traverse_group(Nothing, Iterator begin, Iterator end) {
+    for (; begin != end; ++begin) intersection({}, *begin);
+  }
+  bool do_intersect(Nothing, const Node& node) const { return least_in(box3(node.bbox())) < least; }
+  std::pair<bool, Priority> do_intersect_with_priority(Nothing, const Node& node) const {
+    const double low = least_in(box3(node.bbox()));
+    return {low < least, -low};
+  }
+};
+
+template <class Tree, class Visit>
+void walk_up(const Tree& tree, const Point3& p, const Visit& visit) {
+  VerticalWalk<Visit> walk{visit};
+  tree.traversal(p, walk);
 }
 
-MeshTree::Nearest MeshTree::nearest(const Vec3& p, std::uint32_t hint) const {
-  Nearest best{0, {}, kInfinity};
-  const auto look_at = [&](std::uint32_t slot) {
-    const Vec3 q = nearest_on_triangle(triangles_[slot], p);
-    const double d = length_squared(p - q);
-    if (d < best.distance_squared) best = {slot, q, d};
-  };
-  look_at(hint);
-  struct Waiting {
-    double distance_squared;
-    std::uint32_t first, count;
-  };
-  std::array<Waiting, 128> stack;
-  int depth = 0;
-  stack[depth++] = {0, 0, 0};
-  while (depth > 0) {
-    const Waiting at = stack[--depth];
-    if (at.distance_squared >= best.distance_squared) continue;
-    if (at.count > 0) {
-      for (std::uint32_t n = 0; n < at.count; ++n) look_at(at.first + n);
-      continue;
-    }
-    const Node& node = nodes_[at.first];
-    std::array<double, kWide> d{};
-    for (int a = 0; a < 3; ++a)
-      for (int k = 0; k < kWide; ++k) {
-        const double away = std::max({node.low[a][k] - p[a], p[a] - node.high[a][k], 0.0});
-        d[k] += away * away;
-      }
-    // The nearest child comes to lie on top.
-    const int begin = depth;
-    for (int k = 0; k < kWide; ++k) {
-      if (d[k] >= best.distance_squared) continue;
-      int place = depth++;
-      for (; place > begin && stack[place - 1].distance_squared < d[k]; --place)
-        stack[place] = stack[place - 1];
-      stack[place] = {d[k], node.first[k], node.count[k]};
-    }
-  }
-  return best;
+}  // namespace
+
+MeshTree::MeshTree(const model::TriangleMesh& mesh) : state_(std::make_shared<const State>(mesh)) {}
+
+MeshTree::Nearest MeshTree::nearest(const Vec3& p, std::optional<std::uint32_t> first_look) const {
+  NearestWalk<State> walk{*state_};
+  if (first_look) walk.look_at(p, *first_look);
+  state_->tree.traversal_with_priority(p, walk);
+  return walk.best;
+}
+
+double MeshTree::distance_to(std::uint32_t triangle, const Vec3& p) const {
+  return distance(state_->foot(triangle, p), p);
+}
+
+std::vector<Passage> MeshTree::passages_above(const Vec3& p) const {
+  std::vector<Passage> found;
+  const Point3 from = point3(p);
+  walk_up(state_->tree, from, [&](const Primitive& primitive, int turns) {
+    if (plane_above(*primitive.id(), turns, from))
+      found.push_back({state_->number(primitive), turns});
+  });
+  return found;
+}
+
+std::vector<Passage> MeshTree::passages(double x_mm, double y_mm) const {
+  return passages_above({x_mm, y_mm, std::nextafter(box().low.z, -kInfinity)});
+}
+
+bool MeshTree::is_above(const Passage& passage, const Vec3& p) const {
+  return plane_above(state_->triangles[passage.triangle], passage.turns, point3(p));
+}
+
+int MeshTree::winding(const Vec3& p) const {
+  int sum = 0;
+  const Point3 from = point3(p);
+  walk_up(state_->tree, from, [&](const Primitive& primitive, int turns) {
+    if (plane_above(*primitive.id(), turns, from)) sum += turns;
+  });
+  return sum;
+}
+
+bool MeshTree::each_about(const Vec3& p, double half_edge_mm,
+                          const std::function<bool(std::uint32_t)>& visit) const {
+  CubeWalk<State> walk{*state_, half_edge_mm, visit};
+  state_->tree.traversal(p, walk);
+  return walk.all;
+}
+
+void MeshTree::search(double least, const std::function<double(const Box3&)>& least_in,
+                      const std::function<double(std::uint32_t)>& look) const {
+  SearchWalk<State> walk{*state_, least, least_in, look};
+  state_->tree.traversal_with_priority_and_group_traversal(Nothing{}, walk, kGroup);
+}
+
+MeshTree::Triangle MeshTree::triangle(std::uint32_t number) const {
+  const Triangle3& t = state_->triangles[number];
+  return {vec3(t[0]), vec3(t[1]), vec3(t[2])};
+}
+
+const Box3& MeshTree::box() const {
+  return state_->box;
 }
 
 std::size_t MeshTree::memory_bytes() const {
-  return nodes_.capacity() * sizeof(Node) + triangles_.capacity() * sizeof(Triangle);
+  return state_->triangles.capacity() * (sizeof(Triangle3) + sizeof(Primitive) + sizeof(Node));
 }
 
 }  // namespace limitgauge::simulator

@@ -2,99 +2,72 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "model/mesh/triangle_mesh.h"
 
 namespace limitgauge::simulator {
 
-/// The point of a triangle nearest to p.
-model::Vec3 nearest_on_triangle(const std::array<model::Vec3, 3>& t, const model::Vec3& p);
-
-/// The triangles of a mesh under a tree of boxes, four to a node. Immutable.
+/// The triangles of a mesh in CGAL's tree of boxes (AABB_tree), and what CGAL's exact predicates
+/// say of them. Triangles have the numbers that they have in the mesh. Immutable, cheap to copy;
+/// may be asked from several threads at once.
 class MeshTree {
  public:
   using Triangle = std::array<model::Vec3, 3>;
 
-  /// The mesh has at least one triangle, and all its vertices are finite.
+  /// The mesh has at least one triangle, all of vertices that exist and are finite.
   explicit MeshTree(const model::TriangleMesh& mesh);
 
   struct Nearest {
-    std::uint32_t slot = 0;  ///< of the triangle in this tree
+    std::uint32_t triangle = 0;
     model::Vec3 point;
-    double distance_squared = 0;
+    double distance_squared = 0;  ///< mm²
   };
-  /// `hint` is a triangle to look at first; it only saves time.
-  Nearest nearest(const model::Vec3& p, std::uint32_t hint = 0) const;
+  /// The distance is exact but for a few roundings of the coordinates, of slivers as well.
+  /// `first_look` is a triangle that is likely to be near; it only saves time.
+  Nearest nearest(const model::Vec3& p, std::optional<std::uint32_t> first_look = {}) const;
+  /// The distance from p to one triangle.
+  double distance_to(std::uint32_t triangle, const model::Vec3& p) const;
 
-  /// Calls `visit(slot)` for every triangle whose box the vertical at (x, y) meets at `z_from` or
-  /// above, boundaries included.
-  template <class Visit>
-  void above(double x, double y, double z_from, Visit&& visit) const;
+  /// Where a vertical passes through a triangle.
+  struct Passage {
+    std::uint32_t triangle = 0;
+    int turns = 0;  ///< +1 through one that faces upwards, −1 downwards
+  };
+  /// Where the vertical through p passes through triangles above p (`is_above`). Decided exactly,
+  /// as if p lay a little to +X, and far less to +Y, of where it is: over edges and vertices, too,
+  /// of all triangles that meet there as many are passed as must be, so that the turns of a closed
+  /// mesh sum up to its winding number.
+  std::vector<Passage> passages_above(const model::Vec3& p) const;
+  /// The same, for all the vertical.
+  std::vector<Passage> passages(double x_mm, double y_mm) const;
+  /// Whether a triangle, at a place where the vertical through p passes, lies above p; exact, and
+  /// false where p is on its plane.
+  bool is_above(const Passage& passage, const model::Vec3& p) const;
+  /// The sum of the turns above p: how often a closed mesh goes around it.
+  int winding(const model::Vec3& p) const;
 
-  /// Calls `visit(slot)` for the triangles whose boxes meet a cube about p, until it returns false.
-  /// Whether it never did.
-  template <class Visit>
-  bool each_about(const model::Vec3& p, double half_edge, Visit&& visit) const;
+  /// Calls `visit(triangle)` for all triangles whose boxes meet a cube about p and perhaps a few
+  /// others, until it returns false. Whether it never did.
+  bool each_about(const model::Vec3& p, double half_edge_mm,
+                  const std::function<bool(std::uint32_t)>& visit) const;
 
-  const Triangle& triangle(std::uint32_t slot) const { return triangles_[slot]; }
+  /// Looks for a least value over all triangles: `least_in` bounds it from below in a box, `look`
+  /// looks at a triangle and returns the least value that is known by then. Triangles in boxes
+  /// whose bound is not below that are left out; `least` is what it is at the start.
+  void search(double least, const std::function<double(const model::Box3&)>& least_in,
+              const std::function<double(std::uint32_t)>& look) const;
+
+  Triangle triangle(std::uint32_t number) const;
+  const model::Box3& box() const;
   std::size_t memory_bytes() const;
 
  private:
-  static constexpr int kWide = 4;
-  // A child with a count is that many triangles from `first` on; one without is the node `first`.
-  // Unused children have an empty box, which nothing is near to.
-  struct Node {
-    std::array<std::array<double, kWide>, 3> low, high;
-    std::array<std::uint32_t, kWide> first, count;
-  };
-  struct Builder;
-  /// Visits the triangles of all leaves whose boxes `meets(node, child)`, until a visit says false.
-  template <class Meets, class Visit>
-  bool each_where(Meets&& meets, Visit&& visit) const;
-
-  std::vector<Node> nodes_;
-  std::vector<Triangle> triangles_;
+  struct State;
+  std::shared_ptr<const State> state_;
 };
-
-template <class Meets, class Visit>
-bool MeshTree::each_where(Meets&& meets, Visit&& visit) const {
-  std::array<std::uint32_t, 128> stack;
-  int depth = 0;
-  stack[depth++] = 0;
-  while (depth > 0) {
-    const Node& node = nodes_[stack[--depth]];
-    for (int k = 0; k < kWide; ++k) {
-      if (!meets(node, k)) continue;
-      if (node.count[k] == 0) stack[depth++] = node.first[k];
-      for (std::uint32_t n = 0; n < node.count[k]; ++n)
-        if (!visit(node.first[k] + n)) return false;
-    }
-  }
-  return true;
-}
-
-template <class Visit>
-bool MeshTree::each_about(const model::Vec3& p, double half_edge, Visit&& visit) const {
-  const auto meets = [&](const Node& node, int k) {
-    bool apart = false;
-    for (int a = 0; a < 3; ++a)
-      apart |= p[a] + half_edge < node.low[a][k] || p[a] - half_edge > node.high[a][k];
-    return !apart;
-  };
-  return each_where(meets, visit);
-}
-
-template <class Visit>
-void MeshTree::above(double x, double y, double z_from, Visit&& visit) const {
-  const auto meets = [&](const Node& node, int k) {
-    return x >= node.low[0][k] && x <= node.high[0][k] && y >= node.low[1][k] &&
-           y <= node.high[1][k] && z_from <= node.high[2][k];
-  };
-  each_where(meets, [&](std::uint32_t triangle) {
-    visit(triangle);
-    return true;
-  });
-}
 
 }  // namespace limitgauge::simulator

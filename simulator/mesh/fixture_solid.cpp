@@ -1,9 +1,8 @@
 #include "simulator/mesh/fixture_solid.h"
 
-#include <algorithm>
 #include <stdexcept>
-#include <utility>
 
+#include "model/mesh/mesh_defect.h"
 #include "simulator/sweep/depth_bound.h"
 
 namespace limitgauge::simulator {
@@ -13,34 +12,10 @@ using model::Box3;
 using model::TriangleMesh;
 using model::Vec3;
 
-void require_known_vertices(const TriangleMesh& mesh) {
-  for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t v : triangle)
-      if (v >= mesh.vertices.size())
-        throw std::invalid_argument("a fixture's triangle has a vertex that does not exist");
-  if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
-                   [](const Vec3& v) { return is_finite(v); }))
-    throw std::invalid_argument("a fixture with a coordinate that is not finite");
-}
-
-// Closed: every edge is gone along as often one way as the other.
-void require_closed(const TriangleMesh& mesh) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> forth, back;
-  for (const auto& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-      if (a < b) forth.emplace_back(a, b);
-      if (b < a) back.emplace_back(b, a);
-    }
-  std::sort(forth.begin(), forth.end());
-  std::sort(back.begin(), back.end());
-  if (forth != back) throw std::invalid_argument("a fixture's mesh is not closed");
-}
-
 const TriangleMesh& checked(const std::shared_ptr<const TriangleMesh>& mesh) {
-  if (!mesh || mesh->triangles.empty()) throw std::invalid_argument("a fixture without triangles");
-  require_known_vertices(*mesh);
-  require_closed(*mesh);
+  if (!mesh) throw std::invalid_argument("a fixture without its mesh");
+  if (const auto defect = find_defect(*mesh))
+    throw std::invalid_argument("a fixture's mesh bounds no solid: " + defect->wrong);
   return *mesh;
 }
 

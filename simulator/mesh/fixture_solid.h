@@ -12,7 +12,7 @@ namespace limitgauge::simulator {
 /// A fixture's closed mesh. Immutable.
 class FixtureSolid {
  public:
-  /// Throws std::invalid_argument for a mesh that is missing, empty, not finite or not closed.
+  /// Throws std::invalid_argument for a mesh that bounds no solid (model/mesh/mesh_defect.h).
   explicit FixtureSolid(std::shared_ptr<const model::TriangleMesh> mesh);
 
   /// The place of the fixture's surface where the swept distance of `body` is least, to within

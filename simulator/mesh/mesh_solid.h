@@ -29,7 +29,7 @@ struct SolidCap {
 /// Immutable, cheap to copy.
 class MeshSolid {
  public:
-  /// Throws std::invalid_argument for a mesh that bounds no solid (model/mesh_defect.h).
+  /// Throws std::invalid_argument for a mesh that bounds no solid (model/mesh/mesh_defect.h).
   explicit MeshSolid(std::shared_ptr<const model::TriangleMesh> mesh);
 
   /// Exact distance to the nearest triangle (a relative error of a few roundings, 1e-12 mm on the

@@ -261,6 +261,16 @@ TEST_CASE("inside and outside of a solid with corners and edges above and below"
   CHECK(!box.encloses({2, 2, 5}));
 }
 
+TEST_CASE("where the solids of a fixture overlap is inside", "[unit][fixture]") {
+  TriangleMesh mesh = box_mesh({{0, 0, 0}, {4, 4, 4}});
+  const TriangleMesh other = box_mesh({{2, 2, 2}, {6, 6, 6}});
+  for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({a + 8, b + 8, c + 8});
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  const FixtureSolid both = solid(mesh);
+  for (const double a : {1.0, 3.0, 5.0}) CHECK(both.encloses({a, a, a}));
+  CHECK(!both.encloses({1, 1, 5}));
+}
+
 TEST_CASE("assemblies against a fixture agree with dense sampling", "[property][fixture]") {
   std::mt19937_64 random(14);
   std::uniform_real_distribution<> x(-8, 8);
@@ -344,7 +354,9 @@ TEST_CASE("fixtures that are no closed solid are refused", "[unit][fixture]") {
   open.triangles.pop_back();
   wild.triangles[0][0] = 99;
   lost.vertices[0].x = std::nan("");
-  for (const TriangleMesh& mesh : {open, wild, lost, TriangleMesh{}})
+  TriangleMesh turned = whole;
+  for (auto& t : turned.triangles) std::swap(t[1], t[2]);
+  for (const TriangleMesh& mesh : {open, wild, lost, turned, TriangleMesh{}})
     CHECK_THROWS_AS(check_in_air(pass, with_fixture(mesh)), std::invalid_argument);
   ProcessLimits limits = plain_limits();
   limits.fixtures = {{"clamp", "clamp.stl", nullptr}};

@@ -57,6 +57,7 @@ reports::SurfaceResult surface_as_read(const Job& job, const RunInputs& inputs) 
   surface.rules = inputs.surface.rules();
   surface.bbox_mm = inputs.surface.bounding_box();
   surface.area_mm2 = inputs.surface.area_mm2();
+  surface.witness = inputs.witness;
   return surface;
 }
 

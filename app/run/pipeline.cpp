@@ -11,6 +11,7 @@
 #include "app/run/stage_prefix.h"
 #include "app/run/stage_program.h"
 #include "app/run/stock_probe.h"
+#include "app/run/surface_witness.h"
 #include "model/base/output_file.h"
 #include "model/part/machining_time.h"
 #include "reports/run/process.h"
@@ -135,6 +136,7 @@ void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   const StockRayProbe probe(stock_->stock);
   ran.deviation = measure_stage(inputs_.surface, job_.stock, passes_, &probe, check,
                                 control(asked.name + ": measuring"));
+  ran.deviation.budget.push_back(budget_term(inputs_.witness));
 }
 
 /// For lines of the programs of earlier stages.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/run/input_checksums.h"
+#include "app/run/surface_witness.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
 #include "model/base/text_file.h"
@@ -109,7 +110,8 @@ std::vector<model::Fixture> load_fixtures(const Job& job) {
 JobSurface load_surface(const Job& job) {
   model::Cage cage = load_cage(job);
   verifier::ReferenceSurface surface = make_surface(job, cage);
-  return {std::move(cage), std::move(surface)};
+  witness::Agreement witness = witnessed(cage, surface);
+  return {std::move(cage), std::move(surface), std::move(witness)};
 }
 
 RunInputs load_inputs(const Job& job) {
@@ -120,8 +122,9 @@ RunInputs load_inputs(const Job& job, JobSurface surface) {
   Settings settings = choose_settings(job, surface.surface.bounding_box());
   std::vector<model::Fixture> fixtures = load_fixtures(job);
   auto programs = load_programs(job, settings, fixtures, surface.surface.bounding_box());
-  return {std::move(surface.cage), std::move(surface.surface), std::move(settings),
-          std::move(fixtures),     std::move(programs),        input_checksums(job)};
+  return {std::move(surface.cage), std::move(surface.surface), std::move(surface.witness),
+          std::move(settings),     std::move(fixtures),        std::move(programs),
+          input_checksums(job)};
 }
 
 }  // namespace limitgauge::app

@@ -7,6 +7,7 @@
 #include "app/job/foreign_programs.h"
 #include "reports/run/run_result.h"
 #include "verifier/surface/reference_surface.h"
+#include "witness/agreement.h"
 
 namespace limitgauge::app {
 
@@ -14,6 +15,7 @@ namespace limitgauge::app {
 struct RunInputs {
   model::Cage cage;  ///< placed
   verifier::ReferenceSurface surface;
+  witness::Agreement witness;
   Settings settings;
   std::vector<model::Fixture> fixtures;
   std::vector<std::optional<ForeignPath>> programs;  ///< a stage; empty for those planned here
@@ -24,11 +26,13 @@ struct RunInputs {
 struct JobSurface {
   model::Cage cage;  ///< placed
   verifier::ReferenceSurface surface;
+  witness::Agreement witness;  ///< on this cage: the two agree
 };
-/// Throws InputError for a cage that cannot be used.
+/// Throws InputError for a cage that cannot be used, verifier::InstrumentDisagreement where the
+/// reference surface is not the one that the witness has of the cage.
 JobSurface load_surface(const Job& job);
 
-/// Throws InputError for a cage or program that cannot be used.
+/// Throws InputError for a cage or program that cannot be used, and as load_surface does.
 RunInputs load_inputs(const Job& job);
 /// The same with the job's surface, where it is at hand.
 RunInputs load_inputs(const Job& job, JobSurface surface);

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "app/run/surface_witness.h"
 #include "app/verify/inspect_program.h"
 #include "model/base/error.h"
 #include "model/base/output_file.h"
@@ -36,7 +37,8 @@ void print_counts(std::ostream& out, const char* title,
   out << '\n';
 }
 
-void print_cage(std::ostream& out, const model::Cage& cage, const ReferenceSurface& surface) {
+void print_cage(std::ostream& out, const model::Cage& cage, const ReferenceSurface& surface,
+                const witness::Agreement& witness) {
   const model::CageSummary summary = summarize(cage);
   const model::Box3& box = surface.bounding_box();
   out << "vertices               " << summary.vertices << '\n'
@@ -58,6 +60,7 @@ void print_cage(std::ostream& out, const model::Cage& cage, const ReferenceSurfa
       << "limit surface size     " << box.size().x << " x " << box.size().y << " x " << box.size().z
       << " mm\n"
       << "limit surface area     " << surface.area_mm2() << " mm2\n"
+      << "witness                " << words_of(witness) << '\n'
       << "problems               none" << std::endl;
 }
 
@@ -106,8 +109,9 @@ void inspect_cage(const InspectCommand& command, const CommonOptions& common,
   if (!command.csv.empty()) require_writable(command.csv);
   const model::Cage cage = model::read_cage_obj(command.file);
   const ReferenceSurface surface(cage);
+  const witness::Agreement witness = witnessed(cage, surface);
   if (!command.csv.empty()) write_csv(command, surface);
-  if (!common.quiet) print_cage(console.out, cage, surface);
+  if (!common.quiet) print_cage(console.out, cage, surface, witness);
 }
 
 }  // namespace

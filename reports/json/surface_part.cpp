@@ -30,6 +30,38 @@ Json rules_part(const verifier::SurfaceRules& r) {
           {"holes", r.holes}};
 }
 
+Json left_out_part(const witness::Agreement& w) {
+  return Json::array(
+      {{{"what", "points without a limit mask, beyond those followed by refinement"},
+        {"count", w.points_left_out}},
+       {{"what",
+         "normals at sharp or semi-sharp edges and vertices, ends of creases, interior "
+         "valence 2, boundary vertices of three and more faces, and folds"},
+        {"count", w.normals_left_out}}});
+}
+
+Json witness_part(const witness::Agreement& w) {
+  Json part = {{"evaluator", clean_text(w.evaluator)},
+               {"levels", w.levels},
+               {"points", w.points},
+               {"by_refinement", w.by_refinement},
+               {"worst_mm", finite("surface.witness.worst_mm", w.worst_mm)},
+               {"bound_mm", finite("surface.witness.bound_mm", w.bound_mm)},
+               {"normals", w.normals},
+               {"worst_normal_rad", finite("surface.witness", w.worst_normal_rad)},
+               {"normal_bound_rad", finite("surface.witness", w.normal_bound_rad)},
+               {"left_out", left_out_part(w)},
+               {"seconds", finite("surface.witness.seconds", w.seconds)}};
+  if (const auto& at = w.worst_at)
+    part["worst_at"] = {{"x", finite("surface.witness.worst_at", at->point.x)},
+                        {"y", finite("surface.witness.worst_at", at->point.y)},
+                        {"z", finite("surface.witness.worst_at", at->point.z)},
+                        {"patch", at->patch},
+                        {"u", at->u},
+                        {"v", at->v}};
+  return part;
+}
+
 }  // namespace
 
 Json surface_part(const SurfaceResult& s) {
@@ -48,6 +80,7 @@ Json surface_part(const SurfaceResult& s) {
       {"bbox_mm", Json::array({point("surface.bbox_mm", s.bbox_mm.low),
                                point("surface.bbox_mm", s.bbox_mm.high)})},
       {"area_mm2", finite("surface.area_mm2", s.area_mm2)},
+      {"witness", witness_part(s.witness)},
       {"depth", {{"min", s.depth_min}, {"max", s.depth_max}}},
       {"depths", s.depths},
       {"sampling_interval", {{"min", s.sampling_interval_min}, {"max", s.sampling_interval_max}}},

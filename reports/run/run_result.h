@@ -19,6 +19,7 @@
 #include "simulator/stock/stock_model.h"
 #include "verifier/gate/deviation.h"
 #include "verifier/surface/surface_rules.h"
+#include "witness/agreement.h"
 
 namespace limitgauge::reports {
 
@@ -43,6 +44,7 @@ struct SurfaceResult {
   verifier::SurfaceRules rules;
   model::Box3 bbox_mm;  ///< of the limit surface, exact
   double area_mm2 = 0;
+  witness::Agreement witness;  ///< of the reference surface with another evaluator of the cage
   int depth_min = 0, depth_max = 0;
   std::vector<int> depths;  ///< of the finish model, one a patch; empty where none was built
   int sampling_interval_min = 1, sampling_interval_max = 1;

@@ -67,7 +67,8 @@ struct Histogram {
 struct UncertaintyTerm {
   std::string source;
   double bound_mm = 0;
-  bool in_certificate = true;  ///< false: concerns the voxel figures only
+  bool in_certificate = true;   ///< false: concerns the voxel figures only, or is a check's
+  bool found_by_check = false;  ///< a difference found between two evaluators, in no figure
 };
 
 /// The sampled deviation field for maps: a grid mesh over the limit surface. A sample's deviation

@@ -31,6 +31,20 @@ std::string rules_text(const verifier::SurfaceRules& r) {
   return text;
 }
 
+std::string witness_text(const witness::Agreement& w) {
+  std::string text =
+      fmt::format("{}: {} limit points within {} mm, {} normals within {} rad",
+                  escape_markup(w.evaluator), grouped(w.points), typeset(three_digits(w.worst_mm)),
+                  grouped(w.normals), typeset(three_digits(w.worst_normal_rad)));
+  text += fmt::format(" (rounding may amount to {} mm)", typeset(three_digits(w.bound_mm)));
+  if (w.normals_left_out > 0)
+    text += fmt::format("; {} normals at sharp or irregular places not compared",
+                        grouped(w.normals_left_out));
+  if (w.points_left_out > 0)
+    text += fmt::format("; {} points not compared", grouped(w.points_left_out));
+  return text;
+}
+
 }  // namespace
 
 std::string surface_section(const SurfaceResult& s) {
@@ -44,7 +58,8 @@ std::string surface_section(const SurfaceResult& s) {
               {"Faces of the cage", grouped(std::uint64_t(s.summary.faces))},
               {"Boundary edges", grouped(std::uint64_t(s.summary.boundary_edges))},
               {"Extraordinary vertices", grouped(std::uint64_t(s.summary.extraordinary_vertices))},
-              {"Rules of the surface", rules_text(s.rules)}}) +
+              {"Rules of the surface", rules_text(s.rules)},
+              {"Held against", witness_text(s.witness)}}) +
          "</section>\n";
 }
 

@@ -61,6 +61,11 @@ std::string simulation_terms(const StageResult::Ran& r) {
                 {"Peak memory", bytes_text(r.peak_memory_bytes)}});
 }
 
+const char* concerned(const verifier::UncertaintyTerm& t) {
+  if (t.in_certificate) return "part of every interval above";
+  return t.found_by_check ? "found by a check, in no figure" : "voxel figures only";
+}
+
 }  // namespace
 
 std::string figures_part(const StageResult::Ran& ran) {
@@ -74,7 +79,7 @@ std::string budget_table(const std::vector<verifier::UncertaintyTerm>& budget) {
   for (const verifier::UncertaintyTerm& t : budget)
     rows.push_back({escape_markup(t.source),
                     t.bound_mm == 0 ? "0" : typeset(three_digits(t.bound_mm * 1000)),
-                    t.in_certificate ? "part of every interval above" : "voxel figures only"});
+                    concerned(t)});
   return table("Uncertainty budget: worst-case bounds, no coverage factor.",
                {{"Source"}, {"Bound in µm", true}, {"Concerns"}}, rows);
 }

@@ -8,7 +8,7 @@ install(FILES ${CMAKE_SOURCE_DIR}/reports/result.schema.json
   DESTINATION ${CMAKE_INSTALL_DATADIR}/limitgauge)
 # The pages, and what they name for trying out.
 file(GLOB pages RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/*.md)
-foreach(room IN ITEMS model engine simulator verifier study history reports app fixtures)
+foreach(room IN ITEMS model engine simulator verifier witness study history reports app fixtures)
   file(GLOB_RECURSE more RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${room}/*.md)
   list(APPEND pages ${more})
 endforeach()

@@ -12,6 +12,7 @@
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/feature_cages.h"
+#include "tests/support/folders.h"
 #include "verifier/cells/surface_cells.h"
 #include "verifier/feet/closest_point.h"
 #include "verifier/surface/reference_surface.h"
@@ -213,8 +214,7 @@ std::vector<Cage> test_cages() {
   std::vector<Cage> features = tests::feature_cages();
   for (std::size_t i = 0; i < features.size(); i += kStride) all.push_back(std::move(features[i]));
   for (const char* name : {"aircraft.obj", "quick-dome.obj"})
-    all.push_back(
-        model::read_cage_obj(std::filesystem::path(LIMITGAUGE_FIXTURES) / "cages" / name));
+    all.push_back(model::read_cage_obj(tests::fixtures() / "cages" / name));
   if (const char* folder = std::getenv("LIMITGAUGE_CAGES"))
     for (const auto& entry : std::filesystem::directory_iterator(folder))
       if (entry.path().extension() == ".obj") {

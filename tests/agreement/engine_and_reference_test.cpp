@@ -9,6 +9,7 @@
 #include "model/part/cage_obj.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 #include "verifier/surface/reference_surface.h"
 
 namespace limitgauge {
@@ -17,7 +18,7 @@ namespace {
 using model::Vec3;
 
 model::Cage fixture(const char* name) {
-  return model::read_cage_obj(std::filesystem::path(LIMITGAUGE_FIXTURES) / "cages" / name);
+  return model::read_cage_obj(tests::fixtures() / "cages" / name);
 }
 
 std::vector<model::Cage> cages() {

@@ -7,6 +7,7 @@
 #include "model/base/error.h"
 #include "model/base/text_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 
 namespace limitgauge::app {
@@ -65,7 +66,7 @@ gate = { uncut = 0.2 }
 class Job {
  public:
   explicit Job(const std::string& text = kJob) {
-    fs::copy_file(LIMITGAUGE_FIXTURES "/cages/quick-dome.obj", path("cage.obj"));
+    fs::copy_file(tests::fixtures() / "cages/quick-dome.obj", path("cage.obj"));
     write(path("job.toml"), text);
   }
   fs::path path(const std::string& name) const { return folder_.path() / name; }

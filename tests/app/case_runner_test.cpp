@@ -12,6 +12,7 @@
 #include "model/base/text_file.h"
 #include "reports/run/report.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 
 namespace limitgauge::app {
@@ -29,7 +30,8 @@ void write(const fs::path& file, const std::string& text) {
 std::string job_of(const std::string& stages) {
   return R"(name = "dome"
 [surface]
-cage = ")" LIMITGAUGE_FIXTURES R"(/cages/quick-dome.obj"
+cage = ")" +
+         tests::fixtures().string() + R"(/cages/quick-dome.obj"
 precision = 0.05
 transform = { scale = 0.15 }
 [stock]

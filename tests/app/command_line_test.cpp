@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 
 #include "tests/support/catch.h"
+#include "tests/support/messages.h"
 
 namespace limitgauge::app {
 namespace {
@@ -11,12 +12,7 @@ CommandLine parse(std::vector<const char*> words) {
 }
 
 std::string error_of(const std::vector<const char*>& words) {
-  try {
-    parse(words);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::message_of<UsageError>([&] { parse(words); });
 }
 
 TEST_CASE("run takes a job and the common options", "[unit][command_line]") {

@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "history/recorder.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 
 namespace limitgauge::app {
@@ -114,7 +115,7 @@ TEST_CASE("a label needs a history, and is a name", "[unit][history]") {
 
 TEST_CASE("what is wrong with a history is said before a run", "[unit][history]") {
   const tests::TemporaryFolder folder;
-  const std::string job = std::string(LIMITGAUGE_FIXTURES) + "/jobs/quick-dome.toml";
+  const std::string job = tests::fixtures().string() + "/jobs/quick-dome.toml";
   const std::string out = (folder.path() / "out").string();
   const auto refused = [&](const fs::path& history) {
     const Said said = run({"run", job, "-o", out, "--history", history.string()});

@@ -7,6 +7,7 @@
 #include "app/verify/verify_job.h"
 #include "model/base/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 
 namespace limitgauge::app {
@@ -80,7 +81,7 @@ TEST_CASE("every file that a job names has its checksum, each once", "[unit][inp
 }
 
 TEST_CASE("a job knows the files that it was read from", "[unit][inputs]") {
-  const std::filesystem::path fixtures = LIMITGAUGE_FIXTURES;
+  const std::filesystem::path fixtures = tests::fixtures();
   const Job job = read_job(fixtures / "jobs/quick-dome.toml", {});
   const std::vector<reports::InputFile> inputs = input_checksums(job);
   REQUIRE(inputs.size() == 2);
@@ -90,7 +91,7 @@ TEST_CASE("a job knows the files that it was read from", "[unit][inputs]") {
 }
 
 TEST_CASE("verify's stock and tool table are among its inputs", "[unit][inputs]") {
-  const std::filesystem::path fixtures = LIMITGAUGE_FIXTURES;
+  const std::filesystem::path fixtures = tests::fixtures();
   const tests::TemporaryFolder folder;
   write(folder.path() / "tool.tbl", "T1 P1 Z50 D8\n");
   VerifyCommand command;

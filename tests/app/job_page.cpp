@@ -1,4 +1,5 @@
 #include "tests/app/job_page.h"
+#include "tests/support/folders.h"
 
 #include <fstream>
 #include <sstream>
@@ -26,7 +27,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 std::map<std::string, DocumentedKey> documented_keys(const std::string& page) {
   std::map<std::string, DocumentedKey> keys;
-  std::ifstream lines(std::string(LIMITGAUGE_FIXTURES) + "/../docs/" + page);
+  std::ifstream lines(tests::fixtures().string() + "/../docs/" + page);
   for (std::string line; std::getline(lines, line);) {
     const std::vector<std::string> cells = cells_of(line);
     if (cells.size() < 5 || cells[0].size() < 3 || cells[0].front() != '`') continue;

@@ -10,17 +10,13 @@
 #include "model/gcode/program.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
+#include "tests/support/messages.h"
 
 namespace limitgauge::app {
 namespace {
 
 std::string refusal_of(const std::string& added) {
-  try {
-    read(good_job() + added);
-  } catch (const model::InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::message_of<model::InputError>([&] { read(good_job() + added); });
 }
 
 bool says(const std::vector<std::string>& lines, const std::string& what) {

@@ -3,6 +3,7 @@
 #include "model/base/error.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 
 namespace limitgauge::app {
 namespace {
@@ -16,7 +17,7 @@ struct BadJob {
 TEST_CASE("a job is read with its defaults stated", "[unit][job]") {
   const Job job = read(good_job());
   CHECK(job.name == "dome");
-  CHECK(job.cage == std::filesystem::path(LIMITGAUGE_FIXTURES) / "cages/quick-dome.obj");
+  CHECK(job.cage == tests::fixtures() / "cages/quick-dome.obj");
   CHECK(std::get<model::BoxStock>(job.stock).size_mm == model::Vec3{26, 26, 9});
   REQUIRE(job.stages.size() == 1);
   const JobStage& stage = job.stages[0];
@@ -334,7 +335,7 @@ contact_tolerance = 0.05
 
 TEST_CASE("the jobs that ship are in order", "[unit][job]") {
   for (const char* name : {"aircraft", "quick-dome"}) {
-    const Job job = read_job(std::string(LIMITGAUGE_FIXTURES) + "/jobs/" + name + ".toml");
+    const Job job = read_job(tests::fixtures().string() + "/jobs/" + name + ".toml");
     CHECK(job.name == name);
     // They show every figure; only the finish floors are chosen, from the surface.
     CHECK(job.defaulted.empty());

@@ -7,6 +7,7 @@
 #include "simulator/stock/stock_model.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 #include "tests/support/mesh_shapes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -32,8 +33,7 @@ class Folder {
     std::string text = good_job();
     const std::size_t begin = text.find("[stock]"), end = text.find("[[tool]]");
     text.replace(begin, end - begin, "[stock]\n" + stock + "\n");
-    const std::string cage =
-        (std::filesystem::path(LIMITGAUGE_FIXTURES) / "cages/quick-dome.obj").string();
+    const std::string cage = (tests::fixtures() / "cages/quick-dome.obj").string();
     return read_job_text(with(text, "cages/quick-dome.obj", cage), "job.toml", folder_.path(), {});
   }
   std::string error_with(const std::string& stock) const {

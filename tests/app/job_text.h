@@ -4,6 +4,8 @@
 
 #include "app/job/job_reader.h"
 #include "model/base/error.h"
+#include "tests/support/folders.h"
+#include "tests/support/messages.h"
 
 namespace limitgauge::app {
 
@@ -38,17 +40,12 @@ inline std::string with(std::string text, const std::string& from, const std::st
 }
 
 inline Job read(const std::string& text, std::vector<std::string> overrides = {}) {
-  return read_job_text(text, "job.toml", LIMITGAUGE_FIXTURES, overrides);
+  return read_job_text(text, "job.toml", tests::fixtures(), overrides);
 }
 
 /// What `text` is refused with.
 inline std::string error_of(const std::string& text, std::vector<std::string> overrides = {}) {
-  try {
-    read(text, std::move(overrides));
-  } catch (const model::InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::message_of<model::InputError>([&] { read(text, std::move(overrides)); });
 }
 
 }  // namespace limitgauge::app

@@ -4,18 +4,14 @@
 
 #include "app/cli/command_line.h"
 #include "tests/support/catch.h"
+#include "tests/support/messages.h"
 #include "tests/support/temporary_folder.h"
 
 namespace limitgauge::app {
 namespace {
 
 std::string error_of(const MachineOptions& options) {
-  try {
-    machine_of(options);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::message_of<std::exception>([&] { machine_of(options); });
 }
 
 }  // namespace

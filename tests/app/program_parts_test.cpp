@@ -2,6 +2,7 @@
 
 #include "model/base/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/messages.h"
 
 namespace limitgauge::app {
 namespace {
@@ -33,12 +34,7 @@ std::vector<MotionRange> assigned(const model::Program& program,
 }
 
 std::string error_of(const model::Program& program, const std::vector<JobStage>& stages) {
-  try {
-    assigned(program, stages);
-  } catch (const model::InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::message_of<model::InputError>([&] { assigned(program, stages); });
 }
 
 ProgramPart section(int number) {

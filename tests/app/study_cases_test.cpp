@@ -12,6 +12,7 @@
 #include "reports/run/report.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 
 namespace limitgauge::app {
@@ -66,7 +67,7 @@ std::vector<study::Case> many_steps(std::size_t count) {
 struct Bench {
   StudyCasesOptions options() {
     StudyCasesOptions options;
-    options.job = LIMITGAUGE_FIXTURES "/jobs/quick-dome.toml";
+    options.job = tests::fixtures() / "jobs/quick-dome.toml";
     options.keys = {"stage.finish.step"};
     options.stages = {"rough", "finish"};
     options.result = [this](std::size_t, const std::string&) { ++results; };

@@ -6,6 +6,8 @@
 #include "model/base/text_file.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
+#include "tests/support/messages.h"
 
 namespace limitgauge::app {
 namespace {
@@ -17,19 +19,14 @@ const std::string kHead = "name = \"tune\"\njob = \"jobs/quick-dome.toml\"\n";
 const std::string kVary = "[[vary]]\nkey = \"stage.finish.step\"\n";
 
 Plan plan_of(const std::string& text, std::vector<std::string> overrides = {}) {
-  StudyFile file = read_study_text(text, "study.toml", LIMITGAUGE_FIXTURES);
+  StudyFile file = read_study_text(text, "study.toml", tests::fixtures());
   relate_to_job(file, model::read_text_file(file.plan.job), overrides);
   return file.plan;
 }
 
 /// What a text is refused with.
 std::string refusal(const std::string& text) {
-  try {
-    plan_of(text);
-  } catch (const model::InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::message_of<model::InputError>([&] { plan_of(text); });
 }
 
 std::vector<std::string> texts(const std::vector<study::Setting>& settings) {
@@ -43,7 +40,7 @@ using Texts = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("the fixture of a study is read, with the job's own settings", "[unit][study]") {
-  const Plan plan = read_study(std::string(LIMITGAUGE_FIXTURES) + "/studies/quick-dome.toml");
+  const Plan plan = read_study(tests::fixtures().string() + "/studies/quick-dome.toml");
   CHECK(plan.name == "quick-dome-study");
   CHECK(model::is_file(plan.job));
   CHECK(plan.method == Method::grid);

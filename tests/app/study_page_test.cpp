@@ -8,6 +8,7 @@
 #include "tests/app/job_page.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 
 namespace limitgauge::app {
 namespace {
@@ -54,7 +55,7 @@ batch = 2
 )";
 
 StudyFile read_related(const std::string& text) {
-  StudyFile file = read_study_text(text, "study.toml", LIMITGAUGE_FIXTURES);
+  StudyFile file = read_study_text(text, "study.toml", tests::fixtures());
   relate_to_job(file, model::read_text_file(file.plan.job), {});
   return file;
 }

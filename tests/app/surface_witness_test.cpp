@@ -9,6 +9,7 @@
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/feature_cages.h"
+#include "tests/support/folders.h"
 #include "verifier/gate/verify.h"
 
 namespace limitgauge::app {
@@ -42,8 +43,8 @@ std::vector<Cage> cages_of(const std::filesystem::path& folder) {
 
 std::vector<Cage> all_cages() {
   std::vector<Cage> all = tests::feature_cages();
-  for (Cage& cage : cages_of(LIMITGAUGE_FIXTURES "/cages")) all.push_back(std::move(cage));
-  for (Cage& cage : cages_of(LIMITGAUGE_FIXTURES "/torture")) all.push_back(std::move(cage));
+  for (Cage& cage : cages_of(tests::fixtures() / "cages")) all.push_back(std::move(cage));
+  for (Cage& cage : cages_of(tests::fixtures() / "torture")) all.push_back(std::move(cage));
   if (const char* folder = std::getenv("LIMITGAUGE_CAGES"))
     for (Cage& cage : cages_of(folder)) all.push_back(std::move(cage));
   return all;

@@ -2,6 +2,7 @@
 
 #include "model/base/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/messages.h"
 
 namespace limitgauge::app {
 namespace {
@@ -32,12 +33,7 @@ Job with(const std::vector<std::string>& overrides) {
 }
 
 std::string error_of(const std::string& override) {
-  try {
-    with({override});
-  } catch (const model::InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::message_of<model::InputError>([&] { with({override}); });
 }
 
 }  // namespace

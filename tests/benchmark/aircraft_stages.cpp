@@ -6,6 +6,7 @@
 #include "engine/surface/patch_model.h"
 #include "model/part/cage_obj.h"
 #include "tests/benchmark/dome_finish.h"
+#include "tests/support/folders.h"
 
 namespace limitgauge::benchmarks {
 namespace {
@@ -56,7 +57,7 @@ simulator::Pass planned(const FinishModel& model, const StageRequest& request) {
 }
 
 AircraftStages plan_stages() {
-  const model::Cage cage = model::read_cage_obj(LIMITGAUGE_FIXTURES "/cages/aircraft.obj");
+  const model::Cage cage = model::read_cage_obj(tests::fixtures() / "cages/aircraft.obj");
   // The semi-finish stage asks for the largest offset: radius, allowance and tolerance.
   const FinishModel model(cage, {0.01, kRadius_mm + 0.2 + 0.02, 10}, {2, nullptr, {}});
   return {planned(model, rough_request()), planned(model, rows_request(model, 0.25, 0.2, 0.02)),

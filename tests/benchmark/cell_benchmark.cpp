@@ -17,6 +17,7 @@
 #include "engine/surface/cell/cell_patch.h"
 #include "model/part/cage_obj.h"
 #include "tests/benchmark/counted_bytes.h"
+#include "tests/support/folders.h"
 
 namespace limitgauge::benchmarks {
 namespace {
@@ -37,7 +38,7 @@ constexpr int kTimeDepth = 7;
 
 const model::Cage& aircraft() {
   static const model::Cage cage =
-      model::read_cage_obj(std::filesystem::path(LIMITGAUGE_FIXTURES) / "cages" / "aircraft.obj");
+      model::read_cage_obj(tests::fixtures() / "cages" / "aircraft.obj");
   return cage;
 }
 

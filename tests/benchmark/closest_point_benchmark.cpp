@@ -14,6 +14,7 @@
 #include "model/part/cage_obj.h"
 #include "tests/benchmark/dome_finish.h"
 #include "tests/support/cages.h"
+#include "tests/support/folders.h"
 #include "verifier/feet/closest_point.h"
 
 namespace limitgauge::benchmarks {
@@ -70,7 +71,7 @@ std::vector<Vec3> queries(const verifier::ReferenceSurface& surface, double off_
 
 model::Cage cage_of(int which) {
   if (which == 0) return tests::paraboloid_cage(30, -kBend);
-  return model::read_cage_obj(LIMITGAUGE_FIXTURES "/cages/aircraft.obj");
+  return model::read_cage_obj(tests::fixtures() / "cages/aircraft.obj");
 }
 
 void closest_point_exact(benchmark::State& state) {

@@ -14,6 +14,7 @@
 
 #include "engine/surface/section/sections.h"
 #include "model/part/cage_obj.h"
+#include "tests/support/folders.h"
 
 namespace limitgauge::benchmarks {
 namespace {
@@ -31,7 +32,7 @@ constexpr double kStep = 0.1, kPrecision = 0.01, kMeshError = 0.0025;
 
 struct Aircraft {
   engine::surface::PatchModel model{
-      model::read_cage_obj(LIMITGAUGE_FIXTURES "/cages/aircraft.obj"), {kPrecision, 3, 10}, {}};
+      model::read_cage_obj(tests::fixtures() / "cages/aircraft.obj"), {kPrecision, 3, 10}, {}};
   engine::surface::OffsetModel mesh = engine::surface::sample_offset(model, 0, kMeshError);
 
   std::vector<double> planes() const {

@@ -17,6 +17,7 @@
 #include "tests/defects/surfaces.h"
 #include "tests/defects/table.h"
 #include "tests/defects/triples.h"
+#include "tests/support/folders.h"
 
 namespace limitgauge::tests::defects {
 namespace {
@@ -52,7 +53,7 @@ Mishap mishap(Kind kind, std::size_t number) {
 }
 
 std::vector<PairPlan> full_plan(const Options& options) {
-  const std::vector<NamedCage> surfaces = suite_surfaces(LIMITGAUGE_FIXTURES);
+  const std::vector<NamedCage> surfaces = suite_surfaces(tests::fixtures().string());
   const std::vector<model::Cutter> cutters = suite_cutters();
   std::vector<PairPlan> plans;
   std::size_t number = 0;

@@ -1,4 +1,5 @@
 #include "tests/e2e/program.h"
+#include "tests/support/folders.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -96,7 +97,7 @@ void write_text(const fs::path& file, const std::string& text) {
 }
 
 std::string fixture(const std::string& name) {
-  return std::string(LIMITGAUGE_FIXTURES) + "/" + name;
+  return tests::fixtures().string() + "/" + name;
 }
 
 }  // namespace limitgauge::e2e

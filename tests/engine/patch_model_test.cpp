@@ -13,6 +13,7 @@
 #include "model/part/cage_obj.h"
 #include "tests/engine/cages.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 
 using namespace limitgauge;
 using namespace engine::surface;
@@ -160,8 +161,7 @@ void count_sampled(const PatchModel& model, const OffsetModel& mesh, Shared& cou
 }
 
 model::Cage uneven_depths() {
-  return model::read_cage_obj(std::filesystem::path(LIMITGAUGE_FIXTURES) / "torture" /
-                              "uneven-depths.obj");
+  return model::read_cage_obj(tests::fixtures() / "torture" / "uneven-depths.obj");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "model/base/error.h"
 #include "tests/history/history_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/messages.h"
 #include "tests/support/temporary_folder.h"
 
 namespace limitgauge::history {
@@ -65,12 +66,7 @@ std::size_t entries(const fs::path& folder) {
 }
 
 std::string input_error(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const model::InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::message_of<model::InputError>([&] { work(); });
 }
 
 /// Neither reading nor adding is possible, both say why, and not a byte changes.

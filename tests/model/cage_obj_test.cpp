@@ -10,6 +10,7 @@
 #include "tests/model/cage_builders.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 
 using namespace limitgauge::model;
 using namespace limitgauge::model::test;
@@ -108,7 +109,7 @@ TEST_CASE("every bad cage gets its one error", "[unit][obj]") {
 }
 
 TEST_CASE("paths that are no readable file", "[unit][obj]") {
-  const std::filesystem::path folder = LIMITGAUGE_FIXTURES;
+  const std::filesystem::path folder = limitgauge::tests::fixtures();
   CHECK_THROWS_WITH(read_cage_obj(folder), ContainsSubstring("error: this is a directory"));
   CHECK_THROWS_AS(read_cage_obj(folder / "no-such.obj"), InputError);
   CHECK_THROWS_WITH(read_cage_obj(folder / "no-such.obj"),

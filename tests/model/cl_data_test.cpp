@@ -8,6 +8,7 @@
 
 #include "model/base/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/messages.h"
 
 using namespace limitgauge::model;
 
@@ -25,12 +26,7 @@ std::string written(const Toolpath& path, const std::string& cutter, const ClOpt
 }
 
 std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return limitgauge::tests::message_of<InputError>([&] { read(text); });
 }
 
 Toolpath small_path() {

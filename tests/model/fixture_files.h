@@ -8,13 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/folders.h"
+#include "tests/support/messages.h"
+
 namespace limitgauge::model::test {
 
 /// The files of a folder of fixtures/ that end in `extension`, sorted by name.
 inline std::vector<std::filesystem::path> fixture_files(const std::string& folder,
                                                         const std::string& extension) {
   std::vector<std::filesystem::path> files;
-  const std::filesystem::path root = std::filesystem::path(LIMITGAUGE_FIXTURES) / folder;
+  const std::filesystem::path root = tests::fixtures() / folder;
   for (const auto& entry : std::filesystem::directory_iterator(root)) {
     if (entry.path().extension() == extension) files.push_back(entry.path());
   }
@@ -33,15 +36,6 @@ inline std::string text_beside(std::filesystem::path path, const std::string& ex
   return text_of(path.replace_extension(extension));
 }
 
-/// The message of the InputError that `call` throws; a remark where it throws none.
-template <typename Error, typename Call>
-std::string message_of(Call&& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using tests::message_of;
 
 }  // namespace limitgauge::model::test

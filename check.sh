@@ -1,10 +1,15 @@
 #!/usr/bin/env bash
 # Everything that must hold before a change goes in: the build without a warning, all tests, the unit
 # and property tests again under the address and undefined behaviour sanitizers, and a short run of
-# the fuzz tests. Arguments go to cmake (-DLIMITGAUGE_PRECOMPILED=ON: quicker from nothing).
+# the fuzz tests. With --full random tests take all their cases, and collections are gone through whole, not
+# by a share of them (tests/support/effort.h). Further arguments go to cmake.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
+if [ "${1:-}" = --full ]; then
+  export LIMITGAUGE_THOROUGH=1
+  shift
+fi
 ./setup.sh all
 jobs=$(nproc)
 
@@ -17,7 +22,7 @@ ctest --test-dir build/release --output-on-failure -j "$jobs"
 cmake --preset sanitize "${common[@]}" >/dev/null
 # Sanitized code is some ten times slower: the tests of whole jobs and those that hold the parts against
 # each other have had their turn above, and nothing in them is left to build.
-parts=(${LIMITGAUGE_SANITIZED:-model engine simulator verifier reports app})
+parts=(model engine simulator verifier study history reports app)
 cmake --build --preset sanitize --target "${parts[@]/#/test_}"
 ctest --test-dir build/sanitize -L 'unit|property' -LE slow -R "^($(IFS='|'; echo "${parts[*]}")):" \
   --output-on-failure -j "$jobs"

@@ -1,6 +1,7 @@
 #include "tests/e2e/program.h"
 #include "tests/e2e/shell.h"
 #include "tests/support/catch.h"
+#include "tests/support/folders.h"
 
 namespace limitgauge::e2e {
 namespace fs = std::filesystem;
@@ -23,9 +24,9 @@ TEST_CASE("what is installed stands where a system looks for it, and runs", "[e2
     CHECK(fs::is_regular_file(prefix / file));
     CHECK(fs::file_size(prefix / file) > 500);
   }
-  const ShellOutcome links =
-      bash("python3 '" LIMITGAUGE_FIXTURES "/../tests/docs/check_links.py' --installed '" +
-           (prefix / "share/doc/limitgauge").string() + "'");
+  const ShellOutcome links = bash("python3 '" + tests::fixtures().string() +
+                                  "/../tests/docs/check_links.py' --installed '" +
+                                  (prefix / "share/doc/limitgauge").string() + "'");
   INFO(links.out);
   CHECK(links.exit_code == 0);
   const std::string program = (prefix / "bin/limitgauge").string();

@@ -20,6 +20,7 @@
 #include "simulator/stock/in_own_process.h"
 #include "simulator/stock/stock_model.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/rasters.h"
 #include "tests/support/temporary_folder.h"
 
@@ -226,8 +227,9 @@ TEST_CASE("damaged files are refused or read, never worse", "[property][mesh][vd
   write(file.path(), {ball()});
   const std::string whole = bytes_of(file.path());
   std::mt19937 random(11);
+  const int kDamages = tests::by_effort(24, 60);
   int refused = 0;
-  for (int n = 0; n < 60; ++n) {
+  for (int n = 0; n < kDamages; ++n) {
     std::string bytes = whole;
     // Behind the header, where the damage meets OpenVDB's buffers.
     for (int flips = 1 + static_cast<int>(random() % 4); flips > 0; --flips)
@@ -240,7 +242,7 @@ TEST_CASE("damaged files are refused or read, never worse", "[property][mesh][vd
       ++refused;
     }
   }
-  CHECK(refused > 10);
+  CHECK(refused > kDamages / 6);
 }
 
 TEST_CASE("work that breaks down does so in its own process", "[unit][vdb]") {

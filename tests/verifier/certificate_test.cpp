@@ -159,42 +159,4 @@ TEST_CASE("the error of an arc's chords is part of the interval", "[unit]") {
   CHECK(chords->bound_mm == 0.002);
 }
 
-TEST_CASE("the verdict does not depend on threads, on the order of moves or on their splitting",
-          "[slow]") {
-  const ReferenceSurface surface(star_cage(5, 1));
-  const auto tip = [](double x, double y) { return 0.8 + 0.02 * std::sin(x) * y; };
-  const model::Toolpath path = raster(14, 0.8, 2, tip);
-  StageCheck check;
-  check.resolution_mm = 0.001;
-  check.field_spacing_mm = 1;
-  check.limits = {true, true, false, 0.1, 5, 0};
-  const auto run = [&](model::Toolpath p, unsigned threads) {
-    const Pass pass{ball_cutter(3), shared(std::move(p))};
-    return measure_stage(surface, kBlock, {&pass, 1}, nullptr, check, {threads});
-  };
-  const StageDeviation one = run(path, 1), two = run(path, 3);
-  CHECK(one.gouge_mm.low == two.gouge_mm.low);
-  CHECK(one.gouge_mm.high == two.gouge_mm.high);
-  CHECK(one.uncut_mm.low == two.uncut_mm.low);
-  CHECK(one.uncut_mm.high == two.uncut_mm.high);
-  CHECK(one.cells == two.cells);
-
-  model::Toolpath reversed;
-  reversed.start = path.moves.back().to;
-  for (std::size_t i = path.moves.size(); i-- > 0;) feed_to(reversed, model::move_from(path, i));
-  model::Toolpath split;
-  split.start = path.start;
-  for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    feed_to(split, lerp(model::move_from(path, i), path.moves[i].to, 0.375));
-    feed_to(split, path.moves[i].to);
-  }
-  for (const StageDeviation& other : {run(reversed, 2), run(split, 2)}) {
-    CHECK(other.gouge_mm.low <= one.gouge_mm.high);
-    CHECK(one.gouge_mm.low <= other.gouge_mm.high);
-    CHECK(other.uncut_mm.low <= one.uncut_mm.high);
-    CHECK(one.uncut_mm.low <= other.uncut_mm.high);
-    CHECK(decide(other, check.limits).verdict == decide(one, check.limits).verdict);
-  }
-}
-
 }  // namespace limitgauge::verifier

@@ -8,6 +8,8 @@ target_compile_options(limitgauge_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
   # GCC 12 takes "text" + std::string for overlapping copies (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # GCC 13 and 14 take a reference into an argument for one into a temporary beside it (GCC bug 107532).
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-dangling-reference>
   # The same input gives the same bytes wherever it is built: no fused multiply-add.
   -ffp-contract=off)
 if(LIMITGAUGE_WERROR)

@@ -59,7 +59,7 @@ model::Cage cage_named(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a ball zigzag never goes below the surface", "[property][zigzag]") {
+TEST_CASE("a ball zigzag never goes below the surface", "[slow][zigzag]") {
   const std::string name = GENERATE("plane", "hypar", "dome", "bowl", "tight bowl", "cube");
   const double allowance = GENERATE(0.0, 0.2);
   INFO(name << " allowance " << allowance);
@@ -92,7 +92,7 @@ TEST_CASE("a ball zigzag over a plane touches it everywhere", "[property][zigzag
   CHECK(touching >= 23);
 }
 
-TEST_CASE("a flat contour keeps its allowance", "[property][contour]") {
+TEST_CASE("a flat contour keeps its allowance", "[slow][contour]") {
   const std::string name = GENERATE("plane", "dome", "bowl", "cube");
   INFO(name);
   const model::Cage cage = cage_named(name);

@@ -177,7 +177,7 @@ TEST_CASE("random paths are the same after writing and reading CL data", "[prope
     CHECK(distance(data.path.start, path.start) <= unit);
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
       CHECK(distance(data.path.moves[i].to, path.moves[i].to) <= unit);
-      CHECK(data.path.moves[i].kind == path.moves[i].kind);
+      CHECK((data.path.moves[i].kind == path.moves[i].kind));  // a bit-field
       CHECK(data.path.moves[i].feed_mm_min == path.moves[i].feed_mm_min);
     }
     // What was read is what was written, exactly.

@@ -68,7 +68,7 @@ fi
 
 seconds=$1
 shift
-cmake --preset fuzz >/dev/null
+cmake --preset fuzz -DLIMITGAUGE_UNITY=ON >/dev/null
 cmake --build --preset fuzz
 $here/seeds.sh $build/seeds
 targets=("$@")

@@ -19,7 +19,9 @@ if(LIMITGAUGE_WERROR)
 endif()
 if(LIMITGAUGE_SANITIZE)
   target_compile_options(limitgauge_options INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+    # A target may ask for the address sanitizer alone.
+    -fsanitize=address $<$<NOT:$<BOOL:$<TARGET_PROPERTY:LIMITGAUGE_ADDRESSES_ONLY>>>:-fsanitize=undefined>
+    -fno-sanitize-recover=undefined -fno-omit-frame-pointer
     # GCC sees uninitialised members in the library's own std::regex once it is instrumented.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(limitgauge_options INTERFACE -fsanitize=address,undefined)

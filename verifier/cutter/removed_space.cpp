@@ -62,6 +62,7 @@ RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> pass
     if (!mesh->mesh) throw std::invalid_argument("a mesh stock without a mesh");
     mesh_ = std::make_shared<const MeshOutside>(*mesh->mesh);
   }
+  stock_box_ = model::bounding_box(stock);
   for (const Pass& pass : passes) add_sweep({CutterProfile(pass.cutter), 0, pass.path});
   for (const Sweep& sweep : more) add_sweep(sweep);
 }
@@ -304,7 +305,7 @@ std::uint32_t RemovedSpace::stock_faces() const {
 
 /// Distance inwards from one face of the raw stock, negative outside it.
 BodyDistance RemovedSpace::stock_distance(std::uint32_t face, const Vec3& p) const {
-  const Box3 box = model::bounding_box(*stock_);
+  const Box3& box = *stock_box_;
   if (std::holds_alternative<model::BoxStock>(*stock_)) {
     const int axis = static_cast<int>(face / 2);
     Vec3 inwards;

@@ -93,9 +93,7 @@ class RemovedSpace {
   }
   bool is_stock(BodyRef body) const { return body.pass == passes_.size(); }
   /// Of the raw stock; none where it is endless.
-  std::optional<model::Box3> stock_box() const {
-    return stock_ ? std::optional(model::bounding_box(*stock_)) : std::nullopt;
-  }
+  const std::optional<model::Box3>& stock_box() const { return stock_box_; }
   /// Least distance to what lies outside the raw stock, its sign as that of δ; infinite where the
   /// stock is endless.
   double stock_distance_mm(const model::Vec3& p) const;
@@ -129,6 +127,7 @@ class RemovedSpace {
   BodyDistance stock_distance(std::uint32_t face, const model::Vec3& p) const;
 
   std::optional<model::Stock> stock_;
+  std::optional<model::Box3> stock_box_;
   std::shared_ptr<const MeshOutside> mesh_;
   std::vector<PassBodies> passes_;
   double chord_error_mm_ = 0;

@@ -1,5 +1,7 @@
 #include "verifier/surface/ring_modes.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -59,40 +61,76 @@ RingWeights before_refinement(const RingWeights& l) {
   return out;
 }
 
-/// Takes away what rounding adds of the eigenvectors with larger eigenvalues: the antisymmetric
-/// ones and the limit position. Returns the greatest weight on an edge.
-double purify(RingWeights& l, const RingWeights& limit) {
-  const std::size_t n = l.face.size();
-  for (std::size_t i = 1; i < n; ++i)
-    if (i <= n - i) l.edge[i] = l.edge[n - i] = (l.edge[i] + l.edge[n - i]) / 2;
-  for (std::size_t i = 0; 2 * i < n; ++i)
-    l.face[i] = l.face[n - 1 - i] = (l.face[i] + l.face[n - 1 - i]) / 2;
-  const double sum = sum_of(l);
-  l.vertex -= sum * limit.vertex;
-  double greatest = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    l.edge[i] -= sum * limit.edge[i], l.face[i] -= sum * limit.face[i];
-    greatest = std::max(greatest, std::abs(l.edge[i]));
+/// The weights of a dart's ring that are symmetric about its sharp edge, as a column: vertex, edges
+/// up to the opposite one, faces up to there. What is antisymmetric does not see the sharp edge,
+/// and refinement keeps the two apart.
+class SymmetricRing {
+ public:
+  explicit SymmetricRing(int faces) : faces_(faces) {}
+
+  /// The eigenvalues of this are those of the refinement, its right eigenvectors their left ones.
+  Eigen::MatrixXd refinement() const {
+    Eigen::MatrixXd matrix(size(), size());
+    for (int j = 0; j < size(); ++j)
+      matrix.col(j) = column(before_refinement(weights(Eigen::VectorXd::Unit(size(), j))));
+    return matrix;
   }
-  return greatest;
+  RingWeights weights(const Eigen::VectorXd& column) const {
+    RingWeights w{column[0], {}, {}};
+    for (int i = 0; i < faces_; ++i) {
+      w.edge.push_back(column[1 + std::min(i, faces_ - i)]);
+      w.face.push_back(column[1 + edges() + std::min(i, faces_ - 1 - i)]);
+    }
+    return w;
+  }
+
+ private:
+  int edges() const { return faces_ / 2 + 1; }
+  int size() const { return 1 + edges() + (faces_ + 1) / 2; }
+  Eigen::VectorXd column(const RingWeights& w) const {
+    Eigen::VectorXd column(size());
+    column[0] = w.vertex;
+    for (int i = 0; i < edges(); ++i) column[1 + i] = w.edge[i];
+    for (int i = 1 + edges(); i < size(); ++i) column[i] = w.face[i - 1 - edges()];
+    return column;
+  }
+
+  int faces_;
+};
+
+/// `column` with one step of inverse iteration, which takes away what rounding in the other
+/// eigenvectors' search left of them.
+Eigen::VectorXd sharpened(const Eigen::MatrixXd& matrix, double eigenvalue,
+                          const Eigen::VectorXd& column) {
+  // Beside the eigenvalue, so that there is something to solve: what is wanted grows by 2^40.
+  const double beside = eigenvalue + std::ldexp(1.0, -40);
+  const auto identity = Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols());
+  return (matrix - beside * identity).partialPivLu().solve(column).normalized();
 }
 
-double difference(const RingWeights& a, const RingWeights& b) {
-  double d = std::abs(a.vertex - b.vertex);
-  for (std::size_t i = 0; i < a.face.size(); ++i)
-    d = std::max({d, std::abs(a.edge[i] - b.edge[i]), std::abs(a.face[i] - b.face[i])});
-  return d;
+void scale(RingWeights& w, double by) {
+  w.vertex *= by;
+  for (double& e : w.edge) e *= by;
+  for (double& f : w.face) f *= by;
 }
 
-void divide(RingWeights& w, double by) {
-  w.vertex /= by;
-  for (double& e : w.edge) e /= by;
-  for (double& f : w.face) f /= by;
+/// Sum of all weights 1, as of a mean.
+void make_mean(RingWeights& w) {
+  scale(w, 1 / sum_of(w));
 }
 
-/// More than valence 200 needs; what is left there beyond is a direction a little off.
-constexpr int kMostIterations = 200'000;
-constexpr double kConverged = 1e-16;
+/// Without what rounding adds of the limit, and the greatest weight on an edge 1, the sharp edge's
+/// positive.
+void make_direction(RingWeights& w, const RingWeights& limit) {
+  const double sum = sum_of(w);
+  w.vertex -= sum * limit.vertex;
+  double greatest = 0;
+  for (std::size_t i = 0; i < w.face.size(); ++i) {
+    w.edge[i] -= sum * limit.edge[i], w.face[i] -= sum * limit.face[i];
+    greatest = std::max(greatest, std::abs(w.edge[i]));
+  }
+  scale(w, std::copysign(1 / greatest, w.edge[0]));
+}
 
 }  // namespace
 
@@ -148,22 +186,23 @@ RingWeights corner_wave(int faces, int k) {
 }
 
 DartModes dart_modes(int faces) {
-  DartModes modes;
-  RingWeights l{1, std::vector<double>(faces, 0), std::vector<double>(faces, 0)};
-  for (int step = 0; step < kMostIterations; ++step) {
-    modes.limit = before_refinement(l);
-    if (difference(modes.limit, l) < kConverged) break;
-    l = modes.limit;
-  }
-  l.vertex = 0;
-  for (int i = 0; i < faces; ++i) l.edge[i] = std::cos(2 * pi * i / faces), l.face[i] = 0;
-  for (int step = 0; step < kMostIterations; ++step) {
-    modes.along = before_refinement(l);
-    divide(modes.along, purify(modes.along, modes.limit));
-    if (difference(modes.along, l) < kConverged) break;
-    l = modes.along;
-  }
-  return modes;
+  const SymmetricRing ring(faces);
+  const Eigen::MatrixXd matrix = ring.refinement();
+  const Eigen::EigenSolver<Eigen::MatrixXd> modes(matrix);
+  const Eigen::VectorXd values = modes.eigenvalues().real();
+  // The greatest is 1, of the limit; the next belongs to the direction along the crease.
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::partial_sort(order.begin(), order.begin() + 2, order.end(),
+                    [&](Eigen::Index a, Eigen::Index b) { return values[a] > values[b]; });
+  const auto mode = [&](int rank) {
+    const Eigen::Index at = order[rank];
+    return ring.weights(sharpened(matrix, values[at], modes.eigenvectors().col(at).real()));
+  };
+  DartModes dart{mode(0), mode(1)};
+  make_mean(dart.limit);
+  make_direction(dart.along, dart.limit);
+  return dart;
 }
 
 Slopes diagonal_slopes(Neighbourhood n, int k, const Sector& s, const RingWeights& values,

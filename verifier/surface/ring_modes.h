@@ -28,7 +28,8 @@ RingWeights crease_wave(int faces, int k);
 /// The same where the vertex is fixed.
 RingWeights corner_wave(int faces, int k);
 /// A vertex with one crease (edge 0 of the slit sector) and the smooth rule: the limit position,
-/// and the direction along the crease. By iteration, to double precision. Across it is
+/// and the direction along the crease: the first two eigenvectors of what refinement does to rings
+/// symmetric about the crease, to double precision. Across it is
 /// full_wave(faces, faces / 4), since what is antisymmetric does not see the crease.
 struct DartModes {
   RingWeights limit, along;

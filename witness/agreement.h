@@ -46,8 +46,8 @@ struct Agreement {
   double seconds = 0;
 };
 
-/// Levels are as many as give no more faces than this, four at most and one at least; a cage of
-/// more faces than a quarter of this is compared at each corner, middle and edge of its patches.
+/// Levels are as many as give no more faces than this, four at most and one at least: there is no
+/// cap for a cage of more patches than a sixteenth of this, whose quads have nine points each.
 inline constexpr std::size_t kMostFaces = 65'536;
 inline constexpr int kMostLevels = 4;
 /// Vertices without a limit mask (ends of creases, valence two, sharpness not yet used up).

@@ -1,46 +1,10 @@
 #include "study/search/least_squares.h"
 
+#include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace limitgauge::study {
-namespace {
-
-using Matrix = std::array<std::array<double, 4>, 3>;  ///< normal equations, right side last
-
-/// Gauss with the largest pivot; the system is regular where there are enough different x.
-void solve(Matrix& m, std::size_t order) {
-  for (std::size_t k = 0; k < order; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < order; ++i)
-      if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
-    std::swap(m[k], m[pivot]);
-    for (std::size_t i = 0; i < order; ++i) {
-      if (i == k) continue;
-      const double factor = m[i][k] / m[k][k];
-      for (std::size_t j = k; j < 4; ++j) m[i][j] -= factor * m[k][j];
-    }
-  }
-  for (std::size_t k = 0; k < order; ++k) m[k][3] /= m[k][k];
-}
-
-Matrix normal_equations(const Pairs& pairs, double centre, double half, std::size_t order) {
-  Matrix m{};
-  for (std::size_t i = 0; i < pairs.x.size(); ++i) {
-    const double t = (pairs.x[i] - centre) / half;
-    const double powers[3] = {1, t, t * t};
-    for (std::size_t r = 0; r < order; ++r) {
-      for (std::size_t c = 0; c < order; ++c) m[r][c] += powers[r] * powers[c];
-      m[r][3] += powers[r] * pairs.y[i];
-    }
-  }
-  return m;
-}
-
-}  // namespace
-
 double mean(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
@@ -91,9 +55,15 @@ std::optional<Parabola> Parabola::through(const Pairs& pairs) {
   fit.half_ = (*high - *low) / 2;
   fit.order_ = different > 2 ? 3 : 2;
   if (pairs.x.size() <= fit.order_) return std::nullopt;
-  Matrix m = normal_equations(pairs, fit.centre_, fit.half_, fit.order_);
-  solve(m, fit.order_);
-  for (std::size_t k = 0; k < fit.order_; ++k) fit.c_[k] = m[k][3];
+  const auto rows = static_cast<Eigen::Index>(pairs.x.size());
+  Eigen::MatrixXd powers = Eigen::MatrixXd::Ones(rows, static_cast<Eigen::Index>(fit.order_));
+  for (Eigen::Index i = 0; i < rows; ++i)
+    for (Eigen::Index k = 1; k < powers.cols(); ++k)
+      powers(i, k) =
+          powers(i, k - 1) * (pairs.x[static_cast<std::size_t>(i)] - fit.centre_) / fit.half_;
+  const Eigen::Map<const Eigen::VectorXd> y(pairs.y.data(), rows);
+  const Eigen::VectorXd c = powers.colPivHouseholderQr().solve(y);
+  std::copy(c.begin(), c.end(), fit.c_);
   return fit;
 }
 

@@ -4,7 +4,7 @@
 
 namespace limitgauge::model {
 
-std::array<double, 2> direction(double angle_deg) {
+Vec2 direction(double angle_deg) {
   const double reduced = std::remainder(angle_deg, 360.0);
   if (reduced == 0) return {1, 0};
   if (reduced == 90) return {0, 1};

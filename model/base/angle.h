@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <numbers>
 
+#include "model/geometry/vec2.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::model {
@@ -12,7 +12,7 @@ constexpr double radians(double degrees) {
 }
 
 /// Cosine and sine, exact at quarter turns where std::cos would leave 6e-17.
-std::array<double, 2> direction(double angle_deg);
+Vec2 direction(double angle_deg);
 
 /// `v` turned about Z, counter-clockwise seen from above; exact at quarter turns.
 Vec3 turned(const Vec3& v, double angle_deg);

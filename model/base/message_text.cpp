@@ -4,15 +4,13 @@
 #include <limits>
 #include <vector>
 
+#include "model/base/characters.h"
+
 namespace limitgauge::model {
 namespace {
 
 /// Longer words are nobody's slip, and the distance takes quadratic time and memory.
 constexpr std::size_t kLongestCompared = 64;
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 bool same_letter(char a, char b) {
   return lower(a) == lower(b);

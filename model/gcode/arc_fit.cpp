@@ -5,11 +5,10 @@
 #include <limits>
 
 #include "model/base/fixed_number.h"
+#include "model/geometry/segment.h"
 
 namespace limitgauge::model {
 namespace {
-
-using Point = std::array<double, 2>;
 
 constexpr std::size_t kFewestMoves = 3;
 constexpr double kSmallestRadiusMm = 0.01;
@@ -19,31 +18,6 @@ constexpr double kRadiiApartMm = 0.005;
 constexpr double kLeastTurn = 1e-3;
 /// The exchange below ends after a few steps, or does no better.
 constexpr int kMostExchanges = 8;
-
-double dot(Point a, Point b) {
-  return a[0] * b[0] + a[1] * b[1];
-}
-double cross(Point a, Point b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-double size(Point a) {
-  return std::hypot(a[0], a[1]);
-}
-Point minus(Point a, Point b) {
-  return {a[0] - b[0], a[1] - b[1]};
-}
-Point middle(Point a, Point b) {
-  return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
-}
-
-/// Distance from the origin to the segment from `a` to `b`.
-double least_distance(Point a, Point b) {
-  const Point along = minus(b, a);
-  const double squared = dot(along, along);
-  if (squared == 0) return size(a);
-  const double at = std::clamp(-dot(a, along) / squared, 0.0, 1.0);
-  return size({a[0] + at * along[0], a[1] + at * along[1]});
-}
 
 /// Place of the samples of a run by how far they lie off the circle through its ends whose centre
 /// is shift / 2 beside the chord: power - shift * height, about twice the radius times the
@@ -114,7 +88,7 @@ std::optional<FittedArc> ArcFitter::longest_in(ArcPlane plane, std::size_t first
 void ArcFitter::gather(ArcPlane plane, std::size_t first, std::size_t count) {
   const auto [one, two, normal] = axes_of(plane);
   const Vec3& start = move_from(path_, first);
-  points_.assign(1, Point{0, 0});
+  points_.assign(1, Vec2{0, 0});
   for (std::size_t i = first; i < first + count; ++i) {
     const Vec3& to = path_.moves[i].to;
     points_.push_back({to[one] - start[one], to[two] - start[two]});
@@ -123,9 +97,9 @@ void ArcFitter::gather(ArcPlane plane, std::size_t first, std::size_t count) {
 
 std::optional<FittedArc> ArcFitter::fit(ArcPlane plane, std::size_t first, std::size_t count) {
   gather(plane, first, count);
-  const std::optional<Point> exact = centre();
+  const std::optional<Vec2> exact = centre();
   if (!exact) return std::nullopt;
-  const Point offset = {fixed((*exact)[0], decimals_).value, fixed((*exact)[1], decimals_).value};
+  const Vec2 offset = {fixed(exact->x, decimals_).value, fixed(exact->y, decimals_).value};
   const std::optional<bool> counter_clockwise = direction(offset);
   if (!counter_clockwise || !within(offset)) return std::nullopt;
   return FittedArc{count, plane, *counter_clockwise, offset};
@@ -133,28 +107,28 @@ std::optional<FittedArc> ArcFitter::fit(ArcPlane plane, std::size_t first, std::
 
 /// Centre of a circle through the run's ends that keeps near to its points and to the middles of
 /// its moves; nothing where no such circle has a fit radius.
-std::optional<Point> ArcFitter::centre() const {
-  const Point end = points_.back();
-  const double chord_mm = size(end);
+std::optional<Vec2> ArcFitter::centre() const {
+  const Vec2 end = points_.back();
+  const double chord_mm = length(end);
   if (chord_mm == 0) return std::nullopt;
-  const Point along = {end[0] / chord_mm, end[1] / chord_mm};
+  const Vec2 along = end / chord_mm;
   const double beside = best_shift(along, chord_mm / 2) / 2;
   if (!(std::hypot(beside, chord_mm / 2) <= kLargestArcRadiusMm)) return std::nullopt;
-  return Point{end[0] / 2 - beside * along[1], end[1] / 2 + beside * along[0]};
+  return end / 2 + beside * quarter_turn(along);
 }
 
 /// Least squares first, then the exchange of Chebyshev approximation: the two samples that are
 /// farthest off on either side are brought to the same distance.
-double ArcFitter::best_shift(Point along, double half_chord_mm) const {
+double ArcFitter::best_shift(Vec2 along, double half_chord_mm) const {
   std::vector<Sample> samples;
   samples.reserve(2 * points_.size());
-  const auto add = [&](Point p) {
+  const auto add = [&](Vec2 p) {
     const double x = dot(p, along) - half_chord_mm, y = cross(along, p);
     samples.push_back({x * x + y * y - half_chord_mm * half_chord_mm, y});
   };
   double products = 0, squares = 0;
   for (std::size_t i = 1; i < points_.size(); ++i)
-    add(middle(points_[i - 1], points_[i])), add(points_[i]);
+    add((points_[i - 1] + points_[i]) / 2), add(points_[i]);
   for (const Sample& s : samples) products += s.power * s.height, squares += s.height * s.height;
   double shift = products / squares, best = shift;
   double least = std::numeric_limits<double>::infinity();
@@ -173,12 +147,12 @@ double ArcFitter::best_shift(Point along, double half_chord_mm) const {
 
 /// Counter-clockwise or not; nothing where a move turns back or by a quarter turn, where a point
 /// lies beyond half a turn, or where the whole turn is next to nothing.
-std::optional<bool> ArcFitter::direction(Point centre) const {
-  const Point begin = minus(points_.front(), centre);
-  const double sign = cross(begin, minus(points_[points_.size() / 2], centre)) < 0 ? -1 : 1;
-  Point last = begin;
+std::optional<bool> ArcFitter::direction(Vec2 centre) const {
+  const Vec2 begin = points_.front() - centre;
+  const double sign = cross(begin, points_[points_.size() / 2] - centre) < 0 ? -1 : 1;
+  Vec2 last = begin;
   for (std::size_t i = 1; i < points_.size(); ++i) {
-    const Point here = minus(points_[i], centre);
+    const Vec2 here = points_[i] - centre;
     const bool onward = sign * cross(last, here) >= 0 && dot(last, here) > 0;
     if (!onward || sign * cross(begin, here) < 0) return std::nullopt;
     last = here;
@@ -188,16 +162,16 @@ std::optional<bool> ArcFitter::direction(Point centre) const {
   return sign > 0;
 }
 
-bool ArcFitter::within(Point centre) const {
-  const double begin = size(minus(points_.front(), centre));
-  const double end = size(minus(points_.back(), centre));
+bool ArcFitter::within(Vec2 centre) const {
+  const double begin = length(points_.front() - centre);
+  const double end = length(points_.back() - centre);
   const double small = std::min(begin, end), large = std::max(begin, end);
   if (small < kSmallestRadiusMm || large > kLargestArcRadiusMm) return false;
   if (large - small > kRadiiApartMm) return false;
   for (std::size_t i = 1; i < points_.size(); ++i) {
-    const Point a = minus(points_[i - 1], centre), b = minus(points_[i], centre);
-    if (size(b) - small > tolerance_mm_) return false;
-    if (large - least_distance(a, b) > tolerance_mm_) return false;
+    const Vec2 a = points_[i - 1] - centre, b = points_[i] - centre;
+    if (length(b) - small > tolerance_mm_) return false;
+    if (large - distance_to_segment(Vec2{}, a, b) > tolerance_mm_) return false;
   }
   return true;
 }

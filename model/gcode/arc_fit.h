@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "model/gcode/program.h"
+#include "model/geometry/vec2.h"
 
 namespace limitgauge::model {
 
@@ -15,7 +15,7 @@ struct FittedArc {
   std::size_t moves = 0;  ///< how many it stands for
   ArcPlane plane = ArcPlane::xy;
   bool counter_clockwise = false;
-  std::array<double, 2> offset{};  ///< centre from start in the plane's axes, as it will be read
+  Vec2 offset;  ///< centre from start in the plane's axes, as it will be read
 };
 
 /// Largest radius of a fitted arc: beyond, the arc bends less than a control's arithmetic shows.
@@ -41,21 +41,19 @@ class ArcFitter {
   std::optional<FittedArc> from(std::size_t first);
 
  private:
-  using Point = std::array<double, 2>;
-
   std::optional<FittedArc> longest_in(ArcPlane plane, std::size_t first);
   bool alike(std::size_t first, std::size_t move) const;
   std::optional<FittedArc> fit(ArcPlane plane, std::size_t first, std::size_t count);
   void gather(ArcPlane plane, std::size_t first, std::size_t count);
-  std::optional<Point> centre() const;
-  double best_shift(Point along, double half_chord_mm) const;
-  std::optional<bool> direction(Point centre) const;
-  bool within(Point centre) const;
+  std::optional<Vec2> centre() const;
+  double best_shift(Vec2 along, double half_chord_mm) const;
+  std::optional<bool> direction(Vec2 centre) const;
+  bool within(Vec2 centre) const;
 
   const Toolpath& path_;
   double tolerance_mm_;
   int decimals_;
-  std::vector<Point> points_;  ///< of the run being tried, from its first point
+  std::vector<Vec2> points_;  ///< of the run being tried, from its first point
 };
 
 }  // namespace limitgauge::model

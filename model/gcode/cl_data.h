@@ -1,12 +1,15 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <istream>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "model/gcode/program.h"
 #include "model/part/cutter_figures.h"
 #include "model/part/toolpath.h"
 
@@ -17,7 +20,11 @@ struct ClData {
   std::string part;  ///< the text of PARTNO
   /// Of CUTTER; height 0 in its short forms.
   std::optional<SevenFigures> cutter;
+  std::string cutter_as_stated;  ///< "CUTTER/6,3"; empty without one
+  std::uint32_t cutter_line = 0;
   std::optional<int> tool;  ///< of LOADTL
+  std::uint32_t tool_line = 0;
+  std::vector<IgnoredWord> ignored;  ///< SPINDL and COOLNT
   Toolpath path;
 };
 
@@ -47,5 +54,14 @@ void write_cl_data(const Toolpath& path, const Cutter& cutter, const ClOptions& 
 /// column, never skipped.
 ClData read_cl_data(const std::filesystem::path& path);
 ClData read_cl_data(std::istream& in, const std::string& name_in_errors);
+
+/// Whether a program is CL data: the ending of its name is .apt, .cl, .cls or .ncl, or it begins
+/// with a word of APT and what belongs behind it.
+bool is_cl_data(std::string_view text, const std::string& name);
+
+/// CL data as a program. The coordinates are those of the frame of G54, lengths of tools are none
+/// of their business: they are of the tip. The tool stands at FROM before the first motion, or at
+/// the first GOTO where there is no FROM. What CUTTER says is listed as assumed.
+Program to_program(const ClData& data, const std::string& name, const MachineSetup& machine);
 
 }  // namespace limitgauge::model

@@ -5,14 +5,12 @@
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
 #include "model/base/text_file.h"
+#include "model/base/tolerance.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/cl_lexer.h"
 
 namespace limitgauge::model {
 namespace {
-
-constexpr double kInchMm = 25.4;
-constexpr double kLargestMm = 1e9;
 
 class ClReader {
  public:
@@ -42,6 +40,14 @@ class ClReader {
   bool rapid_ = false, known_ = false;
 };
 
+/// "CUTTER/6,3".
+std::string as_stated(const ClStatement& statement) {
+  std::string text = statement.major.text;
+  for (const ClWord& figure : statement.figures)
+    text += (&figure == &statement.figures.front() ? "/" : ",") + figure.text;
+  return text;
+}
+
 double ClReader::number(const ClWord& word) const {
   const std::optional<double> value = parse_number(word.text);
   if (!value) lexer_.fail(word, in_quotes(word.text) + " is not a number", "a number");
@@ -50,7 +56,7 @@ double ClReader::number(const ClWord& word) const {
 
 double ClReader::length(const ClWord& word) const {
   const double value = number(word) * unit_mm_;
-  if (!(std::abs(value) <= kLargestMm))
+  if (!(std::abs(value) <= kLargestCoordinateMm))
     lexer_.fail(word, "a length beyond any machine", "at most 1e9 mm");
   return value;
 }
@@ -87,6 +93,8 @@ void ClReader::set_cutter(const ClStatement& statement) {
   }
   const auto& [d, r, e, f, a, b, h] = figures;
   data_.cutter = SevenFigures{d, r, e, f, a, b, h};
+  data_.cutter_as_stated = as_stated(statement);
+  data_.cutter_line = statement.major.line;
   // The short forms are cylinders; nothing is said of their height.
   if (count <= 2) data_.cutter->centre_radius = d / 2 - r, data_.cutter->centre_height = r;
   SevenFigures whole = *data_.cutter;
@@ -119,7 +127,7 @@ void ClReader::set_feed(const ClStatement& statement) {
   if (figure == nullptr)
     lexer_.fail(statement.major, "a feed rate without its number", "FEDRAT/500,MMPM");
   const double feed = number(*figure) * unit_mm;
-  if (!(feed > 0 && feed <= kLargestMm))
+  if (!(feed > 0 && feed <= kLargestCoordinateMm))
     lexer_.fail(*figure, "feed rate " + in_quotes(figure->text), "more than 0, at most 1e9 mm/min");
   feed_mm_min_ = feed;
 }
@@ -167,9 +175,12 @@ bool ClReader::describe(const ClStatement& statement) {
       lexer_.fail(statement.major, "a change to a second tool is not supported in this release",
                   "one tool a program");
     data_.tool = static_cast<int>(tool);
+    data_.tool_line = statement.major.line;
     return true;
   }
-  return major == "PPRINT" || major == "REMARK" || major == "SPINDL" || major == "COOLNT";
+  if (major == "SPINDL" || major == "COOLNT")
+    return data_.ignored.push_back({statement.major.line, as_stated(statement)}), true;
+  return major == "PPRINT" || major == "REMARK";
 }
 
 bool ClReader::move(const ClStatement& statement) {

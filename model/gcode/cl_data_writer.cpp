@@ -5,13 +5,13 @@
 #include "model/base/fixed_number.h"
 #include "model/base/number_text.h"
 #include "model/base/text_blocks.h"
+#include "model/base/tolerance.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/feed_text.h"
 
 namespace limitgauge::model {
 namespace {
 
-constexpr double kLargestClCoordinate_mm = 1e9;
 constexpr int kMostDecimals = 9;
 constexpr std::size_t kColumns = 72;
 
@@ -21,7 +21,7 @@ void require_writable(const Toolpath& path, const ClOptions& options) {
   if (options.tool_number < 0) throw std::invalid_argument("tool number must not be negative");
   const auto require_point = [](const Vec3& point) {
     for (const int axis : {0, 1, 2}) {
-      if (!(std::abs(point[axis]) <= kLargestClCoordinate_mm))
+      if (!(std::abs(point[axis]) <= kLargestCoordinateMm))
         throw std::invalid_argument("a toolpath point is not finite or beyond any machine");
     }
   };

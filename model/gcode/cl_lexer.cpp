@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/base/characters.h"
 #include "model/base/message_text.h"
 
 namespace limitgauge::model {
@@ -12,12 +13,6 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// No statement of this vocabulary has more; one endless statement must not fill the memory.
 constexpr std::size_t kMostFigures = 20;
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
-char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
 bool is_word(char c) {
   const char u = upper(c);
   return (u >= 'A' && u <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';

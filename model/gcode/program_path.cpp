@@ -9,13 +9,11 @@
 #include "model/base/angle.h"
 #include "model/base/error.h"
 #include "model/base/number_text.h"
+#include "model/base/tolerance.h"
 
 namespace limitgauge::model {
 namespace {
 
-/// LinuxCNC's fuzz: an arc whose end lies less than this beyond its start, in radians, is a full
-/// turn.
-constexpr double kFullTurnFuzz = 1e-6;
 /// Wider chords would not follow an arc's direction, however wide the tolerance.
 constexpr double kWidestChord = std::numbers::pi / 2;
 /// Counted in doubles so far beyond what anyone cuts, chords are no whole numbers any more.
@@ -39,7 +37,7 @@ Sweep sweep_of(const Motion& arc, const Vec3& start) {
   const double direction = arc.turns < 0 ? -1 : 1;
   sweep.angle = std::atan2(y1, x1);
   double forward = direction * (std::atan2(y2, x2) - sweep.angle);
-  while (forward < kFullTurnFuzz) forward += 2 * std::numbers::pi;
+  while (forward < kFullTurn_rad) forward += 2 * std::numbers::pi;
   forward += 2 * std::numbers::pi * (std::max(1.0, std::abs(arc.turns)) - 1);
   sweep.swept = direction * forward;
   sweep.radius_mm = std::hypot(x1, y1);

@@ -6,6 +6,7 @@
 
 #include "model/base/fixed_number.h"
 #include "model/base/text_blocks.h"
+#include "model/base/tolerance.h"
 #include "model/gcode/arc_fit.h"
 #include "model/gcode/feed_text.h"
 #include "model/gcode/program.h"
@@ -17,8 +18,6 @@ constexpr int kSpindleDecimals = 3;
 constexpr int kMostToolNumber = 9999;
 /// RS274/NGC's and Fanuc's; Grbl takes more.
 constexpr int kLastLineNumber = 99999;
-/// As the reader's limit; the fixed notation of such a number fits the buffer.
-constexpr double kLargestCoordinateMm = 1e9;
 constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
 constexpr std::array<char, 3> kCentres = {'I', 'J', 'K'};
 
@@ -248,8 +247,8 @@ void Writer::write_arc(const FittedArc& arc, std::size_t first) {
   write_motion(arc.counter_clockwise ? 3 : 2);
   text_.word(kAxes[one], number(last.to[one]).text());
   text_.word(kAxes[two], number(last.to[two]).text());
-  text_.word(kCentres[one], number(arc.offset[0]).text());
-  text_.word(kCentres[two], number(arc.offset[1]).text());
+  text_.word(kCentres[one], number(arc.offset.x).text());
+  text_.word(kCentres[two], number(arc.offset.y).text());
   write_feed(last.feed_mm_min);
   state_.at = last.to;
   for (std::size_t i = first; i < first + arc.moves; ++i)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/base/number_text.h"
+#include "model/base/tolerance.h"
 
 namespace limitgauge::model {
 namespace {
@@ -175,9 +176,6 @@ bool lies_in_one(const Shell& cavity, const std::vector<Shell>& bodies) {
   }
   return false;
 }
-
-/// Below this share of the cube about a shell its volume is rounding alone.
-constexpr double kLeastVolumeShare = 1e-12;
 
 bool encloses_nothing(const Shell& s) {
   const double d = length(s.box.size());

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "model/base/tolerance.h"
 #include "model/mesh/triangle_mesh.h"
 
 namespace limitgauge::model {
@@ -13,9 +14,6 @@ struct MeshDefect {
   std::optional<std::size_t> triangle;  ///< where it shows, 0-based; none: the mesh as a whole
   std::string wrong, expected;
 };
-
-/// A coordinate beyond this is no part of a machine tool: 1 km.
-inline constexpr double kFarthestCoordinate_mm = 1e6;
 
 /// The first defect of a mesh that is to bound a solid, none if it does. Such a mesh has triangles
 /// of vertices that exist, are finite and within kFarthestCoordinate_mm; every edge is passed as

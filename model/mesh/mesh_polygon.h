@@ -7,13 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "model/base/tolerance.h"
 #include "model/mesh/mesh_soup.h"
 
 namespace limitgauge::model {
-
-/// How far a corner of a polygon may be off the polygon's plane. What lies between the corners is
-/// not stated by a file, so that a fan of triangles is the polygon itself only if it is plane.
-inline constexpr double kPlanarity_mm = 1e-3;
 
 /// A polygon as a fan of triangles, or why it has none.
 struct PolygonFan {

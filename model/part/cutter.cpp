@@ -5,6 +5,7 @@
 
 #include "model/base/angle.h"
 #include "model/base/coordinate_limit.h"
+#include "model/base/tolerance.h"
 #include "model/part/cutter_figures.h"
 
 namespace limitgauge::model {
@@ -24,9 +25,6 @@ void require_parts(const std::vector<CylinderPart>& parts, const std::string& wh
     require_positive(part.length_mm, (what + " length").c_str());
   }
 }
-
-/// What is this little beyond the axis is taken to be on it: rounding of given figures.
-constexpr double kRoundingMm = 1e-9;
 
 bool has_tip_angle(CutterType type) {
   return type == CutterType::drill || type == CutterType::apt;
@@ -89,7 +87,7 @@ void require_outline(const Cutter& cutter) {
   if (!std::isfinite(c.centre_radius) || !std::isfinite(c.centre_height))
     throw std::invalid_argument("side angle and tip angle make no figures that can be worked with");
   const double reach_mm = c.centre_radius + c.corner_radius * std::sin(radians(c.lower_angle));
-  if (reach_mm < -kRoundingMm)
+  if (reach_mm < -kOnAxisMm)
     throw std::invalid_argument("corner radius does not fit between the axis and the side");
   require_positive(cutter.flute_length_mm, "flute length");
   const bool pointed = cutter.type == CutterType::drill;
@@ -97,7 +95,7 @@ void require_outline(const Cutter& cutter) {
     throw std::invalid_argument(pointed
                                     ? "flute length must reach to the end of the point"
                                     : "flute length must reach to the end of the corner radius");
-  if (!(top_radius_mm(c) >= -kRoundingMm))
+  if (!(top_radius_mm(c) >= -kOnAxisMm))
     throw std::invalid_argument("side angle closes the side below the end of the flutes");
 }
 

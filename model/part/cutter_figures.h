@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/base/tolerance.h"
 #include "model/part/cutter.h"
 
 namespace limitgauge::model {
@@ -18,10 +19,6 @@ struct SevenFigures {
 
   friend bool operator==(const SevenFigures&, const SevenFigures&) = default;
 };
-
-/// Stated e and f may be this far from what the others make of them: figures are often rounded to a
-/// hundredth.
-inline constexpr double kCentreAgreementMm = 0.01;
 
 /// The seven figures of a cutter of any type. Flat, ball and bull have a = b = 0, tapers a = 0,
 /// drills r = b = 0; no rounding but that of their formulas.

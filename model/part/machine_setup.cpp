@@ -3,23 +3,16 @@
 #include <cmath>
 #include <limits>
 
+#include "model/base/characters.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
 #include "model/base/number_text.h"
+#include "model/base/tolerance.h"
 
 namespace limitgauge::model {
 namespace {
 
-constexpr double kInchMm = 25.4;
 constexpr std::size_t kMostTools = 1000;
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
-
-char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
 
 /// One line of the table, word by word.
 class ToolLine {

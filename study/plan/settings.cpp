@@ -7,12 +7,10 @@
 #include <system_error>
 
 #include "model/base/number_text.h"
+#include "study/tolerance.h"
 
 namespace limitgauge::study {
 namespace {
-
-/// Of the distance between two steps.
-constexpr double kStepRounding = 1e-3;
 
 Setting step_of(const Range& range, std::size_t index) {
   const auto last = static_cast<double>(range.steps - 1);

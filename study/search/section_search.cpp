@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "study/search/least_squares.h"
+#include "study/tolerance.h"
 
 namespace limitgauge::study {
 namespace {
@@ -104,12 +105,11 @@ Bracket bracket_of(const Trials& trials, const std::vector<Place>& places) {
 }
 
 SearchEnd narrow(Trials& trials, CostDescent& descent, std::size_t batch) {
-  constexpr double kDust = 1e-9;
   for (;;) {
     const Bracket bracket = bracket_of(trials, descent.places());
     if (!bracket.failing) return {{}, "the cheap end of the range passes."};
     const double from = bracket.passing.cheapness, to = bracket.failing->cheapness;
-    const bool narrow_enough = to - from <= trials.axes()[0].finest() + kDust;
+    const bool narrow_enough = to - from <= trials.axes()[0].finest() + kAlike;
     if (narrow_enough || !descent.cut(from, to, batch + 1))
       return {{},
               named(trials, bracket.passing.row) + " passes, " +
@@ -131,11 +131,10 @@ std::string gap_in_passes(const Trials& trials, const std::vector<Place>& places
 }
 
 std::string rise_in_cost(const Trials& trials, const std::vector<Place>& places) {
-  constexpr double kDust = 1e-9;
   const Place* last = nullptr;
   for (const Place& place : places) {
     if (!trials.is_whole(place.row)) continue;
-    if (last != nullptr && trials.cost(place.row) > trials.cost(last->row) * (1 + kDust))
+    if (last != nullptr && trials.cost(place.row) > trials.cost(last->row) * (1 + kAlike))
       return named(trials, place.row) + " costs more than " + named(trials, last->row) +
              ", against the trend";
     last = &place;

@@ -8,6 +8,7 @@
 #include "study/plan/reference.h"
 #include "study/search/least_squares.h"
 #include "study/search/objectives.h"
+#include "study/tolerance.h"
 
 namespace limitgauge::study {
 namespace {
@@ -126,11 +127,10 @@ double squares_about_means(const Known& found, const Means& means) {
 
 /// Zero where the figures are alike but for rounding: there is nothing to have a share in.
 double variation(const std::vector<double>& values) {
-  constexpr double kLastBits = 1e-12;
   const double largest = std::accumulate(values.begin(), values.end(), 0.0, [](double a, double b) {
     return std::max(a, std::abs(b));
   });
-  return spread(values) > kLastBits * largest ? squares_about_mean(values) : 0;
+  return spread(values) > kNoSpread * largest ? squares_about_mean(values) : 0;
 }
 
 std::optional<double> share_of_means(const Known& found, std::size_t levels) {

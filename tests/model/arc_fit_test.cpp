@@ -75,8 +75,8 @@ Toolpath as_chords(const FittedArc& arc, const Vec3& start, const Vec3& end) {
   motion.to = end;
   motion.feed_mm_min = 100;
   const auto [one, two, normal] = axes_of(arc.plane);
-  motion.centre1 = start[one] + arc.offset[0];
-  motion.centre2 = start[two] + arc.offset[1];
+  motion.centre1 = start[one] + arc.offset.x;
+  motion.centre2 = start[two] + arc.offset.y;
   motion.turns = arc.counter_clockwise ? 1 : -1;
   program.motions.push_back(motion);
   return to_toolpath(program, 1e-5);
@@ -103,7 +103,7 @@ TEST_CASE("chords of a quarter circle become one arc in every plane", "[unit][ar
       CHECK(arc->plane == plane);
       CHECK(arc->counter_clockwise == (way > 0));
       // The circle may shrink by what its points may stand off: within 0.002 / (1 - cos 45°).
-      CHECK(std::hypot(arc->offset[0], arc->offset[1]) == Approx(10).margin(0.01));
+      CHECK(length(arc->offset) == Approx(10).margin(0.01));
     }
   }
 }
@@ -206,7 +206,7 @@ TEST_CASE("arcs and the moves they stand for keep within the tolerance, both way
       CHECK(farthest(turned, run) <= tolerance_mm + 1e-5 + 1e-12);
       CHECK(distance(turned.moves.back().to, run.moves.back().to) == 0);
       // Half a turn at most: no longer than pi times the radius.
-      const double radius = std::hypot(arc->offset[0], arc->offset[1]);
+      const double radius = length(arc->offset);
       CHECK(lengths(turned, 0).cut_mm <= std::numbers::pi * radius + 0.01);
     }
   }

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <string>
 
+#include "model/base/tolerance.h"
+
 namespace limitgauge::model::gcode {
 namespace {
 
-/// A thousand kilometres: beyond any machine.
-constexpr double kLargestCoordinateMm = 1e9;
 constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
 
 char axis_along_tool(ArcPlane plane) {

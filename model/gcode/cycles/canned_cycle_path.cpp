@@ -22,7 +22,7 @@ class Writer {
  private:
   enum class Spindle { turning, stopped };
 
-  void add(MotionKind kind, PlanePoint at, double level_mm, Spindle spindle = Spindle::turning) {
+  void add(MotionKind kind, Vec2 at, double level_mm, Spindle spindle = Spindle::turning) {
     const auto [first, second, along] = axes_;
     CycleMove move{kind, {}, spindle == Spindle::stopped, geometry_.stated};
     move.to_mm[first] = at[0];
@@ -105,7 +105,7 @@ class Writer {
   /// The bar goes down beside the axis with its edge turned away, bores upwards on the axis, and
   /// leaves as it came.
   void back_bore() {
-    const PlanePoint aside = {at_[0] + geometry_.aside_mm[0], at_[1] + geometry_.aside_mm[1]};
+    const Vec2 aside = {at_[0] + geometry_.aside_mm[0], at_[1] + geometry_.aside_mm[1]};
     add(MotionKind::rapid, aside, geometry_.r_mm);
     add(MotionKind::rapid, aside, geometry_.bottom_mm, Spindle::stopped);
     rapid(geometry_.bottom_mm, Spindle::stopped);
@@ -118,7 +118,7 @@ class Writer {
   }
 
   const CycleGeometry& geometry_;
-  PlanePoint at_;
+  Vec2 at_;
   std::array<int, 3> axes_;
   std::vector<CycleMove> moves_;
 };

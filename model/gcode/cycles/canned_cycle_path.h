@@ -40,13 +40,13 @@ struct CycleGeometry {
   ArcPlane plane = ArcPlane::xy;
   Vec3 start_mm;
   bool lifts_first = false;  ///< to `r_mm` before it moves across
-  PlanePoint hole_mm{};      ///< before the first step
-  PlanePoint step_mm{};      ///< made before each hole
+  Vec2 hole_mm{};            ///< before the first step
+  Vec2 step_mm{};            ///< made before each hole
   int holes = 1;
   double r_mm = 0, bottom_mm = 0;
   double return_mm = 0;          ///< where each hole ends
   double middle_mm = 0;          ///< G87: top of the counterbore
-  PlanePoint aside_mm{};         ///< G87: from the hole to where the boring bar fits through
+  Vec2 aside_mm{};               ///< G87: from the hole to where the boring bar fits through
   std::vector<double> pecks_mm;  ///< G73, G83: levels drilled before the bottom, falling
   std::array<bool, 3> stated{};  ///< axes that the block places absolutely
 };

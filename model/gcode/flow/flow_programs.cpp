@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "model/base/message_text.h"
+#include "model/base/tolerance.h"
 #include "model/gcode/flow/flow.h"
 
 namespace limitgauge::model::gcode {
@@ -9,7 +10,6 @@ namespace {
 constexpr double kLargestProgram = 99'999'999;  // eight digits, as Fanuc's newer controls
 constexpr double kOldPrograms = 10'000;         // older ones have four, and the count before them
 constexpr double kMostRuns = 1e9;
-constexpr double kWholeTolerance = 1e-4;  // LinuxCNC's
 
 std::string number_text(double whole) {
   return std::to_string(static_cast<long long>(whole));
@@ -111,7 +111,7 @@ void Flow::begin_program(const Block& block) {
 
 double Flow::whole(const Block& block, const Word& word, double most) const {
   const double nearest = std::round(word.value);
-  if (std::abs(word.value - nearest) > kWholeTolerance || nearest < 0 || nearest > most)
+  if (std::abs(word.value - nearest) > kWholeCount || nearest < 0 || nearest > most)
     lexer_.fail_at(block.line, word.column, in_quotes(word.text) + " in a block with M98",
                    "an integer from 0 to " + number_text(most));
   return nearest;

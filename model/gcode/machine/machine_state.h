@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "model/base/tolerance.h"
 #include "model/gcode/machine/coordinate_systems.h"
 #include "model/gcode/machine/tool_table.h"
 #include "model/gcode/program.h"
@@ -10,9 +11,6 @@
 
 namespace limitgauge::model::gcode {
 
-/// A thousand kilometres: beyond any machine, and far from where squares overflow.
-inline constexpr double kLargestCoordinateMm = 1e9;
-inline constexpr double kInchMm = 25.4;
 /// What to do about a place on the machine that nothing states, for messages.
 inline constexpr const char* kOffsetRemedy =
     "the machine's work offset ([machine] work_offsets in the job, or --work-offset)";

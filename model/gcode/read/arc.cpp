@@ -15,14 +15,10 @@ constexpr double kLargestSpirals = 100;
 /// Half chords this near to the radius, relatively, mean a half circle.
 constexpr double kHalfCircle = 1e-12;
 
-double apart(PlanePoint a, PlanePoint b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
-
 }  // namespace
 
-ArcCentre centre_by_offset(PlanePoint start, PlanePoint end, PlanePoint centre, double spiral_mm) {
-  const double r1_mm = apart(centre, start), r2_mm = apart(centre, end);
+ArcCentre centre_by_offset(Vec2 start, Vec2 end, Vec2 centre, double spiral_mm) {
+  const double r1_mm = distance(centre, start), r2_mm = distance(centre, end);
   if (std::min(r1_mm, r2_mm) < kSmallestRadiusMm)
     return {centre, "an arc of zero radius", "a centre away from start and end"};
   const double difference_mm = std::abs(r1_mm - r2_mm);
@@ -37,14 +33,13 @@ ArcCentre centre_by_offset(PlanePoint start, PlanePoint end, PlanePoint centre, 
   return {centre, {}, {}};
 }
 
-ArcCentre centre_by_radius(PlanePoint start, PlanePoint end, double radius_mm,
-                           bool counter_clockwise) {
+ArcCentre centre_by_radius(Vec2 start, Vec2 end, double radius_mm, bool counter_clockwise) {
   if (start == end)
     return {start, "an arc by radius that ends where it starts", "a centre by I, J, K"};
   const double radius = std::abs(radius_mm);
   if (radius < kSmallestRadiusMm) return {start, "an arc of zero radius", "a radius above 0"};
-  const PlanePoint middle = {(start[0] + end[0]) / 2, (start[1] + end[1]) / 2};
-  const double half_chord = apart(start, end) / 2;
+  const Vec2 middle = (start + end) / 2;
+  const double half_chord = distance(start, end) / 2;
   if (half_chord - radius > kSmallestRadiusMm)
     return {middle,
             "a radius of " + six_digits(radius) + " mm does not span the " +
@@ -54,8 +49,7 @@ ArcCentre centre_by_radius(PlanePoint start, PlanePoint end, double radius_mm,
   const double offset = std::sqrt((radius - half_chord) * (radius + half_chord));
   const double side = counter_clockwise == (radius_mm > 0) ? 1 : -1;
   const double along = side * offset / (2 * half_chord);
-  return {
-      {middle[0] - along * (end[1] - start[1]), middle[1] + along * (end[0] - start[0])}, {}, {}};
+  return {{middle.x - along * (end.y - start.y), middle.y + along * (end.x - start.x)}, {}, {}};
 }
 
 }  // namespace limitgauge::model::gcode

@@ -2,15 +2,13 @@
 
 #include <initializer_list>
 
+#include "model/base/characters.h"
+
 namespace limitgauge::model::gcode {
 namespace {
 
 constexpr std::size_t kMostEntries = 1'000'000;
 constexpr std::size_t kMostBytes = 200;
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
 
 std::string cut(std::string_view text) {
   return std::string(text.substr(0, kMostBytes));

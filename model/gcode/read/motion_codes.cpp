@@ -41,13 +41,13 @@ double axis_end(const Statement& statement, const Word& word, MachineState& stat
   return end_mm;
 }
 
-PlanePoint centre_words(const Statement& statement, const MachineState& state) {
+Vec2 centre_words(const Statement& statement, const MachineState& state) {
   const auto [first, second, normal] = axes_of(state.modal.plane);
   if (const Word* stray = statement.word(kCentres[normal]))
     statement.fail(*stray, in_quotes(stray->text) + " is no centre word of this plane",
                    std::string(1, kCentres[first]) + " and " + kCentres[second]);
   const bool absolute = state.modal.centre_absolute;
-  PlanePoint centre{};
+  Vec2 centre{};
   for (int i = 0; i < 2; ++i) {
     const int axis = i == 0 ? first : second;
     const Word* const word = statement.word(kCentres[axis]);
@@ -74,8 +74,8 @@ double turns_of(const Statement& statement) {
   return count;
 }
 
-ArcCentre find_centre(const Statement& statement, const MachineState& state, PlanePoint start,
-                      PlanePoint end, bool counter_clockwise) {
+ArcCentre find_centre(const Statement& statement, const MachineState& state, Vec2 start, Vec2 end,
+                      bool counter_clockwise) {
   const auto [first, second, normal] = axes_of(state.modal.plane);
   const Word* const radius = statement.word('R');
   const Word* const centre = statement.first_of({'I', 'J', 'K'});

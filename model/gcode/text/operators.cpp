@@ -3,11 +3,10 @@
 #include <array>
 #include <cmath>
 
+#include "model/base/tolerance.h"
+
 namespace limitgauge::model::gcode {
 namespace {
-
-/// LinuxCNC's since 2.9.1; before, 1e-4 and none for GE and LE.
-constexpr double kEqualWithin = 1e-6;
 
 /// `**` before `*`, which it begins with.
 constexpr std::array kOperators = {OperatorText{"**", Operator::power, 5},
@@ -27,7 +26,7 @@ constexpr std::array kOperators = {OperatorText{"**", Operator::power, 5},
                                    OperatorText{"xor", Operator::logical_xor, 1}};
 
 bool equal(double left, double right) {
-  return std::abs(left - right) < kEqualWithin;
+  return std::abs(left - right) < kEqualNumbers;
 }
 
 double modulo(double left, double right) {

@@ -1,0 +1,43 @@
+#pragma once
+
+/// Limits and tolerances of what is read and written: value, unit and reason of each. How far from
+/// zero a part may lie is in coordinate_limit.h; LinuxCNC's tolerances for arcs in
+/// gcode/read/arc.h.
+
+namespace limitgauge::model {
+
+inline constexpr double kInchMm = 25.4;
+
+/// No word of a program names a place or a length beyond any machine: 1000 km. Squares are far from
+/// overflow, and the fixed notation of such a number fits a writer's buffer.
+inline constexpr double kLargestCoordinateMm = 1e9;
+
+/// What is this little beyond the axis is taken to be on it: rounding of a cutter's given figures.
+inline constexpr double kOnAxisMm = 1e-9;
+/// Stated e and f of a cutter may be this far from what its other figures make of them: figures are
+/// often rounded to a hundredth.
+inline constexpr double kCentreAgreementMm = 0.01;
+
+/// How far a corner of a polygon may be off the polygon's plane. What lies between the corners is
+/// not stated by a file, so that a fan of triangles is the polygon itself only if it is plane.
+inline constexpr double kPlanarity_mm = 1e-3;
+/// A coordinate of a mesh beyond this is no part of a machine tool: 1 km.
+inline constexpr double kFarthestCoordinate_mm = 1e6;
+/// Below this share of the cube about a shell its volume is rounding alone.
+inline constexpr double kLeastVolumeShare = 1e-12;
+
+/// LinuxCNC takes a count for whole within this.
+inline constexpr double kWholeCount = 1e-4;
+/// LinuxCNC's EQ, NE, GE and LE take numbers for equal within this since 2.9.1; before, 1e-4 and
+/// none for GE and LE.
+inline constexpr double kEqualNumbers = 1e-6;
+/// LinuxCNC's fuzz: an arc whose end lies less than this beyond its start is a full turn.
+inline constexpr double kFullTurn_rad = 1e-6;
+/// An entry arc of a compensated path whose chord is this near to square with the radius at its
+/// end, as a cosine, has become a straight line.
+inline constexpr double kStraightEntry = 1e-6;
+
+/// Feed rates below this are none, mm/min: programs are written with six decimals at most.
+inline constexpr double kLeastFeed_mm_min = 1e-6;
+
+}  // namespace limitgauge::model

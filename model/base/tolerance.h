@@ -33,11 +33,5 @@ inline constexpr double kWholeCount = 1e-4;
 inline constexpr double kEqualNumbers = 1e-6;
 /// LinuxCNC's fuzz: an arc whose end lies less than this beyond its start is a full turn.
 inline constexpr double kFullTurn_rad = 1e-6;
-/// An entry arc of a compensated path whose chord is this near to square with the radius at its
-/// end, as a cosine, has become a straight line.
-inline constexpr double kStraightEntry = 1e-6;
-
-/// Feed rates below this are none, mm/min: programs are written with six decimals at most.
-inline constexpr double kLeastFeed_mm_min = 1e-6;
 
 }  // namespace limitgauge::model

@@ -90,6 +90,8 @@ struct Program {
   bool starts_spindle = false;  ///< M3 or M4 somewhere; without, the spindle is taken to turn
 };
 
+/// Reads a program in G-code or, where is_cl_data() says so, in CL data (cl_data.h).
+///
 /// Reads RS274/NGC as LinuxCNC documents it, with the habits of Fanuc and Grbl that do not
 /// contradict it; docs/programs.md lists every code. A word that is not understood is an InputError
 /// with line and column, never skipped. The motions are those of LinuxCNC (its order of execution,

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "model/base/error.h"
+#include "model/gcode/program_path.h"
 #include "tests/support/catch.h"
 #include "tests/support/messages.h"
 
@@ -220,4 +221,54 @@ TEST_CASE("paths that are no CL data are refused before anything is written", "[
   std::ostringstream out;
   out.setstate(std::ios::badbit);
   CHECK_THROWS_AS(write_cl_data({}, parse_cutter("ball:D=6"), {}, out), ResourceError);
+}
+
+TEST_CASE("CL data are told from G-code by their name or by how they begin", "[unit][cl]") {
+  for (const char* text : {"PARTNO x\n", "  $$ remark\nGOTO/1,2,3", "units / MM\n", "GOTO/1,2,3",
+                           "\xEF\xBB\xBFPPRINT by a post"})
+    CHECK(is_cl_data(text, "a.txt"));
+  for (const char* text :
+       {"", "%\nO1\n", "G0 X1", "(PARTNO)", "GOTO 10", "FROM", "N10 G1 X1", "RAPIDS"})
+    CHECK_FALSE(is_cl_data(text, "a.nc"));
+  CHECK(is_cl_data("TOOL PATH/x", "a.CLS"));
+  CHECK(is_cl_data("G0 X1", "a.apt"));
+  CHECK_FALSE(is_cl_data("G0 X1", "cls"));
+}
+
+TEST_CASE("CL data read as a program are the path that was written", "[unit][cl]") {
+  const Toolpath path = small_path();
+  std::istringstream in(written(path, "ball:D=6", {"dome finish", 2, 6}));
+  MachineSetup machine;
+  machine.work_offsets.front() = WorkOffset{{100, 50, -7}, 90};
+  const Program program = read_program(in, "folder/dome.apt", machine);
+  CHECK(program.name == "dome");
+  REQUIRE(program.tool_changes.size() == 1);
+  CHECK(program.tool_changes[0].tool == 2);
+  CHECK(program.tool_changes[0].line == 4);
+  CHECK(program.assumed == std::vector<std::string>{
+                               "line 3: CUTTER/6,3 is not acted on, the tool stated is cut with"});
+  for (int axis = 0; axis < 3; ++axis)
+    CHECK(program.start_said_mm[static_cast<std::size_t>(axis)] == path.start[axis]);
+  PathOptions options;
+  options.machine_in_part = machine_in_part({}, *machine.work_offsets.front());
+  options.start_mm = RigidPlacement{90, {100, 50, -7}}(path.start);
+  const Toolpath back = to_toolpath(program, options);
+  CHECK(distance(back.start, path.start) < 1e-12);
+  REQUIRE(back.moves.size() == path.moves.size());
+  for (std::size_t i = 0; i < back.moves.size(); ++i) {
+    CHECK(distance(back.moves[i].to, path.moves[i].to) < 1e-6);
+    CHECK(back.moves[i].kind == path.moves[i].kind);
+    CHECK(back.moves[i].feed_mm_min == path.moves[i].feed_mm_min);
+  }
+}
+
+TEST_CASE("what CL data ask of spindle and coolant is listed", "[unit][cl]") {
+  std::istringstream in(
+      "UNITS/MM\nSPINDL/RPM,1200\nCOOLNT/ON\nFEDRAT/10\nGOTO/1,2,3\nGOTO/1,2,4\nFINI");
+  const Program program = read_program(in, "a.cls");
+  REQUIRE(program.ignored.size() == 2);
+  CHECK(program.ignored[0].word == "SPINDL/RPM,1200");
+  CHECK(program.ignored[1].line == 3);
+  REQUIRE(program.motions.size() == 1);
+  CHECK(program.start_said_mm[2] == 3.0);
 }

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <sstream>
 
 #include "model/base/text_file.h"
+#include "model/gcode/cl_data.h"
 #include "model/gcode/flow/flow.h"
 #include "model/gcode/program.h"
 #include "model/gcode/read/interpreter.h"
@@ -18,6 +20,10 @@ constexpr std::size_t kExpandedMotions = 5'000'000 / gcode::kFlowShare;
 
 Program read_text_program(const std::string& text, const std::string& name,
                           const MachineSetup& machine) {
+  if (is_cl_data(text, name)) {
+    std::istringstream in(text);
+    return to_program(read_cl_data(in, name), name, machine);
+  }
   Program program;
   program.name = std::filesystem::path(name).stem().string();
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

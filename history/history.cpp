@@ -6,7 +6,6 @@
 
 #include "history/database.h"
 #include "history/schema.h"
-#include "history/statement.h"
 #include "model/base/error.h"
 
 namespace limitgauge::history {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "app/cli/option_checks.h"
-#include "app/run/reach_limit.h"
+#include "app/run/gate_limits.h"
 
 namespace limitgauge::app {
 namespace {
@@ -24,7 +24,8 @@ CLI::Option* add_unreachable(CLI::App& app, verifier::GateLimits& limits) {
       "--unreachable",
       [&limits](const std::string& text) {
         if (!set_unreachable(text, limits))
-          throw CLI::ValidationError("--unreachable", "\"" + text + "\" is neither " + kReachLimit);
+          throw CLI::ValidationError("--unreachable",
+                                     "\"" + text + "\" is neither " + kUnreachableExpected);
       },
       "Largest part of the surface that no cutter used so far may reach: a share, or an area as "
       "12.5mm2 (default: measured, not gated)");
@@ -223,6 +224,34 @@ void CommandDefinition::add_view() {
   sub.add_flag("--no-browser", view.no_browser, "Open no browser, only serve");
   add_common(sub);
   hide_unused(sub);
+}
+
+OptionReference CommandDefinition::reference(const CLI::Option& option) const {
+  OptionReference said;
+  said.positional = option.get_positional();
+  if (said.positional) said.names.push_back(option.get_name(true));
+  for (const std::string& name : option.get_snames()) said.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) said.names.push_back("--" + name);
+  said.required = option.get_required();
+  const bool has_value = option.get_items_expected_max() > 0;
+  said.repeatable = has_value && option.get_items_expected_max() > 1;
+  if (has_value) said.value = option.get_type_name();
+  said.summary = option.get_description();
+  if (const auto found = hints_.find(&option); found != hints_.end()) said.hint = found->second;
+  return said;
+}
+
+CommandReference CommandDefinition::reference(const CLI::App& app) const {
+  CommandReference said{app.get_name(), app.get_description(), {}, {}};
+  for (const CLI::Option* option : app.get_options())
+    if (!option->get_group().empty()) said.options.push_back(reference(*option));
+  const auto subs = app.get_subcommands([](const CLI::App*) { return true; });
+  for (const CLI::App* sub : subs) said.commands.push_back(reference(*sub));
+  return said;
+}
+
+CommandReference CommandDefinition::reference() const {
+  return reference(app_);
 }
 
 }  // namespace limitgauge::app

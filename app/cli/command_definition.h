@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "app/cli/command_line.h"
+#include "app/cli/command.h"
 #include "app/usage/command_reference.h"
 
 namespace limitgauge::app {

@@ -6,10 +6,8 @@
 #include <thread>
 
 #include "app/cli/command_definition.h"
-#include "app/run/reach_limit.h"
-#include "app/usage/completions.h"
-#include "app/usage/help_text.h"
-#include "app/usage/man_page.h"
+#include "app/run/gate_limits.h"
+#include "app/usage/usage_texts.h"
 #include "model/base/message_text.h"
 
 namespace limitgauge::app {
@@ -73,8 +71,9 @@ void check_combinations(const std::string& command, const CommonOptions& common)
 void check_coverage(const std::string& command, const Parsed& parsed) {
   // With --set the limits may be stated there: they are looked at when it has been read.
   if (command == "verify" && parsed.common.overrides.empty() &&
-      !covers_something(parsed.verify.limits))
-    throw UsageError(std::string("--coverage: ") + kCoversNothing + "; expected " + kCoverageNeeds);
+      !coverage_has_limit(parsed.verify.limits))
+    throw UsageError(std::string("--coverage: ") + kCoverageWithoutLimit + "; expected " +
+                     kCoverageExpected);
 }
 
 CommonOptions common_options(const Parsed& parsed) {
@@ -125,6 +124,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   check_combinations(command, common);
   check_coverage(command, definition.parsed());
   return {chosen(command, definition.parsed()), common};
+}
+
+CommandReference command_reference() {
+  return CommandDefinition().reference();
 }
 
 }  // namespace limitgauge::app

@@ -1,112 +1,20 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <variant>
-#include <vector>
-
-#include "app/job/job.h"
-#include "app/job/machine_options.h"
+#include "app/cli/command.h"
+#include "app/cli/usage_error.h"
+#include "app/usage/command_reference.h"
 
 namespace limitgauge::app {
-
-/// Options that every command takes.
-struct CommonOptions {
-  unsigned threads = 0;  ///< never zero once parsed
-  bool quiet = false, verbose = false, no_pictures = false, force = false;
-  std::vector<std::string> overrides;  ///< `key=value`
-};
-
-/// How a run enters a history.
-struct HistoryOptions {
-  std::filesystem::path file;  ///< empty: into none
-  std::string label, commit;
-};
-struct RunCommand {
-  std::filesystem::path job;
-  std::filesystem::path output;  ///< empty: limitgauge-out/NAME
-  HistoryOptions history;
-};
-struct PlanCommand {
-  std::filesystem::path job;
-  std::filesystem::path output;  ///< empty: limitgauge-out/NAME-plan
-};
-struct VerifyCommand {
-  std::filesystem::path cage, program;
-  std::string stock;
-  std::vector<std::string> tools;  ///< `SPEC`, or `N=SPEC` for each of several
-  MachineOptions machine;
-  std::string program_offset;  ///< `X,Y,Z` of the programs' zero in the cage's frame
-  double program_rotation_deg = 0;
-  double allowance_mm = 0;
-  double near_miss_mm = 0;  ///< 0: not looked for
-  std::vector<std::filesystem::path> fixtures;
-  verifier::GateLimits limits;
-  std::filesystem::path output;  ///< empty: limitgauge-out/STEM of the program
-  HistoryOptions history;
-};
-struct InspectCommand {
-  std::filesystem::path file;
-  int samples = 0;  ///< a face and direction; 0: no table
-  std::filesystem::path csv;
-  bool moves = false;
-  MachineOptions machine;
-};
-struct CompareCommand {
-  std::filesystem::path base, now;  ///< result.json, or the folder that has one
-  std::filesystem::path output;     ///< empty: no files
-  /// Machining time may grow by so much; empty: it is not judged.
-  std::optional<double> time_limit_percent;
-  std::vector<std::string> metrics, ignored;  ///< ids of what is judged
-};
-struct StudyCommand {
-  std::filesystem::path study;
-  std::filesystem::path output;  ///< empty: limitgauge-out/NAME
-  std::string engine = "local";
-  unsigned jobs = 0;  ///< cases at a time; 0: as many as the engine takes by itself
-  unsigned retries = 2;
-  std::filesystem::path cache;  ///< empty: the user's own
-  std::uint64_t cache_limit_bytes = std::uint64_t{4} << 30;
-  std::vector<std::string> slurm_options;
-  /// Of a process that runs cases for another one: where its tasks come from, `-` for standard
-  /// input; `study` is the job then. Empty: this is no such process.
-  std::string worker;
-  std::uint64_t worker_keeps_bytes = 0;  ///< of stages in memory
-};
-struct HistoryCommand {
-  std::filesystem::path file;
-  std::filesystem::path output;              ///< empty: limitgauge-out/STEM of the file
-  std::string job;                           ///< empty: all of them
-  std::vector<std::string> stages, metrics;  ///< empty: all stages, the usual figures
-  int last = 0;                              ///< runs at most, the newest; never zero once parsed
-  std::string since;                         ///< ISO 8601, UTC, or its beginning; empty: ever
-};
-struct ViewCommand {
-  std::filesystem::path folder;  ///< of a finished run, or its report.html
-  int port = 0;                  ///< 0: a free one
-  bool no_browser = false;
-};
-/// Help, the version, the man page or a shell's completions: print and leave.
-struct PrintCommand {
-  std::string text;
-};
-
-using Command = std::variant<RunCommand, PlanCommand, VerifyCommand, InspectCommand, CompareCommand,
-                             StudyCommand, HistoryCommand, ViewCommand, PrintCommand>;
 
 struct CommandLine {
   Command command;
   CommonOptions common;
 };
 
-/// A command line that cannot be obeyed. Exit code 3.
-class UsageError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// Throws UsageError.
 CommandLine parse_command_line(int argc, const char* const* argv);
+
+/// Everything that the command line takes, from the definitions that parse it.
+CommandReference command_reference();
 
 }  // namespace limitgauge::app

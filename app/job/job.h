@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/strategy/linking/stage_path.h"
+#include "engine/strategy/stage_path.h"
 #include "model/gcode/dialect.h"
 #include "model/gcode/program_path.h"
 #include "model/part/cage.h"

@@ -1,4 +1,4 @@
-#include "app/job/job_fixtures.h"
+#include "app/job/job_parts.h"
 
 #include <array>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "app/job/job_overrides.h"
+#include "app/job/job_parts.h"
 
 #include <utility>
 #include <vector>

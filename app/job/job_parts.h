@@ -1,11 +1,11 @@
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
+
+#include <toml++/toml.h>
 
 #include "app/job/job.h"
 #include "app/run/stock_file.h"
@@ -20,6 +20,10 @@ struct JobContext {
   std::vector<JobFile> sources;
   StockReaders stock_readers;
 };
+
+/// Replaces or adds keys of `job` by `overrides` of the form `dotted.key=value`. The value is TOML;
+/// a word that is none is taken as text. Throws InputError that names the override.
+void apply_overrides(toml::table& job, std::span<const std::string> overrides);
 
 /// The table that a job file's text and the overrides make together.
 toml::table merged_job(const std::string& text, const std::string& name_in_errors,
@@ -49,5 +53,33 @@ reports::PublishedFigures read_published(const TomlTable& root);
 /// The stages in order; two of one name, or a tool that is not among `tools`, are an error.
 std::vector<JobStage> read_stages(const std::vector<const toml::table*>& stages,
                                   const std::vector<JobTool>& tools, JobContext& context);
+
+/// Keys of a stage that say how it is cut, whatever the strategy.
+inline constexpr const char* kCutKeys[] = {"step",          "scallop",   "tolerance",   "feed",
+                                           "plunge_feed",   "link_feed", "floor",       "angle",
+                                           "pattern",       "direction", "steep_angle", "overlap",
+                                           "boundary_pass", "entry",     "ramp_angle"};
+
+/// How the stage `name` is to be cut. What is left to a default is said in `context`; a key that
+/// the strategy does not use is an error: it would change nothing.
+StagePlan read_plan(const TomlTable& stage, const std::string& name, JobContext& context);
+
+/// The fixtures of `[[fixture]]`: name, file, translate. Throws InputError for a file that is not
+/// there and for a second fixture of one name.
+void read_fixtures(const TomlTable& root, Job& job, const JobContext& context);
+/// `travel = { x = [low, high], ... }` of [machine]: an axis that is not named has no limit.
+model::Box3 read_travel(const TomlTable& machine);
+
+/// [machine]: rates and clearance. What is left to a default is said in `context`.
+void read_machine(const TomlTable& root, Job& job, JobContext& context);
+/// [post]: how programs of planned stages are written. To be read after the stages: without a
+/// planned one, no default is worth saying.
+void read_post(const TomlTable& root, Job& job, JobContext& context);
+
+/// What programs take from the machine and where they lie: `work_offsets`, `home` and `second_home`
+/// of [machine], [program_frame], and the tools that have numbers.
+void read_setup(const TomlTable& root, const TomlTable& machine, Job& job);
+/// The tools that have a number, as the machine's tool table.
+std::vector<model::ToolEntry> tool_table(const std::vector<JobTool>& tools);
 
 }  // namespace limitgauge::app

@@ -1,10 +1,8 @@
-#include "app/job/job_post.h"
+#include "app/job/job_parts.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/job/job_fixtures.h"
-#include "app/job/job_setup.h"
 #include "model/base/number_text.h"
 
 namespace limitgauge::app {

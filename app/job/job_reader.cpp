@@ -2,11 +2,7 @@
 
 #include <algorithm>
 
-#include "app/job/job_fixtures.h"
-#include "app/job/job_overrides.h"
 #include "app/job/job_parts.h"
-#include "app/job/job_post.h"
-#include "app/job/job_setup.h"
 #include "app/toml/toml_table.h"
 #include "app/toml/toml_text.h"
 #include "model/base/number_text.h"

@@ -1,4 +1,4 @@
-#include "app/job/job_setup.h"
+#include "app/job/job_parts.h"
 
 #include <iterator>
 

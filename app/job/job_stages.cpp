@@ -1,7 +1,6 @@
-#include "app/job/job_cut.h"
 #include "app/job/job_parts.h"
 #include "app/job/job_reader.h"
-#include "app/run/reach_limit.h"
+#include "app/run/gate_limits.h"
 #include "app/toml/toml_table.h"
 #include "model/base/message_text.h"
 #include "model/base/text_file.h"
@@ -148,7 +147,8 @@ void read_unreachable(const TomlTable& gate, verifier::GateLimits& limits) {
   const std::string text = gate.text("unreachable");
   if (!set_unreachable(text, limits) || limits.unreachable_is_share)
     throw model::InputError(gate.place("unreachable"),
-                            "\"unreachable\" in [stage.gate] is \"" + text + "\"", kReachLimit);
+                            "\"unreachable\" in [stage.gate] is \"" + text + "\"",
+                            kUnreachableExpected);
 }
 
 }  // namespace
@@ -165,8 +165,8 @@ verifier::GateLimits read_gate(const TomlTable& stage) {
   if (limits.has_gouge) limits.gouge_mm = gate.positive("gouge");
   if (limits.has_uncut) limits.uncut_mm = gate.positive("uncut");
   if (limits.has_coverage) limits.coverage = gate.share("coverage");
-  if (!covers_something(limits))
-    throw model::InputError(gate.place("coverage"), kCoversNothing, kCoverageNeeds);
+  if (!coverage_has_limit(limits))
+    throw model::InputError(gate.place("coverage"), kCoverageWithoutLimit, kCoverageExpected);
   if (limits.has_unavoidable) limits.unavoidable_mm = gate.not_negative("unavoidable");
   if (gate.has("unreachable")) read_unreachable(gate, limits);
   return limits;

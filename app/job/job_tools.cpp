@@ -6,7 +6,7 @@
 #include "app/toml/toml_table.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/number_text.h"
-#include "model/part/cutter_figures.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::app {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/job/machine_options.h"
 
-#include "app/cli/command_line.h"
+#include "app/cli/usage_error.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/number_text.h"
 #include "model/base/text_file.h"

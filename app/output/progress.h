@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "app/output/time_left.h"
-#include "app/run/phase.h"
+#include "app/run/run_watch.h"
 
 namespace limitgauge::app {
 

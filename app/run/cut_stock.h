@@ -2,7 +2,10 @@
 
 #include <span>
 
-#include "app/run/stage_watch.h"
+#include "app/job/job.h"
+#include "app/run/run_inputs.h"
+#include "app/run/run_watch.h"
+#include "reports/run/run_result.h"
 #include "simulator/instrument/dexel_stock.h"
 #include "simulator/stock/stock_model.h"
 #include "verifier/gate/verify.h"

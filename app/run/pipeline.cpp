@@ -1,12 +1,11 @@
 #include "app/run/pipeline.h"
 
-#include <sys/resource.h>
-
 #include <chrono>
 #include <sstream>
 
-#include "app/output/result_parts.h"
+#include <sys/resource.h>
 #include "app/run/cut_stock.h"
+#include "app/run/result_parts.h"
 #include "app/run/stage_planner.h"
 #include "app/run/stage_prefix.h"
 #include "app/run/stage_program.h"
@@ -117,7 +116,7 @@ std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Fi
   std::vector<verifier::ProcessFault> faults;
   for (const simulator::FindingKind kind : reports::kFindingKinds) {
     if (!fails(kind)) continue;
-    verifier::ProcessFault fault{reports::words_for(kind), reports::count(findings, {kind})};
+    verifier::ProcessFault fault{reports::description(kind), reports::count(findings, {kind})};
     for (const simulator::Finding& f : findings)
       if (f.kind == kind && (!fault.worst || f.depth_mm > fault.worst->depth_mm))
         fault.worst = {f.point, f.line, f.depth_mm};
@@ -220,6 +219,37 @@ reports::RunResult run_job(const Job& job, const RunInputs& inputs,
                            const std::filesystem::path& folder, const RunOptions& options,
                            const Resumption& resumption) {
   return Bench(job, inputs, folder, options, resumption).run();
+}
+
+void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::path& folder,
+              const RunOptions& options) {
+  StagePlanner planner(job, inputs);
+  std::vector<verifier::Pass> passes;
+  for (std::size_t i = 0; i < job.stages.size(); ++i) {
+    const std::string& name = job.stages[i].name;
+    options.watch.phase({name + ": planning", i + 1, job.stages.size()});
+    PlannedStage planned =
+        planner.plan(i, passes, {options.threads, options.stop, options.watch.progress});
+    model::make_folder(folder / name);
+    write_program_files(planned, folder / name);
+    reports::write_toolpath_vtp(planned.path.path, folder / name / "toolpath.vtp");
+    options.watch.note(name + ": " + std::to_string(planned.path.path.moves.size()) + " moves");
+    passes.push_back({job.stages[i].cutter,
+                      std::make_shared<const model::Toolpath>(std::move(planned.path.path))});
+  }
+}
+
+void write_report(const reports::RunResult& result, const std::filesystem::path& folder) {
+  using Writer = void (*)(const reports::RunResult&, std::ostream&);
+  const auto write = [&](const char* file, Writer writer) {
+    model::write_file(folder / file, [&](std::ostream& out) { writer(result, out); });
+  };
+  write("report.html", reports::write_html);
+  write("junit.xml", reports::write_junit);
+  write("findings.sarif", reports::write_sarif);
+  write("findings.csv", reports::write_findings_csv);
+  // Last: what looks for a finished run looks for this file.
+  write("result.json", reports::write_result_json);
 }
 
 }  // namespace limitgauge::app

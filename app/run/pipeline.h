@@ -1,36 +1,15 @@
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <string>
 
 #include "app/job/job.h"
-#include "app/run/phase.h"
 #include "app/run/run_inputs.h"
-#include "model/base/run_control.h"
+#include "app/run/run_watch.h"
 #include "reports/run/run_result.h"
 
 namespace limitgauge::app {
-
-/// How a run is watched. Neither call changes a result.
-struct RunWatch {
-  /// A phase begins; its progress follows through `progress`.
-  std::function<void(const Phase&)> phase = [](const Phase&) {};
-  std::function<void(double fraction)> progress = [](double) {};
-  /// A line for those who want to know more.
-  std::function<void(const std::string&)> note = [](const std::string&) {};
-};
-
-struct RunOptions {
-  unsigned threads = 1;
-  const std::atomic<bool>* stop = nullptr;
-  RunWatch watch;
-  std::string created;  ///< ISO 8601, UTC; stands in the result as it is
-  /// False: no files of stages are written, and the result has no figures of them.
-  bool stage_files = true;
-};
 
 struct StagePrefix;
 

@@ -8,7 +8,6 @@
 #include "app/run/pipeline.h"
 #include "app/run/run_history.h"
 #include "app/verify/verify_job.h"
-#include "app/verify/verify_overrides.h"
 #include "model/base/error.h"
 #include "reports/run/report.h"
 

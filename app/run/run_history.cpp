@@ -6,7 +6,7 @@
 
 #include "model/base/error.h"
 #include "reports/history/run_entry.h"
-#include "reports/record/run_record.h"
+#include "reports/record/record_reader.h"
 
 namespace limitgauge::app {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/cli/command_line.h"
+#include "app/cli/command.h"
 #include "history/recorder.h"
 
 namespace limitgauge::app {

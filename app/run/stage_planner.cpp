@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "app/job/settings.h"
-#include "app/run/stage_program.h"
 #include "app/run/stock_file.h"
+#include "engine/strategy/strategies.h"
 #include "model/base/error.h"
 #include "verifier/certificate/leftover_regions.h"
 

@@ -3,21 +3,13 @@
 #include <optional>
 #include <span>
 
-#include "app/run/pipeline.h"
+#include "app/job/job.h"
 #include "app/run/run_inputs.h"
-#include "engine/strategy/linking/stage_path.h"
+#include "app/run/stage_program.h"
 #include "engine/surface/finish_model.h"
 #include "verifier/gate/verify.h"
 
 namespace limitgauge::app {
-
-/// A stage's toolpath with its program: planned, or taken from the stage's program.
-struct PlannedStage {
-  engine::strategy::StagePath path;
-  std::string program;  ///< the text that stands in toolpath.ngc
-  std::string cl_data;  ///< the text of toolpath.apt; empty where none is asked for
-  std::vector<std::string> ignored_words;
-};
 
 /// What the engine's model of the surface is built for: all stages of the job share one.
 engine::surface::ModelRequest model_request(const Job& job);

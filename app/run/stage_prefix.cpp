@@ -1,5 +1,12 @@
 #include "app/run/stage_prefix.h"
 
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "model/base/byte_reader.h"
+#include "reports/run/report.h"
+
 namespace limitgauge::app {
 
 std::size_t StagePrefix::memory_bytes() const {
@@ -9,6 +16,168 @@ std::size_t StagePrefix::memory_bytes() const {
     sum += stage.json->size() + stage.program_text->size() +
            stage.path->moves.size() * sizeof(model::Move);
   return sum;
+}
+
+namespace {
+
+constexpr std::string_view kBegin = "limitgauge stages 1\n", kEnd = "end\n";
+
+/// Moves are written as they stand in memory: they hold neither pointers nor gaps.
+static_assert(std::is_trivially_copyable_v<model::Move> && sizeof(model::Move) == 32);
+
+class Writer {
+ public:
+  template <class T>
+  void number(T value) {
+    static_assert(std::is_arithmetic_v<T>);
+    raw(&value, sizeof value);
+  }
+  void text(std::string_view bytes) {
+    number(std::uint64_t{bytes.size()});
+    out_ += bytes;
+  }
+  void mark(std::string_view mark) { out_ += mark; }
+  void path(const model::Toolpath& path) {
+    for (int axis = 0; axis < 3; ++axis) number(path.start[axis]);
+    number(path.chord_error_mm);
+    number(std::uint64_t{path.moves.size()});
+    raw(path.moves.data(), path.moves.size() * sizeof(model::Move));
+  }
+  std::string take() { return std::move(out_); }
+
+ private:
+  void raw(const void* bytes, std::size_t count) {
+    out_.append(static_cast<const char*>(bytes), count);
+  }
+  std::string out_;
+};
+
+/// Reads what Writer wrote; once something is missing everything is nothing, and good() is false.
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : left_(text) {}
+  bool good() const { return good_; }
+  bool done() const { return good_ && left_.empty(); }
+  template <class T>
+  T number() {
+    const std::string_view bytes = take(sizeof(T));
+    return good_ ? model::number_in<T>(bytes, std::endian::native) : T{};
+  }
+  /// How many things of `bytes` bytes at least follow.
+  std::size_t count(std::size_t bytes) {
+    const auto stated = number<std::uint64_t>();
+    if (stated > left_.size() / bytes) good_ = false;
+    return good_ ? static_cast<std::size_t>(stated) : 0;
+  }
+  std::string text() { return std::string(take(count(1))); }
+  void mark(std::string_view expected) {
+    if (take(expected.size()) != expected) good_ = false;
+  }
+  model::Toolpath path() {
+    model::Toolpath path;
+    for (int axis = 0; axis < 3; ++axis) path.start[axis] = number<double>();
+    path.chord_error_mm = number<double>();
+    path.moves.resize(count(sizeof(model::Move)));
+    const std::string_view bytes = take(path.moves.size() * sizeof(model::Move));
+    if (!bytes.empty()) std::memcpy(path.moves.data(), bytes.data(), bytes.size());
+    for (const model::Move& move : path.moves)
+      if (!std::isfinite(move.to.x + move.to.y + move.to.z)) good_ = false;
+    return path;
+  }
+
+ private:
+  std::string_view take(std::size_t count) {
+    if (count > left_.size()) good_ = false;
+    if (!good_) return {};
+    const std::string_view taken = left_.substr(0, count);
+    left_.remove_prefix(count);
+    return taken;
+  }
+  std::string_view left_;
+  bool good_ = true;
+};
+
+void write_stage(Writer& out, const RecordedStage& stage) {
+  out.text(*stage.json);
+  out.text(*stage.program_text);
+  out.path(*stage.path);
+  out.number(std::int32_t{stage.sampling_interval_min});
+  out.number(std::int32_t{stage.sampling_interval_max});
+  out.number(static_cast<std::int32_t>(stage.verdict));
+}
+
+RecordedStage read_stage(Reader& in) {
+  RecordedStage stage;
+  stage.json = std::make_shared<const std::string>(in.text());
+  stage.program_text = std::make_shared<const std::string>(in.text());
+  stage.path = std::make_shared<const model::Toolpath>(in.path());
+  stage.sampling_interval_min = in.number<std::int32_t>();
+  stage.sampling_interval_max = in.number<std::int32_t>();
+  stage.verdict = static_cast<verifier::Verdict>(in.number<std::int32_t>());
+  return stage;
+}
+
+void write_figures(Writer& out, const engine::surface::ModelFigures& figures) {
+  for (const int value : {figures.patches, figures.depth_min, figures.depth_max})
+    out.number(std::int32_t{value});
+  out.number(std::uint64_t{figures.depths.size()});
+  for (const int depth : figures.depths) out.number(std::int32_t{depth});
+  out.number(figures.seconds);
+  for (const std::size_t bytes :
+       {figures.memory_bytes, figures.cell_bytes_counted, figures.cell_bytes_allocated})
+    out.number(std::uint64_t{bytes});
+}
+
+engine::surface::ModelFigures read_figures(Reader& in) {
+  engine::surface::ModelFigures figures;
+  for (int* value : {&figures.patches, &figures.depth_min, &figures.depth_max})
+    *value = in.number<std::int32_t>();
+  figures.depths.resize(in.count(sizeof(std::int32_t)));
+  for (int& depth : figures.depths) depth = in.number<std::int32_t>();
+  figures.seconds = in.number<double>();
+  for (std::size_t* bytes :
+       {&figures.memory_bytes, &figures.cell_bytes_counted, &figures.cell_bytes_allocated})
+    *bytes = in.number<std::uint64_t>();
+  return figures;
+}
+
+/// A stage that was run came to one of three verdicts, and none comes after one that did not pass.
+bool in_order(const StagePrefix& prefix) {
+  using verifier::Verdict;
+  if (prefix.stages.empty()) return false;
+  for (std::size_t i = 0; i < prefix.stages.size(); ++i) {
+    const RecordedStage& stage = prefix.stages[i];
+    const bool last = i + 1 == prefix.stages.size();
+    const bool ended = stage.verdict == Verdict::fail || stage.verdict == Verdict::indeterminate;
+    if (stage.verdict != Verdict::pass && !(last && ended)) return false;
+    if (!reports::is_recorded_stage(*stage.json)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string to_text(const StagePrefix& prefix) {
+  Writer out;
+  out.mark(kBegin);
+  out.number(std::uint64_t{prefix.stages.size()});
+  for (const RecordedStage& stage : prefix.stages) write_stage(out, stage);
+  out.number(std::int32_t{prefix.figures.has_value()});
+  if (prefix.figures) write_figures(out, *prefix.figures);
+  out.mark(kEnd);
+  return out.take();
+}
+
+std::optional<StagePrefix> read_stage_prefix(std::string_view text) {
+  Reader in(text);
+  in.mark(kBegin);
+  StagePrefix prefix;
+  const std::size_t stages = in.count(1);
+  for (std::size_t i = 0; i < stages && in.good(); ++i) prefix.stages.push_back(read_stage(in));
+  if (in.number<std::int32_t>() != 0) prefix.figures = read_figures(in);
+  in.mark(kEnd);
+  if (!in.done() || !in_order(prefix)) return std::nullopt;
+  return prefix;
 }
 
 }  // namespace limitgauge::app

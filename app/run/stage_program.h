@@ -1,10 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
-#include "app/run/stage_planner.h"
+#include "app/job/job.h"
+#include "engine/strategy/stage_path.h"
 
 namespace limitgauge::app {
+
+/// A stage's toolpath with its program: planned, or taken from the stage's program.
+struct PlannedStage {
+  engine::strategy::StagePath path;
+  std::string program;  ///< the text that stands in toolpath.ngc
+  std::string cl_data;  ///< the text of toolpath.apt; empty where none is asked for
+  std::vector<std::string> ignored_words;
+};
 
 /// Writes the path of planned stage `stage` as the job's [post] asks: into `planned.program`, and
 /// into `planned.cl_data` where CL data are asked for. Afterwards `planned.path.path` is what the

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/cli/command_line.h"
+#include "app/cli/usage_error.h"
 #include "app/output/folder_files.h"
 
 namespace limitgauge::app {

@@ -6,8 +6,7 @@
 #include "app/job/job_parts.h"
 #include "app/run/sha256.h"
 #include "app/run/stage_planner.h"
-#include "app/study/case_reading.h"
-#include "app/toml/toml_canonical.h"
+#include "app/toml/toml_text.h"
 #include "model/base/text_file.h"
 
 namespace limitgauge::app {
@@ -40,7 +39,7 @@ bool is_program(const JobStage& stage) {
 /// Everything that keys of one case are made of.
 class KeySources {
  public:
-  KeySources(const toml::table& table, const Job& job, KnownFiles& files)
+  KeySources(const toml::table& table, const Job& job, InputCache& files)
       : table_(table),
         job_(job),
         program_sum_(files.checksum("/proc/self/exe").sha256),
@@ -146,7 +145,7 @@ std::string KeySources::result_key() const {
 }  // namespace
 
 ReadCase read_case(const std::filesystem::path& file, std::span<const std::string> overrides,
-                   KnownFiles& files) {
+                   InputCache& files) {
   const toml::table table = merged_job(model::read_text_file(file), file.string(), overrides);
   ReadCase read;
   read.job = read_merged_job(table, {file.parent_path(), {}, {}, files.stock_readers()});
@@ -161,7 +160,7 @@ ReadCase read_case(const std::filesystem::path& file, std::span<const std::strin
 }
 
 struct CaseKeyMaker::Known {
-  KnownFiles files;
+  InputCache files;
 };
 
 CaseKeyMaker::CaseKeyMaker() : known_(std::make_unique<Known>()) {}

@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "app/job/job.h"
+#include "app/run/input_cache.h"
+
 namespace limitgauge::app {
 
 /// What a case is known by: SHA-256 in 64 lower-case hexadecimal digits each, of the job with its
@@ -39,5 +42,16 @@ class CaseKeyMaker {
 
 /// The same for one case.
 CaseKeys case_keys(const std::filesystem::path& job, std::span<const std::string> overrides);
+
+/// A case as it is read: its job, and what it is known by.
+struct ReadCase {
+  Job job;
+  CaseKeys keys;
+  std::string model;  ///< key of the engine's model of its surface
+};
+
+/// Throws InputError, ResourceError.
+ReadCase read_case(const std::filesystem::path& file, std::span<const std::string> overrides,
+                   InputCache& files);
 
 }  // namespace limitgauge::app

@@ -4,9 +4,9 @@
 #include <map>
 
 #include "app/run/stage_planner.h"
-#include "app/study/case_reading.h"
+#include "app/study/case_keys.h"
 #include "app/study/case_runner.h"
-#include "app/study/prefix_shelf.h"
+#include "app/study/stage_prefix_cache.h"
 #include "simulator/stock/stock_model.h"
 
 namespace limitgauge::app {
@@ -21,7 +21,7 @@ constexpr double kModelShare = 1.5;
 /// Level sets of the stock: the one that is cut, those of the stages kept, which are larger than
 /// the raw stock's, the readings of the stock's surface, and the verifier's cells and samples,
 /// whose number goes with it as well.
-constexpr double kGridShare = 3 + PrefixShelf::kMostKept;
+constexpr double kGridShare = 3 + StagePrefixCache::kMostKept;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ std::size_t CaseMemory::forecast_bytes() const {
 }
 
 struct CaseForecast::Known {
-  KnownFiles files;
+  InputCache files;
   std::map<std::string, std::size_t> bytes;  ///< by key of the model and of the first stage
 };
 

@@ -4,9 +4,9 @@
 #include <sstream>
 
 #include "app/output/now_utc.h"
-#include "app/run/stage_prefix_text.h"
-#include "app/study/case_reading.h"
-#include "app/study/prefix_shelf.h"
+#include "app/run/stage_prefix.h"
+#include "app/study/case_keys.h"
+#include "app/study/stage_prefix_cache.h"
 #include "model/base/error.h"
 #include "reports/run/report.h"
 
@@ -32,7 +32,7 @@ std::vector<verifier::Pass> passes_of(const StagePrefix& prefix, const Job& job)
 
 struct CaseRunner::Kept {
   Kept(const study::Store& to, RunOptions asked, std::size_t most_bytes)
-      : store(to), options(without_files(std::move(asked))), shelf(most_bytes) {}
+      : store(to), options(without_files(std::move(asked))), prefixes(most_bytes) {}
 
   std::string run(const std::filesystem::path& file, std::span<const std::string> overrides);
   RunInputs read_inputs(const ReadCase& asked, const std::filesystem::path& file,
@@ -46,8 +46,8 @@ struct CaseRunner::Kept {
 
   const study::Store& store;
   RunOptions options;
-  KnownFiles files;
-  PrefixShelf shelf;
+  InputCache files;
+  StagePrefixCache prefixes;
   struct KnownModel {
     std::string key;
     engine::surface::FinishModel model;
@@ -86,13 +86,13 @@ std::shared_ptr<const StagePrefix> CaseRunner::Kept::longest(const ReadCase& ask
                                                              const RunInputs& inputs) {
   for (std::size_t stages = asked.keys.prefixes.size(); stages > 0; --stages) {
     const std::string& key = asked.keys.prefixes[stages - 1];
-    if (auto known = shelf.find(key)) {
+    if (auto known = prefixes.find(key)) {
       reuse = {stages, false};
       return known;
     }
     if (auto stored = from_store(key, stages, asked.job, inputs)) {
       reuse = {stages, true};
-      shelf.put(key, stored);
+      prefixes.put(key, stored);
       return stored;
     }
   }
@@ -116,7 +116,7 @@ void CaseRunner::Kept::take(const ReadCase& asked, const StagePrefix& state) {
   auto kept = std::make_shared<StagePrefix>(state);
   kept->model.reset();
   if (kept->over()) kept->stock.reset();
-  shelf.put(key, std::move(kept));
+  prefixes.put(key, std::move(kept));
 }
 
 std::string CaseRunner::Kept::run(const std::filesystem::path& file,

@@ -5,10 +5,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "app/cli/one_line.h"
 #include "app/study/study_figures.h"
 #include "model/base/error.h"
-#include "reports/record/run_record.h"
+#include "reports/record/record_reader.h"
 
 namespace limitgauge::app {
 
@@ -46,7 +45,7 @@ void StudyCases::know(Asked& all) {
     } catch (const model::InputError& refusal) {
       if (!first_refusal) first_refusal = refusal;
       row.status = study::Status::error;
-      row.reason = one_line(refusal.what());
+      row.reason = single_line(refusal.what());
     }
   }
   any_accepted_ = any_accepted_ || !all.requests.empty();
@@ -117,6 +116,13 @@ std::vector<study::Row> StudyCases::rows(std::span<const study::Case> cases) {
     run_others(all);
   }
   return std::move(all.rows);
+}
+
+std::string single_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at))
+    text.replace(at, 1, "; ");
+  return text;
 }
 
 }  // namespace limitgauge::app

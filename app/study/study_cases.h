@@ -60,4 +60,7 @@ class StudyCases {
   bool any_accepted_ = false, any_run_ = false;
 };
 
+/// A message of several lines as one: its parts joined by "; ".
+std::string single_line(std::string text);
+
 }  // namespace limitgauge::app

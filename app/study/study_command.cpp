@@ -15,6 +15,7 @@
 #include "app/study/study_output.h"
 #include "app/study/study_worker.h"
 #include "model/base/error.h"
+#include "study/plan/design.h"
 #include "study/search/search.h"
 
 namespace limitgauge::app {

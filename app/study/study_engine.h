@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/cli/command_line.h"
+#include "app/cli/command.h"
 #include "study/execute/executor.h"
 #include "study/store/store.h"
 

@@ -4,10 +4,10 @@
 #include <limits>
 
 #include "app/job/job_reader.h"
-#include "app/study/study_job.h"
 #include "app/study/study_variables.h"
 #include "app/toml/toml_text.h"
 #include "model/base/text_file.h"
+#include "study/plan/design.h"
 #include "study/plan/sampling.h"
 
 namespace limitgauge::app {

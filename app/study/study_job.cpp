@@ -1,11 +1,11 @@
-#include "app/study/study_job.h"
+#include "app/study/study_file.h"
 
 #include <algorithm>
 
-#include "app/job/job_overrides.h"
+#include "app/job/job_parts.h"
 #include "app/job/job_reader.h"
 #include "app/study/study_figures.h"
-#include "app/study/study_setting.h"
+#include "app/study/study_variables.h"
 #include "app/toml/toml_table.h"
 #include "app/toml/toml_text.h"
 #include "model/base/message_text.h"

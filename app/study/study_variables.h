@@ -1,12 +1,13 @@
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <string>
 #include <vector>
 
+#include <toml++/toml.h>
+
 #include "app/toml/toml_table.h"
 #include "study/plan/plan.h"
+#include "study/store/table.h"
 
 /// The readers of what a study file varies.
 namespace limitgauge::app {
@@ -14,6 +15,11 @@ namespace limitgauge::app {
 /// Throws the InputError about a place of a study file.
 [[noreturn]] void refuse(const model::SourcePlace& place, const std::string& wrong,
                          const std::string& expected);
+
+/// A value of a TOML file as a setting of a study: numbers with the fewest digits that read back as
+/// they are, so that 0.20 and 0.2 are the same setting. Throws InputError at the value's place for
+/// what no job key takes (dates) and for numbers that are not finite; `what` names it there.
+study::Setting setting_of(const toml::node& value, const std::string& what);
 
 /// A key that is varied, with where the study file says so.
 struct VariedKey {

@@ -8,10 +8,10 @@
 #include <iostream>
 #include <new>
 
-#include "app/cli/one_line.h"
 #include "app/output/now_utc.h"
 #include "app/study/case_keys.h"
 #include "app/study/case_runner.h"
+#include "app/study/study_cases.h"
 #include "model/base/error.h"
 #include "model/base/memory.h"
 #include "study/execute/worker_lines.h"
@@ -67,7 +67,7 @@ WorkerAnswer StudyWorker::answer(const WorkerTask& task) {
   const auto began = std::chrono::steady_clock::now();
   const auto failed = [&](WorkerAnswer::Kind kind, const std::string& why) {
     answer.kind = kind;
-    answer.reason = one_line(why);
+    answer.reason = single_line(why);
   };
   try {
     run(task);

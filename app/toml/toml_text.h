@@ -1,8 +1,8 @@
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <string>
+
+#include <toml++/toml.h>
 
 namespace limitgauge::app {
 
@@ -14,5 +14,9 @@ inline constexpr int kMostDots = 100;
 /// recursion, and ten thousands of them exhaust the stack. It bounds all other nesting itself, at
 /// 256 values.
 toml::table parse_toml(const std::string& text, const std::string& name_in_errors);
+
+/// A text that two values share if and only if they have the same types and values: keys in their
+/// order, numbers to the last bit, no comments.
+std::string canonical(const toml::node& node);
 
 }  // namespace limitgauge::app

@@ -1,4 +1,4 @@
-#include "app/usage/completions.h"
+#include "app/usage/usage_texts.h"
 
 namespace limitgauge::app {
 namespace {

@@ -29,7 +29,4 @@ struct CommandReference {
   std::vector<CommandReference> commands;
 };
 
-/// Everything that the command line takes, from the definitions that parse it.
-CommandReference command_reference();
-
 }  // namespace limitgauge::app

@@ -1,4 +1,4 @@
-#include "app/usage/help_text.h"
+#include "app/usage/usage_texts.h"
 
 #include <algorithm>
 #include <sstream>

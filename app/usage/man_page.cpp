@@ -1,10 +1,9 @@
-#include "app/usage/man_page.h"
+#include "app/usage/usage_texts.h"
 
 #include <algorithm>
 #include <cctype>
 #include <sstream>
 
-#include "app/usage/help_text.h"
 #include "app/usage/usage_notes.h"
 
 namespace limitgauge::app {

@@ -8,6 +8,8 @@
 #include "model/base/message_text.h"
 #include "model/base/output_file.h"
 #include "reports/compare/report.h"
+#include "reports/compare/run_comparison.h"
+#include "reports/record/record_reader.h"
 
 namespace limitgauge::app {
 namespace fs = std::filesystem;

@@ -1,6 +1,10 @@
 #pragma once
 
-#include "app/cli/command_line.h"
+#include <span>
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/job/job.h"
 
 namespace limitgauge::app {
 
@@ -8,5 +12,11 @@ namespace limitgauge::app {
 /// where several are stated; the limits are the last one's. Throws UsageError for an option that
 /// cannot be understood, InputError for files that cannot be read.
 Job job_of(const VerifyCommand& command);
+
+/// Replaces keys of the job that `verify`'s options make, each `dotted.key=value` as for a job
+/// file; its stages have the names that its folders have: "program", or "T1" and so on. What only
+/// the options can say (cage, stock, tools, program, fixtures) is refused with the option's name.
+/// Throws InputError that names the override.
+void apply_verify_overrides(Job& job, std::span<const std::string> overrides);
 
 }  // namespace limitgauge::app

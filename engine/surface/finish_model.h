@@ -4,19 +4,13 @@
 #include <memory>
 #include <vector>
 
+#include "engine/surface/model_request.h"
 #include "model/base/run_control.h"
 #include "model/part/cage.h"
 
 namespace limitgauge::engine::surface {
 
 class PatchModel;  // CELL patches with their limit meshes; see patch_model.h
-
-/// What the finish model is built for.
-struct ModelRequest {
-  double precision_mm = 0.01;    ///< bound on the chord error of the limit mesh
-  double largest_offset_mm = 0;  ///< largest normal offset asked of it later (cutter + allowance)
-  int largest_depth = 10;
-};
 
 /// Table 1 of the paper, for result.json.
 struct ModelFigures {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/surface/patch_model.h"
-#include "engine/surface/section/grid_section.h"
+#include "engine/surface/section/section_chain.h"
 
 namespace limitgauge::engine::surface {
 

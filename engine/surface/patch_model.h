@@ -6,8 +6,9 @@
 #include "engine/surface/cell/chord_bound.h"
 #include "engine/surface/cell/limit_patch.h"
 #include "engine/surface/cell/outer_mesh.h"
-#include "engine/surface/finish_model.h"
+#include "engine/surface/model_request.h"
 #include "model/base/run_control.h"
+#include "model/part/cage.h"
 
 namespace limitgauge::engine::surface {
 

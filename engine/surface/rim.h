@@ -4,7 +4,7 @@
 
 #include "engine/surface/offset_model.h"
 #include "engine/surface/patch_model.h"
-#include "engine/surface/section/grid_section.h"
+#include "engine/surface/section/section_chain.h"
 
 namespace limitgauge::engine::surface {
 

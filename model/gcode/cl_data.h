@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/gcode/program.h"
-#include "model/part/cutter_figures.h"
+#include "model/part/cutter.h"
 #include "model/part/toolpath.h"
 
 namespace limitgauge::model {

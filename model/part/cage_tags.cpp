@@ -8,7 +8,7 @@
 
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
-#include "model/part/cage_edges.h"
+#include "model/part/cage.h"
 
 namespace limitgauge::model {
 namespace {

@@ -8,7 +8,7 @@
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
 #include "model/base/spec_text.h"
-#include "model/part/cutter_figures.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::model {
 namespace {

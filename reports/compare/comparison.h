@@ -92,9 +92,14 @@ struct Comparison {
   Judgement judgement() const;
 };
 
-/// Throws model::InputError where the runs have nothing in common: other jobs, and no stage of one
-/// name; and for results of two schemas, whose gouge and uncut mean different things.
-Comparison compare_runs(const record::RunRecord& base, const record::RunRecord& now,
-                        const Options& options);
+/// Whether `id` is judged with these options.
+bool is_judged(const Options& options, std::string_view id);
+/// `judgement` where `id` is judged.
+Judgement if_judged(const Options& options, std::string_view id, Judgement judgement);
+
+FoundPlace found_place(const record::Place& place);
+FoundPlace found_place(const record::ProcessFinding& finding, const std::string& stage);
+/// How deep the place of a change is: in the new run where it is there.
+double depth_mm(const FindingChange& change);
 
 }  // namespace limitgauge::reports::compare

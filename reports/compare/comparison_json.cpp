@@ -1,7 +1,7 @@
 #include <ostream>
 
+#include "reports/compare/comparison_text.h"
 #include "reports/compare/report.h"
-#include "reports/compare/words.h"
 #include "reports/json/values.h"
 #include "reports/text/text.h"
 

@@ -1,11 +1,9 @@
-#include "reports/compare/figures.h"
+#include "reports/compare/run_comparison.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "reports/compare/noise.h"
-#include "reports/compare/places.h"
-#include "reports/compare/selection.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::compare {

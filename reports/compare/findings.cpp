@@ -1,4 +1,4 @@
-#include "reports/compare/findings.h"
+#include "reports/compare/run_comparison.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,8 +7,6 @@
 
 #include "reports/compare/matching.h"
 #include "reports/compare/noise.h"
-#include "reports/compare/places.h"
-#include "reports/compare/selection.h"
 
 namespace limitgauge::reports::compare {
 namespace {

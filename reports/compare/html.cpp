@@ -2,8 +2,8 @@
 
 #include <ostream>
 
+#include "reports/compare/comparison_text.h"
 #include "reports/compare/report.h"
-#include "reports/compare/words.h"
 #include "reports/html/markup.h"
 #include "reports/html/shell.h"
 #include "reports/text/text.h"
@@ -150,7 +150,7 @@ std::string figures_part(const StageComparison& stage) {
 
 html::Row finding_row(const StageComparison& stage, const FindingChange& change) {
   const FoundPlace& place = change.now ? *change.now : *change.base;
-  std::string kind = escape_markup(kind_words(change.kind));
+  std::string kind = escape_markup(kind_text(change.kind));
   if (!place.by.empty()) kind += " <small>" + escape_markup(place.by) + "</small>";
   const auto depth = [](const std::optional<FoundPlace>& p) {
     return p ? measured_length(p->depth_mm) : std::string("–");

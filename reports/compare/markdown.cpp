@@ -2,8 +2,8 @@
 #include <cctype>
 #include <ostream>
 
+#include "reports/compare/comparison_text.h"
 #include "reports/compare/report.h"
-#include "reports/compare/words.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::compare {
@@ -88,7 +88,7 @@ void write_findings(const StageComparison& stage, std::ostream& out) {
   for (std::size_t i = 0; i < shown; ++i) {
     const FindingChange& change = stage.findings[i];
     out << "- " << escaped(stage.name) << ": " << name(change) << " "
-        << escaped(kind_words(change.kind)) << " " << depth_text(change) << ", "
+        << escaped(kind_text(change.kind)) << " " << depth_text(change) << ", "
         << place_text(change.now ? *change.now : *change.base, stage.name) << " ("
         << name(change.judgement) << ")\n";
   }
@@ -112,8 +112,8 @@ void write_remarks(const std::string& prefix, const std::vector<Remark>& remarks
 
 void write_markdown(const Comparison& comparison, std::ostream& out) {
   out << "### Limitgauge: " << escaped(comparison.now.job) << " – " << summary(comparison)
-      << "\n\nVerdict: " << verdict_word(comparison.base.verdict) << " before, now **"
-      << verdict_word(comparison.now.verdict) << "**.\n";
+      << "\n\nVerdict: " << verdict_text(comparison.base.verdict) << " before, now **"
+      << verdict_text(comparison.now.verdict) << "**.\n";
   write_figures(comparison, out);
   out << "\n";
   write_remarks("", comparison.remarks, out);

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "reports/compare/comparison_text.h"
 #include "reports/compare/report.h"
-#include "reports/compare/words.h"
 #include "reports/text/terminal_table.h"
 #include "reports/text/text.h"
 
@@ -72,7 +72,7 @@ std::string named_place(const FoundPlace& place, const std::string& stage) {
 
 std::string finding_line(const StageComparison& stage, const FindingChange& change, bool colour) {
   const FoundPlace& place = change.now ? *change.now : *change.base;
-  return clean_text(stage.name) + ": " + name(change) + " " + clean_text(kind_words(change.kind)) +
+  return clean_text(stage.name) + ": " + name(change) + " " + clean_text(kind_text(change.kind)) +
          " " + depth_text(change) + ", " + named_place(place, stage.name) + ": " +
          painted(name(change.judgement), tone_of(change.judgement), colour) + '\n';
 }

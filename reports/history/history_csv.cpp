@@ -1,8 +1,8 @@
 #include <ostream>
 
 #include "model/base/number_text.h"
+#include "reports/history/figure_column.h"
 #include "reports/history/history_report.h"
-#include "reports/history/shown.h"
 #include "reports/text/csv_cell.h"
 #include "reports/text/text.h"
 

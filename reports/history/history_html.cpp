@@ -4,7 +4,6 @@
 #include <ostream>
 
 #include "reports/history/history_report.h"
-#include "reports/history/page_data.h"
 #include "reports/history/runs_table.h"
 #include "reports/html/markup.h"
 #include "reports/html/shell.h"

@@ -1,9 +1,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "reports/history/figure_column.h"
 #include "reports/history/history_report.h"
-#include "reports/history/page_data.h"
-#include "reports/history/shown.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {

@@ -19,4 +19,7 @@ void write_history_json(const Overview& overview, std::ostream& out);
 /// history.html, one self-contained page: a section a job.
 void write_history_html(const Overview& overview, std::ostream& out);
 
+/// The overview as JSON, format `limitgauge.history/1`; `indent` −1: on one line.
+std::string overview_json(const Overview& overview, int indent);
+
 }  // namespace limitgauge::reports::history_report

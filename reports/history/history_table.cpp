@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "reports/history/figure_column.h"
 #include "reports/history/history_report.h"
-#include "reports/history/shown.h"
 #include "reports/text/terminal_table.h"
 #include "reports/text/text.h"
 
@@ -66,7 +66,7 @@ bool is_shown(const JobHistory& job, const Column& one, const Choice& choice) {
 void add_figures(const JobHistory& job, const Choice& choice, std::vector<TextColumn>& columns) {
   for (std::size_t i = 0; i < job.columns.size(); ++i) {
     if (!is_shown(job, job.columns[i], choice)) continue;
-    const ShownColumn shown(job, i);
+    const FigureColumn shown(job, i);
     const std::string unit = shown.unit().empty() ? "" : ", " + shown.unit();
     columns.push_back(column(job, shown.title() + unit, true,
                              [&](const Run& run) { return shown.figure(run.cells[i]); }));

@@ -29,7 +29,7 @@ std::string trend_markup(const Cell& cell) {
   return fmt::format("<small class=\"{}\">{}</small>", css, text);
 }
 
-std::string figure_cell(const Column& column, const ShownColumn& shown, const Cell& cell) {
+std::string figure_cell(const Column& column, const FigureColumn& shown, const Cell& cell) {
   if (!cell.value) return "–";
   std::string out = html::typeset(shown.figure(cell));
   if (is_beyond(column, cell))
@@ -64,7 +64,7 @@ std::string verdict_badge(std::string_view verdict) {
 }
 
 std::string runs_table(const JobHistory& job, std::size_t index) {
-  std::vector<ShownColumn> shown;
+  std::vector<FigureColumn> shown;
   std::vector<html::Column> columns = {
       {"Run", true}, {"Date, UTC"}, {"Commit, label"}, {"Verdict"}};
   for (std::size_t i = 0; i < job.columns.size(); ++i) {

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "reports/history/figure_column.h"
 #include "reports/history/job_history.h"
-#include "reports/history/shown.h"
 
 namespace limitgauge::reports::history_report {
 

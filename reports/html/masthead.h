@@ -10,4 +10,7 @@ namespace limitgauge::reports::html {
 /// and program line, the reasons, what was verified.
 std::string masthead(const RunResult& result);
 
+/// A short table of contents: the page's sections and stages.
+std::string contents(const RunResult& result);
+
 }  // namespace limitgauge::reports::html

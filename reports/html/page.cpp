@@ -1,16 +1,11 @@
 #include <ostream>
 
-#include "reports/html/contents.h"
-#include "reports/html/job/decision_section.h"
-#include "reports/html/job/engine_section.h"
-#include "reports/html/job/job_section.h"
-#include "reports/html/job/surface_section.h"
+#include "reports/html/job/job_sections.h"
 #include "reports/html/markup.h"
 #include "reports/html/masthead.h"
 #include "reports/html/shell.h"
-#include "reports/html/stage/stage_section.h"
-#include "reports/html/stage/stage_table.h"
-#include "reports/page/page_script.h"
+#include "reports/html/stage/stage_parts.h"
+#include "reports/page/page_data.h"
 #include "reports/run/report.h"
 #include "reports/text/embedded.h"
 

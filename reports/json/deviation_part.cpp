@@ -1,4 +1,4 @@
-#include "reports/json/deviation_part.h"
+#include "reports/json/result_parts.h"
 
 #include "reports/text/text.h"
 

@@ -1,4 +1,4 @@
-#include "reports/json/simulation_part.h"
+#include "reports/json/result_parts.h"
 
 #include "reports/run/process.h"
 #include "reports/text/text.h"

@@ -20,7 +20,7 @@ double beyond_mm(const DeviationField::Sample& s, const StageDeviation& d) {
 }
 
 /// Hands on the deepest samples of one patch to the shown ones that stand for them.
-void carry_deepest(const StageDeviation& d, const ShownGrid::Patch& p, std::size_t base,
+void carry_deepest(const StageDeviation& d, const PageGrid::Patch& p, std::size_t base,
                    std::vector<std::size_t>& carried) {
   const DeviationField::Grid& m = p.measured;
   for (std::uint32_t j = 0; j < m.rows; ++j)
@@ -28,8 +28,8 @@ void carry_deepest(const StageDeviation& d, const ShownGrid::Patch& p, std::size
       const std::size_t k = m.first + std::size_t(j) * m.columns + i;
       const double depth = beyond_mm(d.field.samples[k], d);
       if (depth == 0) continue;
-      std::size_t& shown = carried[base + std::size_t(shown_index(j, p.rows, m.rows)) * p.columns +
-                                   shown_index(i, p.columns, m.columns)];
+      std::size_t& shown = carried[base + std::size_t(page_index(j, p.rows, m.rows)) * p.columns +
+                                   page_index(i, p.columns, m.columns)];
       if (depth > beyond_mm(d.field.samples[shown], d)) shown = k;
     }
 }
@@ -41,26 +41,26 @@ std::uint8_t flags_of(const DeviationField::Sample& s, bool own) {
 
 }  // namespace
 
-std::vector<std::size_t> carried_samples(const StageDeviation& deviation, const ShownGrid& grid) {
+std::vector<std::size_t> carried_samples(const StageDeviation& deviation, const PageGrid& grid) {
   std::vector<std::size_t> carried;
-  visit_shown(grid, [&](std::size_t k) { carried.push_back(k); });
+  visit_page_samples(grid, [&](std::size_t k) { carried.push_back(k); });
   if (grid.stride == 1) return carried;
   std::size_t base = 0;
-  for (const ShownGrid::Patch& p : grid.patches) {
+  for (const PageGrid::Patch& p : grid.patches) {
     carry_deepest(deviation, p, base, carried);
     base += std::size_t(p.columns) * p.rows;
   }
   return carried;
 }
 
-Json field_data(const StageDeviation& deviation, const ShownGrid& grid, std::size_t surface,
+Json field_data(const StageDeviation& deviation, const PageGrid& grid, std::size_t surface,
                 Blob& blob) {
   const std::vector<std::size_t> carried = carried_samples(deviation, grid);
   std::vector<float> values;
   std::vector<std::uint32_t> line, stage;
   std::vector<std::uint8_t> flags;
   std::size_t at = 0;
-  visit_shown(grid, [&](std::size_t own) {
+  visit_page_samples(grid, [&](std::size_t own) {
     const std::size_t k = carried[at++];
     const DeviationField::Sample& s = deviation.field.samples[k];
     values.push_back(with_bits(s.deviation_mm, kDeviationBits));

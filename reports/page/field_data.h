@@ -12,10 +12,10 @@ inline constexpr std::uint8_t kUnreachable = 1, kRawStock = 2, kFromNearby = 4;
 /// findings, the deepest of those. No place beyond a limit thus gets lost from the map, and places
 /// within the limits show what was measured there.
 std::vector<std::size_t> carried_samples(const verifier::StageDeviation& deviation,
-                                         const ShownGrid& grid);
+                                         const PageGrid& grid);
 
 /// "field" of a stage on surface number `surface`.
-Json field_data(const verifier::StageDeviation& deviation, const ShownGrid& grid,
+Json field_data(const verifier::StageDeviation& deviation, const PageGrid& grid,
                 std::size_t surface, Blob& blob);
 
 }  // namespace limitgauge::reports::page

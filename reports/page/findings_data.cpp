@@ -66,7 +66,7 @@ Json process_list(const std::vector<simulator::FindingGroup>& groups) {
     const simulator::FindingGroup& g = groups[i];
     out.push_back({{"id", id('P', i)},
                    {"kind", simulator::name(g.kind)},
-                   {"words", words_for(g.kind)},
+                   {"words", description(g.kind)},
                    {"fails", fails(g.kind)},
                    {"line", g.worst.line},
                    {"move", g.worst.move},

@@ -13,26 +13,26 @@ std::uint32_t left_of(std::uint32_t count, std::uint32_t stride) {
   return (count - 1 + stride - 1) / stride + 1;
 }
 
-ShownGrid thinned(const DeviationField& field, std::uint32_t stride) {
-  ShownGrid grid;
+PageGrid thinned(const DeviationField& field, std::uint32_t stride) {
+  PageGrid grid;
   grid.stride = stride;
   for (const DeviationField::Grid& g : field.grids)
     grid.patches.push_back({g, left_of(g.columns, stride), left_of(g.rows, stride)});
   return grid;
 }
 
-std::size_t cells(const ShownGrid& grid) {
+std::size_t cells(const PageGrid& grid) {
   std::size_t count = 0;
-  for (const ShownGrid::Patch& p : grid.patches) count += std::size_t(p.columns - 1) * (p.rows - 1);
+  for (const PageGrid::Patch& p : grid.patches) count += std::size_t(p.columns - 1) * (p.rows - 1);
   return count;
 }
 
-bool one_cell_each(const ShownGrid& grid) {
+bool one_cell_each(const PageGrid& grid) {
   return std::all_of(grid.patches.begin(), grid.patches.end(),
                      [](const auto& p) { return p.columns == 2 && p.rows == 2; });
 }
 
-Json patch_json(const ShownGrid::Patch& p) {
+Json patch_json(const PageGrid::Patch& p) {
   Json out = {{"patch", p.measured.patch}, {"columns", p.columns}, {"rows", p.rows}};
   if (p.columns != p.measured.columns || p.rows != p.measured.rows)
     out["measured"] = {p.measured.columns, p.measured.rows};
@@ -41,8 +41,8 @@ Json patch_json(const ShownGrid::Patch& p) {
 
 }  // namespace
 
-ShownGrid shown_grid(const DeviationField& field, std::size_t most_cells) {
-  ShownGrid grid = thinned(field, 1);
+PageGrid page_grid(const DeviationField& field, std::size_t most_cells) {
+  PageGrid grid = thinned(field, 1);
   while (cells(grid) > most_cells && !one_cell_each(grid)) grid = thinned(field, grid.stride + 1);
   return grid;
 }
@@ -52,13 +52,13 @@ std::uint32_t measured_index(std::uint32_t i, std::uint32_t shown, std::uint32_t
   return static_cast<std::uint32_t>((2 * std::uint64_t(i) * (measured - 1) + steps) / (2 * steps));
 }
 
-std::uint32_t shown_index(std::uint32_t k, std::uint32_t shown, std::uint32_t measured) {
+std::uint32_t page_index(std::uint32_t k, std::uint32_t shown, std::uint32_t measured) {
   const std::uint64_t steps = measured - 1;
   return static_cast<std::uint32_t>((2 * std::uint64_t(k) * (shown - 1) + steps) / (2 * steps));
 }
 
-void visit_shown(const ShownGrid& grid, const std::function<void(std::size_t)>& visit) {
-  for (const ShownGrid::Patch& p : grid.patches)
+void visit_page_samples(const PageGrid& grid, const std::function<void(std::size_t)>& visit) {
+  for (const PageGrid::Patch& p : grid.patches)
     for (std::uint32_t j = 0; j < p.rows; ++j)
       for (std::uint32_t i = 0; i < p.columns; ++i)
         visit(p.measured.first +
@@ -86,15 +86,15 @@ Json points_block(const GridPoints& points, Blob& blob) {
   return {{"block", blob.add(points.multiples, 3)}, {"step_mm", points.step_mm}};
 }
 
-std::size_t Surfaces::add(const DeviationField& field, const ShownGrid& grid, Blob& blob) {
+std::size_t Surfaces::add(const DeviationField& field, const PageGrid& grid, Blob& blob) {
   std::vector<model::Vec3> places;
-  visit_shown(grid, [&](std::size_t k) { places.push_back(field.samples[k].place.point); });
+  visit_page_samples(grid, [&](std::size_t k) { places.push_back(field.samples[k].place.point); });
   GridPoints points = on_grid(places);
   Known surface{grid, points.step_mm, points.multiples};
   const auto same = std::find(known_.begin(), known_.end(), surface);
   if (same != known_.end()) return static_cast<std::size_t>(same - known_.begin());
   Json patches = Json::array();
-  for (const ShownGrid::Patch& p : grid.patches) patches.push_back(patch_json(p));
+  for (const PageGrid::Patch& p : grid.patches) patches.push_back(patch_json(p));
   json_.push_back({{"patches", std::move(patches)},
                    {"stride", grid.stride},
                    {"measured_samples", field.samples.size()},

@@ -14,7 +14,7 @@ inline constexpr std::size_t kMostCells = 250'000;
 
 /// The samples of a field that a page shows: all, or every so-many-th of every patch with its
 /// borders.
-struct ShownGrid {
+struct PageGrid {
   struct Patch {
     verifier::DeviationField::Grid measured;
     std::uint32_t columns = 0, rows = 0;  ///< that are shown
@@ -22,29 +22,29 @@ struct ShownGrid {
   };
   std::vector<Patch> patches;
   std::uint32_t stride = 1;
-  friend bool operator==(const ShownGrid&, const ShownGrid&) = default;
+  friend bool operator==(const PageGrid&, const PageGrid&) = default;
 };
 
 /// The smallest stride that leaves at most `most_cells`.
-ShownGrid shown_grid(const verifier::DeviationField& field, std::size_t most_cells = kMostCells);
+PageGrid page_grid(const verifier::DeviationField& field, std::size_t most_cells = kMostCells);
 /// Of `measured` columns (or rows) those that `shown` stand for: index of number `i`, evenly
 /// spread, both ends among them.
 std::uint32_t measured_index(std::uint32_t i, std::uint32_t shown, std::uint32_t measured);
 /// Index of the shown sample nearest to index `k` of the measured ones.
-std::uint32_t shown_index(std::uint32_t k, std::uint32_t shown, std::uint32_t measured);
+std::uint32_t page_index(std::uint32_t k, std::uint32_t shown, std::uint32_t measured);
 /// Calls `visit(sample)` with the index in the field of every shown sample, in the page's order.
-void visit_shown(const ShownGrid& grid, const std::function<void(std::size_t)>& visit);
+void visit_page_samples(const PageGrid& grid, const std::function<void(std::size_t)>& visit);
 
 /// The surfaces of the page: each stage's samples, those at the same places stored once.
 class Surfaces {
  public:
   /// Index of the surface that `grid` of `field` is.
-  std::size_t add(const verifier::DeviationField& field, const ShownGrid& grid, Blob& blob);
+  std::size_t add(const verifier::DeviationField& field, const PageGrid& grid, Blob& blob);
   const Json& json() const { return json_; }
 
  private:
   struct Known {
-    ShownGrid grid;
+    PageGrid grid;
     double step_mm = 0;
     std::vector<std::int32_t> position;
     friend bool operator==(const Known&, const Known&) = default;

@@ -1,6 +1,6 @@
 #include <limits>
 
-#include "reports/record/stage_reader.h"
+#include "reports/record/record_reader.h"
 
 namespace limitgauge::reports::record {
 namespace {

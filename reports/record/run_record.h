@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -101,10 +100,5 @@ struct RunRecord {
   double surface_diagonal_mm = 0;  ///< of the limit surface's box
   std::vector<StageRecord> stages;
 };
-
-/// Reads result.json, schema limitgauge.result/1 or /2; `shown` names it in errors. Keys that it
-/// does not know are left alone. Throws model::InputError with line and column for text that is no
-/// JSON, and naming the key for one that is missing, of another type or out of its range.
-RunRecord read_result_json(std::istream& in, const std::string& shown);
 
 }  // namespace limitgauge::reports::record

@@ -55,7 +55,7 @@ ListedFinding listed(const Side& side, std::size_t i, std::size_t stage) {
 }
 
 std::string words_of(const simulator::FindingGroup& g) {
-  std::string words = words_for(g.kind);
+  std::string words = description(g.kind);
   if (!g.part.empty()) words += ": " + g.part;
   if (!g.against.empty()) words += ", " + g.against;
   if (g.count > 1)

@@ -23,7 +23,7 @@ bool is_holder_collision(FindingKind kind) {
   return kind == FindingKind::shank_in_stock || kind == FindingKind::holder_in_stock;
 }
 
-const char* words_for(FindingKind kind) {
+const char* description(FindingKind kind) {
   switch (kind) {
     case FindingKind::rapid_through_stock:
       return "rapid through standing material";

@@ -30,6 +30,6 @@ std::size_t faults(std::span<const simulator::Finding> findings);
 /// The kinds that result.json lists as holder collisions.
 bool is_holder_collision(simulator::FindingKind kind);
 /// What one kind is, in words for people: "rapid through standing material".
-const char* words_for(simulator::FindingKind kind);
+const char* description(simulator::FindingKind kind);
 
 }  // namespace limitgauge::reports

@@ -54,4 +54,10 @@ void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path
 /// The verdict table for a terminal of `width` columns, 80 or more; `colour` adds ANSI colours.
 std::string verdict_table(const RunResult& result, bool colour, std::size_t width = 100);
 
+/// A stage that ran as result.json has it, for StageResult::recorded of another run that begins
+/// with the same stages.
+std::string recorded_stage(const RunResult& result, std::size_t index);
+/// Whether `text` can be one.
+bool is_recorded_stage(const std::string& text);
+
 }  // namespace limitgauge::reports

@@ -1,9 +1,7 @@
-#include "reports/json/inputs_part.h"
-#include "reports/json/programs_part.h"
-#include "reports/json/stage_part.h"
-#include "reports/json/stock_part.h"
-#include "reports/json/surface_part.h"
 #include "reports/run/report.h"
+
+#include "reports/json/result_parts.h"
+#include "reports/text/embedded.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports {
@@ -24,6 +22,26 @@ void write_result_json(const RunResult& result, std::ostream& out) {
     root["stages"].push_back(json::stage_part(result, i));
   root["assumptions"] = json::texts(result.assumptions);
   out << root.dump(1) << '\n';
+}
+
+const std::string& result_schema() {
+  static const std::string text{embedded::result_schema()};
+  return text;
+}
+
+std::string recorded_stage(const RunResult& result, std::size_t index) {
+  return json::stage_part(result, index).dump();
+}
+
+bool is_recorded_stage(const std::string& text) {
+  const json::Json entry = json::Json::parse(text, nullptr, false);
+  if (!entry.is_object() || !entry.contains("deviation")) return false;
+  const auto lines = entry.find("program_lines");
+  if (lines == entry.end() || !lines->is_array()) return false;
+  for (const json::Json& line : *lines)
+    if (!line.is_object() || !line.contains("line") || !line["line"].is_number_unsigned())
+      return false;
+  return true;
 }
 
 }  // namespace limitgauge::reports

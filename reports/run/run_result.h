@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/strategy/linking/stage_path.h"
+#include "engine/strategy/stage_path.h"
 #include "model/gcode/program_path.h"
 #include "model/part/cage.h"
 #include "model/part/machine_setup.h"

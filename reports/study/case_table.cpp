@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/html/markup.h"
-#include "reports/study/shown.h"
+#include "reports/study/figure_column.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
@@ -15,11 +15,11 @@ bool all_numbers(const StudyView& view, std::size_t key) {
   return true;
 }
 
-std::vector<html::Column> columns(const StudyView& view, const std::vector<ShownFigure>& figures) {
+std::vector<html::Column> columns(const StudyView& view, const std::vector<FigureColumn>& figures) {
   std::vector<html::Column> list = {{"Case", true}, {"Verdict", false}};
   for (std::size_t i = 0; i < view.table.keys.size(); ++i)
     list.push_back({escape_markup(view.table.keys[i]), all_numbers(view, i)});
-  for (const ShownFigure& figure : figures) list.push_back({escape_markup(figure.title()), true});
+  for (const FigureColumn& figure : figures) list.push_back({escape_markup(figure.title()), true});
   return list;
 }
 
@@ -42,7 +42,7 @@ std::string case_link(const StudyView& view, std::size_t row) {
 
 std::string case_table(const StudyView& view, const std::string& caption,
                        std::span<const std::size_t> rows, std::span<const std::size_t> figures) {
-  std::vector<ShownFigure> shown;
+  std::vector<FigureColumn> shown;
   for (const std::size_t i : figures) shown.emplace_back(view.table, i);
   std::vector<html::Row> lines;
   for (const std::size_t i : rows) {

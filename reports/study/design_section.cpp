@@ -2,8 +2,8 @@
 
 #include "model/base/number_text.h"
 #include "reports/html/markup.h"
+#include "reports/study/figure_column.h"
 #include "reports/study/parts.h"
-#include "reports/study/shown.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {

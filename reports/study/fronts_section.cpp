@@ -4,8 +4,8 @@
 
 #include "reports/html/markup.h"
 #include "reports/study/case_table.h"
+#include "reports/study/figure_column.h"
 #include "reports/study/parts.h"
-#include "reports/study/shown.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
@@ -55,7 +55,7 @@ std::string bought_for_nothing(const StudyView& view) {
   const auto& list = view.analysis.bought_for_nothing;
   const std::vector<std::size_t> figures = objectives(view);
   if (list.empty() || figures.empty()) return {};
-  const ShownFigure cost(view.table, figures.front());
+  const FigureColumn cost(view.table, figures.front());
   std::vector<std::vector<std::string>> lines;
   for (std::size_t i = 0; i < std::min(list.size(), kMostFrontRows); ++i)
     lines.push_back({case_link(view, list[i].row), settings_words(view, list[i].row),

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "reports/html/markup.h"
+#include "reports/study/figure_column.h"
 #include "reports/study/parts.h"
-#include "reports/study/shown.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
@@ -47,9 +47,10 @@ std::string figures_card(const StudyView& view, const study::Row& row) {
     const std::optional<double>& value = row.figures.at(i);
     if (!value) continue;
     const auto before = own ? view.table.rows[*own].figures.at(i) : std::nullopt;
-    list += fmt::format(
-        "<div><dt>{}</dt><dd>{}{}</dd></div>", escape_markup(view.table.figures[i].label),
-        ShownFigure(view.table, i).value(*value), before ? change(*before, *value) : std::string());
+    list += fmt::format("<div><dt>{}</dt><dd>{}{}</dd></div>",
+                        escape_markup(view.table.figures[i].label),
+                        FigureColumn(view.table, i).value(*value),
+                        before ? change(*before, *value) : std::string());
   }
   if (list.empty()) return {};
   return "<div class=\"worst\"><p class=\"what\">What it gives</p><dl class=\"study-list\">" +

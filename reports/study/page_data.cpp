@@ -5,9 +5,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "reports/study/figure_column.h"
 #include "reports/study/finite.h"
 #include "reports/study/parts.h"
-#include "reports/study/shown.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "reports/html/markup.h"
+#include "reports/study/figure_column.h"
 #include "reports/study/parts.h"
-#include "reports/study/shown.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {

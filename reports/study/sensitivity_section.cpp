@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "reports/html/markup.h"
+#include "reports/study/figure_column.h"
 #include "reports/study/parts.h"
-#include "reports/study/shown.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
@@ -54,7 +54,7 @@ std::string between(const StudyView& view, const study::Response& response) {
 }
 
 std::vector<std::string> line(const StudyView& view, const study::Response& response) {
-  const ShownFigure shown(view.table, response.figure);
+  const FigureColumn shown(view.table, response.figure);
   const Ends e = ends(response);
   return {escape_markup(view.table.keys.at(response.key)),
           between(view, response),

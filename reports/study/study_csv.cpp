@@ -1,8 +1,8 @@
 #include <ostream>
 
 #include "model/base/number_text.h"
+#include "reports/study/figure_column.h"
 #include "reports/study/finite.h"
-#include "reports/study/shown.h"
 #include "reports/text/csv_cell.h"
 #include "reports/text/text.h"
 

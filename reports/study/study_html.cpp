@@ -1,6 +1,10 @@
 #include <ostream>
 
+#include <fmt/format.h>
+
+#include "reports/html/markup.h"
 #include "reports/html/shell.h"
+#include "reports/study/case_table.h"
 #include "reports/study/parts.h"
 #include "reports/text/embedded.h"
 #include "reports/text/text.h"
@@ -46,6 +50,35 @@ void write_study_html(const study::Plan& plan, const study::Table& table,
          "study.json beside this page; a case's whole result is in its folder below "
          "cases.</p></footer>\n"
       << html::shell_end(script, page_data(view));
+}
+
+std::string charts_section(const StudyView&) {
+  return "<section id=\"charts\"><h2>Charts</h2>\n<noscript><p class=\"note\">The charts need a "
+         "script, which is switched off here. The tables below hold what they "
+         "show.</p></noscript>\n<div data-study=\"\"></div></section>\n";
+}
+
+namespace {
+
+/// What a reader scrolls through; the script pages through all of them.
+constexpr std::size_t kMostRows = 200;
+
+}  // namespace
+
+std::string cases_section(const StudyView& view) {
+  const std::size_t all = view.table.rows.size();
+  const std::vector<std::size_t> rows = best_rows(view, kMostRows);
+  const std::string which = all > rows.size()
+                                ? fmt::format("The first {} of {} cases; all are in study.csv.",
+                                              rows.size(), grouped(all))
+                                : fmt::format("All {} case{}.", all, all == 1 ? "" : "s");
+  return fmt::format(
+             "<section id=\"cases\"><h2>Cases</h2>\n<p>{} Those that passed come first, then "
+             "undecided and failed ones, the cheapest at the head. A number leads to the case’s "
+             "whole result.</p>\n<div data-cases=\"\"><div class=\"static\">",
+             which) +
+         case_table(view, "Settings and figures", rows, objectives(view)) +
+         "</div></div></section>\n";
 }
 
 }  // namespace limitgauge::reports::study_report

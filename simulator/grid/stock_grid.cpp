@@ -7,9 +7,8 @@
 #include <limits>
 
 #include "simulator/grid/grid_file.h"
-#include "simulator/grid/raw_tree.h"
-#include "simulator/grid/tree_cut.h"
 #include "simulator/grid/tree_queries.h"
+#include "simulator/grid/vdb_tree.h"
 
 namespace limitgauge::simulator {
 namespace {

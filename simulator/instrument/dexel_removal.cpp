@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "simulator/instrument/dexel_cut.h"
 #include "simulator/instrument/dexel_tile.h"
 
 namespace limitgauge::simulator {

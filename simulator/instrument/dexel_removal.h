@@ -51,6 +51,9 @@ RemovalTotals removal_totals(const model::Toolpath& path, const std::vector<Move
 double removal_spacing_mm(double voxel_mm, const model::Stock& stock,
                           const std::vector<Pass>& passes);
 
+/// Bytes of the work in hand while a pass is cut, whatever its length.
+inline constexpr std::size_t kDexelWindowBytes = std::size_t{64} << 20;
+
 /// Bytes that cutting a pass of so many moves takes: the stock before and after, what is kept for
 /// each move, and the work in hand.
 double removal_bytes(const model::Stock& stock, double spacing_mm, std::size_t moves);

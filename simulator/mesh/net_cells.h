@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
+#include "model/base/run_control.h"
 #include "simulator/mesh/cell_cycles.h"
-#include "simulator/mesh/surface_net.h"
+#include "simulator/mesh/net_source.h"
 
 namespace limitgauge::simulator {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/part/cutter_figures.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::simulator {
 

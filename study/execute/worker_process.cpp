@@ -19,7 +19,7 @@ constexpr std::chrono::milliseconds kLook{5};
 /// An idle worker only has its memory to give back.
 constexpr std::chrono::milliseconds kToLeave{5000};
 
-std::string words_for(int status) {
+std::string description(int status) {
   if (WIFEXITED(status)) return "ended with exit code " + std::to_string(WEXITSTATUS(status));
   const int signal = WTERMSIG(status);
   std::string words =
@@ -103,7 +103,7 @@ std::string WorkerProcess::end(std::chrono::milliseconds patience) {
     ::kill(process_, SIGKILL);
     reaped_within(std::chrono::hours(1));
   }
-  return status_ ? words_for(*status_) : "ended";
+  return status_ ? description(*status_) : "ended";
 }
 
 }  // namespace limitgauge::study

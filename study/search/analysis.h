@@ -1,13 +1,21 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "study/plan/plan.h"
+#include "study/search/objectives.h"
 #include "study/store/table.h"
 
 namespace limitgauge::study {
+
+/// Which of `points` (all of one dimension) no other one dominates, that is, is at most as large in
+/// all coordinates and smaller in one. By rising coordinates, then by index; points that are alike
+/// are all in or all out. Up to three coordinates take O(n log n), more of them O(n log n + n f)
+/// for f points on the front.
+std::vector<std::size_t> pareto_front(const std::vector<std::vector<double>>& points);
 
 /// Rows that no other one with these figures beats: none is at least as small in every objective
 /// and smaller in one. Whether a row passes plays no part.
@@ -70,6 +78,26 @@ struct Analysis {
   Recommendation recommendation;
   std::string search_ending;  ///< of a search: how it ended, whole sentences; not set by analyse()
 };
+
+/// The responses of `figures` (into Table::figures) to every key that shows one, key by key; those
+/// that go through a row do so through `reference`.
+std::vector<Response> responses(const Plan& plan, const Table& table,
+                                const std::vector<std::size_t>& figures,
+                                std::optional<std::size_t> reference);
+
+/// For each of `figures` its responses by falling change; those alike by key.
+std::vector<Ranking> rankings(const std::vector<Response>& all,
+                              const std::vector<std::size_t>& figures);
+
+/// The passing row of the least cost, the first of several.
+std::optional<std::size_t> cheapest_passing(const Table& table, const Objectives& objectives);
+
+/// Passing rows that cost more than a passing one which no accuracy of theirs beats.
+std::vector<BoughtForNothing> bought_for_nothing(const Table& table, const Objectives& objectives);
+
+/// The cheapest passing row with its reasons; where nothing passes, what comes nearest.
+Recommendation recommend(const Table& table, const Objectives& objectives,
+                         const Analysis& analysis);
 
 /// All of it. Rows without a figure (of a stage that was not run) play no part where it is needed.
 Analysis analyse(const Plan& plan, const Table& table);

@@ -1,10 +1,9 @@
-#include "study/search/recommend.h"
+#include "study/search/analysis.h"
 
 #include <algorithm>
 #include <set>
 
-#include "study/search/pareto.h"
-#include "study/store/wording.h"
+#include "study/store/table.h"
 
 namespace limitgauge::study {
 namespace {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "study/search/descent_search.h"
-#include "study/store/wording.h"
+#include "study/store/table.h"
 
 namespace limitgauge::study {
 namespace {

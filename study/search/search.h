@@ -1,23 +1,17 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "study/plan/plan.h"
-#include "study/store/table.h"
+#include "study/search/trials.h"
 
 namespace limitgauge::study {
 
-/// Runs cases and gives their rows in the order asked; as many as can be had at a time. Fewer rows
-/// than cases mean that it was stopped.
-using Evaluate = std::function<std::vector<Row>(std::span<const Case>)>;
-
 struct SearchResult {
-  enum class Ending { converged, budget, nothing_passes, stopped };
+  using Ending = SearchEnding;
 
   std::vector<Row> rows;            ///< all that were run, by Case::index; none twice
   std::optional<std::size_t> best;  ///< into `rows`: it was run, it passed, and no other is cheaper

@@ -9,7 +9,7 @@ namespace limitgauge::study {
 
 /// How a search of one kind came to its end.
 struct SearchEnd {
-  SearchResult::Ending how = SearchResult::Ending::converged;
+  SearchEnding how = SearchEnding::converged;
   std::string reason;  ///< a whole sentence
 };
 

@@ -1,4 +1,4 @@
-#include "study/search/sensitivity.h"
+#include "study/search/analysis.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,24 @@
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "study/plan/axes.h"
-#include "study/search/search.h"
+#include "study/plan/plan.h"
+#include "study/store/table.h"
 
 namespace limitgauge::study {
+
+/// Runs cases and gives their rows in the order asked; as many as can be had at a time. Fewer rows
+/// than cases mean that it was stopped.
+using Evaluate = std::function<std::vector<Row>(std::span<const Case>)>;
+
+enum class SearchEnding { converged, budget, nothing_passes, stopped };
 
 /// A search was stopped, or has no case left; what it has found so far stands.
 struct OutOfCases {

@@ -8,6 +8,12 @@
 
 namespace limitgauge::study {
 
+/// `content` as the file of an entry: a line that says of what key it is, how long and with what
+/// checksum, and then the content, compressed.
+std::string pack_entry(const std::string& content, const std::string& key);
+/// The content; nothing where the file is not whole, of another key or of another version.
+std::optional<std::string> unpack_entry(const std::string& file, const std::string& key);
+
 /// Results by what they were made of: a folder that any number of processes, on any number of
 /// machines that share it, may read, write and trim at the same time, and be killed while they do.
 /// An entry is written beside its name and renamed; what is found under a name is whole, which a

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <random>
 
-#include "model/part/cutter_figures.h"
+#include "model/part/cutter.h"
 #include "simulator/sweep/swept_distance.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"

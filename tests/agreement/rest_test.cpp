@@ -1,6 +1,6 @@
 // What the verifier finds uncut, the engine's rest strategy cuts: and nothing else.
 
-#include "engine/strategy/rows/rest.h"
+#include "engine/strategy/strategies.h"
 
 #include <array>
 

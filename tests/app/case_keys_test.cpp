@@ -3,7 +3,7 @@
 #include <fstream>
 #include <set>
 
-#include "app/toml/toml_canonical.h"
+#include "app/toml/toml_text.h"
 #include "model/base/error.h"
 #include "model/base/text_file.h"
 #include "tests/support/catch.h"

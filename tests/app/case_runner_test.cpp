@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "app/job/job_reader.h"
-#include "app/run/stage_prefix_text.h"
+#include "app/run/stage_prefix.h"
 #include "app/study/case_keys.h"
-#include "app/study/prefix_shelf.h"
+#include "app/study/stage_prefix_cache.h"
 #include "model/base/error.h"
 #include "model/base/text_file.h"
 #include "reports/run/report.h"
@@ -291,21 +291,21 @@ TEST_CASE("of stages in memory those last used are kept", "[unit][study]") {
                             std::make_shared<const std::string>(), 1, 1, verifier::Verdict::pass});
     return made;
   };
-  PrefixShelf shelf(250);
-  shelf.put("a", prefix(100));
-  shelf.put("b", prefix(100));
-  CHECK(shelf.find("a"));
-  shelf.put("c", prefix(100));
-  CHECK(shelf.find("a"));
-  CHECK_FALSE(shelf.find("b"));
-  CHECK(shelf.find("c"));
-  for (const char* key : {"e", "f", "g"}) shelf.put(key, prefix(1));
-  CHECK_FALSE(shelf.find("a"));
-  CHECK_FALSE(shelf.find("c"));
-  CHECK(shelf.find("e"));
-  shelf.put("d", prefix(1000));
-  CHECK(shelf.find("d"));
-  CHECK_FALSE(shelf.find("e"));
+  StagePrefixCache prefixes(250);
+  prefixes.put("a", prefix(100));
+  prefixes.put("b", prefix(100));
+  CHECK(prefixes.find("a"));
+  prefixes.put("c", prefix(100));
+  CHECK(prefixes.find("a"));
+  CHECK_FALSE(prefixes.find("b"));
+  CHECK(prefixes.find("c"));
+  for (const char* key : {"e", "f", "g"}) prefixes.put(key, prefix(1));
+  CHECK_FALSE(prefixes.find("a"));
+  CHECK_FALSE(prefixes.find("c"));
+  CHECK(prefixes.find("e"));
+  prefixes.put("d", prefix(1000));
+  CHECK(prefixes.find("d"));
+  CHECK_FALSE(prefixes.find("e"));
 }
 
 TEST_CASE("the forecast of a case grows with its stock's level set and the model",

@@ -1,4 +1,4 @@
-#include "app/job/job_post.h"
+#include "app/job/job_parts.h"
 
 #include <algorithm>
 #include <numbers>

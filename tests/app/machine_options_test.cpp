@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "app/cli/command_line.h"
+#include "app/cli/usage_error.h"
 #include "tests/support/catch.h"
 #include "tests/support/messages.h"
 #include "tests/support/temporary_folder.h"

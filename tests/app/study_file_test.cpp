@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "app/study/study_job.h"
 #include "model/base/text_file.h"
+#include "study/plan/design.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 #include "tests/support/folders.h"

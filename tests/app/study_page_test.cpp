@@ -1,7 +1,6 @@
 #include <set>
 
 #include "app/study/study_file.h"
-#include "app/study/study_job.h"
 #include "app/toml/toml_table.h"
 #include "model/base/number_text.h"
 #include "model/base/text_file.h"

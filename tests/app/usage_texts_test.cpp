@@ -1,10 +1,9 @@
 #include <functional>
 #include <sstream>
 
-#include "app/usage/completions.h"
-#include "app/usage/help_text.h"
-#include "app/usage/man_page.h"
+#include "app/cli/command_line.h"
 #include "app/usage/usage_notes.h"
+#include "app/usage/usage_texts.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::app {

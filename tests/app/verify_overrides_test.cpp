@@ -1,4 +1,4 @@
-#include "app/verify/verify_overrides.h"
+#include "app/verify/verify_job.h"
 
 #include "model/base/error.h"
 #include "tests/support/catch.h"

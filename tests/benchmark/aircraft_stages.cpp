@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "engine/strategy/linking/stage_path.h"
+#include "engine/strategy/strategies.h"
 #include "engine/surface/patch_model.h"
 #include "model/part/cage_obj.h"
 #include "tests/benchmark/dome_finish.h"

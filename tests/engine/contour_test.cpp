@@ -1,8 +1,8 @@
 #include <map>
 #include <numbers>
 
-#include "engine/strategy/linking/stage_path.h"
 #include "engine/strategy/raster/clearing_field.h"
+#include "engine/strategy/strategies.h"
 #include "engine/surface/patch_model.h"
 #include "tests/engine/cages.h"
 #include "tests/engine/cutter_outline.h"

@@ -1,9 +1,10 @@
-#include "engine/strategy/locations/ball_rows.h"
+#include "engine/strategy/rows/ball_rows.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "engine/strategy/strategies.h"
 #include "engine/surface/patch_model.h"
 #include "tests/engine/cages.h"
 #include "tests/engine/gouge_probe.h"

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/surface/section/grid_section.h"
+#include "engine/surface/section/section_chain.h"
 #include "model/part/cutter.h"
 
 namespace limitgauge::test {

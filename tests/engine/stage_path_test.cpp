@@ -1,4 +1,4 @@
-#include "engine/strategy/linking/stage_path.h"
+#include "engine/strategy/strategies.h"
 
 #include <cstring>
 

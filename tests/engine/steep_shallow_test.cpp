@@ -8,6 +8,7 @@
 #include "engine/strategy/levels/level_choice.h"
 #include "engine/strategy/linking/pass_clip.h"
 #include "engine/strategy/rows/boundary_pass.h"
+#include "engine/strategy/strategies.h"
 #include "tests/engine/coverage_probe.h"
 #include "tests/engine/strategy_parts.h"
 #include "tests/support/catch.h"

@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "reports/record/metrics.h"
+#include "reports/record/record_reader.h"
 #include "tests/fuzz/reading.h"
 
 using namespace limitgauge;

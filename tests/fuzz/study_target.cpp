@@ -1,7 +1,6 @@
 #include "app/study/study_file.h"
-#include "app/study/study_job.h"
 #include "model/base/text_file.h"
-#include "study/plan/plan.h"
+#include "study/plan/design.h"
 #include "tests/fuzz/reading.h"
 
 using namespace limitgauge;

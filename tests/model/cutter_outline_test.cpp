@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "model/part/cutter_figures.h"
+#include "model/part/cutter.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

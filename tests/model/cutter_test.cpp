@@ -1,4 +1,4 @@
-#include "model/part/cutter_figures.h"
+#include "model/part/cutter.h"
 
 #include <cmath>
 #include <limits>

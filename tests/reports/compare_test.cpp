@@ -5,6 +5,7 @@
 #include "model/base/error.h"
 #include "reports/compare/matching.h"
 #include "reports/compare/report.h"
+#include "reports/compare/run_comparison.h"
 #include "tests/reports/compare_support.h"
 #include "tests/support/catch.h"
 

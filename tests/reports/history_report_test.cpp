@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "reports/history/figure_column.h"
 #include "reports/history/run_entry.h"
-#include "reports/history/shown.h"
 #include "tests/reports/sample_history.h"
 #include "tests/support/catch.h"
 
@@ -29,7 +29,7 @@ std::size_t column(const JobHistory& job, const std::string& stage, const std::s
 
 std::vector<std::string> titles(const JobHistory& job) {
   std::vector<std::string> all;
-  for (std::size_t i = 0; i < job.columns.size(); ++i) all.push_back(ShownColumn(job, i).title());
+  for (std::size_t i = 0; i < job.columns.size(); ++i) all.push_back(FigureColumn(job, i).title());
   return all;
 }
 

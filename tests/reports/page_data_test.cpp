@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "reports/page/findings_data.h"
-#include "reports/page/page_script.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 

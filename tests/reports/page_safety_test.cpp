@@ -3,7 +3,7 @@
 #include <array>
 #include <set>
 
-#include "reports/page/page_script.h"
+#include "reports/page/page_data.h"
 #include "reports/text/embedded.h"
 #include "tests/reports/page_support.h"
 #include "tests/reports/sample_result.h"

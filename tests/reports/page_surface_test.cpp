@@ -34,7 +34,7 @@ verifier::StageDeviation flat(const std::vector<std::pair<std::uint32_t, std::ui
   return d;
 }
 
-std::size_t cells(const ShownGrid& grid) {
+std::size_t cells(const PageGrid& grid) {
   std::size_t sum = 0;
   for (const auto& p : grid.patches) sum += std::size_t(p.columns - 1) * (p.rows - 1);
   return sum;
@@ -44,22 +44,22 @@ std::size_t cells(const ShownGrid& grid) {
 
 TEST_CASE("a field within the budget is shown whole", "[unit][page]") {
   const auto d = flat({{11, 6}, {3, 21}});
-  const ShownGrid grid = shown_grid(d.field, 90);
+  const PageGrid grid = page_grid(d.field, 90);
   CHECK(grid.stride == 1);
   CHECK(cells(grid) == 50 + 40);
   std::size_t next = 0;
-  visit_shown(grid, [&](std::size_t k) { CHECK(k == next++); });
+  visit_page_samples(grid, [&](std::size_t k) { CHECK(k == next++); });
   CHECK(next == d.field.samples.size());
 }
 
 TEST_CASE("a larger field is thinned by the smallest stride, borders and all", "[unit][page]") {
   const auto d = flat({{101, 52}, {3, 201}, {2, 2}});
-  const ShownGrid grid = shown_grid(d.field, 1000);
+  const PageGrid grid = page_grid(d.field, 1000);
   // 5100 + 400 + 1 cells; a stride of 2 leaves 50 x 26 + 1 x 100 + 1, of 3 34 x 17 + 1 x 67 + 1.
   CHECK(grid.stride == 3);
   CHECK(cells(grid) == 34 * 17 + 67 + 1);
   std::set<std::size_t> shown;
-  visit_shown(grid, [&](std::size_t k) { CHECK(shown.insert(k).second); });
+  visit_page_samples(grid, [&](std::size_t k) { CHECK(shown.insert(k).second); });
   for (const auto& g : d.field.grids)
     for (const std::uint32_t corner :
          {0U, g.columns - 1, (g.rows - 1) * g.columns, g.rows * g.columns - 1})
@@ -68,7 +68,7 @@ TEST_CASE("a larger field is thinned by the smallest stride, borders and all", "
 
 TEST_CASE("every patch keeps a cell, whatever the budget", "[unit][page]") {
   const auto d = flat({{5, 5}, {9, 4}, {2, 2}});
-  CHECK(cells(shown_grid(d.field, 1)) == 3);
+  CHECK(cells(page_grid(d.field, 1)) == 3);
 }
 
 TEST_CASE("each measured line is stood for by the nearest shown one", "[unit][page]") {
@@ -77,10 +77,10 @@ TEST_CASE("each measured line is stood for by the nearest shown one", "[unit][pa
       CHECK(measured_index(0, shown, measured) == 0);
       CHECK(measured_index(shown - 1, shown, measured) == measured - 1);
       for (std::uint32_t i = 0; i < shown; ++i)
-        REQUIRE(shown_index(measured_index(i, shown, measured), shown, measured) == i);
+        REQUIRE(page_index(measured_index(i, shown, measured), shown, measured) == i);
       for (std::uint32_t k = 0; k < measured; ++k) {
         // In steps of 1 / ((shown - 1) (measured - 1)), whole numbers, a half for the tie.
-        const auto i = std::int64_t(shown_index(k, shown, measured));
+        const auto i = std::int64_t(page_index(k, shown, measured));
         REQUIRE(2 * std::abs(i * (measured - 1) - std::int64_t(k) * (shown - 1)) <= measured - 1);
       }
     }
@@ -95,7 +95,7 @@ TEST_CASE("of a thinned field no place beyond a threshold is lost", "[unit][page
   samples[at(70, 70)].deviation_mm = 0.3F;    // a leftover ...
   samples[at(13, 81)].deviation_mm = 0.09F;   // ... within the limit
   samples[at(90, 21)].deviation_mm = 5, samples[at(90, 21)].reachable = false;
-  const ShownGrid grid = shown_grid(d.field, 500);
+  const PageGrid grid = page_grid(d.field, 500);
   REQUIRE(grid.stride == 5);
   const std::vector<std::size_t> carried = carried_samples(d, grid);
   const auto has = [&](std::size_t k) {
@@ -106,7 +106,7 @@ TEST_CASE("of a thinned field no place beyond a threshold is lost", "[unit][page
   CHECK_FALSE(has(at(39, 41)));
   CHECK_FALSE(has(at(13, 81)));
   std::size_t others = 0, i = 0;
-  visit_shown(grid, [&](std::size_t k) { others += carried[i++] != k; });
+  visit_page_samples(grid, [&](std::size_t k) { others += carried[i++] != k; });
   CHECK(others == 1);  // the gouge: the leftover is where a sample is shown
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("a field says from where its values are", "[unit][page]") {
   d.field.samples[5].deviation_mm = 1;
   d.field.samples[7].deviation_mm = 2;  // both stood for by number 1 of every 5
   d.field.samples[10].raw_stock = true, d.field.samples[15].reachable = false;
-  const ShownGrid grid = shown_grid(d.field, 500);
+  const PageGrid grid = page_grid(d.field, 500);
   Blob blob;
   const Json field = field_data(d, grid, 3, blob);
   CHECK(field["surface"] == 3);
@@ -131,7 +131,7 @@ TEST_CASE("stages on the same samples share their surface", "[unit][page]") {
   Blob blob;
   Surfaces surfaces;
   const auto add = [&](const verifier::StageDeviation& d) {
-    return surfaces.add(d.field, shown_grid(d.field), blob);
+    return surfaces.add(d.field, page_grid(d.field), blob);
   };
   CHECK(add(a) == 0);
   CHECK(add(b) == 1);

@@ -1,6 +1,6 @@
 #include "reports/run/program_lines.h"
 
-#include "reports/html/stage/program_part.h"
+#include "reports/html/stage/stage_parts.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 

@@ -4,6 +4,7 @@
 
 #include "model/base/error.h"
 #include "reports/record/metrics.h"
+#include "reports/record/record_reader.h"
 #include "reports/run/report.h"
 #include "tests/reports/hostile_result.h"
 #include "tests/reports/sample_result.h"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "reports/study/shown.h"
+#include "reports/study/figure_column.h"
 #include "reports/text/embedded.h"
 #include "tests/reports/page_support.h"
 #include "tests/reports/sample_study.h"

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "model/base/number_text.h"
+#include "study/plan/design.h"
 #include "study/plan/plan.h"
 #include "study/plan/random_numbers.h"
 #include "study/plan/sampling.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/plan/plan.h"
+#include "study/plan/design.h"
 #include "study/plan/settings.h"
 
 namespace limitgauge::study {

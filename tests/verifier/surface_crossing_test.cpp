@@ -1,4 +1,4 @@
-#include "verifier/certificate/crossing_proof.h"
+#include "verifier/cells/surface_crossing.h"
 
 #include <cmath>
 #include <numbers>

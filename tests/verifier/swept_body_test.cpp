@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "model/part/cutter_figures.h"
+#include "model/part/cutter.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::verifier {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "verifier/cells/cell_size.h"
 #include "verifier/cells/normal_cone.h"
-#include "verifier/cells/surface_cells.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -101,9 +101,8 @@ void steady_normals(Iterator begin, Iterator end, bool at_front) {
   if (begin == end) return;
   const Vec3 vertex = at_front ? begin->points.front() : begin->points.back();
   const auto beyond = std::find_if(begin, end, [&](const Strip& s) {
-    return std::any_of(s.points.begin(), s.points.end(), [&](const Vec3& p) {
-      return distance(p, vertex) > SurfaceCells::kVertexNormal_mm;
-    });
+    return std::any_of(s.points.begin(), s.points.end(),
+                       [&](const Vec3& p) { return distance(p, vertex) > kVertexNormal_mm; });
   });
   if (beyond == end) return;
   const Vec3 normal = at_middle(beyond->normals);

@@ -46,7 +46,7 @@ Vec3 normal_beside(const Speck& speck, const std::vector<const Piece*>& pieces) 
   Vec3 normal = speck.normal;
   for (const Piece* piece : pieces) {
     const double radius = control_radius(piece->shape, speck.position);
-    if (radius <= SurfaceCells::kVertexNormal_mm || radius >= least) continue;
+    if (radius <= kVertexNormal_mm || radius >= least) continue;
     const BezierJet j = jet(piece->shape, 0.5, 0.5);
     const Vec3 n = cross(j.du, j.dv);
     if (length_squared(n) > 0) least = radius, normal = normalized(n);

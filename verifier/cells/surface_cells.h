@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "verifier/cells/box_tree.h"
+#include "verifier/cells/cell_size.h"
 #include "verifier/cells/ridge_cells.h"
 #include "verifier/feet/foot_tree.h"
 #include "verifier/gate/deviation.h"
@@ -34,19 +35,12 @@ std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell);
 /// The halves of the longer way, by longer_in_u.
 std::array<SurfaceCell, 2> halved(const SurfaceCell& cell);
 
-/// Searches halve no cell whose control points lie this near to its middle: what they ask stays
-/// undecided there.
-inline constexpr double kSmallestCell_mm = 1e-6;
-
 /// The limit surface as small cells under a tree of boxes, shared by every search over it. Pieces
 /// that lie within kOmitted_mm of an irregular vertex are stood for by the vertex: a function that
 /// changes by at most a millimetre a millimetre is wrong there by at most kOmitted_mm.
 class SurfaceCells {
  public:
   static constexpr double kOmitted_mm = 1e-8;
-  /// Pieces within this of an irregular vertex have the normal of the next piece beyond: theirs are
-  /// lost in rounding, and the vertex's own may be a limit that nothing comes near to.
-  static constexpr double kVertexNormal_mm = 1e-6;
   /// Cells are split until their control points lie within `radius_mm` of their middle.
   SurfaceCells(const SurfaceTree& tree, double radius_mm);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "verifier/certificate/crossing_proof.h"
+#include "verifier/cells/surface_crossing.h"
 
 namespace limitgauge::verifier {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/base/angle.h"
-#include "model/part/cutter_figures.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::verifier {
 namespace {

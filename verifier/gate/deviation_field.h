@@ -27,4 +27,8 @@ std::vector<ReachQuery::Touch> measure_field(DeviationField& field, const Surfac
                                              std::span<const Pass> passes, double allowance_mm,
                                              const model::RunControl& control);
 
+/// Fills in the area-weighted figures of `out` from its field: areas, coverage, mean, rms,
+/// percentiles and histogram of deviation − allowance over the reachable samples.
+void summarize_field(StageDeviation& out, const GateLimits& limits);
+
 }  // namespace limitgauge::verifier

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "verifier/gate/gate_words.h"
+#include "verifier/gate/gate_text.h"
 #include "verifier/gate/verify.h"
 
 namespace limitgauge::verifier {

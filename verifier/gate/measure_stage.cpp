@@ -8,7 +8,6 @@
 #include "verifier/cutter/assembly.h"
 #include "verifier/gate/deviation_field.h"
 #include "verifier/gate/findings.h"
-#include "verifier/gate/statistics.h"
 #include "verifier/gate/stock_rays.h"
 #include "verifier/gate/verify.h"
 #include "verifier/reach/lowest_tip.h"

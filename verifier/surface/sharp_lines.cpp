@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "model/part/cage_edges.h"
+#include "model/part/cage.h"
 #include "verifier/surface/neighbourhood.h"
 
 namespace limitgauge::verifier {

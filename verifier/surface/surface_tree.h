@@ -6,9 +6,9 @@
 
 #include "model/part/cage.h"
 #include "verifier/surface/bezier.h"
-#include "verifier/surface/reference_surface.h"
 #include "verifier/surface/sharp_lines.h"
 #include "verifier/surface/surface_features.h"
+#include "verifier/surface/surface_sample.h"
 
 namespace limitgauge::verifier {
 

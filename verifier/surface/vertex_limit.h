@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "verifier/surface/neighbourhood.h"
-#include "verifier/surface/reference_surface.h"
+#include "verifier/surface/surface_sample.h"
 
 namespace limitgauge::verifier {
 

@@ -1,4 +1,4 @@
-#include "engine/strategy/levels/contour.h"
+#include "engine/strategy/strategies.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "engine/strategy/levels/level_passes.h"
 #include "engine/strategy/linking/path_builder.h"
-#include "engine/strategy/linking/stage_path.h"
+#include "engine/strategy/stage_path.h"
 
 namespace limitgauge::engine::strategy {
 

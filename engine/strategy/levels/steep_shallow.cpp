@@ -8,12 +8,13 @@
 
 #include "engine/strategy/levels/level_choice.h"
 #include "engine/strategy/levels/waterline.h"
-#include "engine/strategy/linking/cut_passes.h"
+#include "engine/strategy/linking/cut_pass.h"
 #include "engine/strategy/linking/pass_clip.h"
 #include "engine/strategy/raster/contact_mask.h"
 #include "engine/strategy/rows/boundary_pass.h"
 #include "engine/strategy/rows/row_places.h"
 #include "engine/strategy/rows/sampled_rows.h"
+#include "engine/strategy/strategies.h"
 #include "model/base/angle.h"
 
 namespace limitgauge::engine::strategy {

@@ -37,13 +37,4 @@ SteepShallowPasses steep_shallow_passes(const surface::PatchModel& model,
                                         const LimitLocations& limit, const StageRequest& request,
                                         const model::RunControl& control);
 
-/// First the steep, from the top down: so no row has to plunge along a wall that still carries
-/// material; then the shallow, whose rows wipe out the marks of the contours' entries on it; last
-/// the boundary pass where one is asked for.
-///
-/// Throws std::invalid_argument for an angle that is not between 0 and 90 degrees, for a negative
-/// overlap and for a scallop height that the cutter cannot keep.
-StagePath plan_steep_shallow(const surface::FinishModel& model, const StageRequest& request,
-                             const model::RunControl& control);
-
 }  // namespace limitgauge::engine::strategy

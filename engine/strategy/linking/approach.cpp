@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/base/angle.h"
+
 namespace limitgauge::engine::strategy {
 namespace {
 
@@ -84,6 +86,105 @@ Approach way_out(const ApproachRule& rule, const std::vector<Vec3>& tips) {
   if (!lead) return {{tips.back()}, false, false};
   std::reverse(lead->begin(), lead->end());
   return {std::move(*lead), false, false};
+}
+
+namespace {
+
+using model::Vec3;
+
+/// Longest leg of a zigzag of ramps, in cutter diameters, and the shortest worth a ramp.
+constexpr double kLongestLeg = 3, kShortestLeg = 0.05;
+/// Largest radius of a helix as a share of the cutter's: no core is left standing.
+constexpr double kHelixShare = 0.4, kSmallestHelixShare = 0.1;
+constexpr int kHelixChords = 24;
+/// Ramps are this much flatter than asked for, against rounding of heights.
+constexpr double kFlatter = 1 - 1e-6;
+
+double steepest(const ApproachRule& rule) {
+  return kFlatter * std::tan(model::radians(rule.request.cut.ramp_angle_deg));
+}
+
+/// The first `length` mm, as seen from above, of a polyline.
+std::vector<Vec3> beginning(const std::vector<Vec3>& tips, double length) {
+  std::vector<Vec3> part = {tips.front()};
+  for (std::size_t i = 1; i < tips.size() && length > 0; ++i) {
+    const double step = level_distance(tips[i - 1], tips[i]);
+    if (step <= 0) continue;
+    part.push_back(step <= length ? tips[i] : lerp(tips[i - 1], tips[i], length / step));
+    length -= step;
+  }
+  return part;
+}
+
+double level_length(const std::vector<Vec3>& tips) {
+  double length = 0;
+  for (std::size_t i = 1; i < tips.size(); ++i) length += level_distance(tips[i - 1], tips[i]);
+  return length;
+}
+
+/// To and fro over `leg`, ending at its first tip: written from there backwards, upwards.
+std::vector<Vec3> zigzag_over(const std::vector<Vec3>& leg, int legs, double rise_by_mm) {
+  std::vector<Vec3> way = {leg.front()};
+  const int last = static_cast<int>(leg.size()) - 1;
+  for (int k = 0; k < legs; ++k)
+    for (int i = 1; i <= last; ++i) {
+      const Vec3& to = k % 2 == 0 ? leg[i] : leg[last - i];
+      const double z = way.back().z + rise_by_mm * level_distance(way.back(), to);
+      way.push_back({to.x, to.y, z});
+    }
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+/// Helix about `centre` that ends at `end` after turning by `turn` (radians, signed).
+std::vector<Vec3> helix(const Vec3& centre, const Vec3& end, double depth_mm, double turn,
+                        int chords) {
+  std::vector<Vec3> way;
+  const double x = end.x - centre.x, y = end.y - centre.y;
+  for (int i = chords; i > 0; --i) {
+    const double back = -turn * i / chords, c = std::cos(back), s = std::sin(back);
+    way.push_back(
+        {centre.x + c * x - s * y, centre.y + s * x + c * y, end.z + depth_mm * i / chords});
+  }
+  way.push_back(end);
+  return way;
+}
+
+}  // namespace
+
+std::optional<std::vector<Vec3>> ramp_along(const ApproachRule& rule, const std::vector<Vec3>& tips,
+                                            double depth_mm) {
+  const double diameter = 2 * rule.request.cutter.radius_mm(), slope = steepest(rule);
+  const double slack = rule.slack_at(tips.front());
+  double longest = std::min(level_length(tips), kLongestLeg * diameter);
+  for (; longest > kShortestLeg * diameter; longest /= 2) {
+    const std::vector<Vec3> leg = beginning(tips, longest);
+    const double length = level_length(leg);
+    // An even number of legs comes back to the start; equal ones use the whole slope allowed.
+    const int legs = 2 * static_cast<int>(std::ceil(depth_mm / (2 * length * slope)));
+    auto way = zigzag_over(leg, legs, depth_mm / (legs * length));
+    if (rule.clears(way, slack)) return way;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::vector<Vec3>> helix_to(const ApproachRule& rule, const std::vector<Vec3>& tips,
+                                          double depth_mm) {
+  if (tips.size() < 2) return std::nullopt;
+  const Vec3 left = normalized(Vec3{tips[0].y - tips[1].y, tips[1].x - tips[0].x, 0});
+  if (left == Vec3{}) return std::nullopt;
+  const double slack = rule.slack_at(tips.front()),
+               chord_angle = 2 * std::numbers::pi / kHelixChords;
+  for (double share = kHelixShare; share >= kSmallestHelixShare; share /= 2)
+    for (const double side : {1.0, -1.0}) {
+      const double radius = share * rule.request.cutter.radius_mm();
+      const double chord = 2 * radius * std::sin(chord_angle / 2);
+      const int chords = static_cast<int>(std::ceil(depth_mm / (chord * steepest(rule))));
+      auto way = helix(tips.front() + left * (side * radius), tips.front(), depth_mm,
+                       side * chord_angle * chords, chords);
+      if (rule.clears(way, slack)) return way;
+    }
+  return std::nullopt;
 }
 
 }  // namespace limitgauge::engine::strategy

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "engine/strategy/linking/linking.h"
-#include "engine/strategy/linking/stage_path.h"
+#include "engine/strategy/linking/cut_pass.h"
 #include "engine/strategy/locations/cutter_locations.h"
+#include "engine/strategy/stage_path.h"
 
 namespace limitgauge::engine::strategy {
 

@@ -1,22 +1,13 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "engine/strategy/linking/stage_path.h"
+#include "engine/strategy/linking/cut_pass.h"
 #include "engine/strategy/locations/cutter_locations.h"
+#include "engine/strategy/stage_path.h"
 #include "model/base/run_control.h"
 
 namespace limitgauge::engine::strategy {
-
-/// Tip positions to be cut in one go at the feed.
-struct CutPass {
-  std::vector<model::Vec3> tips;
-  bool closed = false;      ///< may start anywhere; the first point is not repeated
-  bool reversible = false;  ///< may be cut from its end
-  /// Material stands where the pass begins, up to this height: the cutter ramps down from there.
-  std::optional<double> stands_to_mm;
-};
 
 /// Joins passes into a stage's toolpath. Neighbours are linked by the cheapest of: straight on at
 /// the link feed where the cutter location surface is clear of it, over what lies between just

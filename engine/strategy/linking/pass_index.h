@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/strategy/linking/linking.h"
+#include "engine/strategy/linking/cut_pass.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::engine::strategy {

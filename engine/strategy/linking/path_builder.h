@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/strategy/linking/stage_path.h"
+#include "engine/strategy/stage_path.h"
 #include "model/part/toolpath.h"
 
 namespace limitgauge::engine::strategy {

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/strategy/linking/stage_path.h"
 #include "engine/strategy/locations/envelope.h"
 #include "engine/strategy/rows/drive_frame.h"
+#include "engine/strategy/stage_path.h"
 #include "engine/surface/patch_model.h"
 #include "engine/surface/section/grid_section.h"
 #include "model/base/run_control.h"

@@ -1,11 +1,154 @@
 #include "engine/strategy/locations/cutter_contact.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "engine/strategy/locations/edge_contact.h"
+#include <utility>
 
 namespace limitgauge::engine::strategy {
 namespace {
+
+/// Shorter ones, seen from above, are upright: mm.
+constexpr double kUprightLength_mm = 1e-12;
+constexpr int kMostSteps = 80;
+/// Share of a square that its rounding may take.
+constexpr double kSquareRounding = 1e-14;
+
+/// A segment as seen from the axis: at the place s its distance is hypot(aside, s) and its height
+/// top - rise (end - s), with rise >= 0; s runs over [begin, end].
+struct Slant {
+  double aside = 0, begin = 0, end = 0, rise = 0, top = 0;
+
+  Slant(const Vec3& from, const Vec3& to, double length) {
+    const double dx = (to.x - from.x) / length, dy = (to.y - from.y) / length;
+    aside = std::abs(dx * from.y - dy * from.x);
+    begin = from.x * dx + from.y * dy;
+    end = to.x * dx + to.y * dy;
+    rise = (to.z - from.z) / length;
+    top = to.z;
+    if (rise < 0) {
+      begin = std::exchange(end, -begin);
+      begin = -begin;
+      rise = -rise;
+      top = from.z;
+    }
+  }
+
+  double distance(double s) const { return std::sqrt(aside * aside + s * s); }
+  /// Place on the rising side (s >= 0) at distance `d`; that next to the axis where none is.
+  double place(double d) const { return d > aside ? std::sqrt((d - aside) * (d + aside)) : 0; }
+};
+
+/// The greatest of height - p(distance) along a slant.
+class SlantSearch {
+ public:
+  SlantSearch(const CutterShape& shape, const Slant& slant) : shape_(shape), e_(slant) {}
+
+  double value(double s) const {
+    return e_.top - e_.rise * (e_.end - s) - shape_.height(e_.distance(s));
+  }
+
+  /// Over [low, high] with 0 <= low: before the axis the value only rises.
+  double greatest(double low, double high) const {
+    low = std::max(low, std::min(high, e_.place(shape_.flat_mm())));
+    if (gain(high) >= 0) return value(high);
+    if (gain(low) <= 0) return value(low);
+    if (!shape_.has_cone()) return on_arc(shape_.first().ring, low, high);
+    return over_pieces(low, high);
+  }
+
+ private:
+  /// Derivative of value() at s >= 0.
+  double gain(double s) const {
+    const double d = e_.distance(s);
+    return s > 0 ? e_.rise - shape_.slope(d) * s / d : e_.rise;
+  }
+
+  double over_pieces(double low, double high) const {
+    const double cone_low = e_.place(shape_.first().end_mm);
+    if (low < cone_low && (cone_low >= high || gain(cone_low) <= 0))
+      return on_arc(shape_.first().ring, low, std::min(high, cone_low));
+    low = std::max(low, cone_low);
+    const double cone_high = e_.place(shape_.last().begin_mm);
+    if (low < cone_high && (cone_high >= high || gain(cone_high) <= 0))
+      return on_cone(low, std::min(high, cone_high));
+    return on_arc(shape_.last().ring, std::max(low, cone_high), high);
+  }
+
+  /// There the slope along the segment is the cone's times s / d, so s / d = rise / cone's slope.
+  double on_cone(double low, double high) const {
+    const double ratio = std::min(1.0, e_.rise / shape_.cone_slope());
+    const double root = std::sqrt((1 - ratio) * (1 + ratio));
+    return value(root > 0 ? std::clamp(e_.aside * ratio / root, low, high) : high);
+  }
+
+  double on_arc(const CutterShape::Ring& ring, double low, double high) const {
+    if (ring.rounding_mm <= 0) return value(high);
+    if (ring.radius_mm > 0) return on_ring(ring, low, high);
+    const double s = e_.rise / std::sqrt(1 + e_.rise * e_.rise) * e_.place(ring.rounding_mm);
+    return value(std::clamp(s, low, high));
+  }
+
+  /// First guess: the contact distance for the slope along the segment at about that distance.
+  double guess(const CutterShape::Ring& ring) const {
+    const auto at = [&](double slope) {
+      return ring.radius_mm + ring.rounding_mm * slope / std::sqrt(1 + slope * slope);
+    };
+    const double d = at(e_.rise), s = e_.place(d);
+    return s > 0 ? at(e_.rise * d / s) : d;
+  }
+
+  /// sin(phi) s / d - rise cos(phi), where phi is the angle on the arc, times the rounding: it has
+  /// the sign of -gain() and rises over the whole arc.
+  double on_ring(const CutterShape::Ring& ring, double low, double high) const {
+    double d_low = e_.distance(low), d_high = e_.distance(high), d = guess(ring);
+    for (int step = 0;; ++step) {
+      if (!(d > d_low && d < d_high)) d = (d_low + d_high) / 2;
+      const double s = std::clamp(e_.place(d), low, high), out = d - ring.radius_mm;
+      const double root =
+          std::sqrt(std::max(0.0, (ring.rounding_mm - out) * (ring.rounding_mm + out)));
+      const double off = out * s / d - e_.rise * root;
+      const double slope = gain(s);
+      const double excess = slope > 0 ? slope * (high - s) : slope * (low - s);
+      if (excess <= kContactError_mm / 2 || step == kMostSteps) return value(s) + excess;
+      (off > 0 ? d_high : d_low) = d;
+      (off > 0 ? high : low) = s;
+      d -= off / (s / d + out * e_.aside * e_.aside / (d * d * s) + e_.rise * out / root);
+    }
+  }
+
+  const CutterShape& shape_;
+  const Slant& e_;
+};
+
+void lift_over_upright(const CutterShape& shape, const Vec3& from, const Vec3& to,
+                       GreatestLift& greatest) {
+  const double d =
+      std::sqrt(std::min(from.x * from.x + from.y * from.y, to.x * to.x + to.y * to.y));
+  if (d <= shape.reach_mm() + kReachSlack_mm)
+    greatest.take(std::max(from.z, to.z) - shape.height(d));
+}
+
+/// Lift over one segment, see lift_over_triangle(). Closed forms but for rings, where a bracketed
+/// Newton search ends in an upper bound that its tangent proves by concavity.
+void lift_over_edge(const CutterShape& shape, const Vec3& from, const Vec3& to,
+                    GreatestLift& greatest) {
+  // Only as far out as the higher end could still lift beyond what is known.
+  const double reach = shape.distance_below(std::max(from.z, to.z) - greatest.known);
+  if (reach < 0) return;
+  const double dx = to.x - from.x, dy = to.y - from.y, squared = dx * dx + dy * dy;
+  const double area = dx * from.y - dy * from.x, wide = reach + kReachSlack_mm;
+  if (area * area > wide * wide * squared * (1 + kSquareRounding)) return;
+  const double length = std::sqrt(squared);
+  if (length < kUprightLength_mm) return lift_over_upright(shape, from, to, greatest);
+  const Slant slant(from, to, length);
+  const double half = slant.place(wide);
+  const double low = std::max(slant.begin, -half), high = std::min(slant.end, half);
+  if (low > high) return;
+  const double nearest = slant.distance(std::clamp(0.0, low, high));
+  if (slant.top - slant.rise * (slant.end - high) - shape.height(nearest) <= greatest.known) return;
+  const SlantSearch search(shape, slant);
+  greatest.take(high <= 0 ? search.value(high) : search.greatest(std::max(low, 0.0), high));
+}
 
 /// The plane z + gx x + gy y = c that leans on points given later.
 struct Lean {

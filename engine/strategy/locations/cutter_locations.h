@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/surface/section/grid_section.h"
+#include "engine/surface/section/section_chain.h"
 #include "model/part/cutter.h"
 
 namespace limitgauge::engine::strategy {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/strategy/linking/stage_path.h"
 #include "engine/strategy/locations/cutter_locations.h"
+#include "engine/strategy/stage_path.h"
 #include "engine/surface/offset_model.h"
 
 namespace limitgauge::engine::strategy {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/strategy/locations/cutter_shape.h"
-#include "engine/surface/section/grid_section.h"
+#include "engine/surface/section/section_chain.h"
 
 namespace limitgauge::engine::strategy {
 

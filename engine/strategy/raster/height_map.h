@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/surface/section/grid_section.h"
+#include "engine/surface/section/section_chain.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::engine::strategy {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/strategy/levels/waterline.h"
-#include "engine/strategy/linking/cut_passes.h"
+#include "engine/strategy/linking/cut_pass.h"
 #include "engine/strategy/rows/sampled_rows.h"
 
 namespace limitgauge::engine::strategy {

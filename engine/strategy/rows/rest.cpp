@@ -1,11 +1,11 @@
-#include "engine/strategy/rows/rest.h"
+#include "engine/strategy/strategies.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "engine/strategy/levels/steep_shallow.h"
-#include "engine/strategy/linking/cut_passes.h"
+#include "engine/strategy/linking/cut_pass.h"
 #include "engine/strategy/raster/clip.h"
 
 namespace limitgauge::engine::strategy {

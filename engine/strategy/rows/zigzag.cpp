@@ -1,10 +1,10 @@
-#include "engine/strategy/rows/zigzag.h"
+#include "engine/strategy/strategies.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "engine/strategy/linking/cut_passes.h"
-#include "engine/strategy/locations/ball_rows.h"
+#include "engine/strategy/linking/cut_pass.h"
+#include "engine/strategy/rows/ball_rows.h"
 #include "engine/strategy/rows/boundary_pass.h"
 #include "engine/strategy/rows/sampled_rows.h"
 

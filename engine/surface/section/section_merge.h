@@ -4,9 +4,18 @@
 #include <optional>
 #include <vector>
 
-#include "engine/surface/section/sections.h"
+#include "engine/surface/offset_model.h"
+#include "engine/surface/patch_model.h"
+#include "engine/surface/section/section_chain.h"
 
 namespace limitgauge::engine::surface {
+
+/// One curve of a whole section, merged over the outer layer. Seen from the side to which the
+/// cage's faces turn counter-clockwise, what is above the plane lies on the left.
+struct SectionCurve {
+  std::vector<Vec3> points;  ///< all in the plane, bit by bit
+  bool closed = false;       ///< the first point is not repeated
+};
 
 /// Joins the chains that one plane leaves in the patches of a model into whole curves. A chain
 /// leaves a patch where the curve enters its neighbour: at the same segment of the coarser of the

@@ -6,16 +6,10 @@
 #include "engine/surface/offset_model.h"
 #include "engine/surface/patch_model.h"
 #include "engine/surface/section/grid_section.h"
+#include "engine/surface/section/section_merge.h"
 #include "model/base/run_control.h"
 
 namespace limitgauge::engine::surface {
-
-/// One curve of a whole section, merged over the outer layer. Seen from the side to which the
-/// cage's faces turn counter-clockwise, what is above the plane lies on the left.
-struct SectionCurve {
-  std::vector<Vec3> points;  ///< all in the plane, bit by bit
-  bool closed = false;       ///< the first point is not repeated
-};
 
 /// Quadtrees over the patches of a sampled model along one axis: built once for any number of
 /// planes.

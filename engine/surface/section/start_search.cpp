@@ -8,16 +8,13 @@ namespace limitgauge::engine::surface {
 
 using Edge = GridEntry::Edge;
 
-StartSearch::StartSearch(const GridSection& section, std::span<const double> values)
-    : section_(section),
-      grid_(section.grid_),
-      coordinate_(coordinate_of(section.axis_)),
-      values_(values) {}
+StartSearch::StartSearch(const Grid& grid, int axis, const GridTree& tree,
+                         std::span<const double> values)
+    : grid_(grid), tree_(tree), coordinate_(coordinate_of(axis)), values_(values) {}
 
 SectionStarts StartSearch::run() {
   for (int side = 0; side < 4; ++side) scan_side(side);
-  search(static_cast<int>(section_.levels_.size()) - 1, 0, 0,
-         {0, static_cast<int>(values_.size())});
+  search(tree_.levels() - 1, 0, 0, {0, static_cast<int>(values_.size())});
   SectionStarts found;
   gather(lines_, found.line_offsets, found.lines);
   gather(rings_, found.ring_offsets, found.rings);
@@ -70,9 +67,9 @@ void StartSearch::scan_side(int side) {
 }
 
 void StartSearch::search(int level, int column, int row, Planes planes) {
-  const GridSection::LevelShape shape = section_.shapes_[level];
+  const GridTree::LevelShape shape = tree_.shape(level);
   if (column >= shape.columns || row >= shape.rows) return;
-  const GridSection::Node& node = section_.levels_[level][row * shape.columns + column];
+  const GridTree::Node& node = tree_.node(level, column, row);
   if (!node.extreme) return;
   const auto begin = values_.begin();
   planes.first = static_cast<int>(
@@ -84,7 +81,7 @@ void StartSearch::search(int level, int column, int row, Planes planes) {
     scan_leaf(column, row, planes);
     return;
   }
-  const int half = kLeafCells << (level - 1);
+  const int half = GridTree::kLeafCells << (level - 1);
   const int u = 2 * column * half, v = 2 * row * half;
   const int last_u = std::min(u + 2 * half, grid_.columns - 1);
   const int last_v = std::min(v + 2 * half, grid_.rows - 1);
@@ -96,9 +93,9 @@ void StartSearch::search(int level, int column, int row, Planes planes) {
 
 /// A ring goes round a point of the grid and crosses that point's row.
 void StartSearch::scan_leaf(int column, int row, Planes planes) {
-  const int u = column * kLeafCells, v = row * kLeafCells;
-  const int last_u = std::min(u + kLeafCells, grid_.columns - 1);
-  const int last_v = std::min(v + kLeafCells, grid_.rows - 1);
+  const int u = column * GridTree::kLeafCells, v = row * GridTree::kLeafCells;
+  const int last_u = std::min(u + GridTree::kLeafCells, grid_.columns - 1);
+  const int last_v = std::min(v + GridTree::kLeafCells, grid_.rows - 1);
   for (int j = v + 1; j < last_v; ++j) scan_row(u, j, last_u - u, planes);
 }
 

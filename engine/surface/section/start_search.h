@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/surface/section/grid_section.h"
+#include "engine/surface/section/grid_tree.h"
 
 namespace limitgauge::engine::surface {
 
@@ -19,10 +19,7 @@ namespace limitgauge::engine::surface {
 /// within one of its four parts (paper section 5.2).
 class StartSearch {
  public:
-  /// Cells along a side of a leaf of the quadtree.
-  static constexpr int kLeafCells = 8;
-
-  StartSearch(const GridSection& section, std::span<const double> values);
+  StartSearch(const Grid& grid, int axis, const GridTree& tree, std::span<const double> values);
   SectionStarts run();
 
  private:
@@ -50,8 +47,8 @@ class StartSearch {
   void gather(std::vector<Start>& starts, std::vector<int>& offsets,
               std::vector<GridEntry>& entries) const;
 
-  const GridSection& section_;
   const Grid& grid_;
+  const GridTree& tree_;
   double Vec3::*coordinate_;
   std::span<const double> values_;
   std::vector<Start> lines_, rings_;

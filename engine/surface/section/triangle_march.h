@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/surface/section/grid_section.h"
+#include "engine/surface/section/section_chain.h"
 
 namespace limitgauge::engine::surface {
 

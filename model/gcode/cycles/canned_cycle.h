@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "model/gcode/cycles/canned_cycle_parameters.h"
 #include "model/gcode/cycles/canned_cycle_path.h"
-#include "model/gcode/cycles/canned_cycle_words.h"
 #include "model/gcode/program.h"
 #include "model/gcode/text/statement.h"
 
@@ -65,7 +65,7 @@ class CannedCycles {
   int code_ = 0;  ///< of the block before; 0: none
   double unit_mm_ = 1;
   std::optional<double> initial_level_mm_;
-  CycleWords words_;
+  CycleParameters words_;
 };
 
 }  // namespace limitgauge::model::gcode

@@ -1,9 +1,10 @@
 #include "model/gcode/cycles/cutter_compensation.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-#include "model/gcode/cycles/cutter_compensation_corner.h"
+#include "model/gcode/cycles/cutter_compensation_plane.h"
 
 namespace limitgauge::model::gcode {
 
@@ -130,6 +131,127 @@ void CutterCompensation::push_arc(Motion arc, PlaneVector end, double sweep) {
 void CutterCompensation::fail(const Motion& motion, const std::string& wrong,
                               const std::string& expected) const {
   throw InputError(place_(motion.line), wrong, expected);
+}
+
+namespace {
+
+/// An entry arc whose chord is this near to square with the radius at its end, as a cosine, has
+/// become a straight line.
+constexpr double kStraight = 1e-6;
+/// As for programmed centres: beyond any machine.
+constexpr double kLargestRadiusMm = 1e9;
+
+std::string mm(double value_mm) {
+  return six_digits(value_mm) + " mm";
+}
+
+}  // namespace
+
+void CutterCompensation::check_entry(const Motion& motion) const {
+  const double length_mm = length(frame_.flat(motion.to) - end_mm());
+  if (length_mm <= radius_mm_)
+    fail(motion,
+         "the entry into cutter compensation is " + mm(length_mm) +
+             " long in its plane, the cutter's radius " + mm(radius_mm_),
+         "an entry longer than the radius");
+}
+
+void CutterCompensation::check_width(const Motion& arc, double arc_radius_mm) const {
+  if (inside(arc) && arc_radius_mm <= radius_mm_)
+    fail(arc,
+         "an arc of " + mm(arc_radius_mm) +
+             " radius around the inside of which the cutter goes, whose radius is " +
+             mm(radius_mm_),
+         "an arc wider than the cutter");
+}
+
+/// To the side of its end. LinuxCNC keeps no direction for the check of what was cut short: the
+/// entry is longer than the radius, and its end may be pulled back to any place beside it.
+void CutterCompensation::enter_straight(const Motion& motion) {
+  check_entry(motion);
+  const PlaneVector end = frame_.flat(motion.to);
+  const PlaneVector normal = side_ * quarter_turn(unit(end - end_mm()));
+  queue_.starts_at(end_mm());
+  beside_mm_ = end + radius_mm_ * normal;
+  push_straight(motion, normal, beside_mm_);
+}
+
+/// From where the tool is to the side of the programmed end, tangent to the programmed arc there:
+/// the centre moves along the radius at the end until both ends are equally far from it.
+void CutterCompensation::enter_arc(const Motion& motion) {
+  check_entry(motion);
+  const PlaneVector start = end_mm(), end = frame_.flat(motion.to);
+  const PlaneVector programmed_centre = {motion.centre1, motion.centre2};
+  check_width(motion, length(programmed_centre - start));
+  const PlaneVector inwards = unit(programmed_centre - end);
+  beside_mm_ = end + (inside(motion) ? radius_mm_ : -radius_mm_) * inwards;
+  const PlaneVector chord = start - beside_mm_;
+  const double cosine = dot(unit(chord), inwards);
+  const double reach_mm = length(chord) / 2;
+  if (std::abs(cosine) < std::max(kStraight, reach_mm / kLargestRadiusMm))
+    fail(motion, "an entry arc that cutter compensation bends into a straight line",
+         "an arc that starts away from the tangent beside its end");
+  const PlaneVector centre = beside_mm_ + (reach_mm / cosine) * inwards;
+  Motion arc = motion;
+  arc.centre1 = centre.a;
+  arc.centre2 = centre.b;
+  push_arc(arc, beside_mm_, sweep_of(start, beside_mm_, centre, arc.turns));
+}
+
+namespace {
+
+PlaneVector centre_of(const Motion& arc) {
+  return {arc.centre1, arc.centre2};
+}
+
+/// The path of a compensated arc.
+OffsetArc path_of(const Motion& arc, const PlaneFrame& frame, bool tool_inside) {
+  return {centre_of(arc), length(frame.flat(arc.to) - centre_of(arc)), tool_inside};
+}
+
+constexpr const char* kWiderCorner = "a corner that the cutter fits into";
+
+}  // namespace
+
+PlaneVector CutterCompensation::corner_before_line(const Motion& line, PlaneVector after) const {
+  const std::optional<Motion>& arc = queue_.leading_arc();
+  if (!arc) return meet_lines(direction(), after, beside_mm_, radius_mm_);
+  const OffsetArc path = path_of(*arc, frame_, inside(*arc));
+  const double arc_radius_mm = path.radius_mm + (path.tool_inside ? radius_mm_ : -radius_mm_);
+  const PlaneVector normal = side_ * quarter_turn(after);
+  const double centre_mm = arc_radius_mm * dot(unit(path.centre - end_mm()), normal);
+  const auto met = meet_line_and_arc(path, after, normal, radius_mm_ - centre_mm, true);
+  if (!met)
+    fail(line, "the cutter does not fit between the arc before and this straight move",
+         kWiderCorner);
+  return *met;
+}
+
+PlaneVector CutterCompensation::corner_before_arc(const Motion& arc) const {
+  if (const auto& before = queue_.leading_arc()) return corner_of_arcs(*before, arc);
+  const double arc_radius_mm = length(centre_of(arc) - frame_.flat(arc.to));
+  const bool tool_inside = inside(arc);
+  const OffsetArc path = {centre_of(arc), arc_radius_mm + (tool_inside ? -radius_mm_ : radius_mm_),
+                          tool_inside};
+  const double centre_mm = arc_radius_mm * dot(unit(path.centre - end_mm()), normal());
+  const auto met = meet_line_and_arc(path, direction(), normal(), radius_mm_ - centre_mm, false);
+  if (!met)
+    fail(arc, "the cutter does not fit between the straight move before and this arc",
+         kWiderCorner);
+  return *met;
+}
+
+PlaneVector CutterCompensation::corner_of_arcs(const Motion& before, const Motion& arc) const {
+  const OffsetArc first = path_of(before, frame_, inside(before));
+  const double arc_radius_mm = length(centre_of(arc) - frame_.flat(arc.to));
+  const OffsetArc second = {centre_of(arc),
+                            arc_radius_mm + (inside(arc) ? -radius_mm_ : radius_mm_), inside(arc)};
+  if (first.centre == second.centre)
+    fail(arc, "an inner corner between two arcs of one centre with cutter compensation",
+         "arcs about different centres");
+  const auto met = meet_arcs(first, second, arc.turns > 0);
+  if (!met) fail(arc, "the cutter does not fit between the arc before and this arc", kWiderCorner);
+  return *met;
 }
 
 }  // namespace limitgauge::model::gcode

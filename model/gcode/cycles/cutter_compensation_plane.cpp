@@ -15,4 +15,51 @@ double sweep_of(PlaneVector from, PlaneVector to, PlaneVector centre, double tur
   return sweep + (turns + 1) * full;
 }
 
+namespace {
+
+/// LinuxCNC's tolerance for smooth transitions, radians.
+constexpr double kSmooth = 0.05;
+
+}  // namespace
+
+Corner corner_of(PlaneVector before, PlaneVector after, double side, bool reversal_is_inner) {
+  // Away from the tool is positive.
+  const double turn = -side * std::atan2(cross(before, after), dot(before, after));
+  if (std::abs(turn) >= std::numbers::pi - kSmooth)
+    return reversal_is_inner ? Corner::inner : Corner::outer;
+  if (std::abs(turn) <= kSmooth) return Corner::smooth;
+  return turn > 0 ? Corner::outer : Corner::inner;
+}
+
+PlaneVector meet_lines(PlaneVector before, PlaneVector after, PlaneVector beside,
+                       double radius_mm) {
+  // Half the turn's tangent, exact for a right angle.
+  const double tangent = std::abs(cross(before, after)) / (1 + dot(before, after));
+  return beside - radius_mm * tangent * before;
+}
+
+std::optional<PlaneVector> meet_line_and_arc(const OffsetArc& arc, PlaneVector direction,
+                                             PlaneVector normal, double height_mm,
+                                             bool arc_comes_first) {
+  const double across = height_mm / arc.radius_mm;
+  if (!(std::abs(across) <= 1)) return std::nullopt;
+  const double along = std::sqrt(1 - across * across);
+  const double later = arc.tool_inside != arc_comes_first ? 1 : -1;
+  return arc.centre + arc.radius_mm * (across * normal + later * along * direction);
+}
+
+std::optional<PlaneVector> meet_arcs(const OffsetArc& before, const OffsetArc& after,
+                                     bool after_is_counter_clockwise) {
+  const PlaneVector between = after.centre - before.centre;
+  const double apart_mm = length(between);
+  const double r1 = before.radius_mm, r2 = after.radius_mm;
+  // The law of cosines, about the first centre.
+  const double along = (r1 * r1 + apart_mm * apart_mm - r2 * r2) / (2 * r1 * apart_mm);
+  if (!(std::abs(along) <= 1)) return std::nullopt;
+  const double left = before.tool_inside == after_is_counter_clockwise ? 1 : -1;
+  const PlaneVector axis = unit(between);
+  const double across = left * std::sqrt(1 - along * along);
+  return before.centre + r1 * (along * axis + across * quarter_turn(axis));
+}
+
 }  // namespace limitgauge::model::gcode

@@ -7,7 +7,6 @@
 #include "model/gcode/read/auxiliaries.h"
 #include "model/gcode/read/motion_codes.h"
 #include "model/gcode/read/offset_codes.h"
-#include "model/gcode/read/radius_codes.h"
 #include "model/gcode/read/tool_codes.h"
 #include "model/gcode/text/system_parameters.h"
 #include "model/gcode/text/word_use.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/gcode/cycles/cutter_compensation.h"
 #include "model/gcode/machine/machine_state.h"
 #include "model/gcode/program.h"
 #include "model/gcode/read/assumptions.h"
@@ -19,5 +20,10 @@ bool restore_length_offset(MachineState& state, int code);
 /// A feed motion needs to know where the tip is: throws InputError where the length offset in use
 /// is not that of the tool in the spindle and their lengths are not stated.
 void check_tip(const Statement& statement, const MachineState& state);
+
+/// G40, G41, G42, G41.1 and G42.1. Without D or with D0 the diameter is that of the tool in the
+/// spindle, as in LinuxCNC. Throws InputError where that is not stated.
+void set_radius_offset(const Statement& statement, MachineState& state,
+                       CutterCompensation& compensation);
 
 }  // namespace limitgauge::model::gcode

@@ -1,9 +1,262 @@
 #include "model/gcode/text/expression.h"
 
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 #include "model/gcode/text/characters.h"
-#include "model/gcode/text/value_reader.h"
+#include "model/gcode/text/functions.h"
+#include "model/gcode/text/operators.h"
+#include "model/gcode/text/plain_number.h"
 
 namespace limitgauge::model::gcode {
+namespace {
+
+/// Brackets, signs, `#`. LinuxCNC's lines are shorter than 256 bytes.
+constexpr int kMostDepth = 100;
+/// No name of an operator or function is longer.
+constexpr std::size_t kLongestWord = 6;
+constexpr int kLoosest = 1;
+
+/// Reads values by recursive descent, at most 100 within each other.
+class ValueReader {
+ public:
+  ValueReader(Cursor& cursor, const Parameters& parameters, const Fail& fail)
+      : cursor_(cursor), parameters_(parameters), fail_(fail) {}
+
+  double value();
+  int whole_value();
+  ParameterName parameter_name();
+
+ private:
+  double signed_value();
+  [[noreturn]] double missing() const;
+  double bracketed();
+  double chain(int loosest);
+  double number();
+  double spaced_number();
+  double parameter();
+  double function();
+  double arc_tangent(double y);
+  double exists();
+  void take(char c);
+  char peek();
+  std::string word_ahead() const;
+  void skip_word(std::size_t letters);
+  double checked(const Computed& computed, std::size_t at) const;
+  [[noreturn]] void fail(std::size_t at, const std::string& wrong,
+                         const std::string& expected) const;
+
+  Cursor& cursor_;
+  const Parameters& parameters_;
+  const Fail& fail_;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+void ValueReader::fail(std::size_t at, const std::string& wrong,
+                       const std::string& expected) const {
+  fail_(at, wrong, expected);
+  throw std::logic_error("the reader of values was given a Fail that returns");
+}
+
+double ValueReader::checked(const Computed& computed, std::size_t at) const {
+  if (!computed.wrong.empty())
+    fail(at, std::string(computed.wrong), std::string(computed.expected));
+  return computed.value;
+}
+
+/// The next character that is no blank, in lower case; 0 at the end of the line.
+char ValueReader::peek() {
+  while (cursor_.at < cursor_.line.size() && is_blank(cursor_.line[cursor_.at])) ++cursor_.at;
+  return cursor_.at < cursor_.line.size() ? lower(cursor_.line[cursor_.at]) : '\0';
+}
+
+void ValueReader::take(char c) {
+  const char found = peek();
+  if (found != c)
+    fail(cursor_.at,
+         found == '\0' ? "the line ends within a value" : shown(found) + " within a value",
+         shown(c));
+  ++cursor_.at;
+}
+
+/// The next characters without blanks, in lower case; enough to know a name by.
+std::string ValueReader::word_ahead() const {
+  std::string word;
+  for (std::size_t at = cursor_.at; at < cursor_.line.size() && word.size() <= kLongestWord; ++at) {
+    const char c = cursor_.line[at];
+    if (!is_blank(c)) word += lower(c);
+  }
+  return word;
+}
+
+void ValueReader::skip_word(std::size_t letters) {
+  for (; letters > 0; --letters) {
+    peek();
+    ++cursor_.at;
+  }
+}
+
+double ValueReader::value() {
+  const char c = peek();
+  if (++depth_ > kMostDepth)
+    fail(cursor_.at, "more than 100 values within each other", "a simpler expression");
+  const double result = c == '+' || c == '-'      ? signed_value()
+                        : c == '['                ? bracketed()
+                        : c == '#'                ? parameter()
+                        : is_letter(c)            ? function()
+                        : is_digit(c) || c == '.' ? number()
+                                                  : missing();
+  --depth_;
+  return result;
+}
+
+double ValueReader::signed_value() {
+  const bool negative = cursor_.line[cursor_.at++] == '-';
+  return negative ? -value() : value();
+}
+
+double ValueReader::missing() const {
+  const bool ends = cursor_.at >= cursor_.line.size();
+  fail(cursor_.at,
+       ends ? "the line ends where a value is missing"
+            : shown(cursor_.line[cursor_.at]) + " where a value is missing",
+       "a number, a parameter, a function or an expression in brackets");
+}
+
+double ValueReader::bracketed() {
+  const std::size_t begin = cursor_.at;
+  take('[');
+  const double result = chain(kLoosest);
+  const char c = peek();
+  if (c == '\0') fail(begin, "'[' is not closed in its line", "']'");
+  if (c != ']') fail(cursor_.at, shown(c) + " behind a value", "an operator or ']'");
+  ++cursor_.at;
+  return result;
+}
+
+/// Values joined by operators that bind as closely as `loosest` or closer.
+double ValueReader::chain(int loosest) {
+  double left = value();
+  while (true) {
+    if (peek() == ']') return left;
+    const std::size_t at = cursor_.at;
+    const OperatorText* const found = operator_at(word_ahead());
+    if (found == nullptr || found->precedence < loosest) return left;
+    skip_word(found->text.size());
+    const double right = chain(found->precedence + 1);
+    left = checked(apply(found->operation, left, right), at);
+  }
+}
+
+double ValueReader::number() {
+  const char* const begin = cursor_.line.data() + cursor_.at;
+  const char* const limit = cursor_.line.data() + cursor_.line.size();
+  const std::optional<PlainNumber> found = read_plain_number(begin, limit);
+  if (!found) return spaced_number();
+  const std::size_t begin_at = cursor_.at;
+  const auto end_at = static_cast<std::size_t>(found->end - cursor_.line.data());
+  cursor_.at = end_at;
+  const char next = peek();
+  const bool goes_on = is_digit(next) || next == '.';
+  cursor_.at = goes_on ? begin_at : end_at;
+  return goes_on ? spaced_number() : found->value;
+}
+
+/// A number with blanks between its numerals, or what only looks like a number.
+double ValueReader::spaced_number() {
+  const std::size_t begin = cursor_.at;
+  std::size_t end = begin;
+  std::string gathered;
+  for (char c = peek(); is_digit(c) || c == '.'; c = peek()) {
+    gathered += c;
+    end = ++cursor_.at;
+  }
+  cursor_.at = end;
+  const char* const limit = gathered.data() + gathered.size();
+  const std::optional<PlainNumber> found = read_plain_number(gathered.data(), limit);
+  if (found && found->end == limit) return found->value;
+  const bool well_formed = gathered != "." && gathered.find('.') == gathered.rfind('.');
+  if (well_formed) fail(begin, in_quotes(gathered) + " is too large or too small", "fewer digits");
+  fail(begin, in_quotes(gathered) + " is not a number", "digits and one decimal point");
+}
+
+int ValueReader::whole_value() {
+  peek();
+  const std::size_t begin = cursor_.at;
+  const double found = value();
+  const double below = std::floor(found), rest = found - below;
+  if (rest > 0.0001 && rest <= 0.9999)
+    fail(begin, shortest(found) + " where a whole number is needed", "a whole number");
+  const double whole = rest > 0.9999 ? below + 1 : below;
+  constexpr double kLargest = 1e9;
+  if (std::abs(whole) > kLargest)
+    fail(begin, shortest(found) + " where a whole number is needed", "at most 1e9");
+  return static_cast<int>(whole);
+}
+
+ParameterName ValueReader::parameter_name() {
+  if (peek() == '<') return {0, read_name(cursor_, fail_)};
+  const std::size_t begin = cursor_.at;
+  const int number = whole_value();
+  if (number < 1 || number > Parameters::kLargest)
+    fail(begin, "parameter number " + std::to_string(number), "1 to 5999");
+  return {number, {}};
+}
+
+double ValueReader::parameter() {
+  const std::size_t begin = cursor_.at;
+  take('#');
+  const ParameterName name = parameter_name();
+  const std::optional<double> found =
+      name.name.empty() ? parameters_.numbered(name.number) : parameters_.named(name.name);
+  if (!found)
+    fail(begin,
+         "parameter " +
+             (name.name.empty() ? "#" + std::to_string(name.number)
+                                : in_quotes("#<" + name.name + ">")) +
+             " was never set",
+         "a setting before it is read");
+  return *found;
+}
+
+double ValueReader::function() {
+  const std::size_t begin = cursor_.at;
+  std::string name;
+  for (char c = peek(); is_letter(c) && name.size() <= kLongestWord; c = peek()) {
+    name += c;
+    ++cursor_.at;
+  }
+  const std::optional<Function> found = function_named(name);
+  if (!found)
+    fail(begin, in_quotes(name) + " is no function",
+         "ABS, ACOS, ASIN, ATAN, COS, EXISTS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT or TAN");
+  if (peek() != '[') fail(cursor_.at, "a function without its argument", "'['");
+  if (*found == Function::exists) return exists();
+  const double argument = bracketed();
+  if (*found == Function::atan) return arc_tangent(argument);
+  return checked(apply(*found, argument), begin);
+}
+
+double ValueReader::arc_tangent(double y) {
+  if (peek() != '/') fail(cursor_.at, "ATAN with one argument", "ATAN[y]/[x]");
+  ++cursor_.at;
+  if (peek() != '[') fail(cursor_.at, "ATAN without its second argument", "ATAN[y]/[x]");
+  return arc_tangent_deg(y, bracketed());
+}
+
+/// As LinuxCNC, a number names a parameter whether it was set or not.
+double ValueReader::exists() {
+  take('[');
+  take('#');
+  const ParameterName name = parameter_name();
+  take(']');
+  return name.name.empty() || parameters_.named(name.name) ? 1 : 0;
+}
 
 bool value_begins(Cursor cursor) {
   const auto next = [&cursor] {

@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <optional>
 
-#include "model/gcode/read/codes.h"
+#include "model/gcode/text/codes.h"
 #include "model/gcode/text/lexer.h"
 
 namespace limitgauge::model::gcode {

@@ -1,4 +1,4 @@
-#include "reports/html/job/decision_section.h"
+#include "reports/html/job/job_sections.h"
 
 #include "reports/text/text.h"
 

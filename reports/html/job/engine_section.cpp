@@ -1,11 +1,11 @@
-#include "reports/html/job/engine_section.h"
+#include "reports/html/job/job_sections.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "reports/html/markup.h"
-#include "reports/html/stage/stage_section.h"
+#include "reports/html/stage/stage_parts.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::html {

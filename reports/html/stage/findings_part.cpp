@@ -1,4 +1,4 @@
-#include "reports/html/stage/findings_part.h"
+#include "reports/html/stage/stage_parts.h"
 
 #include <fmt/format.h>
 

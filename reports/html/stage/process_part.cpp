@@ -1,4 +1,4 @@
-#include "reports/html/stage/process_part.h"
+#include "reports/html/stage/stage_parts.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ std::string line_text(std::size_t stage, std::uint32_t line, bool listed) {
 
 Row row(std::size_t stage, std::size_t index, const simulator::FindingGroup& group, bool listed) {
   const simulator::Finding& worst = group.worst;
-  std::string what = words_for(group.kind);
+  std::string what = description(group.kind);
   if (!fails(group.kind)) what += " (does not fail the stage)";
   const std::string name = "P" + std::to_string(index + 1);
   return {{name, lines_text(group), what, escape_markup(group.part), escape_markup(group.against),

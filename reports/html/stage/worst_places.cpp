@@ -1,4 +1,4 @@
-#include "reports/html/stage/worst_places.h"
+#include "reports/html/stage/stage_parts.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,6 @@
 
 #include "reports/html/anchors.h"
 #include "reports/html/markup.h"
-#include "reports/html/stage/process_part.h"
-#include "reports/html/stage/program_part.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
 #include "reports/run/program_lines.h"
@@ -146,7 +144,7 @@ std::string process_card(const RunResult& result, std::size_t index) {
   if (f.line > 0) list.push_back({"Program", line_text(result, index, f.line)});
   list.push_back({"More", finding_link(index, "P1",
                                        "P1 of stage " + escape_markup(result.stages[index].name))});
-  std::string what = words_for(f.kind);
+  std::string what = description(f.kind);
   what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
   return card(what, f.depth_mm > 0 ? process_depth(f) : "", list);
 }

@@ -1,0 +1,135 @@
+#include "app/run/result_parts.h"
+
+#include <algorithm>
+
+#include "model/base/number_text.h"
+#include "reports/run/report.h"
+
+namespace limitgauge::app {
+namespace {
+
+reports::StageResult stage_as_asked(const JobStage& asked) {
+  reports::StageResult stage;
+  stage.name = asked.name;
+  stage.tool = asked.cutter.id;
+  stage.cutter = asked.cutter;
+  stage.program = asked.program_as_stated;
+  stage.program_part = to_text(asked.part);
+  stage.allowance_mm = asked.allowance_mm;
+  stage.limits = asked.limits;
+  if (!asked.plan) return stage;
+  stage.strategy = strategy_name(asked.plan->cut.strategy);
+  stage.step_mm = asked.plan->cut.step_mm;
+  stage.tolerance_mm = asked.plan->cut.tolerance_mm;
+  return stage;
+}
+
+std::string start_text(const model::Vec3& at_mm) {
+  return "programs start with the tip at (" + model::shortest(at_mm.x) + ", " +
+         model::shortest(at_mm.y) + ", " + model::shortest(at_mm.z) +
+         ") mm of their frame (default: its zero in X and Y; in Z above stock, part, fixtures and "
+         "every height that a program names, by the clearance)";
+}
+
+/// Where the programs start, which is the same for all of them.
+void add_start(const RunInputs& inputs, reports::RunResult& result) {
+  for (const std::optional<ForeignPath>& program : inputs.programs) {
+    if (!program) continue;
+    result.program_start = program->start;
+    if (program->start.assumed) result.assumptions.push_back(start_text(program->start.at_mm));
+    return;
+  }
+}
+
+/// What the reader of programs took for granted; stages that share a program share it.
+void add_assumed(const RunInputs& inputs, std::vector<std::string>& said) {
+  for (const std::optional<ForeignPath>& program : inputs.programs) {
+    if (!program) continue;
+    for (const std::string& assumed : program->assumed)
+      if (std::find(said.begin(), said.end(), assumed) == said.end()) said.push_back(assumed);
+  }
+}
+
+reports::SurfaceResult surface_as_read(const Job& job, const RunInputs& inputs) {
+  reports::SurfaceResult surface;
+  surface.cage = job.cage_as_stated;
+  surface.summary = summarize(inputs.cage);
+  surface.rules = inputs.surface.rules();
+  surface.bbox_mm = inputs.surface.bounding_box();
+  surface.area_mm2 = inputs.surface.area_mm2();
+  surface.witness = inputs.witness;
+  return surface;
+}
+
+/// Widest range of sampling intervals over the stages that were planned.
+void join_sampling(reports::RunResult& result) {
+  bool first = true;
+  for (const reports::StageResult& stage : result.stages) {
+    if (!stage.ran || stage.strategy.empty()) continue;
+    const auto& ran = *stage.ran;
+    int& low = result.surface.sampling_interval_min;
+    int& high = result.surface.sampling_interval_max;
+    low = first ? ran.sampling_interval_min : std::min(low, ran.sampling_interval_min);
+    high = first ? ran.sampling_interval_max : std::max(high, ran.sampling_interval_max);
+    first = false;
+  }
+}
+
+}  // namespace
+
+reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
+                                   const RunOptions& options) {
+  reports::RunResult result;
+  result.job = job.name;
+  result.created = options.created;
+  result.version = LIMITGAUGE_VERSION;
+  result.threads = options.threads;
+  result.raw_stock = job.stock;
+  result.surface = surface_as_read(job, inputs);
+  result.assumptions = assumptions(job, inputs.settings);
+  add_start(inputs, result);
+  add_assumed(inputs, result.assumptions);
+  result.program_frame = job.program_frame;
+  result.machine = job.machine;
+  result.published = job.published;
+  result.inputs = inputs.files;
+  for (const JobStage& asked : job.stages) result.stages.push_back(stage_as_asked(asked));
+  return result;
+}
+
+void take_up(const RecordedStage& recorded, reports::StageResult& stage) {
+  stage.recorded = recorded.json;
+  stage.decision.verdict = recorded.verdict;
+  reports::StageResult::Ran& ran = stage.ran.emplace();
+  ran.path = recorded.path;
+  ran.program_text = recorded.program_text;
+  ran.sampling_interval_min = recorded.sampling_interval_min;
+  ran.sampling_interval_max = recorded.sampling_interval_max;
+}
+
+std::vector<RecordedStage> recorded_stages(const reports::RunResult& result) {
+  std::vector<RecordedStage> stages;
+  for (std::size_t i = 0; i < result.stages.size() && result.stages[i].ran; ++i) {
+    const reports::StageResult::Ran& ran = *result.stages[i].ran;
+    stages.push_back({std::make_shared<const std::string>(reports::recorded_stage(result, i)),
+                      ran.path, ran.program_text, ran.sampling_interval_min,
+                      ran.sampling_interval_max, result.stages[i].decision.verdict});
+  }
+  return stages;
+}
+
+void finish_surface(reports::RunResult& result,
+                    const std::optional<engine::surface::ModelFigures>& figures) {
+  join_sampling(result);
+  if (!figures) return;
+  reports::SurfaceResult& surface = result.surface;
+  surface.depth_min = figures->depth_min;
+  surface.depth_max = figures->depth_max;
+  surface.depths = figures->depths;
+  surface.cell_bytes_counted = figures->cell_bytes_counted;
+  surface.cell_bytes_allocated = figures->cell_bytes_allocated;
+  surface.seconds = figures->seconds;
+  surface.memory_bytes = figures->memory_bytes;
+}
+
+}  // namespace limitgauge::app

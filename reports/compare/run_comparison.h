@@ -1,0 +1,46 @@
+#pragma once
+
+#include "reports/compare/comparison.h"
+
+/// How the records of two runs become a comparison: the whole, and part by part.
+namespace limitgauge::reports::compare {
+
+/// Throws model::InputError where the runs have nothing in common: other jobs, and no stage of one
+/// name; and for results of two schemas, whose gouge and uncut mean different things.
+Comparison compare_runs(const record::RunRecord& base, const record::RunRecord& now,
+                        const Options& options);
+
+/// Every metric of a stage that both runs measured.
+std::vector<FigureChange> compare_figures(const record::StageMeasures& base,
+                                          const record::StageMeasures& now, const Options& options);
+
+/// Findings of gouges, of leftovers and of the process into `out`: matched by place within
+/// `reach_mm`, or within half the diagonal of the larger one's box.
+void compare_findings(const record::StageRecord& base, const record::StageRecord& now,
+                      double reach_mm, const Options& options, StageComparison& out);
+
+/// "fail" after "pass": what became worse comes later in the order pass, indeterminate, fail, not
+/// run. Nothing where both are alike.
+std::optional<Remark> compare_verdicts(const std::string& what, verifier::Verdict base,
+                                       verifier::Verdict now);
+/// Limits that were loosened or taken away count as worse: a gate that gives way hides what the
+/// figures then do.
+std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifier::GateLimits& now,
+                                  const Options& options);
+/// Tool, strategy, allowance and the like: named, for they explain.
+std::vector<Remark> compare_settings(const record::StageRecord& base,
+                                     const record::StageRecord& now);
+/// Resolutions asked for, reached or not, and findings that are not all listed.
+std::vector<Remark> compare_certificates(const record::StageMeasures& base,
+                                         const record::StageMeasures& now);
+/// What no cutter used so far can reach, in both runs; nothing where all is in reach.
+std::optional<Remark> tell_reach(const record::StageMeasures& base,
+                                 const record::StageMeasures& now);
+/// Moves with a fault, by kind.
+std::vector<Remark> compare_process_counts(const record::StageMeasures& base,
+                                           const record::StageMeasures& now,
+                                           const Options& options);
+/// Job, version, inputs by their checksums, and the order of the stages.
+std::vector<Remark> compare_heads(const record::RunRecord& base, const record::RunRecord& now);
+
+}  // namespace limitgauge::reports::compare

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "reports/json/values.h"
+
+/// The parts of result.json.
+namespace limitgauge::reports::json {
+
+/// The files that were read: "inputs".
+Json inputs_part(const std::vector<InputFile>& inputs);
+
+/// What programs were told of the machine, and where their frame lies: "programs".
+Json programs_part(const RunResult& result);
+
+/// The raw stock: "stock".
+Json stock_part(const model::Stock& stock);
+
+/// The design surface: "surface".
+Json surface_part(const SurfaceResult& s);
+
+/// One entry of "stages".
+Json stage_part(const RunResult& result, std::size_t index);
+
+/// The path of a stage: "toolpath".
+Json toolpath_part(const StageResult::Ran& r);
+
+/// The cut of a stage and what was found in the process: "simulation".
+Json simulation_part(const StageResult::Ran& r);
+
+/// What was measured of a stage: "deviation".
+Json deviation_part(const RunResult& result, const verifier::StageDeviation& d);
+
+}  // namespace limitgauge::reports::json

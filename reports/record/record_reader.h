@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "reports/record/json_value.h"
+#include "reports/record/run_record.h"
+
+namespace limitgauge::reports::record {
+
+/// Reads result.json, schema limitgauge.result/1 or /2; `shown` names it in errors. Keys that it
+/// does not know are left alone. Throws model::InputError with line and column for text that is no
+/// JSON, and naming the key for one that is missing, of another type or out of its range.
+RunRecord read_result_json(std::istream& in, const std::string& shown);
+
+/// The text of the program lines that a result holds, by stage and line.
+using LineTexts = std::map<std::pair<std::string, std::uint32_t>, std::string>;
+
+/// One entry of `stages` of a result of version `schema`.
+StageRecord read_stage(const JsonValue& stage, int schema, const LineTexts& texts);
+/// `pass`, `fail`, `indeterminate` or `not_run`.
+verifier::Verdict read_verdict(const JsonValue& value);
+
+/// The places of `gouges`, `uncuts` or `missing_stocks` of the stage `name`.
+std::vector<Place> read_places(const std::vector<JsonValue>& findings, const std::string& name,
+                               const LineTexts& texts);
+/// What is wrong with the process; of results that do not gather it, from the two lists of
+/// collisions.
+std::vector<ProcessFinding> read_process(const JsonValue& simulation, const std::string& name,
+                                         const LineTexts& texts);
+/// Moves of each kind, by name.
+std::vector<ProcessCount> count_process(const std::vector<ProcessFinding>& findings);
+
+}  // namespace limitgauge::reports::record

@@ -3,8 +3,6 @@
 #include <iosfwd>
 #include <string>
 
-#include "reports/page/blocks.h"
-#include "reports/page/path_view.h"
 #include "reports/run/run_result.h"
 
 namespace limitgauge::reports::page {
@@ -16,9 +14,6 @@ struct PageData {
   std::string blob;  ///< base64
 };
 PageData page_data(const RunResult& result);
-
-/// "path" of a stage.
-Json path_data(const PathView& view, Blob& blob);
 
 /// The page's data and script, for the end of its body (format: reports/web/README.md).
 void write_page_script(const RunResult& result, std::ostream& out);

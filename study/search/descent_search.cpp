@@ -41,7 +41,7 @@ std::vector<Spot> first_spots(const Trials& trials, const Plan& plan) {
 
 SearchEnd ended(const Trials& trials, const std::string& reason) {
   const bool passes = trials.best() && trials.passes(*trials.best());
-  return {passes ? SearchResult::Ending::converged : SearchResult::Ending::nothing_passes, reason};
+  return {passes ? SearchEnding::converged : SearchEnding::nothing_passes, reason};
 }
 
 SearchEnd run_all(Trials& trials, const Plan& plan) {

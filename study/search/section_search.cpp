@@ -151,7 +151,7 @@ std::optional<SearchEnd> section_search(Trials& trials, std::size_t batch) {
   CostDescent descent(trials, direction);
   look_for_a_pass(trials, descent, batch);
   if (!trials.passes(*trials.best()))
-    return SearchEnd{SearchResult::Ending::nothing_passes,
+    return SearchEnd{SearchEnding::nothing_passes,
                      "nothing that was run passes, nor does it get near enough to look closer."};
   return narrow(trials, descent, batch);
 }

@@ -1,0 +1,283 @@
+#include "verifier/certificate/cell_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "verifier/certificate/rim_strips.h"
+#include "verifier/certificate/run_bounds.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+/// Share of all the effort that one cell may take before it is given up, so that one bad spot
+/// cannot hold up a run; and cells it may take once the verdict is settled.
+constexpr double kShareOfCell = 0.003;
+constexpr std::size_t kOnceSettled = 10;
+/// Cells that a search for what can touch a piece of a face counts as: it takes as long as they do.
+constexpr std::size_t kCellsOfReach = 8;
+/// Where the normals of an edge have no cone that shrinks, halving ends.
+constexpr int kDeepest = 120;
+/// Part of the resolution that branch and bound may use; the rest is for rounding.
+constexpr double kShare = 0.95;
+
+/// How wide an interval may be whose low end is known so far.
+double wanted_width_mm(const CertificateRequest& request, double low_mm, double limit_mm,
+                       double errors_mm) {
+  constexpr double kSettledShare = 0.05, kFinestShare = 0.01;
+  const double asked = request.resolution_mm;
+  if (low_mm > limit_mm + errors_mm) return std::max(asked, kSettledShare * low_mm);
+  const double room = limit_mm - errors_mm - low_mm;
+  return room > 0 && room < asked ? std::max(room, kFinestShare * asked) : asked;
+}
+
+bool is_tiny(const SurfaceCell&, const OffsetCell& o) {
+  return control_radius(o.shape, o.middle) < kSmallestCell_mm;
+}
+bool is_tiny(const RidgeCell& cell, const OffsetCell&) {
+  return cell.is_tiny();
+}
+/// With its middle's normal for all of it: beside an irregular vertex the normals of a nanometre
+/// may still be some degrees apart.
+OffsetCell as_spot(const SurfaceCell&, OffsetCell o) {
+  o.remainder = 0, o.turning = {};
+  return o;
+}
+OffsetCell as_spot(const RidgeCell&, const OffsetCell& o) {
+  return o;
+}
+
+/// Longest way of a cell, as a multiple of the shorter, beyond which only that is halved: bounds on
+/// bent cells are no better for slivers, those on a plane beside a straight edge are.
+constexpr double kLongest = 8, kLongestOnPlane = 64;
+double longest_way(const OffsetCell& cell) {
+  constexpr double kPlane = 1e-6;
+  return cell.remainder <= kPlane ? kLongestOnPlane : kLongest;
+}
+
+/// Splits where δ changes most: across the passes far more than along them.
+std::array<SurfaceCell, 2> halves_of(const SurfaceCell& cell, const Vec3& gradient,
+                                     const OffsetCell& offset, double) {
+  const InnerChords chords = inner_chords(cell.shape);
+  const double wide = length(chords.u), tall = length(chords.v), most = longest_way(offset);
+  if (wide > most * tall || tall > most * wide) return wide > tall ? split_u(cell) : split_v(cell);
+  const double bend_u = std::abs(dot(gradient, chords.u));
+  const double bend_v = std::abs(dot(gradient, chords.v));
+  return bend_u + 0.02 * wide >= bend_v + 0.02 * tall ? split_u(cell) : split_v(cell);
+}
+std::array<RidgeCell, 2> halves_of(const RidgeCell& cell, const Vec3&, const OffsetCell&,
+                                   double t_mm) {
+  return cell.halved(t_mm);
+}
+
+/// Depth-first refinement of one cell of the list, from what the batches before it have found.
+class CellSearch {
+ public:
+  CellSearch(const CertificateTask& task, const CellOutcome& before,
+             const model::RunControl& control)
+      : task_(task),
+        control_(control),
+        bounds_(task.cells, task.space, task.side, task.request.allowance_mm),
+        may_split_(before.cells < task.request.largest_cell_count) {
+    out_.low = before.low, out_.high = before.high;
+  }
+
+  CellOutcome run(const SurfaceCell& cell) {
+    whole_ = &cell;
+    search(cell, 0);
+    return out_;
+  }
+  CellOutcome run(const RidgeCell& cell) {
+    search(cell, 0);
+    return out_;
+  }
+
+ private:
+  double goal() const { return task_.goal(out_.low); }
+  bool spent() const {
+    if (!may_split_) return true;
+    if (task_.settled(out_.low)) return out_.cells > kOnceSettled;
+    return static_cast<double>(out_.cells + kCellsOfReach * reach_searches_) >
+           kShareOfCell * static_cast<double>(task_.request.largest_cell_count);
+  }
+
+  template <class Cell>
+  void search(const Cell& cell, int depth) {
+    // Where reach has no proof, a cell may take milliseconds.
+    control_.check();
+    ++out_.cells;
+    const OffsetCell offset = offset_of(cell);
+    if (bounds_.surely_within(offset, goal())) return out_.cover(goal());
+    if (is_left_out(cell)) return;
+    bool out_of_reach = false;
+    // A run that ends before the goal would raise `low` by less than what is asked for.
+    const bool tiny = depth >= kDeepest || is_tiny(cell, offset);
+    if (tiny || may_stand_above(depth) || !bounds_.ends_within(offset, goal())) {
+      const TracedRun run = bounds_.run(offset.middle, offset.normal, out_.low);
+      if (run.length_mm > out_.low) {
+        if (surely_unreachable(cell, offset)) return;
+        const SurfacePlace place = place_of(cell, offset.middle);
+        out_of_reach = !task_.counts(cell, place, offset.normal);
+        if (!out_of_reach) {
+          out_.see({place, run.length_mm, body_of(run, offset.middle), offset.normal});
+          climb(cell);
+          if (bounds_.surely_within(offset, goal())) return out_.cover(goal());
+        }
+      }
+      if (!out_of_reach && bounds_.surely_within_thin(offset, run, goal()))
+        return out_.cover(goal());
+      // The middle's run is short, another one of the cell may not be: of a cell out of reach it
+      // need not be found.
+      if (run.length_mm <= out_.low && surely_unreachable(cell, offset)) return;
+    }
+    // A spot of a nanometre counts as its middle does: far below the contact tolerance.
+    if (tiny && out_of_reach) return;
+    if (tiny && bounds_.surely_within(as_spot(cell, offset), goal())) return out_.cover(goal());
+    const auto strips = tiny ? std::nullopt : within_strips(cell, offset);
+    if (strips && *strips) return out_.cover(goal());
+    if (tiny || spent()) return give_up(offset);
+    // Along an open end of S the rim of reach is another than the one that strips lie along.
+    const bool by_reach = out_of_reach && (!strips || is_at_rim(cell));
+    const auto halves = by_reach ? halves_by_reach(cell, offset) : halves_of(cell, offset);
+    search(halves[0], depth + 1);
+    search(halves[1], depth + 1);
+  }
+
+  /// Behind a sharp edge a cell may stand at the goal with its middle only, and above it as a
+  /// whole.
+  bool may_stand_above(int depth) const {
+    constexpr int kEvery = 4;
+    return task_.side != Side::uncut && depth % kEvery == kEvery - 1;
+  }
+
+  /// A cutter beside the part touches its very rim wherever the part ends in the open, and within
+  /// the contact tolerance of it: no leftover is narrower than what can be seen.
+  bool is_left_out(const SurfaceCell& cell) const {
+    return task_.side == Side::uncut && task_.cells.is_rim_strip(cell, kBeside_mm);
+  }
+  static bool is_left_out(const RidgeCell&) { return false; }
+  bool is_at_rim(const SurfaceCell& cell) const {
+    return task_.cells.is_rim_strip(cell, std::numeric_limits<double>::infinity());
+  }
+  static bool is_at_rim(const RidgeCell&) { return false; }
+
+  template <class Cell>
+  std::array<Cell, 2> halves_of(const Cell& cell, const OffsetCell& offset) {
+    return verifier::halves_of(cell, bounds_.gradient_at(offset, goal()), offset,
+                               task_.request.allowance_mm + goal());
+  }
+  /// Beside the rim of what can be reached: so that one half is out of reach, if that can be.
+  std::array<SurfaceCell, 2> halves_by_reach(const SurfaceCell& cell, const OffsetCell& offset) {
+    const InnerChords chords = inner_chords(cell.shape);
+    const double wide = length(chords.u), tall = length(chords.v);
+    const bool u_first = wide >= tall;
+    for (const bool by_u : {u_first, !u_first}) {
+      if (by_u ? tall > kLongestOnPlane * wide : wide > kLongestOnPlane * tall) continue;
+      const auto halves = by_u ? split_u(cell) : split_v(cell);
+      if (surely_unreachable(halves[0], offset_of(halves[0])) ||
+          surely_unreachable(halves[1], offset_of(halves[1])))
+        return halves;
+    }
+    return halves_of(cell, offset);
+  }
+  std::array<RidgeCell, 2> halves_by_reach(const RidgeCell& cell, const OffsetCell& offset) {
+    return halves_of(cell, offset);
+  }
+  std::optional<bool> within_strips(const SurfaceCell&, const OffsetCell& offset) {
+    if (task_.side != Side::uncut) return std::nullopt;
+    return RimStrips(bounds_, *task_.reach, memory_)
+        .surely_within(offset, task_.request.allowance_mm, goal());
+  }
+  static std::optional<bool> within_strips(const RidgeCell&, const OffsetCell&) { return {}; }
+  bool surely_unreachable(const SurfaceCell& cell, const OffsetCell& offset) {
+    if (task_.side != Side::uncut) return false;
+    if (!task_.reach->is_mapped(cell)) ++reach_searches_;
+    return task_.reach->surely_unreachable(cell, offset, &memory_);
+  }
+  bool surely_unreachable(const RidgeCell&, const OffsetCell& offset) {
+    return task_.side == Side::uncut && task_.reach->ridge_surely_unreachable(offset, &memory_);
+  }
+
+  /// From the middle of a part of the whole cell to where its runs are longest, by a compass
+  /// search: else a run that grows over it would be followed up one width of the interval at a
+  /// time.
+  void climb(const SurfaceCell& from) {
+    constexpr double kFirst = 0.25, kFinest = 1e-3;
+    // On its border a place may have further normals.
+    constexpr double kInside = 1.0 / 64;
+    const SurfaceCell& whole = *whole_;
+    // Next to an open end of S strips are left out, and beside an irregular vertex the normals of a
+    // micrometre are rounding.
+    if (is_at_rim(whole) || length(whole.vertex_normal) > 0) return;
+    double s = (from.u_at(0.5) - whole.u) / whole.size_u;
+    double t = (from.v_at(0.5) - whole.v) / whole.size_v;
+    for (double step = kFirst; step > kFinest;) {
+      bool better = false;
+      for (int k = 0; k < 8 && !better; ++k) {
+        constexpr int kU[] = {1, 0, -1, 0, 1, -1, -1, 1}, kV[] = {0, 1, 0, -1, 1, 1, -1, -1};
+        const double u = std::clamp(s + kU[k] * step, kInside, 1 - kInside);
+        const double v = std::clamp(t + kV[k] * step, kInside, 1 - kInside);
+        if (see_at(u, v)) s = u, t = v, better = true;
+      }
+      if (!better) step /= 2;
+    }
+  }
+  void climb(const RidgeCell&) {}
+
+  /// Whether a longer run than any so far counts at a place of the whole cell.
+  bool see_at(double s, double t) {
+    const BezierJet at = jet(whole_->shape, s, t);
+    const Vec3 across = cross(at.du, at.dv);
+    if (!(length(across) > 0)) return false;
+    const Vec3 n = normalized(across);
+    // What is longer by less than can be told closes no cell.
+    const double least = out_.low + kShare * (1 - kShare) * task_.request.resolution_mm;
+    const TracedRun run = bounds_.run(at.position, n, least);
+    const SurfacePlace place{whole_->patch, whole_->u_at(s), whole_->v_at(t), at.position};
+    if (run.length_mm <= least || !task_.counts(*whole_, place, n)) return false;
+    out_.see({place, run.length_mm, body_of(run, at.position), n});
+    return true;
+  }
+
+  /// The move to name: of a gouge the one that reaches furthest, of a leftover the nearest.
+  BodyRef body_of(const TracedRun& run, const Vec3& s) const {
+    return task_.side != Side::uncut && run.body ? *run.body : bounds_.nearest_body(s);
+  }
+
+  /// Without refinement: the first of ever longer runs that is proven.
+  void give_up(const OffsetCell& offset) {
+    const double longest = bounds_.longest_mm(), first = std::max(goal(), out_.high);
+    if (first >= longest) return;
+    double share = 0;
+    for (double length = first; length < longest; length = first * (1 + share)) {
+      if (bounds_.surely_within(offset, length)) return out_.cover(length);
+      share = share > 0 ? 2 * share : 0.05;
+    }
+    out_.cover(longest);
+  }
+
+  const CertificateTask& task_;
+  const model::RunControl& control_;
+  RunBounds bounds_;
+  ReachMemory memory_;
+  const SurfaceCell* whole_ = nullptr;  ///< that is searched, if it is no edge
+  std::size_t reach_searches_ = 0;
+  bool may_split_;
+  CellOutcome out_;
+};
+
+}  // namespace
+
+double CertificateTask::goal(double low_mm) const {
+  return low_mm + kShare * wanted_width_mm(request, low_mm, limit_mm(), errors_mm);
+}
+
+CellOutcome search_cell(const CertificateTask& task, std::size_t index, const CellOutcome& before,
+                        const model::RunControl& control) {
+  return task.with_cell(
+      index, [&](const auto& cell) { return CellSearch(task, before, control).run(cell); });
+}
+
+}  // namespace limitgauge::verifier

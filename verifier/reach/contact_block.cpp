@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "verifier/cells/nearest_first.h"
-#include "verifier/cells/normal_cone.h"
-#include "verifier/cutter/swept_body.h"
-#include "verifier/reach/plan_cover.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -22,92 +18,8 @@ constexpr std::size_t kMostKnown = 24;
 /// Share of its depth by which the deepest point may be missed: any deep point serves.
 constexpr double kBlockShare = 0.01;
 
-Vec3 tip_at(const Vec3& core, double r, double angle, double z) {
-  return core + Vec3{r * std::cos(angle), r * std::sin(angle), -z};
-}
-
-Vec3 middle_tip(const ContactRegion& g) {
-  const Vec3 core = (g.cores[0] + g.cores[1] + g.cores[2] + g.cores[3]) / 4;
-  return tip_at(core, (g.r0 + g.r1) / 2, (g.angle0 + g.angle1) / 2, (g.z0 + g.z1) / 2);
-}
-
-BodyDistance part_plane(const StandingPart& part, const Vec3& tip, const Vec3& p) {
-  const Vec3 at = tip + Vec3{0, 0, part.lift_mm};
-  return part.endless ? standing_distance(part.profile, at, p)
-                      : closed_standing_distance(part.profile, at, p);
-}
-
-/// A piece of a region in plan: what is asked of it for one obstacle after the other.
-class PlanPiece {
- public:
-  explicit PlanPiece(const ContactRegion& g)
-      : outer_(g.r1), cos_half_(std::cos(std::min((g.angle1 - g.angle0) / 2, std::numbers::pi))) {
-    middle_ = tip_at({}, 1, (g.angle0 + g.angle1) / 2, 0);
-    const Vec3 ends[] = {tip_at({}, 1, g.angle0, 0), tip_at({}, 1, g.angle1, 0)};
-    corners_ = {ends[0] * g.r0, ends[1] * g.r0, ends[0] * g.r1, ends[1] * g.r1};
-  }
-
-  /// The place round a core that is farthest in plan from p: straight away from it on the outer
-  /// arc, else a corner.
-  Vec3 farthest(const Vec3& core, const Vec3& p) const {
-    const double x = core.x - p.x, y = core.y - p.y, apart = std::sqrt(x * x + y * y);
-    if (x * middle_.x + y * middle_.y >= apart * cos_half_) {
-      const double scale = apart > 0 ? outer_ / apart : 0;
-      const Vec3 out = apart > 0 ? Vec3{x * scale, y * scale, 0} : middle_ * outer_;
-      return core + out;
-    }
-    Vec3 out;
-    double most = -1;
-    for (const Vec3& corner : corners_) {
-      const double cx = x + corner.x, cy = y + corner.y, square = cx * cx + cy * cy;
-      if (square > most) most = square, out = corner;
-    }
-    return core + out;
-  }
-
- private:
-  double outer_, cos_half_;
-  Vec3 middle_;
-  std::array<Vec3, 4> corners_;
-};
-
 /// Widest piece of a circle that a hull of its tangents stands for.
 constexpr double kWidestHull_rad = 0.8;
-
-/// A hull that holds the tips of a piece in plan: cores and, added, the sector within its tangents.
-PlanHull hull_of(const ContactRegion& g) {
-  constexpr int kTangents = 4;
-  PlanHull sector = {{g.r0 * std::cos(g.angle0), g.r0 * std::sin(g.angle0)},
-                     {g.r0 * std::cos(g.angle1), g.r0 * std::sin(g.angle1)},
-                     {g.r1 * std::cos(g.angle0), g.r1 * std::sin(g.angle0)},
-                     {g.r1 * std::cos(g.angle1), g.r1 * std::sin(g.angle1)}};
-  const double step = (g.angle1 - g.angle0) / kTangents, out = g.r1 / std::cos(step / 2);
-  for (int k = 0; k < kTangents; ++k) {
-    const double angle = g.angle0 + (k + 0.5) * step;
-    sector.push_back({out * std::cos(angle), out * std::sin(angle)});
-  }
-  PlanHull hull;
-  for (const Vec3& core : g.cores)
-    for (const PlanPoint& p : sector) hull.push_back({core.x + p.x, core.y + p.y});
-  return corners_of(std::move(hull));
-}
-
-/// Greatest signed distance from p to a part over all positions of a piece, and its plane: the
-/// distance grows with the one in plan, and is convex in the tip's height and core.
-BodyDistance greatest_distance(const StandingPart& part, const ContactRegion& g,
-                               const PlanPiece& plan, const Vec3& p) {
-  BodyDistance out;
-  out.value = -std::numeric_limits<double>::infinity();
-  for (const Vec3& core : g.cores) {
-    const Vec3 far = plan.farthest(core, p);
-    for (const double z : {g.z0, g.z1}) {
-      const BodyDistance d = part_plane(part, far - Vec3{0, 0, z}, p);
-      if (d.value > out.value) out = d;
-      if (g.z0 == g.z1) break;
-    }
-  }
-  return out;
-}
 
 Vec3 lowest_corner(const Bezier& cell, const Vec3& gradient) {
   Vec3 out = cell.control(0);
@@ -165,34 +77,6 @@ std::optional<Vec3> low_point(const SurfaceCells& cells, const StandingPart& par
 }
 
 }  // namespace
-
-double part_bound_mm(const StandingPart& part, const Vec3& tip, const model::Box3& box) {
-  const double dx = std::max({box.low.x - tip.x, 0.0, tip.x - box.high.x});
-  const double dy = std::max({box.low.y - tip.y, 0.0, tip.y - box.high.y});
-  const double base = tip.z + part.lift_mm;
-  const double open = open_distance(part.profile, std::hypot(dx, dy), box.high.z - base).value;
-  return part.endless ? open : std::max(open, box.low.z - base - part.profile.top_mm);
-}
-
-CellRectangle rectangle_round(const Bezier& cell, const Vec3& normal) {
-  const Vec3 centre = middle(cell);
-  const InnerChords chords = inner_chords(cell);
-  const Vec3 longer = dot(chords.u, chords.u) >= dot(chords.v, chords.v) ? chords.u : chords.v;
-  Vec3 along = longer - normal * dot(longer, normal);
-  along = dot(along, along) > 0 ? normalized(along) : verifier::across(normal);
-  const Vec3 across = cross(normal, along);
-  double wide = 0, tall = 0;
-  CellRectangle out;
-  for (int k = 0; k < 16; ++k) {
-    const Vec3 p = cell.control(k) - centre;
-    wide = std::max(wide, std::abs(dot(p, along)));
-    tall = std::max(tall, std::abs(dot(p, across)));
-    out.thickness_mm = std::max(out.thickness_mm, std::abs(dot(p, normal)));
-  }
-  for (int k = 0; k < 4; ++k)
-    out.corners[k] = centre + along * (k & 1 ? wide : -wide) + across * (k & 2 ? tall : -tall);
-  return out;
-}
 
 /// A point of S nearer than the limit to the cutter at `tip`: any, or nearly the deepest.
 std::optional<ContactBlock::Obstacle> ContactBlock::obstacle_at(const Vec3& tip, double limit_mm,

@@ -1,38 +1,13 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "verifier/cells/surface_cells.h"
-#include "verifier/cutter/cutter_profile.h"
+#include "verifier/reach/contact_region.h"
 
 namespace limitgauge::verifier {
-
-/// A convex part of a cutter as it stands, its lower end `lift_mm` over the tip: without end
-/// upwards, or cut off where it ends.
-struct StandingPart {
-  CutterProfile profile;
-  double lift_mm = 0;
-  bool endless = true;
-};
-
-/// Tip positions core + (r·cos θ, r·sin θ, −z), each as far as `stray_mm` from it, for r, θ and z
-/// in ranges and every core in the hull of four points.
-struct ContactRegion {
-  std::array<model::Vec3, 4> cores;
-  double r0 = 0, r1 = 0, angle0 = 0, angle1 = 0, z0 = 0, z1 = 0;
-  double stray_mm = 0;
-};
-
-/// Four corners of a rectangle through the middle of a cell, along its longer way, and how far its
-/// control points lie from it at most: the cell is within that of the rectangle's hull.
-struct CellRectangle {
-  std::array<model::Vec3, 4> corners;
-  double thickness_mm = 0;
-};
-CellRectangle rectangle_round(const Bezier& cell, const model::Vec3& normal);
 
 /// A point of S that bars a part of a cutter from some positions.
 struct ContactObstacle {
@@ -82,9 +57,5 @@ class ContactBlock {
   const std::vector<StandingPart>& parts_;
   double limit_mm_;
 };
-
-/// A lower bound of the signed distance from the points of a box to a part of a cutter with its tip
-/// at `tip`.
-double part_bound_mm(const StandingPart& part, const model::Vec3& tip, const model::Box3& box);
 
 }  // namespace limitgauge::verifier

@@ -64,7 +64,7 @@ Bezier side_of(const Bezier& cell, int side) {
 }
 
 /// An irregular vertex, in place of what is too small to tell.
-bool is_point(const SurfaceCell& cell) {
+bool is_one_point(const SurfaceCell& cell) {
   return control_radius(cell.shape, cell.shape.control(0)) == 0;
 }
 
@@ -80,7 +80,7 @@ class FreeOfSurface {
   /// Of where it ends, and of the irregular vertices.
   bool ends() {
     return walk([&](const SurfaceCell& cell) {
-      if (is_point(cell)) look(cell.shape);
+      if (is_one_point(cell)) look(cell.shape);
       for (int side = 0; side < 4; ++side)
         if (cells_.is_rim(cell, side)) look(side_of(cell.shape, side));
     });

@@ -17,7 +17,7 @@ constexpr double kAbovePlateaus_mm = 1e-5;
 
 /// Shares of the tolerance: how far chords between points of the curve may leave it, by how much
 /// passes are pushed out so that chords may cut corners, and what reduction may use of the rest.
-constexpr double kCurveShare = 0.1, kPushShare = 0.3, kReductionShare = 0.8;
+constexpr double kCurveShare = 0.1, kPushShare = 0.3, kCurveReductionShare = 0.8;
 constexpr double kCrossingShare = 0.01;
 
 /// To the left of the way from `a` to `b`: the free side.
@@ -173,7 +173,7 @@ void HeightCurves::add_passes(const std::vector<FlatPoint>& curve, bool closed,
   for (const FlatPoint& p : pushed(curve, closed)) tips.push_back({p.x, p.y, height_});
   const auto kept = reduce_chords(tips.size(), [&](std::size_t i, std::size_t j) {
     for (std::size_t k = i + 1; k < j; ++k)
-      if (distance_to_chord(exact[k], tips[i], tips[j]) > kReductionShare * tolerance_)
+      if (distance_to_chord(exact[k], tips[i], tips[j]) > kCurveReductionShare * tolerance_)
         return false;
     return locations_.clears(tips[i], tips[j], 0);
   });

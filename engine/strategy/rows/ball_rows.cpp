@@ -131,7 +131,7 @@ std::vector<CentreRow> scallop_rows(const BallSections& sections, const CutOptio
 
 namespace {
 
-constexpr std::size_t kRowsAChunk = 16;
+constexpr std::size_t kBallRowsAChunk = 16;
 
 /// The run, nowhere lower than `floor`.
 std::vector<PlanePoint> raised(const std::vector<PlanePoint>& run, double floor) {
@@ -173,7 +173,7 @@ DriveRows make_ball_rows(const surface::FinishModel& model, const StageRequest& 
   const BallSections sections(model.patches(), request, frame, control);
   const std::vector<CentreRow> rows = centre_rows(sections, request.cut, control);
   DriveRows result{std::vector<DriveRow>(rows.size()), sections.sampling_intervals()};
-  model::parallel_chunks(rows.size(), kRowsAChunk, control,
+  model::parallel_chunks(rows.size(), kBallRowsAChunk, control,
                          [&](std::size_t begin, std::size_t end) {
                            for (std::size_t i = begin; i < end; ++i)
                              result.rows[i] = tip_row(rows[i], request, frame);

@@ -4,13 +4,31 @@
 #include <filesystem>
 #include <functional>
 #include <istream>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/job/job.h"
 #include "reports/run/run_result.h"
 
 namespace limitgauge::app {
+
+/// SHA-256 of what is put in piece by piece. Throws ResourceError where the library fails.
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(Sha256&&) noexcept;
+  Sha256& operator=(Sha256&&) noexcept;
+  void add(std::string_view bytes);
+  /// 64 lower-case hexadecimal digits; nothing can be put in afterwards.
+  std::string digits();
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
 
 /// Length and SHA-256 of the rest of a stream, read piece by piece.
 struct Checksum {

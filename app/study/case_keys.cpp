@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "app/job/job_parts.h"
-#include "app/run/sha256.h"
+#include "app/run/input_checksums.h"
 #include "app/run/stage_planner.h"
 #include "app/toml/toml_text.h"
 #include "model/base/text_file.h"

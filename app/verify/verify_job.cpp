@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "app/cli/usage_error.h"
 #include "app/job/foreign_programs.h"
 #include "app/job/job_parts.h"
 #include "app/job/job_reader.h"

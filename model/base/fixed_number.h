@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "model/geometry/vec3.h"
@@ -23,5 +24,8 @@ FixedNumber fixed(double value, int decimals, bool point = false);
 
 /// `point` as it will be read after it was written with `decimals` decimals.
 Vec3 rounded(const Vec3& point, int decimals);
+
+/// A feed rate in fixed notation that reads back as the same float.
+std::string feed_text(float feed_mm_min);
 
 }  // namespace limitgauge::model

@@ -7,7 +7,6 @@
 #include "model/base/text_blocks.h"
 #include "model/base/tolerance.h"
 #include "model/gcode/cl_data.h"
-#include "model/gcode/feed_text.h"
 
 namespace limitgauge::model {
 namespace {

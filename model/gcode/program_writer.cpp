@@ -8,7 +8,6 @@
 #include "model/base/text_blocks.h"
 #include "model/base/tolerance.h"
 #include "model/gcode/arc_fit.h"
-#include "model/gcode/feed_text.h"
 #include "model/gcode/program.h"
 
 namespace limitgauge::model {

@@ -3,7 +3,6 @@
 #include "model/base/number_text.h"
 #include "reports/history/figure_column.h"
 #include "reports/history/history_report.h"
-#include "reports/text/csv_cell.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,5 +50,17 @@ std::string coordinates(const model::Vec3& p_mm);
 
 /// `bytes` as the data: URI of a PNG.
 std::string png_uri(std::string_view bytes);
+
+/// Ids of elements that can be linked to; the page's script finds its places by them as well.
+std::string stage_anchor(std::size_t stage);
+/// Of the row of "G1", "U3" or "P2" of a stage.
+std::string finding_anchor(std::size_t stage, const std::string& finding);
+/// Of a line of `program_stage`'s program in the listing of `stage`.
+std::string line_anchor(std::size_t stage, std::size_t program_stage, std::uint32_t line);
+
+/// Attributes of such a row, with which the script adds what flies to the place.
+std::string finding_attributes(std::size_t stage, const std::string& finding);
+/// A link to the row.
+std::string finding_link(std::size_t stage, const std::string& finding, const std::string& text);
 
 }  // namespace limitgauge::reports::html

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "reports/html/anchors.h"
 #include "reports/html/job/job_sections.h"
 #include "reports/html/markup.h"
 #include "reports/html/stage/stage_parts.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/base/error.h"
-#include "reports/text/base64.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::reports::page {
 namespace {

@@ -1,15 +1,20 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "model/geometry/vec3.h"
 #include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports::record {
+
+/// `text` as a tree. Throws model::InputError with the line and column of what is no JSON, of a
+/// number that is too large for a double, and for nesting so deep that no result has it.
+nlohmann::json parse_json(const std::string& text, const std::string& shown);
 
 /// A value in a tree with the path to it. Asking for what it is not throws model::InputError with
 /// that path: "stages[1].deviation.gouge_mm.low is a text; expected a number".

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "model/base/text_file.h"
-#include "reports/record/json_tree.h"
+#include "reports/record/json_value.h"
 
 namespace limitgauge::reports::record {
 namespace {

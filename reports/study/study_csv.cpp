@@ -3,7 +3,6 @@
 #include "model/base/number_text.h"
 #include "reports/study/figure_column.h"
 #include "reports/study/finite.h"
-#include "reports/text/csv_cell.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {

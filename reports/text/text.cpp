@@ -201,4 +201,41 @@ std::string percent_text(double share) {
   return fixed(rounded_outwards(share * 100, 2, -1), 2) + " %";
 }
 
+namespace {
+
+/// What makes a formula of a cell in one spreadsheet or another; the last four are the full-width
+/// forms that some take for the others.
+constexpr std::array<std::string_view, 8> kFormulaHeads = {"=",  "+",  "-",  "@",
+                                                           "＝", "＋", "－", "＠"};
+
+bool may_be_formula(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\n"), text.size()));
+  return std::any_of(kFormulaHeads.begin(), kFormulaHeads.end(),
+                     [&](std::string_view head) { return text.starts_with(head); });
+}
+
+}  // namespace
+
+std::string csv_text_cell(std::string_view text) {
+  const std::string clean = clean_text(text);
+  std::string out = may_be_formula(clean) ? "\"'" : "\"";
+  for (const char c : clean) out.append(c == '"' ? 2 : 1, c);
+  return out + '"';
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned word = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      word = word << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= n ? kDigits[word >> (18 - 6 * k) & 63] : '=';
+  }
+  return out;
+}
+
 }  // namespace limitgauge::reports

@@ -48,4 +48,11 @@ std::string bytes_text(std::size_t bytes);
 /// A share as a percentage that never rounds up to a whole it has not reached: "99.98 %".
 std::string percent_text(double share);
 
+/// `text` as a cell of an RFC 4180 file: in quotes always, with an apostrophe before what a
+/// spreadsheet would take for a formula.
+std::string csv_text_cell(std::string_view text);
+
+/// `bytes` in base64 (RFC 4648, padded), on one line.
+std::string base64(std::string_view bytes);
+
 }  // namespace limitgauge::reports

@@ -16,6 +16,7 @@
 #include "tests/support/cages.h"
 #include "tests/support/folders.h"
 #include "verifier/feet/closest_point.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::benchmarks {
 namespace {

@@ -17,9 +17,10 @@ ARROWS = {
     "verifier": ["model"],
     "study": ["model"],
     "history": ["model"],
-    "reports": ["history", "study", "verifier", "simulator", "engine/strategy", "engine/surface",
-                "model"],
-    "app": ["reports", "history", "study", "verifier", "simulator", "engine/strategy",
+    "witness": ["model"],
+    "reports": ["witness", "history", "study", "verifier", "simulator", "engine/strategy",
+                "engine/surface", "model"],
+    "app": ["reports", "witness", "history", "study", "verifier", "simulator", "engine/strategy",
             "engine/surface", "model"],
 }
 MOST_FILES = 32  # side by side in one folder

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "reports/compare/run_comparison.h"
+
 namespace limitgauge::reports::compare {
 
 record::RunRecord sample_run() {

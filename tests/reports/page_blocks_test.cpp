@@ -5,7 +5,7 @@
 #include <random>
 
 #include "reports/page/blocks.h"
-#include "reports/text/base64.h"
+#include "reports/text/text.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::reports;

@@ -6,6 +6,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/feature_cages.h"
 #include "tests/support/part_cages.h"
+#include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::verifier {
 namespace {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/geometry/vec3.h"
 #include "model/part/cage.h"
 #include "verifier/surface/bezier.h"
 #include "verifier/surface/sharp_lines.h"
@@ -66,5 +67,10 @@ class SurfaceTree {
   model::Box3 bounding_box_;
   double area_mm2_ = 0;
 };
+
+/// Extremes of the surface itself in x, y and z, to 1e-10 mm, by branch and bound on the pieces.
+model::Box3 exact_bounding_box(const SurfaceTree& tree);
+/// Sum over the pieces by Gauss-Legendre quadrature, refined until two orders agree to 1e-7.
+double surface_area_mm2(const SurfaceTree& tree);
 
 }  // namespace limitgauge::verifier

@@ -4,7 +4,6 @@
 
 #include "verifier/surface/neighbourhood.h"
 #include "verifier/surface/regular_piece.h"
-#include "verifier/surface/surface_measure.h"
 #include "verifier/surface/surface_tree.h"
 #include "verifier/surface/vertex_limit.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/strategy/levels/level_loops.h"
-#include "engine/strategy/linking/cut_options.h"
+#include "engine/strategy/stage_path.h"
 
 namespace limitgauge::engine::strategy {
 

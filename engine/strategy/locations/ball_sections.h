@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/strategy/locations/envelope.h"
-#include "engine/strategy/rows/drive_frame.h"
+#include "engine/strategy/rows/drive_rows.h"
 #include "engine/strategy/stage_path.h"
 #include "engine/surface/patch_model.h"
 #include "engine/surface/section/grid_section.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/strategy/locations/limit_locations.h"
-#include "engine/strategy/rows/drive_frame.h"
+#include "engine/strategy/rows/drive_rows.h"
 #include "model/base/run_control.h"
 
 namespace limitgauge::engine::strategy {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "reports/html/anchors.h"
 #include "reports/html/markup.h"
 #include "reports/text/text.h"
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "reports/html/anchors.h"
 #include "reports/html/markup.h"
 #include "reports/run/process.h"
 #include "reports/run/program_lines.h"

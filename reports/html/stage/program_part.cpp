@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "reports/html/anchors.h"
+#include "reports/html/markup.h"
 #include "reports/run/program_lines.h"
 #include "reports/text/text.h"
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "reports/html/anchors.h"
 #include "reports/html/charts.h"
 #include "reports/html/markup.h"
 #include "reports/html/page_picture.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "reports/html/anchors.h"
 #include "reports/html/markup.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"

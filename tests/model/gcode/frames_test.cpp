@@ -1,4 +1,4 @@
-#include "model/gcode/machine/frames.h"
+#include "model/gcode/machine/coordinate_systems.h"
 
 #include <cmath>
 #include <complex>

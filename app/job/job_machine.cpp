@@ -1,9 +1,13 @@
 #include "app/job/job_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "model/base/number_text.h"
+#include "model/base/text_file.h"
 
 namespace limitgauge::app {
 namespace {
@@ -92,6 +96,90 @@ void read_post(const TomlTable& root, Job& job, JobContext& context) {
   if (post.has("cl_data")) job.post.cl_data = post.boolean("cl_data");
   const auto planned = [](const JobStage& stage) { return stage.plan.has_value(); };
   if (std::any_of(job.stages.begin(), job.stages.end(), planned)) say_defaults(post, job, context);
+}
+
+namespace {
+
+constexpr const char* kNames[] = {"G54", "G55",   "G56",   "G57",  "G58",
+                                  "G59", "G59.1", "G59.2", "G59.3"};
+static_assert(std::size(kNames) == model::kWorkOffsets);
+
+/// `G54 = [x, y, z]` or `"G59.1" = { origin = [x, y, z], rotate_z = a }`.
+model::WorkOffset read_offset(const TomlTable& offsets, const std::string& key) {
+  if (!offsets.is_table(key)) return {offsets.position(key), 0};
+  const TomlTable turned(offsets.table(key), key + " of [machine]", {"origin", "rotate_z"});
+  return {turned.position("origin"), turned.has("rotate_z") ? turned.number("rotate_z") : 0};
+}
+
+void read_offsets(const TomlTable& machine, model::MachineSetup& setup) {
+  const TomlTable offsets(machine.table("work_offsets"), "\"work_offsets\" of [machine]", {},
+                          kNames);
+  for (std::size_t i = 0; i < std::size(kNames); ++i)
+    if (offsets.has(kNames[i])) setup.work_offsets[i] = read_offset(offsets, kNames[i]);
+}
+
+}  // namespace
+
+void read_setup(const TomlTable& root, const TomlTable& machine, Job& job) {
+  if (machine.has("work_offsets")) read_offsets(machine, job.machine);
+  if (machine.has("home")) job.machine.home_mm = machine.position("home");
+  if (machine.has("second_home")) job.machine.second_home_mm = machine.position("second_home");
+  if (machine.has("start")) job.machine.start_mm = machine.position("start");
+  if (!root.has("program_frame")) return;
+  const TomlTable frame(root.table("program_frame"), "[program_frame]", {"offset", "rotate_z"});
+  if (frame.has("offset")) job.program_frame.translate_mm = frame.position("offset");
+  if (frame.has("rotate_z")) job.program_frame.rotate_z_deg = frame.number("rotate_z");
+}
+
+std::vector<model::ToolEntry> tool_table(const std::vector<JobTool>& tools) {
+  std::vector<model::ToolEntry> entries;
+  for (const JobTool& tool : tools)
+    if (tool.number) entries.push_back({*tool.number, tool.length_mm, tool.cutter.diameter_mm});
+  return entries;
+}
+
+namespace {
+
+JobFixture read_fixture(const toml::table& table, const JobContext& context) {
+  const TomlTable fixture(table, "[[fixture]]", {"name", "file", "translate"});
+  JobFixture read;
+  read.name = fixture.text("name");
+  read.file_as_stated = fixture.text("file");
+  read.file = context.folder / read.file_as_stated;
+  if (!model::is_file(read.file)) {
+    throw model::InputError(fixture.place("file"), "no file \"" + read.file_as_stated + "\"",
+                            "a closed mesh as STL, OBJ or PLY");
+  }
+  if (fixture.has("translate")) read.translate_mm = fixture.position("translate");
+  return read;
+}
+
+}  // namespace
+
+void read_fixtures(const TomlTable& root, Job& job, const JobContext& context) {
+  if (!root.has("fixture")) return;
+  for (const toml::table* table : root.tables("fixture")) {
+    JobFixture fixture = read_fixture(*table, context);
+    for (const JobFixture& other : job.fixtures) {
+      if (other.name != fixture.name) continue;
+      throw model::InputError(place_of(table->get("name")->source()),
+                              "a second fixture \"" + fixture.name + "\"", "names that differ");
+    }
+    job.fixtures.push_back(std::move(fixture));
+  }
+}
+
+model::Box3 read_travel(const TomlTable& machine) {
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  const TomlTable travel(machine.table("travel"), "\"travel\" of [machine]", {"x", "y", "z"});
+  model::Box3 box{{-kNoLimit, -kNoLimit, -kNoLimit}, {kNoLimit, kNoLimit, kNoLimit}};
+  constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!travel.has(kAxes[axis])) continue;
+    const auto [low, high] = travel.ascending_pair(kAxes[axis]);
+    box.low[axis] = low, box.high[axis] = high;
+  }
+  return box;
 }
 
 }  // namespace limitgauge::app

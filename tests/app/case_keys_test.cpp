@@ -63,9 +63,9 @@ feed = 1200
 gate = { uncut = 0.2 }
 )";
 
-class Job {
+class JobFiles {
  public:
-  explicit Job(const std::string& text = kJob) {
+  explicit JobFiles(const std::string& text = kJob) {
     fs::copy_file(tests::fixtures() / "cages/quick-dome.obj", path("cage.obj"));
     write(path("job.toml"), text);
   }
@@ -90,7 +90,7 @@ class Job {
 }  // namespace
 
 TEST_CASE("keys are sums, of each run of first stages its own", "[unit][study]") {
-  Job job;
+  JobFiles job;
   const CaseKeys keys = job.keys();
   REQUIRE(keys.prefixes.size() == 2);
   CHECK(keys.prefix == keys.prefixes[1]);
@@ -106,7 +106,7 @@ TEST_CASE("keys are sums, of each run of first stages its own", "[unit][study]")
 }
 
 TEST_CASE("a key tells every setting that its stages depend on", "[unit][study]") {
-  Job job;
+  JobFiles job;
   for (const char* all :
        {"surface.precision=0.02", "surface.transform={scale=1.1}", "stock.size=[26, 26, 10]",
         "simulation.voxel=0.6", "simulation.near_miss=1", "verification.resolution=0.01",
@@ -138,20 +138,20 @@ TEST_CASE("a key tells every setting that its stages depend on", "[unit][study]"
 TEST_CASE("a voxel that follows the tightest gate depends on all stages", "[unit][study]") {
   std::string text = kJob;
   text.replace(text.find("voxel = 0.5"), 11, "voxel = \"auto\"");
-  Job job(text);
+  JobFiles job(text);
   CHECK(job.kept("stage.finish.gate={uncut=0.01}") == 0);
   CHECK(job.kept("stage.finish.gate={uncut=0.3}") == 2);
 }
 
 TEST_CASE("an override counts as what the file would say", "[unit][study]") {
-  Job job;
+  JobFiles job;
   const CaseKeys keys = job.keys();
   CHECK(job.keys({"stage.rough.step=1.50"}).result == keys.result);
   CHECK(job.keys({"stage.finish.step=3", "stage.finish.step=1"}).result == keys.result);
 }
 
 TEST_CASE("comments are part of the file that a result names, not of its stages", "[unit][study]") {
-  Job job;
+  JobFiles job;
   const CaseKeys before = job.keys();
   write(job.path("job.toml"), "# words\n" + std::string(kJob));
   const CaseKeys after = job.keys();
@@ -160,7 +160,7 @@ TEST_CASE("comments are part of the file that a result names, not of its stages"
 }
 
 TEST_CASE("a file with another content makes other keys", "[unit][study]") {
-  Job job;
+  JobFiles job;
   const CaseKeys before = job.keys();
   std::string cage = model::read_text_file(job.path("cage.obj"));
   write(job.path("cage.obj"), cage + "# the same cage\n");
@@ -177,7 +177,7 @@ TEST_CASE("stages of one program depend on where the others begin", "[unit][stud
   for (const char* stage : {"first", "second", "third"})
     text += std::string("[[stage]]\nname = \"") + stage +
             "\"\ntool = \"ball6\"\nprogram = \"p.ngc\"\nprogram_comment = \"" + stage + "\"\n";
-  Job job(text);
+  JobFiles job(text);
   write(job.path("p.ngc"), "G0 X1 Y1 Z1\n");
   CHECK(job.kept("stage.third.program_comment=FOURTH") == 0);
   CHECK(job.kept("tool.flat6.diameter=5") == 0);
@@ -189,7 +189,7 @@ TEST_CASE("stages of one program depend on where the others begin", "[unit][stud
 }
 
 TEST_CASE("a case that cannot be read has no key", "[unit][study]") {
-  Job job;
+  JobFiles job;
   CHECK_THROWS_AS(job.keys({"stage.polish.step=1"}), model::InputError);
   CHECK_THROWS_AS(job.keys({"stage.finish.step=0"}), model::InputError);
   fs::remove(job.path("cage.obj"));

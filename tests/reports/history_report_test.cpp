@@ -206,7 +206,7 @@ TEST_CASE("markup in labels, commits and names stays text", "[unit][history]") {
   std::size_t ends = 0;
   for (std::size_t at = 0; (at = page.find("</script", at)) != std::string::npos; ++at) ++ends;
   CHECK(ends == 2);
-  CHECK_NOTHROW(static_cast<void>(json::parse(text_of(write_history_json, hostile_overview()))));
+  CHECK(json::parse(text_of(write_history_json, hostile_overview())).is_object());
   CHECK_NOTHROW(history_table(hostile_overview(), true));
 }
 

@@ -69,7 +69,7 @@ std::shared_ptr<const OpenFile> FolderFiles::open(std::string_view path) const {
 }
 
 std::string media_type(std::string_view path) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 11> kTypes = {{
+  constexpr std::array<std::pair<std::string_view, const char*>, 12> kTypes = {{
       {".html", "text/html; charset=utf-8"},
       {".json", "application/json"},
       {".sarif", "application/sarif+json"},
@@ -80,6 +80,7 @@ std::string media_type(std::string_view path) {
       {".txt", "text/plain; charset=utf-8"},
       {".ngc", "text/plain; charset=utf-8"},
       {".apt", "text/plain; charset=utf-8"},
+      {".vtm", "application/xml"},
       {".vtp", "application/octet-stream"},
   }};
   for (const auto& [ending, type] : kTypes)

@@ -248,6 +248,7 @@ void write_report(const reports::RunResult& result, const std::filesystem::path&
   write("junit.xml", reports::write_junit);
   write("findings.sarif", reports::write_sarif);
   write("findings.csv", reports::write_findings_csv);
+  reports::write_stages_vtm(result, folder);
   // Last: what looks for a finished run looks for this file.
   write("result.json", reports::write_result_json);
 }

@@ -8,6 +8,7 @@
 
 #include "model/base/run_control.h"
 #include "reports/run/run_result.h"
+#include "reports/vtk/stage_facts.h"
 
 namespace limitgauge::reports {
 
@@ -48,9 +49,15 @@ struct StageFiles {
 StageFiles write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
                              const StageFileOptions& options);
 /// toolpath.vtp alone: a line a move with its program line, feed, kind and index, and what it
-/// removed where `removal` has an entry for every move.
+/// removed where `removal` has an entry for every move: the active scalars, or else the feed.
+/// `facts` become field data.
 void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,
-                        std::span<const simulator::MoveRemoval> removal = {});
+                        std::span<const simulator::MoveRemoval> removal = {},
+                        std::span<const Fact> facts = {});
+/// stages.vtm in `folder`: a block a stage, by its name, that names those of deviation.vtp,
+/// stock.vtp and toolpath.vtp that are there. Writes nothing where no stage has any. Throws
+/// ResourceError when the file cannot be written.
+void write_stages_vtm(const RunResult& result, const std::filesystem::path& folder);
 /// The verdict table for a terminal of `width` columns, 80 or more; `colour` adds ANSI colours.
 std::string verdict_table(const RunResult& result, bool colour, std::size_t width = 100);
 

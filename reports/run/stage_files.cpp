@@ -56,8 +56,9 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
   const StageResult::Ran& ran = *stage.ran;
   const std::filesystem::path into = folder / plain_name(stage.name);
   model::make_folder(into);
-  if (ran.path) write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves);
-  write_deviation_vtp(ran.deviation.field, into / "deviation.vtp");
+  const std::vector<Fact> facts = stage_facts(stage);
+  if (ran.path) write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves, facts);
+  write_deviation_vtp(ran.deviation.field, into / "deviation.vtp", facts);
   StageFiles files;
   if (ran.path)
     files.path_view =
@@ -67,7 +68,7 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
   if (ran.stock) {
     ran.stock->write_vdb(into / "stock.vdb");
     const simulator::StockSurface surface = ran.stock->surface(options.control);
-    write_stock_vtp(surface.mesh, into / "stock.vtp");
+    write_stock_vtp(surface.mesh, into / "stock.vtp", facts);
     if (options.pictures) pictures.stock_png = stock_png(surface.mesh);
     files.surface = {surface.mesh.vertices.size(), surface.mesh.triangles.size(), surface.voxel_mm,
                      surface.unmoved};

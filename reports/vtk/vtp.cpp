@@ -16,13 +16,6 @@ void require_32_bit(std::size_t corners, const std::filesystem::path& file) {
     throw model::ResourceError(file.string() + ": too many corners for a .vtp file");
 }
 
-/// 1·size, 2·size, ... : where each of `count` cells of `size` corners ends.
-std::vector<std::int32_t> ends_of(std::size_t count, int size) {
-  std::vector<std::int32_t> ends(count);
-  for (std::size_t i = 0; i < count; ++i) ends[i] = static_cast<std::int32_t>((i + 1) * size);
-  return ends;
-}
-
 template <typename Cells>
 std::vector<std::int32_t> corners_of(const Cells& cells) {
   std::vector<std::int32_t> corners;
@@ -50,10 +43,10 @@ void push(std::vector<T>& xyz, const model::Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) xyz.push_back(static_cast<T>(p[axis]));
 }
 
-/// Single precision: these are figures to colour a path by.
-void add_removal(VtpFile& vtp, std::span<const simulator::MoveRemoval> removal, std::size_t moves) {
+/// Single precision: these are figures to colour a path by. Whether they are there, one a move.
+bool add_removal(VtpFile& vtp, std::span<const simulator::MoveRemoval> removal, std::size_t moves) {
   using simulator::MoveRemoval;
-  if (removal.size() != moves) return;
+  if (removal.empty() || removal.size() != moves) return false;
   const auto add = [&](const char* name, auto pick) {
     vtp.add_cell_data(name, view(column<float>(removal, pick)));
   };
@@ -61,12 +54,14 @@ void add_removal(VtpFile& vtp, std::span<const simulator::MoveRemoval> removal, 
   add("removal_rate_mm3_min", [](const MoveRemoval& r) { return r.rate_mm3_min; });
   add("axial_engagement_mm", [](const MoveRemoval& r) { return r.axial_mm; });
   add("radial_engagement_mm", [](const MoveRemoval& r) { return r.radial_mm; });
+  return true;
 }
 
 }  // namespace
 
 void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,
-                        std::span<const simulator::MoveRemoval> removal) {
+                        std::span<const simulator::MoveRemoval> removal,
+                        std::span<const Fact> facts) {
   const std::size_t n = path.moves.size();
   require_32_bit(2 * n, file);
   std::vector<double> xyz;
@@ -79,9 +74,9 @@ void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path
     corners.push_back(static_cast<std::int32_t>(i + 1));
   }
   using model::Move;
-  VtpFile vtp(n + 1, n, 0);
-  vtp.add_points(view(xyz));
-  vtp.add_lines(corners, ends_of(n, 2));
+  VtpFile vtp;
+  vtp.set_points(view(xyz));
+  vtp.set_lines(corners, 2);
   vtp.add_cell_data("line",
                     view(column<std::uint32_t>(path.moves, [](const Move& m) { return m.line; })));
   vtp.add_cell_data("feed_mm_min",
@@ -89,11 +84,14 @@ void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path
   vtp.add_cell_data("kind",
                     view(column<std::uint8_t>(path.moves, [](const Move& m) { return m.kind; })));
   vtp.add_cell_data("move", view(index));
-  add_removal(vtp, removal, n);
+  const bool has_removal = add_removal(vtp, removal, n);
+  vtp.colour_cells_by(has_removal ? "removal_rate_mm3_min" : "feed_mm_min");
+  vtp.set_facts(facts);
   vtp.write(file);
 }
 
-void write_deviation_vtp(const verifier::DeviationField& field, const std::filesystem::path& file) {
+void write_deviation_vtp(const verifier::DeviationField& field, const std::filesystem::path& file,
+                         std::span<const Fact> facts) {
   using Sample = verifier::DeviationField::Sample;
   const auto& samples = field.samples;
   require_32_bit(4 * field.quads.size(), file);
@@ -103,9 +101,9 @@ void write_deviation_vtp(const verifier::DeviationField& field, const std::files
   const auto add = [&]<typename T>(VtpFile& vtp, const char* name, T, auto pick) {
     vtp.add_point_data(name, view(column<T>(samples, pick)));
   };
-  VtpFile vtp(samples.size(), 0, field.quads.size());
-  vtp.add_points(view(xyz));
-  vtp.add_polygons(corners_of(field.quads), ends_of(field.quads.size(), 4));
+  VtpFile vtp;
+  vtp.set_points(view(xyz));
+  vtp.set_polygons(corners_of(field.quads), 4);
   add(vtp, "deviation_mm", 0.f, [](const Sample& s) { return s.deviation_mm; });
   add(vtp, "uncut_mm", 0.f, [](const Sample& s) { return std::max(s.deviation_mm, 0.f); });
   add(vtp, "gouge_mm", 0.f, [](const Sample& s) { return std::max(-s.deviation_mm, 0.f); });
@@ -114,18 +112,22 @@ void write_deviation_vtp(const verifier::DeviationField& field, const std::files
   add(vtp, "u", 0., [](const Sample& s) { return s.place.u; });
   add(vtp, "v", 0., [](const Sample& s) { return s.place.v; });
   add(vtp, "line", std::uint32_t{}, [](const Sample& s) { return s.line; });
-  vtp.add_point_data("normal", view(normals), 3);
+  vtp.set_normals("normal", view(normals));
+  vtp.colour_points_by("deviation_mm");
+  vtp.set_facts(facts);
   vtp.write(file);
 }
 
-void write_stock_vtp(const simulator::StockMesh& mesh, const std::filesystem::path& file) {
+void write_stock_vtp(const simulator::StockMesh& mesh, const std::filesystem::path& file,
+                     std::span<const Fact> facts) {
   require_32_bit(3 * mesh.triangles.size(), file);
   std::vector<float> xyz;
   xyz.reserve(3 * mesh.vertices.size());
   for (const model::Vec3& p : mesh.vertices) push(xyz, p);
-  VtpFile vtp(mesh.vertices.size(), 0, mesh.triangles.size());
-  vtp.add_points(view(xyz));
-  vtp.add_polygons(corners_of(mesh.triangles), ends_of(mesh.triangles.size(), 3));
+  VtpFile vtp;
+  vtp.set_points(view(xyz));
+  vtp.set_polygons(corners_of(mesh.triangles), 3);
+  vtp.set_facts(facts);
   vtp.write(file);
 }
 

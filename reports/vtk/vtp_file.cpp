@@ -1,113 +1,156 @@
 #include "reports/vtk/vtp_file.h"
 
-#include <zlib.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedIntArray.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
-#include <fstream>
-#include <stdexcept>
 #include <type_traits>
 
-#include "model/base/error.h"
+#include "reports/vtk/vtk_support.h"
 
 namespace limitgauge::reports {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the header says LittleEndian");
+template <typename T>
+struct ArrayOf;
+template <>
+struct ArrayOf<float> {
+  using type = vtkFloatArray;
+};
+template <>
+struct ArrayOf<double> {
+  using type = vtkDoubleArray;
+};
+template <>
+struct ArrayOf<std::int32_t> {
+  using type = vtkIntArray;
+};
+template <>
+struct ArrayOf<std::uint32_t> {
+  using type = vtkUnsignedIntArray;
+};
+template <>
+struct ArrayOf<std::uint8_t> {
+  using type = vtkUnsignedCharArray;
+};
 
-constexpr std::size_t kBlockBytes = 1 << 18;
+/// A negative zero becomes zero: the file states each array's range, and which zero is the lower
+/// one depends on the order in which they are met.
+template <typename T>
+T plain(T value) {
+  if constexpr (std::is_floating_point_v<T>) return value + T{0};
+  return value;
+}
 
 template <typename T>
-constexpr const char* vtk_type() {
-  if constexpr (std::is_same_v<T, float>) return "Float32";
-  if constexpr (std::is_same_v<T, double>) return "Float64";
-  if constexpr (std::is_same_v<T, std::int32_t>) return "Int32";
-  if constexpr (std::is_same_v<T, std::uint32_t>) return "UInt32";
-  if constexpr (std::is_same_v<T, std::uint8_t>) return "UInt8";
+auto array_of(const std::string& name, std::span<const T> values, int components) {
+  vtkNew<typename ArrayOf<T>::type> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::transform(values.begin(), values.end(), array->GetPointer(0), plain<T>);
+  return array;
 }
 
-std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> block) {
-  uLongf size = compressBound(block.size());
-  std::vector<std::uint8_t> out(size);
-  // Level 1: toolpaths and meshes are large, and a level more saves a few percent for twice the
-  // time.
-  if (compress2(out.data(), &size, block.data(), block.size(), 1) != Z_OK)
-    throw model::ResourceError("zlib could not compress a block");
-  out.resize(size);
-  return out;
+template <typename T>
+void set_points_of(vtkPolyData& mesh, std::span<const T> xyz) {
+  vtkNew<vtkPoints> points;
+  points->SetData(array_of("Points", xyz, 3));
+  mesh.SetPoints(points);
 }
 
-/// vtkZLibDataCompressor's layout: number of blocks, block size, size of the last block where it is
-/// shorter, compressed sizes, then the blocks.
-void append_compressed(std::vector<std::uint8_t>& out, std::span<const std::uint8_t> bytes) {
-  const std::size_t blocks = (bytes.size() + kBlockBytes - 1) / kBlockBytes;
-  std::vector<std::uint64_t> header{blocks, kBlockBytes, bytes.size() % kBlockBytes};
-  std::vector<std::uint8_t> data;
-  for (std::size_t i = 0; i < blocks; ++i) {
-    const std::size_t from = i * kBlockBytes;
-    const auto packed = deflated(bytes.subspan(from, std::min(kBlockBytes, bytes.size() - from)));
-    header.push_back(packed.size());
-    data.insert(data.end(), packed.begin(), packed.end());
-  }
-  const auto* head = reinterpret_cast<const std::uint8_t*>(header.data());
-  out.insert(out.end(), head, head + header.size() * sizeof(header[0]));
-  out.insert(out.end(), data.begin(), data.end());
-}
-
-std::string section(const char* tag, const std::string& content) {
-  return std::string("<").append(tag).append(">\n").append(content).append("</").append(tag).append(
-      ">\n");
+vtkNew<vtkCellArray> cells_of(std::span<const std::int32_t> corners, int size) {
+  vtkNew<vtkTypeInt32Array> connectivity, offsets;
+  connectivity->SetNumberOfTuples(static_cast<vtkIdType>(corners.size()));
+  std::copy(corners.begin(), corners.end(), connectivity->GetPointer(0));
+  const vtkIdType count = static_cast<vtkIdType>(corners.size()) / size;
+  offsets->SetNumberOfTuples(count + 1);
+  for (vtkIdType i = 0; i <= count; ++i) offsets->SetValue(i, static_cast<vtkTypeInt32>(i * size));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  return cells;
 }
 
 }  // namespace
 
-VtpFile::VtpFile(std::size_t points, std::size_t lines, std::size_t polygons)
-    : point_count_(points), line_count_(lines), polygon_count_(polygons) {}
+struct VtpFile::Data {
+  vtkNew<vtkPolyData> mesh;
+};
+
+VtpFile::VtpFile() : data_(std::make_unique<Data>()) {}
+
+VtpFile::~VtpFile() = default;
+
+void VtpFile::set_points(std::span<const double> xyz) {
+  set_points_of(*data_->mesh, xyz);
+}
+
+void VtpFile::set_points(std::span<const float> xyz) {
+  set_points_of(*data_->mesh, xyz);
+}
+
+void VtpFile::set_lines(std::span<const std::int32_t> corners, int size) {
+  data_->mesh->SetLines(cells_of(corners, size));
+}
+
+void VtpFile::set_polygons(std::span<const std::int32_t> corners, int size) {
+  data_->mesh->SetPolys(cells_of(corners, size));
+}
 
 template <typename T>
-void VtpFile::add(std::string& xml, const std::string& name, int components,
-                  std::span<const T> values) {
-  xml.append("<DataArray type=\"").append(vtk_type<T>()).append("\" Name=\"").append(name);
-  xml.append("\" NumberOfComponents=\"").append(std::to_string(components));
-  xml.append("\" format=\"appended\" offset=\"").append(std::to_string(appended_.size()));
-  xml.append("\"/>\n");
-  append_compressed(appended_,
-                    {reinterpret_cast<const std::uint8_t*>(values.data()), values.size_bytes()});
+void VtpFile::add_point_data(const std::string& name, std::span<const T> values) {
+  data_->mesh->GetPointData()->AddArray(array_of(name, values, 1));
 }
 
-template void VtpFile::add(std::string&, const std::string&, int, std::span<const float>);
-template void VtpFile::add(std::string&, const std::string&, int, std::span<const double>);
-template void VtpFile::add(std::string&, const std::string&, int, std::span<const std::int32_t>);
-template void VtpFile::add(std::string&, const std::string&, int, std::span<const std::uint32_t>);
-template void VtpFile::add(std::string&, const std::string&, int, std::span<const std::uint8_t>);
-
-void VtpFile::add_lines(std::span<const std::int32_t> corners, std::span<const std::int32_t> ends) {
-  add(lines_, "connectivity", 1, corners);
-  add(lines_, "offsets", 1, ends);
+template <typename T>
+void VtpFile::add_cell_data(const std::string& name, std::span<const T> values) {
+  data_->mesh->GetCellData()->AddArray(array_of(name, values, 1));
 }
 
-void VtpFile::add_polygons(std::span<const std::int32_t> corners,
-                           std::span<const std::int32_t> ends) {
-  add(polygons_, "connectivity", 1, corners);
-  add(polygons_, "offsets", 1, ends);
+template void VtpFile::add_point_data(const std::string&, std::span<const float>);
+template void VtpFile::add_point_data(const std::string&, std::span<const double>);
+template void VtpFile::add_point_data(const std::string&, std::span<const std::int32_t>);
+template void VtpFile::add_point_data(const std::string&, std::span<const std::uint32_t>);
+template void VtpFile::add_point_data(const std::string&, std::span<const std::uint8_t>);
+template void VtpFile::add_cell_data(const std::string&, std::span<const float>);
+template void VtpFile::add_cell_data(const std::string&, std::span<const std::int32_t>);
+template void VtpFile::add_cell_data(const std::string&, std::span<const std::uint32_t>);
+template void VtpFile::add_cell_data(const std::string&, std::span<const std::uint8_t>);
+
+void VtpFile::set_normals(const std::string& name, std::span<const float> xyz) {
+  data_->mesh->GetPointData()->SetNormals(array_of(name, xyz, 3));
+}
+
+void VtpFile::colour_points_by(const std::string& name) {
+  data_->mesh->GetPointData()->SetActiveScalars(name.c_str());
+}
+
+void VtpFile::colour_cells_by(const std::string& name) {
+  data_->mesh->GetCellData()->SetActiveScalars(name.c_str());
+}
+
+void VtpFile::set_facts(std::span<const Fact> facts) {
+  add_facts(*data_->mesh->GetFieldData(), facts);
 }
 
 void VtpFile::write(const std::filesystem::path& file) const {
-  std::ofstream out(file, std::ios::binary);
-  out << "<?xml version=\"1.0\"?>\n"
-         "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-         "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n"
-      << "<Piece NumberOfPoints=\"" << point_count_ << "\" NumberOfVerts=\"0\" NumberOfLines=\""
-      << line_count_ << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << polygon_count_ << "\">\n"
-      << section("PointData", point_data_) << section("CellData", cell_data_)
-      << section("Points", points_) << section("Lines", lines_) << section("Polys", polygons_)
-      << "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-  out.write(reinterpret_cast<const char*>(appended_.data()),
-            static_cast<std::streamsize>(appended_.size()));
-  out << "\n</AppendedData>\n</VTKFile>\n";
-  out.close();
-  if (!out) throw model::ResourceError("cannot write " + file.string());
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data_->mesh);
+  writer->SetIdTypeToInt32();
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  write_xml(*writer, file);
 }
 
 }  // namespace limitgauge::reports

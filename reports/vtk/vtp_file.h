@@ -2,42 +2,48 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "reports/vtk/stage_facts.h"
+
 namespace limitgauge::reports {
 
-/// A VTK PolyData file (.vtp) in the making: XML with zlib-compressed raw appended data, as VTK's
-/// own writer would make it. Arrays are copied in by the add functions; write() puts out the file.
+/// A VTK PolyData file (.vtp) in the making, written by VTK's own writer: compressed raw appended
+/// data. Arrays are copied in; write() puts out the file. The same data gives the same bytes.
 class VtpFile {
  public:
-  VtpFile(std::size_t points, std::size_t lines, std::size_t polygons);
+  VtpFile();
+  ~VtpFile();
+  VtpFile(const VtpFile&) = delete;
+  VtpFile& operator=(const VtpFile&) = delete;
 
-  void add_points(std::span<const double> xyz) { add(points_, "Points", 3, xyz); }
-  void add_points(std::span<const float> xyz) { add(points_, "Points", 3, xyz); }
-  /// `ends` holds for each line (or polygon) where it ends in `corners`.
-  void add_lines(std::span<const std::int32_t> corners, std::span<const std::int32_t> ends);
-  void add_polygons(std::span<const std::int32_t> corners, std::span<const std::int32_t> ends);
+  /// xyz of each point, mm; three values a point.
+  void set_points(std::span<const double> xyz);
+  void set_points(std::span<const float> xyz);
+  /// Cells of `size` corners each, one after another in `corners`.
+  void set_lines(std::span<const std::int32_t> corners, int size);
+  void set_polygons(std::span<const std::int32_t> corners, int size);
+  /// T: float, double, std::int32_t, std::uint32_t or std::uint8_t.
   template <typename T>
-  void add_point_data(const std::string& name, std::span<const T> values, int components = 1) {
-    add(point_data_, name, components, values);
-  }
+  void add_point_data(const std::string& name, std::span<const T> values);
   template <typename T>
-  void add_cell_data(const std::string& name, std::span<const T> values) {
-    add(cell_data_, name, 1, values);
-  }
-  /// Throws model::ResourceError when the file cannot be written.
+  void add_cell_data(const std::string& name, std::span<const T> values);
+  /// Unit vectors at the points, three values a point: the file's active normals.
+  void set_normals(const std::string& name, std::span<const float> xyz);
+  /// The array, added before, that viewers colour by until they are told otherwise.
+  void colour_points_by(const std::string& name);
+  void colour_cells_by(const std::string& name);
+  void set_facts(std::span<const Fact> facts);
+
+  /// Throws model::ResourceError when the file cannot be written; nothing of it is left then.
   void write(const std::filesystem::path& file) const;
 
  private:
-  template <typename T>
-  void add(std::string& section, const std::string& name, int components,
-           std::span<const T> values);
-
-  std::size_t point_count_, line_count_, polygon_count_;
-  std::string points_, lines_, polygons_, point_data_, cell_data_;  ///< XML of each section
-  std::vector<std::uint8_t> appended_;
+  struct Data;
+  std::unique_ptr<Data> data_;
 };
 
 }  // namespace limitgauge::reports

@@ -33,8 +33,8 @@ TEST_CASE("the quick job passes and leaves the files of the contract", "[e2e][ru
   const fs::path folder = scratch / "limitgauge-out/quick-dome";
   CHECK_THAT(outcome.out, ContainsSubstring("rough") && ContainsSubstring("finish") &&
                               ContainsSubstring((folder / "report.html").string()));
-  for (const char* file :
-       {"report.html", "result.json", "junit.xml", "findings.sarif", "findings.csv"}) {
+  for (const char* file : {"report.html", "result.json", "junit.xml", "findings.sarif",
+                           "findings.csv", "stages.vtm"}) {
     CHECK(fs::file_size(folder / file) > 70);
   }
   for (const char* stage : {"rough", "finish"}) {
@@ -88,7 +88,7 @@ TEST_CASE("the number of threads changes no figure", "[e2e][run]") {
   CHECK(results[0] == results[1]);
   for (const char* file :
        {"rough/toolpath.ngc", "finish/toolpath.ngc", "rough/toolpath.vtp", "finish/deviation.vtp",
-        "finish/stock.vtp", "findings.sarif", "findings.csv"}) {
+        "finish/stock.vtp", "stages.vtm", "findings.sarif", "findings.csv"}) {
     CAPTURE(file);
     CHECK(read_text(scratch / "1" / file) == read_text(scratch / "2" / file));
   }

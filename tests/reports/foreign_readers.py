@@ -1,13 +1,17 @@
 """foreign_readers.py WRITE_SAMPLES SARIF_SCHEMA: the sample reports as readers see them that are not ours:
-findings.sarif by its JSON Schema, findings.csv by Python's csv, junit.xml by junitparser."""
+findings.sarif by its JSON Schema, findings.csv by Python's csv, junit.xml by junitparser, the VTK files by
+Python's XML and zlib."""
 import csv
 import json
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 import urllib.parse
+import xml.etree.ElementTree
+import zlib
 
 import jsonschema
 import junitparser
@@ -171,6 +175,70 @@ class Junit(unittest.TestCase):
         self.assertIn("line 423 of", messages["rapid collisions"])
         self.assertIn("line 1513 of", messages["holder collisions"])
         self.assertIn("line 1612 of", messages["process faults"])
+
+
+class Vtk(unittest.TestCase):
+    """The layout as https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html has it."""
+
+    def test_one_file_names_those_of_all_stages(self):
+        for name in SAMPLES:
+            root = xml.etree.ElementTree.parse(folder / name / "stages.vtm").getroot()
+            self.assertEqual("vtkMultiBlockDataSet", root.get("type"))
+            blocks = root.find("vtkMultiBlockDataSet").findall("Block")
+            ran = [s["name"] for s in result[name]["stages"] if s["verdict"] != "not_run"]
+            self.assertEqual(ran, [b.get("name") for b in blocks])
+            for block in blocks:
+                leaves = {d.get("name"): d.get("file") for d in block.findall("DataSet")}
+                self.assertEqual({"deviation", "toolpath"}, set(leaves))
+                for file in leaves.values():
+                    self.assertTrue((folder / name / file).is_file(), file)
+
+    def test_deviation_and_gate_are_those_measured(self):
+        for name in SAMPLES:
+            for stage in result[name]["stages"]:
+                if stage["verdict"] == "not_run":
+                    continue
+                mesh = PolyData(folder / name / stage["name"] / "deviation.vtp")
+                self.assertEqual("deviation_mm", mesh.piece.find("PointData").get("Scalars"))
+                self.assertEqual("normal", mesh.piece.find("PointData").get("Normals"))
+                with open(folder / name / stage["name"] / "field.txt") as lines:
+                    field = [line.split() for line in lines]
+                self.assertEqual(len(field), int(mesh.piece.get("NumberOfPoints")))
+                single = [struct.unpack("<f", struct.pack("<f", float(f[0])))[0] for f in field]
+                self.assertEqual(single, list(mesh.values("PointData", "deviation_mm", "f")))
+                self.assertEqual([int(f[1]) for f in field],
+                                 list(mesh.values("PointData", "line", "I")))
+                facts = {a.get("Name") for a in mesh.data.find("FieldData")}
+                for key, limit in stage["gate"].items():
+                    fact = {"coverage": "coverage_limit", "unreachable": "unreachable_limit"}.get(
+                        key, key.replace("_mm", "_limit_mm"))
+                    self.assertEqual([limit], list(mesh.values("FieldData", fact, "d")))
+                    facts.remove(fact)
+                self.assertEqual({"stage", "tool", "verdict", "units", "allowance_mm"}, facts)
+
+
+class PolyData:
+    """A .vtp file with raw appended data in blocks that zlib has compressed."""
+
+    def __init__(self, path):
+        text = path.read_bytes()
+        begin = text.index(b"<AppendedData")
+        self.appended = text[text.index(b"_", begin) + 1:]
+        self.data = xml.etree.ElementTree.fromstring(text[:begin] + b"</VTKFile>").find("PolyData")
+        self.piece = self.data.find("Piece")
+
+    def values(self, section, name, code):
+        parent = self.data if section == "FieldData" else self.piece
+        array, = (a for a in parent.find(section) if a.get("Name") == name)
+        at = int(array.get("offset"))
+        blocks, = struct.unpack_from("<Q", self.appended, at)
+        sizes = struct.unpack_from(f"<{blocks}Q", self.appended, at + 24)
+        at += 24 + 8 * blocks
+        data = b""
+        for size in sizes:
+            data += zlib.decompress(self.appended[at:at + size])
+            at += size
+        return struct.unpack(f"<{len(data) // struct.calcsize(code)}{code}", data)
 
 
 def results(name):

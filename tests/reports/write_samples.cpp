@@ -71,6 +71,7 @@ void write_all(const Sample& sample, const std::filesystem::path& folder, bool p
   std::filesystem::create_directories(folder);
   for (StageResult& stage : result.stages)
     write_stage(stage, sample.names_folders, folder, pictures);
+  write_stages_vtm(result, folder);
   std::ofstream json(folder / "result.json"), junit(folder / "junit.xml"),
       page(folder / "report.html"), sarif(folder / "findings.sarif"),
       csv(folder / "findings.csv", std::ios::binary);

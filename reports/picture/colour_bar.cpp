@@ -3,7 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "reports/picture/strokes.h"
+#include "reports/picture/lettering.h"
+#include "reports/picture/lines.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports {

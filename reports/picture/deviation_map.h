@@ -2,7 +2,7 @@
 
 #include "reports/picture/deviation_scale.h"
 #include "reports/picture/image.h"
-#include "reports/picture/strokes.h"
+#include "reports/picture/lines.h"
 #include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports {

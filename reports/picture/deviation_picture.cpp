@@ -5,6 +5,7 @@
 #include "model/base/number_text.h"
 #include "reports/picture/colour_bar.h"
 #include "reports/picture/deviation_map.h"
+#include "reports/picture/lettering.h"
 #include "reports/picture/marker.h"
 #include "reports/text/text.h"
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "reports/picture/lettering.h"
+
 namespace limitgauge::reports {
 namespace {
 
@@ -12,11 +14,13 @@ constexpr Rgba kInk{28, 32, 38}, kWhite{255, 255, 255}, kAxis{96, 104, 116};
 void draw_marker(Image& image, const PixelPoint& at, const std::string& label, double right_end) {
   for (const auto& [width, colour] : {std::pair{7.0, kWhite}, {3.0, kInk}})
     draw_ring(image, at, 16, width, colour);
-  const double width = text_width(label, 22);
+  constexpr TextStyle kLabel{22, kInk};
+  constexpr TextStyle kHalo{kLabel.height, kWhite, kLabel.bold, 3};
+  const double width = text_width(label, kLabel);
   const bool fits = at.x + 22 + width < right_end;
   const PixelPoint beside{fits ? at.x + 22 : at.x - 22 - width, at.y - 12};
-  draw_text(image, label, beside, {22, kWhite, 0.4});
-  draw_text(image, label, beside, {22, kInk, 0.16});
+  draw_text(image, label, beside, kHalo);
+  draw_text(image, label, beside, kLabel);
 }
 
 void draw_axes(Image& image, const model::Vec3& right, const model::Vec3& up,
@@ -31,7 +35,7 @@ void draw_axes(Image& image, const model::Vec3& right, const model::Vec3& up,
     const double dy = -model::dot(axis.direction, up) * kLength;
     draw_stroke(image, {origin, {origin.x + dx, origin.y + dy}}, 3, kAxis);
     draw_text(image, axis.letter, {origin.x + 1.28 * dx - 6, origin.y + 1.28 * dy + 9},
-              {18, kAxis, 0.15});
+              {18, kAxis, true});
   }
 }
 

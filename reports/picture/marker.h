@@ -3,7 +3,7 @@
 #include <string>
 
 #include "model/geometry/vec3.h"
-#include "reports/picture/strokes.h"
+#include "reports/picture/lines.h"
 
 namespace limitgauge::reports {
 

@@ -6,6 +6,7 @@
 
 #include "reports/picture/colour_bar.h"
 #include "reports/picture/deviation_map.h"
+#include "reports/picture/lettering.h"
 #include "reports/picture/marker.h"
 #include "reports/picture/perspective_map.h"
 #include "reports/run/gate_figures.h"
@@ -67,9 +68,16 @@ std::string verdict_words(verifier::Verdict verdict) {
   return "not run";
 }
 
+/// `style`, or as much smaller as `text` must be to fit `width` pixels, as long as it is legible.
+TextStyle fitted(TextStyle style, const std::string& text, double width) {
+  constexpr double kLegible = 8, kStep = 0.5;
+  while (style.height > kLegible && text_width(text, style) > width) style.height -= kStep;
+  return style;
+}
+
 void draw_header(Image& image, const StageResult& stage) {
   draw_text(image, shortened(stage.name, 40) + ": " + verdict_words(stage.verdict()),
-            {kMargin + 4.0, 58}, {30, kInk, 0.15});
+            {kMargin + 4.0, 58}, {30, kInk, true});
   std::string figures;
   for (const GateFigure& figure : gate_figures(stage)) {
     const bool is_depth = figure.name == "gouge" || figure.name == "uncut";
@@ -77,7 +85,8 @@ void draw_header(Image& image, const StageResult& stage) {
     figures += (figures.empty() ? "" : ",   ") + figure.name + " " + figure.measured;
     if (!figure.limit.empty()) figures += " (limit " + figure.limit + ")";
   }
-  draw_text(image, figures, {kMargin + 4.0, 94}, kText);
+  draw_text(image, figures, {kMargin + 4.0, 94},
+            fitted(kText, figures, image.width() - 2 * kMargin));
 }
 
 void draw_marks(Image& image, const std::vector<Mark>& marks, const PerspectiveView& view,
@@ -96,7 +105,7 @@ void draw_marks(Image& image, const std::vector<Mark>& marks, const PerspectiveV
                 ? ", stage " + std::to_string(f.stage + 1) + " line " + std::to_string(f.line)
                 : std::string(", raw stock");
     if (!is_in_sight(fine.project(f.place.point), map.depth)) note += " (behind)";
-    draw_text(image, note, {kMargin + 4.0 + 640.0 * double(i), foot}, kText);
+    draw_text(image, note, {kMargin + 4.0, foot + 36.0 * double(i)}, kText);
   }
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "reports/picture/lettering.h"
 #include "reports/picture/marker.h"
 #include "reports/picture/perspective_map.h"
 #include "reports/picture/perspective_picture.h"
@@ -134,12 +135,12 @@ TEST_CASE("the perspective picture marks the worst gouge where it is", "[unit][p
   CHECK(marked.at(2, 2) == Rgba{255, 255, 255});
 }
 
-TEST_CASE("a picture can write any name in ASCII, and boxes for others", "[unit][picture]") {
+TEST_CASE("a picture can write any name in ASCII, and lozenges for others", "[unit][picture]") {
   std::string ascii;
   for (char c = ' '; c <= '~'; ++c) ascii += c;
   CHECK(has_glyphs(ascii));
   CHECK_FALSE(has_glyphs("日"));
-  CHECK(text_width("日", 20) > text_width(" ", 20));
+  CHECK(text_width("日", {20}) == text_width("◊", {20}));
 }
 
 TEST_CASE("the perspective picture of a stage without findings and of one point",

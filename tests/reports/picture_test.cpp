@@ -4,6 +4,7 @@
 #include <set>
 
 #include "reports/picture/deviation_map.h"
+#include "reports/picture/lettering.h"
 #include "reports/picture/raster.h"
 #include "reports/picture/stock_picture.h"
 #include "tests/reports/sample_result.h"
@@ -216,18 +217,65 @@ TEST_CASE("the deviation picture marks the worst gouge and can draw all its word
 }
 
 TEST_CASE("text leaves ink where it is set and nowhere else", "[unit][picture]") {
-  Image image(200, 60, {255, 255, 255, 255});
-  draw_text(image, "12.5 µm", {20, 40}, {20, {0, 0, 0}});
-  const double end = 20 + text_width("12.5 µm", 20);
+  Image image(220, 60, {255, 255, 255, 255});
+  const TextStyle style{20, {0, 0, 0}};
+  draw_text(image, "12.5 µm²", {20, 40}, style);
+  const double end = 20 + text_width("12.5 µm²", style);
+  REQUIRE(end < 210);
   double ink = 0;
   for (int y = 0; y < 60; ++y)
-    for (int x = 0; x < 200; ++x) {
+    for (int x = 0; x < 220; ++x) {
       const double dark = 255 - image.at(x, y).r;
       ink += dark;
-      if (x < 16 || x > end + 4 || y < 16 || y > 50) CHECK(dark == 0);
+      if (x < 19 || x > end + 1 || y < 16 || y > 50) CHECK(dark == 0);
     }
-  // About forty stroke lengths of a capital's tenth... at least a hundred full pixels of ink.
+  // At least a hundred full pixels of ink.
   CHECK(ink > 100 * 255);
+}
+
+TEST_CASE("a capital stands on the baseline and has the height that was asked for",
+          "[unit][picture]") {
+  for (const int height : {16, 18, 20, 22, 30, 60}) {
+    for (const bool bold : {false, true}) {
+      INFO(height << " " << bold);
+      Image image(100, 100, {255, 255, 255, 255});
+      draw_text(image, "H", {20, 80}, {double(height), {0, 0, 0}, bold});
+      int top = 100, bottom = 0;
+      for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x)
+          if (image.at(x, y).r < 128) top = std::min(top, y), bottom = y;
+      // Whole pixels and a whole font size.
+      CHECK(bottom == 79);
+      CHECK(std::abs(bottom - top + 1 - height) <= 1);
+    }
+  }
+}
+
+TEST_CASE("every character has a shape of its own, or the one of what is missing",
+          "[unit][picture]") {
+  const auto drawn = [](const char* text, int grown = 0) {
+    Image image(60, 60, {255, 255, 255, 255});
+    draw_text(image, text, {20, 40}, {20, {0, 0, 0}, false, grown});
+    return image;
+  };
+  // Bytes that are no character of their own, were they drawn one by one, would look alike.
+  const char* signs[] = {"µ", "²", "³", "≤", "≥", "–", "…", "Ü", "±", "◊"};
+  for (const char* a : signs)
+    for (const char* b : signs) {
+      INFO(a << " " << b);
+      CHECK((drawn(a).pixels() == drawn(b).pixels()) == (a == b));
+    }
+  for (const char* missing : {"日", "\xFF", "\xC3"})
+    CHECK(drawn(missing).pixels() == drawn("◊").pixels());
+  CHECK(drawn("").pixels() == Image(60, 60, {255, 255, 255, 255}).pixels());
+  // A halo covers its letter and more.
+  const Image letter = drawn("m"), halo = drawn("m", 3);
+  int more = 0;
+  for (std::size_t i = 0; i < letter.pixels().size(); ++i) {
+    CHECK(halo.pixels()[i].r <= letter.pixels()[i].r);
+    more += letter.pixels()[i].r == 255 && halo.pixels()[i].r == 0;
+  }
+  CHECK(more > 100);
 }
 
 TEST_CASE("the stock picture is lit from above", "[unit][picture]") {

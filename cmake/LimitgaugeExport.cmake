@@ -87,9 +87,15 @@ function(limitgauge_install_libraries)
       ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT Development)
     get_target_property(folders limitgauge_${name} LIMITGAUGE_FOLDERS)
     foreach(folder IN LISTS folders)
-      install(DIRECTORY ${LIMITGAUGE_ROOT}/${folder}/
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/limitgauge/${folder} COMPONENT Development
-        FILES_MATCHING PATTERN "*.h")
+      if(IS_DIRECTORY ${LIMITGAUGE_ROOT}/${folder})
+        install(DIRECTORY ${LIMITGAUGE_ROOT}/${folder}/
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/limitgauge/${folder} COMPONENT Development
+          FILES_MATCHING PATTERN "*.h")
+      else()
+        cmake_path(GET folder PARENT_PATH parent)
+        install(FILES ${LIMITGAUGE_ROOT}/${folder}
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/limitgauge/${parent} COMPONENT Development)
+      endif()
     endforeach()
     get_target_property(files limitgauge_${name} LIMITGAUGE_LINK_FILES)
     list(APPEND link_files ${files})

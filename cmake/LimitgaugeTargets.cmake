@@ -62,7 +62,7 @@ endfunction()
 #   [APART folder...])
 #
 # A library of one house. Its headers are reached through a view of the source tree that holds
-# this library's folders and nothing else, so an include against the arrows does not compile.
+# this library's folders (or single headers) and nothing else, so an include against the arrows does not compile.
 function(limitgauge_library name)
   cmake_parse_arguments(LIB "" "" "FOLDERS;SOURCES;PUBLIC;PRIVATE;APART" ${ARGN})
   add_library(limitgauge_${name} STATIC ${LIB_SOURCES})

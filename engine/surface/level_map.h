@@ -1,13 +1,14 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "model/geometry/vec2.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::engine::surface {
 
+using model::Vec2;
 using model::Vec3;
 
 /// The linear map T of the plane across a normal; what stands along the normal is dropped.
@@ -20,7 +21,7 @@ class LevelMap {
     x_ = cross(to_y, normal) / area;
     y_ = cross(normal, to_x) / area;
   }
-  std::array<double, 2> operator()(const Vec3& v) const { return {dot(x_, v), dot(y_, v)}; }
+  Vec2 operator()(const Vec3& v) const { return {dot(x_, v), dot(y_, v)}; }
   double length(const Vec3& v) const { return std::hypot(dot(x_, v), dot(y_, v)); }
   /// At least |T|.
   double norm() const { return std::hypot(model::length(x_), model::length(y_)); }
@@ -31,9 +32,9 @@ class LevelMap {
 
 /// Largest factor by which a linear map of the plane stretches, from the images of the unit
 /// vectors.
-inline double stretch(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  const double sum = a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1];
-  const double area = a[0] * b[1] - a[1] * b[0];
+inline double stretch(const Vec2& a, const Vec2& b) {
+  const double sum = a.x * a.x + a.y * a.y + b.x * b.x + b.y * b.y;
+  const double area = cross(a, b);
   return std::sqrt((sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))) / 2);
 }
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "engine/tolerance.h"
+
 namespace limitgauge::engine::surface {
 namespace {
 
@@ -105,9 +107,7 @@ bool swings(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 bool same_place(const Vec3& a, const Vec3& b) {
-  // Ends of rim edges at one vertex are bitwise equal but for rounding at dart vertices.
-  constexpr double kRounding = 1e-9;
-  return distance(a, b) <= kRounding;
+  return distance(a, b) <= kSamePlace_mm;
 }
 
 bool smooth_loop(const std::vector<Vec3>& line) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/tolerance.h"
+
 namespace limitgauge::reports::compare {
 namespace {
 
@@ -11,9 +13,6 @@ using record::Metric;
 using record::Source;
 using verifier::Interval;
 
-/// A nanometre: far below the digits of a program, far above rounding. An interval of no width
-/// would else call the last bit a change.
-constexpr double kRounding_mm = 1e-6;
 /// Samples on the rim of a limit change sides on rounding alone.
 constexpr double kCoverageFloor = 0.001;
 /// Lengths and times of a path are exact but for the digits of its program.
@@ -45,7 +44,7 @@ double badness(const Metric& metric, double value) {
 }  // namespace
 
 bool wholly_above(const Interval& a, const Interval& b) {
-  return a.low > b.high + kRounding_mm;
+  return a.low > b.high + kSameLength_mm;
 }
 
 Fineness fineness_of(const record::StageMeasures& base, const record::StageMeasures& now) {
@@ -53,14 +52,14 @@ Fineness fineness_of(const record::StageMeasures& base, const record::StageMeasu
 }
 
 double sample_floor_mm(const Fineness& fineness) {
-  return std::max(kSampleShare * fineness.resolution_mm, kRounding_mm);
+  return std::max(kSampleShare * fineness.resolution_mm, kSameLength_mm);
 }
 
 double noise_floor(const Metric& metric, double base, const Fineness& fineness) {
   if (metric.source == Source::planned) return kPlannedFloor * std::abs(base);
   if (metric.id == "coverage") return kCoverageFloor;
-  if (metric.id.starts_with("voxel_")) return std::max(fineness.voxel_mm, kRounding_mm);
-  if (metric.source == Source::certified) return std::max(fineness.resolution_mm, kRounding_mm);
+  if (metric.id.starts_with("voxel_")) return std::max(fineness.voxel_mm, kSameLength_mm);
+  if (metric.source == Source::certified) return std::max(fineness.resolution_mm, kSameLength_mm);
   return sample_floor_mm(fineness);
 }
 

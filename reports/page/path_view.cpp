@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/geometry/polyline.h"
+#include "model/geometry/segment.h"
+
 namespace limitgauge::reports::page {
 namespace {
 
@@ -12,13 +15,6 @@ using model::Vec3;
 
 /// Indices of the moves that segments end with, ascending.
 using Ends = std::vector<std::uint32_t>;
-
-double squared_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double squared = length_squared(along);
-  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0;
-  return length_squared(p - a - along * t);
-}
 
 /// What may be joined.
 struct Rule {
@@ -37,26 +33,17 @@ class Joiner {
   Joiner(const Toolpath& path, const Rule& rule) : path_(path), rule_(rule) {}
 
   Ends joined() const {
+    const auto kept = model::reduce_chords(
+        path_.moves.size() + 1,
+        [&](std::size_t from, std::size_t to) { return holds(from, to - from); });
     Ends out;
-    for (std::size_t i = 0; i < path_.moves.size();) {
-      i += longest(i);
-      out.push_back(static_cast<std::uint32_t>(i - 1));
-    }
+    for (std::size_t k = 1; k < kept.size(); ++k)
+      out.push_back(static_cast<std::uint32_t>(kept[k] - 1));
     return out;
   }
 
  private:
-  /// How many moves from `first` on make one segment. By doubling, then halving: what is found
-  /// holds, though a longer one might, too.
-  std::size_t longest(std::size_t first) const {
-    const std::size_t left = path_.moves.size() - first;
-    std::size_t good = 1, step = 1;
-    while (good + step <= left && holds(first, good + step)) good += step, step *= 2;
-    for (; step > 0; step /= 2)
-      if (good + step <= left && holds(first, good + step)) good += step;
-    return good;
-  }
-
+  /// Whether `count` moves from `first` on may be one segment.
   bool holds(std::size_t first, std::size_t count) const {
     const std::size_t last = first + count - 1;
     const Vec3& from = model::move_from(path_, first);
@@ -64,7 +51,7 @@ class Joiner {
     const double squared = rule_.within_mm * rule_.within_mm;
     for (std::size_t i = first; i < last; ++i)
       if (!rule_.joins(path_.moves[i], path_.moves[i + 1]) ||
-          squared_to_segment(path_.moves[i].to, from, to) > squared)
+          squared_distance_to_segment(path_.moves[i].to, from, to) > squared)
         return false;
     return true;
   }
@@ -126,7 +113,8 @@ double farthest_mm(const Toolpath& path, const Ends& ends) {
   for (const std::uint32_t last : ends) {
     const Vec3& from = model::move_from(path, first);
     for (std::size_t i = first; i < last; ++i)
-      most = std::max(most, squared_to_segment(path.moves[i].to, from, path.moves[last].to));
+      most =
+          std::max(most, squared_distance_to_segment(path.moves[i].to, from, path.moves[last].to));
     first = last + std::size_t(1);
   }
   return std::sqrt(most);

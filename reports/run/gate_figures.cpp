@@ -6,6 +6,7 @@
 #include "model/base/number_text.h"
 #include "reports/run/process.h"
 #include "reports/text/text.h"
+#include "reports/tolerance.h"
 #include "verifier/gate/verify.h"
 
 namespace limitgauge::reports {
@@ -45,9 +46,7 @@ std::string reach_text(const verifier::Interval& area_mm2, double whole_mm2) {
   const std::string most = area_text(area_mm2.high) + " (",
                     share = share_text(area_mm2.high / whole_mm2) + ")";
   if (area_mm2.low == area_mm2.high) return most + share;
-  // The lower end of an interval may round down to none.
-  constexpr double kLeast_mm2 = 1e-3;
-  if (area_mm2.low < kLeast_mm2) return "0 to " + most + "0 to " + share;
+  if (area_mm2.low < kNoArea_mm2) return "0 to " + most + "0 to " + share;
   return three_digits(area_mm2.low) + " to " + most + three_digits(100 * area_mm2.low / whole_mm2) +
          " to " + share;
 }

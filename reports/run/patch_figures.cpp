@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "reports/tolerance.h"
+
 namespace limitgauge::reports {
 namespace {
 
@@ -19,8 +21,7 @@ void add(PatchFigures& figures, const verifier::DeviationField::Sample& sample) 
 
 /// How often a limit holds `mm`; any gouge is far beyond a limit of zero.
 double times(double mm, double limit_mm) {
-  constexpr double kLeast_mm = 1e-9;
-  return mm / std::max(limit_mm, kLeast_mm);
+  return mm / std::max(limit_mm, kZeroLimit_mm);
 }
 
 double badness(const PatchFigures& f, const verifier::GateLimits& limits) {

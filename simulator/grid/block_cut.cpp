@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
 
-// Rounding of distances and gradients of part-sized numbers is far below this; a move is only set
-// aside when it loses by more.
-constexpr double kSlack = 1e-9;
 constexpr std::size_t kFewMoves = 32;
 
 Index3 child_corner(const Index3& corner, int half, int child) {
@@ -59,7 +58,7 @@ void BlockCutter::cut(const Index3& corner, LeafSink& sink) {
     pass_.gather_rivals({middle, lattice_.half_edge(kBlockEdge), found->at.gradient * to_foot},
                         slots_);
   } else {
-    pass_.gather(middle, found->at.distance + 2 * r + kSlack, slots_);
+    pass_.gather(middle, found->at.distance + 2 * r + kDistanceRounding_mm, slots_);
   }
   levels_[0].moves.assign(pass_, slots_);
   descend(0, corner, kBlockEdge, sink);
@@ -81,7 +80,7 @@ void BlockCutter::sample(Level& level, const Vec3& p, double half_diagonal) cons
   for (std::size_t i = 0; i < n && least >= -(half_diagonal + band_); ++i) {
     const std::uint32_t slot = level.moves.slot[i];
     const bool far = cannot_be_below(pass_.profile(), pass_.move(slot), p,
-                                     least + 2 * half_diagonal + 2 * kSlack);
+                                     least + 2 * half_diagonal + 2 * kDistanceRounding_mm);
     const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass_.distance(slot, p);
     least = std::min(least, s.distance);
     level.samples.distance[i] = s.distance;
@@ -121,7 +120,7 @@ void BlockCutter::keep_that_matter(Level& level, const Vec3& middle, int edge) c
     const double behind = s.distance[i] - s.distance[j];
     const double turn = norm1(gradient(s, i) - g);
     const bool twin = behind == 0 && turn == 0 && bend == 0;
-    if (i == j || (!twin && behind <= std::min(2 * r, h * turn + bend) + kSlack))
+    if (i == j || (!twin && behind <= std::min(2 * r, h * turn + bend) + kDistanceRounding_mm))
       level.kept.push_back(static_cast<std::uint32_t>(i));
   }
 }

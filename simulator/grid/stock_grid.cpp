@@ -9,6 +9,7 @@
 #include "simulator/grid/grid_file.h"
 #include "simulator/grid/tree_queries.h"
 #include "simulator/grid/vdb_tree.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -129,8 +130,8 @@ double StockGrid::value(const Vec3& p) const {
 
 GridRun StockGrid::proven_run(const Vec3& from, const Vec3& along, double limit_mm) const {
   const double voxel = impl_->lattice.voxel_mm;
-  // Single precision's last bits, and a step that is worth its look.
-  const double slack = 1e-5 * voxel, least = 0.05 * voxel;
+  // The second is a step that is worth its look.
+  const double slack = kSinglePrecision_voxels * voxel, least = 0.05 * voxel;
   const openvdb::tree::ValueAccessor<const Tree, false> tree(impl_->grid->tree());
   GridRun run;
   while (run.length_mm < limit_mm) {

@@ -17,6 +17,7 @@
 #include "model/mesh/mesh_defect.h"
 #include "simulator/mesh/tetra_surface.h"
 #include "simulator/stock/in_own_process.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -61,7 +62,7 @@ Lattice lattice_of(const std::filesystem::path& path, const openvdb::math::Trans
     fail(path, "the grid's voxel is " + model::shortest(voxel) + " mm", kExpected);
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c)
-      if (!(std::abs(m(r, c) - (r == c ? voxel : 0)) <= 1e-12 * voxel))
+      if (!(std::abs(m(r, c) - (r == c ? voxel : 0)) <= kStraightAxes * voxel))
         fail(path, "the grid is rotated, sheared or unevenly scaled", kExpected);
   const Lattice lattice{{m(3, 0), m(3, 1), m(3, 2)}, voxel};
   if (!is_finite(lattice.origin_mm)) fail(path, "the grid has no finite place", kExpected);

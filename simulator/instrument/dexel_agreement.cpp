@@ -6,6 +6,7 @@
 
 #include "model/base/chunks.h"
 #include "simulator/stock/material.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 using model::Vec3;
 
 constexpr std::size_t kLinesAtOnce = 64;
-// Thinner material and thinner gaps have no middle to speak of.
-constexpr double kThin_mm = 1e-8;
 // A level set whose voxels hold exact distances errs along creases, where it is linear across the
 // bend: with the square of the voxel, by less than this share of surface times voxel. Over random
 // jobs of every kind of cutter it was 0.03 at a voxel of 0.6 mm, 0.015 at 0.3 and 0.008 at 0.15.
@@ -54,12 +53,12 @@ LineFigures look_at(const DexelStock& dexels, const StockModel& stock, std::size
     figures.side(-phi(z), {foot.x, foot.y, z});
   };
   double below = box.low.z;
-  for (const DexelStock::Interval& m : dexels.material(i, j)) {
-    gap(below, m.low_mm);
-    for (const double z : {m.low_mm, m.high_mm}) figures.end(phi(z), {foot.x, foot.y, z});
-    const double middle = (m.low_mm + m.high_mm) / 2;
-    if (m.high_mm - m.low_mm >= kThin_mm) figures.side(phi(middle), {foot.x, foot.y, middle});
-    below = m.high_mm;
+  for (const model::Interval& m : dexels.material(i, j)) {
+    gap(below, m.low);
+    for (const double z : {m.low, m.high}) figures.end(phi(z), {foot.x, foot.y, z});
+    const double middle = (m.low + m.high) / 2;
+    if (m.high - m.low >= kThin_mm) figures.side(phi(middle), {foot.x, foot.y, middle});
+    below = m.high;
   }
   gap(below, box.high.z);
   return figures;

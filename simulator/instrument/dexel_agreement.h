@@ -6,6 +6,7 @@
 #include "model/base/run_control.h"
 #include "simulator/instrument/dexel_stock.h"
 #include "simulator/stock/stock_model.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 
@@ -26,10 +27,6 @@ struct StockAgreement {
   /// True where the exact models agree within kAgreement_mm and the volumes within their errors.
   bool agree() const;
 };
-
-/// The swept distances are exact to 1e-10 mm, the ends of dexels to 1e-9 mm along Z; a cutter a
-/// micrometre too wide makes more than 1e-5 mm at some end.
-inline constexpr double kAgreement_mm = 1e-6;
 
 /// Compares on at most `lines` lines, spread evenly over all; volumes as a whole. The same for any
 /// number of threads. `level_set_volume_mm3` is the level set's volume, where it is known already:

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
 
@@ -79,8 +81,8 @@ class PassCut {
 
 Range PassCut::lines(double low, double high, double corner, double step, int n) const {
   // A line on the edge may be missed by rounding: it would lose nothing but rounding.
-  const double first = std::max(0.0, std::ceil((low - corner) / step - 0.5 - 1e-6));
-  const double last = std::min(n - 1.0, std::floor((high - corner) / step - 0.5 + 1e-6));
+  const double first = std::max(0.0, std::ceil((low - corner) / step - 0.5 - kLineOnEdge));
+  const double last = std::min(n - 1.0, std::floor((high - corner) / step - 0.5 + kLineOnEdge));
   if (!(first <= last)) return {0, -1};
   return {static_cast<int>(first), static_cast<int>(last)};
 }
@@ -93,7 +95,7 @@ void PassCut::add_visits(const DexelSweep& sweep, std::uint32_t move) {
   for (int ty = rows.first / kEdge; ty <= rows.last / kEdge; ++ty) {
     const double y0 = lattice_.line_at(0, std::max(rows.first, ty * kEdge)).y;
     const double y1 = lattice_.line_at(0, std::min(rows.last, ty * kEdge + kEdge - 1)).y;
-    const DexelSpan span = sweep.span(y0, y1);
+    const model::Interval span = sweep.span(y0, y1);
     const Range columns = lines(span.low, span.high, lattice_.corner.x, lattice_.dx, lattice_.nx);
     if (columns.first > columns.last) continue;
     for (int tx = columns.first / kEdge; tx <= columns.last / kEdge; ++tx) {

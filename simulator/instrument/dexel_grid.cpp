@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
 
@@ -11,20 +13,20 @@ struct RawLine {
   double x, y;
   const std::optional<MeshSolid>& solid;
 
-  std::vector<DexelInterval> operator()(const model::BoxStock& box) const {
+  std::vector<model::Interval> operator()(const model::BoxStock& box) const {
     return {{box.corner_mm.z, box.corner_mm.z + box.size_mm.z}};
   }
-  std::vector<DexelInterval> operator()(const model::CylinderStock& bar) const {
+  std::vector<model::Interval> operator()(const model::CylinderStock& bar) const {
     if (std::hypot(x - bar.base_mm.x, y - bar.base_mm.y) > bar.diameter_mm / 2) return {};
     return {{bar.base_mm.z, bar.base_mm.z + bar.height_mm}};
   }
-  std::vector<DexelInterval> operator()(const model::MeshStock&) const {
-    std::vector<DexelInterval> intervals;
+  std::vector<model::Interval> operator()(const model::MeshStock&) const {
+    std::vector<model::Interval> intervals;
     const std::vector<double> z = solid->crossings(x, y);
     for (std::size_t i = 0; i + 1 < z.size(); i += 2) {
       // Solids that touch make one interval.
-      if (!intervals.empty() && z[i] - intervals.back().high_mm < kDexelRounding_mm)
-        intervals.back().high_mm = z[i + 1];
+      if (!intervals.empty() && z[i] - intervals.back().high < kDexelRounding_mm)
+        intervals.back().high = z[i + 1];
       else if (z[i + 1] - z[i] >= kDexelRounding_mm)
         intervals.push_back({z[i], z[i + 1]});
     }
@@ -34,7 +36,7 @@ struct RawLine {
 
 int divisions(double size, double spacing) {
   // A size that is a whole number of spacings but for rounding is one.
-  return std::max(1, static_cast<int>(std::ceil(size / spacing - 1e-9)));
+  return std::max(1, static_cast<int>(std::ceil(size / spacing - kWholeSpacing)));
 }
 
 int tiles_of(int lines) {

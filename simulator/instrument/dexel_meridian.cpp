@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/base/angle.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -90,7 +91,7 @@ double ConvexMeridian::foot_in(const Piece& p, double across, double slope, doub
     const double rise = e + w * w / rho - slope * w * (h / rho - (h > 0 ? e / h : 0.0));
     double next = w - value / rise;
     if (!(next >= low && next <= high) || step % 8 == 7) next = 0.5 * (low + high);
-    if (std::abs(next - w) <= 1e-12 * rho) return next;
+    if (std::abs(next - w) <= kSettled * rho) return next;
     w = next;
   }
   return w;

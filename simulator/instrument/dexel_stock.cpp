@@ -103,11 +103,8 @@ std::size_t DexelStock::memory_bytes() const {
   return bytes;
 }
 
-std::vector<DexelStock::Interval> DexelStock::material(int i, int j) const {
-  std::vector<Interval> intervals;
-  for (const DexelInterval& m : state_->tile(i, j).material(DexelTile::line(i % kEdge, j % kEdge)))
-    intervals.push_back({m.low_mm, m.high_mm});
-  return intervals;
+std::vector<model::Interval> DexelStock::material(int i, int j) const {
+  return state_->tile(i, j).material(DexelTile::line(i % kEdge, j % kEdge));
 }
 
 }  // namespace limitgauge::simulator

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/base/run_control.h"
+#include "model/geometry/interval.h"
 #include "model/part/stock.h"
 #include "simulator/instrument/dexel_removal.h"
 #include "simulator/sweep/pass.h"
@@ -26,9 +27,6 @@ class DexelStock {
   /// The stock after `pass`, and what each move took. Throws Interrupted.
   Cut cut(const Pass& pass, const model::RunControl& control) const;
 
-  struct Interval {
-    double low_mm, high_mm;
-  };
   double spacing_mm() const;  ///< the wider of the spacings in x and y
   double volume_mm3() const;  ///< sum of the intervals' lengths times the area of a rectangle
   /// How far volume_mm3() may be off: a quarter of the second differences of the material's length
@@ -42,8 +40,8 @@ class DexelStock {
   std::size_t memory_bytes() const;
   int nx() const;
   int ny() const;
-  model::Vec3 line_at(int i, int j) const;             ///< x and y of a line; z is 0
-  std::vector<Interval> material(int i, int j) const;  ///< ascending, apart
+  model::Vec3 line_at(int i, int j) const;                    ///< x and y of a line; z is 0
+  std::vector<model::Interval> material(int i, int j) const;  ///< heights, mm: ascending, apart
 
  private:
   struct State;

@@ -4,18 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A move that goes less than this to the side is taken to be vertical.
-constexpr double kLeastRun_mm = 1e-12;
-
-void widen(DexelSpan& span, double low, double high) {
-  span.low = std::min(span.low, low), span.high = std::max(span.high, high);
-}
 
 }  // namespace
 
@@ -72,17 +68,17 @@ double DexelSweep::highest(double along, double across, const Reach& reach) cons
   return tip_z(s) - side.height(radius(along - s, across));
 }
 
-std::optional<DexelInterval> DexelSweep::interval(double x, double y) const {
+std::optional<model::Interval> DexelSweep::interval(double x, double y) const {
   if (vertical()) {
     const double rho = std::hypot(x - start_.x, y - start_.y);
     if (!(rho <= profile_->largest_radius())) return {};
-    return DexelInterval{tip_low_ + profile_->lower().height(rho),
-                         tip_high_ - profile_->minus_upper().height(rho)};
+    return model::Interval{tip_low_ + profile_->lower().height(rho),
+                           tip_high_ - profile_->minus_upper().height(rho)};
   }
   const double u = along(x, y), v = across(x, y);
   const auto places = reach(u, v);
   if (!places) return {};
-  return DexelInterval{lowest(u, v, *places), highest(u, v, *places)};
+  return model::Interval{lowest(u, v, *places), highest(u, v, *places)};
 }
 
 // The lowest point of a swept sphere over each line. Without branches, for the compiler to take
@@ -124,7 +120,7 @@ void DexelSweep::lower_ends(double x, double y, double step, int n, const double
   }
 }
 
-DexelSpan DexelSweep::span(double y_low, double y_high) const {
+model::Interval DexelSweep::span(double y_low, double y_high) const {
   const double r = profile_->largest_radius();
   // Of the segment only what is within a radius of the band can reach it.
   double from = 0, to = 1;
@@ -133,25 +129,25 @@ DexelSpan DexelSweep::span(double y_low, double y_high) const {
     const double a = (y_low - r - start_.y) / dy, b = (y_high + r - start_.y) / dy;
     from = std::max(0.0, std::min(a, b)), to = std::min(1.0, std::max(a, b));
   } else if (start_.y < y_low - r || start_.y > y_high + r) {
-    return {kInfinity, -kInfinity};
+    return model::Interval::none();
   }
-  DexelSpan span{kInfinity, -kInfinity};
+  model::Interval span = model::Interval::none();
   if (from > to) return span;
   for (const double t : {from, to}) {
     const double x = start_.x + t * (end_.x - start_.x);
-    widen(span, x - r, x + r);
+    span.add(model::Interval{x - r, x + r});
   }
   return span;
 }
 
-DexelSpan DexelSweep::row(double y) const {
+model::Interval DexelSweep::row(double y) const {
   const double r = profile_->largest_radius();
-  DexelSpan span{kInfinity, -kInfinity};
+  model::Interval span = model::Interval::none();
   for (const Vec3* centre : {&start_, &end_}) {
     const double d = y - centre->y;
     if (std::abs(d) > r) continue;
     const double half = std::sqrt((r - d) * (r + d));
-    widen(span, centre->x - half, centre->x + half);
+    span.add(model::Interval{centre->x - half, centre->x + half});
   }
   // Between the ends: |across| <= r and 0 <= along <= run.
   if (vertical() || along_y_ == 0) return span;
@@ -164,7 +160,7 @@ DexelSpan DexelSweep::row(double y) const {
   } else if (d * along_y_ < 0 || d * along_y_ > run_) {
     return span;
   }
-  if (from <= to) widen(span, start_.x + from, start_.x + to);
+  if (from <= to) span.add(model::Interval{start_.x + from, start_.x + to});
   return span;
 }
 

@@ -3,20 +3,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/geometry/interval.h"
 #include "model/geometry/vec3.h"
 #include "simulator/instrument/dexel_meridian.h"
 
 namespace limitgauge::simulator {
-
-/// Heights between which there is something on a vertical line.
-struct DexelInterval {
-  double low_mm = 0, high_mm = 0;
-};
-
-/// A range of x; empty where low > high.
-struct DexelSpan {
-  double low = 0, high = 0;
-};
 
 /// What one straight move of a cutter's flutes takes from vertical lines. The swept solid is the
 /// Minkowski sum of two convex sets, so that its part of a line is one interval, found by
@@ -25,16 +16,18 @@ class DexelSweep {
  public:
   DexelSweep(const DexelProfile& profile, const model::Vec3& from, const model::Vec3& to);
 
-  /// Nothing where the flutes do not reach the line.
-  std::optional<DexelInterval> interval(double x, double y) const;
+  /// The heights between which the flutes take from the line, mm; nothing where they do not reach
+  /// it.
+  std::optional<model::Interval> interval(double x, double y) const;
   /// The lower ends on `n` lines at (x + i·step, y); infinite where the flutes do not reach the
   /// line, and where the end is seen not to lie below `standing[i]`.
   void lower_ends(double x, double y, double step, int n, const double* standing,
                   double* low) const;
-  /// A range of x that holds all of the sweep with y in [y_low, y_high].
-  DexelSpan span(double y_low, double y_high) const;
+  /// A range of x, empty where there is none, that holds all of the sweep with y in [y_low,
+  /// y_high].
+  model::Interval span(double y_low, double y_high) const;
   /// The range of x that the sweep covers at this y.
-  DexelSpan row(double y) const;
+  model::Interval row(double y) const;
   /// No lower end of an interval at this y lies below this.
   double least_lower(double y) const;
 

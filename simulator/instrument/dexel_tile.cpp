@@ -4,22 +4,24 @@
 #include <cmath>
 #include <limits>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // `intervals` less `taken`, and how much that was.
-double subtract(std::vector<DexelInterval>& intervals, const DexelInterval& taken) {
-  std::vector<DexelInterval> left;
+double subtract(std::vector<model::Interval>& intervals, const model::Interval& taken) {
+  std::vector<model::Interval> left;
   double before = 0, after = 0;
-  for (const DexelInterval& m : intervals) {
-    before += m.high_mm - m.low_mm;
-    for (const DexelInterval part : {DexelInterval{m.low_mm, std::min(m.high_mm, taken.low_mm)},
-                                     DexelInterval{std::max(m.low_mm, taken.high_mm), m.high_mm}}) {
-      if (part.high_mm - part.low_mm < kDexelRounding_mm) continue;
+  for (const model::Interval& m : intervals) {
+    before += m.high - m.low;
+    for (const model::Interval part : {model::Interval{m.low, std::min(m.high, taken.low)},
+                                       model::Interval{std::max(m.low, taken.high), m.high}}) {
+      if (part.high - part.low < kDexelRounding_mm) continue;
       left.push_back(part);
-      after += part.high_mm - part.low_mm;
+      after += part.high - part.low;
     }
   }
   if (before - after < kDexelRounding_mm) return 0;
@@ -67,7 +69,7 @@ double Cutting::take(int line, double x, double y, double low) {
   }
   const auto taken = sweep_.interval(x, y);
   if (!taken) return 0;
-  std::vector<DexelInterval> material = tile_.material(line);
+  std::vector<model::Interval> material = tile_.material(line);
   const double removed = subtract(material, *taken);
   if (removed > 0) tile_.set_material(line, material);
   return removed;
@@ -76,10 +78,10 @@ double Cutting::take(int line, double x, double y, double low) {
 void Cutting::row(int j) {
   const double y = frame_.y + j * frame_.dy;
   if (sweep_.least_lower(y) >= tile_.row_top[j]) return;
-  const DexelSpan span = sweep_.row(y);
-  const double from = std::max(0.0, std::ceil((span.low - frame_.x) / frame_.dx - 1e-6));
-  const double to =
-      std::min(DexelTile::kEdge - 1.0, std::floor((span.high - frame_.x) / frame_.dx + 1e-6));
+  const model::Interval span = sweep_.row(y);
+  const double from = std::max(0.0, std::ceil((span.low - frame_.x) / frame_.dx - kLineOnEdge));
+  const double to = std::min(DexelTile::kEdge - 1.0,
+                             std::floor((span.high - frame_.x) / frame_.dx + kLineOnEdge));
   if (!(from <= to)) return;
   cut_lines(static_cast<int>(from), static_cast<int>(to - from) + 1, j);
 }
@@ -117,17 +119,17 @@ DexelTile::DexelTile() {
   top.fill(-kInfinity), bottom.fill(-kInfinity), row_top.fill(-kInfinity);
 }
 
-std::vector<DexelInterval> DexelTile::material(int line) const {
-  std::vector<DexelInterval> all;
+std::vector<model::Interval> DexelTile::material(int line) const {
+  std::vector<model::Interval> all;
   if (!others.empty()) all = others[line];
   if (!empty(line)) all.push_back({bottom[line], top[line]});
   return all;
 }
 
-void DexelTile::set_material(int line, const std::vector<DexelInterval>& intervals) {
+void DexelTile::set_material(int line, const std::vector<model::Interval>& intervals) {
   const bool none = intervals.empty();
-  top[line] = none ? -kInfinity : intervals.back().high_mm;
-  bottom[line] = none ? -kInfinity : intervals.back().low_mm;
+  top[line] = none ? -kInfinity : intervals.back().high;
+  bottom[line] = none ? -kInfinity : intervals.back().low;
   if (intervals.size() > 1 && others.empty()) others.resize(kLines);
   if (!others.empty())
     others[line].assign(intervals.begin(), none ? intervals.end() : intervals.end() - 1);
@@ -138,7 +140,7 @@ void DexelTile::set_material(int line, const std::vector<DexelInterval>& interva
 double DexelTile::length(int line) const {
   double sum = empty(line) ? 0.0 : top[line] - bottom[line];
   if (!others.empty())
-    for (const DexelInterval& m : others[line]) sum += m.high_mm - m.low_mm;
+    for (const model::Interval& m : others[line]) sum += m.high - m.low;
   return sum;
 }
 

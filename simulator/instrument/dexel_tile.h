@@ -3,7 +3,9 @@
 #include <array>
 #include <vector>
 
+#include "model/geometry/interval.h"
 #include "simulator/instrument/dexel_sweep.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 
@@ -17,15 +19,16 @@ struct DexelTile {
   static int line(int i, int j) { return j * kEdge + i; }
   bool empty(int line) const { return !(bottom[line] < top[line]); }
   /// All intervals of a line, ascending.
-  std::vector<DexelInterval> material(int line) const;
-  void set_material(int line, const std::vector<DexelInterval>& intervals);
+  std::vector<model::Interval> material(int line) const;
+  void set_material(int line, const std::vector<model::Interval>& intervals);
   double length(int line) const;  ///< of the material on a line, mm
   double highest() const;         ///< minus infinity without material
   std::size_t memory_bytes() const;
 
-  std::array<double, kLines> top, bottom;          ///< of the highest interval
-  std::array<double, kEdge> row_top;               ///< highest material of a row
-  std::vector<std::vector<DexelInterval>> others;  ///< below it, one a line; empty if none have any
+  std::array<double, kLines> top, bottom;  ///< of the highest interval
+  std::array<double, kEdge> row_top;       ///< highest material of a row
+  std::vector<std::vector<model::Interval>>
+      others;  ///< below it, one a line; empty if none have any
 };
 
 /// Where the lines of a tile stand.
@@ -41,9 +44,6 @@ struct TileRemoval {
   /// Places of the lines across and along the move.
   float across_low = 0, across_high = 0, along_low = 0, along_high = 0;
 };
-
-/// Ends that would move by less than this stay where they are, and no thinner material is kept.
-inline constexpr double kDexelRounding_mm = 1e-9;
 
 /// Takes the sweep from the tile's lines.
 TileRemoval cut(DexelTile& tile, const DexelFrame& frame, const DexelSweep& sweep);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "simulator/grid/stock_grid.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -12,12 +13,9 @@ using model::Move;
 using model::MoveKind;
 using model::Vec3;
 
-// What the rounding of coordinates may add to a move's drop.
-constexpr double kRounding_mm = 1e-3;
-
 bool is_steep(const Vec3& from, const Vec3& to, double steepest_deg) {
   const double most = level_distance(from, to) * std::tan(steepest_deg * std::numbers::pi / 180);
-  return from.z - to.z > most + kRounding_mm;
+  return from.z - to.z > most + kDropRounding_mm;
 }
 
 bool lacks_feed(const Move& m) {

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "simulator/grid/stock_grid.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
 
-constexpr double kLeast_mm = StockRays::kLeastFeature_mm;
 /// Steps on the exact material before a ray is given up that follows a surface.
 constexpr int kMostSteps = 4000;
 /// Steps that are all short mean a surface alongside: then the moves about are looked at one by
@@ -84,8 +84,8 @@ MaterialSample Walk::sample(const Vec3& p) const {
 }
 
 /// From t_, inside a convex body, to where the ray leaves it: no further than that, and short of it
-/// by no more than a fraction of kLeast_mm. The body's distance is convex along the ray, so that a
-/// chord lies above it and a tangent below.
+/// by no more than a fraction of kLeastFeature_mm. The body's distance is convex along the ray, so
+/// that a chord lies above it and a tangent below.
 double Walk::way_out(SurfaceMaker body) const {
   const double inwards = body.pass > 0 ? -1 : 1;  // φ of a move is minus its distance
   const auto distance = [&](double t) {
@@ -96,7 +96,7 @@ double Walk::way_out(SurfaceMaker body) const {
   Along low = distance(a), high = distance(b);
   if (high.value <= 0) return b;
   constexpr int kMost = 60;
-  for (int k = 0; k < kMost && b - a > 0.1 * kLeast_mm; ++k) {
+  for (int k = 0; k < kMost && b - a > 0.1 * kLeastFeature_mm; ++k) {
     const double chord = a + (b - a) * low.value / (low.value - high.value);
     const double tangent = high.slope > 0 ? b - high.value / high.slope : b;
     const double next = k % 2 == 0 ? tangent : chord;
@@ -123,7 +123,7 @@ double Walk::first_entry() const {
       double t = t_;
       for (int k = 0; k < 60 && t < first; ++k) {
         const SweptSample d = pass->distance(slot, at(t));
-        if (d.distance <= 0.1 * kLeast_mm) break;
+        if (d.distance <= 0.1 * kLeastFeature_mm) break;
         const double slope = dot(d.gradient, along_);
         if (slope >= 0)
           t = end;
@@ -154,9 +154,10 @@ StockRays::Run Walk::go() {
     const MaterialSample s = sample(at(t_));
     hint_ = s.maker;
     const bool inside = s.value < 0;
-    if (inside_ && inside != *inside_) return {*inside_, std::min(t_, limit_mm_), true, kLeast_mm};
+    if (inside_ && inside != *inside_)
+      return {*inside_, std::min(t_, limit_mm_), true, kLeastFeature_mm};
     inside_ = inside;
-    t_ += std::max(proven_step(s), 0.0) + kLeast_mm;
+    t_ += std::max(proven_step(s), 0.0) + kLeastFeature_mm;
     if (t_ >= limit_mm_) return open_end();
   }
   return open_end();

@@ -2,6 +2,7 @@
 
 #include "simulator/stock/material.h"
 #include "simulator/stock/stock_model.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 
@@ -17,9 +18,6 @@ namespace limitgauge::simulator {
 /// be cut where it stands. Const calls from several threads at once.
 class StockRays {
  public:
-  /// What is thinner along the ray is passed over, and an end is known to.
-  static constexpr double kLeastFeature_mm = 1e-7;
-
   struct Run {
     bool material = false;  ///< what stands at the start
     /// All of this is like the start, but for what is thinner than kLeastFeature_mm.

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
-
-constexpr double kSlack = 1e-9;
 
 MaterialSample of_move(std::size_t pass, const NearestMove& n) {
   return {-n.at.distance, -n.at.gradient, {static_cast<std::uint32_t>(pass + 1), n.slot}};
@@ -45,7 +45,7 @@ void NearMaterial::prepare(Level& level, const Level* wider) {
   level.cube.middle = lattice_.point(level.corner) + Vec3{half, half, half} * lattice_.voxel_mm;
   level.cube.half_edge_mm = (half + level.margin) * lattice_.voxel_mm;
   level.raw = raw_distance(material_.raw(), level.cube.middle);
-  const double reach = 2 * level.cube.half_diagonal() + kSlack;
+  const double reach = 2 * level.cube.half_diagonal() + kDistanceRounding_mm;
   double value = level.raw.distance;
   for (std::size_t k = material_.passes().size(); k-- > 0;) {
     const SweepIndex& pass = *material_.passes()[k];
@@ -68,7 +68,8 @@ MaterialSample NearMaterial::sample_in(const Level& level, const Vec3& p,
   MaterialSample best;
   best.value = -std::numeric_limits<double>::infinity();
   // The raw stock's distance changes by no more than the way.
-  const double raw_most = level.raw.distance + distance(p, level.cube.middle) + kSlack;
+  const double raw_most =
+      level.raw.distance + distance(p, level.cube.middle) + kDistanceRounding_mm;
   if (guess.pass > 0) best = material_.sample_of(guess, p);
   if (raw_most > best.value) {
     const MaterialSample raw = material_.sample_of({}, p);

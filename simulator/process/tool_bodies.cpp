@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
-
-// Two radii that are meant to be the same: diameters are stated to micrometres.
-constexpr double kSameRadius_mm = 1e-6;
 
 // A profile that leans inwards is narrower at its top than below.
 double top_radius(const CutterProfile& profile) {

@@ -4,16 +4,12 @@
 #include <cmath>
 
 #include "simulator/sweep/wide.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
-
-// Rounding of distances between part-sized numbers is far below this.
-constexpr double kSlack = 1e-9;
-// So far above the plane that rounding does not matter.
-constexpr double kRounding = 1e-12;
 
 double norm1(const Vec3& v) {
   return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
@@ -51,14 +47,15 @@ LocalMaterial::LocalMaterial(const Material& material, const Vec3& middle, doubl
 
 void LocalMaterial::take_pass(std::uint32_t pass, const MaterialSample& at_middle, double bend) {
   const SweepIndex& index = *material_.passes()[pass];
-  const double depth = -at_middle.value, far = 2 * half_diagonal_ + kSlack;
+  const double depth = -at_middle.value, far = 2 * half_diagonal_ + kDistanceRounding_mm;
   slots_.clear();
   index.gather(middle_, depth + far, slots_);
   for (const std::uint32_t slot : slots_) {
     if (cannot_be_below(index.profile(), index.move(slot), middle_, depth + far)) continue;
     const SweptSample s = index.distance(slot, middle_);
     const double turn = norm1(s.gradient + at_middle.gradient);
-    if (s.distance - depth > std::min(far, half_edge_ * turn + bend + kSlack)) continue;
+    if (s.distance - depth > std::min(far, half_edge_ * turn + bend + kDistanceRounding_mm))
+      continue;
     moves_.push_back({pass + 1, slot});
     distance_.push_back(s.distance);
     gx_.push_back(s.gradient.x), gy_.push_back(s.gradient.y), gz_.push_back(s.gradient.z);
@@ -80,7 +77,7 @@ MaterialSample LocalMaterial::sample(const Vec3& p, SurfaceMaker guess) {
   find_planes(distance_.data(), gx_.data(), gy_.data(), gz_.data(), moves_.size(), p - middle_,
               plane_.data());
   for (std::size_t i = 0; i < moves_.size(); ++i) {
-    if (plane_[i] >= -best.value + kRounding) continue;
+    if (plane_[i] >= -best.value + kSameDistance_mm) continue;
     const MaterialSample s = material_.sample_of(moves_[i], p);
     if (s.value > best.value) best = s;
   }

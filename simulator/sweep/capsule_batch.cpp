@@ -5,15 +5,13 @@
 #include <limits>
 
 #include "simulator/sweep/wide.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
 
-// Rounding of distances between part-sized numbers, in mm, is far below this; a move is only set
-// aside when it loses by more.
-constexpr double kCapsuleSlack_mm = 1e-9;
 // 1 + √3, rounded up: below this many half edges a foot keeps to the way all over a cube.
 constexpr double kOnTheWay = 2.7321;
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -130,7 +128,7 @@ bool slides_both_ways(const MoveBatch& b, std::uint32_t i, const Vec3& foot, dou
   if (b.run[i] == 0) return false;
   const double t =
       ((foot.x - b.x[i]) * b.along_x[i] + (foot.y - b.y[i]) * b.along_y[i]) * b.inverse_run[i];
-  const double reach = (h * b.norm1[i] + kCapsuleSlack_mm) * b.inverse_length[i];
+  const double reach = (h * b.norm1[i] + kDistanceRounding_mm) * b.inverse_length[i];
   return t >= reach && 1 - t >= reach;
 }
 
@@ -187,7 +185,7 @@ void CapsuleNarrowing::keep(const MoveBatch& batch, std::vector<std::uint32_t>& 
   first_margins(batch.columns(), all_.columns(), n, half_edge_, direction(batch, j),
                 {nearest.x, nearest.y, nearest.z}, nearest.squared, nearest.turn, all_.turn.data(),
                 margin_.data());
-  const double slack = kCapsuleSlack_mm * (1 + 2 * std::sqrt(least_));
+  const double slack = kDistanceRounding_mm * (1 + 2 * std::sqrt(least_));
   keep_winners(margin_, batch.size(), slack, kept);
   if (kept.size() < kManyKept) return;
   lose_at_corners(batch, kept);

@@ -3,6 +3,8 @@
 #include <limits>
 #include <numbers>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
 
@@ -93,9 +95,8 @@ bool CutterProfile::flat_below(double rho, double z, double reach) const {
 }
 
 bool CutterProfile::upright_between(double z_low, double z_high) const {
-  // A block may end where the wall does, and miss it by rounding.
-  constexpr double kRounding = 1e-9;
-  return sin_ == 0 && z_low >= side_z_ - kRounding && z_high <= length_ + kRounding;
+  return sin_ == 0 && z_low >= side_z_ - kDistanceRounding_mm &&
+         z_high <= length_ + kDistanceRounding_mm;
 }
 
 double CutterProfile::nose_height(double rho) const {

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
-
-// Sine of the angle between pieces of one line whose ends are rounded.
-constexpr double kSameDirection = 1e-4;
 
 bool goes_on(const Vec3& direction, const Vec3& way) {
   return dot(direction, way) > 0 &&

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
 
-// Rounding of distances and gradients of part-sized numbers is far below this; a move is only set
-// aside when it loses by more.
-constexpr double kDistanceSlack_mm = 1e-9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 Vec3 gradient(const BatchSamples& s, std::size_t i) {
@@ -38,7 +37,7 @@ double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit)
     const double to_foot = found->at.distance + pass.profile().corner_radius();
     pass.gather_rivals({cube.middle, cube.half_edge_mm, found->at.gradient * to_foot}, kept_);
   } else {
-    const double reach = found->at.distance + 2 * cube.half_diagonal() + kDistanceSlack_mm;
+    const double reach = found->at.distance + 2 * cube.half_diagonal() + kDistanceRounding_mm;
     pass.gather(cube.middle, std::min(limit, reach), kept_);
   }
   moves_.assign(pass, kept_);
@@ -73,7 +72,7 @@ void NearMoves::sample(const SweepIndex& pass, const MoveBatch& from, const Cube
   for (std::size_t i = 0; i < n; ++i) {
     const SweptMove& move = pass.move(from.slot[i]);
     const bool far = cannot_be_below(pass.profile(), move, cube.middle,
-                                     least + 2 * cube.half_diagonal() + 2 * kDistanceSlack_mm);
+                                     least + 2 * cube.half_diagonal() + 2 * kDistanceRounding_mm);
     const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass.distance(from.slot[i], cube.middle);
     least = std::min(least, s.distance);
     samples_.distance[i] = s.distance;
@@ -111,7 +110,7 @@ double NearMoves::keep_others(const SweepIndex& pass, const MoveBatch& from, con
     const double turn = norm1(gradient(samples_, i) - g);
     const bool twin = behind == 0 && turn == 0 && bend == 0;
     const double most = std::min(2 * cube.half_diagonal(), cube.half_edge_mm * turn + bend);
-    if (i == j || (!twin && behind <= most + kDistanceSlack_mm))
+    if (i == j || (!twin && behind <= most + kDistanceRounding_mm))
       kept_.push_back(static_cast<std::uint32_t>(i));
   }
   return samples_.distance[j];
@@ -132,7 +131,7 @@ std::optional<NearestMove> NearMoves::nearest(const SweepIndex& pass, const Vec3
   if (empty()) return best;
   sample_balls(moves_, pass.profile().corner_radius(), p, at_);
   const auto least = std::min_element(at_.distance.begin(), at_.distance.end());
-  if (*least < bound + kDistanceSlack_mm) look_at(moves_.slot[least - at_.distance.begin()]);
+  if (*least < bound + kDistanceRounding_mm) look_at(moves_.slot[least - at_.distance.begin()]);
   return best;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/base/chunks.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -128,10 +129,9 @@ void SweepIndex::gather(const Vec3& p, double limit, std::vector<std::uint32_t>&
 // All that a node's balls reach lies in the box of their centres' ways and above it, grown by the
 // radius: that is convex too, and its foot may slide by |δ|² <= 3h².
 void SweepIndex::gather_rivals(const NearestCapsule& n, std::vector<std::uint32_t>& slots) const {
-  constexpr double kRivalSlack_mm = 1e-9;
   const Vec3 &p = n.middle, &q = n.from_foot;
   const double h = n.half_edge, radius = profile_.corner_radius();
-  const double limit = dot(q, q) + 3 * h * h + kRivalSlack_mm * (1 + 2 * length(q));
+  const double limit = dot(q, q) + 3 * h * h + kDistanceRounding_mm * (1 + 2 * length(q));
   const auto lost = [&](const Node& node) {
     const double x = p.x - std::clamp(p.x, node.tips.low.x, node.tips.high.x);
     const double y = p.y - std::clamp(p.y, node.tips.low.y, node.tips.high.y);

@@ -1,15 +1,15 @@
 #include "simulator/sweep/sweep_order.h"
 
-#include <algorithm>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "model/base/chunks.h"
+#include "model/geometry/box_tree.h"
 
 namespace limitgauge::simulator {
 namespace {
 
-using model::Box3;
 using model::Vec3;
 
 constexpr std::uint32_t kLeafMoves = 4;
@@ -32,11 +32,6 @@ std::pair<std::uint32_t, std::uint32_t> nodes_below(std::uint32_t n) {
   };
   return n % 2 == 0 ? std::pair(over(n, half, half), over(n + 1, half, more))
                     : std::pair(over(n, half, more), over(n + 1, more, more));
-}
-
-int longest_axis(const Vec3& size) {
-  int axis = size.y > size.x ? 1 : 0;
-  return size.z > size[axis] ? 2 : axis;
 }
 
 struct Part {
@@ -89,16 +84,11 @@ class Sorter {
   }
 
   std::pair<Part, Part> split(const Part& part) {
-    const std::uint32_t middle = part.begin + (part.end - part.begin) / 2;
-    Box3 box;
-    for (std::uint32_t s = part.begin; s < part.end; ++s) box.add(places_[s].middle);
-    const int axis = longest_axis(box.size());
-    // Ties by path index: the tree does not depend on how nth_element breaks them.
-    const auto before = [axis](const Place& a, const Place& b) {
-      return std::pair(a.middle[axis], a.index) < std::pair(b.middle[axis], b.index);
-    };
-    std::nth_element(places_.begin() + part.begin, places_.begin() + middle,
-                     places_.begin() + part.end, before);
+    const std::size_t half = model::halve_by_place(
+        std::span(places_).subspan(part.begin, part.end - part.begin),
+        [](const Place& place) -> const Vec3& { return place.middle; },
+        [](const Place& place) { return place.index; });
+    const std::uint32_t middle = part.begin + static_cast<std::uint32_t>(half);
     order_.nodes[part.node] = {part.below, 0};
     const std::uint32_t below_low = part.below + 2;
     const std::uint32_t below_high = below_low + nodes_below(middle - part.begin).first;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/tolerance.h"
+
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
 
-// The minimisation stops when the value is known to this; the promise is 1e-9 mm.
-constexpr double kValueTolerance = 1e-10;
 constexpr int kMostSteps = 100;
 
 // The cutter's distance with the tip at parameter t; slope is its derivative by t.
@@ -67,7 +67,7 @@ SweptSample minimise(const CutterProfile& profile, const SweptMove& m, const Vec
   if (b.slope <= 0) return as_sample(b);
   for (int step = 0; step < kMostSteps; ++step) {
     const TangentMeeting meeting = meet(a, b);
-    if (std::min(a.value, b.value) - meeting.value <= kValueTolerance) break;
+    if (std::min(a.value, b.value) - meeting.value <= kLeastAlongMove_mm) break;
     const double t = next_parameter(a, b, meeting, step);
     if (!(t > a.t && t < b.t)) break;
     const AlongMove c = at_parameter(profile, m, p, t);

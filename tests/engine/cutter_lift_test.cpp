@@ -13,7 +13,7 @@ using model::Vec3;
 
 namespace {
 
-constexpr double kError = CutterLocations::kHeightError_mm;
+constexpr double kError = limitgauge::engine::kHeightError_mm;
 const char* const kCutters[] = {"flat:D=5", "ball:D=4", "bull:D=6,r=0.8",
                                 "taper:D=1.5,r=0.5,angle=15,L=4", "taper:D=1,r=0.5,angle=50,L=2"};
 

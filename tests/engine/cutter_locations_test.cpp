@@ -15,7 +15,7 @@ using model::Vec3;
 namespace {
 
 /// What the interface promises: never below the truth, above it by at most this.
-constexpr double kError = CutterLocations::kHeightError_mm;
+constexpr double kError = limitgauge::engine::kHeightError_mm;
 
 void check_height(double found, double truth, double below = 1e-9) {
   CHECK(found >= truth - below);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/strategy/linking/reduce.h"
+#include "model/geometry/polyline.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::engine::strategy;
@@ -59,7 +59,9 @@ TEST_CASE("reduction stays within its error", "[property][envelope]") {
   std::vector<PlanePoint> line;
   for (int i = 0; i <= 1000; ++i) line.push_back({i * 0.01, std::sin(i * 0.01)});
   const double error = 1e-3;
-  const auto kept = reduced(line, error, [](const PlanePoint& p) { return std::pair(p.s, p.z); });
+  const auto kept = limitgauge::model::reduced(line, error, [](const PlanePoint& p) {
+    return limitgauge::model::Vec2{p.s, p.z};
+  });
   CHECK(kept.size() < 200);
   std::size_t k = 0;
   for (const PlanePoint& p : line) {

@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "engine/strategy/linking/reduce.h"
+#include "model/geometry/polyline.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::engine::strategy;
@@ -96,7 +96,9 @@ TEST_CASE("no fewer links go over an arc", "[unit][envelope]") {
   CHECK(links >= std::floor(angle / widest));
   // One more for each fixed end, which costs half a link, and rounding up.
   CHECK(links <= std::ceil(angle / widest * 1.01) + 1);
-  const auto chords = reduced(line, error, [](const PlanePoint& p) { return std::pair(p.s, p.z); });
+  const auto chords = limitgauge::model::reduced(line, error, [](const PlanePoint& p) {
+    return limitgauge::model::Vec2{p.s, p.z};
+  });
   CHECK(links < 0.8 * static_cast<double>(chords.size() - 1));
 }
 

@@ -16,7 +16,7 @@ using model::Vec3;
 namespace {
 
 /// Heights of tips that come from tip_z() or lift() are exact but for this.
-constexpr double kError = 2 * CutterLocations::kHeightError_mm;
+constexpr double kError = 2 * limitgauge::engine::kHeightError_mm;
 
 StageRequest request_for(const char* cutter, Entry entry = Entry::ramp) {
   StageRequest r;

@@ -51,7 +51,7 @@ void check_gouges(const std::tuple<std::string, std::string>& what) {
                                  setup.request.cut.tolerance_mm, setup.request.floor_z_mm);
   REQUIRE(lines.size() > 15);
   // The chord error of the mesh is kept away whole; nothing but rounding and
-  // CutterLocations::kHeightError_mm remains.
+  // limitgauge::engine::kHeightError_mm remains.
   CHECK(found.gouge_mm <= 2e-6);
 }
 

@@ -142,8 +142,8 @@ TEST_CASE("material above the flutes stays on its lines", "[unit][dexel]") {
   const auto one = raw.cut(PathBuilder({-5, 0, -4}).feed({5, 0, -4}).pass(c), {1});
   const int i = raw.nx() / 2, j = raw.ny() / 2;
   REQUIRE(one.stock.material(i, j).size() == 2);
-  CHECK(one.stock.material(i, j)[0].high_mm == -4);
-  CHECK(one.stock.material(i, j)[1].low_mm == -2);
+  CHECK(one.stock.material(i, j)[0].high == -4);
+  CHECK(one.stock.material(i, j)[1].low == -2);
   CHECK(one.removal.moves[0].axial_mm == 2);
   const auto two = one.stock.cut(PathBuilder({-5, 0, -7}).feed({5, 0, -7}).pass(c), {1});
   REQUIRE(two.stock.material(i, j).size() == 3);
@@ -184,8 +184,8 @@ TEST_CASE("what is left does not depend on the order of moves", "[property][dexe
         REQUIRE(ma.size() == mb.size());
         for (std::size_t k = 0; k < ma.size(); ++k) {
           // Where a side stands upright, the root of rounding along Z.
-          REQUIRE(ma[k].low_mm == Approx(mb[k].low_mm).margin(1e-6));
-          REQUIRE(ma[k].high_mm == Approx(mb[k].high_mm).margin(1e-6));
+          REQUIRE(ma[k].low == Approx(mb[k].low).margin(1e-6));
+          REQUIRE(ma[k].high == Approx(mb[k].high).margin(1e-6));
         }
       }
   }

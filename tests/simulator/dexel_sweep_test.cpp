@@ -73,12 +73,11 @@ TEST_CASE("the interval of a move on a line ends where a brute-force sweep does"
       ++hit;
       INFO(model::to_text(cutter) << " move kind " << i % 8);
       REQUIRE(apart <= oracle.largest_radius() + 1e-12);
-      REQUIRE(found->low_mm <= found->high_mm);
+      REQUIRE(found->low <= found->high);
       const auto value = [&](double z) { return oracle.swept(from, to, {line.x, line.y, z}); };
-      REQUIRE(std::abs(value(found->low_mm)) < 2e-9);
-      REQUIRE(std::abs(value(found->high_mm)) < 2e-9);
-      if (found->high_mm - found->low_mm > 1e-3)
-        REQUIRE(value((found->low_mm + found->high_mm) / 2) < 0);
+      REQUIRE(std::abs(value(found->low)) < 2e-9);
+      REQUIRE(std::abs(value(found->high)) < 2e-9);
+      if (found->high - found->low > 1e-3) REQUIRE(value((found->low + found->high) / 2) < 0);
     }
   }
   CHECK(hit > 10000);
@@ -105,9 +104,9 @@ TEST_CASE("the lower ends on a row are those of the single lines", "[property][d
         if (!one) continue;
         // The same formula along another order of operations; near the rim of a ball, where it
         // stands upright, the root of their rounding.
-        REQUIRE(low[static_cast<std::size_t>(k)] == Approx(one->low_mm).margin(1e-7));
-        REQUIRE(sweep.least_lower(y) <= one->low_mm + 1e-12);
-        REQUIRE(sweep.least_upper() <= one->high_mm + 1e-12);
+        REQUIRE(low[static_cast<std::size_t>(k)] == Approx(one->low).margin(1e-7));
+        REQUIRE(sweep.least_lower(y) <= one->low + 1e-12);
+        REQUIRE(sweep.least_upper() <= one->high + 1e-12);
         REQUIRE((span.low <= x + 1e-12 && x <= span.high + 1e-12));
         REQUIRE((wide.low <= x + 1e-12 && x <= wide.high + 1e-12));
       }
@@ -121,12 +120,12 @@ TEST_CASE("dexel intervals of simple moves are those of their formulas", "[unit]
   const double r = ball.largest_radius(), length = cutters[1].flute_length_mm;
   // A ball going down along x by 45 degrees, over a line in its middle: the capsule's underside.
   const DexelSweep ramp(ball, {0, 0, 0}, {10, 0, -10});
-  CHECK(ramp.interval(5, 0)->low_mm == Approx(-5 + r - r * std::sqrt(2.0)).margin(1e-12));
-  CHECK(ramp.interval(5, 0)->high_mm == Approx(-5 + r + length).margin(1e-12));
+  CHECK(ramp.interval(5, 0)->low == Approx(-5 + r - r * std::sqrt(2.0)).margin(1e-12));
+  CHECK(ramp.interval(5, 0)->high == Approx(-5 + r + length).margin(1e-12));
   // A flat going up: its rim trails behind.
   const double half = flat.largest_radius();
   const DexelSweep climb(flat, {0, 0, 0}, {10, 0, 5});
-  CHECK(climb.interval(5, 0)->low_mm == Approx(0.5 * (5 - half)).margin(1e-12));
+  CHECK(climb.interval(5, 0)->low == Approx(0.5 * (5 - half)).margin(1e-12));
   CHECK_FALSE(climb.interval(5, half + 1e-9).has_value());
-  CHECK(climb.interval(-half, 0)->low_mm == Approx(0).margin(1e-12));
+  CHECK(climb.interval(-half, 0)->low == Approx(0).margin(1e-12));
 }

@@ -20,7 +20,7 @@ using simulator::test::raster;
 
 constexpr std::size_t kPlenty = std::size_t{2} << 30, kLittle = 12 << 20;
 /// Half of what a ray may pass over, and rounding: nothing here is finer.
-constexpr double kSame_mm = 2 * StockRays::kLeastFeature_mm;
+constexpr double kSame_mm = 2 * limitgauge::simulator::kLeastFeature_mm;
 
 StockModel cut_in(const model::Stock& raw, double voxel_mm, std::size_t limit) {
   StockModel stock(raw, voxel_mm, limit, {2});
@@ -51,7 +51,7 @@ void check_run(const StockModel& stock, const Vec3& from, const Vec3& along, dou
     least = std::min(least, side * stock.exact_value(from + along * (run.length_mm * k / kLooks)));
   CHECK(least >= -kSame_mm);
   if (run.ends) {
-    CHECK(run.error_mm <= StockRays::kLeastFeature_mm);
+    CHECK(run.error_mm <= limitgauge::simulator::kLeastFeature_mm);
     CHECK(std::abs(stock.exact_value(from + along * run.length_mm)) <= kSame_mm);
     CHECK(side * stock.exact_value(from + along * (run.length_mm + kSame_mm)) <= kSame_mm);
   } else {

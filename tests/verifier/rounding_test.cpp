@@ -78,7 +78,7 @@ TEST_CASE("rounding of distances is far below what the certificate allows for it
           std::max(worst_plane, plane - static_cast<double>(swept(c, body, {q.x, q.y, q.z})));
     }
   }
-  constexpr double kPicometre_mm = 1e-9, kAllowed_mm = kRounding_mm - SurfaceCells::kOmitted_mm;
+  constexpr double kPicometre_mm = 1e-9, kAllowed_mm = kRounding_mm - kOmitted_mm;
   CHECK(worst / kPicometre_mm < 0.1 * kAllowed_mm / kPicometre_mm);
   CHECK(worst_plane / kPicometre_mm < 0.1 * kAllowed_mm / kPicometre_mm);
 }

@@ -3,35 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/geometry/interval.h"
+#include "verifier/tolerance.h"
+
 namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
 using Values = std::array<double, 16>;
 
-/// Bounds of two bodies that agree but for rounding: neither rules the other out.
-constexpr double kEqual_mm = 1e-9;
 constexpr int kLineSearches = 6;
 /// An edge counts as sharp where its rounding is below so many radii of the cell.
 constexpr double kSharp = 8;
 /// Bodies whose values at the control points are compared when the upper bound is improved.
 constexpr std::size_t kMixed = 24;
 
-struct Range {
-  double low = 0, high = 0;
-};
-
 /// Extremes of the plane value + g·(P_k − m) over the control points.
-Range plane_range(const Bezier& cell, const Vec3& m, const BodyDistance& d) {
+model::Interval plane_range(const Bezier& cell, const Vec3& m, const BodyDistance& d) {
   const double base = d.value - dot(d.gradient, m);
-  Range r{1e300, -1e300};
+  model::Interval range = model::Interval::none();
   for (int k = 0; k < 16; ++k) {
     const double at =
         base + d.gradient.x * cell.x[k] + d.gradient.y * cell.y[k] + d.gradient.z * cell.z[k];
-    r.low = std::min(r.low, at);
-    r.high = std::max(r.high, at);
+    range.add(at);
   }
-  return r;
+  return range;
 }
 
 double largest(const Values& v) {
@@ -72,7 +68,7 @@ CellBounder::Scored CellBounder::score(const Bezier& cell, const Vec3& middle, B
   if (const MeshOutside* mesh = space_.mesh_of(body))
     return {body, distance.value, mesh->lower(cell, middle, distance), 0};
   if (!space_.is_concave(body)) {
-    const Range plane = plane_range(cell, middle, distance);
+    const model::Interval plane = plane_range(cell, middle, distance);
     return {body, distance.value, plane.low - distance.slack_mm, 0};
   }
   Values at{};
@@ -97,7 +93,7 @@ void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& cand
   const Vec3 centre = middle(cell);
   candidates.clear();
   // d_i changes by at most the radius within the cell.
-  const double radius = control_radius(cell, centre) + kEqual_mm;
+  const double radius = control_radius(cell, centre) + kDistanceRounding_mm;
   const Nearest nearest = space_.nearest(centre, hint);
   if (nearest.distance.value > limit_mm + radius) return;
   const double upper = upper_of(cell, centre, nearest.body);
@@ -225,7 +221,8 @@ CellBounds CellBounder::bound(const Bezier& cell, std::vector<BodyRef>& candidat
   }
   out.upper = upper_of(cell, out.middle, out.nearest.body);
   const auto drop = [&] {
-    std::erase_if(scored_, [&](const Scored& s) { return s.lower > out.upper + kEqual_mm; });
+    std::erase_if(scored_,
+                  [&](const Scored& s) { return s.lower > out.upper + kDistanceRounding_mm; });
   };
   drop();
   if (out.upper > low_enough) {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "verifier/cells/nearest_first.h"
+#include "model/geometry/box_tree.h"
 #include "verifier/cells/normal_cone.h"
 
 namespace limitgauge::verifier {
@@ -89,10 +89,11 @@ class FreeOfSurface {
  private:
   template <class Look>
   bool walk(Look&& look_at) {
-    nearest_first(
-        cells_.nodes(), [&](const BoxNode& node) { return hull_.is_apart(node.box) ? 1.0 : 0.0; },
+    model::nearest_first(
+        cells_.nodes(),
+        [&](const model::BoxNode& node) { return hull_.is_apart(node.box) ? 1.0 : 0.0; },
         [&](double bound) { return failed_ || bound > 0; },
-        [&](const BoxNode& leaf) {
+        [&](const model::BoxNode& leaf) {
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count && !failed_; ++k)
             look_at(cells_.cells()[k]);
         });
@@ -177,9 +178,9 @@ class CrossingProof {
     const double end = begin_ + sign_ * length_mm;
     const Hull first = hull_at(begin_), last = hull_at(end);
     if (!FreeOfSurface(cells_, first).all() || !FreeOfSurface(cells_, last).all()) return false;
-    Hull between(std::max(std::abs(begin_), std::abs(end)) * cell_.remainder + kSamePlace_mm +
-                     SurfaceCells::kOmitted_mm,
-                 axes_);
+    Hull between(
+        std::max(std::abs(begin_), std::abs(end)) * cell_.remainder + kSamePlace_mm + kOmitted_mm,
+        axes_);
     between.add(cell_.moved(begin_)), between.add(cell_.moved(end));
     return FreeOfSurface(cells_, between).ends();
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verifier/tolerance.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -48,8 +50,7 @@ std::optional<double> normal_spread_rad(const std::array<Vec3, 36>& coefficients
   }
   // Every normal is a positive combination of the coefficients; so is it within a convex cone.
   if (cosine <= 0) return std::nullopt;
-  constexpr double kRoundingAngle = 1e-7;  // of acos near one
-  return std::acos(std::min(1.0, cosine)) + kRoundingAngle;
+  return std::acos(std::min(1.0, cosine)) + kArcCosineRounding_rad;
 }
 
 }  // namespace limitgauge::verifier

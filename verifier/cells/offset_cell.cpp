@@ -6,16 +6,12 @@
 #include <numbers>
 
 #include "verifier/cells/normal_cone.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
-
-/// What is smaller is one point, but for rounding.
-constexpr double kPoint_mm = 1e-12;
-/// Of a unit vector's components.
-constexpr double kRounding = 1e-14;
 
 /// Of a polynomial of degree `kDegree` in u and v with Bézier coefficients c: the plane
 /// at + by_u·(u − 1/2) + by_v·(v − 1/2), and how far from it each component goes at most.
@@ -152,7 +148,7 @@ OffsetCell offset_cell(const Bezier& cell, const Vec3& normal, const Vec3& from,
   }
   OffsetCell out = round;
   out.fan = f * along;
-  out.remainder = std::hypot(1.0, along, aside) - 1 + aside + kRounding;
+  out.remainder = std::hypot(1.0, along, aside) - 1 + aside + kUnitRounding;
   return out.remainder < round.remainder ? out : round;
 }
 

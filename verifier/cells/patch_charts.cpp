@@ -4,13 +4,13 @@
 #include <cmath>
 #include <optional>
 
+#include "verifier/tolerance.h"
+
 namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
 
-/// Edges whose middles and derivatives differ by less, of the surface's size, are one.
-constexpr double kSame = 1e-11;
 /// A cubic is determined by four values, so two that agree at five are one.
 constexpr double kProbes[] = {0, 0.25, 0.5, 0.75, 1};
 
@@ -50,7 +50,7 @@ class Matcher {
       : cells_(cells), index_(index) {
     model::Box3 box;
     for (const SurfaceCell& cell : cells) box.add(control_box(cell.shape));
-    tolerance_ = cells.empty() ? 0 : kSame * (1 + length(box.size()));
+    tolerance_ = cells.empty() ? 0 : kSameEdge * (1 + length(box.size()));
   }
 
   double tolerance() const { return tolerance_; }

@@ -4,16 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "verifier/cells/cell_size.h"
 #include "verifier/cells/normal_cone.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
-
-/// Normals that differ by less are one: far below what a run of a metre could show.
-constexpr double kSmooth_rad = 1e-7;
 
 template <std::size_t n>
 using Curve = std::array<Vec3, n>;
@@ -257,7 +254,8 @@ void add_vertex(const std::vector<PatchCorner>& corners, const SurfaceTree& tree
     cell.patch = c.patch, cell.u0 = cell.u1 = kU[c.corner], cell.v0 = cell.v1 = kV[c.corner];
     for (int k = 0; k < 16; ++k) cell.shape.set(k, s.position);
   }
-  if (normals.size() < 2 || !(length(mean) > 1e-6) || !is_convex(corners, normals, tree)) return;
+  if (normals.size() < 2 || !(length(mean) > kCancels) || !is_convex(corners, normals, tree))
+    return;
   mean = normalized(mean);
   const Vec3 side = across(mean);
   const Vec3 other = cross(mean, side);
@@ -282,8 +280,6 @@ SurfacePlace RidgeCell::place() const {
 OffsetCell RidgeCell::offset() const {
   Vec3 axis;
   for (int k = 0; k < count; ++k) axis += normalized(at_middle(normals[k]));
-  // Of normals that cancel none is the middle one, and their cone is all directions.
-  constexpr double kCancels = 1e-6;
   if (length(axis) < kCancels) return offset_cell(shape, {}, std::numbers::pi);
   axis = normalized(axis);
   // All normals are positive combinations of the coefficients, so they lie in their cone.

@@ -100,7 +100,7 @@ SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
   std::vector<model::Box3> boxes;
   boxes.reserve(cells_.size());
   for (const SurfaceCell& cell : cells_) boxes.push_back(control_box(cell.shape));
-  BoxTree tree_of_cells = box_tree(boxes, kLeafCells);
+  model::BoxTree tree_of_cells = model::box_tree(boxes, kLeafCells);
   std::vector<SurfaceCell> sorted;
   sorted.reserve(cells_.size());
   for (const std::uint32_t i : tree_of_cells.order) sorted.push_back(cells_[i]);

@@ -2,12 +2,12 @@
 
 #include <vector>
 
-#include "verifier/cells/box_tree.h"
-#include "verifier/cells/cell_size.h"
+#include "model/geometry/box_tree.h"
 #include "verifier/cells/ridge_cells.h"
 #include "verifier/feet/foot_tree.h"
 #include "verifier/gate/deviation.h"
 #include "verifier/surface/surface_tree.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 
@@ -40,7 +40,6 @@ std::array<SurfaceCell, 2> halved(const SurfaceCell& cell);
 /// changes by at most a millimetre a millimetre is wrong there by at most kOmitted_mm.
 class SurfaceCells {
  public:
-  static constexpr double kOmitted_mm = 1e-8;
   /// Cells are split until their control points lie within `radius_mm` of their middle.
   SurfaceCells(const SurfaceTree& tree, double radius_mm);
 
@@ -49,7 +48,7 @@ class SurfaceCells {
   const std::vector<RidgeCell>& ridges() const { return ridges_; }
 
   /// The tree over the control boxes of the cells, which lie in the order of its leaves.
-  const std::vector<BoxNode>& nodes() const { return nodes_; }
+  const std::vector<model::BoxNode>& nodes() const { return nodes_; }
   /// The same surface as closest-point searches see it: its own cells, whatever `radius_mm` is.
   const FootTree& feet() const { return feet_; }
   /// Whether S ends along a side of the cell, numbered as PatchFeatures has them.
@@ -61,7 +60,7 @@ class SurfaceCells {
  private:
   std::vector<SurfaceCell> cells_;
   std::vector<RidgeCell> ridges_;
-  std::vector<BoxNode> nodes_;
+  std::vector<model::BoxNode> nodes_;
   FootTree feet_;
   SurfaceFeatures features_;
 };

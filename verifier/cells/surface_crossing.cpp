@@ -5,20 +5,15 @@
 #include <limits>
 #include <numbers>
 
-#include "verifier/cells/nearest_first.h"
+#include "model/geometry/box_tree.h"
 #include "verifier/cells/normal_cone.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
 
+using model::Interval;
 using model::Vec3;
-
-/// What is s itself, or a face that meets its own there.
-constexpr double kItself_mm = 1e-5;
-/// Cosine of the angle between the normals of two faces that lie back to back.
-constexpr double kBackToBack = -1 + 1e-9;
-/// What leans across the ray by less than this sine faces neither way.
-constexpr double kFacing = 1e-3;
 
 /// A ray as an axis of coordinates: how far along it and how far aside a point lies.
 class Ray {
@@ -27,45 +22,42 @@ class Ray {
       : from_(from), along_(along), aside_(across(along)), across_(cross(along, aside_)) {}
 
   /// Where it may meet the hull of the cell's control points.
-  Stretch within(const Bezier& cell) const {
-    Range t, x, y;
+  Interval within(const Bezier& cell) const {
+    Interval t = Interval::none(), x = t, y = t;
     for (int k = 0; k < 16; ++k) {
       const Vec3 p = seen(cell.control(k));
       t.add(p.z), x.add(p.x), y.add(p.y);
     }
-    if (!x.holds_zero() || !y.holds_zero()) return {1, 0};
-    return {t.low - kGrown_mm, t.high + kGrown_mm};
+    if (!near_zero(x) || !near_zero(y)) return Interval::none();
+    return t.widened(kDistanceRounding_mm);
   }
   /// A point as the ray sees it: how far to either side, and how far along.
   Vec3 seen(const Vec3& p) const {
     const Vec3 w = p - from_;
     return {dot(w, aside_), dot(w, across_), dot(w, along_)};
   }
-  Stretch within(const model::Box3& box) const {
+  Interval within(const model::Box3& box) const {
     const Vec3 c = box.centre() - from_, h = box.size() / 2;
     const auto half = [&](const Vec3& v) {
-      return std::abs(v.x) * h.x + std::abs(v.y) * h.y + std::abs(v.z) * h.z + kGrown_mm;
+      return std::abs(v.x) * h.x + std::abs(v.y) * h.y + std::abs(v.z) * h.z + kDistanceRounding_mm;
     };
     if (std::abs(dot(c, aside_)) > half(aside_) || std::abs(dot(c, across_)) > half(across_))
-      return {1, 0};
+      return Interval::none();
     const double at = dot(c, along_), reach = half(along_);
     return {at - reach, at + reach};
   }
 
  private:
-  static constexpr double kGrown_mm = 1e-9;
-  struct Range {
-    double low = 1e300, high = -1e300;
-    void add(double v) { low = std::min(low, v), high = std::max(high, v); }
-    bool holds_zero() const { return low <= kGrown_mm && high >= -kGrown_mm; }
-  };
+  static bool near_zero(const Interval& s) {
+    return s.low <= kDistanceRounding_mm && s.high >= -kDistanceRounding_mm;
+  }
   Vec3 from_, along_, aside_, across_;
 };
 
 class CrossingSearch {
  public:
   CrossingSearch(const SurfaceCells& cells, const Vec3& from, const Vec3& normal, Way way,
-                 Stretch wanted)
+                 Interval wanted)
       : cells_(cells),
         ray_(from, way == Way::outwards ? normal : -normal),
         normal_(normal),
@@ -73,10 +65,10 @@ class CrossingSearch {
         from_(wanted.low) {}
 
   double run() {
-    nearest_first(
-        cells_.nodes(), [&](const BoxNode& node) { return start_of(ray_.within(node.box)); },
+    model::nearest_first(
+        cells_.nodes(), [&](const model::BoxNode& node) { return start_of(ray_.within(node.box)); },
         [&](double bound) { return bound >= first_; },
-        [&](const BoxNode& leaf) {
+        [&](const model::BoxNode& leaf) {
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
             descend(cells_.cells()[k].shape);
         });
@@ -85,11 +77,11 @@ class CrossingSearch {
 
  private:
   /// The first place of interest in a stretch; infinite where there is none.
-  double start_of(Stretch s) const {
+  double start_of(Interval s) const {
     s.low = std::max(s.low, from_);
     return s.empty() ? kNone : s.low;
   }
-  static bool is_near(const Stretch& s) { return s.low >= -kItself_mm && s.high <= kItself_mm; }
+  static bool is_near(const Interval& s) { return s.low >= -kItself_mm && s.high <= kItself_mm; }
   /// Whether no part of the cell faces the other way than s.
   bool faces_alike(const Bezier& cell) const {
     const auto alike = [&](double u, double v) {
@@ -102,7 +94,7 @@ class CrossingSearch {
     return dot(unit_normal(cell, 0.5, 0.5), normal_) < kBackToBack;
   }
   void descend(const Bezier& cell) {
-    const Stretch met = ray_.within(cell);
+    const Interval met = ray_.within(cell);
     const double start = start_of(met), radius = control_radius(cell, middle(cell));
     if (start >= first_) return;
     const bool near = is_near(met);
@@ -136,14 +128,14 @@ class CrossingCount {
   /// In their order; none where the segment begins or ends too near to S, or meets the boundary of
   /// a cell.
   std::optional<std::vector<Crossing>> run() {
-    nearest_first(
+    model::nearest_first(
         cells_.nodes(),
-        [&](const BoxNode& node) {
-          const Stretch s = ray_.within(node.box);
+        [&](const model::BoxNode& node) {
+          const Interval s = ray_.within(node.box);
           return s.empty() || s.low > length_ || s.high < 0 ? kNone : 0;
         },
         [&](double bound) { return failed_ || bound == kNone; },
-        [&](const BoxNode& leaf) {
+        [&](const model::BoxNode& leaf) {
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count && !failed_; ++k)
             add(cells_.cells()[k].shape);
         });
@@ -155,7 +147,7 @@ class CrossingCount {
 
  private:
   void add(const Bezier& cell) {
-    const Stretch s = ray_.within(cell);
+    const Interval s = ray_.within(cell);
     if (failed_ || s.empty() || s.low > length_ || s.high < 0) return;
     if (s.low > 0 && s.high < length_)
       if (const auto winds = winding(cell)) {

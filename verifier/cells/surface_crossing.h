@@ -3,13 +3,12 @@
 #include <optional>
 #include <vector>
 
+#include "model/geometry/interval.h"
 #include "verifier/cells/offset_cell.h"
 #include "verifier/cells/surface_cells.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
-
-/// Nearer than this two faces cannot be told apart along a ray.
-inline constexpr double kSamePlace_mm = 2e-9;
 
 /// Which way along a normal of S.
 enum class Way { outwards, inwards };
@@ -21,16 +20,10 @@ enum class Way { outwards, inwards };
 double next_crossing_mm(const SurfaceCells& cells, const model::Vec3& s, const model::Vec3& n,
                         Way way, double from_mm, double to_mm);
 
-/// A part of a ray: from + t·along for t in [low, high], in mm.
-struct Stretch {
-  double low = 0, high = 0;
-  bool empty() const { return !(low <= high); }
-};
-
 /// A place where a segment goes through S, how far along it, and how often: from behind to before,
 /// less the other way.
 struct Crossing {
-  Stretch where;
+  model::Interval where;  ///< t of from + t·along, mm
   int times = 0;
 };
 

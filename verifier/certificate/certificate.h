@@ -6,6 +6,7 @@
 #include "verifier/cells/surface_cells.h"
 #include "verifier/certificate/cell_search.h"
 #include "verifier/gate/deviation.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 
@@ -18,10 +19,6 @@ struct Certificate {
   std::size_t cells = 0;
   bool reached_resolution = true;
 };
-
-/// What rounding in double precision and the vertices that stand for the points about them may add
-/// to any distance: coordinates below 10 m, far above the true error.
-inline constexpr double kRounding_mm = 1e-9 + SurfaceCells::kOmitted_mm;
 
 /// Certifies one figure of a removed space: of uncut over all that `reach` does not prove to be out
 /// of reach, sharp edges with all their normals included; of gouge, and of missing stock (in a

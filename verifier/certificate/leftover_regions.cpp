@@ -8,6 +8,7 @@
 
 #include "verifier/certificate/exceedance.h"
 #include "verifier/reach/reach_query.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -42,7 +43,7 @@ LeftoverRegions find_leftover_regions(const ReferenceSurface& surface,
   if (!(request.threshold_mm > 0) || !(request.tile_mm > 0))
     throw std::invalid_argument("threshold and tile must be positive");
   // As in measure_stage: a tenth of a micrometre of contact; effort for the rim of the reachable.
-  constexpr double kContact_mm = 1e-4, kRim_mm = 0.05;
+  constexpr double kRim_mm = 0.05;
   constexpr std::size_t kEffort = 60'000;
   const SurfaceCells cells(surface.tree(), first_cell_radius_mm(surface));
   const RemovedSpace space(raw_stock, passes);

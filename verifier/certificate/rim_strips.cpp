@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verifier/tolerance.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -10,8 +12,6 @@ using model::Vec3;
 
 /// Cells larger than this hold more than a piece of the rim as good as straight.
 constexpr double kLargest_mm = 0.3;
-/// Of the normals of a cell on a plane, and of its control points: rounding.
-constexpr double kFlat_rad = 1e-6, kFlat_mm = 1e-9;
 /// Sine of the angle to the plane from which on a face is taken to stand on it.
 constexpr double kUpright = 0.7;
 constexpr int kSplits = 2;
@@ -19,7 +19,8 @@ constexpr int kSplits = 2;
 bool is_flat(const OffsetCell& cell) {
   if (cell.spread_rad > kFlat_rad || cell.remainder > kFlat_rad) return false;
   for (int k = 0; k < 16; ++k)
-    if (std::abs(dot(cell.shape.control(k) - cell.middle, cell.normal)) > kFlat_mm) return false;
+    if (std::abs(dot(cell.shape.control(k) - cell.middle, cell.normal)) > kDistanceRounding_mm)
+      return false;
   return control_radius(cell.shape, cell.middle) <= kLargest_mm;
 }
 

@@ -5,6 +5,7 @@
 
 #include "verifier/cells/normal_cone.h"
 #include "verifier/cells/surface_crossing.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -59,8 +60,7 @@ double RunTracer::exit_of(BodyRef body, const Vec3& p, const Vec3& along, double
     if (here < 0) break;
     inside = outside;
   }
-  constexpr double kFine_mm = 1e-9;
-  while (outside - inside > kFine_mm) {
+  while (outside - inside > kDistanceRounding_mm) {
     const double middle = (inside + outside) / 2;
     (depth(middle) >= 0 ? inside : outside) = middle;
   }

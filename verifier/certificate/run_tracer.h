@@ -5,29 +5,12 @@
 
 #include "verifier/cells/surface_cells.h"
 #include "verifier/cutter/removed_space.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 
 /// What is looked for along the normals of S.
 enum class Side { gouge, uncut, missing_stock };
-
-/// Skins of material, and slits in it, thinner than a nanometre do not count as either: passes that
-/// meet face to face leave no film between them, and a block flush with S is not missing there.
-inline constexpr double kSkin_mm = 1e-6;
-/// By how much a run looks past such a skin or slit.
-inline constexpr double kStepOver_mm = 4 * kSkin_mm;
-
-/// What lies this near beside a normal, behind a face that runs along it, counts as met by it: a
-/// wall cut flush with an edge of S, or half a micrometre off, is no gouge as deep as the wall is
-/// high, nor is a film of that width beside an upright wall a leftover of its height. Fins and
-/// holes from a micrometre on are seen. Half of the last digit of programs in micrometres.
-inline constexpr double kBeside_mm = 5e-4;
-/// Depths at which what stands by so much beside a normal, in whatever direction, counts as met by
-/// it: a sharp edge of the material ends the runs beside it, and the side of a block those at the
-/// rim of S. The second is for edges and sides that lean by no more than 11 degrees.
-inline constexpr std::array<double, 2> kWedge_mm = {8e-4, 1e-4};
-/// Sine of the angle up to which a face is taken to run along a normal.
-inline constexpr double kAlong = 0.1;
 
 /// A run along a ray, as far as it was proven: every point of it is what the run says.
 struct TracedRun {

@@ -7,6 +7,7 @@
 #include "verifier/cells/cell_bounds.h"
 #include "verifier/reach/cell_contact.h"
 #include "verifier/reach/lowest_tip.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 using model::Vec3;
 
 constexpr std::size_t kBatch = 32;
-/// Added to the upper end: rounding, and the points that stand for S at irregular vertices.
-constexpr double kSlack_mm = 1e-9 + SurfaceCells::kOmitted_mm;
 /// Better positions that proofs of the lower end may turn up before they are given up.
 constexpr int kProofs = 40;
 
@@ -104,12 +103,12 @@ class Search {
       if (!proof.better) break;
       add_better(worst->place.point, *proof.better);
     }
-    out.uncut_mm.high = std::max(0.0, highest() - allowance_ + kSlack_mm);
+    out.uncut_mm.high = std::max(0.0, highest() - allowance_ + kRounding_mm);
     if (worst && best_ > 0) {
-      out.uncut_mm.low = std::max(0.0, proof.low_mm - allowance_ - kSlack_mm);
+      out.uncut_mm.low = std::max(0.0, proof.low_mm - allowance_ - kRounding_mm);
       out.place = worst->place;
     }
-    out.reached_resolution = out.uncut_mm.width() <= 2 * tolerance() + 4 * kSlack_mm;
+    out.reached_resolution = out.uncut_mm.width() <= 2 * tolerance() + 4 * kRounding_mm;
     out.cells = seen_, out.points = tried_.size();
     return out;
   }

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verifier/cells/nearest_first.h"
+#include "model/geometry/box_tree.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -13,10 +14,6 @@ using model::Vec3;
 /// Where more triangles matter to a cell than the plane across the way to the nearest can tell, it
 /// is left to smaller cells to look at them.
 constexpr int kMostTriangles = 400;
-/// So that coplanar triangles, which bound a cell alike, are not looked at for their rounding.
-constexpr double kAlike_mm = 1e-11;
-/// Nearer than this to the mesh, the side of a point is mostly rounding: it counts as inside.
-constexpr double kOn_mm = 1e-11;
 /// Cells further from the mesh than so many of their radii are well bounded by one triangle.
 constexpr double kFar = 8;
 
@@ -55,7 +52,7 @@ double plane_between(const Bezier& cell, const Vec3& centre, const Triangle& t) 
   const Vec3 to = centre - nearest_on_triangle(t, centre);
   const double far = length(to);
   // Over the inner part of the triangle that is its normal once more.
-  if (far > 0 && dot(to, n) < (1 - 1e-12) * far) look(to / far);
+  if (far > 0 && dot(to, n) < (1 - kSameDirection) * far) look(to / far);
   return best;
 }
 
@@ -66,12 +63,11 @@ MeshOutside::MeshOutside(const model::TriangleMesh& mesh)
 
 BodyDistance MeshOutside::signed_by(const TriangleTree::Foot& foot, const Vec3& p,
                                     bool inside) const {
-  const double sign = inside || foot.distance_mm <= kOn_mm ? 1 : -1;
-  // Nearer than this the way to the foot has a share of rounding.
-  constexpr double kNear_mm = 1e-6;
+  const double sign = inside || foot.distance_mm <= kOnMesh_mm ? 1 : -1;
   const Triangle& t = tree_->triangles()[foot.triangle];
-  const Vec3 inwards = foot.distance_mm > kNear_mm ? (p - foot.point) * (sign / foot.distance_mm)
-                                                   : -normalized(cross(t[1] - t[0], t[2] - t[0]));
+  const Vec3 inwards = foot.distance_mm > kMeshWay_mm
+                           ? (p - foot.point) * (sign / foot.distance_mm)
+                           : -normalized(cross(t[1] - t[0], t[2] - t[0]));
   return {sign * foot.distance_mm, inwards, 0};
 }
 
@@ -99,17 +95,17 @@ std::optional<double> MeshOutside::clearance(const Bezier& cell, const Vec3& mov
   const double nearest = tree_->nearest(centre)->distance_mm, base = least_along(there, away);
   // What is further from the middle comes no nearer to the cell than `nearest`.
   const double reach = (nearest + radius_mm) * (nearest + radius_mm);
-  double least = nearest - kAlike_mm;
+  double least = nearest - kOnMesh_mm;
   int looks = 0;
-  nearest_first(
+  model::nearest_first(
       tree_->nodes(),
-      [&](const BoxNode& node) {
+      [&](const model::BoxNode& node) {
         const bool beyond = base - most_along(node.box, away) >= least;
         return beyond ? std::numeric_limits<double>::infinity()
                       : distance_squared(node.box, centre);
       },
       [&](double bound) { return bound > reach || least <= 0 || looks > kMostTriangles; },
-      [&](const BoxNode& leaf) {
+      [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
           const Triangle& t = tree_->triangles()[k];
           const double across = base - most_along(t, away);

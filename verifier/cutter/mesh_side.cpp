@@ -4,6 +4,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
+#include "verifier/tolerance.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -85,15 +87,14 @@ std::int64_t MeshSide::place(int axis, double at) const {
 }
 
 void MeshSide::mark(const Triangle& t) {
-  // Cells count as a little larger than they are, so that rounding cannot lose a triangle.
-  constexpr double kLarger = 1e-6;
   Box3 box;
   for (const Vec3& corner : t) box.add(corner);
-  box = box.grown(kLarger * size_mm_);
+  box = box.grown(kMeshCellMargin * size_mm_);
   const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
   // A large triangle at a slant passes few of the cells of its box.
-  const double half = (0.5 + kLarger) * size_mm_;
-  const double near = half * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) * (1 + kLarger);
+  const double half = (0.5 + kMeshCellMargin) * size_mm_;
+  const double near =
+      half * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) * (1 + kMeshCellMargin);
   for (std::int64_t k = place(2, box.low.z); k <= place(2, box.high.z); ++k)
     for (std::int64_t j = place(1, box.low.y); j <= place(1, box.high.y); ++j)
       for (std::int64_t i = place(0, box.low.x); i <= place(0, box.high.x); ++i) {
@@ -132,13 +133,13 @@ bool MeshSide::inside(const Vec3& p) const {
 
 bool MeshSide::winds_around(const Vec3& p) const {
   thread_local std::vector<std::uint32_t> stack;
-  const std::vector<BoxNode>& nodes = tree_->nodes();
+  const std::vector<model::BoxNode>& nodes = tree_->nodes();
   stack.assign(1, 0);
   int turns = 0;
   while (!stack.empty()) {
     const std::uint32_t at = stack.back();
     stack.pop_back();
-    const BoxNode& node = nodes[at];
+    const model::BoxNode& node = nodes[at];
     const Box3& b = node.box;
     if (p.x < b.low.x || p.x > b.high.x || p.y < b.low.y || p.y > b.high.y || p.z > b.high.z)
       continue;

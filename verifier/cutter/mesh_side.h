@@ -11,8 +11,9 @@ namespace limitgauge::verifier {
 /// once, counted along the vertical upwards. Whether the vertical meets a triangle is decided
 /// exactly, and where it meets an edge or a vertex as for a point moved by (ε, ε²): every edge has
 /// the point on the same side for both its triangles, so the count is right for any closed mesh,
-/// also one that touches itself. Only for points of the mesh itself, within rounding, the side
-/// means nothing.
+/// also one that touches itself. Its exact predicate is the verifier's own: the proof that a point
+/// lies outside the raw stock rests on it (CERTIFICATE.md), and none of it on the simulator. Only
+/// for points of the mesh itself, within rounding, the side means nothing.
 class MeshSide {
  public:
   /// `tree` must outlive it.

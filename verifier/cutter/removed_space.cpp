@@ -5,7 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "verifier/cells/nearest_first.h"
+#include "model/geometry/box_tree.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 
@@ -16,7 +17,6 @@ namespace {
 
 constexpr std::uint32_t kLeafBodies = 6;
 constexpr std::uint32_t kCylinderSide = 2;
-constexpr double kEqual_mm = 1e-12;
 
 /// A stack on the heap of the thread, kept between queries: a tree over millions of moves is deep.
 std::vector<std::uint32_t>& query_stack() {
@@ -27,8 +27,6 @@ std::vector<std::uint32_t>& query_stack() {
 
 /// Steps to where a ray meets one body: far more than a tangent that touches takes.
 constexpr int kMostSteps = 400;
-/// What a step towards a distance falls short of by rounding.
-constexpr double kReached_mm = 1e-9;
 
 /// The first t in [0, limit_mm) at which the ray meets a body whose distance, less its error, is
 /// `distance(t)`; the limit where there is none. A convex one lies above its planes, whose zeros
@@ -42,8 +40,8 @@ double first_meeting(Distance&& distance, const Vec3& ray, bool is_convex, doubl
     if (rule.is_met(d.value, d.gradient, ray)) return t;
     const double closing = is_convex ? -dot(d.gradient, ray) : 1;
     if (closing <= 0) return limit_mm;
-    const double wanted = d.value > rule.beside_mm + kReached_mm ? rule.beside_mm : 0;
-    t += std::max(d.value - d.slack_mm - wanted, kReached_mm / 2) / closing;
+    const double wanted = d.value > rule.beside_mm + kDistanceRounding_mm ? rule.beside_mm : 0;
+    t += std::max(d.value - d.slack_mm - wanted, kDistanceRounding_mm / 2) / closing;
   }
   return std::min(t, limit_mm);
 }
@@ -52,7 +50,7 @@ double first_meeting(Distance&& distance, const Vec3& ray, bool is_convex, doubl
 
 bool EndRule::is_met(double distance_mm, const Vec3& gradient, const Vec3& ray) const {
   if (distance_mm <= skin_mm) return true;
-  return distance_mm <= beside_mm + kReached_mm && std::abs(dot(gradient, ray)) <= along;
+  return distance_mm <= beside_mm + kDistanceRounding_mm && std::abs(dot(gradient, ray)) <= along;
 }
 
 RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes,
@@ -91,7 +89,7 @@ RemovedSpace::PassBodies RemovedSpace::index_bodies(const CutterProfile& profile
   std::vector<Box3> tips(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i)
     tips[i].add(bodies[i].from), tips[i].add(bodies[i].to);
-  BoxTree tree = box_tree(tips, kLeafBodies);
+  model::BoxTree tree = model::box_tree(tips, kLeafBodies);
   PassBodies p{profile, {}, std::move(tree.order), {}, std::move(tree.nodes)};
   p.place.resize(bodies.size());
   p.bodies.reserve(bodies.size());
@@ -104,12 +102,13 @@ RemovedSpace::PassBodies RemovedSpace::index_bodies(const CutterProfile& profile
 
 void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) const {
   const PassBodies& bodies = passes_[pass];
-  nearest_first(
-      bodies.nodes, [&](const BoxNode& node) { return box_bound(bodies.profile, node.box, p); },
+  model::nearest_first(
+      bodies.nodes,
+      [&](const model::BoxNode& node) { return box_bound(bodies.profile, node.box, p); },
       // Bodies at the same distance but for rounding are all looked at: which of them is named must
       // not depend on where the search began.
-      [&](double bound) { return bound > best.distance.value + kEqual_mm; },
-      [&](const BoxNode& leaf) {
+      [&](double bound) { return bound > best.distance.value + kSameDistance_mm; },
+      [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
           const double d = body_value(bodies.profile, bodies.bodies[k], p);
           // Among equals the first move is the one named.
@@ -145,19 +144,19 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& p, const Vec3& r
                                 const EndRule& rule, Meeting& first) const {
   constexpr int kLooks = 4;
   const PassBodies& bodies = passes_[pass];
-  const auto start_of = [&](const BoxNode& node) {
+  const auto start_of = [&](const model::BoxNode& node) {
     double t = 0;
     for (int k = 0; k < kLooks && t < first.t_mm; ++k) {
       const double room =
           box_bound(bodies.profile, node.box, p + ray * t) - chord_error_mm_ - rule.beside_mm;
-      if (room <= kReached_mm) break;
+      if (room <= kDistanceRounding_mm) break;
       t += room;
     }
     return t;
   };
-  nearest_first(
+  model::nearest_first(
       bodies.nodes, start_of, [&](double start) { return start >= first.t_mm; },
-      [&](const BoxNode& leaf) {
+      [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
           const auto distance = [&](double t) {
             BodyDistance d = body_distance(bodies.profile, bodies.bodies[k], p + ray * t);
@@ -228,7 +227,7 @@ void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) cons
   while (!stack.empty()) {
     const std::uint32_t at = stack.back();
     stack.pop_back();
-    const BoxNode& node = bodies.nodes[at];
+    const model::BoxNode& node = bodies.nodes[at];
     if (!near(node.box)) continue;
     if (node.count == 0) {
       stack.push_back(node.right);

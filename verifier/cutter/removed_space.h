@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "model/geometry/box_tree.h"
 #include "model/part/stock.h"
-#include "verifier/cells/box_tree.h"
 #include "verifier/cutter/mesh_outside.h"
 #include "verifier/cutter/swept_body.h"
 #include "verifier/gate/verify.h"
@@ -106,7 +106,7 @@ class RemovedSpace {
     std::vector<SweptBody> bodies;     ///< in the order of the leaves, so that a leaf lies together
     std::vector<std::uint32_t> index;  ///< beside bodies: of the move
     std::vector<std::uint32_t> place;  ///< by move: where its body is
-    std::vector<BoxNode> nodes;        ///< over the boxes of the bodies' tips
+    std::vector<model::BoxNode> nodes;  ///< over the boxes of the bodies' tips
 
     const SweptBody& of_move(std::uint32_t move) const { return bodies[place[move]]; }
   };

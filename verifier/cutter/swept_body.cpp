@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verifier/tolerance.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -48,11 +50,12 @@ BodyDistance least_along(const Vec3& d, At&& at) {
   const BodyDistance first = at(0), last = at(1);
   if (slope_at(first) >= 0) return first;
   if (slope_at(last) <= 0) return last;
-  // Secant steps, halved in between where they stay on one side; ends within 1e-10 mm of the move.
+  // Secant steps, halved in between where they stay on one side; ends within kAlongMove_mm of the
+  // place.
   double low = 0, high = 1;
   BodyDistance falling = first, rising = last;
   const double span = length(d);
-  for (int n = 0; n < 120 && (high - low) * span > 1e-10; ++n) {
+  for (int n = 0; n < 120 && (high - low) * span > kAlongMove_mm; ++n) {
     const double f = slope_at(falling), r = slope_at(rising);
     const double secant = low - f * (high - low) / (r - f);
     const double inner = (high - low) * 1e-3;

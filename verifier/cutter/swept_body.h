@@ -7,7 +7,8 @@
 
 namespace limitgauge::verifier {
 
-/// The space swept by the fluted part of a cutter along one straight move of its tip.
+/// The space swept by the fluted part of a cutter along one straight move of its tip. The
+/// certificate rests on its distance, so that it is the verifier's own and not the simulator's.
 struct SweptBody {
   model::Vec3 from, to;  ///< tip positions; a vertical move is stored lowest end first
   SweptBody(const model::Vec3& a, const model::Vec3& b);

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "verifier/cells/nearest_first.h"
+#include "model/geometry/box_tree.h"
+#include "model/geometry/segment.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -15,9 +17,7 @@ using model::Vec3;
 constexpr std::uint32_t kLeafTriangles = 4;
 
 Vec3 nearest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const Vec3 d = b - a;
-  const double whole = dot(d, d);
-  return whole > 0 ? a + d * std::clamp(dot(p - a, d) / whole, 0.0, 1.0) : a;
+  return a + (b - a) * model::nearest_share(p - a, b - a);
 }
 
 Vec3 nearest_on_edges(const Triangle& t, const Vec3& p) {
@@ -44,8 +44,6 @@ Triangle triangle_of(const model::TriangleMesh& mesh, std::size_t index) {
 }  // namespace
 
 Vec3 nearest_on_triangle(const Triangle& t, const Vec3& p) {
-  // Thinner than a millionth of its length, the foot on the plane is not to be relied on alone.
-  constexpr double kSliver = 1e-12;
   const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0], n = cross(ab, ac);
   const double area = dot(n, n);
   const double at_b = dot(cross(ap, ac), n), at_c = dot(cross(ab, ap), n);
@@ -62,7 +60,7 @@ TriangleTree::TriangleTree(const model::TriangleMesh& mesh) {
   std::vector<Box3> boxes(mesh.triangles.size());
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (const Vec3& corner : triangle_of(mesh, i)) boxes[i].add(corner);
-  BoxTree tree = box_tree(boxes, kLeafTriangles);
+  model::BoxTree tree = model::box_tree(boxes, kLeafTriangles);
   nodes_ = std::move(tree.nodes);
   triangles_.reserve(boxes.size());
   for (const std::uint32_t i : tree.order) triangles_.push_back(triangle_of(mesh, i));
@@ -71,10 +69,10 @@ TriangleTree::TriangleTree(const model::TriangleMesh& mesh) {
 std::optional<TriangleTree::Foot> TriangleTree::nearest(const Vec3& p, double within_mm) const {
   std::optional<Foot> best;
   double squared = within_mm * within_mm;
-  nearest_first(
-      nodes_, [&](const BoxNode& node) { return distance_squared(node.box, p); },
+  model::nearest_first(
+      nodes_, [&](const model::BoxNode& node) { return distance_squared(node.box, p); },
       [&](double bound) { return bound > squared; },
-      [&](const BoxNode& leaf) {
+      [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
           const Vec3 q = nearest_on_triangle(triangles_[k], p);
           const double d = length_squared(q - p);

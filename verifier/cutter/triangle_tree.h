@@ -6,14 +6,15 @@
 #include <optional>
 #include <vector>
 
+#include "model/geometry/box_tree.h"
 #include "model/mesh/triangle_mesh.h"
-#include "verifier/cells/box_tree.h"
 
 namespace limitgauge::verifier {
 
 using Triangle = std::array<model::Vec3, 3>;
 
-/// The point of a triangle nearest to `p`, also of one without area.
+/// The point of a triangle nearest to `p`, also of one without area. The verifier's own, not the
+/// simulator's: the two instruments are held against each other and share no distance.
 model::Vec3 nearest_on_triangle(const Triangle& t, const model::Vec3& p);
 
 /// The triangles of a mesh under a tree of boxes, numbered in the order of its leaves.
@@ -33,12 +34,12 @@ class TriangleTree {
                               double within_mm = std::numeric_limits<double>::infinity()) const;
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
-  const std::vector<BoxNode>& nodes() const { return nodes_; }
+  const std::vector<model::BoxNode>& nodes() const { return nodes_; }
   const model::Box3& box() const { return nodes_.front().box; }
 
  private:
   std::vector<Triangle> triangles_;
-  std::vector<BoxNode> nodes_;
+  std::vector<model::BoxNode> nodes_;
 };
 
 }  // namespace limitgauge::verifier

@@ -7,6 +7,7 @@
 
 #include "model/base/chunks.h"
 #include "verifier/cells/normal_cone.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -14,11 +15,6 @@ namespace {
 using model::Vec3;
 using std::numbers::pi;
 
-/// A place this near to a feature is on it.
-constexpr double kOnFeature_mm = 1e-9;
-/// Sine of the angle between connection and normal up to which a foot counts as perpendicular: far
-/// above Newton's residual, far below what a boundary point shows to any but its own wedge.
-constexpr double kPerpendicular = 1e-5;
 /// Stands for an unlimited search.
 constexpr double kFarthest_mm = 1e9;
 constexpr std::size_t kChunk = 256;

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include "model/geometry/interval.h"
+
 namespace limitgauge::verifier {
 namespace {
+
+using model::Interval;
 
 constexpr double kChoose3[] = {1, 3, 3, 1}, kChoose6[] = {1, 6, 15, 20, 15, 6, 1};
 constexpr int kSide = 7;
@@ -38,16 +42,10 @@ std::array<DistancePolynomial, 2> split(const DistancePolynomial& f, double at) 
   return out;
 }
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  void add(double v) { low = std::min(low, v), high = std::max(high, v); }
-};
-
 template <int kStride>
-Range second_differences(const std::array<double, 49>& c) {
+Interval second_differences(const std::array<double, 49>& c) {
   constexpr int kAcross = kStride == 1 ? kSide : 1;
-  Range range;
+  Interval range = Interval::none();
   for (int line = 0; line < kSide; ++line)
     for (int k = 0; k + 2 < kSide; ++k) {
       const double* at = c.data() + line * kAcross + k * kStride;
@@ -85,8 +83,8 @@ std::array<DistancePolynomial, 2> split_v(const DistancePolynomial& f, double at
 }
 
 HessianRange hessian_range(const DistancePolynomial& f) {
-  const Range uu = second_differences<1>(f.c), vv = second_differences<kSide>(f.c);
-  Range uv;
+  const Interval uu = second_differences<1>(f.c), vv = second_differences<kSide>(f.c);
+  Interval uv = Interval::none();
   for (int j = 0; j + 1 < kSide; ++j)
     for (int i = 0; i + 1 < kSide; ++i) {
       const double* at = f.c.data() + kSide * j + i;

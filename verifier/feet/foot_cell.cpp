@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "verifier/feet/distance_polynomial.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -11,10 +12,6 @@ namespace {
 using model::Vec3;
 
 constexpr int kNewtonSteps = 30;
-/// Part of the coordinates that differences of distance may be by rounding alone.
-constexpr double kRounding = 2e-15;
-/// Relative change of the squared distance that is lost in rounding.
-constexpr double kLevel = 1e-14;
 /// Halvings of a step that does not lead down.
 constexpr int kStepHalvings = 40;
 /// Halvings of a window at most: then it is below the last bit of the parameter.
@@ -66,7 +63,7 @@ Step downhill(const BezierJet& j, const Vec3& r, const Window& w, double s, doub
   double hss = dot(j.du, j.du) + dot(r, j.duu), hst = dot(j.du, j.dv) + dot(r, j.duv),
          htt = dot(j.dv, j.dv) + dot(r, j.dvv);
   double det = hss * htt - hst * hst;
-  if (hss <= 0 || det <= 1e-12 * hss * htt)
+  if (hss <= 0 || det <= kSingular * hss * htt)
     hss = dot(j.du, j.du), hst = dot(j.du, j.dv), htt = dot(j.dv, j.dv),
     det = hss * htt - hst * hst;
   const double a0 = w.s0 - s, a1 = w.s1 - s, b0 = w.t0 - t, b1 = w.t1 - t;
@@ -115,7 +112,7 @@ Candidate descend(const Bezier& shape, const Vec3& p, const Window& w, double s,
       const double now = length_squared(r1);
       settled = moved < kSettled_mm || halving > kStepHalvings;
       // Near the foot the distance is level to rounding: there a step is trusted as it is.
-      if (now <= squared + kLevel * squared) {
+      if (now <= squared + kLevelSquare * squared) {
         s = s1, t = t1, j = there, r = r1, squared = now;
         break;
       }
@@ -200,7 +197,7 @@ class CellSearch {
   /// What may be rounding in the difference of two squared distances like the best.
   double level_squared() const {
     const double far = std::sqrt(best_.squared);
-    return 2 * far * kRounding * (size_mm_ + far);
+    return 2 * far * kCoordinateRounding * (size_mm_ + far);
   }
   /// Half of the square of what is kFootTolerance_mm nearer than the best.
   double half_needed() const {

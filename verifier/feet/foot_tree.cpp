@@ -5,13 +5,14 @@
 #include <numeric>
 #include <span>
 
-#include "verifier/cells/box_tree.h"
+#include "model/geometry/box_tree.h"
+#include "verifier/tolerance.h"
 
 // Rounding. Let e = 2⁻²⁴, p − x the way from a query to a point of a box and M the size of the
 // model. A local coordinate a·(p − c) is computed with an error of at most √3·e·(6·|p − c| + |c|) ≤
 // 6.3e-7·|p − x| + 7.5e-7·M. Boxes are 1e-6·M larger on all sides, which covers the second term;
 // the first, and the axes being orthonormal to a few e only, are below a relative 3e-6 of the
-// squared distance, for which it is multiplied by kShrink.
+// squared distance, for which it is multiplied by kFootBoundShrink.
 
 namespace limitgauge::verifier {
 namespace {
@@ -19,14 +20,10 @@ namespace {
 using model::Box3;
 using model::Vec3;
 
-constexpr double kMargin = 1e-6;
-constexpr float kShrink = 1 - 6e-6F;
 /// A box without room, far beyond everything: what a lane without a child holds.
 constexpr float kNowhere = -1e15F;
 /// Four more entries a level at most, and a tree of 2³¹ cells has 16 levels.
 constexpr std::size_t kStack = 128;
-/// A place that is nearer by kFootTolerance_mm at most, over a smooth foot, is within this.
-constexpr double kSettling_mm = 1e-4;
 
 struct Frame {
   std::array<Vec3, 3> axis = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
@@ -66,7 +63,7 @@ class FootTreeBuilder {
     }
     if (boxes_.empty()) return;
     tree_.origin_ = all.centre();
-    margin_ = kMargin * length(all.size());
+    margin_ = kFootBoxMargin * length(all.size());
     order_.resize(boxes_.size());
     std::iota(order_.begin(), order_.end(), 0U);
     build(0, order_.size());
@@ -112,7 +109,7 @@ class FootTreeBuilder {
 
   std::vector<Range> halves(std::size_t begin, std::size_t end) {
     if (end - begin < 2) return {{begin, end}};
-    halve_by_centres(std::span(order_).subspan(begin, end - begin), boxes_);
+    model::halve_by_centres(std::span(order_).subspan(begin, end - begin), boxes_);
     const std::size_t half = begin + (end - begin) / 2;
     return {{begin, half}, {half, end}};
   }
@@ -176,7 +173,7 @@ FootTree::Lane FootTree::bounds(const Node& node, const std::array<float, 3>& p)
       const float gap = beyond > 0 ? beyond : 0;
       sum[k] += gap * gap;
     }
-  for (float& v : sum) v *= kShrink;
+  for (float& v : sum) v *= kFootBoundShrink;
   return sum;
 }
 

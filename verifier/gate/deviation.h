@@ -6,15 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "model/geometry/interval.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::verifier {
 
 /// A certified interval in mm: some point reaches `low`, no point exceeds `high`.
-struct Interval {
-  double low = 0, high = 0;
-  double width() const { return high - low; }
-};
+using Interval = model::Interval;
 
 enum class Verdict { pass, fail, indeterminate, not_run };
 const char* name(Verdict verdict);

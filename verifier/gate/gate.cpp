@@ -5,12 +5,10 @@
 
 #include "verifier/gate/gate_text.h"
 #include "verifier/gate/verify.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
-
-/// Rounding of what is added up cell by cell: less is no area, and no length.
-constexpr double kNoArea_mm2 = 1e-9, kNoLength_mm = 1e-6;
 
 /// What is no more than rounding, as nothing.
 Interval but_for(const Interval& figure, double rounding) {

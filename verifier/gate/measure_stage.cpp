@@ -13,12 +13,10 @@
 #include "verifier/reach/lowest_tip.h"
 #include "verifier/reach/reach_query.h"
 #include "verifier/surface/surface_tree.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
-
-/// Contact tolerance of reachability: a tenth of a micrometre, far below any gate.
-constexpr double kContact_mm = 1e-4;
 
 /// Width to which the unavoidable uncut is certified, where the verdict asks for no less.
 constexpr double kUnavoidable_mm = 5e-3;
@@ -97,8 +95,8 @@ double finding_threshold_mm(bool limited, double limit_mm, const Interval& figur
 std::vector<UncertaintyTerm> budget_of(const RemovedSpace& space, const StageCheck& check,
                                        const StockProbe* probe, const RayFigures& rays) {
   return {
-      {"reference surface near irregular vertices", SurfaceCells::kOmitted_mm, true},
-      {"rounding in double precision", kRounding_mm - SurfaceCells::kOmitted_mm, true},
+      {"reference surface near irregular vertices", kOmitted_mm, true},
+      {"rounding in double precision", kRounding_mm - kOmitted_mm, true},
       {"arcs stood for by chords", space.chord_error_mm(), true},
       {"width of the certified interval asked for", check.resolution_mm, true},
       {"contact tolerance of reachability", kContact_mm, true},

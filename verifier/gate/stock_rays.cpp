@@ -6,17 +6,12 @@
 
 #include "model/base/chunks.h"
 #include "verifier/feet/closest_point.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
-
-/// What two evaluations of the same swept surface may differ by, beyond the error that a run's end
-/// states: both work in double precision, so this is far above rounding and far below any gate.
-constexpr double kAgreement_mm = 1e-6;
-/// A crossing of S is found to this; nearer to the start than kStart_mm none is looked for.
-constexpr double kCrossing_mm = 1e-6, kStart_mm = 1e-6;
 
 std::string place_text(const Vec3& p) {
   char text[96];
@@ -89,12 +84,9 @@ double within_raw_mm(const RemovedSpace& raw, const CheckedRun& run) {
 /// at more closely.
 std::optional<double> crossing_between(const SurfaceCells& cells, const Vec3& from,
                                        const Vec3& along, double low, double high) {
-  if (high <= kStart_mm) return {};
+  if (high <= kCrossing_mm) return {};
   const double half = (high - low) / 2, middle = low + half;
-  // A start on S is as far from the first piece's middle as that is long to it, give or take what a
-  // foot is known to.
-  constexpr double kFoot_mm = 2e-9;
-  if (!closest_point(cells, from + along * middle, half - kFoot_mm)) return {};
+  if (!closest_point(cells, from + along * middle, half - kSamePlace_mm)) return {};
   if (half <= kCrossing_mm) return middle;
   if (const auto found = crossing_between(cells, from, along, low, middle)) return found;
   return crossing_between(cells, from, along, middle, high);

@@ -26,10 +26,10 @@ std::optional<CellContact> CellContact::of(const OffsetCell& cell, const CutterP
   c.steepest_ = pi / 2 - std::atan(profile.slope);
   c.tilt_ = std::atan2(std::hypot(n.x, n.y), n.z);
   c.alpha_ = cell.spread_rad;
-  // A wall that leans over by less than kAngle is touched along the cutter's own wall: with the
-  // normal turned by so much the contact plane stays one.
+  // A wall that leans over by less than kContactTurn_rad is touched along the cutter's own wall:
+  // with the normal turned by so much the contact plane stays one.
   const double over = c.tilt_ + c.alpha_ - c.steepest_;
-  if (over > 0 && over <= kAngle) c.alpha_ += over;
+  if (over > 0 && over <= kContactTurn_rad) c.alpha_ += over;
 
   const double level = std::hypot(n.x, n.y);
   c.direction_ = level > 0 ? Vec3{n.x / level, n.y / level, 0} : Vec3{1, 0, 0};

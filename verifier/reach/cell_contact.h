@@ -4,6 +4,7 @@
 
 #include "verifier/cells/offset_cell.h"
 #include "verifier/cutter/cutter_profile.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 
@@ -22,10 +23,10 @@ class CellContact {
   /// Every normal of the cell points further down than the cutter's wall leans.
   bool too_steep() const { return tilt_ - alpha_ > steepest_; }
   /// Every normal lets the cutter touch, to an angle far below any tolerance.
-  bool touchable() const { return tilt_ + alpha_ <= steepest_ + kAngle; }
+  bool touchable() const { return tilt_ + alpha_ <= steepest_ + kContactTurn_rad; }
   /// All normals are vertical to 1e-6: the flat may touch with any of its points, and misses the
   /// others by less than a millionth of its width.
-  bool level() const { return tilt_ + alpha_ <= kAngle; }
+  bool level() const { return tilt_ + alpha_ <= kContactTurn_rad; }
   /// The flat's direction e is not bounded: the cutter is taken to stand anywhere around.
   bool turning() const { return turning_; }
   /// On a level cell: the contact that has the axis displaced by `shift` for all of its points.
@@ -52,8 +53,6 @@ class CellContact {
   double over_contact_plane(double along, double apart) const;
 
  private:
-  static constexpr double kAngle = 1e-6;
-
   CellContact(const OffsetCell& cell, const CutterProfile& profile)
       : cell_(cell), profile_(profile) {}
 

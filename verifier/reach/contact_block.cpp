@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "verifier/cells/nearest_first.h"
+#include "model/geometry/box_tree.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -65,10 +65,10 @@ std::optional<Vec3> low_point(const SurfaceCells& cells, const StandingPart& par
                               const Function& function, double start_mm, double& least_mm,
                               bool any) {
   LowSearch<Function> search{function, start_mm, least_mm, any};
-  nearest_first(
-      cells.nodes(), [&](const BoxNode& node) { return part_bound_mm(part, tip, node.box); },
+  model::nearest_first(
+      cells.nodes(), [&](const model::BoxNode& node) { return part_bound_mm(part, tip, node.box); },
       [&](double bound) { return bound >= search.enough(); },
-      [&](const BoxNode& leaf) {
+      [&](const model::BoxNode& leaf) {
         for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i)
           search.descend(cells.cells()[i].shape);
       });
@@ -115,7 +115,6 @@ bool ContactBlock::any_holds(const ContactRegion& g, std::span<const Obstacle> o
 
 /// The radius in plan up to which a point of S bars every tip at that height.
 double ContactBlock::barred_radius_mm(const Obstacle& o, double tip_z_mm, double limit_mm) const {
-  constexpr double kFine_mm = 1e-7;
   const StandingPart& part = parts_[o.part];
   const auto bars = [&](double rho) {
     const Vec3 tip{o.point.x - rho, o.point.y, tip_z_mm};
@@ -124,7 +123,7 @@ double ContactBlock::barred_radius_mm(const Obstacle& o, double tip_z_mm, double
   double low = 0, high = part.profile.largest_radius_mm() + std::abs(limit_mm);
   if (!bars(low)) return 0;
   if (bars(high)) return high;
-  while (high - low > kFine_mm) {
+  while (high - low > kBarred_mm) {
     const double middle = (low + high) / 2;
     (bars(middle) ? low : high) = middle;
   }
@@ -134,13 +133,12 @@ double ContactBlock::barred_radius_mm(const Obstacle& o, double tip_z_mm, double
 /// Whether the obstacles together bar all of a piece of level positions: its hull, less one disc
 /// after the other.
 bool ContactBlock::all_hold(const ContactRegion& g, std::span<const Obstacle> obstacles) const {
-  constexpr double kLevel_mm = 1e-9;
   const double z = g.cores[0].z;
   if (g.z0 != g.z1) return false;
   for (const Vec3& core : g.cores)
-    if (std::abs(core.z - z) > kLevel_mm) return false;
+    if (std::abs(core.z - z) > kDistanceRounding_mm) return false;
   // A nanometre for tips that are not quite level.
-  const double limit = limit_mm_ - g.stray_mm - kLevel_mm;
+  const double limit = limit_mm_ - g.stray_mm - kDistanceRounding_mm;
   PlanHull hull = hull_of(g);
   std::vector<PlanDisc> discs;
   for (const Obstacle& o : obstacles)

@@ -65,7 +65,7 @@ PlanHull hull_of(const ContactRegion& g) {
   }
   PlanHull hull;
   for (const Vec3& core : g.cores)
-    for (const PlanPoint& p : sector) hull.push_back({core.x + p.x, core.y + p.y});
+    for (const model::Vec2& p : sector) hull.push_back({core.x + p.x, core.y + p.y});
   return corners_of(std::move(hull));
 }
 

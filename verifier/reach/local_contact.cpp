@@ -4,40 +4,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/geometry/interval.h"
+#include "verifier/tolerance.h"
+
 namespace limitgauge::verifier {
-
-/// Holds every value of something over a rectangle of parameters.
-struct ValueSpan {
-  double low = 1e300, high = -1e300;
-  void add(const ValueSpan& s) { low = std::min(low, s.low), high = std::max(high, s.high); }
-  ValueSpan widened(double by) const { return {low - by, high + by}; }
-};
-
 namespace {
 
 using model::Box3;
+using model::Interval;
 using model::Vec3;
 
-ValueSpan operator*(const ValueSpan& a, const ValueSpan& b) {
-  const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
-  return {std::min({p, q, r, s}), std::max({p, q, r, s})};
-}
-ValueSpan operator+(const ValueSpan& a, const ValueSpan& b) {
-  return {a.low + b.low, a.high + b.high};
-}
-ValueSpan operator*(double f, const ValueSpan& a) {
-  return f >= 0 ? ValueSpan{f * a.low, f * a.high} : ValueSpan{f * a.high, f * a.low};
-}
-ValueSpan square(const ValueSpan& a) {
-  const double low = a.low > 0 ? a.low : a.high < 0 ? -a.high : 0;
-  const double high = std::max(std::abs(a.low), std::abs(a.high));
-  return {low * low, high * high};
-}
-double largest(const ValueSpan& a) {
-  return std::max(std::abs(a.low), std::abs(a.high));
-}
-
-ValueSpan along(const Box3& box, const Vec3& d) {
+/// Holds d·x for every x of the box.
+Interval along(const Box3& box, const Vec3& d) {
   const Vec3 c = box.centre(), h = box.size() * 0.5;
   const double at = dot(c, d);
   const double by = h.x * std::abs(d.x) + h.y * std::abs(d.y) + h.z * std::abs(d.z);
@@ -68,13 +46,14 @@ struct Clearance {
 
 /// Spans over a rectangle: components of the first derivatives, normal parts of the second.
 struct LocalContact::Spans {
-  ValueSpan ut, ub, un, vt, vb, vn, uz, vz, uu, uv, vv;
+  Interval ut = Interval::none(), ub = ut, un = ut, vt = ut, vb = ut, vn = ut, uz = ut, vz = ut,
+           uu = ut, uv = ut, vv = ut;
   double u = 0, v = 0;  ///< greatest lengths of the first derivatives
 
   /// Greatest length of S over steps (±x, ±y): the integral of U·x + V·y, any two of which have a
   /// product that lies in the span of x²U·U′ + xy(U·V′ + V·U′) + y²V·V′.
   double longest(double x, double y) const {
-    const double skew = largest(ut * vt + ub * vb + un * vn);
+    const double skew = (ut * vt + ub * vb + un * vn).largest();
     return std::sqrt(u * u * x * x + 2 * skew * x * y + v * v * y * y);
   }
 };
@@ -122,8 +101,8 @@ std::vector<Clearance> clearances(const CellContact& c, double reach, double far
   return out;
 }
 
-bool positive(const ValueSpan& uu, const ValueSpan& uv, const ValueSpan& vv) {
-  const double off = largest(uv);
+bool positive(const Interval& uu, const Interval& uv, const Interval& vv) {
+  const double off = uv.largest();
   return uu.low >= 0 && vv.low >= 0 && off * off <= uu.low * vv.low;
 }
 
@@ -230,19 +209,19 @@ bool LocalContact::proven(const ClearedRect& area, const SurfaceCell& cell,
   const double du = std::max(own.u1 - area.rect.u0, area.rect.u1 - own.u0),
                dv = std::max(own.v1 - area.rect.v0, area.rect.v1 - own.v0);
   const double y = dv / q.v_y, x = (du + std::abs(q.u_y) * y) / q.u_x;
-  const double far = s.longest(x, y), rise = largest(s.uz) * du + largest(s.vz) * dv;
+  const double far = s.longest(x, y), rise = s.uz.largest() * du + s.vz.largest() * dv;
   const double reach = contact.profile().rounding_mm + allowance_mm_;
-  // What may be cut into, less a normal turned by up to 1e-6 on a wall.
-  const double slack = contact_mm_ - 1e-6 * far;
+  // What may be cut into, less what the turn of a normal on a wall takes.
+  const double slack = contact_mm_ - kContactTurn_rad * far;
   if (slack < 0) return false;
   for (const Clearance& c : clearances(contact, reach, far, rise)) {
-    const ValueSpan ut = s.ut.widened(c.turn * s.u), ub = s.ub.widened(c.turn * s.u),
-                    vt = s.vt.widened(c.turn * s.v), vb = s.vb.widened(c.turn * s.v);
-    const ValueSpan uu = c.along * square(ut) + c.across * square(ub) + (-1.0) * s.uu,
-                    uv = c.along * (ut * vt) + c.across * (ub * vb) + (-1.0) * s.uv,
-                    vv = c.along * square(vt) + c.across * square(vb) + (-1.0) * s.vv;
+    const Interval ut = s.ut.widened(c.turn * s.u), ub = s.ub.widened(c.turn * s.u),
+                   vt = s.vt.widened(c.turn * s.v), vb = s.vb.widened(c.turn * s.v);
+    const Interval uu = c.along * square(ut) + c.across * square(ub) + (-1.0) * s.uu,
+                   uv = c.along * (ut * vt) + c.across * (ub * vb) + (-1.0) * s.uv,
+                   vv = c.along * square(vt) + c.across * square(vb) + (-1.0) * s.vv;
     const double on_u = slack / (x * x), on_v = slack / (y * y);
-    if (positive(uu + ValueSpan{on_u, on_u}, uv, vv + ValueSpan{on_v, on_v})) return true;
+    if (positive(uu + Interval{on_u, on_u}, uv, vv + Interval{on_v, on_v})) return true;
   }
   return false;
 }

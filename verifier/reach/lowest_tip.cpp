@@ -6,14 +6,14 @@
 #include <numbers>
 #include <queue>
 
-#include "verifier/cells/nearest_first.h"
+#include "model/geometry/box_tree.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
 
-constexpr double kRounding_mm = 1e-9;
 /// Share of its depth by which a deepest point may be missed: any deep point serves.
 constexpr double kTipShare = 0.1;
 /// A plane steeper than this says less about heights than the square's nearest corner.
@@ -56,11 +56,11 @@ void LowestTip::descend(const Bezier& cell, Query& query) const {
 }
 
 void LowestTip::look(Query& query) const {
-  nearest_first(
+  model::nearest_first(
       cells_.nodes(),
-      [&](const BoxNode& node) { return standing_bound(profile_, query.tip, node.box); },
+      [&](const model::BoxNode& node) { return standing_bound(profile_, query.tip, node.box); },
       [&](double bound) { return bound >= query.enough(); },
-      [&](const BoxNode& leaf) {
+      [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
           descend(cells_.cells()[k].shape, query);
       });
@@ -108,7 +108,7 @@ std::optional<Vec3> LowestTip::lowered(Vec3 tip, double by_mm, double margin_mm)
     const double rho = std::hypot(q.x - tip.x, q.y - tip.y);
     const auto z = highest_z(q, rho, limit_ + 2 * margin_mm);
     if (!z) return std::nullopt;
-    tip.z = std::max(*z, tip.z) + kRounding_mm;
+    tip.z = std::max(*z, tip.z) + kDistanceRounding_mm;
   }
   return std::nullopt;
 }
@@ -154,13 +154,14 @@ bool LowestTip::excludes(const Square& square, const Vec3& s, double within_mm,
                          const Vec3& q) const {
   const double beside_x = std::max(0.0, std::abs(square.x - s.x) - square.half),
                beside_y = std::max(0.0, std::abs(square.y - s.y) - square.half);
-  const double nearest = std::max(0.0, std::hypot(beside_x, beside_y) - kRounding_mm);
-  if (nearest > profile_.largest_radius_mm() + within_mm + kRounding_mm) return true;
+  const double nearest = std::max(0.0, std::hypot(beside_x, beside_y) - kDistanceRounding_mm);
+  if (nearest > profile_.largest_radius_mm() + within_mm + kDistanceRounding_mm) return true;
   const auto top = highest_z(s, nearest, within_mm);
   if (!top) return true;
   const auto deep = [&](double by_x, double by_y, double z) {
-    const Vec3 tip{square.x + by_x * square.half, square.y + by_y * square.half, z + kRounding_mm};
-    return standing_distance(profile_, tip, q).value < limit_ - kRounding_mm;
+    const Vec3 tip{square.x + by_x * square.half, square.y + by_y * square.half,
+                   z + kDistanceRounding_mm};
+    return standing_distance(profile_, tip, q).value < limit_ - kDistanceRounding_mm;
   };
   const auto all_deep = [&](const auto& height) {
     return deep(-1, -1, height(-1, -1)) && deep(1, -1, height(1, -1)) &&
@@ -197,7 +198,7 @@ LowestTip::Proof LowestTip::prove(const Vec3& s, double goal_mm,
   if (goal_mm <= limit_ || profile_.undercuts()) return proof;
   const auto later = [](const Square& a, const Square& b) { return a.low > b.low; };
   std::priority_queue<Square, std::vector<Square>, decltype(later)> open(later);
-  const double half = profile_.largest_radius_mm() + goal_mm + kRounding_mm;
+  const double half = profile_.largest_radius_mm() + goal_mm + kDistanceRounding_mm;
   open.push({s.x, s.y, half, proof.low_mm, {}});
   while (!open.empty()) {
     Square at = open.top();
@@ -211,7 +212,8 @@ LowestTip::Proof LowestTip::prove(const Vec3& s, double goal_mm,
       Query query{tip, limit_, kTipShare * at.half};
       look(query);
       const auto& q = query.found;
-      if (!q && distance(tip, s) <= goal_mm + kRounding_mm && reachability_.surely_free(tip)) {
+      if (!q && distance(tip, s) <= goal_mm + kDistanceRounding_mm &&
+          reachability_.surely_free(tip)) {
         proof.better = tip;
         return proof;
       }

@@ -2,14 +2,12 @@
 
 #include <vector>
 
+#include "model/geometry/vec2.h"
+
 namespace limitgauge::verifier {
 
-/// A point in plan, in mm.
-struct PlanPoint {
-  double x = 0, y = 0;
-};
-/// Points whose convex hull is meant.
-using PlanHull = std::vector<PlanPoint>;
+/// Points in plan, in mm, whose convex hull is meant.
+using PlanHull = std::vector<model::Vec2>;
 
 struct PlanDisc {
   double x = 0, y = 0, radius = 0;

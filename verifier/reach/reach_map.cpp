@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "model/base/chunks.h"
-#include "verifier/cells/nearest_first.h"
+#include "model/geometry/box_tree.h"
 #include "verifier/cutter/swept_body.h"
 #include "verifier/reach/cell_contact.h"
 #include "verifier/reach/contact_hull.h"
@@ -92,13 +92,13 @@ class Classifier {
   bool search(const CellContact& c, const std::optional<ClearedRect>& cleared,
               std::vector<std::uint32_t>& pending, std::optional<Vec3>& witness) const {
     bool cut = false;
-    nearest_first(
+    model::nearest_first(
         cells_.nodes(),
-        [&](const BoxNode& node) {
+        [&](const model::BoxNode& node) {
           return standing_bound(c.profile(), c.tip(), node.box) - c.stray();
         },
         [&](double bound) { return cut || bound >= limit_; },
-        [&](const BoxNode& leaf) {
+        [&](const model::BoxNode& leaf) {
           if (below_contact_plane(c, leaf.box)) return;
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
             if (clears(c, cleared, cells_.cells()[k], witness)) continue;
@@ -151,10 +151,11 @@ class Classifier {
     std::optional<Vec3> found;
     const CutterProfile& profile = reachability_.profile();
     double best = limit_;
-    nearest_first(
-        cells_.nodes(), [&](const BoxNode& node) { return standing_bound(profile, tip, node.box); },
+    model::nearest_first(
+        cells_.nodes(),
+        [&](const model::BoxNode& node) { return standing_bound(profile, tip, node.box); },
         [&](double bound) { return bound >= best; },
-        [&](const BoxNode& leaf) {
+        [&](const model::BoxNode& leaf) {
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
             const Vec3 p = middle(cells_.cells()[k].shape);
             const double d = standing_distance(profile, tip, p).value;

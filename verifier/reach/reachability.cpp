@@ -4,9 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "verifier/cells/nearest_first.h"
+#include "model/geometry/box_tree.h"
 #include "verifier/cutter/swept_body.h"
 #include "verifier/reach/contact_hull.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -16,7 +17,6 @@ using std::numbers::pi;
 
 /// Directions tried where a level spot lets the flat of a cutter touch in any of them.
 constexpr int kDirections = 16;
-constexpr double kLevel = 1e-9;  // sine of the slope below which a spot is level
 constexpr int kDeepest = 60;
 /// Parts of a cell looked at for one position: a contact in one point takes some dozens, one along
 /// a line some thousands.
@@ -34,11 +34,11 @@ double over_bottom(const CutterProfile& p, const Vec3& n) {
   return (std::hypot(n.x, n.y) - n.z * p.rise) / std::sqrt(1 + p.rise * p.rise);
 }
 
-/// A piece of a plane, not one of a bent cell that is small. Cones are wider by 1e-7 for rounding.
+/// A piece of a plane, not one of a bent cell that is small. Cones are wider for rounding.
 bool is_plane(const OffsetCell& cell) {
-  constexpr double kSpread_rad = 1e-6, kRounding_rad = 2e-7, kBend_per_mm = 1e-2;
+  constexpr double kRounding_rad = 2 * kArcCosineRounding_rad, kBend_per_mm = 1e-2;
   const double radius = control_radius(cell.shape, cell.middle);
-  return cell.spread_rad <= std::min(kSpread_rad, kRounding_rad + kBend_per_mm * radius);
+  return cell.spread_rad <= std::min(kFlat_rad, kRounding_rad + kBend_per_mm * radius);
 }
 
 /// Angle of the normal at a cell's middle to the axis of the cutter.
@@ -108,10 +108,11 @@ Reachability::Below Reachability::comes_below(std::span<const StandingPart> part
   Below worst = Below::none;
   for (const StandingPart& part : parts) {
     const Vec3 base = tip + Vec3{0, 0, part.lift_mm};
-    nearest_first(
-        cells_.nodes(), [&](const BoxNode& node) { return part_bound_mm(part, tip, node.box); },
+    model::nearest_first(
+        cells_.nodes(),
+        [&](const model::BoxNode& node) { return part_bound_mm(part, tip, node.box); },
         [&](double bound) { return bound >= limit_mm || worst == Below::found; },
-        [&](const BoxNode& leaf) {
+        [&](const model::BoxNode& leaf) {
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
             int effort = kMostLooks;
             const auto below = any_below(part, cells_.cells()[k].shape, base, limit_mm, 0, effort);
@@ -132,18 +133,18 @@ Vec3 Reachability::core_touching(const Vec3& p, const Vec3& n) const {
 }
 
 std::optional<Vec3> Reachability::contact_tip(const Vec3& p, const Vec3& n) const {
-  if (n.z < slope_sine(profile_) - kLevel) return std::nullopt;
+  if (n.z < slope_sine(profile_) - kLevelSlope) return std::nullopt;
   const double level = std::hypot(n.x, n.y), over = over_bottom(profile_, n);
-  if (profile_.is_pointed() && over < -kLevel) return p + n * allowance_mm_;
-  if (profile_.is_pointed() && over <= kLevel) return std::nullopt;
-  if (level <= kLevel && profile_.flat_mm > 0) return std::nullopt;
+  if (profile_.is_pointed() && over < -kLevelSlope) return p + n * allowance_mm_;
+  if (profile_.is_pointed() && over <= kLevelSlope) return std::nullopt;
+  if (level <= kLevelSlope && profile_.flat_mm > 0) return std::nullopt;
   const double scale = level > 0 ? profile_.flat_mm / level : 0;
   return core_touching(p, n) + Vec3{n.x * scale, n.y * scale, 0};
 }
 
 std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) const {
   const double limit = allowance_mm_ - contact_mm_;
-  if (n.z >= slope_sine(profile_) - kLevel) {
+  if (n.z >= slope_sine(profile_) - kLevelSlope) {
     const auto tip = contact_tip(p, n);
     const std::vector<Vec3> choices = tip ? std::vector{*tip} : contact_choices(p, n);
     for (const Vec3& choice : choices)
@@ -153,7 +154,7 @@ std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) con
     for (const Vec3& choice : necked_choices(p, n))
       if (comes_below(parts_, choice, limit) == Below::none) return choice;
   // Where one line of positions may be free, or one alone, as in a slot as wide as the cutter.
-  const bool level_flat = std::hypot(n.x, n.y) <= kLevel && profile_.flat_mm > 0;
+  const bool level_flat = std::hypot(n.x, n.y) <= kLevelSlope && profile_.flat_mm > 0;
   if (profile_.is_pointed() || profile_.undercuts() || !level_flat) return std::nullopt;
   Bezier place;
   for (int k = 0; k < 16; ++k) place.set(k, p);
@@ -171,7 +172,7 @@ std::vector<Vec3> Reachability::necked_choices(const Vec3& p, const Vec3& n) con
   if (profile_.slope != 0) return tips;
   const double level = std::hypot(n.x, n.y), radius = profile_.top_radius_mm();
   const Vec3 touched = p + n * allowance_mm_;
-  if (std::abs(n.z) <= kLevel && level > 0) {
+  if (std::abs(n.z) <= kLevelSlope && level > 0) {
     const Vec3 axis = touched + Vec3{n.x, n.y, 0} * (radius / level);
     for (int k = 1; k <= kHeights; ++k) {
       const double up = profile_.core_mm + (profile_.top_mm - profile_.core_mm) * k / kHeights;
@@ -179,7 +180,7 @@ std::vector<Vec3> Reachability::necked_choices(const Vec3& p, const Vec3& n) con
     }
   } else if (n.z < 0) {
     const Vec3 axis = touched - Vec3{0, 0, profile_.top_mm};
-    if (level > kLevel) return {axis + Vec3{n.x, n.y, 0} * (radius / level)};
+    if (level > kLevelSlope) return {axis + Vec3{n.x, n.y, 0} * (radius / level)};
     for (int k = -1; k < kDirections; ++k) {
       const double angle = 2 * pi * k / kDirections, out = k < 0 ? 0 : radius;
       tips.push_back(axis + Vec3{out * std::cos(angle), out * std::sin(angle), 0});
@@ -193,7 +194,7 @@ std::vector<Vec3> Reachability::contact_choices(const Vec3& p, const Vec3& n) co
   if (profile_.is_pointed()) {
     // All along the bottom, from its tip to where the corner begins.
     const double level = std::hypot(n.x, n.y), sine = profile_.rise * n.z;
-    if (level <= kLevel) return {p + n * allowance_mm_};
+    if (level <= kLevelSlope) return {p + n * allowance_mm_};
     const double ends = profile_.flat_mm + profile_.rounding_mm * sine;
     for (int k = 0; k <= kDirections; ++k) {
       const double out = std::max(0.0, ends) * k / kDirections;
@@ -227,8 +228,8 @@ bool Reachability::surely_unreachable(const OffsetCell& cell, ContactMemory* mem
   if (narrower_above_ && !neck_) return false;
   if (profile_.is_pointed()) {
     const double bottom = std::atan(profile_.rise);
-    if (tilt + spread < bottom - kLevel) return surely_unreachable_by_tip(cell);
-    if (tilt - spread <= bottom + kLevel) return false;
+    if (tilt + spread < bottom - kLevelSlope) return surely_unreachable_by_tip(cell);
+    if (tilt - spread <= bottom + kLevelSlope) return false;
   }
   // On a plane the rim of what can be reached has to be closed in on; a bent cell's own bends say
   // sooner that it is too large.
@@ -266,7 +267,7 @@ bool Reachability::surely_unreachable_round(const OffsetCell& cell) const {
       control_radius(cell.shape, cell.middle) + reach * 2 * std::sin(std::min(spread, pi) / 2);
   const double limit = allowance_mm_ - contact_mm_ - stray;
   const double flat = profile_.flat_mm;
-  const bool all_round = tilt <= spread + kLevel;
+  const bool all_round = tilt <= spread + kLevelSlope;
   const double aside = std::atan2(cell.normal.y, cell.normal.x);
   const double half_arc =
       all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
@@ -293,7 +294,7 @@ std::vector<ContactRegion> Reachability::contact_regions(const OffsetCell& cell)
   const double tilt = tilt_of(cell), spread = cell.spread_rad;
   const CellRectangle around = rectangle_round(cell.shape, cell.normal);
   const double turn = 2 * std::sin(std::min(spread, pi) / 2);
-  const bool all_round = tilt <= spread + kLevel || pi - tilt <= spread + kLevel;
+  const bool all_round = tilt <= spread + kLevelSlope || pi - tilt <= spread + kLevelSlope;
   const double aside = std::atan2(cell.normal.y, cell.normal.x);
   const double half_arc =
       all_round ? pi : std::asin(std::min(1.0, std::sin(spread) / std::sin(tilt)));
@@ -311,16 +312,16 @@ std::vector<ContactRegion> Reachability::contact_regions(const OffsetCell& cell)
   };
   std::vector<ContactRegion> out;
   const double reach = profile_.rounding_mm + allowance_mm_;
-  if (!neck_ || tilt - spread <= pi / 2 + kLevel)
+  if (!neck_ || tilt - spread <= pi / 2 + kLevelSlope)
     out.push_back(region(core_touching({}, cell.normal), std::max(0.0, profile_.flat_mm),
-                         tilt <= spread + kLevel, std::abs(reach) * turn));
+                         tilt <= spread + kLevelSlope, std::abs(reach) * turn));
   if (!neck_) return out;
   const double width = profile_.top_radius_mm(), stray = std::abs(allowance_mm_) * turn;
-  if (tilt + spread >= pi / 2 - kLevel) {
+  if (tilt + spread >= pi / 2 - kLevelSlope) {
     ContactRegion wall = region(cell.normal * allowance_mm_, width, false, stray);
     wall.z0 = profile_.core_mm, wall.z1 = profile_.top_mm;
-    if (tilt - spread > pi / 2 + kLevel) wall.z0 = profile_.top_mm;  // the top alone
-    if (pi - tilt <= spread + kLevel) wall.r0 = 0;                   // any of its points
+    if (tilt - spread > pi / 2 + kLevelSlope) wall.z0 = profile_.top_mm;  // the top alone
+    if (pi - tilt <= spread + kLevelSlope) wall.r0 = 0;                   // any of its points
     out.push_back(wall);
   }
   return out;

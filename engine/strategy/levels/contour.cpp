@@ -8,6 +8,7 @@
 
 #include "engine/strategy/levels/contour_writer.h"
 #include "engine/surface/offset_model.h"
+#include "engine/tolerance.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -105,7 +106,6 @@ class ContourPlanner {
 
   void place_levels() {
     const double top = stock_.high.z, floor = request_.floor_z_mm;
-    constexpr double kWholeStep = 1e-6;
     const auto count =
         static_cast<int>(std::ceil((top - floor) / request_.cut.step_mm - kWholeStep));
     for (int k = 1; k <= count; ++k)

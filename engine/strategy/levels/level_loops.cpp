@@ -5,9 +5,9 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/strategy/linking/reduce.h"
 #include "engine/strategy/raster/clip.h"
 #include "engine/strategy/raster/swept_raster.h"
+#include "model/geometry/polyline.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -131,7 +131,7 @@ class LoopMaker {
   }
 
   static std::vector<FlatPoint> simplified(const std::vector<FlatPoint>& line, double error_mm) {
-    return reduced(line, error_mm, [](const FlatPoint& p) { return std::pair(p.x, p.y); });
+    return model::reduced(line, error_mm, [](const FlatPoint& p) { return model::Vec2{p.x, p.y}; });
   }
 
   void add(Isoline line, std::vector<Isoline>& to) {

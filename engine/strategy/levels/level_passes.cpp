@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/strategy/raster/swept_raster.h"
+#include "model/geometry/segment.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -13,18 +14,12 @@ constexpr double kNearLoops = 1.25;
 /// How far outside the stock the cutter comes down beyond touching it, mm.
 constexpr double kOutside_mm = 0.5;
 
-double distance_squared(const FlatPoint& p, const FlatPoint& a, const FlatPoint& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, l2 = dx * dx + dy * dy;
-  const double t = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / l2, 0.0, 1.0) : 0.0;
-  const double x = p.x - a.x - t * dx, y = p.y - a.y - t * dy;
-  return x * x + y * y;
-}
-
 /// Whether a point of `a` lies within `reach_mm` of `b`.
 bool comes_near(const std::vector<FlatPoint>& a, const std::vector<FlatPoint>& b, double reach_mm) {
   for (const FlatPoint& p : a)
     for (std::size_t i = 0; i < b.size(); ++i)
-      if (distance_squared(p, b[i > 0 ? i - 1 : 0], b[i]) < reach_mm * reach_mm) return true;
+      if (squared_distance_to_segment(p, b[i > 0 ? i - 1 : 0], b[i]) < reach_mm * reach_mm)
+        return true;
   return false;
 }
 

@@ -4,16 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/strategy/linking/chord_reduction.h"
 #include "engine/strategy/raster/isoline.h"
+#include "engine/tolerance.h"
 #include "model/base/chunks.h"
+#include "model/geometry/polyline.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
-
-/// Curves run this much above the height asked for: a plateau there, flat but for rounding and
-/// CutterLocations::kHeightError_mm, is free as a whole instead of torn into islands.
-constexpr double kAbovePlateaus_mm = 1e-5;
 
 /// Shares of the tolerance: how far chords between points of the curve may leave it, by how much
 /// passes are pushed out so that chords may cut corners, and what reduction may use of the rest.
@@ -171,9 +168,9 @@ void HeightCurves::add_passes(const std::vector<FlatPoint>& curve, bool closed,
   std::vector<Vec3> exact, tips;
   for (const FlatPoint& p : curve) exact.push_back({p.x, p.y, height_});
   for (const FlatPoint& p : pushed(curve, closed)) tips.push_back({p.x, p.y, height_});
-  const auto kept = reduce_chords(tips.size(), [&](std::size_t i, std::size_t j) {
+  const auto kept = model::reduce_chords(tips.size(), [&](std::size_t i, std::size_t j) {
     for (std::size_t k = i + 1; k < j; ++k)
-      if (distance_to_chord(exact[k], tips[i], tips[j]) > kCurveReductionShare * tolerance_)
+      if (distance_to_segment(exact[k], tips[i], tips[j]) > kCurveReductionShare * tolerance_)
         return false;
     return locations_.clears(tips[i], tips[j], 0);
   });

@@ -8,6 +8,7 @@
 
 #include "engine/surface/offset_model.h"
 #include "engine/surface/rim.h"
+#include "engine/tolerance.h"
 #include "model/base/chunks.h"
 
 namespace limitgauge::engine::strategy {
@@ -17,8 +18,6 @@ using model::Vec3;
 using Curves = std::vector<std::vector<PlanePoint>>;
 
 constexpr double kMeshShare = 0.25, kRimShare = 0.1;
-/// Curves that meet are taken to meet when rounding keeps them this far apart, mm.
-constexpr double kSlit = 1e-9;
 /// Across the rows, in the drive frame.
 constexpr int kAcross = 1;
 /// Drive planes cut by one thread at a time: neighbours go through the same memory.
@@ -101,7 +100,8 @@ std::vector<Envelope> BallSections::envelopes(std::span<const double> across_mm,
             for (const auto& chain : chains) rows[k - begin].push_back(in_plane(chain));
           }
         }
-        for (std::size_t k = begin; k < end; ++k) found[k] = upper_envelope(rows[k - begin], kSlit);
+        for (std::size_t k = begin; k < end; ++k)
+          found[k] = upper_envelope(rows[k - begin], kSamePlace_mm);
         control.report(static_cast<double>(end) / static_cast<double>(across_mm.size()));
       });
   return found;

@@ -5,19 +5,12 @@
 #include <limits>
 
 #include "engine/strategy/locations/cutter_shape.h"
+#include "engine/tolerance.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::engine::strategy {
 
 using model::Vec3;
-
-/// Contacts lie above the truth by at most this.
-inline constexpr double kContactError_mm = 1e-7;
-/// Points this far beyond the body's reach are still taken to be under it: an upright wall touched
-/// by the side must not be lost to rounding.
-inline constexpr double kReachSlack_mm = 1e-9;
-/// Facets steeper than this (tangent of the slope) count as upright: their edges speak for them.
-inline constexpr double kUpright = 1e6;
 
 /// The greatest of the lifts met so far. What cannot exceed `known` need not be looked at.
 struct GreatestLift {

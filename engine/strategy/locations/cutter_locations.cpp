@@ -7,14 +7,10 @@
 
 #include "engine/strategy/locations/location_question.h"
 #include "engine/strategy/locations/location_search.h"
+#include "engine/tolerance.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
-
-/// What a search may leave behind, and a rest so that a move lifted by what was found is found
-/// clear: contacts are too high by kContactError_mm at most, the sum stays within kHeightError_mm.
-constexpr double kSearchSlack_mm = 3e-7;
-constexpr double kResultSlack_mm = kSearchSlack_mm + 2 * kContactError_mm;
 
 void require_valid(const model::Cutter& cutter, double allowance_mm) {
   model::require_valid(cutter);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/surface/section/section_chain.h"
+#include "engine/tolerance.h"
 #include "model/part/cutter.h"
 
 namespace limitgauge::engine::strategy {
@@ -22,8 +23,6 @@ enum class Assembly { flutes, whole };
 /// `kHeightError_mm`, never below the truth. Const queries may run in parallel.
 class CutterLocations {
  public:
-  static constexpr double kHeightError_mm = 1e-6;
-
   /// Two triangles a cell of every grid, split as surface::Grid says. `allowance_mm` holds the
   /// distance to be kept and the error of the triangles. Throws std::invalid_argument for a
   /// cutter that is none or a negative allowance.

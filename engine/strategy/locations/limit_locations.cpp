@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/tolerance.h"
+
 namespace limitgauge::engine::strategy {
 
 LimitLocations limit_locations(const surface::PatchModel& model, const StageRequest& request) {
@@ -13,8 +15,7 @@ LimitLocations limit_locations(const surface::PatchModel& model, const StageRequ
   for (const surface::Grid& grid : mesh.grids)
     for (const Vec3& p : grid.points) part.add(p);
   CutterLocations surface(surface::pieces(mesh), request.cutter, kept);
-  constexpr double kRounding_mm = 1e-6;
-  const double lowest = part.low.z - request.cutter.corner_radius_mm - kRounding_mm;
+  const double lowest = part.low.z - request.cutter.corner_radius_mm - kHeightError_mm;
   return {std::move(surface), std::move(mesh), part, kept, lowest};
 }
 

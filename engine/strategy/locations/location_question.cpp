@@ -4,12 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/tolerance.h"
+#include "model/geometry/segment.h"
+
 namespace limitgauge::engine::strategy {
 namespace {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
-/// Bounds are raised by this against rounding.
-constexpr double kBoundSlack_mm = 1e-10;
 
 /// Distance of two ranges on one axis.
 double gap(double low, double high, double from, double to) {
@@ -154,8 +155,7 @@ double MoveQuestion::plane_bound(const LocationNode& node, const TopBox& box, co
   // The tip that touches the plane nearest to the middle of the box.
   const double x = (box.low_x + box.high_x) / 2 - node.contact_x - from.x;
   const double y = (box.low_y + box.high_y) / 2 - node.contact_y - from.y;
-  const double squared = rest.x * rest.x + rest.y * rest.y;
-  const double at = squared > 0 ? std::clamp((x * rest.x + y * rest.y) / squared, 0.0, 1.0) : 0.0;
+  const double at = model::nearest_share(model::Vec2{x, y}, model::Vec2{rest.x, rest.y});
   return std::min(
       lift, tangent_lift(body_.shape, node, box, from + rest * at, rest * -at, rest * (1 - at)));
 }

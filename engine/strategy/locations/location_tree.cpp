@@ -7,6 +7,9 @@
 #include <span>
 #include <utility>
 
+#include "engine/tolerance.h"
+#include "model/geometry/box_tree.h"
+
 namespace limitgauge::engine::strategy {
 namespace {
 
@@ -16,8 +19,6 @@ using surface::Grid;
 constexpr int kLeafSide = 2;
 /// Steepest plane that a node is given (tangent): steeper ones bound nothing.
 constexpr double kSteepestPlane = 50;
-/// Added to plane offsets against rounding, relative to the size of their terms.
-constexpr double kPlaneRounding = 1e-14;
 
 float round_down(double value) {
   const auto f = static_cast<float>(value);
@@ -72,7 +73,7 @@ void set_plane(LocationNode& node, const Grid& grid, const LocationLeaf& cells,
     c = std::max(c, p.z + node.gx * p.x + node.gy * p.y);
     size = std::max(size, std::abs(p.z) + std::abs(node.gx * p.x) + std::abs(node.gy * p.y));
   });
-  lean_on(node, c + kPlaneRounding * size, shape);
+  lean_on(node, c + kUnitRounding * size, shape);
 }
 
 }  // namespace
@@ -129,15 +130,12 @@ class LocationTreeBuilder {
 
   std::vector<std::span<int>> halves(std::span<int> order) const {
     if (order.size() == 1) return {order};
-    Box3 centres;
-    for (const int r : order) centres.add(roots_[r].box.centre());
-    const int axis = centres.size().x >= centres.size().y ? 0 : 1;
-    const std::size_t middle = order.size() / 2;
-    std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(middle),
-                     order.end(), [&](int a, int b) {
-                       return std::pair(roots_[a].box.centre()[axis], a) <
-                              std::pair(roots_[b].box.centre()[axis], b);
-                     });
+    const auto seen_from_above = [&](int r) {
+      const Vec3 centre = roots_[r].box.centre();
+      return Vec3{centre.x, centre.y, 0};
+    };
+    const std::size_t middle =
+        model::halve_by_place(order, seen_from_above, [](int r) { return r; });
     return {order.first(middle), order.subspan(middle)};
   }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/tolerance.h"
+
 namespace limitgauge::engine::strategy {
 namespace {
 
@@ -17,9 +19,7 @@ class FlatTriangle {
       : p_{to_pixels(r, a), to_pixels(r, b), to_pixels(r, c)} {
     top_ = std::max({a.z, b.z, c.z});
     area_ = (p_[1].x - p_[0].x) * (p_[2].y - p_[0].y) - (p_[1].y - p_[0].y) * (p_[2].x - p_[0].x);
-    // A sliver's plane says nothing: its top bounds it.
-    constexpr double kSliver = 1e-9;
-    if (std::abs(area_) < kSliver) return;
+    if (std::abs(area_) < kSliver_px2) return;
     slope_x_ =
         ((p_[1].z - p_[0].z) * (p_[2].y - p_[0].y) - (p_[2].z - p_[0].z) * (p_[1].y - p_[0].y)) /
         area_;

@@ -1,23 +1,14 @@
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "engine/strategy/raster/height_map.h"
+#include "model/geometry/vec2.h"
 
 namespace limitgauge::engine::strategy {
 
 /// A point of the XY plane, mm.
-struct FlatPoint {
-  double x = 0, y = 0;
-};
-inline double distance(const FlatPoint& a, const FlatPoint& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-inline FlatPoint lerp(const FlatPoint& a, const FlatPoint& b, double t) {
-  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
-}
+using FlatPoint = model::Vec2;
 
 /// A curve along which a field has one value; open ones end at the window's border.
 struct Isoline {

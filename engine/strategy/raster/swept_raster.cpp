@@ -5,33 +5,25 @@
 #include <cstring>
 #include <limits>
 
+#include "engine/tolerance.h"
+#include "model/geometry/interval.h"
+
 namespace limitgauge::engine::strategy {
 namespace {
 
-struct Span {
-  double low = std::numeric_limits<double>::infinity(),
-         high = -std::numeric_limits<double>::infinity();
+using model::Interval;
 
-  bool empty() const { return !(low <= high); }
-  void join(const Span& b) {
-    if (b.empty()) return;
-    low = std::min(low, b.low);
-    high = std::max(high, b.high);
-  }
-};
-
-Span disc_span(const FlatPoint& centre, double radius, double y) {
+Interval disc_span(const FlatPoint& centre, double radius, double y) {
   const double dy = y - centre.y, square = radius * radius - dy * dy;
-  if (square < 0) return {};
+  if (square < 0) return Interval::none();
   const double half = std::sqrt(square);
   return {centre.x - half, centre.x + half};
 }
 
 /// Where low <= slope x + offset <= high.
-Span strip_span(double slope, double offset, double low, double high) {
-  constexpr double kLevel = 1e-12, kInfinity = std::numeric_limits<double>::infinity();
-  if (std::abs(slope) < kLevel)
-    return offset >= low && offset <= high ? Span{-kInfinity, kInfinity} : Span{};
+Interval strip_span(double slope, double offset, double low, double high) {
+  if (std::abs(slope) < kLevelLine)
+    return offset >= low && offset <= high ? Interval::all() : Interval::none();
   const double a = (low - offset) / slope, b = (high - offset) / slope;
   return {std::min(a, b), std::max(a, b)};
 }
@@ -46,14 +38,14 @@ class Capsule {
 
   double low_y() const { return std::min(a_.y, b_.y) - radius_; }
   double high_y() const { return std::max(a_.y, b_.y) + radius_; }
-  Span at(double y) const {
-    Span span = disc_span(a_, radius_, y);
+  Interval at(double y) const {
+    Interval span = disc_span(a_, radius_, y);
     if (length_ <= 0) return span;
-    span.join(disc_span(b_, radius_, y));
+    span.add(disc_span(b_, radius_, y));
     const double dy = y - a_.y;
-    const Span along = strip_span(way_.x, dy * way_.y - a_.x * way_.x, 0, length_);
-    const Span across = strip_span(-way_.y, dy * way_.x + a_.x * way_.y, -radius_, radius_);
-    span.join({std::max(along.low, across.low), std::min(along.high, across.high)});
+    const Interval along = strip_span(way_.x, dy * way_.y - a_.x * way_.x, 0, length_);
+    const Interval across = strip_span(-way_.y, dy * way_.x + a_.x * way_.y, -radius_, radius_);
+    span.add(Interval{std::max(along.low, across.low), std::min(along.high, across.high)});
     return span;
   }
 
@@ -74,7 +66,7 @@ bool SweptRaster::visit_rows(const FlatPoint& from, const FlatPoint& to, double 
   const int last =
       std::min(raster_.rows - 1, static_cast<int>(std::floor((capsule.high_y() - raster_.y0) / p)));
   for (int j = first; j <= last; ++j) {
-    const Span span = capsule.at(raster_.y(j));
+    const Interval span = capsule.at(raster_.y(j));
     if (span.empty()) continue;
     const int begin = std::max(0, static_cast<int>(std::ceil((span.low - raster_.x0) / p)));
     const int end =

@@ -4,13 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "engine/strategy/linking/chord_reduction.h"
+#include "engine/tolerance.h"
+#include "model/geometry/polyline.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
-
-/// Width to which steps in height and the ends of runs are found, mm.
-constexpr double kStepWidth_mm = 1e-4;
 
 struct Sample {
   Vec3 p;
@@ -95,7 +93,7 @@ class Tracker {
   }
 
   std::vector<Vec3> reduced(const std::vector<Vec3>& run) const {
-    const auto reduction = reduce_chords(
+    const auto reduction = model::reduce_chords(
         run.size(), [&](std::size_t i, std::size_t j) { return may_join(run, i, j); });
     std::vector<Vec3> kept;
     for (const std::size_t i : reduction) kept.push_back(run[i] + Vec3{0, 0, rule_.lift_mm});
@@ -104,7 +102,7 @@ class Tracker {
 
   bool may_join(const std::vector<Vec3>& run, std::size_t i, std::size_t j) const {
     for (std::size_t k = i + 1; k < j; ++k)
-      if (distance_to_chord(run[k], run[i], run[j]) > rule_.reduction_mm) return false;
+      if (distance_to_segment(run[k], run[i], run[j]) > rule_.reduction_mm) return false;
     return locations_.clears(run[i], run[j], rule_.lift_mm);
   }
 

@@ -11,6 +11,7 @@
 #include "engine/strategy/locations/ball_sections.h"
 #include "engine/strategy/rows/drive_rows.h"
 #include "model/base/chunks.h"
+#include "model/geometry/segment.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::engine::strategy {
@@ -204,13 +205,6 @@ std::optional<double> height_at(const Envelope& row, double s) {
     return a->z + (b->z - a->z) * ((s - a->s) / (b->s - a->s));
   }
   return std::nullopt;
-}
-
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 d = b - a;
-  const double l2 = length_squared(d);
-  const double t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0.0;
-  return distance(p, a + d * t);
 }
 
 /// Least distance from `p` to the row at places within `window_mm` of `s`: an upper bound of the

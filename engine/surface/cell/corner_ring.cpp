@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/tolerance.h"
+
 namespace limitgauge::engine::surface {
 
 CornerRing::CornerRing(Parts parts)
@@ -208,8 +210,6 @@ Vec3 CornerRing::corner_normal(const Sector& sector) const {
   const Vec3 a = edges_[wrapped(sector.first)] - centre_;
   const Vec3 b = edges_[wrapped(sector.first + sector.faces)] - centre_;
   const Vec3 normal = cross(a, b);
-  // Sine of the angle under which two edges count as one line.
-  constexpr double kCollinear = 1e-9;
   if (length(normal) <= kCollinear * length(a) * length(b)) return {};
   return dot(normal, sector_cross(sector)) < 0 ? -normal : normal;
 }

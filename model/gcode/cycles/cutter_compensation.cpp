@@ -53,10 +53,10 @@ void CutterCompensation::move(const Motion& motion) {
 }
 
 void CutterCompensation::follow_straight(const Motion& motion) {
-  const PlaneVector way = frame_.flat(motion.to) - end_mm();
-  if (way == PlaneVector{}) return push_straight(motion, way, beside_mm_);
-  const PlaneVector after = unit(way);
-  const PlaneVector offset = side_ * radius_mm_ * quarter_turn(after);
+  const Vec2 way = frame_.flat(motion.to) - end_mm();
+  if (way == Vec2{}) return push_straight(motion, way, beside_mm_);
+  const Vec2 after = unit(way);
+  const Vec2 offset = side_ * radius_mm_ * quarter_turn(after);
   // Back along the end of an arc that the tool went round outside of: by LinuxCNC it stays above
   // instead of going round the end.
   const bool over_arc = !queue_.empty() && queue_.leading_arc() && !inside(*queue_.leading_arc());
@@ -77,10 +77,10 @@ void CutterCompensation::follow_straight(const Motion& motion) {
 }
 
 void CutterCompensation::follow_arc(const Motion& motion) {
-  const PlaneVector centre = {motion.centre1, motion.centre2}, end = frame_.flat(motion.to);
+  const Vec2 centre = {motion.centre1, motion.centre2}, end = frame_.flat(motion.to);
   check_width(motion, length(centre - end));
   const double inwards = inside(motion) ? radius_mm_ : -radius_mm_;
-  const PlaneVector after = tangent_at_start(motion);
+  const Vec2 after = tangent_at_start(motion);
   switch (corner_of(direction(), after, side_, !inside(motion))) {
     case Corner::smooth:
       queue_.release();
@@ -98,14 +98,14 @@ void CutterCompensation::follow_arc(const Motion& motion) {
 }
 
 /// Round the corner that the contour has come to, at its height; a rapid cannot and goes straight.
-void CutterCompensation::round_corner(const Motion& motion, PlaneVector to) {
+void CutterCompensation::round_corner(const Motion& motion, Vec2 to) {
   Motion corner = motion;
   corner.to = frame_.lifted(to, programmed_mm_);
   if (corner.kind != MotionKind::rapid) {
     corner.kind = MotionKind::arc;
     corner.plane = frame_.plane();
-    corner.centre1 = end_mm().a;
-    corner.centre2 = end_mm().b;
+    corner.centre1 = end_mm().x;
+    corner.centre2 = end_mm().y;
     corner.turns = -side_;
   }
   queue_.release();
@@ -113,17 +113,17 @@ void CutterCompensation::round_corner(const Motion& motion, PlaneVector to) {
   queue_.starts_at(to);
 }
 
-PlaneVector CutterCompensation::tangent_at_start(const Motion& arc) const {
-  const PlaneVector inwards = unit(PlaneVector{arc.centre1, arc.centre2} - end_mm());
+Vec2 CutterCompensation::tangent_at_start(const Motion& arc) const {
+  const Vec2 inwards = unit(Vec2{arc.centre1, arc.centre2} - end_mm());
   return (arc.turns > 0 ? -1.0 : 1.0) * quarter_turn(inwards);
 }
 
-void CutterCompensation::push_straight(Motion motion, PlaneVector direction, PlaneVector end) {
+void CutterCompensation::push_straight(Motion motion, Vec2 direction, Vec2 end) {
   motion.to = frame_.lifted(end, motion.to);
   queue_.push(frame_, {motion, direction, 0});
 }
 
-void CutterCompensation::push_arc(Motion arc, PlaneVector end, double sweep) {
+void CutterCompensation::push_arc(Motion arc, Vec2 end, double sweep) {
   arc.to = frame_.lifted(end, arc.to);
   queue_.push(frame_, {arc, {}, sweep});
 }
@@ -169,8 +169,8 @@ void CutterCompensation::check_width(const Motion& arc, double arc_radius_mm) co
 /// entry is longer than the radius, and its end may be pulled back to any place beside it.
 void CutterCompensation::enter_straight(const Motion& motion) {
   check_entry(motion);
-  const PlaneVector end = frame_.flat(motion.to);
-  const PlaneVector normal = side_ * quarter_turn(unit(end - end_mm()));
+  const Vec2 end = frame_.flat(motion.to);
+  const Vec2 normal = side_ * quarter_turn(unit(end - end_mm()));
   queue_.starts_at(end_mm());
   beside_mm_ = end + radius_mm_ * normal;
   push_straight(motion, normal, beside_mm_);
@@ -180,27 +180,27 @@ void CutterCompensation::enter_straight(const Motion& motion) {
 /// the centre moves along the radius at the end until both ends are equally far from it.
 void CutterCompensation::enter_arc(const Motion& motion) {
   check_entry(motion);
-  const PlaneVector start = end_mm(), end = frame_.flat(motion.to);
-  const PlaneVector programmed_centre = {motion.centre1, motion.centre2};
+  const Vec2 start = end_mm(), end = frame_.flat(motion.to);
+  const Vec2 programmed_centre = {motion.centre1, motion.centre2};
   check_width(motion, length(programmed_centre - start));
-  const PlaneVector inwards = unit(programmed_centre - end);
+  const Vec2 inwards = unit(programmed_centre - end);
   beside_mm_ = end + (inside(motion) ? radius_mm_ : -radius_mm_) * inwards;
-  const PlaneVector chord = start - beside_mm_;
+  const Vec2 chord = start - beside_mm_;
   const double cosine = dot(unit(chord), inwards);
   const double reach_mm = length(chord) / 2;
   if (std::abs(cosine) < std::max(kStraight, reach_mm / kLargestRadiusMm))
     fail(motion, "an entry arc that cutter compensation bends into a straight line",
          "an arc that starts away from the tangent beside its end");
-  const PlaneVector centre = beside_mm_ + (reach_mm / cosine) * inwards;
+  const Vec2 centre = beside_mm_ + (reach_mm / cosine) * inwards;
   Motion arc = motion;
-  arc.centre1 = centre.a;
-  arc.centre2 = centre.b;
+  arc.centre1 = centre.x;
+  arc.centre2 = centre.y;
   push_arc(arc, beside_mm_, sweep_of(start, beside_mm_, centre, arc.turns));
 }
 
 namespace {
 
-PlaneVector centre_of(const Motion& arc) {
+Vec2 centre_of(const Motion& arc) {
   return {arc.centre1, arc.centre2};
 }
 
@@ -213,12 +213,12 @@ constexpr const char* kWiderCorner = "a corner that the cutter fits into";
 
 }  // namespace
 
-PlaneVector CutterCompensation::corner_before_line(const Motion& line, PlaneVector after) const {
+Vec2 CutterCompensation::corner_before_line(const Motion& line, Vec2 after) const {
   const std::optional<Motion>& arc = queue_.leading_arc();
   if (!arc) return meet_lines(direction(), after, beside_mm_, radius_mm_);
   const OffsetArc path = path_of(*arc, frame_, inside(*arc));
   const double arc_radius_mm = path.radius_mm + (path.tool_inside ? radius_mm_ : -radius_mm_);
-  const PlaneVector normal = side_ * quarter_turn(after);
+  const Vec2 normal = side_ * quarter_turn(after);
   const double centre_mm = arc_radius_mm * dot(unit(path.centre - end_mm()), normal);
   const auto met = meet_line_and_arc(path, after, normal, radius_mm_ - centre_mm, true);
   if (!met)
@@ -227,7 +227,7 @@ PlaneVector CutterCompensation::corner_before_line(const Motion& line, PlaneVect
   return *met;
 }
 
-PlaneVector CutterCompensation::corner_before_arc(const Motion& arc) const {
+Vec2 CutterCompensation::corner_before_arc(const Motion& arc) const {
   if (const auto& before = queue_.leading_arc()) return corner_of_arcs(*before, arc);
   const double arc_radius_mm = length(centre_of(arc) - frame_.flat(arc.to));
   const bool tool_inside = inside(arc);
@@ -241,7 +241,7 @@ PlaneVector CutterCompensation::corner_before_arc(const Motion& arc) const {
   return *met;
 }
 
-PlaneVector CutterCompensation::corner_of_arcs(const Motion& before, const Motion& arc) const {
+Vec2 CutterCompensation::corner_of_arcs(const Motion& before, const Motion& arc) const {
   const OffsetArc first = path_of(before, frame_, inside(before));
   const double arc_radius_mm = length(centre_of(arc) - frame_.flat(arc.to));
   const OffsetArc second = {centre_of(arc),

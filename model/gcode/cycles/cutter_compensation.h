@@ -64,19 +64,19 @@ class CutterCompensation {
   void enter_arc(const Motion& motion);
   void follow_straight(const Motion& motion);
   void follow_arc(const Motion& motion);
-  void round_corner(const Motion& motion, PlaneVector to);
-  PlaneVector corner_before_line(const Motion& line, PlaneVector direction) const;
-  PlaneVector corner_before_arc(const Motion& arc) const;
-  PlaneVector corner_of_arcs(const Motion& before, const Motion& arc) const;
-  void push_straight(Motion motion, PlaneVector direction, PlaneVector end);
-  void push_arc(Motion arc, PlaneVector end, double sweep);
+  void round_corner(const Motion& motion, Vec2 to);
+  Vec2 corner_before_line(const Motion& line, Vec2 direction) const;
+  Vec2 corner_before_arc(const Motion& arc) const;
+  Vec2 corner_of_arcs(const Motion& before, const Motion& arc) const;
+  void push_straight(Motion motion, Vec2 direction, Vec2 end);
+  void push_arc(Motion arc, Vec2 end, double sweep);
 
   bool inside(const Motion& arc) const { return arc.turns * side_ > 0; }
-  PlaneVector tangent_at_start(const Motion& arc) const;
+  Vec2 tangent_at_start(const Motion& arc) const;
   /// Of the contour so far, at its end.
-  PlaneVector normal() const { return unit(beside_mm_ - end_mm()); }
-  PlaneVector direction() const { return -side_ * quarter_turn(normal()); }
-  PlaneVector end_mm() const { return frame_.flat(programmed_mm_); }
+  Vec2 normal() const { return unit(beside_mm_ - end_mm()); }
+  Vec2 direction() const { return -side_ * quarter_turn(normal()); }
+  Vec2 end_mm() const { return frame_.flat(programmed_mm_); }
   void check_entry(const Motion& motion) const;
   void check_width(const Motion& arc, double arc_radius_mm) const;
   [[noreturn]] void fail(const Motion& motion, const std::string& wrong,
@@ -89,8 +89,8 @@ class CutterCompensation {
   double side_ = 1;  // 1: the tool is left of the contour, -1: right
   double radius_mm_ = 0;
   PlaneFrame frame_;
-  Vec3 programmed_mm_;     // end of the contour so far; the tool's place while entering
-  PlaneVector beside_mm_;  // where the tool ends beside it, if nothing cuts it short
+  Vec3 programmed_mm_;  // end of the contour so far; the tool's place while entering
+  Vec2 beside_mm_;      // where the tool ends beside it, if nothing cuts it short
 };
 
 }  // namespace limitgauge::model::gcode

@@ -6,10 +6,10 @@
 
 namespace limitgauge::model::gcode {
 
-double sweep_of(PlaneVector from, PlaneVector to, PlaneVector centre, double turns) {
-  const PlaneVector start = from - centre, end = to - centre;
+double sweep_of(Vec2 from, Vec2 to, Vec2 centre, double turns) {
+  const Vec2 start = from - centre, end = to - centre;
   const double full = 2 * std::numbers::pi;
-  double sweep = std::atan2(end.b, end.a) - std::atan2(start.b, start.a);
+  double sweep = std::atan2(end.y, end.x) - std::atan2(start.y, start.x);
   if (turns > 0) return (sweep <= 0 ? sweep + full : sweep) + (turns - 1) * full;
   if (sweep >= 0) sweep -= full;
   return sweep + (turns + 1) * full;
@@ -22,7 +22,7 @@ constexpr double kSmooth = 0.05;
 
 }  // namespace
 
-Corner corner_of(PlaneVector before, PlaneVector after, double side, bool reversal_is_inner) {
+Corner corner_of(Vec2 before, Vec2 after, double side, bool reversal_is_inner) {
   // Away from the tool is positive.
   const double turn = -side * std::atan2(cross(before, after), dot(before, after));
   if (std::abs(turn) >= std::numbers::pi - kSmooth)
@@ -31,16 +31,14 @@ Corner corner_of(PlaneVector before, PlaneVector after, double side, bool revers
   return turn > 0 ? Corner::outer : Corner::inner;
 }
 
-PlaneVector meet_lines(PlaneVector before, PlaneVector after, PlaneVector beside,
-                       double radius_mm) {
+Vec2 meet_lines(Vec2 before, Vec2 after, Vec2 beside, double radius_mm) {
   // Half the turn's tangent, exact for a right angle.
   const double tangent = std::abs(cross(before, after)) / (1 + dot(before, after));
   return beside - radius_mm * tangent * before;
 }
 
-std::optional<PlaneVector> meet_line_and_arc(const OffsetArc& arc, PlaneVector direction,
-                                             PlaneVector normal, double height_mm,
-                                             bool arc_comes_first) {
+std::optional<Vec2> meet_line_and_arc(const OffsetArc& arc, Vec2 direction, Vec2 normal,
+                                      double height_mm, bool arc_comes_first) {
   const double across = height_mm / arc.radius_mm;
   if (!(std::abs(across) <= 1)) return std::nullopt;
   const double along = std::sqrt(1 - across * across);
@@ -48,16 +46,16 @@ std::optional<PlaneVector> meet_line_and_arc(const OffsetArc& arc, PlaneVector d
   return arc.centre + arc.radius_mm * (across * normal + later * along * direction);
 }
 
-std::optional<PlaneVector> meet_arcs(const OffsetArc& before, const OffsetArc& after,
-                                     bool after_is_counter_clockwise) {
-  const PlaneVector between = after.centre - before.centre;
+std::optional<Vec2> meet_arcs(const OffsetArc& before, const OffsetArc& after,
+                              bool after_is_counter_clockwise) {
+  const Vec2 between = after.centre - before.centre;
   const double apart_mm = length(between);
   const double r1 = before.radius_mm, r2 = after.radius_mm;
   // The law of cosines, about the first centre.
   const double along = (r1 * r1 + apart_mm * apart_mm - r2 * r2) / (2 * r1 * apart_mm);
   if (!(std::abs(along) <= 1)) return std::nullopt;
   const double left = before.tool_inside == after_is_counter_clockwise ? 1 : -1;
-  const PlaneVector axis = unit(between);
+  const Vec2 axis = unit(between);
   const double across = left * std::sqrt(1 - along * along);
   return before.centre + r1 * (along * axis + across * quarter_turn(axis));
 }

@@ -6,40 +6,14 @@
 
 #include "model/base/number_text.h"
 #include "model/gcode/program.h"
+#include "model/geometry/vec2.h"
 
 namespace limitgauge::model::gcode {
 
-/// A point or direction in the plane that is compensated in: its first and second axis, mm.
-struct PlaneVector {
-  double a = 0, b = 0;
-
-  friend constexpr bool operator==(PlaneVector, PlaneVector) = default;
-  friend constexpr PlaneVector operator+(PlaneVector p, PlaneVector q) {
-    return {p.a + q.a, p.b + q.b};
-  }
-  friend constexpr PlaneVector operator-(PlaneVector p, PlaneVector q) {
-    return {p.a - q.a, p.b - q.b};
-  }
-  friend constexpr PlaneVector operator*(double s, PlaneVector p) { return {s * p.a, s * p.b}; }
-};
-
-constexpr double dot(PlaneVector p, PlaneVector q) {
-  return p.a * q.a + p.b * q.b;
-}
-constexpr double cross(PlaneVector p, PlaneVector q) {
-  return p.a * q.b - p.b * q.a;
-}
-/// Turned by 90 degrees counter-clockwise.
-constexpr PlaneVector quarter_turn(PlaneVector p) {
-  return {-p.b, p.a};
-}
-inline double length(PlaneVector p) {
-  return std::hypot(p.a, p.b);
-}
 /// As atan2 has it, a vector without length points along the first axis.
-inline PlaneVector unit(PlaneVector p) {
+inline Vec2 unit(Vec2 p) {
   const double l = length(p);
-  return l > 0 ? PlaneVector{p.a / l, p.b / l} : PlaneVector{1, 0};
+  return l > 0 ? p / l : Vec2{1, 0};
 }
 
 /// The plane's axes in space.
@@ -48,16 +22,16 @@ class PlaneFrame {
   explicit PlaneFrame(ArcPlane plane = ArcPlane::xy) : plane_(plane) {}
 
   ArcPlane plane() const { return plane_; }
-  PlaneVector flat(const Vec3& point) const {
+  Vec2 flat(const Vec3& point) const {
     const auto [first, second, normal] = axes_of(plane_);
     return {point[first], point[second]};
   }
   /// `height` gives the coordinate along the plane's normal.
-  Vec3 lifted(PlaneVector point, const Vec3& height) const {
+  Vec3 lifted(Vec2 point, const Vec3& height) const {
     const auto [first, second, normal] = axes_of(plane_);
     Vec3 lifted = height;
-    lifted[first] = point.a;
-    lifted[second] = point.b;
+    lifted[first] = point.x;
+    lifted[second] = point.y;
     return lifted;
   }
 
@@ -67,22 +41,22 @@ class PlaneFrame {
 
 /// How far an arc about `centre` turns from `from` to `to`, radians, counter-clockwise positive;
 /// `turns` as Motion's. Equal ends are a full turn.
-double sweep_of(PlaneVector from, PlaneVector to, PlaneVector centre, double turns);
+double sweep_of(Vec2 from, Vec2 to, Vec2 centre, double turns);
 
 enum class Corner { smooth, outer, inner };
 
 /// What a contour that comes along `before` and goes on along `after` (unit directions) is for a
 /// tool on `side` of it (1: left, -1: right), by LinuxCNC's 0.05 radians. A reversal within them is
 /// an outer corner unless `reversal_is_inner`.
-Corner corner_of(PlaneVector before, PlaneVector after, double side, bool reversal_is_inner);
+Corner corner_of(Vec2 before, Vec2 after, double side, bool reversal_is_inner);
 
 /// Where two straight paths meet that run beside their lines at `radius_mm`: `beside` is where the
 /// first one ends uncut, over the corner.
-PlaneVector meet_lines(PlaneVector before, PlaneVector after, PlaneVector beside, double radius_mm);
+Vec2 meet_lines(Vec2 before, Vec2 after, Vec2 beside, double radius_mm);
 
 /// A path at constant distance from an arc.
 struct OffsetArc {
-  PlaneVector centre;
+  Vec2 centre;
   double radius_mm = 0;
   bool tool_inside = false;
 };
@@ -91,13 +65,12 @@ struct OffsetArc {
 /// `normal`, meets the arc: the later place for an arc that the tool runs inside of, the earlier
 /// one outside, or the other way round where the arc comes before the line. Empty where they do not
 /// meet.
-std::optional<PlaneVector> meet_line_and_arc(const OffsetArc& arc, PlaneVector direction,
-                                             PlaneVector normal, double height_mm,
-                                             bool arc_comes_first);
+std::optional<Vec2> meet_line_and_arc(const OffsetArc& arc, Vec2 direction, Vec2 normal,
+                                      double height_mm, bool arc_comes_first);
 
 /// Where `before` meets `after`, which turns counter-clockwise or not. Empty where they do not
 /// meet; their centres differ.
-std::optional<PlaneVector> meet_arcs(const OffsetArc& before, const OffsetArc& after,
-                                     bool after_is_counter_clockwise);
+std::optional<Vec2> meet_arcs(const OffsetArc& before, const OffsetArc& after,
+                              bool after_is_counter_clockwise);
 
 }  // namespace limitgauge::model::gcode

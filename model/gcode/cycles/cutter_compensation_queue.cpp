@@ -38,15 +38,14 @@ void CompensationQueue::release() {
   start_.reset();
 }
 
-void CompensationQueue::release_at(const PlaneFrame& frame, PlaneVector end) {
+void CompensationQueue::release_at(const PlaneFrame& frame, Vec2 end) {
   if (waiting_.empty()) return;
   for (WaitingMotion& waiting : waiting_) move_end(frame, waiting, end);
   release();
   starts_at(end);
 }
 
-void CompensationQueue::move_end(const PlaneFrame& frame, WaitingMotion& waiting,
-                                 PlaneVector end) const {
+void CompensationQueue::move_end(const PlaneFrame& frame, WaitingMotion& waiting, Vec2 end) const {
   Motion& motion = waiting.motion;
   motion.to = frame.lifted(end, motion.to);
   if (!start_) return;

@@ -17,8 +17,8 @@ namespace limitgauge::model::gcode {
 /// A compensated motion whose end in the plane may still move.
 struct WaitingMotion {
   Motion motion;
-  PlaneVector direction;  ///< of a straight one as programmed; no length: it may go anywhere
-  double sweep = 0;       ///< of an arc as programmed, radians
+  Vec2 direction;    ///< of a straight one as programmed; no length: it may go anywhere
+  double sweep = 0;  ///< of an arc as programmed, radians
 };
 
 /// Motions that wait for the corner at their end: the last one in the plane and those along the
@@ -47,13 +47,13 @@ class CompensationQueue {
   void release();
   /// Lets all out with `end` for their end in the plane, which becomes the start of the next one.
   /// Throws InputError where a motion would have to run backwards to get there.
-  void release_at(const PlaneFrame& frame, PlaneVector end);
+  void release_at(const PlaneFrame& frame, Vec2 end);
   /// Where the next motion starts.
-  void starts_at(PlaneVector start) { start_ = start; }
+  void starts_at(Vec2 start) { start_ = start; }
   void use_inches(bool inches) { inches_ = inches; }
 
  private:
-  void move_end(const PlaneFrame& frame, WaitingMotion& waiting, PlaneVector end) const;
+  void move_end(const PlaneFrame& frame, WaitingMotion& waiting, Vec2 end) const;
   [[noreturn]] void fail(const Motion& motion, const std::string& wrong,
                          const std::string& expected) const;
 
@@ -61,7 +61,7 @@ class CompensationQueue {
   Place place_;
   std::vector<WaitingMotion> waiting_;
   std::optional<Motion> leading_arc_;
-  std::optional<PlaneVector> start_;  // empty: an entry arc, or what waited was let out early
+  std::optional<Vec2> start_;  // empty: an entry arc, or what waited was let out early
   bool inches_ = false;
 };
 

@@ -1,13 +1,9 @@
-#include "verifier/cells/box_tree.h"
+#include "model/geometry/box_tree.h"
 
-#include <algorithm>
 #include <numeric>
 
-namespace limitgauge::verifier {
+namespace limitgauge::model {
 namespace {
-
-using model::Box3;
-using model::Vec3;
 
 std::uint32_t build(BoxTree& tree, const std::vector<Box3>& boxes, std::uint32_t leaf_size,
                     std::uint32_t first, std::uint32_t count) {
@@ -21,8 +17,7 @@ std::uint32_t build(BoxTree& tree, const std::vector<Box3>& boxes, std::uint32_t
     tree.nodes[here].first = first, tree.nodes[here].count = count;
     return here;
   }
-  halve_by_centres(elements, boxes);
-  const std::uint32_t half = count / 2;
+  const auto half = static_cast<std::uint32_t>(halve_by_centres(elements, boxes));
   build(tree, boxes, leaf_size, first, half);
   const std::uint32_t right = build(tree, boxes, leaf_size, first + half, count - half);
   tree.nodes[here].right = right;
@@ -41,17 +36,9 @@ BoxTree box_tree(const std::vector<Box3>& boxes, std::uint32_t leaf_size) {
   return tree;
 }
 
-void halve_by_centres(std::span<std::uint32_t> order, const std::vector<Box3>& boxes) {
-  Box3 centres;
-  for (const std::uint32_t k : order) centres.add(boxes[k].centre());
-  const Vec3 size = centres.size();
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const auto half = static_cast<std::ptrdiff_t>(order.size() / 2);
-  std::nth_element(order.begin(), order.begin() + half, order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     const double ca = boxes[a].centre()[axis], cb = boxes[b].centre()[axis];
-                     return ca != cb ? ca < cb : a < b;
-                   });
+std::size_t halve_by_centres(std::span<std::uint32_t> part, const std::vector<Box3>& boxes) {
+  return halve_by_place(
+      part, [&](std::uint32_t k) { return boxes[k].centre(); }, [](std::uint32_t k) { return k; });
 }
 
-}  // namespace limitgauge::verifier
+}  // namespace limitgauge::model

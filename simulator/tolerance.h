@@ -1,0 +1,55 @@
+#pragma once
+
+/// The simulator's tolerances: value, unit and reason of each. Sizes in voxels and shares of time
+/// or memory stand where they are used. What two surfaces' meshes are drawn to is in mesh/.
+
+namespace limitgauge::simulator {
+
+// Rounding in double precision. Coordinates lie within 10 m of zero
+// (model/base/coordinate_limit.h), so that one operation rounds by at most 1e-12 mm.
+
+/// What the rounding of a chain of operations may add to a distance, or take from it: moves are set
+/// aside, and cutters' blocks end, only where they lose by more.
+inline constexpr double kDistanceRounding_mm = 1e-9;
+/// Distances to one plane that differ by less are one: the rounding of one operation.
+inline constexpr double kSameDistance_mm = 1e-12;
+/// Share of its value to which an iteration finds a place: at a minimum the value is then exact.
+inline constexpr double kSettled = 1e-12;
+/// The least distance along a move is found to this; the promise is kDistanceRounding_mm.
+inline constexpr double kLeastAlongMove_mm = 1e-10;
+
+// Dexels.
+
+/// A move that goes less than this to the side is taken to be vertical.
+inline constexpr double kLeastRun_mm = 1e-12;
+/// Ends that would move by less than this stay where they are, and no thinner material is kept.
+inline constexpr double kDexelRounding_mm = kDistanceRounding_mm;
+/// A size that is a whole number of spacings but for this share of one is that number.
+inline constexpr double kWholeSpacing = 1e-9;
+/// Share of a spacing by which a range of lines is taken wider: a line on its edge is not missed.
+inline constexpr double kLineOnEdge = 1e-6;
+/// Material and gaps that are thinner have no middle at which two instruments could be compared.
+inline constexpr double kThin_mm = 1e-8;
+/// Two instruments may differ by this. The swept distances are exact to 1e-10 mm, the ends of
+/// dexels to 1e-9 mm along Z; a cutter a micrometre too wide makes more than 1e-5 mm at some end.
+inline constexpr double kAgreement_mm = 1e-6;
+
+// Rays into the stock.
+
+/// What is thinner along the ray is passed over, and an end is known to this.
+inline constexpr double kLeastFeature_mm = 1e-7;
+/// Share of a voxel that single precision may be off in a level set.
+inline constexpr double kSinglePrecision_voxels = 1e-5;
+/// A level set read from a file has axes along the frame's within this share of a voxel.
+inline constexpr double kStraightAxes = 1e-12;
+
+// Process.
+
+/// What the rounding of a program's coordinates to micrometres may add to the drop of a move.
+inline constexpr double kDropRounding_mm = 1e-3;
+/// Two radii that are meant to be the same: diameters are stated to micrometres.
+inline constexpr double kSameRadius_mm = 1e-6;
+/// Sine of the angle between pieces of one line whose ends a program has rounded.
+inline constexpr double kSameDirection = 1e-4;
+
+}  // namespace limitgauge::simulator

@@ -72,7 +72,7 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
       {{"inspect", "index.obj"}, "index.obj:5:"},
       {{"inspect", "bad.ngc", "--moves"}, "bad.ngc:3:1"},
       {{"inspect", "quad.obj", "--samples", "3", "--csv", "no/such/folder.csv"}, "folder"},
-      {{"rnu", "a.toml"}, "\"run\""},
+      {{"rnu", "a.toml"}, "'run'"},
       {{}, "error"},
   };
   for (const BadInput& bad : table) {

@@ -1,6 +1,6 @@
 // Parts of planes that once took minutes, or no verdict came of: settled at the default resolution,
-// in less than 20 s of processor time.
-#include <ctime>
+// by no more cells than a few seconds' worth. (Time is measured in tests/benchmark; cells are the
+// same on every machine.)
 #include <numbers>
 
 #include "tests/support/catch.h"
@@ -13,18 +13,16 @@ namespace {
 using model::Vec3;
 using namespace tests;
 
-constexpr double kMost_s = 20;
+constexpr std::size_t kMostCells = 50'000;  // measured: 784 to 31,222
 
-/// The verdict, which must be one, in the time allowed.
+/// The verdict, which must be one, by the cells allowed.
 Judged settle(const model::Cage& cage, const model::BoxStock& block,
               const std::vector<Pass>& passes, const GateLimits& limits, Verdict expected,
-              double allowance_mm = 0) {
+              double allowance_mm = 0, std::size_t most_cells = kMostCells) {
   const ReferenceSurface surface(cage);
-  const std::clock_t start = std::clock();
   const Judged judged = judge(surface, block, passes, limits, allowance_mm);
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   const StageDeviation& d = judged.deviation;
-  CAPTURE(d.gouge_mm.low, d.gouge_mm.high, d.uncut_mm.low, d.uncut_mm.high, d.cells, seconds);
+  CAPTURE(d.gouge_mm.low, d.gouge_mm.high, d.uncut_mm.low, d.uncut_mm.high, d.cells);
   for (const auto* found : {&d.gouges, &d.uncuts})
     if (!found->empty()) {
       const SurfacePlace& place = found->front().place;
@@ -32,7 +30,7 @@ Judged settle(const model::Cage& cage, const model::BoxStock& block,
                                             << " " << place.point.z);
     }
   CHECK(judged.decision.verdict == expected);
-  CHECK(seconds < kMost_s);
+  CHECK(d.cells < most_cells);
   return judged;
 }
 
@@ -213,12 +211,15 @@ TEST_CASE("settled: a pocket cut clean, whose corners the flat cannot reach",
       feed_to(path, to);
     return std::vector<Pass>{pass_of(flat_cutter(r), path)};
   };
+  // At the fillets cells are small (measured: 421,512).
+  constexpr std::size_t most_cells = 600'000;
   // The fillets of radius r stand, 0.83 mm over the diagonals, where nothing reaches them.
-  const Judged clean = settle(cage, block, milled(deep), both_gates(0.01, 0.01), Verdict::pass);
+  const Judged clean =
+      settle(cage, block, milled(deep), both_gates(0.01, 0.01), Verdict::pass, 0, most_cells);
   CHECK(clean.deviation.unavoidable_uncut_mm.high ==
         Approx((std::numbers::sqrt2 - 1) * r).margin(0.01));
-  const Judged deeper =
-      settle(cage, block, milled(deep - 0.02), both_gates(0.01, 0.01), Verdict::fail);
+  const Judged deeper = settle(cage, block, milled(deep - 0.02), both_gates(0.01, 0.01),
+                               Verdict::fail, 0, most_cells);
   CHECK(deeper.deviation.gouge_mm.low == Approx(0.02).margin(1e-5));
   const Judged shallow =
       settle(cage, block, milled(deep + 0.02), both_gates(0.01, 0.01), Verdict::fail);

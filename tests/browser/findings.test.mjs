@@ -11,6 +11,8 @@ const place = (finding) => [finding.x, finding.y, finding.z];
 
 /** The finding is chosen, in the middle of the picture, and said in words and program text. */
 async function expectChosen(page, stage, id, finding) {
+  // A page that is still unpacking its data answers a click later.
+  await page.waitForFunction((chosen) => window.limitgauge.view.state().finding === chosen, id);
   await settle(page);
   const state = await stateOf(page);
   assert.equal(state.stage, stage);

@@ -1,7 +1,7 @@
 #pragma once
 
 /// The simulator's tolerances: value, unit and reason of each. Sizes in voxels and shares of time
-/// or memory stand where they are used. What two surfaces' meshes are drawn to is in mesh/.
+/// or memory stand where they are used.
 
 namespace limitgauge::simulator {
 
@@ -42,6 +42,17 @@ inline constexpr double kLeastFeature_mm = 1e-7;
 inline constexpr double kSinglePrecision_voxels = 1e-5;
 /// A level set read from a file has axes along the frame's within this share of a voxel.
 inline constexpr double kStraightAxes = 1e-12;
+
+// Meshes.
+
+/// On the surface: far below what a mesh is for, far above rounding. From nearer, the way from the
+/// nearest point has lost its direction to rounding.
+inline constexpr double kOnSurface_mm = 1e-9;
+/// Triangles are in one plane within rounding.
+inline constexpr double kCoplanar_mm = 1e-10;
+/// A triangle is a sliver where the sine of its smallest angle is below this. In doubles the foot
+/// on its plane is off by about the square of 1e-16 over the sine, relative to the distance.
+inline constexpr double kSliverSine = 1e-8;
 
 // Process.
 

@@ -58,6 +58,13 @@ std::string in_quotes(std::string_view text) {
   return quoted;
 }
 
+std::string in_quotes(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  if (byte >= 0x20 && byte < 0x7F) return in_quotes(std::string_view(&c, 1));
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  return std::string("byte 0x") + kDigits[byte / 16] + kDigits[byte % 16];
+}
+
 std::string nearest_word(std::string_view word, std::span<const std::string_view> known) {
   return std::string(nearest(word, known).word);
 }

@@ -9,6 +9,8 @@ namespace limitgauge::model {
 /// `text`, which somebody else wrote, between single quotes for a message: cut short where it is
 /// long and with `?` for all but printable ASCII.
 std::string in_quotes(std::string_view text);
+/// The same of one character; the byte's value where it cannot be printed.
+std::string in_quotes(char c);
 
 /// Of `known`, the first of those that the fewest slips turn `word` into; empty where `known` is. A
 /// slip adds, drops or changes a letter or swaps two neighbours; case does not count, and only the

@@ -38,10 +38,9 @@ std::vector<std::size_t> reduce_chords(std::size_t count, const MayJoin& may_joi
   return kept;
 }
 
-/// Leaves out points of a polyline of `Point`s so that it stays within `error_mm`
-/// of what it was, measured from each point left out to the chord that replaces it (Douglas and
-/// Peucker). `place(point)` is a Vec2 or a
-/// Vec3.
+/// Leaves out points of a polyline of `Point`s so that it stays within `error_mm` of what it was,
+/// measured from each point left out to the chord that replaces it (Douglas and Peucker).
+/// `place(point)` is a Vec2 or a Vec3.
 template <class Point, class Place>
 std::vector<Point> reduced(const std::vector<Point>& line, double error_mm, const Place& place) {
   if (line.size() < 3) return line;

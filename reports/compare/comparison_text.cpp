@@ -95,10 +95,6 @@ const char* name(const FindingChange& change) {
   return "moved";
 }
 
-std::string verdict_text(verifier::Verdict verdict) {
-  return verdict == verifier::Verdict::not_run ? "not run" : verifier::name(verdict);
-}
-
 std::string kind_text(const std::string& kind) {
   if (kind == "missing_stock") return "missing stock";
   for (const simulator::FindingKind known : kFindingKinds)

@@ -10,8 +10,6 @@ namespace limitgauge::reports::compare {
 const char* name(Judgement judgement);
 /// "new", "vanished", "deeper", "shallower", "moved"; a near miss is nearer or farther.
 const char* name(const FindingChange& change);
-/// "pass", "not run".
-std::string verdict_text(verifier::Verdict verdict);
 /// "rapid through standing material"; the kind itself where it is unknown.
 std::string kind_text(const std::string& kind);
 

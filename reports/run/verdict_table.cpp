@@ -30,12 +30,6 @@ std::string against_limit(const GateFigure& figure) {
   return numbers + relation(figure.standing) + figure.limit;
 }
 
-std::string verdict_word(verifier::Verdict verdict) {
-  std::string word = verifier::name(verdict);
-  std::replace(word.begin(), word.end(), '_', ' ');
-  return word;
-}
-
 Tone tone_of(verifier::Verdict verdict) {
   switch (verdict) {
     case verifier::Verdict::pass:
@@ -55,7 +49,7 @@ std::vector<TerminalTable::Cell> row_of(const StageResult& stage) {
   return {{stage.name},
           {stage.tool},
           {stage.program.empty() ? stage.strategy : stage.program},
-          {verdict_word(stage.verdict()), tone_of(stage.verdict())},
+          {verdict_text(stage.verdict()), tone_of(stage.verdict())},
           {against_limit(figures[0])},
           {against_limit(figures[1])},
           {stage.ran ? figures[2].measured : "–"},
@@ -127,7 +121,7 @@ std::string verdict_table(const RunResult& result, bool colour, std::size_t widt
         out += wrapped(clean_text(stage.name) + ": " + clean_text(reason), 4, width);
   }
   return out +
-         "verdict: " + painted(verdict_word(result.verdict), tone_of(result.verdict), colour) +
+         "verdict: " + painted(verdict_text(result.verdict), tone_of(result.verdict), colour) +
          '\n';
 }
 

@@ -62,7 +62,7 @@ std::string_view entity(char c) {
 }
 
 int significant_decimals(double value, int digits) {
-  if (value == 0) return 0;
+  if (value == 0 || !std::isfinite(value)) return 0;
   const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
   return std::clamp(digits - 1 - magnitude, 0, 9);
 }
@@ -195,6 +195,10 @@ std::string bytes_text(std::size_t bytes) {
   if (size < 999.5e3) return three_digits(size / 1e3) + " kB";
   if (size < 999.5e6) return three_digits(size / 1e6) + " MB";
   return three_digits(size / 1e9) + " GB";
+}
+
+std::string verdict_text(verifier::Verdict verdict) {
+  return verdict == verifier::Verdict::not_run ? "not run" : verifier::name(verdict);
 }
 
 std::string percent_text(double share) {

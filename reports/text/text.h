@@ -47,6 +47,8 @@ std::string duration_text(double seconds);
 std::string bytes_text(std::size_t bytes);
 /// A share as a percentage that never rounds up to a whole it has not reached: "99.98 %".
 std::string percent_text(double share);
+/// "pass", "not run".
+std::string verdict_text(verifier::Verdict verdict);
 
 /// `text` as a cell of an RFC 4180 file: in quotes always, with an apostrophe before what a
 /// spreadsheet would take for a formula.

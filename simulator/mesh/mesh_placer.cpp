@@ -9,14 +9,13 @@
 
 #include "simulator/mesh/surface_points.h"
 #include "simulator/process/near_material.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
 
-// Far below what the mesh is for, far above rounding.
-constexpr double kOnSurface_mm = 1e-9;
 constexpr int kMostSteps = 12;
 // Surfaces of two makers that meet at a smaller angle make no edge worth a vertex: a facet across
 // it is off by the angle times a voxel over eight.

@@ -7,6 +7,7 @@
 
 #include "model/mesh/mesh_defect.h"
 #include "simulator/mesh/mesh_tree.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -33,9 +34,6 @@ Vec3 facing(const Triangle& t) {
   const double l = length(n);
   return l > 0 ? n / l : Vec3{0, 0, 1};
 }
-
-// Nearer than this the way from the nearest point has lost its direction to rounding.
-constexpr double kOnSurface_mm = 1e-9;
 
 }  // namespace
 
@@ -70,8 +68,6 @@ SolidSample MeshSolid::sample(const Vec3& p) const {
 }
 
 std::optional<SolidCap> MeshSolid::cap(const Vec3& p, double reach_mm) const {
-  // Coplanar triangles are so within rounding.
-  constexpr double kCoplanar_mm = 1e-10;
   const MeshTree& tree = state_->tree;
   const MeshTree::Nearest near = tree.nearest(p);
   if (near.distance_squared > reach_mm * reach_mm) return std::nullopt;

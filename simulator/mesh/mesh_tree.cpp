@@ -22,7 +22,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
+
+#include "model/geometry/box_tree.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -48,9 +52,6 @@ using Tree = CGAL::AABB_tree<TreeTraits>;
 using Node = CGAL::AABB_node<TreeTraits>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A triangle is a sliver where the sine of its smallest angle is below this. In doubles the foot on
-// its plane is off by about the square of 1e-16 over the sine, relative to the distance.
-constexpr double kSliverSine = 1e-8;
 
 Point3 point3(const Vec3& p) {
   return {p.x, p.y, p.z};
@@ -63,15 +64,6 @@ Vec3 vec3(const Point3& p) {
 }
 Box3 box3(const CGAL::Bbox_3& b) {
   return {{b.xmin(), b.ymin(), b.zmin()}, {b.xmax(), b.ymax(), b.zmax()}};
-}
-
-double squared_distance(const CGAL::Bbox_3& box, const Vec3& p) {
-  double sum = 0;
-  for (int a = 0; a < 3; ++a) {
-    const double away = std::max({box.min(a) - p[a], p[a] - box.max(a), 0.0});
-    sum += away * away;
-  }
-  return sum;
 }
 
 // Twice the area and the lengths of the two longest edges.
@@ -108,17 +100,10 @@ struct Halve {
   template <class Iterator>
   void operator()(Iterator begin, Iterator end, const CGAL::Bbox_3&) const {
     if (end - begin <= kGroup) return;
-    const auto middle = [](const Primitive& t) { return box3(t.id()->bbox()).centre(); };
-    Box3 middles;
-    for (Iterator t = begin; t != end; ++t) middles.add(middle(*t));
-    const Vec3 size = middles.size();
-    int axis = size.y > size.x ? 1 : 0;
-    if (size.z > size[axis]) axis = 2;
-    std::nth_element(begin, begin + (end - begin) / 2, end,
-                     [&](const Primitive& a, const Primitive& b) {
-                       const double at_a = middle(a)[axis], at_b = middle(b)[axis];
-                       return at_a != at_b ? at_a < at_b : a.id() < b.id();
-                     });
+    model::halve_by_place(
+        std::span<Primitive>(begin, end),
+        [](const Primitive& t) { return box3(t.id()->bbox()).centre(); },
+        [](const Primitive& t) { return t.id(); });
   }
 };
 
@@ -210,10 +195,10 @@ struct NearestWalk {
     look_at(p, state.number(primitive));
   }
   bool do_intersect(const Vec3& p, const Node& node) const {
-    return squared_distance(node.bbox(), p) < best.distance_squared;
+    return distance_squared(box3(node.bbox()), p) < best.distance_squared;
   }
   std::pair<bool, Priority> do_intersect_with_priority(const Vec3& p, const Node& node) const {
-    const double d = squared_distance(node.bbox(), p);
+    const double d = distance_squared(box3(node.bbox()), p);
     return {d < best.distance_squared, -d};
   }
 };

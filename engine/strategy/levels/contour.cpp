@@ -187,8 +187,8 @@ class ContourPlanner {
 void require_valid(const CutOptions& cut) {
   if (!(cut.link_feed_mm_min > 0))
     throw std::invalid_argument("link_feed must be a positive number");
-  constexpr double kUpright = 90;
-  if (cut.entry != Entry::plunge && !(cut.ramp_angle_deg > 0 && cut.ramp_angle_deg < kUpright))
+  constexpr double kUpright_deg = 90;
+  if (cut.entry != Entry::plunge && !(cut.ramp_angle_deg > 0 && cut.ramp_angle_deg < kUpright_deg))
     throw std::invalid_argument("ramp_angle must lie between 0 and 90 degrees");
 }
 

@@ -1,4 +1,5 @@
 #include "engine/strategy/linking/approach.h"
+#include "engine/tolerance.h"
 
 #include <algorithm>
 #include <array>
@@ -97,8 +98,6 @@ constexpr double kLongestLeg = 3, kShortestLeg = 0.05;
 /// Largest radius of a helix as a share of the cutter's: no core is left standing.
 constexpr double kHelixShare = 0.4, kSmallestHelixShare = 0.1;
 constexpr int kHelixChords = 24;
-/// Ramps are this much flatter than asked for, against rounding of heights.
-constexpr double kFlatter = 1 - 1e-6;
 
 double steepest(const ApproachRule& rule) {
   return kFlatter * std::tan(model::radians(rule.request.cut.ramp_angle_deg));

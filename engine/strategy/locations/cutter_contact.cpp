@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/tolerance.h"
+
 namespace limitgauge::engine::strategy {
 namespace {
 
-/// Shorter ones, seen from above, are upright: mm.
-constexpr double kUprightLength_mm = 1e-12;
 constexpr int kMostSteps = 80;
 /// Share of a square that its rounding may take.
 constexpr double kSquareRounding = 1e-14;

@@ -6,13 +6,11 @@
 #include <string_view>
 
 #include "model/base/message_text.h"
+#include "model/base/tolerance.h"
 #include "model/gcode/cycles/canned_cycle_path.h"
 
 namespace limitgauge::model::gcode {
 namespace {
-
-/// LinuxCNC takes a count for whole within this.
-constexpr double kWhole = 1e-4;
 
 struct Takes {
   Cycle cycle;
@@ -99,7 +97,7 @@ int holes_of(const Statement& statement, int most) {
   const Word* const l = statement.word('L');
   if (!l) return 1;
   const double count = std::round(l->value);
-  if (!(std::abs(l->value - count) <= kWhole) || count < 1)
+  if (!(std::abs(l->value - count) <= kWholeCount) || count < 1)
     statement.fail(*l, in_quotes(l->text) + " repeats of a canned cycle", "an integer from 1");
   if (count > most)
     statement.fail(*l, in_quotes(l->text) + " repeats of a canned cycle",

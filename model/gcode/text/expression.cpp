@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "model/base/characters.h"
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
-#include "model/gcode/text/characters.h"
 #include "model/gcode/text/functions.h"
 #include "model/gcode/text/operators.h"
 #include "model/gcode/text/plain_number.h"
@@ -79,8 +79,8 @@ void ValueReader::take(char c) {
   const char found = peek();
   if (found != c)
     fail(cursor_.at,
-         found == '\0' ? "the line ends within a value" : shown(found) + " within a value",
-         shown(c));
+         found == '\0' ? "the line ends within a value" : in_quotes(found) + " within a value",
+         in_quotes(c));
   ++cursor_.at;
 }
 
@@ -124,7 +124,7 @@ double ValueReader::missing() const {
   const bool ends = cursor_.at >= cursor_.line.size();
   fail(cursor_.at,
        ends ? "the line ends where a value is missing"
-            : shown(cursor_.line[cursor_.at]) + " where a value is missing",
+            : in_quotes(cursor_.line[cursor_.at]) + " where a value is missing",
        "a number, a parameter, a function or an expression in brackets");
 }
 
@@ -134,7 +134,7 @@ double ValueReader::bracketed() {
   const double result = chain(kLoosest);
   const char c = peek();
   if (c == '\0') fail(begin, "'[' is not closed in its line", "']'");
-  if (c != ']') fail(cursor_.at, shown(c) + " behind a value", "an operator or ']'");
+  if (c != ']') fail(cursor_.at, in_quotes(c) + " behind a value", "an operator or ']'");
   ++cursor_.at;
   return result;
 }
@@ -285,7 +285,7 @@ std::string read_name(Cursor& cursor, const Fail& fail) {
   std::string name;
   for (; cursor.at < cursor.line.size() && cursor.line[cursor.at] != '>'; ++cursor.at) {
     const char c = cursor.line[cursor.at];
-    if (c == '(' || c == ';' || c == '<') fail(cursor.at, shown(c) + " within a name", "'>'");
+    if (c == '(' || c == ';' || c == '<') fail(cursor.at, in_quotes(c) + " within a name", "'>'");
     if (!is_blank(c)) name += lower(c);
   }
   if (cursor.at >= cursor.line.size()) fail(begin, "the name does not end in its line", "'>'");

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/base/characters.h"
 #include "model/base/message_text.h"
-#include "model/gcode/text/characters.h"
 #include "model/gcode/text/plain_number.h"
 
 namespace limitgauge::model::gcode {
@@ -120,7 +120,8 @@ void Lexer::read_items(Block& block) {
     } else if (c == '#') {
       read_setting(block);
     } else {
-      fail(cursor_.at, shown(c) + " does not begin a word", "a letter and a number, or a comment");
+      fail(cursor_.at, in_quotes(c) + " does not begin a word",
+           "a letter and a number, or a comment");
     }
   }
 }
@@ -178,7 +179,7 @@ bool Lexer::read_plain_value(double& value) {
 double Lexer::read_general_value(std::size_t word_begin) {
   if (!value_begins(cursor_))
     fail(word_begin,
-         "the number of " + shown(cursor_.line[word_begin]) + " is missing or malformed",
+         "the number of " + in_quotes(cursor_.line[word_begin]) + " is missing or malformed",
          "a number, a parameter, a function or an expression in brackets");
   return read_value(cursor_, parameters_, fail_);
 }

@@ -1,6 +1,7 @@
 // The lexer's part for lines that begin with an O word.
+#include "model/base/characters.h"
+#include "model/base/message_text.h"
 #include "model/gcode/flow/flow_keyword.h"
-#include "model/gcode/text/characters.h"
 #include "model/gcode/text/lexer.h"
 
 namespace limitgauge::model::gcode {
@@ -134,7 +135,7 @@ std::vector<double> Lexer::arguments(const Block& block) {
     if (values.size() == kMostArguments)
       fail(cursor_.at, "more than 100 values behind an O word", "100 at most");
     if (here() != '[')
-      fail(cursor_.at, shown(here()) + " behind an O word", "values in brackets, or a comment");
+      fail(cursor_.at, in_quotes(here()) + " behind an O word", "values in brackets, or a comment");
     values.push_back(read_value(cursor_, parameters_, fail_));
   }
   return values;

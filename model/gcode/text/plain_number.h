@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/gcode/text/characters.h"
+#include "model/base/characters.h"
 
 namespace limitgauge::model::gcode {
 

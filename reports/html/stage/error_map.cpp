@@ -10,6 +10,7 @@
 #include "reports/picture/deviation_map.h"
 #include "reports/run/patch_figures.h"
 #include "reports/text/text.h"
+#include "reports/tolerance.h"
 
 namespace limitgauge::reports::html {
 namespace {
@@ -78,10 +79,9 @@ std::string number_of(const std::vector<int>& numbers, int patch) {
   return i < numbers.size() ? std::to_string(numbers[i]) : "–";
 }
 
-/// Below a nanometre the samples' own rounding would be shown.
+/// Below half a nanometre the samples' own rounding would be shown.
 std::string seen_length(double mm) {
-  constexpr double kNothing_mm = 5e-7;
-  return measured_length(mm < kNothing_mm ? 0 : mm);
+  return measured_length(mm < kNoLength_mm ? 0 : mm);
 }
 
 Row patch_row(const RunResult& result, std::size_t index, const PatchFigures& f) {

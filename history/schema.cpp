@@ -101,6 +101,8 @@ void require_history(const std::filesystem::path& file) {
     throw model::InputError(place, "this is a folder", "a history that limitgauge wrote");
   if (std::filesystem::file_size(file, missing) == 0 || missing) return;
   const Header header = read_header(file);
+  // A writer that was killed while it made the file: what it left is rolled back to nothing now.
+  if (std::filesystem::file_size(file, missing) == 0 || missing) return;
   if (header.application_id != kApplicationId)
     throw model::InputError(place, "this SQLite file is none of limitgauge's",
                             "a history that limitgauge wrote, or a new file");

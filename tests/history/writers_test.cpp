@@ -1,4 +1,5 @@
 #include <signal.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <chrono>
@@ -82,6 +83,30 @@ TEST_CASE("a writer that is killed leaves whole runs and no lock", "[unit][histo
   Recorder(file).append(sample_entry(1, kFigures));
   CHECK(History(file).runs({}).size() == before + 1);
   CHECK(before > 0);
+  check_whole(file);
+}
+
+TEST_CASE("a file whose maker was killed while it wrote is an empty history", "[unit][history]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "runs.sqlite";
+  const int child = tests::start_child([&] {
+    sqlite3* handle = nullptr;
+    sqlite3_open(file.c_str(), &handle);
+    // More than the cache holds: pages are in the file before the journal is done with.
+    sqlite3_exec(handle,
+                 "PRAGMA cache_size = 4; BEGIN IMMEDIATE; CREATE TABLE run (x);"
+                 "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 500)"
+                 "INSERT INTO run SELECT randomblob(1000) FROM n",
+                 nullptr, nullptr, nullptr);
+    return raise(SIGKILL);
+  });
+  REQUIRE(tests::wait_for(child) == -SIGKILL);
+  REQUIRE(std::filesystem::file_size(file) > 0);
+  REQUIRE(std::filesystem::exists(file.string() + "-journal"));
+  const bool writes_first = GENERATE(true, false);
+  if (!writes_first) CHECK(History(file).runs({}).empty());
+  Recorder(file).append(sample_entry(1, kFigures));
+  CHECK(History(file).runs({}).size() == 1);
   check_whole(file);
 }
 

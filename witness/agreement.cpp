@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "witness/bounds.h"
+#include "witness/cage_refused.h"
 #include "witness/far_refinement.h"
 #include "witness/limit_points.h"
 #include "witness/star_limit.h"
@@ -38,14 +39,21 @@ class Comparison {
     found_.bound_mm =
         bounds_of(cage_, found_.levels + static_cast<int>(model::kInfiniteSharpness) + kStarSteps)
             .position_mm();
-    const LimitPoints limits = limit_points(cage_, {found_.levels, kMostRefined});
-    found_.points_left_out = limits.left_out;
-    if (have_the_same_patches(limits))
-      for (const LimitPoint& p : limits.points) compare(p);
+    try {
+      hold_against(limit_points(cage_, {found_.levels, kMostRefined}));
+    } catch (const CageRefused& refused) {
+      contradict(std::string("cannot be held against each other: ") + refused.what());
+    }
     return found_;
   }
 
  private:
+  void hold_against(const LimitPoints& limits) {
+    found_.points_left_out = limits.left_out;
+    if (have_the_same_patches(limits))
+      for (const LimitPoint& p : limits.points) compare(p);
+  }
+
   bool have_the_same_patches(const LimitPoints& limits) {
     const auto count = static_cast<int>(limits.has_surface.size());
     if (count != surface_.patch_count())

@@ -56,8 +56,7 @@ inline constexpr std::size_t kMostRefined = 4096;
 inline constexpr double kSteady_rad = 1e-3;
 
 /// Holds `surface` against the limits of `cage` by OpenSubdiv's Far, in double precision. The same
-/// result every time, but for `seconds`. Throws std::runtime_error where OpenSubdiv refuses the
-/// cage.
+/// result every time, but for `seconds`. A cage that OpenSubdiv refuses is a contradiction as well.
 Agreement hold_against(const model::Cage& cage, const SurfaceUnderTest& surface);
 
 }  // namespace limitgauge::witness

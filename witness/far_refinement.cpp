@@ -4,9 +4,8 @@
 #include <opensubdiv/far/topologyRefinerFactory.h>
 #include <opensubdiv/version.h>
 
-#include <stdexcept>
-
 #include "witness/bounds.h"
+#include "witness/cage_refused.h"
 
 namespace limitgauge::witness {
 namespace {
@@ -86,7 +85,7 @@ FarRefinement::FarRefinement(const Cage& cage, int levels) {
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   refiner_.reset(Factory::Create(descriptor_of(cage, tags),
                                  Factory::Options(Sdc::SCHEME_CATMARK, options_of(cage))));
-  if (!refiner_) throw std::runtime_error("OpenSubdiv refuses the cage " + cage.name);
+  if (!refiner_) throw CageRefused("OpenSubdiv refuses the cage " + cage.name);
   Far::TopologyRefiner::UniformOptions uniform(levels);
   uniform.fullTopologyInLastLevel = true;  // the rules at its vertices are asked for
   refiner_->RefineUniform(uniform);

@@ -29,7 +29,7 @@ Primvars control_points(const model::Cage& cage);
 /// header, which no other folder does.
 class FarRefinement {
  public:
-  /// Throws std::runtime_error where OpenSubdiv refuses the cage. `levels` ≥ 1.
+  /// Throws CageRefused. `levels` ≥ 1.
   FarRefinement(const model::Cage& cage, int levels);
 
   int levels() const { return refiner_->GetMaxLevel(); }

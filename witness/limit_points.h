@@ -40,7 +40,7 @@ struct PointOptions {
 };
 
 /// OpenSubdiv's limits of the vertices that `levels` uniform refinements give, in double precision.
-/// Throws std::runtime_error where OpenSubdiv refuses the cage.
+/// Throws CageRefused.
 LimitPoints limit_points(const model::Cage& cage, const PointOptions& options);
 
 }  // namespace limitgauge::witness

@@ -2,6 +2,7 @@
 #include "app/run/surface_witness.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 
@@ -49,6 +50,24 @@ std::vector<Cage> all_cages() {
     for (Cage& cage : cages_of(folder)) all.push_back(std::move(cage));
   return all;
 }
+
+/// More faces about a vertex than OpenSubdiv counts, 65,535.
+Cage endless_fan() {
+  Cage fan;
+  const model::Index faces = 70'000;
+  fan.vertices.assign(faces + 1, {1, 0, 0});
+  for (model::Index f = 0; f < faces; ++f)
+    fan.add_face(std::array{model::Index{0}, f + 1, (f + 1) % faces + 1});
+  return fan;
+}
+
+/// For cages of which no point is asked.
+class NoSurface final : public witness::SurfaceUnderTest {
+ public:
+  int patch_count() const override { return 1; }
+  bool has_surface(int) const override { return false; }
+  Sample evaluate(int, double, double) const override { return {}; }
+};
 
 }  // namespace
 
@@ -111,6 +130,13 @@ TEST_CASE("a contradiction names both surfaces, the place and the bound", "[unit
     for (const char* word : {"reference surface", "OpenSubdiv", " mm at (", "patch", "rounding"})
       CHECK_THAT(said, ContainsSubstring(word));
   }
+}
+
+TEST_CASE("a cage that OpenSubdiv refuses is not taken for seen", "[unit][witness]") {
+  const Agreement found = hold_against(endless_fan(), NoSurface());
+  REQUIRE(found.contradiction);
+  CHECK_THAT(*found.contradiction, ContainsSubstring("OpenSubdiv refuses"));
+  CHECK(found.points == 0);
 }
 
 }  // namespace limitgauge::app

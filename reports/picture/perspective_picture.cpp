@@ -54,20 +54,6 @@ PerspectiveView best_view(const verifier::DeviationField& field, const std::vect
   return *best;
 }
 
-std::string verdict_words(verifier::Verdict verdict) {
-  switch (verdict) {
-    case verifier::Verdict::pass:
-      return "passed";
-    case verifier::Verdict::fail:
-      return "failed";
-    case verifier::Verdict::indeterminate:
-      return "indeterminate";
-    case verifier::Verdict::not_run:
-      break;
-  }
-  return "not run";
-}
-
 /// `style`, or as much smaller as `text` must be to fit `width` pixels, as long as it is legible.
 TextStyle fitted(TextStyle style, const std::string& text, double width) {
   constexpr double kLegible = 8, kStep = 0.5;
@@ -76,7 +62,7 @@ TextStyle fitted(TextStyle style, const std::string& text, double width) {
 }
 
 void draw_header(Image& image, const StageResult& stage) {
-  draw_text(image, shortened(stage.name, 40) + ": " + verdict_words(stage.verdict()),
+  draw_text(image, shortened(stage.name, 40) + ": " + verdict_text(stage.verdict()),
             {kMargin + 4.0, 58}, {30, kInk, true});
   std::string figures;
   for (const GateFigure& figure : gate_figures(stage)) {

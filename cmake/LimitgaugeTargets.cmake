@@ -22,6 +22,9 @@ if(LIMITGAUGE_SANITIZE)
     # A target may ask for the address sanitizer alone.
     -fsanitize=address $<$<NOT:$<BOOL:$<TARGET_PROPERTY:LIMITGAUGE_ADDRESSES_ONLY>>>:-fsanitize=undefined>
     -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+    # What goes through a null pointer ends under the address sanitizer as well; asking at each access took a
+    # quarter of the time to compile, and x86-64 reads from anywhere.
+    -fno-sanitize=null,alignment
     # GCC sees uninitialised members in the library's own std::regex once it is instrumented.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(limitgauge_options INTERFACE -fsanitize=address,undefined)

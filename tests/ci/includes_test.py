@@ -29,7 +29,7 @@ INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 
 def read_tree(root):
     """Path of each header and source of the house, with its text."""
-    tops = {room.split("/")[0] for room in ARROWS}
+    tops = {room.split("/")[0] for room in ARROWS} | {"tests"}  # tests may know everything
     files = [f for top in sorted(tops) for f in sorted((root / top).rglob("*"))
              if f.suffix in (".h", ".cpp")]
     return {f.relative_to(root).as_posix(): f.read_text(encoding="utf-8") for f in files}

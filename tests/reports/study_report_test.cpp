@@ -4,7 +4,7 @@
 
 #include "reports/study/figure_column.h"
 #include "reports/text/embedded.h"
-#include "tests/reports/page_support.h"
+#include "tests/reports/page/page_support.h"
 #include "tests/reports/sample_study.h"
 #include "tests/support/catch.h"
 

@@ -4,8 +4,8 @@
 #include "app/toml/toml_table.h"
 #include "model/base/number_text.h"
 #include "model/base/text_file.h"
-#include "tests/app/job_page.h"
 #include "tests/app/job_text.h"
+#include "tests/app/toml/job_page.h"
 #include "tests/support/catch.h"
 #include "tests/support/folders.h"
 

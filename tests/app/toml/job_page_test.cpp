@@ -1,4 +1,4 @@
-#include "tests/app/job_page.h"
+#include "tests/app/toml/job_page.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,7 +1,7 @@
 #include <regex>
 
 #include "reports/html/charts.h"
-#include "tests/reports/page_support.h"
+#include "tests/reports/page/page_support.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge;

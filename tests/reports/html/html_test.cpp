@@ -5,7 +5,7 @@
 #include "reports/html/markup.h"
 #include "reports/html/page_picture.h"
 #include "reports/text/text.h"
-#include "tests/reports/page_support.h"
+#include "tests/reports/page/page_support.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 

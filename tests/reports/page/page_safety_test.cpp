@@ -5,7 +5,7 @@
 
 #include "reports/page/page_data.h"
 #include "reports/text/embedded.h"
-#include "tests/reports/page_support.h"
+#include "tests/reports/page/page_support.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
 

@@ -1,4 +1,4 @@
-#include "tests/reports/page_support.h"
+#include "tests/reports/page/page_support.h"
 
 #include <sstream>
 

@@ -1,4 +1,4 @@
-#include "tests/simulator/dexel_oracle.h"
+#include "tests/simulator/instrument/dexel_oracle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "simulator/instrument/dexel_stock.h"
-#include "tests/simulator/dexel_cutters.h"
+#include "tests/simulator/instrument/dexel_cutters.h"
 #include "tests/support/catch.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "model/base/error.h"
-#include "tests/simulator/dexel_cutters.h"
+#include "tests/simulator/instrument/dexel_cutters.h"
 #include "tests/support/catch.h"
 
 namespace {

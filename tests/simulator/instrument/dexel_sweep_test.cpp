@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "tests/simulator/dexel_cutters.h"
-#include "tests/simulator/dexel_oracle.h"
+#include "tests/simulator/instrument/dexel_cutters.h"
+#include "tests/simulator/instrument/dexel_oracle.h"
 #include "tests/support/catch.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "simulator/instrument/dexel_agreement.h"
-#include "tests/simulator/dexel_cutters.h"
+#include "tests/simulator/instrument/dexel_cutters.h"
 #include "tests/support/catch.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/simulator/mesh_check.h"
+#include "tests/simulator/mesh/mesh_check.h"
 
 #include <map>
 #include <unordered_map>

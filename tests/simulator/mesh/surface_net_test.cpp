@@ -6,7 +6,7 @@
 
 #include "model/base/error.h"
 #include "simulator/mesh/cell_cycles.h"
-#include "tests/simulator/mesh_check.h"
+#include "tests/simulator/mesh/mesh_check.h"
 #include "tests/support/catch.h"
 
 namespace {

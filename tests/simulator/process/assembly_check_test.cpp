@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "simulator/process/tool_bodies.h"
-#include "tests/simulator/process_bench.h"
+#include "tests/simulator/process/process_bench.h"
 #include "tests/support/catch.h"
 #include "tests/support/solid_meshes.h"
 

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "simulator/sweep/move_runs.h"
-#include "tests/simulator/process_bench.h"
+#include "tests/simulator/process/process_bench.h"
 #include "tests/support/catch.h"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include "simulator/mesh/fixture_solid.h"
 #include "simulator/process/tool_bodies.h"
-#include "tests/simulator/process_bench.h"
+#include "tests/simulator/process/process_bench.h"
 #include "tests/support/catch.h"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include "simulator/process/gap_search.h"
 #include "simulator/stock/material.h"
-#include "tests/simulator/process_bench.h"
+#include "tests/simulator/process/process_bench.h"
 #include "tests/support/catch.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/simulator/process_bench.h"
+#include "tests/simulator/process/process_bench.h"
 
 #include <algorithm>
 #include <array>

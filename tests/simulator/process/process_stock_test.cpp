@@ -8,7 +8,7 @@
 
 #include "model/base/error.h"
 #include "simulator/sweep/swept_distance.h"
-#include "tests/simulator/process_bench.h"
+#include "tests/simulator/process/process_bench.h"
 #include "tests/support/catch.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "simulator/stock/stock_model.h"
-#include "tests/simulator/mesh_check.h"
+#include "tests/simulator/mesh/mesh_check.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"
 

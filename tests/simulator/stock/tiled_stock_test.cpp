@@ -6,7 +6,7 @@
 #include "simulator/grid/stock_grid.h"
 #include "simulator/stock/column_tops.h"
 #include "simulator/stock/stock_model.h"
-#include "tests/simulator/mesh_check.h"
+#include "tests/simulator/mesh/mesh_check.h"
 #include "tests/simulator/paths.h"
 #include "tests/support/catch.h"
 

@@ -1,4 +1,4 @@
-#include "tests/simulator/profile_oracle.h"
+#include "tests/simulator/sweep/profile_oracle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/part/cutter.h"
-#include "tests/simulator/profile_oracle.h"
+#include "tests/simulator/sweep/profile_oracle.h"
 #include "tests/support/catch.h"
 
 namespace {

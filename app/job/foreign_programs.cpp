@@ -51,6 +51,7 @@ class GroupReader {
   void read(const std::optional<model::Vec3>& assumed_start_mm);
   bool leans_on_start() const;
   model::Vec3 start_of(const model::ProgramStart& start) const;
+  model::ProgramStart start_told() const;
   double start_shift_mm(std::size_t first) const;
   void require_near(const model::Vec3& tip_mm, std::uint32_t line) const;
   void list_assumed(ForeignPath& foreign, std::size_t index) const;
@@ -104,6 +105,13 @@ model::Vec3 GroupReader::start_of(const model::ProgramStart& start) const {
   for (int axis = 0; axis < 3; ++axis)
     at_mm[axis] = program_.start_said_mm[static_cast<std::size_t>(axis)].value_or(at_mm[axis]);
   return at_mm;
+}
+
+/// The start as the record has it: the program's own where it says all of it.
+model::ProgramStart GroupReader::start_told() const {
+  const auto& said = program_.start_said_mm;
+  if (!(said[0] && said[1] && said[2])) return start_;
+  return {{*said[0], *said[1], *said[2]}, false};
 }
 
 void GroupReader::place(const Surroundings& surroundings) {
@@ -162,7 +170,7 @@ ForeignPath GroupReader::path_of(std::size_t index) const {
   for (const model::IgnoredWord& word : program_.ignored)
     foreign.ignored_words.push_back(std::to_string(word.line) + ": " + word.word);
   list_assumed(foreign, index);
-  foreign.start = start_;
+  foreign.start = start_told();
   foreign.text = text_;
   return foreign;
 }

@@ -31,12 +31,14 @@ std::string start_text(const model::Vec3& at_mm) {
          "every height that a program names, by the clearance)";
 }
 
-/// Where the programs start, which is the same for all of them.
+/// Where the programs start: the same for all of them, but for those that say it by themselves.
 void add_start(const RunInputs& inputs, reports::RunResult& result) {
   for (const std::optional<ForeignPath>& program : inputs.programs) {
     if (!program) continue;
-    result.program_start = program->start;
-    if (program->start.assumed) result.assumptions.push_back(start_text(program->start.at_mm));
+    const model::ProgramStart& start = program->start;
+    if (!result.program_start || start.assumed) result.program_start = start;
+    if (!start.assumed) continue;
+    result.assumptions.push_back(start_text(start.at_mm));
     return;
   }
 }

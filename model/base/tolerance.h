@@ -11,6 +11,9 @@ inline constexpr double kInchMm = 25.4;
 /// No word of a program names a place or a length beyond any machine: 1000 km. Squares are far from
 /// overflow, and the fixed notation of such a number fits a writer's buffer.
 inline constexpr double kLargestCoordinateMm = 1e9;
+/// Slower than this nothing is cut; in single precision, as moves have it, it is still a number.
+/// mm/min.
+inline constexpr double kLeastFeed_mm_min = 1e-6;
 
 /// What is this little beyond the axis is taken to be on it: rounding of a cutter's given figures.
 inline constexpr double kOnAxisMm = 1e-9;

@@ -25,7 +25,11 @@ struct ClData {
   std::optional<int> tool;  ///< of LOADTL
   std::uint32_t tool_line = 0;
   std::vector<IgnoredWord> ignored;  ///< SPINDL and COOLNT
-  Toolpath path;
+  /// FROM: where the tip stands before the first motion. Without it nothing is said of that.
+  std::optional<Vec3> from;
+  std::string from_as_stated;  ///< "FROM/0,0,50"; empty without one
+  std::uint32_t from_line = 0;
+  std::vector<Move> moves;  ///< every GOTO, the first one as well
 };
 
 /// What stands above the moves.
@@ -49,9 +53,9 @@ void write_cl_data(const Toolpath& path, const Cutter& cutter, const ClOptions& 
 /// SPINDL and COOLNT (not acted on), FROM, RAPID, FEDRAT (a number with MMPM or IPM, on either
 /// side, or alone: in the units that hold), GOTO with three coordinates or six whose tool axis is
 /// 0, 0, 1, FINI; statements continued by `$`, remarks behind `$$`, blanks and either case. RAPID
-/// holds for the next GOTO only. Where no FROM stands, the path starts at the first GOTO. Nothing
-/// behind FINI is read, and it must be there. What is not understood is an InputError with line and
-/// column, never skipped.
+/// holds for the next GOTO only. Every GOTO is a motion, the first one too, with or without a FROM.
+/// Nothing behind FINI is read, and it must be there. What is not understood is an InputError with
+/// line and column, never skipped.
 ClData read_cl_data(const std::filesystem::path& path);
 ClData read_cl_data(std::istream& in, const std::string& name_in_errors);
 
@@ -60,8 +64,9 @@ ClData read_cl_data(std::istream& in, const std::string& name_in_errors);
 bool is_cl_data(std::string_view text, const std::string& name);
 
 /// CL data as a program. The coordinates are those of the frame of G54, lengths of tools are none
-/// of their business: they are of the tip. The tool stands at FROM before the first motion, or at
-/// the first GOTO where there is no FROM. What CUTTER says is listed as assumed.
+/// of their business: they are of the tip. The tool stands at FROM before the first motion,
+/// unless `machine` states its start: then a FROM elsewhere is listed as not acted on. What CUTTER
+/// says is listed as assumed.
 Program to_program(const ClData& data, const std::string& name, const MachineSetup& machine);
 
 }  // namespace limitgauge::model

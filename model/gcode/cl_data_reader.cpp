@@ -37,7 +37,7 @@ class ClReader {
   ClData data_;
   double unit_mm_ = 1;
   double feed_mm_min_ = 0;
-  bool rapid_ = false, known_ = false;
+  bool rapid_ = false;
 };
 
 /// "CUTTER/6,3".
@@ -127,8 +127,9 @@ void ClReader::set_feed(const ClStatement& statement) {
   if (figure == nullptr)
     lexer_.fail(statement.major, "a feed rate without its number", "FEDRAT/500,MMPM");
   const double feed = number(*figure) * unit_mm;
-  if (!(feed > 0 && feed <= kLargestCoordinateMm))
-    lexer_.fail(*figure, "feed rate " + in_quotes(figure->text), "more than 0, at most 1e9 mm/min");
+  if (!(feed >= kLeastFeed_mm_min && feed <= kLargestCoordinateMm))
+    lexer_.fail(*figure, "feed rate " + in_quotes(figure->text),
+                "at least 1e-6 and at most 1e9 mm/min");
   feed_mm_min_ = feed;
 }
 
@@ -148,15 +149,10 @@ void ClReader::go_to(const ClStatement& statement) {
   const Vec3 to = point(statement);
   const bool rapid = rapid_;
   rapid_ = false;
-  if (!known_) {
-    data_.path.start = to;
-    known_ = true;
-    return;
-  }
   if (!rapid && feed_mm_min_ == 0)
     lexer_.fail(statement.major, "a feed move without a feed rate", "FEDRAT or RAPID before it");
-  data_.path.moves.emplace_back(to, rapid ? 0.0F : static_cast<float>(feed_mm_min_),
-                                statement.major.line, rapid ? MoveKind::rapid : MoveKind::feed);
+  data_.moves.emplace_back(to, rapid ? 0.0F : static_cast<float>(feed_mm_min_),
+                           statement.major.line, rapid ? MoveKind::rapid : MoveKind::feed);
 }
 
 /// Statements that say what the program is for.
@@ -189,9 +185,12 @@ bool ClReader::move(const ClStatement& statement) {
   if (major == "FEDRAT") return set_feed(statement), true;
   if (major == "GOTO") return go_to(statement), true;
   if (major != "FROM") return false;
-  if (known_) lexer_.fail(statement.major, "FROM behind a motion", "it first");
-  data_.path.start = point(statement);
-  return known_ = true;
+  if (data_.from || !data_.moves.empty())
+    lexer_.fail(statement.major, "FROM behind a motion or another one", "it first");
+  data_.from = point(statement);
+  data_.from_as_stated = as_stated(statement);
+  data_.from_line = statement.major.line;
+  return true;
 }
 
 void ClReader::execute(const ClStatement& statement) {

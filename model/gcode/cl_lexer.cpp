@@ -71,8 +71,7 @@ ClWord ClLexer::read_word() {
   while (at_ < text_.size() && is_word(text_[at_])) word.text += upper(text_[at_++]);
   if (word.text.empty()) {
     const bool ends = peek() == '\n';
-    fail(word,
-         ends ? "the statement ends too soon" : in_quotes(text_.substr(at_, 1)) + " begins no word",
+    fail(word, ends ? "the statement ends too soon" : in_quotes(text_[at_]) + " begins no word",
          "a word or a number");
   }
   return word;
@@ -109,8 +108,7 @@ bool ClLexer::next(ClStatement& statement) {
     if (peek() == '/') read_figures(statement);
     if (peek() != '\n') {
       const ClWord here{{}, line_, static_cast<std::uint32_t>(at_ - line_begin_ + 1)};
-      fail(here, in_quotes(text_.substr(at_, 1)) + " after a whole statement",
-           "',' or the line's end");
+      fail(here, in_quotes(text_[at_]) + " after a whole statement", "',' or the line's end");
     }
   }
   end_line();

@@ -35,6 +35,19 @@ bool begins_as_cl_data(std::string_view text) {
   return holds(kFirstWords, word) && next != text.end() && *next == '/';
 }
 
+void take_start(const ClData& data, const MachineSetup& machine, Program& program) {
+  if (!data.from) return;
+  const bool stated = machine.start_mm && !machine.start_is_assumed;
+  if (!stated) {
+    for (int axis = 0; axis < 3; ++axis)
+      program.start_said_mm[static_cast<std::size_t>(axis)] = (*data.from)[axis];
+  } else if (!(*machine.start_mm == *data.from)) {
+    program.assumed.push_back("line " + std::to_string(data.from_line) + ": " +
+                              data.from_as_stated +
+                              " is not acted on, the tool starts where it is stated to");
+  }
+}
+
 }  // namespace
 
 bool is_cl_data(std::string_view text, const std::string& name) {
@@ -54,10 +67,9 @@ Program to_program(const ClData& data, const std::string& name, const MachineSet
                               " is not acted on, the tool stated is cut with");
   const WorkOffset g54 = machine.work_offsets.front().value_or(WorkOffset());
   const RigidPlacement to_machine{g54.rotation_deg, g54.origin_mm};
-  for (int axis = 0; axis < 3; ++axis)
-    program.start_said_mm[static_cast<std::size_t>(axis)] = data.path.start[axis];
-  program.motions.reserve(data.path.moves.size());
-  for (const Move& move : data.path.moves) {
+  take_start(data, machine, program);
+  program.motions.reserve(data.moves.size());
+  for (const Move& move : data.moves) {
     Motion& motion = program.motions.emplace_back();
     motion.kind = move.kind == MoveKind::rapid ? MotionKind::rapid : MotionKind::feed;
     motion.line = move.line;

@@ -135,6 +135,34 @@ TEST_CASE("verify takes the same program with a tool for each number", "[e2e][fo
                              ": error: T2 is loaded"));
 }
 
+TEST_CASE("CL data and G-code of the same motions have the same verdict", "[e2e][foreign]") {
+  const Scratch scratch;
+  write_text(scratch / "down.cls", "RAPID\nGOTO/0,0,-3\nRAPID\nGOTO/0,0,20\nFINI\n");
+  write_text(scratch / "down.ngc", "G0 X0 Y0\nG0 Z-3\nG0 Z20\nM2\n");
+  for (const std::string start : {"0,0,20", "5,5,30", ""}) {
+    for (const std::string program : {"down.cls", "down.ngc"}) {
+      CAPTURE(program, start);
+      std::vector<std::string> words = {"verify",
+                                        "--cage",
+                                        fixture("foreign/plate.obj"),
+                                        "--stock",
+                                        "box:44,44,6@-22,-22,-5",
+                                        "--tool",
+                                        "flat:D=8,L=20",
+                                        "--program",
+                                        program,
+                                        "-o",
+                                        "out" + start + program,
+                                        "--no-pictures"};
+      if (!start.empty()) words.push_back("--start=" + start);
+      const Outcome outcome = limitgauge(scratch, words);
+      CHECK(outcome.exit_code == 1);
+      CHECK_THAT(outcome.out + outcome.errors,
+                 ContainsSubstring("rapid through standing material"));
+    }
+  }
+}
+
 TEST_CASE("a slot cut before Y was named fails as with Y named", "[e2e][foreign]") {
   // A finished plate with a slot 3 mm deep across its middle.
   const Scratch scratch;

@@ -117,15 +117,17 @@ TEST_CASE("CL data are read as a path", "[unit][cl]") {
   CHECK(data.part == "two words");
   CHECK(data.tool == 3);
   CHECK_FALSE(data.cutter.has_value());
-  CHECK(data.path.start == Vec3{25.4, 50.8, 3 * 25.4});
-  REQUIRE(data.path.moves.size() == 4);
-  CHECK(data.path.moves[0].to == Vec3{25.4, 50.8, 50.8});
-  CHECK(data.path.moves[0].feed_mm_min == 254.0F);
-  CHECK(data.path.moves[0].line == 12);
-  CHECK(data.path.moves[1].to == Vec3{0, 0.5, -10});
-  CHECK(data.path.moves[1].feed_mm_min == 200.0F);
-  CHECK(data.path.moves[2].kind == MoveKind::rapid);
-  CHECK(data.path.moves[3].kind == MoveKind::feed);
+  CHECK_FALSE(data.from.has_value());
+  REQUIRE(data.moves.size() == 5);
+  CHECK(data.moves[0].to == Vec3{25.4, 50.8, 3 * 25.4});
+  CHECK(data.moves[0].kind == MoveKind::rapid);
+  CHECK(data.moves[1].to == Vec3{25.4, 50.8, 50.8});
+  CHECK(data.moves[1].feed_mm_min == 254.0F);
+  CHECK(data.moves[1].line == 12);
+  CHECK(data.moves[2].to == Vec3{0, 0.5, -10});
+  CHECK(data.moves[2].feed_mm_min == 200.0F);
+  CHECK(data.moves[3].kind == MoveKind::rapid);
+  CHECK(data.moves[4].kind == MoveKind::feed);
 }
 
 TEST_CASE("CL data that cannot be used are refused with their place", "[unit][cl]") {
@@ -143,7 +145,12 @@ TEST_CASE("CL data that cannot be used are refused with their place", "[unit][cl
   CHECK_THAT(error_of("GOTO/1,2,\n" + end), ContainsSubstring("1:10: error: the statement ends"));
   CHECK_THAT(error_of("GOTO/1,2,3 4\n" + end), ContainsSubstring("1:12: error: '4' after"));
   CHECK_THAT(error_of("GOTO/1,2,1e20\n" + end), ContainsSubstring("beyond any machine"));
-  CHECK_THAT(error_of("GOTO/1,2,3\nFROM/1,2,3\n" + end), ContainsSubstring("2:1: error: FROM"));
+  CHECK_THAT(error_of("RAPID\nGOTO/1,2,3\nFROM/1,2,3\n" + end),
+             ContainsSubstring("3:1: error: FROM"));
+  CHECK_THAT(error_of("FROM/1,2,3\nFROM/1,2,3\n" + end), ContainsSubstring("2:1: error: FROM"));
+  // The first one is a motion like any other.
+  CHECK_THAT(error_of("GOTO/1,2,3\n" + end), ContainsSubstring("1:1: error: a feed move without"));
+  CHECK_THAT(error_of("FEDRAT/1e-50\n" + end), ContainsSubstring("at least 1e-6"));
   CHECK_THAT(error_of("FEDRAT/0\n" + end), ContainsSubstring("feed rate '0'"));
   CHECK_THAT(error_of("FEDRAT/MMPM\n" + end), ContainsSubstring("without its number"));
   CHECK_THAT(error_of("FEDRAT/1,2\n" + end), ContainsSubstring("a second feed rate"));
@@ -174,15 +181,18 @@ TEST_CASE("random paths are the same after writing and reading CL data", "[prope
     }
     const std::string text = written(path, "ball:D=6", {"part", 1, decimals});
     const ClData data = read(text);
-    REQUIRE(data.path.moves.size() == path.moves.size());
-    CHECK(distance(data.path.start, path.start) <= unit);
+    REQUIRE(data.moves.size() == path.moves.size());
+    REQUIRE(data.from);
+    CHECK(distance(*data.from, path.start) <= unit);
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
-      CHECK(distance(data.path.moves[i].to, path.moves[i].to) <= unit);
-      CHECK((data.path.moves[i].kind == path.moves[i].kind));  // a bit-field
-      CHECK(data.path.moves[i].feed_mm_min == path.moves[i].feed_mm_min);
+      CHECK(distance(data.moves[i].to, path.moves[i].to) <= unit);
+      CHECK((data.moves[i].kind == path.moves[i].kind));  // a bit-field
+      CHECK(data.moves[i].feed_mm_min == path.moves[i].feed_mm_min);
     }
     // What was read is what was written, exactly.
-    CHECK(written(data.path, "ball:D=6", {"part", 1, decimals}) == text);
+    Toolpath back;
+    back.start = *data.from, back.moves = data.moves;
+    CHECK(written(back, "ball:D=6", {"part", 1, decimals}) == text);
   }
 }
 
@@ -197,7 +207,7 @@ TEST_CASE("CL data with any bytes changed give a path or an InputError", "[prope
     for (int change = 0; change < 3; ++change)
       text[random() % text.size()] = alphabet[random() % alphabet.size()];
     try {
-      for (const Move& move : read(text).path.moves) CHECK(is_finite(move.to));
+      for (const Move& move : read(text).moves) CHECK(is_finite(move.to));
     } catch (const InputError& error) {
       CHECK(error.place().line > 0);
       CHECK(error.place().column > 0);
@@ -269,6 +279,6 @@ TEST_CASE("what CL data ask of spindle and coolant is listed", "[unit][cl]") {
   REQUIRE(program.ignored.size() == 2);
   CHECK(program.ignored[0].word == "SPINDL/RPM,1200");
   CHECK(program.ignored[1].line == 3);
-  REQUIRE(program.motions.size() == 1);
-  CHECK(program.start_said_mm[2] == 3.0);
+  CHECK(program.motions.size() == 2);
+  CHECK_FALSE(program.start_said_mm[2].has_value());
 }

@@ -101,6 +101,34 @@ TEST_CASE("what G92 says of the start goes before what is assumed", "[unit][prog
   CHECK(later.load().front()->path.start == model::Vec3{3, 4, 13});
 }
 
+TEST_CASE("the first GOTO of CL data is a motion from where programs start", "[unit][program]") {
+  const std::string program = "PARTNO x\nRAPID\nGOTO/3,4,2\nFEDRAT/200\nGOTO/3,9,2\nFINI\n";
+  const ForeignPath path = *Bench({program}).load().front();
+  CHECK(path.start.assumed);
+  CHECK(path.path.start == model::Vec3{0, 0, 10});
+  REQUIRE(path.path.moves.size() == 2);
+  CHECK(path.path.moves[0].to == model::Vec3{3, 4, 2});
+  CHECK(path.path.moves[0].kind == model::MoveKind::rapid);
+  const ForeignPath stated = *Bench({program}, "[machine]\nstart = [1, 2, 30]").load().front();
+  CHECK(!stated.start.assumed);
+  CHECK(stated.path.start == model::Vec3{1, 2, 30});
+  CHECK(stated.path.moves.size() == 2);
+}
+
+TEST_CASE("FROM says where CL data start, unless the job does", "[unit][program]") {
+  const std::string program = "FROM/3,4,12\nRAPID\nGOTO/5,4,12\nFINI\n";
+  const ForeignPath path = *Bench({program}).load().front();
+  CHECK(!path.start.assumed);
+  CHECK(path.start.at_mm == model::Vec3{3, 4, 12});
+  CHECK(path.path.start == model::Vec3{3, 4, 12});
+  const ForeignPath stated = *Bench({program}, "[machine]\nstart = [1, 2, 30]").load().front();
+  CHECK(stated.start.at_mm == model::Vec3{1, 2, 30});
+  CHECK(stated.path.start == model::Vec3{1, 2, 30});
+  CHECK(says(stated, "line 1: FROM/3,4,12 is not acted on"));
+  const ForeignPath same = *Bench({program}, "[machine]\nstart = [3, 4, 12]").load().front();
+  CHECK(same.assumed.empty());
+}
+
 TEST_CASE("a target beyond 10 m is an error at its line", "[unit][program]") {
   CHECK_THAT(Bench({"G0 X0 Y0 Z9\nG0 X10000\nG0 X10001\n"}).error(),
              ContainsSubstring("p0.ngc:3:") &&

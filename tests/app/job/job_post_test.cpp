@@ -114,7 +114,7 @@ TEST_CASE("with arcs, the path of a stage is its program read back", "[unit][pos
   std::istringstream in(planned.cl_data);
   const model::ClData data = model::read_cl_data(in, "toolpath.apt");
   CHECK(data.part == "dome finish");
-  CHECK(data.path.moves.size() == rows.moves.size());
+  CHECK(data.moves.size() == rows.moves.size());
 }
 
 TEST_CASE("a path that a dialect cannot express is an input error", "[unit][post]") {

@@ -77,7 +77,10 @@ struct RunningOut {
 float in_single_precision(double sharpness) {
   constexpr auto kInfinite = static_cast<float>(model::kInfiniteSharpness);
   if (sharpness >= model::kInfiniteSharpness) return kInfinite;
-  return std::min(static_cast<float>(sharpness), std::nextafter(kInfinite, 0.0F));
+  auto single = static_cast<float>(sharpness);
+  if (std::ceil(static_cast<double>(single)) < std::ceil(sharpness))
+    single = std::nextafter(single, kInfinite);
+  return std::min(single, std::nextafter(kInfinite, 0.0F));
 }
 
 Bounds bounds_of(const Cage& cage, int steps) {

@@ -6,7 +6,9 @@ namespace limitgauge::witness {
 
 /// A cage's sharpness as OpenSubdiv takes it. It keeps sharpness in single precision, where what is
 /// a little below 10 becomes 10, which is sharp for ever: such a one is taken down instead, to the
-/// next number below.
+/// next number below. What is a little above a whole number becomes that number, and would run out
+/// a step early, which leaves other edges sharp at its ends: it is taken up to the next number
+/// above. So both run out in the same step.
 float in_single_precision(double sharpness);
 
 /// How far two evaluators of the same limit surface may be apart if neither has a fault, in mm.

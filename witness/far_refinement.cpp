@@ -81,6 +81,8 @@ Primvars control_points(const Cage& cage) {
 }
 
 FarRefinement::FarRefinement(const Cage& cage, int levels) {
+  // It would print what is wrong; what it refuses is told by an exception.
+  Far::SetErrorCallback([](Far::ErrorType, const char*) {});
   const TagArrays tags(cage);
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   refiner_.reset(Factory::Create(descriptor_of(cage, tags),

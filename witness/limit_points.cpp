@@ -56,8 +56,10 @@ struct VertexLimits {
 void refine_stars(const FarRefinement& far, const Primvars& at, std::size_t most,
                   VertexLimits& limits) {
   std::vector<Index> stars;
-  for (Index v = 0; v < far.last().GetNumVertices(); ++v)
-    if (!has_exact_mask(far.last(), v)) stars.push_back(v);
+  for (Index v = 0; v < far.last().GetNumVertices(); ++v) {
+    const bool of_a_face = far.last().GetVertexFaces(v).size() > 0;
+    if (of_a_face && !has_exact_mask(far.last(), v)) stars.push_back(v);
+  }
   if (stars.empty()) return;
   const std::size_t stride = 1 + (stars.size() - 1) / std::max<std::size_t>(most, 1);
   for (std::size_t i = 0; i < stars.size(); ++i) {

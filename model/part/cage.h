@@ -13,8 +13,9 @@ namespace limitgauge::model {
 using Index = std::int32_t;
 
 /// How the limit surface ends at an open boundary (OpenSubdiv's names and numbers).
-/// `none`: faces with a boundary vertex are no surface; `edge_and_corner`: boundary curve
-/// interpolates corners of one face; `edge_only`: such corners are rounded.
+/// `none`: faces with a boundary vertex are no surface, unless all boundary edges at it are sharp;
+/// `edge_and_corner`: boundary curve interpolates corners of one face; `edge_only`: such corners
+/// are rounded.
 enum class BoundaryRule { none = 0, edge_and_corner = 1, edge_only = 2 };
 
 /// Sharpness from which a crease or corner is infinitely sharp.

@@ -113,6 +113,22 @@ void add_grids(std::vector<Cage>& all) {
     all.push_back(cut);
     for (const int sides : {5, 6, 7}) all.push_back(ringed_polygon(sides, rule));
   }
+  // Of 25 vertices, 5 a row: what rule 0 leaves out depends on the creases along the rim.
+  Cage rim = named(waved_grid(4, 4, BoundaryRule::none), "grid with a sharp rim");
+  for (Index k = 0; k < 4; ++k)
+    for (const Index from : {k, 20 + k}) rim.creases.push_back({{from, from + 1}, 10});
+  for (Index k = 0; k < 20; k += 5)
+    for (const Index from : {k, 4 + k}) rim.creases.push_back({{from, from + 5}, 10});
+  all.push_back(rim);
+  Cage part = named(waved_grid(4, 4, BoundaryRule::none), "grid with a rim sharp in part");
+  part.creases = {{{0, 1}, 10}, {{1, 2}, 12}, {{0, 5}, 10}, {{5, 10}, 10}, {{10, 15}, 1.5}};
+  all.push_back(part);
+  // What is a little more than a whole number runs out a step later than the number.
+  for (const double s : {3.0000000000000004, 2.0000001, 1e-46, 2.9999999999}) {
+    Cage soft = named(waved_grid(4, 4, BoundaryRule::edge_only), "creases of nearly a number");
+    soft.creases = {{{11, 12}, s}, {{12, 13}, std::ceil(s) + 0.5}};
+    all.push_back(soft);
+  }
   for (const int m : {1, 2, 3, 4, 5, 8, 20}) {
     const auto of = std::to_string(m);
     all.push_back(named(boundary_fan(m, BoundaryRule::edge_only), "boundary fan " + of));

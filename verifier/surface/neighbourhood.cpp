@@ -63,11 +63,15 @@ CageNeighbourhoods::CageNeighbourhoods(const Cage& cage)
   };
   each_edge([&](Index, std::size_t, Index a, Index b) { ++uses[edge_key(a, b)]; });
   std::vector<bool> on_boundary(cage.vertices.size(), false);
+  std::vector<bool> beside_smooth_boundary(cage.vertices.size(), false);
   each_edge([&](Index, std::size_t at, Index a, Index b) {
     const bool boundary = uses[edge_key(a, b)] == 1;
-    if (boundary) on_boundary[a] = on_boundary[b] = true;
     const auto crease = creases.find(edge_key(a, b));
-    edge_sharpness_[at] = boundary ? kInfinite : crease == creases.end() ? 0 : crease->second;
+    const double sharpness = crease == creases.end() ? 0 : crease->second;
+    edge_sharpness_[at] = boundary ? kInfinite : sharpness;
+    if (!boundary) return;
+    on_boundary[a] = on_boundary[b] = true;
+    if (sharpness < kInfinite) beside_smooth_boundary[a] = beside_smooth_boundary[b] = true;
   });
   for (const Index v : cage.face_corners) ++incident_offsets_[v + 1];
   for (std::size_t v = 0; v < cage.vertices.size(); ++v)
@@ -82,10 +86,10 @@ CageNeighbourhoods::CageNeighbourhoods(const Cage& cage)
       if (on_boundary[v] && faces_at(static_cast<Index>(v)).size() == 1)
         vertex_sharpness_[v] = kInfinite;
   for (const Index f : cage.holes) has_surface_[f] = false;
-  if (cage.boundary == model::BoundaryRule::none)
-    for (Index f = 0; f < cage.face_count(); ++f)
-      for (const Index v : cage.face(f))
-        if (on_boundary[v]) has_surface_[f] = false;
+  if (cage.boundary != model::BoundaryRule::none) return;
+  for (Index f = 0; f < cage.face_count(); ++f)
+    for (const Index v : cage.face(f))
+      if (beside_smooth_boundary[v]) has_surface_[f] = false;
 }
 
 std::span<const Index> CageNeighbourhoods::faces_at(Index v) const {

@@ -53,7 +53,8 @@ class CageNeighbourhoods {
  public:
   explicit CageNeighbourhoods(const model::Cage& cage);
   Neighbourhood of(model::Index face) const;
-  /// True for faces that carry surface: no hole, and no boundary face under BoundaryRule::none.
+  /// True for faces that carry surface: no hole, and none that
+  /// BoundaryRule::none leaves out.
   bool has_surface(model::Index face) const { return has_surface_[face]; }
 
  private:

@@ -21,7 +21,7 @@ class ReferenceSurface {
   explicit ReferenceSurface(const model::Cage& cage);
 
   int patch_count() const;
-  /// False for holes, and for boundary faces under BoundaryRule::none.
+  /// False for holes, and for faces that BoundaryRule::none leaves out.
   bool has_surface(int patch) const;
   /// u, v in [0, 1]. Error below 1e-12 of the model's size.
   SurfaceSample evaluate(int patch, double u, double v) const;

@@ -68,17 +68,20 @@ void set_ring_starts(OuterMesh& mesh) {
 
 void set_boundary_rule(OuterMesh& mesh, model::BoundaryRule rule) {
   std::vector<int> faces_at(mesh.points.size(), 0);
-  std::vector<std::uint8_t> on_boundary(mesh.points.size(), 0);
+  std::vector<std::uint8_t> on_boundary(mesh.points.size(), 0), beside_smooth(on_boundary);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     ++faces_at[mesh.origin[h]];
     if (!mesh.open(h)) continue;
-    mesh.edge_sharpness[mesh.edge[h]] = model::kInfiniteSharpness;
+    double& sharpness = mesh.edge_sharpness[mesh.edge[h]];
+    if (sharpness < model::kInfiniteSharpness)
+      beside_smooth[mesh.origin[h]] = beside_smooth[mesh.target(h)] = 1;
+    sharpness = model::kInfiniteSharpness;
     on_boundary[mesh.origin[h]] = on_boundary[mesh.target(h)] = 1;
   }
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index v = mesh.origin[h];
     if (!on_boundary[v]) continue;
-    if (rule == model::BoundaryRule::none) mesh.hole[mesh.face_of[h]] = 1;
+    if (rule == model::BoundaryRule::none && beside_smooth[v]) mesh.hole[mesh.face_of[h]] = 1;
     if (rule == model::BoundaryRule::edge_and_corner && faces_at[v] == 1)
       mesh.vertex_sharpness[v] = model::kInfiniteSharpness;
   }

@@ -91,6 +91,14 @@ TEST_CASE("the reference surface agrees with the witness on every cage", "[unit]
   CHECK(normals > 0);
 }
 
+TEST_CASE("vertices that no face has are none of the witness's business", "[unit][witness]") {
+  Cage cage = tests::cube_cage();
+  const Agreement without = witnessed(cage);
+  cage.vertices.insert(cage.vertices.begin(), {5, 5, 5});
+  for (model::Index& corner : cage.face_corners) ++corner;
+  CHECK(witnessed(cage).points == without.points);
+}
+
 TEST_CASE("a reference surface of another cage is caught", "[unit][witness]") {
   const Cage cage = tests::scaled(tests::cube_cage(), 50);
   Cage moved = cage;

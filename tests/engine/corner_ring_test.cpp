@@ -42,7 +42,7 @@ TEST_CASE("a cube's corner normal is its diagonal", "[unit][surface]") {
 }
 
 TEST_CASE("a plane through a vertex of any valence stays a plane with its normal",
-          "[unit][surface]") {
+          "[unit][surface][slow]") {
   const int valence = GENERATE(3, 5, 6, 7, 8, 12, 30);
   const double slope = 0.3;
   const PatchModel model = model_of(test::flat_star_cage(valence, 10, slope));

@@ -322,7 +322,7 @@ TEST_CASE("Places are paired one to one, nearest first", "[unit][compare]") {
   CHECK(matches[1].now == 1);
 }
 
-TEST_CASE("A hundred thousand places are paired in a moment", "[unit][compare]") {
+TEST_CASE("A hundred thousand places are paired in a moment", "[unit][compare][slow]") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> at(0, 1000), shift(-0.01, 0.01);
   std::vector<Spot> base(100'000), now;

@@ -71,7 +71,7 @@ class NoSurface final : public witness::SurfaceUnderTest {
 
 }  // namespace
 
-TEST_CASE("the reference surface agrees with the witness on every cage", "[unit][witness]") {
+TEST_CASE("the reference surface agrees with the witness on every cage", "[unit][witness][slow]") {
   std::size_t by_refinement = 0, normals = 0;
   for (const Cage& cage : all_cages()) {
     CAPTURE(cage.name);

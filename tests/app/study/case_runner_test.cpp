@@ -197,7 +197,7 @@ TEST_CASE("a case goes on from the stages that another one ran", "[unit][study]"
 }
 
 TEST_CASE("stages of programs are taken up with the lines that later findings name",
-          "[unit][study]") {
+          "[unit][study][slow]") {
   const Cases cases(job_of(kPrograms));
   const Overrides thicker = {"stage.third.allowance=0.4"};
   check_reuse(cases, thicker, 2);

@@ -83,7 +83,8 @@ TEST_CASE("rays end where the exact material does, in every kind of stock",
   }
 }
 
-TEST_CASE("the voxel, and whether the stock is tiled, change no ray", "[property][stock_rays]") {
+TEST_CASE("the voxel, and whether the stock is tiled, change no ray",
+          "[property][stock_rays][slow]") {
   const model::Stock block = model::BoxStock{{-15, -10, -8}, {30, 20, 8}};
   const StockModel fine = cut_in(block, 0.05, kPlenty), coarse = cut_in(block, 0.5, kPlenty),
                    tiled = cut_in(block, 0.05, kLittle);

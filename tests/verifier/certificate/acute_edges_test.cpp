@@ -114,7 +114,8 @@ TEST_CASE("a sheet that rises towards its rim, in a block of its own size, is co
   CHECK(d.missing_stock_mm.high <= 0.01);
 }
 
-TEST_CASE("a block that ends short of a falling rim misses the slice", "[unit][definition2]") {
+TEST_CASE("a block that ends short of a falling rim misses the slice",
+          "[unit][definition2][slow]") {
   // The block is 0.2 mm too short: from the rim the run enters it after 0.2 / the sine of the
   // slope.
   const std::vector<OutlinePoint> outline = {{-6, 0}, {0, 3}, {6, 0}};

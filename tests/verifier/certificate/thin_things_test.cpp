@@ -71,7 +71,7 @@ TEST_CASE("a fin of the part that was milled away is gouged through", "[slow][de
   CHECK(d.gouge_mm.high >= 1 - 1e-9);
 }
 
-TEST_CASE("cusps from fine to coarse by their closed form", "[unit][definition2]") {
+TEST_CASE("cusps from fine to coarse by their closed form", "[unit][definition2][slow]") {
   // The height of a cusp between balls of radius R a step p apart is R − √(R² − p²/4).
   const ReferenceSurface plane(plane_cage(5, 0, 0));
   const auto block = block_between({-6, -6, -6}, {6, 6, 4});

@@ -113,7 +113,7 @@ TEST_CASE("material under a ledge is not charged to what the cutter reaches",
 }
 
 TEST_CASE("a cutter with a neck reaches under a ledge, one without does not",
-          "[unit][definition2]") {
+          "[unit][definition2][slow]") {
   const ReferenceSurface ledge(ledge_cage());
   const auto block = block_between({-5.5, -3.5, -7}, {5.5, 3.5, 0.5});
   model::Cutter t_slot = flat_cutter(3);  // 2 mm beyond a neck of 1 mm radius

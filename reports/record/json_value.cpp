@@ -61,7 +61,9 @@ class TreeBuilder {
     return true;
   }
   bool parse_error(std::size_t read, const std::string&, const Json::exception& error) {
-    throw model::InputError(place_at(text_, read, shown_), "broken JSON: " + in_short(error.what()),
+    // The library's words for nothing at all differ from release to release.
+    const std::string wrong = text_.empty() ? "nothing is there" : in_short(error.what());
+    throw model::InputError(place_at(text_, read, shown_), "broken JSON: " + wrong,
                             "result.json as limitgauge writes it");
   }
 

@@ -109,8 +109,8 @@ TEST_CASE("Every metric finds its figure under its own name", "[unit][record]") 
 
 TEST_CASE("Broken JSON is refused where it breaks", "[unit][record]") {
   CHECK(error_of("") ==
-        "r.json:1:1: error: broken JSON: syntax error while parsing value - unexpected end of "
-        "input; expected result.json as limitgauge writes it");
+        "r.json:1:1: error: broken JSON: nothing is there; expected result.json as limitgauge "
+        "writes it");
   CHECK(error_of("{\n \"a\": NaN}").starts_with("r.json:2:7: error: broken JSON: "));
   CHECK(error_of("{\n\n  \"a\": 1e999}").starts_with("r.json:3:12: error: broken JSON: number"));
   CHECK(error_of("{\"a\": \"\xff\"}").starts_with("r.json:1:8: error: broken JSON: "));

@@ -51,7 +51,8 @@ inline constexpr double kOnSurface_mm = 1e-9;
 /// Triangles are in one plane within rounding.
 inline constexpr double kCoplanar_mm = 1e-10;
 /// A triangle is a sliver where the sine of its smallest angle is below this. In doubles the foot
-/// on its plane is off by about the square of 1e-16 over the sine, relative to the distance.
+/// on its plane is off by about the square of 1e-16 over the sine, relative to the distance; the
+/// foot of a sliver is found otherwise (PROOFS.md, P4).
 inline constexpr double kSliverSine = 1e-8;
 
 // Process.

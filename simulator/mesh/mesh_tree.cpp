@@ -6,10 +6,7 @@
 #define CGAL_NDEBUG
 #endif
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Cartesian_converter.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/AABB_traits_3.h>
@@ -36,7 +33,6 @@ using model::Vec3;
 using Passage = MeshTree::Passage;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using ExactKernel = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 using Point2 = Kernel::Point_2;
 using Point3 = Kernel::Point_3;
 using Triangle3 = Kernel::Triangle_3;
@@ -66,28 +62,30 @@ Box3 box3(const CGAL::Bbox_3& b) {
   return {{b.xmin(), b.ymin(), b.zmin()}, {b.xmax(), b.ymax(), b.zmax()}};
 }
 
-// Twice the area and the lengths of the two longest edges.
-struct Extent {
-  double twice_area_mm2, longest_mm, second_mm;
+// A triangle by its longest edge and the height on that.
+struct Sliver {
+  Vec3 a, b, c;               // a to b is the longest edge
+  Vec3 along;                 // of the longest edge, unit
+  Vec3 height;                // from the longest edge to c
+  double length_mm, foot_mm;  // of the longest edge; from a to the foot of the height
 };
 
-Extent extent(const Triangle3& t) {
-  const Vec3 a = vec3(t[0]), b = vec3(t[1]), c = vec3(t[2]);
-  std::array<double, 3> edges{distance(a, b), distance(b, c), distance(c, a)};
-  std::ranges::sort(edges);
-  return {length(cross(b - a, c - a)), edges[2], edges[1]};
+Sliver by_longest_edge(const Triangle3& t) {
+  int k = 0;
+  for (int i = 1; i < 3; ++i)
+    if (CGAL::squared_distance(t[i], t[i + 1]) > CGAL::squared_distance(t[k], t[k + 1])) k = i;
+  Sliver s{vec3(t[k]), vec3(t[k + 1]), vec3(t[k + 2]), {}, {}, 0, 0};
+  s.length_mm = distance(s.a, s.b);
+  if (s.length_mm > 0) s.along = (s.b - s.a) / s.length_mm;
+  s.foot_mm = dot(s.c - s.a, s.along);
+  s.height = s.c - s.a - s.foot_mm * s.along;
+  return s;
 }
 
 bool is_sliver(const Triangle3& t) {
-  const Extent e = extent(t);
-  return !(e.twice_area_mm2 > kSliverSine * e.longest_mm * e.second_mm);
-}
-
-// With rational numbers: about a tenth of a millisecond, for the few triangles that need it.
-Vec3 exact_foot(const Triangle3& t, const Vec3& p) {
-  const CGAL::Cartesian_converter<Kernel, ExactKernel> exact;
-  const auto foot = ExactKernel().construct_projected_point_3_object()(exact(t), exact(point3(p)));
-  return {CGAL::to_double(foot.x()), CGAL::to_double(foot.y()), CGAL::to_double(foot.z())};
+  const Sliver s = by_longest_edge(t);
+  const double second_mm = std::max(distance(s.a, s.c), distance(s.b, s.c));
+  return !(length(s.height) > kSliverSine * second_mm);
 }
 
 // As many triangles are taken together, without boxes of their own.
@@ -107,19 +105,30 @@ struct Halve {
   }
 };
 
-// The nearest point of a sliver, exact where it is nearer than `bound`. The nearest of its edges is
-// further away by no more than its width.
-Vec3 foot_on_sliver(const Triangle3& t, const Vec3& p, double bound) {
+// The point of a sliver above whose inside p lies, if it does: the distance to it is exact but for
+// rounding (PROOFS.md, P4).
+std::optional<Vec3> foot_inside(const Triangle3& t, const Vec3& p) {
+  const Sliver s = by_longest_edge(t);
+  const double square = length_squared(s.height);
+  if (!(square > 0)) return {};
+  const Vec3 from_a = p - s.a;
+  const double at_mm = dot(from_a, s.along);
+  const double up = dot(from_a - at_mm * s.along, s.height) / square;
+  const double on = (at_mm - up * s.foot_mm) / s.length_mm;
+  if (!(up > 0 && on > 0 && up + on < 1)) return {};
+  return s.a + up * (s.c - s.a) + on * (s.b - s.a);
+}
+
+// The nearest point of a sliver: of its edges, or inside.
+Vec3 foot_on_sliver(const Triangle3& t, const Vec3& p) {
   const auto foot = Kernel().construct_projected_point_3_object();
   Vec3 best = vec3(t[0]);
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 q = vec3(foot(Kernel::Segment_3(t[k], t[k + 1]), point3(p)));
+  const auto take = [&](const Vec3& q) {
     if (length_squared(p - q) < length_squared(p - best)) best = q;
-  }
-  const Extent e = extent(t);
-  const double to_edge = distance(p, best), least = to_edge - e.twice_area_mm2 / e.longest_mm;
-  const bool is_segment = !(least < to_edge) || t.is_degenerate();
-  return is_segment || least >= bound ? best : exact_foot(t, p);
+  };
+  for (int k = 0; k < 3; ++k) take(vec3(foot(Kernel::Segment_3(t[k], t[k + 1]), point3(p))));
+  if (const std::optional<Vec3> inside = foot_inside(t, p)) take(*inside);
+  return best;
 }
 
 // How often the triangle, seen from above, goes around the vertical at p: +1 where it faces
@@ -168,8 +177,8 @@ struct MeshTree::State {
   std::uint32_t number(const Primitive& primitive) const {
     return static_cast<std::uint32_t>(primitive.id() - triangles.cbegin());
   }
-  Vec3 foot(std::uint32_t n, const Vec3& p, double bound = kInfinity) const {
-    if (slivers[n]) return foot_on_sliver(triangles[n], p, bound);
+  Vec3 foot(std::uint32_t n, const Vec3& p) const {
+    if (slivers[n]) return foot_on_sliver(triangles[n], p);
     return vec3(Kernel().construct_projected_point_3_object()(triangles[n], point3(p)));
   }
 };
@@ -187,7 +196,7 @@ struct NearestWalk {
 
   bool go_further() const { return true; }
   void look_at(const Vec3& p, std::uint32_t n) {
-    const Vec3 q = state.foot(n, p, std::sqrt(best.distance_squared));
+    const Vec3 q = state.foot(n, p);
     const double d = length_squared(p - q);
     if (d < best.distance_squared) best = {n, q, d};
   }

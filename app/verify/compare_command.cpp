@@ -25,9 +25,22 @@ void require_known(const std::vector<std::string>& names, const std::string& opt
   }
 }
 
+/// What is asked for is judged, or refused: a comparison that judges nothing of it would be green.
+void require_judged(const CompareCommand& command) {
+  for (const std::string& name : command.metrics) {
+    if (std::find(command.ignored.begin(), command.ignored.end(), name) != command.ignored.end())
+      throw UsageError("--metric " + name + " and --ignore " + name +
+                       " contradict each other; expected one of them");
+    if (name == "machining_time_s" && !command.time_limit_percent)
+      throw UsageError("--metric " + name +
+                       ": without a limit the time is not judged; expected --time-limit with it");
+  }
+}
+
 compare::Options options_of(const CompareCommand& command) {
   require_known(command.metrics, "--metric");
   require_known(command.ignored, "--ignore");
+  require_judged(command);
   return {command.time_limit_percent, command.metrics, command.ignored};
 }
 

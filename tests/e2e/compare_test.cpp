@@ -210,6 +210,14 @@ TEST_CASE("compare refuses what it cannot compare and keeps to its folder", "[e2
   const Outcome typo = compare({base, base, "--ignore", "uncut"});
   CHECK(typo.exit_code == 3);
   CHECK_THAT(typo.errors, ContainsSubstring("uncut_mm"));
+  // Nothing would be judged, and that would be green.
+  const Outcome both = compare({base, base, "--metric", "uncut_mm", "--ignore", "uncut_mm"});
+  CHECK(both.exit_code == 3);
+  CHECK_THAT(both.errors, ContainsSubstring("contradict each other"));
+  const Outcome time = compare({base, base, "--metric", "machining_time_s"});
+  CHECK(time.exit_code == 3);
+  CHECK_THAT(time.errors, ContainsSubstring("--time-limit"));
+  CHECK(compare({base, base, "--metric", "machining_time_s", "--time-limit", "1"}).exit_code == 0);
   const Outcome parts = compare({base, fixture("baselines/foreign.json")});
   CHECK(parts.exit_code == 1);
   CHECK_THAT(parts.out, ContainsSubstring("these are results of two jobs: quick-dome and plate"));

@@ -25,9 +25,9 @@ verifier::RayFigures read(const verifier::ReferenceSurface& surface, const model
   const verifier::RemovedSpace removed(raw, {&pass, 1}), outside(raw, {});
   verifier::RayRequest request;
   request.allowance_mm = allowance_mm;
-  constexpr double kSpacing_mm = 0.25, kFar_mm = 60;
+  constexpr double kRaySpacing_mm = 0.25, kFar_mm = 60;
   return read_rays({cells, removed, outside, probe, kFar_mm},
-                   verifier::sample_surface(surface, kSpacing_mm), request, {2});
+                   verifier::sample_surface(surface, kRaySpacing_mm), request, {2});
 }
 
 }  // namespace

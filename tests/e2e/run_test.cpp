@@ -10,7 +10,7 @@ namespace {
 
 const std::string kDome = fixture("jobs/quick-dome.toml");
 
-json result_of(const fs::path& folder) {
+json result_in(const fs::path& folder) {
   return json::parse(read_text(folder / "result.json"));
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("the figures of the quick job are those of a sound path", "[e2e][run]"
   const Scratch scratch;
   REQUIRE(limitgauge(scratch, {"run", kDome, "-o", "out", "--quiet", "--no-pictures"}).exit_code ==
           0);
-  const json result = result_of(scratch / "out");
+  const json result = result_in(scratch / "out");
   CHECK(result["schema"] == "limitgauge.result/2");
   CHECK(result["verdict"] == "pass");
   CHECK(result["surface"]["patches"] == 12);
@@ -80,7 +80,7 @@ TEST_CASE("the number of threads changes no figure", "[e2e][run]") {
     REQUIRE(
         limitgauge(scratch, {"run", kDome, "-o", threads, "--threads", threads, "--no-pictures"})
             .exit_code == 0);
-    json result = result_of(scratch / threads);
+    json result = result_in(scratch / threads);
     CHECK(result["threads"] == std::stoi(threads));
     remove_measurements_of_the_run(result);
     results.push_back(result.dump());
@@ -100,7 +100,7 @@ TEST_CASE("a stage that fails its gate stops the job with a report", "[e2e][run]
       scratch, {"run", kDome, "-o", "out", "--no-pictures", "--set", "stage.rough.gate.uncut=0.01",
                 "--set", "verification.resolution=0.005"});
   CHECK(outcome.exit_code == 1);
-  const json result = result_of(scratch / "out");
+  const json result = result_in(scratch / "out");
   CHECK(result["verdict"] == "fail");
   CHECK(result["stages"][0]["verdict"] == "fail");
   CHECK_FALSE(result["stages"][0]["reasons"].empty());
@@ -120,7 +120,7 @@ TEST_CASE("a finished folder is overwritten only with --force", "[e2e][run]") {
   CHECK(read_text(scratch / "out/result.json") == "of before");
   CHECK(limitgauge(scratch, {"run", kDome, "-o", "out", "--force", "--no-pictures"}).exit_code ==
         0);
-  CHECK(result_of(scratch / "out")["verdict"] == "pass");
+  CHECK(result_in(scratch / "out")["verdict"] == "pass");
   CHECK(scratch.entries() == std::vector<std::string>{"out"});
 }
 

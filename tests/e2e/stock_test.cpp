@@ -40,9 +40,10 @@ std::string quick_job(const std::string& stock) {
   return between(job, "[stock]", "[machine]", "[stock]\n" + stock + "\n");
 }
 
-json run(const Scratch& scratch, const std::string& job, const std::string& name) {
+json run_as(const Scratch& scratch, const std::string& job, const std::string& name) {
   write_text(scratch / (name + ".toml"), job);
-  const Outcome outcome = limitgauge(scratch, {"run", name + ".toml", "-o", name, "--no-pictures"});
+  const Outcome outcome =
+      limitgauge(scratch, {"run_as", name + ".toml", "-o", name, "--no-pictures"});
   INFO(outcome.errors);
   REQUIRE(outcome.exit_code == 0);
   return json::parse(read_text(scratch / (name + "/result.json")));
@@ -68,14 +69,14 @@ void check_same_figures(const json& a, const json& b) {
 TEST_CASE("a mesh that is a box is judged as the box is", "[e2e][stock]") {
   const Scratch scratch;
   write_text(scratch / "block.stl", stl(tests::block_between({-3, -3, 6}, {23, 23, 15})));
-  const json mesh = run(scratch,
-                        quick_job("shape = \"mesh\"\nfile = \"block.stl\"\n"
-                                  "translate = [-10, -10, -10]"),
-                        "mesh");
-  const json box = run(scratch,
-                       quick_job("shape = \"box\"\nsize = [26, 26, 9]\n"
-                                 "corner = [-13, -13, -4]"),
-                       "box");
+  const json mesh = run_as(scratch,
+                           quick_job("shape = \"mesh\"\nfile = \"block.stl\"\n"
+                                     "translate = [-10, -10, -10]"),
+                           "mesh");
+  const json box = run_as(scratch,
+                          quick_job("shape = \"box\"\nsize = [26, 26, 9]\n"
+                                    "corner = [-13, -13, -4]"),
+                          "box");
   CHECK(mesh["stock"] == json{{"shape", "mesh"},
                               {"file", "block.stl"},
                               {"triangles", 12},
@@ -100,13 +101,13 @@ TEST_CASE("a mesh that is a box is judged as the box is", "[e2e][stock]") {
 
 TEST_CASE("a finish from the stock that roughing left", "[e2e][stock]") {
   const Scratch scratch;
-  const json both = run(scratch,
-                        quick_job("shape = \"box\"\nsize = [26, 26, 9]\n"
-                                  "corner = [-13, -13, -4]"),
-                        "both");
+  const json both = run_as(scratch,
+                           quick_job("shape = \"box\"\nsize = [26, 26, 9]\n"
+                                     "corner = [-13, -13, -4]"),
+                           "both");
   std::string later = quick_job("shape = \"vdb\"\nfile = \"both/rough/stock.vdb\"");
   later = between(later, "[[stage]]\nname = \"rough\"", "[[stage]]\nname = \"finish\"", "");
-  const json second = run(scratch, later, "second");
+  const json second = run_as(scratch, later, "second");
   CHECK(second["stock"]["shape"] == "vdb");
   CHECK(second["stock"]["voxel_mm"] == 0.25);
   CHECK_THAT(second["assumptions"].dump(), ContainsSubstring("zero set at a voxel of 0.25 mm"));

@@ -15,11 +15,11 @@ using model::Vec3;
 namespace {
 
 /// What the interface promises: never below the truth, above it by at most this.
-constexpr double kError = limitgauge::engine::kHeightError_mm;
+constexpr double kLocationError = limitgauge::engine::kHeightError_mm;
 
 void check_height(double found, double truth, double below = 1e-9) {
   CHECK(found >= truth - below);
-  CHECK(found <= truth + kError);
+  CHECK(found <= truth + kLocationError);
 }
 
 CutterLocations locations(std::vector<Grid> grids, const char* cutter, double allowance) {
@@ -102,10 +102,10 @@ TEST_CASE("tip heights over a dome", "[unit][cutter_locations]") {
     INFO("distance " << d);
     const double x = d * std::cos(0.4), y = d * std::sin(0.4);
     const double ball = *locations({dome}, "ball:D=6", 0.1).tip_z(x, y);
-    CHECK(ball <= std::sqrt(23.1 * 23.1 - d * d) - 3 + kError);
+    CHECK(ball <= std::sqrt(23.1 * 23.1 - d * d) - 3 + kLocationError);
     CHECK(ball >= std::sqrt(23.1 * 23.1 - d * d) - 3 - sunk);
     const double out = std::max(0.0, d - 3), flat = *locations({dome}, "flat:D=6", 0.1).tip_z(x, y);
-    CHECK(flat <= std::sqrt(20.1 * 20.1 - out * out) + kError);
+    CHECK(flat <= std::sqrt(20.1 * 20.1 - out * out) + kLocationError);
     CHECK(flat >= std::sqrt(20.1 * 20.1 - out * out) - sunk);
   }
 }

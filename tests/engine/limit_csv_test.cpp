@@ -41,14 +41,14 @@ std::vector<Row> read_rows(const fs::path& path) {
 }
 
 /// A place on the refined mesh: face and local parameters.
-struct Place {
+struct ExpectedPlace {
   Index face = 0;
   double u = 0, v = 0;
 };
 
 /// Quads of a cage with n-gons are split at their corners too; a child starts at its corner. The
 /// tables lay an n-gon's quads out in tiles of one half each, row by row.
-Place child_place(const model::Cage& cage, Index face, double u, double v) {
+ExpectedPlace child_place(const model::Cage& cage, Index face, double u, double v) {
   const auto size = static_cast<int>(cage.face(face).size());
   const Index base = cage.face_offsets[face];
   if (size != 4) {
@@ -72,8 +72,8 @@ double largest_difference(const model::Cage& cage, const std::vector<Row>& rows)
   const bool split = model.outer().face_count() != cage.face_count();
   double worst = 0;
   for (const Row& row : rows) {
-    const Place place = split ? child_place(cage, row.face, row.u, row.v)
-                              : Place{static_cast<Index>(row.face), row.u, row.v};
+    const ExpectedPlace place = split ? child_place(cage, row.face, row.u, row.v)
+                                      : ExpectedPlace{static_cast<Index>(row.face), row.u, row.v};
     const Index h = model.outer().face_offsets[place.face];
     if (!model.has_patch(h)) continue;
     const auto& limit = model.patches()[model.patch_at(h)].limit;

@@ -16,7 +16,7 @@ using model::Vec3;
 namespace {
 
 /// Heights of tips that come from tip_z() or lift() are exact but for this.
-constexpr double kError = 2 * limitgauge::engine::kHeightError_mm;
+constexpr double kLinkError = 2 * limitgauge::engine::kHeightError_mm;
 
 StageRequest request_for(const char* cutter, Entry entry = Entry::ramp) {
   StageRequest r;
@@ -131,7 +131,7 @@ TEST_CASE("links and leads never go below the location surface", "[property][lin
   check_all_cut(path, rows);
   const auto links = links_of(path, rows);
   REQUIRE(links.size() >= rows.size());
-  CHECK(deepest(locations, links) <= kError);
+  CHECK(deepest(locations, links) <= kLinkError);
 }
 
 TEST_CASE("rows close to each other are linked without a retract", "[property][linking]") {
@@ -227,7 +227,7 @@ TEST_CASE("entries into standing material keep to the ramp angle", "[property][l
   }
   CHECK(ramps > 4);
   CHECK(lowest_vertical >= 2);
-  CHECK(deepest(locations, links_of(path, {pass})) <= kError);
+  CHECK(deepest(locations, links_of(path, {pass})) <= kLinkError);
 }
 
 TEST_CASE("a helix that has no room gives way to a ramp along the pass", "[unit][linking]") {

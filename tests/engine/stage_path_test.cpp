@@ -48,7 +48,7 @@ test::PointBins dense_points(const model::Cage& cage) {
   return test::PointBins(points, 1);
 }
 
-model::Cage cage_named(const std::string& name) {
+model::Cage fixture_cage(const std::string& name) {
   if (name == "plane") return test::bilinear_cage(2, 10, 0.2, -0.1, 0);
   if (name == "hypar") return test::bilinear_cage(2, 10, 0, 0, 0.03);
   if (name == "dome") return test::paraboloid_cage(6, 5, -0.02);
@@ -63,7 +63,7 @@ TEST_CASE("a ball zigzag never goes below the surface", "[slow][zigzag]") {
   const std::string name = GENERATE("plane", "hypar", "dome", "bowl", "tight bowl", "cube");
   const double allowance = GENERATE(0.0, 0.2);
   INFO(name << " allowance " << allowance);
-  const model::Cage cage = cage_named(name);
+  const model::Cage cage = fixture_cage(name);
   const surface::FinishModel finish(cage, {0.01, 3.2, 10}, {});
   auto request = zigzag_request(finish.patches().bounding_box());
   request.allowance_mm = allowance;
@@ -75,7 +75,7 @@ TEST_CASE("a ball zigzag never goes below the surface", "[slow][zigzag]") {
 }
 
 TEST_CASE("a ball zigzag over a plane touches it everywhere", "[property][zigzag]") {
-  const model::Cage cage = cage_named("plane");
+  const model::Cage cage = fixture_cage("plane");
   const surface::FinishModel finish(cage, {0.01, 3, 10}, {});
   const auto request = zigzag_request(finish.patches().bounding_box());
   const auto stage = plan_stage(finish, request, {});
@@ -95,7 +95,7 @@ TEST_CASE("a ball zigzag over a plane touches it everywhere", "[property][zigzag
 TEST_CASE("a flat contour keeps its allowance", "[slow][contour]") {
   const std::string name = GENERATE("plane", "dome", "bowl", "cube");
   INFO(name);
-  const model::Cage cage = cage_named(name);
+  const model::Cage cage = fixture_cage(name);
   const surface::FinishModel finish(cage, {0.01, 4.2, 10}, {});
   const auto request = contour_request(finish.patches().bounding_box());
   const auto stage = plan_stage(finish, request, {});
@@ -107,7 +107,7 @@ TEST_CASE("a flat contour keeps its allowance", "[slow][contour]") {
 }
 
 TEST_CASE("a contour clears all of an empty stock to the floor", "[property][contour]") {
-  model::Cage cage = cage_named("plane");
+  model::Cage cage = fixture_cage("plane");
   for (Vec3& v : cage.vertices) v.z -= 100;
   const surface::FinishModel finish(cage, {0.01, 4.2, 10}, {});
   auto request = contour_request({{-20, -12, 0}, {20, 12, 4}});
@@ -130,7 +130,7 @@ TEST_CASE("a contour clears all of an empty stock to the floor", "[property][con
 }
 
 TEST_CASE("paths rapid and end above the stock only", "[property][contour][zigzag]") {
-  const model::Cage cage = cage_named("cube");
+  const model::Cage cage = fixture_cage("cube");
   const surface::FinishModel finish(cage, {0.01, 4.2, 10}, {});
   const bool contour = GENERATE(false, true);
   const model::Box3 part = finish.patches().bounding_box();
@@ -150,7 +150,7 @@ TEST_CASE("paths rapid and end above the stock only", "[property][contour][zigza
 }
 
 TEST_CASE("the same path for any number of threads", "[property][contour][zigzag]") {
-  const model::Cage cage = cage_named("cube");
+  const model::Cage cage = fixture_cage("cube");
   const bool contour = GENERATE(false, true);
   const auto plan = [&](unsigned threads) {
     model::RunControl control;
@@ -168,7 +168,7 @@ TEST_CASE("the same path for any number of threads", "[property][contour][zigzag
 }
 
 TEST_CASE("requests that no path can serve are refused by name", "[unit][contour][zigzag]") {
-  const surface::FinishModel finish(cage_named("plane"), {0.01, 4.2, 10}, {});
+  const surface::FinishModel finish(fixture_cage("plane"), {0.01, 4.2, 10}, {});
   auto request = zigzag_request(finish.patches().bounding_box());
   request.cut.step_mm = 0;
   CHECK_THROWS_WITH(plan_stage(finish, request, {}), ContainsSubstring("step"));

@@ -17,7 +17,7 @@ using namespace limitgauge::model::test;
 
 namespace {
 
-Cage read(const std::string& text) {
+Cage cage_of(const std::string& text) {
   std::istringstream in(text);
   return read_cage_obj(in, "text.obj");
 }
@@ -26,7 +26,7 @@ Cage read(const std::string& text) {
 void check_read_or_refused(const std::string& text) {
   CAPTURE(text);
   try {
-    const Cage cage = read(text);
+    const Cage cage = cage_of(text);
     CHECK(find_defects(cage).empty());
     CHECK(cage.face_count() > 0);
   } catch (const InputError& error) {
@@ -57,7 +57,7 @@ void check_same(const Cage& a, const Cage& b) {
 }  // namespace
 
 TEST_CASE("one quad with everything that carries nothing", "[unit][obj]") {
-  const Cage cage = read(
+  const Cage cage = cage_of(
       "\xEF\xBB\xBF# made by hand\r\nmtllib a.mtl\r\no part\ng top\ns off\nusemtl steel\n"
       "v 0 0 0\nv\t1 0 0 1\nv 1 1 +0 0.5 0.5 0.5 # coloured\nv 0 1 -0e0\n\n"
       "vt 0 0\nvn 0 0 1\nvp 0.5\n  f 1/1 2//1 3/1/1 \\\n   4");
@@ -68,20 +68,20 @@ TEST_CASE("one quad with everything that carries nothing", "[unit][obj]") {
 }
 
 TEST_CASE("relative indices count back from where they stand", "[unit][obj]") {
-  const Cage cage = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -2 -1 -4\n");
+  const Cage cage = cage_of("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -2 -1 -4\n");
   CHECK(cage.face_corners == std::vector<Index>{0, 1, 2, 2, 3, 0});
 }
 
 TEST_CASE("positive indices may name vertices that follow", "[unit][obj]") {
-  CHECK(read("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").face_count() == 1);
+  CHECK(cage_of("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").face_count() == 1);
 }
 
 TEST_CASE("tags: creases, chains, corners, holes, boundary rules", "[unit][obj]") {
   const Cage cage =
-      read(kQuad +
-           "t crease 3/2/0 0 1 2 1.5 12\nt crease 2/1/0 3 0 0\n"
-           "t crease 2/1/0 0 3 0\nt corner 2/1/0 0 2 3\nt hole 1/0/0 0\n"
-           "t interpolateboundary 1/0/0 1\nt facevaryinginterpolateboundary 1/0/0 3\n");
+      cage_of(kQuad +
+              "t crease 3/2/0 0 1 2 1.5 12\nt crease 2/1/0 3 0 0\n"
+              "t crease 2/1/0 0 3 0\nt corner 2/1/0 0 2 3\nt hole 1/0/0 0\n"
+              "t interpolateboundary 1/0/0 1\nt facevaryinginterpolateboundary 1/0/0 3\n");
   REQUIRE(cage.creases.size() == 3);  // one edge was tagged twice alike
   CHECK(cage.creases[0].vertices == std::array<Index, 2>{0, 1});
   CHECK(cage.creases[0].sharpness == 1.5);
@@ -93,8 +93,8 @@ TEST_CASE("tags: creases, chains, corners, holes, boundary rules", "[unit][obj]"
   CHECK(cage.corners[1].sharpness == 3);
   CHECK(cage.holes == std::vector<Index>{0});
   CHECK(cage.boundary == BoundaryRule::edge_and_corner);
-  CHECK(read(kQuad + "t interpolateboundary 1/0/0 0\n").boundary == BoundaryRule::none);
-  CHECK(read(kQuad + "t interpolateboundary 1/0/0 2\n").boundary == BoundaryRule::edge_only);
+  CHECK(cage_of(kQuad + "t interpolateboundary 1/0/0 0\n").boundary == BoundaryRule::none);
+  CHECK(cage_of(kQuad + "t interpolateboundary 1/0/0 2\n").boundary == BoundaryRule::edge_only);
 }
 
 TEST_CASE("every bad cage gets its one error", "[unit][obj]") {

@@ -15,7 +15,7 @@ using namespace limitgauge::model;
 
 namespace {
 
-ClData read(const std::string& text) {
+ClData cl_data_of(const std::string& text) {
   std::istringstream in(text);
   return read_cl_data(in, "cl.apt");
 }
@@ -26,8 +26,8 @@ std::string written(const Toolpath& path, const std::string& cutter, const ClOpt
   return out.str();
 }
 
-std::string error_of(const std::string& text) {
-  return limitgauge::tests::message_of<InputError>([&] { read(text); });
+std::string refusal_of(const std::string& text) {
+  return limitgauge::tests::message_of<InputError>([&] { cl_data_of(text); });
 }
 
 Toolpath small_path() {
@@ -64,7 +64,7 @@ TEST_CASE("every cutter has its figures", "[unit][cl]") {
   CHECK_THAT(text, ContainsSubstring("$\n"));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 72);
-  const SevenFigures taper = *read(text).cutter;
+  const SevenFigures taper = *cl_data_of(text).cutter;
   CHECK(taper == seven_figures(parse_cutter(
                      "taper:D=1.234567890123,r=0.371234567,angle=7.77777777777,L=12.345678901")));
   // The upper line touches the corner circle: both are as far from its centre as its radius.
@@ -78,7 +78,7 @@ TEST_CASE("short forms of a cutter say the same as seven figures", "[unit][cl]")
   for (const char* text : {"flat:D=8", "ball:D=6", "bull:D=8,r=1.5"}) {
     SevenFigures expected = seven_figures(parse_cutter(text));
     expected.height = 0;
-    CHECK(*read(written({}, text, {})).cutter == expected);
+    CHECK(*cl_data_of(written({}, text, {})).cutter == expected);
   }
 }
 
@@ -87,29 +87,29 @@ TEST_CASE("all seven figures of a cutter are written and read", "[unit][cl]") {
                            "apt:D=8,r=0.7,b=-20,L=6", "apt:D=6,a=30,b=10,L=9"}) {
     CAPTURE(text);
     const Cutter cutter = parse_cutter(text);
-    const SevenFigures figures = *read(written({}, text, {})).cutter;
+    const SevenFigures figures = *cl_data_of(written({}, text, {})).cutter;
     CHECK(figures == seven_figures(cutter));
     CHECK(to_text(cutter_of(figures)) == to_text(cutter));
   }
-  const SevenFigures inch = *read("UNITS/INCHES\nCUTTER/.5,.05,.2,.05,0,0,2\nFINI\n").cutter;
+  const SevenFigures inch = *cl_data_of("UNITS/INCHES\nCUTTER/.5,.05,.2,.05,0,0,2\nFINI\n").cutter;
   CHECK(inch.diameter == 12.7);
   CHECK(inch.height == 50.8);
 }
 
 TEST_CASE("figures that make no cutter are refused with their place", "[unit][cl]") {
   CHECK(
-      error_of("CUTTER/10,1,4\nFINI\n") ==
+      refusal_of("CUTTER/10,1,4\nFINI\n") ==
       "cl.apt:1:1: error: CUTTER with 3 figures; expected d, or d and r, or all of d,r,e,f,a,b,h");
-  CHECK(error_of("CUTTER/10,1,4.02,1,0,0,30\nFINI\n") ==
+  CHECK(refusal_of("CUTTER/10,1,4.02,1,0,0,30\nFINI\n") ==
         "cl.apt:1:1: error: e is 4.02, but the other figures make it 4; expected figures that make "
         "a cutter");
-  CHECK_THAT(error_of("CUTTER/10,6\nFINI\n"), ContainsSubstring("corner radius must not exceed"));
-  CHECK_THAT(error_of("CUTTER/10,0,5,0,0,95,30\nFINI\n"), ContainsSubstring("side angle"));
-  CHECK_THAT(error_of("CUTTER/10,0,5,0,0,0,0\nFINI\n"), ContainsSubstring("flute length"));
+  CHECK_THAT(refusal_of("CUTTER/10,6\nFINI\n"), ContainsSubstring("corner radius must not exceed"));
+  CHECK_THAT(refusal_of("CUTTER/10,0,5,0,0,95,30\nFINI\n"), ContainsSubstring("side angle"));
+  CHECK_THAT(refusal_of("CUTTER/10,0,5,0,0,0,0\nFINI\n"), ContainsSubstring("flute length"));
 }
 
 TEST_CASE("CL data are read as a path", "[unit][cl]") {
-  const ClData data = read(
+  const ClData data = cl_data_of(
       "\xEF\xBB\xBFpartno/ two words \r\n$$ a remark\nPPRINT anything, $ at all/\nunits / inches\n"
       "SPINDL/RPM,12000,CLW\nCOOLNT/ON\nLOADTL/3\nRAPID\nGOTO/1,2,$ \n 3 $$ start\nFEDRAT/IPM,10\n"
       "GOTO/1,2,2,0,0,1\nUNITS/MM\nfedrat/200\nGOTO/0,.5,-1.e1\nRAPID\nGOTO/0,0,0\n\n"
@@ -132,34 +132,35 @@ TEST_CASE("CL data are read as a path", "[unit][cl]") {
 
 TEST_CASE("CL data that cannot be used are refused with their place", "[unit][cl]") {
   const std::string feed = "FEDRAT/100\n", end = "FINI\n";
-  CHECK(error_of("FROM/1,2\n" + end) ==
+  CHECK(refusal_of("FROM/1,2\n" + end) ==
         "cl.apt:1:1: error: FROM with 2 figures; expected 3, or 6 with a tool axis");
-  CHECK(error_of("FROM/0,0,0\nGOTO/1,2,x\n" + end) ==
+  CHECK(refusal_of("FROM/0,0,0\nGOTO/1,2,x\n" + end) ==
         "cl.apt:2:10: error: 'X' is not a number; expected a number");
-  CHECK(error_of("FROM/0,0,0\nGOTO/1,2,3\n" + end) ==
+  CHECK(refusal_of("FROM/0,0,0\nGOTO/1,2,3\n" + end) ==
         "cl.apt:2:1: error: a feed move without a feed rate; expected FEDRAT or RAPID before it");
-  CHECK_THAT(error_of("GOTTO/1,2,3\n" + end),
+  CHECK_THAT(refusal_of("GOTTO/1,2,3\n" + end),
              ContainsSubstring("cl.apt:1:1: ") && ContainsSubstring("'GOTO'"));
-  CHECK_THAT(error_of("GODLTA/1,2,3\n" + end), ContainsSubstring("not supported"));
-  CHECK_THAT(error_of("GOTO/1,2,3,0,1,0\n" + end), ContainsSubstring("1:12: error: a tilted"));
-  CHECK_THAT(error_of("GOTO/1,2,\n" + end), ContainsSubstring("1:10: error: the statement ends"));
-  CHECK_THAT(error_of("GOTO/1,2,3 4\n" + end), ContainsSubstring("1:12: error: '4' after"));
-  CHECK_THAT(error_of("GOTO/1,2,1e20\n" + end), ContainsSubstring("beyond any machine"));
-  CHECK_THAT(error_of("RAPID\nGOTO/1,2,3\nFROM/1,2,3\n" + end),
+  CHECK_THAT(refusal_of("GODLTA/1,2,3\n" + end), ContainsSubstring("not supported"));
+  CHECK_THAT(refusal_of("GOTO/1,2,3,0,1,0\n" + end), ContainsSubstring("1:12: error: a tilted"));
+  CHECK_THAT(refusal_of("GOTO/1,2,\n" + end), ContainsSubstring("1:10: error: the statement ends"));
+  CHECK_THAT(refusal_of("GOTO/1,2,3 4\n" + end), ContainsSubstring("1:12: error: '4' after"));
+  CHECK_THAT(refusal_of("GOTO/1,2,1e20\n" + end), ContainsSubstring("beyond any machine"));
+  CHECK_THAT(refusal_of("RAPID\nGOTO/1,2,3\nFROM/1,2,3\n" + end),
              ContainsSubstring("3:1: error: FROM"));
-  CHECK_THAT(error_of("FROM/1,2,3\nFROM/1,2,3\n" + end), ContainsSubstring("2:1: error: FROM"));
+  CHECK_THAT(refusal_of("FROM/1,2,3\nFROM/1,2,3\n" + end), ContainsSubstring("2:1: error: FROM"));
   // The first one is a motion like any other.
-  CHECK_THAT(error_of("GOTO/1,2,3\n" + end), ContainsSubstring("1:1: error: a feed move without"));
-  CHECK_THAT(error_of("FEDRAT/1e-50\n" + end), ContainsSubstring("at least 1e-6"));
-  CHECK_THAT(error_of("FEDRAT/0\n" + end), ContainsSubstring("feed rate '0'"));
-  CHECK_THAT(error_of("FEDRAT/MMPM\n" + end), ContainsSubstring("without its number"));
-  CHECK_THAT(error_of("FEDRAT/1,2\n" + end), ContainsSubstring("a second feed rate"));
-  CHECK_THAT(error_of("UNITS/FEET\n" + end), ContainsSubstring("unknown unit"));
-  CHECK_THAT(error_of("LOADTL/1\nLOADTL/2\n" + end), ContainsSubstring("second tool"));
-  CHECK_THAT(error_of("CUTTER/1\nCUTTER/2\n" + end), ContainsSubstring("second cutter"));
-  CHECK_THAT(error_of("LOADTL/1.5\n" + end), ContainsSubstring("an integer"));
-  CHECK_THAT(error_of("(x)\n" + end), ContainsSubstring("1:1: error: '(' begins no word"));
-  CHECK(error_of(feed) ==
+  CHECK_THAT(refusal_of("GOTO/1,2,3\n" + end),
+             ContainsSubstring("1:1: error: a feed move without"));
+  CHECK_THAT(refusal_of("FEDRAT/1e-50\n" + end), ContainsSubstring("at least 1e-6"));
+  CHECK_THAT(refusal_of("FEDRAT/0\n" + end), ContainsSubstring("feed rate '0'"));
+  CHECK_THAT(refusal_of("FEDRAT/MMPM\n" + end), ContainsSubstring("without its number"));
+  CHECK_THAT(refusal_of("FEDRAT/1,2\n" + end), ContainsSubstring("a second feed rate"));
+  CHECK_THAT(refusal_of("UNITS/FEET\n" + end), ContainsSubstring("unknown unit"));
+  CHECK_THAT(refusal_of("LOADTL/1\nLOADTL/2\n" + end), ContainsSubstring("second tool"));
+  CHECK_THAT(refusal_of("CUTTER/1\nCUTTER/2\n" + end), ContainsSubstring("second cutter"));
+  CHECK_THAT(refusal_of("LOADTL/1.5\n" + end), ContainsSubstring("an integer"));
+  CHECK_THAT(refusal_of("(x)\n" + end), ContainsSubstring("1:1: error: '(' begins no word"));
+  CHECK(refusal_of(feed) ==
         "cl.apt:2:1: error: the program does not end; it may have been cut off; "
         "expected FINI");
 }
@@ -180,7 +181,7 @@ TEST_CASE("random paths are the same after writing and reading CL data", "[prope
                               rapid ? 0.0F : feed, 0, rapid ? MoveKind::rapid : MoveKind::feed);
     }
     const std::string text = written(path, "ball:D=6", {"part", 1, decimals});
-    const ClData data = read(text);
+    const ClData data = cl_data_of(text);
     REQUIRE(data.moves.size() == path.moves.size());
     REQUIRE(data.from);
     CHECK(distance(*data.from, path.start) <= unit);
@@ -207,7 +208,7 @@ TEST_CASE("CL data with any bytes changed give a path or an InputError", "[prope
     for (int change = 0; change < 3; ++change)
       text[random() % text.size()] = alphabet[random() % alphabet.size()];
     try {
-      for (const Move& move : read(text).moves) CHECK(is_finite(move.to));
+      for (const Move& move : cl_data_of(text).moves) CHECK(is_finite(move.to));
     } catch (const InputError& error) {
       CHECK(error.place().line > 0);
       CHECK(error.place().column > 0);

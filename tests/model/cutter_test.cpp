@@ -14,7 +14,7 @@ using namespace limitgauge::model::test;
 
 namespace {
 
-std::string error_of(const std::string& text) {
+std::string cutter_error_of(const std::string& text) {
   return message_of<InputError>([&] { parse_cutter(text); });
 }
 
@@ -57,42 +57,43 @@ TEST_CASE("shank and holder parts are listed from the tip up", "[unit][cutter]")
 }
 
 TEST_CASE("cutter texts that are wrong, each with its column", "[unit][cutter]") {
-  CHECK(error_of("boll:D=6") == "tool:1:1: error: unknown cutter 'boll'; expected 'ball'");
+  CHECK(cutter_error_of("boll:D=6") == "tool:1:1: error: unknown cutter 'boll'; expected 'ball'");
   CHECK(
-      error_of("lollipop:D=6") ==
+      cutter_error_of("lollipop:D=6") ==
       "tool:1:1: error: unknown cutter 'lollipop'; expected flat, ball, bull, taper, drill or apt");
-  CHECK(error_of("ball") == "tool:1:5: error: the cutter has no figures; expected ':D=6'");
-  CHECK(error_of("ball:") ==
+  CHECK(cutter_error_of("ball") == "tool:1:5: error: the cutter has no figures; expected ':D=6'");
+  CHECK(cutter_error_of("ball:") ==
         "tool:1:6: error: unknown key ''; expected D, L, ramp, shank or holder");
-  CHECK(error_of("ball:d=6") == "tool:1:6: error: unknown key 'd'; expected 'D'");
-  CHECK(error_of("ball:D=6,shnk=6:1") == "tool:1:10: error: unknown key 'shnk'; expected 'shank'");
-  CHECK(error_of("ball:D") == "tool:1:7: error: 'D' has no value; expected '='");
-  CHECK(error_of("ball:D=") ==
+  CHECK(cutter_error_of("ball:d=6") == "tool:1:6: error: unknown key 'd'; expected 'D'");
+  CHECK(cutter_error_of("ball:D=6,shnk=6:1") ==
+        "tool:1:10: error: unknown key 'shnk'; expected 'shank'");
+  CHECK(cutter_error_of("ball:D") == "tool:1:7: error: 'D' has no value; expected '='");
+  CHECK(cutter_error_of("ball:D=") ==
         "tool:1:8: error: D '' is not a number; expected a number of millimetres or degrees");
-  CHECK(error_of("ball:D=6mm") ==
+  CHECK(cutter_error_of("ball:D=6mm") ==
         "tool:1:8: error: D '6mm' is not a number; expected a number of millimetres or degrees");
-  CHECK(error_of("ball:D=0") == "tool:1:8: error: D is 0; expected more than 0");
-  CHECK(error_of("ball:D=-6") == "tool:1:8: error: D is -6; expected more than 0");
-  CHECK(error_of("ball:D=6,D=6") == "tool:1:10: error: 'D' stands twice; expected it once");
-  CHECK(error_of("ball:D=6,r=3") ==
+  CHECK(cutter_error_of("ball:D=0") == "tool:1:8: error: D is 0; expected more than 0");
+  CHECK(cutter_error_of("ball:D=-6") == "tool:1:8: error: D is -6; expected more than 0");
+  CHECK(cutter_error_of("ball:D=6,D=6") == "tool:1:10: error: 'D' stands twice; expected it once");
+  CHECK(cutter_error_of("ball:D=6,r=3") ==
         "tool:1:10: error: a ball cutter has no 'r'; expected D, L, ramp, shank or holder");
-  CHECK(error_of("bull:D=6") == "tool:1:9: error: a bull cutter needs 'r='; expected it");
-  CHECK(error_of("taper:D=1,r=0.5") ==
+  CHECK(cutter_error_of("bull:D=6") == "tool:1:9: error: a bull cutter needs 'r='; expected it");
+  CHECK(cutter_error_of("taper:D=1,r=0.5") ==
         "tool:1:16: error: a taper cutter needs 'angle='; expected it");
-  CHECK(error_of("bull:D=6,r=4") ==
+  CHECK(cutter_error_of("bull:D=6,r=4") ==
         "tool:1:12: error: corner radius must not exceed half the "
         "diameter; expected figures that make a cutter");
-  CHECK(error_of("ball:D=6,L=2") ==
+  CHECK(cutter_error_of("ball:D=6,L=2") ==
         "tool:1:12: error: flute length must reach to the end of the "
         "corner radius; expected figures that make a cutter");
-  CHECK(error_of("taper:D=1,angle=90") ==
+  CHECK(cutter_error_of("taper:D=1,angle=90") ==
         "tool:1:17: error: taper angle must lie between 0 and 90 "
         "degrees; expected figures that make a cutter");
-  CHECK(error_of("ball:D=6,shank=6") ==
+  CHECK(cutter_error_of("ball:D=6,shank=6") ==
         "tool:1:17: error: 'shank' has no length; expected 'shank=D:L'");
-  CHECK(error_of("ball:D=6,holder=6:0") ==
+  CHECK(cutter_error_of("ball:D=6,holder=6:0") ==
         "tool:1:19: error: holder length is 0; expected more than 0");
-  CHECK(error_of("ball:D=6,") ==
+  CHECK(cutter_error_of("ball:D=6,") ==
         "tool:1:10: error: unknown key ''; expected D, L, ramp, shank or holder");
 }
 
@@ -169,7 +170,7 @@ TEST_CASE("drills and apt cutters from their texts", "[unit][cutter]") {
 TEST_CASE("drill and apt texts that make no cutter", "[unit][cutter]") {
   const auto has = [](const std::string& text, const std::string& message) {
     CAPTURE(text);
-    CHECK_THAT(error_of(text), ContainsSubstring(message));
+    CHECK_THAT(cutter_error_of(text), ContainsSubstring(message));
   };
   has("drill:D=6", "1:10: error: a drill cutter needs 'angle='");
   has("drill:D=6,angle=180", "1:17: error: point angle must lie between 0 and 180 degrees");

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array kDialects = {Dialect::linuxcnc, Dialect::fanuc, Dialect::grbl};
 /// Of the chords that arcs are read back as.
-constexpr double kChordErrorMm = 1e-4;
+constexpr double kDialectChordMm = 1e-4;
 
 std::string written(Toolpath& path, const WriterOptions& options) {
   std::ostringstream out;
@@ -24,7 +24,7 @@ std::string written(Toolpath& path, const WriterOptions& options) {
   return out.str();
 }
 
-Program read(const std::string& text) {
+Program program_of(const std::string& text) {
   std::istringstream in(text);
   return read_program(in, "written.ngc");
 }
@@ -103,7 +103,7 @@ void check_same(const Toolpath& a, const Toolpath& b) {
 /// The path that arcs stand for, and the path read back: the ends of each line's moves are the
 /// same, and the lengths agree as far as curves within the tolerance of each other must.
 void check_same_but_for_arcs(const Toolpath& path, const Program& program) {
-  const Toolpath back = to_toolpath(program, kChordErrorMm);
+  const Toolpath back = to_toolpath(program, kDialectChordMm);
   CHECK(path.start == back.start);
   std::size_t at = 0;
   for (const Motion& motion : program.motions) {
@@ -226,7 +226,7 @@ TEST_CASE("every dialect is read back as the path that was written", "[property]
     Toolpath path = random_path(random);
     const Toolpath before = path;
     const std::string text = written(path, options);
-    check_same(path, to_toolpath(read(text), kChordErrorMm));
+    check_same(path, to_toolpath(program_of(text), kDialectChordMm));
     CHECK(written(path, options) == text);
     const double half_mm = 0.5 * std::pow(10, -options.decimals) + 3e-14;
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
@@ -251,7 +251,7 @@ TEST_CASE("with arcs, what is read back has the same ends of lines and arcs that
     CAPTURE(name(dialect), options.decimals);
     Toolpath path = random_path(random);
     const std::string text = written(path, options);
-    const Program program = read(text);
+    const Program program = program_of(text);
     check_same_but_for_arcs(path, program);
     for (std::size_t i = 1; i < program.motions.size(); ++i) {
       const Motion& arc = program.motions[i];

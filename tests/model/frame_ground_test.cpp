@@ -12,7 +12,7 @@ using namespace limitgauge::model::test;
 namespace {
 
 /// A few additions of lengths below 1000 mm, and one turn by 30 degrees: an ulp is 1.1e-13.
-constexpr double kMarginMm = 1e-12;
+constexpr double kGroundMarginMm = 1e-12;
 
 struct Case {
   std::string program;
@@ -24,7 +24,7 @@ void check(const MachineSetup& machine, const std::vector<Case>& cases) {
     CAPTURE(one.program);
     const Vec3 tip_mm = end_of_text(one.program, machine);
     CAPTURE(tip_mm.x, tip_mm.y, tip_mm.z);
-    CHECK(distance(tip_mm, one.tip_mm) <= kMarginMm);
+    CHECK(distance(tip_mm, one.tip_mm) <= kGroundMarginMm);
   }
 }
 
@@ -111,10 +111,10 @@ TEST_CASE("where a program lies over the part", "[unit][program]") {
   const auto end_of = [&](const std::string& text) {
     return to_toolpath(read_text(text, machine), options).moves.back().to;
   };
-  CHECK(distance(end_of("G0 X10 Y0 Z5\n"), {1 + 10 * c, 2 + 10 * s, 8}) < kMarginMm);
-  CHECK(distance(end_of("G0 X0 Y10 Z5\n"), {1 - 10 * s, 2 + 10 * c, 8}) < kMarginMm);
+  CHECK(distance(end_of("G0 X10 Y0 Z5\n"), {1 + 10 * c, 2 + 10 * s, 8}) < kGroundMarginMm);
+  CHECK(distance(end_of("G0 X0 Y10 Z5\n"), {1 - 10 * s, 2 + 10 * c, 8}) < kGroundMarginMm);
   // G55 lies 10 mm along the machine's Y, which is 10 mm along the work frame's X.
-  CHECK(distance(end_of("G55\nG0 X0 Y0 Z5\n"), {1 + 10 * c, 2 + 10 * s, 8}) < kMarginMm);
+  CHECK(distance(end_of("G55\nG0 X0 Y0 Z5\n"), {1 + 10 * c, 2 + 10 * s, 8}) < kGroundMarginMm);
   const Toolpath path = to_toolpath(read_text("G0 X0 Y0 Z5\n", machine), options);
-  CHECK(distance(path.start, {1, 2, 103}) < kMarginMm);
+  CHECK(distance(path.start, {1, 2, 103}) < kGroundMarginMm);
 }

@@ -43,7 +43,7 @@ double rest_to_speed_s(double length, double speed, double end, double accelerat
   return speed / acceleration + (speed - end) / acceleration + (length - up_mm - down_mm) / speed;
 }
 
-Toolpath random_path(std::mt19937& random) {
+Toolpath random_timed_path(std::mt19937& random) {
   std::uniform_real_distribution<double> number(-1, 1);
   Toolpath path;
   Vec3 at;
@@ -128,7 +128,7 @@ TEST_CASE("limits never make a path faster, and a stronger drive never slower",
           "[property][time]") {
   std::mt19937 random(31);
   for (int round = 0; round < 200; ++round) {
-    const Toolpath path = random_path(random);
+    const Toolpath path = random_timed_path(random);
     const double bound = lengths(path, 6000).time_s;
     double last = std::numeric_limits<double>::infinity();
     for (const double acceleration : {1.0, 30.0, 400.0, 5000.0, 1e6, 1e12}) {
@@ -146,7 +146,7 @@ TEST_CASE("limits never make a path faster, and a stronger drive never slower",
 TEST_CASE("a path is as fast backwards", "[property][time]") {
   std::mt19937 random(32);
   for (int round = 0; round < 100; ++round) {
-    const Toolpath path = random_path(random);
+    const Toolpath path = random_timed_path(random);
     Toolpath back;
     back.start = path.moves.back().to;
     for (std::size_t i = path.moves.size(); i-- > 0;)

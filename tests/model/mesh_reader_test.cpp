@@ -24,7 +24,7 @@ MeshReading read(const std::string& bytes, const std::string& name = "part") {
   return read_mesh(in, name);
 }
 
-std::string error_of(const std::string& bytes, const std::string& name = "part") {
+std::string mesh_error_of(const std::string& bytes, const std::string& name = "part") {
   return message_of<InputError>([&] { read(bytes, name); });
 }
 
@@ -78,8 +78,8 @@ TEST_CASE("the content tells the format", "[unit][mesh]") {
   CHECK(read(binary_stl(kBlock, "solid from a well known program"), "p.stl").mesh.vertices.size() ==
         8);
   CHECK(read(obj(kBlock), "P.OBJ").mesh.vertices.size() == 8);
-  CHECK(error_of("") == "part: error: the file is empty; expected a mesh as STL, OBJ or PLY");
-  CHECK(error_of("hello") ==
+  CHECK(mesh_error_of("") == "part: error: the file is empty; expected a mesh as STL, OBJ or PLY");
+  CHECK(mesh_error_of("hello") ==
         "part: error: the file is no mesh of a known kind; expected STL, OBJ or PLY");
 }
 
@@ -107,32 +107,33 @@ TEST_CASE("negative zero and repeated corners", "[unit][mesh]") {
 
 TEST_CASE("what is wrong with an STL, each with its place", "[unit][mesh]") {
   const std::string binary = binary_stl(kBlock), ascii = ascii_stl(kBlock);
-  CHECK(error_of(binary.substr(0, 50), "p.stl") ==
+  CHECK(mesh_error_of(binary.substr(0, 50), "p.stl") ==
         "p.stl: error: the file of 50 bytes is cut short; expected an STL file");
-  CHECK(error_of(binary.substr(0, 600), "p.stl") ==
+  CHECK(mesh_error_of(binary.substr(0, 600), "p.stl") ==
         "p.stl: error: at byte 80: the file states 12 triangles but has 600 bytes; expected 684 "
         "bytes of a binary STL");
   std::string huge = binary;
   huge.replace(80, 4, "\xFF\xFF\xFF\xFF");
-  CHECK_THAT(error_of(huge, "p.stl"), ContainsSubstring("states 4294967295 triangles but has 684"));
+  CHECK_THAT(mesh_error_of(huge, "p.stl"),
+             ContainsSubstring("states 4294967295 triangles but has 684"));
   std::string nan = binary;
   nan.replace(84 + 50 + 12 + 4, 4, std::string("\0\0\xC0\x7F", 4));
-  CHECK(error_of(nan, "p.stl") ==
+  CHECK(mesh_error_of(nan, "p.stl") ==
         "p.stl: error: at byte 150: triangle 2: a coordinate is not a finite number; expected "
         "millimetres");
-  CHECK(error_of(ascii.substr(0, 100)) ==
+  CHECK(mesh_error_of(ascii.substr(0, 100)) ==
         "part: error: the file ends in the middle of a solid; expected 'endloop'");
-  CHECK(error_of(with(ascii, "vertex -1 0 0.5", "vertex -1 0")) ==
+  CHECK(mesh_error_of(with(ascii, "vertex -1 0 0.5", "vertex -1 0")) ==
         "part:4:14: error: the line ends here; expected a coordinate");
-  CHECK(error_of(ascii.substr(0, ascii.find("endsolid"))) ==
+  CHECK(mesh_error_of(ascii.substr(0, ascii.find("endsolid"))) ==
         "part: error: the file ends in the middle of a solid; expected 'facet' or 'endsolid'");
-  CHECK(error_of(with(ascii, "vertex -1 0", "vertex -1 o")) ==
+  CHECK(mesh_error_of(with(ascii, "vertex -1 0", "vertex -1 o")) ==
         "part:4:13: error: 'o' stands here; expected a coordinate");
-  CHECK(error_of(with(ascii, "vertex -1", "vertex nan")) ==
+  CHECK(mesh_error_of(with(ascii, "vertex -1", "vertex nan")) ==
         "part:4:10: error: 'nan' stands here; expected a coordinate");
-  CHECK(error_of(with(ascii, "endloop", "vertex 1 2 3")) ==
+  CHECK(mesh_error_of(with(ascii, "endloop", "vertex 1 2 3")) ==
         "part:7:2: error: 'vertex' stands here; expected 'endloop'");
-  CHECK(error_of("solid\nendsolid\n") ==
+  CHECK(mesh_error_of("solid\nendsolid\n") ==
         "part: error: the mesh has no triangles; expected a closed mesh");
   CHECK(read(with(ascii, "normal 0 0 0", "normal nan nan nan")).mesh.triangles.size() == 12);
 }
@@ -140,7 +141,7 @@ TEST_CASE("what is wrong with an STL, each with its place", "[unit][mesh]") {
 TEST_CASE("what is wrong with an OBJ, each with its place", "[unit][mesh]") {
   const std::string good = obj(kBlock);
   const auto wrong = [&](const std::string& from, const std::string& to) {
-    return error_of(with(good, from, to), "p.obj");
+    return mesh_error_of(with(good, from, to), "p.obj");
   };
   CHECK(wrong("v -1 0 0.5", "v -1 0") ==
         "p.obj:3:1: error: a vertex with 2 values; expected x y z");
@@ -159,17 +160,17 @@ TEST_CASE("what is wrong with an OBJ, each with its place", "[unit][mesh]") {
         "p.obj:11:3: error: 'x' is no face corner; expected v, v/vt, v//vn or v/vt/vn");
   CHECK(wrong("f 1/1/1 3//1 4", "f 1 2") ==
         "p.obj:11:1: error: a face with 2 corners; expected three or more");
-  CHECK(error_of("v 0 0 0\n", "p.obj") ==
+  CHECK(mesh_error_of("v 0 0 0\n", "p.obj") ==
         "p.obj: error: the file has no faces; expected a closed mesh");
 }
 
 TEST_CASE("what is wrong with a PLY, each with its place", "[unit][mesh]") {
   const std::string ascii = ascii_ply(kBlock), binary = binary_ply(kBlock, std::endian::little);
   const auto wrong = [&](const std::string& from, const std::string& to) {
-    return error_of(with(ascii, from, to));
+    return mesh_error_of(with(ascii, from, to));
   };
-  CHECK(error_of("plx\n", "p.ply") == "p.ply:1:1: error: the file is no PLY; expected 'ply'");
-  CHECK(error_of("ply\nformat ascii 1.0\n") ==
+  CHECK(mesh_error_of("plx\n", "p.ply") == "p.ply:1:1: error: the file is no PLY; expected 'ply'");
+  CHECK(mesh_error_of("ply\nformat ascii 1.0\n") ==
         "part: error: the file ends in its header; expected 'end_header'");
   CHECK(wrong("ascii", "utf8") ==
         "part:2:8: error: unknown format 'utf8'; expected ascii, binary_little_endian or "
@@ -200,11 +201,11 @@ TEST_CASE("what is wrong with a PLY, each with its place", "[unit][mesh]") {
   CHECK(wrong("3 0 2 3", "3 0 2 -1") ==
         "part:20:7: error: there is no vertex -1; expected a vertex counted from 0");
   CHECK_THAT(wrong("3 0 2 3", "99 0 2 3"), ContainsSubstring("part:20:"));
-  CHECK_THAT(error_of(binary.substr(0, binary.size() - 3)),
+  CHECK_THAT(mesh_error_of(binary.substr(0, binary.size() - 3)),
              ContainsSubstring("at byte 550: a list of 3; expected a length that fits the file"));
-  CHECK_THAT(error_of(binary + "xyz"),
+  CHECK_THAT(mesh_error_of(binary + "xyz"),
              ContainsSubstring("the file goes on for 3 bytes that its header does not know"));
-  CHECK_THAT(error_of(with(binary, "element vertex 8", "element vertex 4000000000")),
+  CHECK_THAT(mesh_error_of(with(binary, "element vertex 8", "element vertex 4000000000")),
              ContainsSubstring("too short for 4000000000 elements 'vertex'"));
 }
 
@@ -237,20 +238,20 @@ TEST_CASE("polygons become fans where that is what they are", "[unit][mesh]") {
     CHECK(area_mm2(r.mesh) == Approx(2 * 5 + 12).epsilon(1e-14));
   }
   SECTION("a U has no such corner") {
-    CHECK(error_of(prism({{0, 0, 0},
-                          {3, 0, 0},
-                          {3, 3, 0},
-                          {2, 3, 0},
-                          {2, 1, 0},
-                          {1, 1, 0},
-                          {1, 3, 0},
-                          {0, 3, 0}}),
-                   "p.obj") ==
+    CHECK(mesh_error_of(prism({{0, 0, 0},
+                               {3, 0, 0},
+                               {3, 3, 0},
+                               {2, 3, 0},
+                               {2, 1, 0},
+                               {1, 1, 0},
+                               {1, 3, 0},
+                               {0, 3, 0}}),
+                        "p.obj") ==
           "p.obj:25: error: face 9: a polygon is not convex and cannot be seen whole from one of "
           "its corners; expected triangles, or plane convex polygons");
   }
   SECTION("not plane by two micrometres") {
-    CHECK_THAT(error_of(prism({{0, 0, 0}, {2, 0, 0}, {2, 2, 0.006}, {0, 2, 0}}), "p.obj"),
+    CHECK_THAT(mesh_error_of(prism({{0, 0, 0}, {2, 0, 0}, {2, 2, 0.006}, {0, 2, 0}}), "p.obj"),
                ContainsSubstring("p.obj:13: error: face 5: the corners of a polygon are more than "
                                  "0.001 mm off a plane"));
   }

@@ -10,7 +10,7 @@ using namespace limitgauge::model;
 
 namespace {
 
-Program read(const std::string& text) {
+Program program_in(const std::string& text) {
   std::istringstream in(text);
   return read_program(in, "text.ngc");
 }
@@ -24,7 +24,7 @@ std::string moves_text(const Program& program) {
 }  // namespace
 
 TEST_CASE("a position is known once every axis was programmed in G90", "[unit][program]") {
-  const Program program = read("G0 Z5\nX0\nG91 Y1\nG90 X1 Y2\n");
+  const Program program = program_in("G0 Z5\nX0\nG91 Y1\nG90 X1 Y2\n");
   REQUIRE(program.motions.size() == 4);
   CHECK_FALSE(program.motions[0].position_known);
   CHECK_FALSE(program.motions[2].position_known);
@@ -33,7 +33,7 @@ TEST_CASE("a position is known once every axis was programmed in G90", "[unit][p
 
 TEST_CASE("a feed rate in inches keeps its speed after a change to millimetres",
           "[unit][program]") {
-  const Program program = read("G20 G0 X0 Y0 Z0\nF10\nG21 G1 X1\nF20 G20 X1\n");
+  const Program program = program_in("G20 G0 X0 Y0 Z0\nF10\nG21 G1 X1\nF20 G20 X1\n");
   CHECK(program.motions[1].feed_mm_min == 254.0F);
   // F is carried out before G20 of the same block, in RS274/NGC's order.
   CHECK(program.motions[2].feed_mm_min == 20.0F);
@@ -42,20 +42,20 @@ TEST_CASE("a feed rate in inches keeps its speed after a change to millimetres",
 TEST_CASE("arc radii may differ by LinuxCNC's tolerance", "[unit][program]") {
   const std::string start = "G0 X0 Y0 Z0 F10\n";
   // 0.02 mm apart: within 0.0283 mm.
-  CHECK_NOTHROW(read(start + "G2 X2 I1.01\n"));
+  CHECK_NOTHROW(program_in(start + "G2 X2 I1.01\n"));
   // 0.2 mm apart at a radius of 300 mm: beyond 0.0283 mm, but within a thousandth.
-  CHECK_NOTHROW(read(start + "G2 X600 I300.1\n"));
-  CHECK_THROWS_AS(read(start + "G2 X600 I300.2\n"), InputError);
+  CHECK_NOTHROW(program_in(start + "G2 X600 I300.1\n"));
+  CHECK_THROWS_AS(program_in(start + "G2 X600 I300.2\n"), InputError);
   // 4 mm apart at 10 m: within a thousandth, but beyond 2.83 mm.
-  CHECK_THROWS_AS(read(start + "G2 X20000 I10002\n"), InputError);
+  CHECK_THROWS_AS(program_in(start + "G2 X20000 I10002\n"), InputError);
 }
 
 TEST_CASE("a byte order mark, tabs and a missing last line end", "[unit][program]") {
-  CHECK(moves_text(read("\xEF\xBB\xBFg0\tx1\ty2 z3")) == "1 rapid 1 2 3\n");
+  CHECK(moves_text(program_in("\xEF\xBB\xBFg0\tx1\ty2 z3")) == "1 rapid 1 2 3\n");
 }
 
 TEST_CASE("a radius a little too small for its chord makes a half circle", "[unit][program]") {
-  const Program program = read("G0 X0 Y0 Z0 F10\nG2 X10 R4.9995\n");
+  const Program program = program_in("G0 X0 Y0 Z0 F10\nG2 X10 R4.9995\n");
   CHECK(program.motions[1].centre1 == 5);
   CHECK(program.motions[1].centre2 == 0);
 }
@@ -73,7 +73,7 @@ TEST_CASE("arcs by radius pass through start and end on the asked side", "[prope
     text << std::fixed << "G0 X0 Y0 Z0 F10\n"
          << (clockwise ? "G2" : "G3") << " X" << x << " Y" << y << " R"
          << (long_way ? -radius : radius) << "\n";
-    const Motion arc = read(text.str()).motions.at(1);
+    const Motion arc = program_in(text.str()).motions.at(1);
     // Centres lie up to 250 mm away; a few roundings of that are 1e-13.
     CHECK(std::hypot(arc.centre1, arc.centre2) == Approx(radius).epsilon(1e-12));
     CHECK(std::hypot(arc.centre1 - x, arc.centre2 - y) == Approx(radius).epsilon(1e-12));
@@ -94,7 +94,7 @@ TEST_CASE("programs with any bytes changed give motions or an InputError", "[pro
     for (int change = 0; change < 3; ++change)
       text[random() % text.size()] = alphabet[random() % alphabet.size()];
     try {
-      for (const Motion& motion : read(text).motions) CHECK(is_finite(motion.to));
+      for (const Motion& motion : program_in(text).motions) CHECK(is_finite(motion.to));
     } catch (const InputError& error) {
       CHECK(error.place().line > 0);
       CHECK(error.place().column > 0);
@@ -119,7 +119,8 @@ namespace {
 /// One letter a motion: s where the spindle is known to stand.
 std::string spindle_text(const std::string& text) {
   std::string states;
-  for (const Motion& motion : read(text).motions) states += motion.spindle_stopped ? 's' : '.';
+  for (const Motion& motion : program_in(text).motions)
+    states += motion.spindle_stopped ? 's' : '.';
   return states;
 }
 
@@ -139,7 +140,7 @@ TEST_CASE("a program that starts the spindle is held to it", "[unit][program]") 
 }
 
 TEST_CASE("moves carry the state of the spindle, chords of arcs too", "[unit][program]") {
-  const Program program = read("G0 X10 Y0 Z0 F60\nM3\nG3 I-10\nM5\nG1 X0\n");
+  const Program program = program_in("G0 X10 Y0 Z0 F60\nM3\nG3 I-10\nM5\nG1 X0\n");
   const Toolpath path = to_toolpath(program, 0.1);
   REQUIRE(path.moves.size() > 4);
   CHECK_FALSE(path.moves.front().spindle_stopped);

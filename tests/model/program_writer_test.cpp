@@ -12,7 +12,7 @@ using namespace limitgauge::model;
 
 namespace {
 
-void check_same(const Toolpath& a, const Toolpath& b) {
+void check_same_motions(const Toolpath& a, const Toolpath& b) {
   CHECK(a.start == b.start);
   REQUIRE(a.moves.size() == b.moves.size());
   for (std::size_t i = 0; i < a.moves.size(); ++i) {
@@ -48,7 +48,7 @@ TEST_CASE("a written program, letter by letter", "[unit][program]") {
   CHECK(path.moves[0].line == 9);
   CHECK(path.moves[4].line == 13);
   CHECK(path.moves[4].feed_mm_min == 0.0F);
-  check_same(path, read_back(out.str()));
+  check_same_motions(path, read_back(out.str()));
 }
 
 TEST_CASE("a path of no moves is written as its start", "[unit][program]") {
@@ -57,7 +57,7 @@ TEST_CASE("a path of no moves is written as its start", "[unit][program]") {
   std::ostringstream out;
   write_program(path, {}, out);
   CHECK_THAT(out.str(), ContainsSubstring("G0 Z3\nX0 Y2\nM5\nM30\n"));
-  check_same(path, read_back(out.str()));
+  check_same_motions(path, read_back(out.str()));
 }
 
 TEST_CASE("paths that cannot be written are refused before anything is", "[unit][program]") {
@@ -119,7 +119,7 @@ TEST_CASE("random paths are the same after writing and reading", "[property][pro
     const int decimals = static_cast<int>(random() % 10);
     std::ostringstream out;
     write_program(path, {"random", "", decimals, 0, 1}, out);
-    check_same(path, read_back(out.str()));
+    check_same_motions(path, read_back(out.str()));
     // Rounding moves no coordinate by more than half a unit in the last decimal, and the binary
     // rounding of 200 mm (3e-14).
     const double half_mm = 0.5 * std::pow(10, -decimals) + 3e-14;

@@ -13,7 +13,7 @@ using namespace limitgauge::model::test;
 
 namespace {
 
-std::string error_of(const std::string& text) {
+std::string stock_error_of(const std::string& text) {
   return message_of<InputError>([&] { parse_stock(text); });
 }
 
@@ -33,27 +33,31 @@ TEST_CASE("the bounding box of a round bar", "[unit][stock]") {
 }
 
 TEST_CASE("stock texts that are wrong, each with its column", "[unit][stock]") {
-  CHECK(error_of("") == "stock:1:1: error: unknown stock ''; expected 'box:LX,LY,LZ@X,Y,Z'");
-  CHECK(error_of("bar:1,2,3@0,0,0") ==
+  CHECK(stock_error_of("") == "stock:1:1: error: unknown stock ''; expected 'box:LX,LY,LZ@X,Y,Z'");
+  CHECK(stock_error_of("bar:1,2,3@0,0,0") ==
         "stock:1:1: error: unknown stock 'bar'; expected 'box:LX,LY,LZ@X,Y,Z'");
-  CHECK(error_of("mesh:part.stl") ==
+  CHECK(stock_error_of("mesh:part.stl") ==
         "stock:1:1: error: unknown stock 'mesh'; expected 'box:LX,LY,LZ@X,Y,Z'");
-  CHECK(error_of("box") == "stock:1:4: error: the box has no size; expected ':LX,LY,LZ@X,Y,Z'");
-  CHECK(error_of("box:90") == "stock:1:7: error: the box has no size in Y; expected ','");
-  CHECK(error_of("box:90,80") == "stock:1:10: error: the box has no size in Z; expected ','");
-  CHECK(error_of("box:90,80,30") == "stock:1:13: error: the box has no lower corner; expected '@'");
-  CHECK(error_of("box:90,80,30,5@1,2,3") ==
+  CHECK(stock_error_of("box") ==
+        "stock:1:4: error: the box has no size; expected ':LX,LY,LZ@X,Y,Z'");
+  CHECK(stock_error_of("box:90") == "stock:1:7: error: the box has no size in Y; expected ','");
+  CHECK(stock_error_of("box:90,80") == "stock:1:10: error: the box has no size in Z; expected ','");
+  CHECK(stock_error_of("box:90,80,30") ==
         "stock:1:13: error: the box has no lower corner; expected '@'");
-  CHECK(error_of("box:90,0,30@0,0,0") == "stock:1:8: error: size in Y is 0; expected more than 0");
-  CHECK(error_of("box:90,8o,30@0,0,0") ==
+  CHECK(stock_error_of("box:90,80,30,5@1,2,3") ==
+        "stock:1:13: error: the box has no lower corner; expected '@'");
+  CHECK(stock_error_of("box:90,0,30@0,0,0") ==
+        "stock:1:8: error: size in Y is 0; expected more than 0");
+  CHECK(stock_error_of("box:90,8o,30@0,0,0") ==
         "stock:1:8: error: size in Y '8o' is not a number; expected a number of millimetres or "
         "degrees");
-  CHECK(error_of("box:90,80,30@0") == "stock:1:15: error: the corner has no Y; expected ','");
-  CHECK(error_of("box:90,80,30@0,0") == "stock:1:17: error: the corner has no Z; expected ','");
-  CHECK(error_of("box:90,80,30@0,0,0,0") ==
+  CHECK(stock_error_of("box:90,80,30@0") == "stock:1:15: error: the corner has no Y; expected ','");
+  CHECK(stock_error_of("box:90,80,30@0,0") ==
+        "stock:1:17: error: the corner has no Z; expected ','");
+  CHECK(stock_error_of("box:90,80,30@0,0,0,0") ==
         "stock:1:18: error: corner Z '0,0' is not a number; expected a number of millimetres or "
         "degrees");
-  CHECK_THAT(error_of("box:90,80,inf@0,0,0"), ContainsSubstring("stock:1:11: error"));
+  CHECK_THAT(stock_error_of("box:90,80,inf@0,0,0"), ContainsSubstring("stock:1:11: error"));
 }
 
 TEST_CASE("stock of no or unbounded size is refused", "[unit][stock]") {

@@ -9,9 +9,9 @@
 namespace limitgauge::study {
 namespace {
 
-using Ending = SearchResult::Ending;
+using SearchEnds = SearchResult::Ending;
 
-double number(const std::vector<Setting>& settings, std::size_t i) {
+double number_at(const std::vector<Setting>& settings, std::size_t i) {
   return *settings[i].number;
 }
 
@@ -43,13 +43,13 @@ SearchResult searched(const Plan& plan, const Job& job, const std::atomic<bool>*
 
 double best_of(const SearchResult& result, std::size_t variable) {
   REQUIRE(result.best);
-  return number(result.rows[*result.best].asked.settings, variable);
+  return number_at(result.rows[*result.best].asked.settings, variable);
 }
 
 /// Passes up to `border` of a step that costs less the larger it is.
 Job up_to(double border) {
   return [=](const std::vector<Setting>& s) {
-    return Answer{100 / number(s, 0), number(s, 0) / border - 1, number(s, 0)};
+    return Answer{100 / number_at(s, 0), number_at(s, 0) / border - 1, number_at(s, 0)};
   };
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("one range: the border is found to the accuracy", "[property][search]"
         plan.search.batch = batch;
         const SearchResult result = searched(plan, up_to(border));
         CAPTURE(batch, border, result.ending);
-        CHECK(result.how == Ending::converged);
+        CHECK(result.how == SearchEnds::converged);
         CHECK_FALSE(result.contradicted);
         const Range& range = *plan.variables[0].range;
         const double left = share_of(range, border) - share_of(range, best_of(result, 0));
@@ -78,7 +78,7 @@ TEST_CASE("one range: the border is found to the accuracy", "[property][search]"
 TEST_CASE("the other way round: what is dear at the small end", "[unit][search]") {
   const Plan plan = plan_of(Method::search, {ranged("quality", {1, 9})});
   const SearchResult result = searched(plan, [](const std::vector<Setting>& s) {
-    return Answer{number(s, 0), 5 - number(s, 0), 1};
+    return Answer{number_at(s, 0), 5 - number_at(s, 0), 1};
   });
   CHECK(best_of(result, 0) >= 5);
   CHECK(best_of(result, 0) <= 5.08);
@@ -103,13 +103,13 @@ TEST_CASE("ends of a range, and nothing that passes", "[unit][search]") {
         "The search converged after 4 cases of at most 40: the cheap end of the range passes.");
 
   const SearchResult none = searched(plan, up_to(0.01));
-  CHECK(none.how == Ending::nothing_passes);
+  CHECK(none.how == SearchEnds::nothing_passes);
   CHECK_FALSE(none.best);
   CHECK(none.ending.find("Nothing that was run passes every gate.") != std::string::npos);
 
   // Passes between the first settings only.
   const SearchResult hidden = searched(plan, [](const std::vector<Setting>& s) {
-    return Answer{100 / number(s, 0), std::abs(number(s, 0) - 0.52) * 50 - 1, 1};
+    return Answer{100 / number_at(s, 0), std::abs(number_at(s, 0) - 0.52) * 50 - 1, 1};
   });
   CHECK(best_of(hidden, 0) > 0.49);
 }
@@ -117,7 +117,7 @@ TEST_CASE("ends of a range, and nothing that passes", "[unit][search]") {
 TEST_CASE("what is not monotone is said", "[unit][search]") {
   const Plan plan = plan_of(Method::search, {ranged("step", {0.1, 1})});
   const SearchResult gap = searched(plan, [](const std::vector<Setting>& s) {
-    const double x = number(s, 0);
+    const double x = number_at(s, 0);
     return Answer{100 / x, x > 0.3 && x < 0.5 ? 1.0 : x - 0.8, 1};
   });
   CHECK(gap.contradicted);
@@ -126,7 +126,7 @@ TEST_CASE("what is not monotone is said", "[unit][search]") {
   CHECK(best_of(gap, 0) == Approx(0.8).margin(0.01));
 
   const SearchResult dear = searched(plan, [](const std::vector<Setting>& s) {
-    const double x = number(s, 0);
+    const double x = number_at(s, 0);
     return Answer{x > 0.6 ? 300 / x : 100 / x, x - 2, 1};
   });
   CHECK(dear.contradicted);
@@ -140,7 +140,7 @@ TEST_CASE("no more cases than allowed, and the best of those", "[unit][search]")
     plan.search.accuracy = 1e-4;
     plan.search.batch = 2;
     const SearchResult result = searched(plan, up_to(0.654321));
-    CHECK(result.how == Ending::budget);
+    CHECK(result.how == SearchEnds::budget);
     CHECK(result.rows.size() == most);
     CHECK(best_of(result, 0) <= 0.654321);
     CHECK(result.ending.find("no more cases may be run") != std::string::npos);
@@ -158,7 +158,7 @@ TEST_CASE("a search is stopped between cases", "[unit][search]") {
         return up_to(0.5)(s);
       },
       &stop);
-  CHECK(result.how == Ending::stopped);
+  CHECK(result.how == SearchEnds::stopped);
   CHECK(result.rows.size() < 20);
   CHECK(result.ending.find("it was stopped") != std::string::npos);
 }
@@ -187,7 +187,7 @@ TEST_CASE("two ranges: the best on the border is found", "[unit][search]") {
     if (b >= 0.01) least = std::min(least, time(a, b));
   }
   const Job job = [&](const std::vector<Setting>& s) {
-    const double a = number(s, 0), b = number(s, 1);
+    const double a = number_at(s, 0), b = number_at(s, 1);
     return Answer{time(a, b), (a * a + b) / 0.5 - 1, a * a + b};
   };
   const SearchResult result = searched(plan, job);
@@ -205,11 +205,11 @@ TEST_CASE("text is chosen, too", "[unit][search]") {
   plan.search.most_cases = 60;
   const SearchResult result = searched(plan, [](const std::vector<Setting>& s) {
     const double factor = s[1].toml == "\"slow\"" ? 2 : 1;
-    const double excess = s[1].toml == "\"bad\"" ? 1 : number(s, 0) - 0.6;
-    return Answer{factor * 100 / number(s, 0), excess, 1};
+    const double excess = s[1].toml == "\"bad\"" ? 1 : number_at(s, 0) - 0.6;
+    return Answer{factor * 100 / number_at(s, 0), excess, 1};
   });
   INFO(result.ending);
-  CHECK(result.how == Ending::converged);
+  CHECK(result.how == SearchEnds::converged);
   CHECK(result.rows[*result.best].asked.settings[1].toml == "\"fast\"");
   CHECK(best_of(result, 0) > 0.58);
 }
@@ -217,7 +217,7 @@ TEST_CASE("text is chosen, too", "[unit][search]") {
 TEST_CASE("few combinations are all run", "[unit][search]") {
   const Plan plan = plan_of(Method::search, {listed("a", {1, 2, 3}), words("w", {"x", "y"})});
   const SearchResult result = searched(plan, [](const std::vector<Setting>& s) {
-    return Answer{100 / number(s, 0), s[1].toml == "\"x\"" ? number(s, 0) - 2.5 : 1, 1};
+    return Answer{100 / number_at(s, 0), s[1].toml == "\"x\"" ? number_at(s, 0) - 2.5 : 1, 1};
   });
   CHECK(result.rows.size() == 6);
   CHECK(best_of(result, 0) == 2);

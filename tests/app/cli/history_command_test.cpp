@@ -12,12 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Said {
+struct HistorySaid {
   int code = -1;
   std::string out, errors;
 };
 
-Said run(std::vector<std::string> words) {
+HistorySaid run(std::vector<std::string> words) {
   words.insert(words.begin(), "limitgauge");
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());
@@ -56,7 +56,7 @@ struct Listing {
 
 TEST_CASE("history lists runs and writes page, table and figures", "[unit][history]") {
   const Listing at;
-  const Said said = run({"history", at.file, "-o", at.out});
+  const HistorySaid said = run({"history", at.file, "-o", at.out});
   CHECK(said.code == 0);
   CHECK(said.errors.empty());
   CHECK_THAT(said.out, ContainsSubstring("part: 2 runs") && ContainsSubstring("other: 1 run\n") &&
@@ -70,23 +70,23 @@ TEST_CASE("history lists runs and writes page, table and figures", "[unit][histo
 
 TEST_CASE("history shows what is asked for", "[unit][history]") {
   const Listing at;
-  const Said one = run({"history", at.file, "-o", at.out, "--job", "part", "--last", "1"});
+  const HistorySaid one = run({"history", at.file, "-o", at.out, "--job", "part", "--last", "1"});
   CHECK_THAT(one.out, ContainsSubstring("part: 1 run\n") && !ContainsSubstring("other") &&
                           ContainsSubstring("the newest 1 of 2 runs; --last shows more"));
-  const Said other = run({"history", at.file, "-o", at.out, "--force", "--metric", "uncut_mm",
-                          "--metric", "resolution_mm", "--since", "2026-11-22"});
+  const HistorySaid other = run({"history", at.file, "-o", at.out, "--force", "--metric",
+                                 "uncut_mm", "--metric", "resolution_mm", "--since", "2026-11-22"});
   CHECK_THAT(other.out,
              ContainsSubstring("finish resolution_mm") && !ContainsSubstring("machining"));
 }
 
 TEST_CASE("a history without runs says so and writes nothing", "[unit][history]") {
   const Listing at;
-  const Said late = run({"history", at.file, "-o", at.out, "--since", "2026-11-23"});
+  const HistorySaid late = run({"history", at.file, "-o", at.out, "--since", "2026-11-23"});
   CHECK(late.code == 0);
   CHECK_THAT(late.out, ContainsSubstring("no run of those that are asked for"));
   const fs::path empty = at.folder.path() / "empty.sqlite";
   std::ofstream{empty};
-  const Said none = run({"history", empty.string(), "-o", at.out});
+  const HistorySaid none = run({"history", empty.string(), "-o", at.out});
   CHECK(none.code == 0);
   CHECK_THAT(none.out, ContainsSubstring("no runs yet"));
   CHECK_FALSE(fs::exists(at.out));
@@ -95,7 +95,7 @@ TEST_CASE("a history without runs says so and writes nothing", "[unit][history]"
 TEST_CASE("names that a history does not have are refused with the nearest", "[unit][history]") {
   const Listing at;
   const auto refused = [&](const std::string& option, const std::string& name) {
-    const Said said = run({"history", at.file, "-o", at.out, option, name});
+    const HistorySaid said = run({"history", at.file, "-o", at.out, option, name});
     CHECK(said.code == 3);
     return said.errors;
   };
@@ -118,7 +118,7 @@ TEST_CASE("what is wrong with a history is said before a run", "[unit][history]"
   const std::string job = tests::fixtures().string() + "/jobs/quick-dome.toml";
   const std::string out = (folder.path() / "out").string();
   const auto refused = [&](const fs::path& history) {
-    const Said said = run({"run", job, "-o", out, "--history", history.string()});
+    const HistorySaid said = run({"run", job, "-o", out, "--history", history.string()});
     CHECK(said.code == 3);
     CHECK_FALSE(fs::exists(out));
     return said.errors;

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Overrides = std::vector<std::string>;
 
-void write(const fs::path& file, const std::string& text) {
+void write_job(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
@@ -151,8 +151,8 @@ std::string stripped(const std::string& text) {
 class Cases {
  public:
   explicit Cases(const std::string& job) {
-    write(file(), job);
-    write(folder_.path() / "p.ngc", kProgram);
+    write_job(file(), job);
+    write_job(folder_.path() / "p.ngc", kProgram);
   }
   fs::path file() const { return folder_.path() / "job.toml"; }
   fs::path store_folder() const { return folder_.path() / "store"; }
@@ -235,7 +235,7 @@ TEST_CASE("stages that the store does not give back whole are run again", "[unit
                          keys[1].substr(2, 2) / keys[1].substr(4);
   std::string bytes = model::read_text_file(entry);
   bytes[bytes.size() / 2] ^= 1;
-  write(entry, bytes);
+  write_job(entry, bytes);
   const std::string whole = cases.store().get("stages", keys[0]).value();
   cases.store().put("stages", keys[0], whole.substr(0, whole.size() / 2));
   CaseRunner runner = cases.runner();

@@ -20,7 +20,7 @@ CycleRun run_from(const Vec3& position_mm, bool return_to_r = true) {
   return run;
 }
 
-std::string error_of(CycleRun run, int code, const std::string& words) {
+std::string cycle_error_of(CycleRun run, int code, const std::string& words) {
   return message_of<InputError>([&] { run.block(code, words); });
 }
 
@@ -66,8 +66,10 @@ TEST_CASE("another cycle of a run keeps the initial level and no words", "[unit]
   CycleRun run = run_from({0, 0, 10}, false);
   run.context.return_to_r = true;
   run.block(81, "X1 Z-1 R2");
-  CHECK_THAT(error_of(run, 85, "X2 Z-1"), ContainsSubstring("the first G85 of a run has no R"));
-  CHECK_THAT(error_of(run, 85, "X2 R2"), ContainsSubstring("the first G85 of a run has no Z"));
+  CHECK_THAT(cycle_error_of(run, 85, "X2 Z-1"),
+             ContainsSubstring("the first G85 of a run has no R"));
+  CHECK_THAT(cycle_error_of(run, 85, "X2 R2"),
+             ContainsSubstring("the first G85 of a run has no Z"));
   run.context.return_to_r = false;
   CHECK(run.block(85, "X2 Z-1 R2").end_mm.z == 10);
 }
@@ -167,87 +169,95 @@ TEST_CASE("the axes that a move places absolutely", "[unit][program][cycle]") {
 
 TEST_CASE("words that a cycle needs and has not", "[unit][program][cycle]") {
   CycleRun run;
-  CHECK(error_of(run, 81, "X1 Z-1") ==
+  CHECK(cycle_error_of(run, 81, "X1 Z-1") ==
         "cycle.ngc:1:1: error: the first G81 of a run has no R; expected R, the level where the "
         "rapid ends");
-  CHECK_THAT(error_of(run, 81, "X1 R1"), ContainsSubstring("the first G81 of a run has no Z"));
+  CHECK_THAT(cycle_error_of(run, 81, "X1 R1"),
+             ContainsSubstring("the first G81 of a run has no Z"));
   run.context.plane = ArcPlane::yz;
-  CHECK_THAT(error_of(run, 81, "Z1 R1"), ContainsSubstring("the first G81 of a run has no X"));
+  CHECK_THAT(cycle_error_of(run, 81, "Z1 R1"),
+             ContainsSubstring("the first G81 of a run has no X"));
   run.context.plane = ArcPlane::xy;
   for (const int code : {73, 83})
-    CHECK_THAT(error_of(run, code, "X1 Z-1 R1"), ContainsSubstring("of a run has no Q"));
+    CHECK_THAT(cycle_error_of(run, code, "X1 Z-1 R1"), ContainsSubstring("of a run has no Q"));
   for (const int code : {82, 86, 88, 89})
-    CHECK_THAT(error_of(run, code, "X1 Z-1 R1"), ContainsSubstring("of a run has no P"));
-  CHECK_THAT(error_of(run, 87, "X1 Z-1 R1 J1 K1"), ContainsSubstring("of a run has no I"));
-  CHECK_THAT(error_of(run, 87, "X1 Z-1 R1 I1 K1"), ContainsSubstring("of a run has no J"));
-  CHECK_THAT(error_of(run, 87, "X1 Z-1 R1 I1 J1"), ContainsSubstring("of a run has no K"));
-  for (const int code : {74, 81, 84, 85}) CHECK(error_of(run, code, "X1 Z-1 R1") == "no error");
+    CHECK_THAT(cycle_error_of(run, code, "X1 Z-1 R1"), ContainsSubstring("of a run has no P"));
+  CHECK_THAT(cycle_error_of(run, 87, "X1 Z-1 R1 J1 K1"), ContainsSubstring("of a run has no I"));
+  CHECK_THAT(cycle_error_of(run, 87, "X1 Z-1 R1 I1 K1"), ContainsSubstring("of a run has no J"));
+  CHECK_THAT(cycle_error_of(run, 87, "X1 Z-1 R1 I1 J1"), ContainsSubstring("of a run has no K"));
+  for (const int code : {74, 81, 84, 85})
+    CHECK(cycle_error_of(run, code, "X1 Z-1 R1") == "no error");
 }
 
 TEST_CASE("words of a cycle that say nothing", "[unit][program][cycle]") {
   const CycleRun run;
-  CHECK(error_of(run, 81, "X1 Z2 R1") ==
+  CHECK(cycle_error_of(run, 81, "X1 Z2 R1") ==
         "cycle.ngc:1:7: error: R lies below the bottom of the hole, Z; expected R at or above it");
-  CHECK(error_of(run, 81, "X1 Z1 R1") == "no error");
-  CHECK_THAT(error_of(run, 83, "X1 Z-2 R1 Q0"), ContainsSubstring(":1:11: error: a peck"));
-  CHECK_THAT(error_of(run, 73, "X1 Z-2 R1 Q-1"), ContainsSubstring("a peck that is not above 0"));
-  CHECK_THAT(error_of(run, 82, "X1 Z-2 R1 P-1"), ContainsSubstring("a negative dwell"));
+  CHECK(cycle_error_of(run, 81, "X1 Z1 R1") == "no error");
+  CHECK_THAT(cycle_error_of(run, 83, "X1 Z-2 R1 Q0"), ContainsSubstring(":1:11: error: a peck"));
+  CHECK_THAT(cycle_error_of(run, 73, "X1 Z-2 R1 Q-1"),
+             ContainsSubstring("a peck that is not above 0"));
+  CHECK_THAT(cycle_error_of(run, 82, "X1 Z-2 R1 P-1"), ContainsSubstring("a negative dwell"));
   for (const std::string l : {"L0", "L-1", "L1.5", "L1.0005"})
-    CHECK_THAT(error_of(run, 81, "X1 Z-2 R1 " + l), ContainsSubstring("repeats of a canned cycle"));
-  CHECK(error_of(run, 81, "X1 Z-2 R1 L1.00005") == "no error");
+    CHECK_THAT(cycle_error_of(run, 81, "X1 Z-2 R1 " + l),
+               ContainsSubstring("repeats of a canned cycle"));
+  CHECK(cycle_error_of(run, 81, "X1 Z-2 R1 L1.00005") == "no error");
 }
 
 TEST_CASE("what the machine is doing may forbid a cycle", "[unit][program][cycle]") {
   CycleRun run;
   run.context.inverse_time = true;
-  CHECK_THAT(error_of(run, 81, kWholeWords), ContainsSubstring("inverse time"));
+  CHECK_THAT(cycle_error_of(run, 81, kWholeWords), ContainsSubstring("inverse time"));
   run.context.inverse_time = false;
   run.context.compensated = true;
-  CHECK_THAT(error_of(run, 81, kWholeWords), ContainsSubstring("compensation"));
+  CHECK_THAT(cycle_error_of(run, 81, kWholeWords), ContainsSubstring("compensation"));
   run.context.compensated = false;
   run.context.spindle = SpindleState::stopped;
   for (const int code : {74, 84, 86, 87, 88})
-    CHECK_THAT(error_of(run, code, kWholeWords), ContainsSubstring("spindle stands still"));
+    CHECK_THAT(cycle_error_of(run, code, kWholeWords), ContainsSubstring("spindle stands still"));
   for (const int code : {73, 81, 82, 83, 85, 89})
-    CHECK(error_of(run, code, kWholeWords) == "no error");
+    CHECK(cycle_error_of(run, code, kWholeWords) == "no error");
   run.context.spindle = SpindleState::clockwise;
-  CHECK_THAT(error_of(run, 74, kWholeWords), ContainsSubstring("turns clockwise"));
-  CHECK(error_of(run, 84, kWholeWords) == "no error");
+  CHECK_THAT(cycle_error_of(run, 74, kWholeWords), ContainsSubstring("turns clockwise"));
+  CHECK(cycle_error_of(run, 84, kWholeWords) == "no error");
   run.context.spindle = SpindleState::counter_clockwise;
-  CHECK_THAT(error_of(run, 84, kWholeWords), ContainsSubstring("turns counter-clockwise"));
-  CHECK(error_of(run, 74, kWholeWords) == "no error");
+  CHECK_THAT(cycle_error_of(run, 84, kWholeWords), ContainsSubstring("turns counter-clockwise"));
+  CHECK(cycle_error_of(run, 74, kWholeWords) == "no error");
   run.context.plane = ArcPlane::zx;
-  CHECK_THAT(error_of(run, 74, "Y-3 R1"), ContainsSubstring("G74 outside G17"));
+  CHECK_THAT(cycle_error_of(run, 74, "Y-3 R1"), ContainsSubstring("G74 outside G17"));
 }
 
 TEST_CASE("units may not change within a run of cycles", "[unit][program][cycle]") {
   CycleRun run;
   run.block(81, "X1 Z-1 R1");
   run.context.unit_mm = 25.4;
-  CHECK_THAT(error_of(run, 81, "X2"), ContainsSubstring("a change of units"));
+  CHECK_THAT(cycle_error_of(run, 81, "X2"), ContainsSubstring("a change of units"));
   run.go_to({0, 0, 0});
-  CHECK(error_of(run, 81, "X2 Z-1 R1") == "no error");
+  CHECK(cycle_error_of(run, 81, "X2 Z-1 R1") == "no error");
 }
 
 TEST_CASE("a block of a cycle is bounded in moves and in place", "[unit][program][cycle]") {
   const CycleRun run;
-  CHECK_THAT(error_of(run, 81, "X1 Z-1 R1 L10001"), ContainsSubstring("more than 100000 moves"));
-  CHECK_THAT(error_of(run, 81, "X1 Z-1 R1 L1000000000000"),
+  CHECK_THAT(cycle_error_of(run, 81, "X1 Z-1 R1 L10001"),
+             ContainsSubstring("more than 100000 moves"));
+  CHECK_THAT(cycle_error_of(run, 81, "X1 Z-1 R1 L1000000000000"),
              ContainsSubstring("repeats of a canned cycle; expected at most 100000"));
-  CHECK(error_of(run, 83, "X1 Z-1 R1 Q0.00001") ==
+  CHECK(cycle_error_of(run, 83, "X1 Z-1 R1 Q0.00001") ==
         "cycle.ngc:1:11: error: a canned cycle of more than 100000 moves; expected a larger Q");
-  CHECK_THAT(error_of(run, 83, "X1 Z-1 R1 Q0.01 L1000"),
+  CHECK_THAT(cycle_error_of(run, 83, "X1 Z-1 R1 Q0.01 L1000"),
              ContainsSubstring(":1:17: error: a canned cycle of more than 100000 moves"));
   // Pecks that are lost in rounding never get to the bottom.
-  CHECK_THAT(error_of(run, 83, "X1 Z0 R100000000 Q0.000000001"),
+  CHECK_THAT(cycle_error_of(run, 83, "X1 Z0 R100000000 Q0.000000001"),
              ContainsSubstring("more than 100000 moves"));
-  CHECK_THAT(error_of(run, 81, "X1 Z-1 R2000000000"), ContainsSubstring("a level beyond"));
-  CHECK_THAT(error_of(run, 81, "X1 Z-2000000000 R1"), ContainsSubstring("a level beyond"));
-  CHECK_THAT(error_of(run, 81, "X2000000000 Z-1 R1"), ContainsSubstring("beyond any machine"));
+  CHECK_THAT(cycle_error_of(run, 81, "X1 Z-1 R2000000000"), ContainsSubstring("a level beyond"));
+  CHECK_THAT(cycle_error_of(run, 81, "X1 Z-2000000000 R1"), ContainsSubstring("a level beyond"));
+  CHECK_THAT(cycle_error_of(run, 81, "X2000000000 Z-1 R1"),
+             ContainsSubstring("beyond any machine"));
   CycleRun steps;
   steps.context.incremental = true;
-  CHECK_THAT(error_of(steps, 81, "X600000000 Z-1 R1 L2"), ContainsSubstring("beyond any machine"));
-  CHECK(error_of(steps, 81, "X600000000 Z-1 R1") == "no error");
+  CHECK_THAT(cycle_error_of(steps, 81, "X600000000 Z-1 R1 L2"),
+             ContainsSubstring("beyond any machine"));
+  CHECK(cycle_error_of(steps, 81, "X600000000 Z-1 R1") == "no error");
 }
 
 TEST_CASE("which words the cycles take", "[unit][program][cycle]") {

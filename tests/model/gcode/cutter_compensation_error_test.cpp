@@ -15,7 +15,7 @@ namespace {
 const std::string kFine = "no error";
 
 /// What a cutter of radius 3 at (-10, 0), left of its contour, is refused with.
-std::string error_of(const std::function<void(CompensatedContour&)>& cut) {
+std::string compensation_error_of(const std::function<void(CompensatedContour&)>& cut) {
   CompensatedContour contour;
   contour.begin(CompensationSide::left, 3, {-10, 0, 0});
   return message_of<InputError>([&] { cut(contour); });
@@ -23,7 +23,7 @@ std::string error_of(const std::function<void(CompensatedContour&)>& cut) {
 
 /// The same behind an entry along X to (0, 0).
 std::string error_behind_entry(const std::function<void(CompensatedContour&)>& cut) {
-  return error_of([&](CompensatedContour& contour) {
+  return compensation_error_of([&](CompensatedContour& contour) {
     contour.line(0, 0);
     cut(contour);
   });
@@ -42,16 +42,16 @@ TEST_CASE("an entry must be longer than the radius", "[unit][compensation]") {
                        " long in its plane, the cutter's radius 3 mm",
                    "an entry longer than the radius");
   };
-  CHECK(error_of([](auto& c) { c.line(-7, 0); }) == refused("3 mm"));
-  CHECK(error_of([](auto& c) { c.line(-6.999, 0); }) == kFine);
-  CHECK(error_of([](auto& c) { c.rapid(-10, 0, -5); }) == refused("0 mm"));
-  CHECK(error_of([](auto& c) { c.arc(-8, 0, -9, 0, -1); }) == refused("2 mm"));
+  CHECK(compensation_error_of([](auto& c) { c.line(-7, 0); }) == refused("3 mm"));
+  CHECK(compensation_error_of([](auto& c) { c.line(-6.999, 0); }) == kFine);
+  CHECK(compensation_error_of([](auto& c) { c.rapid(-10, 0, -5); }) == refused("0 mm"));
+  CHECK(compensation_error_of([](auto& c) { c.arc(-8, 0, -9, 0, -1); }) == refused("2 mm"));
 }
 
 TEST_CASE("an entry arc that would become a straight line is refused", "[unit][compensation]") {
   // The tool ends 3 above the arc's lowest point, at the height that it starts from; the centre is
   // equally far from both: (y + 3)^2 = 10^2 + y^2.
-  CHECK(error_of([](auto& c) { c.arc(0, -3, 0, 91.0 / 6, 1); }) ==
+  CHECK(compensation_error_of([](auto& c) { c.arc(0, -3, 0, 91.0 / 6, 1); }) ==
         refusal(1, "an entry arc that cutter compensation bends into a straight line",
                 "an arc that starts away from the tangent beside its end"));
 }
@@ -59,7 +59,7 @@ TEST_CASE("an entry arc that would become a straight line is refused", "[unit][c
 TEST_CASE("an arc is wider than the cutter inside it", "[unit][compensation]") {
   const std::string wrong =
       "an arc of 3 mm radius around the inside of which the cutter goes, whose radius is 3 mm";
-  CHECK(error_of([](auto& c) { c.arc(-4, 0, -7, 0, 1); }) ==
+  CHECK(compensation_error_of([](auto& c) { c.arc(-4, 0, -7, 0, 1); }) ==
         refusal(1, wrong, "an arc wider than the cutter"));
   CHECK(error_behind_entry([](auto& c) { c.arc(0, 6, 0, 3, 1); }) ==
         refusal(2, wrong, "an arc wider than the cutter"));

@@ -41,7 +41,7 @@ double value_of(const std::string& text) {
 }
 
 /// Where the error is, counted from 0, and what it says.
-std::string error_of(const std::string& text) {
+std::string expression_error_of(const std::string& text) {
   static const Parameters parameters = some_parameters();
   Cursor cursor{text};
   try {
@@ -285,53 +285,56 @@ TEST_CASE("EXISTS asks whether a name was set; every number does", "[unit][progr
 }
 
 TEST_CASE("what has no value is an error at its place", "[unit][program]") {
-  CHECK(error_of("[1 / [2 - 2]]") == "3 a division by zero");
-  CHECK(error_of("[1 + 5 MOD 0]") == "7 MOD of zero");
-  CHECK(error_of("[[-8] ** 0.5]") == "6 a negative number raised to a power that is not whole");
-  CHECK(error_of("[0 ** -1]") == "3 zero raised to a negative power");
-  CHECK(error_of("SQRT[-1]") == "0 SQRT of a negative number");
-  CHECK(error_of("LN[0]") == "0 LN of a number that is not positive");
-  CHECK(error_of("ACOS[1.01]") == "0 ACOS of a number beyond -1 and 1");
-  CHECK(error_of("ASIN[-1.01]") == "0 ASIN of a number beyond -1 and 1");
-  CHECK(error_of("[1 + EXP[800]]") == "5 a result that is no finite number");
-  CHECK(error_of("[EXP[700] * EXP[700]]") == "10 a result that is no finite number");
-  CHECK(error_of("[1 + #3]") == "5 parameter #3 was never set");
-  CHECK(error_of("#<height>") == "0 parameter '#<height>' was never set");
-  CHECK(error_of("#0") == "1 parameter number 0");
-  CHECK(error_of("#6000") == "1 parameter number 6000");
-  CHECK(error_of("#-1") == "1 parameter number -1");
-  CHECK(error_of("#1.5") == "1 1.5 where a whole number is needed");
-  CHECK(error_of("#[10 ** 10]") == "1 1e+10 where a whole number is needed");
+  CHECK(expression_error_of("[1 / [2 - 2]]") == "3 a division by zero");
+  CHECK(expression_error_of("[1 + 5 MOD 0]") == "7 MOD of zero");
+  CHECK(expression_error_of("[[-8] ** 0.5]") ==
+        "6 a negative number raised to a power that is not whole");
+  CHECK(expression_error_of("[0 ** -1]") == "3 zero raised to a negative power");
+  CHECK(expression_error_of("SQRT[-1]") == "0 SQRT of a negative number");
+  CHECK(expression_error_of("LN[0]") == "0 LN of a number that is not positive");
+  CHECK(expression_error_of("ACOS[1.01]") == "0 ACOS of a number beyond -1 and 1");
+  CHECK(expression_error_of("ASIN[-1.01]") == "0 ASIN of a number beyond -1 and 1");
+  CHECK(expression_error_of("[1 + EXP[800]]") == "5 a result that is no finite number");
+  CHECK(expression_error_of("[EXP[700] * EXP[700]]") == "10 a result that is no finite number");
+  CHECK(expression_error_of("[1 + #3]") == "5 parameter #3 was never set");
+  CHECK(expression_error_of("#<height>") == "0 parameter '#<height>' was never set");
+  CHECK(expression_error_of("#0") == "1 parameter number 0");
+  CHECK(expression_error_of("#6000") == "1 parameter number 6000");
+  CHECK(expression_error_of("#-1") == "1 parameter number -1");
+  CHECK(expression_error_of("#1.5") == "1 1.5 where a whole number is needed");
+  CHECK(expression_error_of("#[10 ** 10]") == "1 1e+10 where a whole number is needed");
 }
 
 TEST_CASE("what is no expression is an error at its place", "[unit][program]") {
-  CHECK(error_of("[1 + [2 * 3]") == "0 '[' is not closed in its line");
-  CHECK(error_of("[1 PLUS 2]") == "3 'p' behind a value");
-  CHECK(error_of("[1 + * 2]") == "5 '*' where a value is missing");
-  CHECK(error_of("[1 +") == "4 the line ends where a value is missing");
-  CHECK(error_of("") == "0 the line ends where a value is missing");
-  CHECK(error_of("SINH[1]") == "0 'sinh' is no function");
-  CHECK(error_of("SIN 1") == "4 a function without its argument");
-  CHECK(error_of("ATAN[1]") == "7 ATAN with one argument");
-  CHECK(error_of("ATAN[1]/2") == "8 ATAN without its second argument");
-  CHECK(error_of("EXISTS[5]") == "7 '5' within a value");
-  CHECK(error_of("EXISTS[#1") == "9 the line ends within a value");
-  CHECK(error_of("1.2.3") == "0 '1.2.3' is not a number");
-  CHECK(error_of("[1 + " + std::string(400, '9') + "]") ==
+  CHECK(expression_error_of("[1 + [2 * 3]") == "0 '[' is not closed in its line");
+  CHECK(expression_error_of("[1 PLUS 2]") == "3 'p' behind a value");
+  CHECK(expression_error_of("[1 + * 2]") == "5 '*' where a value is missing");
+  CHECK(expression_error_of("[1 +") == "4 the line ends where a value is missing");
+  CHECK(expression_error_of("") == "0 the line ends where a value is missing");
+  CHECK(expression_error_of("SINH[1]") == "0 'sinh' is no function");
+  CHECK(expression_error_of("SIN 1") == "4 a function without its argument");
+  CHECK(expression_error_of("ATAN[1]") == "7 ATAN with one argument");
+  CHECK(expression_error_of("ATAN[1]/2") == "8 ATAN without its second argument");
+  CHECK(expression_error_of("EXISTS[5]") == "7 '5' within a value");
+  CHECK(expression_error_of("EXISTS[#1") == "9 the line ends within a value");
+  CHECK(expression_error_of("1.2.3") == "0 '1.2.3' is not a number");
+  CHECK(expression_error_of("[1 + " + std::string(400, '9') + "]") ==
         "5 '" + std::string(40, '9') + "...' is too large or too small");
-  CHECK(error_of("1 . 2 .") == "0 '1.2.' is not a number");
-  CHECK(error_of(".") == "0 '.' is not a number");
-  CHECK(error_of("#<width") == "1 the name does not end in its line");
-  CHECK(error_of("#<>") == "1 a name without a letter");
-  CHECK(error_of("#<a(b)>") == "3 '(' within a name");
+  CHECK(expression_error_of("1 . 2 .") == "0 '1.2.' is not a number");
+  CHECK(expression_error_of(".") == "0 '.' is not a number");
+  CHECK(expression_error_of("#<width") == "1 the name does not end in its line");
+  CHECK(expression_error_of("#<>") == "1 a name without a letter");
+  CHECK(expression_error_of("#<a(b)>") == "3 '(' within a name");
 }
 
 TEST_CASE("values within each other are bounded, however they are nested", "[unit][program]") {
   const std::string open(1000, '['), close(1000, ']');
   CHECK(value_of(open.substr(901) + "1" + close.substr(901)) == 1);
-  CHECK(error_of(open + "1" + close) == "100 more than 100 values within each other");
-  CHECK(error_of(std::string(1000, '-') + "1") == "100 more than 100 values within each other");
-  CHECK(error_of(std::string(1000, '#') + "1") == "100 more than 100 values within each other");
+  CHECK(expression_error_of(open + "1" + close) == "100 more than 100 values within each other");
+  CHECK(expression_error_of(std::string(1000, '-') + "1") ==
+        "100 more than 100 values within each other");
+  CHECK(expression_error_of(std::string(1000, '#') + "1") ==
+        "100 more than 100 values within each other");
   // Side by side there may be any number.
   std::string sum = "[1";
   for (int i = 0; i < 1000; ++i) sum += "+[1]";

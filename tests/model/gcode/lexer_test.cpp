@@ -14,8 +14,8 @@ using namespace limitgauge::model::test;
 namespace {
 
 /// A program with parameters that its tests may set.
-struct Reading {
-  explicit Reading(std::string program) : text(std::move(program)) {}
+struct LexedLine {
+  explicit LexedLine(std::string program) : text(std::move(program)) {}
 
   std::string text;
   Parameters parameters;
@@ -36,20 +36,20 @@ std::string words_of(const Block& block) {
 }
 
 std::string words_of(const std::string& line) {
-  Reading reading(line);
+  LexedLine reading(line);
   return reading.next() ? words_of(reading.block) : "nothing";
 }
 
-std::string error_of(const std::string& text) {
+std::string lexing_error_of(const std::string& text) {
   return message_of<InputError>([&] {
-    Reading reading(text);
+    LexedLine reading(text);
     while (reading.next()) continue;
   });
 }
 
 /// Label and keyword of the O line that `line` is.
 std::string o_word_of(const std::string& line) {
-  Reading reading(line);
+  LexedLine reading(line);
   if (!reading.next() || !reading.block.o_word) return "none";
   const OWord& o_word = *reading.block.o_word;
   return (o_word.named ? "<" + o_word.label + ">" : o_word.label) + " " + o_word.keyword;
@@ -58,7 +58,7 @@ std::string o_word_of(const std::string& line) {
 }  // namespace
 
 TEST_CASE("words have letters in upper case, values and places", "[unit][program]") {
-  Reading reading("n10 g1\tX-1.5 y 2 . 5(up)Z+.25\r\n");
+  LexedLine reading("n10 g1\tX-1.5 y 2 . 5(up)Z+.25\r\n");
   REQUIRE(reading.next());
   const Block& block = reading.block;
   CHECK(block.line == 1);
@@ -76,7 +76,7 @@ TEST_CASE("words have letters in upper case, values and places", "[unit][program
 }
 
 TEST_CASE("comments stand anywhere between words, or end the line", "[unit][program]") {
-  Reading reading("(a)X1(b)Y2 ; (c \t\r\n(MSG, hello) ;\n;\n");
+  LexedLine reading("(a)X1(b)Y2 ; (c \t\r\n(MSG, hello) ;\n;\n");
   REQUIRE(reading.next());
   CHECK(words_of(reading.block) == "X1 Y2");
   REQUIRE(reading.block.comments.size() == 3);
@@ -92,7 +92,7 @@ TEST_CASE("comments stand anywhere between words, or end the line", "[unit][prog
 }
 
 TEST_CASE("values of words may be calculated", "[unit][program]") {
-  Reading reading("X[1+2]Y#1Z-#<high>F sqrt[16] G#[2-1]\n");
+  LexedLine reading("X[1+2]Y#1Z-#<high>F sqrt[16] G#[2-1]\n");
   reading.parameters.set(1, 5);
   reading.parameters.set("high", 7);
   REQUIRE(reading.next());
@@ -101,7 +101,7 @@ TEST_CASE("values of words may be calculated", "[unit][program]") {
 }
 
 TEST_CASE("settings take their values before they take effect", "[unit][program]") {
-  Reading reading("#1=2 #2 = #1 X#1 (c) #<a B>=[#1 * 2]#[1+2]=-3\n");
+  LexedLine reading("#1=2 #2 = #1 X#1 (c) #<a B>=[#1 * 2]#[1+2]=-3\n");
   reading.parameters.set(1, 5);
   REQUIRE(reading.next());
   const auto& settings = reading.block.settings;
@@ -145,7 +145,7 @@ TEST_CASE("O lines are cut into label and keyword", "[unit][program]") {
 }
 
 TEST_CASE("an O line says where it and its parts stand", "[unit][program]") {
-  Reading reading("/ N5 o100 while [#1 LT 5] (more)\n");
+  LexedLine reading("/ N5 o100 while [#1 LT 5] (more)\n");
   REQUIRE(reading.next());
   REQUIRE(reading.block.o_word);
   CHECK(reading.block.block_delete);
@@ -157,7 +157,7 @@ TEST_CASE("an O line says where it and its parts stand", "[unit][program]") {
 }
 
 TEST_CASE("a call may calculate its number", "[unit][program]") {
-  Reading reading("o[#1 + 2] call\no#1 call [4]\no[100] sub\n");
+  LexedLine reading("o[#1 + 2] call\no#1 call [4]\no[100] sub\n");
   reading.parameters.set(1, 100);
   REQUIRE(reading.next());
   CHECK(reading.block.o_word->label == "102");
@@ -169,7 +169,7 @@ TEST_CASE("a call may calculate its number", "[unit][program]") {
 }
 
 TEST_CASE("arguments are calculated when they are asked for", "[unit][program]") {
-  Reading reading("o100 call [1] [#1] (c) [2 + 3] ; end\no100 sub\no1 if [#1]\n");
+  LexedLine reading("o100 call [1] [#1] (c) [2 + 3] ; end\no100 sub\no1 if [#1]\n");
   REQUIRE(reading.next());
   reading.parameters.set(1, 7);
   CHECK(reading.lexer.arguments(reading.block) == std::vector<double>{1, 7, 5});
@@ -184,7 +184,7 @@ TEST_CASE("arguments are calculated when they are asked for", "[unit][program]")
 TEST_CASE("arguments that cannot be read are errors at their place", "[unit][program]") {
   const auto error = [](const std::string& line) {
     return message_of<InputError>([&] {
-      Reading reading(line);
+      LexedLine reading(line);
       reading.next();
       reading.lexer.arguments(reading.block);
     });
@@ -201,7 +201,7 @@ TEST_CASE("arguments that cannot be read are errors at their place", "[unit][pro
 }
 
 TEST_CASE("skipping goes to O words only and reads nothing between", "[unit][program]") {
-  Reading reading(
+  LexedLine reading(
       "X#1 [\n(o1 sub)\n;o2 sub\nX1 o3 sub\n#<o4 sub\no#1 call\n / n 5 o5 if [#9]\n O6\n");
   REQUIRE(reading.lexer.skip_to_o_word(reading.block));
   CHECK(reading.block.line == 7);
@@ -216,7 +216,7 @@ TEST_CASE("skipping goes to O words only and reads nothing between", "[unit][pro
 }
 
 TEST_CASE("skipping goes over what only looks like an O word", "[unit][program]") {
-  Reading reading(
+  LexedLine reading(
       "Operation 5\nO\nO<open\nO< >\nO<a(b)>\nO1234567890 sub\nO5 [\nO-5 sub\n% of all\no7\n");
   CHECK_FALSE(reading.lexer.skip_to_o_word(reading.block));
   reading.lexer.go_to({72, 10});
@@ -225,7 +225,7 @@ TEST_CASE("skipping goes over what only looks like an O word", "[unit][program]"
 }
 
 TEST_CASE("a bookmark of the line that was read leads back to it", "[unit][program]") {
-  Reading reading("X1\n\no7 sub\nX2\n");
+  LexedLine reading("X1\n\no7 sub\nX2\n");
   REQUIRE(reading.next());
   const Lexer::Bookmark first = reading.lexer.line_bookmark();
   REQUIRE(reading.lexer.skip_to_o_word(reading.block));
@@ -242,13 +242,13 @@ TEST_CASE("a bookmark of the line that was read leads back to it", "[unit][progr
 }
 
 TEST_CASE("a percent sign that ends the program ends skipping", "[unit][program]") {
-  Reading reading("%\nX1\n%\no1 sub\n");
+  LexedLine reading("%\nX1\n%\no1 sub\n");
   CHECK_FALSE(reading.lexer.skip_to_o_word(reading.block));
   CHECK_FALSE(reading.lexer.skip_to_o_word(reading.block));
 }
 
 TEST_CASE("a bookmark leads back to its line, from behind the end too", "[unit][program]") {
-  Reading reading("\xEF\xBB\xBF\n %\nX1\nX2\n%\n");
+  LexedLine reading("\xEF\xBB\xBF\n %\nX1\nX2\n%\n");
   const Lexer::Bookmark start = reading.lexer.bookmark();
   const auto all = [&reading] {
     std::string text;
@@ -267,28 +267,31 @@ TEST_CASE("a bookmark leads back to its line, from behind the end too", "[unit][
 }
 
 TEST_CASE("percent signs stand at both ends or at none", "[unit][program]") {
-  CHECK(error_of("\n%\nX1\n%\nwhat stands here is not read") == "no error");
-  CHECK(error_of("X1") == "no error");
-  CHECK_THAT(error_of("X1\n%\n"), ContainsSubstring("text.ngc:2:1: error: '%' ends a program"));
-  CHECK_THAT(error_of("%\nX1\n"), ContainsSubstring("text.ngc:3:1: error: the program that '%'"));
-  CHECK_THAT(error_of("(c)\n%\n%\n"), ContainsSubstring("text.ngc:2:1: error: '%' ends"));
-  CHECK_THAT(error_of("% 1"), ContainsSubstring("text.ngc:1:3: error: text after '%'"));
+  CHECK(lexing_error_of("\n%\nX1\n%\nwhat stands here is not read") == "no error");
+  CHECK(lexing_error_of("X1") == "no error");
+  CHECK_THAT(lexing_error_of("X1\n%\n"),
+             ContainsSubstring("text.ngc:2:1: error: '%' ends a program"));
+  CHECK_THAT(lexing_error_of("%\nX1\n"),
+             ContainsSubstring("text.ngc:3:1: error: the program that '%'"));
+  CHECK_THAT(lexing_error_of("(c)\n%\n%\n"), ContainsSubstring("text.ngc:2:1: error: '%' ends"));
+  CHECK_THAT(lexing_error_of("% 1"), ContainsSubstring("text.ngc:1:3: error: text after '%'"));
 }
 
 TEST_CASE("a line has at most 100 items", "[unit][program]") {
   std::string line;
   for (int i = 0; i < 101; ++i) line += "#1=2";
-  CHECK(error_of(line) == "no error");
-  CHECK_THAT(error_of(line + "X1"), ContainsSubstring("text.ngc:1:405: error: more than 100"));
+  CHECK(lexing_error_of(line) == "no error");
+  CHECK_THAT(lexing_error_of(line + "X1"),
+             ContainsSubstring("text.ngc:1:405: error: more than 100"));
 }
 
 TEST_CASE("a line has at most 10000 bytes, of a comment too", "[unit][program]") {
   const std::string most = ";" + std::string(9999, 'c');
   CHECK(
-      error_of(most + "\nX1\n" + most + "\r") ==
+      lexing_error_of(most + "\nX1\n" + most + "\r") ==
       "text.ngc:3:10001: error: a line of more than 10000 bytes; expected a line that ends sooner");
-  CHECK(error_of(most) == "no error");
-  Reading reading("o1 sub " + most + "\no2 sub\n");
+  CHECK(lexing_error_of(most) == "no error");
+  LexedLine reading("o1 sub " + most + "\no2 sub\n");
   REQUIRE(reading.lexer.skip_to_o_word(reading.block));
   CHECK(reading.block.line == 2);
 }
@@ -304,7 +307,7 @@ TEST_CASE("plain numbers are rounded as from_chars rounds them", "[property][pro
     double expected = 0;
     std::from_chars(digits.data(), digits.data() + digits.size(), expected);
     const bool negative = random() % 2 == 0;
-    Reading reading((negative ? "X-" : "X") + digits);
+    LexedLine reading((negative ? "X-" : "X") + digits);
     REQUIRE(reading.next());
     REQUIRE(reading.block.words.at(0).value == (negative ? -expected : expected));
   }
@@ -320,7 +323,7 @@ TEST_CASE("blanks and case change nothing but columns", "[property][program]") {
       text += c >= 'a' && c <= 'z' && random() % 2 == 0 ? static_cast<char>(c - 'a' + 'A') : c;
     }
     CAPTURE(text);
-    Reading reading(text);
+    LexedLine reading(text);
     reading.parameters.set(1, 4);
     reading.parameters.set("a_b", 9);
     REQUIRE(reading.next());
@@ -338,7 +341,7 @@ TEST_CASE("random bytes give blocks or an InputError within their line", "[prope
     std::string text = round % 3 == 0 ? "o1" : "";
     for (std::size_t length = random() % 14; length > 0; --length)
       text += alphabet[random() % alphabet.size()];
-    Reading reading(text);
+    LexedLine reading(text);
     const bool skips = round % 4 == 0;
     try {
       while (skips ? reading.lexer.skip_to_o_word(reading.block) : reading.next()) {

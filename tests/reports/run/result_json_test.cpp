@@ -15,14 +15,14 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::string text_of(const RunResult& result) {
+std::string json_text_of(const RunResult& result) {
   std::ostringstream out;
   write_result_json(result, out);
   return out.str();
 }
 
 Json json_of(const RunResult& result) {
-  return Json::parse(text_of(result));
+  return Json::parse(json_text_of(result));
 }
 
 std::vector<std::string> keys_of(const Json& object) {
@@ -166,15 +166,15 @@ TEST_CASE("a program stands in the place of a strategy", "[unit][json]") {
 TEST_CASE("what is not a number is refused, never written", "[unit][json]") {
   RunResult result = sample_result(Outcome::passed);
   result.stages[1].ran->deviation.p50_mm = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH(text_of(result), ContainsSubstring("deviation.p50_mm"));
+  CHECK_THROWS_WITH(json_text_of(result), ContainsSubstring("deviation.p50_mm"));
   result = sample_result(Outcome::passed);
   result.stages[1].ran->deviation.uncut_mm.high = std::numeric_limits<double>::infinity();
-  CHECK_THROWS_WITH(text_of(result), ContainsSubstring("deviation.uncut_mm"));
+  CHECK_THROWS_WITH(json_text_of(result), ContainsSubstring("deviation.uncut_mm"));
 }
 
 TEST_CASE("the same result gives the same bytes, in the contract's order", "[unit][json]") {
-  const std::string text = text_of(sample_result(Outcome::indeterminate));
-  CHECK(text == text_of(sample_result(Outcome::indeterminate)));
+  const std::string text = json_text_of(sample_result(Outcome::indeterminate));
+  CHECK(text == json_text_of(sample_result(Outcome::indeterminate)));
   CHECK(keys_of(Json::parse(text)) ==
         std::vector<std::string>{"schema", "job", "version", "created", "threads", "verdict",
                                  "inputs", "stock", "surface", "programs", "stages",

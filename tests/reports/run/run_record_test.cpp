@@ -13,11 +13,11 @@
 using namespace limitgauge;
 using namespace limitgauge::reports;
 using namespace limitgauge::reports::record;
-using Json = nlohmann::json;
+using RecordJson = nlohmann::json;
 
 namespace {
 
-std::string text_of(const RunResult& result) {
+std::string record_text_of(const RunResult& result) {
   std::ostringstream out;
   write_result_json(result, out);
   return out.str();
@@ -38,9 +38,9 @@ std::string error_of(const std::string& text) {
 }
 
 /// What is said of the sample once `value` stands at `where`, a JSON pointer.
-std::string error_with(const std::string& where, const Json& value) {
-  Json json = Json::parse(text_of(sample_result(Outcome::failed)));
-  json[Json::json_pointer(where)] = value;
+std::string error_with(const std::string& where, const RecordJson& value) {
+  RecordJson json = RecordJson::parse(record_text_of(sample_result(Outcome::failed)));
+  json[RecordJson::json_pointer(where)] = value;
   return error_of(json.dump());
 }
 
@@ -48,7 +48,7 @@ std::string error_with(const std::string& where, const Json& value) {
 
 TEST_CASE("A result is read back as it was written", "[unit][record]") {
   const RunResult written = sample_result(Outcome::failed);
-  const RunRecord run = read(text_of(written));
+  const RunRecord run = read(record_text_of(written));
   CHECK(run.job == written.job);
   CHECK(run.threads == written.threads);
   CHECK(run.verdict == written.verdict);
@@ -81,15 +81,15 @@ TEST_CASE("A result is read back as it was written", "[unit][record]") {
 }
 
 TEST_CASE("Every metric finds its figure under its own name", "[unit][record]") {
-  const std::string text = text_of(sample_result(Outcome::failed));
+  const std::string text = record_text_of(sample_result(Outcome::failed));
   const RunRecord run = read(text);
-  const Json stage = Json::parse(text)["stages"][1];
+  const RecordJson stage = RecordJson::parse(text)["stages"][1];
   for (const Metric& metric : stage_metrics()) {
     INFO(metric.id);
     CHECK(find_metric(metric.id) == &metric);
     const verifier::Interval figure = metric.of(*run.stages[1].measures);
     const std::string id(metric.id);
-    const Json* found = stage.contains(id) ? &stage[id] : nullptr;
+    const RecordJson* found = stage.contains(id) ? &stage[id] : nullptr;
     for (const char* part : {"toolpath", "simulation", "deviation"})
       if (!found && stage[part].contains(id)) found = &stage[part][id];
     REQUIRE(found);
@@ -114,7 +114,7 @@ TEST_CASE("Broken JSON is refused where it breaks", "[unit][record]") {
   CHECK(error_of("{\n \"a\": NaN}").starts_with("r.json:2:7: error: broken JSON: "));
   CHECK(error_of("{\n\n  \"a\": 1e999}").starts_with("r.json:3:12: error: broken JSON: number"));
   CHECK(error_of("{\"a\": \"\xff\"}").starts_with("r.json:1:8: error: broken JSON: "));
-  const std::string whole = text_of(sample_result(Outcome::passed));
+  const std::string whole = record_text_of(sample_result(Outcome::passed));
   for (std::size_t length = 0; length + 2 < whole.size(); length += whole.size() / 40) {
     INFO(length);
     CHECK(error_of(whole.substr(0, length)).find(": error: broken JSON: ") != std::string::npos);
@@ -152,12 +152,12 @@ TEST_CASE("A key that is missing or wrong is named with its path", "[unit][recor
         "r.json: error: stages[1].deviation.rms_mm is below zero; expected zero or more");
   CHECK(error_with("/stages/1/deviation/gouges/0/line", 5e9).find("gouges[0].line is no count") !=
         std::string::npos);
-  CHECK(error_with("/stages/0/toolpath", Json::object())
+  CHECK(error_with("/stages/0/toolpath", RecordJson::object())
             .find("stages[0].toolpath has no key \"machining_time_s\"") != std::string::npos);
 }
 
 TEST_CASE("Every key that is needed is missed when it is gone", "[property][record]") {
-  const Json whole = Json::parse(text_of(sample_result(Outcome::failed)));
+  const RecordJson whole = RecordJson::parse(record_text_of(sample_result(Outcome::failed)));
   // What the schema requires and compare, history and study have no use for.
   const std::vector<std::string> unused = {"patches",
                                            "faces",
@@ -171,8 +171,8 @@ TEST_CASE("Every key that is needed is missed when it is gone", "[property][reco
 
                                            "rapid_collisions",
                                            "holder_collisions"};
-  const Json schema = Json::parse(result_schema());
-  const std::pair<const char*, Json> parts[] = {
+  const RecordJson schema = RecordJson::parse(result_schema());
+  const std::pair<const char*, RecordJson> parts[] = {
       {"", schema["required"]},
       {"/surface", schema["$defs"]["surface"]["required"]},
       {"/stages/1", schema["$defs"]["stage"]["required"]},
@@ -183,8 +183,8 @@ TEST_CASE("Every key that is needed is missed when it is gone", "[property][reco
   for (const auto& [where, required] : parts) {
     REQUIRE(required.size() > 2);
     for (const std::string key : required) {
-      Json without = whole;
-      REQUIRE(without[Json::json_pointer(where)].erase(key) == 1);
+      RecordJson without = whole;
+      REQUIRE(without[RecordJson::json_pointer(where)].erase(key) == 1);
       const std::string said = error_of(without.dump());
       const bool is_unused = std::count(unused.begin(), unused.end(), key) > 0 || key == "move";
       INFO(where << "/" << key << ": " << said);
@@ -198,9 +198,9 @@ TEST_CASE("Every key that is needed is missed when it is gone", "[property][reco
 
 TEST_CASE("Keys of later versions are left alone, those of earlier ones filled in",
           "[unit][record]") {
-  Json json = Json::parse(text_of(sample_result(Outcome::failed)));
-  json["later"] = {{"a", Json::array({1, nullptr})}};
-  Json& deviation = json["stages"][1]["deviation"];
+  RecordJson json = RecordJson::parse(record_text_of(sample_result(Outcome::failed)));
+  json["later"] = {{"a", RecordJson::array({1, nullptr})}};
+  RecordJson& deviation = json["stages"][1]["deviation"];
   deviation["uncut_mm"] = {{"low", 0.25}, {"high", 0.75}};
   deviation["gouge_mm"] = {{"low", 0.5}, {"high", 0.5}};
   for (const char* key : {"resolution_mm", "reached_resolution", "findings_complete",
@@ -220,11 +220,11 @@ TEST_CASE("Keys of later versions are left alone, those of earlier ones filled i
 }
 
 TEST_CASE("What schema 1 did not know is not asked of its results", "[unit][record]") {
-  const std::string whole = text_of(sample_result(Outcome::failed));
+  const std::string whole = record_text_of(sample_result(Outcome::failed));
   CHECK(read(whole).schema == 2);
-  Json json = Json::parse(whole);
+  RecordJson json = RecordJson::parse(whole);
   json["schema"] = "limitgauge.result/1";
-  for (Json& stage : json["stages"])
+  for (RecordJson& stage : json["stages"])
     for (const char* key : {"reach", "missing_stock_mm", "missing_stocks"})
       if (stage.contains("deviation")) stage["deviation"].erase(key);
   const RunRecord run = read(json.dump());
@@ -246,7 +246,7 @@ TEST_CASE("Reach, missing stock and their gates are read back", "[unit][record]"
   written.stages[0].limits.has_unreachable = true;
   written.stages[0].limits.unreachable_is_share = false;
   written.stages[0].limits.unreachable = 12.5;
-  const RunRecord run = read(text_of(written));
+  const RunRecord run = read(record_text_of(written));
   const StageMeasures& measures = *run.stages[1].measures;
   CHECK(measures.reach.reachable_mm2 == 90);
   CHECK(measures.reach.unreachable_mm2 == 8);
@@ -272,6 +272,6 @@ TEST_CASE("Reach, missing stock and their gates are read back", "[unit][record]"
 
 TEST_CASE("Texts of strangers come through as they are", "[unit][record]") {
   const RunResult hostile = hostile_result();
-  const RunRecord run = read(text_of(hostile));
+  const RunRecord run = read(record_text_of(hostile));
   CHECK(run.job.find('<') != std::string::npos);
 }

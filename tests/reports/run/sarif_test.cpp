@@ -14,14 +14,14 @@ using nlohmann::json;
 
 namespace {
 
-std::string text_of(const RunResult& result) {
+std::string sarif_text_of(const RunResult& result) {
   std::ostringstream out;
   write_sarif(result, out);
   return out.str();
 }
 
 json run_of(const RunResult& result) {
-  return json::parse(text_of(result))["runs"][0];
+  return json::parse(sarif_text_of(result))["runs"][0];
 }
 
 json results_of(const RunResult& result) {
@@ -89,7 +89,7 @@ TEST_CASE("fingerprints stay when lines shift, figures jitter or threads change"
     CHECK(prints(other, "limitgaugePlace/v1") == places);
     CHECK(prints(other, "limitgaugeLine/v1") == lines);
   }
-  CHECK(text_of(threads) == text_of(result));
+  CHECK(sarif_text_of(threads) == sarif_text_of(result));
 }
 
 TEST_CASE("fingerprints tell stages, kinds and places apart", "[unit][sarif]") {

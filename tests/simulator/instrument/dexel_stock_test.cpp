@@ -26,14 +26,14 @@ using simulator::test::every_cutter;
 using simulator::test::PathBuilder;
 
 constexpr double kPi = std::numbers::pi;
-const model::Stock kBlock = BoxStock{{-15, -10, -8}, {30, 20, 8}};
+const model::Stock kDexelBlock = BoxStock{{-15, -10, -8}, {30, 20, 8}};
 
 struct Taken {
   double volume, error;
 };
 
 Taken removed(double spacing, const Pass& pass) {
-  const DexelStock raw(kBlock, spacing);
+  const DexelStock raw(kDexelBlock, spacing);
   const DexelStock after = raw.cut(pass, {2}).stock;
   return {raw.volume_mm3() - after.volume_mm3(), after.volume_error_mm3()};
 }
@@ -77,18 +77,19 @@ Pass wanderings(const model::Cutter& c, int moves, unsigned seed) {
 }  // namespace
 
 TEST_CASE("dexels of raw stock have its volume", "[unit][dexel]") {
-  CHECK(DexelStock(kBlock, 0.3).volume_mm3() == Approx(30 * 20 * 8).epsilon(1e-12));
-  CHECK(DexelStock(kBlock, 0.3).volume_error_mm3() == Approx(0).margin(1e-9));
-  CHECK(DexelStock(kBlock, 0.3).surface_area_mm2() == Approx(2 * (600 + 240 + 160)).epsilon(1e-12));
+  CHECK(DexelStock(kDexelBlock, 0.3).volume_mm3() == Approx(30 * 20 * 8).epsilon(1e-12));
+  CHECK(DexelStock(kDexelBlock, 0.3).volume_error_mm3() == Approx(0).margin(1e-9));
+  CHECK(DexelStock(kDexelBlock, 0.3).surface_area_mm2() ==
+        Approx(2 * (600 + 240 + 160)).epsilon(1e-12));
   const DexelStock bar(CylinderStock{{1, 2, -3}, 20, 10}, 0.1);
   CHECK(std::abs(bar.volume_mm3() - kPi * 100 * 10) <= bar.volume_error_mm3());
   CHECK(bar.volume_mm3() == Approx(kPi * 1000).epsilon(1e-3));
-  CHECK(DexelStock(kBlock, 0.3).spacing_mm() <= 0.3);
+  CHECK(DexelStock(kDexelBlock, 0.3).spacing_mm() <= 0.3);
 }
 
 TEST_CASE("a spacing or a stock that cannot be is refused", "[unit][dexel]") {
   for (const double spacing : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
-    CHECK_THROWS_AS(DexelStock(kBlock, spacing), std::invalid_argument);
+    CHECK_THROWS_AS(DexelStock(kDexelBlock, spacing), std::invalid_argument);
   CHECK_THROWS_AS(DexelStock(BoxStock{{0, 0, 0}, {1, 0, 1}}, 0.1), std::invalid_argument);
 }
 
@@ -138,7 +139,7 @@ TEST_CASE("dexels lose the volumes of the formulas", "[unit][dexel]") {
 TEST_CASE("material above the flutes stays on its lines", "[unit][dexel]") {
   // A flat with flutes 2 mm long under the surface: a tunnel, then a second one below it.
   const model::Cutter c = cutter(CutterType::flat, 6, 2);
-  const DexelStock raw(kBlock, 0.5);
+  const DexelStock raw(kDexelBlock, 0.5);
   const auto one = raw.cut(PathBuilder({-5, 0, -4}).feed({5, 0, -4}).pass(c), {1});
   const int i = raw.nx() / 2, j = raw.ny() / 2;
   REQUIRE(one.stock.material(i, j).size() == 2);
@@ -158,7 +159,7 @@ TEST_CASE("material above the flutes stays on its lines", "[unit][dexel]") {
 }
 
 TEST_CASE("dexels and removals are the same for any number of threads", "[property][dexel]") {
-  const DexelStock raw(kBlock, 0.15);
+  const DexelStock raw(kDexelBlock, 0.15);
   for (const model::Cutter& c : every_cutter()) {
     const Pass pass = wanderings(c, 60, 5);
     const auto one = raw.cut(pass, {1}), three = raw.cut(pass, {3});
@@ -172,7 +173,7 @@ TEST_CASE("dexels and removals are the same for any number of threads", "[proper
 }
 
 TEST_CASE("what is left does not depend on the order of moves", "[property][dexel]") {
-  const DexelStock raw(kBlock, 0.3);
+  const DexelStock raw(kDexelBlock, 0.3);
   for (const model::Cutter& c : every_cutter()) {
     const Pass pass = wanderings(c, 40, 6);
     PathBuilder back(pass.path->moves.back().to);
@@ -192,7 +193,7 @@ TEST_CASE("what is left does not depend on the order of moves", "[property][dexe
 }
 
 TEST_CASE("cutting dexels stops when told to and says how far it is", "[unit][dexel]") {
-  const DexelStock raw(kBlock, 0.3);
+  const DexelStock raw(kDexelBlock, 0.3);
   const Pass pass = wanderings(cutter(CutterType::ball, 6, 20), 40, 7);
   const std::atomic<bool> stop{true};
   CHECK_THROWS_AS(raw.cut(pass, {2, &stop, {}}), model::Interrupted);

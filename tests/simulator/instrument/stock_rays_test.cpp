@@ -18,7 +18,7 @@ using simulator::test::cutter;
 using simulator::test::PathBuilder;
 using simulator::test::raster;
 
-constexpr std::size_t kPlenty = std::size_t{2} << 30, kLittle = 12 << 20;
+constexpr std::size_t kPlentyOfRays = std::size_t{2} << 30, kLittle = 12 << 20;
 /// Half of what a ray may pass over, and rounding: nothing here is finer.
 constexpr double kSame_mm = 2 * limitgauge::simulator::kLeastFeature_mm;
 
@@ -72,7 +72,7 @@ TEST_CASE("rays end where the exact material does, in every kind of stock",
   const model::Stock bar = model::CylinderStock{{0, 0, -8}, 14, 8};
   const model::Stock mesh = tests::mesh_stock(tests::box_mesh({-7, -7, -8}, {14, 14, 8}));
   for (const model::Stock& raw : {block, bar, mesh}) {
-    const StockModel stock = cut_in(raw, 0.25, kPlenty);
+    const StockModel stock = cut_in(raw, 0.25, kPlentyOfRays);
     const StockRays rays(stock);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> across(-8, 8), up(-8, 1);
@@ -86,8 +86,8 @@ TEST_CASE("rays end where the exact material does, in every kind of stock",
 TEST_CASE("the voxel, and whether the stock is tiled, change no ray",
           "[property][stock_rays][slow]") {
   const model::Stock block = model::BoxStock{{-15, -10, -8}, {30, 20, 8}};
-  const StockModel fine = cut_in(block, 0.05, kPlenty), coarse = cut_in(block, 0.5, kPlenty),
-                   tiled = cut_in(block, 0.05, kLittle);
+  const StockModel fine = cut_in(block, 0.05, kPlentyOfRays),
+                   coarse = cut_in(block, 0.5, kPlentyOfRays), tiled = cut_in(block, 0.05, kLittle);
   REQUIRE(tiled.tiles() > 1);
   std::mt19937 random(8);
   std::uniform_real_distribution<double> across(-6, 6), up(-5, 0.5);
@@ -107,7 +107,7 @@ TEST_CASE("a fin and a gap of two micrometres are seen whatever the voxel is",
           "[unit][stock_rays]") {
   const double w = 0.002;
   for (const double voxel : {0.1, 0.5}) {
-    StockModel stock(model::BoxStock{{-10, -10, -8}, {20, 20, 8}}, voxel, kPlenty, {2});
+    StockModel stock(model::BoxStock{{-10, -10, -8}, {20, 20, 8}}, voxel, kPlentyOfRays, {2});
     stock = std::move(stock).cut(PathBuilder({-2 - w / 2, -15, -5})
                                      .feed({-2 - w / 2, 15, -5})
                                      .feed({-2 - w / 2, 15, 5})
@@ -126,11 +126,12 @@ TEST_CASE("a fin and a gap of two micrometres are seen whatever the voxel is",
     const auto through = rays.run({0, 1, -2}, {1, 0, 0}, 30);
     CHECK(through.length_mm == Approx(w / 2).margin(kSame_mm));
     // The gap is the fin's negative: a slitting pass of that width, 4 mm deep.
-    const StockModel slit = StockModel(model::BoxStock{{-10, -10, -8}, {20, 20, 8}}, voxel, kPlenty)
-                                .cut(PathBuilder({0.013, -15, -4})
-                                         .feed({0.013, 15, -4})
-                                         .pass(cutter(CutterType::flat, w, 20)),
-                                     {2});
+    const StockModel slit =
+        StockModel(model::BoxStock{{-10, -10, -8}, {20, 20, 8}}, voxel, kPlentyOfRays)
+            .cut(PathBuilder({0.013, -15, -4})
+                     .feed({0.013, 15, -4})
+                     .pass(cutter(CutterType::flat, w, 20)),
+                 {2});
     const auto in = StockRays(slit).run({0.013, 1, 0}, {0, 0, -1}, 30);
     CHECK_FALSE(in.material);
     CHECK(in.length_mm == Approx(4).margin(kSame_mm));
@@ -141,7 +142,7 @@ TEST_CASE("a fin and a gap of two micrometres are seen whatever the voxel is",
 
 TEST_CASE("a ray that keeps close to a wall goes all its way", "[unit][stock_rays]") {
   const StockModel stock =
-      StockModel(model::BoxStock{{-10, -10, -8}, {20, 20, 8}}, 0.25, kPlenty)
+      StockModel(model::BoxStock{{-10, -10, -8}, {20, 20, 8}}, 0.25, kPlentyOfRays)
           .cut(PathBuilder({0, -15, -5}).feed({0, 15, -5}).pass(cutter(CutterType::flat, 4, 20)),
                {2});
   const StockRays rays(stock);

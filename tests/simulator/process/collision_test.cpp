@@ -20,10 +20,10 @@ using simulator::StockModel;
 using simulator::test::cutter;
 using simulator::test::PathBuilder;
 
-constexpr double kTolerance = 0.01;
+constexpr double kStruckTolerance = 0.01;
 
 // z from −8 to 0.
-StockModel block() {
+StockModel struck_block() {
   return {model::BoxStock{{-15, -10, -8}, {30, 20, 8}}, 0.25, std::size_t{1} << 30};
 }
 
@@ -46,14 +46,14 @@ CollisionReport find_collisions(const StockModel& before, const Pass& pass, doub
   return report;
 }
 
-CollisionReport check(const StockModel& before, const Pass& pass, unsigned threads = 2) {
-  return find_collisions(before, pass, kTolerance, {threads});
+CollisionReport struck(const StockModel& before, const Pass& pass, unsigned threads = 2) {
+  return find_collisions(before, pass, kStruckTolerance, {threads});
 }
 
-model::Cutter flat4(double flutes = 20) {
+model::Cutter flat_of_4(double flutes = 20) {
   return cutter(CutterType::flat, 4, flutes);
 }
-model::Cutter ball4() {
+model::Cutter ball_of_4() {
   return cutter(CutterType::ball, 4, 20);
 }
 
@@ -61,14 +61,14 @@ model::Cutter ball4() {
 
 TEST_CASE("a rapid through standing material is reported with line, point and depth",
           "[unit][collision]") {
-  const auto c = GENERATE(flat4(), ball4(), cutter(CutterType::bull, 4, 20, 1));
+  const auto c = GENERATE(flat_of_4(), ball_of_4(), cutter(CutterType::bull, 4, 20, 1));
   const Pass pass = PathBuilder({-25, 0, 5})
                         .rapid({-20, 0, 5})
                         .rapid({-20, 0, -3})
                         .rapid({20, 0, -3})
                         .rapid({20, 0, 5})
                         .pass(c);
-  const CollisionReport report = check(block(), pass);
+  const CollisionReport report = struck(struck_block(), pass);
   REQUIRE(report.rapid.size() == 1);
   const Finding& hit = report.rapid[0];
   CHECK(hit.move == 2);
@@ -76,22 +76,22 @@ TEST_CASE("a rapid through standing material is reported with line, point and de
   CHECK(hit.part == "cutter");
   // The lowest of the cutter is 3 mm below the top; found to a tolerance, never too deep.
   CHECK(hit.depth_mm <= 3 + 1e-9);
-  CHECK(hit.depth_mm >= 3 - kTolerance);
-  CHECK(hit.point.z == Approx(-3).margin(2 * kTolerance));
+  CHECK(hit.depth_mm >= 3 - kStruckTolerance);
+  CHECK(hit.point.z == Approx(-3).margin(2 * kStruckTolerance));
   CHECK(std::abs(hit.point.x) < 15);
   CHECK(report.holder.empty());
 }
 
 TEST_CASE("a sloped rapid into the stock is found at its deepest", "[unit][collision]") {
-  const Pass pass = PathBuilder({-20, 0, 8}).rapid({0, 0, -2}).rapid({0, 0, 8}).pass(ball4());
-  const CollisionReport report = check(block(), pass);
+  const Pass pass = PathBuilder({-20, 0, 8}).rapid({0, 0, -2}).rapid({0, 0, 8}).pass(ball_of_4());
+  const CollisionReport report = struck(struck_block(), pass);
   REQUIRE(report.rapid.size() == 1);
   CHECK(report.rapid[0].line == 1);
-  CHECK(report.rapid[0].depth_mm == Approx(2).margin(kTolerance));
+  CHECK(report.rapid[0].depth_mm == Approx(2).margin(kStruckTolerance));
 }
 
 TEST_CASE("rapids through air are no collisions", "[unit][collision]") {
-  const auto c = GENERATE(flat4(), ball4(), cutter(CutterType::taper, 2, 20, 0.5, 8));
+  const auto c = GENERATE(flat_of_4(), ball_of_4(), cutter(CutterType::taper, 2, 20, 0.5, 8));
   const Pass pass = PathBuilder({-20, 0, 5})
                         .rapid({-20, 0, 0.02})
                         .rapid({-8, 0, 0.02})
@@ -104,7 +104,7 @@ TEST_CASE("rapids through air are no collisions", "[unit][collision]") {
                         .rapid({-18, 0, 5})
                         .rapid({-18, 0, -5})  // down beside the stock
                         .pass(c);
-  const CollisionReport report = check(block(), pass);
+  const CollisionReport report = struck(struck_block(), pass);
   CHECK(report.rapid.empty());
   CHECK(report.holder.empty());
 }
@@ -114,8 +114,8 @@ TEST_CASE("what is removed later still stands at the rapid", "[unit][collision]"
                         .rapid({-20, 0, -3})
                         .rapid({20, 0, -3})
                         .feed({-20, 0, -3})
-                        .pass(flat4());
-  const CollisionReport report = check(block(), pass);
+                        .pass(flat_of_4());
+  const CollisionReport report = struck(struck_block(), pass);
   REQUIRE(report.rapid.size() == 1);
   CHECK(report.rapid[0].line == 2);
 }
@@ -125,46 +125,47 @@ TEST_CASE("what was removed earlier is no obstacle", "[unit][collision]") {
   feed.feed({20, 0, -3});
   rapid.rapid({20, 0, -3});
   const Pass back_in_slot =
-      PathBuilder({-20, 0, -3}).feed({20, 0, -3}).rapid({-20, 0, -3}).pass(flat4());
-  CHECK(check(block(), back_in_slot).rapid.empty());
+      PathBuilder({-20, 0, -3}).feed({20, 0, -3}).rapid({-20, 0, -3}).pass(flat_of_4());
+  CHECK(struck(struck_block(), back_in_slot).rapid.empty());
   // In an earlier stage.
-  const StockModel after = block().cut(feed.pass(flat4()), {2});
-  CHECK(check(after, rapid.pass(flat4())).rapid.empty());
-  CHECK(check(after, rapid.pass(ball4())).rapid.empty());
-  CHECK(check(block(), rapid.pass(flat4())).rapid.size() == 1);
+  const StockModel after = struck_block().cut(feed.pass(flat_of_4()), {2});
+  CHECK(struck(after, rapid.pass(flat_of_4())).rapid.empty());
+  CHECK(struck(after, rapid.pass(ball_of_4())).rapid.empty());
+  CHECK(struck(struck_block(), rapid.pass(flat_of_4())).rapid.size() == 1);
   // The second of two rapids along the same way meets nothing any more.
-  const Pass twice = PathBuilder({-20, 0, -3}).rapid({20, 0, -3}).rapid({-20, 0, -3}).pass(flat4());
-  CHECK(check(block(), twice).rapid.size() == 1);
+  const Pass twice =
+      PathBuilder({-20, 0, -3}).rapid({20, 0, -3}).rapid({-20, 0, -3}).pass(flat_of_4());
+  CHECK(struck(struck_block(), twice).rapid.size() == 1);
 }
 
 TEST_CASE("contacts up to the tolerance are let pass", "[unit][collision]") {
   const auto skim = [](double depth) {
-    return PathBuilder({-20, 0, -depth}).rapid({20, 0, -depth}).pass(flat4());
+    return PathBuilder({-20, 0, -depth}).rapid({20, 0, -depth}).pass(flat_of_4());
   };
-  CHECK(check(block(), skim(0)).rapid.empty());
-  CHECK(check(block(), skim(0.9 * kTolerance)).rapid.empty());
-  const CollisionReport report = check(block(), skim(2 * kTolerance));
+  CHECK(struck(struck_block(), skim(0)).rapid.empty());
+  CHECK(struck(struck_block(), skim(0.9 * kStruckTolerance)).rapid.empty());
+  const CollisionReport report = struck(struck_block(), skim(2 * kStruckTolerance));
   REQUIRE(report.rapid.size() == 1);
-  CHECK(report.rapid[0].depth_mm == Approx(2 * kTolerance).margin(kTolerance));
+  CHECK(report.rapid[0].depth_mm == Approx(2 * kStruckTolerance).margin(kStruckTolerance));
 }
 
 TEST_CASE("a shank wider than its slot collides", "[unit][collision]") {
-  auto c = flat4(3);
+  auto c = flat_of_4(3);
   c.shank = {{6, 20}};
   const Pass pass = PathBuilder({-20, 0, -6}).feed({0, 0, -6}).pass(c);
-  const CollisionReport report = check(block(), pass);
+  const CollisionReport report = struck(struck_block(), pass);
   CHECK(report.rapid.empty());
   REQUIRE(report.holder.size() == 1);
   CHECK(report.holder[0].part == "shank");
   CHECK(report.holder[0].line == 1);
   // On the shank's side at radius 3 the depth is the smaller of −z and the distance to the slot's
   // rim at radius 2, z = −3: both are 5/3 at z = −5/3.
-  CHECK(report.holder[0].depth_mm == Approx(5.0 / 3).margin(kTolerance));
+  CHECK(report.holder[0].depth_mm == Approx(5.0 / 3).margin(kStruckTolerance));
   CHECK(report.holder[0].point.z == Approx(-5.0 / 3).margin(0.05));
 }
 
 TEST_CASE("a shank that follows in its own slot does not collide", "[unit][collision]") {
-  auto c = flat4(3);
+  auto c = flat_of_4(3);
   c.shank = {{4, 20}};
   const Pass levels = PathBuilder({-20, 0, -3})
                           .feed({20, 0, -3})
@@ -173,27 +174,28 @@ TEST_CASE("a shank that follows in its own slot does not collide", "[unit][colli
                           .rapid({-20, 0, -6})
                           .feed({20, 0, -6})
                           .pass(c);
-  CHECK(check(block(), levels).holder.empty());
+  CHECK(struck(struck_block(), levels).holder.empty());
   const Pass plunge = PathBuilder({0, 0, 2}).feed({0, 0, -6}).rapid({0, 0, 5}).pass(c);
-  CHECK(check(block(), plunge).holder.empty());
-  CHECK(check(block(), plunge).rapid.empty());
+  CHECK(struck(struck_block(), plunge).holder.empty());
+  CHECK(struck(struck_block(), plunge).rapid.empty());
   const Pass at_once = PathBuilder({-20, 0, -6}).feed({20, 0, -6}).pass(c);
-  CHECK(check(block(), at_once).holder.size() == 1);
+  CHECK(struck(struck_block(), at_once).holder.size() == 1);
 }
 
 TEST_CASE("a holder that dips into the stock collides", "[unit][collision]") {
-  auto c = flat4(5);
+  auto c = flat_of_4(5);
   c.shank = {{3, 2}};
   c.holder = {{10, 4}, {14, 10}};
   const auto slot = [&](double z) { return PathBuilder({-25, 0, z}).feed({25, 0, z}).pass(c); };
-  CHECK(check(block(), slot(-6.99)).holder.size() == 1);  // the shank in what the flutes left
+  CHECK(struck(struck_block(), slot(-6.99)).holder.size() ==
+        1);  // the shank in what the flutes left
   c.flute_length_mm = 7;
   c.shank.clear();
-  CHECK(check(block(), slot(-6.99)).holder.empty());
-  const CollisionReport report = check(block(), slot(-7.75));
+  CHECK(struck(struck_block(), slot(-6.99)).holder.empty());
+  const CollisionReport report = struck(struck_block(), slot(-7.75));
   REQUIRE(report.holder.size() == 1);
   CHECK(report.holder[0].part == "holder");
-  CHECK(report.holder[0].depth_mm == Approx(0.75).margin(kTolerance));
+  CHECK(report.holder[0].depth_mm == Approx(0.75).margin(kStruckTolerance));
 }
 
 TEST_CASE("the report is the same for any number of threads", "[property][collision]") {
@@ -204,11 +206,11 @@ TEST_CASE("the report is the same for any number of threads", "[property][collis
     const Vec3 to{x(random), x(random) / 2, z(random)};
     (random() % 3 == 0 ? b.rapid(to) : b.feed(to));
   }
-  const Pass pass = b.pass(ball4());
-  const CollisionReport one = check(block(), pass, 1);
+  const Pass pass = b.pass(ball_of_4());
+  const CollisionReport one = struck(struck_block(), pass, 1);
   REQUIRE(!one.rapid.empty());
   for (const unsigned threads : {2u, 3u}) {
-    const CollisionReport other = check(block(), pass, threads);
+    const CollisionReport other = struck(struck_block(), pass, threads);
     CHECK(std::equal(one.rapid.begin(), one.rapid.end(), other.rapid.begin(), other.rapid.end(),
                      [](const Finding& a, const Finding& c) {
                        return a.move == c.move && a.point == c.point && a.depth_mm == c.depth_mm;
@@ -219,7 +221,7 @@ TEST_CASE("the report is the same for any number of threads", "[property][collis
 TEST_CASE("depths agree with dense sampling of the swept body", "[property][collision]") {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<> x(-9, 9), z(-4, 2);
-  for (const auto& c : {flat4(), ball4(), cutter(CutterType::bull, 5, 20, 1.5)}) {
+  for (const auto& c : {flat_of_4(), ball_of_4(), cutter(CutterType::bull, 5, 20, 1.5)}) {
     const simulator::CutterProfile profile(c);
     PathBuilder b({0, 0, 20});
     for (int i = 0; i < 14; ++i) {
@@ -227,12 +229,12 @@ TEST_CASE("depths agree with dense sampling of the swept body", "[property][coll
       (i % 2 ? b.rapid(to) : b.feed(to));
     }
     const Pass pass = b.pass(c);
-    const CollisionReport report = check(block(), pass);
+    const CollisionReport report = struck(struck_block(), pass);
     std::vector<simulator::SweptMove> moves;
     for (std::size_t m = 0; m < pass.path->moves.size(); ++m)
       moves.emplace_back(move_from(*pass.path, m), pass.path->moves[m].to,
                          static_cast<std::uint32_t>(m));
-    const StockModel raw = block();
+    const StockModel raw = struck_block();
     constexpr double kStep = 0.2;
     for (std::size_t m = 1; m < moves.size(); m += 2) {
       double deepest = 0;
@@ -251,7 +253,7 @@ TEST_CASE("depths agree with dense sampling of the swept body", "[property][coll
       const double found = hit == report.rapid.end() ? 0 : hit->depth_mm;
       // A sample lies within half a diagonal of the deepest place, but may fall outside the body
       // there: a whole diagonal covers a convex body's corner.
-      CHECK(found >= deepest - 1.5 * kTolerance);
+      CHECK(found >= deepest - 1.5 * kStruckTolerance);
       CHECK(found <= deepest + kStep * std::sqrt(3.0));
       if (found == 0) continue;
       CHECK(swept_distance(profile, moves[m], hit->point).distance <= 1e-9);
@@ -264,15 +266,16 @@ TEST_CASE("depths agree with dense sampling of the swept body", "[property][coll
 }
 
 TEST_CASE("a tolerance that is none is refused", "[unit][collision]") {
-  const Pass pass = PathBuilder({0, 0, 5}).rapid({1, 0, 5}).pass(ball4());
-  CHECK_THROWS_AS(find_collisions(block(), pass, 0, {1}), std::invalid_argument);
-  CHECK_THROWS_AS(find_collisions(block(), {ball4(), nullptr}, 0.01, {1}), std::invalid_argument);
+  const Pass pass = PathBuilder({0, 0, 5}).rapid({1, 0, 5}).pass(ball_of_4());
+  CHECK_THROWS_AS(find_collisions(struck_block(), pass, 0, {1}), std::invalid_argument);
+  CHECK_THROWS_AS(find_collisions(struck_block(), {ball_of_4(), nullptr}, 0.01, {1}),
+                  std::invalid_argument);
 }
 
 TEST_CASE("nothing collides where nothing stands", "[unit][collision]") {
   const auto wide = cutter(CutterType::flat, 60, 40);
   const StockModel nothing =
-      block().cut(PathBuilder({-50, 0, -20}).feed({50, 0, -20}).pass(wide), {2});
-  const Pass pass = PathBuilder({-20, 0, -3}).rapid({20, 0, -3}).pass(ball4());
-  CHECK(check(nothing, pass).rapid.empty());
+      struck_block().cut(PathBuilder({-50, 0, -20}).feed({50, 0, -20}).pass(wide), {2});
+  const Pass pass = PathBuilder({-20, 0, -3}).rapid({20, 0, -3}).pass(ball_of_4());
+  CHECK(struck(nothing, pass).rapid.empty());
 }

@@ -25,15 +25,15 @@ using simulator::test::cutter;
 using simulator::test::PathBuilder;
 using simulator::test::raster;
 
-constexpr std::size_t kPlenty = std::size_t{2} << 30;
-constexpr double kPi = std::numbers::pi;
+constexpr std::size_t kFidelityBytes = std::size_t{2} << 30;
+constexpr double kHalfTurn = std::numbers::pi;
 
-StockModel block(double voxel) {
-  return {BoxStock{{-15, -10, -8}, {30, 20, 8}}, voxel, kPlenty, {2}};
+StockModel fidelity_block(double voxel) {
+  return {BoxStock{{-15, -10, -8}, {30, 20, 8}}, voxel, kFidelityBytes, {2}};
 }
 
 double removed(double voxel, const Pass& pass) {
-  StockModel stock = block(voxel);
+  StockModel stock = fidelity_block(voxel);
   const double before = stock.volume_mm3({2});
   return before - std::move(stock).cut(pass, {2}).volume_mm3({2});
 }
@@ -49,7 +49,7 @@ double volume_above(const std::function<double(double, double)>& height) {
   return sum * 1e-4;
 }
 
-std::string vdb_bytes(const StockModel& stock) {
+std::string bytes_as_vdb(const StockModel& stock) {
   const tests::TemporaryFolder folder;
   const auto file = folder.path() / "stock.vdb";
   stock.write_vdb(file);
@@ -86,7 +86,7 @@ std::vector<Stroke> random_strokes(std::uint64_t seed) {
   return all;
 }
 
-const std::vector<model::Cutter>& cutters() {
+const std::vector<model::Cutter>& tried_cutters() {
   static const std::vector<model::Cutter> all{
       cutter(CutterType::flat, 4, 20), cutter(CutterType::ball, 5, 20),
       cutter(CutterType::bull, 5, 20, 1), cutter(CutterType::taper, 2, 20, 0.5, 12)};
@@ -100,9 +100,9 @@ TEST_CASE("a plunge removes the closed form's volume", "[unit][fidelity]") {
   const auto plunge = [&](CutterType type) {
     return PathBuilder({0.31, -0.17, 5}).feed({0.31, -0.17, -d}).pass(cutter(type, 2 * r, 20));
   };
-  CHECK(removed(r / 30, plunge(CutterType::flat)) == Approx(kPi * r * r * d).epsilon(1e-3));
-  const double nose =
-      d < r ? kPi * d * d * (3 * r - d) / 3 : 2 * kPi * r * r * r / 3 + kPi * r * r * (d - r);
+  CHECK(removed(r / 30, plunge(CutterType::flat)) == Approx(kHalfTurn * r * r * d).epsilon(1e-3));
+  const double nose = d < r ? kHalfTurn * d * d * (3 * r - d) / 3
+                            : 2 * kHalfTurn * r * r * r / 3 + kHalfTurn * r * r * (d - r);
   CHECK(removed(r / 30, plunge(CutterType::ball)) == Approx(nose).epsilon(1e-3));
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("a pocket removes the closed form's volume", "[unit][fidelity]") {
   path.feed(low + Vec3{0, width, 0}).feed(low);
   for (double y = 1.5; y < width; y += 1.5)
     path.feed(low + Vec3{0, y, 0}).feed(low + Vec3{length, y, 0}).feed(low + Vec3{0, y, 0});
-  const double area = length * width + 2 * r * (length + width) + kPi * r * r;
+  const double area = length * width + 2 * r * (length + width) + kHalfTurn * r * r;
   const auto pocket = path.pass(cutter(CutterType::flat, 2 * r, 20));
   CHECK(removed(r / 30, pocket) == Approx(area * d).epsilon(1e-3));
 }
@@ -125,7 +125,7 @@ TEST_CASE("a ramp of a flat removes the closed form's volume", "[unit][fidelity]
                         .feed({-5.6 + length, 0.21, -d})
                         .pass(cutter(CutterType::flat, 2 * r, 20));
   // At y from the middle, with c = √(r² − y²): the depth rises over the length and stays for 2c.
-  const double exact = d * length * r + kPi * r * r * d;
+  const double exact = d * length * r + kHalfTurn * r * r * d;
   // The floor is made by the disc's trailing rim. The depth in the cutter falls from there by
   // 1 / (1 + tan 14°) a millimetre, not by cos 14°: a kink all along the floor, which would put the
   // crossing between two voxels off by 0.03 of a voxel, 0.2 % of the volume.
@@ -157,7 +157,7 @@ TEST_CASE("points lie on the closed envelope of a ball's rows, cusps included",
   const double voxel = 0.1, r = 3, step = 0.5, depth = 1.3;
   const Pass rows = raster(cutter(CutterType::ball, 2 * r, 20), 5, step, 10,
                            [&](double, double) { return -depth; });
-  const StockModel stock = block(voxel).cut(rows, {2});
+  const StockModel stock = fidelity_block(voxel).cut(rows, {2});
   const auto envelope = [&](double y) {
     const double row = std::round((y + 5) / step) * step - 5;
     return r - depth - std::sqrt(r * r - (y - row) * (y - row));
@@ -186,7 +186,7 @@ TEST_CASE("points lie on the closed envelope of crossing slots", "[property][fid
                          .feed({0.4, -9, -1.7})
                          .feed({0.4, 9, -1.7})
                          .pass(ball);
-  const StockModel stock = block(0.1).cut(cross, {2});
+  const StockModel stock = fidelity_block(0.1).cut(cross, {2});
   const auto slot = [&](double off, double tip) {
     return std::abs(off) < r ? tip + r - std::sqrt(r * r - off * off) : 1.0;
   };
@@ -207,14 +207,14 @@ TEST_CASE("points lie on the closed envelope of crossing slots", "[property][fid
 }
 
 TEST_CASE("the order of moves changes no bit of the stock", "[slow][fidelity]") {
-  for (const auto& c : cutters()) {
+  for (const auto& c : tried_cutters()) {
     std::vector<Stroke> all = random_strokes(3);
-    const StockModel a = block(0.2).cut(strokes(c, all), {2});
+    const StockModel a = fidelity_block(0.2).cut(strokes(c, all), {2});
     std::mt19937_64 random(9);
     for (int i = 0; i < 2; ++i) {
       std::shuffle(all.begin(), all.end(), random);
-      const StockModel b = block(0.2).cut(strokes(c, all), {3});
-      CHECK(vdb_bytes(a) == vdb_bytes(b));
+      const StockModel b = fidelity_block(0.2).cut(strokes(c, all), {3});
+      CHECK(bytes_as_vdb(a) == bytes_as_vdb(b));
       CHECK(a.volume_mm3() == b.volume_mm3());
       const auto p = a.surface_points({2}), q = b.surface_points({1});
       REQUIRE(p.size() == q.size());
@@ -227,13 +227,13 @@ TEST_CASE("the order of moves changes no bit of the stock", "[slow][fidelity]") 
 }
 
 TEST_CASE("moves cut in collinear pieces leave the same stock", "[slow][fidelity]") {
-  for (const auto& c : cutters()) {
+  for (const auto& c : tried_cutters()) {
     const std::vector<Stroke> whole = random_strokes(8);
     std::vector<Stroke> pieces;
     for (const Stroke& s : whole)
       for (int k = 0; k < 3; ++k)
         pieces.push_back({lerp(s.from, s.to, k / 3.0), lerp(s.from, s.to, (k + 1) / 3.0)});
-    const StockModel a = block(0.2).cut(strokes(c, whole), {2});
+    const StockModel a = fidelity_block(0.2).cut(strokes(c, whole), {2});
     // The pieces' ends are plunged to: along a slope that is no new space for a convex cutter only
     // within the flutes, so the pieces follow each other instead.
     PathBuilder path({0, 0, 40});
@@ -242,7 +242,7 @@ TEST_CASE("moves cut in collinear pieces leave the same stock", "[slow][fidelity
       path.feed(pieces[i].to);
       if (i % 3 == 2) path.rapid({pieces[i].to.x, pieces[i].to.y, 40}).rapid({0, 0, 40});
     }
-    const StockModel b = block(0.2).cut(path.pass(c), {2});
+    const StockModel b = fidelity_block(0.2).cut(path.pass(c), {2});
     // The ends of the pieces are rounded to 2e-15 mm and the sloped moves' minimum is found to
     // 1e-10 mm: single precision of 0.6 mm may then fall on the next number, 6e-8 mm away.
     CHECK(a.volume_mm3() == Approx(b.volume_mm3()).epsilon(1e-8));

@@ -18,7 +18,7 @@ using simulator::test::cutter;
 using simulator::test::PathBuilder;
 using simulator::test::raster;
 
-constexpr std::size_t kPlenty = std::size_t{4} << 30;
+constexpr std::size_t kForecastBytes = std::size_t{4} << 30;
 
 simulator::Pass rows(double half) {
   return raster(cutter(CutterType::ball, 5, 20), half, 0.9, 0.6, [](double x, double y) {
@@ -42,7 +42,7 @@ TEST_CASE("the forecast memory is the real one within a fifth", "[property][fore
       odd{{-14.03, -11.07, -8.05}, {28.3, 22.9, 8.2}};
   for (const double voxel : {0.4, 0.2, 0.1}) {
     for (const model::Stock& stock : {model::Stock(block), model::Stock(odd), model::Stock(bar)}) {
-      const StockModel raw(stock, voxel, kPlenty);
+      const StockModel raw(stock, voxel, kForecastBytes);
       // A few hundred blocks are measured out of some thousand; the promise is 30 %.
       CHECK(ratio_of_bytes(raw, rows(8)) == Approx(1).epsilon(0.2));
       CHECK(ratio_of_bytes(
@@ -54,7 +54,7 @@ TEST_CASE("the forecast memory is the real one within a fifth", "[property][fore
 }
 
 TEST_CASE("the forecast of a pass that swallows the stock is next to nothing", "[unit][forecast]") {
-  const StockModel raw(BoxStock{{-15, -12, -9}, {30, 24, 9}}, 0.2, kPlenty);
+  const StockModel raw(BoxStock{{-15, -12, -9}, {30, 24, 9}}, 0.2, kForecastBytes);
   const simulator::Pass all =
       PathBuilder({-50, 0, -20}).feed({50, 0, -20}).pass(cutter(CutterType::flat, 60, 40));
   const CutForecast forecast = raw.forecast(all, {2});
@@ -68,7 +68,7 @@ TEST_CASE("a stock that would not fit is forecast and cut in tiles", "[property]
   // Slots a millimetre apart more than double the surface.
   const simulator::Pass pass =
       raster(cutter(CutterType::flat, 1, 20), 11, 2, 22, [](double, double) { return -7.0; });
-  const StockModel plenty(block, voxel, kPlenty);
+  const StockModel plenty(block, voxel, kForecastBytes);
   const std::size_t whole = plenty.cut(pass, {2}).memory_bytes();
   const std::size_t limit = (plenty.memory_bytes() + whole) / 2;
   REQUIRE(static_cast<double>(limit) > 1.2 * static_cast<double>(plenty.memory_bytes()));

@@ -21,10 +21,10 @@ using simulator::test::faults;
 using simulator::test::PathBuilder;
 using simulator::test::raster;
 
-constexpr std::size_t kPlenty = std::size_t{2} << 30;
+constexpr std::size_t kMeshBytes = std::size_t{2} << 30;
 
-StockModel block(double voxel) {
-  return {BoxStock{{-15, -10, -8}, {30, 20, 8}}, voxel, kPlenty, {2}};
+StockModel meshed_block(double voxel) {
+  return {BoxStock{{-15, -10, -8}, {30, 20, 8}}, voxel, kMeshBytes, {2}};
 }
 
 double worst_vertex(const StockModel& stock, const StockSurface& surface) {
@@ -36,10 +36,10 @@ double worst_vertex(const StockModel& stock, const StockSurface& surface) {
 
 }  // namespace
 
-TEST_CASE("a raw block's mesh has its sharp edges and corners", "[unit][stock_mesh]") {
+TEST_CASE("a raw meshed_block's mesh has its sharp edges and corners", "[unit][stock_mesh]") {
   // Off the lattice, so that no face lies in voxel centres.
   const BoxStock box{{-15.03, -10.01, -8.07}, {30.11, 20.17, 8.13}};
-  const StockModel stock(box, 0.3, kPlenty);
+  const StockModel stock(box, 0.3, kMeshBytes);
   const StockSurface surface = stock.surface({2});
   CHECK(faults(surface.mesh).none());
   CHECK(surface.unmoved == 0);
@@ -52,7 +52,7 @@ TEST_CASE("a raw block's mesh has its sharp edges and corners", "[unit][stock_me
 
 TEST_CASE("a bar's mesh has its sharp rims", "[unit][stock_mesh]") {
   const model::CylinderStock bar{{0.3, -0.2, 0.1}, 10, 7};
-  const StockModel stock(bar, 0.25, kPlenty);
+  const StockModel stock(bar, 0.25, kMeshBytes);
   const StockSurface surface = stock.surface({2});
   CHECK(faults(surface.mesh).none());
   CHECK(surface.unmoved == 0);
@@ -68,7 +68,7 @@ TEST_CASE("cusps between rows are sharp in the mesh", "[property][stock_mesh]") 
   const double voxel = 0.1, r = 3, step = 0.5, depth = 1.3;
   const Pass rows = raster(cutter(CutterType::ball, 2 * r, 20), 4, step, 8,
                            [&](double, double) { return -depth; });
-  const StockModel stock = block(voxel).cut(rows, {2});
+  const StockModel stock = meshed_block(voxel).cut(rows, {2});
   const StockSurface surface = stock.surface({2});
   CHECK(faults(surface.mesh).none());
   const double cusp = r - depth - std::sqrt(r * r - step * step / 4);
@@ -103,7 +103,7 @@ TEST_CASE("thin walls and slivers make closed manifolds", "[slow][stock_mesh]") 
                            .feed(b + along * 9)
                            .pass(flat);
     for (const double voxel : {0.15, 0.2, 0.33}) {
-      const StockModel stock = block(voxel).cut(slots, {2});
+      const StockModel stock = meshed_block(voxel).cut(slots, {2});
       const StockSurface surface = stock.surface({2});
       INFO("wall " << wall << ", voxel " << voxel);
       CHECK(faults(surface.mesh).none());
@@ -123,7 +123,7 @@ TEST_CASE("holes on a checkerboard make closed manifolds", "[slow][stock_mesh]")
         path.rapid({x, y, 5}).feed({x, y, (i + j) % 2 ? -2.0 : -3.0}).rapid({x, y, 5});
       }
     for (const auto type : {CutterType::flat, CutterType::ball}) {
-      const StockModel stock = block(0.17).cut(path.pass(cutter(type, 2, 20)), {2});
+      const StockModel stock = meshed_block(0.17).cut(path.pass(cutter(type, 2, 20)), {2});
       CHECK(faults(stock.surface({2}).mesh).none());
     }
   }
@@ -139,7 +139,7 @@ TEST_CASE("random unions of sweeps make closed manifolds", "[slow][stock_mesh]")
     PathBuilder path({x(random), y(random), z(random)});
     for (int k = 0; k < 30; ++k) path.feed({x(random), y(random), z(random)});
     const double v = voxel(random);
-    const StockModel stock = block(v).cut(path.pass(cutters[i % cutters.size()]), {2});
+    const StockModel stock = meshed_block(v).cut(path.pass(cutters[i % cutters.size()]), {2});
     const StockSurface surface = stock.surface({2});
     INFO("voxel " << v);
     CHECK(faults(surface.mesh).none());

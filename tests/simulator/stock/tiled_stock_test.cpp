@@ -21,7 +21,7 @@ using simulator::test::cutter;
 using simulator::test::PathBuilder;
 using simulator::test::raster;
 
-constexpr std::size_t kPlenty = std::size_t{2} << 30;
+constexpr std::size_t kTiledBytes = std::size_t{2} << 30;
 // Too little for the 40 MiB of the whole, enough for tiles.
 constexpr std::size_t kLittle = 12 << 20;
 constexpr double kVoxel = 0.05;
@@ -50,7 +50,7 @@ bool same(const std::vector<StockPoint>& a, const std::vector<StockPoint>& b) {
 }  // namespace
 
 TEST_CASE("tiles give what the whole grid gives", "[slow][tiled_stock]") {
-  const StockModel whole = cut_in(kPlenty), tiled = cut_in(kLittle);
+  const StockModel whole = cut_in(kTiledBytes), tiled = cut_in(kLittle);
   REQUIRE(whole.tiles() == 0);
   REQUIRE(whole.coarsening() == 1);
   REQUIRE(tiled.tiles() > 3);
@@ -84,7 +84,7 @@ TEST_CASE("tiles give what the whole grid gives", "[slow][tiled_stock]") {
 
 TEST_CASE("points come in the same order some at a time", "[property][tiled_stock]") {
   const StockModel stock =
-      StockModel(kStock, 0.2, kPlenty).cut(rows(cutter(CutterType::bull, 4, 20, 1)), {2});
+      StockModel(kStock, 0.2, kTiledBytes).cut(rows(cutter(CutterType::bull, 4, 20, 1)), {2});
   const model::Box3 region{{-9, -6, -5}, {3, 7, 1}};
   std::vector<StockPoint> streamed;
   std::size_t calls = 0;
@@ -110,7 +110,7 @@ TEST_CASE("what is drawn of a tiled stock is a closed coarser surface", "[slow][
 
 TEST_CASE("a stock that is let go of is cut where it stands", "[unit][tiled_stock]") {
   const simulator::Pass pass = rows(cutter(CutterType::ball, 4, 20));
-  StockModel stock(kStock, 0.25, kPlenty);
+  StockModel stock(kStock, 0.25, kTiledBytes);
   const auto* grid = &stock.grid();
   const StockModel copy_cut = stock.cut(pass, {2});
   CHECK(&stock.grid() == grid);

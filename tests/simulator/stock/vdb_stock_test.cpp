@@ -49,10 +49,10 @@ class File {
   std::filesystem::path path_;
 };
 
-constexpr std::size_t kPlenty = std::size_t{1} << 30;
+constexpr std::size_t kReadBytes = std::size_t{1} << 30;
 
 StockModel slotted_block() {
-  const StockModel raw(model::BoxStock{{-10, -8, -6}, {20, 16, 6}}, 0.5, kPlenty);
+  const StockModel raw(model::BoxStock{{-10, -8, -6}, {20, 16, 6}}, 0.5, kReadBytes);
   auto path = std::make_shared<model::Toolpath>();
   path->start = {-14, 0, -1.9};
   tests::feed_to(*path, {14, 1, -2.3});
@@ -93,7 +93,7 @@ std::string refusal(const openvdb::GridPtrVec& grids) {
   return "no error";
 }
 
-std::string bytes_of(const std::filesystem::path& path) {
+std::string text_of_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream out;
   out << in.rdbuf();
@@ -210,7 +210,7 @@ TEST_CASE("files that are no .vdb, or half of one", "[unit][mesh][vdb]") {
   const File file("limitgauge_vdb_half.vdb");
   CHECK_THROWS_WITH(read_vdb_stock(file.path()), ContainsSubstring("there is no such file"));
   write(file.path(), {ball()});
-  const std::string whole = bytes_of(file.path());
+  const std::string whole = text_of_file(file.path());
   const auto put = [&](const std::string& bytes) {
     std::ofstream(file.path(), std::ios::binary | std::ios::trunc) << bytes;
   };
@@ -225,7 +225,7 @@ TEST_CASE("files that are no .vdb, or half of one", "[unit][mesh][vdb]") {
 TEST_CASE("damaged files are refused or read, never worse", "[property][mesh][vdb]") {
   const File file("limitgauge_vdb_damaged.vdb");
   write(file.path(), {ball()});
-  const std::string whole = bytes_of(file.path());
+  const std::string whole = text_of_file(file.path());
   std::mt19937 random(11);
   const int kDamages = tests::by_effort(24, 60);
   int refused = 0;

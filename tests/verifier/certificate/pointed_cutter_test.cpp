@@ -17,17 +17,17 @@ namespace {
 using model::Vec3;
 using namespace tests;
 
-const model::Stock kBlock = model::BoxStock{{-60, -60, -60}, {120, 120, 120}};
-constexpr double kResolution_mm = 0.001;
+const model::Stock kPointedBlock = model::BoxStock{{-60, -60, -60}, {120, 120, 120}};
+constexpr double kPointedResolution_mm = 0.001;
 
-StageDeviation measure(const ReferenceSurface& surface, const model::Cutter& cutter,
-                       model::Toolpath path, double allowance_mm = 0) {
+StageDeviation measure_pointed(const ReferenceSurface& surface, const model::Cutter& cutter,
+                               model::Toolpath path, double allowance_mm = 0) {
   const Pass pass{cutter, shared(std::move(path))};
   StageCheck check;
-  check.resolution_mm = kResolution_mm;
+  check.resolution_mm = kPointedResolution_mm;
   check.allowance_mm = allowance_mm;
   check.field_spacing_mm = 1;
-  return measure_stage(surface, kBlock, {&pass, 1}, nullptr, check, {2});
+  return measure_stage(surface, kPointedBlock, {&pass, 1}, nullptr, check, {2});
 }
 
 /// The closed form lies in the interval, which is no wider than was asked for.
@@ -35,7 +35,7 @@ void check_interval(const Interval& interval, double truth_mm) {
   CAPTURE(interval.low, interval.high, truth_mm);
   CHECK(interval.low <= truth_mm + 1e-9);
   CHECK(interval.high >= truth_mm - 1e-9);
-  CHECK(interval.width() <= kResolution_mm + 1e-9);
+  CHECK(interval.width() <= kPointedResolution_mm + 1e-9);
 }
 
 /// The height of the cusps over a plane at the angle β, along its normal, that rows along its
@@ -56,10 +56,10 @@ TEST_CASE("rows of sharp tips on planes leave what formulas say", "[unit]") {
       CAPTURE(slope, text);
       const double a = 31 * std::numbers::pi / 180, beta = std::atan(slope), step = 0.4;
       const auto tip = [&](double x, double) { return slope * x; };
-      const auto d = measure(plane, model::parse_cutter(text), raster(6, step, 6, tip));
+      const auto d = measure_pointed(plane, model::parse_cutter(text), raster(6, step, 6, tip));
       check_interval(d.uncut_mm, tip_rows(a, beta, step));
       CHECK(d.gouge_mm.low == 0);
-      CHECK(d.gouge_mm.high <= kResolution_mm);
+      CHECK(d.gouge_mm.high <= kPointedResolution_mm);
       // The tip touches all of the plane.
       CHECK(d.unreachable_area_mm2 == Approx(0).margin(1e-9));
     }
@@ -83,14 +83,14 @@ TEST_CASE("a plane steeper than the point is touched by the drill's corner", "[u
     feed_to(path, {near, y, tip(near, 0)});
     feed_to(path, {far, y, tip(far, 0)});
   }
-  const auto d = measure(plane, drill, path);
+  const auto d = measure_pointed(plane, drill, path);
   // Under the rows the corner is over / √2 off. Between two of them its circle, seen along the
   // slope, is an ellipse: higher by less than (step/2)²/(2·3)·(slope), and there the distance grows
   // by no more than that over √2.
   const double bend = step * step / 4 / (2 * 3) * slope;
   CHECK(d.uncut_mm.low >= over / std::sqrt(2) - 1e-9);
-  CHECK(d.uncut_mm.high <= (over + 1.01 * bend) / std::sqrt(2) + kResolution_mm);
-  CHECK(d.gouge_mm.high <= kResolution_mm);
+  CHECK(d.uncut_mm.high <= (over + 1.01 * bend) / std::sqrt(2) + kPointedResolution_mm);
+  CHECK(d.gouge_mm.high <= kPointedResolution_mm);
 }
 
 TEST_CASE("drilled holes gouge a plane as deep as their tips go", "[unit]") {
@@ -103,7 +103,7 @@ TEST_CASE("drilled holes gouge a plane as deep as their tips go", "[unit]") {
     const double x = 3.0 * (k % 3) - 3, y = 3.0 * (k / 3) - 3;
     for (const double z : {5.0, k == 4 ? -depth : -depth / 2, 5.0}) feed_to(path, {x, y, z});
   }
-  const auto d = measure(plane, drill, path);
+  const auto d = measure_pointed(plane, drill, path);
   // Straight down from the plane to the tip of the deepest hole; its cone rises from there.
   check_interval(d.gouge_mm, depth);
   REQUIRE(!d.gouges.empty());
@@ -114,8 +114,8 @@ TEST_CASE("a cutter whose side leans inwards, over a plane and with an allowance
   const ReferenceSurface plane(plane_cage(5, 0, 0));
   const auto dovetail = model::parse_cutter("apt:D=8,r=0.5,b=-30,L=5");
   for (const double height : {0.05, -0.03}) {
-    const auto d = measure(plane, dovetail,
-                           raster(12, 3, 12, [&](double, double) { return 0.1 + height; }), 0.1);
+    const auto d = measure_pointed(
+        plane, dovetail, raster(12, 3, 12, [&](double, double) { return 0.1 + height; }), 0.1);
     check_interval(d.uncut_mm, std::max(0.0, height));
     check_interval(d.gouge_mm, std::max(0.0, -height));
   }

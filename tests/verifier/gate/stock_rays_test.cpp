@@ -12,8 +12,8 @@ namespace {
 using model::Vec3;
 using namespace tests;
 
-const model::Stock kBlock = model::BoxStock{{-60, -60, -60}, {120, 120, 120}};
-constexpr double kRadius = 3, kStep = 0.4;
+const model::Stock kRayBlock = model::BoxStock{{-60, -60, -60}, {120, 120, 120}};
+constexpr double kRayRadius = 3, kStep = 0.4;
 
 /// A stock of which a function says where its material is, asked in small steps and then halved:
 /// slow, and nothing like the simulator.
@@ -48,21 +48,21 @@ class FunctionStock : public StockProbe {
 /// A ball raster over the plane z = 0, `sunk` below it, and the stock that it leaves: closed form.
 struct Bench {
   explicit Bench(double sunk_mm = 0) : sunk(sunk_mm), plane(plane_cage(4, 0, 0)) {
-    pass = {ball_cutter(kRadius),
+    pass = {ball_cutter(kRayRadius),
             shared(raster(6, kStep, 12, [&](double, double) { return -sunk; }))};
     check.resolution_mm = 0.0005;
     check.field_spacing_mm = 0.2;
   }
   double stock_z(double x) const {
     const double row = std::remainder(x + 6, kStep);
-    return kRadius - std::sqrt(kRadius * kRadius - row * row) - sunk;
+    return kRayRadius - std::sqrt(kRayRadius * kRayRadius - row * row) - sunk;
   }
   FunctionStock::Inside cut() const {
     return [this](const Vec3& p) { return p.z < stock_z(p.x); };
   }
   StageDeviation measure(FunctionStock::Inside stock) const {
     const FunctionStock probe(std::move(stock));
-    return measure_stage(plane, kBlock, {&pass, 1}, &probe, check, {2});
+    return measure_stage(plane, kRayBlock, {&pass, 1}, &probe, check, {2});
   }
 
   double sunk;
@@ -87,7 +87,7 @@ TEST_CASE("rays into the true stock agree and give the runs along the normals", 
   const StageDeviation d = clean.measure(clean.cut());
   CHECK(d.voxel_gouge_mm == Approx(0).margin(1e-9));
   // Samples stand 0.2 mm apart, every second one on a cusp.
-  const double cusp = kRadius - std::sqrt(kRadius * kRadius - kStep * kStep / 4);
+  const double cusp = kRayRadius - std::sqrt(kRayRadius * kRayRadius - kStep * kStep / 4);
   CHECK(d.voxel_uncut_mm == Approx(cusp).margin(1e-9));
   const Bench sunk(0.01);
   const StageDeviation deep = sunk.measure(sunk.cut());

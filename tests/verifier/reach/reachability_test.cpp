@@ -14,8 +14,8 @@ using namespace tests;
 
 /// The bowl z = k·r²: a ball of R > 1/(2k) touches on the circle r² = R² − 1/(4k²) at the deepest
 /// and leaves (2kR − 1)²/(4k) on the axis.
-constexpr double kBowl = 0.05, kRadius = 12;
-const double kContactCircle = std::sqrt(kRadius * kRadius - 1 / (4 * kBowl * kBowl));
+constexpr double kBowl = 0.05, kBallRadius = 12;
+const double kContactCircle = std::sqrt(kBallRadius * kBallRadius - 1 / (4 * kBowl * kBowl));
 
 Vec3 bowl_point(double x, double y) {
   return {x, y, kBowl * (x * x + y * y)};
@@ -29,7 +29,7 @@ Vec3 bowl_normal(double x, double y) {
 TEST_CASE("a ball too large for a bowl reaches down to the contact circle", "[unit]") {
   const ReferenceSurface bowl(paraboloid_cage(24, kBowl));
   const SurfaceCells cells(bowl.tree(), 0.5);
-  const Reachability reach(cells, CutterProfile(ball_cutter(kRadius)), 0, 1e-4);
+  const Reachability reach(cells, CutterProfile(ball_cutter(kBallRadius)), 0, 1e-4);
   for (const double angle : {0.0, 0.7, 2.9}) {
     const double c = std::cos(angle), s = std::sin(angle);
     // Contact tolerance 1e-4 mm: the penetration grows with the square of the distance inwards.
@@ -50,24 +50,25 @@ TEST_CASE("what a large ball leaves in a bowl is unavoidable and not the toolpat
   // touching.
   const auto tip = [](double x, double y) {
     const double r = std::hypot(x, y);
-    const double lowest = (kBowl * kContactCircle * kContactCircle) + 1 / (2 * kBowl) - kRadius;
+    const double lowest = (kBowl * kContactCircle * kContactCircle) + 1 / (2 * kBowl) - kBallRadius;
     if (r < 1e-9) return lowest;
     // Least height at which the ball centred over (x, y) clears the bowl, by search over contacts.
     double z = -1e300;
     for (double c = -23; c <= 23; c += 0.01) {
       const double across = c - r;
-      if (std::abs(across) > kRadius) continue;
-      z = std::max(z, kBowl * c * c + std::sqrt(kRadius * kRadius - across * across) - kRadius);
+      if (std::abs(across) > kBallRadius) continue;
+      z = std::max(
+          z, kBowl * c * c + std::sqrt(kBallRadius * kBallRadius - across * across) - kBallRadius);
     }
     return z;
   };
-  const Pass pass{ball_cutter(kRadius), shared(raster(12, 1.5, 1.5, tip))};
+  const Pass pass{ball_cutter(kBallRadius), shared(raster(12, 1.5, 1.5, tip))};
   StageCheck check;
   check.resolution_mm = 0.01;
   check.field_spacing_mm = 0.5;
   const model::Stock block = model::BoxStock{{-60, -60, -60}, {120, 120, 120}};
   const StageDeviation d = measure_stage(bowl, block, {&pass, 1}, nullptr, check, {2});
-  const double left = std::pow(2 * kBowl * kRadius - 1, 2) / (4 * kBowl);
+  const double left = std::pow(2 * kBowl * kBallRadius - 1, 2) / (4 * kBowl);
   CHECK(d.unavoidable_uncut_mm.low <= left);
   CHECK(d.unavoidable_uncut_mm.high >= left);
   CHECK(d.unavoidable_uncut_mm.width() <= 0.01);

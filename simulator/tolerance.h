@@ -24,7 +24,8 @@ inline constexpr double kLeastAlongMove_mm = 1e-10;
 inline constexpr double kLeastRun_mm = 1e-12;
 /// Ends that would move by less than this stay where they are, and no thinner material is kept.
 inline constexpr double kDexelRounding_mm = kDistanceRounding_mm;
-/// A size that is a whole number of spacings but for this share of one is that number.
+/// A size that is a whole number of spacings but for this share of one is that number; a place that
+/// is beyond a cell by no more is in it.
 inline constexpr double kWholeSpacing = 1e-9;
 /// Share of a spacing by which a range of lines is taken wider: a line on its edge is not missed.
 inline constexpr double kLineOnEdge = 1e-6;
@@ -54,6 +55,16 @@ inline constexpr double kCoplanar_mm = 1e-10;
 /// on its plane is off by about the square of 1e-16 over the sine, relative to the distance; the
 /// foot of a sliver is found otherwise (PROOFS.md, P4).
 inline constexpr double kSliverSine = 1e-8;
+
+/// Points of the stock's surface are moved onto what was swept to this: far below the micrometre
+/// that anybody measures, far above rounding.
+inline constexpr double kSurfacePoint_mm = 1e-10;
+/// Squared sine of the angle between two unit gradients below which they say no more than one.
+inline constexpr double kSameLine = 1e-12;
+/// Volume that three unit gradients span below which they say no more than two.
+inline constexpr double kSamePlane = 1e-6;
+/// Share of the way from a cell's middle to a crossing by which it is looked at from further out.
+inline constexpr double kFurtherOut = 1e-3;
 
 // Process.
 

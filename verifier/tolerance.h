@@ -57,6 +57,30 @@ inline constexpr double kCancels = 1e-6;
 /// size, are one: a hundred times what evaluation rounds by.
 inline constexpr double kSameEdge = 1e-11;
 
+/// Sine of the angle between tangents below which they span no plane: a hundred times the rounding
+/// of their evaluation.
+inline constexpr double kParallel = 1e-11;
+/// Extremes of the surface along an axis are found to this.
+inline constexpr double kExtremeTolerance_mm = 1e-10;
+/// Refinement about an irregular vertex ends where the neighbourhood is smaller than this part of
+/// the model: the last bits of its coordinates.
+inline constexpr double kSmallestPiece = 1e-15;
+/// A cell whose surface is off its plane by no more is plane: a nanometre.
+inline constexpr double kPlane_mm = 1e-6;
+
+// Ridges.
+
+/// Parameters by which the faces round a vertex are looked at beside it, for what rises over a
+/// tangent plane. 1e-3 of a face is far from rounding, and less than any bend.
+inline constexpr double kIntoFace = 1e-3;
+/// Sine by which a face rises where it does; less is the rounding of its tangents.
+inline constexpr double kRises = 1e-6;
+/// Parameters beside a vertex at which its faces' normals are read: its own limit may be one that
+/// nothing comes near to.
+inline constexpr double kBesideVertex = 1e-6;
+/// Fans of normals that spread by less are one normal, in a cell no larger than kSmallestCell_mm.
+inline constexpr double kSmallestFan_rad = 1e-5;
+
 // Closest points (FEET.md).
 
 /// As kOmitted_mm, for closest points, whose cells are few near vertices.
@@ -110,6 +134,10 @@ inline constexpr double kAlong = 0.1;
 
 // Meshes (stock and fixtures).
 
+/// Share of the two products' sum by which the determinant of orient2d may be off: Shewchuk (1997),
+/// its first stage, (3 + 16u)·u with u = 2⁻⁵³, rounded up.
+inline constexpr double kOrientationRounding = 3.5e-16;
+
 /// Nearer than this to a mesh the side of a point is mostly rounding: it counts as inside; and
 /// coplanar triangles, which bound a cell alike, are not looked at for less.
 inline constexpr double kOnMesh_mm = 1e-11;
@@ -131,6 +159,8 @@ inline constexpr double kContact_mm = 1e-4;
 inline constexpr double kLevelSlope = 1e-9;
 /// Turn of a normal on a wall that contacts leave room for, rad.
 inline constexpr double kContactTurn_rad = 1e-6;
+/// Width to which the unavoidable uncut is certified, where the verdict asks for no less.
+inline constexpr double kUnavoidable_mm = 5e-3;
 /// Radius in plan to which a point of S is found to bar tips.
 inline constexpr double kBarred_mm = 1e-7;
 

@@ -107,7 +107,7 @@ class ExactPlacer : public NetPlacer {
     Known& known = known_[place_of(crossing)];
     if (known.at == crossing) return known.sample;
     const auto from_outside = [&](const Vec3& p) {
-      return material_.sample(p + (p - middle) * 1e-3, hint_);
+      return material_.sample(p + (p - middle) * kFurtherOut, hint_);
     };
     known = {crossing, from_outside(crossing)};
     if (std::abs(known.sample.value) >= kOff * lattice_.voxel_mm)
@@ -203,7 +203,7 @@ class ExactPlacer : public NetPlacer {
 
   bool in_cell(const Index3& cell, const Vec3& p) const {
     const Vec3 low = lattice_.point(cell);
-    const double slack = 1e-9 * lattice_.voxel_mm;
+    const double slack = kWholeSpacing * lattice_.voxel_mm;
     for (int a = 0; a < 3; ++a)
       if (p[a] < low[a] - slack || p[a] > low[a] + lattice_.voxel_mm + slack) return false;
     return true;

@@ -6,6 +6,7 @@
 
 #include "model/base/chunks.h"
 #include "simulator/stock/local_material.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -15,8 +16,6 @@ using model::Vec3;
 // Leaves whose points are held at a time, and those that one thread takes.
 constexpr std::size_t kBatch = 2048, kLeaves = 8;
 
-// Far below the micrometre that anybody measures, far above rounding.
-constexpr double kGoodEnough = 1e-10;
 constexpr int kMostSteps = 24;
 
 // For fewer points than this, each searches all moves.
@@ -27,7 +26,7 @@ constexpr std::size_t kFewPoints = 8;
 Vec3 step_to_both(const MaterialSample& a, const MaterialSample& b) {
   const double aa = dot(a.gradient, a.gradient), bb = dot(b.gradient, b.gradient);
   const double ab = dot(a.gradient, b.gradient), det = aa * bb - ab * ab;
-  if (det <= 1e-12 * aa * bb) return a.gradient * (-a.value / aa);
+  if (det <= kSameLine * aa * bb) return a.gradient * (-a.value / aa);
   const double la = (b.value * ab - a.value * bb) / det;
   const double lb = (a.value * ab - b.value * aa) / det;
   return a.gradient * la + b.gradient * lb;
@@ -36,7 +35,7 @@ Vec3 step_to_both(const MaterialSample& a, const MaterialSample& b) {
 Vec3 step_to_three(const MaterialSample& a, const MaterialSample& b, const MaterialSample& c) {
   const Vec3 bc = cross(b.gradient, c.gradient);
   const double det = dot(a.gradient, bc);
-  if (std::abs(det) < 1e-6) return step_to_both(a, b);
+  if (std::abs(det) < kSamePlane) return step_to_both(a, b);
   return (bc * a.value + cross(c.gradient, a.gradient) * b.value +
           cross(a.gradient, b.gradient) * c.value) *
          (-1 / det);
@@ -99,7 +98,7 @@ StockPoint project(const Source& material, const Sample& sample, const Vec3& sta
   MaterialSample now = sample(p, hint);
   StockPoint best{p, std::abs(now.value)};
   Makers makers;
-  for (int step = 0; step < kMostSteps && best.residual_mm > kGoodEnough; ++step) {
+  for (int step = 0; step < kMostSteps && best.residual_mm > kSurfacePoint_mm; ++step) {
     makers.meet(now.maker);
     p += shortened(makers.step(material, now, p), voxel_mm);
     now = sample(p, now.maker);

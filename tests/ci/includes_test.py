@@ -5,6 +5,7 @@ A noun is a header with the source of its name. Usage: includes_test.py SOURCE_T
 """
 import collections
 import pathlib
+import posixpath
 import re
 import sys
 
@@ -25,13 +26,14 @@ ARROWS = {
 }
 MOST_FILES = 32  # side by side in one folder
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+IMPORT = re.compile(r"^(?:import|export|\}) (?:.* )?from '(\.[^']+)'", re.MULTILINE)
 
 
 def read_tree(root):
-    """Path of each header and source of the house, with its text."""
+    """Path of each header, source and script of the house, with its text."""
     tops = {room.split("/")[0] for room in ARROWS} | {"tests"}  # tests may know everything
     files = [f for top in sorted(tops) for f in sorted((root / top).rglob("*"))
-             if f.suffix in (".h", ".cpp")]
+             if f.suffix in (".h", ".cpp", ".js", ".mjs", ".css") and "node_modules" not in f.parts]
     return {f.relative_to(root).as_posix(): f.read_text(encoding="utf-8") for f in files}
 
 
@@ -48,8 +50,10 @@ def includes_of(files):
     graph = collections.defaultdict(set)
     nouns = {noun_of(path) for path in files}
     for path, text in files.items():
-        noun = noun_of(path)
-        graph[noun] |= {noun_of(i) for i in INCLUDE.findall(text)} & nouns - {noun}
+        noun, folder = noun_of(path), posixpath.dirname(path)
+        others = INCLUDE.findall(text) + [
+            posixpath.normpath(posixpath.join(folder, i)) for i in IMPORT.findall(text)]
+        graph[noun] |= {noun_of(i) for i in others} & nouns - {noun}
     return graph
 
 
@@ -97,6 +101,9 @@ def planted():
     assert not faults(sound)
     circle = sound | {"model/a.cpp": '#include "model/a.h"\n#include "model/b.h"\n'}
     assert faults(circle) == ["includes in a circle: model/a, model/b"], faults(circle)
+    scripts = sound | {"reports/web/a.js": "import { b } from './view/b.js';\n",
+                       "reports/web/view/b.js": "import {\n  a,\n} from '../a.js';\n"}
+    assert faults(scripts) == ["includes in a circle: reports/web/a, reports/web/view/b"], faults(scripts)
     against = sound | {"simulator/d.h": '#include "verifier/c.h"\n'}
     assert len(faults(against)) == 1 and "may not know verifier" in faults(against)[0]
     full = sound | {f"study/n{i}.h": "" for i in range(MOST_FILES + 1)}

@@ -220,16 +220,16 @@ void add_edge(const SharpEdge& edge, const PiecesOfPatch& pieces, double radius_
 /// others' own ends say all.
 bool is_convex(const std::vector<PatchCorner>& corners, const std::vector<Vec3>& normals,
                const SurfaceTree& tree) {
-  constexpr double kInto = 1e-3, kLevel = 1e-6;
   constexpr double kU[] = {0, 1, 1, 0}, kV[] = {0, 0, 1, 1};
   for (const PatchCorner& c : corners) {
     const double u = kU[c.corner], v = kV[c.corner];
     const Vec3 vertex = tree.evaluate(c.patch, u, v).position;
-    for (const auto& [du, dv] : {std::pair{kInto, 0.0}, {0.0, kInto}, {kInto, kInto}}) {
+    for (const auto& [du, dv] :
+         {std::pair{kIntoFace, 0.0}, {0.0, kIntoFace}, {kIntoFace, kIntoFace}}) {
       const Vec3 way = tree.evaluate(c.patch, std::abs(u - du), std::abs(v - dv)).position - vertex;
       const double apart = length(way);
       for (const Vec3& n : normals)
-        if (dot(n, way) > apart * (kLevel + apart)) return false;
+        if (dot(n, way) > apart * (kRises + apart)) return false;
     }
   }
   return true;
@@ -239,15 +239,14 @@ bool is_convex(const std::vector<PatchCorner>& corners, const std::vector<Vec3>&
 void add_vertex(const std::vector<PatchCorner>& corners, const SurfaceTree& tree,
                 std::vector<RidgeCell>& out) {
   constexpr double kU[] = {0, 1, 1, 0}, kV[] = {0, 0, 1, 1};
-  // Beside the vertex, whose own limit nothing may come near to.
-  constexpr double kBeside = 1e-6;
   std::vector<Vec3> normals;
   Vec3 mean;
   RidgeCell cell;
   for (const PatchCorner& c : corners) {
     const double u = kU[c.corner], v = kV[c.corner];
     const SurfaceSample s = tree.evaluate(c.patch, u, v);
-    const Vec3 normal = tree.evaluate(c.patch, std::abs(u - kBeside), std::abs(v - kBeside)).normal;
+    const Vec3 normal =
+        tree.evaluate(c.patch, std::abs(u - kBesideVertex), std::abs(v - kBesideVertex)).normal;
     if (!(length(normal) > 0)) continue;
     normals.push_back(normal);
     mean += normal;
@@ -312,8 +311,7 @@ std::array<RidgeCell, 2> RidgeCell::halved(double t_mm) const {
 }
 
 bool RidgeCell::is_tiny() const {
-  constexpr double kSmallest_rad = 1e-5;
-  return edge_length(*this) < 2 * kSmallestCell_mm && offset().spread_rad < kSmallest_rad;
+  return edge_length(*this) < 2 * kSmallestCell_mm && offset().spread_rad < kSmallestFan_rad;
 }
 
 std::vector<RidgeCell> ridge_cells(const SurfaceTree& tree, double radius_mm) {

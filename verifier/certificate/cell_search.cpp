@@ -6,6 +6,7 @@
 
 #include "verifier/certificate/rim_strips.h"
 #include "verifier/certificate/run_bounds.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -53,8 +54,7 @@ OffsetCell as_spot(const RidgeCell&, const OffsetCell& o) {
 /// bent cells are no better for slivers, those on a plane beside a straight edge are.
 constexpr double kLongest = 8, kLongestOnPlane = 64;
 double longest_way(const OffsetCell& cell) {
-  constexpr double kPlane = 1e-6;
-  return cell.remainder <= kPlane ? kLongestOnPlane : kLongest;
+  return cell.remainder <= kPlane_mm ? kLongestOnPlane : kLongest;
 }
 
 /// Splits where δ changes most: across the passes far more than along them.

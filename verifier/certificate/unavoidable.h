@@ -5,12 +5,13 @@
 
 #include "verifier/gate/deviation.h"
 #include "verifier/reach/reach_map.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 
 struct UnavoidableOptions {
   /// The interval is narrowed to this, or to `share` of its upper end where that is more.
-  double resolution_mm = 5e-3;
+  double resolution_mm = kUnavoidable_mm;
   double share = 0.02;
   /// Ends of the effort; the interval stays valid, and wider, where one is met.
   std::size_t largest_cell_count = 100'000;    ///< cells of S looked at

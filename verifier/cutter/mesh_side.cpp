@@ -27,11 +27,9 @@ int exact_turn(const Vec3& a, const Vec3& b, const Vec3& p) {
 /// Seen from above: 1 where p lies left of the line from a to b, −1 right of it. On the line, as
 /// p + (ε, ε²) lies; 0 only where a and b are one point. Antisymmetric in a and b.
 int turn(const Vec3& a, const Vec3& b, const Vec3& p) {
-  // Shewchuk (1997), the first stage of orient2d: (3 + 16u)·u with u = 2⁻⁵³, rounded up.
-  constexpr double kBound = 3.5e-16;
   const double left = (b.x - a.x) * (p.y - a.y), right = (b.y - a.y) * (p.x - a.x);
   const double det = left - right, sum = std::abs(left) + std::abs(right);
-  if (std::abs(det) > kBound * sum) return sign(det);
+  if (std::abs(det) > kOrientationRounding * sum) return sign(det);
   // Straight above an end of the edge, as for every point above a vertex, no sum is needed.
   const bool above_end = (p.x == a.x && p.y == a.y) || (p.x == b.x && p.y == b.y);
   if (sum > 0 && !above_end)

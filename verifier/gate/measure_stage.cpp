@@ -18,9 +18,6 @@
 namespace limitgauge::verifier {
 namespace {
 
-/// Width to which the unavoidable uncut is certified, where the verdict asks for no less.
-constexpr double kUnavoidable_mm = 5e-3;
-
 /// How finely the rim of what can be reached is resolved, and for how long. The contact of a flat
 /// moves far as the normal turns, so its proofs take smaller cells. To a cutter as wide as the part
 /// every cell is near every other, and of a drill's or an undercutting cutter's contacts no cell is

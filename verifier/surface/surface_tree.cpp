@@ -1,4 +1,5 @@
 #include "verifier/surface/surface_tree.h"
+#include "verifier/tolerance.h"
 
 #include <algorithm>
 #include <map>
@@ -46,8 +47,6 @@ namespace {
 
 using model::Vec3;
 using Values = std::array<double, 16>;
-
-constexpr double kExtremeTolerance_mm = 1e-10;
 
 double largest(const Values& c) {
   return *std::max_element(c.begin(), c.end());

@@ -6,6 +6,7 @@
 #include "verifier/surface/regular_piece.h"
 #include "verifier/surface/surface_tree.h"
 #include "verifier/surface/vertex_limit.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 
@@ -17,8 +18,6 @@ namespace {
 /// Bound on refinement: the slowest shrinking neighbourhood (valence 50, factor 0.654) is below
 /// 1e-17 of its size by then; sharpness below ten is used up in the first ten levels.
 constexpr int kDeepest = 110;
-/// Refinement ends where the neighbourhood is smaller than this part of the model.
-constexpr double kSmallest = 1e-15;
 /// Where the masks give no plane, because the cage is folded flat at the vertex, it is read off the
 /// surface this many refinements closer.
 constexpr int kTangentSteps = 24;
@@ -95,7 +94,7 @@ class SurfaceTreeBuilder {
       return add(SurfaceTree::Node::Kind::piece, tree_.pieces_.size() - 1);
     }
     const auto corner = lone_corner(n);
-    if (corner && (depth >= kDeepest || spread(n) <= kSmallest * model_size_))
+    if (corner && (depth >= kDeepest || spread(n) <= kSmallestPiece * model_size_))
       return add_speck(n, *corner, square, approach);
     // Tangents come from the largest neighbourhood that gives them: the direction is the same at
     // every level, and differences of tiny neighbourhoods lose digits.

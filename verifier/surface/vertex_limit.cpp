@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "verifier/surface/ring_modes.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -12,9 +13,6 @@ namespace {
 using model::Vec3;
 using std::numbers::pi;
 using Tangents = VertexLimit::Tangents;
-
-/// Directions whose sine is below this are taken for parallel.
-constexpr double kParallel = 1e-11;
 
 bool spans_a_plane(const Tangents& t) {
   return length(cross(t.first, t.second)) > kParallel * length(t.first) * length(t.second);

@@ -10,8 +10,6 @@ namespace limitgauge::engine::strategy {
 namespace {
 
 constexpr int kMostSteps = 80;
-/// Share of a square that its rounding may take.
-constexpr double kSquareRounding = 1e-14;
 
 /// A segment as seen from the axis: at the place s its distance is hypot(aside, s) and its height
 /// top - rise (end - s), with rise >= 0; s runs over [begin, end].
@@ -137,7 +135,7 @@ void lift_over_edge(const CutterShape& shape, const Vec3& from, const Vec3& to,
   if (reach < 0) return;
   const double dx = to.x - from.x, dy = to.y - from.y, squared = dx * dx + dy * dy;
   const double area = dx * from.y - dy * from.x, wide = reach + kReachSlack_mm;
-  if (area * area > wide * wide * squared * (1 + kSquareRounding)) return;
+  if (area * area > wide * wide * squared * (1 + kUnitRounding)) return;
   const double length = std::sqrt(squared);
   if (length < kUprightLength_mm) return lift_over_upright(shape, from, to, greatest);
   const Slant slant(from, to, length);

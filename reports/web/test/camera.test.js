@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { axes, between, corners, fitted, project, ray, VIEWS, zoomed } from '../src/view/camera.js';
-import { dot, length, subtract } from '../src/view/vector.js';
+import { axes, between, corners, fitted, project, ray, VIEWS, zoomed } from '../src/view/scene/camera.js';
+import { dot, length, subtract } from '../src/base/vector.js';
 
 const size = { width: 800, height: 500 };
 const box = corners([[0, 0, -2], [40, 20, 2]]);

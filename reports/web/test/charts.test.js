@@ -7,7 +7,7 @@ import {
 import { clockInterval } from '../src/charts/clock_axis.js';
 import { histogramOption, percentilesOf, unitOf } from '../src/charts/histogram_option.js';
 import { leastRate, processOption } from '../src/charts/process_option.js';
-import { clockMark } from '../src/path/words.js';
+import { clockMark } from '../src/base/figure_text.js';
 import { sampleReport } from './sample.js';
 
 /** Segments of the given seconds, feeds and rates; a rapid where the feed is 0. */

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { coarsened, gathered } from '../src/view/coarse.js';
+import { coarsened, gathered } from '../src/view/surface/coarse.js';
 import { sampleReport } from './sample.js';
 
 test('a small surface is left alone', () => {

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BAND, colour, gateSide, position, roundedUp, scaleFor, ticks_mm } from '../src/view/colour_scale.js';
+import { BAND, colour, gateSide, position, roundedUp, scaleFor, ticks_mm } from '../src/view/colour/colour_scale.js';
 
 const stage = {
   limits: { gouge_mm: 0.01, uncut_mm: 0.02 },

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { exceeds, findingsOf, headline, leftOut, programAround } from '../src/view/findings.js';
+import { exceeds, findingsOf, headline, leftOut, programAround } from '../src/view/findings/findings.js';
 import { sampleReport } from './sample.js';
 
 const limits = { gouge_mm: 0.01, uncut_mm: 0.02 };

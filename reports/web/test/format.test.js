@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import * as format from '../src/view/format.js';
+import * as format from '../src/base/format.js';
 
 test('three significant digits, micrometres below a tenth of a millimetre', () => {
   assert.equal(format.measuredLength(0.000445), '0.445 µm');

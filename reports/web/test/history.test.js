@@ -6,7 +6,7 @@ import {
 } from '../src/history/data.js';
 import { historyOption, runsInSight, zoomedAxes } from '../src/history/option.js';
 import { panelExtent } from '../src/history/panels.js';
-import { runLines } from '../src/history/words.js';
+import { runLines } from '../src/history/run_text.js';
 
 /** A history of a job with five runs, of which the fourth has no finish. */
 function sampleHistory() {

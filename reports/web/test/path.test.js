@@ -9,7 +9,7 @@ import {
 } from '../src/path/timeline.js';
 import { colourChoices, exactness, legendTicks, quantileInTime, shareOf } from '../src/path/values.js';
 import { viridis } from '../src/path/viridis.js';
-import { clockText } from '../src/path/words.js';
+import { clockText } from '../src/base/figure_text.js';
 import { sampleReport } from './sample.js';
 
 /** A rapid down, two cuts along X, a rapid up: 1, 2, 4 and 1 s. */

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createPicker } from '../src/view/pick.js';
+import { createPicker } from '../src/view/scene/pick.js';
 import { readingAt } from '../src/view/reading.js';
 import { sampleReport } from './sample.js';
 

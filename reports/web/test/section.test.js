@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { cutCurve, magnification } from '../src/view/section.js';
+import { cutCurve, magnification } from '../src/view/section/section.js';
 import { sampleReport } from './sample.js';
 
 const report = sampleReport();

@@ -10,7 +10,7 @@ import {
   axisPlace, parallelHeight, parallelOption, parallelQuantities,
 } from '../src/study/parallel_option.js';
 import { scatterOption } from '../src/study/scatter_option.js';
-import { clockText, durationText, percentText, shownFigure } from '../src/study/shown.js';
+import { clockText, durationText, percentText, shownFigure } from '../src/study/quantity_text.js';
 
 const markup = '<img src=x onerror=window.hostile=1>';
 

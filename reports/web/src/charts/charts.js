@@ -1,9 +1,9 @@
 import './charts.css';
 
 import { duration } from '../path/timeline.js';
-import { clockText } from '../path/words.js';
-import { make } from '../view/dom.js';
-import { signedMeasured } from '../view/format.js';
+import { clockText } from '../base/figure_text.js';
+import { make } from '../base/dom.js';
+import { signedMeasured } from '../base/format.js';
 import { findingTimes, histogramBars, processBins } from './bins.js';
 import { histogramOption, percentilesOf } from './histogram_option.js';
 import { createLiveChart, whenSeen } from './live_chart.js';

@@ -1,5 +1,5 @@
-import { grouped } from '../path/words.js';
-import { threeDigits, unitFor } from '../view/format.js';
+import { grouped } from '../base/figure_text.js';
+import { threeDigits, unitFor } from '../base/format.js';
 import { histogramAxis, leastDecade, placeWords } from './bins.js';
 import { axisOption, commonOption, tooltipLines } from './theme.js';
 

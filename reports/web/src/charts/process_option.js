@@ -1,4 +1,4 @@
-import { clockMark, clockText, feedText, grouped, rateText } from '../path/words.js';
+import { clockMark, clockText, feedText, grouped, rateText } from '../base/figure_text.js';
 import { clockInterval } from './clock_axis.js';
 import { axisOption, commonOption, tooltipLines } from './theme.js';
 

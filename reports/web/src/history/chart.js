@@ -1,7 +1,7 @@
 import './library.js';
 
 import { createLiveChart, whenSeen } from '../charts/live_chart.js';
-import { make, onceAFrame } from '../view/dom.js';
+import { make, onceAFrame } from '../base/dom.js';
 import { nearestRun } from './data.js';
 import { chartHeight, historyOption, zoomedAxes } from './option.js';
 import { createRunPanel } from './run_panel.js';

@@ -1,4 +1,4 @@
-import { fixed, threeDigits, unitFor } from '../view/format.js';
+import { fixed, threeDigits, unitFor } from '../base/format.js';
 
 /**
  * The page's data, as reports/history/history_json.cpp writes them, with what charts need of them:

@@ -1,7 +1,7 @@
 import { axisOption, commonOption, tooltipLines } from '../charts/theme.js';
 import { limitText, nearestRun, runName, seriesTitle } from './data.js';
 import { panelExtent, panelSeries, placeOf } from './panels.js';
-import { runLines } from './words.js';
+import { runLines } from './run_text.js';
 
 const PANEL_PX = 130, TITLE_PX = 42, TOP_PX = 4, BELOW_PX = 104, NARROW_PX = 640;
 

@@ -1,6 +1,6 @@
-import { make } from '../view/dom.js';
+import { make } from '../base/dom.js';
 import { momentText, seriesTitle } from './data.js';
-import { valueText, verdictText } from './words.js';
+import { valueText, verdictText } from './run_text.js';
 
 /**
  * What is known of the pinned run, said aloud when another is pinned.

@@ -1,7 +1,7 @@
-import { make } from '../view/dom.js';
+import { make } from '../base/dom.js';
 import { legendTicks, shareOf } from './values.js';
 import { viridisGradient } from './viridis.js';
-import { clockText, figure } from './words.js';
+import { clockText, figure } from '../base/figure_text.js';
 
 /** What the colours of the path mean, in figures with their unit. */
 export function createLegend() {

@@ -1,7 +1,7 @@
-import { make } from '../view/dom.js';
-import { coordinate } from '../view/format.js';
+import { make } from '../base/dom.js';
+import { coordinate } from '../base/format.js';
 import { createLegend } from './legend.js';
-import { clockMark, clockText, feedText, grouped, rateText } from './words.js';
+import { clockMark, clockText, feedText, grouped, rateText } from '../base/figure_text.js';
 
 export const SPEEDS = [1, 5, 20, 60, 200, 600, 2000];
 const WINDOWS_S = [0, 1, 5, 20, 60, 300, 1200];

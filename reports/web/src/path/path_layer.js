@@ -14,7 +14,7 @@ const TOOL = { light: [50, 60, 75], dark: [96, 128, 165] };
 
 /**
  * The toolpath of a stage over the error map, with its controls.
- * @param {object} scene of view/scene.js
+ * @param {object} scene of view/scene/scene.js
  * @param {object} report as decodeReport gives it
  * @returns {{element: HTMLElement, show: (stageIndex: number|null) => void,
  *   setTheme: (dark: boolean) => void, setSection: (section: object|null) => void, state: () => object}}

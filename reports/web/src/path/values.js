@@ -1,6 +1,6 @@
-import { statedLength } from '../view/format.js';
+import { statedLength } from '../base/format.js';
 import { beginning, duration } from './timeline.js';
-import { grouped } from './words.js';
+import { grouped } from '../base/figure_text.js';
 
 const FEED = 1;
 

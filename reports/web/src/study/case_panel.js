@@ -1,4 +1,4 @@
-import { make } from '../view/dom.js';
+import { make } from '../base/dom.js';
 import { badge, resultLink } from './case_table.js';
 import { marksOf } from './data.js';
 

@@ -1,4 +1,4 @@
-import { make } from '../view/dom.js';
+import { make } from '../base/dom.js';
 import { sortedRows, tableColumns } from './columns.js';
 import { hasResult, marksOf, resultPath } from './data.js';
 import { LOOKS } from './looks.js';

@@ -1,5 +1,5 @@
 import { whenSeen } from '../charts/following.js';
-import { make, onceAFrame } from '../view/dom.js';
+import { make, onceAFrame } from '../base/dom.js';
 import { curveOption } from './curve_option.js';
 import { createChart } from './library.js';
 import { quantityChoice } from './scatter_chart.js';

@@ -1,5 +1,5 @@
 import { LOOKS } from './looks.js';
-import { shownFigure } from './shown.js';
+import { shownFigure } from './quantity_text.js';
 
 /**
  * What can stand on an axis: a varied key or a figure.

@@ -1,4 +1,4 @@
-import { make } from '../view/dom.js';
+import { make } from '../base/dom.js';
 import { extentOf } from './axes.js';
 import { LOOKS } from './looks.js';
 import { parallelQuantities } from './parallel_option.js';

@@ -1,6 +1,6 @@
 import './study.css';
 import { whenSeen } from '../charts/following.js';
-import { make } from '../view/dom.js';
+import { make } from '../base/dom.js';
 import { createBoard } from './board.js';
 import { createCasePanel } from './case_panel.js';
 import { createCaseTable } from './case_table.js';

@@ -1,4 +1,4 @@
-import { make, onceAFrame } from '../view/dom.js';
+import { make, onceAFrame } from '../base/dom.js';
 import { extentOf } from './axes.js';
 import { createChart } from './library.js';
 import { axisPlace, parallelHeight, parallelOption, parallelQuantities } from './parallel_option.js';

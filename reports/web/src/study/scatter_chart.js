@@ -1,4 +1,4 @@
-import { make, onceAFrame } from '../view/dom.js';
+import { make, onceAFrame } from '../base/dom.js';
 import { createChart } from './library.js';
 import { hasFront, scatterOption } from './scatter_option.js';
 

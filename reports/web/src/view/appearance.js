@@ -1,7 +1,7 @@
-import { colour, scaleFor } from './colour_scale.js';
+import { colour, scaleFor } from './colour/colour_scale.js';
 import { current } from './current.js';
 import { showReading } from './probe.js';
-import { cutCurve, magnification } from './section.js';
+import { cutCurve, magnification } from './section/section.js';
 
 const CANNOT_REACH = 1;
 

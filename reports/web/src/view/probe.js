@@ -1,9 +1,9 @@
-import { colour, css } from './colour_scale.js';
+import { colour, css } from './colour/colour_scale.js';
 import { current } from './current.js';
-import { onceAFrame } from './dom.js';
-import { createPicker } from './pick.js';
+import { onceAFrame } from '../base/dom.js';
+import { createPicker } from './scene/pick.js';
 import { readingAt } from './reading.js';
-import { add, scaled } from './vector.js';
+import { add, scaled } from '../base/vector.js';
 
 function firstHit(viewer, ray) {
   const { surface } = current(viewer);

@@ -1,5 +1,5 @@
-import { make } from './dom.js';
-import { coordinate, deviationWord, parameter, signedMeasured } from './format.js';
+import { make } from '../base/dom.js';
+import { coordinate, deviationWord, parameter, signedMeasured } from '../base/format.js';
 
 const FIGURES = {
   'x-mm': ({ point_mm }) => point_mm[0],

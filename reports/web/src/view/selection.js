@@ -1,6 +1,6 @@
 import { applyColours } from './appearance.js';
-import { scaleFor } from './colour_scale.js';
-import { exceeds, findingsOf } from './findings.js';
+import { scaleFor } from './colour/colour_scale.js';
+import { exceeds, findingsOf } from './findings/findings.js';
 import { read } from './probe.js';
 
 /** The failing stage with its worst finding chosen, or else the last stage that ran; all of the part seen. */

@@ -1,4 +1,4 @@
-import { make } from './dom.js';
+import { make } from '../base/dom.js';
 
 const WORDS = { pass: 'passed', fail: 'failed', indeterminate: 'undecided', not_run: 'not run' };
 const CLASSES = { pass: 'pass', fail: 'fail', indeterminate: 'open' };

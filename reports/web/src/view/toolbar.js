@@ -1,4 +1,4 @@
-import { make } from './dom.js';
+import { make } from '../base/dom.js';
 
 const VIEWS = [
   ['home', 'Whole part', undefined, 'The whole part from where it is seen now (Home)'],

@@ -1,7 +1,7 @@
 import './viewer.css';
-import { createLayers } from './layers.js';
-import { make } from './dom.js';
-import { createScene } from './scene.js';
+import { createLayers } from './scene/layers.js';
+import { make } from '../base/dom.js';
+import { createScene } from './scene/scene.js';
 import { createViewer } from './viewer.js';
 
 const MISSING = 'The 3D view needs WebGL 2, which this browser does not offer or has switched off. '

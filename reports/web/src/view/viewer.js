@@ -1,20 +1,20 @@
 import { createPathLayer } from '../path/path_layer.js';
 import { applyColours, applyLook, applySection } from './appearance.js';
-import { createColourPanel } from './colour_panel.js';
-import { make, uniqueId } from './dom.js';
-import { createFindingsPanel } from './findings_panel.js';
-import { attachHand } from './hand.js';
+import { createColourPanel } from './colour/colour_panel.js';
+import { make, uniqueId } from '../base/dom.js';
+import { createFindingsPanel } from './findings/findings_panel.js';
+import { attachHand } from './scene/hand.js';
 import { interfaceOf } from './interface.js';
-import { createLegend } from './legend.js';
-import { createMarkers } from './markers.js';
+import { createLegend } from './colour/legend.js';
+import { createMarkers } from './findings/markers.js';
 import { handOf, isBehind } from './probe.js';
 import { createReadout } from './readout.js';
-import { createSectionPanel } from './section_panel.js';
+import { createSectionPanel } from './section/section_panel.js';
 import { chooseFinding, chooseStage, goToTime, open, show, showPath } from './selection.js';
 import { createStageTabs } from './stage_tabs.js';
-import { linkStaticFindings } from './static_links.js';
+import { linkStaticFindings } from './findings/static_links.js';
 import { createToolbar } from './toolbar.js';
-import { createTriad } from './triad.js';
+import { createTriad } from './scene/triad.js';
 
 /**
  * The whole of the view: its elements, and what they do to each other.

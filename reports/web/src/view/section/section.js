@@ -1,4 +1,4 @@
-import { pointAt } from './vector.js';
+import { pointAt } from '../../base/vector.js';
 
 /**
  * Where a plane square to an axis cuts a surface: one piece for each triangle it passes.

@@ -1,4 +1,4 @@
-import { make } from './dom.js';
+import { make } from '../../base/dom.js';
 import { headline } from './findings.js';
 
 const LABEL = { width: 34, height: 24 };

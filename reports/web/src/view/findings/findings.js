@@ -1,4 +1,4 @@
-import { measuredLength } from './format.js';
+import { measuredLength } from '../../base/format.js';
 
 /**
  * All findings of a stage, the worst first: gouges and leftovers beyond their limit, by how many times,

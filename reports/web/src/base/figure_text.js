@@ -1,4 +1,4 @@
-import { threeDigits } from '../view/format.js';
+import { threeDigits } from './format.js';
 
 /** 98325 as "98 325", with narrow no-break spaces from five digits on. */
 export function grouped(count) {

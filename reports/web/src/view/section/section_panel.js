@@ -1,5 +1,5 @@
-import { make, uniqueId } from './dom.js';
-import { fixed } from './format.js';
+import { make, uniqueId } from '../../base/dom.js';
+import { fixed } from '../../base/format.js';
 import { createSectionChart } from './section_chart.js';
 
 const STEPS = 400;

@@ -1,5 +1,5 @@
-import { createSectionActors } from './section_actor.js';
-import { createSurfaceActor } from './surface_actor.js';
+import { createSectionActors } from '../section/section_actor.js';
+import { createSurfaceActor } from '../surface/surface_actor.js';
 
 /** What is drawn of the part: the surface with its map, and the cut of a section plane. */
 export function createLayers(scene) {

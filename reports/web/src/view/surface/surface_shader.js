@@ -1,4 +1,4 @@
-import { COLOUR_GLSL } from './colour_shader.js';
+import { COLOUR_GLSL } from '../colour/colour_shader.js';
 
 const VERTEX_DECLARATIONS = `
 attribute float deviationMC;

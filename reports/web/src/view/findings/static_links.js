@@ -1,4 +1,4 @@
-import { make } from './dom.js';
+import { make } from '../../base/dom.js';
 
 /**
  * Puts a button into the page's own tables beside each finding: it shows the finding in 3D. The page marks

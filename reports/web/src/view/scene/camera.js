@@ -1,4 +1,4 @@
-import { add, dot, scaled, subtract } from './vector.js';
+import { add, dot, scaled, subtract } from '../../base/vector.js';
 
 /**
  * A camera that turns about Z like a part on a table. Plain values, angles in degrees:

@@ -1,6 +1,6 @@
 import { colour, css, position, ticks_mm } from './colour_scale.js';
-import { make } from './dom.js';
-import { scaleUnit, signedLength } from './format.js';
+import { make } from '../../base/dom.js';
+import { scaleUnit, signedLength } from '../../base/format.js';
 
 const STEPS = 400;
 

@@ -3,7 +3,7 @@ import vtkPolyData from '@kitware/vtk.js/Common/DataModel/PolyData';
 import vtkActor from '@kitware/vtk.js/Rendering/Core/Actor';
 import vtkMapper from '@kitware/vtk.js/Rendering/Core/Mapper';
 import { coarsened, gathered } from './coarse.js';
-import { sideUniform } from './colour_shader.js';
+import { sideUniform } from '../colour/colour_shader.js';
 import { SURFACE_REPLACEMENTS } from './surface_shader.js';
 
 const CANNOT_REACH = 1;

@@ -1,4 +1,4 @@
-import { fixed, threeDigits, unitFor } from '../view/format.js';
+import { fixed, threeDigits, unitFor } from '../base/format.js';
 
 /** Seconds as the page's tables say them: "0.8 s", "12.4 s", "3 min 05 s", "1 h 02 min". */
 export function durationText(seconds) {

@@ -1,4 +1,4 @@
-import { pointAt } from './vector.js';
+import { pointAt } from '../../base/vector.js';
 
 /** Cells a leaf; small enough that a ray tests few, large enough that the tree stays small. */
 const LEAF_CELLS = 32;

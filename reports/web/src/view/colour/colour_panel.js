@@ -1,5 +1,5 @@
-import { make, uniqueId } from './dom.js';
-import { choice } from './section_panel.js';
+import { make, uniqueId } from '../../base/dom.js';
+import { choice } from '../section/section_panel.js';
 
 const UM = 1000;
 

@@ -6,8 +6,8 @@ import {
   axes, corners, eyeDistance, fitted, HALF_ANGLE_DEG, lookingAt, project, ray, VIEWS,
 } from './camera.js';
 import { createFlight } from './flight.js';
-import { onThemeChange, pageTheme } from './theme.js';
-import { add, length, pointAt, scaled, subtract } from './vector.js';
+import { onThemeChange, pageTheme } from '../theme.js';
+import { add, length, pointAt, scaled, subtract } from '../../base/vector.js';
 
 const REST_MS = 160;
 const SLOW_FRAME_MS = 45;

@@ -1,6 +1,6 @@
-import { make } from './dom.js';
+import { make } from '../../base/dom.js';
 import { exceeds, findingsOf, headline, leftOut, programAround } from './findings.js';
-import { coordinate, parameter, statedLength } from './format.js';
+import { coordinate, parameter, statedLength } from '../../base/format.js';
 
 /**
  * The findings of a stage, worst first, and what is to be said about the chosen one.

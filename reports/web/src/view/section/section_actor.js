@@ -4,7 +4,7 @@ import vtkPoints from '@kitware/vtk.js/Common/Core/Points';
 import vtkPolyData from '@kitware/vtk.js/Common/DataModel/PolyData';
 import vtkActor from '@kitware/vtk.js/Rendering/Core/Actor';
 import vtkMapper from '@kitware/vtk.js/Rendering/Core/Mapper';
-import { pointAt } from './vector.js';
+import { pointAt } from '../../base/vector.js';
 
 /**
  * The cut curve in the picture: the surface as a line, and from it, magnified, the deviation as a coloured

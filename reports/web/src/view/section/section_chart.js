@@ -1,5 +1,5 @@
-import { colour, css } from './colour_scale.js';
-import { fixed, scaleUnit, signedLength } from './format.js';
+import { colour, css } from '../colour/colour_scale.js';
+import { fixed, scaleUnit, signedLength } from '../../base/format.js';
 import { profileAxes } from './section.js';
 
 const SVG = 'http://www.w3.org/2000/svg';

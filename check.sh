@@ -13,7 +13,7 @@ fi
 ./setup.sh all
 jobs=$(nproc)
 
-common=(-DLIMITGAUGE_WERROR=ON -DLIMITGAUGE_TESTS=ON -DLIMITGAUGE_UNITY=ON "$@")
+common=(-DLIMITGAUGE_WERROR=ON -DLIMITGAUGE_TESTS=ON -DLIMITGAUGE_BENCHMARKS=ON -DLIMITGAUGE_UNITY=ON "$@")
 
 cmake --preset release "${common[@]}" >/dev/null
 cmake --build --preset release

@@ -8,11 +8,11 @@ set -euo pipefail
 
 build=(
   g++ cmake ninja-build ccache git ca-certificates
-  # simulator: OpenVDB with what its headers and its library need
+  # simulator: OpenVDB with what its headers and its library need; of Boost the verifier has rational numbers
   libopenvdb-dev libtbb-dev libimath-dev libboost-dev
   # meshes and exact predicates, with the exact numbers that they fall back to
   libcgal-dev libgmp-dev libmpfr-dev
-  # least squares, eigenvectors, poses
+  # least squares, eigenvectors
   libeigen3-dev
   # another evaluator of the limit surface, the witness of every run
   libosd-dev

@@ -5,6 +5,7 @@
 #include <sqlite3.h>
 
 #include "model/base/error.h"
+#include "model/base/hexadecimal.h"
 
 namespace limitgauge::history {
 namespace {
@@ -14,21 +15,7 @@ constexpr int kWaitForOthers_ms = 60'000;
 
 /// `file` as the URI that SQLite takes options with.
 std::string uri(const std::filesystem::path& file, const std::string& option) {
-  constexpr const char* kDigits = "0123456789ABCDEF";
-  std::string out = "file:";
-  for (const char c : std::filesystem::absolute(file).string()) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = c == '/' || c == '.' || c == '-' || c == '_' || (c >= '0' && c <= '9') ||
-                       (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    if (plain) {
-      out += c;
-    } else {
-      out += '%';
-      out += kDigits[byte >> 4];
-      out += kDigits[byte & 15];
-    }
-  }
-  return out + "?" + option;
+  return "file:" + model::percent_encoded(std::filesystem::absolute(file).string()) + "?" + option;
 }
 
 struct Opening {

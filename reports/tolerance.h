@@ -14,5 +14,16 @@ inline constexpr double kNoLength_mm = 5e-7;
 inline constexpr double kNoArea_mm2 = 1e-3;
 /// Stands for a limit of zero where a figure is divided by its limit: any length is far beyond it.
 inline constexpr double kZeroLimit_mm = 1e-9;
+/// What is drawn to scale is taken to be at least this long, so that no scale divides by zero: far
+/// below anything that is cut.
+inline constexpr double kLeastExtent_mm = 1e-9;
+/// The like of what an eye sees: length over distance, no unit.
+inline constexpr double kLeastSeen = 1e-9;
+/// Numbers that differ by less of their size, or of the axis that they stand on, differ by the
+/// rounding of a few operations only, which is some 1e-16 each. No unit.
+inline constexpr double kRounding = 1e-9;
+/// In units of the last digit shown: a number that is nearer to a whole one has no further digits
+/// but for its binary form, which is off by less than this up to some 1e9 of these units.
+inline constexpr double kWholeDigit = 1e-6;
 
 }  // namespace limitgauge::reports

@@ -63,6 +63,14 @@ inline constexpr double kSurfacePoint_mm = 1e-10;
 inline constexpr double kSameLine = 1e-12;
 /// Volume that three unit gradients span below which they say no more than two.
 inline constexpr double kSamePlane = 1e-6;
+/// Sine of the angle at which surfaces of two makers meet below which they make no edge worth a
+/// vertex: a facet across it is off by the angle times a voxel over eight.
+inline constexpr double kSharpSine = 5e-3;
+/// The same of one maker's surface, whose own normals turn within a cell where it is round.
+inline constexpr double kSharpOfOneSine = 0.3;
+/// φ at an interpolated crossing that is beyond what curvature makes of a smooth surface: there the
+/// crossing is looked for.
+inline constexpr double kOffCrossing_voxels = 0.02;
 /// Share of the way from a cell's middle to a crossing by which it is looked at from further out.
 inline constexpr double kFurtherOut = 1e-3;
 

@@ -62,6 +62,10 @@ inline constexpr double kSameEdge = 1e-11;
 inline constexpr double kParallel = 1e-11;
 /// Extremes of the surface along an axis are found to this.
 inline constexpr double kExtremeTolerance_mm = 1e-10;
+/// Share of the whole area by which quadrature over a piece and over its quarters may differ. A
+/// quartering takes the error to less than a hundredth, so that pieces by the thousand stay within
+/// the 1e-6 that is promised of the area.
+inline constexpr double kAreaStep = 1e-8;
 /// Refinement about an irregular vertex ends where the neighbourhood is smaller than this part of
 /// the model: the last bits of its coordinates.
 inline constexpr double kSmallestPiece = 1e-15;
@@ -161,6 +165,8 @@ inline constexpr double kLevelSlope = 1e-9;
 inline constexpr double kContactTurn_rad = 1e-6;
 /// Width to which the unavoidable uncut is certified, where the verdict asks for no less.
 inline constexpr double kUnavoidable_mm = 5e-3;
+/// A cutter so far above S and its allowance is free: a nanometre, far above rounding.
+inline constexpr double kRetracted_mm = 1e-6;
 /// Radius in plan to which a point of S is found to bar tips.
 inline constexpr double kBarred_mm = 1e-7;
 
@@ -176,5 +182,11 @@ inline constexpr double kCrossing_mm = 1e-6;
 
 inline constexpr double kNoArea_mm2 = 1e-9;
 inline constexpr double kNoLength_mm = 1e-6;
+
+// Texts.
+
+/// Of the last of four digits: a number off by less is the number of four digits, which rounding
+/// outwards leaves as it is. Far above what its last bits are, far below what is shown.
+inline constexpr double kFourthDigit = 1e-6;
 
 }  // namespace limitgauge::verifier

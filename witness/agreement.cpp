@@ -1,15 +1,15 @@
 #include "witness/agreement.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <sstream>
 
+#include "model/base/clock.h"
 #include "witness/bounds.h"
-#include "witness/cage_refused.h"
 #include "witness/far_refinement.h"
 #include "witness/limit_points.h"
 #include "witness/star_limit.h"
+#include "witness/tolerance.h"
 
 namespace limitgauge::witness {
 namespace {
@@ -22,11 +22,6 @@ int levels_for(std::size_t patches) {
   for (std::size_t faces = 16 * patches; levels < kMostLevels && faces <= kMostFaces; faces *= 4)
     ++levels;
   return levels;
-}
-
-/// In radians; exact for small angles, too.
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(length(cross(a, b)), dot(a, b));
 }
 
 class Comparison {
@@ -112,9 +107,9 @@ class Comparison {
 }  // namespace
 
 Agreement hold_against(const Cage& cage, const SurfaceUnderTest& surface) {
-  const auto start = std::chrono::steady_clock::now();
+  const model::Stopwatch watch;
   Agreement found = Comparison(cage, surface).result();
-  found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  found.seconds = watch.seconds();
   return found;
 }
 

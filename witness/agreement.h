@@ -52,8 +52,6 @@ inline constexpr std::size_t kMostFaces = 65'536;
 inline constexpr int kMostLevels = 4;
 /// Vertices without a limit mask (ends of creases, valence two, sharpness not yet used up).
 inline constexpr std::size_t kMostRefined = 4096;
-/// Normals whose bound is wider say nothing, and are left out.
-inline constexpr double kSteady_rad = 1e-3;
 
 /// Holds `surface` against the limits of `cage` by OpenSubdiv's Far, in double precision. The same
 /// result every time, but for `seconds`. A cage that OpenSubdiv refuses is a contradiction as well.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "witness/tolerance.h"
+
 namespace limitgauge::witness {
 namespace {
 

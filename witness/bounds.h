@@ -29,8 +29,4 @@ struct Bounds {
 };
 Bounds bounds_of(const model::Cage& cage, int steps);
 
-/// Error that the surface under test states for itself, as a part of the size of its coordinates
-/// (verifier/surface/reference_surface.h).
-inline constexpr double kEvaluation = 1e-12;
-
 }  // namespace limitgauge::witness

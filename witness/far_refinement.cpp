@@ -5,7 +5,6 @@
 #include <opensubdiv/version.h>
 
 #include "witness/bounds.h"
-#include "witness/cage_refused.h"
 
 namespace limitgauge::witness {
 namespace {

@@ -4,6 +4,7 @@
 #include <opensubdiv/far/topologyRefiner.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ using Primvars = std::vector<Primvar>;
 
 /// The control points of a cage.
 Primvars control_points(const model::Cage& cage);
+
+/// OpenSubdiv does not take a cage, a vertex of more edges than it can count for one.
+class CageRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Uniform refinement of a cage by OpenSubdiv's Far. Whatever includes OpenSubdiv includes this
 /// header, which no other folder does.

@@ -1,15 +1,16 @@
 #include "app/cli/option_checks.h"
 
-#include <cmath>
-#include <cstdlib>
+#include <optional>
+
+#include "model/base/number_text.h"
 
 namespace limitgauge::app {
 
 CLI::Validator number_above_zero(bool or_zero) {
   return CLI::Validator(
       [or_zero](const std::string& text) {
-        const double value = std::strtod(text.c_str(), nullptr);
-        if (std::isfinite(value) && (value > 0 || (or_zero && value == 0))) return "";
+        const std::optional<double> value = model::parse_number(text);
+        if (value && (*value > 0 || (or_zero && *value == 0))) return "";
         return or_zero ? "is no number from zero up" : "is no number above zero";
       },
       "");
@@ -17,17 +18,14 @@ CLI::Validator number_above_zero(bool or_zero) {
 
 CLI::Validator finite_number() {
   return CLI::Validator(
-      [](const std::string& text) {
-        return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "is no number";
-      },
-      "");
+      [](const std::string& text) { return model::parse_number(text) ? "" : "is no number"; }, "");
 }
 
 CLI::Validator share() {
   return CLI::Validator(
       [](const std::string& text) {
-        const double value = std::strtod(text.c_str(), nullptr);
-        return value >= 0 && value <= 1 ? "" : "is no share from 0 to 1";
+        const std::optional<double> value = model::parse_number(text);
+        return value && *value >= 0 && *value <= 1 ? "" : "is no share from 0 to 1";
       },
       "");
 }

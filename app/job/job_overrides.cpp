@@ -55,17 +55,6 @@ toml::table parse_value(const Override& override) {
   refuse(override, "the value cannot be read", "a number, true, false, text or [list]");
 }
 
-toml::table* entry_named(toml::array& entries, const std::string& name) {
-  for (toml::node& entry : entries) {
-    toml::table* table = entry.as_table();
-    if (table == nullptr) continue;
-    for (const char* key : {"name", "id"}) {
-      if ((*table)[key].value<std::string>() == name) return table;
-    }
-  }
-  return nullptr;
-}
-
 /// One step along the path: a table below `at`, created where there is none.
 toml::table* step(const Override& override, toml::table& at, std::size_t& index) {
   const std::string& name = override.path[index];

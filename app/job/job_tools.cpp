@@ -11,8 +11,6 @@
 namespace limitgauge::app {
 namespace {
 
-constexpr double kDefaultFluteDiameters = 4;
-
 /// A cylinder, or several from the tip up.
 std::vector<model::CylinderPart> read_parts(const TomlTable& tool, std::string_view key) {
   std::vector<model::CylinderPart> parts;
@@ -99,7 +97,7 @@ void read_shape(const TomlTable& tool, model::Cutter& cutter) {
 }
 
 void read_flute_length(const TomlTable& tool, model::Cutter& cutter, JobContext& context) {
-  cutter.flute_length_mm = kDefaultFluteDiameters * cutter.diameter_mm;
+  cutter.flute_length_mm = model::kDefaultFluteDiameters * cutter.diameter_mm;
   if (tool.has("flute_length")) {
     cutter.flute_length_mm = tool.positive("flute_length");
     return;

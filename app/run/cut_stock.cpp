@@ -60,10 +60,9 @@ CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch&
   return {std::move(stock), volume_mm3, simulator::DexelStock(job.stock, settings.line_spacing_mm)};
 }
 
-CutStock cut_again(CutStock before, std::span<const verifier::Pass> passes,
+CutStock cut_again(CutStock before, std::span<const model::Pass> passes,
                    const StageWatch& watch) {
-  for (const verifier::Pass& taken : passes) {
-    const simulator::Pass pass{taken.cutter, taken.path};
+  for (const model::Pass& pass : passes) {
     before.stock = std::move(before.stock).cut(pass, watch.control("cutting again"));
     before.lines = before.lines.cut(pass, watch.control("cutting again")).stock;
   }

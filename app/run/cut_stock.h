@@ -24,7 +24,7 @@ CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch&
 
 /// `before` after `passes`, of which nothing else is wanted: the same to the last bit as they left
 /// it when they were first cut.
-CutStock cut_again(CutStock before, std::span<const verifier::Pass> passes,
+CutStock cut_again(CutStock before, std::span<const model::Pass> passes,
                    const StageWatch& watch);
 
 /// Cuts the path of `ran`, whose figures of the cut and of the process it fills in. A stock that

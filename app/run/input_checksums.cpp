@@ -9,22 +9,13 @@
 #include <openssl/evp.h>
 
 #include "model/base/error.h"
+#include "model/base/hexadecimal.h"
 
 namespace limitgauge::app {
 namespace {
 
 void require(int done) {
   if (done != 1) throw model::ResourceError("no SHA-256: the cryptographic library failed");
-}
-
-std::string hexadecimal(const unsigned char* bytes, std::size_t count) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string out;
-  for (std::size_t i = 0; i < count; ++i) {
-    out += kDigits[bytes[i] >> 4];
-    out += kDigits[bytes[i] & 15];
-  }
-  return out;
 }
 
 }  // namespace
@@ -50,7 +41,7 @@ std::string Sha256::digits() {
   std::array<unsigned char, EVP_MAX_MD_SIZE> sum{};
   unsigned length = 0;
   require(EVP_DigestFinal_ex(context_->digest.get(), sum.data(), &length));
-  return hexadecimal(sum.data(), length);
+  return model::hexadecimal(std::span(sum.data(), length));
 }
 
 namespace {

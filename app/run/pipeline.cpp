@@ -1,9 +1,7 @@
 #include "app/run/pipeline.h"
 
-#include <chrono>
 #include <sstream>
 
-#include <sys/resource.h>
 #include "app/run/cut_stock.h"
 #include "app/run/result_parts.h"
 #include "app/run/stage_planner.h"
@@ -11,6 +9,8 @@
 #include "app/run/stage_program.h"
 #include "app/run/stock_probe.h"
 #include "app/run/surface_witness.h"
+#include "model/base/clock.h"
+#include "model/base/memory.h"
 #include "model/base/output_file.h"
 #include "model/part/machining_time.h"
 #include "reports/run/process.h"
@@ -20,23 +20,6 @@ namespace limitgauge::app {
 namespace {
 
 using verifier::Verdict;
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-std::size_t peak_memory_bytes() {
-  rusage usage{};
-  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-  constexpr std::size_t kUnit = 1024;  // Linux counts in kilobytes.
-  return static_cast<std::size_t>(usage.ru_maxrss) * kUnit;
-}
 
 /// Where the four parts meet: the state of one run between its stages.
 class Bench {
@@ -80,7 +63,7 @@ class Bench {
 
 void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
-  const Stopwatch watch;
+  const model::Stopwatch watch;
   PlannedStage planned = planner_.plan(index, passes_, control(asked.name + ": planning"));
   if (options_.stage_files) {
     model::make_folder(folder_ / asked.name);
@@ -104,12 +87,12 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
 }
 
 void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
-  const Stopwatch stopwatch;
+  const model::Stopwatch stopwatch;
   CutStock before = std::move(*stock_);
   stock_.reset();
   stock_ = cut_stage(job_, inputs_, asked, std::move(before), watch(), ran);
   ran.simulation_seconds = stopwatch.seconds();
-  ran.peak_memory_bytes = peak_memory_bytes();
+  ran.peak_memory_bytes = model::process_peak_bytes();
 }
 
 std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Finding> findings) {
@@ -154,7 +137,7 @@ void Bench::write_files(reports::StageResult& stage) const {
 }
 
 void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
-  const Stopwatch watch;
+  const model::Stopwatch watch;
   stage_ = index + 1;
   reports::StageResult::Ran& ran = stage.ran.emplace();
   make_path(index, ran);

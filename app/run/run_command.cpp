@@ -2,12 +2,12 @@
 
 #include "app/cli/commands.h"
 #include "app/job/job_reader.h"
-#include "app/output/now_utc.h"
 #include "app/output/output_folder.h"
 #include "app/output/progress.h"
 #include "app/run/pipeline.h"
 #include "app/run/run_history.h"
 #include "app/verify/verify_job.h"
+#include "model/base/clock.h"
 #include "model/base/error.h"
 #include "reports/run/report.h"
 
@@ -19,7 +19,7 @@ RunOptions options_for(const CommonOptions& common, const Console& console,
   RunOptions options;
   options.threads = common.threads;
   options.stop = console.stop;
-  options.created = now_utc();
+  options.created = model::now_utc();
   options.watch.phase = [&progress](const Phase& phase) { progress.phase(phase); };
   options.watch.progress = [&progress](double fraction) { progress.update(fraction); };
   if (common.verbose) {

@@ -1,15 +1,16 @@
 #include "app/run/run_inputs.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 #include "app/run/input_checksums.h"
 #include "app/run/surface_witness.h"
+#include "app/tolerance.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
 #include "model/base/text_file.h"
 #include "model/mesh/mesh_reader.h"
+#include "model/mesh/obj_lexer.h"
 #include "model/part/cage_obj.h"
 
 namespace limitgauge::app {
@@ -17,13 +18,11 @@ namespace {
 
 /// Where vertex `index` stands in an OBJ file that has been read without complaint.
 model::SourcePlace place_of_vertex(const std::filesystem::path& file, std::size_t index) {
-  std::istringstream text(model::read_text_file(file));
-  std::string line, word;
-  for (int number = 1; std::getline(text, line); ++number) {
-    std::istringstream words(line);
-    if (words >> word && word == "v" && index-- == 0)
-      return {file.string(), number, static_cast<int>(line.find('v')) + 1};
-  }
+  const std::string text = model::read_text_file(file);
+  model::ObjLexer lexer(text, file.string());
+  for (; lexer.next_statement(); lexer.skip_statement())
+    if (const model::ObjWord word = lexer.word(); word.text == "v" && index-- == 0)
+      return lexer.place(word);
   return {file.string(), 0, 0};
 }
 
@@ -37,12 +36,6 @@ model::Cage load_cage(const Job& job) {
                               model::kFarthestExpected);
   return cage;
 }
-
-/// What is smaller is a point.
-constexpr double kLeastExtentMm = 2e-3;
-/// Of the extent, or its square. At coordinates of 10 m points on one line are off it by 2e-12 mm,
-/// which is this much of the least extent.
-constexpr double kLeastShare = 1e-9;
 
 [[noreturn]] void refuse_empty(const Job& job) {
   throw model::InputError({job.cage.string(), 0, 0},

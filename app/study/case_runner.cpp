@@ -3,10 +3,10 @@
 #include <optional>
 #include <sstream>
 
-#include "app/output/now_utc.h"
 #include "app/run/stage_prefix.h"
 #include "app/study/case_keys.h"
 #include "app/study/stage_prefix_cache.h"
+#include "model/base/clock.h"
 #include "model/base/error.h"
 #include "reports/run/report.h"
 
@@ -129,7 +129,7 @@ std::string CaseRunner::Kept::run(const std::filesystem::path& file,
                               [&](const StagePrefix& state) { take(asked, state); }};
   std::ostringstream out;
   RunOptions now = options;
-  if (now.created.empty()) now.created = now_utc();
+  if (now.created.empty()) now.created = model::now_utc();
   write_result_json(run_job(asked.job, inputs, {}, now, resumption), out);
   return std::move(out).str();
 }

@@ -5,7 +5,6 @@
 #include "app/cli/commands.h"
 #include "app/job/job_reader.h"
 #include "app/output/cache_folder.h"
-#include "app/output/now_utc.h"
 #include "app/output/output_folder.h"
 #include "app/output/progress.h"
 #include "app/study/study_cases.h"
@@ -14,6 +13,7 @@
 #include "app/study/study_file.h"
 #include "app/study/study_output.h"
 #include "app/study/study_worker.h"
+#include "model/base/clock.h"
 #include "model/base/error.h"
 #include "study/plan/design.h"
 #include "study/search/search.h"
@@ -131,9 +131,9 @@ void StudyRun::run_watched(StudyOutcome& outcome, ProgressLine& progress) {
 }
 
 StudyOutcome StudyRun::work() {
-  const auto began = std::chrono::steady_clock::now();
+  const model::Stopwatch watch;
   StudyOutcome outcome;
-  outcome.created = now_utc();
+  outcome.created = model::now_utc();
   outcome.engine = command_.engine;
   outcome.table.name = plan_.name;
   outcome.table.job = plan_.job_as_stated;
@@ -149,7 +149,7 @@ StudyOutcome StudyRun::work() {
   run_watched(outcome, progress);
   progress.phase({"writing the table"});
   store_.trim(began_);
-  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  outcome.seconds = watch.seconds();
   write_study(plan_, outcome, folder_.working());
   folder_.finish();
   return outcome;

@@ -30,16 +30,6 @@ struct BaseJob {
   }
 };
 
-const toml::node* entry_named(const toml::array& entries, const std::string& name) {
-  for (const toml::node& entry : entries) {
-    const toml::table* table = entry.as_table();
-    if (table == nullptr) continue;
-    for (const char* key : {"name", "id"})
-      if ((*table)[key].value<std::string>() == name) return table;
-  }
-  return nullptr;
-}
-
 /// What stands at a dotted key, found as --set finds it.
 const toml::node* find(const toml::table& job, const std::string& key) {
   const toml::node* at = &job;

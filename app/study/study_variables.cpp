@@ -7,6 +7,7 @@
 
 #include "app/toml/toml_table.h"
 #include "app/toml/toml_text.h"
+#include "model/base/hexadecimal.h"
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
 
@@ -15,14 +16,13 @@ namespace {
 
 /// As a basic string of one line.
 std::string toml_quoted(std::string_view text) {
-  constexpr const char* kDigits = "0123456789ABCDEF";
   std::string out = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') {
       out += std::string("\\") + c;
     } else if (byte < 0x20 || byte == 0x7F) {
-      out += std::string("\\u00") + kDigits[byte >> 4] + kDigits[byte & 15];
+      out += "\\u00" + model::hexadecimal(byte, model::kUpperHexDigits);
     } else {
       out += c;
     }

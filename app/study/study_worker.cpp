@@ -2,16 +2,15 @@
 
 #include <sys/prctl.h>
 
-#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <iostream>
 #include <new>
 
-#include "app/output/now_utc.h"
 #include "app/study/case_keys.h"
 #include "app/study/case_runner.h"
 #include "app/study/study_cases.h"
+#include "model/base/clock.h"
 #include "model/base/error.h"
 #include "model/base/memory.h"
 #include "study/execute/worker_lines.h"
@@ -27,7 +26,7 @@ RunOptions options_for(const CommonOptions& common, const Console& console) {
   RunOptions options;
   options.threads = common.threads;
   options.stop = console.stop;
-  options.created = now_utc();
+  options.created = model::now_utc();
   return options;
 }
 
@@ -64,7 +63,7 @@ WorkerAnswer StudyWorker::answer(const WorkerTask& task) {
   WorkerAnswer answer;
   answer.index = task.index;
   model::reset_process_peak();
-  const auto began = std::chrono::steady_clock::now();
+  const model::Stopwatch watch;
   const auto failed = [&](WorkerAnswer::Kind kind, const std::string& why) {
     answer.kind = kind;
     answer.reason = single_line(why);
@@ -80,7 +79,7 @@ WorkerAnswer StudyWorker::answer(const WorkerTask& task) {
   } catch (const std::exception& error) {
     failed(WorkerAnswer::Kind::error, error.what());
   }
-  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  answer.seconds = watch.seconds();
   answer.peak_bytes = model::process_peak_bytes();
   return answer;
 }

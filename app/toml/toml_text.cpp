@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <sstream>
+#include <utility>
 
 #include "app/toml/toml_table.h"
 #include "model/base/error.h"
@@ -100,6 +101,20 @@ std::string canonical(const toml::node& node) {
   std::string out;
   put(out, node);
   return out;
+}
+
+const toml::table* entry_named(const toml::array& entries, const std::string& name) {
+  for (const toml::node& entry : entries) {
+    const toml::table* table = entry.as_table();
+    if (table == nullptr) continue;
+    for (const char* key : {"name", "id"})
+      if ((*table)[key].value<std::string>() == name) return table;
+  }
+  return nullptr;
+}
+
+toml::table* entry_named(toml::array& entries, const std::string& name) {
+  return const_cast<toml::table*>(entry_named(std::as_const(entries), name));
 }
 
 }  // namespace limitgauge::app

@@ -15,6 +15,11 @@ inline constexpr int kMostDots = 100;
 /// 256 values.
 toml::table parse_toml(const std::string& text, const std::string& name_in_errors);
 
+/// The table among `entries` whose `name` or `id` is `name`, as `--set stage.finish.step` means it;
+/// null where there is none.
+const toml::table* entry_named(const toml::array& entries, const std::string& name);
+toml::table* entry_named(toml::array& entries, const std::string& name);
+
 /// A text that two values share if and only if they have the same types and values: keys in their
 /// order, numbers to the last bit, no comments.
 std::string canonical(const toml::node& node);

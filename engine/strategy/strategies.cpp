@@ -1,9 +1,10 @@
 #include "engine/strategy/strategies.h"
 
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include "model/base/clock.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -55,10 +56,10 @@ StagePath plan(const surface::FinishModel& model, const StageRequest& request,
 StagePath plan_stage(const surface::FinishModel& model, const StageRequest& request,
                      const model::RunControl& control) {
   require_valid(request);
-  const auto begin = std::chrono::steady_clock::now();
+  const model::Stopwatch watch;
   StagePath stage = plan(model, request, control);
   stage.memory_bytes = stage.path.moves.size() * sizeof(model::Move);
-  stage.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  stage.seconds = watch.seconds();
   return stage;
 }
 

@@ -1,10 +1,10 @@
 #include "engine/surface/finish_model.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 #include "engine/surface/patch_model.h"
+#include "model/base/clock.h"
 
 namespace limitgauge::engine::surface {
 
@@ -16,7 +16,7 @@ constexpr std::size_t kFloatPoint = 12;
 FinishModel::FinishModel(const model::Cage& cage, const ModelRequest& request,
                          const model::RunControl& control) {
   if (!(request.precision_mm > 0)) throw std::invalid_argument("precision_mm must be positive");
-  const auto begin = std::chrono::steady_clock::now();
+  const model::Stopwatch watch;
   const auto built = std::make_shared<const PatchModel>(cage, request, control);
   patches_ = built;
   figures_.patches = static_cast<int>(built->patches().size());
@@ -32,8 +32,7 @@ FinishModel::FinishModel(const model::Cage& cage, const ModelRequest& request,
     figures_.cell_bytes_allocated += patch.cell_bytes;
   }
   figures_.memory_bytes = built->memory_bytes();
-  figures_.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  figures_.seconds = watch.seconds();
 }
 
 }  // namespace limitgauge::engine::surface

@@ -42,8 +42,7 @@ std::vector<RimEdge> rim_edges(const PatchModel& model, const OffsetModel& mesh)
 }
 
 double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 d = b - a, e = c - b;
-  return std::atan2(length(cross(d, e)), dot(d, e));
+  return angle_between(b - a, c - b);
 }
 
 /// Joins rim edges end to end where exactly two meet.
@@ -102,8 +101,7 @@ void add_cones(const PatchModel& model, const OffsetModel& mesh, std::vector<Vec
 
 /// Whether the tube's upper half swings round between two points: its line passes the vertical.
 bool swings(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 d{b.x - a.x, b.y - a.y, 0}, e{c.x - b.x, c.y - b.y, 0};
-  return std::atan2(length(cross(d, e)), dot(d, e)) > kSharpTurn;
+  return angle_between(Vec3{b.x - a.x, b.y - a.y, 0}, Vec3{c.x - b.x, c.y - b.y, 0}) > kSharpTurn;
 }
 
 bool same_place(const Vec3& a, const Vec3& b) {

@@ -15,7 +15,7 @@ constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 constexpr double kShareOfInstalled = 0.75;
 constexpr double kShareOfAvailable = 0.9;
 
-std::uint64_t number_in(const fs::path& file, std::uint64_t otherwise) {
+std::uint64_t count_of_file(const fs::path& file, std::uint64_t otherwise) {
   std::uint64_t number = 0;
   // "max" is no number: no limit.
   return std::ifstream(file) >> number ? number : otherwise;
@@ -38,8 +38,8 @@ struct LimitFiles {
 std::uint64_t group_bytes(const fs::path& top, fs::path group, const LimitFiles& files) {
   std::uint64_t left = kNoLimit;
   for (;; group = group.parent_path()) {
-    const std::uint64_t most = number_in(top / group / files.most, kNoLimit);
-    const std::uint64_t taken = number_in(top / group / files.taken, 0);
+    const std::uint64_t most = count_of_file(top / group / files.most, kNoLimit);
+    const std::uint64_t taken = count_of_file(top / group / files.taken, 0);
     if (most != kNoLimit) left = std::min(left, most - std::min(most, taken));
     if (group.empty()) return left;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/base/characters.h"
+#include "model/base/hexadecimal.h"
 
 namespace limitgauge::model {
 namespace {
@@ -61,8 +62,7 @@ std::string in_quotes(std::string_view text) {
 std::string in_quotes(char c) {
   const auto byte = static_cast<unsigned char>(c);
   if (byte >= 0x20 && byte < 0x7F) return in_quotes(std::string_view(&c, 1));
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  return std::string("byte 0x") + kDigits[byte / 16] + kDigits[byte % 16];
+  return "byte 0x" + hexadecimal(byte);
 }
 
 std::string nearest_word(std::string_view word, std::span<const std::string_view> known) {

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Limits and tolerances of what is read and written: value, unit and reason of each. How far from
-/// zero a part may lie is in coordinate_limit.h; LinuxCNC's tolerances for arcs in
+/// zero a part may lie is in coordinate_limit.h; LinuxCNC's tolerances for the radii of arcs in
 /// gcode/read/arc.h.
 
 namespace limitgauge::model {
@@ -14,6 +14,8 @@ inline constexpr double kLargestCoordinateMm = 1e9;
 /// Slower than this nothing is cut; in single precision, as moves have it, it is still a number.
 /// mm/min.
 inline constexpr double kLeastFeed_mm_min = 1e-6;
+/// No feed rate is beyond this, as no coordinate is. mm/min.
+inline constexpr double kLargestFeed_mm_min = 1e9;
 
 /// What is this little beyond the axis is taken to be on it: rounding of a cutter's given figures.
 inline constexpr double kOnAxisMm = 1e-9;
@@ -34,6 +36,19 @@ inline constexpr double kWholeCount = 1e-4;
 /// LinuxCNC's EQ, NE, GE and LE take numbers for equal within this since 2.9.1; before, 1e-4 and
 /// none for GE and LE.
 inline constexpr double kEqualNumbers = 1e-6;
+/// An entry arc of cutter compensation whose chord is this near to square with the radius at its
+/// end, as a cosine, has become a straight line.
+inline constexpr double kStraight = 1e-6;
+/// An arc that is written turns by more: controls take one that turns by less than about 1e-6 for a
+/// full turn.
+inline constexpr double kLeastTurn_rad = 1e-3;
+/// The radii at start and end of an arc that is written differ by no more: Grbl refuses what is
+/// more unless it is below a thousandth of the radius.
+inline constexpr double kRadiiApartMm = 0.005;
+/// Half chords this near to the radius, relatively, mean a half circle.
+inline constexpr double kHalfCircle = 1e-12;
+/// LinuxCNC's tolerance for smooth transitions of cutter compensation.
+inline constexpr double kSmooth_rad = 0.05;
 /// LinuxCNC's fuzz: an arc whose end lies less than this beyond its start is a full turn.
 inline constexpr double kFullTurn_rad = 1e-6;
 

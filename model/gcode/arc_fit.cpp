@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/base/fixed_number.h"
+#include "model/base/tolerance.h"
 #include "model/geometry/segment.h"
 
 namespace limitgauge::model {
@@ -12,10 +13,6 @@ namespace {
 
 constexpr std::size_t kFewestMoves = 3;
 constexpr double kSmallestRadiusMm = 0.01;
-/// Grbl refuses more unless it is below a thousandth of the radius.
-constexpr double kRadiiApartMm = 0.005;
-/// Controls take an arc that turns by less than about 1e-6 for a full turn.
-constexpr double kLeastTurn = 1e-3;
 /// The exchange below ends after a few steps, or does no better.
 constexpr int kMostExchanges = 8;
 
@@ -158,7 +155,7 @@ std::optional<bool> ArcFitter::direction(Vec2 centre) const {
     last = here;
   }
   const double turn = std::atan2(sign * cross(begin, last), dot(begin, last));
-  if (!(turn >= kLeastTurn)) return std::nullopt;
+  if (!(turn >= kLeastTurn_rad)) return std::nullopt;
   return sign > 0;
 }
 

@@ -127,7 +127,7 @@ void ClReader::set_feed(const ClStatement& statement) {
   if (figure == nullptr)
     lexer_.fail(statement.major, "a feed rate without its number", "FEDRAT/500,MMPM");
   const double feed = number(*figure) * unit_mm;
-  if (!(feed >= kLeastFeed_mm_min && feed <= kLargestCoordinateMm))
+  if (!(feed >= kLeastFeed_mm_min && feed <= kLargestFeed_mm_min))
     lexer_.fail(*figure, "feed rate " + in_quotes(figure->text),
                 "at least 1e-6 and at most 1e9 mm/min");
   feed_mm_min_ = feed;

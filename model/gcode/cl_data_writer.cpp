@@ -28,7 +28,8 @@ void require_writable(const Toolpath& path, const ClOptions& options) {
   for (const Move& move : path.moves) {
     require_point(move.to);
     if (move.kind == MoveKind::feed &&
-        !(move.feed_mm_min >= static_cast<float>(kLeastFeed_mm_min) && move.feed_mm_min <= 1e9F))
+        !(move.feed_mm_min >= static_cast<float>(kLeastFeed_mm_min) &&
+          move.feed_mm_min <= static_cast<float>(kLargestFeed_mm_min)))
       throw std::invalid_argument("a feed move's feed rate must lie between 1e-6 and 1e9 mm/min");
   }
 }

@@ -66,8 +66,10 @@ void require_point(const Vec3& point, double largest_mm) {
 }
 
 void require_feed(const Move& move, const DialectRules& rule) {
-  const double slowest = rule.feed_decimals ? std::pow(10.0, -*rule.feed_decimals) : 1e-6;
-  const double fastest = rule.feed_decimals ? largest_number(rule, *rule.feed_decimals) : 1e9;
+  const double slowest =
+      rule.feed_decimals ? std::pow(10.0, -*rule.feed_decimals) : kLeastFeed_mm_min;
+  const double fastest =
+      rule.feed_decimals ? largest_number(rule, *rule.feed_decimals) : kLargestFeed_mm_min;
   if (move.kind == MoveKind::feed && !(move.feed_mm_min >= static_cast<float>(slowest) &&
                                        move.feed_mm_min <= static_cast<float>(fastest)))
     throw std::invalid_argument("a feed move's feed rate is 0, or beyond what the dialect takes");

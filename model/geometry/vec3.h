@@ -69,6 +69,11 @@ inline Vec3 normalized(const Vec3& a) {
   return l > 0 ? a / l : a;
 }
 
+/// In radians, from 0 to pi; good to rounding for small angles, too. Lengths do not matter.
+inline double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
 /// An axis-aligned box; a default one is empty and grows by `add`.
 struct Box3 {
   Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -31,28 +30,11 @@ class MeshObjReader {
 
  private:
   void statement(const ObjWord& word) {
-    if (word.text == "v") return vertex(word);
+    if (word.text == "v") return soup_.vertices.push_back(lexer_.vertex(word));
     if (word.text == "f") return face(word);
     if (std::ranges::find(kWithoutMeaning, word.text) != kWithoutMeaning.end())
       return lexer_.skip_statement();
-    fail(word, "unknown statement " + in_quotes(word.text), "v, f or a comment");
-  }
-
-  void vertex(const ObjWord& statement) {
-    constexpr std::size_t kColoured = 6;
-    std::array<double, kColoured> values{};
-    std::size_t count = 0;
-    ObjWord word = lexer_.word();
-    for (; !word.text.empty() && count < kColoured; word = lexer_.word()) {
-      const std::optional<double> value = parse_number(word.text);
-      if (!value) fail(word, in_quotes(word.text) + " is not a finite number", "a coordinate");
-      values[count++] = *value;
-    }
-    // A fourth value is a rational weight; six are a point and its colour.
-    const bool plain = count == 3 || count == kColoured || (count == 4 && values[3] == 1);
-    if (!word.text.empty() || !plain)
-      fail(statement, "a vertex with " + std::to_string(count) + " values", "x y z");
-    soup_.vertices.push_back({values[0], values[1], values[2]});
+    lexer_.fail(word, "unknown statement " + in_quotes(word.text), "v, f or a comment");
   }
 
   void face(const ObjWord& statement) {
@@ -61,7 +43,8 @@ class MeshObjReader {
       soup_.corners.push_back(corner(word));
     const std::size_t corners = soup_.corners.size() - before;
     if (corners < 3)
-      fail(statement, "a face with " + std::to_string(corners) + " corners", "three or more");
+      lexer_.fail(statement, "a face with " + std::to_string(corners) + " corners",
+                  "three or more");
     soup_.ends.push_back(soup_.corners.size());
     soup_.places.push_back(statement.line);
   }
@@ -69,21 +52,15 @@ class MeshObjReader {
   /// The vertex that a corner names, from 0.
   std::uint32_t corner(const ObjWord& word) {
     const std::string_view text = word.text.substr(0, word.text.find('/'));
-    std::int64_t index = 0;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), index);
-    if (error != std::errc() || stop != text.data() + text.size())
-      fail(word, in_quotes(word.text) + " is no face corner", "v, v/vt, v//vn or v/vt/vn");
+    const std::optional<std::int64_t> index = parse_whole<std::int64_t>(text);
+    if (!index)
+      lexer_.fail(word, in_quotes(word.text) + " is no face corner", "v, v/vt, v//vn or v/vt/vn");
     const auto known = static_cast<std::int64_t>(soup_.vertices.size());
-    const std::int64_t vertex = index > 0 ? index - 1 : known + index;
-    if (index == 0 || vertex < 0 || vertex >= std::int64_t{UINT32_MAX})
-      fail(word, "there is no vertex " + std::to_string(index),
-           "indices from 1, or from -1 backwards");
+    const std::int64_t vertex = *index > 0 ? *index - 1 : known + *index;
+    if (*index == 0 || vertex < 0 || vertex >= std::int64_t{UINT32_MAX})
+      lexer_.fail(word, "there is no vertex " + std::to_string(*index),
+                  "indices from 1, or from -1 backwards");
     return static_cast<std::uint32_t>(vertex);
-  }
-
-  [[noreturn]] void fail(const ObjWord& word, const std::string& wrong,
-                         const std::string& expected) const {
-    throw InputError(lexer_.place(word), wrong, expected);
   }
 
   ObjLexer lexer_;

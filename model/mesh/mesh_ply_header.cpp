@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
 #include "model/base/error.h"
 #include "model/base/message_text.h"
+#include "model/base/number_text.h"
 #include "model/mesh/mesh_ply.h"
 
 namespace limitgauge::model {
@@ -96,9 +96,10 @@ class HeaderReader {
   void element() {
     const std::string_view text = word(2);
     PlyElement e{std::string(word(1)), 0, header_.lines, {}};
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), e.count);
-    if (words_.size() != 3 || error != std::errc() || stop != text.data() + text.size())
+    const auto count = parse_whole<decltype(e.count)>(text);
+    if (words_.size() != 3 || !count)
       fail(2, in_quotes(text) + " is no number of elements", "'element NAME COUNT'");
+    e.count = *count;
     header_.elements.push_back(std::move(e));
   }
 

@@ -1,7 +1,12 @@
 #include "model/mesh/obj_lexer.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
+
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
 
 namespace limitgauge::model {
 namespace {
@@ -67,6 +72,27 @@ ObjWord ObjLexer::word() {
 
 void ObjLexer::skip_statement() {
   while (!word().text.empty()) continue;
+}
+
+Vec3 ObjLexer::vertex(const ObjWord& statement) {
+  constexpr std::size_t kColoured = 6;
+  std::array<double, kColoured> values{};
+  std::size_t count = 0;
+  ObjWord next = word();
+  for (; !next.text.empty() && count < kColoured; next = word()) {
+    const std::optional<double> value = parse_number(next.text);
+    if (!value) fail(next, in_quotes(next.text) + " is not a finite number", "a coordinate");
+    values[count++] = *value;
+  }
+  if (!next.text.empty()) fail(next, "too many values for a vertex", "x y z");
+  const bool plain = count == 3 || count == kColoured || (count == 4 && values[3] == 1);
+  if (!plain) fail(statement, "a vertex with " + std::to_string(count) + " values", "x y z");
+  return {values[0], values[1], values[2]};
+}
+
+void ObjLexer::fail(const ObjWord& word, const std::string& wrong,
+                    const std::string& expected) const {
+  throw InputError(place(word), wrong, expected);
 }
 
 SourcePlace ObjLexer::place(const ObjWord& word) const {

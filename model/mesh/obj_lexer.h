@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "model/base/error.h"
+#include "model/geometry/vec3.h"
 
 namespace limitgauge::model {
 
@@ -26,10 +27,15 @@ class ObjLexer {
   bool next_statement();
   /// The next word of this statement; its text is empty at the end of the statement.
   ObjWord word();
+  /// What follows `v`: x y z, with a weight of 1 or a colour behind it, which are dropped. An
+  /// InputError for anything else; a rational weight is neither a cage's nor a facet's.
+  Vec3 vertex(const ObjWord& statement);
   /// Drops what is left of this statement.
   void skip_statement();
 
   SourcePlace place(const ObjWord& word) const;
+  [[noreturn]] void fail(const ObjWord& word, const std::string& wrong,
+                         const std::string& expected) const;
   const std::string& name() const { return name_; }
 
  private:

@@ -55,26 +55,8 @@ class ObjReader {
   }
 
   void vertex(const ObjWord& statement) {
-    constexpr std::size_t kColoured = 6;
-    std::array<double, kColoured> values{};
-    std::size_t count = 0;
-    ObjWord word = lexer_.word();
-    for (; !word.text.empty() && count < kColoured; word = lexer_.word())
-      values[count++] = number(word);
-    if (!word.text.empty()) fail(word, "too many values for a vertex", "x y z");
-    if (count < 3)
-      fail(statement, "a vertex with " + std::to_string(count) + " coordinates", "x y z");
-    // A fourth value is a rational weight, which a Catmull-Clark cage has not; six mean a colour.
-    if ((count == 4 && values[3] != 1) || count == 5)
-      fail(statement, "a vertex with " + std::to_string(count) + " values", "x y z");
-    cage_.vertices.push_back({values[0], values[1], values[2]});
+    cage_.vertices.push_back(lexer_.vertex(statement));
     require_countable(cage_.vertices.size(), statement);
-  }
-
-  double number(const ObjWord& word) {
-    const std::optional<double> value = parse_number(word.text);
-    if (!value) fail(word, in_quotes(word.text) + " is not a finite number", "a coordinate");
-    return *value;
   }
 
   void face(const ObjWord& statement) {
@@ -156,7 +138,7 @@ class ObjReader {
 
   [[noreturn]] void fail(const ObjWord& word, const std::string& wrong,
                          const std::string& expected) const {
-    throw InputError(lexer_.place(word), wrong, expected);
+    lexer_.fail(word, wrong, expected);
   }
   [[noreturn]] void fail(Place place, const std::string& wrong, const std::string& expected) const {
     fail(ObjWord{{}, place.line, place.column}, wrong, expected);

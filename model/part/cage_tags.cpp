@@ -1,7 +1,6 @@
 #include "model/part/cage_tags.h"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <utility>
@@ -18,12 +17,6 @@ constexpr std::array<std::string_view, 4> kTags = {"crease", "corner", "hole",
 /// Tags about texture coordinates alone.
 constexpr std::array<std::string_view, 2> kTextureTags = {"facevaryinginterpolateboundary",
                                                           "facevaryingpropagatecorners"};
-
-template <typename Integer>
-bool parse_integer(std::string_view text, Integer& value) {
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && stop == text.data() + text.size();
-}
 
 using Edge = std::array<Index, 2>;
 
@@ -69,10 +62,12 @@ std::array<int, 3> CageTags::read_counts() {
   std::string_view rest = word.text;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const std::size_t slash = i + 1 < counts.size() ? rest.find('/') : rest.size();
-    if (slash == std::string_view::npos || !parse_integer(rest.substr(0, slash), counts[i]) ||
-        counts[i] < 0)
+    const auto count =
+        slash == std::string_view::npos ? std::nullopt : parse_whole<int>(rest.substr(0, slash));
+    if (!count || *count < 0)
       fail(word, in_quotes(word.text) + " does not count the tag's values",
            "integers/floats/strings as in 2/1/0");
+    counts[i] = *count;
     rest.remove_prefix(std::min(slash + 1, rest.size()));
   }
   if (counts[2] != 0) fail(word, "a tag with string values", "0 strings as in 2/1/0");
@@ -89,10 +84,9 @@ ObjWord CageTags::value_word(const Tag& tag) {
 void CageTags::read_ids(Tag& tag, int count) {
   for (int i = 0; i < count; ++i) {
     const ObjWord word = value_word(tag);
-    Index id = 0;
-    if (!parse_integer(word.text, id) || id < 0)
-      fail(word, in_quotes(word.text) + " is no id", "an integer from 0");
-    tag.ids.push_back(id);
+    const std::optional<Index> id = parse_whole<Index>(word.text);
+    if (!id || *id < 0) fail(word, in_quotes(word.text) + " is no id", "an integer from 0");
+    tag.ids.push_back(*id);
     tag.id_words.push_back(word);
   }
 }

@@ -17,6 +17,10 @@ struct CylinderPart {
   double length_mm = 0;
 };
 
+/// Flute length of a cutter for which none is stated, as a multiple of its diameter; assumptions
+/// say so.
+inline constexpr double kDefaultFluteDiameters = 4;
+
 /// A rotating cutter about +Z with its tip at the origin.
 ///  flat:  cylinder of `diameter_mm`; corner_radius = 0
 ///  ball:  hemisphere of that diameter, then the cylinder; corner_radius = diameter / 2

@@ -17,7 +17,6 @@ constexpr std::array kTypes = {CutterType::flat,  CutterType::ball,  CutterType:
                                CutterType::taper, CutterType::drill, CutterType::apt};
 constexpr std::array<std::string_view, 6> kTypeNames = {"flat",  "ball",  "bull",
                                                         "taper", "drill", "apt"};
-constexpr double kDefaultFluteDiameters = 4;
 
 /// A key of the text, and which types have it.
 struct Key {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "model/geometry/vec3.h"
+#include "model/part/cutter.h"
 
 namespace limitgauge::model {
 
@@ -42,6 +44,12 @@ struct Toolpath {
 inline const Vec3& move_from(const Toolpath& path, std::size_t i) {
   return i == 0 ? path.start : path.moves[i - 1].to;
 }
+
+/// One pass of one cutter over the part.
+struct Pass {
+  Cutter cutter;
+  std::shared_ptr<const Toolpath> path;
+};
 
 struct ToolpathLengths {
   double cut_mm = 0, rapid_mm = 0;

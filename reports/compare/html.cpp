@@ -35,12 +35,7 @@ Look look_of(Judgement judgement) {
 
 std::string badge(Judgement judgement) {
   const Look look = look_of(judgement);
-  return fmt::format("<span class=\"badge {}\"><span aria-hidden=\"true\">{}</span> {}</span>",
-                     look.css, look.sign, name(judgement));
-}
-
-std::string stage_anchor(std::size_t index) {
-  return fmt::format("stage-{}", index + 1);
+  return html::badge(look.css, look.sign, name(judgement));
 }
 
 std::string verdict_badge(std::optional<verifier::Verdict> verdict) {
@@ -74,7 +69,7 @@ std::string regressions(const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.stages.size(); ++i) {
     const StageComparison& stage = comparison.stages[i];
     const std::string link =
-        fmt::format("<a href=\"#{}\">{}</a>: ", stage_anchor(i), escape_markup(stage.name));
+        fmt::format("<a href=\"#{}\">{}</a>: ", html::stage_anchor(i), escape_markup(stage.name));
     for (const Remark& remark : stage.remarks)
       if (remark.judgement == Judgement::worse) item(link + escape_markup(remark.text));
     for (const FigureChange& figure : stage.figures) {
@@ -201,7 +196,7 @@ std::string worst_place(const StageComparison& stage) {
 std::string stage_section(const StageComparison& stage, std::size_t index) {
   return fmt::format(
       "<section id=\"{}\"><h2>{}</h2>\n<p>Verdict: {} before, now {}.</p>\n{}{}{}{}</section>\n",
-      stage_anchor(index), escape_markup(stage.name), verdict_badge(stage.base),
+      html::stage_anchor(index), escape_markup(stage.name), verdict_badge(stage.base),
       verdict_badge(stage.now), remark_list(stage.remarks), worst_place(stage), figures_part(stage),
       findings_table(stage));
 }

@@ -9,6 +9,7 @@
 #include "model/base/number_text.h"
 #include "reports/run/gate_figures.h"
 #include "reports/text/text.h"
+#include "reports/tolerance.h"
 
 namespace limitgauge::reports::html {
 namespace {
@@ -120,7 +121,7 @@ std::string css_colour(const Rgba& c) {
 }  // namespace
 
 std::string interval_chart(const verifier::Interval& interval_mm, bool has_limit, double limit_mm) {
-  const double largest = std::max({interval_mm.high, has_limit ? limit_mm : 0.0, 1e-9});
+  const double largest = std::max({interval_mm.high, has_limit ? limit_mm : 0.0, kLeastExtent_mm});
   const Axis axis{0, largest * 1.15};
   const double low = axis.percent(interval_mm.low), high = axis.percent(interval_mm.high);
   std::string out =
@@ -152,7 +153,7 @@ std::string histogram_chart(const verifier::StageDeviation& d, const verifier::G
   std::string lines = vertical_line(axis.percent(0), "zero"), limit_labels, ticks;
   add_limits(axis, limits, lines, limit_labels);
   for (const double t : round_ticks(axis)) {
-    const bool is_zero = std::abs(t) < 1e-9 * (axis.high - axis.low);
+    const bool is_zero = std::abs(t) < kRounding * (axis.high - axis.low);
     ticks += axis_label(axis.percent(t), "tick", signed_number(is_zero ? 0 : t, unit));
   }
   return fmt::format(

@@ -13,11 +13,6 @@ struct Look {
   const char* word;
 };
 
-std::string badge_of(const Look& look) {
-  return fmt::format("<span class=\"badge {}\"><span aria-hidden=\"true\">{}</span> {}</span>",
-                     look.css, look.sign, look.word);
-}
-
 Look look_of(verifier::Verdict verdict) {
   switch (verdict) {
     case verifier::Verdict::pass:
@@ -89,11 +84,17 @@ std::string terms(const std::vector<Term>& list) {
   return out + "</dl>\n";
 }
 
+std::string badge(std::string_view css, std::string_view sign, std::string_view word) {
+  return fmt::format("<span class=\"badge {}\"><span aria-hidden=\"true\">{}</span> {}</span>", css,
+                     sign, word);
+}
 std::string badge(verifier::Verdict verdict) {
-  return badge_of(look_of(verdict));
+  const Look look = look_of(verdict);
+  return badge(look.css, look.sign, look.word);
 }
 std::string badge(Standing standing) {
-  return badge_of(look_of(standing));
+  const Look look = look_of(standing);
+  return badge(look.css, look.sign, look.word);
 }
 const char* word(verifier::Verdict verdict) {
   return look_of(verdict).word;

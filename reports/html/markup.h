@@ -34,7 +34,10 @@ struct Term {
 };
 std::string terms(const std::vector<Term>& list);
 
-/// The verdict as a coloured word with a sign that needs no colour.
+/// A coloured word with a sign that needs no colour; `css` is the class name that carries the
+/// colour.
+std::string badge(std::string_view css, std::string_view sign, std::string_view word);
+/// The verdict as one.
 std::string badge(verifier::Verdict verdict);
 std::string badge(Standing standing);
 /// "Passed", "Failed", "Undecided", "Not run".

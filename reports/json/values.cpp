@@ -7,9 +7,9 @@
 
 namespace limitgauge::reports::json {
 
-double finite(const char* key, double value) {
+double finite(std::string_view key, double value) {
   if (!std::isfinite(value))
-    throw std::domain_error(std::string("result.json: ") + key + " is not a finite number");
+    throw std::domain_error("a report's " + std::string(key) + " is not a finite number");
   return value;
 }
 

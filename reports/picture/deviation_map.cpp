@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reports/picture/raster.h"
+#include "reports/tolerance.h"
 
 namespace limitgauge::reports {
 namespace {
@@ -27,7 +28,7 @@ struct MapLayers {
 
 void fill_layers(MapLayers& layers, const verifier::DeviationField& field, const MapFrame& frame) {
   const auto corner = [&](std::uint32_t i) {
-    const PixelPoint p = frame.pixel(field.samples[i].place.point);
+    const model::Vec2 p = frame.pixel(field.samples[i].place.point);
     return ScreenPoint{p.x, p.y, field.samples[i].place.point.z};
   };
   const auto fill = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -77,8 +78,9 @@ MapFrame map_frame(const verifier::DeviationField& field, int largest_width, int
   if (box.empty()) return {};
   const double margin_px = 12;
   const model::Vec3 size = box.size();
-  const double scale = std::min((largest_width - 2 * margin_px) / std::max(size.x, 1e-9),
-                                (largest_height - 2 * margin_px) / std::max(size.y, 1e-9));
+  const double scale =
+      std::min((largest_width - 2 * margin_px) / std::max(size.x, kLeastExtent_mm),
+               (largest_height - 2 * margin_px) / std::max(size.y, kLeastExtent_mm));
   return {box.low.x - margin_px / scale, box.high.y + margin_px / scale, scale,
           int(std::ceil(size.x * scale + 2 * margin_px)),
           int(std::ceil(size.y * scale + 2 * margin_px))};

@@ -13,7 +13,7 @@ struct MapFrame {
   double pixels_per_mm = 1;
   int width = 1, height = 1;
 
-  PixelPoint pixel(const model::Vec3& p) const {
+  model::Vec2 pixel(const model::Vec3& p) const {
     return {(p.x - left_mm) * pixels_per_mm, (top_mm - p.y) * pixels_per_mm};
   }
 };

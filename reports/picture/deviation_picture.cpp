@@ -19,7 +19,7 @@ constexpr int kFooter = 120;
 constexpr TextStyle kText{20, kInk};
 
 /// A length of 1, 2 or 5 times a power of ten, about a fifth of the map.
-void draw_scale(Image& image, const MapFrame& frame, const PixelPoint& at) {
+void draw_scale(Image& image, const MapFrame& frame, const model::Vec2& at) {
   const double fifth_mm = frame.width / frame.pixels_per_mm / 5;
   const double power = std::pow(10, std::floor(std::log10(fifth_mm)));
   const double length_mm = fifth_mm >= 5 * power   ? 5 * power
@@ -31,9 +31,9 @@ void draw_scale(Image& image, const MapFrame& frame, const PixelPoint& at) {
 }
 
 void draw_worst(Image& image, const std::vector<verifier::Finding>& findings, const MapFrame& frame,
-                const char* letter, const std::string& words, const PixelPoint& note) {
+                const char* letter, const std::string& words, const model::Vec2& note) {
   if (findings.empty()) return;
-  const PixelPoint p = frame.pixel(findings.front().place.point);
+  const model::Vec2 p = frame.pixel(findings.front().place.point);
   draw_marker(image, {p.x + kMargin, p.y + kMargin}, letter, image.width());
   draw_text(
       image,

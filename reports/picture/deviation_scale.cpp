@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "reports/tolerance.h"
+
 namespace limitgauge::reports {
 namespace {
 
@@ -32,7 +34,7 @@ Rgba along(const Ramp& ramp, double t, bool has_limit) {
 double rounded_up(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
   for (const double step : {1.0, 2.0, 5.0})
-    if (value <= step * power * (1 + 1e-9)) return step * power;
+    if (value <= step * power * (1 + kRounding)) return step * power;
   return 10 * power;
 }
 

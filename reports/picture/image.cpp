@@ -1,9 +1,6 @@
 #include "reports/picture/image.h"
 
-#include <png.h>
-
 #include <algorithm>
-#include <stdexcept>
 
 namespace limitgauge::reports {
 namespace {
@@ -62,21 +59,6 @@ Image Image::halved() const {
       out.at(x, y) = mean(at(2 * x, 2 * y), at(2 * x + 1, 2 * y), at(2 * x, 2 * y + 1),
                           at(2 * x + 1, 2 * y + 1));
   return out;
-}
-
-std::string png_bytes(const Image& image) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(image.width());
-  png.height = static_cast<png_uint_32>(image.height());
-  png.format = PNG_FORMAT_RGBA;
-  static_assert(sizeof(Rgba) == 4);
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-  std::string bytes(size, '\0');
-  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, image.pixels().data(), 0, nullptr))
-    throw std::runtime_error(std::string("libpng: ") + png.message);
-  bytes.resize(size);
-  return bytes;
 }
 
 }  // namespace limitgauge::reports

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace limitgauge::reports {
@@ -38,8 +37,5 @@ class Image {
   int width_, height_;
   std::vector<Rgba> pixels_;
 };
-
-/// The picture as a PNG file. The same picture gives the same bytes.
-std::string png_bytes(const Image& image);
 
 }  // namespace limitgauge::reports

@@ -150,7 +150,7 @@ std::string drawable(std::string_view text, const Lettering& letters) {
 
 }  // namespace
 
-void draw_text(Image& image, std::string_view text, const PixelPoint& at, const TextStyle& style) {
+void draw_text(Image& image, std::string_view text, const model::Vec2& at, const TextStyle& style) {
   const Lettering letters(style.height, style.bold);
   const int left = static_cast<int>(std::lround(at.x)), base = static_cast<int>(std::lround(at.y));
   const Cover plain = letters.cover(drawable(text, letters));

@@ -18,7 +18,7 @@ struct TextStyle {
 /// Sets `text` (UTF-8) with its baseline starting at `at`, on whole pixels, in the face that VTK
 /// brings along, so that it looks the same on every machine. A character without a glyph becomes a
 /// lozenge.
-void draw_text(Image& image, std::string_view text, const PixelPoint& at, const TextStyle& style);
+void draw_text(Image& image, std::string_view text, const model::Vec2& at, const TextStyle& style);
 /// In pixels.
 double text_width(std::string_view text, const TextStyle& style);
 /// Whether every character of `text` can be drawn.

@@ -4,19 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/geometry/segment.h"
+
 namespace limitgauge::reports {
-namespace {
 
-double distance_to_segment(const PixelPoint& p, const PixelPoint& a, const PixelPoint& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
-  const double t =
-      length2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2, 0.0, 1.0) : 0;
-  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
-}
-
-}  // namespace
-
-void draw_stroke(Image& image, const std::vector<PixelPoint>& line, double width,
+void draw_stroke(Image& image, const std::vector<model::Vec2>& line, double width,
                  const Rgba& colour) {
   const auto [left, right] = std::minmax_element(
       line.begin(), line.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
@@ -24,19 +16,19 @@ void draw_stroke(Image& image, const std::vector<PixelPoint>& line, double width
       line.begin(), line.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
   for (int y = int(std::floor(top->y - width)); y <= int(bottom->y + width); ++y) {
     for (int x = int(std::floor(left->x - width)); x <= int(right->x + width); ++x) {
-      const PixelPoint p{x + 0.5, y + 0.5};
-      double d = std::hypot(p.x - line[0].x, p.y - line[0].y);
+      const model::Vec2 p{x + 0.5, y + 0.5};
+      double d = model::distance(p, line[0]);
       for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        d = std::min(d, distance_to_segment(p, line[i], line[i + 1]));
+        d = std::min(d, model::distance_to_segment(p, line[i], line[i + 1]));
       const double coverage = width / 2 - d + 0.5;
       if (coverage > 0) image.blend(x, y, colour, coverage);
     }
   }
 }
 
-void draw_ring(Image& image, const PixelPoint& centre, double radius, double width,
+void draw_ring(Image& image, const model::Vec2& centre, double radius, double width,
                const Rgba& colour) {
-  std::vector<PixelPoint> circle;
+  std::vector<model::Vec2> circle;
   constexpr int kCorners = 48;
   for (int i = 0; i <= kCorners; ++i) {
     const double angle = 2 * std::numbers::pi * i / kCorners;

@@ -1,5 +1,7 @@
 #include "reports/picture/perspective_view.h"
 
+#include "reports/tolerance.h"
+
 namespace limitgauge::reports {
 namespace {
 
@@ -20,7 +22,7 @@ PerspectiveView::PerspectiveView(const verifier::DeviationField& field, const Ve
   model::Box3 box;
   for (const auto& sample : field.samples) box.add(sample.place.point);
   if (box.empty()) return;
-  const double radius = std::max(model::length(box.size()) / 2, 1e-9);
+  const double radius = std::max(model::length(box.size()) / 2, kLeastExtent_mm);
   eye_ = (box.low + box.high) / 2.0 + towards_ * (kDistance * radius);
   model::Box3 seen;
   for (const auto& sample : field.samples) {
@@ -28,8 +30,8 @@ PerspectiveView::PerspectiveView(const verifier::DeviationField& field, const Ve
     seen.add(Vec3{p.x, p.y, 0});
   }
   const Vec3 size = seen.size();
-  pixels_ = std::min((width - 2 * kMargin_px) / std::max(size.x, 1e-9),
-                     (largest_height - 2 * kMargin_px) / std::max(size.y, 1e-9));
+  pixels_ = std::min((width - 2 * kMargin_px) / std::max(size.x, kLeastSeen),
+                     (largest_height - 2 * kMargin_px) / std::max(size.y, kLeastSeen));
   height_ = int(std::ceil(size.y * pixels_ + 2 * kMargin_px));
   left_ = (seen.low.x + size.x / 2) * pixels_ - width / 2.0;
   top_ = seen.low.y * pixels_ - kMargin_px;

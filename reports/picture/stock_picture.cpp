@@ -5,6 +5,7 @@
 
 #include "reports/picture/marker.h"
 #include "reports/picture/raster.h"
+#include "reports/tolerance.h"
 
 namespace limitgauge::reports {
 namespace {
@@ -33,7 +34,7 @@ int fit(View& view, const simulator::StockMesh& mesh, int width) {
   for (const Vec3& p : mesh.vertices)
     seen.add(Vec3{model::dot(p, view.right), model::dot(p, view.up), 0});
   const Vec3 size = seen.size();
-  view.scale = (width - 2.0 * kMargin) / std::max({size.x, size.y, 1e-9});
+  view.scale = (width - 2.0 * kMargin) / std::max({size.x, size.y, kLeastExtent_mm});
   view.left = seen.low.x - kMargin / view.scale, view.top = seen.high.y + kMargin / view.scale;
   return int(std::ceil(size.y * view.scale)) + 2 * kMargin;
 }

@@ -3,6 +3,7 @@
 #include "model/base/output_file.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/perspective_picture.h"
+#include "reports/picture/png.h"
 #include "reports/picture/stock_picture.h"
 #include "reports/run/report.h"
 #include "reports/vtk/vtp.h"

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "model/base/characters.h"
+#include "model/base/hexadecimal.h"
+
 namespace limitgauge::reports::sarif {
 namespace {
 
@@ -33,17 +36,14 @@ std::string without_comments(std::string_view line) {
   return out;
 }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 }  // namespace
 
 std::string hash_text(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   std::string digits;
-  for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[hash >> shift & 15];
+  for (int shift = 56; shift >= 0; shift -= 8)
+    digits += model::hexadecimal(static_cast<unsigned char>(hash >> shift));
   return digits;
 }
 
@@ -54,7 +54,7 @@ std::string normalised_line(std::string_view line) {
       out += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   if (!out.starts_with('N')) return out;
   std::size_t end = 1;
-  while (end < out.size() && is_digit(out[end])) ++end;
+  while (end < out.size() && model::is_digit(out[end])) ++end;
   return end > 1 ? out.substr(end) : out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/base/hexadecimal.h"
 #include "reports/run/program_lines.h"
 #include "reports/text/text.h"
 
@@ -74,18 +75,7 @@ Json base_ids() {
 }
 
 std::string uri_of(std::string_view path) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
-  std::string out = path.starts_with('/') ? "file://" : "";
-  for (const char c : path) {
-    if (kPlain.find(c) != std::string_view::npos) {
-      out += c;
-    } else {
-      const auto byte = static_cast<unsigned char>(c);
-      out += {'%', "0123456789ABCDEF"[byte >> 4], "0123456789ABCDEF"[byte & 15]};
-    }
-  }
-  return out;
+  return (path.starts_with('/') ? "file://" : "") + model::percent_encoded(path);
 }
 
 }  // namespace limitgauge::reports::sarif

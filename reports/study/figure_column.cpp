@@ -1,7 +1,5 @@
 #include "reports/study/figure_column.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -70,8 +68,7 @@ const char* css_class(Status status) {
 }
 
 std::string badge(Status status) {
-  return fmt::format("<span class=\"badge {}\"><span aria-hidden=\"true\">{}</span> {}</span>",
-                     css_class(status), sign(status), word(status));
+  return html::badge(css_class(status), sign(status), word(status));
 }
 
 FigureColumn::FigureColumn(const study::Table& table, std::size_t figure)

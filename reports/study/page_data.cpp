@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "reports/json/values.h"
 #include "reports/study/figure_column.h"
-#include "reports/study/finite.h"
 #include "reports/study/parts.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::finite;
+using json::Json;
 
 /// Texts that come up again and again, each once, and which of them each row has.
 class Dictionary {

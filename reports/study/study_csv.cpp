@@ -1,8 +1,8 @@
 #include <ostream>
 
 #include "model/base/number_text.h"
+#include "reports/json/values.h"
 #include "reports/study/figure_column.h"
-#include "reports/study/finite.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
@@ -26,10 +26,10 @@ std::string line(const study::Table& table, const study::Row& row) {
   for (std::size_t i = 0; i < table.figures.size(); ++i) {
     const std::optional<double>& value = row.figures.at(i);
     out += ",";
-    if (value) out += model::shortest(finite(table.figures[i].id, *value));
+    if (value) out += model::shortest(json::finite(table.figures[i].id, *value));
   }
   return out + "," + csv_text_cell(row.key) + (row.reused ? ",true," : ",false,") +
-         std::to_string(row.attempts) + "," + model::shortest(finite("seconds", row.seconds));
+         std::to_string(row.attempts) + "," + model::shortest(json::finite("seconds", row.seconds));
 }
 
 }  // namespace

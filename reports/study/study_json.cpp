@@ -1,14 +1,15 @@
-#include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "reports/study/finite.h"
+#include "reports/json/values.h"
 #include "reports/study/study_view.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::study_report {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::finite;
+using json::Json;
+using json::texts;
 
 Json setting_json(const study::Setting& setting) {
   Json out = {{"toml", clean_text(setting.toml)}};
@@ -19,12 +20,6 @@ Json setting_json(const study::Setting& setting) {
 Json settings_json(const std::vector<study::Setting>& settings) {
   Json out = Json::array();
   for (const study::Setting& setting : settings) out.push_back(setting_json(setting));
-  return out;
-}
-
-Json texts(const std::vector<std::string>& lines) {
-  Json out = Json::array();
-  for (const std::string& line : lines) out.push_back(clean_text(line));
   return out;
 }
 

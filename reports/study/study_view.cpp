@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "reports/text/embedded.h"
+#include "study/plan/reference.h"
 
 namespace limitgauge::reports::study_report {
 namespace {
@@ -14,10 +15,6 @@ using study::Status;
 
 void add(std::vector<std::size_t>& list, std::optional<std::size_t> figure) {
   if (figure && std::find(list.begin(), list.end(), *figure) == list.end()) list.push_back(*figure);
-}
-
-bool same(const study::Setting& a, const study::Setting& b) {
-  return a.number && b.number ? *a.number == *b.number : a.toml == b.toml;
 }
 
 int place(Status status) {
@@ -70,15 +67,8 @@ std::vector<std::size_t> objectives(const StudyView& view) {
 
 std::optional<std::size_t> own_row(const StudyView& view) {
   if (view.analysis.own) return view.analysis.own;
-  const auto& own = view.about.own;
-  const auto& rows = view.table.rows;
-  if (own.empty()) return std::nullopt;
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const study::Row& row) {
-    const auto& settings = row.asked.settings;
-    return std::equal(own.begin(), own.end(), settings.begin(), settings.end(), same);
-  });
-  if (found == rows.end()) return std::nullopt;
-  return found - rows.begin();
+  if (view.about.own.empty()) return std::nullopt;
+  return study::row_with(view.table, view.about.own);
 }
 
 std::vector<std::size_t> best_rows(const StudyView& view, std::size_t most) {

@@ -2,7 +2,8 @@
 
 #include <string_view>
 
-/// Files of this folder that are built into the program (see embed.cmake).
+/// Texts that are built into the program: schemas of reports/ and reports/study, the style of
+/// reports/html, and what the bundler makes of reports/web (see reports/CMakeLists.txt).
 namespace limitgauge::reports::embedded {
 
 std::string_view result_schema();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/base/number_text.h"
+#include "reports/tolerance.h"
 
 namespace limitgauge::reports {
 namespace {
@@ -72,7 +73,7 @@ int significant_decimals(double value, int digits) {
 double rounded_outwards(double value, int decimals, int direction) {
   const double scale = std::pow(10.0, decimals);
   const double nearest = std::round(value * scale);
-  if (std::abs(value * scale - nearest) < 1e-6) return nearest / scale;
+  if (std::abs(value * scale - nearest) < kWholeDigit) return nearest / scale;
   return (direction < 0 ? std::floor(value * scale) : std::ceil(value * scale)) / scale;
 }
 

@@ -18,14 +18,6 @@ Index3 child_corner(const Index3& corner, int half, int child) {
           corner[2] + (child & 1) * half};
 }
 
-Vec3 gradient(const BatchSamples& s, std::size_t i) {
-  return {s.gx[i], s.gy[i], s.gz[i]};
-}
-
-double norm1(const Vec3& v) {
-  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
 BlockCutter::Reach reach_of(double least, double reach) {
   if (least > reach) return BlockCutter::Reach::none;
   return least < -reach ? BlockCutter::Reach::wholly : BlockCutter::Reach::partly;
@@ -103,7 +95,7 @@ std::size_t BlockCutter::reference_move(const Level& level, const Vec3& middle, 
     const std::uint32_t slot = level.moves.slot[i];
     const SweptSample at = pass_.distance(slot, middle);
     const double e = curvature_bound(pass_.profile(), pass_.move(slot), middle, at, reach) +
-                     reach * distance(at.gradient, gradient(level.samples, i));
+                     reach * distance(at.gradient, level.samples.gradient(i));
     if (e < bound) bound = e, best = i;
   }
   return best;
@@ -114,11 +106,11 @@ void BlockCutter::keep_that_matter(Level& level, const Vec3& middle, int edge) c
   const BatchSamples& s = level.samples;
   double bend = 0;
   const std::size_t j = reference_move(level, middle, r, bend);
-  const Vec3 g = gradient(s, j);
+  const Vec3 g = s.gradient(j);
   level.kept.clear();
   for (std::size_t i = 0; i < s.distance.size(); ++i) {
     const double behind = s.distance[i] - s.distance[j];
-    const double turn = norm1(gradient(s, i) - g);
+    const double turn = norm1(s.gradient(i) - g);
     const bool twin = behind == 0 && turn == 0 && bend == 0;
     if (i == j || (!twin && behind <= std::min(2 * r, h * turn + bend) + kDistanceRounding_mm))
       level.kept.push_back(static_cast<std::uint32_t>(i));

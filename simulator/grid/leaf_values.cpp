@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "simulator/sweep/wide.h"
+#include "simulator/sweep/vector_loops.h"
 
 namespace limitgauge::simulator {
 namespace {

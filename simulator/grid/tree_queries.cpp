@@ -6,7 +6,7 @@
 
 #include "model/base/chunks.h"
 #include "simulator/mesh/net_cells.h"
-#include "simulator/mesh/tetra_volume.h"
+#include "simulator/mesh/tetrahedra.h"
 
 namespace limitgauge::simulator::vdb {
 namespace {

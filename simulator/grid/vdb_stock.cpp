@@ -15,7 +15,7 @@
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
 #include "model/mesh/mesh_defect.h"
-#include "simulator/mesh/tetra_surface.h"
+#include "simulator/mesh/tetrahedra.h"
 #include "simulator/stock/in_own_process.h"
 #include "simulator/tolerance.h"
 
@@ -149,7 +149,7 @@ class Cells {
   std::vector<Coord> lows_;
 };
 
-// Values at the corners of a cell, ordered as tetra_volume.h has them; whether they differ in sign.
+// Values at the corners of a cell, ordered as tetrahedra.h has them; whether they differ in sign.
 bool read_corners(Accessor& tree, const Coord& low, std::array<double, 8>& f) {
   bool inside = false, outside = false;
   for (int k = 0; k < 8; ++k) {

@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "model/part/stock.h"
-#include "simulator/sweep/pass.h"
+#include "model/part/toolpath.h"
 
 namespace limitgauge::simulator {
+
+using model::Pass;
 
 /// What one move took away, from columns of material along Z. Heights are exact on each line; a
 /// boundary between two lines is placed halfway, which is wrong by half a spacing at most.

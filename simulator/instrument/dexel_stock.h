@@ -7,7 +7,6 @@
 #include "model/geometry/interval.h"
 #include "model/part/stock.h"
 #include "simulator/instrument/dexel_removal.h"
-#include "simulator/sweep/pass.h"
 
 namespace limitgauge::simulator {
 

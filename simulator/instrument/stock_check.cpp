@@ -1,8 +1,8 @@
 #include "simulator/instrument/stock_check.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "model/base/angle.h"
 #include "simulator/grid/stock_grid.h"
 #include "simulator/tolerance.h"
 
@@ -14,7 +14,7 @@ using model::MoveKind;
 using model::Vec3;
 
 bool is_steep(const Vec3& from, const Vec3& to, double steepest_deg) {
-  const double most = level_distance(from, to) * std::tan(steepest_deg * std::numbers::pi / 180);
+  const double most = level_distance(from, to) * std::tan(model::radians(steepest_deg));
   return from.z - to.z > most + kDropRounding_mm;
 }
 

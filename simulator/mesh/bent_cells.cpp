@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/base/chunks.h"
-#include "simulator/mesh/tetra_volume.h"
+#include "simulator/mesh/tetrahedra.h"
 #include "simulator/process/near_material.h"
 
 namespace limitgauge::simulator {

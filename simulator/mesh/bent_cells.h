@@ -54,7 +54,7 @@ struct GridVolume {
                 const model::RunControl& control) const;
 };
 
-/// Whether the values at the corners of a cube, in tetra_volume.h's order, are off from the nearest
+/// Whether the values at the corners of a cube, in tetrahedra.h's order, are off from the nearest
 /// linear ones by more than a small share of its edge.
 bool is_bent(const std::array<double, 8>& corner_values, double edge_mm);
 

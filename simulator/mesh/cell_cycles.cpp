@@ -5,10 +5,6 @@
 namespace limitgauge::simulator {
 namespace {
 
-constexpr int other_axis(int axis, int which) {
-  return which == 0 ? (axis == 0 ? 1 : 0) : (axis == 2 ? 1 : 2);
-}
-
 using Corner = std::array<int, 3>;
 
 bool stands(unsigned signs, const Corner& c) {

@@ -20,6 +20,11 @@ struct CellCycles {
   std::uint8_t twice = 0;
 };
 
+/// Of the two axes that `axis` is not, the lower (`which` 0) or the higher one (1).
+constexpr int other_axis(int axis, int which) {
+  return which == 0 ? (axis == 0 ? 1 : 0) : (axis == 2 ? 1 : 2);
+}
+
 /// Edge along `axis` at place (u, v) in {0, 1}² on the other two axes, in ascending order of axes.
 constexpr int cell_edge(int axis, int u, int v) {
   return axis * 4 + u * 2 + v;

@@ -17,14 +17,7 @@ namespace {
 using model::Vec3;
 
 constexpr int kMostSteps = 12;
-// Surfaces of two makers that meet at a smaller angle make no edge worth a vertex: a facet across
-// it is off by the angle times a voxel over eight.
-constexpr double kSharp_sin = 5e-3;
-// One maker's own normals turn within a cell where it is round.
-constexpr double kSharpOfOne_sin = 0.3;
 constexpr std::size_t kMostFaces = 6;
-// φ at an interpolated crossing, in voxels, beyond what curvature makes of a smooth surface.
-constexpr double kOff = 0.02;
 
 // A face of the surface about a cell, with its normal where it was met and in the cell's middle.
 struct Face {
@@ -38,7 +31,7 @@ double sine_between(const Face& a, const Face& b) {
 }
 
 bool sharp(const Face& a, const Face& b) {
-  return sine_between(a, b) > (a.maker == b.maker ? kSharpOfOne_sin : kSharp_sin);
+  return sine_between(a, b) > (a.maker == b.maker ? kSharpOfOneSine : kSharpSine);
 }
 
 Vec3 middle_of(std::span<const Vec3> crossings) {
@@ -110,7 +103,7 @@ class ExactPlacer : public NetPlacer {
       return material_.sample(p + (p - middle) * kFurtherOut, hint_);
     };
     known = {crossing, from_outside(crossing)};
-    if (std::abs(known.sample.value) >= kOff * lattice_.voxel_mm)
+    if (std::abs(known.sample.value) >= kOffCrossing_voxels * lattice_.voxel_mm)
       known.sample = from_outside(exact_crossing(cell, crossing));
     return known.sample;
   }
@@ -150,7 +143,7 @@ class ExactPlacer : public NetPlacer {
           widest = sine_between(faces[i], faces[j]), meeting = {faces[i], faces[j]};
     if (meeting.empty()) return std::nullopt;
     const Vec3 along = cross(meeting[0].normal, meeting[1].normal);
-    double fullest = kSharp_sin * length(along);
+    double fullest = kSharpSine * length(along);
     for (const Face& f : faces)
       if (sharp(f, meeting[0]) && sharp(f, meeting[1]) && std::abs(dot(along, f.normal)) > fullest)
         fullest = std::abs(dot(along, f.normal)), meeting.resize(2), meeting.push_back(f);

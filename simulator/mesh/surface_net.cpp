@@ -18,10 +18,6 @@ using model::Vec3;
 constexpr std::size_t kChunk = 64;
 constexpr std::size_t kBatch = 8192;  // leaves whose triangles are held twice for a moment
 
-constexpr int other_axis(int axis, int which) {
-  return which == 0 ? (axis == 0 ? 1 : 0) : (axis == 2 ? 1 : 2);
-}
-
 Index3 moved(Index3 at, int axis, int by) {
   at[axis] += by;
   return at;

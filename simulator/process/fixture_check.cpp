@@ -17,13 +17,6 @@ bool apart(const Box3& a, const Box3& b) {
   return common(a, b).empty();
 }
 
-Box3 tip_box(const SweptMove& tip) {
-  Box3 box;
-  box.add(tip.start);
-  box.add(tip.start + tip.delta);
-  return box;
-}
-
 // Where a tip may be when a body comes within `near` of `target`.
 Box3 tips_near(const Box3& target, const std::vector<ToolBody>& bodies, double near) {
   Box3 tips;

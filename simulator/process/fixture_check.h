@@ -8,7 +8,6 @@
 #include "simulator/mesh/fixture_solid.h"
 #include "simulator/process/finding.h"
 #include "simulator/process/tool_bodies.h"
-#include "simulator/sweep/pass.h"
 
 namespace limitgauge::simulator {
 

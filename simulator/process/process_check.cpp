@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <stdexcept>
 #include <tuple>
 
@@ -13,6 +12,7 @@
 #include "simulator/process/fixture_check.h"
 #include "simulator/process/tool_bodies.h"
 #include "simulator/stock/material.h"
+#include "simulator/sweep/sweep_index.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -31,17 +31,6 @@ void require_limits(const ProcessLimits& limits) {
   for (int a = 0; limits.travel_mm && a < 3; ++a)
     if (!(limits.travel_mm->low[a] <= limits.travel_mm->high[a]))
       throw std::invalid_argument("the travel of an axis ends below where it begins");
-}
-
-void require_path(const Pass& pass) {
-  if (!pass.path) throw std::invalid_argument("a pass without a path");
-  const Toolpath& path = *pass.path;
-  if (path.moves.size() >= std::numeric_limits<std::uint32_t>::max())
-    throw std::invalid_argument("a path of 2^32 moves or more");
-  const bool finite =
-      is_finite(path.start) && std::all_of(path.moves.begin(), path.moves.end(),
-                                           [](const model::Move& m) { return is_finite(m.to); });
-  if (!finite) throw std::invalid_argument("a path with a coordinate that is not finite");
 }
 
 // How far above the tip material may stand on some move of the path.

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/sweep/wide.h"
+#include "simulator/sweep/vector_loops.h"
 #include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
-
-double norm1(const Vec3& v) {
-  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
 
 LIMITGAUGE_WIDE
 void find_planes(const double* __restrict d, const double* __restrict gx,

@@ -1,10 +1,10 @@
 #include "simulator/stock/memory_forecast.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <set>
 
+#include "model/base/clock.h"
 #include "simulator/grid/block_cut.h"
 #include "simulator/grid/stock_grid.h"
 #include "simulator/stock/raw_stock.h"
@@ -12,8 +12,6 @@
 namespace limitgauge::simulator {
 namespace {
 
-using Seconds = std::chrono::duration<double>;
-using Clock = std::chrono::steady_clock;
 using Reach = BlockCutter::Reach;
 
 // A leaf of 8³ floats, its mask, place and count, and what the allocator adds to the two of them.
@@ -74,17 +72,16 @@ struct Measured {
 
 // One block, without the leaves beside it that a tile has.
 Measured measure(const Material& material, const Lattice& lattice, const Index3& block) {
-  const auto since = [](Clock::time_point t) { return Seconds(Clock::now() - t).count(); };
-  const Clock::time_point start = Clock::now();
+  const model::Stopwatch whole;
   Measured m;
   StockGrid grid(material.raw(), lattice, cube_at(block, kBlockEdge), 0, {});
   for (const auto& pass : material.passes()) {
-    const Clock::time_point before = Clock::now();
+    const model::Stopwatch watch;
     const PassReach reach = grid.reach(*pass, {});
     grid = std::move(grid).cut(*pass, reach, {});
-    m.cut_seconds = since(before);
+    m.cut_seconds = watch.seconds();
   }
-  m.all_seconds = since(start);
+  m.all_seconds = whole.seconds();
   m.leaves = GridLeaves(grid).size();
   return m;
 }

@@ -1,12 +1,12 @@
 #include "simulator/stock/stock_layout.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "model/base/error.h"
+#include "model/base/number_text.h"
 #include "simulator/grid/block_cut.h"
 #include "simulator/grid/stock_grid.h"
 
@@ -126,12 +126,6 @@ std::optional<StockLayout> layout_within(const Material& material, const Lattice
   return layout;
 }
 
-std::string figure(double x) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%g", x);
-  return text;
-}
-
 [[noreturn]] void refuse(const Material& material, const Lattice& lattice, double limit,
                          const model::RunControl& control) {
   const double moves = pass_bytes(material);
@@ -139,13 +133,15 @@ std::string figure(double x) {
   if (moves >= limit)
     throw model::ResourceError("the moves alone need " + in_mib(moves) + ", " + allowed);
   const std::string needed = "the stock does not fit into memory at a voxel of " +
-                             figure(lattice.voxel_mm) + " mm, not even in tiles; " + allowed;
+                             model::six_digits(lattice.voxel_mm) + " mm, not even in tiles; " +
+                             allowed;
   double voxel = lattice.voxel_mm;
   while (too_fine(material, {lattice.origin_mm, 1.2 * voxel})) voxel *= 1.2;
   for (int i = 0; i < kMostTries; ++i) {
     voxel = two_digits_up(voxel * 1.2);
     if (layout_within(material, {lattice.origin_mm, voxel}, limit, control))
-      throw model::ResourceError(needed + "; a voxel of " + figure(voxel) + " mm would do");
+      throw model::ResourceError(needed + "; a voxel of " + model::six_digits(voxel) +
+                                 " mm would do");
   }
   throw model::ResourceError(needed);
 }

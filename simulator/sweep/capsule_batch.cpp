@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "simulator/sweep/wide.h"
+#include "simulator/sweep/vector_loops.h"
 #include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
@@ -19,11 +19,6 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::size_t kLanes = MoveBatch::kPad;
 // Below this, holding moves against the corners takes more time than the moves themselves.
 constexpr std::size_t kManyKept = 16;
-
-inline double unit_clamp(double t) {
-  t = t > 0 ? t : 0.0;
-  return t < 1 ? t : 1.0;
-}
 
 LIMITGAUGE_WIDE
 void find_feet(const BallColumns& c, std::size_t n, double px, double py, double pz, double h,

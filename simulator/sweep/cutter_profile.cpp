@@ -1,16 +1,14 @@
 #include "simulator/sweep/cutter_profile.h"
 
 #include <limits>
-#include <numbers>
 
+#include "model/base/angle.h"
 #include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
 
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
+using model::radians;
 
 MeridianSample from_point(double x, double z) {
   const double r = std::sqrt(x * x + z * z);

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/sweep/wide.h"
+#include "simulator/sweep/vector_loops.h"
 
 namespace limitgauge::simulator {
 namespace {
 
 using model::Vec3;
-
-inline double unit_clamp(double t) {
-  t = t > 0 ? t : 0.0;
-  return t < 1 ? t : 1.0;
-}
 
 LIMITGAUGE_WIDE
 void ball_samples(const BallColumns& c, std::size_t n, double radius, double px, double py,

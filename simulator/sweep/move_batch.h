@@ -47,6 +47,7 @@ class MoveBatch {
 struct BatchSamples {
   std::vector<double> distance, gx, gy, gz;
   void resize(std::size_t n);
+  model::Vec3 gradient(std::size_t i) const { return {gx[i], gy[i], gz[i]}; }
 };
 
 /// Samples of all moves of a batch of ball moves, valid where the tops do not matter.

@@ -13,14 +13,6 @@ using model::Vec3;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-Vec3 gradient(const BatchSamples& s, std::size_t i) {
-  return {s.gx[i], s.gy[i], s.gz[i]};
-}
-
-double norm1(const Vec3& v) {
-  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
 bool lies_below_tops(const SweepIndex& pass, const MoveBatch& moves, const Cube& cube) {
   return pass.profile().is_ball() &&
          cube.middle.z + cube.half_edge_mm <= moves.below_tops_mm(pass.profile());
@@ -91,7 +83,7 @@ std::size_t NearMoves::straightest(const SweepIndex& pass, const MoveBatch& from
   for (std::size_t i = best; i < d.size() && bend > 0; ++i) {
     if (d[i] > *least) continue;
     const std::uint32_t slot = from.slot[i];
-    const SweptSample at{d[i], gradient(samples_, i), pass.distance(slot, cube.middle).t};
+    const SweptSample at{d[i], samples_.gradient(i), pass.distance(slot, cube.middle).t};
     const double e = curvature_bound(pass.profile(), pass.move(slot), cube.middle, at, r);
     if (e < bend) bend = e, best = i;
   }
@@ -103,11 +95,11 @@ double NearMoves::keep_others(const SweepIndex& pass, const MoveBatch& from, con
   sample(pass, from, cube);
   double bend = 0;
   const std::size_t j = straightest(pass, from, cube, bend);
-  const Vec3 g = gradient(samples_, j);
+  const Vec3 g = samples_.gradient(j);
   kept_.clear();
   for (std::size_t i = 0; i < from.size(); ++i) {
     const double behind = samples_.distance[i] - samples_.distance[j];
-    const double turn = norm1(gradient(samples_, i) - g);
+    const double turn = norm1(samples_.gradient(i) - g);
     const bool twin = behind == 0 && turn == 0 && bend == 0;
     const double most = std::min(2 * cube.half_diagonal(), cube.half_edge_mm * turn + bend);
     if (i == j || (!twin && behind <= most + kDistanceRounding_mm))

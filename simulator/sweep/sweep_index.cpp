@@ -11,33 +11,28 @@
 namespace limitgauge::simulator {
 namespace {
 
-using model::Box3;
 using model::Vec3;
 
 constexpr std::size_t kChunk = 1 << 14;
 // A median split halves 2^32 moves in fewer levels than this, with one node waiting a level.
 constexpr std::size_t kDeepest = 64;
 
-Box3 tip_box(const SweptMove& m) {
-  Box3 box;
-  box.add(m.start);
-  box.add(m.start + m.delta);
-  return box;
-}
-
-void require_path(const Pass& pass) {
-  if (!pass.path) throw std::invalid_argument("a pass without a path");
-  if (pass.path->moves.size() >= std::numeric_limits<std::uint32_t>::max())
-    throw std::invalid_argument("a path of 2^32 moves or more");
-}
-
 SweptMove swept_move(const model::Toolpath& path, std::uint32_t i) {
-  if (!is_finite(move_from(path, i)) || !is_finite(path.moves[i].to))
-    throw std::invalid_argument("a path with a coordinate that is not finite");
   return {move_from(path, i), path.moves[i].to, i};
 }
 
 }  // namespace
+
+void require_path(const Pass& pass) {
+  if (!pass.path) throw std::invalid_argument("a pass without a path");
+  const model::Toolpath& path = *pass.path;
+  if (path.moves.size() >= std::numeric_limits<std::uint32_t>::max())
+    throw std::invalid_argument("a path of 2^32 moves or more");
+  const bool finite =
+      is_finite(path.start) && std::all_of(path.moves.begin(), path.moves.end(),
+                                           [](const model::Move& m) { return is_finite(m.to); });
+  if (!finite) throw std::invalid_argument("a path with a coordinate that is not finite");
+}
 
 SweepIndex::SweepIndex(const Pass& pass, const model::RunControl& control) : profile_(pass.cutter) {
   require_path(pass);

@@ -7,11 +7,17 @@
 #include <vector>
 
 #include "model/base/run_control.h"
-#include "simulator/sweep/pass.h"
+#include "model/part/toolpath.h"
 #include "simulator/sweep/sweep_order.h"
 #include "simulator/sweep/swept_distance.h"
 
 namespace limitgauge::simulator {
+
+using model::Pass;
+
+/// Throws std::invalid_argument for a pass that cannot be: no path, a coordinate that is not
+/// finite, 2^32 moves and more.
+void require_path(const Pass& pass);
 
 /// The move nearest to a point and the swept distance to it.
 struct NearestMove {
@@ -31,9 +37,8 @@ struct NearestCapsule {
 /// slot, their place in the tree's order.
 class SweepIndex {
  public:
-  /// Throws std::invalid_argument for a cutter or a path that cannot be (no path, a coordinate
-  /// that is not finite, 2^32 moves and more), Interrupted when told to stop. Takes 144 bytes a
-  /// move, 36 more while it works.
+  /// Throws std::invalid_argument for a cutter that cannot be and as `require_path` does,
+  /// Interrupted when told to stop. Takes 144 bytes a move, 36 more while it works.
   explicit SweepIndex(const Pass& pass, const model::RunControl& control = {});
 
   /// The move of least swept distance at `p` among those with path index below `end`, if that

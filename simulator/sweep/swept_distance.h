@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "model/geometry/vec3.h"
@@ -29,6 +30,19 @@ struct SweptMove {
   bool level() const { return delta.z == 0; }
   bool vertical() const { return run == 0; }
 };
+
+/// Of the tip's way.
+inline model::Box3 tip_box(const SweptMove& move) {
+  model::Box3 box;
+  box.add(move.start);
+  box.add(move.start + move.delta);
+  return box;
+}
+
+/// |v|₁ = |x| + |y| + |z|: v·δ is at most h times that where all |δ_a| <= h.
+inline double norm1(const model::Vec3& v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
 
 /// f(p) = least signed distance from p to the fluted part over all positions along the move.
 /// Outside the swept space that is the exact distance to it; inside it is minus the depth in the

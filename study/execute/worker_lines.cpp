@@ -1,7 +1,6 @@
 #include "study/execute/worker_lines.h"
 
 #include <array>
-#include <charconv>
 
 #include "model/base/number_text.h"
 
@@ -58,13 +57,6 @@ std::vector<std::string> fields_of(const std::string& line) {
   return fields;
 }
 
-template <class Number>
-bool read(const std::string& text, Number& number) {
-  const char* end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && at == end;
-}
-
 }  // namespace
 
 std::string to_line(const WorkerTask& task) {
@@ -82,7 +74,10 @@ std::string to_line(const WorkerAnswer& answer) {
 std::optional<WorkerTask> task_of_line(const std::string& line) {
   const std::vector<std::string> fields = fields_of(line);
   WorkerTask task;
-  if (fields.size() < 3 || fields[0] != "case" || !read(fields[1], task.index)) return std::nullopt;
+  if (fields.size() < 3 || fields[0] != "case") return std::nullopt;
+  const auto index = model::parse_whole<decltype(task.index)>(fields[1]);
+  if (!index) return std::nullopt;
+  task.index = *index;
   task.key = fields[2];
   task.overrides.assign(fields.begin() + 3, fields.end());
   return task;
@@ -91,9 +86,14 @@ std::optional<WorkerTask> task_of_line(const std::string& line) {
 std::optional<WorkerAnswer> answer_of_line(const std::string& line) {
   const std::vector<std::string> fields = fields_of(line);
   WorkerAnswer answer;
-  if (fields.size() != 5 || !read(fields[1], answer.index) || !read(fields[2], answer.seconds) ||
-      !read(fields[3], answer.peak_bytes))
-    return std::nullopt;
+  if (fields.size() != 5) return std::nullopt;
+  const auto index = model::parse_whole<decltype(answer.index)>(fields[1]);
+  const auto seconds = model::parse_number(fields[2]);
+  const auto peak = model::parse_whole<decltype(answer.peak_bytes)>(fields[3]);
+  if (!index || !seconds || !peak) return std::nullopt;
+  answer.index = *index;
+  answer.seconds = *seconds;
+  answer.peak_bytes = *peak;
   answer.reason = fields[4];
   for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
     if (fields[0] != kKinds[kind]) continue;

@@ -8,14 +8,6 @@
 namespace limitgauge::study {
 namespace {
 
-std::optional<std::size_t> row_with(const Table& table, const std::vector<Setting>& settings) {
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const std::vector<Setting>& own = table.rows[i].asked.settings;
-    if (std::equal(own.begin(), own.end(), settings.begin(), settings.end(), alike)) return i;
-  }
-  return std::nullopt;
-}
-
 Setting nearest_to_base(const Variable& variable) {
   const std::vector<Setting> all = settings_of(variable);
   const Setting* nearest = nullptr;
@@ -33,6 +25,14 @@ Setting nearest_to_base(const Variable& variable) {
 
 bool alike(const Setting& a, const Setting& b) {
   return a.number && b.number ? *a.number == *b.number : a.toml == b.toml;
+}
+
+std::optional<std::size_t> row_with(const Table& table, const std::vector<Setting>& settings) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::vector<Setting>& own = table.rows[i].asked.settings;
+    if (std::equal(own.begin(), own.end(), settings.begin(), settings.end(), alike)) return i;
+  }
+  return std::nullopt;
 }
 
 std::optional<std::size_t> own_row(const Plan& plan, const Table& table) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "study/plan/plan.h"
 #include "study/store/table.h"
@@ -10,6 +12,8 @@ namespace limitgauge::study {
 /// The same setting: equal numbers, else equal text.
 bool alike(const Setting& a, const Setting& b);
 
+/// The first row with these settings, in the order of Table::keys.
+std::optional<std::size_t> row_with(const Table& table, const std::vector<Setting>& settings);
 /// The row with the job's own settings.
 std::optional<std::size_t> own_row(const Plan& plan, const Table& table);
 

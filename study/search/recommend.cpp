@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "study/search/phrases.h"
 #include "study/store/table.h"
 
 namespace limitgauge::study {

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "study/search/descent_search.h"
+#include "study/search/phrases.h"
 #include "study/store/table.h"
 
 namespace limitgauge::study {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulator/sweep/pass.h"
+#include "simulator/stock/stock_model.h"
 
 namespace limitgauge::benchmarks {
 

@@ -7,7 +7,7 @@
 #include "model/base/chunks.h"
 #include "simulator/grid/stock_grid.h"
 #include "simulator/sweep/swept_distance.h"
-#include "simulator/sweep/wide.h"
+#include "simulator/sweep/vector_loops.h"
 
 namespace limitgauge::benchmarks {
 namespace {

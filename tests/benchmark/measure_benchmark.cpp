@@ -24,17 +24,21 @@ void certify_out_of(benchmark::State& state, const model::Stock& stock) {
   const verifier::SurfaceCells cells(dome.tree(), 0.3);
   const verifier::Pass pass{ball(), dome_finish()};
   const verifier::RemovedSpace space(stock, {&pass, 1});
-  const verifier::Reachability search(cells, verifier::CutterProfile(pass.cutter), 0, 1e-4);
+  const verifier::Reachability search(cells, verifier::CutterProfile(pass.cutter), 0,
+                                      verifier::kContact_mm);
   const verifier::ReachMap proven =
-      verifier::classify_reach(cells, search, {0.05, 60'000}, {2, nullptr, {}});
-  const verifier::ReachQuery reach(search, proven);
+      verifier::classify_reach(cells, search, verifier::kReachEffort, {2, nullptr, {}});
+  const verifier::ReachQuery reach({&search, 1}, proven);
   verifier::CertificateRequest request;
   request.resolution_mm = static_cast<double>(state.range(0)) * 1e-6;
   request.largest_cell_count = 20'000'000;
   for (auto _ : state) {
-    const verifier::Certificate c = certify(cells, space, &reach, request, {2, nullptr, {}});
-    state.counters["cells"] = static_cast<double>(c.cells);
-    state.counters["uncut_width_nm"] = c.uncut_mm.width() * 1e6;
+    const verifier::Certificate gouge =
+        certify(cells, space, verifier::Side::gouge, nullptr, request, {2, nullptr, {}});
+    const verifier::Certificate uncut =
+        certify(cells, space, verifier::Side::uncut, &reach, request, {2, nullptr, {}});
+    state.counters["cells"] = static_cast<double>(gouge.cells + uncut.cells);
+    state.counters["uncut_width_nm"] = uncut.figure_mm.width() * 1e6;
   }
 }
 void certify_finish(benchmark::State& state) {

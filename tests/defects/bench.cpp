@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <set>
 
 #include "app/run/stock_probe.h"
+#include "model/base/clock.h"
 #include "simulator/stock/stock_model.h"
 
 namespace limitgauge::tests::defects {
@@ -31,16 +31,6 @@ constexpr double kSameInField_mm = 2e-6;
 /// Limits that nothing comes near: figures are narrowed to the width asked for wherever they lie,
 /// and the only finding is the deepest.
 constexpr verifier::GateLimits kFarLimits = {true, true, false, 1000, 1000, 0};
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 model::BoxStock block_around(const model::Box3& part) {
   constexpr double kAside_mm = 8, kBelow_mm = 6, kAbove_mm = 1;
@@ -133,7 +123,7 @@ class PairBench {
   }
 
   void judge_twin(Twin& twin) {
-    const Stopwatch watch;
+    const model::Stopwatch watch;
     TwinResult result;
     result.pair = name_;
     result.allowance_mm = twin.sound.allowance_mm;
@@ -159,7 +149,7 @@ class PairBench {
   }
 
   CaseResult judge(Twin& twin, const Mishap& mishap) {
-    const Stopwatch watch;
+    const model::Stopwatch watch;
     CaseResult result;
     result.pair = name_;
     result.resolution_mm = plan_.resolution_mm;

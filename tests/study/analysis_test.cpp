@@ -5,6 +5,7 @@
 
 #include "study/plan/random_numbers.h"
 #include "study/search/least_squares.h"
+#include "study/search/phrases.h"
 #include "study/store/table.h"
 #include "tests/study/study_tables.h"
 #include "tests/support/catch.h"

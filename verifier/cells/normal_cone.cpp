@@ -19,10 +19,6 @@ Vec3 across(const Vec3& n) {
   return normalized(cross(n, std::abs(n.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(length(cross(a, b)), dot(a, b));
-}
-
 std::array<Vec3, 36> normal_coefficients(const Bezier& cell) {
   std::array<Vec3, 36> out{};
   for (int j = 0; j < 4; ++j)

@@ -7,7 +7,6 @@
 
 namespace limitgauge::verifier {
 
-double angle_between(const model::Vec3& a, const model::Vec3& b);
 /// A unit vector across a unit vector.
 model::Vec3 across(const model::Vec3& n);
 

@@ -71,8 +71,7 @@ struct NormalsInFrame {
   double least = std::numeric_limits<double>::infinity();  ///< along n₀
 
   NormalsInFrame(const std::array<Vec3, 36>& coefficients, const Vec3& n) {
-    const Vec3 any = std::abs(n.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-    axes[0] = normalized(cross(any, n)), axes[1] = cross(n, axes[0]), axes[2] = n;
+    axes[0] = across(-n), axes[1] = cross(n, axes[0]), axes[2] = n;
     for (int k = 0; k < 36; ++k) {
       c[k] = {dot(coefficients[k], axes[0]), dot(coefficients[k], axes[1]),
               dot(coefficients[k], axes[2])};

@@ -215,14 +215,16 @@ void add_edge(const SharpEdge& edge, const PiecesOfPatch& pieces, double radius_
   }
 }
 
+/// A patch's parameters at its corners.
+constexpr double kCornerU[] = {0, 1, 1, 0}, kCornerV[] = {0, 0, 1, 1};
+
 /// Whether no face round a vertex rises over the tangent plane of another, but for what it bends
 /// itself: only then have the normals between them all a meaning. Where some edges are valleys, the
 /// others' own ends say all.
 bool is_convex(const std::vector<PatchCorner>& corners, const std::vector<Vec3>& normals,
                const SurfaceTree& tree) {
-  constexpr double kU[] = {0, 1, 1, 0}, kV[] = {0, 0, 1, 1};
   for (const PatchCorner& c : corners) {
-    const double u = kU[c.corner], v = kV[c.corner];
+    const double u = kCornerU[c.corner], v = kCornerV[c.corner];
     const Vec3 vertex = tree.evaluate(c.patch, u, v).position;
     for (const auto& [du, dv] :
          {std::pair{kIntoFace, 0.0}, {0.0, kIntoFace}, {kIntoFace, kIntoFace}}) {
@@ -238,19 +240,18 @@ bool is_convex(const std::vector<PatchCorner>& corners, const std::vector<Vec3>&
 /// The normals between those of the faces round a vertex: a fan of triangles round their mean.
 void add_vertex(const std::vector<PatchCorner>& corners, const SurfaceTree& tree,
                 std::vector<RidgeCell>& out) {
-  constexpr double kU[] = {0, 1, 1, 0}, kV[] = {0, 0, 1, 1};
   std::vector<Vec3> normals;
   Vec3 mean;
   RidgeCell cell;
   for (const PatchCorner& c : corners) {
-    const double u = kU[c.corner], v = kV[c.corner];
+    const double u = kCornerU[c.corner], v = kCornerV[c.corner];
     const SurfaceSample s = tree.evaluate(c.patch, u, v);
     const Vec3 normal =
         tree.evaluate(c.patch, std::abs(u - kBesideVertex), std::abs(v - kBesideVertex)).normal;
     if (!(length(normal) > 0)) continue;
     normals.push_back(normal);
     mean += normal;
-    cell.patch = c.patch, cell.u0 = cell.u1 = kU[c.corner], cell.v0 = cell.v1 = kV[c.corner];
+    cell.patch = c.patch, cell.u0 = cell.u1 = u, cell.v0 = cell.v1 = v;
     for (int k = 0; k < 16; ++k) cell.shape.set(k, s.position);
   }
   if (normals.size() < 2 || !(length(mean) > kCancels) || !is_convex(corners, normals, tree))

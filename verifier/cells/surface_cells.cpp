@@ -1,6 +1,7 @@
 #include "verifier/cells/surface_cells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -73,6 +74,11 @@ std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell) {
 }
 std::array<SurfaceCell, 2> halved(const SurfaceCell& cell) {
   return longer_in_u(cell.shape) ? split_u(cell) : split_v(cell);
+}
+
+double first_cell_radius_mm(const SurfaceTree& tree) {
+  constexpr double kSmall_mm = 0.3, kCells = 200'000;
+  return std::max(kSmall_mm, std::sqrt(tree.area_mm2() / kCells));
 }
 
 SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)

@@ -35,6 +35,10 @@ std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell);
 /// The halves of the longer way, by longer_in_u.
 std::array<SurfaceCell, 2> halved(const SurfaceCell& cell);
 
+/// Where branch and bound over a surface starts: cells small enough that few moves matter to each,
+/// and no more than a few hundred thousand on a large part.
+double first_cell_radius_mm(const SurfaceTree& tree);
+
 /// The limit surface as small cells under a tree of boxes, shared by every search over it. Pieces
 /// that lie within kOmitted_mm of an irregular vertex are stood for by the vertex: a function that
 /// changes by at most a millimetre a millimetre is wrong there by at most kOmitted_mm.

@@ -1,6 +1,5 @@
 #include "verifier/certificate/leftover_regions.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -12,12 +11,6 @@
 
 namespace limitgauge::verifier {
 namespace {
-
-/// Cells begin this small, or as small as a few hundred thousand cells cover a large part.
-double first_cell_radius_mm(const ReferenceSurface& surface) {
-  constexpr double kSmall_mm = 0.3, kCells = 200'000;
-  return std::max(kSmall_mm, std::sqrt(surface.area_mm2() / kCells));
-}
 
 /// One box a tile of the plane, around the spots whose middles lie in it.
 std::vector<model::Box3> gathered(const std::vector<Spot>& spots, double tile_mm) {
@@ -42,14 +35,11 @@ LeftoverRegions find_leftover_regions(const ReferenceSurface& surface,
                                       const model::RunControl& control) {
   if (!(request.threshold_mm > 0) || !(request.tile_mm > 0))
     throw std::invalid_argument("threshold and tile must be positive");
-  // As in measure_stage: a tenth of a micrometre of contact; effort for the rim of the reachable.
-  constexpr double kRim_mm = 0.05;
-  constexpr std::size_t kEffort = 60'000;
-  const SurfaceCells cells(surface.tree(), first_cell_radius_mm(surface));
+  const SurfaceCells cells(surface.tree(), first_cell_radius_mm(surface.tree()));
   const RemovedSpace space(raw_stock, passes);
   const CutterProfile cutter(request.cutter);
   const Reachability search(cells, cutter, request.allowance_mm, kContact_mm);
-  const ReachMap proven = classify_reach(cells, search, {kRim_mm, kEffort}, control);
+  const ReachMap proven = classify_reach(cells, search, kReachEffort, control);
   const ReachQuery reach(std::span(&search, 1), proven);
   ExceedanceRequest asked;
   asked.side = Side::uncut;

@@ -69,7 +69,7 @@ std::vector<SweptBody> positions_of(std::span<const Vec3> tips) {
 /// A retracted cutter over the middle of S: nothing of it is lower than its tip.
 Vec3 retracted(const SurfaceCells& cells, double allowance_mm) {
   const model::Box3& box = cells.nodes().front().box;
-  return {box.centre().x, box.centre().y, box.high.z + std::max(0.0, allowance_mm) + 1e-6};
+  return {box.centre().x, box.centre().y, box.high.z + std::max(0.0, allowance_mm) + kRetracted_mm};
 }
 
 class Search {

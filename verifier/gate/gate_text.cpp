@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "verifier/tolerance.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -13,11 +15,10 @@ using Rounding = double (*)(double);
 /// certified interval stays true. A number of four digits is itself, whatever its last bits say.
 double outwards(double value, Rounding up_or_down) {
   if (value <= 0) return value;
-  constexpr double kLastBits = 1e-6;
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 3);
   const double units = value / unit;
   const double nearest = std::round(units);
-  return (std::abs(units - nearest) < kLastBits ? nearest : up_or_down(units)) * unit;
+  return (std::abs(units - nearest) < kFourthDigit ? nearest : up_or_down(units)) * unit;
 }
 
 std::string four_digits(double value, const char* unit) {

@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <numbers>
 
+#include "model/base/clock.h"
 #include "verifier/certificate/certificate.h"
 #include "verifier/certificate/unavoidable.h"
 #include "verifier/cutter/assembly.h"
@@ -18,22 +17,19 @@
 namespace limitgauge::verifier {
 namespace {
 
-/// How finely the rim of what can be reached is resolved, and for how long. The contact of a flat
-/// moves far as the normal turns, so its proofs take smaller cells. To a cutter as wide as the part
-/// every cell is near every other, and of a drill's or an undercutting cutter's contacts no cell is
-/// proven: then each is looked at once.
+/// For how long the rim of what can be reached is resolved. The contact of a flat moves far as the
+/// normal turns, so its proofs take smaller cells. To a cutter as wide as the part every cell is
+/// near every other, and of a drill's or an undercutting cutter's contacts no cell is proven: then
+/// each is looked at once.
 ReachOptions reach_effort(const CutterProfile& cutter, double area_mm2) {
+  ReachOptions effort = kReachEffort;
   const double radius = cutter.rounding_mm + cutter.flat_mm;
-  if (cutter.is_pointed() || cutter.undercuts()) return {0.05, 1};
-  if (std::numbers::pi * radius * radius > area_mm2 / 2) return {0.05, 1};
-  return {0.05, cutter.flat_mm > 0 ? std::size_t{250'000} : std::size_t{60'000}};
-}
-
-/// Where branch and bound starts: small enough that few moves matter to a cell, and no more than a
-/// few hundred thousand cells on a large part.
-double first_cell_radius_mm(const ReferenceSurface& surface) {
-  constexpr double kSmall_mm = 0.3, kCells = 200'000;
-  return std::max(kSmall_mm, std::sqrt(surface.area_mm2() / kCells));
+  if (cutter.is_pointed() || cutter.undercuts() ||
+      std::numbers::pi * radius * radius > area_mm2 / 2)
+    effort.largest_cell_count = 1;
+  else if (cutter.flat_mm > 0)
+    effort.largest_cell_count = 250'000;
+  return effort;
 }
 
 CertificateRequest request_of(const StageCheck& check) {
@@ -243,8 +239,8 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
                              const StageCheck& check, const model::RunControl& control) {
   if (passes.empty()) throw std::invalid_argument("a stage needs the pass it is measured for");
   if (!(check.resolution_mm > 0)) throw std::invalid_argument("the resolution must be positive");
-  const auto start = std::chrono::steady_clock::now();
-  const SurfaceCells cells(surface.tree(), first_cell_radius_mm(surface));
+  const model::Stopwatch watch;
+  const SurfaceCells cells(surface.tree(), first_cell_radius_mm(surface.tree()));
   const RemovedSpace cut(raw_stock, passes), raw(raw_stock, {});
   const std::vector<AssemblySweep> parts =
       assembly_sweeps(passes, surface.bounding_box().high.z + check.allowance_mm + kRounding_mm);
@@ -288,7 +284,7 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
 
   find_places(out, measured, raw, certificates, control);
   out.budget = budget_of(cut, check, probe, rays);
-  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  out.seconds = watch.seconds();
   return out;
 }
 

@@ -13,24 +13,23 @@ namespace {
 
 using model::Vec3;
 
-std::string place_text(const Vec3& p) {
+/// Finer than a verdict shows them: two instruments are held against each other.
+std::string fine_place_text(const Vec3& p) {
   char text[96];
   std::snprintf(text, sizeof text, "(%.4f, %.4f, %.4f)", p.x, p.y, p.z);
+  return text;
+}
+std::string fine_length_text(double mm) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.6f mm", mm);
   return text;
 }
 
 [[noreturn]] void disagree(const Vec3& p, const std::string& what, double analytic_mm,
                            const std::string& voxel) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.6f", analytic_mm);
-  throw InstrumentDisagreement("the two instruments disagree at " + place_text(p) + ": " + what +
-                               ": analytic instrument " + text + " mm, voxel instrument " + voxel);
-}
-
-std::string length_text(double mm) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.6f mm", mm);
-  return text;
+  throw InstrumentDisagreement("the two instruments disagree at " + fine_place_text(p) + ": " +
+                               what + ": analytic instrument " + fine_length_text(analytic_mm) +
+                               ", voxel instrument " + voxel);
 }
 
 /// A run of the probe, and what the analytic instrument says along it.
@@ -64,7 +63,7 @@ CheckedRun checked(const RemovedSpace& removed, const Vec3& from, const Vec3& al
   const Nearest nearest = removed.nearest(end, hint);
   if (std::abs(nearest.distance.value) > run.error_mm + kAgreement_mm)
     disagree(end, "distance of the simulated stock's surface from the cut surface",
-             nearest.distance.value, length_text(run.error_mm));
+             nearest.distance.value, fine_length_text(run.error_mm));
   return out;
 }
 
@@ -120,7 +119,7 @@ struct Longest {
 void require_within(const Longest& run, const std::optional<double>& bound_mm, double error_mm,
                     const char* what) {
   if (bound_mm && run.length_mm > *bound_mm + error_mm + kAgreement_mm)
-    disagree(run.at, what, *bound_mm, length_text(run.length_mm));
+    disagree(run.at, what, *bound_mm, fine_length_text(run.length_mm));
 }
 
 /// A sample on the side of a patch where S has a crease, a corner or its rim.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -9,7 +8,6 @@
 #include <vector>
 
 #include "model/base/run_control.h"
-#include "model/part/cutter.h"
 #include "model/part/stock.h"
 #include "model/part/toolpath.h"
 #include "verifier/gate/deviation.h"
@@ -17,12 +15,9 @@
 
 namespace limitgauge::verifier {
 
-/// One pass over the part, in the order of the job. Passes before the stage under test count too:
-/// the removed space is everything cut so far and everything outside the raw stock.
-struct Pass {
-  model::Cutter cutter;
-  std::shared_ptr<const model::Toolpath> path;
-};
+/// Passes come in the order of the job, and those before the stage under test count too: the
+/// removed space is everything cut so far and everything outside the raw stock.
+using model::Pass;
 
 /// The simulated stock, as the second instrument asks it: rays from S. Implemented over the
 /// simulator, which shares no distance, tree or library with this folder. Const calls from several

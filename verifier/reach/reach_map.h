@@ -21,6 +21,10 @@ struct ReachOptions {
   std::size_t largest_cell_count = 100'000;
 };
 
+/// What a verdict takes for most cutters: the rim of what can be reached is a tenth of a millimetre
+/// wide.
+inline constexpr ReachOptions kReachEffort = {0.05, 60'000};
+
 /// S as cells of which all points can be touched, none can, or neither was proven.
 class ReachMap {
  public:

@@ -121,7 +121,7 @@ double surface_area_mm2(const SurfaceTree& tree) {
   for (const Piece& p : tree.pieces()) total += rough.emplace_back(area_mm2(p.shape));
   double sum = 0;
   for (std::size_t k = 0; k < rough.size(); ++k)
-    sum += refined_area(tree.pieces()[k].shape, rough[k], 1e-8 * total, 0);
+    sum += refined_area(tree.pieces()[k].shape, rough[k], kAreaStep * total, 0);
   return sum;
 }
 

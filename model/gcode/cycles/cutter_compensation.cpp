@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "model/base/tolerance.h"
 #include "model/gcode/cycles/cutter_compensation_plane.h"
 
 namespace limitgauge::model::gcode {
@@ -135,12 +136,6 @@ void CutterCompensation::fail(const Motion& motion, const std::string& wrong,
 
 namespace {
 
-/// An entry arc whose chord is this near to square with the radius at its end, as a cosine, has
-/// become a straight line.
-constexpr double kStraight = 1e-6;
-/// As for programmed centres: beyond any machine.
-constexpr double kLargestRadiusMm = 1e9;
-
 std::string mm(double value_mm) {
   return six_digits(value_mm) + " mm";
 }
@@ -188,7 +183,7 @@ void CutterCompensation::enter_arc(const Motion& motion) {
   const Vec2 chord = start - beside_mm_;
   const double cosine = dot(unit(chord), inwards);
   const double reach_mm = length(chord) / 2;
-  if (std::abs(cosine) < std::max(kStraight, reach_mm / kLargestRadiusMm))
+  if (std::abs(cosine) < std::max(kStraight, reach_mm / kLargestCoordinateMm))
     fail(motion, "an entry arc that cutter compensation bends into a straight line",
          "an arc that starts away from the tangent beside its end");
   const Vec2 centre = beside_mm_ + (reach_mm / cosine) * inwards;

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "model/base/number_text.h"
+#include "model/base/tolerance.h"
 
 namespace limitgauge::model::gcode {
 
@@ -15,19 +16,12 @@ double sweep_of(Vec2 from, Vec2 to, Vec2 centre, double turns) {
   return sweep + (turns + 1) * full;
 }
 
-namespace {
-
-/// LinuxCNC's tolerance for smooth transitions, radians.
-constexpr double kSmooth = 0.05;
-
-}  // namespace
-
 Corner corner_of(Vec2 before, Vec2 after, double side, bool reversal_is_inner) {
   // Away from the tool is positive.
   const double turn = -side * std::atan2(cross(before, after), dot(before, after));
-  if (std::abs(turn) >= std::numbers::pi - kSmooth)
+  if (std::abs(turn) >= std::numbers::pi - kSmooth_rad)
     return reversal_is_inner ? Corner::inner : Corner::outer;
-  if (std::abs(turn) <= kSmooth) return Corner::smooth;
+  if (std::abs(turn) <= kSmooth_rad) return Corner::smooth;
   return turn > 0 ? Corner::outer : Corner::inner;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/base/number_text.h"
+#include "model/base/tolerance.h"
 
 namespace limitgauge::model::gcode {
 namespace {
@@ -12,8 +13,6 @@ namespace {
 constexpr double kSmallestRadiusMm = 0.00005 * 25.4;
 constexpr double kSpiralRelative = 0.001;
 constexpr double kLargestSpirals = 100;
-/// Half chords this near to the radius, relatively, mean a half circle.
-constexpr double kHalfCircle = 1e-12;
 
 }  // namespace
 

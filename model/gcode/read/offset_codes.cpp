@@ -4,6 +4,7 @@
 
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
+#include "model/base/tolerance.h"
 
 namespace limitgauge::model::gcode {
 namespace {
@@ -20,7 +21,7 @@ const Word& required(const Statement& statement, char letter, const std::string&
 std::size_t system_of(const Statement& statement, const MachineState& state) {
   const char* const expected = "P0 for the active system, P1 to P9 for G54 to G59.3";
   const Word& p = required(statement, 'P', expected);
-  const auto number = whole(p.value, 0.0001);
+  const auto number = whole(p.value, kWholeCount);
   if (!number || *number < 0 || *number > static_cast<int>(kWorkOffsets))
     statement.fail(p, in_quotes(p.text) + " names no coordinate system", expected);
   return *number == 0 ? state.systems.active() : static_cast<std::size_t>(*number - 1);
@@ -144,7 +145,7 @@ void touch_system(const Statement& statement, MachineState& state, Program& prog
 void set_tool_data(const Statement& statement, MachineState& state) {
   const char* const expected = "P with a tool's number, and Z or R";
   const Word& p = required(statement, 'P', expected);
-  const auto tool = whole(p.value, 0.0001);
+  const auto tool = whole(p.value, kWholeCount);
   if (!tool || *tool < 1)
     statement.fail(p, in_quotes(p.text) + " names no tool", "an integer from 1");
   if (const Word* word = statement.first_of({'I', 'J', 'Q'}))

@@ -4,6 +4,7 @@
 
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
+#include "model/base/tolerance.h"
 
 namespace limitgauge::model::gcode {
 namespace {
@@ -178,7 +179,7 @@ double diameter_of(const Statement& statement, const Word& code, const MachineSt
   const Word* const d = statement.word('D');
   if (dynamic && !d) statement.fail(code, in_quotes(code.text) + " without its diameter", "D");
   if (dynamic) return length_of(statement, *d, state);
-  const auto number = d ? whole(d->value, 0.0001) : 0;
+  const auto number = d ? whole(d->value, kWholeCount) : 0;
   if (!number || *number < 0)
     statement.fail(*d, in_quotes(d->text) + " names no tool", "an integer from 0");
   const auto tool = *number == 0 ? state.tools.loaded() : number;

@@ -7,6 +7,7 @@
 #include "model/base/characters.h"
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
+#include "model/base/tolerance.h"
 #include "model/gcode/text/functions.h"
 #include "model/gcode/text/operators.h"
 #include "model/gcode/text/plain_number.h"
@@ -190,9 +191,9 @@ int ValueReader::whole_value() {
   const std::size_t begin = cursor_.at;
   const double found = value();
   const double below = std::floor(found), rest = found - below;
-  if (rest > 0.0001 && rest <= 0.9999)
+  if (rest > kWholeCount && rest <= 1 - kWholeCount)
     fail(begin, shortest(found) + " where a whole number is needed", "a whole number");
-  const double whole = rest > 0.9999 ? below + 1 : below;
+  const double whole = rest > 1 - kWholeCount ? below + 1 : below;
   constexpr double kLargest = 1e9;
   if (std::abs(whole) > kLargest)
     fail(begin, shortest(found) + " where a whole number is needed", "at most 1e9");

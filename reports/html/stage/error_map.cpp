@@ -6,8 +6,8 @@
 
 #include "reports/html/charts.h"
 #include "reports/html/markup.h"
-#include "reports/html/page_picture.h"
 #include "reports/picture/deviation_map.h"
+#include "reports/picture/png.h"
 #include "reports/run/patch_figures.h"
 #include "reports/text/text.h"
 #include "reports/tolerance.h"
@@ -25,7 +25,7 @@ std::string markers(const std::vector<verifier::Finding>& findings, char letter,
                     const MapFrame& frame) {
   std::string out;
   for (std::size_t i = 0; i < std::min(findings.size(), kMarkersPerKind); ++i) {
-    const PixelPoint p = frame.pixel(findings[i].place.point);
+    const model::Vec2 p = frame.pixel(findings[i].place.point);
     // On the right its name stands to the left, so that narrow screens do not scroll for it.
     const char* side = 2 * p.x > frame.width ? " left" : "";
     out += fmt::format("<span class=\"marker{}\" style=\"left:{}%;top:{}%\"><i>{}{}</i></span>",

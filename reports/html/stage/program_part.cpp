@@ -5,6 +5,7 @@
 #include <map>
 
 #include "reports/html/markup.h"
+#include "reports/run/finding_list.h"
 #include "reports/run/program_lines.h"
 #include "reports/text/text.h"
 
@@ -52,14 +53,10 @@ std::string listing(const StageResult& stage, const Listed& where, const Marks& 
   return fmt::format(
       "<details class=\"listing\"{}><summary>Program lines of the findings</summary>\n"
       "<table class=\"program\"><caption>{}</caption>\n{}</table></details>\n",
-      lines.size() <= kMostOpenLines ? " open=\"\"" : "", program_file(stage), rows);
+      lines.size() <= kMostOpenLines ? " open=\"\"" : "", escape_markup(program_file(stage)), rows);
 }
 
 }  // namespace
-
-std::string program_file(const StageResult& stage) {
-  return escape_markup(stage.program.empty() ? stage.name + "/toolpath.ngc" : stage.program);
-}
 
 std::string program_part(const RunResult& result, std::size_t index) {
   std::map<std::size_t, Marks> by_stage;

@@ -6,7 +6,7 @@
 
 #include "reports/html/charts.h"
 #include "reports/html/markup.h"
-#include "reports/html/page_picture.h"
+#include "reports/picture/png.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
 #include "reports/text/text.h"

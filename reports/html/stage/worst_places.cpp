@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "reports/html/markup.h"
+#include "reports/run/finding_list.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
 #include "reports/run/program_lines.h"
@@ -41,7 +42,8 @@ std::string place_text(const verifier::SurfacePlace& place) {
 std::string line_text(const RunResult& result, std::size_t stage, std::uint32_t line) {
   if (stage >= result.stages.size()) return {};
   const StageResult& cut = result.stages[stage];
-  std::string out = fmt::format("<strong>line {}</strong> of {}", line, program_file(cut));
+  std::string out =
+      fmt::format("<strong>line {}</strong> of {}", line, escape_markup(program_file(cut)));
   if (!cut.ran || !cut.ran->program_text) return out;
   for (const ProgramLine& text : program_lines(*cut.ran->program_text, {{line}}, 0))
     out += "<br/><code>" + escape_markup(text.text) + "</code>";

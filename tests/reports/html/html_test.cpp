@@ -3,7 +3,6 @@
 #include <sstream>
 
 #include "reports/html/markup.h"
-#include "reports/html/page_picture.h"
 #include "reports/text/text.h"
 #include "tests/reports/page/page_support.h"
 #include "tests/reports/sample_result.h"
@@ -240,35 +239,6 @@ TEST_CASE("a page without pictures has none, and the same result gives the same 
   const std::string page = page_of(result, true);
   CHECK(contains(page, "<img"));
   CHECK(page == page_of(sample_result(Outcome::passed, 5), true));
-}
-
-TEST_CASE("a picture of few colours keeps them all", "[unit][html]") {
-  Image image(64, 4);
-  for (int y = 0; y < 4; ++y)
-    for (int x = 0; x < 64; ++x)
-      image.at(x, y) = {std::uint8_t(4 * x), std::uint8_t(60 * y), 7, std::uint8_t(255 - x)};
-  image.at(0, 0) = {0, 0, 0, 0};
-  const Image back = html::read_png(html::palette_png(image));
-  REQUIRE(back.width() == 64);
-  CHECK(back.pixels() == image.pixels());
-  CHECK_THROWS_AS(html::read_png("no picture"), std::runtime_error);
-}
-
-TEST_CASE("a picture of many colours stays close to them", "[unit][html]") {
-  // A ramp of 1024 greys on a coloured ground: with 256 colours each is off by a step or two of
-  // 256.
-  Image image(1024, 8);
-  for (int y = 0; y < 8; ++y)
-    for (int x = 0; x < 1024; ++x)
-      image.at(x, y) = {std::uint8_t(x / 4), std::uint8_t((x + 1) / 4 % 256), std::uint8_t(20 * y),
-                        255};
-  const Image back = html::read_png(html::palette_png(image));
-  int worst = 0;
-  for (std::size_t i = 0; i < image.pixels().size(); ++i)
-    worst = std::max({worst, std::abs(image.pixels()[i].r - back.pixels()[i].r),
-                      std::abs(image.pixels()[i].b - back.pixels()[i].b)});
-  CHECK(worst <= 24);
-  CHECK(worst > 0);
 }
 
 TEST_CASE("a ratio of limit to interval below 4 : 1 is marked", "[unit][html]") {

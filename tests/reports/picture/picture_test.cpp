@@ -5,6 +5,7 @@
 
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/lettering.h"
+#include "reports/picture/png.h"
 #include "reports/picture/raster.h"
 #include "reports/picture/stock_picture.h"
 #include "tests/reports/sample_result.h"
@@ -51,7 +52,7 @@ void add_sheet(verifier::DeviationField& field, double z, double offset_mm, bool
 }
 
 Rgba map_colour(const Image& map, const MapFrame& frame, double x, double y) {
-  const PixelPoint p = frame.pixel({x, y, 0});
+  const model::Vec2 p = frame.pixel({x, y, 0});
   return map.at(int(p.x), int(p.y));
 }
 
@@ -77,6 +78,35 @@ TEST_CASE("a picture survives PNG pixel by pixel", "[unit][picture]") {
   REQUIRE((back.width() == 31 && back.height() == 17));
   CHECK(back.pixels() == image.pixels());
   CHECK(png_bytes(image) == png_bytes(image));
+}
+
+TEST_CASE("a picture of few colours keeps them all", "[unit][picture]") {
+  Image image(64, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 64; ++x)
+      image.at(x, y) = {std::uint8_t(4 * x), std::uint8_t(60 * y), 7, std::uint8_t(255 - x)};
+  image.at(0, 0) = {0, 0, 0, 0};
+  const Image back = read_png(palette_png(image));
+  REQUIRE(back.width() == 64);
+  CHECK(back.pixels() == image.pixels());
+  CHECK_THROWS_AS(read_png("no picture"), std::runtime_error);
+}
+
+TEST_CASE("a picture of many colours stays close to them", "[unit][picture]") {
+  // A ramp of 1024 greys on a coloured ground: with 256 colours each is off by a step or two of
+  // 256.
+  Image image(1024, 8);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 1024; ++x)
+      image.at(x, y) = {std::uint8_t(x / 4), std::uint8_t((x + 1) / 4 % 256), std::uint8_t(20 * y),
+                        255};
+  const Image back = read_png(palette_png(image));
+  int worst = 0;
+  for (std::size_t i = 0; i < image.pixels().size(); ++i)
+    worst = std::max({worst, std::abs(image.pixels()[i].r - back.pixels()[i].r),
+                      std::abs(image.pixels()[i].b - back.pixels()[i].b)});
+  CHECK(worst <= 24);
+  CHECK(worst > 0);
 }
 
 TEST_CASE("blending and halving keep straight alpha", "[unit][picture]") {
@@ -208,7 +238,7 @@ TEST_CASE("the deviation picture marks the worst gouge and can draw all its word
   const verifier::StageDeviation& d = stage.ran->deviation;
   const Image picture = decoded(png_bytes(draw_deviation_picture(d, stage.limits)));
   const MapFrame frame = map_frame(d.field, 1400, 1100);
-  const PixelPoint worst = frame.pixel(d.gouges.front().place.point);
+  const model::Vec2 worst = frame.pixel(d.gouges.front().place.point);
   const int margin = 36, ring = 16;
   CHECK(lightness(picture.at(int(worst.x) + margin + ring, int(worst.y) + margin)) < 0.1);
   CHECK(picture.at(2, 2) == Rgba{255, 255, 255});

@@ -1,5 +1,6 @@
 #pragma once
 
+// What inner loops share that are to be vectorised.
 // LIMITGAUGE_WIDE: the same loops for wider registers, chosen at load time. No fused operations in
 // any: the results are the same to the last bit.
 // LIMITGAUGE_EACH: before a loop whose steps do not depend on each other.
@@ -14,3 +15,13 @@
 #else
 #define LIMITGAUGE_WIDE
 #endif
+
+namespace limitgauge::simulator {
+
+/// `t` within [0, 1], by two choices that a register makes for all its numbers.
+inline double unit_clamp(double t) {
+  t = t > 0 ? t : 0.0;
+  return t < 1 ? t : 1.0;
+}
+
+}  // namespace limitgauge::simulator

@@ -1,4 +1,4 @@
-#include "reports/html/page_picture.h"
+#include "reports/picture/png.h"
 
 #include <png.h>
 
@@ -9,12 +9,14 @@
 #include <stdexcept>
 #include <vector>
 
-namespace limitgauge::reports::html {
+namespace limitgauge::reports {
 namespace {
 
 constexpr std::size_t kMostColours = 256;
 
 using Channels = std::array<std::uint8_t, 4>;
+// libpng takes pixels for rows of bytes.
+static_assert(sizeof(Rgba) == 4 && sizeof(Channels) == 4);
 
 Channels channels(const Rgba& c) {
   // What is not seen at all is one colour.
@@ -95,23 +97,32 @@ Channels settle(std::vector<Entry>& entries, const Bin& bin, std::uint8_t index)
   return mean;
 }
 
-std::string encoded(const Image& image, const std::vector<std::uint8_t>& pixels,
+[[noreturn]] void fail(const png_image& png) {
+  throw std::runtime_error(std::string("libpng: ") + png.message);
+}
+
+/// `pixels` as `format` says, which are places in `palette` where it has one.
+std::string encoded(const Image& image, png_uint_32 format, const void* pixels,
                     const std::vector<Channels>& palette) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(image.width());
   png.height = static_cast<png_uint_32>(image.height());
-  png.format = PNG_FORMAT_RGBA_COLORMAP;
+  png.format = format;
   png.colormap_entries = static_cast<png_uint_32>(palette.size());
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
   std::string bytes(size, '\0');
-  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels.data(), 0, palette.data()))
-    throw std::runtime_error(std::string("libpng: ") + png.message);
+  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels, 0, palette.data()))
+    fail(png);
   bytes.resize(size);
   return bytes;
 }
 
 }  // namespace
+
+std::string png_bytes(const Image& image) {
+  return encoded(image, PNG_FORMAT_RGBA, image.pixels().data(), {});
+}
 
 std::string palette_png(const Image& image) {
   std::map<Channels, std::size_t> counts;
@@ -126,20 +137,17 @@ std::string palette_png(const Image& image) {
   pixels.reserve(image.pixels().size());
   for (const Rgba& c : image.pixels())
     pixels.push_back(static_cast<std::uint8_t>(counts.find(channels(c))->second));
-  return encoded(image, pixels, palette);
+  return encoded(image, PNG_FORMAT_RGBA_COLORMAP, pixels.data(), palette);
 }
 
 Image read_png(std::string_view bytes) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()))
-    throw std::runtime_error(std::string("libpng: ") + png.message);
+  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) fail(png);
   png.format = PNG_FORMAT_RGBA;
   Image image(static_cast<int>(png.width), static_cast<int>(png.height));
-  static_assert(sizeof(Rgba) == 4);
-  if (!png_image_finish_read(&png, nullptr, image.pixels().data(), 0, nullptr))
-    throw std::runtime_error(std::string("libpng: ") + png.message);
+  if (!png_image_finish_read(&png, nullptr, image.pixels().data(), 0, nullptr)) fail(png);
   return image;
 }
 
-}  // namespace limitgauge::reports::html
+}  // namespace limitgauge::reports

@@ -1,4 +1,4 @@
-#include "simulator/mesh/tetra_surface.h"
+#include "simulator/mesh/tetrahedra.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,12 +13,30 @@ struct Tetra {
   std::array<int, 4> corner;
   bool positive;  // right-handed
 };
-constexpr std::array<Tetra, 6> kTetras = {{{{0, 4, 6, 7}, true},
-                                           {{0, 4, 5, 7}, false},
-                                           {{0, 2, 6, 7}, false},
-                                           {{0, 2, 3, 7}, true},
+constexpr std::array<Tetra, 6> kTetras = {{{{0, 1, 3, 7}, false},
                                            {{0, 1, 5, 7}, true},
-                                           {{0, 1, 3, 7}, false}}};
+                                           {{0, 2, 3, 7}, true},
+                                           {{0, 2, 6, 7}, false},
+                                           {{0, 4, 5, 7}, false},
+                                           {{0, 4, 6, 7}, true}}};
+
+// Share of a tetrahedron where a linear field with these ascending corner values is negative.
+double sorted_share(const std::array<double, 4>& v) {
+  if (v[3] <= 0) return 1;
+  if (v[0] >= 0) return 0;
+  if (v[1] >= 0) {
+    const double a = -v[0];
+    return a * a * a / ((v[1] - v[0]) * (v[2] - v[0]) * (v[3] - v[0]));
+  }
+  if (v[2] <= 0) {
+    const double b = v[3];
+    return 1 - b * b * b / ((v[3] - v[0]) * (v[3] - v[1]) * (v[3] - v[2]));
+  }
+  // Two below, two above: the wedge is cut into three tetrahedra.
+  const double s02 = v[0] / (v[0] - v[2]), s03 = v[0] / (v[0] - v[3]);
+  const double s12 = v[1] / (v[1] - v[2]), s13 = v[1] / (v[1] - v[3]);
+  return s02 * s03 * (1 - s13) + s02 * s13 * (1 - s12) + s12 * s13;
+}
 
 bool even(const std::array<int, 4>& order) {
   int inversions = 0;
@@ -79,10 +97,21 @@ class Cell {
 
 }  // namespace
 
+double negative_share(const std::array<double, 8>& f) {
+  double share = 0;
+  for (const Tetra& t : kTetras) {
+    std::array<double, 4> v{f[t.corner[0]], f[t.corner[1]], f[t.corner[2]], f[t.corner[3]]};
+    std::sort(v.begin(), v.end());
+    share += sorted_share(v);
+  }
+  return share / 6;
+}
+
 void add_zero_surface(const std::array<double, 8>& corner_values, const Index3& low,
                       const Lattice& lattice, model::TriangleSoup& soup) {
   Cell cell(corner_values, low, lattice, soup);
-  for (const Tetra& t : kTetras) cell.cut(t);
+  // The order of triangles, last to first, is part of the mesh.
+  for (auto t = kTetras.rbegin(); t != kTetras.rend(); ++t) cell.cut(*t);
 }
 
 }  // namespace limitgauge::simulator

@@ -1,4 +1,4 @@
-#include "simulator/mesh/tetra_volume.h"
+#include "simulator/mesh/tetrahedra.h"
 
 #include <array>
 #include <random>
@@ -18,7 +18,7 @@ std::array<double, 8> corners(Field f) {
 
 }  // namespace
 
-TEST_CASE("shares of a cube cut by planes", "[unit][tetra_volume]") {
+TEST_CASE("shares of a cube cut by planes", "[unit][tetrahedra]") {
   CHECK(negative_share(corners([](double x, double, double) { return x - 0.3; })) == Approx(0.3));
   CHECK(negative_share(corners([](double, double y, double) { return 0.2 - y; })) == Approx(0.8));
   // A corner cut off at a distance a along each edge: a³/6.
@@ -31,7 +31,7 @@ TEST_CASE("shares of a cube cut by planes", "[unit][tetra_volume]") {
   CHECK(negative_share(corners([](double, double, double z) { return -z; })) == Approx(1));
 }
 
-TEST_CASE("shares of both sides of any field make the whole", "[property][tetra_volume]") {
+TEST_CASE("shares of both sides of any field make the whole", "[property][tetrahedra]") {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<> in(-1, 1);
   for (int i = 0; i < 2000; ++i) {

@@ -1,11 +1,10 @@
-#include "app/output/now_utc.h"
+#include "model/base/clock.h"
 
-#include <chrono>
 #include <ctime>
 #include <iomanip>
 #include <sstream>
 
-namespace limitgauge::app {
+namespace limitgauge::model {
 
 std::string now_utc() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -16,4 +15,4 @@ std::string now_utc() {
   return text.str();
 }
 
-}  // namespace limitgauge::app
+}  // namespace limitgauge::model

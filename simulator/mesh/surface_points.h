@@ -7,7 +7,7 @@
 #include "simulator/grid/stock_grid.h"
 #include "simulator/process/near_material.h"
 #include "simulator/stock/material.h"
-#include "simulator/stock/stock_model.h"
+#include "simulator/stock/stock_point.h"
 
 namespace limitgauge::simulator {
 

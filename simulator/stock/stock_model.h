@@ -11,6 +11,7 @@
 #include "model/mesh/triangle_mesh.h"
 #include "model/part/stock.h"
 #include "model/part/toolpath.h"
+#include "simulator/stock/stock_point.h"
 
 namespace limitgauge::simulator {
 
@@ -18,13 +19,6 @@ using model::Pass;
 
 /// A triangle mesh of the stock's surface.
 using StockMesh = model::TriangleMesh;
-
-/// A point of the stock's surface that has been moved onto the exact surface it belongs to (a swept
-/// move or a face of the raw stock).
-struct StockPoint {
-  model::Vec3 position;
-  double residual_mm = 0;  ///< |exact level set| there after projection; a bound on its error
-};
 
 /// The stock's surface as it is written out.
 struct StockSurface {

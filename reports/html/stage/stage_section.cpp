@@ -115,6 +115,7 @@ std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) 
   };
   const std::size_t hits = stage.ran ? faults(stage.ran->process) : 0;
   return {fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),
+          badge(stage.verdict()),
           fmt::format("{}<small>{}</small>", escape_markup(stage.tool), cutter_text(stage.cutter)),
           path_source(stage),
           stated_length(stage.allowance_mm),
@@ -123,8 +124,7 @@ std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) 
           figure(2),
           figure(3),
           stage.ran ? grouped(hits) : "–",
-          stage.ran ? duration_text(stage.ran->machining_time_s) : "–",
-          badge(stage.verdict())};
+          stage.ran ? duration_text(stage.ran->machining_time_s) : "–"};
 }
 
 }  // namespace
@@ -139,6 +139,7 @@ std::string stage_table(const RunResult& result) {
              "allowance "
              "surface; unreachable is what no cutter used so far can touch.",
              {{"Stage"},
+              {"Verdict"},
               {"Tool"},
               {"Path"},
               {"Allowance", true},
@@ -147,8 +148,7 @@ std::string stage_table(const RunResult& result) {
               {"Coverage", true},
               {"Unreachable", true},
               {"Process faults", true},
-              {"Machining time", true},
-              {"Verdict"}},
+              {"Machining time", true}},
              rows) +
          "</section>\n";
 }

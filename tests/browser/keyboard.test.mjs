@@ -30,13 +30,19 @@ const focused = (page) => page.evaluate(() => {
   };
 });
 
+/**
+ * The stops up to the page's end. A chart that comes into sight may put away the switch that has the
+ * focus; Tab goes on from there, and at the page's end with the first stop again.
+ */
 async function tabThrough(page, most) {
   const stops = [];
+  let lost = false;
   for (let i = 0; i < most; ++i) {
     await page.keyboard.press('Tab');
     const stop = await focused(page);
-    if (!stop) break;
-    stops.push(stop);
+    if (lost && (!stop || stops.some((known) => known.stop === stop.stop))) break;
+    lost = !stop;
+    if (stop) stops.push(stop);
   }
   return stops;
 }

@@ -83,6 +83,9 @@ TEST_CASE("what is out of reach has a case of its own, gated or not", "[unit][ju
   };
   CHECK_THAT(message("skipped", "unreachable"), ContainsSubstring("12.3 to 12.8 mm² (4.10 to"));
   CHECK_THAT(message("skipped", "unavoidable uncut"), ContainsSubstring("0.31"));
+  stage.ran->deviation.proven_reach = {300, 0, 5.8e-21};  // what rounding left undecided
+  CHECK_THAT(message("skipped", "unreachable"), ContainsSubstring("0 mm² (0 %)"));
+  stage.ran->deviation.proven_reach = {287.2, 12.3, 0.5};
   stage.limits.has_unreachable = true, stage.limits.unreachable = 0.04;
   CHECK_THAT(message("failure", "unreachable"), ContainsSubstring(", limit 4 %"));
   stage.limits.unreachable = 0.042;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Everything that must hold before a change goes in: the build without a warning, all tests, the unit
-# and property tests again under the address and undefined behaviour sanitizers, and a short run of
-# the fuzz tests. With --full random tests take all their cases, and collections are gone through whole, not
+# Everything that must hold before a change goes in: the build without a warning, benchmarks included,
+# all tests, the unit and property tests again under the address and undefined behaviour sanitizers,
+# and a short run of the fuzz tests. With --full random tests take all their cases, and collections are gone through whole, not
 # by a share of them (tests/support/effort.h). Further arguments go to cmake.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"

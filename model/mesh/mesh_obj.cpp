@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "model/base/error.h"
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
 #include "model/mesh/mesh_polygon.h"

@@ -34,6 +34,7 @@ class ObjLexer {
   void skip_statement();
 
   SourcePlace place(const ObjWord& word) const;
+  /// Throws the InputError about a word.
   [[noreturn]] void fail(const ObjWord& word, const std::string& wrong,
                          const std::string& expected) const;
   const std::string& name() const { return name_; }

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <initializer_list>
 #include <limits>
-#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -50,8 +49,8 @@ class ObjReader {
     if (std::ranges::find(kWithoutMeaning, word.text) != kWithoutMeaning.end())
       return lexer_.skip_statement();
     const std::string near = meant_word(word.text, kStatements);
-    fail(word, "unknown statement " + in_quotes(word.text),
-         near.empty() ? "v, f, t or a comment" : in_quotes(near));
+    lexer_.fail(word, "unknown statement " + in_quotes(word.text),
+                near.empty() ? "v, f, t or a comment" : in_quotes(near));
   }
 
   void vertex(const ObjWord& statement) {
@@ -68,7 +67,8 @@ class ObjReader {
     }
     const std::size_t corners = cage_.face_corners.size() - before;
     if (corners < 3)
-      fail(statement, "a face with " + std::to_string(corners) + " corners", "three or more");
+      lexer_.fail(statement, "a face with " + std::to_string(corners) + " corners",
+                  "three or more");
     require_countable(cage_.face_corners.size(), statement);
     cage_.face_offsets.push_back(static_cast<Index>(cage_.face_corners.size()));
   }
@@ -81,8 +81,8 @@ class ObjReader {
     if (written > 0) return written - 1;
     const Index count = static_cast<Index>(cage_.vertices.size());
     if (-written > count)
-      fail(word, "vertex " + std::to_string(written) + " counts back past the first vertex",
-           "at most " + std::to_string(count) + " back");
+      lexer_.fail(word, "vertex " + std::to_string(written) + " counts back past the first vertex",
+                  "at most " + std::to_string(count) + " back");
     return count + written;
   }
 
@@ -98,12 +98,13 @@ class ObjReader {
     Index value = 0;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc::result_out_of_range)
-      fail(word, "index " + in_quotes(text) + " is beyond what is readable", "at most 2147483647");
+      lexer_.fail(word, "index " + in_quotes(text) + " is beyond what is readable",
+                  "at most 2147483647");
     if (error != std::errc() || stop != text.data() + text.size())
-      fail(word, in_quotes(word.text) + " is no face corner", "v, v/vt, v//vn or v/vt/vn");
+      lexer_.fail(word, in_quotes(word.text) + " is no face corner", "v, v/vt, v//vn or v/vt/vn");
     if (value == 0 || value == std::numeric_limits<Index>::min())
-      fail(word, "index " + std::to_string(value) + " in " + in_quotes(word.text),
-           "indices count from 1, or from -1 backwards");
+      lexer_.fail(word, "index " + std::to_string(value) + " in " + in_quotes(word.text),
+                  "indices count from 1, or from -1 backwards");
     return value;
   }
 
@@ -133,15 +134,11 @@ class ObjReader {
 
   void require_countable(std::size_t count, const ObjWord& word) {
     if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max() - 1))
-      fail(word, "the cage has more than 2147483646 vertices or corners", "a smaller cage");
+      lexer_.fail(word, "the cage has more than 2147483646 vertices or corners", "a smaller cage");
   }
 
-  [[noreturn]] void fail(const ObjWord& word, const std::string& wrong,
-                         const std::string& expected) const {
-    lexer_.fail(word, wrong, expected);
-  }
   [[noreturn]] void fail(Place place, const std::string& wrong, const std::string& expected) const {
-    fail(ObjWord{{}, place.line, place.column}, wrong, expected);
+    lexer_.fail(ObjWord{{}, place.line, place.column}, wrong, expected);
   }
 
   ObjLexer lexer_;

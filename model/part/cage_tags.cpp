@@ -41,14 +41,14 @@ void CageTags::read() {
     return lexer_.skip_statement();
   if (std::ranges::find(kTags, tag.name.text) == kTags.end()) {
     const std::string near = meant_word(tag.name.text, kTags);
-    fail(tag.name, "unknown tag " + in_quotes(tag.name.text),
-         near.empty() ? "crease, corner, hole or interpolateboundary" : in_quotes(near));
+    lexer_.fail(tag.name, "unknown tag " + in_quotes(tag.name.text),
+                near.empty() ? "crease, corner, hole or interpolateboundary" : in_quotes(near));
   }
   const std::array<int, 3> counts = read_counts();
   read_ids(tag, counts[0]);
   read_sharpness(tag, counts[1]);
   if (const ObjWord rest = lexer_.word(); !rest.text.empty())
-    fail(rest, "more values than the tag's counts say", "the end of the line");
+    lexer_.fail(rest, "more values than the tag's counts say", "the end of the line");
   const std::array lists = {&creases_, &corners_, &holes_, &boundaries_};
   const auto which = std::ranges::find(kTags, tag.name.text) - kTags.begin();
   require_counts(tag, which == 0 ? 2 : 1, which < 2);
@@ -57,7 +57,8 @@ void CageTags::read() {
 
 std::array<int, 3> CageTags::read_counts() {
   const ObjWord word = lexer_.word();
-  if (word.text.empty()) fail(word, "the tag has no values", "counts and values as in 2/1/0");
+  if (word.text.empty())
+    lexer_.fail(word, "the tag has no values", "counts and values as in 2/1/0");
   std::array<int, 3> counts{};
   std::string_view rest = word.text;
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -65,19 +66,19 @@ std::array<int, 3> CageTags::read_counts() {
     const auto count =
         slash == std::string_view::npos ? std::nullopt : parse_whole<int>(rest.substr(0, slash));
     if (!count || *count < 0)
-      fail(word, in_quotes(word.text) + " does not count the tag's values",
-           "integers/floats/strings as in 2/1/0");
+      lexer_.fail(word, in_quotes(word.text) + " does not count the tag's values",
+                  "integers/floats/strings as in 2/1/0");
     counts[i] = *count;
     rest.remove_prefix(std::min(slash + 1, rest.size()));
   }
-  if (counts[2] != 0) fail(word, "a tag with string values", "0 strings as in 2/1/0");
+  if (counts[2] != 0) lexer_.fail(word, "a tag with string values", "0 strings as in 2/1/0");
   return counts;
 }
 
 ObjWord CageTags::value_word(const Tag& tag) {
   const ObjWord word = lexer_.word();
   if (word.text.empty())
-    fail(tag.name, "the tag has fewer values than its counts say", "all of its values");
+    lexer_.fail(tag.name, "the tag has fewer values than its counts say", "all of its values");
   return word;
 }
 
@@ -85,7 +86,7 @@ void CageTags::read_ids(Tag& tag, int count) {
   for (int i = 0; i < count; ++i) {
     const ObjWord word = value_word(tag);
     const std::optional<Index> id = parse_whole<Index>(word.text);
-    if (!id || *id < 0) fail(word, in_quotes(word.text) + " is no id", "an integer from 0");
+    if (!id || *id < 0) lexer_.fail(word, in_quotes(word.text) + " is no id", "an integer from 0");
     tag.ids.push_back(*id);
     tag.id_words.push_back(word);
   }
@@ -96,22 +97,22 @@ void CageTags::read_sharpness(Tag& tag, int count) {
     const ObjWord word = value_word(tag);
     const std::optional<double> value = parse_number(word.text);
     if (!value || *value < 0)
-      fail(word, "sharpness " + in_quotes(word.text),
-           "a number from 0 (smooth) to 10 and above (infinitely sharp)");
+      lexer_.fail(word, "sharpness " + in_quotes(word.text),
+                  "a number from 0 (smooth) to 10 and above (infinitely sharp)");
     tag.sharpness.push_back(*value);
   }
 }
 
 void CageTags::require_counts(const Tag& tag, std::size_t least_ids, bool with_sharpness) const {
   if (tag.ids.size() < least_ids)
-    fail(tag.name, "the tag has " + std::to_string(tag.ids.size()) + " ids",
-         least_ids == 2 ? "two or more" : "one or more");
+    lexer_.fail(tag.name, "the tag has " + std::to_string(tag.ids.size()) + " ids",
+                least_ids == 2 ? "two or more" : "one or more");
   const std::size_t places = tag.ids.size() - least_ids + 1;
   if (!with_sharpness && !tag.sharpness.empty())
-    fail(tag.name, "the tag has a sharpness", "ids only");
+    lexer_.fail(tag.name, "the tag has a sharpness", "ids only");
   if (with_sharpness && tag.sharpness.size() != 1 && tag.sharpness.size() != places)
-    fail(tag.name, "the tag has " + std::to_string(tag.sharpness.size()) + " sharpnesses",
-         places == 1 ? "one" : "one, or " + std::to_string(places));
+    lexer_.fail(tag.name, "the tag has " + std::to_string(tag.sharpness.size()) + " sharpnesses",
+                places == 1 ? "one" : "one, or " + std::to_string(places));
 }
 
 void CageTags::apply(Cage& cage) const {
@@ -131,13 +132,13 @@ void CageTags::apply_creases(Cage& cage) const {
       const Edge edge = edge_between(ends[0], ends[1]);
       const double sharpness = tag.sharpness[tag.sharpness.size() > 1 ? i : 0];
       if (!std::ranges::binary_search(edges, edge))
-        fail(tag.id_words[i],
-             "no edge joins vertices " + std::to_string(ends[0]) + " and " +
-                 std::to_string(ends[1]) + " (counted from 0)",
-             "an edge of the cage");
+        lexer_.fail(tag.id_words[i],
+                    "no edge joins vertices " + std::to_string(ends[0]) + " and " +
+                        std::to_string(ends[1]) + " (counted from 0)",
+                    "an edge of the cage");
       const auto [known, is_new] = met.emplace(edge, sharpness);
       if (!is_new && known->second != sharpness)
-        fail(tag.id_words[i], "a second sharpness for the same edge", "one");
+        lexer_.fail(tag.id_words[i], "a second sharpness for the same edge", "one");
       if (is_new) cage.creases.push_back({ends, sharpness});
     }
   }
@@ -152,11 +153,12 @@ void CageTags::apply_corners(Cage& cage) const {
       const Index v = tag.ids[i];
       const double sharpness = tag.sharpness[tag.sharpness.size() > 1 ? i : 0];
       if (v >= static_cast<Index>(used.size()) || !used[v])
-        fail(tag.id_words[i], "no face has vertex " + std::to_string(v) + " (counted from 0)",
-             "a vertex of the cage");
+        lexer_.fail(tag.id_words[i],
+                    "no face has vertex " + std::to_string(v) + " (counted from 0)",
+                    "a vertex of the cage");
       const auto [known, is_new] = met.emplace(v, sharpness);
       if (!is_new && known->second != sharpness)
-        fail(tag.id_words[i], "a second sharpness for the same vertex", "one");
+        lexer_.fail(tag.id_words[i], "a second sharpness for the same vertex", "one");
       if (is_new) cage.corners.push_back({v, sharpness});
     }
   }
@@ -168,8 +170,8 @@ void CageTags::apply_holes(Cage& cage) const {
     for (std::size_t i = 0; i < tag.ids.size(); ++i) {
       const Index f = tag.ids[i];
       if (f >= cage.face_count())
-        fail(tag.id_words[i], "there is no face " + std::to_string(f) + " (counted from 0)",
-             "at most " + std::to_string(cage.face_count() - 1));
+        lexer_.fail(tag.id_words[i], "there is no face " + std::to_string(f) + " (counted from 0)",
+                    "at most " + std::to_string(cage.face_count() - 1));
       if (!met[f]) cage.holes.push_back(f);
       met[f] = true;
     }
@@ -179,17 +181,12 @@ void CageTags::apply_holes(Cage& cage) const {
 void CageTags::apply_boundary(Cage& cage) const {
   for (const Tag& tag : boundaries_) {
     if (tag.ids.size() != 1 || tag.ids[0] > 2)
-      fail(tag.id_words[0], "boundary rule " + std::to_string(tag.ids[0]),
-           "0 (none), 1 (edge and corner) or 2 (edge only)");
+      lexer_.fail(tag.id_words[0], "boundary rule " + std::to_string(tag.ids[0]),
+                  "0 (none), 1 (edge and corner) or 2 (edge only)");
     if (tag.ids[0] != boundaries_.front().ids[0])
-      fail(tag.id_words[0], "a second boundary rule that differs from the first", "one");
+      lexer_.fail(tag.id_words[0], "a second boundary rule that differs from the first", "one");
     cage.boundary = static_cast<BoundaryRule>(tag.ids[0]);
   }
-}
-
-void CageTags::fail(const ObjWord& word, const std::string& wrong,
-                    const std::string& expected) const {
-  throw InputError(lexer_.place(word), wrong, expected);
 }
 
 }  // namespace limitgauge::model

@@ -38,8 +38,6 @@ class CageTags {
   void apply_corners(Cage& cage) const;
   void apply_holes(Cage& cage) const;
   void apply_boundary(Cage& cage) const;
-  [[noreturn]] void fail(const ObjWord& word, const std::string& wrong,
-                         const std::string& expected) const;
 
   ObjLexer& lexer_;
   std::vector<Tag> creases_, corners_, holes_, boundaries_;

@@ -8,7 +8,6 @@
 #include "reports/text/text.h"
 #include "reports/tolerance.h"
 #include "verifier/gate/verify.h"
-#include "verifier/tolerance.h"
 
 namespace limitgauge::reports {
 namespace {
@@ -44,8 +43,6 @@ std::string share_text(double share) {
 /// "12.3 mm² (4.10 %)", with "12.3 to 12.9 mm² (4.10 to 4.30 %)" where some is undecided.
 std::string reach_text(const verifier::Interval& area_mm2, double whole_mm2) {
   if (!(whole_mm2 > 0)) return area_text(area_mm2.high);
-  // What the gate takes for none, too.
-  if (area_mm2.high <= verifier::kNoArea_mm2) return "0 mm² (0 %)";
   const std::string most = area_text(area_mm2.high) + " (",
                     share = share_text(area_mm2.high / whole_mm2) + ")";
   if (area_mm2.low == area_mm2.high) return most + share;

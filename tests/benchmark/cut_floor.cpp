@@ -20,11 +20,6 @@ struct CentreWay {
   double inverse_run = 1 / run, inverse_length2 = 1 / (run * run + rise * rise);
 };
 
-inline double unit_clamp(double t) {
-  t = t > 0 ? t : 0.0;
-  return t < 1 ? t : 1.0;
-}
-
 LIMITGAUGE_WIDE
 void write_columns(const CentreWay& m, double radius, double voxel, std::size_t first,
                    std::size_t columns, float* __restrict out) {
@@ -32,10 +27,11 @@ void write_columns(const CentreWay& m, double radius, double voxel, std::size_t 
     const double qx = static_cast<double>((first + c) % 1024) * voxel;
     const double qy = static_cast<double>((first + c) / 1024 % 1024) * voxel;
     const double along = qx * m.along_x + qy * m.along_y, across = qy * m.along_x - qx * m.along_y;
-    const double t_level = unit_clamp(along * m.inverse_run);
+    const double t_level = simulator::unit_clamp(along * m.inverse_run);
     for (std::size_t k = 0; k < kColumn; ++k) {
       const double qz = static_cast<double>(k) * voxel - radius;
-      const double t_line = unit_clamp((along * m.run + qz * m.rise) * m.inverse_length2);
+      const double t_line =
+          simulator::unit_clamp((along * m.run + qz * m.rise) * m.inverse_length2);
       const bool above = qz >= m.rise * t_level;
       const double t = above ? t_level : t_line;
       const double ea = along - t * m.run, below = qz - t * m.rise;

@@ -103,7 +103,7 @@ void Decision::judge_coverage() {
 
 /// What is proven to be out of reach is the low end, with what is undecided the high one.
 void Decision::judge_unreachable() {
-  const Interval area_mm2 = but_for(unreachable_area_mm2(d_), kNoArea_mm2);
+  const Interval area_mm2 = unreachable_area_mm2(d_);
   const double whole_mm2 = whole_area_mm2(d_);
   if (!(whole_mm2 > 0)) return;
   const double unit_mm2 = limits_.unreachable_is_share ? whole_mm2 : 1;
@@ -204,7 +204,7 @@ double whole_area_mm2(const StageDeviation& d) {
 
 Interval unreachable_area_mm2(const StageDeviation& d) {
   const StageDeviation::ProvenReach& reach = d.proven_reach;
-  return {reach.unreachable_mm2, reach.unreachable_mm2 + reach.undecided_mm2};
+  return but_for({reach.unreachable_mm2, reach.unreachable_mm2 + reach.undecided_mm2}, kNoArea_mm2);
 }
 
 bool nothing_in_reach(const StageDeviation& d) {

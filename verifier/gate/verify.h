@@ -76,7 +76,8 @@ struct ProcessFault {
 
 /// Area of S that shares are of.
 double whole_area_mm2(const StageDeviation& deviation);
-/// Proven out of reach, and with what is undecided: what the gate `unreachable` judges.
+/// Proven out of reach, and with what is undecided: what the gate `unreachable` judges. What is no
+/// more than rounding is none.
 Interval unreachable_area_mm2(const StageDeviation& deviation);
 /// Neither a proof nor a sample puts any of S in reach.
 bool nothing_in_reach(const StageDeviation& deviation);

@@ -1,17 +1,19 @@
 #include "app/cli/commands.h"
 
 #include <exception>
-#include <filesystem>
-#include <new>
 #include <ostream>
 
+#include "app/cli/error_message.h"
 #include "model/base/error.h"
+#include "reports/text/text.h"
 
 namespace limitgauge::app {
 namespace {
 
-ExitCode say(const Console& console, const std::string& what, ExitCode code) {
-  console.errors << what << std::endl;
+/// Whoever reads it may be a terminal, and what it quotes may be anybody's: no bytes that steer
+/// one.
+ExitCode say(const Console& console, const std::exception& error, ExitCode code) {
+  console.errors << reports::clean_text(message_of(error)) << std::endl;
   return code;
 }
 
@@ -21,18 +23,11 @@ ExitCode report_exception(const Console& console) {
   try {
     throw;
   } catch (const UsageError& error) {
-    return say(console, std::string("limitgauge: error: ") + error.what(), ExitCode::bad_input);
+    return say(console, error, ExitCode::bad_input);
   } catch (const model::InputError& error) {
-    return say(console, error.what(), ExitCode::bad_input);
-  } catch (const model::Interrupted&) {
-    return say(console, "limitgauge: interrupted; nothing was kept", ExitCode::resources);
-  } catch (const model::ResourceError& error) {
-    return say(console, error.what(), ExitCode::resources);
-  } catch (const std::bad_alloc&) {
-    return say(console, "limitgauge: error: out of memory", ExitCode::resources);
+    return say(console, error, ExitCode::bad_input);
   } catch (const std::exception& error) {
-    return say(console, std::string("limitgauge: internal error: ") + error.what(),
-               ExitCode::resources);
+    return say(console, error, ExitCode::resources);
   }
 }
 

@@ -1,62 +1,95 @@
 #include "app/output/output_folder.h"
 
-#include <unistd.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <sys/stat.h>
 
-#include <fstream>
+#include <cerrno>
 #include <system_error>
 
-#include "model/base/error.h"
+#include "app/output/manifest.h"
+#include "model/base/output_file.h"
 
 namespace limitgauge::app {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* kNote = "INCOMPLETE.txt";
+/// Folders that are kept beside each other under one name and a number.
+constexpr int kMostKept = 99;
+/// Others may remove the empty folders above in the very moment in which we are to use them.
+constexpr int kTries = 10;
+
 /// A folder with a trailing slash has no file name: take the one before it.
-fs::path without_slash(const fs::path& path) {
-  const fs::path absolute = fs::absolute(path).lexically_normal();
+fs::path absolute_place(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error).lexically_normal();
+  if (error)
+    throw model::InputError({path.string(), 0, 0},
+                            "the folder that this command runs in is gone: " + error.message(),
+                            "to be run in a folder that exists");
   return absolute.has_filename() ? absolute : absolute.parent_path();
 }
 
-fs::path sibling(const fs::path& target, const std::string& kind) {
-  std::string name = target.filename().string();
-  name.insert(0, 1, '.');
-  return target.parent_path() / (name + "." + kind + "-" + std::to_string(getpid()));
+/// The old name is free afterwards: it stands for a folder that was there or not.
+fs::path resolved(const fs::path& target) {
+  const fs::path place = model::behind_links(target);
+  return place.has_filename() ? place.lexically_normal() : place.parent_path().lexically_normal();
 }
 
-bool is_empty_folder(const fs::path& path) {
-  return fs::is_directory(path) && fs::is_empty(path);
+[[noreturn]] void refuse(const fs::path& target, const std::string& wrong,
+                         const std::string& expected) {
+  throw model::InputError({target.string(), 0, 0}, wrong, expected);
 }
 
-/// A finished run has a result, a comparison, a study or a listed history its own, a finished plan
-/// a toolpath in each of its folders.
-bool was_written_here(const fs::path& folder) {
-  if (!fs::is_directory(folder)) return false;
-  for (const char* mark : {"result.json", "compare.json", "study.json", "history.json"})
-    if (fs::exists(folder / mark)) return true;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (!fs::exists(entry.path() / "toolpath.ngc")) return false;
-  }
-  return true;
+/// Nothing can be renamed to the name of what is mounted.
+bool is_mounted(const fs::path& folder) {
+  struct statx about {};
+  return ::statx(AT_FDCWD, folder.c_str(), 0, 0, &about) == 0 &&
+         (about.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) != 0 &&
+         (about.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
 }
 
-void require_free(const fs::path& target, bool force) {
-  if (!fs::exists(target) || is_empty_folder(target)) return;
-  if (!was_written_here(target)) {
-    throw model::InputError({target.string(), 0, 0}, "this is no output folder of limitgauge",
-                            "a new folder (-o), so that nothing of yours is overwritten");
-  }
-  if (!force) {
-    throw model::InputError({target.string(), 0, 0}, "the output folder exists already",
-                            "another one (-o), or --force to overwrite it");
-  }
+/// True for what a finished run may take the name of without anything being lost.
+bool is_free(const fs::path& target) {
+  std::error_code error;
+  const fs::file_status there = fs::status(target, error);
+  if (there.type() == fs::file_type::not_found) return true;
+  if (error) refuse(target, "the output folder cannot be reached: " + error.message(), "another");
+  if (!fs::is_directory(there)) refuse(target, "this is a file", "a folder");
+  const bool empty = fs::is_empty(target, error);
+  if (error) refuse(target, "the output folder cannot be read: " + error.message(), "another");
+  if (empty && is_mounted(target))
+    refuse(target, "this is where a file system is mounted, which can take no other folder's place",
+           "a folder in it");
+  return empty;
+}
+
+/// The seal of what stands there, which may be replaced; nothing where nothing does.
+std::optional<std::string> seal_of_replaced(const fs::path& target, bool force) {
+  if (is_free(target)) return std::nullopt;
+  std::optional<std::string> seal = seal_of(target);
+  if (!seal)
+    refuse(target, "this is no output folder of limitgauge",
+           "a new folder (-o), so that nothing of yours is overwritten");
+  if (!force)
+    refuse(target, "the output folder exists already",
+           "another one (-o), or --force to overwrite it");
+  if (const std::optional<fs::path> foreign = foreign_in(target))
+    refuse(target / *foreign,
+           "limitgauge has not written this as it is, and the folder that is to be overwritten "
+           "holds it",
+           "it elsewhere, or another output folder (-o)");
+  return seal;
 }
 
 /// The topmost folder above `path` that does not exist yet; empty where all do.
 fs::path first_missing_parent(const fs::path& path) {
+  std::error_code ignored;
   fs::path missing;
-  for (fs::path at = path.parent_path(); !at.empty() && !fs::exists(at); at = at.parent_path()) {
+  for (fs::path at = path.parent_path(); !at.empty() && !fs::exists(at, ignored);
+       at = at.parent_path())
     missing = at;
-  }
   return missing;
 }
 
@@ -67,54 +100,158 @@ void remove_empty_folders(const fs::path& from, const fs::path& up_to) {
   }
 }
 
+[[noreturn]] void refuse_to_make(const fs::path& target, const std::error_code& error) {
+  const std::string wrong = "cannot make an output folder here: " + error.message();
+  for (const std::errc lack : {std::errc::no_space_on_device, std::errc::too_many_files_open,
+                               std::errc::too_many_files_open_in_system})
+    if (error == lack) throw model::ResourceError(target.string() + ": error: " + wrong);
+  refuse(target, wrong, "a folder that can be written");
+}
+
+std::error_code last_error() {
+  return {errno, std::generic_category()};
+}
+
+/// Exclusively: nobody else works there, and no other run's files are there.
+fs::path make_beside(const fs::path& target) {
+  std::error_code error;
+  for (int i = 0; i < kTries; ++i) {
+    const fs::path working = target.parent_path() / working_name(target.filename().string());
+    fs::create_directories(target.parent_path(), error);
+    if (!error && ::mkdir(working.c_str(), 0777) == 0) return working;
+    if (!error) error = last_error();
+    if (error != std::errc::no_such_file_or_directory && error != std::errc::file_exists) break;
+  }
+  refuse_to_make(target, error);
+}
+
+/// Both in one step, where the file system can; false where it cannot.
+bool exchange(const fs::path& one, const fs::path& other, std::error_code& error) {
+  error.clear();
+  if (::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0)
+    return true;
+  if (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) error = last_error();
+  return false;
+}
+
+/// In two steps: `old` is where the one that stood there goes. What comes in between stays.
+void exchange_slowly(const fs::path& working, const fs::path& target, const fs::path& old,
+                     std::error_code& error) {
+  fs::rename(target, old, error);
+  if (error) return;
+  fs::rename(working, target, error);
+  std::error_code ignored;
+  if (error) fs::rename(old, target, ignored);
+}
+
+bool is_all_ours(const fs::path& folder) noexcept {
+  try {
+    return seal_of(folder) && !foreign_in(folder);
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path target, bool force)
-    : target_(without_slash(target)), working_(sibling(target_, "partial")) {
-  require_free(target_, force);
-}
+OutputFolder::OutputFolder(const fs::path& target, bool force)
+    : target_(absolute_place(target)),
+      place_(resolved(target_)),
+      replaced_(seal_of_replaced(place_, force)) {}
 
 OutputFolder::~OutputFolder() {
   std::error_code ignored;
-  if (!fs::exists(working_, ignored)) return;
-  fs::remove_all(working_, ignored);
+  if (working_.empty()) return;
+  if (fs::exists(working_, ignored)) fs::remove_all(working_, ignored);
   remove_empty_folders(working_.parent_path(), created_parent_);
 }
 
 void OutputFolder::prepare() {
-  created_parent_ = first_missing_parent(target_);
-  std::error_code error;
-  fs::create_directories(working_, error);
-  if (!error) return;
-  const std::string wrong = "cannot make an output folder here: " + error.message();
-  if (error == std::errc::no_space_on_device) {
-    throw model::ResourceError(target_.string() + ": error: " + wrong);
+  created_parent_ = first_missing_parent(place_);
+  if (created_parent_.empty()) remove_leftovers(place_.parent_path());
+  for (int i = 0; i < kTries && !lock_; ++i) {
+    working_ = make_beside(place_);
+    lock_ = FolderLock::take(working_);
   }
-  throw model::InputError({target_.string(), 0, 0}, wrong, "a folder that can be written");
+  if (!lock_) refuse_to_make(target_, std::make_error_code(std::errc::file_exists));
 }
 
 void OutputFolder::finish() {
+  lock_->leave();
+  seal(working_);
+  try {
+    publish();
+  } catch (const model::ResourceError& error) {
+    throw NotPublished(std::string(error.what()) + "\nlimitgauge: the results are in " +
+                       keep_as("unpublished", false).string());
+  }
+  lock_.reset();
+}
+
+void OutputFolder::publish() {
   std::error_code error;
-  const fs::path old = sibling(target_, "old");
-  if (fs::exists(target_)) fs::rename(target_, old, error);
-  if (!error) fs::rename(working_, target_, error);
-  if (error) {
-    std::error_code ignored;
-    if (fs::exists(old, ignored)) fs::rename(old, target_, ignored);
+  if (replaced_ && fs::exists(place_, error)) {
+    replace();
+    return;
+  }
+  // Of what stands there only an empty folder gives way, and that in the same step.
+  fs::rename(working_, place_, error);
+  if (!error) return;
+  const bool taken = error == std::errc::directory_not_empty || error == std::errc::file_exists;
+  throw model::ResourceError(
+      target_.string() + ": error: " +
+      (taken ? "other results or files have come to stand here while this run was at work"
+             : "cannot give the results their name: " + error.message()));
+}
+
+void OutputFolder::replace() {
+  const auto is_replaceable = [this](const fs::path& folder) {
+    return seal_of(folder) == replaced_ && !foreign_in(folder);
+  };
+  const auto refuse_changed = [this] {
+    throw model::ResourceError(target_.string() +
+                               ": error: what was to be overwritten has been changed while this "
+                               "run was at work");
+  };
+  if (!is_replaceable(place_)) refuse_changed();
+  std::error_code error;
+  fs::path old = working_;
+  if (!exchange(working_, place_, error) && !error) {
+    old = place_.parent_path() / working_name(place_.filename().string());
+    exchange_slowly(working_, place_, old, error);
+  }
+  if (error)
     throw model::ResourceError(target_.string() +
                                ": error: cannot give the results their name: " + error.message());
+  if (is_replaceable(old)) {
+    remove_ours(old);
+  } else if (exchange(old, place_, error)) {
+    refuse_changed();
   }
-  fs::remove_all(old, error);
+}
+
+fs::path OutputFolder::keep_as(const std::string& kind, bool replacing) noexcept {
+  const std::string name = shortened_name(place_.filename().string()) + "." + kind;
+  for (int i = 1; i <= kMostKept; ++i) {
+    const fs::path kept = place_.parent_path() / (i == 1 ? name : name + "-" + std::to_string(i));
+    std::error_code error;
+    if (replacing && is_all_ours(kept)) remove_ours(kept);
+    fs::rename(working_, kept, error);
+    if (!error) return kept;
+  }
+  // Under its hidden name, which is nobody's any more.
+  return std::exchange(working_, {});
 }
 
 fs::path OutputFolder::keep_incomplete(const std::string& note) {
-  fs::path kept = target_;
-  kept += ".incomplete";
-  std::error_code error;
-  fs::remove_all(kept, error);
-  std::ofstream(working_ / "INCOMPLETE.txt") << note << '\n';
-  fs::rename(working_, kept, error);
-  return error ? working_ : kept;
+  lock_->leave();
+  try {
+    model::write_file(working_ / kNote, note + "\n");
+    seal(working_);
+  } catch (const std::exception&) {
+    // A full disk: what is there is kept all the same, and nothing proves it ours.
+  }
+  return keep_as("incomplete", true);
 }
 
 }  // namespace limitgauge::app

@@ -1,18 +1,30 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "app/output/folder_lock.h"
+#include "model/base/error.h"
 
 namespace limitgauge::app {
 
+/// Results are complete but could not get their name; what() says why and where they are.
+class NotPublished : public model::ResourceError {
+  using model::ResourceError::ResourceError;
+};
+
 /// The folder of one run's results. Work goes into a hidden sibling, which takes the name only in
 /// finish(): an interrupted run leaves nothing that looks finished. Without finish() or keep() the
-/// destructor removes what was written.
+/// destructor removes what was written; what a killed process left is removed by the next that
+/// works in the same place. Whatever stands under the name is replaced only where it is a folder of
+/// results that its manifest proves to be ours, file by file, and where that was asked for.
 class OutputFolder {
  public:
   /// Throws InputError where `target` holds files already and `force` is not given, or where it
-  /// holds files that are none of Limitgauge's. Nothing is written before prepare().
-  OutputFolder(std::filesystem::path target, bool force);
+  /// holds a file that is none of Limitgauge's. Nothing is written before prepare(). A symbolic
+  /// link stays, and leads to the results afterwards.
+  OutputFolder(const std::filesystem::path& target, bool force);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -22,15 +34,26 @@ class OutputFolder {
   void prepare();
   /// Where to write until finish().
   const std::filesystem::path& working() const { return working_; }
+  /// As it was stated, absolute.
   const std::filesystem::path& target() const { return target_; }
-  /// Gives the results their name; what stood there before is replaced. Throws ResourceError.
+  /// Gives the results their name, at once and whole; the results that stood there when the work
+  /// began are replaced. Throws ResourceError where the disk does not take them, NotPublished where
+  /// something else stands there now: then they are kept as `target`.unpublished.
   void finish();
   /// Keeps what was written as `target`.incomplete with a note in INCOMPLETE.txt, as far as the
   /// disk allows, and returns that folder. Does not throw.
   std::filesystem::path keep_incomplete(const std::string& note);
 
  private:
-  std::filesystem::path target_, working_, created_parent_;
+  void publish();
+  void replace();
+  std::filesystem::path keep_as(const std::string& kind, bool replacing) noexcept;
+
+  std::filesystem::path target_;  ///< as stated
+  std::filesystem::path place_;   ///< behind all links
+  std::filesystem::path working_, created_parent_;
+  std::optional<std::string> replaced_;  ///< seal of the results that may be replaced
+  std::optional<FolderLock> lock_;
 };
 
 }  // namespace limitgauge::app

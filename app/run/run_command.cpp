@@ -1,6 +1,9 @@
+#include <optional>
 #include <ostream>
+#include <string>
 
 #include "app/cli/commands.h"
+#include "app/cli/error_message.h"
 #include "app/job/job_reader.h"
 #include "app/output/output_folder.h"
 #include "app/output/progress.h"
@@ -42,6 +45,15 @@ ExitCode exit_code(verifier::Verdict verdict) {
   }
 }
 
+/// Files by the name that they would have had: the working folder's means nothing to anybody.
+std::string named(std::string message, const OutputFolder& folder) {
+  const std::string working = folder.working().string(), target = folder.target().string();
+  for (std::size_t at = message.find(working); at != std::string::npos;
+       at = message.find(working, at + target.size()))
+    message.replace(at, working.size(), target);
+  return message;
+}
+
 /// Does `work` in the folder; an error that is not the user's keeps what was finished.
 template <class Work>
 void work_in(OutputFolder& folder, const Work& work) {
@@ -53,8 +65,10 @@ void work_in(OutputFolder& folder, const Work& work) {
     throw;
   } catch (const model::Interrupted&) {
     throw;
+  } catch (const NotPublished&) {
+    throw;
   } catch (const std::exception& error) {
-    const std::string why = error.what();
+    const std::string why = named(message_of(error), folder);
     const std::filesystem::path kept = folder.keep_incomplete(
         "This run did not come to its end: " + why +
         "\nStages with a deviation.vtp were finished; nothing else here is a result.");
@@ -80,13 +94,29 @@ void watched(const CommonOptions& common, const Console& console, const Work& wo
   work(progress);
 }
 
-/// After the result, which must not be lost for the history's sake.
-void add_to_history(const RunHistory& history, const OutputFolder& folder,
-                    const CommonOptions& common, const Console& console) {
-  if (!history.is_kept()) return;
-  const std::int64_t id = history.add(folder.target());
-  if (!common.quiet)
-    console.out << "history: " << history.file().string() << ", run " << id << std::endl;
+/// The run's id in its history; or why it is not in it.
+struct Kept {
+  std::optional<std::int64_t> id;
+  std::string failure;
+};
+
+Kept kept_in(const RunHistory& history, const OutputFolder& folder) {
+  if (!history.is_kept()) return {};
+  try {
+    return {history.add(folder.target()), {}};
+  } catch (const model::ResourceError& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
+/// Everything is in its place before anything is printed: whoever should read it may be gone.
+void print(const reports::RunResult& result, const OutputFolder& folder, const RunHistory& history,
+           const CommonOptions& common, const Console& console) {
+  const Kept kept = kept_in(history, folder);
+  print_result(result, folder, common, console);
+  if (!kept.failure.empty()) throw model::ResourceError(kept.failure);
+  if (kept.id && !common.quiet)
+    console.out << "history: " << history.file().string() << ", run " << *kept.id << std::endl;
 }
 
 ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
@@ -104,8 +134,7 @@ ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
       write_report(result, folder.working());
     });
   });
-  print_result(result, folder, common, console);
-  add_to_history(history, folder, common, console);
+  print(result, folder, history, common, console);
   return exit_code(result.verdict);
 }
 

@@ -160,21 +160,6 @@ void write_samples(std::ostream& out, const ReferenceSurface& surface, int sampl
   }
 }
 
-/// Written beside and renamed: a table that is there is complete.
-void write_csv(const InspectCommand& command, const ReferenceSurface& surface) {
-  std::filesystem::path partial = command.csv;
-  partial += ".partial";
-  try {
-    model::write_file(partial,
-                      [&](std::ostream& out) { write_samples(out, surface, command.samples); });
-    std::filesystem::rename(partial, command.csv);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-    throw;
-  }
-}
-
 void require_writable(const std::filesystem::path& csv) {
   const std::filesystem::path folder = csv.has_parent_path() ? csv.parent_path() : ".";
   if (!std::filesystem::is_directory(folder)) {
@@ -189,7 +174,9 @@ void inspect_cage(const InspectCommand& command, const CommonOptions& common,
   const model::Cage cage = model::read_cage_obj(command.file);
   const ReferenceSurface surface(cage);
   const witness::Agreement witness = witnessed(cage, surface);
-  if (!command.csv.empty()) write_csv(command, surface);
+  if (!command.csv.empty())
+    model::write_whole_file(
+        command.csv, [&](std::ostream& out) { write_samples(out, surface, command.samples); });
   if (!common.quiet) print_cage(console.out, cage, surface, witness);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -13,6 +14,36 @@ namespace limitgauge::model {
 void RunControl::check() const {
   if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw Interrupted();
 }
+
+namespace {
+
+/// Threads that are waited for, however the scope is left.
+class Threads {
+ public:
+  Threads() = default;
+  ~Threads() {
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+  void start(const std::function<void()>& work) { threads_.emplace_back(work); }
+
+ private:
+  std::vector<std::thread> threads_;
+};
+
+/// Throws ResourceError where the system has no thread left; those that were started go on.
+void start(Threads& pool, std::size_t count, const std::function<void()>& work) {
+  try {
+    for (std::size_t t = 0; t < count; ++t) pool.start(work);
+  } catch (const std::system_error& error) {
+    throw ResourceError("limitgauge: error: no thread can be started: " + error.code().message() +
+                        "; fewer of them (--threads) or a higher limit would do");
+  }
+}
+
+}  // namespace
 
 void parallel_for(std::size_t count, unsigned threads,
                   const std::function<void(std::size_t)>& body) {
@@ -33,10 +64,17 @@ void parallel_for(std::size_t count, unsigned threads,
       next = count;
     }
   };
-  std::vector<std::thread> pool;
-  for (std::size_t t = 1; t < workers; ++t) pool.emplace_back(work);
-  work();
-  for (std::thread& thread : pool) thread.join();
+  {
+    Threads pool;
+    try {
+      start(pool, workers - 1, work);
+      work();
+    } catch (...) {
+      // Those that are at work stop before their next piece.
+      next = count;
+      throw;
+    }
+  }
   if (failure) std::rethrow_exception(failure);
 }
 

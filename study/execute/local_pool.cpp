@@ -3,6 +3,7 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 
 #include "model/base/error.h"
@@ -15,8 +16,10 @@ namespace limitgauge::study {
 namespace {
 
 constexpr int kLook_ms = 200;
-/// To leave a block of work and to clear up.
-constexpr std::chrono::milliseconds kToStop{5000};
+/// To leave a block of work and to clear up, all of them together: whoever stops a study waits for
+/// two seconds at most. What is killed then loses nothing that was finished.
+constexpr std::chrono::milliseconds kToStop{1200};
+constexpr std::chrono::milliseconds kNoPatience{0};
 /// A process whose socket is closed has ended or is about to.
 constexpr std::chrono::milliseconds kToEnd{2000};
 
@@ -84,8 +87,12 @@ PoolRun::~PoolRun() {
   // All are told before any is waited for.
   for (Seat& seat : seats_)
     if (seat.worker && seat.position) seat.worker->interrupt();
-  for (Seat& seat : seats_)
-    if (seat.worker && seat.position) seat.worker->end(kToStop);
+  const auto until = std::chrono::steady_clock::now() + kToStop;
+  for (Seat& seat : seats_) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+        until - std::chrono::steady_clock::now());
+    if (seat.worker && seat.position) seat.worker->end(std::max(left, kNoPatience));
+  }
 }
 
 void PoolRun::fill_seats() {

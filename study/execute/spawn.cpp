@@ -23,8 +23,14 @@ struct Attributes {
     sigemptyset(&none);
     posix_spawnattr_setsigmask(&value, &none);
     posix_spawnattr_setpgroup(&value, 0);
-    posix_spawnattr_setflags(
-        &value, static_cast<short>(POSIX_SPAWN_SETSIGMASK | (apart ? POSIX_SPAWN_SETPGROUP : 0)));
+    // What we ignore to hear of it as an error, other programs expect to end them.
+    sigset_t ending;
+    sigemptyset(&ending);
+    for (const int signal : {SIGPIPE, SIGXFSZ}) sigaddset(&ending, signal);
+    posix_spawnattr_setsigdefault(&value, &ending);
+    posix_spawnattr_setflags(&value,
+                             static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
+                                                (apart ? POSIX_SPAWN_SETPGROUP : 0)));
   }
   ~Attributes() { posix_spawnattr_destroy(&value); }
   Attributes(const Attributes&) = delete;

@@ -1,0 +1,70 @@
+#include "app/cli/error_message.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+#include "app/cli/commands.h"
+#include "app/cli/usage_error.h"
+#include "model/base/error.h"
+
+namespace limitgauge::app {
+namespace {
+
+std::string words_of(const std::filesystem::filesystem_error& error) {
+  const std::string file = error.path1().empty() ? "limitgauge" : error.path1().string();
+  return file + ": error: " + error.code().message();
+}
+
+/// What asks for a thread that cannot be had says no more than to try again.
+std::string words_of(const std::error_code& code) {
+  const bool of_thread = code == std::errc::resource_unavailable_try_again;
+  return std::string("limitgauge: error: ") +
+         (of_thread ? "no thread can be started" : "the system refuses what is needed") + ": " +
+         code.message();
+}
+
+template <class Kind>
+bool is(const std::exception& error) {
+  return dynamic_cast<const Kind*>(&error) != nullptr;
+}
+
+[[noreturn]] void on_terminate() {
+  std::string words = "limitgauge: internal error: ended without an exception";
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::exception& error) {
+    words = message_of(error);
+  } catch (...) {
+    words = "limitgauge: internal error: an exception of no known kind";
+  }
+  words += '\n';
+  static_cast<void>(!::write(STDERR_FILENO, words.data(), words.size()));
+  ::_exit(static_cast<int>(ExitCode::resources));
+}
+
+}  // namespace
+
+std::string message_of(const std::exception& error) {
+  if (is<UsageError>(error)) return std::string("limitgauge: error: ") + error.what();
+  if (is<model::InputError>(error) || is<model::ResourceError>(error)) return error.what();
+  if (is<model::Interrupted>(error)) return "limitgauge: interrupted; nothing was kept";
+  if (is<std::bad_alloc>(error)) return "limitgauge: error: out of memory";
+  if (const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+    return words_of(*of_file);
+  if (const auto* of_system = dynamic_cast<const std::system_error*>(&error))
+    return words_of(of_system->code());
+  // TBB's own words, thrown where nothing but the end of the program can follow.
+  if (std::string_view(error.what()).starts_with("pthread_create"))
+    return words_of(std::make_error_code(std::errc::resource_unavailable_try_again));
+  return std::string("limitgauge: internal error: ") + error.what();
+}
+
+void end_instead_of_aborting() {
+  std::set_terminate(on_terminate);
+}
+
+}  // namespace limitgauge::app

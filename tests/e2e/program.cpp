@@ -18,25 +18,59 @@ namespace limitgauge::e2e {
 namespace fs = std::filesystem;
 namespace {
 
-/// In the child: nothing here may return.
+/// In the child, as all down to become_program().
+void redirect(const fs::path& file, int descriptor) {
+  dup2(open(file.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), descriptor);
+}
+
+void set_out(Conditions::Out kind, const fs::path& file) {
+  int ends[2];
+  switch (kind) {
+    case Conditions::Out::file:
+      redirect(file, STDOUT_FILENO);
+      return;
+    case Conditions::Out::full:
+      redirect("/dev/full", STDOUT_FILENO);
+      return;
+    case Conditions::Out::pipe_nobody_reads:
+      if (pipe(ends) != 0) _exit(127);
+      dup2(ends[1], STDOUT_FILENO);
+      close(ends[0]);
+      close(ends[1]);
+      return;
+    case Conditions::Out::closed:
+      return;  // last of all: what is opened next would take its number
+  }
+}
+
+void limit(__rlimit_resource what, const std::optional<std::size_t>& most) {
+  const rlimit both{most.value_or(0), most.value_or(0)};
+  if (most) setrlimit(what, &both);
+}
+
+void set_limits(const Conditions& conditions) {
+  constexpr uid_t kNobody = 65534;
+  limit(RLIMIT_FSIZE, conditions.largest_file_bytes);
+  limit(RLIMIT_NOFILE, conditions.most_descriptors);
+  limit(RLIMIT_AS, conditions.most_memory_bytes);
+  limit(RLIMIT_NPROC, conditions.most_threads);
+  if (conditions.most_threads && geteuid() == 0 && setuid(kNobody) != 0) _exit(127);
+}
+
+/// Nothing here may return. The program is opened before it is to be anybody else's.
 [[noreturn]] void become_program(const fs::path& folder, const std::vector<std::string>& arguments,
                                  const Conditions& conditions, const fs::path& log) {
-  const auto redirect = [&](const char* suffix, int descriptor) {
-    const fs::path file = log.string() + suffix;
-    dup2(open(file.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), descriptor);
-  };
-  redirect(".out", STDOUT_FILENO);
-  redirect(".err", STDERR_FILENO);
-  if (conditions.largest_file_bytes) {
-    const rlimit limit{*conditions.largest_file_bytes, *conditions.largest_file_bytes};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
+  const int program = open(LIMITGAUGE_PROGRAM, O_RDONLY | O_CLOEXEC);
+  set_out(conditions.out, log.string() + ".out");
+  redirect(log.string() + ".err", STDERR_FILENO);
   if (chdir(folder.c_str()) != 0) _exit(127);
+  set_limits(conditions);
   std::vector<char*> words = {const_cast<char*>(LIMITGAUGE_PROGRAM)};
   for (const std::string& argument : arguments)
     words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);
-  execv(LIMITGAUGE_PROGRAM, words.data());
+  if (conditions.out == Conditions::Out::closed) close(STDOUT_FILENO);
+  fexecve(program, words.data(), environ);
   _exit(127);
 }
 

@@ -33,6 +33,11 @@ struct Outcome {
 struct Conditions {
   std::optional<std::chrono::milliseconds> interrupt_after;  ///< SIGINT then
   std::optional<std::size_t> largest_file_bytes;             ///< stands in for a full disk
+  std::optional<std::size_t> most_descriptors = std::nullopt;
+  std::optional<std::size_t> most_memory_bytes = std::nullopt;
+  /// Processes and threads; root, whom no such limit holds, is nobody then.
+  std::optional<std::size_t> most_threads = std::nullopt;
+  enum class Out { file, full, pipe_nobody_reads, closed } out = Out::file;  ///< standard output
 };
 
 /// Runs the built program in `folder` and waits for its end.

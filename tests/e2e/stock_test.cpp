@@ -42,8 +42,7 @@ std::string quick_job(const std::string& stock) {
 
 json run_as(const Scratch& scratch, const std::string& job, const std::string& name) {
   write_text(scratch / (name + ".toml"), job);
-  const Outcome outcome =
-      limitgauge(scratch, {"run", name + ".toml", "-o", name, "--no-pictures"});
+  const Outcome outcome = limitgauge(scratch, {"run", name + ".toml", "-o", name, "--no-pictures"});
   INFO(outcome.errors);
   REQUIRE(outcome.exit_code == 0);
   return json::parse(read_text(scratch / (name + "/result.json")));

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Everything that must hold before a change goes in: the build without a warning, benchmarks included,
 # all tests, the unit and property tests again under the address and undefined behaviour sanitizers,
-# and a short run of the fuzz tests. With --full random tests take all their cases, and collections are gone through whole, not
+# and a short run of the fuzz tests and of the torture test. With --full random tests take all their cases, and collections are gone through whole, not
 # by a share of them (tests/support/effort.h). Further arguments go to cmake.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -29,3 +29,6 @@ ctest --test-dir build/sanitize -L 'unit|property' -LE slow -R "^($(IFS='|'; ech
   --output-on-failure -j "$jobs"
 
 FUZZ_JOBS=$jobs tests/fuzz/run.sh 10
+
+# Other moments every time: the seed is printed.
+tests/torture.sh 2

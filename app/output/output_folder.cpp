@@ -230,6 +230,27 @@ void OutputFolder::replace() {
   }
 }
 
+void OutputFolder::fill(const std::function<void()>& work) {
+  prepare();
+  try {
+    work();
+    finish();
+  } catch (const NotPublished&) {
+    throw;
+  } catch (const model::ResourceError& error) {
+    throw model::ResourceError(named(error.what()));
+  }
+}
+
+std::string OutputFolder::named(std::string message) const {
+  const std::string working = working_.string(), target = target_.string();
+  if (working.empty()) return message;
+  for (std::size_t at = message.find(working); at != std::string::npos;
+       at = message.find(working, at + target.size()))
+    message.replace(at, working.size(), target);
+  return message;
+}
+
 fs::path OutputFolder::keep_as(const std::string& kind, bool replacing) noexcept {
   const std::string name = shortened_name(place_.filename().string()) + "." + kind;
   for (int i = 1; i <= kMostKept; ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -40,6 +41,12 @@ class OutputFolder {
   /// began are replaced. Throws ResourceError where the disk does not take them, NotPublished where
   /// something else stands there now: then they are kept as `target`.unpublished.
   void finish();
+  /// prepare(), `work` and finish(). A ResourceError speaks of files as they would have been
+  /// called.
+  void fill(const std::function<void()>& work);
+  /// `message` with files by the names that they would have had: the working folder's own name
+  /// means nothing to anybody.
+  std::string named(std::string message) const;
   /// Keeps what was written as `target`.incomplete with a note in INCOMPLETE.txt, as far as the
   /// disk allows, and returns that folder. Does not throw.
   std::filesystem::path keep_incomplete(const std::string& note);

@@ -45,15 +45,6 @@ ExitCode exit_code(verifier::Verdict verdict) {
   }
 }
 
-/// Files by the name that they would have had: the working folder's means nothing to anybody.
-std::string named(std::string message, const OutputFolder& folder) {
-  const std::string working = folder.working().string(), target = folder.target().string();
-  for (std::size_t at = message.find(working); at != std::string::npos;
-       at = message.find(working, at + target.size()))
-    message.replace(at, working.size(), target);
-  return message;
-}
-
 /// Does `work` in the folder; an error that is not the user's keeps what was finished.
 template <class Work>
 void work_in(OutputFolder& folder, const Work& work) {
@@ -68,7 +59,7 @@ void work_in(OutputFolder& folder, const Work& work) {
   } catch (const NotPublished&) {
     throw;
   } catch (const std::exception& error) {
-    const std::string why = named(message_of(error), folder);
+    const std::string why = folder.named(message_of(error));
     const std::filesystem::path kept = folder.keep_incomplete(
         "This run did not come to its end: " + why +
         "\nStages with a deviation.vtp were finished; nothing else here is a result.");

@@ -53,7 +53,8 @@ class StudyRun {
  private:
   StudyCasesOptions cases_options(ProgressLine& progress) const;
   void run_cases(StudyCases& cases, StudyOutcome& outcome) const;
-  void run_watched(StudyOutcome& outcome, ProgressLine& progress);
+  std::unique_ptr<study::Executor> engine_for(ProgressLine& progress) const;
+  void run_watched(study::Executor& engine, StudyOutcome& outcome, ProgressLine& progress);
   [[noreturn]] void say_interrupted() const;
 
   const StudyCommand& command_;
@@ -111,16 +112,16 @@ void StudyRun::say_interrupted() const {
                              ": run the same command again to go on from there");
 }
 
-void StudyRun::run_watched(StudyOutcome& outcome, ProgressLine& progress) {
-  const auto note = [&](const std::string& line) {
+std::unique_ptr<study::Executor> StudyRun::engine_for(ProgressLine& progress) const {
+  return study_engine(command_, common_, job_, store_, [&](const std::string& line) {
     if (common_.quiet) return;
     progress.clear();
     console_.errors << "limitgauge: " << line << std::endl;
-  };
-  const std::unique_ptr<study::Executor> engine =
-      study_engine(command_, common_, job_, store_, note);
-  folder_.prepare();
-  StudyCases cases(cases_options(progress), store_, *engine);
+  });
+}
+
+void StudyRun::run_watched(study::Executor& engine, StudyOutcome& outcome, ProgressLine& progress) {
+  StudyCases cases(cases_options(progress), store_, engine);
   progress.phase({"looking for what is known already"});
   try {
     run_cases(cases, outcome);
@@ -146,12 +147,15 @@ StudyOutcome StudyRun::work() {
   around.columns = console_.errors_columns;
   ProgressLine progress(console_.errors, console_.progress && !common_.quiet, std::move(around));
   const ProgressTicker ticker(progress);
-  run_watched(outcome, progress);
-  progress.phase({"writing the table"});
-  store_.trim(began_);
-  outcome.seconds = watch.seconds();
-  write_study(plan_, outcome, folder_.working());
-  folder_.finish();
+  // Before anything is made: what runs the cases may not be there.
+  const std::unique_ptr<study::Executor> engine = engine_for(progress);
+  folder_.fill([&] {
+    run_watched(*engine, outcome, progress);
+    progress.phase({"writing the table"});
+    store_.trim(began_);
+    outcome.seconds = watch.seconds();
+    write_study(plan_, outcome, folder_.working());
+  });
   return outcome;
 }
 

@@ -58,15 +58,15 @@ reports::record::RunRecord read_result(const fs::path& stated) {
 }
 
 void write_files(const compare::Comparison& comparison, OutputFolder& folder) {
-  folder.prepare();
   const auto write = [&](const char* name,
                          void (*writer)(const compare::Comparison&, std::ostream&)) {
     model::write_file(folder.working() / name, [&](std::ostream& out) { writer(comparison, out); });
   };
-  write("compare.html", compare::write_html);
-  write("compare.md", compare::write_markdown);
-  write("compare.json", compare::write_json);
-  folder.finish();
+  folder.fill([&] {
+    write("compare.html", compare::write_html);
+    write("compare.md", compare::write_markdown);
+    write("compare.json", compare::write_json);
+  });
 }
 
 }  // namespace

@@ -96,9 +96,7 @@ ExitCode execute(const HistoryCommand& command, const CommonOptions& common,
     return ExitCode::pass;
   }
   OutputFolder folder(folder_of(command), common.force);
-  folder.prepare();
-  write_files(overview, folder.working());
-  folder.finish();
+  folder.fill([&] { write_files(overview, folder.working()); });
   if (common.quiet) return ExitCode::pass;
   console.out << history_report::history_table(overview, console.colour);
   if (overview.found > static_cast<std::size_t>(command.last))

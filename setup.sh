@@ -20,11 +20,10 @@ build=(
   nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev libvtk9-dev
   # the report's script, bundled from reports/web at build time; a node that came with npm brings both
   nodejs
-  # command line and job files; the server of `limitgauge view`, found by pkg-config;
-  # checksums of what was read
-  libcli11-dev libtomlplusplus-dev libcpp-httplib-dev pkgconf libssl-dev
-  # histories; the search of a study
-  libsqlite3-dev libnlopt-cxx-dev
+  # command line and job files; checksums of what was read
+  libcli11-dev libtomlplusplus-dev libssl-dev
+  # histories; the search of a study, found by pkg-config
+  libsqlite3-dev libnlopt-cxx-dev pkgconf
 )
 command -v npm >/dev/null || build+=(npm)
 

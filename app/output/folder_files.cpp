@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include "model/base/error.h"
@@ -23,6 +25,13 @@ bool is_plain(const std::string& name) {
 int step(int folder, const std::string& name, int flags) {
   if (!is_plain(name)) return -1;
   return openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK | flags);
+}
+
+/// A file that is there must not be said to be missing.
+void require_descriptors() {
+  if (errno == EMFILE || errno == ENFILE || errno == ENOMEM)
+    throw model::ResourceError(std::string("limitgauge: error: no file can be opened: ") +
+                               std::strerror(errno));
 }
 
 }  // namespace
@@ -51,17 +60,23 @@ FolderFiles::~FolderFiles() {
 }
 
 std::shared_ptr<const OpenFile> FolderFiles::open(std::string_view path) const {
-  int at = dup(descriptor_);
+  errno = 0;
+  int at = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
   while (at >= 0) {
     const std::size_t slash = path.find('/');
     const bool last = slash == std::string_view::npos;
     const int next = step(at, std::string(path.substr(0, slash)), last ? 0 : O_DIRECTORY);
+    const int reason = errno;
     close(std::exchange(at, next));
+    errno = reason;
     if (last) break;
     path.remove_prefix(slash + 1);
   }
   struct stat about {};
-  if (at < 0) return nullptr;
+  if (at < 0) {
+    require_descriptors();
+    return nullptr;
+  }
   if (fstat(at, &about) == 0 && S_ISREG(about.st_mode))
     return std::make_shared<const OpenFile>(at, static_cast<std::size_t>(about.st_size));
   close(at);

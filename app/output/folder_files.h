@@ -37,7 +37,8 @@ class FolderFiles {
   FolderFiles& operator=(const FolderFiles&) = delete;
 
   /// The file at `path`, names parted by slashes. Nothing for what is no regular file, for hidden
-  /// names and for ".."; a symbolic link is never followed, wherever it leads.
+  /// names and for ".."; a symbolic link is never followed, wherever it leads. Throws ResourceError
+  /// where the machine has no descriptor left.
   std::shared_ptr<const OpenFile> open(std::string_view path) const;
 
  private:

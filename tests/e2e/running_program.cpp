@@ -10,7 +10,8 @@
 
 namespace limitgauge::e2e {
 
-RunningProgram::RunningProgram(const Scratch& folder, const std::vector<std::string>& arguments) {
+RunningProgram::RunningProgram(const Scratch& folder, const std::vector<std::string>& arguments,
+                               const std::function<void()>& in_child) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("pipe failed");
   std::vector<std::string> words = arguments;
@@ -23,9 +24,11 @@ RunningProgram::RunningProgram(const Scratch& folder, const std::vector<std::str
   if (child_ == 0) {
     // Tests that were started in the background ignore it, and a program keeps what it was given.
     ::signal(SIGINT, SIG_DFL);
+    ::signal(SIGTERM, SIG_DFL);
     dup2(ends[1], STDOUT_FILENO);
     close(ends[0]);
     close(ends[1]);
+    if (in_child) in_child();
     if (chdir(folder.path().c_str()) == 0) execv(LIMITGAUGE_PROGRAM, pointers.data());
     _exit(127);
   }

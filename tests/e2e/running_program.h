@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,9 @@ namespace limitgauge::e2e {
 /// The built program while it runs; killed at the end of the test where it still does.
 class RunningProgram {
  public:
-  RunningProgram(const Scratch& folder, const std::vector<std::string>& arguments);
+  /// `in_child` is done in the new process, before it becomes the program.
+  RunningProgram(const Scratch& folder, const std::vector<std::string>& arguments,
+                 const std::function<void()>& in_child = {});
   ~RunningProgram();
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;

@@ -48,6 +48,11 @@ Opening opening(const std::filesystem::path& file, Database::Mode mode) {
     case SQLITE_CORRUPT:
       throw model::InputError(place, "this history is damaged (" + words + ")",
                               "a copy of it that is whole");
+    case SQLITE_ERROR:
+    case SQLITE_CONSTRAINT:
+      // Statements are the program's own: they fail where tables are not what it made.
+      throw model::InputError(place, "this history is not as limitgauge wrote it (" + words + ")",
+                              "a copy of it that is whole");
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:

@@ -18,10 +18,20 @@ namespace limitgauge::history {
 namespace fs = std::filesystem;
 namespace {
 
+/// Where SQLite makes the file that a link names, which may be there already or not.
+fs::path behind_links(const fs::path& file) {
+  constexpr int kMostLinks = 40;
+  fs::path at = fs::absolute(file);
+  std::error_code none;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(at, none); ++i)
+    at = at.parent_path() / fs::read_symlink(at, none);
+  return at;
+}
+
 /// SQLite's journal stands beside the file: the folder must take new files. Asking for permission
 /// would not do, a share may say yes and then refuse.
 void require_room_beside(const fs::path& file) {
-  const fs::path folder = fs::absolute(file).parent_path();
+  const fs::path folder = behind_links(file).parent_path();
   const fs::path probe =
       folder / ("." + file.filename().string() + ".probe-" + std::to_string(getpid()));
   const int opened = ::open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
@@ -36,19 +46,6 @@ void require_room_beside(const fs::path& file) {
   if (reason == ENOSPC || reason == EDQUOT || reason == EMFILE || reason == ENFILE)
     throw model::ResourceError(file.string() + ": error: " + wrong);
   throw model::InputError({file.string(), 0, 0}, wrong, "a folder that exists and can be written");
-}
-
-/// Takes the lock and writes a page, which is taken back.
-void require_writable(const fs::path& file) {
-  const Database database(file, Database::Mode::read);
-  const Transaction transaction(database, Transaction::Kind::write);
-  const int version = database.number("PRAGMA user_version");
-  database.execute(("PRAGMA user_version = " + std::to_string(version)).c_str());
-}
-
-bool has_content(const fs::path& file) {
-  std::error_code missing;
-  return fs::file_size(file, missing) > 0 && !missing;
 }
 
 void require_fit(const Entry& entry) {
@@ -93,12 +90,44 @@ void insert_values(const Database& database, std::int64_t id, const Entry& entry
   }
 }
 
+std::int64_t insert(const Database& database, const Entry& entry) {
+  migrate(database);
+  const std::int64_t id = insert_run(database, entry);
+  insert_stages(database, id, entry);
+  insert_values(database, id, entry);
+  return id;
+}
+
+/// All pages, not only those that the next run is written to: a history that goes on being written
+/// when it is damaged is one whose last whole copy grows older. 10,000 runs of 60 figures take 0.2
+/// s.
+void require_whole(const Database& database) {
+  Statement check(database, "PRAGMA integrity_check(1)");
+  const std::string found = check.step() ? check.text(0) : "ok";
+  if (found != "ok")
+    throw model::InputError({database.file().string(), 0, 0},
+                            "this history is damaged (" + found + ")",
+                            "a copy of it that is whole");
+}
+
+/// Adds a run as append() does, and takes it back: whatever would go wrong then goes wrong now.
+void rehearse(const fs::path& file) {
+  const Database database(file, Database::Mode::read);
+  require_whole(database);
+  const Transaction taken_back(database, Transaction::Kind::write);
+  Entry entry;
+  entry.stages.push_back({"rehearsal", "pass"});
+  entry.values.push_back({"rehearsal", "rehearsal", 0, 0});
+  insert(database, entry);
+}
+
 }  // namespace
 
 Recorder::Recorder(fs::path file) : file_(std::move(file)) {
   require_history(file_);
   require_room_beside(file_);
-  if (has_content(file_)) require_writable(file_);
+  std::error_code missing;
+  if (fs::exists(file_, missing)) rehearse(file_);
 }
 
 std::int64_t Recorder::append(const Entry& entry) const {
@@ -110,10 +139,7 @@ std::int64_t Recorder::append(const Entry& entry) const {
   // written out as well, so that no journal comes back after a power cut.
   database.execute("PRAGMA synchronous = EXTRA; PRAGMA foreign_keys = ON");
   Transaction transaction(database, Transaction::Kind::write);
-  migrate(database);
-  const std::int64_t id = insert_run(database, entry);
-  insert_stages(database, id, entry);
-  insert_values(database, id, entry);
+  const std::int64_t id = insert(database, entry);
   transaction.commit();
   return id;
 }

@@ -11,10 +11,11 @@ namespace limitgauge::history {
 /// its folder, may add to and read at the same time, and be killed while they do.
 class Recorder {
  public:
-  /// Sees to it that runs can be added to `file`, which may not be there yet, and changes nothing.
-  /// Throws InputError for a file that is none of Limitgauge's or is newer than this program, for
-  /// a folder that is missing or a place that cannot be written; ResourceError where the disk or
-  /// the lock fails.
+  /// Sees to it that runs can be added to `file`, which may not be there yet: reads all of it, adds
+  /// a run and takes it back, so that nothing is changed. Throws InputError for a file that is none
+  /// of Limitgauge's, is newer than this program or damaged anywhere, for a folder that is missing
+  /// or a place that cannot be written; ResourceError where the disk fails or another process keeps
+  /// the lock for a minute.
   explicit Recorder(std::filesystem::path file);
 
   /// All of the run or nothing; returns its id. Makes the file, and brings an older one to what

@@ -99,6 +99,8 @@ void require_history(const std::filesystem::path& file) {
   std::error_code missing;
   if (std::filesystem::is_directory(file, missing))
     throw model::InputError(place, "this is a folder", "a history that limitgauge wrote");
+  if (std::filesystem::exists(file, missing) && !std::filesystem::is_regular_file(file, missing))
+    throw model::InputError(place, "this is no file", "a history that limitgauge wrote");
   if (std::filesystem::file_size(file, missing) == 0 || missing) return;
   const Header header = read_header(file);
   // A writer that was killed while it made the file: what it left is rolled back to nothing now.

@@ -63,6 +63,19 @@ TEST_CASE("a history holds the runs and changes nothing of their results", "[e2e
   CHECK(series["values"][1].is_null());
 }
 
+TEST_CASE("a history that is damaged is said before anything is done", "[e2e][history]") {
+  const Scratch scratch;
+  REQUIRE(limitgauge(scratch, dome("first", {"--history", "runs.sqlite"})).exit_code == 0);
+  const std::string whole = read_text(scratch / "runs.sqlite");
+  write_text(scratch / "runs.sqlite",
+             whole.substr(0, whole.size() - 4096) + std::string(4096, 'x'));
+  const Outcome outcome = limitgauge(scratch, dome("second", {"--history", "runs.sqlite"}));
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.out.empty());
+  CHECK_THAT(outcome.errors, ContainsSubstring("runs.sqlite: error: this history is damaged"));
+  CHECK(scratch.entries() == std::vector<std::string>{"first", "runs.sqlite"});
+}
+
 TEST_CASE("a history that breaks while a run goes on loses no result", "[e2e][history]") {
   const Scratch scratch;
   RunningProgram program(scratch, dome("out", {"--history", "runs.sqlite"}));

@@ -1,5 +1,6 @@
 #include "history/schema.h"
 
+#include <sqlite3.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -142,6 +143,52 @@ TEST_CASE("a damaged history says so", "[unit][history]") {
   check_refused(file, "this history is damaged");
 }
 
+TEST_CASE("a page that is damaged deep inside a history is found before a run", "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "runs.sqlite";
+  for (int i = 0; i < 40; ++i) Recorder(file).append(sample_entry(i, 60));
+  const std::string whole = tests::bytes_of(file);
+  const int pages = std::stoi(query(file, "PRAGMA page_count"));
+  REQUIRE(pages > 20);
+  // An append reads the newest page of a table and those above it: this is none of them.
+  const std::string inner = query(file,
+                                  "SELECT pageno FROM dbstat WHERE name = 'value' AND "
+                                  "pagetype = 'leaf' ORDER BY path LIMIT 1");
+  const std::size_t at = (std::stoul(inner) - 1) * 4096;
+  put(file, whole.substr(0, at) + std::string(4096, '\x5a') + whole.substr(at + 4096));
+  CHECK_THAT(input_error([&] { Recorder{file}; }), ContainsSubstring("this history is damaged"));
+}
+
+TEST_CASE("a history whose tables were meddled with is found before a run", "[unit][history]") {
+  for (const char* meddling :
+       {"DROP TABLE value", "ALTER TABLE run RENAME COLUMN label TO name",
+        "CREATE TRIGGER no BEFORE INSERT ON run BEGIN SELECT RAISE(ABORT, 'no'); END"}) {
+    CAPTURE(meddling);
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "runs.sqlite";
+    Recorder(file).append(sample_entry(1));
+    query(file, std::string("DROP VIEW figure; ") + meddling);
+    const std::string before = tests::bytes_of(file);
+    CHECK_THAT(input_error([&] { Recorder{file}; }),
+               ContainsSubstring("this history is not as limitgauge wrote it"));
+    CHECK(tests::bytes_of(file) == before);
+    CHECK(entries(folder.path()) == 1);
+  }
+}
+
+TEST_CASE("what is no file, or leads to no place, is no history", "[unit][history]") {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder.path() / "pipe", link = folder.path() / "link";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK_THAT(input_error([&] { Recorder{pipe}; }), ContainsSubstring("this is no file"));
+  CHECK_THAT(input_error([&] { Recorder{"/dev/null"}; }), ContainsSubstring("this is no file"));
+  fs::create_symlink("missing/runs.sqlite", link);
+  CHECK_THAT(input_error([&] { Recorder{link}; }), ContainsSubstring("No such file or directory"));
+  fs::create_directory(folder.path() / "missing");
+  CHECK(Recorder(link).append(sample_entry(1)) == 1);
+  CHECK(fs::is_regular_file(folder.path() / "missing/runs.sqlite"));
+}
+
 TEST_CASE("what is not there, or has no place to be, is said", "[unit][history]") {
   const TemporaryFolder folder;
   const fs::path nowhere = folder.path() / "missing" / "runs.sqlite";
@@ -194,6 +241,31 @@ TEST_CASE("a history or a folder that may not be written is refused before a run
   CHECK(refused(0777, 0666) == 0);
   CHECK(refused(0777, 0444) == 3);
   CHECK(refused(0555, 0666) == 3);
+  fs::resize_file(file, 0);
+  CHECK(refused(0777, 0666) == 0);
+  CHECK(refused(0777, 0444) == 3);
+}
+
+TEST_CASE("a history that another keeps locked for a minute is given up before a run",
+          "[slow][history]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "runs.sqlite";
+  Recorder(file).append(sample_entry(1));
+  int ends[2];
+  REQUIRE(pipe(ends) == 0);
+  const int child = tests::start_child([&] {
+    sqlite3* handle = nullptr;
+    sqlite3_open(file.c_str(), &handle);
+    sqlite3_exec(handle, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr);
+    return write(ends[1], "x", 1) == 1 ? pause() : 1;
+  });
+  char locked = 0;
+  REQUIRE(read(ends[0], &locked, 1) == 1);
+  CHECK_THAT(tests::message_of<model::ResourceError>([&] { Recorder{file}; }),
+             ContainsSubstring("another process has kept the history locked for a minute"));
+  kill(child, SIGKILL);
+  tests::wait_for(child);
+  CHECK(Recorder(file).append(sample_entry(2)) == 2);
 }
 
 TEST_CASE("a full disk is said, and the history stays whole", "[unit][history]") {

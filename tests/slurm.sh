@@ -74,6 +74,8 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
 MpiDefault=none
 ReturnToService=2
+SlurmdTimeout=15
+MessageTimeout=2
 SlurmdParameters=config_overrides
 SchedulerParameters=sched_interval=1,batch_sched_delay=0,bf_interval=1
 StateSaveLocation=$folder/state
@@ -225,4 +227,54 @@ study=
 [ -z "$(squeue --noheader --states=PENDING,RUNNING)" ] || fail "jobs were left in the queue"
 [ ! -e stopped ] || fail "an output folder was left"
 say "interrupted: $(cat stopped.err)"
+
+# ---- killed: its jobs are left, and the next study cancels them; that one meets a partition that is down
+start_study() {
+  "$program" study study.toml "${quick[@]}" -o "$1" --cache "cache-$1" --engine slurm "${@:2}" \
+    2> "$1.err" > "$1.txt" &
+  study=$!
+  for _ in $(seq 200); do
+    [ -z "$(squeue --noheader --states=RUNNING)" ] || return 0
+    sleep 0.05
+  done
+  fail "no task was seen at work: $(cat "$1.err")"
+}
+start_study killed --jobs 1
+left=$(squeue --noheader --format=%j | head -n 1)
+kill -KILL "$study"
+wait "$study" 2>/dev/null || true
+study=
+[ -n "$(squeue --noheader --name="$left")" ] || fail "the killed study has left no job"
+scontrol update PartitionName=cases State=DOWN
+code=0
+run_study -o down --cache cache-killed --engine slurm --slurm-patience 0.05 \
+  > down.txt 2> down.err || code=$?
+scontrol update PartitionName=cases State=UP
+say "down: exit code $code, $(head -n 1 down.err)"
+grep -q "jobs $left of a study that was killed were cancelled" down.err ||
+  fail "the killed study's jobs are not told of: $(cat down.err)"
+[ -z "$(squeue --noheader --states=PENDING,RUNNING)" ] || fail "jobs were left in the queue"
+[ ! -e "cache-killed/slurm/$left" ] || fail "the killed study's folder was left"
+grep -q 'has not come back for 0.05 min (pending: PartitionDown)' down/study.csv ||
+  fail "the partition is not told of: $(cat down/study.csv)"
+
+# ---- a node that hangs with its tasks
+start_study silent --jobs 2 --slurm-patience 0.05
+pids=("${daemons[2]}")
+for file in $(grep -las -- "$folder/cache-silent/slurm/" /proc/[0-9]*/cmdline); do
+  file=${file#/proc/}
+  pids+=("${file%%/*}")
+done
+# grep has found itself as well.
+kill -STOP "${pids[@]}" 2>/dev/null || true
+for _ in $(seq 900); do kill -0 "$study" 2>/dev/null || break; sleep 0.1; done
+kill -0 "$study" 2>/dev/null && fail "a study waits for a node that hangs: $(cat silent.err; squeue; sinfo)"
+code=0
+wait "$study" || code=$?
+study=
+kill -CONT "${pids[@]}" 2>/dev/null || true
+say "silent: exit code $code, $(head -n 1 silent.err)"
+[ $code = 4 ] || fail "the study that lost its node ended with exit code $code: $(cat silent.err)"
+grep -q "RUNNING on node $host, which is .*" silent/study.csv ||
+  fail "the node is not told of: $(cat silent/study.csv)"
 say "all well"

@@ -71,6 +71,7 @@ struct StudyCommand {
   std::filesystem::path cache;  ///< empty: the user's own
   std::uint64_t cache_limit_bytes = std::uint64_t{4} << 30;
   std::vector<std::string> slurm_options;
+  double slurm_patience_min = 8;  ///< with a task that does not come back
   /// Of a process that runs cases for another one: where its tasks come from, `-` for standard
   /// input; `study` is the job then. Empty: this is no such process.
   std::string worker;

@@ -47,6 +47,10 @@ void CommandDefinition::add_study_engine(CLI::App& sub) {
                       "Option for sbatch, as --slurm-option=--partition=long"),
        "OPTION")
       ->allow_extra_args(false);
+  hint(sub.add_option("--slurm-patience", study.slurm_patience_min,
+                      "How long a task of Slurm may not come back from its node (default: 8)"),
+       "MINUTES")
+      ->check(number_above_zero(false));
   // Of the processes that this command starts, not for users: stated nowhere.
   sub.add_option("--worker", study.worker)->group("");
   sub.add_option("--worker-keeps", study.worker_keeps_bytes)->group("");

@@ -1,6 +1,7 @@
 #include "app/study/study_engine.h"
 
 #include <algorithm>
+#include <chrono>
 #include <random>
 #include <sstream>
 
@@ -17,6 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostKept = std::uint64_t{1} << 30;
 constexpr std::uint64_t kKeptOfMemory = 4;  ///< all workers' stages together: a fourth of it
+/// More patience than that is as much as for ever.
+constexpr double kYear_min = 525600;
 
 std::vector<std::string> worker_command(const fs::path& program, const fs::path& job,
                                         const study::Store& store) {
@@ -78,6 +81,9 @@ std::unique_ptr<study::Executor> slurm(const StudyCommand& command, const fs::pa
   if (command.jobs > 0) options.running = command.jobs;
   options.retries = command.retries;
   options.options = command.slurm_options;
+  options.stuck_patience =
+      std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double, std::ratio<60>>(
+          std::min(command.slurm_patience_min, kYear_min)));
   options.note = note;
   const fs::path program = fs::read_symlink("/proc/self/exe");
   if (!fs::exists(program))

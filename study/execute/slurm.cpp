@@ -5,6 +5,8 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
+#include <sstream>
 #include <system_error>
 #include <thread>
 #include <unordered_map>
@@ -14,6 +16,8 @@
 #include "study/execute/case_order.h"
 #include "study/execute/slurm_commands.h"
 #include "study/execute/slurm_folder.h"
+#include "study/execute/slurm_stuck.h"
+#include "study/execute/slurm_submitter.h"
 
 namespace limitgauge::study {
 namespace fs = std::filesystem;
@@ -30,7 +34,8 @@ constexpr std::chrono::milliseconds kShortestWait{500}, kLongestWait{15000}, kNa
 constexpr int kWaitsInStudy = 20;
 /// A controller that is started again is away for minutes.
 constexpr std::chrono::minutes kMostSilence{10};
-constexpr int kLooksAtCancelled = 20;
+/// Nodes are looked at so often within the patience with those that do not come back.
+constexpr int kLooksAtNodes = 16;
 
 struct Task {
   Batch open;  ///< positions without an answer
@@ -42,12 +47,31 @@ struct Array {
   std::string job;
   ArrayFolder folder;
   std::vector<Task> tasks;
-  std::size_t running;  ///< that Slurm lets run at a time
+  std::size_t running;       ///< that Slurm lets run at a time
+  std::size_t given_up = 0;  ///< that it may count among them until their nodes answer
   std::size_t left() const {
     return static_cast<std::size_t>(
         std::count_if(tasks.begin(), tasks.end(), [](const Task& task) { return !task.closed; }));
   }
 };
+
+std::string minutes_text(std::chrono::milliseconds time) {
+  std::ostringstream text;
+  text << std::chrono::duration<double, std::ratio<60>>(time).count() << " min";
+  return text.str();
+}
+
+/// A task that waits again after it ran has another right to wait.
+void remember_starts(std::vector<QueuedTask>& queue, std::vector<Array>& arrays) {
+  for (QueuedTask& task : queue) {
+    const auto array = std::find_if(arrays.begin(), arrays.end(),
+                                    [&](const Array& one) { return one.job == task.job; });
+    if (array == arrays.end() || task.number >= array->tasks.size()) continue;
+    bool& started = array->tasks[task.number].started;
+    task.ran_before = started;
+    started |= task.started;
+  }
+}
 
 class SlurmRun {
  public:
@@ -64,9 +88,14 @@ class SlurmRun {
   void share_free_places();
   void wait(const std::atomic<bool>& stop) const;
   void look();
-  void look_at(Array& array, std::size_t number, bool queued);
+  std::vector<NodeState> nodes_of(const std::vector<QueuedTask>& queue);
+  void look_at_array(Array& array, const std::vector<const QueuedTask*>& queued);
+  void look_at(Array& array, std::size_t number, const QueuedTask* queued);
+  void give_up(Array& array, std::size_t number, const std::string& why);
+  void cancel_given_up();
   void hear(Array& array, std::size_t number);
-  void close_lost(Array& array, std::size_t number);
+  void close_ended(Array& array, std::size_t number);
+  void close_lost(Array& array, std::size_t number, const std::string& why, bool may_go_better);
   void take(const WorkerAnswer& answer);
   void end_attempt(std::size_t position, CaseOutcome outcome, bool may_go_better);
 
@@ -78,6 +107,9 @@ class SlurmRun {
   const fs::path folder_;
   const Clock::time_point began_ = Clock::now();
   Clock::time_point heard_ = Clock::now();
+  StuckTasks stuck_;
+  Clock::time_point nodes_seen_{};
+  std::vector<std::string> given_up_;  ///< and not cancelled yet
   std::unordered_map<std::size_t, std::size_t> position_of_;
   std::vector<unsigned> attempts_;
   std::deque<Batch> pending_;
@@ -95,6 +127,7 @@ SlurmRun::SlurmRun(const SlurmOptions& options, const SlurmCommands& commands, c
       requests_(requests),
       report_(report),
       folder_(std::move(folder)),
+      stuck_(options.stuck_patience),
       attempts_(requests.size(), 0) {
   for (std::size_t i = 0; i < requests.size(); ++i) position_of_[requests[i].index] = i;
   const std::size_t wanted = kBatchesEach * options.running;
@@ -128,7 +161,7 @@ void SlurmRun::share_free_places() {
     if (more == 0) continue;
     array.running += more;
     free -= more;
-    commands_.let_run(array.job, array.running);
+    commands_.let_run(array.job, array.running + array.given_up);
   }
 }
 
@@ -166,7 +199,7 @@ void SlurmRun::wait(const std::atomic<bool>& stop) const {
 
 void SlurmRun::look() {
   std::string why;
-  const std::optional<std::vector<QueuedTask>> queue = commands_.queue(why);
+  std::optional<std::vector<QueuedTask>> queue = commands_.queue(why);
   if (!queue) {
     if (Clock::now() - heard_ < kMostSilence) return;
     throw model::ResourceError("limitgauge: Slurm does not answer any more: " + why);
@@ -174,33 +207,66 @@ void SlurmRun::look() {
   heard_ = Clock::now();
   std::map<std::string, std::vector<const QueuedTask*>> queued;
   for (const QueuedTask& task : *queue) queued[task.job].push_back(&task);
-  for (Array& array : arrays_) {
-    std::vector<char> there(array.tasks.size(), 0);
-    for (const QueuedTask* task : queued[array.job]) {
-      if (task->number >= there.size()) continue;
-      there[task->number] = 1;
-      array.tasks[task->number].started |= task->started;
-    }
-    for (std::size_t i = 0; i < array.tasks.size(); ++i)
-      if (!array.tasks[i].closed) look_at(array, i, there[i] != 0);
-  }
+  remember_starts(*queue, arrays_);
+  stuck_.see(*queue, nodes_of(*queue), Clock::now());
+  for (Array& array : arrays_) look_at_array(array, queued[array.job]);
+  cancel_given_up();
   arrays_.erase(std::remove_if(arrays_.begin(), arrays_.end(),
                                [](const Array& array) { return array.left() == 0; }),
                 arrays_.end());
 }
 
-void SlurmRun::look_at(Array& array, std::size_t number, bool queued) {
+/// Not at every look: a large cluster has thousands.
+std::vector<NodeState> SlurmRun::nodes_of(const std::vector<QueuedTask>& queue) {
+  if (Clock::now() - nodes_seen_ < options_.stuck_patience / kLooksAtNodes) return {};
+  nodes_seen_ = Clock::now();
+  std::set<std::string> partitions;
+  for (const QueuedTask& task : queue)
+    if (!task.partition.empty()) partitions.insert(task.partition);
+  return commands_.nodes({partitions.begin(), partitions.end()});
+}
+
+void SlurmRun::look_at_array(Array& array, const std::vector<const QueuedTask*>& queued) {
+  std::vector<const QueuedTask*> there(array.tasks.size(), nullptr);
+  for (const QueuedTask* task : queued)
+    if (task->number < there.size()) there[task->number] = task;
+  const std::size_t given_up = array.given_up;
+  for (std::size_t i = 0; i < array.tasks.size(); ++i)
+    if (!array.tasks[i].closed) look_at(array, i, there[i]);
+  if (array.given_up > given_up && array.left() > 0)
+    commands_.let_run(array.job, array.running + array.given_up);
+}
+
+void SlurmRun::look_at(Array& array, std::size_t number, const QueuedTask* queued) {
   Task& task = array.tasks[number];
-  if (task.started || !queued) hear(array, number);
-  if (queued) {
+  if (task.started || queued == nullptr) hear(array, number);
+  if (queued != nullptr) {
     // Slurm may start a task again that its node has lost.
     task.gone_since.reset();
+    if (const auto why = stuck_.why(*queued)) give_up(array, number, *why);
     return;
   }
   if (!task.gone_since) task.gone_since = Clock::now();
   task.closed = task.open.empty();
   if (!task.closed && Clock::now() - *task.gone_since >= options_.patience)
-    close_lost(array, number);
+    close_ended(array, number);
+}
+
+void SlurmRun::give_up(Array& array, std::size_t number, const std::string& why) {
+  const std::string task = array.job + "_" + std::to_string(number);
+  given_up_.push_back(task);
+  ++array.given_up;
+  close_lost(array, number,
+             "its Slurm task " + task + " has not come back for " +
+                 minutes_text(options_.stuck_patience) + " (" + why +
+                 "); log: " + array.folder.log(number).string(),
+             false);
+  anything_lost_ = true;
+}
+
+/// Should they come back after all, they find no work.
+void SlurmRun::cancel_given_up() {
+  if (!given_up_.empty()) commands_.cancel_tasks(std::exchange(given_up_, {}));
 }
 
 void SlurmRun::hear(Array& array, std::size_t number) {
@@ -226,22 +292,28 @@ void SlurmRun::take(const WorkerAnswer& answer) {
 }
 
 /// The task has ended, and not all of its cases have an answer.
-void SlurmRun::close_lost(Array& array, std::size_t number) {
+void SlurmRun::close_ended(Array& array, std::size_t number) {
   const std::string ending = commands_.ending(array.job, number);
-  const std::string task =
-      "its Slurm task " + array.job + "_" + std::to_string(number) + " ended without an answer" +
-      (ending.empty() ? "" : " (" + ending + ")") + "; log: " + array.folder.log(number).string();
+  close_lost(array, number,
+             "its Slurm task " + array.job + "_" + std::to_string(number) +
+                 " ended without an answer" + (ending.empty() ? "" : " (" + ending + ")") +
+                 "; log: " + array.folder.log(number).string(),
+             true);
+}
+
+void SlurmRun::close_lost(Array& array, std::size_t number, const std::string& why,
+                          bool may_go_better) {
   bool said = false;
   for (const std::size_t position : std::exchange(array.tasks[number].open, {})) {
     CaseOutcome outcome;
     // Killed between the result and its answer.
     const bool done = store_.has("result", requests_[position].key);
     outcome.ending = done ? CaseOutcome::Ending::done : CaseOutcome::Ending::lost;
-    if (!done) outcome.reason = task;
+    if (!done) outcome.reason = why;
     if (!done && !std::exchange(said, true))
       options_.note("case " + std::to_string(requests_[position].index) + ", attempt " +
-                    std::to_string(attempts_[position]) + ": " + task);
-    end_attempt(position, std::move(outcome), !done);
+                    std::to_string(attempts_[position]) + ": " + why);
+    end_attempt(position, std::move(outcome), !done && may_go_better);
   }
   array.tasks[number].closed = true;
 }
@@ -259,26 +331,20 @@ void SlurmRun::end_attempt(std::size_t position, CaseOutcome outcome, bool may_g
   report_(outcome);
 }
 
-/// Tasks that were told to end write to their folder until they do.
-void wait_for_cancelled(const SlurmCommands& commands) {
-  std::string why;
-  for (int look = 0; look < kLooksAtCancelled; ++look) {
-    const auto queue = commands.queue(why);
-    if (!queue || queue->empty()) return;
-    std::this_thread::sleep_for(kShortestWait / 2);
-  }
-}
-
 }  // namespace
 
 struct Slurm::Parts {
   Parts(SlurmOptions stated, const Store& of)
       : options(std::move(stated)),
         store(of),
-        commands(options.name, options.options, options.working_directory) {}
+        commands(options.name, options.options, options.working_directory) {
+    cancel_orphans(options.folder.parent_path(), commands, options.note);
+    submitter.emplace(options.folder);
+  }
   SlurmOptions options;
   const Store& store;
   SlurmCommands commands;
+  std::optional<SlurmSubmitter> submitter;
   std::size_t runs = 0;
   bool keep_folder = false;
 };
@@ -287,6 +353,7 @@ Slurm::Slurm(SlurmOptions options, const Store& store)
     : parts_(std::make_unique<Parts>(std::move(options), store)) {}
 
 Slurm::~Slurm() {
+  parts_->submitter.reset();
   std::error_code ignored;
   if (!parts_->keep_folder) fs::remove_all(parts_->options.folder, ignored);
 }
@@ -300,7 +367,7 @@ void Slurm::run(const std::vector<CaseRequest>& requests, const ReportOutcome& r
     run.work(stop);
   } catch (...) {
     parts_->commands.cancel();
-    wait_for_cancelled(parts_->commands);
+    wait_for_cancelled(parts_->commands, parts_->options.name);
     throw;
   }
   parts_->keep_folder |= run.anything_lost();

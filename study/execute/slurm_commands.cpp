@@ -40,6 +40,18 @@ std::string pattern_word(const fs::path& path) {
   return text;
 }
 
+/// A line in so many parts, between bars; the last one has what is left, missing ones are empty.
+std::vector<std::string> parts_of_line(const std::string& line, std::size_t count) {
+  std::vector<std::string> parts(count);
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < count && at <= line.size(); ++i) {
+    const std::size_t bar = i + 1 < count ? line.find('|', at) : std::string::npos;
+    parts[i] = line.substr(at, bar == std::string::npos ? bar : bar - at);
+    at = bar == std::string::npos ? line.size() + 1 : bar + 1;
+  }
+  return parts;
+}
+
 void require_slurm() {
   for (const char* program : {"sbatch", "squeue", "scancel", "scontrol"}) {
     if (in_path(program)) continue;
@@ -96,22 +108,48 @@ std::vector<QueuedTask> tasks_of_queue(const std::string& printed) {
   std::vector<QueuedTask> tasks;
   std::istringstream lines(printed);
   for (std::string line; std::getline(lines, line);) {
-    std::istringstream fields(line);
+    const std::vector<std::string> parts = parts_of_line(line, 4);
+    std::istringstream fields(parts[0]);
     QueuedTask task;
-    std::string state;
-    if (!(fields >> task.job >> task.number >> state)) continue;
-    task.started = state != "PENDING";
+    if (!(fields >> task.job >> task.number >> task.state)) continue;
+    task.started = task.state != "PENDING";
+    // "n/a" is nobody's.
+    if (task.started && parts[1].find('/') == std::string::npos) task.node = parts[1];
+    task.partition = parts[2];
+    task.reason = parts[3];
     tasks.push_back(std::move(task));
   }
   return tasks;
 }
 
-std::optional<std::vector<QueuedTask>> SlurmCommands::queue(std::string& why) const {
-  const Printed printed =
-      run_program({"squeue", "--noheader", "--array", "--name=" + name_, "--format=%F %K %T"});
+std::vector<NodeState> nodes_of_list(const std::string& printed) {
+  std::vector<NodeState> nodes;
+  std::istringstream lines(printed);
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> parts = parts_of_line(line, 4);
+    if (parts[3].empty()) continue;
+    nodes.push_back(
+        {std::move(parts[0]), std::move(parts[1]), std::move(parts[2]), std::move(parts[3])});
+  }
+  return nodes;
+}
+
+std::optional<std::vector<QueuedTask>> SlurmCommands::queue(const std::string& name,
+                                                            std::string& why) const {
+  const Printed printed = run_program(
+      {"squeue", "--noheader", "--array", "--name=" + name, "--format=%F %K %T|%B|%P|%r"});
   if (printed.exit_code == 0) return tasks_of_queue(printed.out);
   why = words_of(printed);
   return std::nullopt;
+}
+
+std::vector<NodeState> SlurmCommands::nodes(const std::vector<std::string>& partitions) const {
+  if (partitions.empty() || !in_path("sinfo")) return {};
+  std::string list;
+  for (const std::string& one : partitions) list += (list.empty() ? "" : ",") + one;
+  const Printed printed =
+      run_program({"sinfo", "--noheader", "--Node", "--partition=" + list, "--format=%R|%a|%N|%T"});
+  return printed.exit_code == 0 ? nodes_of_list(printed.out) : std::vector<NodeState>{};
 }
 
 void SlurmCommands::let_run(const std::string& job, std::size_t running) const {
@@ -119,8 +157,19 @@ void SlurmCommands::let_run(const std::string& job, std::size_t running) const {
       {"scontrol", "update", "JobId=" + job, "ArrayTaskThrottle=" + std::to_string(running)});
 }
 
-void SlurmCommands::cancel() const {
-  run_program({"scancel", "--name=" + name_});
+bool SlurmCommands::cancel(const std::string& name) const {
+  return run_program({"scancel", "--name=" + name}).exit_code == 0;
+}
+
+void SlurmCommands::cancel_tasks(const std::vector<std::string>& tasks) const {
+  // A command line has an end.
+  constexpr std::size_t kMostWords = 200;
+  for (std::size_t at = 0; at < tasks.size(); at += kMostWords) {
+    std::vector<std::string> command = {"scancel"};
+    for (std::size_t i = at; i < std::min(tasks.size(), at + kMostWords); ++i)
+      command.push_back(tasks[i]);
+    run_program(command);
+  }
 }
 
 std::string SlurmCommands::ending(const std::string& job, std::size_t number) const {

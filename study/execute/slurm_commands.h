@@ -13,6 +13,17 @@ struct QueuedTask {
   std::string job;  ///< of the array
   std::size_t number = 0;
   bool started = false;
+  std::string state;        ///< as squeue calls it: PENDING, RUNNING, COMPLETING
+  std::string node;         ///< that runs its script; empty where none does
+  std::string partition;    ///< "short,long" of one that may go to either
+  std::string reason;       ///< of one that is pending; may have blanks in it
+  bool ran_before = false;  ///< known to whoever has looked before
+};
+
+/// What Slurm says of one node in one of its partitions.
+struct NodeState {
+  std::string partition, partition_state;  ///< up, down, drain, inact
+  std::string name, state;                 ///< idle, allocated, down*: as sinfo's %T
 };
 
 /// What is asked of Slurm, one program call each.
@@ -30,10 +41,18 @@ class SlurmCommands {
   std::string submit(const std::filesystem::path& script, std::size_t tasks,
                      std::size_t running) const;
   /// All tasks that wait or run; nothing where the controller does not answer (`why` says it).
-  std::optional<std::vector<QueuedTask>> queue(std::string& why) const;
+  std::optional<std::vector<QueuedTask>> queue(std::string& why) const { return queue(name_, why); }
+  /// Those of another name.
+  std::optional<std::vector<QueuedTask>> queue(const std::string& name, std::string& why) const;
+  /// All nodes of those partitions; none where they are not to be learnt.
+  std::vector<NodeState> nodes(const std::vector<std::string>& partitions) const;
   void let_run(const std::string& job, std::size_t running) const;
   /// All jobs of this name.
-  void cancel() const;
+  void cancel() const { cancel(name_); }
+  /// All jobs of another name; false where Slurm does not do it.
+  bool cancel(const std::string& name) const;
+  /// Single tasks, "JOB_NUMBER".
+  void cancel_tasks(const std::vector<std::string>& tasks) const;
   /// How Slurm says that a task ended: "NODE_FAIL", "FAILED, signal 9"; empty where it does not.
   std::string ending(const std::string& job, std::size_t number) const;
 
@@ -44,8 +63,11 @@ class SlurmCommands {
   std::size_t most_tasks_ = 0;
 };
 
-/// The lines of `squeue --array --format="%F %K %T"`.
+/// The lines of `squeue --array --format="%F %K %T|%B|%P|%r"`; what follows the state may be
+/// missing.
 std::vector<QueuedTask> tasks_of_queue(const std::string& printed);
+/// The lines of `sinfo --Node --format="%R|%a|%N|%T"`.
+std::vector<NodeState> nodes_of_list(const std::string& printed);
 /// A value of what `scontrol show` prints: `KEY=VALUE` among blanks, or `KEY = VALUE` in a line.
 std::string value_of(const std::string& printed, const std::string& key);
 

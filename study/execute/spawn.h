@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +26,10 @@ struct Printed {
   std::string out, errors;
 };
 
-/// Runs a program to its end, apart, with nothing on its standard input. Throws
-/// model::ResourceError where it cannot be started.
-Printed run_program(const std::vector<std::string>& command);
+/// Runs a program to its end, apart, with nothing on its standard input. One that takes longer than
+/// `longest` is killed, and `errors` says so. Throws model::ResourceError where it cannot be
+/// started.
+Printed run_program(const std::vector<std::string>& command,
+                    std::chrono::seconds longest = std::chrono::seconds(60));
 
 }  // namespace limitgauge::study

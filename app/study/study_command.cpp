@@ -113,11 +113,12 @@ void StudyRun::say_interrupted() const {
 }
 
 std::unique_ptr<study::Executor> StudyRun::engine_for(ProgressLine& progress) const {
-  return study_engine(command_, common_, job_, store_, [&](const std::string& line) {
+  const auto note = [&](const std::string& line) {
     if (common_.quiet) return;
     progress.clear();
     console_.errors << "limitgauge: " << line << std::endl;
-  });
+  };
+  return study_engine(command_, common_, job_, store_, note, console_.stop);
 }
 
 void StudyRun::run_watched(study::Executor& engine, StudyOutcome& outcome, ProgressLine& progress) {

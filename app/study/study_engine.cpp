@@ -73,8 +73,10 @@ std::string unique_name() {
 
 std::unique_ptr<study::Executor> slurm(const StudyCommand& command, const fs::path& job,
                                        const study::Store& store,
-                                       const std::function<void(const std::string&)>& note) {
+                                       const std::function<void(const std::string&)>& note,
+                                       const std::atomic<bool>* stop) {
   study::SlurmOptions options;
+  options.stop = stop;
   options.name = unique_name();
   options.folder = store.folder() / "slurm" / options.name;
   options.working_directory = fs::current_path();
@@ -99,8 +101,9 @@ std::unique_ptr<study::Executor> slurm(const StudyCommand& command, const fs::pa
 std::unique_ptr<study::Executor> study_engine(const StudyCommand& command,
                                               const CommonOptions& common, const fs::path& job,
                                               const study::Store& store,
-                                              const std::function<void(const std::string&)>& note) {
-  if (command.engine == "slurm") return slurm(command, job, store, note);
+                                              const std::function<void(const std::string&)>& note,
+                                              const std::atomic<bool>* stop) {
+  if (command.engine == "slurm") return slurm(command, job, store, note, stop);
   return local_pool(command, common, job, store, note);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -12,11 +13,13 @@
 namespace limitgauge::app {
 
 /// What runs the cases of this study, as the command line asks for. `job` is absolute. `note` is
-/// told of what was not expected. Throws InputError where this machine does not have it.
+/// told of what was not expected. `stop` (null: never) is heeded while the engine is made. Throws
+/// InputError where this machine does not have it.
 std::unique_ptr<study::Executor> study_engine(const StudyCommand& command,
                                               const CommonOptions& common,
                                               const std::filesystem::path& job,
                                               const study::Store& store,
-                                              const std::function<void(const std::string&)>& note);
+                                              const std::function<void(const std::string&)>& note,
+                                              const std::atomic<bool>* stop);
 
 }  // namespace limitgauge::app

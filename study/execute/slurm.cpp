@@ -34,6 +34,8 @@ constexpr std::chrono::milliseconds kShortestWait{500}, kLongestWait{15000}, kNa
 constexpr int kWaitsInStudy = 20;
 /// A controller that is started again is away for minutes.
 constexpr std::chrono::minutes kMostSilence{10};
+/// For tasks that were cancelled to be gone.
+constexpr std::chrono::milliseconds kLongestEnding{600};
 /// Nodes are looked at so often within the patience with those that do not come back.
 constexpr int kLooksAtNodes = 16;
 
@@ -337,9 +339,16 @@ struct Slurm::Parts {
   Parts(SlurmOptions stated, const Store& of)
       : options(std::move(stated)),
         store(of),
-        commands(options.name, options.options, options.working_directory) {
+        commands(options.name, options.options, options.working_directory, options.stop) {
     cancel_orphans(options.folder.parent_path(), commands, options.note);
     submitter.emplace(options.folder);
+  }
+  /// What is not done soon is left to the next study: whoever stops this one does not wait for it.
+  void end_jobs() {
+    if (commands.cancel(options.name) && commands.wait_for_cancelled(options.name, kLongestEnding))
+      return;
+    submitter->leave();
+    keep_folder = true;
   }
   SlurmOptions options;
   const Store& store;
@@ -361,13 +370,15 @@ Slurm::~Slurm() {
 void Slurm::run(const std::vector<CaseRequest>& requests, const ReportOutcome& report,
                 const std::atomic<bool>& stop) {
   if (requests.empty()) return;
+  parts_->commands.heed(&stop);
   SlurmRun run(parts_->options, parts_->commands, parts_->store, requests, report,
                parts_->options.folder / ("run-" + std::to_string(parts_->runs++)));
   try {
     run.work(stop);
   } catch (...) {
-    parts_->commands.cancel();
-    wait_for_cancelled(parts_->commands, parts_->options.name);
+    parts_->end_jobs();
+    // Whatever came of the programs that were no longer waited for.
+    if (stop) throw model::Interrupted();
     throw;
   }
   parts_->keep_folder |= run.anything_lost();

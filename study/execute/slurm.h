@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -27,6 +28,7 @@ struct SlurmOptions {
   /// How long a task may not come back (see StuckTasks) before it is given up. Slurm itself takes
   /// up to 100 s to see that a node does not respond: together they are less than ten minutes.
   std::chrono::milliseconds stuck_patience = std::chrono::minutes(8);
+  const std::atomic<bool>* stop = nullptr;  ///< while it is made; run() has one of its own
   std::function<void(const std::string&)> note = [](const std::string&) {};
 };
 
@@ -36,7 +38,7 @@ struct SlurmOptions {
 class Slurm : public Executor {
  public:
   /// Throws model::InputError where this machine has no Slurm, ResourceError where it does not
-  /// answer.
+  /// answer, Interrupted.
   Slurm(SlurmOptions options, const Store& store);
   ~Slurm() override;
   void run(const std::vector<CaseRequest>& requests, const ReportOutcome& report,

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
+#include <thread>
 
 #include "model/base/error.h"
-#include "study/execute/spawn.h"
 
 namespace limitgauge::study {
 namespace fs = std::filesystem;
@@ -15,6 +15,7 @@ namespace {
 
 /// What Slurm has where nothing is configured.
 constexpr std::size_t kUsualMostTasks = 1001;
+constexpr std::chrono::milliseconds kBetweenLooks{150};
 
 bool in_path(const std::string& program) {
   const char* path = std::getenv("PATH");
@@ -61,8 +62,9 @@ void require_slurm() {
   }
 }
 
-std::size_t most_tasks_of_cluster() {
-  const Printed printed = run_program({"scontrol", "show", "config"});
+std::size_t most_tasks_of_cluster(const ProgramPatience& patience) {
+  const Printed printed = run_program({"scontrol", "show", "config"}, patience);
+  if (patience.stop != nullptr && *patience.stop) throw model::Interrupted();
   if (printed.exit_code != 0)
     throw model::ResourceError("limitgauge: Slurm does not answer: " + words_of(printed));
   const std::string stated = value_of(printed.out, "MaxArraySize");
@@ -78,12 +80,13 @@ std::size_t most_tasks_of_cluster() {
 }  // namespace
 
 SlurmCommands::SlurmCommands(std::string name, std::vector<std::string> options,
-                             fs::path working_directory)
+                             fs::path working_directory, const std::atomic<bool>* stop)
     : name_(std::move(name)),
       options_(std::move(options)),
       working_directory_(std::move(working_directory)) {
+  patience_.stop = stop;
   require_slurm();
-  most_tasks_ = most_tasks_of_cluster();
+  most_tasks_ = most_tasks_of_cluster(patience_);
 }
 
 std::string SlurmCommands::submit(const fs::path& script, std::size_t tasks,
@@ -97,7 +100,7 @@ std::string SlurmCommands::submit(const fs::path& script, std::size_t tasks,
       "--array=0-" + std::to_string(tasks - 1) + "%" + std::to_string(running)};
   command.insert(command.end(), options_.begin(), options_.end());
   command.push_back(script.string());
-  const Printed printed = run_program(command);
+  const Printed printed = run_program(command, patience_);
   // "NUMBER", or "NUMBER;CLUSTER".
   const std::string job = printed.out.substr(0, printed.out.find_first_not_of("0123456789"));
   if (printed.exit_code == 0 && !job.empty()) return job;
@@ -135,30 +138,49 @@ std::vector<NodeState> nodes_of_list(const std::string& printed) {
 }
 
 std::optional<std::vector<QueuedTask>> SlurmCommands::queue(const std::string& name,
-                                                            std::string& why) const {
+                                                            std::string& why,
+                                                            const ProgramPatience& patience) const {
   const Printed printed = run_program(
-      {"squeue", "--noheader", "--array", "--name=" + name, "--format=%F %K %T|%B|%P|%r"});
+      {"squeue", "--noheader", "--array", "--name=" + name, "--format=%F %K %T|%B|%P|%r"},
+      patience);
   if (printed.exit_code == 0) return tasks_of_queue(printed.out);
   why = words_of(printed);
   return std::nullopt;
+}
+
+bool SlurmCommands::wait_for_cancelled(const std::string& name,
+                                       std::chrono::milliseconds longest) const {
+  const auto end = std::chrono::steady_clock::now() + longest;
+  std::string why;
+  for (auto left = longest; left.count() > 0;
+       left = std::chrono::duration_cast<std::chrono::milliseconds>(
+           end - std::chrono::steady_clock::now())) {
+    const auto there = queue(name, why, {left, nullptr, false});
+    if (there && there->empty()) return true;
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+  return false;
 }
 
 std::vector<NodeState> SlurmCommands::nodes(const std::vector<std::string>& partitions) const {
   if (partitions.empty() || !in_path("sinfo")) return {};
   std::string list;
   for (const std::string& one : partitions) list += (list.empty() ? "" : ",") + one;
-  const Printed printed =
-      run_program({"sinfo", "--noheader", "--Node", "--partition=" + list, "--format=%R|%a|%N|%T"});
+  const Printed printed = run_program(
+      {"sinfo", "--noheader", "--Node", "--partition=" + list, "--format=%R|%a|%N|%T"}, patience_);
   return printed.exit_code == 0 ? nodes_of_list(printed.out) : std::vector<NodeState>{};
 }
 
 void SlurmCommands::let_run(const std::string& job, std::size_t running) const {
   run_program(
-      {"scontrol", "update", "JobId=" + job, "ArrayTaskThrottle=" + std::to_string(running)});
+      {"scontrol", "update", "JobId=" + job, "ArrayTaskThrottle=" + std::to_string(running)},
+      patience_);
 }
 
 bool SlurmCommands::cancel(const std::string& name) const {
-  return run_program({"scancel", "--name=" + name}).exit_code == 0;
+  // A controller that is busy hears of it later: scancel goes on asking.
+  return run_program({"scancel", "--name=" + name}, {std::chrono::seconds(1), nullptr, true})
+             .exit_code == 0;
 }
 
 void SlurmCommands::cancel_tasks(const std::vector<std::string>& tasks) const {
@@ -168,13 +190,13 @@ void SlurmCommands::cancel_tasks(const std::vector<std::string>& tasks) const {
     std::vector<std::string> command = {"scancel"};
     for (std::size_t i = at; i < std::min(tasks.size(), at + kMostWords); ++i)
       command.push_back(tasks[i]);
-    run_program(command);
+    run_program(command, patience_);
   }
 }
 
 std::string SlurmCommands::ending(const std::string& job, std::size_t number) const {
   const Printed printed =
-      run_program({"scontrol", "show", "job", job + "_" + std::to_string(number)});
+      run_program({"scontrol", "show", "job", job + "_" + std::to_string(number)}, patience_);
   std::string state = value_of(printed.out, "JobState");
   if (printed.exit_code != 0 || state.empty()) return {};
   // CODE:SIGNAL

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "study/execute/spawn.h"
 
 namespace limitgauge::study {
 
@@ -29,10 +33,14 @@ struct NodeState {
 /// What is asked of Slurm, one program call each.
 class SlurmCommands {
  public:
-  /// `name` is that of all jobs. Throws model::InputError where Slurm's programs are missing,
-  /// ResourceError where its controller does not answer.
+  /// `name` is that of all jobs. Once `stop` is set (null: never), nothing is waited for any more,
+  /// cancel() apart. Throws model::InputError where Slurm's programs are missing, ResourceError
+  /// where its controller does not answer, Interrupted.
   SlurmCommands(std::string name, std::vector<std::string> options,
-                std::filesystem::path working_directory);
+                std::filesystem::path working_directory, const std::atomic<bool>* stop);
+
+  /// Another to be heeded.
+  void heed(const std::atomic<bool>* stop) { patience_.stop = stop; }
 
   /// Largest number of tasks of one array.
   std::size_t most_tasks() const { return most_tasks_; }
@@ -41,15 +49,16 @@ class SlurmCommands {
   std::string submit(const std::filesystem::path& script, std::size_t tasks,
                      std::size_t running) const;
   /// All tasks that wait or run; nothing where the controller does not answer (`why` says it).
-  std::optional<std::vector<QueuedTask>> queue(std::string& why) const { return queue(name_, why); }
-  /// Those of another name.
-  std::optional<std::vector<QueuedTask>> queue(const std::string& name, std::string& why) const;
+  std::optional<std::vector<QueuedTask>> queue(std::string& why) const {
+    return queue(name_, why, patience_);
+  }
+  /// Waits until tasks that were told to end are gone from the queue, as long as `longest`: they
+  /// write to their folder until then. False where some are still there.
+  bool wait_for_cancelled(const std::string& name, std::chrono::milliseconds longest) const;
   /// All nodes of those partitions; none where they are not to be learnt.
   std::vector<NodeState> nodes(const std::vector<std::string>& partitions) const;
   void let_run(const std::string& job, std::size_t running) const;
-  /// All jobs of this name.
-  void cancel() const { cancel(name_); }
-  /// All jobs of another name; false where Slurm does not do it.
+  /// All jobs of a name; false where Slurm has not done it within a second, or does not.
   bool cancel(const std::string& name) const;
   /// Single tasks, "JOB_NUMBER".
   void cancel_tasks(const std::vector<std::string>& tasks) const;
@@ -57,10 +66,14 @@ class SlurmCommands {
   std::string ending(const std::string& job, std::size_t number) const;
 
  private:
+  std::optional<std::vector<QueuedTask>> queue(const std::string& name, std::string& why,
+                                               const ProgramPatience& patience) const;
+
   std::string name_;
   std::vector<std::string> options_;
   std::filesystem::path working_directory_;
   std::size_t most_tasks_ = 0;
+  ProgramPatience patience_;
 };
 
 /// The lines of `squeue --array --format="%F %K %T|%B|%P|%r"`; what follows the state may be

@@ -24,8 +24,8 @@ constexpr const char* kSign = "submitter";
 constexpr std::chrono::seconds kBetweenTouches{20};
 /// Ninety touches missed: no file system is behind by that much, and no swapped-out machine.
 constexpr std::chrono::minutes kSilenceOfTheDead{30};
-constexpr std::chrono::milliseconds kBetweenLooks{250};
-constexpr int kLooksAtCancelled = 20;
+/// A worker that is told to end needs less.
+constexpr std::chrono::milliseconds kLongestEnd{2000};
 
 class File {
  public:
@@ -94,11 +94,11 @@ void cancel_orphan(const fs::path& folder, const SlurmCommands& commands,
   const std::string name = folder.filename().string();
   const File sign(folder / kSign, O_RDWR);
   if (sign.descriptor() < 0 || !is_orphaned(sign, folder / kSign)) return;
-  if (!commands.cancel(name)) {
-    note("jobs " + name + " of a study that was killed cannot be cancelled now");
+  if (!commands.cancel(name) || !commands.wait_for_cancelled(name, kLongestEnd)) {
+    note("jobs " + name +
+         " of a study that was killed are not gone yet: the next study sees to it");
     return;
   }
-  wait_for_cancelled(commands, name);
   std::error_code ignored;
   fs::remove_all(folder, ignored);
   note("jobs " + name + " of a study that was killed were cancelled; its results are kept");
@@ -134,7 +134,7 @@ SlurmSubmitter::~SlurmSubmitter() {
   }
   ending_.notify_all();
   toucher_.join();
-  ::unlink(file_.c_str());
+  if (!leaves_) ::unlink(file_.c_str());
   ::close(descriptor_);
 }
 
@@ -153,15 +153,6 @@ void cancel_orphans(const fs::path& folder, const SlurmCommands& commands,
     if (is_name(at->path().filename().string())) studies.push_back(at->path());
   std::sort(studies.begin(), studies.end());
   for (const fs::path& study : studies) cancel_orphan(study, commands, note);
-}
-
-void wait_for_cancelled(const SlurmCommands& commands, const std::string& name) {
-  std::string why;
-  for (int look = 0; look < kLooksAtCancelled; ++look) {
-    const auto queue = commands.queue(name, why);
-    if (!queue || queue->empty()) return;
-    std::this_thread::sleep_for(kBetweenLooks);
-  }
 }
 
 }  // namespace limitgauge::study

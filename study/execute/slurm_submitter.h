@@ -24,6 +24,8 @@ class SlurmSubmitter {
   explicit SlurmSubmitter(std::filesystem::path folder);
   /// Takes the sign away: what is left in the folder is nobody's any more.
   ~SlurmSubmitter();
+  /// Leaves the sign, unlocked, when this ends: the next study sees to the jobs and the folder.
+  void leave() { leaves_ = true; }
   SlurmSubmitter(const SlurmSubmitter&) = delete;
   SlurmSubmitter& operator=(const SlurmSubmitter&) = delete;
 
@@ -34,18 +36,15 @@ class SlurmSubmitter {
   int descriptor_ = -1;
   std::mutex mutex_;
   std::condition_variable ending_;
-  bool ends_ = false;
+  bool ends_ = false, leaves_ = false;
   std::thread toucher_;
 };
 
 /// Cancels the jobs of studies in `folder` whose submitter was killed, and removes what they left
-/// there; results are elsewhere and stay. `note` is told of each. Those of the living, and of other
-/// users, are not touched. Does not throw for what cannot be removed.
+/// there; results are elsewhere and stay. `note` is told of each. What Slurm does not do within
+/// seconds is left for the next. Those of the living, and of other users, are not touched. Does not
+/// throw for what cannot be removed.
 void cancel_orphans(const std::filesystem::path& folder, const SlurmCommands& commands,
                     const std::function<void(const std::string&)>& note);
-
-/// Waits until tasks that were told to end are gone from the queue, some seconds at most: they
-/// write to their folder until then.
-void wait_for_cancelled(const SlurmCommands& commands, const std::string& name);
 
 }  // namespace limitgauge::study

@@ -49,25 +49,39 @@ struct Actions {
   posix_spawn_file_actions_t value;
 };
 
+/// How often it is looked whether a program is to be waited for any longer.
+constexpr int kLookAtStop_ms = 50;
+
+class Patience {
+ public:
+  explicit Patience(const ProgramPatience& of)
+      : of_(of), end_(std::chrono::steady_clock::now() + of.longest) {}
+  bool is_over() const {
+    return (of_.stop != nullptr && *of_.stop) || std::chrono::steady_clock::now() >= end_;
+  }
+
+ private:
+  const ProgramPatience& of_;
+  std::chrono::steady_clock::time_point end_;
+};
+
 /// Both at once: a program that fills one of them while we wait at the other would never end. False
-/// where that takes longer than until `end`.
+/// where that takes longer than there is patience.
 bool read_both(std::array<int, 2> from, std::array<std::string*, 2> into,
-               std::chrono::steady_clock::time_point end) {
+               const Patience& patience) {
   std::array<pollfd, 2> waiting = {pollfd{from[0], POLLIN, 0}, pollfd{from[1], POLLIN, 0}};
   while (waiting[0].fd >= 0 || waiting[1].fd >= 0) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        end - std::chrono::steady_clock::now());
-    if (left.count() <= 0) return false;
-    if (::poll(waiting.data(), waiting.size(), static_cast<int>(left.count())) < 0 &&
-        errno != EINTR)
-      return true;
+    if (patience.is_over()) return false;
+    if (::poll(waiting.data(), waiting.size(), kLookAtStop_ms) < 0) {
+      if (errno != EINTR) return true;
+      continue;
+    }
     for (std::size_t i = 0; i < waiting.size(); ++i) {
       if (waiting[i].fd < 0 || waiting[i].revents == 0) continue;
       char bytes[4096];
       const ssize_t count = ::read(waiting[i].fd, bytes, sizeof bytes);
       if (count > 0) into[i]->append(bytes, static_cast<std::size_t>(count));
       if (count == 0 || (count < 0 && errno != EINTR)) waiting[i].fd = -1;
-      waiting[i].revents = 0;
     }
   }
   return true;
@@ -113,7 +127,7 @@ Spawned spawn(const std::vector<std::string>& command,
   return spawned;
 }
 
-Printed run_program(const std::vector<std::string>& command, std::chrono::seconds longest) {
+Printed run_program(const std::vector<std::string>& command, const ProgramPatience& patience) {
   Pipe out, errors;
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   const Spawned spawned = spawn(
@@ -127,12 +141,11 @@ Printed run_program(const std::vector<std::string>& command, std::chrono::second
   out.close_writing();
   errors.close_writing();
   Printed printed;
-  const bool came_to_end = read_both({out.ends[0], errors.ends[0]}, {&printed.out, &printed.errors},
-                                     Clock::now() + longest);
-  if (!came_to_end) {
+  if (!read_both({out.ends[0], errors.ends[0]}, {&printed.out, &printed.errors},
+                 Patience(patience))) {
+    printed.errors += command.front() + " did not come to its end in time\n";
+    if (patience.goes_on) return printed;
     ::kill(-spawned.process, SIGKILL);
-    printed.errors += command.front() + " did not come to its end within " +
-                      std::to_string(longest.count()) + " s\n";
   }
   printed.exit_code = exit_code_of(spawned.process);
   return printed;

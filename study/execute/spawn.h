@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <atomic>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -26,10 +27,16 @@ struct Printed {
   std::string out, errors;
 };
 
-/// Runs a program to its end, apart, with nothing on its standard input. One that takes longer than
-/// `longest` is killed, and `errors` says so. Throws model::ResourceError where it cannot be
-/// started.
-Printed run_program(const std::vector<std::string>& command,
-                    std::chrono::seconds longest = std::chrono::seconds(60));
+/// When a program is no longer waited for.
+struct ProgramPatience {
+  std::chrono::milliseconds longest = std::chrono::seconds(60);
+  const std::atomic<bool>* stop = nullptr;  ///< not once this is set
+  bool goes_on = false;                     ///< it comes to its end by itself then, or is killed
+};
+
+/// Runs a program to its end, apart, with nothing on its standard input. One that is not waited for
+/// any longer has exit code -1, or -SIGKILL, and `errors` says so. Throws model::ResourceError
+/// where it cannot be started.
+Printed run_program(const std::vector<std::string>& command, const ProgramPatience& patience = {});
 
 }  // namespace limitgauge::study

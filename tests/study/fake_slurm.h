@@ -22,6 +22,8 @@ class FakeSlurm {
   /// "1 0 RUNNING|n1|long|None" and such.
   void set_queue(const std::string& lines) const;
   void set_nodes(const std::string& lines) const;
+  /// From now on this program does not come to its end.
+  void hang(const std::string& program) const { write_program(program, "exec sleep 100"); }
   /// Lines of all calls of a program: its arguments.
   std::vector<std::string> calls(const std::string& program) const;
 

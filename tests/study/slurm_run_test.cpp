@@ -186,13 +186,44 @@ TEST_CASE("a study of another machine is dead after half an hour without a sign"
   CHECK_FALSE(fs::exists(sign.parent_path()));
 }
 
+TEST_CASE("a study whose Slurm hangs is stopped within two seconds, and its jobs later",
+          "[unit][study]") {
+  const FakeSlurm slurm;
+  slurm.set_queue("1 0 RUNNING|n1|long|None\n");
+  slurm.hang("squeue");
+  Study study(slurm);
+  const auto began = std::chrono::steady_clock::now();
+  CHECK(study.run(1, milliseconds(1000)).empty());
+  CHECK(std::chrono::steady_clock::now() - began < milliseconds(3000));
+  CHECK(study.interrupted);
+  CHECK(was_cancelled(slurm, study.options.name));
+  CHECK(fs::exists(study.folder() / "submitter"));
+  const FakeSlurm again;
+  Study next(slurm);
+  next.options.name = "limitgauge-2";
+  next.options.folder = next.folder();
+  { const Slurm engine(next.options, next.store); }
+  CHECK(was_cancelled(again, study.options.name));
+  CHECK_FALSE(fs::exists(study.folder()));
+}
+
+TEST_CASE("a study whose Slurm hangs from the beginning is stopped", "[unit][study]") {
+  const FakeSlurm slurm;
+  slurm.hang("scontrol");
+  Study study(slurm);
+  const std::atomic<bool> stop = true;
+  study.options.stop = &stop;
+  CHECK_THROWS_AS(Slurm(study.options, study.store), model::Interrupted);
+  CHECK_FALSE(fs::exists(study.folder()));
+}
+
 TEST_CASE("a program that does not come to its end is not waited for", "[unit][study]") {
   const auto began = std::chrono::steady_clock::now();
-  const Printed printed =
-      run_program({"/bin/sh", "-c", "echo word; sleep 60 & sleep 60"}, std::chrono::seconds(1));
+  const Printed printed = run_program({"/bin/sh", "-c", "echo word; sleep 60 & sleep 60"},
+                                      {std::chrono::seconds(1), nullptr, false});
   CHECK(printed.exit_code == -SIGKILL);
   CHECK(printed.out == "word\n");
-  CHECK_THAT(printed.errors, ContainsSubstring("did not come to its end within 1 s"));
+  CHECK_THAT(printed.errors, ContainsSubstring("did not come to its end in time"));
   CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(5));
 }
 

@@ -259,14 +259,19 @@ grep -q 'has not come back for 0.05 min (pending: PartitionDown)' down/study.csv
   fail "the partition is not told of: $(cat down/study.csv)"
 
 # ---- a node that hangs with its tasks
-start_study silent --jobs 2 --slurm-patience 0.05
+start_study silent --jobs 1 --slurm-patience 0.05
+# The node's daemon, and the task at work; the pattern does not match itself.
+at_work() { grep -las -- "$folder/[c]ache-silent/slurm/.*tasks" /proc/[0-9]*/cmdline; }
+for _ in $(seq 200); do
+  [ -z "$(at_work)" ] || break
+  sleep 0.05
+done
 pids=("${daemons[2]}")
-for file in $(grep -las -- "$folder/cache-silent/slurm/" /proc/[0-9]*/cmdline); do
+for file in $(at_work); do
   file=${file#/proc/}
   pids+=("${file%%/*}")
 done
-# grep has found itself as well.
-kill -STOP "${pids[@]}" 2>/dev/null || true
+kill -STOP "${pids[@]}"
 for _ in $(seq 900); do kill -0 "$study" 2>/dev/null || break; sleep 0.1; done
 kill -0 "$study" 2>/dev/null && fail "a study waits for a node that hangs: $(cat silent.err; squeue; sinfo)"
 code=0

@@ -70,8 +70,10 @@ Listener::Accepted Listener::accept() const {
   if (errno == EBADF || errno == EINVAL || errno == ENOTSOCK)
     throw std::runtime_error(std::string("the server on 127.0.0.1 has ended: ") +
                              std::strerror(errno));
-  const bool exhausted = errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM;
-  return {-1, exhausted};
+  // Nobody there any more; whatever else it is, it may be there again at once.
+  const bool nobody =
+      errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR || errno == ECONNABORTED;
+  return {-1, !nobody};
 }
 
 }  // namespace limitgauge::app

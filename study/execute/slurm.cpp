@@ -35,7 +35,7 @@ constexpr int kWaitsInStudy = 20;
 /// A controller that is started again is away for minutes.
 constexpr std::chrono::minutes kMostSilence{10};
 /// For tasks that were cancelled to be gone.
-constexpr std::chrono::milliseconds kLongestEnding{600};
+constexpr std::chrono::milliseconds kLongestEnding{500};
 /// Nodes are looked at so often within the patience with those that do not come back.
 constexpr int kLooksAtNodes = 16;
 

@@ -16,6 +16,8 @@ namespace {
 /// What Slurm has where nothing is configured.
 constexpr std::size_t kUsualMostTasks = 1001;
 constexpr std::chrono::milliseconds kBetweenLooks{150};
+/// With what follows it, less than whoever stops a study waits for.
+constexpr std::chrono::milliseconds kLongestCancel{700};
 
 bool in_path(const std::string& program) {
   const char* path = std::getenv("PATH");
@@ -179,8 +181,7 @@ void SlurmCommands::let_run(const std::string& job, std::size_t running) const {
 
 bool SlurmCommands::cancel(const std::string& name) const {
   // A controller that is busy hears of it later: scancel goes on asking.
-  return run_program({"scancel", "--name=" + name}, {std::chrono::seconds(1), nullptr, true})
-             .exit_code == 0;
+  return run_program({"scancel", "--name=" + name}, {kLongestCancel, nullptr, true}).exit_code == 0;
 }
 
 void SlurmCommands::cancel_tasks(const std::vector<std::string>& tasks) const {

@@ -58,7 +58,7 @@ class SlurmCommands {
   /// All nodes of those partitions; none where they are not to be learnt.
   std::vector<NodeState> nodes(const std::vector<std::string>& partitions) const;
   void let_run(const std::string& job, std::size_t running) const;
-  /// All jobs of a name; false where Slurm has not done it within a second, or does not.
+  /// All jobs of a name; false where Slurm does not, or not at once.
   bool cancel(const std::string& name) const;
   /// Single tasks, "JOB_NUMBER".
   void cancel_tasks(const std::vector<std::string>& tasks) const;

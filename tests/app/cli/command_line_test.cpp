@@ -32,6 +32,19 @@ TEST_CASE("threads default to all of them", "[unit][command_line]") {
   CHECK(parse({"plan", "a.toml"}).common.threads >= 1);
 }
 
+TEST_CASE("study takes minutes for tasks that do not come back", "[unit][command_line]") {
+  const auto patience_min = [](std::vector<const char*> more) {
+    more.insert(more.begin(), {"study", "s.toml"});
+    const CommandLine line = parse(more);
+    return std::get<StudyCommand>(line.command).slurm_patience_min;
+  };
+  CHECK(patience_min({}) == 8);
+  CHECK(patience_min({"--slurm-patience", "0.5"}) == 0.5);
+  for (const char* wrong : {"0", "-1", "nan", "soon"})
+    CHECK_THAT(error_of({"study", "s.toml", "--slurm-patience", wrong}),
+               ContainsSubstring("--slurm-patience"));
+}
+
 TEST_CASE("verify gates only what it is told", "[unit][command_line]") {
   const std::vector<const char*> words = {"verify",   "--cage",          "c.obj",
                                           "--stock",  "box:1,1,1@0,0,0", "--tool",

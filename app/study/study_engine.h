@@ -20,6 +20,6 @@ std::unique_ptr<study::Executor> study_engine(const StudyCommand& command,
                                               const std::filesystem::path& job,
                                               const study::Store& store,
                                               const std::function<void(const std::string&)>& note,
-                                              const std::atomic<bool>* stop);
+                                              const std::atomic<bool>* stop = nullptr);
 
 }  // namespace limitgauge::app

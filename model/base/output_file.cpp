@@ -40,12 +40,18 @@ void write_as(const fs::path& what, const fs::path& file,
 
 /// 0 where all is well. Some file systems have nothing to sync, of folders above all: no fault of
 /// what was written.
-int error_of_syncing(const fs::path& file) {
+int error_of_syncing(const fs::path& file, int (*sync)(int) = &::fsync) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return errno;
-  const int wrong = ::fsync(descriptor) == 0 ? 0 : errno;
+  const int wrong = sync(descriptor) == 0 ? 0 : errno;
   ::close(descriptor);
   return wrong == EINVAL || wrong == EROFS || wrong == ENOTSUP ? 0 : wrong;
+}
+
+void require_synced(const fs::path& file, int wrong) {
+  if (wrong == 0) return;
+  throw ResourceError(file.string() +
+                      ": error: the disk does not take what was written: " + std::strerror(wrong));
 }
 
 /// A file beside another one, under a name that no other writer has, which takes that one's name in
@@ -122,10 +128,11 @@ bool is_part_file(std::string_view name) {
 }
 
 void sync_file(const fs::path& file) {
-  const int wrong = error_of_syncing(file);
-  if (wrong == 0) return;
-  throw ResourceError(file.string() +
-                      ": error: the disk does not take what was written: " + std::strerror(wrong));
+  require_synced(file, error_of_syncing(file));
+}
+
+void sync_file_system(const fs::path& folder) {
+  require_synced(folder, error_of_syncing(folder, &::syncfs));
 }
 
 std::string random_digits() {

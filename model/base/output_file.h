@@ -30,6 +30,10 @@ bool is_part_file(std::string_view name);
 /// ResourceError.
 void sync_file(const std::filesystem::path& file);
 
+/// The same of all that was written to the file system that `folder` is on, by whomever: of many
+/// files it takes a twentieth of the time that one after the other takes. Throws ResourceError.
+void sync_file_system(const std::filesystem::path& folder);
+
 /// 32 hexadecimal digits that nobody can foresee: processes of several machines and containers make
 /// names in one folder, and their numbers may be the same.
 std::string random_digits();

@@ -4,6 +4,7 @@
 
 #include <sqlite3.h>
 
+#include "model/base/absolute_path.h"
 #include "model/base/error.h"
 #include "model/base/hexadecimal.h"
 
@@ -15,7 +16,7 @@ constexpr int kWaitForOthers_ms = 60'000;
 
 /// `file` as the URI that SQLite takes options with.
 std::string uri(const std::filesystem::path& file, const std::string& option) {
-  return "file:" + model::percent_encoded(std::filesystem::absolute(file).string()) + "?" + option;
+  return "file:" + model::percent_encoded(model::absolute_path(file).string()) + "?" + option;
 }
 
 struct Opening {

@@ -12,26 +12,18 @@
 
 #include "history/database.h"
 #include "history/schema.h"
+#include "model/base/absolute_path.h"
 #include "model/base/error.h"
+#include "model/base/output_file.h"
 
 namespace limitgauge::history {
 namespace fs = std::filesystem;
 namespace {
 
-/// Where SQLite makes the file that a link names, which may be there already or not.
-fs::path behind_links(const fs::path& file) {
-  constexpr int kMostLinks = 40;
-  fs::path at = fs::absolute(file);
-  std::error_code none;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(at, none); ++i)
-    at = at.parent_path() / fs::read_symlink(at, none);
-  return at;
-}
-
 /// SQLite's journal stands beside the file: the folder must take new files. Asking for permission
 /// would not do, a share may say yes and then refuse.
 void require_room_beside(const fs::path& file) {
-  const fs::path folder = behind_links(file).parent_path();
+  const fs::path folder = model::behind_links(model::absolute_path(file)).parent_path();
   const fs::path probe =
       folder / ("." + file.filename().string() + ".probe-" + std::to_string(getpid()));
   const int opened = ::open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);

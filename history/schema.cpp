@@ -97,10 +97,11 @@ int newest_version() {
 void require_history(const std::filesystem::path& file) {
   const model::SourcePlace place{file.string(), 0, 0};
   std::error_code missing;
-  if (std::filesystem::is_directory(file, missing))
-    throw model::InputError(place, "this is a folder", "a history that limitgauge wrote");
-  if (std::filesystem::exists(file, missing) && !std::filesystem::is_regular_file(file, missing))
-    throw model::InputError(place, "this is no file", "a history that limitgauge wrote");
+  const std::filesystem::file_status status = std::filesystem::status(file, missing);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw model::InputError(
+        place, std::filesystem::is_directory(status) ? "this is a folder" : "this is no plain file",
+        "a history that limitgauge wrote");
   if (std::filesystem::file_size(file, missing) == 0 || missing) return;
   const Header header = read_header(file);
   // A writer that was killed while it made the file: what it left is rolled back to nothing now.

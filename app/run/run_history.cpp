@@ -4,6 +4,7 @@
 #include <fstream>
 #include <utility>
 
+#include "model/base/absolute_path.h"
 #include "model/base/error.h"
 #include "reports/history/run_entry.h"
 #include "reports/record/record_reader.h"
@@ -14,8 +15,8 @@ namespace {
 
 bool is_within(const fs::path& file, const fs::path& folder) {
   std::error_code ignored;
-  const fs::path inner = fs::weakly_canonical(fs::absolute(file), ignored);
-  fs::path outer = fs::weakly_canonical(fs::absolute(folder), ignored);
+  const fs::path inner = fs::weakly_canonical(model::absolute_path(file), ignored);
+  fs::path outer = fs::weakly_canonical(model::absolute_path(folder), ignored);
   if (!outer.has_filename()) outer = outer.parent_path();
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }

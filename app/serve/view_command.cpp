@@ -8,6 +8,7 @@
 
 #include "app/cli/commands.h"
 #include "app/serve/report_server.h"
+#include "model/base/absolute_path.h"
 #include "model/base/error.h"
 
 namespace limitgauge::app {
@@ -20,7 +21,7 @@ constexpr const char* kExpected = "the output folder of a finished run";
 fs::path finished_folder(const fs::path& stated) {
   std::error_code ignored;
   const bool is_report = stated.filename() == "report.html" && fs::is_regular_file(stated, ignored);
-  const fs::path folder = is_report ? fs::absolute(stated).parent_path() : stated;
+  const fs::path folder = is_report ? model::absolute_path(stated).parent_path() : stated;
   const auto wrong = [&](const std::string& what) {
     return model::InputError({stated.string(), 0, 0}, what, kExpected);
   };

@@ -13,6 +13,7 @@
 #include "app/study/study_file.h"
 #include "app/study/study_output.h"
 #include "app/study/study_worker.h"
+#include "model/base/absolute_path.h"
 #include "model/base/clock.h"
 #include "model/base/error.h"
 #include "study/plan/design.h"
@@ -42,7 +43,7 @@ class StudyRun {
         common_(common),
         console_(console),
         plan_(std::move(plan)),
-        job_(fs::absolute(plan_.job).lexically_normal()),
+        job_(model::absolute_path(plan_.job).lexically_normal()),
         store_(cache_folder(command.cache), command.cache_limit_bytes),
         folder_(command.output.empty() ? fs::path("limitgauge-out") / plan_.name : command.output,
                 common.force) {}

@@ -79,7 +79,7 @@ std::unique_ptr<study::Executor> slurm(const StudyCommand& command, const fs::pa
   options.stop = stop;
   options.name = unique_name();
   options.folder = store.folder() / "slurm" / options.name;
-  options.working_directory = fs::current_path();
+  options.working_directory = model::absolute_path(".");
   if (command.jobs > 0) options.running = command.jobs;
   options.retries = command.retries;
   options.options = command.slurm_options;

@@ -1,12 +1,13 @@
 #include <algorithm>
-#include <fstream>
 #include <ostream>
+#include <sstream>
 
 #include "app/cli/commands.h"
 #include "app/output/output_folder.h"
 #include "model/base/error.h"
 #include "model/base/message_text.h"
 #include "model/base/output_file.h"
+#include "model/base/text_file.h"
 #include "reports/compare/report.h"
 #include "reports/compare/run_comparison.h"
 #include "reports/record/record_reader.h"
@@ -45,15 +46,13 @@ compare::Options options_of(const CompareCommand& command) {
 }
 
 reports::record::RunRecord read_result(const fs::path& stated) {
-  const fs::path file = fs::is_directory(stated) ? stated / "result.json" : stated;
-  if (!fs::exists(file)) {
-    throw model::InputError({stated.string(), 0, 0},
-                            file == stated ? "no such file" : "has no result.json",
+  std::error_code ignored;
+  const bool is_folder = fs::is_directory(stated, ignored);
+  const fs::path file = is_folder ? stated / "result.json" : stated;
+  if (is_folder && !fs::exists(file, ignored))
+    throw model::InputError({stated.string(), 0, 0}, "has no result.json",
                             "result.json, or the folder of a finished run");
-  }
-  std::ifstream in(file, std::ios::binary);
-  if (!in || fs::is_directory(file))
-    throw model::InputError({file.string(), 0, 0}, "cannot be read", "result.json");
+  std::istringstream in(model::read_text_file(file));
   return reports::record::read_result_json(in, file.string());
 }
 

@@ -1,15 +1,17 @@
 #include "model/base/error.h"
 
+#include "model/base/clean_text.h"
+
 namespace limitgauge::model {
 namespace {
 
 std::string message(const SourcePlace& place, const std::string& wrong,
                     const std::string& expected) {
-  std::string text = place.file;
+  std::string text = one_line(place.file);
   if (place.line > 0) text.append(":").append(std::to_string(place.line));
   if (place.line > 0 && place.column > 0) text.append(":").append(std::to_string(place.column));
-  text += (text.empty() ? "error: " : ": error: ") + wrong;
-  if (!expected.empty()) text += "; expected " + expected;
+  text += (text.empty() ? "error: " : ": error: ") + one_line(wrong);
+  if (!expected.empty()) text += "; expected " + one_line(expected);
   return text;
 }
 
@@ -17,5 +19,7 @@ std::string message(const SourcePlace& place, const std::string& wrong,
 
 InputError::InputError(SourcePlace place, const std::string& wrong, const std::string& expected)
     : std::runtime_error(message(place, wrong, expected)), place_(std::move(place)) {}
+
+ResourceError::ResourceError(const std::string& what) : std::runtime_error(clean_text(what)) {}
 
 }  // namespace limitgauge::model

@@ -13,7 +13,8 @@ struct SourcePlace {
 };
 
 /// Input that cannot be used: unreadable, malformed or meaningless. Exit code 3.
-/// what() is `file:line:column: error: what is wrong; what was expected`.
+/// what() is `file:line:column: error: what is wrong; what was expected`, on one line and without
+/// control characters: much of it was written by others, and all of it goes to a terminal.
 class InputError : public std::runtime_error {
  public:
   InputError(SourcePlace place, const std::string& wrong, const std::string& expected = {});
@@ -24,8 +25,10 @@ class InputError : public std::runtime_error {
 };
 
 /// The machine cannot carry the work: memory, disk. Exit code 4.
+/// what() holds no control characters but line feeds.
 class ResourceError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+ public:
+  explicit ResourceError(const std::string& what);
 };
 
 /// The user asked to stop; raised from RunControl::check(). Exit code 4.

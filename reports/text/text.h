@@ -5,13 +5,12 @@
 #include <string>
 #include <string_view>
 
+#include "model/base/clean_text.h"
 #include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports {
 
-/// `text` as valid UTF-8 that XML and JSON may hold: control characters (but for tab and line
-/// feed) and malformed bytes become U+FFFD.
-std::string clean_text(std::string_view text);
+using model::clean_text;
 /// `text` cleaned, with the five characters that mean something to HTML and XML as entities.
 std::string escape_markup(std::string_view text);
 /// Number of code points: what a terminal shows of `text` where no character is wide.

@@ -14,6 +14,7 @@
 #include "model/base/error.h"
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
+#include "model/base/text_file.h"
 #include "model/mesh/mesh_defect.h"
 #include "simulator/mesh/tetrahedra.h"
 #include "simulator/stock/in_own_process.h"
@@ -35,7 +36,7 @@ using Accessor = openvdb::FloatGrid::ConstAccessor;
 
 // OpenVDB's own messages for these are about its internals.
 void require_vdb(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) fail(path, "there is no such file", {});
+  model::require_file(path);
   constexpr std::array<char, 4> kMagic = {' ', 'B', 'D', 'V'};
   std::array<char, 4> begin{};
   std::ifstream in(path, std::ios::binary);
@@ -226,8 +227,9 @@ VdbStock read_vdb_stock(const std::filesystem::path& path, std::size_t memory_li
     throw;
   } catch (const std::bad_alloc&) {
     throw model::ResourceError(path.string() + ": there is not enough memory for this stock");
-  } catch (const std::exception& error) {
-    fail(path, std::string("OpenVDB cannot read the file: ") + error.what(),
+  } catch (const std::exception&) {
+    // OpenVDB's words are about its internals.
+    fail(path, "OpenVDB cannot read the file: it is damaged or of another version",
          "a stock.vdb of an earlier run");
   }
 }

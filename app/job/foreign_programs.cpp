@@ -170,6 +170,8 @@ ForeignPath GroupReader::path_of(std::size_t index) const {
   for (const model::IgnoredWord& word : program_.ignored)
     foreign.ignored_words.push_back(std::to_string(word.line) + ": " + word.word);
   list_assumed(foreign, index);
+  if (!program_.has_end)
+    foreign.unended = stage(index).program_as_stated + " " + missing_end_words(program_);
   foreign.start = start_told();
   foreign.text = text_;
   return foreign;

@@ -17,6 +17,7 @@ struct ForeignPath {
   std::vector<std::string> ignored_words;  ///< "line: word" that moves nothing
   std::vector<std::string> assumed;        ///< what the reader took for granted
   std::string text;                        ///< the whole program
+  std::string unended;  ///< what is to be said of a program without an end; else empty
 };
 
 /// The programs of the job's stages, each read once and shared out among the stages that take a

@@ -47,8 +47,11 @@ void add_start(const RunInputs& inputs, reports::RunResult& result) {
 void add_assumed(const RunInputs& inputs, std::vector<std::string>& said) {
   for (const std::optional<ForeignPath>& program : inputs.programs) {
     if (!program) continue;
-    for (const std::string& assumed : program->assumed)
+    const auto add = [&](const std::string& assumed) {
       if (std::find(said.begin(), said.end(), assumed) == said.end()) said.push_back(assumed);
+    };
+    for (const std::string& assumed : program->assumed) add(assumed);
+    if (!program->unended.empty()) add(program->unended);
   }
 }
 
@@ -89,6 +92,9 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
   result.raw_stock = job.stock;
   result.surface = surface_as_read(job, inputs);
   result.assumptions = assumptions(job, inputs.settings);
+  if (!inputs.cage.ends_in_line)
+    result.assumptions.push_back("cage " + job.cage_as_stated +
+                                 ": its last line has no line end; taken to be whole");
   add_start(inputs, result);
   add_assumed(inputs, result.assumptions);
   result.program_frame = job.program_frame;

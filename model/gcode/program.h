@@ -87,8 +87,13 @@ struct Program {
   /// What G92 or G10 L20 say of where the tip stood before the first line, in the frame of G54, of
   /// axes that nothing had stated or programmed until then.
   std::array<std::optional<double>, 3> start_said_mm;
+  bool has_end = true;          ///< by M2, M30, '%' or, in CL data, FINI
+  bool ends_in_line = true;     ///< false: the file's last line has no end
   bool starts_spindle = false;  ///< M3 or M4 somewhere; without, the spindle is taken to turn
 };
+
+/// What is to be said of a program without an end.
+std::string missing_end_words(const Program& program);
 
 /// Reads a program in G-code or, where is_cl_data() says so, in CL data (cl_data.h).
 ///

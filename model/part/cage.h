@@ -42,6 +42,7 @@ struct Cage {
   std::vector<Corner> corners;
   std::vector<Index> holes;  ///< faces that are no surface but shape it
   BoundaryRule boundary = BoundaryRule::edge_only;
+  bool ends_in_line = true;  ///< false: the file's last line has no end, it may have been cut off
 
   Index face_count() const { return static_cast<Index>(face_offsets.size()) - 1; }
   std::span<const Index> face(Index f) const {

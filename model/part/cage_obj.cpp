@@ -25,7 +25,9 @@ constexpr std::array<std::string_view, 9> kStatements = {"v", "f", "t",      "vt
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const std::string& name) : lexer_(text, name), tags_(lexer_) {}
+  ObjReader(std::string_view text, const std::string& name) : lexer_(text, name), tags_(lexer_) {
+    cage_.ends_in_line = text.ends_with('\n');
+  }
 
   Cage read() {
     while (lexer_.next_statement()) statement(lexer_.word());
@@ -33,6 +35,7 @@ class ObjReader {
       throw InputError({lexer_.name()}, "the file has no faces", "a cage with 'v' and 'f' lines");
     check_corners();
     check_manifold();
+    if (!cage_.ends_in_line && ends_in_face_) check_last_face();
     tags_.apply(cage_);
     return std::move(cage_);
   }
@@ -43,6 +46,7 @@ class ObjReader {
   };
 
   void statement(const ObjWord& word) {
+    ends_in_face_ = word.text == "f";
     if (word.text == "v") return vertex(word);
     if (word.text == "f") return face(word);
     if (word.text == "t") return tags_.read();
@@ -132,6 +136,38 @@ class ObjReader {
          "a two-manifold cage whose faces all turn the same way");
   }
 
+  /// Some programs end no last line, so that its lack alone says little; with a face that looks cut
+  /// short it says enough: the surface would be another one.
+  void check_last_face() {
+    const Index last = cage_.face_count() - 1;
+    const std::size_t corners = cage_.face(last).size();
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    for (Index f = 0; f < last; ++f) fewest = std::min(fewest, cage_.face(f).size());
+    const bool is_least = last > 0 && corners < fewest;
+    if (!is_least && !leaves_only_hole(last)) return;
+    fail(face_places_[last],
+         std::string("the file ends in this face, without a line end, and the face ") +
+             (is_least ? "has fewer corners than any other" : "leaves the only hole of the cage") +
+             ": the file may have been cut off",
+         "the whole file, or a line end behind the face where it is whole");
+  }
+
+  /// Whether corners that are missing behind the last of `face` would close the cage: of the face's
+  /// edges only the closing one is open, and one or two corners fill the hole there.
+  bool leaves_only_hole(Index face) const {
+    constexpr std::size_t kFewest = 3, kMost = 4;
+    const Index closing = cage_.face_offsets[face + 1] - 1;
+    std::size_t open = 0, open_of_face = 0;
+    bool is_closing_open = false;
+    for_each_edge(sorted_edge_uses(cage_), [&](std::span<const EdgeUse> uses) {
+      if (uses.size() != 1) return;
+      ++open;
+      open_of_face += uses[0].face == face ? 1 : 0;
+      is_closing_open = is_closing_open || uses[0].corner == closing;
+    });
+    return is_closing_open && open_of_face == 1 && open >= kFewest && open <= kMost;
+  }
+
   void require_countable(std::size_t count, const ObjWord& word) {
     if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max() - 1))
       lexer_.fail(word, "the cage has more than 2147483646 vertices or corners", "a smaller cage");
@@ -145,6 +181,7 @@ class ObjReader {
   CageTags tags_;
   Cage cage_;
   std::vector<Place> face_places_, corner_places_;
+  bool ends_in_face_ = false;
 };
 
 Cage read_text_obj(const std::string& text, const std::string& name) {

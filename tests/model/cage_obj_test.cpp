@@ -9,8 +9,10 @@
 #include "model/base/error.h"
 #include "tests/model/cage_builders.h"
 #include "tests/model/fixture_files.h"
+#include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/folders.h"
+#include "tests/support/messages.h"
 
 using namespace limitgauge::model;
 using namespace limitgauge::model::test;
@@ -179,4 +181,31 @@ TEST_CASE("every cage of the folder LIMITGAUGE_CAGES is read, or refused where i
     ++read_cages;
   }
   CHECK(read_cages > 0);
+}
+
+TEST_CASE("a cage that may have been cut off", "[unit][obj]") {
+  std::ostringstream out;
+  write_cage_obj(limitgauge::tests::cube_cage(), out);
+  std::string cube = out.str();
+  cube.resize(cube.find("t "));  // tags stand behind the faces
+  CHECK(cage_of(cube).ends_in_line);
+  cube.pop_back();
+  const Cage whole = cage_of(cube);
+  CHECK(!whole.ends_in_line);
+  CHECK(whole.face_count() == 6);
+  const auto refusal = [](const std::string& text) {
+    return limitgauge::tests::message_of<InputError>([&] { cage_of(text); });
+  };
+  const std::string cut = cube.substr(0, cube.rfind(' '));
+  CHECK_THAT(refusal(cut), ContainsSubstring("text.obj:14:1: error: the file ends in this face"));
+  CHECK(refusal(cut + "\n") == "no error");
+  // Beside other triangles, in the only hole.
+  const std::size_t first = cube.find("f ");
+  const std::string face = cube.substr(first, cube.find('\n', first) - first);
+  std::istringstream corners(face.substr(2));
+  std::string a, b, c, d;
+  corners >> a >> b >> c >> d;
+  const std::string halves = "f " + a + ' ' + b + ' ' + c + "\nf " + a + ' ' + c + ' ' + d;
+  const std::string mixed = std::string(cut).replace(first, face.size(), halves);
+  CHECK_THAT(refusal(mixed), ContainsSubstring("the face leaves the only hole of the cage"));
 }

@@ -33,12 +33,22 @@ Program read_text_program(const std::string& text, const std::string& name,
   gcode::Flow flow(lexer, parameters);
   gcode::Interpreter interpreter(program, machine, lexer, parameters, lines + kExpandedMotions);
   gcode::Block block;
-  while (flow.next(block) && interpreter.execute(gcode::Statement(block, lexer))) continue;
+  bool goes_on = true;
+  while (goes_on && flow.next(block)) goes_on = interpreter.execute(gcode::Statement(block, lexer));
+  // What begins with '%' ends with it: the lexer has seen to that.
+  program.has_end = !goes_on || lexer.begins_with_percent();
+  program.ends_in_line = text.ends_with('\n');
   interpreter.finish();
   return program;
 }
 
 }  // namespace
+
+std::string missing_end_words(const Program& program) {
+  return std::string("ends without M2, M30 or '%'") +
+         (program.ends_in_line ? "" : ", and its last line without a line end") +
+         ": taken to be whole, it may have been cut off";
+}
 
 Program read_program(const std::filesystem::path& path, const MachineSetup& machine) {
   return read_text_program(read_text_file(path), path.string(), machine);

@@ -102,6 +102,9 @@ class Lexer {
   [[noreturn]] void fail_at(std::uint32_t line, std::uint32_t column, const std::string& wrong,
                             const std::string& expected) const;
 
+  /// Such a program ends with '%', M2 or M30, or is an error.
+  bool begins_with_percent() const { return opening_percent_.has_value(); }
+
  private:
   /// LinuxCNC's lines have 254 at most. A line may be carried out many times, and each must be
   /// quick.

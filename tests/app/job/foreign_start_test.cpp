@@ -91,6 +91,13 @@ TEST_CASE("all programs of a job start at one place", "[unit][program]") {
   CHECK(paths[1]->path.moves.back().to == model::Vec3{2, 0, 40});
 }
 
+TEST_CASE("a program without an end is told", "[unit][program]") {
+  const std::string moves = "G21 G90\nG0 X0 Y0 Z9\nG1 X5 F500\n";
+  CHECK(Bench({moves + "M30\n"}).load().front()->unended.empty());
+  CHECK_THAT(Bench({moves}).load().front()->unended,
+             ContainsSubstring("p0.ngc ends without M2, M30 or '%': taken to be whole"));
+}
+
 TEST_CASE("what G92 says of the start goes before what is assumed", "[unit][program]") {
   const Bench bench({"G92 X3 Y4 Z12\nG1 X5 F9\n"});
   const ForeignPath path = *bench.load().front();

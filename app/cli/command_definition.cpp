@@ -147,20 +147,20 @@ void CommandDefinition::add_checks(CLI::App& sub) {
   VerifyCommand& verify = parsed_.verify;
   hint(sub.add_option("--allowance", verify.allowance_mm, "Material to be left (default: 0 mm)"),
        "MM")
-      ->check(number_above_zero(true));
+      ->check(length(true));
   hint(sub.add_option("--near-miss", verify.near_miss_mm,
                       "List what passes stock or fixtures within this, mm (default: not looked "
                       "for)"),
        "MM")
-      ->check(number_above_zero(false));
+      ->check(length(false));
   hint(add_limit(sub, "--gouge", verify.limits.gouge_mm, verify.limits.has_gouge,
                  "Largest gouge that passes, mm (default: measured, not gated)"),
        "MM")
-      ->check(number_above_zero(false));
+      ->check(length(false));
   hint(add_limit(sub, "--uncut", verify.limits.uncut_mm, verify.limits.has_uncut,
                  "Largest uncut that passes, mm (default: measured, not gated)"),
        "MM")
-      ->check(number_above_zero(false));
+      ->check(length(false));
   hint(add_limit(sub, "--coverage", verify.limits.coverage, verify.limits.has_coverage,
                  "Least share of the reachable area within both limits, 0 to 1 (default: "
                  "measured, not gated)"),
@@ -170,7 +170,7 @@ void CommandDefinition::add_checks(CLI::App& sub) {
   hint(add_limit(sub, "--unavoidable", verify.limits.unavoidable_mm, verify.limits.has_unavoidable,
                  "Largest uncut where nothing can reach, mm (default: measured, not gated)"),
        "MM")
-      ->check(number_above_zero(true));
+      ->check(length(true));
 }
 
 void CommandDefinition::add_verify() {
@@ -186,7 +186,7 @@ void CommandDefinition::add_verify() {
                       "Turn of the program's frame about Z against the cage's, degrees "
                       "(default: 0)"),
        "DEGREES")
-      ->check(finite_number());
+      ->check(angle());
   folder(sub.add_option("-o,--output", verify.output,
                         "Output folder (default: limitgauge-out/NAME of the program)"));
   add_history_options(sub, verify.history);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/strategy/stage_path.h"
+#include "model/base/error.h"
 #include "model/gcode/dialect.h"
 #include "model/gcode/program_path.h"
 #include "model/part/cage.h"
@@ -74,6 +75,13 @@ struct Post {
   bool cl_data = false;  ///< toolpath.apt too
 };
 
+/// A length that divides the part or is measured on it: beyond the part's extent it says nothing.
+struct PartLength {
+  std::string what;  ///< "\"step\" in [[stage]]"
+  double mm = 0;
+  model::SourcePlace place;
+};
+
 /// A file that a job names.
 struct JobFile {
   enum class Role { job, cage, stock, program, fixture, tool_table };
@@ -108,6 +116,8 @@ struct Job {
   std::optional<reports::PublishedFigures> published;
   /// What the job was read from and is named nowhere else here: job file, stock, tool table.
   std::vector<JobFile> sources;
+  std::vector<PartLength> part_lengths;  ///< as far as they are stated
+  std::optional<PartLength> stated_voxel;
   /// Values that the job left to a default, in words, for the report's assumptions.
   std::vector<std::string> defaulted;
 };

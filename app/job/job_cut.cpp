@@ -60,8 +60,8 @@ void check_uses(const TomlTable& stage, const std::string& name, const CutOption
   if (!said.empty()) context.defaulted.push_back("stage " + name + ": defaults:" + said);
 }
 
-void read_shape(const TomlTable& stage, CutOptions& cut) {
-  if (stage.has("angle")) cut.angle_deg = stage.number("angle");
+void read_shape(const TomlTable& stage, CutOptions& cut, JobContext& context) {
+  if (stage.has("angle")) cut.angle_deg = stage.angle_deg("angle");
   if (stage.has("pattern"))
     cut.pattern = stage.one_of("pattern", {"zigzag", "one_way"}) == "zigzag" ? RowPattern::zigzag
                                                                              : RowPattern::one_way;
@@ -72,7 +72,8 @@ void read_shape(const TomlTable& stage, CutOptions& cut) {
                                              : CutDirection::either;
   }
   if (stage.has("steep_angle")) cut.steep_angle_deg = stage.between("steep_angle", 0, 90);
-  if (stage.has("overlap")) cut.overlap_mm = stage.not_negative("overlap");
+  if (stage.has("overlap"))
+    cut.overlap_mm = part_length_or_zero_mm(stage, "overlap", context.part_lengths);
   if (stage.has("boundary_pass")) cut.boundary_pass = stage.boolean("boundary_pass");
 }
 
@@ -85,10 +86,10 @@ void read_entry(const TomlTable& stage, CutOptions& cut) {
 }
 
 void read_feeds(const TomlTable& stage, CutOptions& cut) {
-  cut.feed_mm_min = stage.positive("feed");
-  cut.plunge_feed_mm_min = stage.has("plunge_feed") ? stage.positive("plunge_feed")
+  cut.feed_mm_min = stage.rate_mm_min("feed");
+  cut.plunge_feed_mm_min = stage.has("plunge_feed") ? stage.rate_mm_min("plunge_feed")
                                                     : cut.feed_mm_min * kDefaultPlungeShare;
-  cut.link_feed_mm_min = stage.has("link_feed") ? stage.positive("link_feed") : cut.feed_mm_min;
+  cut.link_feed_mm_min = stage.has("link_feed") ? stage.rate_mm_min("link_feed") : cut.feed_mm_min;
 }
 
 }  // namespace
@@ -96,14 +97,15 @@ void read_feeds(const TomlTable& stage, CutOptions& cut) {
 StagePlan read_plan(const TomlTable& stage, const std::string& name, JobContext& context) {
   StagePlan plan;
   plan.cut.strategy = read_strategy(stage);
-  plan.cut.step_mm = stage.positive("step");
-  if (stage.has("scallop")) plan.cut.scallop_mm = stage.positive("scallop");
-  plan.cut.tolerance_mm = stage.positive("tolerance");
-  read_shape(stage, plan.cut);
+  plan.cut.step_mm = part_length_mm(stage, "step", context.part_lengths);
+  if (stage.has("scallop"))
+    plan.cut.scallop_mm = part_length_mm(stage, "scallop", context.part_lengths);
+  plan.cut.tolerance_mm = part_length_mm(stage, "tolerance", context.part_lengths);
+  read_shape(stage, plan.cut, context);
   read_entry(stage, plan.cut);
   read_feeds(stage, plan.cut);
   check_uses(stage, name, plan.cut, context);
-  if (stage.has("floor")) plan.floor_z_mm = stage.number("floor");
+  if (stage.has("floor")) plan.floor_z_mm = stage.coordinate_mm("floor");
   return plan;
 }
 

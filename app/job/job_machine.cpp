@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "app/tolerance.h"
 #include "model/base/number_text.h"
 #include "model/base/text_file.h"
 
@@ -18,15 +19,21 @@ const toml::table& table_or_none(const TomlTable& root, const char* key) {
   return root.has(key) ? root.table(key) : none;
 }
 
+double acceleration_of(const TomlTable& machine) {
+  machine.positive("acceleration");
+  return machine.within("acceleration", kLeastAcceleration_mm_s2, kLargestAcceleration_mm_s2,
+                        kAccelerationExpected);
+}
+
 void read_acceleration(const TomlTable& machine, Job& job, JobContext& context) {
-  if (machine.has("acceleration")) job.acceleration_mm_s2 = machine.positive("acceleration");
+  if (machine.has("acceleration")) job.acceleration_mm_s2 = acceleration_of(machine);
   if (machine.has("junction_deviation")) {
     if (!job.acceleration_mm_s2)
       throw model::InputError(
           machine.place("junction_deviation"),
           "\"junction_deviation\" without \"acceleration\" would change nothing",
           "both, or neither");
-    job.junction_deviation_mm = machine.positive("junction_deviation");
+    job.junction_deviation_mm = part_length_mm(machine, "junction_deviation", job.part_lengths);
   } else if (job.acceleration_mm_s2) {
     context.defaulted.push_back("junction deviation " + model::shortest(job.junction_deviation_mm) +
                                 " mm (default)");
@@ -69,7 +76,7 @@ void read_machine(const TomlTable& root, Job& job, JobContext& context) {
                           {"rapid", "clearance", "acceleration", "junction_deviation", "travel",
                            "work_offsets", "home", "second_home", "start"});
   if (machine.has("rapid")) {
-    job.rapid_mm_min = machine.positive("rapid");
+    job.rapid_mm_min = machine.rate_mm_min("rapid");
   } else {
     context.defaulted.push_back("rapid rate " + model::shortest(job.rapid_mm_min) +
                                 " mm/min (default)");
@@ -78,7 +85,7 @@ void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   if (machine.has("travel")) job.travel_mm = read_travel(machine);
   read_setup(root, machine, job);
   if (machine.has("clearance")) {
-    job.clearance_mm = machine.positive("clearance");
+    job.clearance_mm = machine.length_mm("clearance");
   } else {
     context.defaulted.push_back("clearance of rapids above the stock " +
                                 model::shortest(job.clearance_mm) + " mm (default)");
@@ -91,7 +98,7 @@ void read_post(const TomlTable& root, Job& job, JobContext& context) {
   if (post.has("dialect")) job.post.dialect = read_dialect(post);
   job.post.decimals = post.has("decimals") ? read_decimals(post, job.post.dialect)
                                            : model::rules(job.post.dialect).default_decimals;
-  if (post.has("arcs")) job.post.arc_tolerance_mm = post.positive("arcs");
+  if (post.has("arcs")) job.post.arc_tolerance_mm = part_length_mm(post, "arcs", job.part_lengths);
   if (post.has("line_numbers")) job.post.line_numbers = post.boolean("line_numbers");
   if (post.has("cl_data")) job.post.cl_data = post.boolean("cl_data");
   const auto planned = [](const JobStage& stage) { return stage.plan.has_value(); };
@@ -108,7 +115,7 @@ static_assert(std::size(kNames) == model::kWorkOffsets);
 model::WorkOffset read_offset(const TomlTable& offsets, const std::string& key) {
   if (!offsets.is_table(key)) return {offsets.position(key), 0};
   const TomlTable turned(offsets.table(key), key + " of [machine]", {"origin", "rotate_z"});
-  return {turned.position("origin"), turned.has("rotate_z") ? turned.number("rotate_z") : 0};
+  return {turned.position("origin"), turned.has("rotate_z") ? turned.angle_deg("rotate_z") : 0};
 }
 
 void read_offsets(const TomlTable& machine, model::MachineSetup& setup) {
@@ -128,7 +135,7 @@ void read_setup(const TomlTable& root, const TomlTable& machine, Job& job) {
   if (!root.has("program_frame")) return;
   const TomlTable frame(root.table("program_frame"), "[program_frame]", {"offset", "rotate_z"});
   if (frame.has("offset")) job.program_frame.translate_mm = frame.position("offset");
-  if (frame.has("rotate_z")) job.program_frame.rotate_z_deg = frame.number("rotate_z");
+  if (frame.has("rotate_z")) job.program_frame.rotate_z_deg = frame.angle_deg("rotate_z");
 }
 
 std::vector<model::ToolEntry> tool_table(const std::vector<JobTool>& tools) {
@@ -177,6 +184,12 @@ model::Box3 read_travel(const TomlTable& machine) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!travel.has(kAxes[axis])) continue;
     const auto [low, high] = travel.ascending_pair(kAxes[axis]);
+    if (std::max(std::abs(low), std::abs(high)) > kFarthestTravelMm)
+      throw model::InputError(travel.place(kAxes[axis]),
+                              std::string("\"") + kAxes[axis] + "\" in " + travel.where() +
+                                  " goes from " + model::six_digits(low) + " to " +
+                                  model::six_digits(high) + " mm",
+                              kTravelExpected);
     box.low[axis] = low, box.high[axis] = high;
   }
   return box;

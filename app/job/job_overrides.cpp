@@ -43,6 +43,8 @@ toml::table parse_value(const Override& override) {
   try {
     toml::table table = parse_toml("value = " + override.value, override.shown);
     if (table.size() == 1) return table;
+  } catch (const OtherBase&) {
+    refuse(override, "the value is no decimal number", "digits from 0 to 9");
   } catch (const model::InputError&) {
     // A bare word: taken as text below, which saves the user a second pair of quotes.
   }

@@ -19,7 +19,15 @@ struct JobContext {
   std::vector<std::string> defaulted;
   std::vector<JobFile> sources;
   StockReaders stock_readers;
+  std::vector<PartLength> part_lengths = {};
 };
+
+/// The length at `key`, and its place for what the part's extent says of it.
+double part_length_mm(const TomlTable& table, std::string_view key,
+                      std::vector<PartLength>& lengths);
+/// The same of a length that may be 0.
+double part_length_or_zero_mm(const TomlTable& table, std::string_view key,
+                              std::vector<PartLength>& lengths);
 
 /// Replaces or adds keys of `job` by `overrides` of the form `dotted.key=value`. The value is TOML;
 /// a word that is none is taken as text. Throws InputError that names the override.
@@ -42,7 +50,7 @@ void read_placement(const TomlTable& surface, Job& job);
 /// [simulation], [verification] and [report], as far as they are stated.
 void read_settings(const TomlTable& root, Job& job);
 /// The limits of a stage; none where it has no gate.
-verifier::GateLimits read_gate(const TomlTable& stage);
+verifier::GateLimits read_gate(const TomlTable& stage, std::vector<PartLength>& lengths);
 
 /// A stock from a file is read, too; what is to be said of it goes among the defaults.
 model::Stock read_stock(const toml::table& stock, JobContext& context);

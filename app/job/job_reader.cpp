@@ -11,6 +11,10 @@
 namespace limitgauge::app {
 namespace {
 
+PartLength part_length(const TomlTable& table, std::string_view key, double mm) {
+  return {"\"" + std::string(key) + "\" in " + table.where(), mm, table.place(key)};
+}
+
 void read_surface(const toml::table& table, Job& job, JobContext& context) {
   const TomlTable surface(table, "[surface]", {"cage", "precision", "transform"});
   job.cage_as_stated = surface.text("cage");
@@ -20,12 +24,17 @@ void read_surface(const toml::table& table, Job& job, JobContext& context) {
                             "a cage as OBJ");
   }
   if (surface.has("precision")) {
-    job.precision_mm = surface.positive("precision");
+    job.precision_mm = part_length_mm(surface, "precision", job.part_lengths);
   } else {
     context.defaulted.push_back("surface precision " + model::shortest(job.precision_mm) +
                                 " mm (default)");
   }
   read_placement(surface, job);
+}
+
+void read_voxel(const TomlTable& simulation, Job& job) {
+  job.voxel_mm = simulation.length_or_auto_mm("voxel");
+  if (job.voxel_mm) job.stated_voxel = part_length(simulation, "voxel", *job.voxel_mm);
 }
 
 Job read_root(const toml::table& table, JobContext& context) {
@@ -44,10 +53,24 @@ Job read_root(const toml::table& table, JobContext& context) {
   if (root.has("published")) job.published = read_published(root);
   job.defaulted = std::move(context.defaulted);
   job.sources = std::move(context.sources);
+  job.part_lengths.insert(job.part_lengths.end(), context.part_lengths.begin(),
+                          context.part_lengths.end());
   return job;
 }
 
 }  // namespace
+
+double part_length_mm(const TomlTable& table, std::string_view key,
+                      std::vector<PartLength>& lengths) {
+  lengths.push_back(part_length(table, key, table.length_mm(key)));
+  return lengths.back().mm;
+}
+
+double part_length_or_zero_mm(const TomlTable& table, std::string_view key,
+                              std::vector<PartLength>& lengths) {
+  lengths.push_back(part_length(table, key, table.length_or_zero_mm(key)));
+  return lengths.back().mm;
+}
 
 std::string read_job_name(const TomlTable& root) {
   const std::string name = root.text("name");
@@ -62,24 +85,25 @@ void read_placement(const TomlTable& surface, Job& job) {
   if (!surface.has("transform")) return;
   const TomlTable transform(surface.table("transform"), "\"transform\" of [surface]",
                             {"scale", "rotate_z", "translate"});
-  if (transform.has("scale")) job.placement.scale = transform.positive("scale");
-  if (transform.has("rotate_z")) job.placement.rotate_z_deg = transform.number("rotate_z");
-  if (transform.has("translate")) job.placement.translate_mm = transform.vec3("translate");
+  if (transform.has("scale")) job.placement.scale = transform.scale("scale");
+  if (transform.has("rotate_z")) job.placement.rotate_z_deg = transform.angle_deg("rotate_z");
+  if (transform.has("translate")) job.placement.translate_mm = transform.shift_mm("translate");
 }
 
 void read_settings(const TomlTable& root, Job& job) {
   if (root.has("simulation")) {
     const TomlTable simulation(root.table("simulation"), "[simulation]",
                                {"voxel", "near_miss", "contact_tolerance"});
-    if (simulation.has("voxel")) job.voxel_mm = simulation.positive_or_auto("voxel");
-    if (simulation.has("near_miss")) job.near_miss_mm = simulation.positive("near_miss");
+    if (simulation.has("voxel")) read_voxel(simulation, job);
+    if (simulation.has("near_miss")) job.near_miss_mm = simulation.length_mm("near_miss");
     if (simulation.has("contact_tolerance"))
-      job.contact_tolerance_mm = simulation.positive("contact_tolerance");
+      job.contact_tolerance_mm = part_length_mm(simulation, "contact_tolerance", job.part_lengths);
   }
   if (root.has("verification")) {
     const TomlTable verification(root.table("verification"), "[verification]", {"resolution"});
     if (verification.has("resolution")) {
-      job.resolution_mm = verification.positive_or_auto("resolution");
+      job.resolution_mm = verification.length_or_auto_mm("resolution");
+      if (job.resolution_mm) part_length_mm(verification, "resolution", job.part_lengths);
     }
   }
   if (root.has("report")) {
@@ -110,7 +134,7 @@ Job read_merged_job(const toml::table& table, JobContext context) {
 
 Job read_job_text(const std::string& text, const std::string& name_in_errors,
                   const std::filesystem::path& folder, std::span<const std::string> overrides) {
-  return read_merged_job(merged_job(text, name_in_errors, overrides), {folder, {}, {}, {}});
+  return read_merged_job(merged_job(text, name_in_errors, overrides), {folder, {}, {}, {}, {}});
 }
 
 Job read_job(const std::filesystem::path& file, std::span<const std::string> overrides) {

@@ -129,11 +129,11 @@ JobStage read_stage(const toml::table& table, const std::vector<JobStage>& befor
   read_source(stage, before.empty(), result, context);
   read_part(stage, result);
   if (stage.has("allowance")) {
-    result.allowance_mm = stage.not_negative("allowance");
+    result.allowance_mm = part_length_or_zero_mm(stage, "allowance", context.part_lengths);
   } else {
     context.defaulted.push_back("stage " + result.name + ": allowance 0 mm (default)");
   }
-  result.limits = read_gate(stage);
+  result.limits = read_gate(stage, context.part_lengths);
   return result;
 }
 
@@ -153,7 +153,7 @@ void read_unreachable(const TomlTable& gate, verifier::GateLimits& limits) {
 
 }  // namespace
 
-verifier::GateLimits read_gate(const TomlTable& stage) {
+verifier::GateLimits read_gate(const TomlTable& stage, std::vector<PartLength>& lengths) {
   verifier::GateLimits limits;
   if (!stage.has("gate")) return limits;
   const TomlTable gate(stage.table("gate"), "[stage.gate]",
@@ -162,12 +162,13 @@ verifier::GateLimits read_gate(const TomlTable& stage) {
   limits.has_uncut = gate.has("uncut");
   limits.has_coverage = gate.has("coverage");
   limits.has_unavoidable = gate.has("unavoidable");
-  if (limits.has_gouge) limits.gouge_mm = gate.positive("gouge");
-  if (limits.has_uncut) limits.uncut_mm = gate.positive("uncut");
+  if (limits.has_gouge) limits.gouge_mm = part_length_mm(gate, "gouge", lengths);
+  if (limits.has_uncut) limits.uncut_mm = part_length_mm(gate, "uncut", lengths);
   if (limits.has_coverage) limits.coverage = gate.share("coverage");
   if (!coverage_has_limit(limits))
     throw model::InputError(gate.place("coverage"), kCoverageWithoutLimit, kCoverageExpected);
-  if (limits.has_unavoidable) limits.unavoidable_mm = gate.not_negative("unavoidable");
+  if (limits.has_unavoidable)
+    limits.unavoidable_mm = part_length_or_zero_mm(gate, "unavoidable", lengths);
   if (gate.has("unreachable")) read_unreachable(gate, limits);
   return limits;
 }

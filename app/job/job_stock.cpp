@@ -2,6 +2,7 @@
 #include "app/run/stock_file.h"
 #include "app/toml/toml_table.h"
 #include "model/base/coordinate_limit.h"
+#include "model/base/number_text.h"
 #include "model/base/text_file.h"
 
 namespace limitgauge::app {
@@ -18,16 +19,19 @@ model::Stock near_stock(const TomlTable& table, const char* key, model::Stock st
 model::Stock read_box(const toml::table& table) {
   const TomlTable stock(table, "[stock]", {"shape", "size", "corner"});
   const model::Vec3 size = stock.vec3("size");
-  if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
-    throw model::InputError(stock.place("size"), "a size of the stock is not above zero",
-                            "three numbers above zero");
+  for (const int axis : {0, 1, 2}) {
+    if (size[axis] >= model::kLeastLengthMm) continue;
+    throw model::InputError(stock.place("size"),
+                            "a size of the stock is " + model::six_digits(size[axis]) + " mm" +
+                                (size[axis] > 0 ? "" : ", not above zero"),
+                            "three lengths from 1e-6 mm on");
   }
   return near_stock(stock, "size", model::BoxStock{stock.position("corner"), size});
 }
 
 model::Stock read_cylinder(const toml::table& table) {
   const TomlTable stock(table, "[stock]", {"shape", "diameter", "height", "base"});
-  const double diameter_mm = stock.positive("diameter"), height_mm = stock.positive("height");
+  const double diameter_mm = stock.length_mm("diameter"), height_mm = stock.length_mm("height");
   const char* const larger = diameter_mm > height_mm ? "diameter" : "height";
   return near_stock(stock, larger,
                     model::CylinderStock{stock.position("base"), diameter_mm, height_mm});
@@ -53,7 +57,7 @@ model::Stock taken(StockFile loaded, JobContext& context) {
 model::Stock read_mesh(const toml::table& table, JobContext& context) {
   const TomlTable stock(table, "[stock]", {"shape", "file", "translate", "scale"});
   MeshPlace place;
-  if (stock.has("scale")) place.scale = stock.positive("scale");
+  if (stock.has("scale")) place.scale = stock.scale("scale");
   if (stock.has("translate")) place.translate_mm = stock.vec3("translate");
   const std::filesystem::path file =
       file_of(stock, context, "a closed mesh as STL, OBJ or PLY, in millimetres");

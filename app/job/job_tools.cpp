@@ -17,7 +17,7 @@ std::vector<model::CylinderPart> read_parts(const TomlTable& tool, std::string_v
   if (!tool.has(key)) return parts;
   const auto add = [&](const toml::table& part) {
     const TomlTable reader(part, std::string(key) + " of " + tool.where(), {"diameter", "length"});
-    parts.push_back({reader.positive("diameter"), reader.positive("length")});
+    parts.push_back({reader.length_mm("diameter"), reader.length_mm("length")});
   };
   if (tool.is_table(key)) {
     add(tool.table(key));
@@ -72,7 +72,7 @@ void refuse_foreign_keys(const TomlTable& tool, CutterType type) {
 }
 
 void read_shape(const TomlTable& tool, model::Cutter& cutter) {
-  cutter.diameter_mm = tool.positive("diameter");
+  cutter.diameter_mm = tool.length_mm("diameter");
   switch (cutter.type) {
     case CutterType::flat:
       break;
@@ -80,17 +80,18 @@ void read_shape(const TomlTable& tool, model::Cutter& cutter) {
       cutter.corner_radius_mm = cutter.diameter_mm / 2;
       break;
     case CutterType::bull:
-      cutter.corner_radius_mm = tool.positive("corner_radius");
+      cutter.corner_radius_mm = tool.length_mm("corner_radius");
       break;
     case CutterType::taper:
-      cutter.corner_radius_mm = tool.has("corner_radius") ? tool.not_negative("corner_radius") : 0;
-      cutter.taper_angle_deg = tool.positive("angle");
+      cutter.corner_radius_mm =
+          tool.has("corner_radius") ? tool.length_or_zero_mm("corner_radius") : 0;
+      cutter.taper_angle_deg = tool.between("angle", 0, 90);
       break;
     case CutterType::drill:
       cutter.tip_angle_deg = (180 - tool.between("point_angle", 0, 180)) / 2;
       break;
     case CutterType::apt:
-      cutter.corner_radius_mm = tool.not_negative("corner_radius");
+      cutter.corner_radius_mm = tool.length_or_zero_mm("corner_radius");
       cutter.tip_angle_deg = tool.not_negative("tip_angle");
       cutter.taper_angle_deg = tool.number("side_angle");
   }
@@ -99,7 +100,7 @@ void read_shape(const TomlTable& tool, model::Cutter& cutter) {
 void read_flute_length(const TomlTable& tool, model::Cutter& cutter, JobContext& context) {
   cutter.flute_length_mm = model::kDefaultFluteDiameters * cutter.diameter_mm;
   if (tool.has("flute_length")) {
-    cutter.flute_length_mm = tool.positive("flute_length");
+    cutter.flute_length_mm = tool.length_mm("flute_length");
     return;
   }
   context.defaulted.push_back("tool " + cutter.id + ": flute length " +
@@ -161,12 +162,7 @@ void read_table_entry(const TomlTable& tool, JobTool& result) {
   if (!result.number)
     throw model::InputError(tool.place("length"), "\"length\" of a tool without a number",
                             "\"number\" too: programs ask for a tool by it");
-  result.length_mm = tool.positive("length");
-  if (!model::is_near(*result.length_mm))
-    throw model::InputError(
-        tool.place("length"),
-        "\"length\" in [[tool]] is " + model::shortest(*result.length_mm) + " mm",
-        model::kFarthestExpected);
+  result.length_mm = tool.length_mm("length");
 }
 
 JobTool read_tool(const toml::table& table, JobContext& context) {

@@ -1,6 +1,9 @@
 #include "app/job/machine_options.h"
 
+#include <cmath>
+
 #include "app/cli/usage_error.h"
+#include "app/tolerance.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/number_text.h"
 #include "model/base/text_file.h"
@@ -55,8 +58,12 @@ void add_offset(const std::string& text, model::MachineSetup& machine) {
   if (machine.work_offsets[index])
     throw UsageError("--work-offset " + text + ": " + model::work_offset_name(index) +
                      " is stated twice; expected it once");
-  machine.work_offsets[index] = model::WorkOffset{near_point("--work-offset", text, values),
-                                                  values.size() > 3 ? values[3] : 0};
+  const double turn_deg = values.size() > 3 ? values[3] : 0;
+  if (std::abs(turn_deg) > kLargestAngle_deg)
+    throw UsageError("--work-offset " + text + ": a turn of " + model::six_digits(turn_deg) +
+                     " degrees; expected " + kAngleExpected);
+  machine.work_offsets[index] =
+      model::WorkOffset{near_point("--work-offset", text, values), turn_deg};
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "app/run/cage_fold.h"
 #include "app/run/input_checksums.h"
+#include "app/run/part_fit.h"
 #include "app/run/surface_witness.h"
 #include "app/tolerance.h"
 #include "model/base/coordinate_limit.h"
@@ -16,12 +18,13 @@
 namespace limitgauge::app {
 namespace {
 
-/// Where vertex `index` stands in an OBJ file that has been read without complaint.
-model::SourcePlace place_of_vertex(const std::filesystem::path& file, std::size_t index) {
+/// Where the `index`th `v` or `f` stands in an OBJ file that has been read without complaint.
+model::SourcePlace place_of(const std::filesystem::path& file, std::string_view statement,
+                            std::size_t index) {
   const std::string text = model::read_text_file(file);
   model::ObjLexer lexer(text, file.string());
   for (; lexer.next_statement(); lexer.skip_statement())
-    if (const model::ObjWord word = lexer.word(); word.text == "v" && index-- == 0)
+    if (const model::ObjWord word = lexer.word(); word.text == statement && index-- == 0)
       return lexer.place(word);
   return {file.string(), 0, 0};
 }
@@ -31,10 +34,22 @@ model::Cage load_cage(const Job& job) {
   model::Cage cage = placed(model::read_cage_obj(job.cage), job.placement);
   for (std::size_t i = 0; i < cage.vertices.size(); ++i)
     if (!model::is_near(cage.vertices[i]))
-      throw model::InputError(place_of_vertex(job.cage, i),
+      throw model::InputError(place_of(job.cage, "v", i),
                               "the cage has a vertex at " + model::farthest_words(cage.vertices[i]),
                               model::kFarthestExpected);
   return cage;
+}
+
+/// Its distances would all be right and mean nothing, and to prove that takes without end.
+void refuse_folded(const Job& job, const model::Cage& cage) {
+  const auto folded = folded_faces(cage);
+  if (!folded) return;
+  const auto [first, second] = *folded;
+  throw model::InputError(place_of(job.cage, "f", static_cast<std::size_t>(second)),
+                          "face " + std::to_string(second + 1) + " of the cage lies back on " +
+                              (first == second ? "itself" : "face " + std::to_string(first + 1)) +
+                              ": the folded surface has no area to be cut from one side",
+                          "faces that do not lie on each other");
 }
 
 [[noreturn]] void refuse_empty(const Job& job) {
@@ -68,6 +83,7 @@ bool has_area(const verifier::ReferenceSurface& surface) {
 
 verifier::ReferenceSurface make_surface(const Job& job, const model::Cage& cage) {
   if (lies_on_a_line(cage)) refuse_empty(job);
+  refuse_folded(job, cage);
   try {
     verifier::ReferenceSurface surface(cage);
     if (surface.bounding_box().empty()) {
@@ -102,6 +118,7 @@ std::vector<model::Fixture> load_fixtures(const Job& job) {
 
 JobSurface load_surface(const Job& job) {
   model::Cage cage = load_cage(job);
+  require_fit(job, cage);
   verifier::ReferenceSurface surface = make_surface(job, cage);
   witness::Agreement witness = witnessed(cage, surface);
   return {std::move(cage), std::move(surface), std::move(witness)};
@@ -112,6 +129,7 @@ RunInputs load_inputs(const Job& job) {
 }
 
 RunInputs load_inputs(const Job& job, JobSurface surface) {
+  require_fit(job, surface.cage);  // the surface may come from another job of the same cage
   Settings settings = choose_settings(job, surface.surface.bounding_box());
   std::vector<model::Fixture> fixtures = load_fixtures(job);
   auto programs = load_programs(job, settings, fixtures, surface.surface.bounding_box());

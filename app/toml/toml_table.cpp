@@ -3,15 +3,18 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/tolerance.h"
+#include "app/toml/toml_text.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/message_text.h"
 
 namespace limitgauge::app {
 namespace {
 
-std::string type_name(const toml::node& node) {
+/// "of type string: 'wide'".
+std::string typed(const toml::node& node) {
   std::ostringstream out;
-  out << node.type();
+  out << "of type " << node.type() << ": " << shown_value(node);
   return out.str();
 }
 
@@ -29,8 +32,15 @@ std::string shown(double value) {
   return out.str();
 }
 
+/// The library's own conversion has nothing for a whole number that a double only comes near to.
+std::optional<double> number_of(const toml::node& node) {
+  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+  if (const auto* number = node.as_floating_point()) return number->get();
+  return std::nullopt;
+}
+
 std::optional<double> finite_number(const toml::node& node) {
-  const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+  const std::optional<double> value = number_of(node);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
@@ -95,7 +105,7 @@ const toml::node& TomlTable::node(std::string_view key) const {
 
 std::string TomlTable::text(std::string_view key) const {
   const toml::node& found = node(key);
-  if (!found.is_string()) refuse(key, "is of type " + type_name(found), "a text");
+  if (!found.is_string()) refuse(key, "is " + typed(found), "a text");
   if (found.ref<std::string>().empty()) refuse(key, "is empty", "a text");
   return found.ref<std::string>();
 }
@@ -111,10 +121,10 @@ std::string TomlTable::one_of(std::string_view key,
 
 double TomlTable::number(std::string_view key) const {
   const toml::node& found = node(key);
-  if (!found.is_number()) refuse(key, "is of type " + type_name(found), "a number");
-  const double value = *found.value<double>();
-  if (!std::isfinite(value)) refuse(key, "is " + shown(value), "a finite number");
-  return value;
+  const std::optional<double> value = number_of(found);
+  if (!value) refuse(key, "is " + typed(found), "a number");
+  if (!std::isfinite(*value)) refuse(key, "is " + shown(*value), "a finite number");
+  return *value;
 }
 
 double TomlTable::positive(std::string_view key) const {
@@ -127,6 +137,53 @@ double TomlTable::not_negative(std::string_view key) const {
   const double value = number(key);
   if (!(value >= 0)) refuse(key, "is " + shown(value), "a number that is not negative");
   return value;
+}
+
+double TomlTable::length_mm(std::string_view key) const {
+  const double value_mm = positive(key);
+  if (!model::is_length(value_mm))
+    refuse(key, "is " + shown(value_mm) + " mm", model::kLengthExpected);
+  return value_mm;
+}
+
+double TomlTable::length_or_zero_mm(std::string_view key) const {
+  return not_negative(key) == 0 ? 0 : length_mm(key);
+}
+
+std::optional<double> TomlTable::length_or_auto_mm(std::string_view key) const {
+  const toml::node& found = node(key);
+  if (!found.is_string()) return length_mm(key);
+  if (found.ref<std::string>() != "auto")
+    refuse(key, "is \"" + found.ref<std::string>() + "\"", "a number above zero or \"auto\"");
+  return std::nullopt;
+}
+
+double TomlTable::coordinate_mm(std::string_view key) const {
+  const double value_mm = number(key);
+  if (!model::is_near(value_mm))
+    refuse(key, "is " + shown(value_mm) + " mm", model::kFarthestExpected);
+  return value_mm;
+}
+
+double TomlTable::within(std::string_view key, double low, double high,
+                         const char* expected) const {
+  const double value = number(key);
+  if (!(value >= low && value <= high)) refuse(key, "is " + shown(value), expected);
+  return value;
+}
+
+double TomlTable::rate_mm_min(std::string_view key) const {
+  positive(key);
+  return within(key, kLeastRate_mm_min, kLargestRate_mm_min, kRateExpected);
+}
+
+double TomlTable::scale(std::string_view key) const {
+  positive(key);
+  return within(key, kLeastScale, kLargestScale, kScaleExpected);
+}
+
+double TomlTable::angle_deg(std::string_view key) const {
+  return within(key, -kLargestAngle_deg, kLargestAngle_deg, kAngleExpected);
 }
 
 double TomlTable::share(std::string_view key) const {
@@ -144,7 +201,9 @@ double TomlTable::between(std::string_view key, double above, double below) cons
 
 int TomlTable::whole(std::string_view key) const {
   const std::optional<int> value = whole_number(node(key));
-  if (!value) refuse(key, "is no whole number from 0 to a billion", "a whole number");
+  if (!value)
+    refuse(key, "is no whole number from 0 to a billion: " + shown_value(node(key)),
+           "a whole number");
   return *value;
 }
 
@@ -154,7 +213,8 @@ std::pair<int, int> TomlTable::whole_pair(std::string_view key) const {
     const std::optional<int> low = whole_number(*list->get(0)), high = whole_number(*list->get(1));
     if (low && high && *low <= *high) return {*low, *high};
   }
-  refuse(key, "is no pair of ascending whole numbers", "an array as [7, 10]");
+  refuse(key, "is no pair of ascending whole numbers: " + shown_value(node(key)),
+         "an array as [7, 10]");
 }
 
 std::pair<double, double> TomlTable::ascending_pair(std::string_view key) const {
@@ -164,27 +224,29 @@ std::pair<double, double> TomlTable::ascending_pair(std::string_view key) const 
                                 high = finite_number(*list->get(1));
     if (low && high && *low < *high) return {*low, *high};
   }
-  refuse(key, "is no pair of ascending numbers", "an array as [-200, 200]");
+  refuse(key, "is no pair of ascending numbers: " + shown_value(node(key)),
+         "an array as [-200, 200]");
 }
 
 bool TomlTable::boolean(std::string_view key) const {
   const toml::node& found = node(key);
-  if (!found.is_boolean()) refuse(key, "is of type " + type_name(found), "true or false");
+  if (!found.is_boolean()) refuse(key, "is " + typed(found), "true or false");
   return *found.value<bool>();
 }
 
 model::Vec3 TomlTable::vec3(std::string_view key) const {
   const toml::node& found = node(key);
   const toml::array* list = found.as_array();
-  if (list == nullptr) refuse(key, "is of type " + type_name(found), "an array of three numbers");
+  if (list == nullptr) refuse(key, "is " + typed(found), "an array of three numbers");
   if (list->size() != 3) {
     refuse(key, "has " + std::to_string(list->size()) + " entries", "an array of three numbers");
   }
   model::Vec3 value;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::optional<double> entry = list->get(axis)->value<double>();
-    if (!entry || !std::isfinite(*entry)) {
-      refuse(key, "has an entry that is no finite number", "an array of three numbers");
+    const std::optional<double> entry = finite_number(*list->get(axis));
+    if (!entry) {
+      refuse(key, "has an entry that is no finite number: " + shown_value(*list->get(axis)),
+             "an array of three numbers");
     }
     value[axis] = *entry;
   }
@@ -198,9 +260,17 @@ model::Vec3 TomlTable::position(std::string_view key) const {
   return value_mm;
 }
 
+model::Vec3 TomlTable::shift_mm(std::string_view key) const {
+  const model::Vec3 value_mm = vec3(key);
+  for (const int axis : {0, 1, 2})
+    if (std::abs(value_mm[axis]) > model::kFarthestCoordinate_mm)
+      refuse(key, "moves by " + shown(value_mm[axis]) + " mm", "1000000 mm (1 km) at most");
+  return value_mm;
+}
+
 const toml::table& TomlTable::table(std::string_view key) const {
   const toml::node& found = node(key);
-  if (!found.is_table()) refuse(key, "is of type " + type_name(found), "a table");
+  if (!found.is_table()) refuse(key, "is " + typed(found), "a table");
   return *found.as_table();
 }
 
@@ -208,8 +278,7 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key) const {
   const toml::node& found = node(key);
   const toml::array* list = found.as_array();
   if (list == nullptr || list->empty()) {
-    refuse(key, "is of type " + type_name(found),
-           "one or more tables [[" + std::string(key) + "]]");
+    refuse(key, "is " + typed(found), "one or more tables [[" + std::string(key) + "]]");
   }
   std::vector<const toml::table*> all;
   for (const toml::node& entry : *list) {
@@ -217,15 +286,6 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key) const {
     all.push_back(entry.as_table());
   }
   return all;
-}
-
-std::optional<double> TomlTable::positive_or_auto(std::string_view key) const {
-  const toml::node& found = node(key);
-  if (!found.is_string()) return positive(key);
-  if (found.ref<std::string>() != "auto") {
-    refuse(key, "is \"" + found.ref<std::string>() + "\"", "a number above zero or \"auto\"");
-  }
-  return std::nullopt;
 }
 
 }  // namespace limitgauge::app

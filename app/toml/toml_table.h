@@ -51,6 +51,15 @@ class TomlTable {
   double number(std::string_view key) const;
   double positive(std::string_view key) const;
   double not_negative(std::string_view key) const;
+  double length_mm(std::string_view key) const;  ///< as model::is_length() has it
+  double length_or_zero_mm(std::string_view key) const;
+  std::optional<double> length_or_auto_mm(std::string_view key) const;  ///< nothing for "auto"
+  double coordinate_mm(std::string_view key) const;  ///< within model::kFarthestMm of zero
+  double rate_mm_min(std::string_view key) const;
+  double scale(std::string_view key) const;
+  double angle_deg(std::string_view key) const;
+  /// Ends included; `expected` is what errors say of them.
+  double within(std::string_view key, double low, double high, const char* expected) const;
   double share(std::string_view key) const;                                ///< from 0 to 1
   double between(std::string_view key, double above, double below) const;  ///< ends excluded
   int whole(std::string_view key) const;                                   ///< 0 to a billion
@@ -59,11 +68,11 @@ class TomlTable {
   bool boolean(std::string_view key) const;
   model::Vec3 vec3(std::string_view key) const;
   model::Vec3 position(std::string_view key) const;  ///< within model::kFarthestMm of zero
+  /// How far something is moved: by 1 km at most, since it may have lain as far off.
+  model::Vec3 shift_mm(std::string_view key) const;
   const toml::table& table(std::string_view key) const;
   /// The tables of `[[key]]`.
   std::vector<const toml::table*> tables(std::string_view key) const;
-  /// A positive number, or nothing for the word "auto".
-  std::optional<double> positive_or_auto(std::string_view key) const;
 
  private:
   const toml::node& node(std::string_view key) const;

@@ -27,10 +27,7 @@ void refuse_deep_keys(const std::string& text, const std::string& name_in_errors
   }
 }
 
-}  // namespace
-
-toml::table parse_toml(const std::string& text, const std::string& name_in_errors) {
-  refuse_deep_keys(text, name_in_errors);
+toml::table parsed(const std::string& text, const std::string& name_in_errors) {
   try {
     return toml::parse(text, name_in_errors);
   } catch (const toml::parse_error& error) {
@@ -38,6 +35,40 @@ toml::table parse_toml(const std::string& text, const std::string& name_in_error
     place.file = name_in_errors;
     throw model::InputError(place, std::string(error.description()), "TOML");
   }
+}
+
+constexpr auto kOtherBases = toml::value_flags::format_as_binary |
+                             toml::value_flags::format_as_octal |
+                             toml::value_flags::format_as_hexadecimal;
+
+/// `value` stands at `key`, or somewhere in the list there.
+void refuse_other_bases(const toml::node& value, const std::string& key) {
+  if (const toml::table* table = value.as_table()) {
+    for (const auto& [name, below] : *table) refuse_other_bases(below, std::string(name.str()));
+  } else if (const toml::array* list = value.as_array()) {
+    for (const toml::node& entry : *list) refuse_other_bases(entry, key);
+  } else if (const auto* whole = value.as_integer();
+             whole != nullptr && (whole->flags() & kOtherBases) != toml::value_flags::none) {
+    throw OtherBase(place_of(value.source()), "\"" + key + "\" is " + shown_value(value),
+                    "decimals, as " + std::to_string(whole->get()));
+  }
+}
+
+}  // namespace
+
+toml::table parse_toml(const std::string& text, const std::string& name_in_errors) {
+  refuse_deep_keys(text, name_in_errors);
+  toml::table table = parsed(text, name_in_errors);
+  refuse_other_bases(table, {});
+  return table;
+}
+
+std::string shown_value(const toml::node& value) {
+  constexpr std::size_t kLongest = 60;
+  std::ostringstream out;
+  value.visit([&out](const auto& known) { out << known; });
+  const std::string text = std::move(out).str();
+  return text.size() > kLongest ? text.substr(0, kLongest) + "..." : text;
 }
 
 namespace {

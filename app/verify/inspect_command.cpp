@@ -2,18 +2,18 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "app/run/run_inputs.h"
 #include "app/run/surface_witness.h"
+#include "model/base/clean_text.h"
 #include "model/base/error.h"
 #include "model/base/number_text.h"
 #include "model/base/output_file.h"
 #include "model/gcode/program.h"
-#include "model/part/cage_obj.h"
 #include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::app {
@@ -71,11 +71,13 @@ void print_summary(std::ostream& out, const model::Program& program) {
         << fixed(box.high.z) << " mm\n";
   }
   out << "tools         " << program.tool_changes.size() << " changes\n";
-  for (const std::string& said : program.assumed) out << "assumed: " << said << '\n';
+  for (const std::string& said : program.assumed)
+    out << "assumed: " << model::one_line(said) << '\n';
+  if (!program.has_end) out << "assumed: the program " << missing_end_words(program) << '\n';
   print_start(out, program);
   out << "words set aside " << program.ignored.size() << '\n';
   for (const model::IgnoredWord& word : program.ignored) {
-    out << "  line " << word.line << ": " << word.word << '\n';
+    out << "  line " << word.line << ": " << model::one_line(word.word) << '\n';
   }
 }
 
@@ -140,7 +142,9 @@ void print_cage(std::ostream& out, const model::Cage& cage, const ReferenceSurfa
       << " mm\n"
       << "limit surface area     " << surface.area_mm2() << " mm2\n"
       << "witness                " << words_of(witness) << '\n'
-      << "problems               none" << std::endl;
+      << "problems               "
+      << (cage.ends_in_line ? "none" : "the last line has no line end: the file may be cut off")
+      << std::endl;
 }
 
 void write_samples(std::ostream& out, const ReferenceSurface& surface, int samples) {
@@ -161,23 +165,31 @@ void write_samples(std::ostream& out, const ReferenceSurface& surface, int sampl
 }
 
 void require_writable(const std::filesystem::path& csv) {
+  const auto refuse = [&](const std::string& wrong, const char* expected) {
+    throw model::InputError({csv.string(), 0, 0}, wrong, expected);
+  };
   const std::filesystem::path folder = csv.has_parent_path() ? csv.parent_path() : ".";
-  if (!std::filesystem::is_directory(folder)) {
-    throw model::InputError({csv.string(), 0, 0}, "its folder does not exist",
-                            "a file in a folder that does");
-  }
+  std::error_code failure;
+  if (!std::filesystem::is_directory(folder, failure))
+    refuse("its folder does not exist" + (failure ? ": " + failure.message() : std::string()),
+           "a file in a folder that does");
+  const std::filesystem::file_status there = std::filesystem::status(csv, failure);
+  if (there.type() == std::filesystem::file_type::none)
+    refuse("cannot be written: " + failure.message(), "another name");
+  if (std::filesystem::is_directory(there))
+    refuse("this is a folder", "a file, or a name that is free");
 }
 
 void inspect_cage(const InspectCommand& command, const CommonOptions& common,
                   const Console& console) {
   if (!command.csv.empty()) require_writable(command.csv);
-  const model::Cage cage = model::read_cage_obj(command.file);
-  const ReferenceSurface surface(cage);
-  const witness::Agreement witness = witnessed(cage, surface);
+  Job job;
+  job.cage = command.file;
+  const JobSurface read = load_surface(job);
   if (!command.csv.empty())
     model::write_whole_file(
-        command.csv, [&](std::ostream& out) { write_samples(out, surface, command.samples); });
-  if (!common.quiet) print_cage(console.out, cage, surface, witness);
+        command.csv, [&](std::ostream& out) { write_samples(out, read.surface, command.samples); });
+  if (!common.quiet) print_cage(console.out, read.cage, read.surface, read.witness);
 }
 
 }  // namespace

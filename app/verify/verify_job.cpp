@@ -111,6 +111,16 @@ JobFixture fixture_of(const std::filesystem::path& file) {
   return {file.filename().string(), file, file.string(), {}};
 }
 
+/// What options state of the part, for what its extent says of them.
+std::vector<PartLength> part_lengths_of(const VerifyCommand& command) {
+  const verifier::GateLimits& limits = command.limits;
+  std::vector<PartLength> lengths = {{"--allowance", command.allowance_mm, {}}};
+  if (limits.has_gouge) lengths.push_back({"--gouge", limits.gouge_mm, {}});
+  if (limits.has_uncut) lengths.push_back({"--uncut", limits.uncut_mm, {}});
+  if (limits.has_unavoidable) lengths.push_back({"--unavoidable", limits.unavoidable_mm, {}});
+  return lengths;
+}
+
 JobStage stage_of(const VerifyCommand& command, const JobTool& tool) {
   JobStage stage;
   stage.name = "program";
@@ -163,6 +173,7 @@ Job job_of(const VerifyCommand& command) {
   job.cage_as_stated = command.cage.string();
   job.stock = stock_of(command.stock, job);
   job.near_miss_mm = command.near_miss_mm;
+  job.part_lengths = part_lengths_of(command);
   for (const std::filesystem::path& file : command.fixtures)
     job.fixtures.push_back(fixture_of(file));
   const std::vector<JobTool> tools = tools_of(command);
@@ -227,19 +238,20 @@ constexpr std::pair<const char*, const char*> kStageOptions[] = {{"tool", "--too
 void read_surface(const TomlTable& root, Job& job) {
   const TomlTable surface(root.table("surface"), "[surface]", {"cage", "precision", "transform"});
   refuse_options(surface, "[surface]", kSurfaceOptions);
-  if (surface.has("precision")) job.precision_mm = surface.positive("precision");
+  if (surface.has("precision"))
+    job.precision_mm = part_length_mm(surface, "precision", job.part_lengths);
   read_placement(surface, job);
 }
 
-void read_stage(const toml::table& table, JobStage& stage) {
+void read_stage(const toml::table& table, JobStage& stage, std::vector<PartLength>& lengths) {
   const TomlTable keys(table, "[[stage]] of verify",
                        {"name", "allowance", "gate", "tool", "program"});
   refuse_options(keys, "[[stage]]", kStageOptions);
   if (keys.text("name") != stage.name)
     throw model::InputError(keys.place("name"), "verify names its stages itself",
                             "other keys of the stage \"" + stage.name + "\"");
-  stage.allowance_mm = keys.not_negative("allowance");
-  stage.limits = read_gate(keys);
+  stage.allowance_mm = part_length_or_zero_mm(keys, "allowance", lengths);
+  stage.limits = read_gate(keys, lengths);
 }
 
 }  // namespace
@@ -251,12 +263,14 @@ void apply_verify_overrides(Job& job, std::span<const std::string> overrides) {
   const TomlTable root(table, "the job", {}, kJobKeys);
   refuse_options(root, "the job", kJobOptions);
   job.name = read_job_name(root);
+  job.part_lengths.clear();  // all of them stand in the table, too
   if (root.has("surface")) read_surface(root, job);
   JobContext context;  // what it gathers of defaults concerns job files
   if (root.has("machine") || root.has("program_frame")) read_machine(root, job, context);
   read_settings(root, job);
   const std::vector<const toml::table*> stages = root.tables("stage");
-  for (std::size_t i = 0; i < stages.size(); ++i) read_stage(*stages[i], job.stages.at(i));
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    read_stage(*stages[i], job.stages.at(i), job.part_lengths);
 }
 
 }  // namespace limitgauge::app

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "model/base/number_text.h"
+#include "model/base/tolerance.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::model {
@@ -28,6 +29,12 @@ inline bool is_near(const Vec3& point_mm) {
 inline bool is_near(const Box3& box_mm) {
   return box_mm.empty() || (is_near(box_mm.low) && is_near(box_mm.high));
 }
+
+/// Whether a length that is stated can be worked with.
+inline bool is_length(double length_mm) {
+  return length_mm >= kLeastLengthMm && is_near(length_mm);
+}
+inline constexpr const char* kLengthExpected = "a length from 1e-6 to 10000 mm";
 
 /// "x = 12000 mm": the first coordinate that lies too far; empty where none does.
 inline std::string farthest_words(const Vec3& point_mm) {

@@ -8,6 +8,11 @@ namespace limitgauge::model {
 
 inline constexpr double kInchMm = 25.4;
 
+/// No length that is stated is shorter, unless it is 0: a nanometre. Rounding of a path at 10 m and
+/// what the certificate allows for it are a thousandth of that, and no machine knows a length
+/// below.
+inline constexpr double kLeastLengthMm = 1e-6;
+
 /// No word of a program names a place or a length beyond any machine: 1000 km. Squares are far from
 /// overflow, and the fixed notation of such a number fits a writer's buffer.
 inline constexpr double kLargestCoordinateMm = 1e9;

@@ -17,6 +17,9 @@ void require_positive(double value, const char* figure) {
   if (!is_near(value))
     throw std::invalid_argument(std::string(figure) + " is " + shortest(value) +
                                 " mm; lengths may be " + kFarthestExpected);
+  if (!is_length(value))
+    throw std::invalid_argument(std::string(figure) + " is " + shortest(value) + " mm; expected " +
+                                kLengthExpected);
 }
 
 void require_parts(const std::vector<CylinderPart>& parts, const std::string& what) {

@@ -5,6 +5,7 @@
 
 #include "model/base/coordinate_limit.h"
 #include "model/base/message_text.h"
+#include "model/base/number_text.h"
 #include "model/base/spec_text.h"
 #include "model/mesh/mesh_defect.h"
 
@@ -18,6 +19,9 @@ void require_finite(const Vec3& point, const char* what) {
 void require_size(double size_mm, const char* what) {
   if (!std::isfinite(size_mm) || size_mm <= 0)
     throw std::invalid_argument(std::string(what) + " must be greater than 0");
+  if (size_mm < kLeastLengthMm)
+    throw std::invalid_argument(std::string(what) + " is " + shortest(size_mm) + " mm; expected " +
+                                kLengthExpected);
 }
 
 struct Checker {

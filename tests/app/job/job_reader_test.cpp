@@ -153,12 +153,11 @@ TEST_CASE("a bad job is refused with its place and what was expected", "[unit][j
        "job.toml:6:8: error: \"size\" in [stock] has 2 entries; expected an array of three "
        "numbers"},
       {"size = [26, 26, 9]", "size = [26, -26, 9]",
-       "job.toml:6:8: error: a size of the stock is not above zero; expected three numbers above "
-       "zero"},
+       "job.toml:6:8: error: a size of the stock is -26 mm, not above zero; expected three lengths "
+       "from 1e-6 mm on"},
       {"size = [26, 26, 9]", "size = [26, \"26\", 9]",
-       "job.toml:6:8: error: \"size\" in [stock] has an entry that is no finite number; expected "
-       "an "
-       "array of three numbers"},
+       "job.toml:6:8: error: \"size\" in [stock] has an entry that is no finite number: '26'; "
+       "expected an array of three numbers"},
       {"shape = \"box\"", "shape = \"bax\"",
        "job.toml:5:9: error: \"shape\" in [stock] is \"bax\"; expected one of \"box\", "
        "\"cylinder\", "
@@ -168,7 +167,7 @@ TEST_CASE("a bad job is refused with its place and what was expected", "[unit][j
       {"diameter = 6", "diameter = nan",
        "job.toml:11:12: error: \"diameter\" in [[tool]] is nan; expected a finite number"},
       {"diameter = 6", "diameter = \"6\"",
-       "job.toml:11:12: error: \"diameter\" in [[tool]] is of type string; expected a number"},
+       "job.toml:11:12: error: \"diameter\" in [[tool]] is of type string: '6'; expected a number"},
       {"diameter = 6", "diameter = 6\ncorner_radius = 1",
        "job.toml:12:17: error: a ball cutter has no corner_radius; expected no such key, or type "
        "\"bull\", \"taper\" or \"apt\""},
@@ -279,8 +278,8 @@ TEST_CASE("a bad override is refused by its own text", "[unit][job]") {
        "--set stage.finish.step=0: error: \"step\" in [[stage]] is 0; expected a number above "
        "zero"},
       {"stage.finish.step=wide",
-       "--set stage.finish.step=wide: error: \"step\" in [[stage]] is of type string; expected a "
-       "number"},
+       "--set stage.finish.step=wide: error: \"step\" in [[stage]] is of type string: 'wide'; "
+       "expected a number"},
       {"stage.rough.step=1",
        "--set stage.rough.step=1: error: no stage is called \"rough\"; expected one of the job's"},
       {"stage.finish=1",

@@ -67,11 +67,13 @@ TEST_CASE("places of a job beyond 10 m", "[unit][job]") {
              ContainsSubstring("job.toml:6:8: error: the stock reaches to z = 10001 mm"));
   CHECK_THAT(error_of(with(good_job(), "[-13, -13, -4]", "[-13, -13e3, -4]")),
              ContainsSubstring("job.toml:7:10: error: \"corner\" in [stock] has y = -13000 mm"));
-  CHECK_THAT(error_of(with(good_job(), "diameter = 6", "diameter = 20001")),
-             ContainsSubstring("diameter is 20001 mm; lengths may be at most 10000 mm"));
+  CHECK_THAT(
+      error_of(with(good_job(), "diameter = 6", "diameter = 20001")),
+      ContainsSubstring("\"diameter\" in [[tool]] is 20001 mm; expected a length from 1e-6 to "
+                        "10000 mm"));
   CHECK_THAT(error_of(with(good_job(), "diameter = 6",
                            "diameter = 6\nholder = { diameter = 9, length = 1e5 }")),
-             ContainsSubstring("holder length is "));
+             ContainsSubstring("\"length\" in holder of [[tool]] is 100000 mm"));
   CHECK_THAT(error_of(with(good_job(), "diameter = 6", "diameter = 6\nnumber = 1\nlength = 1e5")),
              ContainsSubstring("\"length\" in [[tool]] is "));
 }

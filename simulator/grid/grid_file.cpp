@@ -1,13 +1,38 @@
 #include "simulator/grid/grid_file.h"
 
-#include <openvdb/io/File.h>
+#include <openvdb/io/Archive.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
+#include <string>
+#include <system_error>
 
 #include "model/base/error.h"
+#include "model/base/output_file.h"
 
 namespace limitgauge::simulator::vdb {
 namespace {
+
+void take_away(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, int reason) {
+  take_away(file);
+  throw model::ResourceError(file.string() + ": error: cannot write the file" +
+                             (reason == 0 ? "" : std::string(": ") + std::strerror(reason)));
+}
+
+// The same bytes as OpenVDB's own file, which does not notice that a disk is full: it would leave
+// half a stock and say nothing.
+class GridWriter : public openvdb::io::Archive {
+ public:
+  void write_to(std::ostream& out, const openvdb::GridCPtrVec& grids) const {
+    write(out, grids, /*seekable=*/true);
+  }
+};
 
 // OpenVDB puts a random identifier of 36 characters behind the magic number, three version words
 // and a flag; the same stock is to give the same bytes.
@@ -16,8 +41,9 @@ void fix_identifier(const std::filesystem::path& file) {
   std::fstream f(file, std::ios::in | std::ios::out | std::ios::binary);
   f.seekp(kIdentifierOffset);
   f << "00000000-0000-0000-0000-000000000000";
+  errno = 0;
   f.close();
-  if (!f) throw model::ResourceError(file.string() + ": cannot be written");
+  if (!f) refuse(file, errno);
 }
 
 }  // namespace
@@ -29,14 +55,17 @@ void start_openvdb() {
 
 void write_grid(const openvdb::FloatGrid& grid, const std::filesystem::path& file) {
   try {
-    openvdb::io::File out(file.string());
     // Writing a grid notes statistics in its metadata: give it a shallow copy of its own.
-    out.write({grid.copyGrid()});
-    out.close();
-  } catch (const openvdb::Exception& e) {
-    throw model::ResourceError(file.string() + ": cannot be written: " + e.what());
+    const openvdb::GridCPtrVec grids = {grid.copyGrid()};
+    model::write_file(file, [&](std::ostream& out) { GridWriter().write_to(out, grids); });
+    fix_identifier(file);
+  } catch (const openvdb::Exception&) {
+    // What it says is of its insides; no grid of ours is one that it cannot write.
+    refuse(file, 0);
+  } catch (const model::ResourceError&) {
+    take_away(file);
+    throw;
   }
-  fix_identifier(file);
 }
 
 }  // namespace limitgauge::simulator::vdb

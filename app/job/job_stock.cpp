@@ -12,8 +12,10 @@ namespace {
 model::Stock near_stock(const TomlTable& table, const char* key, model::Stock stock) {
   const model::Box3 box = bounding_box(stock);
   if (model::is_near(box)) return stock;
-  throw model::InputError(table.place(key), "the stock reaches to " + model::farthest_words(box),
-                          model::kFarthestExpected);
+  throw model::InputError(
+      table.place(key),
+      "the stock reaches to " + model::farthest_words(box) + " by its \"" + key + "\"",
+      model::kFarthestExpected);
 }
 
 model::Stock read_box(const toml::table& table) {

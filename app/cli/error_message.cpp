@@ -1,15 +1,21 @@
 #include "app/cli/error_message.h"
 
+#include <cxxabi.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <new>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <typeinfo>
 
 #include "app/cli/commands.h"
 #include "app/cli/usage_error.h"
 #include "model/base/error.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::app {
 namespace {
@@ -46,6 +52,22 @@ bool is(const std::exception& error) {
   ::_exit(static_cast<int>(ExitCode::resources));
 }
 
+/// Of the project's own broken contracts; what libraries have to say means nothing to a user.
+bool is_own(const std::exception& error) {
+  return is<verifier::InstrumentDisagreement>(error) || typeid(error) == typeid(std::logic_error) ||
+         typeid(error) == typeid(std::runtime_error) ||
+         typeid(error) == typeid(std::domain_error) ||
+         (typeid(error) == typeid(std::invalid_argument) &&
+          !std::string_view(error.what()).starts_with("sto"));
+}
+
+std::string kind_of(const std::exception& error) {
+  int failure = 0;
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      abi::__cxa_demangle(typeid(error).name(), nullptr, nullptr, &failure), &std::free);
+  return failure == 0 ? name.get() : "of no known kind";
+}
+
 }  // namespace
 
 std::string message_of(const std::exception& error) {
@@ -60,7 +82,10 @@ std::string message_of(const std::exception& error) {
   // TBB's own words, thrown where nothing but the end of the program can follow.
   if (std::string_view(error.what()).starts_with("pthread_create"))
     return words_of(std::make_error_code(std::errc::resource_unavailable_try_again));
-  return std::string("limitgauge: internal error: ") + error.what();
+  return "limitgauge: internal error: " +
+         (is_own(error) ? error.what()
+                        : "something unexpected (" + kind_of(error) +
+                              "); please report it with the command and its input");
 }
 
 void end_instead_of_aborting() {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "model/base/absolute_path.h"
 #include "model/base/error.h"
 
 namespace limitgauge::app {
@@ -31,7 +32,8 @@ fs::path users_own() {
 }  // namespace
 
 fs::path cache_folder(const fs::path& stated) {
-  const fs::path folder = fs::absolute(stated.empty() ? users_own() : stated).lexically_normal();
+  const fs::path folder =
+      model::absolute_path(stated.empty() ? users_own() : stated).lexically_normal();
   std::error_code error;
   fs::create_directories(folder, error);
   if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0)

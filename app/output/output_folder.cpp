@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "app/output/manifest.h"
+#include "model/base/absolute_path.h"
 #include "model/base/output_file.h"
 
 namespace limitgauge::app {
@@ -22,12 +23,7 @@ constexpr int kTries = 10;
 
 /// A folder with a trailing slash has no file name: take the one before it.
 fs::path absolute_place(const fs::path& path) {
-  std::error_code error;
-  const fs::path absolute = fs::absolute(path, error).lexically_normal();
-  if (error)
-    throw model::InputError({path.string(), 0, 0},
-                            "the folder that this command runs in is gone: " + error.message(),
-                            "to be run in a folder that exists");
+  const fs::path absolute = model::absolute_path(path).lexically_normal();
   return absolute.has_filename() ? absolute : absolute.parent_path();
 }
 

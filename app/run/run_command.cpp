@@ -10,6 +10,7 @@
 #include "app/run/pipeline.h"
 #include "app/run/run_history.h"
 #include "app/verify/verify_job.h"
+#include "model/base/clean_text.h"
 #include "model/base/clock.h"
 #include "model/base/error.h"
 #include "reports/run/report.h"
@@ -71,7 +72,8 @@ void print_result(const reports::RunResult& result, const OutputFolder& folder,
                   const CommonOptions& common, const Console& console) {
   if (common.quiet) return;
   console.out << reports::verdict_table(result, console.colour, console.out_columns)
-              << "report: " << (folder.target() / "report.html").string() << std::endl;
+              << "report: " << model::one_line((folder.target() / "report.html").string())
+              << std::endl;
 }
 
 /// Calls `work(progress)` with a line of progress that is gone afterwards, whatever happens.
@@ -107,7 +109,8 @@ void print(const reports::RunResult& result, const OutputFolder& folder, const R
   print_result(result, folder, common, console);
   if (!kept.failure.empty()) throw model::ResourceError(kept.failure);
   if (kept.id && !common.quiet)
-    console.out << "history: " << history.file().string() << ", run " << *kept.id << std::endl;
+    console.out << "history: " << model::one_line(history.file().string()) << ", run " << *kept.id
+                << std::endl;
 }
 
 ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
@@ -159,7 +162,8 @@ ExitCode execute(const PlanCommand& command, const CommonOptions& common, const 
     const RunOptions options = options_for(common, console, progress);
     work_in(folder, [&] { plan_job(job, inputs, folder.working(), options); });
   });
-  if (!common.quiet) console.out << "toolpaths: " << folder.target().string() << std::endl;
+  if (!common.quiet)
+    console.out << "toolpaths: " << model::one_line(folder.target().string()) << std::endl;
   return ExitCode::pass;
 }
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <utility>
 
+#include "app/cli/error_message.h"
 #include "model/base/absolute_path.h"
 #include "model/base/error.h"
 #include "reports/history/run_entry.h"
@@ -43,7 +44,7 @@ std::int64_t RunHistory::add(const fs::path& folder) const {
     entry.commit = options_.commit;
     return recorder_->append(entry);
   } catch (const std::exception& error) {
-    throw model::ResourceError(std::string(error.what()) +
+    throw model::ResourceError(message_of(error) +
                                "\nlimitgauge: the run is finished and its result is in " +
                                folder.string() + ", but it is not in the history");
   }

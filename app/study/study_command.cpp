@@ -14,6 +14,7 @@
 #include "app/study/study_output.h"
 #include "app/study/study_worker.h"
 #include "model/base/absolute_path.h"
+#include "model/base/clean_text.h"
 #include "model/base/clock.h"
 #include "model/base/error.h"
 #include "study/plan/design.h"
@@ -169,7 +170,8 @@ ExitCode execute(const StudyCommand& command, const CommonOptions& common, const
   const StudyOutcome outcome = run.work();
   if (!common.quiet) {
     print_study(outcome, console.out);
-    console.out << "page: " << (run.folder().target() / "study.html").string() << std::endl;
+    console.out << "page: " << model::one_line((run.folder().target() / "study.html").string())
+                << std::endl;
   }
   return exit_code(outcome);
 }

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <new>
 
+#include "app/cli/error_message.h"
 #include "app/study/case_keys.h"
 #include "app/study/case_runner.h"
 #include "app/study/study_cases.h"
@@ -77,7 +78,7 @@ WorkerAnswer StudyWorker::answer(const WorkerTask& task) {
   } catch (const std::bad_alloc&) {
     failed(WorkerAnswer::Kind::again, "out of memory");
   } catch (const std::exception& error) {
-    failed(WorkerAnswer::Kind::error, error.what());
+    failed(WorkerAnswer::Kind::error, message_of(error));
   }
   answer.seconds = watch.seconds();
   answer.peak_bytes = model::process_peak_bytes();

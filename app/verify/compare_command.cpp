@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/output/output_folder.h"
+#include "model/base/clean_text.h"
 #include "model/base/error.h"
 #include "model/base/message_text.h"
 #include "model/base/output_file.h"
@@ -81,7 +82,9 @@ ExitCode execute(const CompareCommand& command, const CommonOptions& common,
   if (!common.quiet) {
     console.out << compare::text_table(comparison, console.colour, console.out_columns,
                                        common.verbose);
-    if (folder) console.out << "report: " << (folder->target() / "compare.html").string() << '\n';
+    if (folder)
+      console.out << "report: " << model::one_line((folder->target() / "compare.html").string())
+                  << '\n';
     console.out << std::flush;
   }
   return comparison.judgement() == compare::Judgement::worse ? ExitCode::fail : ExitCode::pass;

@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/output/output_folder.h"
 #include "history/history.h"
+#include "model/base/clean_text.h"
 #include "model/base/error.h"
 #include "model/base/message_text.h"
 #include "model/base/output_file.h"
@@ -78,7 +79,7 @@ fs::path folder_of(const HistoryCommand& command) {
 
 void say_empty(const HistoryCommand& command, const Console& console) {
   const bool asked = !command.since.empty() || !command.job.empty();
-  console.out << command.file.string()
+  console.out << model::one_line(command.file.string())
               << (asked ? ": no run of those that are asked for; nothing was written"
                         : ": no runs yet; `limitgauge run JOB --history FILE` adds one")
               << std::endl;
@@ -102,7 +103,8 @@ ExitCode execute(const HistoryCommand& command, const CommonOptions& common,
   if (overview.found > static_cast<std::size_t>(command.last))
     console.out << "the newest " << command.last << " of " << overview.found
                 << " runs; --last shows more" << std::endl;
-  console.out << "page: " << (folder.target() / "history.html").string() << std::endl;
+  console.out << "page: " << model::one_line((folder.target() / "history.html").string())
+              << std::endl;
   return ExitCode::pass;
 }
 

@@ -17,7 +17,6 @@
 
 #include "model/base/error.h"
 #include "model/mesh/mesh_defect.h"
-#include "simulator/stock/in_own_process.h"
 #include "simulator/stock/stock_model.h"
 #include "tests/support/catch.h"
 #include "tests/support/effort.h"
@@ -28,13 +27,6 @@ using namespace limitgauge;
 using namespace limitgauge::simulator;
 using model::TriangleMesh;
 using model::Vec3;
-
-/// OpenVDB loses the nodes it has read when a file ends too early. Asked for by the leak sanitizer,
-/// and by nobody else.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:readTopology";
-}
 
 namespace {
 
@@ -243,16 +235,4 @@ TEST_CASE("damaged files are refused or read, never worse", "[property][mesh][vd
     }
   }
   CHECK(refused > kDamages / 6);
-}
-
-TEST_CASE("work that breaks down does so in its own process", "[unit][vdb]") {
-  const ProcessLimits limits{std::size_t{1} << 28, 5, 60};
-  CHECK(comes_to_its_end([] {}, limits));
-  CHECK(comes_to_its_end([] { throw std::runtime_error("told the caller elsewhere"); }, limits));
-  CHECK_FALSE(comes_to_its_end([] { throw std::bad_alloc(); }, limits));
-  CHECK_FALSE(comes_to_its_end([] { std::abort(); }, limits));
-}
-
-TEST_CASE("work that waits for ever is ended", "[unit][vdb]") {
-  CHECK_FALSE(comes_to_its_end([] { pause(); }, {std::size_t{1} << 28, 5, 1}));
 }

@@ -1,0 +1,194 @@
+#include "simulator/grid/vdb_reading.h"
+
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/base/error.h"
+#include "model/base/message_text.h"
+#include "model/base/number_text.h"
+#include "model/mesh/mesh_soup.h"
+#include "simulator/mesh/tetrahedra.h"
+#include "simulator/tolerance.h"
+
+namespace limitgauge::simulator {
+namespace {
+
+using openvdb::Coord;
+using Tree = openvdb::FloatTree;
+using Leaf = Tree::LeafNodeType;
+using Accessor = openvdb::FloatGrid::ConstAccessor;
+
+[[noreturn]] void refuse(const std::string& wrong, const std::string& expected) {
+  throw VdbRefusal(wrong + "; expected " + expected);
+}
+
+std::string name_of_stock(openvdb::io::File& file) {
+  std::vector<std::string> names;
+  for (auto name = file.beginName(); name != file.endName(); ++name) names.push_back(*name);
+  if (names.size() == 1) return names.front();
+  if (std::ranges::find(names, "stock") != names.end()) return "stock";
+  refuse("the file has " + std::to_string(names.size()) + " grids", "one, or one named \"stock\"");
+}
+
+// The lattice of a transform that only scales evenly and moves.
+Lattice lattice_of(const openvdb::math::Transform& transform) {
+  constexpr const char* kExpected = "cubic voxels along the axes";
+  if (!transform.isLinear()) refuse("the grid's transform is not linear", kExpected);
+  const openvdb::Mat4d m = transform.baseMap()->getAffineMap()->getMat4();
+  const double voxel = m(0, 0);
+  if (!(voxel > 0) || !std::isfinite(voxel))
+    refuse("the grid's voxel is " + model::shortest(voxel) + " mm", kExpected);
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c)
+      if (!(std::abs(m(r, c) - (r == c ? voxel : 0)) <= kStraightAxes * voxel))
+        refuse("the grid is rotated, sheared or unevenly scaled", kExpected);
+  const Lattice lattice{{m(3, 0), m(3, 1), m(3, 2)}, voxel};
+  if (!is_finite(lattice.origin_mm)) refuse("the grid has no finite place", kExpected);
+  return lattice;
+}
+
+void require_level_set(const openvdb::GridBase& grid) {
+  if (!grid.isType<openvdb::FloatGrid>())
+    refuse("the grid holds values of type " + model::in_quotes(grid.valueType()), "float");
+  if (grid.getGridClass() != openvdb::GRID_LEVEL_SET)
+    refuse("the grid is no level set but " +
+               model::in_quotes(openvdb::GridBase::gridClassToString(grid.getGridClass())),
+           "a level set");
+}
+
+openvdb::FloatGrid::Ptr grid_of(openvdb::io::File& file) {
+  file.open(false);
+  const std::string name = name_of_stock(file);
+  require_level_set(*file.readGridMetadata(name));
+  auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid(name));
+  if (!grid) refuse("the grid cannot be read", "a level set");
+  return grid;
+}
+
+// Of a damaged file OpenVDB may ask for any amount of memory.
+openvdb::FloatGrid::Ptr read_grid(const std::filesystem::path& path) {
+  try {
+    openvdb::io::File file(path.string());
+    return grid_of(file);
+  } catch (const VdbRefusal&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    refuse("OpenVDB asks for more memory than there is: the file is damaged or too large",
+           "a stock.vdb of an earlier run");
+  } catch (const std::exception&) {
+    // OpenVDB's words are about its internals.
+    refuse("OpenVDB cannot read the file: it is damaged or of another version",
+           "a stock.vdb of an earlier run");
+  }
+}
+
+// Lowest corners of all cells that the surface may pass through: those that have a corner in a
+// leaf.
+class Cells {
+ public:
+  explicit Cells(const Tree& tree) : tree_(tree) {
+    for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf) add_leaf(*leaf);
+    std::ranges::sort(lows_);
+    lows_.erase(std::unique(lows_.begin(), lows_.end()), lows_.end());
+  }
+
+  template <class Visit>
+  void each(Visit&& visit) const {
+    for (auto leaf = tree_.cbeginLeaf(); leaf; ++leaf)
+      for (openvdb::Index n = 0; n < Leaf::SIZE; ++n) visit(leaf->offsetToGlobalCoord(n));
+    for (const Coord& low : lows_) visit(low);
+  }
+
+ private:
+  // A cell below a leaf's low sides belongs to the leaf there, if there is one.
+  void add_leaf(const Leaf& leaf) {
+    constexpr int kEdge = Leaf::DIM;
+    for (int x = -1; x < kEdge; ++x)
+      for (int y = -1; y < kEdge; ++y)
+        for (int z = -1; z < kEdge; ++z) {
+          if (x >= 0 && y >= 0 && z >= 0) continue;
+          const Coord low = leaf.origin().offsetBy(x, y, z);
+          if (tree_.probeConstLeaf(low) == nullptr) lows_.push_back(low);
+        }
+  }
+
+  const Tree& tree_;
+  std::vector<Coord> lows_;
+};
+
+// Values at the corners of a cell, ordered as tetrahedra.h has them; whether they differ in sign.
+bool read_corners(Accessor& tree, const Coord& low, std::array<double, 8>& f) {
+  bool inside = false, outside = false;
+  for (int k = 0; k < 8; ++k) {
+    f[k] = tree.getValue(low.offsetBy(k >> 2 & 1, k >> 1 & 1, k & 1));
+    (f[k] <= 0 ? inside : outside) = true;
+  }
+  return inside && outside;
+}
+
+// Every leaf value is looked at, so that a value that is no number cannot hide.
+void require_numbers(const Tree& tree) {
+  bool material = false;
+  for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf)
+    for (openvdb::Index n = 0; n < Leaf::SIZE; ++n) {
+      if (!std::isfinite(leaf->getValue(n)))
+        refuse("a distance is not a finite number", "millimetres");
+      material = material || leaf->getValue(n) < 0;
+    }
+  if (!material) refuse("the grid holds no material", "a level set, negative inside");
+  if (!(tree.background() > 0))
+    refuse("the grid is not empty outside its band", "a level set, negative inside");
+}
+
+void require_memory(std::size_t cells, std::size_t limit_bytes) {
+  // A cell has about four triangles; each costs three points on its own, itself, its joined points
+  // and its share of the tables while they are joined.
+  constexpr std::size_t kBytesOfCell = 4 * 200;
+  constexpr std::size_t kMostCells = UINT32_MAX / 36;  // 12 triangles of 3 points at most
+  if (cells <= kMostCells && cells <= limit_bytes / kBytesOfCell) return;
+  throw model::ResourceError("the surface passes " + std::to_string(cells) +
+                             " voxels, whose triangles need about " +
+                             std::to_string(cells * kBytesOfCell >> 20) + " MiB; allowed are " +
+                             std::to_string(limit_bytes >> 20) +
+                             " MiB; a coarser voxel in the run that wrote it would do");
+}
+
+model::TriangleMesh zero_set(const openvdb::FloatGrid& grid, const Lattice& lattice,
+                             std::size_t limit_bytes) {
+  require_numbers(grid.tree());
+  const Cells cells(grid.tree());
+  Accessor tree(grid.tree());
+  std::array<double, 8> f{};
+  std::size_t count = 0;
+  cells.each([&](const Coord& low) { count += read_corners(tree, low, f); });
+  require_memory(count, limit_bytes);
+  model::TriangleSoup soup;
+  cells.each([&](const Coord& low) {
+    if (read_corners(tree, low, f)) add_zero_surface(f, {low.x(), low.y(), low.z()}, lattice, soup);
+  });
+  return joined(soup).mesh;
+}
+
+}  // namespace
+
+struct VdbReading::Grid {
+  openvdb::FloatGrid::ConstPtr grid;
+};
+
+VdbReading::VdbReading(const std::filesystem::path& path)
+    : grid_(std::make_shared<const Grid>(Grid{read_grid(path)})) {}
+
+VdbStock VdbReading::stock(std::size_t memory_limit_bytes) const {
+  const openvdb::FloatGrid& grid = *grid_->grid;
+  const Lattice lattice = lattice_of(grid.transform());
+  return {zero_set(grid, lattice, memory_limit_bytes), lattice.voxel_mm};
+}
+
+}  // namespace limitgauge::simulator

@@ -20,19 +20,35 @@ namespace limitgauge::history {
 namespace fs = std::filesystem;
 namespace {
 
+/// Where file systems have no files without a name: what is killed between two calls leaves one,
+/// under a name that nobody else has; the next one here removes it.
+int reason_against_named_file(const fs::path& folder, const std::string& prefix) {
+  const fs::path probe = folder / (prefix + model::random_digits());
+  const int opened = ::open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
+  if (opened < 0) return errno;
+  ::close(opened);
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().filename().string().starts_with(prefix)) fs::remove(entry.path(), ignored);
+  return 0;
+}
+
+/// Why `folder` takes no new file; 0 where it does.
+int reason_against_new_file(const fs::path& folder, const std::string& prefix) {
+  // Without a name, nothing of it outlives whoever is killed.
+  const int opened = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+  if (opened >= 0) return ::close(opened), 0;
+  // Old kernels say that it is a folder; file systems that have no such files, that they do not.
+  const bool unknown = errno == EISDIR || errno == EOPNOTSUPP || errno == EINVAL;
+  return unknown ? reason_against_named_file(folder, prefix) : errno;
+}
+
 /// SQLite's journal stands beside the file: the folder must take new files. Asking for permission
 /// would not do, a share may say yes and then refuse.
 void require_room_beside(const fs::path& file) {
   const fs::path folder = model::behind_links(model::absolute_path(file)).parent_path();
-  const fs::path probe =
-      folder / ("." + file.filename().string() + ".probe-" + std::to_string(getpid()));
-  const int opened = ::open(probe.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
-  const int reason = errno;
-  if (opened >= 0) {
-    ::close(opened);
-    ::unlink(probe.c_str());
-    return;
-  }
+  const int reason = reason_against_new_file(folder, "." + file.filename().string() + ".probe-");
+  if (reason == 0) return;
   const std::string wrong =
       std::string("a history cannot be made or written here: ") + std::strerror(reason);
   if (reason == ENOSPC || reason == EDQUOT || reason == EMFILE || reason == ENFILE)

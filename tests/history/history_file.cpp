@@ -34,6 +34,9 @@ using Row = int (*)(void* out, int columns, char** texts, char** names);
 std::string answer(const std::filesystem::path& file, const std::string& sql, Row row) {
   sqlite3* handle = nullptr;
   if (sqlite3_open(file.c_str(), &handle) != SQLITE_OK) throw std::runtime_error("sqlite3_open");
+  // Others write meanwhile.
+  constexpr int kWait_ms = 60'000;
+  sqlite3_busy_timeout(handle, kWait_ms);
   std::string out;
   const int code = sqlite3_exec(handle, sql.c_str(), row, &out, nullptr);
   const std::string words = sqlite3_errmsg(handle);

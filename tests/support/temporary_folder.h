@@ -10,8 +10,9 @@ namespace limitgauge::tests {
 /// A folder of this test's own, gone at its end.
 class TemporaryFolder {
  public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "limitgauge-XXXXXX").string();
+  explicit TemporaryFolder(
+      const std::filesystem::path& within = std::filesystem::temp_directory_path()) {
+    std::string pattern = (within / "limitgauge-XXXXXX").string();
     path_ = ::mkdtemp(pattern.data());
   }
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }

@@ -15,12 +15,12 @@ struct Lattice {
   double voxel_mm = 1;
 
   model::Vec3 point(const Index3& i) const {
-    return origin_mm + model::Vec3(i[0], i[1], i[2]) * voxel_mm;
+    return origin_mm + model::Vec3{1.0 * i[0], 1.0 * i[1], 1.0 * i[2]} * voxel_mm;
   }
   /// Middle of a cube of `size` voxels an edge whose lowest voxel is `corner`.
   model::Vec3 middle(const Index3& corner, int size) const {
     const double h = 0.5 * (size - 1);
-    return origin_mm + model::Vec3(corner[0] + h, corner[1] + h, corner[2] + h) * voxel_mm;
+    return origin_mm + model::Vec3{corner[0] + h, corner[1] + h, corner[2] + h} * voxel_mm;
   }
   /// Half the edge of the cube that the voxels' centres span.
   double half_edge(int size) const { return 0.5 * (size - 1) * voxel_mm; }

@@ -14,6 +14,7 @@
 #include "model/base/message_text.h"
 #include "model/base/number_text.h"
 #include "model/mesh/mesh_soup.h"
+#include "simulator/grid/vdb_answer.h"
 #include "simulator/mesh/tetrahedra.h"
 #include "simulator/tolerance.h"
 
@@ -189,6 +190,19 @@ VdbStock VdbReading::stock(std::size_t memory_limit_bytes) const {
   const openvdb::FloatGrid& grid = *grid_->grid;
   const Lattice lattice = lattice_of(grid.transform());
   return {zero_set(grid, lattice, memory_limit_bytes), lattice.voxel_mm};
+}
+
+std::string vdb_answer_about(const std::filesystem::path& path, std::size_t memory_limit_bytes,
+                             std::optional<VdbReading>& kept) {
+  try {
+    return vdb_answer(kept.emplace(path).stock(memory_limit_bytes));
+  } catch (const VdbRefusal& refusal) {
+    return vdb_refusal(refusal.what());
+  } catch (const model::ResourceError& shortage) {
+    return vdb_shortage(shortage.what());
+  } catch (const std::bad_alloc&) {
+    return vdb_shortage("there is not enough memory for this stock");
+  }
 }
 
 }  // namespace limitgauge::simulator

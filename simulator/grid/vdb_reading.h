@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "simulator/grid/vdb_stock.h"
 
@@ -29,5 +31,10 @@ class VdbReading {
   struct Grid;
   std::shared_ptr<const Grid> grid_;
 };
+
+/// What read_vdb_answer() reads, in the process that reads the file. What was read outlives the
+/// work in `kept`: taking it down again may wait for threads that such a process has not.
+std::string vdb_answer_about(const std::filesystem::path& path, std::size_t memory_limit_bytes,
+                             std::optional<VdbReading>& kept);
 
 }  // namespace limitgauge::simulator

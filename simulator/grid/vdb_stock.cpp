@@ -31,16 +31,20 @@ void require_vdb(const std::filesystem::path& path) {
   if (!in || begin != kMagic) fail(path, "the file is no .vdb", "a stock.vdb of an earlier run");
 }
 
+// Some files have OpenVDB count for ever or fill any amount of memory: fuzz tests are to see many.
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
-constexpr unsigned kLeastCpuSeconds = 1;  // some files have OpenVDB count for ever
+constexpr unsigned kLeastCpuSeconds = 1;
+constexpr std::size_t kLeastBytes = std::size_t{1} << 27;
 #else
 constexpr unsigned kLeastCpuSeconds = 10;
+constexpr std::size_t kLeastBytes = std::size_t{1} << 30;
 #endif
 
 ProcessLimits limits_for(const std::filesystem::path& path, std::size_t memory_limit_bytes) {
   // A leaf of 2.3 kB takes 64 bytes in the file at least.
-  constexpr std::size_t kUnpacked = 64, kBase = std::size_t{1} << 30;
-  constexpr std::size_t kBytesPerSecond = 1'000'000;
+  constexpr std::size_t kUnpacked = 64;
+  // Reading and meshing takes some 0.4 s of a megabyte.
+  constexpr std::size_t kBytesPerSecond = 500'000;
   // A sound file waits for nothing but its turn on a busy machine and for the disk.
   constexpr unsigned kWallPerCpu = 6;
   constexpr std::size_t kLongestWords = 1 << 20;
@@ -48,30 +52,15 @@ ProcessLimits limits_for(const std::filesystem::path& path, std::size_t memory_l
   const std::uintmax_t size = std::filesystem::file_size(path, gone);
   if (gone) fail(path, "the file cannot be read: " + gone.message(), {});
   const auto cpu_seconds = static_cast<unsigned>(kLeastCpuSeconds + size / kBytesPerSecond);
-  return {kBase + kUnpacked * size + memory_limit_bytes, cpu_seconds, kWallPerCpu * cpu_seconds,
-          memory_limit_bytes + kLongestWords};
-}
-
-// Runs in the process that reads the file. What was read outlives the work in `kept`: taking it
-// down again may wait for threads that are not there.
-std::string answer_about(const std::filesystem::path& path, std::size_t memory_limit_bytes,
-                         std::optional<VdbReading>& kept) {
-  try {
-    return vdb_answer(kept.emplace(path).stock(memory_limit_bytes));
-  } catch (const VdbRefusal& refusal) {
-    return vdb_refusal(refusal.what());
-  } catch (const model::ResourceError& shortage) {
-    return vdb_shortage(shortage.what());
-  } catch (const std::bad_alloc&) {
-    return vdb_shortage("there is not enough memory for this stock");
-  }
+  return {kLeastBytes + kUnpacked * size + memory_limit_bytes, cpu_seconds,
+          kWallPerCpu * cpu_seconds, memory_limit_bytes + kLongestWords};
 }
 
 VdbStock read(const std::filesystem::path& path, std::size_t memory_limit_bytes) {
   vdb::start_openvdb();
   std::optional<VdbReading> kept;
   const auto answer =
-      answer_of_own_process([&] { return answer_about(path, memory_limit_bytes, kept); },
+      answer_of_own_process([&] { return vdb_answer_about(path, memory_limit_bytes, kept); },
                             limits_for(path, memory_limit_bytes));
   if (!answer)
     fail(path, "OpenVDB breaks down over the file: it is damaged", "a stock.vdb of an earlier run");

@@ -15,6 +15,16 @@ longest=65536  # bytes of an input
 export ASAN_OPTIONS=quarantine_size_mb=64:malloc_context_size=6
 export UBSAN_OPTIONS=print_stacktrace=1
 
+# Bounds for an input. Whoever reads a .vdb has a process that may take time, ask for memory and break
+# down over it, none of which is a finding or worth the time to tell of.
+options_of() {
+  case $1 in
+    vdb) echo -timeout=30 -report_slow_units=30 -malloc_limit_mb=1000000 -max_len=200000 \
+           -print_funcs=0 -detect_leaks=0 ;;
+    *) echo -timeout=1 -malloc_limit_mb=1024 -max_len=$longest ;;
+  esac
+}
+
 # An input that took long while the machine was busy with something else is no finding: it must take
 # more than 1 s of processor time by itself.
 is_slow() {
@@ -29,12 +39,14 @@ fuzz() {
   local found=$build/findings/$target/ corpus=$build/corpus/$target log=$build/log/$target.log
   local until=$((SECONDS + seconds)) left executions=0 executed status input
   mkdir -p "$found" "$corpus" "$build/log"
+  [ "$target" != vdb ] || export ASAN_OPTIONS=$ASAN_OPTIONS:symbolize=0 UBSAN_OPTIONS=symbolize=0
   : > "$log"
   while left=$((until - SECONDS)); [ "$left" -gt 0 ]; do
     touch "$build/log/$target.begin"
     status=0
-    "$binary" -max_total_time="$left" -timeout=1 -rss_limit_mb=1024 -malloc_limit_mb=1024 \
-      -max_len=$longest -dict="$here/dictionaries/$target.dict" -artifact_prefix="$found" \
+    # shellcheck disable=SC2046  # several words
+    "$binary" -max_total_time="$left" -rss_limit_mb=1024 $(options_of "$target") \
+      -dict="$here/dictionaries/$target.dict" -artifact_prefix="$found" \
       -print_final_stats=1 -verbosity=1 "$corpus" "$build/seeds/$target" >"$log.now" 2>&1 || status=$?
     cat "$log.now" >> "$log"
     executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log.now" | tail -1)
@@ -71,6 +83,7 @@ shift
 cmake --preset fuzz -DLIMITGAUGE_UNITY=ON >/dev/null
 cmake --build --preset fuzz
 $here/seeds.sh $build/seeds
+$build/$here/vdb_seeds $build/seeds/vdb
 targets=("$@")
 [ ${#targets[@]} -gt 0 ] || mapfile -t targets < <(cd $build/$here && ls fuzz_* | sed 's/^fuzz_//')
 printf '%s\n' "${targets[@]}" |

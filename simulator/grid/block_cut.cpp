@@ -40,20 +40,35 @@ BlockCutter::Reach BlockCutter::reach(const SweepIndex& pass, const Lattice& lat
 }
 
 void BlockCutter::cut(const Index3& corner, LeafSink& sink) {
-  const Vec3 middle = lattice_.middle(corner, kBlockEdge);
-  const double r = lattice_.half_diagonal(kBlockEdge);
-  const auto found = pass_.nearest(middle, r + band_);
+  cut_cube(0, corner, kBlockEdge, sink);
+}
+
+void BlockCutter::cut_cube(int depth, const Index3& corner, int edge, LeafSink& sink) {
+  const double reach = lattice_.half_diagonal(edge) + band_;
+  const auto found = pass_.nearest(lattice_.middle(corner, edge), reach);
   if (!found) return;
-  slots_.clear();
-  if (pass_.profile().is_ball() && top_of(corner, kBlockEdge) <= pass_.below_tops_mm()) {
-    const double to_foot = found->at.distance + pass_.profile().corner_radius();
-    pass_.gather_rivals({middle, lattice_.half_edge(kBlockEdge), found->at.gradient * to_foot},
-                        slots_);
-  } else {
-    pass_.gather(middle, found->at.distance + 2 * r + kDistanceRounding_mm, slots_);
+  gather(*found, corner, edge);
+  if (slots_.size() > kMostHandedDown && edge > kLeafEdge) {
+    if (reach_of(found->at.distance, reach) == Reach::wholly) return sink.removed(corner, edge);
+    for (int child = 0; child < 8; ++child)
+      cut_cube(depth + 1, child_corner(corner, edge / 2, child), edge / 2, sink);
+    return;
   }
-  levels_[0].moves.assign(pass_, slots_);
-  descend(0, corner, kBlockEdge, sink);
+  levels_[depth].moves.assign(pass_, slots_);
+  descend(depth, corner, edge, sink);
+}
+
+// Into slots_: all moves that may be nearest somewhere in the cube.
+void BlockCutter::gather(const NearestMove& nearest, const Index3& corner, int edge) {
+  const Vec3 middle = lattice_.middle(corner, edge);
+  slots_.clear();
+  if (pass_.profile().is_ball() && top_of(corner, edge) <= pass_.below_tops_mm()) {
+    const double to_foot = nearest.at.distance + pass_.profile().corner_radius();
+    pass_.gather_rivals({middle, lattice_.half_edge(edge), nearest.at.gradient * to_foot}, slots_);
+  } else {
+    const double diagonal = 2 * lattice_.half_diagonal(edge);
+    pass_.gather(middle, nearest.at.distance + diagonal + kDistanceRounding_mm, slots_);
+  }
 }
 
 bool BlockCutter::balls_below_tops(const MoveBatch& moves, double highest) const {

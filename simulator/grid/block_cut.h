@@ -50,6 +50,8 @@ class BlockCutter {
     BatchSamples samples;
     std::vector<std::uint32_t> kept;
   };
+  void cut_cube(int depth, const Index3& corner, int edge, LeafSink& sink);
+  void gather(const NearestMove& nearest, const Index3& corner, int edge);
   Reach narrow(Level& level, const Index3& corner, int edge);
   void sample(Level& level, const model::Vec3& p, double half_diagonal) const;
   void keep_that_matter(Level& level, const model::Vec3& middle, int edge) const;

@@ -8,6 +8,11 @@
 
 namespace limitgauge::simulator {
 
+/// Moves that are handed down from a cube to its parts at most. A thread holds some 400 bytes of
+/// each: of a path with a million moves on a hand's breadth that would be more than all the rest of
+/// a run. Where more of them meet in a cube, its parts ask the tree of the pass again.
+inline constexpr std::size_t kMostHandedDown = std::size_t{1} << 16;
+
 /// What the inner loops read of ball moves.
 struct BallColumns {
   const double *x, *y, *z, *along_x, *along_y, *run, *rise, *inverse_run, *inverse_length2;

@@ -23,6 +23,7 @@ bool lies_below_tops(const SweepIndex& pass, const MoveBatch& moves, const Cube&
 double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit) {
   kept_.clear();
   moves_.assign(pass, kept_);
+  too_many_ = false;
   const auto found = pass.nearest(cube.middle, limit);
   if (!found) return kFar;
   if (pass.profile().is_ball() && cube.middle.z + cube.half_edge_mm <= pass.below_tops_mm()) {
@@ -32,6 +33,8 @@ double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit)
     const double reach = found->at.distance + 2 * cube.half_diagonal() + kDistanceRounding_mm;
     pass.gather(cube.middle, std::min(limit, reach), kept_);
   }
+  too_many_ = kept_.size() > kMostHandedDown;
+  if (too_many_) kept_.clear();
   moves_.assign(pass, kept_);
   below_tops_ = lies_below_tops(pass, moves_, cube);
   return found->at.distance;
@@ -39,8 +42,10 @@ double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit)
 
 double NearMoves::narrow(const SweepIndex& pass, const NearMoves& wider, const Cube& cube,
                          double limit) {
+  if (wider.too_many_) return gather(pass, cube, limit);
   kept_.clear();
   moves_.assign(pass, kept_);
+  too_many_ = false;
   if (wider.empty()) return kFar;
   below_tops_ = lies_below_tops(pass, wider.moves_, cube);
   const double least =
@@ -110,6 +115,7 @@ double NearMoves::keep_others(const SweepIndex& pass, const MoveBatch& from, con
 
 std::optional<NearestMove> NearMoves::nearest(const SweepIndex& pass, const Vec3& p,
                                               double bound) const {
+  if (too_many_) return pass.nearest(p, bound);
   std::optional<NearestMove> best;
   const auto look_at = [&](std::uint32_t slot) {
     const SweptSample d = pass.distance(slot, p);

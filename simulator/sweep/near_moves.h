@@ -24,8 +24,9 @@ struct Cube {
 /// The moves of one pass that can be nearest somewhere in a cube.
 class NearMoves {
  public:
-  /// Out of all moves of the pass. None where the nearest one's distance at the cube's middle is
-  /// not below `limit`. Gives that distance, infinity for none.
+  /// Out of all moves of the pass; more than kMostHandedDown are not held. None where the nearest
+  /// one's distance at the cube's middle is not below `limit`. Gives that distance, infinity for
+  /// none.
   double gather(const SweepIndex& pass, const Cube& cube, double limit);
   /// Out of `wider`, those of a cube that holds this one; otherwise likewise.
   double narrow(const SweepIndex& pass, const NearMoves& wider, const Cube& cube, double limit);
@@ -33,7 +34,7 @@ class NearMoves {
   /// The one nearest to a place in the cube, if its distance is below `bound`.
   std::optional<NearestMove> nearest(const SweepIndex& pass, const model::Vec3& p,
                                      double bound) const;
-  bool empty() const { return moves_.size() == 0; }
+  bool empty() const { return moves_.size() == 0 && !too_many_; }
 
  private:
   double keep_balls(const SweepIndex& pass, const MoveBatch& from, const Cube& cube);
@@ -43,6 +44,7 @@ class NearMoves {
                           double& bend) const;
 
   MoveBatch moves_;
+  bool too_many_ = false;    // to be held: those of the whole pass are asked
   bool below_tops_ = false;  // all of the cube is, of balls
   CapsuleNarrowing capsules_;
   BatchSamples samples_;

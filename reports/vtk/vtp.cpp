@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "model/base/error.h"
 #include "reports/run/report.h"
@@ -43,6 +44,29 @@ void push(std::vector<T>& xyz, const model::Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) xyz.push_back(static_cast<T>(p[axis]));
 }
 
+std::vector<double> tips_of(const model::Toolpath& path) {
+  std::vector<double> xyz;
+  xyz.reserve(3 * (path.moves.size() + 1));
+  push(xyz, path.start);
+  for (const model::Move& move : path.moves) push(xyz, move.to);
+  return xyz;
+}
+
+std::vector<std::int32_t> numbers_up_to(std::size_t n) {
+  std::vector<std::int32_t> numbers(n);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// The corners of n lines, each from one point to the next.
+std::vector<std::int32_t> lines_between(std::size_t n) {
+  std::vector<std::int32_t> corners;
+  corners.reserve(2 * n);
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(n); ++i)
+    corners.push_back(i), corners.push_back(i + 1);
+  return corners;
+}
+
 /// Single precision: these are figures to colour a path by. Whether they are there, one a move.
 bool add_removal(VtpFile& vtp, std::span<const simulator::MoveRemoval> removal, std::size_t moves) {
   using simulator::MoveRemoval;
@@ -64,26 +88,18 @@ void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path
                         std::span<const Fact> facts) {
   const std::size_t n = path.moves.size();
   require_32_bit(2 * n, file);
-  std::vector<double> xyz;
-  push(xyz, path.start);
-  std::vector<std::int32_t> corners, index;
-  for (std::size_t i = 0; i < n; ++i) {
-    push(xyz, path.moves[i].to);
-    index.push_back(static_cast<std::int32_t>(i));
-    corners.push_back(static_cast<std::int32_t>(i));
-    corners.push_back(static_cast<std::int32_t>(i + 1));
-  }
   using model::Move;
+  // Each column is let go of as soon as VTK has its copy: a path has millions of moves.
   VtpFile vtp;
-  vtp.set_points(view(xyz));
-  vtp.set_lines(corners, 2);
+  vtp.set_points(view(tips_of(path)));
+  vtp.set_lines(lines_between(n), 2);
   vtp.add_cell_data("line",
                     view(column<std::uint32_t>(path.moves, [](const Move& m) { return m.line; })));
   vtp.add_cell_data("feed_mm_min",
                     view(column<float>(path.moves, [](const Move& m) { return m.feed_mm_min; })));
   vtp.add_cell_data("kind",
                     view(column<std::uint8_t>(path.moves, [](const Move& m) { return m.kind; })));
-  vtp.add_cell_data("move", view(index));
+  vtp.add_cell_data("move", view(numbers_up_to(n)));
   const bool has_removal = add_removal(vtp, removal, n);
   vtp.colour_cells_by(has_removal ? "removal_rate_mm3_min" : "feed_mm_min");
   vtp.set_facts(facts);

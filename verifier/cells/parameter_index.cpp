@@ -14,10 +14,17 @@ bool is_point(const SurfaceCell& cell) {
          control_radius(cell.shape, cell.shape.control(0)) <= 0;
 }
 
-bool splits_cleanly(std::span<const SurfaceCell> cells, const std::vector<std::uint32_t>& list,
+std::vector<IndexedCell> all_indexed(std::span<const SurfaceCell> cells) {
+  std::vector<IndexedCell> out;
+  out.reserve(cells.size());
+  for (const SurfaceCell& cell : cells) out.push_back(indexed(cell));
+  return out;
+}
+
+bool splits_cleanly(std::span<const IndexedCell> cells, const std::vector<std::uint32_t>& list,
                     bool in_u, double at) {
   return std::all_of(list.begin(), list.end(), [&](std::uint32_t k) {
-    const ParameterRect r = rect_of(cells[k]);
+    const ParameterRect& r = cells[k].rect;
     return in_u ? r.u1 <= at || r.u0 >= at : r.v1 <= at || r.v0 >= at;
   });
 }
@@ -26,6 +33,10 @@ bool splits_cleanly(std::span<const SurfaceCell> cells, const std::vector<std::u
 
 ParameterRect rect_of(const SurfaceCell& cell) {
   return {cell.u, cell.u + cell.size_u, cell.v, cell.v + cell.size_v};
+}
+
+IndexedCell indexed(const SurfaceCell& cell) {
+  return {cell.patch, is_point(cell), rect_of(cell)};
 }
 
 ParameterRect ParameterIndex::half(const ParameterRect& r, bool in_u, bool high) {
@@ -38,17 +49,20 @@ ParameterRect ParameterIndex::half(const ParameterRect& r, bool in_u, bool high)
   return out;
 }
 
-ParameterIndex::ParameterIndex(std::span<const SurfaceCell> cells) {
+ParameterIndex::ParameterIndex(std::span<const SurfaceCell> cells)
+    : ParameterIndex(std::span<const IndexedCell>(all_indexed(cells))) {}
+
+ParameterIndex::ParameterIndex(std::span<const IndexedCell> cells) {
   int patches = 0;
-  for (const SurfaceCell& cell : cells) patches = std::max(patches, cell.patch + 1);
+  for (const IndexedCell& cell : cells) patches = std::max(patches, cell.patch + 1);
   std::vector<std::vector<std::uint32_t>> lists(patches);
   for (std::uint32_t k = 0; k < cells.size(); ++k)
-    if (!is_point(cells[k])) lists[cells[k].patch].push_back(k);
+    if (!cells[k].is_point) lists[cells[k].patch].push_back(k);
   for (auto& list : lists)
     roots_.push_back(list.empty() ? -1 : build(cells, std::move(list), {0, 1, 0, 1}));
 }
 
-std::int32_t ParameterIndex::build(std::span<const SurfaceCell> cells,
+std::int32_t ParameterIndex::build(std::span<const IndexedCell> cells,
                                    std::vector<std::uint32_t> list, const ParameterRect& region) {
   const auto here = static_cast<std::int32_t>(nodes_.size());
   nodes_.emplace_back();
@@ -62,7 +76,7 @@ std::int32_t ParameterIndex::build(std::span<const SurfaceCell> cells,
   }
   nodes_[here].in_u = in_u;
   const auto upper = std::stable_partition(list.begin(), list.end(), [&](std::uint32_t k) {
-    return in_u ? rect_of(cells[k]).u1 <= u : rect_of(cells[k]).v1 <= v;
+    return in_u ? cells[k].rect.u1 <= u : cells[k].rect.v1 <= v;
   });
   std::vector<std::uint32_t> high(upper, list.end());
   list.erase(upper, list.end());

@@ -18,12 +18,21 @@ struct ParameterRect {
 };
 ParameterRect rect_of(const SurfaceCell& cell);
 
+/// What a cell is found by, a tenth of its size.
+struct IndexedCell {
+  int patch = 0;
+  bool is_point = false;  ///< of an irregular vertex
+  ParameterRect rect;
+};
+IndexedCell indexed(const SurfaceCell& cell);
+
 /// Finds the cells of a patch by their parameters. The cells come from halving, so that every patch
 /// falls apart along middle lines: a binary tree a patch.
 class ParameterIndex {
  public:
   /// Points (cells of irregular vertices) are left out; results are indices into `cells`.
   explicit ParameterIndex(std::span<const SurfaceCell> cells);
+  explicit ParameterIndex(std::span<const IndexedCell> cells);
 
   int patch_count() const { return static_cast<int>(roots_.size()); }
   /// A cell that holds the parameters; none beside an irregular vertex, where a point stands for
@@ -42,7 +51,7 @@ class ParameterIndex {
     bool in_u = true;                  ///< split at the middle of u, else of v
     std::uint32_t first = 0, count = 0;
   };
-  std::int32_t build(std::span<const SurfaceCell> cells, std::vector<std::uint32_t> list,
+  std::int32_t build(std::span<const IndexedCell> cells, std::vector<std::uint32_t> list,
                      const ParameterRect& region);
   static ParameterRect half(const ParameterRect& r, bool in_u, bool high);
 

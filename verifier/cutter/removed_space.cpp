@@ -25,6 +25,13 @@ std::vector<std::uint32_t>& query_stack() {
   return stack;
 }
 
+std::vector<Box3> tip_boxes(const std::vector<SweptBody>& bodies) {
+  std::vector<Box3> tips(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    tips[i].add(bodies[i].from), tips[i].add(bodies[i].to);
+  return tips;
+}
+
 /// Steps to where a ray meets one body: far more than a tangent that touches takes.
 constexpr int kMostSteps = 400;
 
@@ -53,8 +60,7 @@ bool EndRule::is_met(double distance_mm, const Vec3& gradient, const Vec3& ray) 
   return distance_mm <= beside_mm + kDistanceRounding_mm && std::abs(dot(gradient, ray)) <= along;
 }
 
-RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes,
-                           std::span<const Sweep> more)
+RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes)
     : stock_(stock) {
   if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) {
     if (!mesh->mesh) throw std::invalid_argument("a mesh stock without a mesh");
@@ -62,7 +68,6 @@ RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> pass
   }
   stock_box_ = model::bounding_box(stock);
   for (const Pass& pass : passes) add_sweep({CutterProfile(pass.cutter), 0, pass.path});
-  for (const Sweep& sweep : more) add_sweep(sweep);
 }
 
 RemovedSpace::RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions) {
@@ -71,6 +76,12 @@ RemovedSpace::RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> p
 
 RemovedSpace::RemovedSpace(std::span<const Sweep> sweeps) {
   for (const Sweep& sweep : sweeps) add_sweep(sweep);
+}
+
+RemovedSpace RemovedSpace::with(std::span<const Sweep> more) const {
+  RemovedSpace all = *this;
+  for (const Sweep& sweep : more) all.add_sweep(sweep);
+  return all;
 }
 
 void RemovedSpace::add_sweep(const Sweep& sweep) {
@@ -84,24 +95,22 @@ void RemovedSpace::add_sweep(const Sweep& sweep) {
   chord_error_mm_ = std::max(chord_error_mm_, path.chord_error_mm);
 }
 
-RemovedSpace::PassBodies RemovedSpace::index_bodies(const CutterProfile& profile,
-                                                    std::vector<SweptBody> bodies) {
-  std::vector<Box3> tips(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    tips[i].add(bodies[i].from), tips[i].add(bodies[i].to);
-  model::BoxTree tree = model::box_tree(tips, kLeafBodies);
-  PassBodies p{profile, {}, std::move(tree.order), {}, std::move(tree.nodes)};
-  p.place.resize(bodies.size());
-  p.bodies.reserve(bodies.size());
-  for (std::uint32_t k = 0; k < p.index.size(); ++k) {
-    p.bodies.push_back(bodies[p.index[k]]);
-    p.place[p.index[k]] = k;
+std::shared_ptr<const RemovedSpace::PassBodies> RemovedSpace::index_bodies(
+    const CutterProfile& profile, std::vector<SweptBody> bodies) {
+  model::BoxTree tree = model::box_tree(tip_boxes(bodies), kLeafBodies);
+  auto p = std::make_shared<PassBodies>(
+      PassBodies{profile, {}, std::move(tree.order), {}, std::move(tree.nodes)});
+  p->place.resize(bodies.size());
+  p->bodies.reserve(bodies.size());
+  for (std::uint32_t k = 0; k < p->index.size(); ++k) {
+    p->bodies.push_back(bodies[p->index[k]]);
+    p->place[p->index[k]] = k;
   }
   return p;
 }
 
 void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) const {
-  const PassBodies& bodies = passes_[pass];
+  const PassBodies& bodies = *passes_[pass];
   model::nearest_first(
       bodies.nodes,
       [&](const model::BoxNode& node) { return box_bound(bodies.profile, node.box, p); },
@@ -143,7 +152,7 @@ std::optional<Nearest> RemovedSpace::nearest_swept(const Vec3& p) const {
 void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& p, const Vec3& ray,
                                 const EndRule& rule, Meeting& first) const {
   constexpr int kLooks = 4;
-  const PassBodies& bodies = passes_[pass];
+  const PassBodies& bodies = *passes_[pass];
   const auto start_of = [&](const model::BoxNode& node) {
     double t = 0;
     for (int k = 0; k < kLooks && t < first.t_mm; ++k) {
@@ -220,7 +229,7 @@ void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
 /// Calls `take(place of the body)` for all bodies of a pass in nodes that are `near`.
 template <class Near, class Take>
 void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) const {
-  const PassBodies& bodies = passes_[pass];
+  const PassBodies& bodies = *passes_[pass];
   if (bodies.nodes.empty()) return;
   auto& stack = query_stack();
   stack.assign(1, 0);
@@ -240,7 +249,7 @@ void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) cons
 
 void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
-    const PassBodies& bodies = passes_[pass];
+    const PassBodies& bodies = *passes_[pass];
     visit_near(
         pass, [&](const Box3& tips) { return box_bound(bodies.profile, tips, p) <= limit_mm; },
         [&](std::uint32_t k) {
@@ -258,7 +267,7 @@ void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>
     return box_bound(profile, {tips.low - half, tips.high + half}, centre);
   };
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
-    const PassBodies& bodies = passes_[pass];
+    const PassBodies& bodies = *passes_[pass];
     visit_near(
         pass, [&](const Box3& tips) { return bound(bodies.profile, tips) <= limit_mm; },
         [&](std::uint32_t k) {
@@ -279,13 +288,13 @@ void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<Body
 
 BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p) const {
   if (is_stock(body)) return mesh_ ? mesh_->distance(p) : stock_distance(body.index, p);
-  const PassBodies& pass = passes_[body.pass];
+  const PassBodies& pass = *passes_[body.pass];
   return body_distance(pass.profile, pass.of_move(body.index), p);
 }
 
 void RemovedSpace::values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const {
   if (!is_stock(body)) {
-    const PassBodies& pass = passes_[body.pass];
+    const PassBodies& pass = *passes_[body.pass];
     return body_values(pass.profile, pass.of_move(body.index), cell, out);
   }
   if (mesh_) return mesh_->values(cell, out);

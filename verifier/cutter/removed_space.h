@@ -50,13 +50,15 @@ struct EndRule {
 class RemovedSpace {
  public:
   /// Throws std::invalid_argument for a mesh without triangles or with numbers out of range.
-  /// `more` are further sweeps, of shanks and holders: BodyRef::pass counts them after the passes.
-  RemovedSpace(const model::Stock& stock, std::span<const Pass> passes,
-               std::span<const Sweep> more = {});
+  RemovedSpace(const model::Stock& stock, std::span<const Pass> passes);
   /// The union of single positions of one cutter in endless stock.
   RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions);
   /// The union of sweeps in endless stock; BodyRef::pass counts the sweeps.
   explicit RemovedSpace(std::span<const Sweep> sweeps);
+
+  /// This space and further sweeps, of shanks and holders: BodyRef::pass counts them after the
+  /// passes. What this one holds is not held twice.
+  RemovedSpace with(std::span<const Sweep> more) const;
 
   /// The nearest body; among equals the first. A `hint`, any body, saves time where it is near.
   Nearest nearest(const model::Vec3& p, std::optional<BodyRef> hint = {}) const;
@@ -88,8 +90,8 @@ class RemovedSpace {
   const MeshOutside* mesh_of(BodyRef body) const { return is_stock(body) ? mesh_.get() : nullptr; }
   /// Radius of the smallest rounding of a body's edges, in mm; none of a face of the stock.
   double rounding_mm(BodyRef body) const {
-    if (is_stock(body) || passes_[body.pass].profile.is_pointed()) return 0;
-    return passes_[body.pass].profile.rounding_mm;
+    if (is_stock(body) || passes_[body.pass]->profile.is_pointed()) return 0;
+    return passes_[body.pass]->profile.rounding_mm;
   }
   bool is_stock(BodyRef body) const { return body.pass == passes_.size(); }
   /// Of the raw stock; none where it is endless.
@@ -112,7 +114,8 @@ class RemovedSpace {
   };
 
   void add_sweep(const Sweep& sweep);
-  static PassBodies index_bodies(const CutterProfile& profile, std::vector<SweptBody> bodies);
+  static std::shared_ptr<const PassBodies> index_bodies(const CutterProfile& profile,
+                                                        std::vector<SweptBody> bodies);
   template <class Near, class Take>
   void visit_near(std::uint32_t pass, Near&& near, Take&& take) const;
   void stock_within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
@@ -129,7 +132,7 @@ class RemovedSpace {
   std::optional<model::Stock> stock_;
   std::optional<model::Box3> stock_box_;
   std::shared_ptr<const MeshOutside> mesh_;
-  std::vector<PassBodies> passes_;
+  std::vector<std::shared_ptr<const PassBodies>> passes_;  ///< spaces may have them in common
   double chord_error_mm_ = 0;
 };
 

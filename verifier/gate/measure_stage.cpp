@@ -247,7 +247,7 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   std::vector<Sweep> sweeps;
   for (const AssemblySweep& part : parts) sweeps.push_back(part.sweep);
   std::optional<RemovedSpace> with_parts;
-  if (!parts.empty()) with_parts.emplace(raw_stock, passes, sweeps);
+  if (!parts.empty()) with_parts.emplace(cut.with(sweeps));
   const Spaces spaces{cut, with_parts ? *with_parts : cut};
 
   const ReachOfCutters by(cells, passes, check.allowance_mm, surface.area_mm2());

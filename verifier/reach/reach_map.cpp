@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 
 #include "model/base/chunks.h"
@@ -195,13 +196,13 @@ class Classifier {
 }  // namespace
 
 ReachMap::ReachMap(std::vector<Entry> entries) : entries_(std::move(entries)) {
-  std::vector<SurfaceCell> cells;
+  std::vector<IndexedCell> cells;
   cells.reserve(entries_.size());
   for (const Entry& e : entries_) {
-    cells.push_back(e.cell);
+    cells.push_back(indexed(e.cell));
     area_[static_cast<int>(e.reach)] += e.area_mm2;
   }
-  index_ = std::make_unique<const ParameterIndex>(cells);
+  index_ = std::make_unique<const ParameterIndex>(std::span<const IndexedCell>(cells));
 }
 
 Reach ReachMap::of(const SurfaceCell& cell) const {
@@ -223,40 +224,68 @@ const ReachMap::Entry* ReachMap::entry_at(int patch, double u, double v) const {
 namespace {
 
 /// Halves cells until each is proven for one cutter, or the effort is spent.
-std::vector<ReachMap::Entry> classify_cells(const SurfaceCells& cells, std::vector<Open> level,
-                                            const Reachability& reachability,
-                                            const ReachOptions& options,
-                                            const model::RunControl& control) {
+/// Half a kilobyte each, hundreds of thousands of them: a vector that grows would hold three times
+/// as many.
+using Entries = std::deque<ReachMap::Entry>;
+using OpenCells = std::deque<Open>;
+
+/// Both, one after the other; lets go of them on the way.
+std::vector<ReachMap::Entry> joined(Entries first, Entries second) {
+  std::vector<ReachMap::Entry> all;
+  all.reserve(first.size() + second.size());
+  for (Entries* part : {&first, &second})
+    for (; !part->empty(); part->pop_front()) all.push_back(part->front());
+  return all;
+}
+
+/// What became of one open cell.
+struct Decided {
+  Reach reach = Reach::undecided;
+  bool halve = false;
+  double area_mm2 = 0;
+};
+
+Decided decide(const Classifier& classifier, Open& open, const ReachOptions& options, bool last) {
+  Decided decided{classifier.decide(open)};
+  const double smallest =
+      open.level ? kCoarserOnLevel * options.smallest_radius_mm : options.smallest_radius_mm;
+  decided.halve = decided.reach == Reach::undecided && !last &&
+                  control_radius(open.cell.shape, middle(open.cell.shape)) > smallest;
+  if (!decided.halve) decided.area_mm2 = area_mm2(open.cell.shape);
+  return decided;
+}
+
+/// Puts each cell of `level` where it belongs, and lets go of it.
+OpenCells sorted(OpenCells level, const std::vector<Decided>& decided, Entries& done) {
+  OpenCells next;
+  for (const Decided& d : decided) {
+    const Open& open = level.front();
+    if (!d.halve) {
+      done.push_back({open.cell, d.reach, d.area_mm2, 0});
+    } else {
+      for (const SurfaceCell& half : halved(open.cell))
+        next.push_back({half, open.witness, open.cleared, open.pending, false});
+    }
+    level.pop_front();
+  }
+  return next;
+}
+
+Entries classify_cells(const SurfaceCells& cells, OpenCells level, const Reachability& reachability,
+                       const ReachOptions& options, const model::RunControl& control) {
   const Classifier classifier(cells, reachability);
-  std::vector<ReachMap::Entry> done;
+  Entries done;
   std::size_t seen = 0;
   while (!level.empty()) {
     seen += level.size();
     const bool last = seen > options.largest_cell_count;
-    std::vector<ReachMap::Entry> found(level.size());
-    std::vector<char> halve(level.size());
+    std::vector<Decided> decided(level.size());
     constexpr std::size_t kChunk = 64;
     model::parallel_chunks(level.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        Open& open = level[i];
-        found[i] = {open.cell, classifier.decide(open), 0, 0};
-        const double smallest =
-            open.level ? kCoarserOnLevel * options.smallest_radius_mm : options.smallest_radius_mm;
-        halve[i] = found[i].reach == Reach::undecided && !last &&
-                   control_radius(open.cell.shape, middle(open.cell.shape)) > smallest;
-        if (!halve[i]) found[i].area_mm2 = area_mm2(open.cell.shape);
-      }
+      for (std::size_t i = begin; i < end; ++i)
+        decided[i] = decide(classifier, level[i], options, last);
     });
-    std::vector<Open> next;
-    for (std::size_t i = 0; i < level.size(); ++i) {
-      if (!halve[i]) {
-        done.push_back(found[i]);
-        continue;
-      }
-      for (const SurfaceCell& half : halved(level[i].cell))
-        next.push_back({half, level[i].witness, level[i].cleared, level[i].pending, false});
-    }
-    level = std::move(next);
+    level = sorted(std::move(level), decided, done);
   }
   return done;
 }
@@ -271,18 +300,19 @@ ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachabil
 ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability> cutters,
                         std::span<const ReachOptions> options, const model::RunControl& control) {
   // What is left for the next cutter, with what those before it have proven.
-  std::vector<ReachMap::Entry> left, done;
+  Entries left, done;
   for (const SurfaceCell& cell : cells.cells())
     if (control_radius(cell.shape, cell.shape.control(0)) > 0)
       left.push_back({cell, Reach::unreachable, 0, 0});
   for (std::size_t k = 0; k < cutters.size() && !left.empty(); ++k) {
-    std::vector<ReachMap::Entry> next;
+    Entries next;
     for (const Reach before : {Reach::unreachable, Reach::undecided}) {
-      std::vector<Open> level;
+      OpenCells level;
       for (const ReachMap::Entry& e : left)
         if (e.reach == before) level.push_back({e.cell, {}, {}, {}, false});
-      for (ReachMap::Entry e :
-           classify_cells(cells, std::move(level), cutters[k], options[k], control)) {
+      Entries found = classify_cells(cells, std::move(level), cutters[k], options[k], control);
+      for (; !found.empty(); found.pop_front()) {
+        ReachMap::Entry& e = found.front();
         e.cutter = k;
         if (e.reach == Reach::unreachable) e.reach = before;
         (e.reach == Reach::reachable ? done : next).push_back(e);
@@ -290,8 +320,7 @@ ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability>
     }
     left = std::move(next);
   }
-  done.insert(done.end(), left.begin(), left.end());
-  return ReachMap(std::move(done));
+  return ReachMap(joined(std::move(done), std::move(left)));
 }
 
 }  // namespace limitgauge::verifier

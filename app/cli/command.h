@@ -75,7 +75,8 @@ struct StudyCommand {
   /// Of a process that runs cases for another one: where its tasks come from, `-` for standard
   /// input; `study` is the job then. Empty: this is no such process.
   std::string worker;
-  std::uint64_t worker_keeps_bytes = 0;  ///< of stages in memory
+  std::uint64_t worker_keeps_bytes = 0;   ///< of stages in memory
+  std::uint64_t worker_memory_bytes = 0;  ///< that a case may take; 0: model::memory_limit_bytes()
 };
 struct HistoryCommand {
   std::filesystem::path file;

@@ -54,6 +54,7 @@ void CommandDefinition::add_study_engine(CLI::App& sub) {
   // Of the processes that this command starts, not for users: stated nowhere.
   sub.add_option("--worker", study.worker)->group("");
   sub.add_option("--worker-keeps", study.worker_keeps_bytes)->group("");
+  sub.add_option("--worker-memory", study.worker_memory_bytes)->group("");
 }
 
 }  // namespace limitgauge::app

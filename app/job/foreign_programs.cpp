@@ -1,7 +1,7 @@
 #include "app/job/foreign_programs.h"
 
 #include <algorithm>
-#include <sstream>
+#include <deque>
 
 #include "app/job/program_parts.h"
 #include "model/base/coordinate_limit.h"
@@ -60,7 +60,8 @@ class GroupReader {
   const Job& job_;
   const Settings& settings_;
   const Group& group_;
-  std::string file_, text_;
+  std::string file_;
+  std::shared_ptr<const std::string> text_;
   model::Program program_;
   std::vector<MotionRange> ranges_;
   model::PathOptions options_;
@@ -69,11 +70,11 @@ class GroupReader {
 
 GroupReader::GroupReader(const Job& job, const Settings& settings, const Group& group)
     : job_(job), settings_(settings), group_(group), file_(stage(0).program.string()) {
-  text_ = model::read_text_file(stage(0).program);
+  text_ = std::make_shared<const std::string>(model::read_text_file(stage(0).program));
   options_.machine_in_part = model::machine_in_part(
       job.program_frame, job.machine.work_offsets.front().value_or(model::WorkOffset()));
-  // What is made of a path, its copy included, takes several times its own room.
-  constexpr double kRoom = 8;
+  // What is made of a path takes several times its own room (app/run/run_forecast.cpp).
+  constexpr double kRoom = 10;
   options_.most_moves =
       static_cast<double>(settings.memory_limit_bytes) / (kRoom * sizeof(model::Move));
   read(model::Vec3());
@@ -81,11 +82,10 @@ GroupReader::GroupReader(const Job& job, const Settings& settings, const Group& 
 
 /// Without a start of the job's, from `assumed_start_mm`.
 void GroupReader::read(const std::optional<model::Vec3>& assumed_start_mm) {
-  std::istringstream in(text_);
   model::MachineSetup machine = machine_for(job_, stage(0).cutter);
   machine.start_is_assumed = !machine.start_mm;
   if (machine.start_is_assumed) machine.start_mm = assumed_start_mm;
-  program_ = model::read_program(in, file_, machine);
+  program_ = model::read_program(std::string_view(*text_), file_, machine);
   std::vector<const JobStage*> stages;
   for (const std::size_t i : group_) stages.push_back(&job_.stages[i]);
   ranges_ = assign_parts(program_, file_, stages);
@@ -159,9 +159,9 @@ ForeignPath GroupReader::path_of(std::size_t index) const {
   // Ends first: an arc to somewhere far away would have more chords than there is room for.
   for (std::size_t i = options.first; i < options.last; ++i)
     require_near(options.machine_in_part(program_.motions[i].to), program_.motions[i].line);
-  foreign.path = to_toolpath(program_, options);
-  for (const model::Move& move : foreign.path.moves) require_near(move.to, move.line);
-  if (foreign.path.moves.empty())
+  foreign.path = std::make_shared<const model::Toolpath>(to_toolpath(program_, options));
+  for (const model::Move& move : foreign.path->moves) require_near(move.to, move.line);
+  if (foreign.path->moves.empty())
     throw model::InputError(
         {file_, 0, 0},
         "the program moves nothing" +
@@ -193,7 +193,7 @@ void GroupReader::list_assumed(ForeignPath& foreign, std::size_t index) const {
 /// Above stock, part, fixtures and everything that the programs reach and start at, by the job's
 /// clearance; no higher than the machine can go.
 double above_everything_mm(const Job& job, const std::vector<model::Fixture>& fixtures,
-                           const model::Box3& part, const std::vector<GroupReader>& readers) {
+                           const model::Box3& part, const std::deque<GroupReader>& readers) {
   double top = std::max(model::bounding_box(job.stock).high.z, part.high.z);
   for (const model::Fixture& fixture : fixtures)
     for (const model::Vec3& vertex : fixture.mesh->vertices) top = std::max(top, vertex.z);
@@ -221,11 +221,13 @@ std::vector<std::optional<ForeignPath>> load_programs(const Job& job, const Sett
                                                       const std::vector<model::Fixture>& fixtures,
                                                       const model::Box3& part) {
   const std::vector<Group> groups = groups_of(job);
-  std::vector<GroupReader> readers;
+  std::deque<GroupReader> readers;
   for (const Group& group : groups) readers.emplace_back(job, settings, group);
   const double above_all_mm = above_everything_mm(job, fixtures, part, readers);
   std::vector<std::optional<ForeignPath>> programs(job.stages.size());
-  for (GroupReader& reader : readers) {
+  // Motions take twice what moves do: those of a program are let go once its paths are there.
+  for (; !readers.empty(); readers.pop_front()) {
+    GroupReader& reader = readers.front();
     reader.place({above_all_mm, start_of(job, above_all_mm)});
     for (std::size_t i = 0; i < reader.group().size(); ++i)
       programs[reader.group()[i]] = reader.path_of(i);

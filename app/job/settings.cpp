@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "model/base/memory.h"
 #include "model/base/number_text.h"
 #include "simulator/instrument/dexel_removal.h"
 #include "verifier/gate/verify.h"
@@ -107,11 +106,12 @@ double rest_threshold_mm(const JobStage& stage) {
 /// the rounding of coordinates and the chords of arcs, well below what leaves a mark that matters.
 constexpr double kContactTolerance_mm = 0.01;
 
-Settings choose_settings(const Job& job, const model::Box3& surface) {
+Settings choose_settings(const Job& job, const model::Box3& surface,
+                         std::size_t memory_limit_bytes) {
   Settings settings;
   settings.voxel_mm = job.voxel_mm.value_or(automatic_voxel_mm(job));
   settings.contact_tolerance_mm = job.contact_tolerance_mm.value_or(kContactTolerance_mm);
-  settings.memory_limit_bytes = model::run_memory_limit_bytes();
+  settings.memory_limit_bytes = settings.stock_limit_bytes = memory_limit_bytes;
   settings.line_spacing_mm = simulator::removal_spacing_mm(settings.voxel_mm, job.stock, {});
   for (const JobStage& stage : job.stages) {
     settings.resolution_mm.push_back(

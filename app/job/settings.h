@@ -12,11 +12,12 @@ namespace limitgauge::app {
 /// The figures that a job may leave to the program, as they were chosen for one run.
 struct Settings {
   double voxel_mm = 0;
-  std::vector<double> resolution_mm;  ///< a stage: widest certified interval asked for
-  std::vector<double> floor_z_mm;     ///< a stage: lowest tip height; NaN for a program
-  double contact_tolerance_mm = 0;    ///< contacts shallower than this are none
-  double line_spacing_mm = 0;         ///< of the lines that removal is followed on
-  std::size_t memory_limit_bytes = 0;
+  std::vector<double> resolution_mm;   ///< a stage: widest certified interval asked for
+  std::vector<double> floor_z_mm;      ///< a stage: lowest tip height; NaN for a program
+  double contact_tolerance_mm = 0;     ///< contacts shallower than this are none
+  double line_spacing_mm = 0;          ///< of the lines that removal is followed on
+  std::size_t memory_limit_bytes = 0;  ///< that the run may take at its peak
+  std::size_t stock_limit_bytes = 0;   ///< that the stock model may take of it, with its moves
 };
 
 /// Voxel "auto": ten times the tightest gouge or uncut limit of the job, kept within 0.05 and
@@ -33,7 +34,10 @@ double chord_error_mm(double resolution_mm);
 /// uncut limit where it has one, else its tolerance.
 double rest_threshold_mm(const JobStage& stage);
 
-Settings choose_settings(const Job& job, const model::Box3& surface);
+/// `memory_limit_bytes` is model::memory_limit_bytes() as it was when the run began: what the run
+/// may take at its peak.
+Settings choose_settings(const Job& job, const model::Box3& surface,
+                         std::size_t memory_limit_bytes);
 /// Every figure that the job did not state, and every convention, in words for the report.
 std::vector<std::string> assumptions(const Job& job, const Settings& settings);
 

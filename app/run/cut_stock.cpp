@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "model/base/memory.h"
 #include "simulator/instrument/dexel_agreement.h"
 #include "simulator/process/process_check.h"
 
@@ -32,10 +33,9 @@ void follow_process(const Job& job, const RunInputs& inputs, const JobStage& ask
 
 void say_forecast(const JobStage& asked, const simulator::CutForecast& forecast,
                   const StageWatch& watch) {
-  constexpr double kMib = 1024.0 * 1024.0;
   std::ostringstream line;
-  line << asked.name << ": cutting is forecast to take " << forecast.seconds << " s and "
-       << std::lround(forecast.bytes / kMib) << " MiB";
+  line << asked.name << ": cutting is forecast to take " << forecast.seconds
+       << " s, the stock and its moves then " << model::in_mib(forecast.bytes);
   if (forecast.tiled) line << ", tile by tile";
   watch.options.watch.note(line.str());
 }
@@ -54,14 +54,13 @@ const simulator::StockAgreement& agreed(const JobStage& asked,
 }  // namespace
 
 CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch& watch) {
-  simulator::StockModel stock(job.stock, settings.voxel_mm, settings.memory_limit_bytes,
+  simulator::StockModel stock(job.stock, settings.voxel_mm, settings.stock_limit_bytes,
                               watch.control("raw stock"));
   const double volume_mm3 = stock.volume_mm3(watch.control("raw stock"));
   return {std::move(stock), volume_mm3, simulator::DexelStock(job.stock, settings.line_spacing_mm)};
 }
 
-CutStock cut_again(CutStock before, std::span<const model::Pass> passes,
-                   const StageWatch& watch) {
+CutStock cut_again(CutStock before, std::span<const model::Pass> passes, const StageWatch& watch) {
   for (const model::Pass& pass : passes) {
     before.stock = std::move(before.stock).cut(pass, watch.control("cutting again"));
     before.lines = before.lines.cut(pass, watch.control("cutting again")).stock;

@@ -1,15 +1,18 @@
 #include "app/run/pipeline.h"
 
+#include <new>
 #include <sstream>
 
 #include "app/run/cut_stock.h"
 #include "app/run/result_parts.h"
+#include "app/run/run_forecast.h"
 #include "app/run/stage_planner.h"
 #include "app/run/stage_prefix.h"
 #include "app/run/stage_program.h"
 #include "app/run/stock_probe.h"
 #include "app/run/surface_witness.h"
 #include "model/base/clock.h"
+#include "model/base/error.h"
 #include "model/base/memory.h"
 #include "model/base/output_file.h"
 #include "model/part/machining_time.h"
@@ -40,6 +43,7 @@ class Bench {
   model::RunControl control(const std::string& what) const { return watch().control(what); }
   StageWatch watch() const { return {options_, stage_, job_.stages.size()}; }
   void begin(reports::RunResult& result);
+  void say_forecast();
   void run_stage(std::size_t index, reports::StageResult& stage);
   void make_path(std::size_t index, reports::StageResult::Ran& ran);
   void cut(const JobStage& asked, reports::StageResult::Ran& ran);
@@ -64,21 +68,21 @@ class Bench {
 void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
   const model::Stopwatch watch;
-  PlannedStage planned = planner_.plan(index, passes_, control(asked.name + ": planning"));
+  StageToCut ready = planner_.plan(index, passes_, control(asked.name + ": planning"));
   if (options_.stage_files) {
     model::make_folder(folder_ / asked.name);
-    write_program_files(planned, folder_ / asked.name);
+    write_program_files(ready, folder_ / asked.name);
   }
   // The model of the surface has a time of its own.
-  ran.plan_seconds = asked.plan ? planned.path.seconds : watch.seconds();
-  ran.planes = planned.path.planes;
-  ran.sampling_interval_min = planned.path.sampling_interval_min;
-  ran.sampling_interval_max = planned.path.sampling_interval_max;
-  ran.sampling_intervals = std::move(planned.path.sampling_intervals);
-  ran.path_memory_bytes = planned.path.memory_bytes;
-  ran.ignored_words = std::move(planned.ignored_words);
-  ran.program_text = std::make_shared<const std::string>(std::move(planned.program));
-  ran.path = std::make_shared<const model::Toolpath>(std::move(planned.path.path));
+  ran.plan_seconds = asked.plan ? ready.figures.seconds : watch.seconds();
+  ran.planes = ready.figures.planes;
+  ran.sampling_interval_min = ready.figures.sampling_interval_min;
+  ran.sampling_interval_max = ready.figures.sampling_interval_max;
+  ran.sampling_intervals = std::move(ready.figures.sampling_intervals);
+  ran.path_memory_bytes = ready.figures.memory_bytes;
+  ran.ignored_words = std::move(ready.ignored_words);
+  ran.program_text = std::move(ready.program);
+  ran.path = std::move(ready.path);
   const model::ToolpathLengths sums = lengths(*ran.path, job_.rapid_mm_min);
   ran.cut_length_mm = sums.cut_mm;
   ran.rapid_length_mm = sums.rapid_mm;
@@ -141,8 +145,11 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   stage_ = index + 1;
   reports::StageResult::Ran& ran = stage.ran.emplace();
   make_path(index, ran);
+  model::return_freed_memory();
   cut(job_.stages[index], ran);
+  model::return_freed_memory();
   measure(index, ran);
+  model::return_freed_memory();
   stage.decision =
       decide(ran.deviation, stage.limits, process_faults(ran.process), names_up_to(index));
   if (options_.stage_files) {
@@ -175,6 +182,16 @@ void Bench::begin(reports::RunResult& result) {
   if (result.verdict != Verdict::pass) return;
   stock_ =
       from_.stages.empty() ? uncut_stock(job_, inputs_.settings, watch()) : std::move(from_.stock);
+  say_forecast();
+}
+
+/// Of the whole process, before anything is planned or cut.
+void Bench::say_forecast() {
+  const auto& built = planner_.expected_model(control("model of the surface"));
+  const RunScale scale = scale_of(job_, inputs_, built, stock_->stock);
+  options_.watch.note("the run is forecast to take " + model::in_mib(forecast_bytes(scale)) +
+                      " at its peak; allowed are " +
+                      model::in_mib(static_cast<double>(inputs_.terms.memory_limit_bytes)));
 }
 
 void Bench::hand_over(const reports::RunResult& result) const {
@@ -198,10 +215,28 @@ reports::RunResult Bench::run() {
 
 }  // namespace
 
+namespace {
+
+/// Whatever took the last of it, in whatever thread: what the user can do is the same.
+template <class Work>
+auto within_memory(const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    model::return_freed_memory();
+    throw model::ResourceError(
+        "limitgauge: error: out of memory, " +
+        model::in_mib(static_cast<double>(model::process_peak_bytes())) +
+        " were in use; a coarser voxel, fewer moves or more memory would do");
+  }
+}
+
+}  // namespace
+
 reports::RunResult run_job(const Job& job, const RunInputs& inputs,
                            const std::filesystem::path& folder, const RunOptions& options,
                            const Resumption& resumption) {
-  return Bench(job, inputs, folder, options, resumption).run();
+  return within_memory([&] { return Bench(job, inputs, folder, options, resumption).run(); });
 }
 
 void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::path& folder,
@@ -211,14 +246,13 @@ void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::pa
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     const std::string& name = job.stages[i].name;
     options.watch.phase({name + ": planning", i + 1, job.stages.size()});
-    PlannedStage planned =
+    const StageToCut ready =
         planner.plan(i, passes, {options.threads, options.stop, options.watch.progress});
     model::make_folder(folder / name);
-    write_program_files(planned, folder / name);
-    reports::write_toolpath_vtp(planned.path.path, folder / name / "toolpath.vtp");
-    options.watch.note(name + ": " + std::to_string(planned.path.path.moves.size()) + " moves");
-    passes.push_back({job.stages[i].cutter,
-                      std::make_shared<const model::Toolpath>(std::move(planned.path.path))});
+    write_program_files(ready, folder / name);
+    reports::write_toolpath_vtp(*ready.path, folder / name / "toolpath.vtp");
+    options.watch.note(name + ": " + std::to_string(ready.path->moves.size()) + " moves");
+    passes.push_back({job.stages[i].cutter, ready.path});
   }
 }
 
@@ -227,13 +261,15 @@ void write_report(const reports::RunResult& result, const std::filesystem::path&
   const auto write = [&](const char* file, Writer writer) {
     model::write_file(folder / file, [&](std::ostream& out) { writer(result, out); });
   };
-  write("report.html", reports::write_html);
-  write("junit.xml", reports::write_junit);
-  write("findings.sarif", reports::write_sarif);
-  write("findings.csv", reports::write_findings_csv);
-  reports::write_stages_vtm(result, folder);
-  // Last: what looks for a finished run looks for this file.
-  write("result.json", reports::write_result_json);
+  within_memory([&] {
+    write("report.html", reports::write_html);
+    write("junit.xml", reports::write_junit);
+    write("findings.sarif", reports::write_sarif);
+    write("findings.csv", reports::write_findings_csv);
+    reports::write_stages_vtm(result, folder);
+    // Last: what looks for a finished run looks for this file.
+    write("result.json", reports::write_result_json);
+  });
 }
 
 }  // namespace limitgauge::app

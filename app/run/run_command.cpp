@@ -13,6 +13,7 @@
 #include "model/base/clean_text.h"
 #include "model/base/clock.h"
 #include "model/base/error.h"
+#include "model/base/memory.h"
 #include "reports/run/report.h"
 
 namespace limitgauge::app {
@@ -120,7 +121,7 @@ ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
   OutputFolder folder(output, common.force);
   const RunHistory history(kept, folder.target());
   watched(common, console, [&](ProgressLine& progress) {
-    const RunInputs inputs = load_inputs(job);
+    const RunInputs inputs = load_inputs(job, {model::memory_limit_bytes()});
     const RunOptions options = options_for(common, console, progress);
     work_in(folder, [&] {
       result = run_job(job, inputs, folder.working(), options);
@@ -158,7 +159,7 @@ ExitCode execute(const PlanCommand& command, const CommonOptions& common, const 
   const Job job = read_job(command.job, common.overrides);
   OutputFolder folder(or_default(command.output, job.name + "-plan"), common.force);
   watched(common, console, [&](ProgressLine& progress) {
-    const RunInputs inputs = load_inputs(job);
+    const RunInputs inputs = load_inputs(job, {model::memory_limit_bytes()});
     const RunOptions options = options_for(common, console, progress);
     work_in(folder, [&] { plan_job(job, inputs, folder.working(), options); });
   });

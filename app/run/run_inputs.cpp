@@ -6,6 +6,7 @@
 #include "app/run/cage_fold.h"
 #include "app/run/input_checksums.h"
 #include "app/run/part_fit.h"
+#include "app/run/run_forecast.h"
 #include "app/run/surface_witness.h"
 #include "app/tolerance.h"
 #include "model/base/coordinate_limit.h"
@@ -124,17 +125,24 @@ JobSurface load_surface(const Job& job) {
   return {std::move(cage), std::move(surface), std::move(witness)};
 }
 
-RunInputs load_inputs(const Job& job) {
-  return load_inputs(job, load_surface(job));
+RunInputs load_inputs(const Job& job, const RunTerms& terms) {
+  return load_inputs(job, terms, load_surface(job));
 }
 
-RunInputs load_inputs(const Job& job, JobSurface surface) {
+RunInputs load_inputs(const Job& job, const RunTerms& terms, JobSurface surface) {
   require_fit(job, surface.cage);  // the surface may come from another job of the same cage
-  Settings settings = choose_settings(job, surface.surface.bounding_box());
+  const model::Box3 box = surface.surface.bounding_box();
+  Settings settings = choose_settings(job, box, terms.memory_limit_bytes);
   std::vector<model::Fixture> fixtures = load_fixtures(job);
-  auto programs = load_programs(job, settings, fixtures, surface.surface.bounding_box());
-  return {std::move(surface.cage), std::move(surface.surface), std::move(surface.witness),
-          std::move(settings),     std::move(fixtures),        std::move(programs),
+  auto programs = load_programs(job, settings, fixtures, box);
+  settings.stock_limit_bytes = stock_limit_bytes(scale_of(job, surface.surface, programs, terms));
+  return {std::move(surface.cage),
+          std::move(surface.surface),
+          std::move(surface.witness),
+          std::move(settings),
+          terms,
+          std::move(fixtures),
+          std::move(programs),
           input_checksums(job)};
 }
 

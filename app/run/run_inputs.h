@@ -11,12 +11,20 @@
 
 namespace limitgauge::app {
 
+/// What a run is made within, as far as its memory goes by it.
+struct RunTerms {
+  std::size_t memory_limit_bytes = 0;  ///< model::memory_limit_bytes() when the run began
+  bool files = true;                   ///< stages' files and reports are written
+  std::size_t kept = 0;                ///< stages of other jobs that are held beside
+};
+
 /// Everything a job reads, read and checked before anything is computed or written.
 struct RunInputs {
   model::Cage cage;  ///< placed
   verifier::ReferenceSurface surface;
   witness::Agreement witness;
   Settings settings;
+  RunTerms terms;
   std::vector<model::Fixture> fixtures;
   std::vector<std::optional<ForeignPath>> programs;  ///< a stage; empty for those planned here
   std::vector<reports::InputFile> files;             ///< what all of this was read from
@@ -33,8 +41,9 @@ struct JobSurface {
 JobSurface load_surface(const Job& job);
 
 /// Throws InputError for a cage or program that cannot be used, and as load_surface does.
-RunInputs load_inputs(const Job& job);
+/// ResourceError where the moves alone are more than the limit lets the run take.
+RunInputs load_inputs(const Job& job, const RunTerms& terms);
 /// The same with the job's surface, where it is at hand.
-RunInputs load_inputs(const Job& job, JobSurface surface);
+RunInputs load_inputs(const Job& job, const RunTerms& terms, JobSurface surface);
 
 }  // namespace limitgauge::app

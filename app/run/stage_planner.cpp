@@ -28,7 +28,20 @@ engine::surface::ModelRequest model_request(const Job& job) {
 
 const engine::surface::FinishModel& StagePlanner::finish_model(const model::RunControl& control) {
   if (!model_) model_.emplace(inputs_.cage, model_request(job_), control);
+  is_used_ = true;
   return *model_;
+}
+
+const std::optional<engine::surface::FinishModel>& StagePlanner::expected_model(
+    const model::RunControl& control) {
+  const auto planned = [](const JobStage& stage) { return stage.plan.has_value(); };
+  if (model_ || std::none_of(job_.stages.begin(), job_.stages.end(), planned)) return model_;
+  try {
+    model_.emplace(inputs_.cage, model_request(job_), control);
+  } catch (const std::invalid_argument&) {
+    // The stage that cannot be planned says so when its turn comes.
+  }
+  return model_;
 }
 
 engine::strategy::StageRequest StagePlanner::request(std::size_t stage) const {
@@ -57,8 +70,8 @@ std::vector<model::Box3> StagePlanner::regions(std::size_t stage,
   return find_leftover_regions(inputs_.surface, job_.stock, before, leftover, control).boxes;
 }
 
-PlannedStage StagePlanner::plan_own(std::size_t stage, std::span<const verifier::Pass> before,
-                                    const model::RunControl& control) {
+StageToCut StagePlanner::plan_own(std::size_t stage, std::span<const verifier::Pass> before,
+                                  const model::RunControl& control) {
   PlannedStage planned;
   try {
     engine::strategy::StageRequest asked = request(stage);
@@ -70,21 +83,23 @@ PlannedStage StagePlanner::plan_own(std::size_t stage, std::span<const verifier:
                             "a stage that a path can serve");
   }
   write_stage_program(job_, stage, chord_error_mm(inputs_.settings.resolution_mm[stage]), planned);
-  return planned;
+  StageToCut ready;
+  ready.path = std::make_shared<const model::Toolpath>(std::move(planned.path.path));
+  ready.program = std::make_shared<const std::string>(std::move(planned.program));
+  ready.cl_data = std::move(planned.cl_data);
+  ready.figures = std::move(planned.path);
+  return ready;
 }
 
-PlannedStage StagePlanner::take_program(std::size_t stage) const {
+StageToCut StagePlanner::take_program(std::size_t stage) const {
   const ForeignPath& foreign = *inputs_.programs[stage];
-  PlannedStage planned;
-  planned.path.path = foreign.path;
-  planned.path.memory_bytes = foreign.path.moves.size() * sizeof(model::Move);
-  planned.program = foreign.text;
-  planned.ignored_words = foreign.ignored_words;
-  return planned;
+  StageToCut ready{foreign.path, foreign.text, {}, foreign.ignored_words, {}};
+  ready.figures.memory_bytes = foreign.path->moves.size() * sizeof(model::Move);
+  return ready;
 }
 
-PlannedStage StagePlanner::plan(std::size_t stage, std::span<const verifier::Pass> before,
-                                const model::RunControl& control) {
+StageToCut StagePlanner::plan(std::size_t stage, std::span<const verifier::Pass> before,
+                              const model::RunControl& control) {
   return job_.stages[stage].plan ? plan_own(stage, before, control) : take_program(stage);
 }
 

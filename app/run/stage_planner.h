@@ -21,27 +21,35 @@ class StagePlanner {
   /// `model` is the one that this job's would be, where it is at hand.
   StagePlanner(const Job& job, const RunInputs& inputs,
                std::optional<engine::surface::FinishModel> model = {})
-      : job_(job), inputs_(inputs), model_(std::move(model)) {}
+      : job_(job), inputs_(inputs), model_(std::move(model)), is_used_(model_.has_value()) {}
 
   /// `before` are the passes of the stages before: a rest stage asks the verifier what they have
   /// left. Throws InputError where the stage asks for something that no path can serve.
-  PlannedStage plan(std::size_t stage, std::span<const verifier::Pass> before,
-                    const model::RunControl& control);
+  StageToCut plan(std::size_t stage, std::span<const verifier::Pass> before,
+                  const model::RunControl& control);
   /// Empty as long as no stage needed it.
-  const std::optional<engine::surface::FinishModel>& model() const { return model_; }
+  const std::optional<engine::surface::FinishModel>& model() const {
+    static const std::optional<engine::surface::FinishModel> kNone;
+    return is_used_ ? model_ : kNone;
+  }
+  /// The one that the first planned stage will need, built for the forecast; empty where none is
+  /// planned.
+  const std::optional<engine::surface::FinishModel>& expected_model(
+      const model::RunControl& control);
 
  private:
   const engine::surface::FinishModel& finish_model(const model::RunControl& control);
   engine::strategy::StageRequest request(std::size_t stage) const;
   std::vector<model::Box3> regions(std::size_t stage, std::span<const verifier::Pass> before,
                                    const model::RunControl& control) const;
-  PlannedStage plan_own(std::size_t stage, std::span<const verifier::Pass> before,
-                        const model::RunControl& control);
-  PlannedStage take_program(std::size_t stage) const;
+  StageToCut plan_own(std::size_t stage, std::span<const verifier::Pass> before,
+                      const model::RunControl& control);
+  StageToCut take_program(std::size_t stage) const;
 
   const Job& job_;
   const RunInputs& inputs_;
   std::optional<engine::surface::FinishModel> model_;
+  bool is_used_ = false;
 };
 
 }  // namespace limitgauge::app

@@ -32,8 +32,7 @@ std::string cl_data(const model::Toolpath& path, const model::Cutter& cutter,
 
 model::Toolpath read_back(const std::string& program, const std::string& name,
                           double chord_error_mm) {
-  std::istringstream in(program);
-  return to_toolpath(model::read_program(in, name), chord_error_mm);
+  return to_toolpath(model::read_program(std::string_view(program), name), chord_error_mm);
 }
 
 void write(const Job& job, std::size_t stage, double chord_error_mm, PlannedStage& planned) {
@@ -61,10 +60,10 @@ void write_stage_program(const Job& job, std::size_t stage, double chord_error_m
   }
 }
 
-void write_program_files(const PlannedStage& planned, const std::filesystem::path& folder) {
-  model::write_file(folder / "toolpath.ngc", [&](std::ostream& out) { out << planned.program; });
-  if (planned.cl_data.empty()) return;
-  model::write_file(folder / "toolpath.apt", [&](std::ostream& out) { out << planned.cl_data; });
+void write_program_files(const StageToCut& stage, const std::filesystem::path& folder) {
+  model::write_file(folder / "toolpath.ngc", [&](std::ostream& out) { out << *stage.program; });
+  if (stage.cl_data.empty()) return;
+  model::write_file(folder / "toolpath.apt", [&](std::ostream& out) { out << stage.cl_data; });
 }
 
 }  // namespace limitgauge::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,21 @@
 
 namespace limitgauge::app {
 
-/// A stage's toolpath with its program: planned, or taken from the stage's program.
+/// A planned stage's toolpath with its program.
 struct PlannedStage {
   engine::strategy::StagePath path;
   std::string program;  ///< the text that stands in toolpath.ngc
   std::string cl_data;  ///< the text of toolpath.apt; empty where none is asked for
+};
+
+/// A stage's toolpath as it is cut, and all that is told of it. Path and program of a foreign stage
+/// are those that the inputs hold, not copies.
+struct StageToCut {
+  std::shared_ptr<const model::Toolpath> path;
+  std::shared_ptr<const std::string> program;  ///< the text that stands in toolpath.ngc
+  std::string cl_data;                         ///< as in PlannedStage
   std::vector<std::string> ignored_words;
+  engine::strategy::StagePath figures;  ///< of the planning; its own path is empty
 };
 
 /// Writes the path of planned stage `stage` as the job's [post] asks: into `planned.program`, and
@@ -26,6 +36,6 @@ void write_stage_program(const Job& job, std::size_t stage, double chord_error_m
                          PlannedStage& planned);
 
 /// toolpath.ngc, and toolpath.apt where there are CL data, into the stage's folder.
-void write_program_files(const PlannedStage& planned, const std::filesystem::path& folder);
+void write_program_files(const StageToCut& stage, const std::filesystem::path& folder);
 
 }  // namespace limitgauge::app

@@ -1,54 +1,36 @@
 #include "app/study/case_memory.h"
 
-#include <algorithm>
 #include <map>
 
+#include "app/run/run_forecast.h"
 #include "app/run/stage_planner.h"
 #include "app/study/case_keys.h"
 #include "app/study/case_runner.h"
 #include "app/study/stage_prefix_cache.h"
-#include "simulator/stock/stock_model.h"
 
 namespace limitgauge::app {
-namespace {
-
-/// What a process takes that has run the smallest of jobs. This and the shares are measured, with
-/// reserve: the forecast is 1.1 times the peak of the quick dome (94 MB), and 1.3 times those of
-/// the valley (88 MB) and of the paper's aircraft (795 MB).
-constexpr double kProcessBytes = 60e6;
-/// The model beside what building it and cutting it take.
-constexpr double kModelShare = 1.5;
-/// Level sets of the stock: the one that is cut, those of the stages kept, which are larger than
-/// the raw stock's, the readings of the stock's surface, and the verifier's cells and samples,
-/// whose number goes with it as well.
-constexpr double kGridShare = 3 + StagePrefixCache::kMostKept;
-
-}  // namespace
-
-CaseMemory measure_case(const Job& job, const JobSurface& surface) {
-  const Settings settings = choose_settings(job, surface.surface.bounding_box());
-  CaseMemory memory;
-  memory.grid_bytes =
-      simulator::StockModel(job.stock, settings.voxel_mm, settings.memory_limit_bytes)
-          .memory_bytes();
-  const auto planned = [](const JobStage& stage) { return stage.plan.has_value(); };
-  if (std::any_of(job.stages.begin(), job.stages.end(), planned))
-    memory.model_bytes =
-        engine::surface::FinishModel(surface.cage, model_request(job), {}).figures().memory_bytes;
-  return memory;
+RunTerms case_terms(std::size_t memory_limit_bytes) {
+  return {memory_limit_bytes, false, StagePrefixCache::kMostKept};
 }
 
-std::size_t CaseMemory::forecast_bytes() const {
-  return static_cast<std::size_t>(kProcessBytes + kModelShare * static_cast<double>(model_bytes) +
-                                  kGridShare * static_cast<double>(grid_bytes));
+double case_forecast_bytes(const Job& job, JobSurface surface, std::size_t memory_limit_bytes) {
+  const RunTerms terms = case_terms(memory_limit_bytes);
+  const RunInputs inputs = load_inputs(job, terms, std::move(surface));
+  const StageWatch unwatched{RunOptions()};
+  const std::optional<engine::surface::FinishModel> built =
+      StagePlanner(job, inputs).expected_model({});
+  const CutStock stock = uncut_stock(job, inputs.settings, unwatched);
+  return forecast_bytes(scale_of(job, inputs, built, stock.stock));
 }
 
 struct CaseForecast::Known {
+  std::size_t memory_limit_bytes = 0;
   InputCache files;
   std::map<std::string, std::size_t> bytes;  ///< by key of the model and of the first stage
 };
 
-CaseForecast::CaseForecast() : known_(std::make_unique<Known>()) {}
+CaseForecast::CaseForecast(std::size_t memory_limit_bytes)
+    : known_(std::make_unique<Known>(memory_limit_bytes)) {}
 CaseForecast::~CaseForecast() = default;
 CaseForecast::CaseForecast(CaseForecast&&) noexcept = default;
 CaseForecast& CaseForecast::operator=(CaseForecast&&) noexcept = default;
@@ -60,8 +42,8 @@ std::size_t CaseForecast::bytes(const std::filesystem::path& job,
   const std::string key = asked.model + (prefixes.empty() ? asked.keys.prefix : prefixes.front());
   const auto found = known_->bytes.find(key);
   if (found != known_->bytes.end()) return found->second;
-  const std::size_t bytes =
-      measure_case(asked.job, known_->files.surface(asked.job)).forecast_bytes();
+  const auto bytes = static_cast<std::size_t>(
+      case_forecast_bytes(asked.job, known_->files.surface(asked.job), known_->memory_limit_bytes));
   known_->bytes.emplace(key, bytes);
   return bytes;
 }

@@ -7,15 +7,11 @@
 
 namespace limitgauge::app {
 
-/// What the memory of a case goes with.
-struct CaseMemory {
-  std::size_t grid_bytes = 0;   ///< of the raw stock's level set
-  std::size_t model_bytes = 0;  ///< of the engine's model of the surface; 0 where no stage needs it
+/// Of a process that runs cases: it writes no files, and keeps stages of the cases before.
+RunTerms case_terms(std::size_t memory_limit_bytes);
 
-  /// What a process takes at its peak that runs this case and keeps stages of others like it.
-  std::size_t forecast_bytes() const;
-};
-/// Builds both, on one thread, and lets go of them.
-CaseMemory measure_case(const Job& job, const JobSurface& surface);
+/// What it takes at its peak with this case (forecast_bytes). Builds stock and model for it, on one
+/// thread, and lets go of them.
+double case_forecast_bytes(const Job& job, JobSurface surface, std::size_t memory_limit_bytes);
 
 }  // namespace limitgauge::app

@@ -5,6 +5,7 @@
 
 #include "app/run/stage_prefix.h"
 #include "app/study/case_keys.h"
+#include "app/study/case_memory.h"
 #include "app/study/stage_prefix_cache.h"
 #include "model/base/clock.h"
 #include "model/base/error.h"
@@ -31,8 +32,11 @@ std::vector<verifier::Pass> passes_of(const StagePrefix& prefix, const Job& job)
 }  // namespace
 
 struct CaseRunner::Kept {
-  Kept(const study::Store& to, RunOptions asked, std::size_t most_bytes)
-      : store(to), options(without_files(std::move(asked))), prefixes(most_bytes) {}
+  Kept(const study::Store& to, RunOptions asked, std::size_t most_bytes, std::size_t limit_bytes)
+      : store(to),
+        options(without_files(std::move(asked))),
+        memory_limit_bytes(limit_bytes),
+        prefixes(most_bytes) {}
 
   std::string run(const std::filesystem::path& file, std::span<const std::string> overrides);
   RunInputs read_inputs(const ReadCase& asked, const std::filesystem::path& file,
@@ -46,6 +50,7 @@ struct CaseRunner::Kept {
 
   const study::Store& store;
   RunOptions options;
+  std::size_t memory_limit_bytes;
   InputCache files;
   StagePrefixCache prefixes;
   struct KnownModel {
@@ -61,7 +66,8 @@ struct CaseRunner::Kept {
 /// one state may not come under the key of another.
 RunInputs CaseRunner::Kept::read_inputs(const ReadCase& asked, const std::filesystem::path& file,
                                         std::span<const std::string> overrides) {
-  RunInputs inputs = load_inputs(asked.job, files.surface(asked.job));
+  RunInputs inputs =
+      load_inputs(asked.job, case_terms(memory_limit_bytes), files.surface(asked.job));
   if (read_case(file, overrides, files).keys.result != asked.keys.result)
     throw model::ResourceError(file.string() + ": a file of the job changed while it was read");
   return inputs;
@@ -134,8 +140,10 @@ std::string CaseRunner::Kept::run(const std::filesystem::path& file,
   return std::move(out).str();
 }
 
-CaseRunner::CaseRunner(const study::Store& store, RunOptions options, std::size_t most_bytes_kept)
-    : kept_(std::make_unique<Kept>(store, std::move(options), most_bytes_kept)) {}
+CaseRunner::CaseRunner(const study::Store& store, RunOptions options, std::size_t most_bytes_kept,
+                       std::size_t memory_limit_bytes)
+    : kept_(
+          std::make_unique<Kept>(store, std::move(options), most_bytes_kept, memory_limit_bytes)) {}
 CaseRunner::~CaseRunner() = default;
 CaseRunner::CaseRunner(CaseRunner&&) noexcept = default;
 CaseRunner& CaseRunner::operator=(CaseRunner&&) noexcept = default;

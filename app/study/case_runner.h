@@ -8,6 +8,7 @@
 
 #include "app/run/pipeline.h"
 #include "app/study/case_keys.h"
+#include "model/base/memory.h"
 #include "study/store/store.h"
 
 namespace limitgauge::app {
@@ -20,9 +21,11 @@ class CaseRunner {
  public:
   /// Of the stages in memory the last few are kept, those last used, within `most_bytes_kept`: run
   /// cases that share stages one after the other. Where `options` say nothing of when a result was
-  /// created, it is when its case began. `store` must outlive this.
+  /// created, it is when its case began. All cases have the one memory limit, whatever is available
+  /// when their turn comes. `store` must outlive this.
   CaseRunner(const study::Store& store, RunOptions options,
-             std::size_t most_bytes_kept = std::size_t{1} << 30);
+             std::size_t most_bytes_kept = std::size_t{1} << 30,
+             std::size_t memory_limit_bytes = model::memory_limit_bytes());
   ~CaseRunner();
   CaseRunner(CaseRunner&&) noexcept;
   CaseRunner& operator=(CaseRunner&&) noexcept;
@@ -51,7 +54,8 @@ class CaseRunner {
 /// second or two of work: cases that share the stage share the forecast.
 class CaseForecast {
  public:
-  CaseForecast();
+  /// `memory_limit_bytes` is what the workers' cases have.
+  explicit CaseForecast(std::size_t memory_limit_bytes = model::memory_limit_bytes());
   ~CaseForecast();
   CaseForecast(CaseForecast&&) noexcept;
   CaseForecast& operator=(CaseForecast&&) noexcept;

@@ -48,11 +48,11 @@ std::unique_ptr<study::Executor> local_pool(const StudyCommand& command,
   study::LocalPoolOptions options;
   options.workers = command.jobs > 0 ? command.jobs : common.threads;
   options.retries = command.retries;
-  options.memory_bytes = model::shared_memory_limit_bytes();
-  options.forecast_bytes =
-      [job, forecast = std::make_shared<CaseForecast>()](const study::CaseRequest& request) {
-        return forecast_of(*forecast, job, request);
-      };
+  options.memory_bytes = model::memory_limit_bytes();
+  options.forecast_bytes = [job, forecast = std::make_shared<CaseForecast>(options.memory_bytes)](
+                               const study::CaseRequest& request) {
+    return forecast_of(*forecast, job, request);
+  };
   options.note = note;
   // The file that runs, even where another has taken its name since.
   options.worker = worker_command("/proc/self/exe", job, store);
@@ -60,6 +60,8 @@ std::unique_ptr<study::Executor> local_pool(const StudyCommand& command,
   add(options.worker, "--threads", std::to_string(std::max(1U, common.threads / options.workers)));
   add(options.worker, "--worker-keeps",
       std::to_string(std::min(kMostKept, options.memory_bytes / kKeptOfMemory / options.workers)));
+  // One limit for all: what is available to a worker depends on what the others do just then.
+  add(options.worker, "--worker-memory", std::to_string(options.memory_bytes));
   return std::make_unique<study::LocalPool>(std::move(options));
 }
 

@@ -36,7 +36,9 @@ class StudyWorker {
   StudyWorker(const StudyCommand& command, const CommonOptions& common, const Console& console)
       : job_(command.study),
         store_(command.cache, command.cache_limit_bytes),
-        runner_(store_, options_for(common, console), command.worker_keeps_bytes) {}
+        runner_(store_, options_for(common, console), command.worker_keeps_bytes,
+                command.worker_memory_bytes > 0 ? command.worker_memory_bytes
+                                                : model::memory_limit_bytes()) {}
 
   WorkerAnswer answer(const WorkerTask& task);
 

@@ -1,23 +1,30 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace limitgauge::model {
 
-/// The most that a run's grids and moves may take, in bytes: three quarters of the memory that the
-/// machine has, whatever else runs on it now, so that one machine always chooses the same layout.
-std::size_t run_memory_limit_bytes();
+/// The one rule of what a run may take at its peak, or all workers of a study together: four fifths
+/// of what is available when it is asked. Ask once, when the work begins: what is chosen by it must
+/// not change on the way. The rest is for what a forecast is too low by, and for what others take
+/// meanwhile.
+std::uint64_t memory_limit_bytes(const std::filesystem::path& root = "/");
 
-/// The memory that several runs beside each other may take together: nine tenths of what is
-/// available now. Their forecasts hold a reserve of their own.
-std::uint64_t shared_memory_limit_bytes();
-
-/// Memory that this process and its children may still take without driving the machine to its
-/// swap: what the kernel holds to be available, within the limits of the control groups that we
-/// are in. The largest number where nothing is known. `root` stands in for "/" in tests.
+/// Memory that this process and its children may still take: the least of what the kernel holds to
+/// be available without driving the machine to its swap, of what the control groups that we are in
+/// have left (both versions, all that they lie in, file pages that the kernel can drop not counted
+/// as taken), and of what this process's limits of address space and data leave. The largest number
+/// where nothing is known. `root` stands in for "/" in tests.
 std::uint64_t available_memory_bytes(const std::filesystem::path& root = "/");
+
+/// "1234 MiB" for messages.
+std::string in_mib(double bytes);
+
+/// Gives memory that was freed back to the machine, where the allocator has kept it for later:
+/// between phases of a run, so that its peak is that of its largest phase.
+void return_freed_memory();
 
 /// From now on the peak counts anew, where the kernel lets us say so.
 void reset_process_peak();

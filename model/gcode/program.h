@@ -7,6 +7,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/gcode/dialect.h"
@@ -112,6 +113,9 @@ std::string missing_end_words(const Program& program);
 /// Comments that a controller acts on, as `(MSG, text)`, are listed as ignored.
 Program read_program(const std::filesystem::path& path, const MachineSetup& machine = {});
 Program read_program(std::istream& in, const std::string& name_in_errors,
+                     const MachineSetup& machine = {});
+/// Of a text that is at hand: no copy of it is made.
+Program read_program(std::string_view text, const std::string& name_in_errors,
                      const MachineSetup& machine = {});
 
 /// How a toolpath is written as a program.

@@ -1,7 +1,6 @@
 #include "simulator/stock/memory_forecast.h"
 
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "model/base/clock.h"
@@ -127,12 +126,6 @@ double pass_bytes(const Material& material) {
   double bytes = 0;
   for (const auto& pass : material.passes()) bytes += static_cast<double>(pass->memory_bytes());
   return bytes;
-}
-
-std::string in_mib(double bytes) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f MiB", bytes < 10 << 20 ? 1 : 0, bytes / (1024.0 * 1024.0));
-  return text;
 }
 
 double two_digits_up(double x) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "model/base/run_control.h"
@@ -27,8 +26,6 @@ GridForecast forecast_grid(const Material& material, const Lattice& lattice,
 /// Bytes of the passes' moves and their trees.
 double pass_bytes(const Material& material);
 
-/// "1234 MiB" for messages.
-std::string in_mib(double bytes);
 /// Rounded up to two digits: a figure one can type.
 double two_digits_up(double x);
 

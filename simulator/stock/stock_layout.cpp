@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/base/error.h"
+#include "model/base/memory.h"
 #include "model/base/number_text.h"
 #include "simulator/grid/block_cut.h"
 #include "simulator/grid/stock_grid.h"
@@ -129,9 +130,9 @@ std::optional<StockLayout> layout_within(const Material& material, const Lattice
 [[noreturn]] void refuse(const Material& material, const Lattice& lattice, double limit,
                          const model::RunControl& control) {
   const double moves = pass_bytes(material);
-  const std::string allowed = "allowed are " + in_mib(limit);
+  const std::string allowed = "allowed are " + model::in_mib(limit);
   if (moves >= limit)
-    throw model::ResourceError("the moves alone need " + in_mib(moves) + ", " + allowed);
+    throw model::ResourceError("the moves alone need " + model::in_mib(moves) + ", " + allowed);
   const std::string needed = "the stock does not fit into memory at a voxel of " +
                              model::six_digits(lattice.voxel_mm) + " mm, not even in tiles; " +
                              allowed;

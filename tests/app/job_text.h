@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "app/job/job_reader.h"
@@ -8,6 +9,9 @@
 #include "tests/support/messages.h"
 
 namespace limitgauge::app {
+
+/// More than any of these jobs takes.
+inline constexpr std::size_t kMemory = std::size_t{4} << 30;
 
 /// A job that is in order.
 inline std::string good_job() {

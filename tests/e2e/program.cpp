@@ -74,10 +74,12 @@ void set_limits(const Conditions& conditions) {
   _exit(127);
 }
 
-int wait_for(pid_t child) {
+void wait_for(pid_t child, Outcome& outcome) {
   int status = 0;
-  if (waitpid(child, &status, 0) != child) throw std::runtime_error("waitpid failed");
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  rusage used{};
+  if (wait4(child, &status, 0, &used) != child) throw std::runtime_error("wait4 failed");
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  outcome.peak_bytes = 1024.0 * static_cast<double>(used.ru_maxrss);
 }
 
 }  // namespace
@@ -114,7 +116,7 @@ Outcome limitgauge(const Scratch& folder, const std::vector<std::string>& argume
     kill(child, SIGINT);
   }
   Outcome outcome;
-  outcome.exit_code = wait_for(child);
+  wait_for(child, outcome);
   outcome.out = read_text(log.string() + ".out");
   outcome.errors = read_text(log.string() + ".err");
   return outcome;

@@ -28,6 +28,7 @@ class Scratch {
 struct Outcome {
   int exit_code = -1;  ///< minus the signal that ended the program
   std::string out, errors;
+  double peak_bytes = 0;  ///< most memory that it had in use
 };
 
 struct Conditions {

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "model/base/clock.h"
+#include "model/base/memory.h"
 #include "verifier/certificate/certificate.h"
 #include "verifier/certificate/unavoidable.h"
 #include "verifier/cutter/assembly.h"
@@ -252,6 +253,7 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
 
   const ReachOfCutters by(cells, passes, check.allowance_mm, surface.area_mm2());
   const ReachMap proven = classify_reach(cells, by.searches, by.efforts, control);
+  model::return_freed_memory();
   const ReachQuery reach(by.searches, proven);
   const Measured measured{cells, spaces, reach, passes, parts, check};
 

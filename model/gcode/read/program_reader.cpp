@@ -18,10 +18,11 @@ constexpr std::size_t kShortestMoveBytes = 8;
 /// Motions beyond one a line, for loops and cycles; more would be a program that does not end.
 constexpr std::size_t kExpandedMotions = 5'000'000 / gcode::kFlowShare;
 
-Program read_text_program(const std::string& text, const std::string& name,
-                          const MachineSetup& machine) {
+}  // namespace
+
+Program read_program(std::string_view text, const std::string& name, const MachineSetup& machine) {
   if (is_cl_data(text, name)) {
-    std::istringstream in(text);
+    std::istringstream in{std::string(text)};
     return to_program(read_cl_data(in, name), name, machine);
   }
   Program program;
@@ -42,8 +43,6 @@ Program read_text_program(const std::string& text, const std::string& name,
   return program;
 }
 
-}  // namespace
-
 std::string missing_end_words(const Program& program) {
   return std::string("ends without M2, M30 or '%'") +
          (program.ends_in_line ? "" : ", and its last line without a line end") +
@@ -51,12 +50,12 @@ std::string missing_end_words(const Program& program) {
 }
 
 Program read_program(const std::filesystem::path& path, const MachineSetup& machine) {
-  return read_text_program(read_text_file(path), path.string(), machine);
+  return read_program(std::string_view(read_text_file(path)), path.string(), machine);
 }
 
 Program read_program(std::istream& in, const std::string& name_in_errors,
                      const MachineSetup& machine) {
-  return read_text_program(read_text(in, name_in_errors), name_in_errors, machine);
+  return read_program(std::string_view(read_text(in, name_in_errors)), name_in_errors, machine);
 }
 
 }  // namespace limitgauge::model

@@ -29,7 +29,7 @@ class Bench {
   const Job& job() const { return job_; }
   std::vector<std::optional<ForeignPath>> load() const {
     const model::Box3 part{{-10, -10, -3}, {10, 10, 4}};
-    return load_programs(job_, choose_settings(job_, part), {}, part);
+    return load_programs(job_, choose_settings(job_, part, kMemory), {}, part);
   }
   std::string error() const {
     try {
@@ -59,10 +59,10 @@ TEST_CASE("a slot cut before Y is named is cut where the program starts", "[unit
   // Clearance 5 above the highest of stock (5), part (4) and programmed heights (9).
   CHECK(path.start.assumed);
   CHECK(path.start.at_mm == model::Vec3{0, 0, 14});
-  CHECK(path.path.start == model::Vec3{0, 0, 14});
-  REQUIRE(path.path.moves.size() == 5);
-  CHECK(path.path.moves[3].to == model::Vec3{20, 0, -3});
-  CHECK(path.path.moves[3].kind == model::MoveKind::feed);
+  CHECK(path.path->start == model::Vec3{0, 0, 14});
+  REQUIRE(path.path->moves.size() == 5);
+  CHECK(path.path->moves[3].to == model::Vec3{20, 0, -3});
+  CHECK(path.path->moves[3].kind == model::MoveKind::feed);
   CHECK(says(path, "line 3: cuts before X, Y and Z have all been named"));
 }
 
@@ -74,21 +74,21 @@ TEST_CASE("the start of programs is the job's, in their own frame", "[unit][prog
   const ForeignPath path = *stated.load().front();
   CHECK(!path.start.assumed);
   CHECK(path.assumed.empty());
-  CHECK(path.path.start == model::Vec3{-6, 1, 31});
-  CHECK(path.path.moves.back().to == model::Vec3{-6, 6, 31});
+  CHECK(path.path->start == model::Vec3{-6, 1, 31});
+  CHECK(path.path->moves.back().to == model::Vec3{-6, 6, 31});
   // Assumed: the zero of the programs, wherever it lies over the part.
   const Bench open({program}, "[program_frame]\noffset = [-4, 0, 1]");
   CHECK(open.load().front()->start.at_mm == model::Vec3{0, 0, 9});
-  CHECK(open.load().front()->path.start == model::Vec3{-4, 0, 10});
+  CHECK(open.load().front()->path->start == model::Vec3{-4, 0, 10});
 }
 
 TEST_CASE("all programs of a job start at one place", "[unit][program]") {
   const Bench bench({"G0 X1 Y1 Z6\nG1 X2 F9\n", "G0 X1\nG1 Z40 F9\nX2\n"});
   const auto paths = bench.load();
   for (const auto& path : paths) CHECK(path->start.at_mm == model::Vec3{0, 0, 45});
-  CHECK(paths[0]->path.start == model::Vec3{0, 0, 45});
+  CHECK(paths[0]->path->start == model::Vec3{0, 0, 45});
   CHECK(!says(*paths[0], "cuts before"));
-  CHECK(paths[1]->path.moves.back().to == model::Vec3{2, 0, 40});
+  CHECK(paths[1]->path->moves.back().to == model::Vec3{2, 0, 40});
 }
 
 TEST_CASE("a program without an end is told", "[unit][program]") {
@@ -101,25 +101,25 @@ TEST_CASE("a program without an end is told", "[unit][program]") {
 TEST_CASE("what G92 says of the start goes before what is assumed", "[unit][program]") {
   const Bench bench({"G92 X3 Y4 Z12\nG1 X5 F9\n"});
   const ForeignPath path = *bench.load().front();
-  CHECK(path.path.start == model::Vec3{3, 4, 12});
-  CHECK(path.path.moves.back().to == model::Vec3{5, 4, 12});
+  CHECK(path.path->start == model::Vec3{3, 4, 12});
+  CHECK(path.path->moves.back().to == model::Vec3{5, 4, 12});
   // A motion before it too.
   const Bench later({"G0 Z8\nG92 X3 Y4\nG1 X5 F9\n"});
-  CHECK(later.load().front()->path.start == model::Vec3{3, 4, 13});
+  CHECK(later.load().front()->path->start == model::Vec3{3, 4, 13});
 }
 
 TEST_CASE("the first GOTO of CL data is a motion from where programs start", "[unit][program]") {
   const std::string program = "PARTNO x\nRAPID\nGOTO/3,4,2\nFEDRAT/200\nGOTO/3,9,2\nFINI\n";
   const ForeignPath path = *Bench({program}).load().front();
   CHECK(path.start.assumed);
-  CHECK(path.path.start == model::Vec3{0, 0, 10});
-  REQUIRE(path.path.moves.size() == 2);
-  CHECK(path.path.moves[0].to == model::Vec3{3, 4, 2});
-  CHECK(path.path.moves[0].kind == model::MoveKind::rapid);
+  CHECK(path.path->start == model::Vec3{0, 0, 10});
+  REQUIRE(path.path->moves.size() == 2);
+  CHECK(path.path->moves[0].to == model::Vec3{3, 4, 2});
+  CHECK(path.path->moves[0].kind == model::MoveKind::rapid);
   const ForeignPath stated = *Bench({program}, "[machine]\nstart = [1, 2, 30]").load().front();
   CHECK(!stated.start.assumed);
-  CHECK(stated.path.start == model::Vec3{1, 2, 30});
-  CHECK(stated.path.moves.size() == 2);
+  CHECK(stated.path->start == model::Vec3{1, 2, 30});
+  CHECK(stated.path->moves.size() == 2);
 }
 
 TEST_CASE("FROM says where CL data start, unless the job does", "[unit][program]") {
@@ -127,10 +127,10 @@ TEST_CASE("FROM says where CL data start, unless the job does", "[unit][program]
   const ForeignPath path = *Bench({program}).load().front();
   CHECK(!path.start.assumed);
   CHECK(path.start.at_mm == model::Vec3{3, 4, 12});
-  CHECK(path.path.start == model::Vec3{3, 4, 12});
+  CHECK(path.path->start == model::Vec3{3, 4, 12});
   const ForeignPath stated = *Bench({program}, "[machine]\nstart = [1, 2, 30]").load().front();
   CHECK(stated.start.at_mm == model::Vec3{1, 2, 30});
-  CHECK(stated.path.start == model::Vec3{1, 2, 30});
+  CHECK(stated.path->start == model::Vec3{1, 2, 30});
   CHECK(says(stated, "line 1: FROM/3,4,12 is not acted on"));
   const ForeignPath same = *Bench({program}, "[machine]\nstart = [3, 4, 12]").load().front();
   CHECK(same.assumed.empty());
@@ -157,7 +157,7 @@ TEST_CASE("a cage with nothing to measure or too far away is bad input", "[unit]
     Job job = read(good_job());
     job.cage = file;
     try {
-      load_inputs(job);
+      load_inputs(job, {kMemory});
     } catch (const model::InputError& error) {
       return std::string(error.what());
     }

@@ -71,7 +71,9 @@ TEST_CASE("[post] and [machine] are refused where they make no sense", "[unit][j
 
 TEST_CASE("what the machining time rests on is said", "[unit][settings]") {
   const model::Box3 surface{{-10, -10, -2.5}, {10, 10, 4}};
-  const auto said = [&](const Job& job) { return assumptions(job, choose_settings(job, surface)); };
+  const auto said = [&](const Job& job) {
+    return assumptions(job, choose_settings(job, surface, kMemory));
+  };
   CHECK(says(said(read(good_job())), "rapid rate of 5000 mm/min, no acceleration"));
   const Job job = read(good_job() + "[machine]\nacceleration = 400\n[post]\narcs = 0.002\n");
   CHECK_FALSE(says(said(job), "no acceleration"));

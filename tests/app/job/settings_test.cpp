@@ -33,7 +33,7 @@ TEST_CASE("the floor lets a ball roll over the lowest edge", "[unit][settings]")
 TEST_CASE("what the job states is not chosen again", "[unit][settings]") {
   const Job stated = read(good_job(), {"simulation.voxel=0.33", "verification.resolution=0.004",
                                        "stage.finish.floor=-7"});
-  const Settings settings = choose_settings(stated, kSurface);
+  const Settings settings = choose_settings(stated, kSurface, kMemory);
   CHECK(settings.voxel_mm == 0.33);
   CHECK(settings.resolution_mm == std::vector<double>{0.004});
   CHECK(settings.floor_z_mm == std::vector<double>{-7});
@@ -45,7 +45,7 @@ TEST_CASE("what the job states is not chosen again", "[unit][settings]") {
 TEST_CASE("what was chosen is said", "[unit][settings]") {
   const Job job = read(good_job());
   std::string all;
-  for (const std::string& line : assumptions(job, choose_settings(job, kSurface)))
+  for (const std::string& line : assumptions(job, choose_settings(job, kSurface, kMemory)))
     all += line + "\n";
   for (const char* said :
        {"rapids are straight", "voxel 0.1 mm (auto", "resolution 0.001 mm (auto",

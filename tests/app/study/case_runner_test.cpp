@@ -166,7 +166,8 @@ class Cases {
     job.pictures = false;
     RunOptions options;
     options.created = "2026-01-01T00:00:00Z";
-    write_report(run_job(job, load_inputs(job), out.path(), options), out.path());
+    write_report(run_job(job, load_inputs(job, {model::memory_limit_bytes()}), out.path(), options),
+                 out.path());
     return model::read_text_file(out.path() / "result.json");
   }
 

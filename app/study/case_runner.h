@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -54,8 +55,10 @@ class CaseRunner {
 /// second or two of work: cases that share the stage share the forecast.
 class CaseForecast {
  public:
-  /// `memory_limit_bytes` is what the workers' cases have.
-  explicit CaseForecast(std::size_t memory_limit_bytes = model::memory_limit_bytes());
+  /// `memory_limit_bytes` is what the workers' cases have. Once `stop` is set, bytes() throws
+  /// Interrupted soon.
+  explicit CaseForecast(std::size_t memory_limit_bytes = model::memory_limit_bytes(),
+                        const std::atomic<bool>* stop = nullptr);
   ~CaseForecast();
   CaseForecast(CaseForecast&&) noexcept;
   CaseForecast& operator=(CaseForecast&&) noexcept;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <random>
-#include <sstream>
 
 #include "app/study/case_runner.h"
 #include "model/base/error.h"
 #include "model/base/memory.h"
+#include "model/base/output_file.h"
 #include "study/execute/local_pool.h"
 #include "study/execute/slurm.h"
 
@@ -44,15 +43,15 @@ std::uint64_t forecast_of(CaseForecast& forecast, const fs::path& job,
 std::unique_ptr<study::Executor> local_pool(const StudyCommand& command,
                                             const CommonOptions& common, const fs::path& job,
                                             const study::Store& store,
-                                            const std::function<void(const std::string&)>& note) {
+                                            const std::function<void(const std::string&)>& note,
+                                            const std::atomic<bool>* stop) {
   study::LocalPoolOptions options;
   options.workers = command.jobs > 0 ? command.jobs : common.threads;
   options.retries = command.retries;
   options.memory_bytes = model::memory_limit_bytes();
-  options.forecast_bytes = [job, forecast = std::make_shared<CaseForecast>(options.memory_bytes)](
-                               const study::CaseRequest& request) {
-    return forecast_of(*forecast, job, request);
-  };
+  options.forecast_bytes =
+      [job, forecast = std::make_shared<CaseForecast>(options.memory_bytes, stop)](
+          const study::CaseRequest& request) { return forecast_of(*forecast, job, request); };
   options.note = note;
   // The file that runs, even where another has taken its name since.
   options.worker = worker_command("/proc/self/exe", job, store);
@@ -67,10 +66,7 @@ std::unique_ptr<study::Executor> local_pool(const StudyCommand& command,
 
 /// No other study, on whatever machine, has it.
 std::string unique_name() {
-  std::random_device chance;
-  std::ostringstream name;
-  name << "limitgauge-" << std::hex << chance() << chance();
-  return name.str();
+  return "limitgauge-" + model::random_digits();
 }
 
 std::unique_ptr<study::Executor> slurm(const StudyCommand& command, const fs::path& job,
@@ -106,7 +102,7 @@ std::unique_ptr<study::Executor> study_engine(const StudyCommand& command,
                                               const std::function<void(const std::string&)>& note,
                                               const std::atomic<bool>* stop) {
   if (command.engine == "slurm") return slurm(command, job, store, note, stop);
-  return local_pool(command, common, job, store, note);
+  return local_pool(command, common, job, store, note, stop);
 }
 
 }  // namespace limitgauge::app

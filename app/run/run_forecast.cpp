@@ -14,12 +14,12 @@ constexpr double kMib = 1024.0 * 1024.0;
 // Measured on the fixtures, x86-64 and glibc, with two threads.
 
 /// The program, its libraries and what every job takes.
-constexpr double kProcessBytes = 64 * kMib;
+constexpr double kProcessBytes = 60 * kMib;
 /// Cells of the surface that the verifier divides: their number is bounded, and goes by how the
 /// surface bends and not by any figure of the job. 2 to 200 MiB on the fixtures.
 constexpr double kCellsBytes = 24 * kMib;
 /// Files and pages of a stage; its pictures are drawn several times as large and made smaller.
-constexpr double kFilesBytes = 24 * kMib, kPicturesBytes = 84 * kMib;
+constexpr double kFilesBytes = 20 * kMib, kPicturesBytes = 92 * kMib;
 
 /// Of a move: itself, in the sweep's tree (simulator/sweep/sweep_index.h), and what it removed.
 constexpr double kMoveBytes = 32, kTreeBytes = 144, kRemovalBytes = 32;

@@ -12,6 +12,7 @@
 #include <span>
 #include <system_error>
 
+#include "model/base/absolute_path.h"
 #include "model/base/error.h"
 #include "model/base/hexadecimal.h"
 
@@ -112,7 +113,7 @@ void make_folder(const fs::path& folder) {
 
 void write_whole_file(const fs::path& stated, const std::function<void(std::ostream&)>& write) {
   if (is_no_file(stated)) return write_file(stated, write);
-  const fs::path file = behind_links(stated);
+  const fs::path file = behind_links(absolute_path(stated));
   make_folder(file.parent_path());
   PartFile part(file);
   write_as(part.path(), file, write);

@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <chrono>
@@ -121,9 +122,11 @@ TEST_CASE("Ctrl-C and SIGTERM end a command that looks at nothing", "[e2e][ends]
   constexpr std::chrono::seconds kMost{5};
   const int signal = GENERATE(SIGINT, SIGTERM);
   const Scratch scratch;
-  // Nobody ever writes into it: the program waits for the system to let it go on.
-  for (const char* pipe : {"waits.ngc", "waits.obj", "waits.toml"})
+  // Somebody holds them open and never writes: the program waits for the system to let it go on.
+  for (const char* pipe : {"waits.ngc", "waits.obj", "waits.toml"}) {
     REQUIRE(mkfifo((scratch / pipe).c_str(), 0600) == 0);
+    REQUIRE(open((scratch / pipe).c_str(), O_RDWR | O_CLOEXEC) >= 0);
+  }
   for (const std::vector<std::string>& command : {std::vector<std::string>{"inspect", "waits.ngc"},
                                                   {"inspect", "waits.obj"},
                                                   {"run", "waits.toml", "-o", "out"}}) {

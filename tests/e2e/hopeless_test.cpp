@@ -101,8 +101,8 @@ TEST_CASE("a pipe without a writer, a device and a name without end are no files
   }
   table.push_back({verify("plate.obj", "vdb:pipe"), "pipe: error: this is a pipe"});
   table.push_back({{"history", "/dev/zero"}, "/dev/zero: error: this is no plain file"});
-  table.push_back({{"inspect", "plate.obj", "--samples", "2", "--csv", "/dev/null"},
-                   "/dev/null: error: what stands here is no file"});
+  table.push_back({{"inspect", "plate.obj", "--samples", "2", "--csv", "/dev"},
+                   "/dev: error: this is a folder"});
   check_refused(scratch, table);
 }
 

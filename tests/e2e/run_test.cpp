@@ -112,16 +112,21 @@ TEST_CASE("a stage that fails its gate stops the job with a report", "[e2e][run]
 
 TEST_CASE("a finished folder is overwritten only with --force", "[e2e][run]") {
   const Scratch scratch;
-  fs::create_directory(scratch / "out");
-  write_text(scratch / "out/result.json", "of before");
+  REQUIRE(limitgauge(scratch, {"plan", kDome, "-o", "out"}).exit_code == 0);
   const Outcome refused = limitgauge(scratch, {"run", kDome, "-o", "out"});
   CHECK(refused.exit_code == 3);
   CHECK_THAT(refused.errors, ContainsSubstring("--force"));
-  CHECK(read_text(scratch / "out/result.json") == "of before");
+  CHECK_FALSE(fs::exists(scratch / "out/result.json"));
   CHECK(limitgauge(scratch, {"run", kDome, "-o", "out", "--force", "--no-pictures"}).exit_code ==
         0);
   CHECK(result_in(scratch / "out")["verdict"] == "pass");
   CHECK(scratch.entries() == std::vector<std::string>{"out"});
+  // Not what is the user's.
+  write_text(scratch / "out/notes.txt", "mine");
+  const Outcome kept = limitgauge(scratch, {"run", kDome, "-o", "out", "--force"});
+  CHECK(kept.exit_code == 3);
+  CHECK_THAT(kept.errors, ContainsSubstring("out/notes.txt: error: "));
+  CHECK(read_text(scratch / "out/notes.txt") == "mine");
 }
 
 TEST_CASE("plan writes toolpaths and nothing else", "[e2e][plan]") {
@@ -135,7 +140,8 @@ TEST_CASE("plan writes toolpaths and nothing else", "[e2e][plan]") {
   }
   std::sort(files.begin(), files.end());
   CHECK(files == std::vector<std::string>{"finish/toolpath.ngc", "finish/toolpath.vtp",
-                                          "rough/toolpath.ngc", "rough/toolpath.vtp"});
+                                          "manifest.sha256", "rough/toolpath.ngc",
+                                          "rough/toolpath.vtp"});
 }
 
 }  // namespace

@@ -222,7 +222,7 @@ TEST_CASE("a writer that is killed leaves whole entries or none", "[unit][study]
     const pid_t child = in_child([&] {
       for (unsigned i = 0;; i = (i + 1) % 50) store.put("result", key_of(i), content_of(i, 200000));
     });
-    std::this_thread::sleep_for(std::chrono::milliseconds(20 + 7 * round));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 + 40 * round));
     kill(child, SIGKILL);
     CHECK(WIFSIGNALED(status_of(child)));
     for (unsigned i = 0; i < 50; ++i) {

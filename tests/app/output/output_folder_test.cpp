@@ -253,6 +253,22 @@ TEST_CASE("what is kept as incomplete replaces only what is ours", "[unit][outpu
   CHECK(text_of(beside / "toolpath.ngc") == "third");
 }
 
+TEST_CASE("a file is written whole wherever its name leads", "[unit][output]") {
+  const tests::TemporaryFolder scratch;
+  const fs::path before = fs::current_path(), link = scratch.path() / "link.csv";
+  fs::current_path(scratch.path());
+  model::write_whole_file("here.csv", "text");
+  fs::current_path(before);
+  CHECK(text_of(scratch.path() / "here.csv") == "text");
+  fs::create_symlink("here.csv", link);
+  model::write_whole_file(link, "new");
+  CHECK(fs::is_symlink(link));
+  CHECK(text_of(scratch.path() / "here.csv") == "new");
+  model::write_whole_file("/dev/null", "nobody's");
+  CHECK_FALSE(fs::is_regular_file("/dev/null"));
+  CHECK(entries(scratch.path()) == 2);
+}
+
 TEST_CASE("a file that cannot be written is an error that names it", "[unit][output]") {
   CHECK_THROWS_AS(put("/dev/full", std::string(100000, 'x')), model::ResourceError);
   CHECK_THROWS_WITH(put("/dev/full", "x"), ContainsSubstring("/dev/full: error: cannot write"));

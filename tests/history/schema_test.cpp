@@ -163,8 +163,9 @@ TEST_CASE("what is no file, or leads to no place, is no history", "[unit][histor
   const TemporaryFolder folder;
   const fs::path pipe = folder.path() / "pipe", link = folder.path() / "link";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  CHECK_THAT(input_error([&] { Recorder{pipe}; }), ContainsSubstring("this is no file"));
-  CHECK_THAT(input_error([&] { Recorder{"/dev/null"}; }), ContainsSubstring("this is no file"));
+  CHECK_THAT(input_error([&] { Recorder{pipe}; }), ContainsSubstring("this is no plain file"));
+  CHECK_THAT(input_error([&] { Recorder{"/dev/null"}; }),
+             ContainsSubstring("this is no plain file"));
   fs::create_symlink("missing/runs.sqlite", link);
   CHECK_THAT(input_error([&] { Recorder{link}; }), ContainsSubstring("No such file or directory"));
   fs::create_directory(folder.path() / "missing");

@@ -30,5 +30,6 @@ ctest --test-dir build/sanitize -L 'unit|property' -LE slow -R "^($(IFS='|'; ech
 
 FUZZ_JOBS=$jobs tests/fuzz/run.sh 10
 
-# Other moments every time: the seed is printed.
-tests/torture.sh 2
+# Other moments every time: the seed is printed. How soon a command ends is no question for a machine that
+# others are busy on.
+tests/torture.sh 2 --patience 30

@@ -9,7 +9,7 @@ import sqlite3
 import subprocess
 import time
 
-from bench import FIXTURES, JOB, MOST_TO_STOP, Fault, limit, names, require, require_whole
+from bench import FIXTURES, JOB, limit, names, require, require_whole
 
 STUDY = FIXTURES / 'studies/quick-dome.toml'
 RUN = ['run', JOB, '-o', 'out', '--no-pictures', '--threads', '2']
@@ -69,7 +69,7 @@ class Scenarios:
         began = time.monotonic()
         out, errors = process.communicate(timeout=60)
         seconds = time.monotonic() - began
-        require(seconds < MOST_TO_STOP, f'{command} ended {seconds:.2f} s after it was told to')
+        require(seconds < bench.most_to_stop, f'{command} ended {seconds:.2f} s after it was told to')
         # Before it has taken hold of its signals, the system ends it.
         at_once = process.returncode == -how
         require(at_once or process.returncode in (0, 1, 2, 4), f'{command}: {process.returncode}, {errors}')
@@ -186,9 +186,9 @@ class Scenarios:
                 os.setuid(NOBODY)
 
         try:
-            ended = bench.run(folder, *RUN, before=before)
-        except PermissionError:
-            bench.count('limits that nobody may try here')
+            ended = bench.run(folder, 'run', bench.job, *RUN[2:], before=before)
+        except (PermissionError, subprocess.SubprocessError):
+            bench.count('limits that cannot be set here')
             return
         loader = ended.code == 127 and 'shared lib' in ended.errors
         require(loader or ended.code in (0, 4), f'{folder}: exit code {ended.code}, {ended.errors}')

@@ -1,5 +1,6 @@
 #include "simulator/grid/vdb_reading.h"
 
+#include <malloc.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
 
@@ -25,6 +26,9 @@ using openvdb::Coord;
 using Tree = openvdb::FloatTree;
 using Leaf = Tree::LeafNodeType;
 using Accessor = openvdb::FloatGrid::ConstAccessor;
+
+constexpr int kUnwrittenByte = 0x7F;
+constexpr float kUnwritten = 3e38F;  ///< four such bytes are 3.4e38
 
 [[noreturn]] void refuse(const std::string& wrong, const std::string& expected) {
   throw VdbRefusal(wrong + "; expected " + expected);
@@ -73,9 +77,21 @@ openvdb::FloatGrid::Ptr grid_of(openvdb::io::File& file) {
   return grid;
 }
 
+// OpenVDB does not notice where a file without compression ends too early, and takes what happens
+// to stand in memory for distances. As long as one of these lives, memory that is asked for holds
+// the same, and no distance that anybody means.
+class MarkedMemory {
+ public:
+  MarkedMemory() { mallopt(M_PERTURB, kUnwrittenByte ^ 0xFF); }
+  ~MarkedMemory() { mallopt(M_PERTURB, 0); }
+  MarkedMemory(const MarkedMemory&) = delete;
+  MarkedMemory& operator=(const MarkedMemory&) = delete;
+};
+
 // Of a damaged file OpenVDB may ask for any amount of memory.
 openvdb::FloatGrid::Ptr read_grid(const std::filesystem::path& path) {
   try {
+    const MarkedMemory marked;
     openvdb::io::File file(path.string());
     return grid_of(file);
   } catch (const VdbRefusal&) {
@@ -134,13 +150,20 @@ bool read_corners(Accessor& tree, const Coord& low, std::array<double, 8>& f) {
   return inside && outside;
 }
 
-// Every leaf value is looked at, so that a value that is no number cannot hide.
+void require_number(float distance) {
+  if (!std::isfinite(distance)) refuse("a distance is not a finite number", "millimetres");
+  if (std::abs(distance) < kUnwritten) return;
+  refuse("a distance is missing: the file is damaged", "a stock.vdb of an earlier run");
+}
+
+// Every value is looked at, so that one that is no number cannot hide.
 void require_numbers(const Tree& tree) {
+  auto tile = tree.cbeginValueAll();
+  for (tile.setMaxDepth(Tree::ValueAllCIter::LEAF_DEPTH - 1); tile; ++tile) require_number(*tile);
   bool material = false;
   for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf)
     for (openvdb::Index n = 0; n < Leaf::SIZE; ++n) {
-      if (!std::isfinite(leaf->getValue(n)))
-        refuse("a distance is not a finite number", "millimetres");
+      require_number(leaf->getValue(n));
       material = material || leaf->getValue(n) < 0;
     }
   if (!material) refuse("the grid holds no material", "a level set, negative inside");

@@ -12,7 +12,6 @@
 #include <system_error>
 #include <typeinfo>
 
-#include "app/cli/commands.h"
 #include "app/cli/usage_error.h"
 #include "model/base/error.h"
 #include "verifier/gate/verify.h"
@@ -49,7 +48,8 @@ bool is(const std::exception& error) {
   }
   words += '\n';
   static_cast<void>(!::write(STDERR_FILENO, words.data(), words.size()));
-  ::_exit(static_cast<int>(ExitCode::resources));
+  constexpr int kResources = 4;
+  ::_exit(kResources);
 }
 
 /// Of the project's own broken contracts; what libraries have to say means nothing to a user.

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "tests/e2e/forecast.h"
 #include "tests/e2e/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/effort.h"
@@ -55,9 +56,10 @@ void check_verify(const Scratch& scratch, const nlohmann::json& finish_of_run) {
 TEST_CASE("the aircraft passes its three stages within a micrometre", "[slow][run]") {
   const Scratch scratch;
   const Outcome outcome = limitgauge(
-      scratch, {"run", fixture("jobs/aircraft.toml"), "-o", "out", "--quiet", "--no-pictures"});
+      scratch, {"run", fixture("jobs/aircraft.toml"), "-o", "out", "--verbose", "--no-pictures"});
   INFO(outcome.errors);
   REQUIRE(outcome.exit_code == 0);
+  check_forecast(outcome);
   const auto result = nlohmann::json::parse(read_text(scratch / "out/result.json"));
   REQUIRE(result["stages"].size() == 3);
   for (const auto& stage : result["stages"]) {

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "tests/e2e/forecast.h"
 #include "tests/e2e/program.h"
 #include "tests/support/catch.h"
 
@@ -9,10 +10,11 @@ namespace {
 /// Runs a job of a rough and a finish stage and looks at its certified figures.
 void check_job(const std::string& job) {
   const Scratch scratch;
-  const Outcome outcome =
-      limitgauge(scratch, {"run", fixture("jobs/" + job), "-o", "out", "--quiet", "--no-pictures"});
+  const Outcome outcome = limitgauge(
+      scratch, {"run", fixture("jobs/" + job), "-o", "out", "--verbose", "--no-pictures"});
   INFO(outcome.errors);
   REQUIRE(outcome.exit_code == 0);
+  check_forecast(outcome);
   const auto result = nlohmann::json::parse(read_text(scratch / "out/result.json"));
   REQUIRE(result["stages"].size() == 2);
   for (const auto& stage : result["stages"]) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tests/e2e/forecast.h"
 #include "tests/e2e/program.h"
 #include "tests/support/catch.h"
 
@@ -15,9 +16,10 @@ using nlohmann::json;
 json torture(const std::string& name) {
   const Scratch scratch;
   const Outcome outcome = limitgauge(scratch, {"run", fixture("torture/" + name + ".toml"), "-o",
-                                               "out", "--quiet", "--no-pictures"});
+                                               "out", "--verbose", "--no-pictures"});
   INFO(name << "\n" << outcome.out << outcome.errors);
   REQUIRE(outcome.exit_code == 0);
+  check_forecast(outcome);
   json result = json::parse(read_text(scratch / "out/result.json"));
   for (const json& stage : result["stages"]) {
     CHECK(stage["simulation"]["rapid_collisions"].empty());

@@ -6,7 +6,7 @@
 
 #include "model/base/absolute_path.h"
 #include "model/base/error.h"
-#include "model/base/hexadecimal.h"
+#include "model/text/hexadecimal.h"
 
 namespace limitgauge::history {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/cli/command_definition.h"
 #include "app/run/gate_limits.h"
 #include "app/usage/usage_texts.h"
-#include "model/base/message_text.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "model/base/clean_text.h"
+#include "model/text/clean_text.h"
 
 namespace limitgauge::app {
 

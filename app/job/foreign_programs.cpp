@@ -73,7 +73,7 @@ GroupReader::GroupReader(const Job& job, const Settings& settings, const Group& 
   text_ = std::make_shared<const std::string>(model::read_text_file(stage(0).program));
   options_.machine_in_part = model::machine_in_part(
       job.program_frame, job.machine.work_offsets.front().value_or(model::WorkOffset()));
-  // What is made of a path takes several times its own room (app/run/run_forecast.cpp).
+  // What is made of a path takes several times its own room (app/inputs/run_forecast.cpp).
   constexpr double kRoom = 10;
   options_.most_moves =
       static_cast<double>(settings.memory_limit_bytes) / (kRoom * sizeof(model::Move));

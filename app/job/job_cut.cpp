@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "app/tolerance.h"
-#include "model/base/number_text.h"
 #include "model/base/text_file.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {

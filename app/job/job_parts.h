@@ -7,8 +7,8 @@
 
 #include <toml++/toml.h>
 
+#include "app/inputs/stock_file.h"
 #include "app/job/job.h"
-#include "app/run/stock_file.h"
 #include "app/toml/toml_table.h"
 
 namespace limitgauge::app {

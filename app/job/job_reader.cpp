@@ -5,8 +5,8 @@
 #include "app/job/job_parts.h"
 #include "app/toml/toml_table.h"
 #include "app/toml/toml_text.h"
-#include "model/base/number_text.h"
 #include "model/base/text_file.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {

@@ -2,8 +2,8 @@
 #include "app/job/job_reader.h"
 #include "app/run/gate_limits.h"
 #include "app/toml/toml_table.h"
-#include "model/base/message_text.h"
 #include "model/base/text_file.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::app {
 namespace {

@@ -1,9 +1,9 @@
+#include "app/inputs/stock_file.h"
 #include "app/job/job_parts.h"
-#include "app/run/stock_file.h"
 #include "app/toml/toml_table.h"
 #include "model/base/coordinate_limit.h"
-#include "model/base/number_text.h"
 #include "model/base/text_file.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {

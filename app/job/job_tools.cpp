@@ -5,8 +5,8 @@
 #include "app/job/job_parts.h"
 #include "app/toml/toml_table.h"
 #include "model/base/coordinate_limit.h"
-#include "model/base/number_text.h"
 #include "model/part/cutter.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {

@@ -5,8 +5,8 @@
 #include "app/cli/usage_error.h"
 #include "app/tolerance.h"
 #include "model/base/coordinate_limit.h"
-#include "model/base/number_text.h"
 #include "model/base/text_file.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {

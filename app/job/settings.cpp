@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "simulator/instrument/dexel_removal.h"
 #include "verifier/gate/verify.h"
 

@@ -8,7 +8,7 @@
 #include <openssl/evp.h>
 
 #include "model/base/error.h"
-#include "model/base/hexadecimal.h"
+#include "model/text/hexadecimal.h"
 
 namespace limitgauge::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "app/job/job.h"
-#include "app/run/run_inputs.h"
+#include "app/inputs/run_inputs.h"
 #include "app/run/run_watch.h"
 #include "reports/run/run_result.h"
 #include "simulator/instrument/dexel_stock.h"

@@ -1,6 +1,6 @@
 #include "app/run/gate_limits.h"
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {

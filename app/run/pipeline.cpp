@@ -3,14 +3,14 @@
 #include <new>
 #include <sstream>
 
+#include "app/inputs/run_forecast.h"
+#include "app/inputs/surface_witness.h"
 #include "app/run/cut_stock.h"
 #include "app/run/result_parts.h"
-#include "app/run/run_forecast.h"
 #include "app/run/stage_planner.h"
 #include "app/run/stage_prefix.h"
 #include "app/run/stage_program.h"
 #include "app/run/stock_probe.h"
-#include "app/run/surface_witness.h"
 #include "model/base/clock.h"
 #include "model/base/error.h"
 #include "model/base/memory.h"

@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
+#include "app/inputs/run_inputs.h"
 #include "app/job/job.h"
-#include "app/run/run_inputs.h"
 #include "app/run/run_watch.h"
 #include "reports/run/run_result.h"
 

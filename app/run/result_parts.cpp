@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/run/report.h"
 
 namespace limitgauge::app {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "app/inputs/run_inputs.h"
 #include "app/job/job.h"
-#include "app/run/run_inputs.h"
 #include "app/run/run_watch.h"
 #include "app/run/stage_prefix.h"
 #include "reports/run/run_result.h"

@@ -10,10 +10,10 @@
 #include "app/run/pipeline.h"
 #include "app/run/run_history.h"
 #include "app/verify/verify_job.h"
-#include "model/base/clean_text.h"
 #include "model/base/clock.h"
 #include "model/base/error.h"
 #include "model/base/memory.h"
+#include "model/text/clean_text.h"
 #include "reports/run/report.h"
 
 namespace limitgauge::app {

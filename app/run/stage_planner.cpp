@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "app/inputs/stock_file.h"
 #include "app/job/settings.h"
-#include "app/run/stock_file.h"
 #include "engine/strategy/strategies.h"
 #include "model/base/error.h"
 #include "verifier/certificate/leftover_regions.h"

@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
+#include "app/inputs/run_inputs.h"
 #include "app/job/job.h"
-#include "app/run/run_inputs.h"
 #include "app/run/stage_program.h"
 #include "engine/surface/finish_model.h"
 #include "verifier/gate/verify.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/serve/http_request.h"
-#include "model/base/characters.h"
+#include "model/text/characters.h"
 
 namespace limitgauge::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/base/characters.h"
+#include "model/text/characters.h"
 
 namespace limitgauge::app {
 namespace {

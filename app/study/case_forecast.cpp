@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "app/run/run_forecast.h"
+#include "app/inputs/run_forecast.h"
 #include "app/run/stage_planner.h"
 #include "app/study/case_keys.h"
 #include "app/study/case_runner.h"

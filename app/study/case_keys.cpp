@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "app/inputs/input_checksums.h"
 #include "app/job/job_parts.h"
-#include "app/run/input_checksums.h"
 #include "app/run/stage_planner.h"
 #include "app/toml/toml_text.h"
 #include "model/base/text_file.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/inputs/input_cache.h"
 #include "app/job/job.h"
-#include "app/run/input_cache.h"
 
 namespace limitgauge::app {
 

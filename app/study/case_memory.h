@@ -3,8 +3,8 @@
 #include <atomic>
 #include <cstddef>
 
+#include "app/inputs/run_inputs.h"
 #include "app/job/job.h"
-#include "app/run/run_inputs.h"
 
 namespace limitgauge::app {
 

@@ -14,9 +14,9 @@
 #include "app/study/study_output.h"
 #include "app/study/study_worker.h"
 #include "model/base/absolute_path.h"
-#include "model/base/clean_text.h"
 #include "model/base/clock.h"
 #include "model/base/error.h"
+#include "model/text/clean_text.h"
 #include "study/plan/design.h"
 #include "study/search/search.h"
 

@@ -8,7 +8,7 @@
 #include "app/study/study_variables.h"
 #include "app/toml/toml_table.h"
 #include "app/toml/toml_text.h"
-#include "model/base/message_text.h"
+#include "model/text/message_text.h"
 #include "study/plan/settings.h"
 
 namespace limitgauge::app {

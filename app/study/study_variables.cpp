@@ -7,9 +7,9 @@
 
 #include "app/toml/toml_table.h"
 #include "app/toml/toml_text.h"
-#include "model/base/hexadecimal.h"
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
+#include "model/text/hexadecimal.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {

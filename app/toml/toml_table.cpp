@@ -6,7 +6,7 @@
 #include "app/tolerance.h"
 #include "app/toml/toml_text.h"
 #include "model/base/coordinate_limit.h"
-#include "model/base/message_text.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::app {
 namespace {

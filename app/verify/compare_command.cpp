@@ -4,11 +4,11 @@
 
 #include "app/cli/commands.h"
 #include "app/output/output_folder.h"
-#include "model/base/clean_text.h"
 #include "model/base/error.h"
-#include "model/base/message_text.h"
 #include "model/base/output_file.h"
 #include "model/base/text_file.h"
+#include "model/text/clean_text.h"
+#include "model/text/message_text.h"
 #include "reports/compare/report.h"
 #include "reports/compare/run_comparison.h"
 #include "reports/record/record_reader.h"

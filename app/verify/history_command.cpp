@@ -4,10 +4,10 @@
 #include "app/cli/commands.h"
 #include "app/output/output_folder.h"
 #include "history/history.h"
-#include "model/base/clean_text.h"
 #include "model/base/error.h"
-#include "model/base/message_text.h"
 #include "model/base/output_file.h"
+#include "model/text/clean_text.h"
+#include "model/text/message_text.h"
 #include "reports/history/history_report.h"
 
 namespace limitgauge::app {

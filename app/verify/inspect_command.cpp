@@ -7,13 +7,13 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
-#include "app/run/run_inputs.h"
-#include "app/run/surface_witness.h"
-#include "model/base/clean_text.h"
+#include "app/inputs/run_inputs.h"
+#include "app/inputs/surface_witness.h"
 #include "model/base/error.h"
-#include "model/base/number_text.h"
 #include "model/base/output_file.h"
 #include "model/gcode/program.h"
+#include "model/text/clean_text.h"
+#include "model/text/number_text.h"
 #include "verifier/surface/reference_surface.h"
 
 namespace limitgauge::app {

@@ -5,12 +5,12 @@
 #include <stdexcept>
 
 #include "app/cli/usage_error.h"
+#include "app/inputs/stock_file.h"
 #include "app/job/foreign_programs.h"
 #include "app/job/job_parts.h"
 #include "app/job/job_reader.h"
 #include "app/job/program_parts.h"
 #include "app/run/gate_limits.h"
-#include "app/run/stock_file.h"
 #include "model/base/error.h"
 #include "model/base/text_file.h"
 

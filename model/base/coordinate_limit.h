@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "model/base/number_text.h"
 #include "model/base/tolerance.h"
 #include "model/geometry/vec3.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 

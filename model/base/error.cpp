@@ -1,6 +1,6 @@
 #include "model/base/error.h"
 
-#include "model/base/clean_text.h"
+#include "model/text/clean_text.h"
 
 namespace limitgauge::model {
 namespace {

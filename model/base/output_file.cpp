@@ -14,7 +14,7 @@
 
 #include "model/base/absolute_path.h"
 #include "model/base/error.h"
-#include "model/base/hexadecimal.h"
+#include "model/text/hexadecimal.h"
 
 namespace limitgauge::model {
 namespace fs = std::filesystem;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "model/base/fixed_number.h"
 #include "model/base/tolerance.h"
 #include "model/geometry/segment.h"
+#include "model/text/fixed_number.h"
 
 namespace limitgauge::model {
 namespace {

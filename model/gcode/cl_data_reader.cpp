@@ -2,12 +2,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
 #include "model/base/text_file.h"
 #include "model/base/tolerance.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/cl_lexer.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

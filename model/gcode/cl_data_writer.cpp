@@ -2,11 +2,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "model/base/fixed_number.h"
-#include "model/base/number_text.h"
-#include "model/base/text_blocks.h"
 #include "model/base/tolerance.h"
 #include "model/gcode/cl_data.h"
+#include "model/text/fixed_number.h"
+#include "model/text/number_text.h"
+#include "model/text/text_blocks.h"
 
 namespace limitgauge::model {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/base/characters.h"
-#include "model/base/message_text.h"
+#include "model/text/characters.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model {
 namespace {

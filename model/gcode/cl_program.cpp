@@ -4,10 +4,10 @@
 #include <span>
 #include <string>
 
-#include "model/base/characters.h"
 #include "model/base/text_file.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/program_path.h"
+#include "model/text/characters.h"
 
 namespace limitgauge::model {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "model/base/angle.h"
 #include "model/base/error.h"
-#include "model/base/number_text.h"
 #include "model/base/tolerance.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "model/base/fixed_number.h"
-#include "model/base/text_blocks.h"
 #include "model/base/tolerance.h"
 #include "model/gcode/arc_fit.h"
 #include "model/gcode/program.h"
+#include "model/text/fixed_number.h"
+#include "model/text/text_blocks.h"
 
 namespace limitgauge::model {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <vector>
 
-#include "model/base/number_text.h"
 #include "model/base/tolerance.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

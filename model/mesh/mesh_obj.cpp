@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
 #include "model/mesh/mesh_polygon.h"
 #include "model/mesh/obj_lexer.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "model/base/error.h"
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
 #include "model/mesh/mesh_ply.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

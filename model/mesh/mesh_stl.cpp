@@ -6,9 +6,9 @@
 
 #include "model/base/byte_reader.h"
 #include "model/base/error.h"
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
 #include "model/mesh/obj_lexer.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

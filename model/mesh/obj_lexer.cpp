@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "model/base/error.h"
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
 #include "model/base/text_file.h"
 #include "model/mesh/obj_lexer.h"
 #include "model/part/cage_tags.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

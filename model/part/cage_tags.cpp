@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
 #include "model/part/cage.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

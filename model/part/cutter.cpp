@@ -5,8 +5,8 @@
 
 #include "model/base/angle.h"
 #include "model/base/coordinate_limit.h"
-#include "model/base/number_text.h"
 #include "model/base/tolerance.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
-#include "model/base/spec_text.h"
 #include "model/part/cutter.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
+#include "model/text/spec_text.h"
 
 namespace limitgauge::model {
 namespace {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include "model/base/characters.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
-#include "model/base/number_text.h"
 #include "model/base/tolerance.h"
+#include "model/text/characters.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {

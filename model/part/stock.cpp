@@ -4,10 +4,10 @@
 #include <stdexcept>
 
 #include "model/base/coordinate_limit.h"
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
-#include "model/base/spec_text.h"
 #include "model/mesh/mesh_defect.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
+#include "model/text/spec_text.h"
 
 namespace limitgauge::model {
 namespace {

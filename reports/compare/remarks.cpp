@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/compare/comparison_text.h"
 #include "reports/text/text.h"
 

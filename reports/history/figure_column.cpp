@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::history_report {

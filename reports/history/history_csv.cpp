@@ -1,6 +1,6 @@
 #include <ostream>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/history/figure_column.h"
 #include "reports/history/history_report.h"
 #include "reports/text/text.h"

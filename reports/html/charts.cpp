@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/run/gate_figures.h"
 #include "reports/text/text.h"
 #include "reports/tolerance.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/picture/colour_bar.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/lettering.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <ostream>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
 #include "reports/run/program_lines.h"

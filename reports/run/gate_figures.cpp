@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/run/process.h"
 #include "reports/text/text.h"
 #include "reports/tolerance.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <pugixml.hpp>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/run/finding_list.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"

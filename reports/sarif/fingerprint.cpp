@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "model/base/characters.h"
-#include "model/base/hexadecimal.h"
+#include "model/text/characters.h"
+#include "model/text/hexadecimal.h"
 
 namespace limitgauge::reports::sarif {
 namespace {

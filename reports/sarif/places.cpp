@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/base/hexadecimal.h"
+#include "model/text/hexadecimal.h"
 #include "reports/run/program_lines.h"
 #include "reports/text/text.h"
 

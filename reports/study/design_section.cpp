@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/html/markup.h"
 #include "reports/study/figure_column.h"
 #include "reports/study/parts.h"

@@ -1,6 +1,6 @@
 #include <ostream>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/json/values.h"
 #include "reports/study/figure_column.h"
 #include "reports/text/text.h"

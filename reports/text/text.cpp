@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/tolerance.h"
 
 namespace limitgauge::reports {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/base/clean_text.h"
+#include "model/text/clean_text.h"
 #include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "model/base/error.h"
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
 #include "model/mesh/mesh_soup.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 #include "simulator/grid/vdb_answer.h"
 #include "simulator/mesh/tetrahedra.h"
 #include "simulator/tolerance.h"

@@ -7,7 +7,7 @@
 
 #include "model/base/error.h"
 #include "model/base/memory.h"
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "simulator/grid/block_cut.h"
 #include "simulator/grid/stock_grid.h"
 

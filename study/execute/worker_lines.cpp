@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::study {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "study/tolerance.h"
 
 namespace limitgauge::study {

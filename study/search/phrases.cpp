@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::study {
 namespace {

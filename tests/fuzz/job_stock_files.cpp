@@ -2,7 +2,7 @@
 // an earlier run, which would bring OpenVDB, is refused.
 #include <memory>
 
-#include "app/run/stock_file.h"
+#include "app/inputs/stock_file.h"
 #include "model/base/error.h"
 #include "model/mesh/mesh_reader.h"
 

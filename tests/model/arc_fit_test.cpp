@@ -6,8 +6,8 @@
 #include <random>
 #include <sstream>
 
-#include "model/base/fixed_number.h"
 #include "model/gcode/program_path.h"
+#include "model/text/fixed_number.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

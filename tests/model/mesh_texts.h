@@ -6,8 +6,8 @@
 #include <bit>
 #include <string>
 
-#include "model/base/number_text.h"
 #include "model/mesh/triangle_mesh.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model::test {
 

@@ -1,4 +1,4 @@
-#include "model/base/message_text.h"
+#include "model/text/message_text.h"
 
 #include <array>
 

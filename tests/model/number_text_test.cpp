@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge::model;

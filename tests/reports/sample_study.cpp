@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports {

@@ -1,6 +1,6 @@
 #include "reports/text/text.h"
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge;

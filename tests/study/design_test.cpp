@@ -4,7 +4,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "study/plan/design.h"
 #include "study/plan/plan.h"
 #include "study/plan/random_numbers.h"

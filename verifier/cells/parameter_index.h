@@ -17,6 +17,7 @@ struct ParameterRect {
   }
 };
 ParameterRect rect_of(const SurfaceCell& cell);
+ParameterRect rect_of(const CellPart& part);
 
 /// What a cell is found by, a tenth of its size.
 struct IndexedCell {

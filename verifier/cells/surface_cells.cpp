@@ -76,6 +76,14 @@ std::array<SurfaceCell, 2> halved(const SurfaceCell& cell) {
   return longer_in_u(cell.shape) ? split_u(cell) : split_v(cell);
 }
 
+std::array<CellPart, 2> halved(const CellPart& part, bool in_u) {
+  CellPart low = part;
+  (in_u ? low.size_u : low.size_v) /= 2;
+  CellPart high = low;
+  (in_u ? high.u : high.v) += in_u ? low.size_u : low.size_v;
+  return {low, high};
+}
+
 double first_cell_radius_mm(const SurfaceTree& tree) {
   constexpr double kSmall_mm = 0.3, kCells = 200'000;
   return std::max(kSmall_mm, std::sqrt(tree.area_mm2() / kCells));
@@ -112,6 +120,22 @@ SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
   for (const std::uint32_t i : tree_of_cells.order) sorted.push_back(cells_[i]);
   cells_ = std::move(sorted);
   nodes_ = std::move(tree_of_cells.nodes);
+}
+
+CellPart SurfaceCells::whole(std::uint32_t index) const {
+  const SurfaceCell& cell = cells_[index];
+  return {index, cell.u, cell.v, cell.size_u, cell.size_v};
+}
+
+SurfaceCell SurfaceCells::cell_of(const CellPart& part) const {
+  SurfaceCell cell = cells_[part.whole];
+  if (part.size_u == cell.size_u && part.size_v == cell.size_v) return cell;
+  // Halves of halves: exact in binary.
+  const double s = (part.u - cell.u) / cell.size_u, t = (part.v - cell.v) / cell.size_v;
+  cell.shape =
+      restrict(cell.shape, s, s + part.size_u / cell.size_u, t, t + part.size_v / cell.size_v);
+  cell.u = part.u, cell.v = part.v, cell.size_u = part.size_u, cell.size_v = part.size_v;
+  return cell;
 }
 
 bool SurfaceCells::is_rim(const SurfaceCell& cell, int side) const {

@@ -35,6 +35,15 @@ std::array<SurfaceCell, 2> split_v(const SurfaceCell& cell);
 /// The halves of the longer way, by longer_in_u.
 std::array<SurfaceCell, 2> halved(const SurfaceCell& cell);
 
+/// A part of one of the cells that a surface is held in, by its parameters alone: a tenth of its
+/// size.
+struct CellPart {
+  std::uint32_t whole = 0;  ///< index of the cell
+  double u = 0, v = 0, size_u = 1, size_v = 1;
+};
+
+std::array<CellPart, 2> halved(const CellPart& part, bool in_u);
+
 /// Where branch and bound over a surface starts: cells small enough that few moves matter to each,
 /// and no more than a few hundred thousand on a large part.
 double first_cell_radius_mm(const SurfaceTree& tree);
@@ -48,6 +57,8 @@ class SurfaceCells {
   SurfaceCells(const SurfaceTree& tree, double radius_mm);
 
   const std::vector<SurfaceCell>& cells() const { return cells_; }
+  CellPart whole(std::uint32_t index) const;
+  SurfaceCell cell_of(const CellPart& part) const;
   /// Sharp edges and vertices, with the normals between those of the cells beside them.
   const std::vector<RidgeCell>& ridges() const { return ridges_; }
 

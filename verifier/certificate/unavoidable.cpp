@@ -20,7 +20,7 @@ constexpr int kProofs = 40;
 
 /// A cell that may hold the worst point; every point of it has a free tip within `upper`.
 struct Open {
-  SurfaceCell cell;
+  CellPart cell;
   double upper = 0;
 };
 bool lower_of(const Open& a, const Open& b) {
@@ -36,14 +36,14 @@ struct Tried {
 
 /// Positions that touch the middles of cells: the classification proved those of reachable cells;
 /// where it has no proof they are searched for, if asked.
-std::vector<Vec3> tips_of(const ReachMap& map, const Reachability& reachability,
-                          std::size_t cutter_index, bool with_search,
-                          const model::RunControl& control) {
+std::vector<Vec3> tips_of(const SurfaceCells& cells, const ReachMap& map,
+                          const Reachability& reachability, std::size_t cutter_index,
+                          bool with_search, const model::RunControl& control) {
   const auto& entries = map.entries();
   std::vector<std::optional<Vec3>> found(entries.size());
   model::parallel_for(entries.size(), control.threads, [&](std::size_t k) {
     if (entries[k].reach == Reach::unreachable) return;
-    const SurfaceCell& cell = entries[k].cell;
+    const SurfaceCell cell = cells.cell_of(entries[k].cell);
     const bool round = reachability.profile().flat_mm <= 0;
     const auto c = CellContact::of(offset_cell(cell.shape, {}), reachability.profile(),
                                    reachability.allowance_mm());
@@ -77,7 +77,8 @@ class Search {
   Search(const SurfaceCells& cells, const Reachability& reachability, std::vector<Vec3> tips,
          const model::Cutter& cutter, const UnavoidableOptions& options,
          const model::RunControl& control)
-      : cutter_(cutter),
+      : cells_(cells),
+        cutter_(cutter),
         options_(options),
         control_(control),
         allowance_(reachability.allowance_mm()),
@@ -125,10 +126,11 @@ class Search {
     model::parallel_chunks(open_.size(), kChunk, control_, [&](std::size_t begin, std::size_t end) {
       std::optional<BodyRef> hint;
       for (std::size_t i = begin; i < end; ++i) {
-        const Vec3 m = middle(open_[i].cell.shape);
+        const Bezier shape = cells_.cell_of(open_[i].cell).shape;
+        const Vec3 m = middle(shape);
         const Nearest nearest = given_.nearest(m, hint);
         hint = nearest.body;
-        open_[i].upper = nearest.distance.value + control_radius(open_[i].cell.shape, m);
+        open_[i].upper = nearest.distance.value + control_radius(shape, m);
       }
     });
     std::make_heap(open_.begin(), open_.end(), lower_of);
@@ -154,7 +156,7 @@ class Search {
 
   /// Bounds a cell, and searches for a position for its middle where that alone keeps it open.
   Looked look(const Open& open, double enough, bool may_try) const {
-    const SurfaceCell& cell = open.cell;
+    const SurfaceCell cell = cells_.cell_of(open.cell);
     const Vec3 m = middle(cell.shape);
     Looked out{open.upper, {}};
     Nearest nearest = given_.nearest(m);
@@ -249,7 +251,8 @@ class Search {
       closed_.push_back({open.cell, upper});
       return;
     }
-    for (const SurfaceCell& half : halved(open.cell)) {
+    const bool in_u = longer_in_u(cells_.cell_of(open.cell).shape);
+    for (const CellPart& half : halved(open.cell, in_u)) {
       open_.push_back({half, upper});
       std::push_heap(open_.begin(), open_.end(), lower_of);
     }
@@ -278,10 +281,12 @@ class Search {
     return true;
   }
 
-  static bool is_spot(const SurfaceCell& cell) {
-    return control_radius(cell.shape, middle(cell.shape)) < kSmallestCell_mm;
+  bool is_spot(const CellPart& part) const {
+    const Bezier shape = cells_.cell_of(part).shape;
+    return control_radius(shape, middle(shape)) < kSmallestCell_mm;
   }
 
+  const SurfaceCells& cells_;
   const model::Cutter& cutter_;
   const UnavoidableOptions& options_;
   const model::RunControl& control_;
@@ -302,7 +307,8 @@ Unavoidable unavoidable_uncut(const SurfaceCells& cells, const ReachMap& map,
                               const model::Cutter& cutter, const UnavoidableOptions& options,
                               const model::RunControl& control, std::size_t cutter_index) {
   if (cells.cells().empty()) return {{0, 0}, {}, true, 0, 0, 0};
-  std::vector<Vec3> tips = tips_of(map, reachability, cutter_index, free_tips.empty(), control);
+  std::vector<Vec3> tips =
+      tips_of(cells, map, reachability, cutter_index, free_tips.empty(), control);
   tips.insert(tips.end(), free_tips.begin(), free_tips.end());
   tips.push_back(retracted(cells, reachability.allowance_mm()));
   Search search(cells, reachability, std::move(tips), cutter, options, control);

@@ -27,7 +27,7 @@ constexpr double kCoarserOnLevel = 2;
 
 /// A cell that is not proven yet, and what is known of it from the cell it is half of.
 struct Open {
-  SurfaceCell cell;
+  CellPart cell;
   std::optional<Vec3> witness;         ///< a point of S that the cutter cuts into nearby
   std::optional<ClearedRect> cleared;  ///< proven not to be cut into
   std::vector<std::uint32_t> pending;  ///< with `cleared`: all other cells not proven so
@@ -43,39 +43,39 @@ class Classifier {
         local_(cells.cells(), reachability.allowance_mm(), reachability.contact_mm()) {}
 
   /// Proves the cell to be one or the other, or adds to what is known of it.
-  Reach decide(Open& open) const {
-    const auto contact = CellContact::of(offset_cell(open.cell.shape, {}), reachability_.profile(),
+  Reach decide(Open& open, const SurfaceCell& cell) const {
+    const auto contact = CellContact::of(offset_cell(cell.shape, {}), reachability_.profile(),
                                          reachability_.allowance_mm());
     if (!contact) return Reach::undecided;
     const bool endless = reachability_.is_endless();
     if (endless && contact->too_steep()) return Reach::unreachable;
     if (endless && open.witness && bars_all(*open.witness, *contact)) return Reach::unreachable;
     open.level = contact->level() && reachability_.profile().flat_mm > 0;
-    if (open.level) return decide_level(open, *contact);
-    if (contact->touchable() && prove(open, *contact)) return Reach::reachable;
+    if (open.level) return decide_level(open, cell, *contact);
+    if (contact->touchable() && prove(open, cell, *contact)) return Reach::reachable;
     // Where all else of S is cleared, only what is left of it can be cut into: its middles have
     // been looked at.
     if (open.cleared && !contact->turning() && !open.witness) return Reach::undecided;
-    return refute(open, *contact) ? Reach::unreachable : Reach::undecided;
+    return refute(open, cell, *contact) ? Reach::unreachable : Reach::undecided;
   }
 
  private:
   /// On a level spot the flat may stand anywhere over the point: one place suffices.
-  Reach decide_level(Open& open, const CellContact& contact) const {
+  Reach decide_level(const Open& open, const SurfaceCell& cell, const CellContact& contact) const {
     for (int k = -1; k < kLevelDirections; ++k) {
       const double angle = 2 * pi * k / kLevelDirections;
       const double out = k < 0 ? 0 : reachability_.profile().flat_mm;
       Open alone{open.cell, {}, {}, {}, false};
-      if (prove(alone, contact.displaced({out * std::cos(angle), out * std::sin(angle), 0})))
+      if (prove(alone, cell, contact.displaced({out * std::cos(angle), out * std::sin(angle), 0})))
         return Reach::reachable;
     }
     return reachability_.surely_unreachable(contact.offset()) ? Reach::unreachable
                                                               : Reach::undecided;
   }
 
-  bool prove(Open& open, const CellContact& contact) const {
+  bool prove(Open& open, const SurfaceCell& cell, const CellContact& contact) const {
     if (!open.cleared) {
-      const auto cleared = local_.clear(open.cell, contact);
+      const auto cleared = local_.clear(cell, contact);
       // A level spot may have nothing bent beside it, and then bounds on the distance do.
       if (!cleared && !contact.level()) return false;
       std::vector<std::uint32_t> pending;
@@ -175,11 +175,11 @@ class Classifier {
   }
 
   /// Whether some point of S is cut into wherever the cutter touches the cell.
-  bool refute(Open& open, const CellContact& contact) const {
+  bool refute(Open& open, const SurfaceCell& cell, const CellContact& contact) const {
     if (!reachability_.is_endless()) return reachability_.surely_unreachable(contact.offset());
     if (contact.turning()) {
       // The middle's own contact first: a proof costs many.
-      const Vec3 n = middle_normal(open.cell);
+      const Vec3 n = middle_normal(cell);
       return contact.alpha() < 0.3 && !reachability_.touching_tip(contact.middle(), n) &&
              reachability_.surely_unreachable(contact.offset());
     }
@@ -195,14 +195,18 @@ class Classifier {
 
 }  // namespace
 
-ReachMap::ReachMap(std::vector<Entry> entries) : entries_(std::move(entries)) {
-  std::vector<IndexedCell> cells;
-  cells.reserve(entries_.size());
+ReachMap::ReachMap(const SurfaceCells& cells, std::vector<Entry> entries)
+    : entries_(std::move(entries)) {
+  std::vector<IndexedCell> parts;
+  parts.reserve(entries_.size());
   for (const Entry& e : entries_) {
-    cells.push_back(indexed(e.cell));
+    // A part is no point, or lies in one whole cell.
+    IndexedCell part = indexed(cells.cells()[e.cell.whole]);
+    part.rect = rect_of(e.cell);
+    parts.push_back(part);
     area_[static_cast<int>(e.reach)] += e.area_mm2;
   }
-  index_ = std::make_unique<const ParameterIndex>(std::span<const IndexedCell>(cells));
+  index_ = std::make_unique<const ParameterIndex>(std::span<const IndexedCell>(parts));
 }
 
 Reach ReachMap::of(const SurfaceCell& cell) const {
@@ -223,9 +227,7 @@ const ReachMap::Entry* ReachMap::entry_at(int patch, double u, double v) const {
 
 namespace {
 
-/// Halves cells until each is proven for one cutter, or the effort is spent.
-/// Half a kilobyte each, hundreds of thousands of them: a vector that grows would hold three times
-/// as many.
+/// Hundreds of thousands of them: a vector that grows would hold three times as many.
 using Entries = std::deque<ReachMap::Entry>;
 using OpenCells = std::deque<Open>;
 
@@ -241,17 +243,19 @@ std::vector<ReachMap::Entry> joined(Entries first, Entries second) {
 /// What became of one open cell.
 struct Decided {
   Reach reach = Reach::undecided;
-  bool halve = false;
+  bool halve = false, in_u = true;
   double area_mm2 = 0;
 };
 
-Decided decide(const Classifier& classifier, Open& open, const ReachOptions& options, bool last) {
-  Decided decided{classifier.decide(open)};
+Decided decide(const Classifier& classifier, Open& open, const SurfaceCell& cell,
+               const ReachOptions& options, bool last) {
+  Decided decided{classifier.decide(open, cell)};
   const double smallest =
       open.level ? kCoarserOnLevel * options.smallest_radius_mm : options.smallest_radius_mm;
   decided.halve = decided.reach == Reach::undecided && !last &&
-                  control_radius(open.cell.shape, middle(open.cell.shape)) > smallest;
-  if (!decided.halve) decided.area_mm2 = area_mm2(open.cell.shape);
+                  control_radius(cell.shape, middle(cell.shape)) > smallest;
+  decided.in_u = longer_in_u(cell.shape);
+  if (!decided.halve) decided.area_mm2 = area_mm2(cell.shape);
   return decided;
 }
 
@@ -261,9 +265,9 @@ OpenCells sorted(OpenCells level, const std::vector<Decided>& decided, Entries& 
   for (const Decided& d : decided) {
     const Open& open = level.front();
     if (!d.halve) {
-      done.push_back({open.cell, d.reach, d.area_mm2, 0});
+      done.push_back({open.cell, d.reach, 0, d.area_mm2});
     } else {
-      for (const SurfaceCell& half : halved(open.cell))
+      for (const CellPart& half : halved(open.cell, d.in_u))
         next.push_back({half, open.witness, open.cleared, open.pending, false});
     }
     level.pop_front();
@@ -271,6 +275,7 @@ OpenCells sorted(OpenCells level, const std::vector<Decided>& decided, Entries& 
   return next;
 }
 
+/// Halves cells until each is proven for one cutter, or the effort is spent.
 Entries classify_cells(const SurfaceCells& cells, OpenCells level, const Reachability& reachability,
                        const ReachOptions& options, const model::RunControl& control) {
   const Classifier classifier(cells, reachability);
@@ -283,7 +288,7 @@ Entries classify_cells(const SurfaceCells& cells, OpenCells level, const Reachab
     constexpr std::size_t kChunk = 64;
     model::parallel_chunks(level.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        decided[i] = decide(classifier, level[i], options, last);
+        decided[i] = decide(classifier, level[i], cells.cell_of(level[i].cell), options, last);
     });
     level = sorted(std::move(level), decided, done);
   }
@@ -301,9 +306,11 @@ ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability>
                         std::span<const ReachOptions> options, const model::RunControl& control) {
   // What is left for the next cutter, with what those before it have proven.
   Entries left, done;
-  for (const SurfaceCell& cell : cells.cells())
-    if (control_radius(cell.shape, cell.shape.control(0)) > 0)
-      left.push_back({cell, Reach::unreachable, 0, 0});
+  for (std::uint32_t i = 0; i < cells.cells().size(); ++i) {
+    const Bezier& shape = cells.cells()[i].shape;
+    if (control_radius(shape, shape.control(0)) > 0)
+      left.push_back({cells.whole(i), Reach::unreachable, 0, 0});
+  }
   for (std::size_t k = 0; k < cutters.size() && !left.empty(); ++k) {
     Entries next;
     for (const Reach before : {Reach::unreachable, Reach::undecided}) {
@@ -313,14 +320,14 @@ ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability>
       Entries found = classify_cells(cells, std::move(level), cutters[k], options[k], control);
       for (; !found.empty(); found.pop_front()) {
         ReachMap::Entry& e = found.front();
-        e.cutter = k;
+        e.cutter = static_cast<std::uint32_t>(k);
         if (e.reach == Reach::unreachable) e.reach = before;
         (e.reach == Reach::reachable ? done : next).push_back(e);
       }
     }
     left = std::move(next);
   }
-  return ReachMap(joined(std::move(done), std::move(left)));
+  return ReachMap(cells, joined(std::move(done), std::move(left)));
 }
 
 }  // namespace limitgauge::verifier

@@ -29,13 +29,14 @@ inline constexpr ReachOptions kReachEffort = {0.05, 60'000};
 class ReachMap {
  public:
   struct Entry {
-    SurfaceCell cell;
+    CellPart cell;
     Reach reach = Reach::undecided;
+    std::uint32_t cutter = 0;  ///< of a reachable cell: one that can touch all of it
     double area_mm2 = 0;
-    std::size_t cutter = 0;  ///< of a reachable cell: one that can touch all of it
   };
 
-  explicit ReachMap(std::vector<Entry> entries);
+  /// Of parts of `cells`.
+  ReachMap(const SurfaceCells& cells, std::vector<Entry> entries);
 
   /// Areas of the cells so proven, by Gauss quadrature; they add up to the area of S.
   double reachable_area_mm2() const { return area_[1]; }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "model/base/message_text.h"
 #include "model/base/tolerance.h"
 #include "model/gcode/cycles/canned_cycle_path.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

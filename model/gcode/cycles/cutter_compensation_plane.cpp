@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "model/base/number_text.h"
 #include "model/base/tolerance.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model::gcode {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "model/base/number_text.h"
 #include "model/gcode/program.h"
 #include "model/geometry/vec2.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model::gcode {
 

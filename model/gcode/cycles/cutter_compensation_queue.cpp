@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "model/base/message_text.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "model/base/message_text.h"
 #include "model/base/tolerance.h"
 #include "model/gcode/flow/flow.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -1,6 +1,6 @@
 #include "model/gcode/machine/machine_motion.h"
 
-#include "model/base/message_text.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "model/base/angle.h"
-#include "model/base/message_text.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

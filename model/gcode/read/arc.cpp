@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/base/number_text.h"
 #include "model/base/tolerance.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

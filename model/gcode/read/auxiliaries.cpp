@@ -2,7 +2,7 @@
 
 #include <initializer_list>
 
-#include "model/base/characters.h"
+#include "model/text/characters.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/base/message_text.h"
 #include "model/gcode/machine/feed.h"
 #include "model/gcode/machine/machine_motion.h"
 #include "model/gcode/read/arc.h"
 #include "model/gcode/read/tool_codes.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
 #include "model/base/tolerance.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -4,13 +4,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "model/base/characters.h"
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
 #include "model/base/tolerance.h"
 #include "model/gcode/text/functions.h"
 #include "model/gcode/text/operators.h"
 #include "model/gcode/text/plain_number.h"
+#include "model/text/characters.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/base/characters.h"
-#include "model/base/message_text.h"
 #include "model/gcode/text/plain_number.h"
+#include "model/text/characters.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

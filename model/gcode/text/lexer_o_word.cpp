@@ -1,8 +1,8 @@
 // The lexer's part for lines that begin with an O word.
-#include "model/base/characters.h"
-#include "model/base/message_text.h"
 #include "model/gcode/flow/flow_keyword.h"
 #include "model/gcode/text/lexer.h"
+#include "model/text/characters.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

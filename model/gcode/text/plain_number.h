@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/base/characters.h"
+#include "model/text/characters.h"
 
 namespace limitgauge::model::gcode {
 

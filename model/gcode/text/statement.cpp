@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/base/message_text.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <string>
 
-#include "model/base/message_text.h"
 #include "model/gcode/cycles/canned_cycle.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {

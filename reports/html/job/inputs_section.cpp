@@ -3,7 +3,7 @@
 #include <variant>
 
 #include <fmt/format.h>
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/html/markup.h"
 #include "reports/text/text.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "reports/html/job/job_sections.h"
 #include "reports/html/markup.h"
 #include "reports/text/text.h"

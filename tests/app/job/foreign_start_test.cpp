@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "app/run/run_inputs.h"
+#include "app/inputs/run_inputs.h"
 #include "model/base/error.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"

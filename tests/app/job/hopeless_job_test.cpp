@@ -1,7 +1,7 @@
 // Values that no part was ever cut by: refused where they stand, before anything is worked on.
 #include <string>
 
-#include "app/run/part_fit.h"
+#include "app/inputs/part_fit.h"
 #include "model/base/error.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "model/base/error.h"
-#include "model/base/message_text.h"
+#include "model/text/message_text.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 

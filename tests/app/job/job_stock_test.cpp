@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/run/stock_file.h"
+#include "app/inputs/stock_file.h"
 #include "model/base/error.h"
 #include "simulator/stock/stock_model.h"
 #include "tests/app/job_text.h"

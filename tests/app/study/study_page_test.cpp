@@ -2,8 +2,8 @@
 
 #include "app/study/study_file.h"
 #include "app/toml/toml_table.h"
-#include "model/base/number_text.h"
 #include "model/base/text_file.h"
+#include "model/text/number_text.h"
 #include "tests/app/job_text.h"
 #include "tests/app/toml/job_page.h"
 #include "tests/support/catch.h"

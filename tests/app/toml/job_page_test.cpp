@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "app/toml/toml_table.h"
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 

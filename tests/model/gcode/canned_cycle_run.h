@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "model/base/number_text.h"
 #include "model/gcode/cycles/canned_cycle.h"
 #include "model/gcode/text/lexer.h"
 #include "model/gcode/text/parameters.h"
 #include "model/gcode/text/statement.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model::test {
 

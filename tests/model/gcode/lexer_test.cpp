@@ -3,7 +3,7 @@
 #include <charconv>
 #include <random>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 #include "tests/model/fixture_files.h"
 #include "tests/support/catch.h"
 

@@ -95,7 +95,7 @@ TEST_CASE("reach maps agree with single contacts and do not depend on threads", 
       // Cells of a level vertex below a nanometre are level to rounding: there the map may place
       // the flat anywhere, a single contact follows the rounding's direction.
       if (entry.reach == Reach::undecided || entry.area_mm2 < 1e-10) continue;
-      const BezierJet j = jet(entry.cell.shape, 0.3, 0.8);
+      const BezierJet j = jet(cells.cell_of(entry.cell).shape, 0.3, 0.8);
       const model::Vec3 normal = normalized(cross(j.du, j.dv));
       CHECK(reach.touching_tip(j.position, normal).has_value() ==
             (entry.reach == Reach::reachable));

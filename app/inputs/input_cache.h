@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/run/input_checksums.h"
-#include "app/run/run_inputs.h"
-#include "app/run/stock_file.h"
+#include "app/inputs/input_checksums.h"
+#include "app/inputs/run_inputs.h"
+#include "app/inputs/stock_file.h"
 
 namespace limitgauge::app {
 

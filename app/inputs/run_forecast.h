@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
+#include "app/inputs/run_inputs.h"
 #include "app/job/job.h"
-#include "app/run/run_inputs.h"
 #include "engine/surface/finish_model.h"
 #include "simulator/stock/stock_model.h"
 

@@ -1,13 +1,13 @@
-#include "app/run/run_inputs.h"
+#include "app/inputs/run_inputs.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/run/cage_fold.h"
-#include "app/run/input_checksums.h"
-#include "app/run/part_fit.h"
-#include "app/run/run_forecast.h"
-#include "app/run/surface_witness.h"
+#include "app/inputs/cage_fold.h"
+#include "app/inputs/input_checksums.h"
+#include "app/inputs/part_fit.h"
+#include "app/inputs/run_forecast.h"
+#include "app/inputs/surface_witness.h"
 #include "app/tolerance.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"

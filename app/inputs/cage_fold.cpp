@@ -1,4 +1,4 @@
-#include "app/run/cage_fold.h"
+#include "app/inputs/cage_fold.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "app/run/input_checksums.h"
+#include "app/inputs/input_checksums.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // The witness of every run: right surfaces pass, wrong ones are caught, and all is counted.
-#include "app/run/surface_witness.h"
+#include "app/inputs/surface_witness.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
-#include "app/run/part_fit.h"
+#include "app/inputs/part_fit.h"
 
 #include <algorithm>
 
 #include "model/base/error.h"
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {

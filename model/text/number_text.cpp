@@ -1,4 +1,4 @@
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 
 #include <array>
 #include <charconv>

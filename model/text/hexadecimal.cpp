@@ -1,6 +1,6 @@
-#include "model/base/hexadecimal.h"
+#include "model/text/hexadecimal.h"
 
-#include "model/base/characters.h"
+#include "model/text/characters.h"
 
 namespace limitgauge::model {
 

@@ -1,11 +1,11 @@
-#include "model/base/fixed_number.h"
+#include "model/text/fixed_number.h"
 
 #include <array>
 #include <charconv>
 #include <optional>
 #include <string_view>
 
-#include "model/base/number_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 

@@ -1,11 +1,11 @@
-#include "model/base/message_text.h"
+#include "model/text/message_text.h"
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-#include "model/base/characters.h"
-#include "model/base/hexadecimal.h"
+#include "model/text/characters.h"
+#include "model/text/hexadecimal.h"
 
 namespace limitgauge::model {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "tests/e2e/viewer.h"
+#include "tests/e2e/view/viewer.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::e2e {

@@ -1,4 +1,4 @@
-#include "tests/e2e/viewer.h"
+#include "tests/e2e/view/viewer.h"
 
 #include <cstdlib>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/run/run_forecast.h"
+#include "app/inputs/run_forecast.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "model/base/clean_text.h"
+#include "model/text/clean_text.h"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
-#include "app/run/stock_file.h"
+#include "app/inputs/stock_file.h"
 
 #include <memory>
 #include <utility>
 
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
-#include "model/base/number_text.h"
 #include "model/mesh/mesh_defect.h"
 #include "model/mesh/mesh_reader.h"
+#include "model/text/number_text.h"
 #include "simulator/grid/vdb_stock.h"
 
 namespace limitgauge::app {

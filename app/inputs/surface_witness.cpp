@@ -1,4 +1,4 @@
-#include "app/run/surface_witness.h"
+#include "app/inputs/surface_witness.h"
 
 #include <sstream>
 

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-#include "tests/e2e/viewer.h"
+#include "tests/e2e/view/viewer.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::e2e {

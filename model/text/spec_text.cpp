@@ -1,11 +1,11 @@
-#include "model/base/spec_text.h"
+#include "model/text/spec_text.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "model/base/message_text.h"
-#include "model/base/number_text.h"
+#include "model/text/message_text.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::model {
 

@@ -1,4 +1,4 @@
-#include "app/run/input_cache.h"
+#include "app/inputs/input_cache.h"
 
 #include <sys/stat.h>
 

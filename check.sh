@@ -32,4 +32,4 @@ FUZZ_JOBS=$jobs tests/fuzz/run.sh 10
 
 # Other moments every time: the seed is printed. How soon a command ends is no question for a machine that
 # others are busy on.
-tests/torture.sh 2 --patience 30
+tests/torture.sh 1 --patience 30

@@ -15,9 +15,9 @@ constexpr double kMib = 1024.0 * 1024.0;
 
 /// The program, its libraries and what every job takes.
 constexpr double kProcessBytes = 60 * kMib;
-/// Cells of the surface that the verifier divides: their number is bounded, and goes by how the
-/// surface bends and not by any figure of the job. 2 to 200 MiB on the fixtures.
-constexpr double kCellsBytes = 24 * kMib;
+/// Parts of cells that the verifier divides: their number is bounded, and goes by how the surface
+/// bends and not by any figure of the job. 1 to 50 MiB on the fixtures.
+constexpr double kCellsBytes = 10 * kMib;
 /// Files and pages of a stage; its pictures are drawn several times as large and made smaller.
 constexpr double kFilesBytes = 20 * kMib, kPicturesBytes = 92 * kMib;
 

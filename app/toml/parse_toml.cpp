@@ -1,9 +1,12 @@
 #include "app/toml/toml_text.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <sstream>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "app/toml/toml_table.h"
 #include "model/base/error.h"
@@ -41,16 +44,34 @@ constexpr auto kOtherBases = toml::value_flags::format_as_binary |
                              toml::value_flags::format_as_octal |
                              toml::value_flags::format_as_hexadecimal;
 
-/// `value` stands at `key`, or somewhere in the list there.
-void refuse_other_bases(const toml::node& value, const std::string& key) {
-  if (const toml::table* table = value.as_table()) {
-    for (const auto& [name, below] : *table) refuse_other_bases(below, std::string(name.str()));
-  } else if (const toml::array* list = value.as_array()) {
-    for (const toml::node& entry : *list) refuse_other_bases(entry, key);
-  } else if (const auto* whole = value.as_integer();
-             whole != nullptr && (whole->flags() & kOtherBases) != toml::value_flags::none) {
-    throw OtherBase(place_of(value.source()), "\"" + key + "\" is " + shown_value(value),
-                    "decimals, as " + std::to_string(whole->get()));
+/// A node, and the key that it or the list around it stands at.
+struct KeyedNode {
+  const toml::node* node;
+  std::string_view key;
+};
+
+void refuse_other_base(const KeyedNode& at) {
+  const auto* whole = at.node->as_integer();
+  if (whole == nullptr || (whole->flags() & kOtherBases) == toml::value_flags::none) return;
+  throw OtherBase(place_of(at.node->source()),
+                  "\"" + std::string(at.key) + "\" is " + shown_value(*at.node),
+                  "decimals, as " + std::to_string(whole->get()));
+}
+
+/// With a list of what is left, and not by calls within calls: a key of many parts is as deep.
+void refuse_other_bases(const toml::table& all) {
+  std::vector<KeyedNode> left{{&all, {}}};
+  while (!left.empty()) {
+    const KeyedNode at = left.back();
+    left.pop_back();
+    const std::size_t before = left.size();
+    if (const toml::table* table = at.node->as_table())
+      for (const auto& [name, below] : *table) left.push_back({&below, name.str()});
+    else if (const toml::array* list = at.node->as_array())
+      for (const toml::node& entry : *list) left.push_back({&entry, at.key});
+    else
+      refuse_other_base(at);
+    std::reverse(left.begin() + static_cast<std::ptrdiff_t>(before), left.end());
   }
 }
 
@@ -59,7 +80,7 @@ void refuse_other_bases(const toml::node& value, const std::string& key) {
 toml::table parse_toml(const std::string& text, const std::string& name_in_errors) {
   refuse_deep_keys(text, name_in_errors);
   toml::table table = parsed(text, name_in_errors);
-  refuse_other_bases(table, {});
+  refuse_other_bases(table);
   return table;
 }
 

@@ -31,14 +31,6 @@ bool splits_cleanly(std::span<const IndexedCell> cells, const std::vector<std::u
 
 }  // namespace
 
-ParameterRect rect_of(const SurfaceCell& cell) {
-  return {cell.u, cell.u + cell.size_u, cell.v, cell.v + cell.size_v};
-}
-
-ParameterRect rect_of(const CellPart& part) {
-  return {part.u, part.u + part.size_u, part.v, part.v + part.size_v};
-}
-
 IndexedCell indexed(const SurfaceCell& cell) {
   return {cell.patch, is_point(cell), rect_of(cell)};
 }

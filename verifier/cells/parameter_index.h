@@ -16,8 +16,11 @@ struct ParameterRect {
     return u0 <= r.u0 && r.u1 <= u1 && v0 <= r.v0 && r.v1 <= v1;
   }
 };
-ParameterRect rect_of(const SurfaceCell& cell);
-ParameterRect rect_of(const CellPart& part);
+/// Of a SurfaceCell or a CellPart.
+template <class Cell>
+ParameterRect rect_of(const Cell& cell) {
+  return {cell.u, cell.u + cell.size_u, cell.v, cell.v + cell.size_v};
+}
 
 /// What a cell is found by, a tenth of its size.
 struct IndexedCell {

@@ -13,12 +13,18 @@ namespace {
 
 constexpr std::uint32_t kLeafCells = 2;
 
-SurfaceCell part(const SurfaceCell& cell, const Bezier& shape, bool in_u, int half) {
-  SurfaceCell out = cell;
-  out.shape = shape;
-  double& size = in_u ? out.size_u : out.size_v;
+/// The first or the second half of a cell's parameters.
+template <class Cell>
+Cell half_of(Cell cell, bool in_u, int half) {
+  double& size = in_u ? cell.size_u : cell.size_v;
   size /= 2;
-  (in_u ? out.u : out.v) += half * size;
+  (in_u ? cell.u : cell.v) += half * size;
+  return cell;
+}
+
+SurfaceCell part(const SurfaceCell& cell, const Bezier& shape, bool in_u, int half) {
+  SurfaceCell out = half_of(cell, in_u, half);
+  out.shape = shape;
   return out;
 }
 
@@ -77,11 +83,7 @@ std::array<SurfaceCell, 2> halved(const SurfaceCell& cell) {
 }
 
 std::array<CellPart, 2> halved(const CellPart& part, bool in_u) {
-  CellPart low = part;
-  (in_u ? low.size_u : low.size_v) /= 2;
-  CellPart high = low;
-  (in_u ? high.u : high.v) += in_u ? low.size_u : low.size_v;
-  return {low, high};
+  return {half_of(part, in_u, 0), half_of(part, in_u, 1)};
 }
 
 double first_cell_radius_mm(const SurfaceTree& tree) {

@@ -22,6 +22,7 @@ constexpr int kProofs = 40;
 struct Open {
   CellPart cell;
   double upper = 0;
+  bool is_spot = false;  ///< too small to be halved, once it was looked at
 };
 bool lower_of(const Open& a, const Open& b) {
   return a.upper < b.upper;
@@ -152,13 +153,15 @@ class Search {
   struct Looked {
     double upper = 0;
     std::optional<Tried> tried;
+    bool is_spot = false, in_u = true;  ///< whether and which way to halve it
   };
 
   /// Bounds a cell, and searches for a position for its middle where that alone keeps it open.
   Looked look(const Open& open, double enough, bool may_try) const {
     const SurfaceCell cell = cells_.cell_of(open.cell);
     const Vec3 m = middle(cell.shape);
-    Looked out{open.upper, {}};
+    const double radius = control_radius(cell.shape, m);
+    Looked out{open.upper, {}, radius < kSmallestCell_mm, longer_in_u(cell.shape)};
     Nearest nearest = given_.nearest(m);
     Vec3 tip = tips_[nearest.body.index];
     if (!extra_.empty()) {
@@ -172,8 +175,7 @@ class Search {
       value = lowest_.distance(tip, m);
       out.tried = Tried{middle_place(cell, m), value, tip};
     }
-    out.upper =
-        std::min({out.upper, value + control_radius(cell.shape, m), by_one(cell.shape, tip)});
+    out.upper = std::min({out.upper, value + radius, by_one(cell.shape, tip)});
     if (out.upper > enough && value <= enough)
       out.upper = std::min(out.upper, by_many(cell.shape, enough));
     return out;
@@ -221,7 +223,7 @@ class Search {
       model::parallel_for(batch.size(), control_.threads,
                           [&](std::size_t i) { looked[i] = look(batch[i], enough, may_try); });
       remember(looked);
-      for (std::size_t i = 0; i < batch.size(); ++i) settle_or_split(batch[i], looked[i].upper);
+      for (std::size_t i = 0; i < batch.size(); ++i) settle_or_split(batch[i], looked[i]);
     }
   }
 
@@ -246,14 +248,13 @@ class Search {
     }
   }
 
-  void settle_or_split(const Open& open, double upper) {
-    if (upper <= good_enough() || is_spot(open.cell)) {
-      closed_.push_back({open.cell, upper});
+  void settle_or_split(const Open& open, const Looked& looked) {
+    if (looked.upper <= good_enough() || looked.is_spot) {
+      closed_.push_back({open.cell, looked.upper, looked.is_spot});
       return;
     }
-    const bool in_u = longer_in_u(cells_.cell_of(open.cell).shape);
-    for (const CellPart& half : halved(open.cell, in_u)) {
-      open_.push_back({half, upper});
+    for (const CellPart& half : halved(open.cell, looked.in_u)) {
+      open_.push_back({half, looked.upper});
       std::push_heap(open_.begin(), open_.end(), lower_of);
     }
   }
@@ -270,7 +271,7 @@ class Search {
     if (seen_ >= options_.largest_cell_count) return false;
     const double enough = good_enough();
     const auto again = std::partition(closed_.begin(), closed_.end(), [&](const Open& o) {
-      return o.upper <= enough || is_spot(o.cell);
+      return o.upper <= enough || o.is_spot;
     });
     if (again == closed_.end()) return false;
     for (auto it = again; it != closed_.end(); ++it) {
@@ -279,11 +280,6 @@ class Search {
     }
     closed_.erase(again, closed_.end());
     return true;
-  }
-
-  bool is_spot(const CellPart& part) const {
-    const Bezier shape = cells_.cell_of(part).shape;
-    return control_radius(shape, middle(shape)) < kSmallestCell_mm;
   }
 
   const SurfaceCells& cells_;

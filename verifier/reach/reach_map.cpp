@@ -51,7 +51,7 @@ class Classifier {
     if (endless && contact->too_steep()) return Reach::unreachable;
     if (endless && open.witness && bars_all(*open.witness, *contact)) return Reach::unreachable;
     open.level = contact->level() && reachability_.profile().flat_mm > 0;
-    if (open.level) return decide_level(open, cell, *contact);
+    if (open.level) return decide_level(cell, *contact);
     if (contact->touchable() && prove(open, cell, *contact)) return Reach::reachable;
     // Where all else of S is cleared, only what is left of it can be cut into: its middles have
     // been looked at.
@@ -61,11 +61,11 @@ class Classifier {
 
  private:
   /// On a level spot the flat may stand anywhere over the point: one place suffices.
-  Reach decide_level(const Open& open, const SurfaceCell& cell, const CellContact& contact) const {
+  Reach decide_level(const SurfaceCell& cell, const CellContact& contact) const {
     for (int k = -1; k < kLevelDirections; ++k) {
       const double angle = 2 * pi * k / kLevelDirections;
       const double out = k < 0 ? 0 : reachability_.profile().flat_mm;
-      Open alone{open.cell, {}, {}, {}, false};
+      Open alone;
       if (prove(alone, cell, contact.displaced({out * std::cos(angle), out * std::sin(angle), 0})))
         return Reach::reachable;
     }
@@ -200,7 +200,7 @@ ReachMap::ReachMap(const SurfaceCells& cells, std::vector<Entry> entries)
   std::vector<IndexedCell> parts;
   parts.reserve(entries_.size());
   for (const Entry& e : entries_) {
-    // A part is no point, or lies in one whole cell.
+    // A part is a point where its whole cell is one.
     IndexedCell part = indexed(cells.cells()[e.cell.whole]);
     part.rect = rect_of(e.cell);
     parts.push_back(part);

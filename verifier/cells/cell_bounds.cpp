@@ -94,7 +94,7 @@ void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& cand
   candidates.clear();
   // d_i changes by at most the radius within the cell.
   const double radius = control_radius(cell, centre) + kDistanceRounding_mm;
-  const Nearest nearest = space_.nearest(centre, hint);
+  const Nearest nearest = space_.nearest(centre, hint, far_.get());
   if (nearest.distance.value > limit_mm + radius) return;
   const double upper = upper_of(cell, centre, nearest.body);
   space_.within(centre, std::min(upper, limit_mm) + radius, candidates);
@@ -168,12 +168,15 @@ bool CellBounder::surely_outside(const Bezier& cell, double margin_mm,
   const double radius = control_radius(cell, centre);
   const auto clear = [&](BodyRef body) {
     BodyDistance distance;
-    if (score(cell, centre, body, distance).lower >= margin_mm) return true;
-    return sharp(body, radius) && mixed_lower(cell, centre, body) >= margin_mm;
+    const double lower = score(cell, centre, body, distance).lower;
+    if (lower >= margin_mm) return true;
+    const bool by_edge = sharp(body, radius);
+    missed_by_mm_ = by_edge || space_.mesh_of(body) ? 0 : margin_mm - lower;
+    return by_edge && mixed_lower(cell, centre, body) >= margin_mm;
   };
   if (first && !clear(*first)) return false;
   near_.clear();
-  space_.within(control_box(cell), margin_mm, near_);
+  space_.within(control_box(cell), margin_mm, near_, far_.get());
   return std::all_of(near_.begin(), near_.end(), clear);
 }
 

@@ -20,7 +20,9 @@ struct CellBounds {
 /// mesh has bounds of its own (MeshOutside).
 class CellBounder {
  public:
-  explicit CellBounder(const RemovedSpace& space) : space_(space) {}
+  /// What is learnt of far passes may be shared with other searches of the same thread.
+  explicit CellBounder(const RemovedSpace& space, std::shared_ptr<FarPasses> far = nullptr)
+      : space_(space), far_(std::move(far)) {}
 
   /// The bodies that can be nearest somewhere in `cell`, and no further than `limit_mm` there,
   /// found through the tree; `hint` as in RemovedSpace::nearest. None only where there are none so
@@ -37,6 +39,9 @@ class CellBounder {
   /// and the cell moved by `prism`, where raw stock does not count. False means "not proven".
   /// `first`, the likeliest to be in the way, is looked at before the others.
   bool surely_outside(const Bezier& cell, double margin_mm, std::optional<BodyRef> first = {});
+  /// By how much the body in the way of the last such proof misses the margin, where it is smooth
+  /// over the cell: a cell moved by clearly less stays unproven. Nothing of one with a sharp edge.
+  double missed_by_mm() const { return missed_by_mm_; }
   bool surely_unswept(const Bezier& cell, const model::Vec3& prism, double margin_mm);
   /// Proof that δ ≤ −`margin_mm` on all of the cell, by `first`, a body that is low at its middle,
   /// or by means of those nearly as low.
@@ -58,6 +63,8 @@ class CellBounder {
   bool sharp(BodyRef body, double radius_mm) const;
 
   const RemovedSpace& space_;
+  std::shared_ptr<FarPasses> far_;
+  double missed_by_mm_ = 0;
   std::vector<BodyRef> near_;
   std::vector<Scored> scored_;
   std::vector<Values> values_;

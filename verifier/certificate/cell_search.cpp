@@ -242,7 +242,7 @@ class CellSearch {
   }
 
   /// The move to name: of a gouge the one that reaches furthest, of a leftover the nearest.
-  BodyRef body_of(const TracedRun& run, const Vec3& s) const {
+  BodyRef body_of(const TracedRun& run, const Vec3& s) {
     return task_.side != Side::uncut && run.body ? *run.body : bounds_.nearest_body(s);
   }
 

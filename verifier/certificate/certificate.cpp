@@ -18,7 +18,7 @@ std::vector<double> looks_of(const CertificateTask& task, const model::RunContro
   std::vector<double> looks(task.size());
   constexpr std::size_t kChunk = 256;
   model::parallel_chunks(looks.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
-    const RunBounds bounds(task.cells, task.space, task.side, task.request.allowance_mm);
+    RunBounds bounds(task.cells, task.space, task.side, task.request.allowance_mm);
     std::optional<BodyRef> hint;
     for (std::size_t i = begin; i < end; ++i)
       looks[i] = task.with_cell(i, [&](const auto& cell) {

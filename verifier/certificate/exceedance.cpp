@@ -108,7 +108,7 @@ class SpotSearch {
   }
 
   /// Looked at in eight places round its middle.
-  bool exceeds_all_over(const SurfaceCell& cell, double radius_mm) const {
+  bool exceeds_all_over(const SurfaceCell& cell, double radius_mm) {
     if (radius_mm > kLargestSpot_mm) return false;
     for (int k = 0; k < 9; ++k) {
       if (k == 4) continue;

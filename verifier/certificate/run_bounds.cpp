@@ -50,8 +50,9 @@ RunBounds::RunBounds(const SurfaceCells& cells, const RemovedSpace& space, Side 
                      double allowance_mm)
     : cells_(cells),
       space_(space),
-      tracer_(cells, space),
-      bounder_(space),
+      far_(std::make_shared<FarPasses>()),
+      tracer_(cells, space, far_),
+      bounder_(space, far_),
       side_(side),
       allowance_mm_(side == Side::missing_stock ? 0 : allowance_mm) {
   model::Box3 box = space.stock_box().value_or(model::Box3{});
@@ -151,8 +152,12 @@ bool RunBounds::is_gone_deepest(const OffsetCell& cell, BodyRef body, double fro
 bool RunBounds::stands(const OffsetCell& cell, double t_mm) {
   const double margin = margin_mm(cell, t_mm) + kSkin_mm;
   const Nearest& at = look(cell.moved_middle(t_mm));
-  if (at.distance.value >= margin && bounder_.surely_outside(cell.moved(t_mm), margin, at.body))
-    return true;
+  if (at.distance.value >= margin) {
+    if (bounder_.surely_outside(cell.moved(t_mm), margin, at.body)) return true;
+    // What misses by more than a cell is moved beside itself misses there as well.
+    constexpr double kTooFar_mm = (kMostFaces + 1) * kBeside_mm;
+    if (bounder_.missed_by_mm() > kTooFar_mm) return false;
+  }
   return stands_beside(cell, t_mm, kAlong);
 }
 
@@ -191,10 +196,11 @@ bool RunBounds::is_deep(const Bezier& cell, BodyRef body) const {
 }
 
 /// δ where it is least of the corners of a cell.
-Nearest RunBounds::lowest_corner(const Bezier& cell, BodyRef hint) const {
+Nearest RunBounds::lowest_corner(const Bezier& cell, BodyRef hint) {
   std::optional<Nearest> lowest;
   for (const int corner : kCorners) {
-    const Nearest at = space_.nearest(cell.control(corner), lowest ? lowest->body : hint);
+    const Nearest at =
+        space_.nearest(cell.control(corner), lowest ? lowest->body : hint, far_.get());
     if (!lowest || at.distance.value < lowest->distance.value) lowest = at;
   }
   return *lowest;
@@ -239,7 +245,7 @@ bool RunBounds::surely_within_thin(const OffsetCell& cell, const TracedRun& run,
     // Or in the middle of what stands there.
     const Vec3 end = cell.moved_middle(allowance_mm_ - past);
     const double solid =
-        space_.first_met(end, -cell.normal, length_mm - run_mm, {kSkin_mm, 0, 0}).t_mm;
+        space_.first_met(end, -cell.normal, length_mm - run_mm, {kSkin_mm, 0, 0}, far_.get()).t_mm;
     return solid > kSkin_mm && stands(cell, allowance_mm_ - past - solid / 2);
   }
   if (is_gone(cell, allowance_mm_ + past)) return true;
@@ -251,14 +257,14 @@ bool RunBounds::surely_within_thin(const OffsetCell& cell, const TracedRun& run,
   return surely_within(cell, run_mm + free / 2);
 }
 
-TracedRun RunBounds::run(const Vec3& s, const Vec3& n, double least_mm) const {
+TracedRun RunBounds::run(const Vec3& s, const Vec3& n, double least_mm) {
   if (n == Vec3{}) return {};
   if (side_ == Side::uncut) return tracer_.material(s, n, allowance_mm_, longest_mm_, least_mm);
   return tracer_.removed(s, n, allowance_mm_, longest_mm_, least_mm, side_ == Side::missing_stock);
 }
 
-double RunBounds::quick_run(const Vec3& s, const Vec3& n, std::optional<BodyRef>& hint) const {
-  const Nearest at = space_.nearest(s + n * allowance_mm_, hint);
+double RunBounds::quick_run(const Vec3& s, const Vec3& n, std::optional<BodyRef>& hint) {
+  const Nearest at = space_.nearest(s + n * allowance_mm_, hint, far_.get());
   hint = at.body;
   if (side_ == Side::uncut) return std::max(0.0, at.distance.value);
   if (side_ == Side::gouge && space_.is_stock(at.body)) return 0;
@@ -273,7 +279,8 @@ Vec3 RunBounds::gradient_at(const OffsetCell& cell, double length_mm) {
 /// The nearest body, remembered for the next question of the same place.
 const Nearest& RunBounds::look(const Vec3& p) {
   if (!looked_ || looked_->first != p)
-    looked_ = {p, space_.nearest(p, looked_ ? std::optional(looked_->second.body) : std::nullopt)};
+    looked_ = {p, space_.nearest(p, looked_ ? std::optional(looked_->second.body) : std::nullopt,
+                                 far_.get())};
   return looked_->second;
 }
 

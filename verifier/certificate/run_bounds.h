@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "verifier/cells/cell_bounds.h"
@@ -24,12 +25,14 @@ class RunBounds {
   bool surely_within_thin(const OffsetCell& cell, const TracedRun& run, double length_mm);
   /// The run at a point of S with one of its normals, as far as it is proven; `least_mm` as in
   /// RunTracer. None for a normal of no length, in the middle of normals that cancel.
-  TracedRun run(const model::Vec3& s, const model::Vec3& n, double least_mm = 0) const;
+  TracedRun run(const model::Vec3& s, const model::Vec3& n, double least_mm = 0);
   /// A lower bound of that run by one query.
-  double quick_run(const model::Vec3& s, const model::Vec3& n, std::optional<BodyRef>& hint) const;
+  double quick_run(const model::Vec3& s, const model::Vec3& n, std::optional<BodyRef>& hint);
   /// The body nearest to s.
-  BodyRef nearest_body(const model::Vec3& s) const { return space_.nearest(s).body; }
-  Nearest nearest(const model::Vec3& p) const { return space_.nearest(p); }
+  BodyRef nearest_body(const model::Vec3& s) { return space_.nearest(s, {}, far_.get()).body; }
+  Nearest nearest(const model::Vec3& p, std::optional<BodyRef> hint = {}) {
+    return space_.nearest(p, hint, far_.get());
+  }
   /// How δ changes at the middle of the cell, moved to where its runs would end.
   model::Vec3 gradient_at(const OffsetCell& cell, double length_mm);
 
@@ -39,7 +42,7 @@ class RunBounds {
   bool is_wedge_beside(const OffsetCell& cell, double length_mm);
   bool stands_beside(const OffsetCell& cell, double t_mm, double along);
   bool is_deep(const Bezier& cell, BodyRef body) const;
-  Nearest lowest_corner(const Bezier& cell, BodyRef hint) const;
+  Nearest lowest_corner(const Bezier& cell, BodyRef hint);
   bool surely_crosses(const OffsetCell& cell, double length_mm) const;
   bool is_gone(const OffsetCell& cell, double t_mm);
   bool is_gone(const OffsetCell& cell, double t_mm, const Nearest& at);
@@ -50,6 +53,7 @@ class RunBounds {
 
   const SurfaceCells& cells_;
   const RemovedSpace& space_;
+  std::shared_ptr<FarPasses> far_;  ///< of this search's own thread
   RunTracer tracer_;
   CellBounder bounder_;
   Side side_;

@@ -23,12 +23,13 @@ TracedRun RunTracer::material(const Vec3& s, const Vec3& n, double allowance_mm,
   const Vec3 from = s + n * allowance_mm;
   TracedRun run;
   for (int step = 0; step < kMostSteps && run.length_mm < limit_mm; ++step) {
-    const auto met = space_.first_met(from + n * run.length_mm, n, limit_mm - run.length_mm, kEnds);
+    const auto met =
+        space_.first_met(from + n * run.length_mm, n, limit_mm - run.length_mm, kEnds, far_.get());
     run.length_mm += met.t_mm, run.body = met.body;
     if (!met.body) break;
     // A slit thinner than a skin, as between a cut and material that touches its edge, ends no run.
     const double past = run.length_mm + kStepOver_mm;
-    const BodyDistance next = space_.nearest(from + n * past, met.body).distance;
+    const BodyDistance next = space_.nearest(from + n * past, met.body, far_.get()).distance;
     if (kEnds.is_met(next.value - space_.chord_error_mm(), next.gradient, n)) break;
     run.length_mm = std::min(past, limit_mm);
   }
@@ -76,7 +77,7 @@ double RunTracer::free_beside(const Nearest& at, const Vec3& p, const Vec3& alon
   // Just past the face that may end here.
   const Vec3 beside = p + g * (2 * kBeside_mm);
   const double past = t + kStepOver_mm;
-  const Nearest next = space_.nearest(beside + along * past);
+  const Nearest next = space_.nearest(beside + along * past, {}, far_.get());
   if (next.distance.value > 0) return t;
   return exit_of(next.body, beside, along, past, limit_mm);
 }
@@ -87,7 +88,8 @@ bool RunTracer::is_wedge(const Vec3& p, const Vec3& along) const {
   const Vec3 e = across(along);
   const Vec3 f = cross(along, e);
   for (const Vec3& aside : {e, -e, f, -f})
-    if (space_.nearest(p + aside * kBeside_mm).distance.value > kStepOver_mm) return true;
+    if (space_.nearest(p + aside * kBeside_mm, {}, far_.get()).distance.value > kStepOver_mm)
+      return true;
   return false;
 }
 
@@ -99,12 +101,12 @@ double RunTracer::walk_removed(const Vec3& p, const Vec3& along, double limit_mm
   double t = 0;
   std::optional<BodyRef> hint;
   for (int step = 0; step < kMostSteps && t < limit_mm; ++step) {
-    Nearest nearest = space_.nearest(p + along * t, hint);
+    Nearest nearest = space_.nearest(p + along * t, hint, far_.get());
     hint = nearest.body;
     const double sure = -kSkin_mm - space_.chord_error_mm();
     if (nearest.distance.value >= sure) {
       // Two bodies that meet face to face leave no film between them.
-      nearest = space_.nearest(p + along * (t + kStepOver_mm), hint);
+      nearest = space_.nearest(p + along * (t + kStepOver_mm), hint, far_.get());
       if (nearest.distance.value >= sure || is_wedge(p + along * (t + kStepOver_mm / 2), along))
         break;
       t += kStepOver_mm;

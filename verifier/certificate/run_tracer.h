@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "verifier/cells/surface_cells.h"
@@ -26,7 +27,9 @@ struct TracedRun {
 /// overlap on the ray. Both end at the next crossing of S.
 class RunTracer {
  public:
-  RunTracer(const SurfaceCells& cells, const RemovedSpace& space) : cells_(cells), space_(space) {}
+  /// What is learnt of far passes is shared with other searches of the same thread.
+  RunTracer(const SurfaceCells& cells, const RemovedSpace& space, std::shared_ptr<FarPasses> far)
+      : cells_(cells), space_(space), far_(std::move(far)) {}
 
   /// From s + a·n outwards through material; none, where none stands there, has length 0. Runs no
   /// longer than `least_mm` are not held against crossings of S: they may be shorter.
@@ -55,6 +58,7 @@ class RunTracer {
 
   const SurfaceCells& cells_;
   const RemovedSpace& space_;
+  std::shared_ptr<FarPasses> far_;
 };
 
 }  // namespace limitgauge::verifier

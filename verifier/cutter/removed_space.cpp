@@ -25,11 +25,21 @@ std::vector<std::uint32_t>& query_stack() {
   return stack;
 }
 
-std::vector<Box3> tip_boxes(const std::vector<SweptBody>& bodies) {
+/// How much more heights count than places in plan where moves are divided: of a flat as wide as a
+/// node's box it is the height that tells which moves are near.
+constexpr double kHeightsOfFlat = 4;
+
+/// A tree over the boxes of the moves' tips.
+model::BoxTree tip_tree(const CutterProfile& profile, const std::vector<SweptBody>& bodies) {
+  const double scale = profile.flat_mm > 0 ? kHeightsOfFlat : 1;
   std::vector<Box3> tips(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i)
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
     tips[i].add(bodies[i].from), tips[i].add(bodies[i].to);
-  return tips;
+    tips[i].low.z *= scale, tips[i].high.z *= scale;
+  }
+  model::BoxTree tree = model::box_tree(tips, kLeafBodies);
+  for (model::BoxNode& node : tree.nodes) node.box.low.z /= scale, node.box.high.z /= scale;
+  return tree;
 }
 
 /// Steps to where a ray meets one body: far more than a tangent that touches takes.
@@ -97,23 +107,34 @@ void RemovedSpace::add_sweep(const Sweep& sweep) {
 
 std::shared_ptr<const RemovedSpace::PassBodies> RemovedSpace::index_bodies(
     const CutterProfile& profile, std::vector<SweptBody> bodies) {
-  model::BoxTree tree = model::box_tree(tip_boxes(bodies), kLeafBodies);
+  model::BoxTree tree = tip_tree(profile, bodies);
   auto p = std::make_shared<PassBodies>(
-      PassBodies{profile, {}, std::move(tree.order), {}, std::move(tree.nodes)});
+      PassBodies{profile, {}, std::move(tree.order), {}, std::move(tree.nodes), {}});
   p->place.resize(bodies.size());
   p->bodies.reserve(bodies.size());
   for (std::uint32_t k = 0; k < p->index.size(); ++k) {
     p->bodies.push_back(bodies[p->index[k]]);
     p->place[p->index[k]] = k;
   }
+  if (TiltedBox::serves(profile)) p->tilted = tilted_boxes(p->nodes, p->bodies);
   return p;
+}
+
+/// A lower bound of d over a node's moves: the dearer one where the cheaper is not beyond `limit`.
+double RemovedSpace::PassBodies::bound(const model::BoxNode& node, const Vec3& p,
+                                       double limit_mm) const {
+  const double by_box = box_bound(profile, node.box, p);
+  if (by_box > limit_mm || tilted.empty()) return by_box;
+  return std::max(by_box, tilted[place_of(node)].bound(profile, p));
 }
 
 void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) const {
   const PassBodies& bodies = *passes_[pass];
   model::nearest_first(
       bodies.nodes,
-      [&](const model::BoxNode& node) { return box_bound(bodies.profile, node.box, p); },
+      [&](const model::BoxNode& node) {
+        return bodies.bound(node, p, best.distance.value + kSameDistance_mm);
+      },
       // Bodies at the same distance but for rounding are all looked at: which of them is named must
       // not depend on where the search began.
       [&](double bound) { return bound > best.distance.value + kSameDistance_mm; },
@@ -128,13 +149,28 @@ void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) 
       });
 }
 
-Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint) const {
+/// The same, and what is seen of the room up to the pass. It is looked for further away than it
+/// could be the nearest, so that the next places need not look.
+void RemovedSpace::nearest_if_near(std::uint32_t pass, const Vec3& p, Nearest& best,
+                                   FarPasses& far) const {
+  if (far.bound(pass, p) > best.distance.value + kSameDistance_mm) return;
+  if (!std::isfinite(best.distance.value) || best.body.pass == pass || !far.pays(pass, p))
+    return nearest_in(pass, p, best);
+  Nearest own{{pass + 1, 0}, {best.distance.value + FarPasses::kFurther_mm, {}, 0}};
+  nearest_in(pass, p, own);
+  far.learn(pass, p, own.distance.value);
+  const bool first = own.distance.value == best.distance.value && own.body < best.body;
+  if (own.body.pass == pass && (own.distance.value < best.distance.value || first)) best = own;
+}
+
+Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint, FarPasses* far) const {
   const auto outside = static_cast<std::uint32_t>(passes_.size());
   Nearest best{{outside + 1, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
   if (hint) best = {*hint, distance(*hint, p)};
   if (!mesh_) nearest_of_stock(p, best);
   // The last pass is most often the nearest: begin with it, so that the others are cut off early.
-  for (std::uint32_t k = outside; k-- > 0;) nearest_in(k, p, best);
+  for (std::uint32_t k = outside; k-- > 0;)
+    far ? nearest_if_near(k, p, best, *far) : nearest_in(k, p, best);
   // A mesh comes last: most points lie deeper in it than the nearest move is away.
   if (mesh_ && !is_stock(best.body)) nearest_of_stock(p, best);
   if (!is_stock(best.body)) best.distance = distance(best.body, p);
@@ -153,11 +189,11 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& p, const Vec3& r
                                 const EndRule& rule, Meeting& first) const {
   constexpr int kLooks = 4;
   const PassBodies& bodies = *passes_[pass];
+  const double near = chord_error_mm_ + rule.beside_mm + kDistanceRounding_mm;
   const auto start_of = [&](const model::BoxNode& node) {
     double t = 0;
     for (int k = 0; k < kLooks && t < first.t_mm; ++k) {
-      const double room =
-          box_bound(bodies.profile, node.box, p + ray * t) - chord_error_mm_ - rule.beside_mm;
+      const double room = bodies.bound(node, p + ray * t, near) - near + kDistanceRounding_mm;
       if (room <= kDistanceRounding_mm) break;
       t += room;
     }
@@ -195,11 +231,12 @@ void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndR
 }
 
 RemovedSpace::Meeting RemovedSpace::first_met(const Vec3& p, const Vec3& ray, double limit_mm,
-                                              const EndRule& rule) const {
+                                              const EndRule& rule, const FarPasses* far) const {
   Meeting first{limit_mm, {}};
   if (!mesh_) first_met_of_stock(p, ray, rule, first);
+  const double near = chord_error_mm_ + std::max(rule.beside_mm, rule.skin_mm);
   for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;)
-    first_met_in(k, p, ray, rule, first);
+    if (!far || far->bound(k, p) - first.t_mm <= near) first_met_in(k, p, ray, rule, first);
   if (mesh_) first_met_of_stock(p, ray, rule, first);
   return first;
 }
@@ -237,7 +274,7 @@ void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) cons
     const std::uint32_t at = stack.back();
     stack.pop_back();
     const model::BoxNode& node = bodies.nodes[at];
-    if (!near(node.box)) continue;
+    if (!near(node)) continue;
     if (node.count == 0) {
       stack.push_back(node.right);
       stack.push_back(at + 1);
@@ -251,7 +288,8 @@ void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& 
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
     const PassBodies& bodies = *passes_[pass];
     visit_near(
-        pass, [&](const Box3& tips) { return box_bound(bodies.profile, tips, p) <= limit_mm; },
+        pass,
+        [&](const model::BoxNode& node) { return bodies.bound(node, p, limit_mm) <= limit_mm; },
         [&](std::uint32_t k) {
           if (body_value(bodies.profile, bodies.bodies[k], p) <= limit_mm)
             out.push_back({pass, bodies.index[k]});
@@ -260,16 +298,23 @@ void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& 
   stock_within(p, limit_mm, out);
 }
 
-void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>& out) const {
+void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>& out,
+                          const FarPasses* far) const {
   // From a point of the box to a tip is as from its centre to the tip, moved by half the box.
   const Vec3 centre = box.centre(), half = box.size() / 2;
   const auto bound = [&](const CutterProfile& profile, const Box3& tips) {
     return box_bound(profile, {tips.low - half, tips.high + half}, centre);
   };
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
+    if (far && far->bound(pass, centre) - length(half) > limit_mm) continue;
     const PassBodies& bodies = *passes_[pass];
     visit_near(
-        pass, [&](const Box3& tips) { return bound(bodies.profile, tips) <= limit_mm; },
+        pass,
+        [&](const model::BoxNode& node) {
+          return bound(bodies.profile, node.box) <= limit_mm &&
+                 (bodies.tilted.empty() || bodies.tilted[bodies.place_of(node)].bound(
+                                               bodies.profile, centre, half) <= limit_mm);
+        },
         [&](std::uint32_t k) {
           Box3 tips;
           tips.add(bodies.bodies[k].from), tips.add(bodies.bodies[k].to);

@@ -9,8 +9,10 @@
 
 #include "model/geometry/box_tree.h"
 #include "model/part/stock.h"
+#include "verifier/cutter/far_passes.h"
 #include "verifier/cutter/mesh_outside.h"
 #include "verifier/cutter/swept_body.h"
+#include "verifier/cutter/tilted_box.h"
 #include "verifier/gate/verify.h"
 
 namespace limitgauge::verifier {
@@ -61,7 +63,8 @@ class RemovedSpace {
   RemovedSpace with(std::span<const Sweep> more) const;
 
   /// The nearest body; among equals the first. A `hint`, any body, saves time where it is near.
-  Nearest nearest(const model::Vec3& p, std::optional<BodyRef> hint = {}) const;
+  Nearest nearest(const model::Vec3& p, std::optional<BodyRef> hint = {},
+                  FarPasses* far = nullptr) const;
   /// The same of what was swept alone; none where nothing was.
   std::optional<Nearest> nearest_swept(const model::Vec3& p) const;
   /// All bodies with d(p) ≤ limit_mm, in a fixed order, appended to `out`.
@@ -69,7 +72,8 @@ class RemovedSpace {
 
   /// All bodies that may come within `limit_mm` of a point of `box`, in a fixed order, appended to
   /// `out`.
-  void within(const model::Box3& box, double limit_mm, std::vector<BodyRef>& out) const;
+  void within(const model::Box3& box, double limit_mm, std::vector<BodyRef>& out,
+              const FarPasses* far = nullptr) const;
 
   /// The first t in [0, limit_mm] at which p + t·ray, a unit vector, meets a body by the rule, and
   /// the body; the limit where none does. All before it is material.
@@ -78,7 +82,7 @@ class RemovedSpace {
     std::optional<BodyRef> body;
   };
   Meeting first_met(const model::Vec3& p, const model::Vec3& ray, double limit_mm,
-                    const EndRule& rule) const;
+                    const EndRule& rule, const FarPasses* far = nullptr) const;
 
   BodyDistance distance(BodyRef body, const model::Vec3& p) const;
   /// d at the sixteen control points of `cell` (for a mesh, see mesh_of).
@@ -109,7 +113,12 @@ class RemovedSpace {
     std::vector<std::uint32_t> index;  ///< beside bodies: of the move
     std::vector<std::uint32_t> place;  ///< by move: where its body is
     std::vector<model::BoxNode> nodes;  ///< over the boxes of the bodies' tips
+    std::vector<TiltedBox> tilted;      ///< beside nodes, where they serve for the cutter
 
+    std::size_t place_of(const model::BoxNode& node) const {
+      return static_cast<std::size_t>(&node - nodes.data());
+    }
+    double bound(const model::BoxNode& node, const model::Vec3& p, double limit_mm) const;
     const SweptBody& of_move(std::uint32_t move) const { return bodies[place[move]]; }
   };
 
@@ -120,6 +129,8 @@ class RemovedSpace {
   void visit_near(std::uint32_t pass, Near&& near, Take&& take) const;
   void stock_within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
   void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best) const;
+  void nearest_if_near(std::uint32_t pass, const model::Vec3& p, Nearest& best,
+                       FarPasses& far) const;
   void nearest_of_stock(const model::Vec3& p, Nearest& best) const;
   void first_met_in(std::uint32_t pass, const model::Vec3& p, const model::Vec3& ray,
                     const EndRule& rule, Meeting& first) const;

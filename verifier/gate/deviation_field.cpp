@@ -77,7 +77,7 @@ namespace {
 
 /// Signed run along the normal at a sample. Shorter ones are not held against crossings of S: a
 /// surface folded so near to itself is not sampled finely enough to be seen here anyway.
-double run_at(const DeviationField::Sample& s, const RunBounds& uncut, const RunBounds& gouge) {
+double run_at(const DeviationField::Sample& s, RunBounds& uncut, RunBounds& gouge) {
   constexpr double kShort_mm = 0.02;
   if (!(length_squared(s.normal) > 0)) return 0;
   const double out = uncut.run(s.place.point, s.normal, kShort_mm).length_mm;
@@ -91,14 +91,14 @@ std::vector<ReachQuery::Touch> measure_field(DeviationField& field, const Surfac
                                              std::span<const Pass> passes, double allowance_mm,
                                              const model::RunControl& control) {
   std::vector<ReachQuery::Touch> touches(field.samples.size());
-  const RunBounds uncut(cells, spaces.cut, Side::uncut, allowance_mm);
-  const RunBounds gouge(cells, spaces.swept, Side::gouge, allowance_mm);
   constexpr std::size_t kChunk = 512;
   model::parallel_chunks(touches.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    RunBounds uncut(cells, spaces.cut, Side::uncut, allowance_mm);
+    RunBounds gouge(cells, spaces.swept, Side::gouge, allowance_mm);
     std::optional<BodyRef> hint;
     for (std::size_t i = begin; i < end; ++i) {
       DeviationField::Sample& s = field.samples[i];
-      const Nearest nearest = spaces.cut.nearest(s.place.point, hint);
+      const Nearest nearest = uncut.nearest(s.place.point, hint);
       hint = nearest.body;
       s.deviation_mm = static_cast<float>(run_at(s, uncut, gouge));
       s.raw_stock = spaces.cut.is_stock(nearest.body);

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/geometry/vec3.h"
+
+namespace limitgauge::verifier {
+
+/// Passes that are not near, of which searches close to each other need not ask again: from a place
+/// that was `clear_mm` away from all of a pass, no place is nearer to it than that less the way
+/// between. Whoever searches keeps it, for one space and one thread; it changes no answer.
+class FarPasses {
+ public:
+  /// How much further than asked a pass is looked for: the cells that searches begin with are as
+  /// wide.
+  static constexpr double kFurther_mm = 0.3;
+
+  /// A lower bound of d over all of the pass; below all distances where nothing is known.
+  double bound(std::uint32_t pass, const model::Vec3& p) const;
+  void learn(std::uint32_t pass, const model::Vec3& p, double clear_mm);
+  /// Whether it pays to look further than asked: not beside a pass that was found to be near.
+  bool pays(std::uint32_t pass, const model::Vec3& p) const;
+
+ private:
+  struct Room {
+    model::Vec3 at;
+    double clear_mm = 0;
+    bool known = false;
+  };
+  std::vector<Room> rooms_;
+};
+
+}  // namespace limitgauge::verifier

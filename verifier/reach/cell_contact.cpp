@@ -49,6 +49,8 @@ std::optional<CellContact> CellContact::of(const OffsetCell& cell, const CutterP
   } else {
     c.beta_ = pi;
   }
+  c.turn_by_alpha_ = {std::sin(c.alpha_), 1 - std::cos(c.alpha_)};
+  c.turn_by_beta_ = {std::sin(c.beta_), 1 - std::cos(c.beta_)};
   c.lowest_along_ = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 16; ++k)
     c.lowest_along_ = std::min(c.lowest_along_, dot(cell.shape.control(k), n));
@@ -72,19 +74,18 @@ double CellContact::largest_shift(const Vec3& g) const {
   const double by_normal = dot(g, normal());
   const double across = length(g - normal() * by_normal);
   double shift = linear - dot(g, middle());
-  shift +=
-      reach_ * (std::sin(alpha_) * across + (1 - std::cos(alpha_)) * std::max(0.0, -by_normal));
+  shift += reach_ * (turn_by_alpha_.x * across + turn_by_alpha_.y * std::max(0.0, -by_normal));
   if (flat_ > 0) {
     const double aside = std::abs(g.y * direction_.x - g.x * direction_.y);
     const double back = std::max(0.0, -dot(g, direction_));
-    shift += flat_ * (std::sin(beta_) * aside + (1 - std::cos(beta_)) * back);
+    shift += flat_ * (turn_by_beta_.x * aside + turn_by_beta_.y * back);
   }
   return shift;
 }
 
 double CellContact::over_contact_plane(double along_normal, double apart) const {
   const double rise = along_normal - lowest_along_;
-  return (rise > 0 ? rise : rise * std::cos(alpha_)) + std::sin(alpha_) * (apart + radius_);
+  return (rise > 0 ? rise : rise * (1 - turn_by_alpha_.y)) + turn_by_alpha_.x * (apart + radius_);
 }
 
 }  // namespace limitgauge::verifier

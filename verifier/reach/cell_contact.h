@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "model/geometry/vec2.h"
 #include "verifier/cells/offset_cell.h"
 #include "verifier/cutter/cutter_profile.h"
 #include "verifier/tolerance.h"
@@ -61,6 +62,7 @@ class CellContact {
   model::Vec3 direction_, tip_;
   double reach_ = 0;  ///< rounding + allowance
   double flat_ = 0;   ///< the flat's part in the shift of the tip
+  model::Vec2 turn_by_alpha_{0, 0}, turn_by_beta_{0, 0};  ///< sine, and one less the cosine
   double alpha_ = 0, beta_ = 0, tilt_ = 0, steepest_ = 0, radius_ = 0, stray_ = 0;
   double lowest_along_ = 0;  ///< least n₀·s
   bool turning_ = false;

@@ -11,6 +11,7 @@
 #include "verifier/reach/cell_contact.h"
 #include "verifier/reach/contact_hull.h"
 #include "verifier/reach/local_contact.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -34,13 +35,25 @@ struct Open {
   bool level = false;                  ///< a flat may touch with any of its points
 };
 
+/// Holds the control points of a cell.
+struct Ball {
+  Vec3 centre;
+  double radius = 0;
+};
+
 class Classifier {
  public:
   Classifier(const SurfaceCells& cells, const Reachability& reachability)
       : cells_(cells),
         reachability_(reachability),
         limit_(reachability.allowance_mm() - reachability.contact_mm()),
-        local_(cells.cells(), reachability.allowance_mm(), reachability.contact_mm()) {}
+        local_(cells.cells(), reachability.allowance_mm(), reachability.contact_mm()) {
+    balls_.reserve(cells.cells().size());
+    for (const SurfaceCell& cell : cells.cells()) {
+      const Vec3 centre = middle(cell.shape);
+      balls_.push_back({centre, control_radius(cell.shape, centre)});
+    }
+  }
 
   /// Proves the cell to be one or the other, or adds to what is known of it.
   Reach decide(Open& open, const SurfaceCell& cell) const {
@@ -62,30 +75,35 @@ class Classifier {
  private:
   /// On a level spot the flat may stand anywhere over the point: one place suffices.
   Reach decide_level(const SurfaceCell& cell, const CellContact& contact) const {
+    // What is cleared about a level spot does not depend on where the flat stands over it.
+    const auto cleared = local_.clear(cell, contact.displaced({}));
     for (int k = -1; k < kLevelDirections; ++k) {
       const double angle = 2 * pi * k / kLevelDirections;
       const double out = k < 0 ? 0 : reachability_.profile().flat_mm;
       Open alone;
-      if (prove(alone, cell, contact.displaced({out * std::cos(angle), out * std::sin(angle), 0})))
-        return Reach::reachable;
+      const Vec3 aside{out * std::cos(angle), out * std::sin(angle), 0};
+      if (prove_beyond(alone, cleared, contact.displaced(aside))) return Reach::reachable;
     }
     return reachability_.surely_unreachable(contact.offset()) ? Reach::unreachable
                                                               : Reach::undecided;
   }
 
   bool prove(Open& open, const SurfaceCell& cell, const CellContact& contact) const {
-    if (!open.cleared) {
-      const auto cleared = local_.clear(cell, contact);
-      // A level spot may have nothing bent beside it, and then bounds on the distance do.
-      if (!cleared && !contact.level()) return false;
-      std::vector<std::uint32_t> pending;
-      if (!search(contact, cleared, pending, open.witness)) return false;
-      open.cleared = cleared, open.pending = std::move(pending);
-    } else {
-      std::erase_if(open.pending, [&](std::uint32_t k) {
-        return clears(contact, open.cleared, cells_.cells()[k], open.witness);
-      });
-    }
+    if (!open.cleared) return prove_beyond(open, local_.clear(cell, contact), contact);
+    std::erase_if(open.pending, [&](std::uint32_t k) {
+      return clears(contact, open.cleared, cells_.cells()[k], open.witness);
+    });
+    return open.pending.empty();
+  }
+
+  /// Of all that is not cleared; what is left of it is kept.
+  bool prove_beyond(Open& open, const std::optional<ClearedRect>& cleared,
+                    const CellContact& contact) const {
+    // A level spot may have nothing bent beside it, and then bounds on the distance do.
+    if (!cleared && !contact.level()) return false;
+    std::vector<std::uint32_t> pending;
+    if (!search(contact, cleared, pending, open.witness)) return false;
+    open.cleared = cleared, open.pending = std::move(pending);
     return open.pending.empty();
   }
 
@@ -102,7 +120,9 @@ class Classifier {
         [&](const model::BoxNode& leaf) {
           if (below_contact_plane(c, leaf.box)) return;
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-            if (clears(c, cleared, cells_.cells()[k], witness)) continue;
+            const SurfaceCell& other = cells_.cells()[k];
+            if (cleared && local_.holds(*cleared, other)) continue;
+            if (clears(c, cleared, other, balls_[k], witness)) continue;
             pending.push_back(k);
             cut = witness.has_value() || pending.size() > kMostPending;
             if (cut) return;
@@ -124,11 +144,25 @@ class Classifier {
               const SurfaceCell& other, std::optional<Vec3>& witness) const {
     if (cleared && local_.holds(*cleared, other)) return true;
     const Vec3 centre = middle(other.shape);
+    return clears(c, cleared, other, {centre, control_radius(other.shape, centre)}, witness);
+  }
+
+  /// The same where it is not in what is cleared. What holds of a ball round it needs no look at
+  /// its sixteen control points.
+  bool clears(const CellContact& c, const std::optional<ClearedRect>& cleared,
+              const SurfaceCell& other, const Ball& ball, std::optional<Vec3>& witness) const {
+    const Vec3& centre = ball.centre;
     const BodyDistance d = standing_distance(c.profile(), c.tip(), centre);
     if (d.value < limit_ && !c.turning()) {
       witness = centre;
       return false;
     }
+    const double radius = ball.radius;
+    if (d.value - radius - c.stray() - kDistanceRounding_mm >= limit_) return true;
+    const double apart = distance(centre, c.middle()) + radius;
+    if (c.over_contact_plane(dot(c.normal(), centre) + radius + kDistanceRounding_mm, apart) <=
+        reachability_.contact_mm())
+      return true;
     const double base = d.value - dot(d.gradient, centre);
     double least = 1e300, along = -1e300;
     for (int k = 0; k < 16; ++k) {
@@ -137,10 +171,7 @@ class Classifier {
       along = std::max(along, dot(c.normal(), p));
     }
     if (base + least - c.largest_shift(d.gradient) >= limit_) return true;
-    const double radius = control_radius(other.shape, centre);
-    if (c.over_contact_plane(along, distance(centre, c.middle()) + radius) <=
-        reachability_.contact_mm())
-      return true;
+    if (c.over_contact_plane(along, apart) <= reachability_.contact_mm()) return true;
     if (radius < c.radius() / 2) return false;
     const auto parts = halved(other);
     return clears(c, cleared, parts[0], witness) && clears(c, cleared, parts[1], witness);
@@ -191,6 +222,7 @@ class Classifier {
   const Reachability& reachability_;
   double limit_;
   LocalContact local_;
+  std::vector<Ball> balls_;  ///< of the cells
 };
 
 }  // namespace

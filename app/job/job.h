@@ -13,6 +13,7 @@
 #include "model/part/cutter.h"
 #include "model/part/stock.h"
 #include "reports/run/published.h"
+#include "reports/run/report.h"
 #include "verifier/gate/deviation.h"
 
 namespace limitgauge::app {
@@ -109,6 +110,7 @@ struct Job {
   std::optional<double> voxel_mm;       ///< empty: "auto"
   std::optional<double> resolution_mm;  ///< empty: "auto"
   bool pictures = true;
+  reports::StockSurfaceFile stock_surface = reports::StockSurfaceFile::cut;
   std::optional<model::Box3> travel_mm;        ///< of the tip; infinite where an axis has no limit
   double near_miss_mm = 0;                     ///< 0: near misses are not looked for
   std::optional<double> contact_tolerance_mm;  ///< empty: not stated

@@ -37,6 +37,12 @@ void read_voxel(const TomlTable& simulation, Job& job) {
   if (job.voxel_mm) job.stated_voxel = part_length(simulation, "voxel", *job.voxel_mm);
 }
 
+reports::StockSurfaceFile stock_surface_of(const TomlTable& report) {
+  using enum reports::StockSurfaceFile;
+  const std::string word = report.one_of("stock", {"cut", "whole", "none"});
+  return word == "cut" ? cut : word == "whole" ? whole : none;
+}
+
 Job read_root(const toml::table& table, JobContext& context) {
   const TomlTable root(table, "the job", {}, kJobKeys);
   Job job;
@@ -107,8 +113,9 @@ void read_settings(const TomlTable& root, Job& job) {
     }
   }
   if (root.has("report")) {
-    const TomlTable report(root.table("report"), "[report]", {"pictures"});
+    const TomlTable report(root.table("report"), "[report]", {"pictures", "stock"});
     if (report.has("pictures")) job.pictures = report.boolean("pictures");
+    if (report.has("stock")) job.stock_surface = stock_surface_of(report);
   }
 }
 

@@ -31,10 +31,14 @@ void write_html(const RunResult& result, std::ostream& out);
 /// The JSON Schema of result.json, as shipped.
 const std::string& result_schema();
 
+/// What stock.vtp holds: what cutters made of the stock's surface, all of it, or no such file.
+enum class StockSurfaceFile { cut, whole, none };
+
 struct StageFileOptions {
   bool pictures = true;
   model::RunControl control = {};
   double rapid_mm_min = 0;  ///< of the machine, for times along the path
+  StockSurfaceFile stock = StockSurfaceFile::cut;
 };
 /// What writing a stage's files gives to its result.
 struct StageFiles {

@@ -1,5 +1,8 @@
+#include <functional>
 #include <stdexcept>
+#include <vector>
 
+#include "model/base/chunks.h"
 #include "model/base/output_file.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/perspective_picture.h"
@@ -51,6 +54,30 @@ StagePictures draw_pictures(const StageResult& stage, const model::RunControl& c
   return pictures;
 }
 
+namespace {
+
+using Job = std::function<void()>;
+
+/// Side by side: most of a file's time is its compression, which has no threads of its own.
+void carry_out(const std::vector<Job>& jobs, const model::RunControl& control) {
+  model::parallel_for(jobs.size(), control.threads, [&](std::size_t k) {
+    control.check();
+    jobs[k]();
+  });
+}
+
+void write_surface(const StageResult::Ran& ran, const simulator::StockMesh& mesh,
+                   const std::filesystem::path& file, const StageFileOptions& options,
+                   std::span<const Fact> facts) {
+  if (options.stock == StockSurfaceFile::none) return;
+  if (options.stock == StockSurfaceFile::whole) return write_stock_vtp(mesh, file, facts);
+  const simulator::StockMesh cut = ran.stock->cut_part_of(mesh, options.control);
+  // Nothing was cut: a file without a triangle says so.
+  write_stock_vtp(cut, file, facts);
+}
+
+}  // namespace
+
 StageFiles write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
                              const StageFileOptions& options) {
   if (!stage.ran) return {};
@@ -58,22 +85,35 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
   const std::filesystem::path into = folder / plain_name(stage.name);
   model::make_folder(into);
   const std::vector<Fact> facts = stage_facts(stage);
-  if (ran.path) write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves, facts);
-  write_deviation_vtp(ran.deviation.field, into / "deviation.vtp", facts);
   StageFiles files;
-  if (ran.path)
-    files.path_view =
-        page::path_view(*ran.path, ran.removal.moves, {options.rapid_mm_min, ran.machining_time_s});
   StagePictures& pictures = files.pictures;
-  if (options.pictures) pictures = {deviation_png(stage), perspective_png(stage), {}};
+  simulator::StockSurface surface;
   if (ran.stock) {
-    ran.stock->write_vdb(into / "stock.vdb");
-    const simulator::StockSurface surface = ran.stock->surface(options.control);
-    write_stock_vtp(surface.mesh, into / "stock.vtp", facts);
-    if (options.pictures) pictures.stock_png = stock_png(surface.mesh);
+    surface = ran.stock->surface(options.control);
     files.surface = {surface.mesh.vertices.size(), surface.mesh.triangles.size(), surface.voxel_mm,
                      surface.unmoved};
   }
+  std::vector<Job> jobs;
+  // One picture after the other: each is drawn many times as large as it is in the end.
+  if (options.pictures) {
+    jobs.push_back([&] {
+      pictures = {deviation_png(stage), perspective_png(stage), {}};
+      if (ran.stock) pictures.stock_png = stock_png(surface.mesh);
+    });
+  }
+  if (ran.stock) {
+    jobs.push_back([&] { write_surface(ran, surface.mesh, into / "stock.vtp", options, facts); });
+    jobs.push_back([&] { ran.stock->write_vdb(into / "stock.vdb"); });
+  }
+  jobs.push_back([&] { write_deviation_vtp(ran.deviation.field, into / "deviation.vtp", facts); });
+  if (ran.path) {
+    jobs.push_back([&] {
+      write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves, facts);
+      files.path_view = page::path_view(*ran.path, ran.removal.moves,
+                                        {options.rapid_mm_min, ran.machining_time_s});
+    });
+  }
+  carry_out(jobs, options.control);
   write_picture(pictures.deviation_png, into / "deviation.png");
   write_picture(pictures.perspective_png, into / "perspective.png");
   write_picture(pictures.stock_png, into / "stock.png");

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "model/base/chunks.h"
 #include "simulator/grid/stock_grid.h"
 #include "simulator/mesh/mesh_placer.h"
 #include "simulator/mesh/surface_points.h"
@@ -15,6 +16,7 @@
 #include "simulator/stock/raw_stock.h"
 #include "simulator/stock/stock_layout.h"
 #include "simulator/stock/tiled_stock.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -210,6 +212,34 @@ StockSurface StockModel::surface(const RunControl& control) const {
   surface.mesh = grid.mesh(exact_placers(state_->material, grid.lattice(), unmoved), control);
   surface.unmoved = unmoved;
   return surface;
+}
+
+StockMesh StockModel::cut_part_of(const StockMesh& mesh, const RunControl& control) const {
+  constexpr std::size_t kChunk = 4096;
+  constexpr std::uint32_t kLeftOut = 0xffffffff;
+  const RawStock& raw = state_->material.raw();
+  const auto is_raw = [&](const Vec3& p) {
+    return std::abs(raw.distance(p).distance) <= kOnSurface_mm;
+  };
+  std::vector<char> on_raw(mesh.vertices.size());
+  model::parallel_chunks(on_raw.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) on_raw[i] = is_raw(mesh.vertices[i]);
+  });
+  StockMesh cut;
+  std::vector<std::uint32_t> place(mesh.vertices.size(), kLeftOut);
+  for (std::array<std::uint32_t, 3> t : mesh.triangles) {
+    const Vec3 middle = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
+    if (on_raw[t[0]] && on_raw[t[1]] && on_raw[t[2]] && is_raw(middle)) continue;
+    for (std::uint32_t& v : t) {
+      if (place[v] == kLeftOut) {
+        place[v] = static_cast<std::uint32_t>(cut.vertices.size());
+        cut.vertices.push_back(mesh.vertices[v]);
+      }
+      v = place[v];
+    }
+    cut.triangles.push_back(t);
+  }
+  return cut;
 }
 
 StockMesh StockModel::surface_mesh(const RunControl& control) const {

@@ -101,6 +101,9 @@ class StockModel {
   void visit_surface_points(const model::Box3& region,
                             const std::function<void(std::span<const StockPoint>)>& visit,
                             const model::RunControl& control) const;
+  /// Of a surface of this stock what a cutter made: without the triangles that lie on the raw
+  /// stock's surface with all their corners and their middle. Open, turned outwards.
+  StockMesh cut_part_of(const StockMesh& mesh, const model::RunControl& control = {}) const;
   /// The surface of grid(), its vertices on the exact one; of a coarser grid built for it where
   /// the mesh would not fit into the memory beside grid().
   StockSurface surface(const model::RunControl& control) const;

@@ -32,6 +32,7 @@ TEST_CASE("a job is read with its defaults stated", "[unit][job]") {
   CHECK_FALSE(job.voxel_mm.has_value());
   CHECK_FALSE(job.resolution_mm.has_value());
   CHECK(job.pictures);
+  CHECK(job.stock_surface == reports::StockSurfaceFile::cut);
   CHECK_FALSE(job.acceleration_mm_s2.has_value());
   CHECK(job.post.dialect == model::Dialect::linuxcnc);
   CHECK(job.post.decimals == 4);
@@ -98,6 +99,7 @@ voxel = 0.2
 resolution = 0.002
 [report]
 pictures = false
+stock = "none"
 )");
   CHECK(job.precision_mm == 0.02);
   CHECK(job.placement.scale == 2);
@@ -137,6 +139,7 @@ pictures = false
   CHECK(job.voxel_mm == 0.2);
   CHECK(job.resolution_mm == 0.002);
   CHECK_FALSE(job.pictures);
+  CHECK(job.stock_surface == reports::StockSurfaceFile::none);
   CHECK(job.defaulted.empty());
 }
 

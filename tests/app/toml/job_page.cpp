@@ -122,6 +122,7 @@ contact_tolerance = 0.05
 resolution = 0.002
 [report]
 pictures = false
+stock = "whole"
 [[fixture]]
 name = "clamp"
 file = "findings/clamp.obj"

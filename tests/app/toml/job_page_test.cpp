@@ -278,6 +278,7 @@ TEST_CASE("defaults in docs/job.md are those of the reader", "[unit][job]") {
       {"stage.gate.uncut", stage.limits.has_uncut ? "some" : "none"},
       {"simulation.voxel", job.voxel_mm ? "some" : "auto"},
       {"verification.resolution", job.resolution_mm ? "some" : "auto"},
+      {"report.stock", job.stock_surface == reports::StockSurfaceFile::cut ? "cut" : "other"},
       {"report.pictures", job.pictures ? "true" : "false"}};
   const std::map<std::string, DocumentedKey> page = documented_keys();
   for (const auto& [key, value] : defaults) {

@@ -59,6 +59,28 @@ TEST_CASE("a stage that ran leaves its files, twice the same", "[unit][files]") 
   CHECK(path_view->segments.back().end_s == Approx(stage.ran->machining_time_s));
 }
 
+TEST_CASE("the stock's surface is written as far as it was cut, whole, or not at all",
+          "[unit][files]") {
+  const tests::TemporaryFolder folder;
+  const StageResult stage = stage_with_stock();
+  const auto size_of = [&](StockSurfaceFile which) -> std::uintmax_t {
+    const std::filesystem::path into = folder.path() / std::to_string(static_cast<int>(which));
+    const StageFiles files = write_stage_files(stage, into, {.pictures = false, .stock = which});
+    // The figures are those of the stock, whatever is written of it.
+    REQUIRE(files.surface);
+    CHECK(files.surface->triangles == 2 * files.surface->vertices - 4);
+    CHECK(std::filesystem::exists(into / "finish" / "stock.vdb"));
+    const std::filesystem::path file = into / "finish" / "stock.vtp";
+    return std::filesystem::exists(file) ? std::filesystem::file_size(file) : 0;
+  };
+  const std::uintmax_t cut = size_of(StockSurfaceFile::cut),
+                       whole = size_of(StockSurfaceFile::whole);
+  // A slot over the length of the block takes a small part of its sides.
+  CHECK(cut > 0);
+  CHECK(4 * cut < whole);
+  CHECK(size_of(StockSurfaceFile::none) == 0);
+}
+
 TEST_CASE("pictures can be left out", "[unit][files]") {
   const tests::TemporaryFolder folder;
   write_stage_files(sample_result(Outcome::passed, 3).stages[0], folder.path(),

@@ -149,3 +149,23 @@ TEST_CASE("random unions of sweeps make closed manifolds", "[slow][stock_mesh]")
     CHECK(off == surface.unmoved);
   }
 }
+
+TEST_CASE("what a cutter made of a block is its mesh less the block's own sides",
+          "[unit][stock_mesh]") {
+  const StockModel block = meshed_block(0.4);
+  const Pass slot =
+      PathBuilder({-20, 0, -3}).feed({20, 0, -3}).pass(cutter(CutterType::flat, 6, 20));
+  const StockModel stock = block.cut(slot, {2});
+  const StockSurface whole = stock.surface({2});
+  const simulator::StockMesh cut = stock.cut_part_of(whole.mesh, {2});
+  CHECK(stock.cut_part_of(block.surface({2}).mesh).triangles.empty());
+  // Floor and two walls of a slot: 6 x 30 and twice 3 x 30 mm.
+  double area = 0;
+  for (const auto& t : cut.triangles) {
+    const Vec3 &a = cut.vertices[t[0]], &b = cut.vertices[t[1]], &c = cut.vertices[t[2]];
+    area += length(cross(b - a, c - a)) / 2;
+  }
+  CHECK(area == Approx(12 * 30).epsilon(0.01));
+  for (const Vec3& p : cut.vertices) CHECK((std::abs(p.y) <= 3 + 1e-6 && p.z >= -3 - 1e-6));
+  CHECK(cut.vertices.size() < whole.mesh.vertices.size() / 2);
+}

@@ -14,6 +14,9 @@ using model::Vec3;
 
 namespace {
 
+/// A chunk of the patches that are measured.
+constexpr std::size_t kPatchesAtOnce = 16;
+
 /// Which child of a square holds (u, v), and where in it.
 int step_into_child(double& u, double& v) {
   const bool right = u >= 0.5, upper = v >= 0.5;
@@ -116,6 +119,13 @@ std::vector<Piece> SurfaceTree::pieces_beyond(int patch, double omitted_mm) cons
   return pieces;
 }
 
+std::size_t SurfaceTree::pieces_about_vertices() const {
+  std::size_t count = 0;
+  for (const PlacedChain& placed : parts_.chains)
+    count += 3 * static_cast<std::size_t>(placed.chain.levels);
+  return count;
+}
+
 std::size_t SurfaceTree::memory_bytes() const {
   std::size_t bytes = parts_.nodes.capacity() * sizeof(Node) +
                       parts_.pieces.capacity() * sizeof(Piece) +
@@ -143,8 +153,8 @@ class Maximum {
 
   double best() const { return best_; }
   void see(const Vec3& p) { best_ = std::max(best_, sign_ * p[axis_]); }
-  void see_corners(const Bezier& b) {
-    for (const int k : {0, 3, 12, 15}) see(b.control(k));
+  bool may_be_beyond(const Vec3& p) const {
+    return sign_ * p[axis_] > best_ + kExtremeTolerance_mm;
   }
 
   void search(const Bezier& b, int depth = 0) {
@@ -161,9 +171,6 @@ class Maximum {
   double sign_;
   double best_ = -std::numeric_limits<double>::infinity();
 };
-
-/// A chunk of the patches whose areas are added up.
-constexpr std::size_t kPatchesAtOnce = 16;
 
 double refined_area(const Bezier& b, double whole, double tolerance_mm2, int depth) {
   std::array<Bezier, 4> part;
@@ -187,20 +194,35 @@ model::Box3 exact_bounding_box(const SurfaceTree& tree, const model::RunControl&
   std::vector<Maximum> sides;
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {-1.0, 1.0}) sides.emplace_back(axis, sign);
-  bool any = false;
-  const auto each_piece = [&](const auto& visit) {
-    for (int patch = 0; patch < tree.patch_count(); ++patch) {
-      control.check();
-      for (const Piece& p : tree.pieces_of(patch))
-        for (Maximum& side : sides) visit(side, p.shape), any = true;
-    }
+  const auto see = [&](const model::Box3& of) {
+    for (Maximum& side : sides) side.see(of.low), side.see(of.high);
   };
+  const auto reaches_beyond = [&](const model::Box3& of) {
+    return std::any_of(sides.begin(), sides.end(), [&](const Maximum& side) {
+      return side.may_be_beyond(of.low) || side.may_be_beyond(of.high);
+    });
+  };
+  const auto patches = static_cast<std::size_t>(tree.patch_count());
+  std::vector<model::Box3> corners(patches), controls(patches);
+  model::parallel_chunks(patches, kPatchesAtOnce, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t patch = begin; patch < end; ++patch)
+      for (const Piece& p : tree.pieces_of(static_cast<int>(patch))) {
+        for (const int k : {0, 3, 12, 15}) corners[patch].add(p.shape.control(k));
+        controls[patch].add(control_box(p.shape));
+      }
+  });
   // Corners first: a good start makes the search short.
-  each_piece([](Maximum& side, const Bezier& b) { side.see_corners(b); });
+  bool any = false;
+  for (const model::Box3& of_patch : corners)
+    if (!of_patch.empty()) any = true, see(of_patch);
   if (!any) return box;
-  for (const Speck& s : tree.specks())
-    for (Maximum& side : sides) side.see(s.position);
-  each_piece([](Maximum& side, const Bezier& b) { side.search(b); });
+  for (const Speck& s : tree.specks()) see({s.position, s.position});
+  for (std::size_t patch = 0; patch < patches; ++patch) {
+    control.check();
+    if (corners[patch].empty() || !reaches_beyond(controls[patch])) continue;
+    for (const Piece& p : tree.pieces_of(static_cast<int>(patch)))
+      for (Maximum& side : sides) side.search(p.shape);
+  }
   for (int axis = 0; axis < 3; ++axis) {
     box.low[axis] = -sides[2 * axis].best();
     box.high[axis] = sides[2 * axis + 1].best();
@@ -210,27 +232,26 @@ model::Box3 exact_bounding_box(const SurfaceTree& tree, const model::RunControl&
 
 double surface_area_mm2(const SurfaceTree& tree, const model::RunControl& control) {
   std::vector<std::vector<double>> areas(static_cast<std::size_t>(tree.patch_count()));
-  model::parallel_chunks(areas.size(), kPatchesAtOnce, control,
-                         [&](std::size_t begin, std::size_t end) {
-                           for (std::size_t patch = begin; patch < end; ++patch)
-                             for (const Piece& p : tree.pieces_of(static_cast<int>(patch)))
-                               areas[patch].push_back(area_mm2(p.shape));
-                         });
-  double total = 0;
-  for (const auto& of_patch : areas)
-    for (const double area : of_patch) total += area;
-  model::parallel_chunks(areas.size(), kPatchesAtOnce, control,
-                         [&](std::size_t begin, std::size_t end) {
-                           for (std::size_t patch = begin; patch < end; ++patch) {
-                             double* area = areas[patch].data();
-                             for (const Piece& p : tree.pieces_of(static_cast<int>(patch)))
-                               *area = refined_area(p.shape, *area, kAreaStep * total, 0), ++area;
-                           }
-                         });
-  double sum = 0;
-  for (const auto& of_patch : areas)
-    for (const double area : of_patch) sum += area;
-  return sum;
+  // Each by itself, and then in their order: the same sum for any number of threads.
+  const auto each_patch = [&](const auto& measure) {
+    model::parallel_chunks(areas.size(), kPatchesAtOnce, control,
+                           [&](std::size_t begin, std::size_t end) {
+                             for (std::size_t patch = begin; patch < end; ++patch)
+                               measure(tree.pieces_of(static_cast<int>(patch)), areas[patch]);
+                           });
+    double sum = 0;
+    for (const auto& of_patch : areas)
+      for (const double area : of_patch) sum += area;
+    return sum;
+  };
+  const double total = each_patch([](const std::vector<Piece>& pieces, std::vector<double>& area) {
+    for (const Piece& p : pieces) area.push_back(area_mm2(p.shape));
+  });
+  return each_patch([&](const std::vector<Piece>& pieces, std::vector<double>& area) {
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      if (area[k] > kAreaLost * total)
+        area[k] = refined_area(pieces[k].shape, area[k], kAreaStep * total, 0);
+  });
 }
 
 }  // namespace limitgauge::verifier

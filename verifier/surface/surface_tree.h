@@ -59,6 +59,8 @@ class SurfaceTree {
   const SurfaceFeatures& features() const { return features_; }
   const SharpLines& sharp_lines() const { return sharp_lines_; }
   std::size_t memory_bytes() const;
+  /// How many pieces pieces_of() works out about irregular vertices, of all patches.
+  std::size_t pieces_about_vertices() const;
 
  private:
   friend class SurfaceTreeBuilder;

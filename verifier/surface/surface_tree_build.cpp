@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -27,6 +28,8 @@ constexpr int kTangentSteps = 24;
 
 /// Patches that are built one after the other: chains among them share their steps.
 constexpr std::size_t kFacesAtOnce = 64;
+/// Of the time: the rest goes into the box and the area.
+constexpr double kBuiltShare = 0.3, kBoxShare = 0.6;
 
 double spread(std::span<const Vec3> points) {
   model::Box3 box;
@@ -227,6 +230,7 @@ SurfaceTree::SurfaceTree(const model::Cage& cage, const model::RunControl& contr
   const CageNeighbourhoods neighbourhoods(cage);
   const auto faces = static_cast<std::size_t>(cage.face_count());
   std::vector<Parts> parts(model::chunk_count(faces, kFacesAtOnce));
+  std::atomic<std::size_t> built{0};
   model::parallel_chunks(faces, kFacesAtOnce, control, [&](std::size_t begin, std::size_t end) {
     SurfaceTreeBuilder builder(size);
     for (std::size_t f = begin; f < end; ++f) {
@@ -235,12 +239,15 @@ SurfaceTree::SurfaceTree(const model::Cage& cage, const model::RunControl& contr
       builder.add_face(neighbourhoods, face, cage.face(face).size());
     }
     parts[begin / kFacesAtOnce] = builder.take();
+    control.report(kBuiltShare * static_cast<double>(built += end - begin) /
+                   static_cast<double>(faces));
   });
   for (Parts& part : parts) parts_.append(std::move(part));
   control.check();
   features_ = SurfaceFeatures(cage);
   sharp_lines_ = SharpLines(cage);
   bounding_box_ = exact_bounding_box(*this, control);
+  control.report(kBoxShare);
   area_mm2_ = surface_area_mm2(*this, control);
 }
 

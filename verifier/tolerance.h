@@ -66,6 +66,9 @@ inline constexpr double kExtremeTolerance_mm = 1e-10;
 /// quartering takes the error to less than a hundredth, so that pieces by the thousand stay within
 /// the 1e-6 that is promised of the area.
 inline constexpr double kAreaStep = 1e-8;
+/// Share of the whole area that is lost in the last bits of its sum, for as many pieces as there
+/// may be: such a piece is not quartered.
+inline constexpr double kAreaLost = 1e-20;
 /// Refinement about an irregular vertex ends where the neighbourhood is smaller than this part of
 /// the model: the last bits of its coordinates.
 inline constexpr double kSmallestPiece = 1e-15;

@@ -82,11 +82,12 @@ bool has_area(const verifier::ReferenceSurface& surface) {
   return surface.area_mm2() > kLeastShare * extent_mm * extent_mm;
 }
 
-verifier::ReferenceSurface make_surface(const Job& job, const model::Cage& cage) {
+verifier::ReferenceSurface make_surface(const Job& job, const model::Cage& cage,
+                                        const model::RunControl& control) {
   if (lies_on_a_line(cage)) refuse_empty(job);
   refuse_folded(job, cage);
   try {
-    verifier::ReferenceSurface surface(cage);
+    verifier::ReferenceSurface surface(cage, control);
     if (surface.bounding_box().empty()) {
       throw model::InputError({job.cage.string(), 0, 0}, "the cage has no limit surface",
                               "at least one face that is no hole");
@@ -117,16 +118,17 @@ std::vector<model::Fixture> load_fixtures(const Job& job) {
 
 }  // namespace
 
-JobSurface load_surface(const Job& job) {
+JobSurface load_surface(const Job& job, const model::RunControl& control) {
   model::Cage cage = load_cage(job);
   require_fit(job, cage);
-  verifier::ReferenceSurface surface = make_surface(job, cage);
+  verifier::ReferenceSurface surface = make_surface(job, cage, control);
+  control.check();
   witness::Agreement witness = witnessed(cage, surface);
   return {std::move(cage), std::move(surface), std::move(witness)};
 }
 
-RunInputs load_inputs(const Job& job, const RunTerms& terms) {
-  return load_inputs(job, terms, load_surface(job));
+RunInputs load_inputs(const Job& job, const RunTerms& terms, const model::RunControl& control) {
+  return load_inputs(job, terms, load_surface(job, control));
 }
 
 RunInputs load_inputs(const Job& job, const RunTerms& terms, JobSurface surface) {

@@ -5,6 +5,7 @@
 
 #include "model/base/error.h"
 #include "model/base/memory.h"
+#include "verifier/cells/surface_cells.h"
 
 namespace limitgauge::app {
 namespace {
@@ -18,6 +19,9 @@ constexpr double kProcessBytes = 60 * kMib;
 /// Parts of cells that the verifier divides: their number is bounded, and goes by how the surface
 /// bends and not by any figure of the job. 1 to 50 MiB on the fixtures.
 constexpr double kCellsBytes = 10 * kMib;
+/// Of a cell that the surface is cut into to begin with, and of one about an irregular vertex,
+/// where cells grow smaller down to rounding: each with what a search for closest points needs.
+constexpr double kCellBytes = 1000, kVertexCellBytes = 9000;
 /// Files and pages of a stage; its pictures are drawn several times as large and made smaller.
 constexpr double kFilesBytes = 20 * kMib, kPicturesBytes = 92 * kMib;
 
@@ -64,6 +68,13 @@ double measuring_bytes(const RunScale& scale) {
   return scale.swept * kBodyBytes + scale.largest_moves * kBodyWorkBytes;
 }
 
+double surface_bytes(const verifier::ReferenceSurface& surface) {
+  const double radius_mm = verifier::first_cell_radius_mm(surface.tree());
+  return static_cast<double>(surface.memory_bytes()) +
+         kCellBytes * surface.area_mm2() / (radius_mm * radius_mm) +
+         kVertexCellBytes * static_cast<double>(surface.tree().pieces_about_vertices());
+}
+
 double writing_bytes(const RunScale& scale) {
   if (!scale.terms.files) return 0;
   return kFilesBytes + (scale.pictures ? kPicturesBytes : 0) + scale.largest_moves * kFileMoveBytes;
@@ -78,8 +89,8 @@ double moves_bytes(const RunScale& scale) {
 /// All but the stock. Its mesh is gone when the next stage is measured: files and measuring share
 /// their room.
 double other_bytes(const RunScale& scale) {
-  return kProcessBytes + kCellsBytes + kModelShare * scale.model_bytes + moves_bytes(scale) +
-         std::max(measuring_bytes(scale), writing_bytes(scale));
+  return kProcessBytes + kCellsBytes + scale.cells_bytes + kModelShare * scale.model_bytes +
+         moves_bytes(scale) + std::max(measuring_bytes(scale), writing_bytes(scale));
 }
 
 }  // namespace
@@ -89,6 +100,7 @@ RunScale scale_of(const Job& job, const verifier::ReferenceSurface& surface,
   RunScale scale;
   scale.pictures = job.pictures;
   scale.terms = terms;
+  scale.cells_bytes = surface_bytes(surface);
   const double height_mm = model::bounding_box(job.stock).size().z;
   const std::string* text = nullptr;
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
@@ -132,9 +144,10 @@ std::size_t stock_limit_bytes(const RunScale& scale) {
   throw model::ResourceError(
       "limitgauge: error: the run does not fit into memory: without its stock it is forecast to "
       "take " +
-      model::in_mib(other_bytes(scale)) + ", " + model::in_mib(moves_bytes(scale)) + " of it for " +
-      std::to_string(std::llround(scale.moves)) + " moves; allowed are " + model::in_mib(limit) +
-      (scale.pictures ? "; --no-pictures takes less" : "") +
+      model::in_mib(other_bytes(scale)) + ", " + model::in_mib(scale.cells_bytes) +
+      " of it for the exact surface and its cells and " + model::in_mib(moves_bytes(scale)) +
+      " of it for " + std::to_string(std::llround(scale.moves)) + " moves; allowed are " +
+      model::in_mib(limit) + (scale.pictures ? "; --no-pictures takes less" : "") +
       "; a program of fewer moves, or more memory, would do");
 }
 

@@ -16,6 +16,7 @@ struct RunScale {
   double largest_moves = 0;  ///< of the stage that has most
   double text_bytes = 0;     ///< of the programs
   double model_bytes = 0;    ///< of the engine's model of the surface; 0 where no stage needs it
+  double cells_bytes = 0;    ///< of the exact surface, and the cells that the verifier makes of it
   double grid_bytes = 0;     ///< of the stock's level set, or of what stands for it tile by tile
   bool pictures = true;
   RunTerms terms;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/job/foreign_programs.h"
+#include "model/base/run_control.h"
 #include "reports/run/run_result.h"
 #include "verifier/surface/reference_surface.h"
 #include "witness/agreement.h"
@@ -37,12 +38,13 @@ struct JobSurface {
   witness::Agreement witness;  ///< on this cage: the two agree
 };
 /// Throws InputError for a cage that cannot be used, verifier::InstrumentDisagreement where the
-/// reference surface is not the one that the witness has of the cage.
-JobSurface load_surface(const Job& job);
+/// reference surface is not the one that the witness has of the cage, Interrupted when told to
+/// stop.
+JobSurface load_surface(const Job& job, const model::RunControl& control = {});
 
 /// Throws InputError for a cage or program that cannot be used, and as load_surface does.
 /// ResourceError where the moves alone are more than the limit lets the run take.
-RunInputs load_inputs(const Job& job, const RunTerms& terms);
+RunInputs load_inputs(const Job& job, const RunTerms& terms, const model::RunControl& control = {});
 /// The same with the job's surface, where it is at hand.
 RunInputs load_inputs(const Job& job, const RunTerms& terms, JobSurface surface);
 

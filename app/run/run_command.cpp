@@ -36,6 +36,10 @@ RunOptions options_for(const CommonOptions& common, const Console& console,
   return options;
 }
 
+model::RunControl control_of(const RunOptions& options) {
+  return {options.threads, options.stop, options.watch.progress};
+}
+
 ExitCode exit_code(verifier::Verdict verdict) {
   switch (verdict) {
     case verifier::Verdict::pass:
@@ -121,8 +125,8 @@ ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
   OutputFolder folder(output, common.force);
   const RunHistory history(kept, folder.target());
   watched(common, console, [&](ProgressLine& progress) {
-    const RunInputs inputs = load_inputs(job, {model::memory_limit_bytes()});
     const RunOptions options = options_for(common, console, progress);
+    const RunInputs inputs = load_inputs(job, {model::memory_limit_bytes()}, control_of(options));
     work_in(folder, [&] {
       result = run_job(job, inputs, folder.working(), options);
       progress.phase({"writing the report"});
@@ -159,8 +163,8 @@ ExitCode execute(const PlanCommand& command, const CommonOptions& common, const 
   const Job job = read_job(command.job, common.overrides);
   OutputFolder folder(or_default(command.output, job.name + "-plan"), common.force);
   watched(common, console, [&](ProgressLine& progress) {
-    const RunInputs inputs = load_inputs(job, {model::memory_limit_bytes()});
     const RunOptions options = options_for(common, console, progress);
+    const RunInputs inputs = load_inputs(job, {model::memory_limit_bytes()}, control_of(options));
     work_in(folder, [&] { plan_job(job, inputs, folder.working(), options); });
   });
   if (!common.quiet)

@@ -185,7 +185,7 @@ void inspect_cage(const InspectCommand& command, const CommonOptions& common,
   if (!command.csv.empty()) require_writable(command.csv);
   Job job;
   job.cage = command.file;
-  const JobSurface read = load_surface(job);
+  const JobSurface read = load_surface(job, {common.threads, console.stop, {}});
   if (!command.csv.empty())
     model::write_whole_file(
         command.csv, [&](std::ostream& out) { write_samples(out, read.surface, command.samples); });

@@ -30,6 +30,20 @@ class LevelMap {
   Vec3 x_, y_;
 };
 
+/// The longest of many vectors of the plane: one root for all of them.
+class Longest {
+ public:
+  void see(const Vec2& v) {
+    const double squared = v.x * v.x + v.y * v.y;
+    if (squared > squared_) squared_ = squared, longest_ = v;
+  }
+  double length() const { return std::hypot(longest_.x, longest_.y); }
+
+ private:
+  Vec2 longest_{};
+  double squared_ = 0;
+};
+
 /// Largest factor by which a linear map of the plane stretches, from the images of the unit
 /// vectors.
 inline double stretch(const Vec2& a, const Vec2& b) {

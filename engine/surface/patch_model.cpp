@@ -38,32 +38,44 @@ PatchModel::PatchModel(const model::Cage& cage, const ModelRequest& asked,
     patches_.back().first_half_edge = outer_.face_offsets[f];
   }
   find_touching();
-  std::vector<ChordBounds> bounds(patches_.size());
   model::parallel_for(patches_.size(), control.threads, [&](std::size_t p) {
     control.check();
-    bounds[p] = bound_patch(p, request);
-    patches_[p].bounds = bounds[p].at;
+    patches_[p].bounds = chord_bounds(cell_of(p), bound_request(p, request));
   });
-  const std::vector<int> depths = affordable_depths(kMeshShare * request.precision_mm);
+  const std::vector<int> depths = affordable_depths(kMeshShare * request.precision_mm, [&](int p) {
+    control.check();
+    return bound_next(static_cast<std::size_t>(p), request);
+  });
   model::parallel_for(patches_.size(), control.threads, [&](std::size_t p) {
     control.check();
-    build_patch(p, depths[p], bounds[p], request);
+    build_patch(p, depths[p], request);
   });
   share_edges();
   for (const ModelPatch& patch : patches_)
     for (const Vec3& point : patch.limit.points) box_.add(point);
 }
 
-ChordBounds PatchModel::bound_patch(std::size_t p, const ModelRequest& request) {
-  CellPatch cell(outer_, outer_.face_of[patches_[p].first_half_edge]);
-  const int largest = std::max(request.largest_depth, cell.smallest_limit_depth());
+CellPatch PatchModel::cell_of(std::size_t p) const {
+  return {outer_, outer_.face_of[patches_[p].first_half_edge]};
+}
+
+BoundRequest PatchModel::bound_request(std::size_t p, const ModelRequest& request) const {
   std::array<bool, 4> rim{};
   for (int side = 0; side < 4; ++side) {
     const Index h = patches_[p].first_half_edge + side;
     rim[side] = ends_at(h) || creased_at(h);
   }
-  return chord_bounds(std::move(cell),
-                      {request.largest_offset_mm, kAnalysedDepth, largest, true, rim});
+  const int largest = std::max(request.largest_depth, cell_of(p).smallest_limit_depth());
+  return {request.largest_offset_mm,        kAnalysedDepth, largest, true, rim,
+          kMeshShare * request.precision_mm};
+}
+
+bool PatchModel::bound_next(std::size_t p, const ModelRequest& request) {
+  const BoundRequest asked = bound_request(p, request);
+  ChordBounds& bounds = patches_[p].bounds;
+  if (static_cast<int>(bounds.at.size()) > asked.largest_depth) return false;
+  add_next_depth(bounds, cell_of(p), asked);
+  return true;
 }
 
 namespace {
@@ -95,22 +107,22 @@ double speck_radius(const CellPatch& cell) {
 
 }  // namespace
 
-void PatchModel::build_patch(std::size_t p, int depth, const ChordBounds& bounds,
-                             const ModelRequest& request) {
+void PatchModel::build_patch(std::size_t p, int depth, const ModelRequest& request) {
   ModelPatch& patch = patches_[p];
-  CellPatch cell(outer_, outer_.face_of[patch.first_half_edge]);
+  CellPatch cell = cell_of(p);
   while (cell.depth() < depth) {
-    if (cell.depth() == bounds.corner_depth)
+    if (cell.depth() == patch.bounds.corner_depth)
       for (int c = 0; c < 4; ++c)
-        if (bounds.extraordinary[c]) build_corner(patch, cell.corner_cell(c), request);
+        if (patch.bounds.extraordinary[c]) build_corner(patch, cell.corner_cell(c), request);
     cell.refine();
   }
   patch.limit = cell.limit();
   patch.cell_bytes = cell.memory_bytes_of(sizeof(FloatPoint));
-  patch.bounds.resize(static_cast<std::size_t>(depth) + 1);
+  patch.bounds.at.resize(static_cast<std::size_t>(depth) + 1);
+  patch.bounds.at.shrink_to_fit();
   for (const auto& [error, offset] :
-       {std::pair{&patch.bounds.back().limit, 0.0},
-        std::pair{&patch.bounds.back().offset, request.largest_offset_mm}})
+       {std::pair{&patch.bounds.at.back().limit, 0.0},
+        std::pair{&patch.bounds.at.back().offset, request.largest_offset_mm}})
     for (double* mm : {&error->own_mm, &error->corner_mm})
       if (!std::isfinite(*mm)) {
         *mm = sampled_error(patch.limit, offset);
@@ -120,10 +132,12 @@ void PatchModel::build_patch(std::size_t p, int depth, const ChordBounds& bounds
 
 void PatchModel::build_corner(ModelPatch& patch, CellPatch cell, const ModelRequest& request) {
   const double wanted = kMeshShare * request.precision_mm;
+  constexpr int kLeast = kQuarter + 1;
+  const BoundRequest asked{
+      request.largest_offset_mm, kAnalysedCorner, kDeepestCorner, false, {}, wanted, kLeast};
   for (int quarter = 0; quarter < kMostQuarters && speck_radius(cell) > wanted; ++quarter) {
-    const ChordBounds bounds =
-        chord_bounds(cell, {request.largest_offset_mm, kAnalysedCorner, kDeepestCorner, false, {}});
-    int depth = kQuarter + 1;
+    const ChordBounds bounds = chord_bounds(cell, asked);
+    int depth = kLeast;
     while (depth < kDeepestCorner && bounds.at[depth].offset.own_mm > wanted) ++depth;
     while (cell.depth() < kQuarter) cell.refine();
     CellPatch inner = cell.corner_cell(0);
@@ -187,7 +201,7 @@ void PatchModel::share_vertex(RingWalk ring) {
 }
 
 int PatchModel::depth_for(int p, double error_mm) const {
-  const std::vector<ChordBound>& bounds = patches_[p].bounds;
+  const std::vector<ChordBound>& bounds = patches_[p].bounds.at;
   for (std::size_t d = 0; d < bounds.size(); ++d)
     if (bounds[d].largest_mm() <= error_mm) return static_cast<int>(d);
   return static_cast<int>(bounds.size()) - 1;
@@ -212,12 +226,12 @@ void PatchModel::find_touching() {
 double PatchModel::error_mm(int p, const std::vector<int>& depths,
                             MeshError ChordBound::*of) const {
   const ModelPatch& patch = patches_[p];
-  const MeshError& own = patch.bounds[depths[p]].*of;
+  const MeshError& own = patch.bounds.at[depths[p]].*of;
   // A mesh that goes on beyond a side leans from this one's direction by the slopes of both, and
   // by its own again, since both are measured from the normals at the side.
   Meeting others;
   for (const int q : touching_[p])
-    others = worse(others, (patches_[q].bounds[depths[q]].*of).meeting);
+    others = worse(others, (patches_[q].bounds.at[depths[q]].*of).meeting);
   constexpr double kRightAngle = std::numbers::pi / 2;
   const double lean = std::atan(own.meeting.slope) + 2 * std::atan(others.slope);
   const double slope = lean < kRightAngle ? std::min(1.0, std::tan(lean)) : 1.0;
@@ -228,7 +242,7 @@ double PatchModel::error_mm(int p, const std::vector<int>& depths,
     if (ends_at(h)) continue;
     const int other = depths[patch_at(outer_.twin[h])];
     if (other >= depths[p]) continue;
-    const SplitBound& moved = (patch.bounds[other].*of).sides[side];
+    const SplitBound& moved = (patch.bounds.at[other].*of).sides[side];
     if (std::isfinite(moved.along + moved.across))
       laid = std::max(laid, moved.along + beyond(moved.across));
   }
@@ -243,10 +257,10 @@ double PatchModel::corner_mm(int p, const std::vector<int>& depths) const {
     const Index h = patch.first_half_edge + side;
     if (ends_at(h)) continue;
     const int other = depths[patch_at(outer_.twin[h])];
-    const double moved = patch.bounds[other].limit.corner_side_mm;
+    const double moved = patch.bounds.at[other].limit.corner_side_mm;
     if (other < depths[p] && std::isfinite(moved)) laid = std::max(laid, moved);
   }
-  return patch.bounds[depths[p]].limit.corner_mm + laid;
+  return patch.bounds.at[depths[p]].limit.corner_mm + laid;
 }
 
 double PatchModel::worst_mm(int p, const std::vector<int>& depths) const {
@@ -254,12 +268,12 @@ double PatchModel::worst_mm(int p, const std::vector<int>& depths) const {
                   error_mm(p, depths, &ChordBound::offset));
 }
 
-std::vector<int> PatchModel::depths_within(double error_mm) const {
+std::vector<int> PatchModel::depths_within(double error_mm, const Deepen& deepen) const {
   std::vector<int> depths;
   const int count = static_cast<int>(patches_.size());
   for (int p = 0; p < count; ++p) depths.push_back(depth_for(p, error_mm));
-  const auto deepen = [&](int p) {
-    const bool more = depths[p] + 1 < static_cast<int>(patches_[p].bounds.size());
+  const auto go_deeper = [&](int p) {
+    const bool more = depths[p] + 1 < static_cast<int>(patches_[p].bounds.at.size()) || deepen(p);
     depths[p] += more;
     return more;
   };
@@ -273,31 +287,31 @@ std::vector<int> PatchModel::depths_within(double error_mm) const {
         const Index h = patches_[p].first_half_edge + side;
         if (ends_at(h)) continue;
         const int other = patch_at(outer_.twin[h]);
-        if (depths[other] < depths[p] - (patches_[p].bounds[depths[p]].largest_mm() > error_mm))
-          deeper |= deepen(other);
+        if (depths[other] < depths[p] - (patches_[p].bounds.at[depths[p]].largest_mm() > error_mm))
+          deeper |= go_deeper(other);
       }
-      changed |= deeper || deepen(p);
+      changed |= deeper || go_deeper(p);
     }
   }
   return depths;
 }
 
-std::vector<int> PatchModel::affordable_depths(double error_mm) const {
+std::vector<int> PatchModel::affordable_depths(double error_mm, const Deepen& deepen) const {
   // 48 bytes each: two gigabytes.
   constexpr double kMostPoints = 40e6;
-  std::vector<int> depths = depths_within(error_mm);
+  std::vector<int> depths = depths_within(error_mm, deepen);
   const auto points = [&] {
     double sum = 0;
     for (const int depth : depths) sum += std::ldexp(1.0, 2 * depth);
     return sum;
   };
   while (points() > kMostPoints && *std::max_element(depths.begin(), depths.end()) > kQuarter)
-    depths = depths_within(error_mm *= 2);
+    depths = depths_within(error_mm *= 2, deepen);
   return depths;
 }
 
 Sampling PatchModel::sampling_for(double error_mm) const {
-  Sampling sampling{depths_within(error_mm), {}, 0, 0};
+  Sampling sampling{depths_within(error_mm, [](int) { return false; }), {}, 0, 0};
   for (int p = 0; p < static_cast<int>(patches_.size()); ++p) {
     const double corner = corner_mm(p, sampling.depths);
     sampling.corners_apart.push_back(corner > error_mm);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "engine/surface/cell/chord_bound.h"
@@ -17,8 +18,8 @@ namespace limitgauge::engine::surface {
 struct ModelPatch {
   Index first_half_edge = 0;  ///< side c of the patch is half-edge first_half_edge + c
   LimitPatch limit;
-  std::size_t cell_bytes = 0;      ///< of its control points in single precision, as allocated
-  std::vector<ChordBound> bounds;  ///< by depth, to that of the limit mesh
+  std::size_t cell_bytes = 0;  ///< of its control points in single precision, as allocated
+  ChordBounds bounds;          ///< by depth, to that of the limit mesh
   /// False where no bound was found at the largest depth (a surface folded flat, as at a vertex of
   /// two faces): twice what a mesh of one depth less lacks at the nodes stands in for it.
   bool proven = true;
@@ -74,14 +75,18 @@ class PatchModel {
 
  private:
   void build_corner(ModelPatch& patch, CellPatch cell, const ModelRequest& request);
-  ChordBounds bound_patch(std::size_t p, const ModelRequest& request);
-  void build_patch(std::size_t p, int depth, const ChordBounds& bounds,
-                   const ModelRequest& request);
-  /// The largest depths allowed are those to which the bounds go.
-  std::vector<int> depths_within(double error_mm) const;
+  CellPatch cell_of(std::size_t p) const;
+  BoundRequest bound_request(std::size_t p, const ModelRequest& request) const;
+  /// Bounds patch `p` to the depth after those that are known; false where there is none.
+  bool bound_next(std::size_t p, const ModelRequest& request);
+  void build_patch(std::size_t p, int depth, const ModelRequest& request);
+  /// Whether the patch may be a depth deeper than those that are bounded: then it is bounded now.
+  using Deepen = std::function<bool(int patch)>;
+  /// The largest depths allowed are those to which the bounds go, or to which `deepen` takes them.
+  std::vector<int> depths_within(double error_mm, const Deepen& deepen) const;
   /// Those of the least error from `error_mm` on, doubled again and again, at which the model stays
   /// within two gigabytes; the bounds of the patches say what it then lacks.
-  std::vector<int> affordable_depths(double error_mm) const;
+  std::vector<int> affordable_depths(double error_mm, const Deepen& deepen) const;
   /// Bound of patch `p` beside its neighbours: what its own mesh lacks, what its sides move when
   /// laid onto coarser ones, and what bulges out over their meshes.
   double error_mm(int p, const std::vector<int>& depths, MeshError ChordBound::*of) const;

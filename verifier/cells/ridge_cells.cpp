@@ -106,16 +106,14 @@ void steady_normals(Iterator begin, Iterator end, bool at_front) {
   for (auto s = begin; s != beyond; ++s) s->normals.fill(normal);
 }
 
-using PiecesOfPatch = std::vector<std::vector<const Piece*>>;
-
 /// All strips of one side of an edge, in their order along it.
-std::vector<Strip> strips_of(const std::vector<PatchSide>& sides, const PiecesOfPatch& pieces) {
+std::vector<Strip> strips_of(const std::vector<PatchSide>& sides, const SurfaceTree& tree) {
   std::vector<Strip> out;
   for (const PatchSide& side : sides)
-    for (const Piece* piece : pieces[side.patch]) {
-      const auto range = on_side(piece->square, side.side);
+    for (const Piece& piece : tree.pieces_of(side.patch)) {
+      const auto range = on_side(piece.square, side.side);
       if (!range) continue;
-      Strip s = strip_of(*piece, side.side);
+      Strip s = strip_of(piece, side.side);
       s.from = side.from + (side.to - side.from) * range->first;
       s.to = side.from + (side.to - side.from) * range->second;
       if (s.from > s.to) {
@@ -190,9 +188,9 @@ double edge_length(const RidgeCell& cell) {
   return 2 * control_radius(cell.shape, middle(cell.shape));
 }
 
-void add_edge(const SharpEdge& edge, const PiecesOfPatch& pieces, double radius_mm,
+void add_edge(const SharpEdge& edge, const SurfaceTree& tree, double radius_mm,
               std::vector<RidgeCell>& out) {
-  const auto a = strips_of(edge.sides[0], pieces), b = strips_of(edge.sides[1], pieces);
+  const auto a = strips_of(edge.sides[0], tree), b = strips_of(edge.sides[1], tree);
   // A face lies to the left of its own edges, taken in its own direction.
   const bool first_left = edge.sides[0].front().from < edge.sides[0].front().to;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
@@ -319,9 +317,7 @@ std::vector<RidgeCell> ridge_cells(const SurfaceTree& tree, double radius_mm) {
   std::vector<RidgeCell> out;
   const SharpLines& lines = tree.sharp_lines();
   if (lines.edges.empty() && lines.vertices.empty()) return out;
-  PiecesOfPatch pieces(static_cast<std::size_t>(tree.patch_count()));
-  for (const Piece& piece : tree.pieces()) pieces[piece.square.patch].push_back(&piece);
-  for (const SharpEdge& edge : lines.edges) add_edge(edge, pieces, radius_mm, out);
+  for (const SharpEdge& edge : lines.edges) add_edge(edge, tree, radius_mm, out);
   for (const auto& vertex : lines.vertices) add_vertex(vertex, tree, out);
   return out;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <span>
 
 namespace limitgauge::verifier {
 
@@ -38,23 +38,17 @@ void split_until(const SurfaceCell& cell, double radius_mm, std::vector<SurfaceC
     split_until(half, radius_mm, out);
 }
 
-std::vector<std::vector<const Speck*>> specks_by_patch(const SurfaceTree& tree) {
-  std::vector<std::vector<const Speck*>> out(static_cast<std::size_t>(tree.patch_count()));
-  for (const Speck& s : tree.specks()) out[s.square.patch].push_back(&s);
-  return out;
-}
-
 /// The normal of the piece of its patch that lies nearest to a speck, but beyond the pieces that
 /// lose theirs in rounding. At a vertex where the tangent plane turns with the way that leads
 /// there, or tends to its limit more slowly than any scale that can be cut, this is what can be
 /// measured.
-Vec3 normal_beside(const Speck& speck, const std::vector<const Piece*>& pieces) {
+Vec3 normal_beside(const Speck& speck, std::span<const Piece> pieces) {
   double least = std::numeric_limits<double>::infinity();
   Vec3 normal = speck.normal;
-  for (const Piece* piece : pieces) {
-    const double radius = control_radius(piece->shape, speck.position);
+  for (const Piece& piece : pieces) {
+    const double radius = control_radius(piece.shape, speck.position);
     if (radius <= kVertexNormal_mm || radius >= least) continue;
-    const BezierJet j = jet(piece->shape, 0.5, 0.5);
+    const BezierJet j = jet(piece.shape, 0.5, 0.5);
     const Vec3 n = cross(j.du, j.dv);
     if (length_squared(n) > 0) least = radius, normal = normalized(n);
   }
@@ -93,25 +87,26 @@ double first_cell_radius_mm(const SurfaceTree& tree) {
 
 SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
     : ridges_(ridge_cells(tree, radius_mm)), feet_(tree), features_(tree.features()) {
-  const std::vector<const Piece*> pieces = tree.pieces_beyond(kOmitted_mm);
-  std::vector<std::vector<const Piece*>> of_patch(static_cast<std::size_t>(tree.patch_count()));
-  for (const Piece* piece : pieces) of_patch[piece->square.patch].push_back(piece);
-  std::map<const Speck*, Vec3> normals;
   for (const Speck& s : tree.specks()) {
-    normals[&s] = normal_beside(s, of_patch[s.square.patch]);
     SurfaceCell cell{{}, s.square.patch, s.square.u, s.square.v, s.square.size, s.square.size};
     for (int k = 0; k < 16; ++k) cell.shape.set(k, s.position);
-    cell.vertex_normal = normals[&s];
     cells_.push_back(cell);
   }
-  const auto specks = specks_by_patch(tree);
-  for (const Piece* piece : pieces) {
-    const ParameterSquare& q = piece->square;
-    SurfaceCell cell{piece->shape, q.patch, q.u, q.v, q.size, q.size};
-    for (const Speck* speck : specks[q.patch])
-      if (control_radius(piece->shape, speck->position) <= kVertexNormal_mm)
-        cell.vertex_normal = normals[speck];
-    split_until(cell, radius_mm, cells_);
+  std::size_t first_speck = 0;
+  for (int patch = 0; patch < tree.patch_count(); ++patch) {
+    const std::vector<Piece> pieces = tree.pieces_beyond(patch, kOmitted_mm);
+    const std::span<const Speck> specks = tree.specks_of(patch);
+    for (std::size_t i = 0; i < specks.size(); ++i)
+      cells_[first_speck + i].vertex_normal = normal_beside(specks[i], pieces);
+    for (const Piece& piece : pieces) {
+      const ParameterSquare& q = piece.square;
+      SurfaceCell cell{piece.shape, q.patch, q.u, q.v, q.size, q.size};
+      for (std::size_t i = 0; i < specks.size(); ++i)
+        if (control_radius(piece.shape, specks[i].position) <= kVertexNormal_mm)
+          cell.vertex_normal = cells_[first_speck + i].vertex_normal;
+      split_until(cell, radius_mm, cells_);
+    }
+    first_speck += specks.size();
   }
   std::vector<model::Box3> boxes;
   boxes.reserve(cells_.size());

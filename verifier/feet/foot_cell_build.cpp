@@ -119,8 +119,9 @@ void halve_until_even(FootCell cell, int depth, std::vector<FootCell>& out) {
 std::vector<FootCell> foot_cells(const SurfaceTree& tree) {
   std::vector<FootCell> cells;
   for (const Speck& s : tree.specks()) cells.push_back(vertex_cell(s));
-  for (const Piece* piece : tree.pieces_beyond(kFootOmitted_mm))
-    halve_until_even(whole(*piece), 0, cells);
+  for (int patch = 0; patch < tree.patch_count(); ++patch)
+    for (const Piece& piece : tree.pieces_beyond(patch, kFootOmitted_mm))
+      halve_until_even(whole(piece), 0, cells);
   for (FootCell& cell : cells) mark_sides(cell, tree.features().of(cell.patch));
   return cells;
 }

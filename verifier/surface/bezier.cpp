@@ -102,6 +102,15 @@ double along(const Line& a, const Line& b) {
   return (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3]);
 }
 
+/// First derivatives of a coordinate along one line of constant v.
+struct SlopesAcross {
+  Line value, first;
+  SlopesAcross(const std::array<double, 16>& c, const Basis& v)
+      : value(columns(c, v.value)), first(columns(c, v.first)) {}
+  double du(const Basis& u) const { return along(value, u.first); }
+  double dv(const Basis& u) const { return along(first, u.value); }
+};
+
 struct Scalars {
   double value, du, dv, duu, duv, dvv;
 };
@@ -187,12 +196,17 @@ double area_mm2(const Bezier& b) {
                               0.9061798459386640};
   constexpr double kWeight[] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
                                 0.4786286704993665, 0.2369268850561891};
+  std::array<Basis, 5> at;
+  for (int k = 0; k < 5; ++k) at[k] = basis((1 + kNode[k]) / 2);
   double sum = 0;
-  for (int j = 0; j < 5; ++j)
+  for (int j = 0; j < 5; ++j) {
+    const SlopesAcross x(b.x, at[j]), y(b.y, at[j]), z(b.z, at[j]);
     for (int i = 0; i < 5; ++i) {
-      const BezierJet at = jet(b, (1 + kNode[i]) / 2, (1 + kNode[j]) / 2);
-      sum += kWeight[i] * kWeight[j] * length(cross(at.du, at.dv)) / 4;
+      const Vec3 du{x.du(at[i]), y.du(at[i]), z.du(at[i])};
+      const Vec3 dv{x.dv(at[i]), y.dv(at[i]), z.dv(at[i])};
+      sum += kWeight[i] * kWeight[j] * length(cross(du, dv)) / 4;
     }
+  }
   return sum;
 }
 

@@ -4,8 +4,8 @@
 
 namespace limitgauge::verifier {
 
-ReferenceSurface::ReferenceSurface(const model::Cage& cage)
-    : tree_(std::make_shared<const SurfaceTree>(cage)), rules_(rules_of(cage)) {}
+ReferenceSurface::ReferenceSurface(const model::Cage& cage, const model::RunControl& control)
+    : tree_(std::make_shared<const SurfaceTree>(cage, control)), rules_(rules_of(cage)) {}
 
 int ReferenceSurface::patch_count() const {
   return tree_->patch_count();
@@ -21,6 +21,9 @@ const model::Box3& ReferenceSurface::bounding_box() const {
 }
 double ReferenceSurface::area_mm2() const {
   return tree_->area_mm2();
+}
+std::size_t ReferenceSurface::memory_bytes() const {
+  return tree_->memory_bytes();
 }
 
 }  // namespace limitgauge::verifier

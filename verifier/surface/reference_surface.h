@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
+#include "model/base/run_control.h"
 #include "model/part/cage.h"
 #include "verifier/surface/surface_rules.h"
 #include "verifier/surface/surface_sample.h"
@@ -17,8 +19,9 @@ class SurfaceTree;
 /// quads in order; hole faces keep their number but have no surface.
 class ReferenceSurface {
  public:
-  /// Throws std::invalid_argument for a cage with defects (see model::find_defects).
-  explicit ReferenceSurface(const model::Cage& cage);
+  /// Throws std::invalid_argument for a cage with defects (see model::find_defects), Interrupted
+  /// when `control` asks to stop. The same surface for any number of threads.
+  explicit ReferenceSurface(const model::Cage& cage, const model::RunControl& control = {});
 
   int patch_count() const;
   /// False for holes, and for faces that BoundaryRule::none leaves out.
@@ -29,6 +32,7 @@ class ReferenceSurface {
   const model::Box3& bounding_box() const;
   /// By Gauss quadrature on the pieces; relative error below 1e-6.
   double area_mm2() const;
+  std::size_t memory_bytes() const;
 
   /// What the surface was made by.
   const SurfaceRules& rules() const { return rules_; }

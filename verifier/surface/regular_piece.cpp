@@ -51,30 +51,32 @@ constexpr int kBeyondStart[4] = {1, 7, 14, 8};
 constexpr int kBeyondEnd[4] = {2, 11, 13, 4};
 constexpr int kDiagonal[4] = {0, 3, 15, 12};
 
-class Grid {
+class GridBuilder {
  public:
-  explicit Grid(const Neighbourhood& n) : n_(n) {
-    for (int k = 0; k < 4; ++k) grid_[kInner[k]] = n.points[n.corner(0, k)];
+  explicit GridBuilder(const Neighbourhood& n) : n_(n) {
+    for (int k = 0; k < 4; ++k) take(kInner[k], n.corner(0, k));
     for (int k = 0; k < 4; ++k) edge(k);
     for (int k = 0; k < 4; ++k) diagonal(k);
   }
-  const std::array<Vec3, 16>& points() const { return grid_; }
+  const RegularGrid& grid() const { return grid_; }
 
  private:
   bool sharp(int k) const { return is_infinite(n_.sharpness_after(0, k & 3)); }
+  void take(int to, Index point) { grid_.entries[count_++] = {to, false, point, 0}; }
+  void reflect(int to, int twice, int less) { grid_.entries[count_++] = {to, true, twice, less}; }
 
   void edge(int k) {
     const int a = kInner[k], b = kInner[(k + 1) & 3], a_in = kInner[(k + 3) & 3],
               b_in = kInner[(k + 2) & 3];
     if (sharp(k)) {
-      grid_[kBeyondStart[k]] = grid_[a] * 2 - grid_[a_in];
-      grid_[kBeyondEnd[k]] = grid_[b] * 2 - grid_[b_in];
+      reflect(kBeyondStart[k], a, a_in);
+      reflect(kBeyondEnd[k], b, b_in);
       return;
     }
     const Star star = star_of(n_, n_.corner(0, k));
     const auto w = wedge_at(n_, star, n_.next(0, k), false);
-    grid_[kBeyondStart[k]] = n_.points[n_.next(w->face, w->corner)];
-    grid_[kBeyondEnd[k]] = n_.points[n_.corner(w->face, (w->corner + 2) & 3)];
+    take(kBeyondStart[k], n_.next(w->face, w->corner));
+    take(kBeyondEnd[k], n_.corner(w->face, (w->corner + 2) & 3));
   }
 
   /// Reflected across whichever of the two edges at the corner is sharp, else the point itself.
@@ -82,20 +84,21 @@ class Grid {
     const int before = (k + 3) & 3;
     if (sharp(k)) {
       // Along edge k's line: the point beyond the edge before, and the one further in.
-      grid_[kDiagonal[k]] = grid_[kBeyondEnd[before]] * 2 - grid_[kBeyondStart[before]];
+      reflect(kDiagonal[k], kBeyondEnd[before], kBeyondStart[before]);
     } else if (sharp(before)) {
-      grid_[kDiagonal[k]] = grid_[kBeyondStart[k]] * 2 - grid_[kBeyondEnd[k]];
+      reflect(kDiagonal[k], kBeyondStart[k], kBeyondEnd[k]);
     } else {
       const Star star = star_of(n_, n_.corner(0, k));
       const auto across = wedge_at(n_, star, n_.next(0, k), false);
       const Index edge = n_.next(across->face, across->corner);
       const auto far = wedge_at(n_, star, edge, false);
-      grid_[kDiagonal[k]] = n_.points[n_.corner(far->face, (far->corner + 2) & 3)];
+      take(kDiagonal[k], n_.corner(far->face, (far->corner + 2) & 3));
     }
   }
 
   const Neighbourhood& n_;
-  std::array<Vec3, 16> grid_{};
+  RegularGrid grid_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace
@@ -116,11 +119,23 @@ bool is_irregular_corner(const Neighbourhood& n, int k) {
   return sharp != 0 || star.wedges.size() != 4 || star.spokes.size() != 4;
 }
 
-std::optional<Bezier> regular_piece(const Neighbourhood& n) {
+std::optional<RegularGrid> regular_grid(const Neighbourhood& n) {
   if (!all_quads(n)) return std::nullopt;
   for (int k = 0; k < 4; ++k)
     if (is_irregular_corner(n, k)) return std::nullopt;
-  return from_bspline(Grid(n).points());
+  return GridBuilder(n).grid();
+}
+
+Bezier piece_of(const RegularGrid& grid, std::span<const Vec3> points) {
+  std::array<Vec3, 16> control{};
+  for (const RegularGrid::Entry& e : grid.entries)
+    control[e.to] = e.reflected ? control[e.a] * 2 - control[e.b] : points[e.a];
+  return from_bspline(control);
+}
+
+std::optional<Bezier> regular_piece(const Neighbourhood& n) {
+  const auto grid = regular_grid(n);
+  return grid ? std::optional(piece_of(*grid, n.points)) : std::nullopt;
 }
 
 }  // namespace limitgauge::verifier

@@ -1,7 +1,11 @@
 #include <algorithm>
+#include <atomic>
+#include <map>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
+#include "model/base/chunks.h"
 #include "verifier/surface/neighbourhood.h"
 #include "verifier/surface/regular_piece.h"
 #include "verifier/surface/surface_tree.h"
@@ -22,14 +26,14 @@ constexpr int kDeepest = 110;
 /// surface this many refinements closer.
 constexpr int kTangentSteps = 24;
 
-ParameterSquare child_square(const ParameterSquare& s, int k) {
-  const double half = s.size / 2;
-  return {s.patch, s.u + (k == 1 || k == 2 ? half : 0), s.v + (k >= 2 ? half : 0), half};
-}
+/// Patches that are built one after the other: chains among them share their steps.
+constexpr std::size_t kFacesAtOnce = 64;
+/// Of the time: the rest goes into the box and the area.
+constexpr double kBuiltShare = 0.3, kBoxShare = 0.6;
 
-double spread(const Neighbourhood& n) {
+double spread(std::span<const Vec3> points) {
   model::Box3 box;
-  for (const Vec3& p : n.points) box.add(p);
+  for (const Vec3& p : points) box.add(p);
   return length(box.size());
 }
 
@@ -65,8 +69,7 @@ std::optional<int> lone_corner(const Neighbourhood& n) {
 }
 
 /// The tangent plane from the regular piece diagonally across, at its point nearest to corner `k`.
-std::optional<VertexLimit::Tangents> tangents_nearby(const Neighbourhood& across, int k) {
-  const auto piece = regular_piece(across);
+std::optional<VertexLimit::Tangents> tangents_nearby(const std::optional<Bezier>& piece, int k) {
   if (!piece) return std::nullopt;
   const BezierJet j = jet(*piece, k == 1 || k == 2 ? 1 : 0, k >= 2 ? 1 : 0);
   return VertexLimit::Tangents{j.du, j.dv, TangentPlane::none};
@@ -74,51 +77,95 @@ std::optional<VertexLimit::Tangents> tangents_nearby(const Neighbourhood& across
 
 }  // namespace
 
-/// Fills a SurfaceTree, patch by patch.
+/// Builds the trees of patches that follow each other.
 class SurfaceTreeBuilder {
  public:
-  SurfaceTreeBuilder(SurfaceTree& tree, double model_size) : tree_(tree), model_size_(model_size) {}
+  using Parts = SurfaceTree::Parts;
+  using Node = SurfaceTree::Node;
+  explicit SurfaceTreeBuilder(double model_size) : model_size_(model_size) {}
 
+  /// The square's patch is counted from the first one of the parts.
   void add_patch(const Neighbourhood& n) {
-    const ParameterSquare whole{static_cast<int>(tree_.roots_.size()), 0, 0, 1};
+    const ParameterSquare whole{static_cast<int>(parts_.roots.size()), 0, 0, 1};
     const std::int32_t root = build(n, whole, 0, {});
-    tree_.roots_.push_back(root);
+    parts_.roots.push_back(root);
   }
-  void add_hole() { tree_.roots_.push_back(-1); }
+  void add_hole() { parts_.roots.push_back(-1); }
+  void add_face(const CageNeighbourhoods& neighbourhoods, Index f, std::size_t corners);
+  Parts take() { return std::move(parts_); }
 
  private:
   std::int32_t build(const Neighbourhood& n, const ParameterSquare& square, int depth,
                      Approach approach) {
     if (const auto shape = regular_piece(n)) {
-      tree_.pieces_.push_back({*shape, square});
-      return add(SurfaceTree::Node::Kind::piece, tree_.pieces_.size() - 1);
+      parts_.pieces.push_back({*shape, square});
+      return add(Node::Kind::piece, parts_.pieces.size() - 1);
     }
     const auto corner = lone_corner(n);
-    if (corner && (depth >= kDeepest || spread(n) <= kSmallestPiece * model_size_))
-      return add_speck(n, *corner, square, approach);
+    if (corner && ends(n.points, depth)) return add_speck(n, *corner, square, approach);
     // Tangents come from the largest neighbourhood that gives them: the direction is the same at
     // every level, and differences of tiny neighbourhoods lose digits.
     if (corner && approach.steps == 0) approach.tangents = vertex_limit(n, *corner).tangents;
+    if (corner)
+      if (auto step = step_of(n, *corner))
+        return add_chain(n, std::move(step), square, depth, approach);
     const std::vector<Neighbourhood> children = refine(n);
     if (corner && approach.steps == kTangentSteps && !approach.tangents)
-      approach.tangents = tangents_nearby(children[(*corner + 2) & 3], *corner);
+      approach.tangents = tangents_nearby(regular_piece(children[(*corner + 2) & 3]), *corner);
     if (corner) ++approach.steps;
-    const std::int32_t here = add(SurfaceTree::Node::Kind::inner, 0);
+    const std::int32_t here = add(Node::Kind::inner, 0);
     for (int k = 0; k < 4; ++k) {
       const std::int32_t child = build(children[k], child_square(square, k), depth + 1,
                                        corner == k ? approach : Approach{});
-      tree_.nodes_[here].child[k] = child;
+      parts_.nodes[here].child[k] = child;
     }
     return here;
   }
 
-  std::int32_t add(SurfaceTree::Node::Kind kind, std::size_t index) {
-    tree_.nodes_.push_back({kind, {}, static_cast<std::int32_t>(index)});
-    return static_cast<std::int32_t>(tree_.nodes_.size()) - 1;
+  bool ends(std::span<const Vec3> points, int depth) const {
+    return depth >= kDeepest || spread(points) <= kSmallestPiece * model_size_;
+  }
+
+  /// The same for all neighbourhoods with the same faces and sharpness.
+  std::shared_ptr<const ChainStep> step_of(const Neighbourhood& n, int corner) {
+    Net net{corner, n.offsets, n.corners, n.edge_sharpness, n.vertex_sharpness};
+    const auto known = steps_.find(net);
+    if (known != steps_.end()) return known->second;
+    return steps_.emplace(std::move(net), ChainStep::of(n, corner)).first->second;
+  }
+
+  std::int32_t add_chain(const Neighbourhood& n, std::shared_ptr<const ChainStep> step,
+                         ParameterSquare square, int depth, Approach approach) {
+    const int corner = step->corner();
+    SurfaceTree::PlacedChain placed{{std::move(step), n.points, 0}, square, 0};
+    VertexChain& chain = placed.chain;
+    Neighbourhood last = n;
+    for (; !ends(last.points, depth); ++depth, ++chain.levels, ++approach.steps) {
+      const std::vector<Vec3> refined = chain.step->refined(last.points);
+      if (approach.steps == kTangentSteps && !approach.tangents)
+        approach.tangents = tangents_nearby(chain.step->piece((corner + 2) & 3, refined), corner);
+      last.points = chain.step->inner(refined);
+      square = child_square(square, corner);
+    }
+    keep_speck(last, corner, square, approach);
+    placed.speck = static_cast<std::int32_t>(parts_.specks.size()) - 1;
+    parts_.chains.push_back(std::move(placed));
+    return add(Node::Kind::chain, parts_.chains.size() - 1);
+  }
+
+  std::int32_t add(Node::Kind kind, std::size_t index) {
+    parts_.nodes.push_back({kind, {}, static_cast<std::int32_t>(index)});
+    return static_cast<std::int32_t>(parts_.nodes.size()) - 1;
   }
 
   std::int32_t add_speck(const Neighbourhood& n, int corner, const ParameterSquare& square,
                          const Approach& approach) {
+    keep_speck(n, corner, square, approach);
+    return add(Node::Kind::speck, parts_.specks.size() - 1);
+  }
+
+  void keep_speck(const Neighbourhood& n, int corner, const ParameterSquare& square,
+                  const Approach& approach) {
     Speck speck;
     speck.position = vertex_limit(n, corner).position;
     speck.square = square;
@@ -127,36 +174,81 @@ class SurfaceTreeBuilder {
       speck.normal = normalized(cross(t->first, t->second));
       speck.plane = t->plane;
     }
-    tree_.specks_.push_back(speck);
-    return add(SurfaceTree::Node::Kind::speck, tree_.specks_.size() - 1);
+    parts_.specks.push_back(speck);
   }
 
-  SurfaceTree& tree_;
+  using Net = std::tuple<int, std::vector<Index>, std::vector<Index>, std::vector<double>,
+                         std::vector<double>>;
+  Parts parts_;
+  std::map<Net, std::shared_ptr<const ChainStep>> steps_;
   double model_size_;
 };
 
-SurfaceTree::SurfaceTree(const model::Cage& cage) {
+void SurfaceTreeBuilder::add_face(const CageNeighbourhoods& neighbourhoods, Index f,
+                                  std::size_t corners) {
+  const std::size_t patches = corners == 4 ? 1 : corners;
+  if (!neighbourhoods.has_surface(f)) {
+    for (std::size_t k = 0; k < patches; ++k) add_hole();
+  } else if (corners == 4) {
+    add_patch(neighbourhoods.of(f));
+  } else {
+    for (const Neighbourhood& n : refine(neighbourhoods.of(f))) add_patch(n);
+  }
+}
+
+void SurfaceTree::Parts::append(Parts&& more) {
+  const auto patch = static_cast<int>(roots.size());
+  const auto node = static_cast<std::int32_t>(nodes.size()),
+             piece = static_cast<std::int32_t>(pieces.size()),
+             speck = static_cast<std::int32_t>(specks.size()),
+             chain = static_cast<std::int32_t>(chains.size());
+  for (std::int32_t& root : more.roots) root += root < 0 ? 0 : node;
+  for (Node& n : more.nodes) {
+    for (std::int32_t& child : n.child) child += node;
+    n.index += n.kind == Node::Kind::piece   ? piece
+               : n.kind == Node::Kind::chain ? chain
+               : n.kind == Node::Kind::speck ? speck
+                                             : 0;
+  }
+  for (Piece& p : more.pieces) p.square.patch += patch;
+  for (Speck& s : more.specks) s.square.patch += patch;
+  for (PlacedChain& c : more.chains) c.square.patch += patch, c.speck += speck;
+  const auto add = [](auto& to, auto& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
+  add(roots, more.roots), add(nodes, more.nodes), add(pieces, more.pieces);
+  add(specks, more.specks), add(chains, more.chains);
+  more = {};
+}
+
+SurfaceTree::SurfaceTree(const model::Cage& cage, const model::RunControl& control) {
   const auto defects = model::find_defects(cage);
   if (!defects.empty()) throw std::invalid_argument(model::describe(defects.front()));
   model::Box3 box;
   for (const Vec3& p : cage.vertices) box.add(p);
-  SurfaceTreeBuilder builder(*this, length(box.size()));
+  const double size = length(box.size());
   const CageNeighbourhoods neighbourhoods(cage);
-  for (Index f = 0; f < cage.face_count(); ++f) {
-    const std::size_t corners = cage.face(f).size();
-    const std::size_t patches = corners == 4 ? 1 : corners;
-    if (!neighbourhoods.has_surface(f)) {
-      for (std::size_t k = 0; k < patches; ++k) builder.add_hole();
-    } else if (corners == 4) {
-      builder.add_patch(neighbourhoods.of(f));
-    } else {
-      for (const Neighbourhood& n : refine(neighbourhoods.of(f))) builder.add_patch(n);
+  const auto faces = static_cast<std::size_t>(cage.face_count());
+  std::vector<Parts> parts(model::chunk_count(faces, kFacesAtOnce));
+  std::atomic<std::size_t> built{0};
+  model::parallel_chunks(faces, kFacesAtOnce, control, [&](std::size_t begin, std::size_t end) {
+    SurfaceTreeBuilder builder(size);
+    for (std::size_t f = begin; f < end; ++f) {
+      control.check();
+      const auto face = static_cast<Index>(f);
+      builder.add_face(neighbourhoods, face, cage.face(face).size());
     }
-  }
+    parts[begin / kFacesAtOnce] = builder.take();
+    control.report(kBuiltShare * static_cast<double>(built += end - begin) /
+                   static_cast<double>(faces));
+  });
+  for (Parts& part : parts) parts_.append(std::move(part));
+  control.check();
   features_ = SurfaceFeatures(cage);
   sharp_lines_ = SharpLines(cage);
-  bounding_box_ = exact_bounding_box(*this);
-  area_mm2_ = surface_area_mm2(*this);
+  bounding_box_ = exact_bounding_box(*this, control);
+  control.report(kBoxShare);
+  area_mm2_ = surface_area_mm2(*this, control);
 }
 
 }  // namespace limitgauge::verifier

@@ -13,13 +13,15 @@ double norm(const SplitBound& b) {
 SplitBound seen_from(const Differences& d, const DerivativeBounds& cell) {
   SplitBound bound;
   double across_squared = 0;
+  Longest mapped;
   d.for_each([&](const Vec3& x) {
     const double height = dot(cell.normal, x);
     bound.along = std::max(bound.along, std::abs(height));
     across_squared = std::max(across_squared, length_squared(x - cell.normal * height));
-    bound.mapped = std::max(bound.mapped, cell.map.length(x));
+    mapped.see(cell.map(x));
   });
   bound.across = std::sqrt(across_squared);
+  bound.mapped = mapped.length();
   return bound;
 }
 

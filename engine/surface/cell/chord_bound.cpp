@@ -61,9 +61,9 @@ double scale_of(int levels) {
 
 class PatchBounds {
  public:
-  explicit PatchBounds(const BoundRequest& request)
-      : request_(request), offset_mm_(request.offset_mm) {
-    bounds_.at.assign(static_cast<std::size_t>(request.largest_depth) + 1,
+  explicit PatchBounds(const BoundRequest& request, ChordBounds known = {})
+      : request_(request), offset_mm_(request.offset_mm), bounds_(std::move(known)) {
+    bounds_.at.resize(static_cast<std::size_t>(request.largest_depth) + 1,
                       {unproven(), unproven()});
   }
 
@@ -86,14 +86,33 @@ class PatchBounds {
     for (int depth = first; depth <= last; ++depth) {
       if (depth > first) patch.refine();
       analyse(patch, depth == last ? largest() : depth);
+      if (zones.empty() && depth < last && is_enough(depth)) return up_to(depth);
     }
     for (const VertexZones& zone : zones)
       for (int depth = first; depth <= largest(); ++depth) add_zone(zone, depth);
     return std::move(bounds_);
   }
 
+  /// Of a patch without extraordinary corners, of which those up to `known` are there.
+  ChordBounds next(CellPatch patch, int known) {
+    const int first = std::max(kFirstDepth, patch.smallest_limit_depth());
+    const int last = std::min(std::max(request_.analysed_depth, first), largest());
+    while (patch.depth() <= known) patch.refine();
+    analyse(patch, patch.depth() == last ? largest() : patch.depth());
+    return patch.depth() == last ? std::move(bounds_) : up_to(patch.depth());
+  }
+
  private:
   int largest() const { return static_cast<int>(bounds_.at.size()) - 1; }
+  bool is_enough(int depth) const {
+    return depth >= request_.least_depth &&
+           bounds_.at[static_cast<std::size_t>(depth)].largest_mm() <= request_.enough_mm;
+  }
+  ChordBounds up_to(int depth) {
+    bounds_.at.resize(static_cast<std::size_t>(depth) + 1);
+    bounds_.at.shrink_to_fit();
+    return std::move(bounds_);
+  }
 
   void analyse(const CellPatch& patch, int deepest) {
     const GridBounds limit(CellGrid(patch, 0, request_.rim), VertexZones::kWidth);
@@ -135,6 +154,11 @@ class PatchBounds {
 
 ChordBounds chord_bounds(CellPatch patch, const BoundRequest& request) {
   return PatchBounds(request).of(std::move(patch));
+}
+
+void add_next_depth(ChordBounds& bounds, CellPatch patch, const BoundRequest& request) {
+  const int known = static_cast<int>(bounds.at.size()) - 1;
+  bounds = PatchBounds(request, std::move(bounds)).next(std::move(patch), known);
 }
 
 }  // namespace limitgauge::engine::surface

@@ -31,7 +31,7 @@ struct ChordBound {
 };
 
 struct ChordBounds {
-  std::vector<ChordBound> at;  ///< by depth, 0 to the largest asked for
+  std::vector<ChordBound> at;  ///< by depth, 0 to the largest asked for or the one that is enough
   /// The offset is bounded over all but the cells of this depth at extraordinary corners, where
   /// normals may turn ever faster.
   int corner_depth = 0;
@@ -45,6 +45,12 @@ struct BoundRequest {
   int largest_depth = 10;
   bool limit = true;          ///< the limit mesh at extraordinary corners too
   std::array<bool, 4> rim{};  ///< sides at which the surface ends or is sharp
+  /// Where no limit mesh at an extraordinary corner is bounded, the patch is looked at no deeper
+  /// than to the first depth, from `least_depth` on, at which both meshes keep within this: every
+  /// depth has four times the cells of the one before.
+  double enough_mm = kNeverEnough;
+  int least_depth = 0;
+  static constexpr double kNeverEnough = -1;
 };
 
 /// Bounds for all depths up to the largest, rounding aside, from the control net of `patch` (of any
@@ -52,5 +58,8 @@ struct BoundRequest {
 /// which the surface is bicubic, by B8 for those at extraordinary corners. Past that depth bounds
 /// fall by four a level.
 ChordBounds chord_bounds(CellPatch patch, const BoundRequest& request);
+/// Adds the bounds of the next depth to those of the same patch that end at what was enough: what
+/// chord_bounds gives where nothing is.
+void add_next_depth(ChordBounds& bounds, CellPatch patch, const BoundRequest& request);
 
 }  // namespace limitgauge::engine::surface

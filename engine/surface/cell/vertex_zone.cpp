@@ -85,22 +85,30 @@ class VertexZones::Zone {
   }
   /// A piece that leaves the mesh by `deviation` at most at its nodes.
   void widen(std::span<const Vec3> deviations, const ControlCell& net) {
-    const double off = interpolation(net, [this](const Vec3& d) { return height(d); });
-    const double slide = interpolation(net, [this](const Vec3& d) { return length(level(d)); });
-    const double mapped = interpolation(net, [this](const Vec3& d) { return map_.length(d); });
+    const Largest uu = largest(net, 2, 0), uv = largest(net, 1, 1), vv = largest(net, 0, 2);
+    const auto interpolation = [&](double Largest::*of) {
+      return (uu.*of + 2 * uv.*of + vv.*of) / 8;
+    };
+    const double off = interpolation(&Largest::height), slide = interpolation(&Largest::level),
+                 mapped = interpolation(&Largest::mapped);
     for (const Vec3& d : deviations)
       widen(off + height(d), slide + length(level(d)), mapped + map_.length(d));
   }
-  template <class Measure>
-  static double interpolation(const ControlCell& net, const Measure& measure) {
-    const auto largest = [&](int in_u, int in_v) {
-      double most = 0;
-      Differences(net, in_u, in_v).for_each([&](const Vec3& d) {
-        most = std::max(most, measure(d));
-      });
-      return most;
-    };
-    return (largest(2, 0) + 2 * largest(1, 1) + largest(0, 2)) / 8;
+  /// Of differences, each by itself.
+  struct Largest {
+    double height = 0, level = 0, mapped = 0;
+  };
+  Largest largest(const ControlCell& net, int in_u, int in_v) const {
+    Largest most;
+    double level_squared = 0;
+    Longest mapped;
+    Differences(net, in_u, in_v).for_each([&](const Vec3& d) {
+      most.height = std::max(most.height, height(d));
+      level_squared = std::max(level_squared, length_squared(level(d)));
+      mapped.see(map_(d));
+    });
+    most.level = std::sqrt(level_squared), most.mapped = mapped.length();
+    return most;
   }
 
   void overhangs(const Vec3& p) {

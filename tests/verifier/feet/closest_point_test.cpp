@@ -22,8 +22,10 @@ using model::Vec3;
 class BruteForce {
  public:
   explicit BruteForce(const SurfaceTree& tree) : tree_(tree) {
-    for (std::size_t n = 0; n < tree.pieces().size(); ++n) {
-      const Piece& piece = tree.pieces()[n];
+    for (int patch = 0; patch < tree.patch_count(); ++patch)
+      for (const Piece& piece : tree.pieces_of(patch)) pieces_.push_back(piece);
+    for (std::size_t n = 0; n < pieces_.size(); ++n) {
+      const Piece& piece = pieces_[n];
       if (piece.square.size < 1.0 / 512) continue;
       const int steps = piece.square.size > 0.1 ? 16 : 4;
       for (int j = 0; j <= steps; ++j)
@@ -68,7 +70,7 @@ class BruteForce {
     return d * d;
   }
   Real squared(std::size_t piece, const Vec3& p, Real u, Real v) const {
-    const Bezier& b = tree_.pieces()[piece].shape;
+    const Bezier& b = pieces_[piece].shape;
     return square_of(b.x, p.x, u, v) + square_of(b.y, p.y, u, v) + square_of(b.z, p.z, u, v);
   }
 
@@ -89,6 +91,7 @@ class BruteForce {
   }
 
   const SurfaceTree& tree_;
+  std::vector<Piece> pieces_;
   std::vector<Sample> samples_;
 };
 

@@ -1,10 +1,12 @@
 #include "verifier/surface/reference_surface.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "model/base/error.h"
 #include "model/part/cage_obj.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
@@ -21,6 +23,43 @@ using model::Vec3;
 constexpr double kExact = 1e-12;
 
 }  // namespace
+
+TEST_CASE("building the exact surface stops when told to", "[unit]") {
+  std::atomic<bool> stop{true};
+  for (const unsigned threads : {1U, 2U})
+    CHECK_THROWS_AS(ReferenceSurface(tests::star_cage(5, 1), {threads, &stop, {}}),
+                    model::Interrupted);
+}
+
+TEST_CASE("the exact surface is the same for any number of threads", "[unit]") {
+  // More faces than one thread takes at once, and irregular vertices among them.
+  constexpr int kStars = 40;
+  model::Cage cage;
+  for (int star = 0; star < kStars; ++star) {
+    const model::Cage one = tests::star_cage(3 + star % 5, 1);
+    const auto first = static_cast<model::Index>(cage.vertices.size());
+    for (Vec3 v : one.vertices) {
+      v.x += 10.0 * star;
+      cage.vertices.push_back(v);
+    }
+    for (model::Index f = 0; f < one.face_count(); ++f) {
+      std::vector<model::Index> corners;
+      for (const model::Index v : one.face(f)) corners.push_back(first + v);
+      cage.add_face(corners);
+    }
+  }
+  const ReferenceSurface one(cage, {1, nullptr, {}}), two(cage, {2, nullptr, {}});
+  REQUIRE(one.patch_count() > 128);
+  REQUIRE(two.patch_count() == one.patch_count());
+  CHECK(one.area_mm2() == two.area_mm2());
+  CHECK(one.bounding_box().low == two.bounding_box().low);
+  CHECK(one.bounding_box().high == two.bounding_box().high);
+  for (int patch = 0; patch < one.patch_count(); ++patch)
+    for (const double t : {0.0, 1e-9, 0.001, 0.3, 1.0}) {
+      CHECK(one.evaluate(patch, t, t).position == two.evaluate(patch, t, t).position);
+      CHECK(one.evaluate(patch, t, t).normal == two.evaluate(patch, t, t).normal);
+    }
+}
 
 TEST_CASE("the limit of the cube has its closed-form values", "[unit]") {
   const ReferenceSurface surface(tests::cube_cage());

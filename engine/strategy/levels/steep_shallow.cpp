@@ -10,7 +10,9 @@
 #include "engine/strategy/levels/waterline.h"
 #include "engine/strategy/linking/cut_pass.h"
 #include "engine/strategy/linking/pass_clip.h"
+#include "engine/strategy/locations/cutter_shape.h"
 #include "engine/strategy/raster/contact_mask.h"
+#include "engine/strategy/rows/ball_rows.h"
 #include "engine/strategy/rows/boundary_pass.h"
 #include "engine/strategy/rows/row_places.h"
 #include "engine/strategy/rows/sampled_rows.h"
@@ -27,6 +29,15 @@ constexpr double kNearCells = 2;
 double cell_size(const StageRequest& request) {
   constexpr double kOfStep = 0.5, kOfRadius = 0.25;
   return std::min(kOfStep * request.cut.step_mm, kOfRadius * request.cutter.radius_mm());
+}
+
+/// Whether the cutter is a ball, and shank and holder stay above the part wherever it touches that.
+bool touches_with_ball_alone(const LimitLocations& limit, const StageRequest& request) {
+  if (request.cutter.type != model::CutterType::ball) return false;
+  const std::vector<CutterShape> bodies = cutter_shapes(request.cutter, limit.kept_mm, true);
+  return std::all_of(bodies.begin() + 1, bodies.end(), [&](const CutterShape& body) {
+    return limit.lowest_contact_mm + body.bottom_mm() > limit.part.high.z;
+  });
 }
 
 void require_serves(const StageRequest& request) {
@@ -53,7 +64,9 @@ void add_contours(const LimitLocations& limit, const SteepRegions& regions,
       choose_levels(regions.slopes, regions.contours, regions.steep, levels_by);
   // The mesh has its share twice, see kLimitMeshShare.
   const double tolerance = (1 - 2 * kLimitMeshShare) * request.cut.tolerance_mm;
-  for (const auto& level : waterlines(limit.surface, regions.tips, levels, tolerance, control)) {
+  const CurveNeed need{regions.contours, rule.longest_mm};
+  for (const auto& level :
+       waterlines(limit.surface, regions.tips, need, levels, tolerance, control)) {
     std::vector<CutPass> passes;
     for (const Waterline& line : level)
       for (ClippedPass& clipped : clip_to(line.tips, line.closed, regions.contours, rule))
@@ -64,9 +77,12 @@ void add_contours(const LimitLocations& limit, const SteepRegions& regions,
   }
 }
 
-void add_rows(const LimitLocations& limit, const SteepRegions& regions, const StageRequest& request,
+void add_rows(const surface::PatchModel& model, const LimitLocations& limit,
+              const SteepRegions& regions, const StageRequest& request,
               const model::RunControl& control, SteepShallowPasses& made) {
-  DriveRows rows = make_sampled_rows(limit, request, control);
+  DriveRows rows = touches_with_ball_alone(limit, request)
+                       ? make_ball_rows(model, request, control)
+                       : make_sampled_rows(limit, request, control);
   made.sampling_intervals = std::move(rows.sampling_intervals);
   const SteepClip steep{model::radians(request.cut.steep_angle_deg),
                         request.cut.overlap_or_default_mm()};
@@ -85,8 +101,10 @@ SteepRegions find_regions(const surface::PatchModel& model, const LimitLocations
                           const StageRequest& request, const model::RunControl& control) {
   SteepRegions regions;
   const double cell = cell_size(request), overlap = request.cut.overlap_or_default_mm();
-  regions.tips =
-      make_tip_raster(limit.surface, limit.surface.fluted_extent().grown(2 * cell), cell, control);
+  const model::Box3 window = limit.surface.fluted_extent().grown(2 * cell);
+  regions.tips = touches_with_ball_alone(limit, request)
+                     ? make_ball_raster(model, request, window, cell, control)
+                     : make_tip_raster(limit.surface, window, cell, control);
   // What shank, holder or a taper's flank hold up alone is as good as nothing.
   for (double& z : regions.tips.z)
     if (z < limit.lowest_contact_mm) z = -std::numeric_limits<double>::infinity();
@@ -112,7 +130,7 @@ SteepShallowPasses steep_shallow_passes(const surface::PatchModel& model,
   const SteepRegions regions = find_regions(model, limit, request, control);
   SteepShallowPasses made;
   add_contours(limit, regions, request, control, made);
-  add_rows(limit, regions, request, control, made);
+  add_rows(model, limit, regions, request, control, made);
   return made;
 }
 

@@ -168,10 +168,11 @@ DriveRow tip_row(const CentreRow& row, const StageRequest& request, const DriveF
 
 }  // namespace
 
-DriveRows make_ball_rows(const surface::FinishModel& model, const StageRequest& request,
+DriveRows make_ball_rows(const surface::PatchModel& model, const StageRequest& request,
                          const model::RunControl& control) {
   const DriveFrame frame(request.cut.angle_deg);
-  const BallSections sections(model.patches(), request, frame, control);
+  const double reduction_mm = kRowReductionShare * request.cut.tolerance_mm;
+  const BallSections sections(model, request, frame, reduction_mm, control);
   const std::vector<CentreRow> rows = centre_rows(sections, request.cut, control);
   DriveRows result{std::vector<DriveRow>(rows.size()), sections.sampling_intervals()};
   model::parallel_chunks(rows.size(), kBallRowsAChunk, control,

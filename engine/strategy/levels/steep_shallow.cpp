@@ -24,6 +24,9 @@ namespace {
 
 /// How far the cells of a steep contact may be from it, in cells: their corners see its slope.
 constexpr double kNearCells = 2;
+/// Share of the tolerance by which leaving out points may move a row: contours end beside rows, so
+/// these come as close as those.
+constexpr double kRowsReductionShare = 0.1;
 
 /// Cells so small that a step sees what lies between two passes, and the cutter its own radius.
 double cell_size(const StageRequest& request) {
@@ -81,7 +84,7 @@ void add_rows(const surface::PatchModel& model, const LimitLocations& limit,
               const SteepRegions& regions, const StageRequest& request,
               const model::RunControl& control, SteepShallowPasses& made) {
   DriveRows rows = touches_with_ball_alone(limit, request)
-                       ? make_ball_rows(model, request, control)
+                       ? make_ball_rows(model, request, control, kRowsReductionShare)
                        : make_sampled_rows(limit, request, control);
   made.sampling_intervals = std::move(rows.sampling_intervals);
   const SteepClip steep{model::radians(request.cut.steep_angle_deg),

@@ -80,6 +80,19 @@ void add_contours(const LimitLocations& limit, const SteepRegions& regions,
   }
 }
 
+/// Raises the ends of chords by what the exact surface asks for: rows from sections rest on another
+/// mesh. Ends that are higher than a chord asks for only take it farther away.
+void raise_clear(const CutterLocations& surface, std::vector<Vec3>& tips) {
+  std::vector<double> by(tips.size(), 0);
+  for (std::size_t i = 1; i < tips.size(); ++i) {
+    if (surface.clears(tips[i - 1], tips[i], 0)) continue;
+    const double lift = surface.lift(tips[i - 1], tips[i]).value_or(0);
+    by[i - 1] = std::max(by[i - 1], lift);
+    by[i] = std::max(by[i], lift);
+  }
+  for (std::size_t i = 0; i < tips.size(); ++i) tips[i].z += by[i];
+}
+
 void add_rows(const surface::PatchModel& model, const LimitLocations& limit,
               const SteepRegions& regions, const StageRequest& request,
               const model::RunControl& control, SteepShallowPasses& made) {
@@ -92,8 +105,11 @@ void add_rows(const surface::PatchModel& model, const LimitLocations& limit,
   for (const DriveRow& row : rows.rows) {
     const std::size_t before = made.rows.size();
     for (const auto& run : row.runs)
-      for (ClippedPass& clipped : clip_row(run, regions.rows, bridge_rule(regions, request), steep))
+      for (ClippedPass& clipped :
+           clip_row(run, regions.rows, bridge_rule(regions, request), steep)) {
+        raise_clear(limit.surface, clipped.tips);
         made.rows.push_back(row_pass(std::move(clipped.tips), request));
+      }
     if (made.rows.size() > before) ++made.planes;
   }
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "model/base/clock.h"
 #include "model/base/memory.h"
@@ -235,6 +236,23 @@ Interval unavoidable_of_all(const Measured& m, const ReachMap& proven, const Rea
 
 }  // namespace
 
+namespace {
+
+/// Seconds since it was asked last.
+class Laps {
+ public:
+  double lap() {
+    const double before = std::exchange(at_, watch_.seconds());
+    return at_ - before;
+  }
+
+ private:
+  model::Stopwatch watch_;
+  double at_ = 0;
+};
+
+}  // namespace
+
 StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock& raw_stock,
                              std::span<const Pass> passes, const StockProbe* probe,
                              const StageCheck& check, const model::RunControl& control) {
@@ -251,18 +269,20 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   if (!parts.empty()) with_parts.emplace(cut.with(sweeps));
   const Spaces spaces{cut, with_parts ? *with_parts : cut};
 
+  StageDeviation out;
+  Laps laps;
   const ReachOfCutters by(cells, passes, check.allowance_mm, surface.area_mm2());
   const ReachMap proven = classify_reach(cells, by.searches, by.efforts, control);
   model::return_freed_memory();
   const ReachQuery reach(by.searches, proven);
   const Measured measured{cells, spaces, reach, passes, parts, check};
+  out.phases.reach_s = laps.lap();
 
   const CertificateRequest request = request_of(check);
   const Certificates certificates{
       certify(cells, spaces.swept, Side::gouge, nullptr, request, control),
       certify(cells, cut, Side::uncut, &reach, request, control),
       certify(cells, raw, Side::missing_stock, nullptr, request, control)};
-  StageDeviation out;
   out.resolution_mm = check.resolution_mm;
   out.gouge_mm = certificates.gouge.figure_mm;
   out.uncut_mm = certificates.uncut.figure_mm;
@@ -271,20 +291,25 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   out.reached_resolution =
       certificates.gouge.reached_resolution && certificates.uncut.reached_resolution;
   measure_bodies(out, measured, certificates.gouge, request, control);
+  out.phases.certificate_s = laps.lap();
 
   out.proven_reach = {proven.reachable_area_mm2(), proven.unreachable_area_mm2(),
                       proven.undecided_area_mm2()};
   out.field = sample_surface(surface, check.field_spacing_mm);
   const std::vector<ReachQuery::Touch> touches =
       measure_field(out.field, cells, spaces, reach, passes, check.allowance_mm, control);
+  out.phases.field_s = laps.lap();
   out.unavoidable_uncut_mm = unavoidable_of_all(measured, proven, by, out.field, touches, control);
   summarize_field(out, check.limits);
+  out.phases.unavoidable_s = laps.lap();
 
   const RayFigures rays = ask_stock(surface, raw_stock, raw, measured, probe, out.field, control);
   out.voxel_gouge_mm = rays.gouge_mm;
   out.voxel_uncut_mm = rays.uncut_mm;
+  out.phases.rays_s = laps.lap();
 
   find_places(out, measured, raw, certificates, control);
+  out.phases.findings_s = laps.lap();
   out.budget = budget_of(cut, check, probe, rays);
   out.seconds = watch.seconds();
   return out;

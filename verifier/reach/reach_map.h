@@ -57,6 +57,16 @@ class ReachMap {
   double area_[3] = {0, 0, 0};
 };
 
+class ReachRecords;
+
+/// How a search is shared out: its own part of the cells, what it says of them, and what other
+/// processes have said. The map of all parts' records is that of a search that is not shared out.
+struct ReachSharing {
+  std::uint32_t first = 0, end = 0xffffffffU;  ///< cells that are looked at
+  ReachRecords* record = nullptr;              ///< takes down every decision
+  const ReachRecords* known = nullptr;         ///< taken over where they say something
+};
+
 /// Halves the cells until each is proven (CERTIFICATE.md, section 4) or an end of `options` is met.
 /// Reachable and the contact tolerance as in `Reachability`. The same for any number of threads.
 ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachability,
@@ -64,6 +74,7 @@ ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachabil
 /// Of several cutters, the first with the first options: what one of them can touch is reachable,
 /// what none of them can is unreachable. Each looks only at what those before it cannot touch.
 ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability> cutters,
-                        std::span<const ReachOptions> options, const model::RunControl& control);
+                        std::span<const ReachOptions> options, const model::RunControl& control,
+                        const ReachSharing& sharing = {});
 
 }  // namespace limitgauge::verifier

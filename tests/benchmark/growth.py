@@ -5,8 +5,9 @@ surface voxels, or another area. To the seconds of each phase, as result.json ha
 the process's peak a product of powers is fitted by least squares of the logarithms.
 
     growth.py [--quick] [--save FIT]     runs, and prints the exponents
-    growth.py --predict FIT faces=N moves=N area_mm2=N voxels=N
-                                         prints what a fit that was saved says of another part
+    growth.py --predict FIT faces=N moves=N area_mm2=N voxels=N [parts=N]
+                                         prints what a fit that was saved says of another part, and what goes
+                                         over the network where its measuring is shared out in so many parts
 """
 
 import json
@@ -19,6 +20,10 @@ import tempfile
 import time
 
 FACTORS = "faces", "moves", "area_mm2", "voxels"
+# Exponents from here on are growth and not noise, in runs this small.
+COUNTS = 0.2
+# sizeof(model::Move); sizeof what stage_pieces.cpp packs of a sample; StageCheck::field_spacing_mm.
+BYTES_A_MOVE, BYTES_A_SAMPLE, FIELD_SPACING_MM = 32, 41, 0.25
 PHASES = ("model", "planning", "cutting", "reach", "certificate", "field", "unavoidable", "rays", "findings",
           "files", "peak_bytes", "output_bytes")
 
@@ -157,13 +162,39 @@ def print_exponents(fits):
               f"{found['off_by']:8.2f}x{found['largest']:12.4g}")
 
 
+def in_proportion(found, runs, phase, sizes):
+    """From the run that took longest, in proportion to the factor that makes most of it: small parts hide
+    growth behind what is fixed, so a factor that counts at all counts in full. What factors make adds up and
+    does not multiply (a cut visits its moves, and its voxels)."""
+    run = max(runs, key=lambda r: r[phase])
+    grown = [(sizes[factor] / run[factor]) ** max(exponent, 1)
+             for factor, exponent in found["exponents"].items() if exponent > COUNTS]
+    return run[phase] * max(grown, default=1)
+
+
+def print_traffic(sizes, parts):
+    """What app/share hands over, uncompressed: to every task all moves so far, from those of the field each
+    sample with the tip that touches it."""
+    tasks = 2 * parts + 3
+    stage, samples = BYTES_A_MOVE * sizes["moves"], sizes["area_mm2"] / FIELD_SPACING_MM ** 2
+    print(f"tasks of a stage {tasks}")
+    print(f"bytes to each task {stage:.3g}, to all {stage * tasks:.3g}")
+    print(f"bytes of samples back {samples * BYTES_A_SAMPLE:.3g}")
+
+
 def predict(file, sizes):
     sizes = {key: float(value) for key, value in (s.split("=") for s in sizes)}
+    parts = int(sizes.pop("parts", 16))
     if set(sizes) != set(FACTORS):
         sys.exit(__doc__)
-    for phase, found in json.load(open(file))["fits"].items():
-        value = found["constant"] + sum(found["exponents"][f] * math.log(sizes[f]) for f in FACTORS)
-        print(f"{phase:14} {math.exp(value):.3g}")
+    saved = json.load(open(file))
+    print(f"{'phase':14}{'by the fit':>12}{'in proportion':>15}")
+    for phase, found in saved["fits"].items():
+        if phase == "findings":
+            continue  # none in a part that passes
+        fitted = found["constant"] + sum(found["exponents"][f] * math.log(sizes[f]) for f in FACTORS)
+        print(f"{phase:14}{math.exp(fitted):12.3g}{in_proportion(found, saved['runs'], phase, sizes):15.3g}")
+    print_traffic(sizes, parts)
 
 
 def main(arguments):

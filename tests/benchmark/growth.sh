@@ -4,7 +4,7 @@
 #
 #   tests/benchmark/growth.sh [--quick] [--save FIT]     some minutes; --quick: tiny parts, seconds, and
 #                                                        fixed costs in place of growth
-#   tests/benchmark/growth.sh --predict FIT faces=N moves=N area_mm2=N voxels=N
+#   tests/benchmark/growth.sh --predict FIT faces=N moves=N area_mm2=N voxels=N [parts=N]
 #
 # LIMITGAUGE names another program than build/release/limitgauge.
 set -euo pipefail

@@ -10,8 +10,8 @@
 #include "verifier/gate/stock_rays.h"
 #include "verifier/gate/verify.h"
 #include "verifier/reach/lowest_tip.h"
+#include "verifier/reach/reach_entries.h"
 #include "verifier/reach/reach_query.h"
-#include "verifier/reach/reach_records.h"
 #include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {

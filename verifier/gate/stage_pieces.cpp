@@ -8,7 +8,7 @@
 #include "model/base/chunks.h"
 #include "model/base/packed_bytes.h"
 #include "verifier/gate/stage_scene.h"
-#include "verifier/reach/reach_records.h"
+#include "verifier/reach/reach_entries.h"
 
 namespace limitgauge::verifier {
 namespace {

@@ -12,7 +12,6 @@
 #include "verifier/reach/cell_contact.h"
 #include "verifier/reach/contact_hull.h"
 #include "verifier/reach/local_contact.h"
-#include "verifier/reach/reach_records.h"
 
 namespace limitgauge::verifier {
 namespace {

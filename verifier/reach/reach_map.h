@@ -6,12 +6,10 @@
 
 #include "model/base/run_control.h"
 #include "verifier/cells/parameter_index.h"
+#include "verifier/reach/reach_records.h"
 #include "verifier/reach/reachability.h"
 
 namespace limitgauge::verifier {
-
-/// What was proven of all points of a cell, or of one.
-enum class Reach : std::uint8_t { undecided, reachable, unreachable };
 
 struct ReachOptions {
   /// Cells whose control points lie this near to their middle are not halved any more: half the
@@ -56,8 +54,6 @@ class ReachMap {
   std::unique_ptr<const ParameterIndex> index_;
   double area_[3] = {0, 0, 0};
 };
-
-class ReachRecords;
 
 /// How a search is shared out: its own part of the cells, what it says of them, and what other
 /// processes have said. The map of all parts' records is that of a search that is not shared out.

@@ -2,38 +2,12 @@
 
 #include <bit>
 
-#include "model/base/packed_bytes.h"
+#include "verifier/reach/packed_cell.h"
 
 namespace limitgauge::verifier {
 namespace {
 
 constexpr std::string_view kRecordsBegin = "limitgauge reach records 1\n";
-constexpr std::string_view kEntriesBegin = "limitgauge reach map 1\n";
-
-void pack(model::Packer& out, const CellPart& cell) {
-  out.number(cell.whole);
-  for (const double value : {cell.u, cell.v, cell.size_u, cell.size_v}) out.number(value);
-}
-
-CellPart unpack_cell(model::Unpacker& in) {
-  CellPart cell;
-  cell.whole = in.number<std::uint32_t>();
-  for (double* value : {&cell.u, &cell.v, &cell.size_u, &cell.size_v}) *value = in.number<double>();
-  return cell;
-}
-
-void pack(model::Packer& out, Reach reach) {
-  out.number(static_cast<std::uint8_t>(reach));
-}
-
-Reach unpack_reach(model::Unpacker& in) {
-  const auto number = in.number<std::uint8_t>();
-  if (number > static_cast<std::uint8_t>(Reach::unreachable)) in.refuse();
-  return static_cast<Reach>(number);
-}
-
-/// Bytes of a cell.
-constexpr std::size_t kCellBytes = 36;
 
 }  // namespace
 
@@ -92,33 +66,6 @@ std::optional<ReachRecords> ReachRecords::of_bytes(std::string_view bytes) {
   }
   if (!in.done()) return std::nullopt;
   return records;
-}
-
-std::string entries_to_bytes(const std::vector<ReachMap::Entry>& entries) {
-  model::Packer out;
-  out.mark(kEntriesBegin);
-  out.number(std::uint64_t{entries.size()});
-  for (const ReachMap::Entry& entry : entries) {
-    pack(out, entry.cell);
-    pack(out, entry.reach);
-    out.number(entry.cutter);
-    out.number(entry.area_mm2);
-  }
-  return out.take();
-}
-
-std::optional<std::vector<ReachMap::Entry>> entries_of_bytes(std::string_view bytes) {
-  model::Unpacker in(bytes);
-  in.mark(kEntriesBegin);
-  std::vector<ReachMap::Entry> entries(in.count(kCellBytes));
-  for (ReachMap::Entry& entry : entries) {
-    entry.cell = unpack_cell(in);
-    entry.reach = unpack_reach(in);
-    entry.cutter = in.number<std::uint32_t>();
-    entry.area_mm2 = in.number<double>();
-  }
-  if (!in.done()) return std::nullopt;
-  return entries;
 }
 
 }  // namespace limitgauge::verifier

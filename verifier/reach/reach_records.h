@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <vector>
 
-#include "verifier/reach/reach_map.h"
+#include "verifier/cells/surface_cells.h"
+#include "verifier/reach/reach.h"
 
 namespace limitgauge::verifier {
 
@@ -43,9 +44,5 @@ class ReachRecords {
   };
   std::unordered_map<Key, ReachDecision, Hash> known_;
 };
-
-/// The entries of a map, and back.
-std::string entries_to_bytes(const std::vector<ReachMap::Entry>& entries);
-std::optional<std::vector<ReachMap::Entry>> entries_of_bytes(std::string_view bytes);
 
 }  // namespace limitgauge::verifier

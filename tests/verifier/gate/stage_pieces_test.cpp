@@ -5,7 +5,7 @@
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
-#include "verifier/reach/reach_records.h"
+#include "verifier/reach/reach_entries.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -26,7 +26,8 @@ struct Bowl {
       passes.push_back({ball_cutter(radius), shared(raster(6, 0.5, 0.5, [](double x, double y) {
                           return kBowlBend * (x * x + y * y) + 0.3;
                         }))});
-    check.resolution_mm = 0.01;
+    check.resolution_mm = 0.05;
+    check.field_spacing_mm = 0.5;
     check.limits = {true, true, false, 0.05, 0.2, 0};
   }
 };
@@ -86,7 +87,7 @@ void check_same(const StageDeviation& a, const StageDeviation& b) {
   CHECK(different == 0);
 }
 
-bool operator==(const ReachMap::Entry& a, const ReachMap::Entry& b) {
+bool same_entry(const ReachMap::Entry& a, const ReachMap::Entry& b) {
   return a.cell.whole == b.cell.whole && a.cell.u == b.cell.u && a.cell.v == b.cell.v &&
          a.cell.size_u == b.cell.size_u && a.cell.size_v == b.cell.size_v && a.reach == b.reach &&
          a.cutter == b.cutter && a.area_mm2 == b.area_mm2;
@@ -102,7 +103,7 @@ TEST_CASE("a stage that is measured in pieces has the figures of one that is not
   CHECK(whole.proven_reach.reachable_mm2 > 0);
   CHECK(whole.proven_reach.unreachable_mm2 + whole.proven_reach.undecided_mm2 > 0);
   CHECK(!whole.uncuts.empty());
-  for (const std::uint32_t parts : {1U, 3U, 50U}) {
+  for (const std::uint32_t parts : {2U, 7U}) {
     ByBytes workers(bowl, parts);
     check_same(whole, measure_stage(bowl.surface, kPieceBlock, bowl.passes, nullptr, bowl.check,
                                     {2}, &workers));
@@ -133,11 +134,11 @@ TEST_CASE("groups of cells add up to the whole reach map, whenever the effort en
     known.known = &all;
     const ReachMap gathered = classify_reach(cells, cutters, options, {2}, known);
     CHECK(std::equal(whole.entries().begin(), whole.entries().end(), gathered.entries().begin(),
-                     gathered.entries().end()));
+                     gathered.entries().end(), same_entry));
     const auto entries = entries_of_bytes(entries_to_bytes(whole.entries()));
     REQUIRE(entries);
     CHECK(std::equal(whole.entries().begin(), whole.entries().end(), entries->begin(),
-                     entries->end()));
+                     entries->end(), same_entry));
   }
 }
 

@@ -1,6 +1,7 @@
 #!/bin/bash
-# A study on a real Slurm: munge, a controller and a node daemon of this machine, in a folder of
-# their own, on free ports, as root and without cgroups. Runs the same study locally and compares.
+# A run and a study on a real Slurm: munge, a controller and a node daemon of this machine, in a folder of
+# their own, on free ports, as root and without cgroups. Runs the same locally and compares.
+# LIMITGAUGE_SLURM_ONLY=run ends before the study.
 #
 #   tests/slurm.sh PROGRAM        exit code 77: skipped, because something for it is missing
 set -euo pipefail
@@ -180,6 +181,9 @@ PATH=/nowhere run_job -o no --engine slurm --cache cache-no 2> no.err || code=$?
 code=0
 run_job -o no --engine slurm --cache cache-no --slurm-option=--partition=none 2> no.err || code=$?
 [ $code = 4 ] || fail "a refused submission ended with exit code $code: $(cat no.err)"
+code=0
+run_job -o no --cache cache-no 2> no.err || code=$?
+[ $code = 3 ] || fail "--cache without --engine slurm ended with exit code $code: $(cat no.err)"
 rm -rf no no.incomplete*
 [ "${LIMITGAUGE_SLURM_ONLY:-}" != run ] || { say "all well"; exit 0; }
 

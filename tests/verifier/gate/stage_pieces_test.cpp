@@ -15,15 +15,15 @@ using namespace tests;
 const model::Stock kPieceBlock = model::BoxStock{{-20, -20, -10}, {40, 40, 20}};
 constexpr double kBowlBend = 0.2;
 
-/// A bowl, cut by a ball that its bottom is too narrow for and by one that it is not.
+/// A bowl, cut by two balls that its bottom is too narrow for, by one more than by the other.
 struct Bowl {
-  ReferenceSurface surface{paraboloid_cage(6, kBowlBend)};
+  ReferenceSurface surface{paraboloid_cage(3, kBowlBend)};
   std::vector<Pass> passes;
   StageCheck check;
 
   Bowl() {
-    for (const double radius : {4.0, 2.0})
-      passes.push_back({ball_cutter(radius), shared(raster(6, 0.5, 0.5, [](double x, double y) {
+    for (const double radius : {3.0, 2.7})
+      passes.push_back({ball_cutter(radius), shared(raster(3, 0.5, 0.5, [](double x, double y) {
                           return kBowlBend * (x * x + y * y) + 0.3;
                         }))});
     check.resolution_mm = 0.05;
@@ -117,8 +117,7 @@ TEST_CASE("groups of cells add up to the whole reach map, whenever the effort en
   std::vector<Reachability> cutters;
   for (const Pass& pass : bowl.passes) cutters.emplace_back(cells, pass.cutter, 0, kContact_mm);
   const auto count = static_cast<std::uint32_t>(cells.cells().size());
-  for (const std::size_t effort :
-       {std::size_t{1}, std::size_t{count} + 40, std::size_t{1000}, std::size_t{20000}}) {
+  for (const std::size_t effort : {std::size_t{1}, std::size_t{count} + 40, std::size_t{1000}}) {
     const std::vector<ReachOptions> options(cutters.size(), {0.05, effort});
     const ReachMap whole = classify_reach(cells, cutters, options, {2});
     ReachRecords all;

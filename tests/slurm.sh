@@ -1,6 +1,7 @@
 #!/bin/bash
-# A study on a real Slurm: munge, a controller and a node daemon of this machine, in a folder of
-# their own, on free ports, as root and without cgroups. Runs the same study locally and compares.
+# A run and a study on a real Slurm: munge, a controller and a node daemon of this machine, in a folder of
+# their own, on free ports, as root and without cgroups. Runs the same locally and compares.
+# LIMITGAUGE_SLURM_ONLY=run ends before the study.
 #
 #   tests/slurm.sh PROGRAM        exit code 77: skipped, because something for it is missing
 set -euo pipefail
@@ -111,6 +112,80 @@ done
 [ "$(sinfo --noheader --format=%T)" = idle ] || fail "the cluster does not come up"
 say "$(slurmd -V): $(sinfo --noheader --format='%D node, %c processors, %T')," \
   "arrays of at most $(scontrol show config | awk '/^MaxArraySize/ { print $3 }') tasks"
+
+# ---- one run, its measuring shared out: the same result, byte for byte, but for what is a matter of the run
+cd "$folder"
+quick=(--set stage.rough.step=0.8 --set stage.finish.gate.uncut=0.2 --set simulation.voxel=0.5
+  --set verification.resolution=0.02)
+run_job() { "$program" run "$fixtures/jobs/quick-dome.toml" --no-pictures "${quick[@]}" "$@"; }
+run_job -o run-local --quiet
+run_job -o run-slurm --engine slurm --cache cache-run --jobs 3 > run.txt 2> run.err ||
+  fail "the shared run ended with exit code $?: $(cat run.err)"
+say "run, shared out: $(tail -n 2 run.txt | head -n 1)"
+cat > same.py <<'PYTHON'
+import json, pathlib, sys
+
+OF_THE_RUN = {'created', 'threads', 'seconds', 'memory_bytes', 'peak_memory_bytes'}
+
+def without_run(value):
+    if isinstance(value, list):
+        return [without_run(v) for v in value]
+    if isinstance(value, dict):
+        return {k: without_run(v) for k, v in value.items() if k not in OF_THE_RUN}
+    return value
+
+a, b = (json.dumps(without_run(json.loads((pathlib.Path(f) / 'result.json').read_text())))
+        for f in sys.argv[1:])
+if a != b:
+    sys.exit(f'result.json differs:\n{a}\n{b}')
+for field in sorted(pathlib.Path(sys.argv[1]).rglob('deviation.vtp')):
+    if field.read_bytes() != (sys.argv[2] / field.relative_to(sys.argv[1])).read_bytes():
+        sys.exit(f'{field} differs')
+PYTHON
+python3 same.py run-local run-slurm || fail "the shared run has other figures"
+[ "$(find cache-run/result -type f | wc -l)" = 18 ] ||
+  fail "two stages are not 18 pieces: $(find cache-run/result -type f | wc -l)"
+[ -z "$(ls cache-run/slurm)" ] || fail "the shared run's work folder was left"
+
+# A node's task is killed at its work, and then the whole run; the next one takes up what is there.
+start_run() {
+  "$program" run "$fixtures/jobs/quick-dome.toml" --no-pictures "${quick[@]}" -o "$1" \
+    --engine slurm --cache "cache-$1" --jobs 3 > "$1.txt" 2> "$1.err" &
+  study=$!
+  for _ in $(seq 300); do
+    task=$(squeue --noheader --array --states=RUNNING --format=%i | head -n 1)
+    [ -z "$task" ] || return 0
+    sleep 0.05
+  done
+  fail "no task was seen at work: $(cat "$1.err")"
+}
+start_run run-killed
+scancel --signal=KILL --full "$task"
+code=0
+wait "$study" || code=$?
+study=
+[ $code = 0 ] || fail "the run that lost a task ended with exit code $code: $(cat run-killed.err)"
+python3 same.py run-local run-killed || fail "the run that lost a task has other figures"
+say "a task killed: $(grep -c 'ended without an answer' run-killed.err) told of"
+start_run run-stopped
+kill -TERM "$study"
+code=0
+wait "$study" || code=$?
+study=
+[ $code = 4 ] || fail "the interrupted run ended with exit code $code"
+[ -z "$(squeue --noheader --states=PENDING,RUNNING)" ] || fail "jobs of a run were left in the queue"
+[ ! -e run-stopped ] || fail "an output folder was left"
+code=0
+PATH=/nowhere run_job -o no --engine slurm --cache cache-no 2> no.err || code=$?
+[ $code = 3 ] || fail "a machine without Slurm ended with exit code $code: $(cat no.err)"
+code=0
+run_job -o no --engine slurm --cache cache-no --slurm-option=--partition=none 2> no.err || code=$?
+[ $code = 4 ] || fail "a refused submission ended with exit code $code: $(cat no.err)"
+code=0
+run_job -o no --cache cache-no 2> no.err || code=$?
+[ $code = 3 ] || fail "--cache without --engine slurm ended with exit code $code: $(cat no.err)"
+rm -rf no no.incomplete*
+[ "${LIMITGAUGE_SLURM_ONLY:-}" != run ] || { say "all well"; exit 0; }
 
 # ---- a study of six cases, one of which the job refuses
 cat > "$folder/study.toml" <<TOML

@@ -25,10 +25,24 @@ struct HistoryOptions {
   std::filesystem::path file;  ///< empty: into none
   std::string label, commit;
 };
+/// Where work is done that others than this process may do.
+struct EngineOptions {
+  std::string engine = "local";
+  unsigned jobs = 0;  ///< at a time; 0: as many as the engine takes by itself
+  unsigned retries = 2;
+  std::filesystem::path cache;  ///< empty: the user's own
+  std::uint64_t cache_limit_bytes = std::uint64_t{4} << 30;
+  std::vector<std::string> slurm_options;
+  double slurm_patience_min = 8;  ///< with a task that does not come back
+  /// Of a process that works for another one: where its tasks come from, `-` for standard input.
+  /// Empty: this is no such process.
+  std::string worker;
+};
 struct RunCommand {
   std::filesystem::path job;
   std::filesystem::path output;  ///< empty: limitgauge-out/NAME
   HistoryOptions history;
+  EngineOptions engine;
 };
 struct PlanCommand {
   std::filesystem::path job;
@@ -62,19 +76,9 @@ struct CompareCommand {
   std::optional<double> time_limit_percent;
   std::vector<std::string> metrics, ignored;  ///< ids of what is judged
 };
-struct StudyCommand {
-  std::filesystem::path study;
-  std::filesystem::path output;  ///< empty: limitgauge-out/NAME
-  std::string engine = "local";
-  unsigned jobs = 0;  ///< cases at a time; 0: as many as the engine takes by itself
-  unsigned retries = 2;
-  std::filesystem::path cache;  ///< empty: the user's own
-  std::uint64_t cache_limit_bytes = std::uint64_t{4} << 30;
-  std::vector<std::string> slurm_options;
-  double slurm_patience_min = 8;  ///< with a task that does not come back
-  /// Of a process that runs cases for another one: where its tasks come from, `-` for standard
-  /// input; `study` is the job then. Empty: this is no such process.
-  std::string worker;
+struct StudyCommand : EngineOptions {
+  std::filesystem::path study;            ///< of a worker the job
+  std::filesystem::path output;           ///< empty: limitgauge-out/NAME
   std::uint64_t worker_keeps_bytes = 0;   ///< of stages in memory
   std::uint64_t worker_memory_bytes = 0;  ///< that a case may take; 0: model::memory_limit_bytes()
 };

@@ -89,6 +89,9 @@ void CommandDefinition::add_run() {
   folder(sub.add_option("-o,--output", parsed_.run.output,
                         "Output folder (default: limitgauge-out/NAME)"));
   add_history_options(sub, parsed_.run.history);
+  add_engine(sub, parsed_.run.engine, "each stage is measured, piece by piece",
+             "slurm: 16; local: one process");
+  add_cache(sub, parsed_.run.engine, "pieces are exchanged on Slurm");
   add_common(sub);
 }
 

@@ -50,7 +50,10 @@ class CommandDefinition {
   void add_inspect();
   void add_compare();
   void add_study();
-  void add_study_engine(CLI::App& sub);
+  /// `what` is done where, `alone` says how many at a time by themselves.
+  void add_engine(CLI::App& sub, EngineOptions& engine, const std::string& what,
+                  const std::string& alone);
+  void add_cache(CLI::App& sub, EngineOptions& engine, const std::string& what);
   void add_history();
   void add_history_options(CLI::App& run, HistoryOptions& history);
   void add_view();

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "app/job/job.h"
 #include "app/inputs/run_inputs.h"
+#include "app/job/job.h"
 #include "app/run/run_watch.h"
 #include "reports/run/run_result.h"
 #include "simulator/instrument/dexel_stock.h"
@@ -24,8 +24,7 @@ CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch&
 
 /// `before` after `passes`, of which nothing else is wanted: the same to the last bit as they left
 /// it when they were first cut.
-CutStock cut_again(CutStock before, std::span<const model::Pass> passes,
-                   const StageWatch& watch);
+CutStock cut_again(CutStock before, std::span<const model::Pass> passes, const StageWatch& watch);
 
 /// Cuts the path of `ran`, whose figures of the cut and of the process it fills in. A stock that
 /// nobody shares is cut where it stands. Throws InstrumentDisagreement where the two stock models

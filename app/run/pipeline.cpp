@@ -7,6 +7,7 @@
 #include "app/inputs/surface_witness.h"
 #include "app/run/cut_stock.h"
 #include "app/run/result_parts.h"
+#include "app/run/stage_check.h"
 #include "app/run/stage_planner.h"
 #include "app/run/stage_prefix.h"
 #include "app/run/stage_program.h"
@@ -115,13 +116,11 @@ std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Fi
 void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
   passes_.push_back({asked.cutter, ran.path});
-  verifier::StageCheck check;
-  check.allowance_mm = asked.allowance_mm;
-  check.limits = asked.limits;
-  check.resolution_mm = inputs_.settings.resolution_mm[index];
+  const verifier::StageCheck check = stage_check(job_, inputs_, index);
+  const auto workers = options_.share ? options_.share(passes_) : nullptr;
   const StockRayProbe probe(stock_->stock);
   ran.deviation = measure_stage(inputs_.surface, job_.stock, passes_, &probe, check,
-                                control(asked.name + ": measuring"));
+                                control(asked.name + ": measuring"), workers.get());
   ran.deviation.budget.push_back(budget_term(inputs_.witness));
 }
 

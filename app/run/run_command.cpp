@@ -1,15 +1,21 @@
+#include <functional>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
 
 #include "app/cli/commands.h"
 #include "app/cli/error_message.h"
+#include "app/cli/usage_error.h"
 #include "app/job/job_reader.h"
 #include "app/output/output_folder.h"
 #include "app/output/progress.h"
 #include "app/run/pipeline.h"
 #include "app/run/run_history.h"
+#include "app/share/piece_worker.h"
+#include "app/share/shared_pieces.h"
 #include "app/verify/verify_job.h"
+#include "model/base/absolute_path.h"
 #include "model/base/clock.h"
 #include "model/base/error.h"
 #include "model/base/memory.h"
@@ -118,15 +124,21 @@ void print(const reports::RunResult& result, const OutputFolder& folder, const R
                 << std::endl;
 }
 
+/// Makes of the options what a run shares its work by, once it is known how it is watched.
+using ShareOut = std::function<std::unique_ptr<SharedPieces>(ProgressLine& progress)>;
+
 ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
                         const HistoryOptions& kept, const CommonOptions& common,
-                        const Console& console) {
+                        const Console& console, const ShareOut& share_out = {}) {
   reports::RunResult result;
   OutputFolder folder(output, common.force);
   const RunHistory history(kept, folder.target());
   watched(common, console, [&](ProgressLine& progress) {
-    const RunOptions options = options_for(common, console, progress);
+    RunOptions options = options_for(common, console, progress);
     const RunInputs inputs = load_inputs(job, {model::memory_limit_bytes()}, control_of(options));
+    const auto shared = share_out ? share_out(progress) : nullptr;
+    if (shared)
+      options.share = [&](std::span<const model::Pass> passes) { return shared->of_stage(passes); };
     work_in(folder, [&] {
       result = run_job(job, inputs, folder.working(), options);
       progress.phase({"writing the report"});
@@ -143,11 +155,45 @@ std::filesystem::path or_default(const std::filesystem::path& stated, const std:
 
 }  // namespace
 
+namespace {
+
+/// Nothing that is stated is passed over in silence.
+void check_engine(const EngineOptions& engine) {
+  if (engine.engine == "slurm") return;
+  if (engine.jobs > 0 || !engine.slurm_options.empty() || !engine.cache.empty())
+    throw UsageError(
+        "limitgauge: error: --jobs, --cache and --slurm-option say how work is shared out; "
+        "expected "
+        "--engine slurm beside them");
+}
+
+ShareOut share_out(const RunCommand& command, const CommonOptions& common, const Console& console) {
+  check_engine(command.engine);
+  if (command.engine.engine != "slurm") return {};
+  return [&](ProgressLine& progress) {
+    SharedPiecesOptions options;
+    options.engine = command.engine;
+    options.job = model::absolute_path(command.job).lexically_normal();
+    options.overrides = common.overrides;
+    options.stop = console.stop;
+    options.progress = [&progress](double fraction) { progress.update(fraction); };
+    options.note = [&](const std::string& line) {
+      if (common.quiet) return;
+      progress.clear();
+      console.errors << "limitgauge: " << line << std::endl;
+    };
+    return std::make_unique<SharedPieces>(std::move(options));
+  };
+}
+
+}  // namespace
+
 ExitCode execute(const RunCommand& command, const CommonOptions& common, const Console& console) {
+  if (!command.engine.worker.empty()) return run_piece_worker(command, common, console);
   Job job = read_job(command.job, common.overrides);
   if (common.no_pictures) job.pictures = false;
-  return run_and_report(job, or_default(command.output, job.name), command.history, common,
-                        console);
+  return run_and_report(job, or_default(command.output, job.name), command.history, common, console,
+                        share_out(command, common, console));
 }
 
 ExitCode execute(const VerifyCommand& command, const CommonOptions& common,

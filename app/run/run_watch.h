@@ -3,9 +3,12 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 
 #include "model/base/run_control.h"
+#include "verifier/gate/stage_pieces.h"
 
 namespace limitgauge::app {
 
@@ -32,6 +35,9 @@ struct RunOptions {
   std::string created;  ///< ISO 8601, UTC; stands in the result as it is
   /// False: no files of stages are written, and the result has no figures of them.
   bool stage_files = true;
+  /// Who does pieces of measuring the stage whose pass is the last of these; empty: this process
+  /// does all.
+  std::function<std::unique_ptr<verifier::PieceWorkers>(std::span<const model::Pass>)> share = {};
 };
 
 /// What the parts of a run's stage tell those who watch it, and hear from them.

@@ -1,10 +1,6 @@
 #include "app/run/stage_prefix.h"
 
-#include <cmath>
-#include <cstring>
-#include <type_traits>
-
-#include "model/base/byte_reader.h"
+#include "app/run/packed_path.h"
 #include "reports/run/report.h"
 
 namespace limitgauge::app {
@@ -22,85 +18,13 @@ namespace {
 
 constexpr std::string_view kBegin = "limitgauge stages 1\n", kEnd = "end\n";
 
-/// Moves are written as they stand in memory: they hold neither pointers nor gaps.
-static_assert(std::is_trivially_copyable_v<model::Move> && sizeof(model::Move) == 32);
-
-class Writer {
- public:
-  template <class T>
-  void number(T value) {
-    static_assert(std::is_arithmetic_v<T>);
-    raw(&value, sizeof value);
-  }
-  void text(std::string_view bytes) {
-    number(std::uint64_t{bytes.size()});
-    out_ += bytes;
-  }
-  void mark(std::string_view mark) { out_ += mark; }
-  void path(const model::Toolpath& path) {
-    for (int axis = 0; axis < 3; ++axis) number(path.start[axis]);
-    number(path.chord_error_mm);
-    number(std::uint64_t{path.moves.size()});
-    raw(path.moves.data(), path.moves.size() * sizeof(model::Move));
-  }
-  std::string take() { return std::move(out_); }
-
- private:
-  void raw(const void* bytes, std::size_t count) {
-    out_.append(static_cast<const char*>(bytes), count);
-  }
-  std::string out_;
-};
-
-/// Reads what Writer wrote; once something is missing everything is nothing, and good() is false.
-class Reader {
- public:
-  explicit Reader(std::string_view text) : left_(text) {}
-  bool good() const { return good_; }
-  bool done() const { return good_ && left_.empty(); }
-  template <class T>
-  T number() {
-    const std::string_view bytes = take(sizeof(T));
-    return good_ ? model::number_in<T>(bytes, std::endian::native) : T{};
-  }
-  /// How many things of `bytes` bytes at least follow.
-  std::size_t count(std::size_t bytes) {
-    const auto stated = number<std::uint64_t>();
-    if (stated > left_.size() / bytes) good_ = false;
-    return good_ ? static_cast<std::size_t>(stated) : 0;
-  }
-  std::string text() { return std::string(take(count(1))); }
-  void mark(std::string_view expected) {
-    if (take(expected.size()) != expected) good_ = false;
-  }
-  model::Toolpath path() {
-    model::Toolpath path;
-    for (int axis = 0; axis < 3; ++axis) path.start[axis] = number<double>();
-    path.chord_error_mm = number<double>();
-    path.moves.resize(count(sizeof(model::Move)));
-    const std::string_view bytes = take(path.moves.size() * sizeof(model::Move));
-    if (!bytes.empty()) std::memcpy(path.moves.data(), bytes.data(), bytes.size());
-    for (const model::Move& move : path.moves)
-      if (!std::isfinite(move.to.x + move.to.y + move.to.z)) good_ = false;
-    return path;
-  }
-
- private:
-  std::string_view take(std::size_t count) {
-    if (count > left_.size()) good_ = false;
-    if (!good_) return {};
-    const std::string_view taken = left_.substr(0, count);
-    left_.remove_prefix(count);
-    return taken;
-  }
-  std::string_view left_;
-  bool good_ = true;
-};
+using Writer = model::Packer;
+using Reader = model::Unpacker;
 
 void write_stage(Writer& out, const RecordedStage& stage) {
   out.text(*stage.json);
   out.text(*stage.program_text);
-  out.path(*stage.path);
+  pack_path(out, *stage.path);
   out.number(std::int32_t{stage.sampling_interval_min});
   out.number(std::int32_t{stage.sampling_interval_max});
   out.number(static_cast<std::int32_t>(stage.verdict));
@@ -110,7 +34,7 @@ RecordedStage read_stage(Reader& in) {
   RecordedStage stage;
   stage.json = std::make_shared<const std::string>(in.text());
   stage.program_text = std::make_shared<const std::string>(in.text());
-  stage.path = std::make_shared<const model::Toolpath>(in.path());
+  stage.path = std::make_shared<const model::Toolpath>(unpack_path(in));
   stage.sampling_interval_min = in.number<std::int32_t>();
   stage.sampling_interval_max = in.number<std::int32_t>();
   stage.verdict = static_cast<verifier::Verdict>(in.number<std::int32_t>());

@@ -20,9 +20,8 @@ constexpr std::uint64_t kKeptOfMemory = 4;  ///< all workers' stages together: a
 /// More patience than that is as much as for ever.
 constexpr double kYear_min = 525600;
 
-std::vector<std::string> worker_command(const fs::path& program, const fs::path& job,
-                                        const study::Store& store) {
-  return {program.string(), "study", job.string(), "--quiet", "--cache", store.folder().string()};
+std::vector<std::string> worker_command(const fs::path& job, const study::Store& store) {
+  return {"study", job.string(), "--quiet", "--cache", store.folder().string()};
 }
 
 void add(std::vector<std::string>& command, const std::string& option, const std::string& value) {
@@ -54,7 +53,8 @@ std::unique_ptr<study::Executor> local_pool(const StudyCommand& command,
           const study::CaseRequest& request) { return forecast_of(*forecast, job, request); };
   options.note = note;
   // The file that runs, even where another has taken its name since.
-  options.worker = worker_command("/proc/self/exe", job, store);
+  options.worker = worker_command(job, store);
+  options.worker.insert(options.worker.begin(), "/proc/self/exe");
   add(options.worker, "--worker", "-");
   add(options.worker, "--threads", std::to_string(std::max(1U, common.threads / options.workers)));
   add(options.worker, "--worker-keeps",
@@ -69,39 +69,43 @@ std::string unique_name() {
   return "limitgauge-" + model::random_digits();
 }
 
-std::unique_ptr<study::Executor> slurm(const StudyCommand& command, const fs::path& job,
-                                       const study::Store& store,
-                                       const std::function<void(const std::string&)>& note,
-                                       const std::atomic<bool>* stop) {
+}  // namespace
+
+std::unique_ptr<study::Executor> slurm_engine(const EngineOptions& asked,
+                                              const std::vector<std::string>& worker,
+                                              const study::Store& store,
+                                              const std::function<void(const std::string&)>& note,
+                                              const std::atomic<bool>* stop) {
   study::SlurmOptions options;
   options.stop = stop;
   options.name = unique_name();
   options.folder = store.folder() / "slurm" / options.name;
   options.working_directory = model::absolute_path(".");
-  if (command.jobs > 0) options.running = command.jobs;
-  options.retries = command.retries;
-  options.options = command.slurm_options;
-  options.stuck_patience =
-      std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double, std::ratio<60>>(
-          std::min(command.slurm_patience_min, kYear_min)));
+  if (asked.jobs > 0) options.running = asked.jobs;
+  options.retries = asked.retries;
+  options.options = asked.slurm_options;
+  options.stuck_patience = std::chrono::ceil<std::chrono::milliseconds>(
+      std::chrono::duration<double, std::ratio<60>>(std::min(asked.slurm_patience_min, kYear_min)));
   options.note = note;
   const fs::path program = fs::read_symlink("/proc/self/exe");
   if (!fs::exists(program))
     throw model::ResourceError(
         "limitgauge: error: its own file has been replaced since it was started; start it again");
-  options.worker = worker_command(program, job, store);
-  add(options.worker, "--worker-keeps", std::to_string(kMostKept));
+  options.worker = {program.string()};
+  options.worker.insert(options.worker.end(), worker.begin(), worker.end());
   return std::make_unique<study::Slurm>(std::move(options), store);
 }
-
-}  // namespace
 
 std::unique_ptr<study::Executor> study_engine(const StudyCommand& command,
                                               const CommonOptions& common, const fs::path& job,
                                               const study::Store& store,
                                               const std::function<void(const std::string&)>& note,
                                               const std::atomic<bool>* stop) {
-  if (command.engine == "slurm") return slurm(command, job, store, note, stop);
+  if (command.engine == "slurm") {
+    std::vector<std::string> worker = worker_command(job, store);
+    add(worker, "--worker-keeps", std::to_string(kMostKept));
+    return slurm_engine(command, worker, store, note, stop);
+  }
   return local_pool(command, common, job, store, note, stop);
 }
 

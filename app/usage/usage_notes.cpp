@@ -27,13 +27,16 @@ constexpr std::array<UsageNote, 8> kFiles = {{
 constexpr std::array<UsageNote, 4> kEnvironment = {{
     {"NO_COLOR", "not empty: no colour, also on a terminal"},
     {"TERM", "\"dumb\": neither colour nor progress"},
-    {"XDG_CACHE_HOME", "study keeps results in limitgauge below it (default: ~/.cache)"},
+    {"XDG_CACHE_HOME",
+     "study and run on Slurm keep results in limitgauge below it (default: ~/.cache)"},
     {"DISPLAY, WAYLAND_DISPLAY", "one of them set: view opens the desktop's browser"},
 }};
 
-constexpr std::array<UsageNote, 7> kExamples = {{
+constexpr std::array<UsageNote, 8> kExamples = {{
     {"limitgauge run part.toml", "Plan, cut and verify the stages of a job."},
     {"limitgauge run part.toml --set stage.finish.step=0.2", "The same with one key otherwise."},
+    {"limitgauge run part.toml --engine slurm --cache /shared/limitgauge",
+     "The same, measured piece by piece on a cluster."},
     {"limitgauge verify --cage part.obj --stock box:90,80,30@-45,-40,-20 --tool ball:D=6 "
      "--program part.ngc --gouge 0.01 --uncut 0.01",
      "Verify somebody else's program."},

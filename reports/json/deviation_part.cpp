@@ -58,6 +58,17 @@ Json budget_part(const std::vector<verifier::UncertaintyTerm>& terms) {
   return out;
 }
 
+/// Seconds by their own name, as everywhere: what compares results leaves those out.
+Json phases_part(const verifier::StageDeviation::Phases& p) {
+  const auto phase = [](double seconds) { return Json{{"seconds", finite("phases", seconds)}}; };
+  return {{"reach", phase(p.reach_s)},
+          {"certificate", phase(p.certificate_s)},
+          {"field", phase(p.field_s)},
+          {"unavoidable", phase(p.unavoidable_s)},
+          {"rays", phase(p.rays_s)},
+          {"findings", phase(p.findings_s)}};
+}
+
 }  // namespace
 
 Json deviation_part(const RunResult& result, const verifier::StageDeviation& d) {
@@ -88,6 +99,7 @@ Json deviation_part(const RunResult& result, const verifier::StageDeviation& d) 
       {"reached_resolution", d.reached_resolution},
       {"cells", d.cells},
       {"seconds", finite("deviation.seconds", d.seconds)},
+      {"phases", phases_part(d.phases)},
       {"histogram",
        {{"edges_mm", numbers("histogram.edges_mm", d.histogram.edges_mm)},
         {"area_mm2", numbers("histogram.area_mm2", d.histogram.area_mm2)}}},

@@ -57,6 +57,22 @@ class LeafSource : public NetSource {
   std::vector<const Leaf*> leaves_;
 };
 
+/// Adds the voxels of the leaves that `wanted` says yes to, whose value is another one in `other`.
+template <class Wanted>
+void add_changed(const Tree& tree, const Tree& other, const Wanted& wanted,
+                 std::vector<Index3>& changed) {
+  const openvdb::tree::ValueAccessor<const Tree> beside(other);
+  for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf) {
+    if (!wanted(leaf->origin())) continue;
+    for (openvdb::Index k = 0; k < Leaf::SIZE; ++k) {
+      const Coord at = leaf->offsetToGlobalCoord(k);
+      float value = 0;
+      const bool in_band = beside.probeValue(at, value) || leaf->isValueOn(k);
+      if (in_band && value != leaf->getValue(k)) changed.push_back(index3(at));
+    }
+  }
+}
+
 }  // namespace
 
 struct StockGrid::Impl {
@@ -163,8 +179,15 @@ std::size_t StockGrid::leaf_count() const {
   return impl_->grid->tree().leafCount();
 }
 
-std::size_t StockGrid::band_voxels() const {
-  return impl_->grid->activeVoxelCount();
+std::vector<Index3> StockGrid::changed_voxels(const StockGrid& before) const {
+  const Tree &now = impl_->grid->tree(), &then = before.impl_->grid->tree();
+  std::vector<Index3> changed;
+  add_changed(
+      now, then, [](const Coord&) { return true; }, changed);
+  // Leaves that were cut away as a whole.
+  add_changed(
+      then, now, [&](const Coord& at) { return !now.probeConstLeaf(at); }, changed);
+  return changed;
 }
 
 void StockGrid::raise_tops(const IndexBox& extent, const RunControl& control,

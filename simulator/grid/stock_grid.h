@@ -64,8 +64,10 @@ class StockGrid {
   std::size_t memory_bytes() const;
   /// Leaves in the box, and beside it.
   std::size_t leaf_count() const;
-  /// Voxels of the narrow band: those with a value of their own, in all of the grid.
-  std::size_t band_voxels() const;
+  /// Voxels with another value than in `before`, a grid of the same lattice, that are in the narrow
+  /// band of one of the two: leaf by leaf. What a cut had to write, less what it did by whole
+  /// blocks.
+  std::vector<Index3> changed_voxels(const StockGrid& before) const;
   /// An upper bound of the material's height over each column of one leaf's width of `extent`, for
   /// those in this grid's box. A column takes in half a voxel around its voxels' centres.
   void raise_tops(const IndexBox& extent, const model::RunControl& control, ColumnTops& tops) const;

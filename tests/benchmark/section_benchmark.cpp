@@ -1,12 +1,14 @@
 // The finish stage's 872 drive planes through the aircraft's finish model against CGAL's slicer
 // with an AABB tree on the same triangles. Both from what they need to be built once: our
-// quadtrees, its tree of edges; both on one thread.
+// quadtrees, its tree of edges; both on one thread. Both join curves across patches. The points
+// that they find are held against each other, plane by plane.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_slicer.h>
 #include <CGAL/Surface_mesh.h>
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <tuple>
@@ -63,6 +65,38 @@ Mesh welded(const std::vector<Grid>& grids) {
   return mesh;
 }
 
+using Points = std::vector<Vec3>;
+
+/// Points at places of their own, in order: of those that lie within `apart_mm` of another the
+/// first. CGAL gives a point twice where the side of a patch that is finer than its neighbour's is
+/// open in its mesh.
+Points places_of(Points points, double apart_mm) {
+  std::sort(points.begin(), points.end(),
+            [](const Vec3& a, const Vec3& b) { return std::tie(a.y, a.z) < std::tie(b.y, b.z); });
+  Points out;
+  for (const Vec3& p : points) {
+    bool known = false;
+    for (auto q = out.rbegin(); q != out.rend() && p.y - q->y <= apart_mm && !known; ++q)
+      known = distance(*q, p) <= apart_mm;
+    if (!known) out.push_back(p);
+  }
+  return out;
+}
+
+/// Points of `of` without one of `among` within `apart_mm`. Both in order.
+std::size_t missing(const Points& of, const Points& among, double apart_mm) {
+  std::size_t count = 0;
+  for (const Vec3& p : of) {
+    auto q = std::lower_bound(among.begin(), among.end(), p.y - apart_mm,
+                              [](const Vec3& a, double y) { return a.y < y; });
+    bool found = false;
+    for (; q != among.end() && q->y <= p.y + apart_mm && !found; ++q)
+      found = distance(*q, p) <= apart_mm;
+    count += !found;
+  }
+  return count;
+}
+
 void section_family(benchmark::State& state) {
   const Aircraft aircraft;
   const auto values = aircraft.planes();
@@ -86,6 +120,37 @@ void section_family_and_trees(benchmark::State& state) {
         engine::surface::sections(aircraft.model, aircraft.mesh, 0, values, {}));
 }
 
+std::vector<Polylines> cgal_sections(const CGAL::Polygon_mesh_slicer<Mesh, Kernel>& slicer,
+                                     const std::vector<double>& values) {
+  std::vector<Polylines> all(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    slicer(Kernel::Plane_3(1, 0, 0, -values[k]), std::back_inserter(all[k]));
+  return all;
+}
+
+/// What one of the two found and the other did not, over all planes.
+struct Comparison {
+  std::size_t ours = 0, theirs = 0;            ///< places
+  std::size_t only_ours = 0, only_theirs = 0;  ///< of them
+};
+
+Comparison compare(const Aircraft& aircraft, const std::vector<double>& values,
+                   const std::vector<Polylines>& theirs) {
+  constexpr double kSame_mm = 1e-9;
+  const auto curves = engine::surface::sections(aircraft.model, aircraft.mesh, 0, values, {});
+  Comparison c;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    Points a, b;
+    for (const auto& curve : curves[k]) a.insert(a.end(), curve.points.begin(), curve.points.end());
+    for (const auto& line : theirs[k])
+      for (const auto& p : line) b.push_back({p.x(), p.y(), p.z()});
+    a = places_of(std::move(a), kSame_mm), b = places_of(std::move(b), kSame_mm);
+    c.ours += a.size(), c.theirs += b.size();
+    c.only_ours += missing(a, b, kSame_mm), c.only_theirs += missing(b, a, kSame_mm);
+  }
+  return c;
+}
+
 void section_cgal_slicer(benchmark::State& state) {
   const Aircraft aircraft;
   const auto values = aircraft.planes();
@@ -93,16 +158,14 @@ void section_cgal_slicer(benchmark::State& state) {
   const CGAL::Polygon_mesh_slicer<Mesh, Kernel> slicer(mesh);
   Polylines warm;
   slicer(Kernel::Plane_3(1, 0, 0, 0), std::back_inserter(warm));  // builds its tree
-  std::size_t points = 0;
-  for (auto _ : state) {
-    points = 0;
-    for (const double value : values) {
-      Polylines lines;
-      slicer(Kernel::Plane_3(1, 0, 0, -value), std::back_inserter(lines));
-      for (const auto& line : lines) points += line.size();
-    }
-  }
-  state.counters["points"] = static_cast<double>(points);
+  std::vector<Polylines> found;
+  for (auto _ : state) found = cgal_sections(slicer, values);
+  const Comparison c = compare(aircraft, values, found);
+  if (c.only_ours + c.only_theirs > 0 || c.ours != c.theirs)
+    state.SkipWithError("the two do not find the same points");
+  state.counters["points"] = static_cast<double>(c.theirs);
+  state.counters["only_ours"] = static_cast<double>(c.only_ours);
+  state.counters["only_theirs"] = static_cast<double>(c.only_theirs);
   state.counters["faces"] = static_cast<double>(mesh.number_of_faces());
 }
 

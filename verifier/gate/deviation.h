@@ -129,6 +129,15 @@ struct StageDeviation {
   bool reached_resolution = true;  ///< both widths are within what was asked for
   double resolution_mm = 0;        ///< the width asked for
   double seconds = 0;
+  /// What it is made of, but for what is built once: cells of S and the space removed.
+  struct Phases {
+    double reach_s = 0;        ///< what the cutters can touch, cell by cell
+    double certificate_s = 0;  ///< extremes of gouge, uncut and missing stock
+    double field_s = 0;        ///< samples
+    double unavoidable_s = 0;
+    double rays_s = 0;      ///< the second instrument
+    double findings_s = 0;  ///< places beyond the limits
+  } phases;
 };
 
 /// Gate limits; a figure that is not limited is measured but cannot fail.

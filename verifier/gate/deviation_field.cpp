@@ -91,12 +91,20 @@ std::vector<ReachQuery::Touch> measure_field(DeviationField& field, const Surfac
                                              std::span<const Pass> passes, double allowance_mm,
                                              const model::RunControl& control) {
   std::vector<ReachQuery::Touch> touches(field.samples.size());
-  constexpr std::size_t kChunk = 512;
-  model::parallel_chunks(touches.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+  measure_samples(field, touches, 0, touches.size(), cells, spaces, reach, passes, allowance_mm,
+                  control);
+  return touches;
+}
+
+void measure_samples(DeviationField& field, std::vector<ReachQuery::Touch>& touches,
+                     std::size_t begin, std::size_t end, const SurfaceCells& cells,
+                     const Spaces& spaces, const ReachQuery& reach, std::span<const Pass> passes,
+                     double allowance_mm, const model::RunControl& control) {
+  model::parallel_chunks(end - begin, kFieldChunk, control, [&](std::size_t from, std::size_t to) {
     RunBounds uncut(cells, spaces.cut, Side::uncut, allowance_mm);
     RunBounds gouge(cells, spaces.swept, Side::gouge, allowance_mm);
     std::optional<BodyRef> hint;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = begin + from; i < begin + to; ++i) {
       DeviationField::Sample& s = field.samples[i];
       const Nearest nearest = uncut.nearest(s.place.point, hint);
       hint = nearest.body;
@@ -111,7 +119,6 @@ std::vector<ReachQuery::Touch> measure_field(DeviationField& field, const Surfac
       if (touch) touches[i] = *touch;
     }
   });
-  return touches;
 }
 
 namespace {

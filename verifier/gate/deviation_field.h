@@ -27,6 +27,16 @@ std::vector<ReachQuery::Touch> measure_field(DeviationField& field, const Surfac
                                              std::span<const Pass> passes, double allowance_mm,
                                              const model::RunControl& control);
 
+/// Samples are taken so many at a time: what one knows of the nearest pass is where the next one
+/// looks first, within these. Parts of a field begin at multiples of it.
+inline constexpr std::size_t kFieldChunk = 512;
+
+/// The same of the samples from `begin` on and before `end`; touches of these alone are filled in.
+void measure_samples(DeviationField& field, std::vector<ReachQuery::Touch>& touches,
+                     std::size_t begin, std::size_t end, const SurfaceCells& cells,
+                     const Spaces& spaces, const ReachQuery& reach, std::span<const Pass> passes,
+                     double allowance_mm, const model::RunControl& control);
+
 /// Fills in the area-weighted figures of `out` from its field: areas, coverage, mean, rms,
 /// percentiles and histogram of deviation − allowance over the reachable samples.
 void summarize_field(StageDeviation& out, const GateLimits& limits);

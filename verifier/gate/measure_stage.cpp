@@ -1,75 +1,21 @@
 #include <algorithm>
-#include <numbers>
+#include <utility>
 
 #include "model/base/clock.h"
 #include "model/base/memory.h"
-#include "verifier/certificate/certificate.h"
 #include "verifier/certificate/unavoidable.h"
-#include "verifier/cutter/assembly.h"
-#include "verifier/gate/deviation_field.h"
 #include "verifier/gate/findings.h"
+#include "verifier/gate/stage_pieces.h"
+#include "verifier/gate/stage_scene.h"
 #include "verifier/gate/stock_rays.h"
 #include "verifier/gate/verify.h"
 #include "verifier/reach/lowest_tip.h"
+#include "verifier/reach/reach_entries.h"
 #include "verifier/reach/reach_query.h"
-#include "verifier/surface/surface_tree.h"
 #include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
-
-/// For how long the rim of what can be reached is resolved. The contact of a flat moves far as the
-/// normal turns, so its proofs take smaller cells. To a cutter as wide as the part every cell is
-/// near every other, and of a drill's or an undercutting cutter's contacts no cell is proven: then
-/// each is looked at once.
-ReachOptions reach_effort(const CutterProfile& cutter, double area_mm2) {
-  ReachOptions effort = kReachEffort;
-  const double radius = cutter.rounding_mm + cutter.flat_mm;
-  if (cutter.is_pointed() || cutter.undercuts() ||
-      std::numbers::pi * radius * radius > area_mm2 / 2)
-    effort.largest_cell_count = 1;
-  else if (cutter.flat_mm > 0)
-    effort.largest_cell_count = 250'000;
-  return effort;
-}
-
-CertificateRequest request_of(const StageCheck& check) {
-  const double unlimited = std::numeric_limits<double>::infinity();
-  return {check.allowance_mm, check.limits.has_gouge ? check.limits.gouge_mm : unlimited,
-          check.limits.has_uncut ? check.limits.uncut_mm : unlimited, check.resolution_mm,
-          check.largest_cell_count};
-}
-
-/// The cutters used so far, each of its kind once: that of the last pass first.
-std::vector<model::Cutter> distinct_cutters(std::span<const Pass> passes) {
-  std::vector<model::Cutter> out;
-  for (std::size_t k = passes.size(); k-- > 0;) {
-    model::Cutter cutter = passes[k].cutter;
-    cutter.id.clear();
-    const std::string text = to_text(cutter);
-    const bool known = std::any_of(
-        out.begin(), out.end(), [&](const model::Cutter& other) { return to_text(other) == text; });
-    if (!known) out.push_back(std::move(cutter));
-  }
-  return out;
-}
-
-/// All that reach is judged by.
-struct ReachOfCutters {
-  std::vector<model::Cutter> cutters;
-  std::vector<Reachability> searches;
-  std::vector<ReachOptions> efforts;
-
-  ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> passes, double allowance_mm,
-                 double area_mm2)
-      : cutters(distinct_cutters(passes)) {
-    for (const model::Cutter& cutter : cutters) {
-      const CutterProfile profile(cutter);
-      searches.emplace_back(cells, cutter, allowance_mm, kContact_mm);
-      efforts.push_back(reach_effort(profile, area_mm2));
-    }
-  }
-};
 
 /// What findings are looked for in.
 struct Measured {
@@ -235,34 +181,56 @@ Interval unavoidable_of_all(const Measured& m, const ReachMap& proven, const Rea
 
 }  // namespace
 
+namespace {
+
+/// Seconds since it was asked last.
+class Laps {
+ public:
+  double lap() {
+    const double before = std::exchange(at_, watch_.seconds());
+    return at_ - before;
+  }
+
+ private:
+  model::Stopwatch watch_;
+  double at_ = 0;
+};
+
+}  // namespace
+
 StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock& raw_stock,
                              std::span<const Pass> passes, const StockProbe* probe,
-                             const StageCheck& check, const model::RunControl& control) {
+                             const StageCheck& check, const model::RunControl& control,
+                             PieceWorkers* workers) {
   if (passes.empty()) throw std::invalid_argument("a stage needs the pass it is measured for");
   if (!(check.resolution_mm > 0)) throw std::invalid_argument("the resolution must be positive");
   const model::Stopwatch watch;
-  const SurfaceCells cells(surface.tree(), first_cell_radius_mm(surface.tree()));
-  const RemovedSpace cut(raw_stock, passes), raw(raw_stock, {});
-  const std::vector<AssemblySweep> parts =
-      assembly_sweeps(passes, surface.bounding_box().high.z + check.allowance_mm + kRounding_mm);
-  std::vector<Sweep> sweeps;
-  for (const AssemblySweep& part : parts) sweeps.push_back(part.sweep);
-  std::optional<RemovedSpace> with_parts;
-  if (!parts.empty()) with_parts.emplace(cut.with(sweeps));
-  const Spaces spaces{cut, with_parts ? *with_parts : cut};
-
-  const ReachOfCutters by(cells, passes, check.allowance_mm, surface.area_mm2());
-  const ReachMap proven = classify_reach(cells, by.searches, by.efforts, control);
-  model::return_freed_memory();
-  const ReachQuery reach(by.searches, proven);
-  const Measured measured{cells, spaces, reach, passes, parts, check};
-
-  const CertificateRequest request = request_of(check);
-  const Certificates certificates{
-      certify(cells, spaces.swept, Side::gouge, nullptr, request, control),
-      certify(cells, cut, Side::uncut, &reach, request, control),
-      certify(cells, raw, Side::missing_stock, nullptr, request, control)};
+  const StageScene scene(surface, raw_stock, passes, check);
+  const Spaces spaces = scene.spaces();
   StageDeviation out;
+  Laps laps;
+  PieceRound first(workers), second(workers);
+  if (workers)
+    first.ask({StagePiece::Kind::reach, StagePiece::Kind::gouge, StagePiece::Kind::missing_stock},
+              {});
+  const ReachMap proven =
+      workers ? gathered_reach(scene, first.all(StagePiece::Kind::reach), control)
+              : classify_reach(scene.cells, scene.by.searches, scene.by.efforts, control);
+  model::return_freed_memory();
+  const ReachQuery reach(scene.by.searches, proven);
+  const Measured measured{scene.cells, spaces, reach, passes, scene.parts, check};
+  out.phases.reach_s = laps.lap();
+
+  if (workers)
+    second.ask({StagePiece::Kind::field, StagePiece::Kind::uncut},
+               entries_to_bytes(proven.entries()));
+  const auto certificate = [&](PieceRound& round, StagePiece::Kind kind) {
+    return workers ? certificate_of_bytes(round.all(kind).front())
+                   : certificate_of(scene, kind, &reach, control);
+  };
+  const Certificates certificates{certificate(first, StagePiece::Kind::gouge),
+                                  certificate(second, StagePiece::Kind::uncut),
+                                  certificate(first, StagePiece::Kind::missing_stock)};
   out.resolution_mm = check.resolution_mm;
   out.gouge_mm = certificates.gouge.figure_mm;
   out.uncut_mm = certificates.uncut.figure_mm;
@@ -270,22 +238,31 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   out.cells = certificates.gouge.cells + certificates.uncut.cells + certificates.missing.cells;
   out.reached_resolution =
       certificates.gouge.reached_resolution && certificates.uncut.reached_resolution;
-  measure_bodies(out, measured, certificates.gouge, request, control);
+  measure_bodies(out, measured, certificates.gouge, scene.request, control);
+  out.phases.certificate_s = laps.lap();
 
   out.proven_reach = {proven.reachable_area_mm2(), proven.unreachable_area_mm2(),
                       proven.undecided_area_mm2()};
   out.field = sample_surface(surface, check.field_spacing_mm);
   const std::vector<ReachQuery::Touch> touches =
-      measure_field(out.field, cells, spaces, reach, passes, check.allowance_mm, control);
-  out.unavoidable_uncut_mm = unavoidable_of_all(measured, proven, by, out.field, touches, control);
+      workers ? gathered_field(out.field, second.all(StagePiece::Kind::field), passes)
+              : measure_field(out.field, scene.cells, spaces, reach, passes, check.allowance_mm,
+                              control);
+  out.phases.field_s = laps.lap();
+  out.unavoidable_uncut_mm =
+      unavoidable_of_all(measured, proven, scene.by, out.field, touches, control);
   summarize_field(out, check.limits);
+  out.phases.unavoidable_s = laps.lap();
 
-  const RayFigures rays = ask_stock(surface, raw_stock, raw, measured, probe, out.field, control);
+  const RayFigures rays =
+      ask_stock(surface, raw_stock, scene.raw, measured, probe, out.field, control);
   out.voxel_gouge_mm = rays.gouge_mm;
   out.voxel_uncut_mm = rays.uncut_mm;
+  out.phases.rays_s = laps.lap();
 
-  find_places(out, measured, raw, certificates, control);
-  out.budget = budget_of(cut, check, probe, rays);
+  find_places(out, measured, scene.raw, certificates, control);
+  out.phases.findings_s = laps.lap();
+  out.budget = budget_of(scene.cut, check, probe, rays);
   out.seconds = watch.seconds();
   return out;
 }

@@ -49,12 +49,16 @@ struct StageCheck {
 /// Resolution "auto": a tenth of the tightest gate limit, 1 µm where nothing is limited.
 double automatic_resolution_mm(const GateLimits& limits);
 
+class PieceWorkers;  // see stage_pieces.h
+
 /// Measures the stage whose pass is the last of `passes`. `probe` asks the simulated stock, none
 /// leaves the second instrument out; the two instruments are compared, and a disagreement beyond
-/// their bounds throws InstrumentDisagreement. The result is the same for any number of threads.
+/// their bounds throws InstrumentDisagreement. The result is the same for any number of threads,
+/// and with `workers`, who do parts of it elsewhere.
 StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock& raw_stock,
                              std::span<const Pass> passes, const StockProbe* probe,
-                             const StageCheck& check, const model::RunControl& control);
+                             const StageCheck& check, const model::RunControl& control,
+                             PieceWorkers* workers = nullptr);
 
 /// The two instruments contradict each other: an internal error, exit code 4.
 class InstrumentDisagreement : public std::runtime_error {

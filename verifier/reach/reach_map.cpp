@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <numbers>
+#include <stdexcept>
 
 #include "model/base/chunks.h"
 #include "model/geometry/box_tree.h"
@@ -33,6 +34,7 @@ struct Open {
   std::optional<ClearedRect> cleared;  ///< proven not to be cut into
   std::vector<std::uint32_t> pending;  ///< with `cleared`: all other cells not proven so
   bool level = false;                  ///< a flat may touch with any of its points
+  bool recorded = false;               ///< decided elsewhere: nothing of the above is known
 };
 
 /// Holds the control points of a cell.
@@ -272,12 +274,7 @@ std::vector<ReachMap::Entry> joined(Entries first, Entries second) {
   return all;
 }
 
-/// What became of one open cell.
-struct Decided {
-  Reach reach = Reach::undecided;
-  bool halve = false, in_u = true;
-  double area_mm2 = 0;
-};
+using Decided = ReachDecision;
 
 Decided decide(const Classifier& classifier, Open& open, const SurfaceCell& cell,
                const ReachOptions& options, bool last) {
@@ -300,28 +297,63 @@ OpenCells sorted(OpenCells level, const std::vector<Decided>& decided, Entries& 
       done.push_back({open.cell, d.reach, 0, d.area_mm2});
     } else {
       for (const CellPart& half : halved(open.cell, d.in_u))
-        next.push_back({half, open.witness, open.cleared, open.pending, false});
+        next.push_back({half, open.witness, open.cleared, open.pending, false, open.recorded});
     }
     level.pop_front();
   }
   return next;
 }
 
+/// Where a shared search stands: what its records are known by, and how many cells other parts of
+/// it begin with.
+struct Shared {
+  const ReachSharing& with;
+  std::uint32_t cutter = 0;
+  std::size_t elsewhere = 0;
+};
+
+/// What was decided elsewhere; there the end of the effort may have come later.
+std::optional<Decided> recorded(const Shared& shared, std::uint32_t depth, Open& open,
+                                const SurfaceCells& cells, bool last) {
+  const ReachDecision* found =
+      shared.with.known ? shared.with.known->find(shared.cutter, depth, open.cell) : nullptr;
+  if (!found && open.recorded)
+    throw std::logic_error("the records of a shared search end before the search does");
+  open.recorded = found != nullptr;
+  if (!found) return std::nullopt;
+  Decided decided = *found;
+  if (decided.halve && last) {
+    decided.halve = false;
+    decided.area_mm2 = area_mm2(cells.cell_of(open.cell).shape);
+  }
+  return decided;
+}
+
 /// Halves cells until each is proven for one cutter, or the effort is spent.
 Entries classify_cells(const SurfaceCells& cells, OpenCells level, const Reachability& reachability,
-                       const ReachOptions& options, const model::RunControl& control) {
+                       const ReachOptions& options, const Shared& shared,
+                       const model::RunControl& control) {
   const Classifier classifier(cells, reachability);
   Entries done;
-  std::size_t seen = 0;
+  std::size_t seen = shared.elsewhere;
+  std::uint32_t depth = 0;
   while (!level.empty()) {
     seen += level.size();
     const bool last = seen > options.largest_cell_count;
     std::vector<Decided> decided(level.size());
     constexpr std::size_t kChunk = 64;
     model::parallel_chunks(level.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        decided[i] = decide(classifier, level[i], cells.cell_of(level[i].cell), options, last);
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto known = recorded(shared, depth, level[i], cells, last);
+        decided[i] =
+            known ? *known
+                  : decide(classifier, level[i], cells.cell_of(level[i].cell), options, last);
+      }
     });
+    if (shared.with.record)
+      for (std::size_t i = 0; i < level.size(); ++i)
+        shared.with.record->add(shared.cutter, depth, level[i].cell, decided[i]);
+    ++depth;
     level = sorted(std::move(level), decided, done);
   }
   return done;
@@ -335,12 +367,17 @@ ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachabil
 }
 
 ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability> cutters,
-                        std::span<const ReachOptions> options, const model::RunControl& control) {
+                        std::span<const ReachOptions> options, const model::RunControl& control,
+                        const ReachSharing& sharing) {
   // What is left for the next cutter, with what those before it have proven.
   Entries left, done;
+  std::size_t elsewhere = 0;
   for (std::uint32_t i = 0; i < cells.cells().size(); ++i) {
     const Bezier& shape = cells.cells()[i].shape;
-    if (control_radius(shape, shape.control(0)) > 0)
+    if (!(control_radius(shape, shape.control(0)) > 0)) continue;
+    if (i < sharing.first || i >= sharing.end)
+      ++elsewhere;
+    else
       left.push_back({cells.whole(i), Reach::unreachable, 0, 0});
   }
   for (std::size_t k = 0; k < cutters.size() && !left.empty(); ++k) {
@@ -348,8 +385,12 @@ ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability>
     for (const Reach before : {Reach::unreachable, Reach::undecided}) {
       OpenCells level;
       for (const ReachMap::Entry& e : left)
-        if (e.reach == before) level.push_back({e.cell, {}, {}, {}, false});
-      Entries found = classify_cells(cells, std::move(level), cutters[k], options[k], control);
+        if (e.reach == before) level.push_back({e.cell, {}, {}, {}, false, false});
+      // How many are left to later cutters elsewhere is not known here: none, which is no more.
+      const Shared shared{sharing, static_cast<std::uint32_t>(k),
+                          k == 0 && before == Reach::unreachable ? elsewhere : 0};
+      Entries found =
+          classify_cells(cells, std::move(level), cutters[k], options[k], shared, control);
       for (; !found.empty(); found.pop_front()) {
         ReachMap::Entry& e = found.front();
         e.cutter = static_cast<std::uint32_t>(k);

@@ -6,12 +6,10 @@
 
 #include "model/base/run_control.h"
 #include "verifier/cells/parameter_index.h"
+#include "verifier/reach/reach_records.h"
 #include "verifier/reach/reachability.h"
 
 namespace limitgauge::verifier {
-
-/// What was proven of all points of a cell, or of one.
-enum class Reach : std::uint8_t { undecided, reachable, unreachable };
 
 struct ReachOptions {
   /// Cells whose control points lie this near to their middle are not halved any more: half the
@@ -57,6 +55,14 @@ class ReachMap {
   double area_[3] = {0, 0, 0};
 };
 
+/// How a search is shared out: its own part of the cells, what it says of them, and what other
+/// processes have said. The map of all parts' records is that of a search that is not shared out.
+struct ReachSharing {
+  std::uint32_t first = 0, end = 0xffffffffU;  ///< cells that are looked at
+  ReachRecords* record = nullptr;              ///< takes down every decision
+  const ReachRecords* known = nullptr;         ///< taken over where they say something
+};
+
 /// Halves the cells until each is proven (CERTIFICATE.md, section 4) or an end of `options` is met.
 /// Reachable and the contact tolerance as in `Reachability`. The same for any number of threads.
 ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachability,
@@ -64,6 +70,7 @@ ReachMap classify_reach(const SurfaceCells& cells, const Reachability& reachabil
 /// Of several cutters, the first with the first options: what one of them can touch is reachable,
 /// what none of them can is unreachable. Each looks only at what those before it cannot touch.
 ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability> cutters,
-                        std::span<const ReachOptions> options, const model::RunControl& control);
+                        std::span<const ReachOptions> options, const model::RunControl& control,
+                        const ReachSharing& sharing = {});
 
 }  // namespace limitgauge::verifier

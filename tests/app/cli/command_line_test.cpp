@@ -28,6 +28,23 @@ TEST_CASE("run takes a job and the common options", "[unit][command_line]") {
   CHECK(line.common.quiet);
 }
 
+TEST_CASE("run takes where its stages are measured", "[unit][command_line]") {
+  const auto engine = [](std::vector<const char*> more) {
+    more.insert(more.begin(), {"run", "a.toml"});
+    const CommandLine line = parse(more);
+    return std::get<RunCommand>(line.command).engine;
+  };
+  CHECK(engine({}).engine == "local");
+  const EngineOptions slurm = engine({"--engine", "slurm", "--jobs", "64", "--cache", "shared",
+                                      "--slurm-option=--mem=4G", "--retries", "1"});
+  CHECK(slurm.engine == "slurm");
+  CHECK(slurm.jobs == 64);
+  CHECK(slurm.retries == 1);
+  CHECK(slurm.cache == "shared");
+  CHECK(slurm.slurm_options == std::vector<std::string>{"--mem=4G"});
+  CHECK_THAT(error_of({"run", "a.toml", "--engine", "cloud"}), ContainsSubstring("--engine"));
+}
+
 TEST_CASE("threads default to all of them", "[unit][command_line]") {
   CHECK(parse({"plan", "a.toml"}).common.threads >= 1);
 }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/inputs/run_inputs.h"
+#include "app/job/job.h"
+#include "verifier/gate/verify.h"
+
+namespace limitgauge::app {
+
+/// What a stage is measured for.
+inline verifier::StageCheck stage_check(const Job& job, const RunInputs& inputs,
+                                        std::size_t index) {
+  verifier::StageCheck check;
+  check.allowance_mm = job.stages[index].allowance_mm;
+  check.limits = job.stages[index].limits;
+  check.resolution_mm = inputs.settings.resolution_mm[index];
+  return check;
+}
+
+}  // namespace limitgauge::app

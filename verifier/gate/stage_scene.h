@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "verifier/certificate/certificate.h"
+#include "verifier/cutter/assembly.h"
+#include "verifier/gate/deviation_field.h"
+#include "verifier/gate/verify.h"
+#include "verifier/reach/reach_map.h"
+
+namespace limitgauge::verifier {
+
+/// All that reach is judged by: the cutters used so far, each of its kind once, that of the last
+/// pass first.
+struct ReachOfCutters {
+  std::vector<model::Cutter> cutters;
+  std::vector<Reachability> searches;
+  std::vector<ReachOptions> efforts;
+
+  ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> passes, double allowance_mm,
+                 double area_mm2);
+};
+
+/// What a stage is measured in: built of the surface, the raw stock and the passes so far. Whoever
+/// does a part of the measurement builds the same.
+class StageScene {
+ public:
+  StageScene(const ReferenceSurface& surface, const model::Stock& raw_stock,
+             std::span<const Pass> passes, const StageCheck& check);
+  StageScene(const StageScene&) = delete;
+  StageScene& operator=(const StageScene&) = delete;
+
+  Spaces spaces() const { return {cut, with_parts_ ? *with_parts_ : cut}; }
+
+  const SurfaceCells cells;
+  const RemovedSpace cut, raw;
+  const std::vector<AssemblySweep> parts;  ///< shanks and holders that come near
+  const ReachOfCutters by;
+  const CertificateRequest request;
+
+ private:
+  std::optional<RemovedSpace> with_parts_;
+};
+
+}  // namespace limitgauge::verifier

@@ -61,12 +61,9 @@ Json budget_part(const std::vector<verifier::UncertaintyTerm>& terms) {
 /// Seconds by their own name, as everywhere: what compares results leaves those out.
 Json phases_part(const verifier::StageDeviation::Phases& p) {
   const auto phase = [](double seconds) { return Json{{"seconds", finite("phases", seconds)}}; };
-  return {{"reach", phase(p.reach_s)},
-          {"certificate", phase(p.certificate_s)},
-          {"field", phase(p.field_s)},
-          {"unavoidable", phase(p.unavoidable_s)},
-          {"rays", phase(p.rays_s)},
-          {"findings", phase(p.findings_s)}};
+  return {{"reach", phase(p.reach_s)}, {"certificate", phase(p.certificate_s)},
+          {"field", phase(p.field_s)}, {"unavoidable", phase(p.unavoidable_s)},
+          {"rays", phase(p.rays_s)},   {"findings", phase(p.findings_s)}};
 }
 
 }  // namespace

@@ -81,8 +81,7 @@ TEST_CASE("result.json has the contract's keys", "[unit][json]") {
         "voxel_gouge_mm", "voxel_uncut_mm", "unreachable_area_mm2", "unavoidable_uncut_mm",
         "histogram", "gouges", "uncuts"})
     CHECK(stage["deviation"].contains(key));
-  for (const char* phase :
-       {"reach", "certificate", "field", "unavoidable", "rays", "findings"})
+  for (const char* phase : {"reach", "certificate", "field", "unavoidable", "rays", "findings"})
     CHECK(stage["deviation"]["phases"][phase].contains("seconds"));
   for (const char* key : {"x", "y", "z", "depth_mm", "area_mm2", "patch", "u", "v", "line", "move"})
     CHECK(stage["deviation"]["gouges"][0].contains(key));

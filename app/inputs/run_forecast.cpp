@@ -21,7 +21,7 @@ constexpr double kProcessBytes = 60 * kMib;
 constexpr double kCellsBytes = 10 * kMib;
 /// Of a cell that the surface is cut into to begin with, and of one about an irregular vertex,
 /// where cells grow smaller down to rounding: each with what a search for closest points needs.
-constexpr double kCellBytes = 1000, kVertexCellBytes = 9000;
+constexpr double kCellBytes = 1000, kVertexCellBytes = 4000;
 /// Files and pages of a stage; its pictures are drawn several times as large and made smaller.
 constexpr double kFilesBytes = 20 * kMib, kPicturesBytes = 92 * kMib;
 

@@ -22,7 +22,8 @@ TEST_CASE("the limit mesh of a paraboloid lies on it within its bound", "[proper
       }
     CHECK(chord > 0);
     // The normal distance is no more than the vertical one.
-    CHECK(chord / std::sqrt(1 + 4 * k * k * 1800) <= patch.bounds.at.back().limit.own_mm * (1 + 1e-9));
+    CHECK(chord / std::sqrt(1 + 4 * k * k * 1800) <=
+          patch.bounds.at.back().limit.own_mm * (1 + 1e-9));
     CHECK(patch.bounds.at.back().limit.own_mm <= 0.0025);
   }
 }

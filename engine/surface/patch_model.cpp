@@ -257,8 +257,10 @@ double PatchModel::corner_mm(int p, const std::vector<int>& depths) const {
     const Index h = patch.first_half_edge + side;
     if (ends_at(h)) continue;
     const int other = depths[patch_at(outer_.twin[h])];
+    // Only coarser neighbours move a corner; a finer one's depth may have no bound here.
+    if (other >= depths[p]) continue;
     const double moved = patch.bounds.at[other].limit.corner_side_mm;
-    if (other < depths[p] && std::isfinite(moved)) laid = std::max(laid, moved);
+    if (std::isfinite(moved)) laid = std::max(laid, moved);
   }
   return patch.bounds.at[depths[p]].limit.corner_mm + laid;
 }

@@ -11,6 +11,12 @@ std::uint8_t channel(double value) {
 
 /// The mean of four pixels, each colour weighed by its alpha.
 Rgba mean(const Rgba& p, const Rgba& q, const Rgba& r, const Rgba& s) {
+  if (p.a == 255 && q.a == 255 && r.a == 255 && s.a == 255) {
+    const auto of = [](int a, int b, int c, int d) {
+      return static_cast<std::uint8_t>((a + b + c + d + 2) / 4);
+    };
+    return {of(p.r, q.r, r.r, s.r), of(p.g, q.g, r.g, s.g), of(p.b, q.b, r.b, s.b), 255};
+  }
   double sum[3] = {}, alpha = 0;
   for (const Rgba* c : {&p, &q, &r, &s}) {
     sum[0] += c->r * c->a, sum[1] += c->g * c->a, sum[2] += c->b * c->a;
@@ -34,6 +40,11 @@ Image::Image(int width, int height, Rgba fill)
 void Image::blend(int x, int y, const Rgba& colour, double coverage) {
   if (!holds(x, y)) return;
   Rgba& under = at(x, y);
+  if (colour.a == 0) return;
+  if (colour.a == 255 && coverage >= 1) {
+    under = colour;
+    return;
+  }
   const double over = std::clamp(coverage, 0.0, 1.0) * colour.a / 255.0;
   const double below = under.a / 255.0 * (1 - over), alpha = over + below;
   if (alpha == 0) return;

@@ -57,12 +57,15 @@ void DepthBuffer::fill_triangle(const std::array<ScreenPoint, 3>& t, Paint&& pai
   };
   const int x0 = first(std::min({a.x, b.x, c.x})), x1 = last(std::max({a.x, b.x, c.x}), width_);
   const int y0 = first(std::min({a.y, b.y, c.y})), y1 = last(std::max({a.y, b.y, c.y}), height_);
+  // Each weight is linear along a row.
+  const double inverse = 1 / area;
+  const double b_step = (c.y - a.y) * inverse, c_step = (a.y - b.y) * inverse;
   for (int y = y0; y <= y1; ++y) {
+    const double py = y + 0.5 - a.y, ax = a.x;
+    const double b_row = -(c.x - ax) * py * inverse, c_row = (b.x - ax) * py * inverse;
     for (int x = x0; x <= x1; ++x) {
-      const double px = x + 0.5, py = y + 0.5;
-      const double wb = ((px - a.x) * (c.y - a.y) - (c.x - a.x) * (py - a.y)) / area;
-      const double wc = ((b.x - a.x) * (py - a.y) - (px - a.x) * (b.y - a.y)) / area;
-      const double wa = 1 - wb - wc;
+      const double px = x + 0.5 - ax;
+      const double wb = b_row + px * b_step, wc = c_row + px * c_step, wa = 1 - wb - wc;
       if (wa < 0 || wb < 0 || wc < 0) continue;
       const auto z = static_cast<float>(wa * a.z + wb * b.z + wc * c.z);
       const std::size_t pixel = std::size_t(y) * width_ + x;

@@ -1,6 +1,7 @@
 #include "reports/picture/stock_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "reports/picture/marker.h"
@@ -50,19 +51,30 @@ std::vector<Vec3> vertex_normals(const simulator::StockMesh& mesh) {
   return normals;
 }
 
-/// Steel in the light of a window behind the viewer's left shoulder and of the sky.
-Rgba shaded(const Vec3& normal, const View& view) {
-  const Vec3 n = model::normalized(normal);
-  const Vec3 window = model::normalized(view.towards * 0.5 + view.up * 0.75 - view.right * 0.7);
-  const double sky = 0.5 + 0.5 * n.z, lit = std::max(0.0, model::dot(n, window));
-  const Vec3 half = model::normalized(window + view.towards);
-  const double shine = 0.22 * std::pow(std::max(0.0, model::dot(n, half)), 40);
-  const auto tone = [&](double base) {
-    const double value = base * (0.26 + 0.24 * sky + 0.55 * lit) + 255 * shine;
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-  };
-  return {tone(196), tone(204), tone(216)};
+/// x to the fortieth.
+double shine_of(double x) {
+  const double x2 = x * x, x4 = x2 * x2, x8 = x4 * x4, x16 = x8 * x8;
+  return x16 * x16 * x8;
 }
+
+/// Steel in the light of a window behind the viewer's left shoulder and of the sky.
+struct Lights {
+  explicit Lights(const View& view)
+      : window(model::normalized(view.towards * 0.5 + view.up * 0.75 - view.right * 0.7)),
+        half(model::normalized(window + view.towards)) {}
+  Vec3 window, half;
+
+  Rgba on(const Vec3& normal) const {
+    const Vec3 n = model::normalized(normal);
+    const double sky = 0.5 + 0.5 * n.z, lit = std::max(0.0, model::dot(n, window));
+    const double shine = 0.22 * shine_of(std::max(0.0, model::dot(n, half)));
+    const auto tone = [&](double base) {
+      const double value = base * (0.26 + 0.24 * sky + 0.55 * lit) + 255 * shine;
+      return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
+    };
+    return {tone(196), tone(204), tone(216)};
+  }
+};
 
 }  // namespace
 
@@ -73,13 +85,21 @@ Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width) {
   Image fine(fine_width, std::max(fine_height, 2));
   DepthBuffer depth(fine.width(), fine.height());
   const std::vector<Vec3> normals = vertex_normals(mesh);
+  std::vector<ScreenPoint> points;
+  points.reserve(mesh.vertices.size());
+  for (const Vec3& p : mesh.vertices) points.push_back(view.project(p));
+  // What is seen is lit, once.
+  std::vector<std::array<float, 3>> seen(fine.pixels().size());
   for (const auto& t : mesh.triangles) {
-    const auto corner = [&](int k) { return view.project(mesh.vertices[t[k]]); };
-    depth.fill_triangle({corner(0), corner(1), corner(2)}, [&](std::size_t i, const auto& w) {
-      fine.pixels()[i] =
-          shaded(normals[t[0]] * w[0] + normals[t[1]] * w[1] + normals[t[2]] * w[2], view);
-    });
+    depth.fill_triangle(
+        {points[t[0]], points[t[1]], points[t[2]]}, [&](std::size_t i, const auto& w) {
+          const Vec3 n = normals[t[0]] * w[0] + normals[t[1]] * w[1] + normals[t[2]] * w[2];
+          seen[i] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+        });
   }
+  const Lights lights(view);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (!depth.is_empty(i)) fine.pixels()[i] = lights.on({seen[i][0], seen[i][1], seen[i][2]});
   Image image = fine.halved();
   draw_axes(image, view.right, view.up, {kMargin + 34.0, image.height() - kMargin - 26.0});
   return image;

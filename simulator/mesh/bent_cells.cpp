@@ -1,6 +1,7 @@
 #include "simulator/mesh/bent_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "model/base/chunks.h"
@@ -12,7 +13,7 @@ namespace {
 
 using model::Vec3;
 
-constexpr std::size_t kSample = 8192, kChunk = 64;
+constexpr std::size_t kSample = 4096, kChunk = 64;
 // Of the edge: above what curvature makes of a surface whose radius is ten voxels.
 constexpr double kBent = 0.0125;
 constexpr int kHalvings = 3;
@@ -115,12 +116,17 @@ std::vector<BentCell> BentCells::sample() const {
 double GridVolume::voxels(const Material& material, const Lattice& lattice,
                           const model::RunControl& control) const {
   std::vector<BentCell> sample = bent.sample();
-  // Neighbours share what can matter to them.
-  const auto block = [](const BentCell& c) {
-    return Index3{c.at[0] >> 5, c.at[1] >> 5, c.at[2] >> 5};
+  // Neighbours share what can matter to them, cube by cube as NearMaterial hands it down.
+  const auto cubes = [](const BentCell& c) {
+    std::array<Index3, 4> in;
+    for (std::size_t k = 0; k < in.size(); ++k)
+      for (int a = 0; a < 3; ++a) in[k][a] = c.at[a] >> std::array{5, 3, 2, 1}[k];
+    return in;
   };
-  std::stable_sort(sample.begin(), sample.end(),
-                   [&](const BentCell& a, const BentCell& b) { return block(a) < block(b); });
+  std::sort(sample.begin(), sample.end(), [&](const BentCell& a, const BentCell& b) {
+    const auto in_a = cubes(a), in_b = cubes(b);
+    return in_a != in_b ? in_a < in_b : a < b;
+  });
   std::vector<double> off(sample.size());
   model::parallel_chunks(sample.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     ExactShare exact(material, lattice);

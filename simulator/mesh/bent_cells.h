@@ -47,9 +47,9 @@ struct GridVolume {
     linear += b.linear, bent += b.bent;
     return *this;
   }
-  /// In voxels, the bent cells worked out by halving with the exact material; of more than 8192 of
+  /// In voxels, the bent cells worked out by halving with the exact material; of more than 4096 of
   /// them, those of the sample, for all. A cell is off by some 0.05 of a voxel, so that the sum of
-  /// n cells is then off by 0.0006 n voxels: of a cut's volume, far less than 0.1 %.
+  /// n cells is then off by 0.0008 n voxels: of a cut's volume, far less than 0.1 %.
   double voxels(const Material& material, const Lattice& lattice,
                 const model::RunControl& control) const;
 };

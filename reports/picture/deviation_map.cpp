@@ -16,25 +16,33 @@ constexpr Rgba kBorder{20, 24, 30, 70};
 constexpr int kOversampling = 2;
 constexpr int kHatchPeriod = 14;  ///< oversampled pixels
 
-/// What the uppermost surface holds at each pixel.
+/// What the uppermost surface holds at each pixel of some rows.
 struct MapLayers {
-  explicit MapLayers(int width, int height)
-      : depth(width, height),
+  MapLayers(int width, int height, int first_row)
+      : depth(width, height, first_row),
         deviation_mm(std::size_t(width) * height, 0.f),
         reachable(std::size_t(width) * height, 0.f) {}
   DepthBuffer depth;
   std::vector<float> deviation_mm, reachable;
 };
 
-void fill_layers(MapLayers& layers, const verifier::DeviationField& field, const MapFrame& frame) {
-  const auto corner = [&](std::uint32_t i) {
-    const model::Vec2 p = frame.pixel(field.samples[i].place.point);
-    return ScreenPoint{p.x, p.y, field.samples[i].place.point.z};
-  };
+std::vector<ScreenPoint> screen_points(const verifier::DeviationField& field,
+                                       const MapFrame& frame) {
+  std::vector<ScreenPoint> points;
+  points.reserve(field.samples.size());
+  for (const Sample& s : field.samples) {
+    const model::Vec2 p = frame.pixel(s.place.point);
+    points.push_back({p.x, p.y, s.place.point.z});
+  }
+  return points;
+}
+
+void fill_layers(MapLayers& layers, const verifier::DeviationField& field,
+                 const std::vector<ScreenPoint>& points) {
   const auto fill = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const Sample &sa = field.samples[a], &sb = field.samples[b], &sc = field.samples[c];
     layers.depth.fill_triangle(
-        {corner(a), corner(b), corner(c)}, [&](std::size_t i, const auto& w) {
+        {points[a], points[b], points[c]}, [&](std::size_t i, const auto& w) {
           layers.deviation_mm[i] = static_cast<float>(
               w[0] * sa.deviation_mm + w[1] * sb.deviation_mm + w[2] * sc.deviation_mm);
           layers.reachable[i] =
@@ -42,6 +50,18 @@ void fill_layers(MapLayers& layers, const verifier::DeviationField& field, const
         });
   };
   for (const auto& q : field.quads) fill(q[0], q[1], q[2]), fill(q[0], q[2], q[3]);
+}
+
+/// The colours of the rows.
+Image coloured(const MapLayers& layers, const DeviationScale& scale, std::size_t first_row) {
+  Image image(layers.depth.width(), layers.depth.height());
+  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+    if (layers.depth.is_empty(i)) continue;
+    const std::size_t x = i % image.width(), y = first_row + i / image.width();
+    image.pixels()[i] =
+        layers.reachable[i] < 0.5f ? hatch_colour(x, y) : scale.colour(layers.deviation_mm[i]);
+  }
+  return image;
 }
 
 /// Borders are met from both patches: collect them as coverage first, then blend once.
@@ -97,15 +117,13 @@ Image draw_map(const verifier::DeviationField& field, const DeviationScale& scal
                const MapFrame& frame) {
   MapFrame fine = frame;
   fine.pixels_per_mm *= kOversampling, fine.width *= kOversampling, fine.height *= kOversampling;
-  MapLayers layers(fine.width, fine.height);
-  fill_layers(layers, field, fine);
-  Image image(fine.width, fine.height);
-  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-    if (layers.depth.is_empty(i)) continue;
-    image.pixels()[i] = layers.reachable[i] < 0.5f ? hatch_colour(i % fine.width, i / fine.width)
-                                                   : scale.colour(layers.deviation_mm[i]);
-  }
-  Image out = image.halved();
+  const std::vector<ScreenPoint> points = screen_points(field, fine);
+  Image out(frame.width, frame.height);
+  by_rows(fine.height, [&](int first_row, int rows) {
+    MapLayers layers(fine.width, rows, first_row);
+    fill_layers(layers, field, points);
+    out.put_rows(coloured(layers, scale, first_row).halved(), first_row / kOversampling);
+  });
   draw_borders(out, field, frame);
   return out;
 }

@@ -58,6 +58,10 @@ void Image::draw(const Image& other, int x0, int y0) {
     for (int x = 0; x < other.width(); ++x) blend(x0 + x, y0 + y, other.at(x, y), 1);
 }
 
+void Image::put_rows(const Image& rows, int y) {
+  std::copy(rows.pixels_.begin(), rows.pixels_.end(), pixels_.begin() + std::ptrdiff_t(y) * width_);
+}
+
 void Image::fill(int x0, int y0, int width, int height, const Rgba& colour) {
   for (int y = std::max(y0, 0); y < std::min(y0 + height, height_); ++y)
     for (int x = std::max(x0, 0); x < std::min(x0 + width, width_); ++x) at(x, y) = colour;

@@ -38,12 +38,17 @@ struct Lamp {
   Vec3 direction;
 };
 
-template <typename Paint>
-void fill_quads(DepthBuffer& depth, const verifier::DeviationField& field,
-                const PerspectiveView& view, Paint&& paint) {
+std::vector<ScreenPoint> screen_points(const verifier::DeviationField& field,
+                                       const PerspectiveView& view) {
   std::vector<ScreenPoint> points;
   points.reserve(field.samples.size());
   for (const Sample& s : field.samples) points.push_back(view.project(s.place.point));
+  return points;
+}
+
+template <typename Paint>
+void fill_quads(DepthBuffer& depth, const verifier::DeviationField& field,
+                const std::vector<ScreenPoint>& points, Paint&& paint) {
   const auto fill = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const std::array<ScreenPoint, 3> corners{points[a], points[b], points[c]};
     depth.fill_triangle(corners, [&](std::size_t pixel, const auto& on_screen) {
@@ -55,9 +60,9 @@ void fill_quads(DepthBuffer& depth, const verifier::DeviationField& field,
 }
 
 void fill_layers(DepthBuffer& depth, Layers& layers, const verifier::DeviationField& field,
-                 const PerspectiveView& view) {
+                 const std::vector<ScreenPoint>& points, const PerspectiveView& view) {
   const Lamp lamp(view);
-  fill_quads(depth, field, view,
+  fill_quads(depth, field, points,
              [&](std::size_t i, const Sample& a, const Sample& b, const Sample& c, const auto& w) {
                layers.deviation_mm[i] = static_cast<float>(
                    w[0] * a.deviation_mm + w[1] * b.deviation_mm + w[2] * c.deviation_mm);
@@ -75,30 +80,63 @@ Rgba shaded(const Rgba& colour, float light) {
   return light < 0 ? mixed(shade, kBack, 0.45) : shade;
 }
 
-/// Both patches have their common border: it is collected first, then blended once.
-void draw_borders(Image& image, const DepthBuffer& depth, const verifier::DeviationField& field,
-                  const PerspectiveView& view) {
-  std::vector<bool> is_border(image.pixels().size());
-  const auto mark = [&](const Vec3& p) {
-    const ScreenPoint at = view.project(p);
-    if (!is_in_sight(at, depth)) return;
-    for (int dy = 0; dy < kOversampling; ++dy)
-      for (int dx = 0; dx < kOversampling; ++dx)
-        if (image.holds(int(at.x) + dx, int(at.y) + dy))
-          is_border[std::size_t(int(at.y) + dy) * image.width() + int(at.x) + dx] = true;
-  };
+/// Places along the borders of patches, a pixel apart at most.
+std::vector<ScreenPoint> border_points(const verifier::DeviationField& field,
+                                       const std::vector<ScreenPoint>& points,
+                                       const PerspectiveView& view) {
+  std::vector<ScreenPoint> along;
   for (const auto& quad : field.quads) {
     for (int k = 0; k < 4; ++k) {
-      const Sample &a = field.samples[quad[k]], &b = field.samples[quad[(k + 1) % 4]];
+      const auto i = quad[k], j = quad[(k + 1) % 4];
+      const Sample &a = field.samples[i], &b = field.samples[j];
       if (!on_patch_border(a, b)) continue;
-      const ScreenPoint from = view.project(a.place.point), to = view.project(b.place.point);
-      const int steps = 1 + int(std::hypot(to.x - from.x, to.y - from.y));
-      for (int i = 0; i <= steps; ++i)
-        mark(model::lerp(a.place.point, b.place.point, double(i) / steps));
+      const int steps = 1 + int(std::hypot(points[j].x - points[i].x, points[j].y - points[i].y));
+      for (int n = 0; n <= steps; ++n)
+        along.push_back(view.project(model::lerp(a.place.point, b.place.point, double(n) / steps)));
     }
   }
-  for (std::size_t i = 0; i < is_border.size(); ++i)
-    if (is_border[i]) image.blend(int(i % image.width()), int(i / image.width()), kBorder, 1);
+  return along;
+}
+
+/// Pixels of the finer picture that have a border. Both patches have their common one: it is
+/// collected first, then blended once.
+class BorderMask {
+ public:
+  BorderMask(int width, int height)
+      : width_(width), height_(height), is_border_(std::size_t(width) * height) {}
+  /// Those of `along` that are seen in the rows of `depth`, and what they reach of the next one.
+  void mark(const std::vector<ScreenPoint>& along, const DepthBuffer& depth) {
+    for (const ScreenPoint& at : along) {
+      const int x = int(std::floor(at.x)), y = int(std::floor(at.y));
+      if (!depth.pixel_at(x, y) || !is_in_sight(at, depth)) continue;
+      for (int dy = 0; dy < kOversampling; ++dy)
+        for (int dx = 0; dx < kOversampling; ++dx)
+          if (x + dx < width_ && y + dy < height_)
+            is_border_[std::size_t(y + dy) * width_ + x + dx] = true;
+    }
+  }
+  void draw(Image& rows, int first_row) const {
+    for (int y = 0; y < rows.height(); ++y)
+      for (int x = 0; x < width_; ++x)
+        if (is_border_[std::size_t(first_row + y) * width_ + x]) rows.blend(x, y, kBorder, 1);
+  }
+
+ private:
+  int width_, height_;
+  std::vector<bool> is_border_;
+};
+
+/// The colours of the rows of `depth`, in the light.
+Image coloured(const DepthBuffer& depth, const Layers& layers, const DeviationScale& scale) {
+  Image image(depth.width(), depth.height());
+  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+    if (depth.is_empty(i)) continue;
+    const std::size_t x = i % depth.width(), y = depth.first_row() + i / depth.width();
+    const Rgba colour =
+        layers.reachable[i] < 0.5f ? hatch_colour(x, y) : scale.colour(layers.deviation_mm[i]);
+    image.pixels()[i] = shaded(colour, layers.light[i]);
+  }
+  return image;
 }
 
 }  // namespace
@@ -106,34 +144,36 @@ void draw_borders(Image& image, const DepthBuffer& depth, const verifier::Deviat
 bool is_in_sight(const ScreenPoint& p, const DepthBuffer& depth) {
   // A little nearer than the surface that it lies on, which pixels see from their centres.
   constexpr double kNearer = 1.004;
-  const int x = int(std::floor(p.x)), y = int(std::floor(p.y));
-  if (x < 0 || y < 0 || x >= depth.width() || y >= depth.height()) return false;
-  const std::size_t pixel = std::size_t(y) * depth.width() + x;
-  return depth.is_empty(pixel) || p.z * kNearer >= depth.nearest(pixel);
+  const auto pixel = depth.pixel_at(int(std::floor(p.x)), int(std::floor(p.y)));
+  if (!pixel) return false;
+  return depth.is_empty(*pixel) || p.z * kNearer >= depth.nearest(*pixel);
 }
 
 DepthBuffer perspective_depth(const verifier::DeviationField& field, const PerspectiveView& view) {
   DepthBuffer depth(view.width(), view.height());
-  fill_quads(depth, field, view, [](auto&&...) {});
+  fill_quads(depth, field, screen_points(field, view), [](auto&&...) {});
   return depth;
 }
 
 PerspectiveMap draw_perspective_map(const verifier::DeviationField& field,
                                     const DeviationScale& scale, const PerspectiveView& view) {
   const PerspectiveView fine = view.scaled(kOversampling);
-  Image image(fine.width(), fine.height());
+  const std::vector<ScreenPoint> points = screen_points(field, fine);
+  const std::vector<ScreenPoint> borders = border_points(field, points, fine);
+  BorderMask mask(fine.width(), fine.height());
   DepthBuffer depth(fine.width(), fine.height());
-  Layers layers(image.pixels().size());
-  fill_layers(depth, layers, field, fine);
-  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-    if (depth.is_empty(i)) continue;
-    const Rgba colour = layers.reachable[i] < 0.5f
-                            ? hatch_colour(i % fine.width(), i / fine.width())
-                            : scale.colour(layers.deviation_mm[i]);
-    image.pixels()[i] = shaded(colour, layers.light[i]);
-  }
-  draw_borders(image, depth, field, fine);
-  return {image.halved(), std::move(depth), kOversampling};
+  Image image(fine.width() / kOversampling, fine.height() / kOversampling);
+  by_rows(fine.height() / kOversampling * kOversampling, [&](int first_row, int rows) {
+    DepthBuffer part(fine.width(), rows, first_row);
+    Layers layers(std::size_t(fine.width()) * rows);
+    fill_layers(part, layers, field, points, fine);
+    mask.mark(borders, part);
+    Image colours = coloured(part, layers, scale);
+    mask.draw(colours, first_row);
+    image.put_rows(colours.halved(), first_row / kOversampling);
+    depth.put(part);
+  });
+  return {std::move(image), std::move(depth), kOversampling};
 }
 
 }  // namespace limitgauge::reports

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace limitgauge::reports {
@@ -13,15 +14,29 @@ struct ScreenPoint {
   double x = 0, y = 0, z = 0;
 };
 
-/// What is nearest at each pixel so far.
+/// What is nearest at each pixel so far, of a screen or of some rows of it.
 class DepthBuffer {
  public:
-  DepthBuffer(int width, int height)
+  /// Pixels are counted from the left of row `first_row` of the screen on.
+  DepthBuffer(int width, int height, int first_row = 0)
       : width_(width),
         height_(height),
+        first_row_(first_row),
         depth_(std::size_t(width) * height, -std::numeric_limits<float>::infinity()) {}
   int width() const { return width_; }
   int height() const { return height_; }
+  int first_row() const { return first_row_; }
+  /// Of a place on the screen; none outside its rows.
+  std::optional<std::size_t> pixel_at(int x, int y) const {
+    y -= first_row_;
+    if (x < 0 || y < 0 || x >= width_ || y >= height_) return std::nullopt;
+    return std::size_t(y) * width_ + x;
+  }
+  /// Takes over rows that were filled apart.
+  void put(const DepthBuffer& rows) {
+    std::copy(rows.depth_.begin(), rows.depth_.end(),
+              depth_.begin() + std::ptrdiff_t(rows.first_row_ - first_row_) * width_);
+  }
   bool is_empty(std::size_t pixel) const { return std::isinf(depth_[pixel]); }
   /// z of what is nearest there.
   double nearest(std::size_t pixel) const { return depth_[pixel]; }
@@ -33,9 +48,17 @@ class DepthBuffer {
   void fill_triangle(const std::array<ScreenPoint, 3>& t, Paint&& paint);
 
  private:
-  int width_, height_;
+  int width_, height_, first_row_;
   std::vector<float> depth_;
 };
+
+/// Calls `draw(first_row, rows)` for some rows of a picture after the other, so that not all of it
+/// is held many times as fine as it is shown.
+template <typename Draw>
+void by_rows(int height, Draw&& draw) {
+  constexpr int kRows = 256;  // even: two of them become one that is shown
+  for (int row = 0; row < height; row += kRows) draw(row, std::min(kRows, height - row));
+}
 
 /// Barycentric coordinates on the screen as those in space, of a triangle in perspective whose z
 /// are inverse distances.
@@ -51,12 +74,16 @@ void DepthBuffer::fill_triangle(const std::array<ScreenPoint, 3>& t, Paint&& pai
   const auto& [a, b, c] = t;
   const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   if (area == 0) return;
-  const auto first = [](double low) { return std::max(0, int(std::ceil(low - 0.5))); };
-  const auto last = [](double high, int size) {
-    return std::min(size - 1, int(std::floor(high - 0.5)));
+  const auto first = [](double low, int least) {
+    return std::max(least, int(std::ceil(low - 0.5)));
   };
-  const int x0 = first(std::min({a.x, b.x, c.x})), x1 = last(std::max({a.x, b.x, c.x}), width_);
-  const int y0 = first(std::min({a.y, b.y, c.y})), y1 = last(std::max({a.y, b.y, c.y}), height_);
+  const auto last = [](double high, int end) {
+    return std::min(end - 1, int(std::floor(high - 0.5)));
+  };
+  const int y0 = first(std::min({a.y, b.y, c.y}), first_row_),
+            y1 = last(std::max({a.y, b.y, c.y}), first_row_ + height_);
+  if (y0 > y1) return;
+  const int x0 = first(std::min({a.x, b.x, c.x}), 0), x1 = last(std::max({a.x, b.x, c.x}), width_);
   // Each weight is linear along a row.
   const double inverse = 1 / area;
   const double b_step = (c.y - a.y) * inverse, c_step = (a.y - b.y) * inverse;
@@ -68,7 +95,7 @@ void DepthBuffer::fill_triangle(const std::array<ScreenPoint, 3>& t, Paint&& pai
       const double wb = b_row + px * b_step, wc = c_row + px * c_step, wa = 1 - wb - wc;
       if (wa < 0 || wb < 0 || wc < 0) continue;
       const auto z = static_cast<float>(wa * a.z + wb * b.z + wc * c.z);
-      const std::size_t pixel = std::size_t(y) * width_ + x;
+      const std::size_t pixel = std::size_t(y - first_row_) * width_ + x;
       if (z <= depth_[pixel]) continue;
       depth_[pixel] = z;
       paint(pixel, std::array<double, 3>{wa, wb, wc});

@@ -76,31 +76,38 @@ struct Lights {
   }
 };
 
+/// What is nearest in the rows of `depth`: all that is seen is lit, once.
+Image lit(const simulator::StockMesh& mesh, const std::vector<ScreenPoint>& points,
+          const std::vector<Vec3>& normals, const Lights& lights, DepthBuffer& depth) {
+  Image image(depth.width(), depth.height());
+  std::vector<std::array<float, 3>> seen(image.pixels().size());
+  for (const auto& t : mesh.triangles)
+    depth.fill_triangle(
+        {points[t[0]], points[t[1]], points[t[2]]}, [&](std::size_t i, const auto& w) {
+          const Vec3 n = normals[t[0]] * w[0] + normals[t[1]] * w[1] + normals[t[2]] * w[2];
+          seen[i] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+        });
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (!depth.is_empty(i)) image.pixels()[i] = lights.on({seen[i][0], seen[i][1], seen[i][2]});
+  return image;
+}
+
 }  // namespace
 
 Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width) {
   View view;
   const int fine_width = largest_width * kOversampling;
   const int fine_height = fit(view, mesh, fine_width) / 2 * 2;
-  Image fine(fine_width, std::max(fine_height, 2));
-  DepthBuffer depth(fine.width(), fine.height());
   const std::vector<Vec3> normals = vertex_normals(mesh);
   std::vector<ScreenPoint> points;
   points.reserve(mesh.vertices.size());
   for (const Vec3& p : mesh.vertices) points.push_back(view.project(p));
-  // What is seen is lit, once.
-  std::vector<std::array<float, 3>> seen(fine.pixels().size());
-  for (const auto& t : mesh.triangles) {
-    depth.fill_triangle(
-        {points[t[0]], points[t[1]], points[t[2]]}, [&](std::size_t i, const auto& w) {
-          const Vec3 n = normals[t[0]] * w[0] + normals[t[1]] * w[1] + normals[t[2]] * w[2];
-          seen[i] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
-        });
-  }
   const Lights lights(view);
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    if (!depth.is_empty(i)) fine.pixels()[i] = lights.on({seen[i][0], seen[i][1], seen[i][2]});
-  Image image = fine.halved();
+  Image image(fine_width / kOversampling, std::max(fine_height / kOversampling, 1));
+  by_rows(image.height() * kOversampling, [&](int first_row, int rows) {
+    DepthBuffer depth(fine_width, rows, first_row);
+    image.put_rows(lit(mesh, points, normals, lights, depth).halved(), first_row / kOversampling);
+  });
   draw_axes(image, view.right, view.up, {kMargin + 34.0, image.height() - kMargin - 26.0});
   return image;
 }

@@ -94,10 +94,11 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
                      surface.unmoved};
   }
   std::vector<Job> jobs;
-  // One picture after the other: each is drawn many times as large as it is in the end.
+  // The one that takes most room, and the others after each other.
   if (options.pictures) {
+    jobs.push_back([&] { pictures.perspective_png = perspective_png(stage); });
     jobs.push_back([&] {
-      pictures = {deviation_png(stage), perspective_png(stage), {}};
+      pictures.deviation_png = deviation_png(stage);
       if (ran.stock) pictures.stock_png = stock_png(surface.mesh);
     });
   }

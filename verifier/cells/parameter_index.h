@@ -15,6 +15,9 @@ struct ParameterRect {
   bool holds(const ParameterRect& r) const {
     return u0 <= r.u0 && r.u1 <= u1 && v0 <= r.v0 && r.v1 <= v1;
   }
+  bool touches(const ParameterRect& r) const {
+    return u0 <= r.u1 && r.u0 <= u1 && v0 <= r.v1 && r.v0 <= v1;
+  }
 };
 /// Of a SurfaceCell or a CellPart.
 template <class Cell>
@@ -45,8 +48,14 @@ class ParameterIndex {
   /// Calls `see(index)` for each cell of the patch that overlaps `rect` or touches it.
   template <class See>
   void overlapping(int patch, const ParameterRect& rect, See&& see) const {
+    overlapping_beyond(patch, rect, std::nullopt, see);
+  }
+  /// The same without those for which a call with `inner` has done so.
+  template <class See>
+  void overlapping_beyond(int patch, const ParameterRect& rect,
+                          const std::optional<ParameterRect>& inner, See&& see) const {
     if (patch >= 0 && patch < patch_count() && roots_[patch] >= 0)
-      visit(roots_[patch], {0, 1, 0, 1}, rect, see);
+      visit(roots_[patch], {0, 1, 0, 1}, rect, inner, see);
   }
 
  private:
@@ -61,13 +70,13 @@ class ParameterIndex {
 
   template <class See>
   void visit(std::int32_t at, const ParameterRect& region, const ParameterRect& rect,
-             See&& see) const {
-    if (region.u0 > rect.u1 || region.u1 < rect.u0 || region.v0 > rect.v1 || region.v1 < rect.v0)
-      return;
+             const std::optional<ParameterRect>& inner, See&& see) const {
+    if (!region.touches(rect) || (inner && inner->holds(region))) return;
     const Node& node = nodes_[at];
-    for (std::uint32_t k = 0; k < node.count; ++k) see(order_[node.first + k]);
-    if (node.low >= 0) visit(node.low, half(region, node.in_u, false), rect, see);
-    if (node.high >= 0) visit(node.high, half(region, node.in_u, true), rect, see);
+    if (node.count > 0 && !(inner && region.touches(*inner)))
+      for (std::uint32_t k = 0; k < node.count; ++k) see(order_[node.first + k]);
+    if (node.low >= 0) visit(node.low, half(region, node.in_u, false), rect, inner, see);
+    if (node.high >= 0) visit(node.high, half(region, node.in_u, true), rect, inner, see);
   }
 
   std::vector<std::int32_t> roots_;

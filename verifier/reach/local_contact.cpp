@@ -1,6 +1,7 @@
 #include "verifier/reach/local_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -42,6 +43,10 @@ struct Clearance {
   double along = 0, across = 0, turn = 0;
 };
 
+/// How far beyond a cell the rectangles about it go that are tried, in radii of the cell, one after
+/// the other: as far as the next one fails, for what is proven over one is proven over all in it.
+constexpr std::array kMargins = {3.2, 3.8, 4.4, 5.0, 6.0};
+
 }  // namespace
 
 /// Spans over a rectangle: components of the first derivatives, normal parts of the second.
@@ -58,10 +63,28 @@ struct LocalContact::Spans {
   }
 };
 
-/// Parameters (x, y) in which S is nearly a plane in square millimetres about a cell's middle,
-/// where bounds on products of derivatives are tightest: u = x·u_x + y·u_y, v = y·v_y.
-struct LocalContact::Square {
+/// The directions that components are taken along, and parameters (x, y) in which S is nearly a
+/// plane in square millimetres about a cell's middle, where bounds on products of derivatives are
+/// tightest: u = x·u_x + y·u_y, v = y·v_y.
+struct LocalContact::Frame {
+  Vec3 n, t, b;     ///< normal, along the cutter's meridian, across it
+  double lean = 0;  ///< how far a normal of the cell may be from n
   double u_x = 1, u_y = 0, v_y = 1;
+
+  /// None where S has no plane.
+  static std::optional<Frame> of(const SurfaceCell& cell, const CellContact& contact) {
+    const Vec3& e = contact.direction();
+    Frame f{contact.normal(), {}, {-e.y, e.x, 0}, 2 * std::sin(contact.alpha() / 2), 1, 0, 1};
+    f.t = cross(f.b, f.n);
+    const BezierJet j = jet(cell.shape, 0.5, 0.5);
+    const Vec3 along_u = j.du / cell.size_u, along_v = j.dv / cell.size_v;
+    f.u_x = 1 / length(along_u);
+    const double skew = dot(along_v, along_u) * f.u_x * f.u_x;
+    f.v_y = 1 / length(along_v - along_u * skew);
+    f.u_y = -skew * f.v_y;
+    if (!std::isfinite(f.u_x) || !std::isfinite(f.v_y)) return std::nullopt;
+    return f;
+  }
 };
 
 namespace {
@@ -92,7 +115,7 @@ std::vector<Clearance> clearances(const CellContact& c, double reach, double far
   if (y > reach * std::sin(free))
     bend = std::min(bend, 2 * (y * std::tan(free) - reach * (1 / std::cos(free) - 1)) / (y * y));
   // (|w_t| − x)² ≥ (1 − η)·w_t² − (1/η − 1)·x² with x = k·w_b²/2, for η = 1/2, and shares of it.
-  for (const double share : {0.02, 0.05, 0.12, 0.25, 0.5, 1.0}) {
+  for (const double share : {0.02, 0.05, 0.08, 0.12, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0}) {
     const double meridian = share * bend / 2, rest = across - meridian * 2 * k * k * far * far / 4;
     if (rest < 0) continue;
     out.push_back({meridian, rest, turn});
@@ -158,15 +181,16 @@ ParameterRect LocalContact::clipped(int patch, const ParameterRect& own,
   return wanted;
 }
 
-LocalContact::Spans LocalContact::spans_over(const ClearedRect& area, const CellContact& contact,
-                                             const Square& q, const Vec3& t, const Vec3& b) const {
-  Spans s;
-  const Vec3 &n = contact.normal(), z{0, 0, 1};
-  const double lean = 2 * std::sin(contact.alpha() / 2);
-  for (const PlacedPatch& placed : charts_.around(area.patch)) {
-    const ParameterRect own = placed.to_own(area.rect);
-    if (own.u0 > 1 || own.u1 < 0 || own.v0 > 1 || own.v1 < 0) continue;
-    index_.overlapping(placed.patch, own, [&](std::uint32_t k) {
+/// Adds the cells that touch `rect`, but for those that touch `inner` and were added with it.
+void LocalContact::add_spans(Spans& s, int patch, const ParameterRect& rect,
+                             const std::optional<ParameterRect>& inner, const Frame& f) const {
+  constexpr ParameterRect kAll{0, 1, 0, 1};
+  const Vec3 z{0, 0, 1};
+  for (const PlacedPatch& placed : charts_.around(patch)) {
+    const ParameterRect own = placed.to_own(rect);
+    if (!own.touches(kAll)) continue;
+    const auto before = inner ? std::optional(placed.to_own(*inner)) : std::nullopt;
+    index_.overlapping_beyond(placed.patch, own, before, [&](std::uint32_t k) {
       const DerivativeHull& h = hulls_[k];
       const bool swapped = placed.turns % 2 == 1;
       const Box3& along_u = swapped ? h.v : h.u;
@@ -175,40 +199,29 @@ LocalContact::Spans LocalContact::spans_over(const ClearedRect& area, const Cell
       const Box3 own_v = placed.turns >= 2 ? negated(along_v) : along_v;
       const Box3 own_uv = swapped ? negated(h.uv) : h.uv;
       const Box3 &own_uu = swapped ? h.vv : h.uu, &own_vv = swapped ? h.uu : h.vv;
-      const Box3 u = mixed(q.u_x, own_u, 0, own_v), v = mixed(q.u_y, own_u, q.v_y, own_v);
-      const Box3 uu = mixed(q.u_x * q.u_x, own_uu, 0, own_uv),
-                 uv = mixed(q.u_x * q.u_y, own_uu, q.u_x * q.v_y, own_uv),
-                 vv = mixed(1, mixed(q.u_y * q.u_y, own_uu, 2 * q.u_y * q.v_y, own_uv),
-                            q.v_y * q.v_y, own_vv);
+      const Box3 u = mixed(f.u_x, own_u, 0, own_v), v = mixed(f.u_y, own_u, f.v_y, own_v);
+      const Box3 uu = mixed(f.u_x * f.u_x, own_uu, 0, own_uv),
+                 uv = mixed(f.u_x * f.u_y, own_uu, f.u_x * f.v_y, own_uv),
+                 vv = mixed(1, mixed(f.u_y * f.u_y, own_uu, 2 * f.u_y * f.v_y, own_uv),
+                            f.v_y * f.v_y, own_vv);
       s.uz.add(along(own_u, z)), s.vz.add(along(own_v, z));
-      s.ut.add(along(u, t)), s.ub.add(along(u, b)), s.un.add(along(u, n));
-      s.vt.add(along(v, t)), s.vb.add(along(v, b)), s.vn.add(along(v, n));
-      s.uu.add(along(uu, n).widened(lean * longest(uu)));
-      s.uv.add(along(uv, n).widened(lean * longest(uv)));
-      s.vv.add(along(vv, n).widened(lean * longest(vv)));
+      s.ut.add(along(u, f.t)), s.ub.add(along(u, f.b)), s.un.add(along(u, f.n));
+      s.vt.add(along(v, f.t)), s.vb.add(along(v, f.b)), s.vn.add(along(v, f.n));
+      s.uu.add(along(uu, f.n).widened(f.lean * longest(uu)));
+      s.uv.add(along(uv, f.n).widened(f.lean * longest(uv)));
+      s.vv.add(along(vv, f.n).widened(f.lean * longest(vv)));
       s.u = std::max(s.u, longest(u)), s.v = std::max(s.v, longest(v));
     });
   }
-  return s;
 }
 
-bool LocalContact::proven(const ClearedRect& area, const SurfaceCell& cell,
-                          const CellContact& contact) const {
-  const Vec3& e = contact.direction();
-  const Vec3 b{-e.y, e.x, 0}, t = cross(b, contact.normal());
-  const BezierJet j = jet(cell.shape, 0.5, 0.5);
-  const Vec3 along_u = j.du / cell.size_u, along_v = j.dv / cell.size_v;
-  Square q;
-  q.u_x = 1 / length(along_u);
-  const double skew = dot(along_v, along_u) * q.u_x * q.u_x;
-  q.v_y = 1 / length(along_v - along_u * skew);
-  q.u_y = -skew * q.v_y;
-  if (!std::isfinite(q.u_x) || !std::isfinite(q.v_y)) return false;
-  const Spans s = spans_over(area, contact, q, t, b);
-  const ParameterRect own = rect_of(cell);
-  const double du = std::max(own.u1 - area.rect.u0, area.rect.u1 - own.u0),
-               dv = std::max(own.v1 - area.rect.v0, area.rect.v1 - own.v0);
-  const double y = dv / q.v_y, x = (du + std::abs(q.u_y) * y) / q.u_x;
+/// Whether what `s` holds of the derivatives does for a proof over `area`: where they are those of
+/// a part of it, no proof over all of it is to be had if there is none by them.
+bool LocalContact::proven(const ParameterRect& area, const ParameterRect& own,
+                          const CellContact& contact, const Frame& f, const Spans& s) const {
+  const double du = std::max(own.u1 - area.u0, area.u1 - own.u0),
+               dv = std::max(own.v1 - area.v0, area.v1 - own.v0);
+  const double y = dv / f.v_y, x = (du + std::abs(f.u_y) * y) / f.u_x;
   const double far = s.longest(x, y), rise = s.uz.largest() * du + s.vz.largest() * dv;
   const double reach = contact.profile().rounding_mm + allowance_mm_;
   // What may be cut into, less what the turn of a normal on a wall takes.
@@ -231,26 +244,40 @@ std::optional<ClearedRect> LocalContact::clear(const SurfaceCell& cell,
   const ParameterRect own = rect_of(cell);
   const BezierJet j = jet(cell.shape, 0.5, 0.5);
   const double u = length(j.du) / cell.size_u, v = length(j.dv) / cell.size_v;
-  if (!(u > 0) || !(v > 0)) return std::nullopt;
-  const double h = contact.radius();
-  const auto within = [&](double margin) -> std::optional<ClearedRect> {
-    const ParameterRect wanted{own.u0 - margin / u, own.u1 + margin / u, own.v0 - margin / v,
-                               own.v1 + margin / v};
-    const ClearedRect area{cell.patch, clipped(cell.patch, own, wanted)};
-    if (!proven(area, cell, contact)) return std::nullopt;
-    return area;
+  const auto frame = Frame::of(cell, contact);
+  if (!frame || !(u > 0) || !(v > 0)) return std::nullopt;
+  const auto around = [&](double margin) {
+    return clipped(
+        cell.patch, own,
+        {own.u0 - margin / u, own.u1 + margin / u, own.v0 - margin / v, own.v1 + margin / v});
   };
-  // What fails over the smallest fails over all, and few cells fail over some only.
-  const auto smallest = within(3.2 * h);
-  if (!smallest) return std::nullopt;
-  double last = 0;
-  for (const double margin :
-       {std::max(6 * h, 3 * usual_radius_mm_), 6 * h, 5 * h, 4.4 * h, 3.8 * h}) {
-    if (margin == last) continue;
-    last = margin;
-    if (const auto area = within(margin)) return area;
+  Spans spans;
+  // What fails by the derivatives at the middle fails over any rectangle, and most cells do.
+  const ParameterRect middle{cell.u_at(0.5), cell.u_at(0.5), cell.v_at(0.5), cell.v_at(0.5)};
+  add_spans(spans, cell.patch, middle, {}, *frame);
+  const double h = contact.radius();
+  if (!proven(around(kMargins.front() * h), own, contact, *frame, spans)) return std::nullopt;
+  ParameterRect seen = middle;
+  std::optional<ParameterRect> failed;
+  std::optional<ClearedRect> cleared;
+  for (std::size_t k = 0; k <= kMargins.size(); ++k) {
+    const double margin =
+        k < kMargins.size() ? kMargins[k] * h : std::max(kMargins.back() * h, 3 * usual_radius_mm_);
+    const ParameterRect area = around(margin);
+    if (failed && area.holds(*failed)) continue;
+    // A side may be given up on the way.
+    const bool grows = area.holds(seen);
+    if (!grows) spans = {};
+    add_spans(spans, cell.patch, area, grows ? std::optional(seen) : std::nullopt, *frame);
+    seen = area;
+    if (proven(area, own, contact, *frame, spans))
+      cleared = {cell.patch, area};
+    else if (k == 0)
+      return std::nullopt;
+    else
+      failed = area;
   }
-  return smallest;
+  return cleared;
 }
 
 bool LocalContact::holds(const ClearedRect& cleared, const SurfaceCell& cell) const {

@@ -30,13 +30,14 @@ class LocalContact {
     model::Box3 u, v, uu, uv, vv;
   };
   struct Spans;
-  struct Square;
+  struct Frame;
 
   static DerivativeHull hull_of(const SurfaceCell& cell);
   ParameterRect clipped(int patch, const ParameterRect& own, ParameterRect wanted) const;
-  Spans spans_over(const ClearedRect& area, const CellContact& contact, const Square& q,
-                   const model::Vec3& t, const model::Vec3& b) const;
-  bool proven(const ClearedRect& area, const SurfaceCell& cell, const CellContact& contact) const;
+  void add_spans(Spans& spans, int patch, const ParameterRect& rect,
+                 const std::optional<ParameterRect>& inner, const Frame& frame) const;
+  bool proven(const ParameterRect& area, const ParameterRect& own, const CellContact& contact,
+              const Frame& frame, const Spans& spans) const;
 
   ParameterIndex index_;
   PatchCharts charts_;

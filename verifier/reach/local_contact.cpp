@@ -43,9 +43,10 @@ struct Clearance {
   double along = 0, across = 0, turn = 0;
 };
 
-/// How far beyond a cell the rectangles about it go that are tried, in radii of the cell, one after
-/// the other: as far as the next one fails, for what is proven over one is proven over all in it.
-constexpr std::array kMargins = {3.2, 3.8, 4.4, 5.0, 6.0};
+/// How far beyond a cell the rectangles about it go that are tried, one after the other, as far as
+/// the next one fails: from so many radii of the cell to so many, or to three of the cells that S
+/// is cut into to begin with, if that is more.
+constexpr double kLeastMargin = 3.2, kMostMargin = 6.2, kMarginStep = 1.18;
 
 }  // namespace
 
@@ -115,7 +116,8 @@ std::vector<Clearance> clearances(const CellContact& c, double reach, double far
   if (y > reach * std::sin(free))
     bend = std::min(bend, 2 * (y * std::tan(free) - reach * (1 / std::cos(free) - 1)) / (y * y));
   // (|w_t| − x)² ≥ (1 − η)·w_t² − (1/η − 1)·x² with x = k·w_b²/2, for η = 1/2, and shares of it.
-  for (const double share : {0.02, 0.05, 0.08, 0.12, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0}) {
+  for (const double share : {0.015, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.12, 0.15, 0.18,
+                             0.21,  0.25, 0.3,  0.35, 0.42, 0.5,  0.6,  0.7, 0.85, 1.0}) {
     const double meridian = share * bend / 2, rest = across - meridian * 2 * k * k * far * far / 4;
     if (rest < 0) continue;
     out.push_back({meridian, rest, turn});
@@ -256,13 +258,12 @@ std::optional<ClearedRect> LocalContact::clear(const SurfaceCell& cell,
   const ParameterRect middle{cell.u_at(0.5), cell.u_at(0.5), cell.v_at(0.5), cell.v_at(0.5)};
   add_spans(spans, cell.patch, middle, {}, *frame);
   const double h = contact.radius();
-  if (!proven(around(kMargins.front() * h), own, contact, *frame, spans)) return std::nullopt;
+  if (!proven(around(kLeastMargin * h), own, contact, *frame, spans)) return std::nullopt;
   ParameterRect seen = middle;
   std::optional<ParameterRect> failed;
   std::optional<ClearedRect> cleared;
-  for (std::size_t k = 0; k <= kMargins.size(); ++k) {
-    const double margin =
-        k < kMargins.size() ? kMargins[k] * h : std::max(kMargins.back() * h, 3 * usual_radius_mm_);
+  const double widest = std::max(kMostMargin * h, 3 * usual_radius_mm_);
+  for (double margin = kLeastMargin * h; margin <= widest; margin *= kMarginStep) {
     const ParameterRect area = around(margin);
     if (failed && area.holds(*failed)) continue;
     // A side may be given up on the way.
@@ -272,7 +273,7 @@ std::optional<ClearedRect> LocalContact::clear(const SurfaceCell& cell,
     seen = area;
     if (proven(area, own, contact, *frame, spans))
       cleared = {cell.patch, area};
-    else if (k == 0)
+    else if (!cleared)
       return std::nullopt;
     else
       failed = area;

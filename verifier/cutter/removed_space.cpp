@@ -120,12 +120,18 @@ std::shared_ptr<const RemovedSpace::PassBodies> RemovedSpace::index_bodies(
   return p;
 }
 
-/// A lower bound of d over a node's moves: the dearer one where the cheaper is not beyond `limit`.
-double RemovedSpace::PassBodies::bound(const model::BoxNode& node, const Vec3& p,
-                                       double limit_mm) const {
-  const double by_box = box_bound(profile, node.box, p);
+/// A lower bound of d over some tips' moves from all points no further from p along each axis than
+/// `half`: as from p to tips that may be as much further apart.
+double RemovedSpace::PassBodies::bound(const Box3& tips, const Vec3& p, const Vec3& half) const {
+  return box_bound(profile, {tips.low - half, tips.high + half}, p);
+}
+
+/// The same over a node's moves: the dearer one where the cheaper is not beyond `limit_mm`.
+double RemovedSpace::PassBodies::bound(const model::BoxNode& node, const Vec3& p, double limit_mm,
+                                       const Vec3& half) const {
+  const double by_box = bound(node.box, p, half);
   if (by_box > limit_mm || tilted.empty()) return by_box;
-  return std::max(by_box, tilted[place_of(node)].bound(profile, p));
+  return std::max(by_box, tilted[place_of(node)].bound(profile, p, half));
 }
 
 void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) const {
@@ -300,25 +306,19 @@ void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& 
 
 void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>& out,
                           const FarPasses* far) const {
-  // From a point of the box to a tip is as from its centre to the tip, moved by half the box.
   const Vec3 centre = box.centre(), half = box.size() / 2;
-  const auto bound = [&](const CutterProfile& profile, const Box3& tips) {
-    return box_bound(profile, {tips.low - half, tips.high + half}, centre);
-  };
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
     if (far && far->bound(pass, centre) - length(half) > limit_mm) continue;
     const PassBodies& bodies = *passes_[pass];
     visit_near(
         pass,
         [&](const model::BoxNode& node) {
-          return bound(bodies.profile, node.box) <= limit_mm &&
-                 (bodies.tilted.empty() || bodies.tilted[bodies.place_of(node)].bound(
-                                               bodies.profile, centre, half) <= limit_mm);
+          return bodies.bound(node, centre, limit_mm, half) <= limit_mm;
         },
         [&](std::uint32_t k) {
           Box3 tips;
           tips.add(bodies.bodies[k].from), tips.add(bodies.bodies[k].to);
-          if (bound(bodies.profile, tips) <= limit_mm) out.push_back({pass, bodies.index[k]});
+          if (bodies.bound(tips, centre, half) <= limit_mm) out.push_back({pass, bodies.index[k]});
         });
   }
   stock_within(centre, limit_mm + length(half), out);

@@ -118,7 +118,9 @@ class RemovedSpace {
     std::size_t place_of(const model::BoxNode& node) const {
       return static_cast<std::size_t>(&node - nodes.data());
     }
-    double bound(const model::BoxNode& node, const model::Vec3& p, double limit_mm) const;
+    double bound(const model::Box3& tips, const model::Vec3& p, const model::Vec3& half) const;
+    double bound(const model::BoxNode& node, const model::Vec3& p, double limit_mm,
+                 const model::Vec3& half = {}) const;
     const SweptBody& of_move(std::uint32_t move) const { return bodies[place[move]]; }
   };
 

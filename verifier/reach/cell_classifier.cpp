@@ -1,0 +1,184 @@
+#include "verifier/reach/cell_classifier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/geometry/box_tree.h"
+#include "verifier/cutter/swept_body.h"
+#include "verifier/reach/contact_hull.h"
+#include "verifier/tolerance.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+using std::numbers::pi;
+
+/// Cells of S a cell may still have to be held against, before it is halved without remembering.
+constexpr std::size_t kMostPending = 64;
+constexpr int kLevelDirections = 16;
+
+}  // namespace
+
+CellClassifier::CellClassifier(const SurfaceCells& cells, const Reachability& reachability)
+    : cells_(cells),
+      reachability_(reachability),
+      limit_(reachability.allowance_mm() - reachability.contact_mm()),
+      local_(cells.cells(), reachability.allowance_mm(), reachability.contact_mm()) {}
+
+Reach CellClassifier::decide(OpenCell& open, const SurfaceCell& cell) const {
+  const auto contact = CellContact::of(offset_cell(cell.shape, {}), reachability_.profile(),
+                                       reachability_.allowance_mm());
+  if (!contact) return Reach::undecided;
+  const bool endless = reachability_.is_endless();
+  if (endless && contact->too_steep()) return Reach::unreachable;
+  if (endless && open.witness && bars_all(*open.witness, *contact)) return Reach::unreachable;
+  open.level = contact->level() && reachability_.profile().flat_mm > 0;
+  if (open.level) return decide_level(cell, *contact);
+  if (contact->touchable() && prove(open, cell, *contact)) return Reach::reachable;
+  // Where all else of S is cleared, only what is left of it can be cut into: its middles have
+  // been looked at.
+  if (open.cleared && !contact->turning() && !open.witness) return Reach::undecided;
+  return refute(open, cell, *contact) ? Reach::unreachable : Reach::undecided;
+}
+
+/// On a level spot the flat may stand anywhere over the point: one place suffices.
+Reach CellClassifier::decide_level(const SurfaceCell& cell, const CellContact& contact) const {
+  // What is cleared about a level spot does not depend on where the flat stands over it.
+  const auto cleared = local_.clear(cell, contact.displaced({}));
+  for (int k = -1; k < kLevelDirections; ++k) {
+    const double angle = 2 * pi * k / kLevelDirections;
+    const double out = k < 0 ? 0 : reachability_.profile().flat_mm;
+    OpenCell alone;
+    const Vec3 aside{out * std::cos(angle), out * std::sin(angle), 0};
+    if (prove_beyond(alone, cleared, contact.displaced(aside))) return Reach::reachable;
+  }
+  return reachability_.surely_unreachable(contact.offset()) ? Reach::unreachable : Reach::undecided;
+}
+
+bool CellClassifier::prove(OpenCell& open, const SurfaceCell& cell,
+                           const CellContact& contact) const {
+  if (!open.cleared) return prove_beyond(open, local_.clear(cell, contact), contact);
+  std::erase_if(open.pending, [&](std::uint32_t k) {
+    return clears(contact, open.cleared, cells_.cells()[k], open.witness);
+  });
+  return open.pending.empty();
+}
+
+/// Of all that is not cleared; what is left of it is kept.
+bool CellClassifier::prove_beyond(OpenCell& open, const std::optional<ClearedRect>& cleared,
+                                  const CellContact& contact) const {
+  // A level spot may have nothing bent beside it, and then bounds on the distance do.
+  if (!cleared && !contact.level()) return false;
+  std::vector<std::uint32_t> pending;
+  if (!search(contact, cleared, pending, open.witness)) return false;
+  open.cleared = cleared, open.pending = std::move(pending);
+  return open.pending.empty();
+}
+
+/// Gathers all cells of S that are not proven to stay clear; false when there are too many.
+bool CellClassifier::search(const CellContact& c, const std::optional<ClearedRect>& cleared,
+                            std::vector<std::uint32_t>& pending,
+                            std::optional<Vec3>& witness) const {
+  bool cut = false;
+  model::nearest_first(
+      cells_.nodes(),
+      [&](const model::BoxNode& node) {
+        return standing_bound(c.profile(), c.tip(), node.box) - c.stray();
+      },
+      [&](double bound) { return cut || bound >= limit_; },
+      [&](const model::BoxNode& leaf) {
+        if (below_contact_plane(c, leaf.box)) return;
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+          const SurfaceCell& other = cells_.cells()[k];
+          if (clears(c, cleared, other, witness)) continue;
+          pending.push_back(k);
+          cut = witness.has_value() || pending.size() > kMostPending;
+          if (cut) return;
+        }
+      });
+  return !cut;
+}
+
+bool CellClassifier::below_contact_plane(const CellContact& c, const model::Box3& box) const {
+  const Vec3 &n = c.normal(), h = box.size() * 0.5, at = box.centre();
+  const double along = dot(n, at) + std::abs(n.x) * h.x + std::abs(n.y) * h.y + std::abs(n.z) * h.z;
+  return c.over_contact_plane(along, distance(at, c.middle()) + length(h)) <=
+         reachability_.contact_mm();
+}
+
+/// Whether the cutter stays clear of a cell of S wherever it touches the cell under test. What
+/// holds of a ball round it needs no look at its sixteen control points.
+bool CellClassifier::clears(const CellContact& c, const std::optional<ClearedRect>& cleared,
+                            const SurfaceCell& other, std::optional<Vec3>& witness) const {
+  if (cleared && local_.holds(*cleared, other)) return true;
+  const Vec3 centre = middle(other.shape);
+  const BodyDistance d = standing_distance(c.profile(), c.tip(), centre);
+  if (d.value < limit_ && !c.turning()) {
+    witness = centre;
+    return false;
+  }
+  const double radius = control_radius(other.shape, centre);
+  if (d.value - radius - c.stray() - kDistanceRounding_mm >= limit_) return true;
+  const double apart = distance(centre, c.middle()) + radius;
+  if (c.over_contact_plane(dot(c.normal(), centre) + radius + kDistanceRounding_mm, apart) <=
+      reachability_.contact_mm())
+    return true;
+  const double base = d.value - dot(d.gradient, centre);
+  double least = 1e300, along = -1e300;
+  for (int k = 0; k < 16; ++k) {
+    const Vec3 p = other.shape.control(k);
+    least = std::min(least, dot(d.gradient, p));
+    along = std::max(along, dot(c.normal(), p));
+  }
+  if (base + least - c.largest_shift(d.gradient) >= limit_) return true;
+  if (c.over_contact_plane(along, apart) <= reachability_.contact_mm()) return true;
+  if (radius < c.radius() / 2) return false;
+  const auto parts = halved(other);
+  return clears(c, cleared, parts[0], witness) && clears(c, cleared, parts[1], witness);
+}
+
+/// The middle of a cell of S that the cutter cuts into deepest: what is shallower than the
+/// middles show is too shallow to be proven for all contacts of a cell.
+std::optional<Vec3> CellClassifier::deepest_middle(const Vec3& tip) const {
+  std::optional<Vec3> found;
+  const CutterProfile& profile = reachability_.profile();
+  double best = limit_;
+  model::nearest_first(
+      cells_.nodes(),
+      [&](const model::BoxNode& node) { return standing_bound(profile, tip, node.box); },
+      [&](double bound) { return bound >= best; },
+      [&](const model::BoxNode& leaf) {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+          const Vec3 p = middle(cells_.cells()[k].shape);
+          const double d = standing_distance(profile, tip, p).value;
+          if (d < best) best = d, found = p;
+        }
+      });
+  return found;
+}
+
+/// Whether a point of S is cut into wherever the cutter touches the cell.
+bool CellClassifier::bars_all(const Vec3& q, const CellContact& contact) const {
+  if (contact.turning()) return false;
+  const auto hull =
+      ContactHull::of(contact.offset(), contact.profile(), reachability_.allowance_mm());
+  return hull && hull->always_below(contact.profile(), q, limit_);
+}
+
+/// Whether some point of S is cut into wherever the cutter touches the cell.
+bool CellClassifier::refute(OpenCell& open, const SurfaceCell& cell,
+                            const CellContact& contact) const {
+  if (!reachability_.is_endless()) return reachability_.surely_unreachable(contact.offset());
+  if (contact.turning()) {
+    // The middle's own contact first: a proof costs many.
+    const Vec3 n = middle_normal(cell);
+    return contact.alpha() < 0.3 && !reachability_.touching_tip(contact.middle(), n) &&
+           reachability_.surely_unreachable(contact.offset());
+  }
+  open.witness = deepest_middle(contact.tip());
+  return open.witness && bars_all(*open.witness, contact);
+}
+
+}  // namespace limitgauge::verifier

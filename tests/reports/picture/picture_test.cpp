@@ -1,4 +1,7 @@
 #include <png.h>
+#include <random>
+#include <utility>
+#include <vector>
 
 #include <cmath>
 #include <set>
@@ -157,6 +160,40 @@ TEST_CASE("the nearer triangle hides the other, whatever their order", "[unit][p
       });
     CHECK(seen == 2);
   }
+}
+
+TEST_CASE("a picture that is drawn some rows at a time is the one that is drawn at once",
+          "[property][picture]") {
+  constexpr int kWidth = 90, kHeight = 600;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> x(-10, kWidth + 10), y(-10, kHeight + 10), z(0, 1);
+  std::vector<std::array<ScreenPoint, 3>> triangles(60);
+  for (auto& t : triangles)
+    for (ScreenPoint& p : t) p = {x(random), y(random), z(random)};
+  // Which triangle is seen at each pixel, and with what weight of its first corner.
+  using Seen = std::vector<std::pair<int, double>>;
+  const auto draw = [&](DepthBuffer& depth) {
+    Seen seen(std::size_t(depth.width()) * depth.height(), {-1, 0.0});
+    for (int k = 0; k < int(triangles.size()); ++k)
+      depth.fill_triangle(triangles[k], [&](std::size_t i, const auto& w) { seen[i] = {k, w[0]}; });
+    return seen;
+  };
+  DepthBuffer whole(kWidth, kHeight), joined(kWidth, kHeight);
+  const Seen at_once = draw(whole);
+  Seen by_parts;
+  int parts = 0;
+  by_rows(kHeight, [&](int first_row, int rows) {
+    DepthBuffer part(kWidth, rows, first_row);
+    const Seen seen = draw(part);
+    by_parts.insert(by_parts.end(), seen.begin(), seen.end());
+    joined.put(part);
+    ++parts;
+    CHECK_FALSE(part.pixel_at(0, first_row - 1));
+    CHECK(part.pixel_at(3, first_row) == std::size_t{3});
+  });
+  CHECK(parts == 3);
+  CHECK(by_parts == at_once);
+  for (std::size_t i = 0; i < at_once.size(); ++i) REQUIRE(joined.nearest(i) == whole.nearest(i));
 }
 
 TEST_CASE("the scale is centred on zero and jumps at the limits", "[unit][picture]") {

@@ -225,6 +225,37 @@ void CapsuleNarrowing::lose_at_corners(const MoveBatch& batch,
 
 namespace {
 
+LIMITGAUGE_WIDE
+void find_squares(const BallColumns& c, std::size_t n, double px, double py, double pz,
+                  double* __restrict squared) {
+  n = n / kLanes * kLanes;
+  LIMITGAUGE_EACH
+  for (std::size_t i = 0; i < n; ++i) {
+    const double qx = px - c.x[i], qy = py - c.y[i], qz = pz - c.z[i];
+    const double along = qx * c.along_x[i] + qy * c.along_y[i];
+    const double across = qy * c.along_x[i] - qx * c.along_y[i];
+    const double t_level = unit_clamp(along * c.inverse_run[i]);
+    const double t_line = unit_clamp((along * c.run[i] + qz * c.rise[i]) * c.inverse_length2[i]);
+    const bool above = qz >= c.rise[i] * t_level;
+    const double t = above ? t_level : t_line;
+    const double ea = along - t * c.run[i], below = qz - t * c.rise[i];
+    const double ez = above ? 0.0 : below;
+    squared[i] = ea * ea + across * across + ez * ez;
+  }
+}
+
+}  // namespace
+
+BallFound nearest_ball(const MoveBatch& batch, const Vec3& p, std::vector<double>& squares) {
+  const std::size_t n = batch.padded_size();
+  if (squares.size() < n) squares.resize(n);
+  find_squares(batch.columns(), n, p.x, p.y, p.z, squares.data());
+  const double least = least_of(squares.data(), n);
+  return {place_of(least, squares.data(), n), least};
+}
+
+namespace {
+
 constexpr std::size_t kColumns = kCubeEdge * kCubeEdge, kVoxels = kColumns * kCubeEdge;
 
 struct BallMove {

@@ -47,6 +47,15 @@ class CapsuleNarrowing {
   std::vector<double> margin_, tangent_;
 };
 
+/// The ball move of a batch that is nearest to a point, and how near the way of its centre is.
+struct BallFound {
+  std::size_t place = 0;
+  double squared = 0;  ///< mm²
+};
+/// Of several equal ones the first. `batch` must not be empty; valid where the tops do not matter.
+/// `squares` is room to work in.
+BallFound nearest_ball(const MoveBatch& batch, const model::Vec3& p, std::vector<double>& squares);
+
 /// Voxels along an edge of the cubes that are worked out at once.
 inline constexpr int kCubeEdge = 4;
 using CubeDistances = std::array<double, kCubeEdge * kCubeEdge * kCubeEdge>;

@@ -12,8 +12,6 @@ namespace {
 
 using model::Vec3;
 
-// 1 + √3, rounded up: below this many half edges a foot keeps to the way all over a cube.
-constexpr double kOnTheWay = 2.7321;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 // All counts of moves below are multiples of this: batches are padded.
 constexpr std::size_t kLanes = MoveBatch::kPad;
@@ -23,7 +21,7 @@ constexpr std::size_t kManyKept = 16;
 LIMITGAUGE_WIDE
 void find_feet(const BallColumns& c, std::size_t n, double px, double py, double pz, double h,
                double* squared, double* out_x, double* out_y, double* out_z, double* slide) {
-  const double on_the_way = -kOnTheWay * h, most = 3 * h * h;
+  const double on_the_way = -kFootStaysOnWay * h, most = 3 * h * h;
   n = n / kLanes * kLanes;
   LIMITGAUGE_EACH
   for (std::size_t i = 0; i < n; ++i) {
@@ -70,7 +68,8 @@ LIMITGAUGE_WIDE
 void first_margins(const BallColumns& c, const FeetColumns& f, std::size_t n, double h,
                    const Vec3& u, const Vec3& q, double squared, double rival_turn,
                    double* __restrict turn, double* __restrict margin) {
-  const double ux = u.x, uy = u.y, uz = u.z, on_the_way = -kOnTheWay * h, hh = h * h, h2 = 2 * h;
+  const double ux = u.x, uy = u.y, uz = u.z, on_the_way = -kFootStaysOnWay * h, hh = h * h,
+               h2 = 2 * h;
   const double rx = q.x, ry = q.y, rz = q.z;
   n = n / kLanes * kLanes;
   LIMITGAUGE_EACH

@@ -9,6 +9,9 @@
 
 namespace limitgauge::simulator {
 
+/// 1 + √3, rounded up: below this many half edges a foot keeps to the way all over a cube.
+inline constexpr double kFootStaysOnWay = 2.7321;
+
 /// What the inner loops read of the feet of moves.
 struct FeetColumns {
   const double *squared, *x, *y, *z, *slide, *turn;

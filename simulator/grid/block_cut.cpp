@@ -11,7 +11,7 @@ namespace {
 
 using model::Vec3;
 
-constexpr std::size_t kFewMoves = 32;
+constexpr std::size_t kFewMoves = 32, kMovesOfLeaf = 96;
 
 Index3 child_corner(const Index3& corner, int half, int child) {
   return {corner[0] + (child >> 2 & 1) * half, corner[1] + (child >> 1 & 1) * half,
@@ -172,7 +172,21 @@ void BlockCutter::descend(int depth, const Index3& corner, int edge, LeafSink& s
     descend(depth + 1, child_corner(corner, edge / 2, child), edge / 2, sink);
 }
 
+// All voxels against all moves, in single precision: with few moves left that takes less time than
+// telling parts of the leaf apart.
+bool BlockCutter::fill_leaf_at_once(const Level& level, const Index3& corner) {
+  const LeafVoxels leaf{lattice_.middle(corner, kLeafEdge), lattice_.voxel_mm};
+  const double radius = pass_.profile().corner_radius();
+  if (level.kept.size() > kMovesOfLeaf || !CapsuleLeaf::fine_enough(leaf, radius) ||
+      !balls_below_tops(level.moves, top_of(corner, kLeafEdge)) ||
+      !capsule_leaf_.take(level.moves, level.kept, leaf, radius))
+    return false;
+  capsule_leaf_.distances(band_, leaf_);
+  return true;
+}
+
 void BlockCutter::fill_leaf(int depth, const Index3& corner) {
+  if (fill_leaf_at_once(levels_[depth], corner)) return;
   levels_[depth + 1].moves.take(levels_[depth].moves, levels_[depth].kept);
   for (int child = 0; child < 8; ++child)
     fill(depth + 1, child_corner(corner, kLeafEdge / 2, child), kLeafEdge / 2);

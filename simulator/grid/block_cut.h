@@ -6,6 +6,7 @@
 
 #include "simulator/grid/lattice.h"
 #include "simulator/sweep/capsule_batch.h"
+#include "simulator/sweep/capsule_leaf.h"
 #include "simulator/sweep/move_batch.h"
 #include "simulator/sweep/sweep_index.h"
 
@@ -59,6 +60,7 @@ class BlockCutter {
                              double& bound) const;
   void descend(int depth, const Index3& corner, int edge, LeafSink& sink);
   void fill_leaf(int depth, const Index3& corner);
+  bool fill_leaf_at_once(const Level& level, const Index3& corner);
   void fill(int depth, const Index3& corner, int edge);
   Reach narrow_balls(Level& level, const Index3& corner, int edge);
   double top_of(const Index3& corner, int edge) const;
@@ -75,6 +77,7 @@ class BlockCutter {
   std::vector<Level> levels_;  // one for each halving of a block
   std::vector<std::uint32_t> slots_;
   CapsuleNarrowing capsules_;
+  CapsuleLeaf capsule_leaf_;
   LeafDistances leaf_{};
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "simulator/sweep/vector_loops.h"
 #include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
@@ -81,28 +82,48 @@ std::optional<model::Interval> DexelSweep::interval(double x, double y) const {
   return model::Interval{lowest(u, v, *places), highest(u, v, *places)};
 }
 
-// The lowest point of a swept sphere over each line. Without branches, for the compiler to take
+// The lowest point of a swept sphere over a line. Without branches, for the compiler to take
 // several lines at once.
-void DexelSweep::ball_ends(double x, double y, double step, int n, double* low) const {
-  const double r = profile_->largest_radius(), r2 = r * r;
-  const double k = slope_, share = k / std::sqrt(1 + k * k), run = run_;
-  const double u0 = along(x, y), v0 = across(x, y);
-  const double du = step * along_x_, dv = -step * along_y_;
-  const double base = (vertical() ? tip_low_ : start_.z) + r;
-  for (int i = 0; i < n; ++i) {
-    const double u = u0 + i * du, v = v0 + i * dv, inside = r2 - v * v;
-    double s = u - share * std::sqrt(inside < 0 ? 0 : inside);
+struct DexelSweep::BallEnd {
+  double r2, slope, share, run, base;
+
+  double operator()(double along, double across) const {
+    const double inside = r2 - across * across;
+    double s = along - share * std::sqrt(inside < 0 ? 0 : inside);
     s = s < 0 ? 0 : s;
     s = s > run ? run : s;
-    const double w = u - s, h = inside - w * w;
-    const double z = base + k * s - std::sqrt(h < 0 ? 0 : h);
-    low[i] = h < 0 ? kInfinity : z;
+    const double w = along - s, h = inside - w * w;
+    const double z = base + slope * s - std::sqrt(h < 0 ? 0 : h);
+    return h < 0 ? kInfinity : z;
+  }
+};
+
+DexelSweep::BallEnd DexelSweep::ball_end() const {
+  const double r = profile_->largest_radius();
+  return {r * r, slope_, slope_ / std::sqrt(1 + slope_ * slope_), run_,
+          (vertical() ? tip_low_ : start_.z) + r};
+}
+
+LIMITGAUGE_WIDE
+void DexelSweep::ball_ends(double x, double y, double step_x, double step_y, double* low) const {
+  const BallEnd end = ball_end();
+  const double ax = along_x_, ay = along_y_, x0 = x - start_.x, y0 = y - start_.y;
+  for (int j = 0; j < kSquare; ++j) {
+    const double py = y0 + j * step_y;
+    for (int i = 0; i < kSquare; ++i) {
+      const double px = x0 + i * step_x;
+      low[j * kSquare + i] = end(px * ax + py * ay, py * ax - px * ay);
+    }
   }
 }
 
 void DexelSweep::lower_ends(double x, double y, double step, int n, const double* standing,
                             double* low) const {
-  if (profile_->is_ball()) return ball_ends(x, y, step, n, low);
+  if (profile_->is_ball()) {
+    const BallEnd end = ball_end();
+    for (int i = 0; i < n; ++i) low[i] = end(along(x + i * step, y), across(x + i * step, y));
+    return;
+  }
   const ConvexMeridian& lower = profile_->lower();
   const double r = profile_->largest_radius();
   for (int i = 0; i < n; ++i) {
@@ -140,35 +161,56 @@ model::Interval DexelSweep::span(double y_low, double y_high) const {
   return span;
 }
 
-model::Interval DexelSweep::row(double y) const {
-  const double r = profile_->largest_radius();
-  model::Interval span = model::Interval::none();
-  for (const Vec3* centre : {&start_, &end_}) {
-    const double d = y - centre->y;
-    if (std::abs(d) > r) continue;
-    const double half = std::sqrt((r - d) * (r + d));
-    span.add(model::Interval{centre->x - half, centre->x + half});
-  }
-  // Between the ends: |across| <= r and 0 <= along <= run.
-  if (vertical() || along_y_ == 0) return span;
-  const double d = y - start_.y;
-  const double a = (d * along_x_ - r) / along_y_, b = (d * along_x_ + r) / along_y_;
-  double from = std::min(a, b), to = std::max(a, b);
-  if (along_x_ != 0) {
-    const double p = -d * along_y_ / along_x_, q = (run_ - d * along_y_) / along_x_;
-    from = std::max(from, std::min(p, q)), to = std::min(to, std::max(p, q));
-  } else if (d * along_y_ < 0 || d * along_y_ > run_) {
-    return span;
-  }
-  if (from <= to) span.add(model::Interval{start_.x + from, start_.x + to});
-  return span;
+// From anywhere on the move no line of the rectangle is nearer, and the tip is no lower.
+double DexelSweep::level_clearance(const DexelPlanes& p, std::size_t k) const {
+  const double u = along(p.x[k], p.y[k]), v = across(p.x[k], p.y[k]);
+  const double over = u - std::clamp(u, 0.0, run_);
+  const double half = std::sqrt(p.half_x * p.half_x + p.half_y * p.half_y);
+  const double nearest = std::max(0.0, std::sqrt(over * over + v * v) - half);
+  if (nearest > profile_->largest_radius()) return kInfinity;
+  const double highest =
+      p.height[k] + std::abs(p.slope_x[k]) * p.half_x + std::abs(p.slope_y[k]) * p.half_y;
+  return tip_low_ + profile_->lower().height(nearest) - highest;
 }
 
-double DexelSweep::least_lower(double y) const {
-  const double off =
-      std::max({0.0, std::min(start_.y, end_.y) - y, y - std::max(start_.y, end_.y)});
-  if (off > profile_->largest_radius()) return kInfinity;
-  return tip_low_ + profile_->lower().height(off);
+// The lower side is convex and lies above its tangent; beyond kSteep of the radius that is too
+// steep to be of use, and the bound is that of the nearest line.
+LIMITGAUGE_WIDE
+void DexelSweep::ball_clearances(const DexelPlanes& p, std::size_t n, double* clear) const {
+  constexpr double kSteep = 0.97;
+  const double r = profile_->largest_radius(), r2 = r * r, least = (1 - kSteep * kSteep) * r2;
+  const double k = slope_, share = k / std::sqrt(1 + k * k), run = run_;
+  const double ax = along_x_, ay = along_y_, x0 = start_.x, y0 = start_.y;
+  const double low = tip_low_ + r, base = (vertical() ? tip_low_ : start_.z) + r;
+  const double hx = p.half_x, hy = p.half_y, half = std::sqrt(hx * hx + hy * hy);
+  LIMITGAUGE_EACH
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = p.x[i] - x0, y = p.y[i] - y0;
+    const double u = x * ax + y * ay, v = y * ax - x * ay, inside = r2 - v * v;
+    double s = u - share * std::sqrt(inside < 0 ? 0 : inside);
+    s = s < 0 ? 0 : s;
+    s = s > run ? run : s;
+    const double w = u - s, h = inside - w * w;
+    const double root = std::sqrt(h < least ? least : h), inverse = 1 / root;
+    const double gu = w * inverse, gv = v * inverse;
+    const double tilt_x = gu * ax - gv * ay - p.slope_x[i],
+                 tilt_y = gu * ay + gv * ax - p.slope_y[i];
+    const double tangent =
+        base + k * s - root - p.height[i] - std::abs(tilt_x) * hx - std::abs(tilt_y) * hy;
+    double t = u < 0 ? 0 : u;
+    t = t > run ? run : t;
+    const double over = u - t, away = std::sqrt(over * over + v * v) - half;
+    const double below = r2 - (away < 0 ? 0 : away * away);
+    const double rim = low - std::sqrt(below < 0 ? 0 : below) - p.height[i] -
+                       std::abs(p.slope_x[i]) * hx - std::abs(p.slope_y[i]) * hy;
+    const double reached = h >= least && tangent > rim ? tangent : rim;
+    clear[i] = below < 0 ? kInfinity : reached;
+  }
+}
+
+void DexelSweep::clearances(const DexelPlanes& planes, std::size_t n, double* clear) const {
+  if (profile_->is_ball()) return ball_clearances(planes, n, clear);
+  for (std::size_t k = 0; k < n; ++k) clear[k] = level_clearance(planes, k);
 }
 
 }  // namespace limitgauge::simulator

@@ -9,6 +9,13 @@
 
 namespace limitgauge::simulator {
 
+/// Planes that lie over rectangles of lines, in columns: the rectangles' middles, the height there,
+/// and the slopes.
+struct DexelPlanes {
+  const double *x, *y, *height, *slope_x, *slope_y;
+  double half_x, half_y;  ///< of all rectangles, mm
+};
+
 /// What one straight move of a cutter's flutes takes from vertical lines. The swept solid is the
 /// Minkowski sum of two convex sets, so that its part of a line is one interval, found by
 /// minimising a convex function of the place along the move. Lives no longer than its profile.
@@ -23,13 +30,17 @@ class DexelSweep {
   /// line, and where the end is seen not to lie below `standing[i]`.
   void lower_ends(double x, double y, double step, int n, const double* standing,
                   double* low) const;
+  /// Of a ball alone: the lower ends on kSquare × kSquare lines from (x, y) on, x first; infinite
+  /// where it does not reach the line.
+  void ball_ends(double x, double y, double step_x, double step_y, double* low) const;
+  static constexpr int kSquare = 8;
   /// A range of x, empty where there is none, that holds all of the sweep with y in [y_low,
   /// y_high].
   model::Interval span(double y_low, double y_high) const;
-  /// The range of x that the sweep covers at this y.
-  model::Interval row(double y) const;
-  /// No lower end of an interval at this y lies below this.
-  double least_lower(double y) const;
+  /// By how much at least the lower side stays above each of `n` planes, all over its rectangle;
+  /// negative where that is not shown, infinite where the flutes reach no line of it.
+  void clearances(const DexelPlanes& planes, std::size_t n, double* clear) const;
+  bool of_ball() const { return profile_->is_ball(); }
 
   bool vertical() const { return run_ == 0; }
   double lowest_tip() const { return tip_low_; }
@@ -55,7 +66,10 @@ class DexelSweep {
   double radius(double along, double across) const;
   double lowest(double along, double across, const Reach& reach) const;
   double highest(double along, double across, const Reach& reach) const;
-  void ball_ends(double x, double y, double step, int n, double* low) const;
+  struct BallEnd;
+  BallEnd ball_end() const;
+  void ball_clearances(const DexelPlanes& planes, std::size_t n, double* clear) const;
+  double level_clearance(const DexelPlanes& planes, std::size_t k) const;
 
   const DexelProfile* profile_;
   model::Vec3 start_, end_;

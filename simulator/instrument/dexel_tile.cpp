@@ -1,15 +1,23 @@
 #include "simulator/instrument/dexel_tile.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
+#include "simulator/sweep/vector_loops.h"
 #include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::size_t patch_of(int line) {
+  const int i = line % DexelTile::kEdge, j = line / DexelTile::kEdge;
+  return static_cast<std::size_t>(j / DexelPatches::kEdge * DexelPatches::kASide +
+                                  i / DexelPatches::kEdge);
+}
 
 // `intervals` less `taken`, and how much that was.
 double subtract(std::vector<model::Interval>& intervals, const model::Interval& taken) {
@@ -29,94 +37,162 @@ double subtract(std::vector<model::Interval>& intervals, const model::Interval& 
   return before - after;
 }
 
-// Adds up what a sweep takes from line after line.
+constexpr int kLanes = DexelPatches::kEdge;
+using PatchEnds = std::array<double, std::size_t{kLanes} * kLanes>;
+
+/// What was taken from every eighth line, so that a register takes several lines at once.
+struct LaneRemoval {
+  std::array<double, kLanes> length{}, deepest{}, across_low, across_high, along_low, along_high;
+  std::array<double, kLanes> unclear{};  ///< not zero: lines are left to be looked at
+
+  LaneRemoval() {
+    across_low.fill(kInfinity), along_low.fill(kInfinity);
+    across_high.fill(-kInfinity), along_high.fill(-kInfinity);
+  }
+};
+
+/// Lines of a patch: of the first, places across and along the move, and by how much these grow.
+struct PatchPlaces {
+  double across, across_x, across_y, along, along_x, along_y;
+};
+
+// Down from the top and not through the interval: what nearly all moves do. Where that is not so,
+// the line is left as it is, and `unclear` is raised.
+LIMITGAUGE_WIDE
+void lower_tops(const double* __restrict low, double least_upper, const PatchPlaces& at,
+                const double* __restrict bottom, double* __restrict top, LaneRemoval& all) {
+  const double across_x = at.across_x;
+  LaneRemoval sum = all;
+  for (int j = 0; j < kLanes; ++j) {
+    const double across = at.across + j * at.across_y;
+    const int line = j * DexelTile::kEdge;
+    for (int k = 0; k < kLanes; ++k) {
+      const double before = top[line + k], to = low[j * kLanes + k];
+      const double v = across + k * across_x;
+      const bool hit = to < before - kDexelRounding_mm;
+      const bool plain = (least_upper >= before) & (to > bottom[line + k] + kDexelRounding_mm);
+      const double after = hit & plain ? to : kInfinity, taken = hit & plain ? before - to : 0.0;
+      const double v_low = hit & plain ? v : kInfinity, v_high = hit & plain ? v : -kInfinity;
+      const double left = hit & !plain ? 1.0 : 0.0;
+      top[line + k] = std::min(before, after);
+      sum.unclear[k] += left;
+      sum.length[k] += taken;
+      sum.deepest[k] = std::max(sum.deepest[k], taken);
+      sum.across_low[k] = std::min(sum.across_low[k], v_low);
+      sum.across_high[k] = std::max(sum.across_high[k], v_high);
+    }
+  }
+  all = sum;
+}
+
+// Places along the move of the lines that lose something: wanted of vertical moves alone.
+void note_along(const double* low, const PatchPlaces& at, const double* top, LaneRemoval& sum) {
+  for (int j = 0; j < kLanes; ++j)
+    for (int k = 0; k < kLanes; ++k) {
+      if (!(low[j * kLanes + k] < top[j * DexelTile::kEdge + k] - kDexelRounding_mm)) continue;
+      const double u = at.along + k * at.along_x + j * at.along_y;
+      sum.along_low[k] = std::min(sum.along_low[k], u);
+      sum.along_high[k] = std::max(sum.along_high[k], u);
+    }
+}
+
+// Adds up what a sweep takes from patch after patch.
 class Cutting {
  public:
   Cutting(DexelTile& tile, const DexelFrame& frame, const DexelSweep& sweep)
       : tile_(tile), frame_(frame), sweep_(sweep) {}
 
-  void row(int j);
-  const TileRemoval& removal() const { return removal_; }
+  void patch(std::size_t k);
+  TileRemoval removal() const;
 
  private:
-  double take(int line, double x, double y, double low);
-  void note_place(double x, double y);
-  void cut_lines(int first, int n, int j);
+  PatchPlaces places(double x, double y) const;
+  void lower_ends(double x, double y, int line, PatchEnds& low) const;
+  void take(int line, double x, double y, double low);
 
   DexelTile& tile_;
   const DexelFrame& frame_;
   const DexelSweep& sweep_;
-  TileRemoval removal_;
+  LaneRemoval sum_;
 };
 
-// Places across and along the move are linear in x: the outermost lines of a row tell them.
-void Cutting::note_place(double x, double y) {
-  const auto across = static_cast<float>(sweep_.across(x, y));
-  const auto along = static_cast<float>(sweep_.along(x, y));
-  TileRemoval& r = removal_;
-  if (r.length_mm == 0) r.across_low = r.across_high = across, r.along_low = r.along_high = along;
-  r.across_low = std::min(r.across_low, across), r.across_high = std::max(r.across_high, across);
-  r.along_low = std::min(r.along_low, along), r.along_high = std::max(r.along_high, along);
-}
-
-double Cutting::take(int line, double x, double y, double low) {
-  double& top = tile_.top[line];
-  // Down from the top and not through the interval: what nearly all moves do.
-  if (sweep_.least_upper() >= top && low > tile_.bottom[line] + kDexelRounding_mm) {
-    const double removed = top - low;
-    top = low;
-    return removed;
-  }
+// The line, by all its intervals.
+void Cutting::take(int line, double x, double y, double low) {
+  if (!(low < tile_.top[line] - kDexelRounding_mm)) return;
   const auto taken = sweep_.interval(x, y);
-  if (!taken) return 0;
+  if (!taken) return;
   std::vector<model::Interval> material = tile_.material(line);
   const double removed = subtract(material, *taken);
-  if (removed > 0) tile_.set_material(line, material);
-  return removed;
+  if (removed == 0) return;
+  tile_.set_material(line, material);
+  const double across = sweep_.across(x, y), along = sweep_.along(x, y);
+  sum_.length[0] += removed, sum_.deepest[0] = std::max(sum_.deepest[0], removed);
+  sum_.across_low[0] = std::min(sum_.across_low[0], across);
+  sum_.across_high[0] = std::max(sum_.across_high[0], across);
+  sum_.along_low[0] = std::min(sum_.along_low[0], along);
+  sum_.along_high[0] = std::max(sum_.along_high[0], along);
 }
 
-void Cutting::row(int j) {
-  const double y = frame_.y + j * frame_.dy;
-  if (sweep_.least_lower(y) >= tile_.row_top[j]) return;
-  const model::Interval span = sweep_.row(y);
-  const double from = std::max(0.0, std::ceil((span.low - frame_.x) / frame_.dx - kLineOnEdge));
-  const double to = std::min(DexelTile::kEdge - 1.0,
-                             std::floor((span.high - frame_.x) / frame_.dx + kLineOnEdge));
-  if (!(from <= to)) return;
-  cut_lines(static_cast<int>(from), static_cast<int>(to - from) + 1, j);
+PatchPlaces Cutting::places(double x, double y) const {
+  const double across = sweep_.across(x, y), along = sweep_.along(x, y);
+  return {
+      across, sweep_.across(x + frame_.dx, y) - across, sweep_.across(x, y + frame_.dy) - across,
+      along,  sweep_.along(x + frame_.dx, y) - along,   sweep_.along(x, y + frame_.dy) - along};
 }
 
-void Cutting::cut_lines(int first, int n, int j) {
-  const int line0 = DexelTile::line(first, j);
-  const double x0 = frame_.x + first * frame_.dx, y = frame_.y + j * frame_.dy;
-  const double* top = &tile_.top[line0];
-  std::array<double, DexelTile::kEdge> low;
-  sweep_.lower_ends(x0, y, frame_.dx, n, top, low.data());
-  // Which lines lose something is as good as random: collected without branches.
-  std::array<int, DexelTile::kEdge> hit;
-  int hits = 0;
-  for (int i = 0; i < n; ++i) hit[hits] = i, hits += low[i] < top[i] - kDexelRounding_mm;
-  double sum = 0, deepest = 0, first_x = 0, last_x = 0;
-  for (int h = 0; h < hits; ++h) {
-    const double x = x0 + hit[h] * frame_.dx;
-    const double removed = take(line0 + hit[h], x, y, low[hit[h]]);
-    if (removed == 0) continue;
-    if (sum == 0) first_x = x;
-    last_x = x, sum += removed, deepest = std::max(deepest, removed);
+void Cutting::lower_ends(double x, double y, int line, PatchEnds& low) const {
+  static_assert(DexelSweep::kSquare == kLanes);
+  if (sweep_.of_ball()) return sweep_.ball_ends(x, y, frame_.dx, frame_.dy, low.data());
+  for (int j = 0; j < kLanes; ++j)
+    sweep_.lower_ends(x, y + j * frame_.dy, frame_.dx, kLanes,
+                      &tile_.top[line + j * DexelTile::kEdge], &low[j * kLanes]);
+}
+
+// Planes that lie over the tops do so when these are lower: a patch is looked at anew only where
+// its plane let pass a move that took nothing.
+void Cutting::patch(std::size_t k) {
+  const auto i = static_cast<int>(k) % DexelPatches::kASide * kLanes;
+  const auto j = static_cast<int>(k) / DexelPatches::kASide * kLanes;
+  const int line = DexelTile::line(i, j);
+  const double x = frame_.x + i * frame_.dx, y = frame_.y + j * frame_.dy;
+  PatchEnds low;
+  lower_ends(x, y, line, low);
+  const PatchPlaces at = places(x, y);
+  const auto before = sum_.length;
+  if (sweep_.vertical()) note_along(low.data(), at, &tile_.top[line], sum_);
+  lower_tops(low.data(), sweep_.least_upper(), at, &tile_.bottom[line], &tile_.top[line], sum_);
+  if (std::any_of(sum_.unclear.begin(), sum_.unclear.end(), [](double u) { return u > 0; })) {
+    for (int n = 0; n < kLanes * kLanes; ++n)
+      take(line + n / kLanes * DexelTile::kEdge + n % kLanes, x + n % kLanes * frame_.dx,
+           y + n / kLanes * frame_.dy, low[n]);
+    sum_.unclear.fill(0);
   }
-  if (sum == 0) return;
-  note_place(first_x, y);
-  removal_.length_mm += sum;
-  note_place(last_x, y);
-  removal_.deepest_mm = std::max(removal_.deepest_mm, deepest);
-  const double* row = &tile_.top[DexelTile::line(0, j)];
-  tile_.row_top[j] = *std::max_element(row, row + DexelTile::kEdge);
+  if (sum_.length != before)
+    tile_.patches.changed(k);
+  else
+    tile_.patches.lay(k, tile_.top.data(), frame_);
+}
+
+TileRemoval Cutting::removal() const {
+  TileRemoval r;
+  for (const double length : sum_.length) r.length_mm += length;
+  if (r.length_mm == 0) return r;
+  const auto least = [](const auto& lanes) {
+    return *std::min_element(lanes.begin(), lanes.end());
+  };
+  const auto most = [](const auto& lanes) { return *std::max_element(lanes.begin(), lanes.end()); };
+  r.deepest_mm = most(sum_.deepest);
+  r.across_low = static_cast<float>(least(sum_.across_low));
+  r.across_high = static_cast<float>(most(sum_.across_high));
+  r.along_low = static_cast<float>(least(sum_.along_low));
+  r.along_high = static_cast<float>(most(sum_.along_high));
+  return r;
 }
 
 }  // namespace
 
 DexelTile::DexelTile() {
-  top.fill(-kInfinity), bottom.fill(-kInfinity), row_top.fill(-kInfinity);
+  top.fill(-kInfinity), bottom.fill(-kInfinity);
 }
 
 std::vector<model::Interval> DexelTile::material(int line) const {
@@ -133,8 +209,7 @@ void DexelTile::set_material(int line, const std::vector<model::Interval>& inter
   if (intervals.size() > 1 && others.empty()) others.resize(kLines);
   if (!others.empty())
     others[line].assign(intervals.begin(), none ? intervals.end() : intervals.end() - 1);
-  double& highest = row_top[line / kEdge];
-  highest = std::max(highest, top[line]);
+  patches.forget(patch_of(line));
 }
 
 double DexelTile::length(int line) const {
@@ -145,7 +220,7 @@ double DexelTile::length(int line) const {
 }
 
 double DexelTile::highest() const {
-  return *std::max_element(row_top.begin(), row_top.end());
+  return *std::max_element(top.begin(), top.end());
 }
 
 std::size_t DexelTile::memory_bytes() const {
@@ -155,12 +230,11 @@ std::size_t DexelTile::memory_bytes() const {
 }
 
 TileRemoval cut(DexelTile& tile, const DexelFrame& frame, const DexelSweep& sweep) {
+  std::uint32_t touched = tile.patches.touched(sweep, frame);
+  if (touched == 0) return {};
   Cutting cutting(tile, frame, sweep);
-  const double first = std::ceil((sweep.lowest_y() - frame.y) / frame.dy);
-  const double last = std::floor((sweep.highest_y() - frame.y) / frame.dy);
-  const int from = static_cast<int>(std::clamp(first, 0.0, DexelTile::kEdge - 1.0));
-  const int to = static_cast<int>(std::clamp(last, -1.0, DexelTile::kEdge - 1.0));
-  for (int j = from; j <= to; ++j) cutting.row(j);
+  for (; touched != 0; touched &= touched - 1)
+    cutting.patch(static_cast<std::size_t>(std::countr_zero(touched)));
   return cutting.removal();
 }
 

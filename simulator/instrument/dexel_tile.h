@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/geometry/interval.h"
+#include "simulator/instrument/dexel_patches.h"
 #include "simulator/instrument/dexel_sweep.h"
 #include "simulator/tolerance.h"
 
@@ -12,7 +13,7 @@ namespace limitgauge::simulator {
 /// Material above the lines of a square part of the grid. Most lines hold a single interval: the
 /// highest of each line stands in arrays of its own.
 struct DexelTile {
-  static constexpr int kEdge = 32;
+  static constexpr int kEdge = DexelPatches::kLines;
   static constexpr int kLines = kEdge * kEdge;
 
   DexelTile();
@@ -26,15 +27,9 @@ struct DexelTile {
   std::size_t memory_bytes() const;
 
   std::array<double, kLines> top, bottom;  ///< of the highest interval
-  std::array<double, kEdge> row_top;       ///< highest material of a row
+  DexelPatches patches;
   std::vector<std::vector<model::Interval>>
       others;  ///< below it, one a line; empty if none have any
-};
-
-/// Where the lines of a tile stand.
-struct DexelFrame {
-  double x = 0, y = 0;    ///< of the first line, mm
-  double dx = 0, dy = 0;  ///< spacings
 };
 
 /// What one move took from the lines of one tile.

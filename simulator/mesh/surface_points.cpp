@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "model/base/chunks.h"
-#include "simulator/stock/local_material.h"
 #include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
@@ -14,12 +13,9 @@ namespace {
 using model::Vec3;
 
 // Leaves whose points are held at a time, and those that one thread takes.
-constexpr std::size_t kBatch = 2048, kLeaves = 8;
+constexpr std::size_t kBatch = 2048, kLeaves = 32;
 
 constexpr int kMostSteps = 24;
-
-// For fewer points than this, each searches all moves.
-constexpr std::size_t kFewPoints = 8;
 
 // The shortest step that brings both linearised values to zero; only the first one where the two
 // gradients are too nearly parallel to say more.
@@ -124,33 +120,37 @@ StockPoint project_to_surface(const NearMaterial& material, const Vec3& start, d
 
 namespace {
 
-std::vector<StockPoint> leaf_points(const Material& material, const StockGrid& grid,
+// Cubes about the voxels of a leaf; the surface is less than two voxels away.
+constexpr std::array<NearCubes, 3> kAboutLeaves{{{32, 2}, {8, 2}, {4, 2}}};
+
+bool meets(const model::Box3& region, const Vec3& low, const Vec3& high) {
+  for (int a = 0; a < 3; ++a)
+    if (high[a] < region.low[a] || low[a] > region.high[a]) return false;
+  return true;
+}
+
+// Which part of a leaf, by its place among the cubes of half its edge.
+int part_of_leaf(const Index3& v) {
+  constexpr int kHalf = kLeafEdge / 2;
+  return (v[0] & kHalf ? 4 : 0) + (v[1] & kHalf ? 2 : 0) + (v[2] & kHalf ? 1 : 0);
+}
+
+// The points stand in the order of the voxels, but are looked for part by part.
+std::vector<StockPoint> leaf_points(NearMaterial& material, const Lattice& lattice,
                                     const GridLeaves& leaves, std::size_t leaf,
                                     const model::Box3& region) {
-  const Lattice& lattice = grid.lattice();
-  const IndexBox voxels = cube_at(leaves.corner(leaf), kLeafEdge);
-  const Vec3 low = lattice.point(voxels.low), high = lattice.point(voxels.high);
-  std::vector<StockPoint> points;
-  for (int a = 0; a < 3; ++a)
-    if (high[a] < region.low[a] || low[a] > region.high[a]) return points;
-  std::vector<Vec3> starts;
-  for (const Index3& v : leaves.surface_voxels(leaf)) {
-    const Vec3 centre = lattice.point(v);
-    if (region.contains(centre)) starts.push_back(centre);
-  }
-  points.reserve(starts.size());
+  const IndexBox cube = cube_at(leaves.corner(leaf), kLeafEdge);
+  if (!meets(region, lattice.point(cube.low), lattice.point(cube.high))) return {};
+  std::vector<Index3> voxels = leaves.surface_voxels(leaf);
+  std::erase_if(voxels, [&](const Index3& v) { return !region.contains(lattice.point(v)); });
+  std::vector<StockPoint> points(voxels.size());
   SurfaceMaker hint;
-  if (starts.size() < kFewPoints) {
-    for (const Vec3& p : starts)
-      points.push_back(project_to_surface(material, p, lattice.voxel_mm, hint));
-    return points;
-  }
-  // The surface is less than two voxels away.
-  const double half_edge = lattice.half_edge(kLeafEdge) + 2 * lattice.voxel_mm;
-  LocalMaterial local(material, lattice.middle(voxels.low, kLeafEdge), half_edge);
-  const auto sample = [&](const Vec3& p, SurfaceMaker guess) { return local.sample(p, guess); };
-  for (const Vec3& p : starts)
-    points.push_back(project(material, sample, p, lattice.voxel_mm, hint));
+  for (int part = 0; part < 8; ++part)
+    for (std::size_t k = 0; k < voxels.size(); ++k) {
+      if (part_of_leaf(voxels[k]) != part) continue;
+      material.turn_to(voxels[k]);
+      points[k] = project_to_surface(material, lattice.point(voxels[k]), lattice.voxel_mm, hint);
+    }
   return points;
 }
 
@@ -161,11 +161,12 @@ void visit_points(const Material& material, const StockGrid& grid, const model::
   const GridLeaves leaves(grid);
   for (std::size_t first = 0; first < leaves.size(); first += kBatch) {
     std::vector<std::vector<StockPoint>> points(std::min(kBatch, leaves.size() - first));
-    model::parallel_chunks(points.size(), kLeaves, control,
-                           [&](std::size_t begin, std::size_t end) {
-                             for (std::size_t i = begin; i < end; ++i)
-                               points[i] = leaf_points(material, grid, leaves, first + i, region);
-                           });
+    model::parallel_chunks(
+        points.size(), kLeaves, control, [&](std::size_t begin, std::size_t end) {
+          NearMaterial near(material, grid.lattice(), kAboutLeaves);
+          for (std::size_t i = begin; i < end; ++i)
+            points[i] = leaf_points(near, grid.lattice(), leaves, first + i, region);
+        });
     for (const auto& of_leaf : points)
       if (!of_leaf.empty()) visit(of_leaf);
     control.report(static_cast<double>(first + points.size()) / static_cast<double>(leaves.size()));

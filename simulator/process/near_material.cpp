@@ -1,6 +1,7 @@
 #include "simulator/process/near_material.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,8 @@ namespace {
 
 using model::Vec3;
 
+constexpr std::array<NearCubes, 4> kAboutCells{{{32, 1.0}, {8, 0.75}, {4, 0.5}, {2, 0.25}}};
+
 MaterialSample of_move(std::size_t pass, const NearestMove& n) {
   return {-n.at.distance, -n.at.gradient, {static_cast<std::uint32_t>(pass + 1), n.slot}};
 }
@@ -18,15 +21,22 @@ MaterialSample of_move(std::size_t pass, const NearestMove& n) {
 }  // namespace
 
 NearMaterial::NearMaterial(const Material& material, const Lattice& lattice)
+    : NearMaterial(material, lattice, kAboutCells) {}
+
+NearMaterial::NearMaterial(const Material& material, const Lattice& lattice,
+                           std::span<const NearCubes> cubes)
     : material_(material), lattice_(lattice) {
-  for (Level& level : levels_) level.moves.resize(material.passes().size());
+  for (const NearCubes& c : cubes) {
+    levels_.push_back({c});
+    levels_.back().moves.resize(material.passes().size());
+  }
 }
 
 void NearMaterial::turn_to(const Index3& cell) {
   const Level* wider = nullptr;
   for (Level& level : levels_) {
     Index3 corner;
-    for (int a = 0; a < 3; ++a) corner[a] = cell[a] & ~(level.edge - 1);
+    for (int a = 0; a < 3; ++a) corner[a] = cell[a] & ~(level.cubes.edge - 1);
     if (!level.ready || level.corner != corner) {
       level.corner = corner;
       prepare(level, wider);
@@ -41,9 +51,9 @@ void NearMaterial::turn_to(const Index3& cell) {
 // With r the half diagonal, φ is at least φ(middle) − r all over the cube: a pass whose distance at
 // the middle is beyond 2r − φ(middle) makes nothing of it there.
 void NearMaterial::prepare(Level& level, const Level* wider) {
-  const double half = 0.5 * level.edge;
+  const double half = 0.5 * level.cubes.edge;
   level.cube.middle = lattice_.point(level.corner) + Vec3{half, half, half} * lattice_.voxel_mm;
-  level.cube.half_edge_mm = (half + level.margin) * lattice_.voxel_mm;
+  level.cube.half_edge_mm = (half + level.cubes.margin) * lattice_.voxel_mm;
   level.raw = raw_distance(material_.raw(), level.cube.middle);
   const double reach = 2 * level.cube.half_diagonal() + kDistanceRounding_mm;
   double value = level.raw.distance;

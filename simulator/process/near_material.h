@@ -1,6 +1,7 @@
 #pragma once
 
-#include <array>
+#include <span>
+#include <vector>
 
 #include "simulator/grid/lattice.h"
 #include "simulator/stock/material.h"
@@ -8,17 +9,27 @@
 
 namespace limitgauge::simulator {
 
+/// Cubes of `edge` cells with a margin about them, in voxels.
+struct NearCubes {
+  int edge;
+  double margin;
+};
+
 /// The exact material, prepared for many questions in one place after the other: what can matter
 /// there is gathered once for a block of cells and handed down to smaller and smaller cubes. What
 /// it answers does not depend on the places before.
 class NearMaterial {
  public:
+  /// For questions about single cells.
   NearMaterial(const Material& material, const Lattice& lattice);
+  /// For others: cubes from large to small, edges powers of two.
+  NearMaterial(const Material& material, const Lattice& lattice, std::span<const NearCubes> cubes);
 
   /// Turns to the cell whose lowest corner is voxel `cell`. Quick where cells follow each other in
-  /// the order of visited cubes of 2, 4, 8 and 32 cells.
+  /// the order of visited cubes.
   void turn_to(const Index3& cell);
-  /// As Material::sample; quick in the cell and a quarter of a voxel about it.
+  /// As Material::sample; quick in the smallest cube about the cell and its margin: of the first
+  /// constructor's two cells and a quarter of a voxel.
   MaterialSample sample(const model::Vec3& p, SurfaceMaker guess) const;
   MaterialSample sample_of(SurfaceMaker maker, const model::Vec3& p) const {
     return material_.sample_of(maker, p);
@@ -26,8 +37,7 @@ class NearMaterial {
 
  private:
   struct Level {
-    int edge;       // cells
-    double margin;  // voxels about them
+    NearCubes cubes;
     bool ready = false;
     Index3 corner{};
     Cube cube{};
@@ -39,7 +49,7 @@ class NearMaterial {
 
   const Material& material_;
   Lattice lattice_;
-  std::array<Level, 4> levels_{Level{32, 1.0}, Level{8, 0.75}, Level{4, 0.5}, Level{2, 0.25}};
+  std::vector<Level> levels_;
 };
 
 }  // namespace limitgauge::simulator

@@ -72,8 +72,9 @@ struct StockModel::State {
   bool fits(const Material& after, const PassReach& reach, int copies,
             const RunControl& control) const {
     const auto limit = static_cast<double>(memory_limit_bytes);
-    const double before = copies * static_cast<double>(grid.memory_bytes());
-    const double most = before + pass_bytes(after) + static_cast<double>(grid.memory_bytes()) +
+    const auto bytes = static_cast<double>(grid.memory_bytes());
+    const double before = copies * bytes;
+    const double most = before + pass_bytes(after) + bytes +
                         static_cast<double>(reach.partly.size()) * kMostBlockBytes;
     if (most <= limit) return true;
     return before + pass_bytes(after) + forecast_grid(after, lattice, control).bytes <= limit;

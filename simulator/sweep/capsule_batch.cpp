@@ -12,8 +12,6 @@ namespace {
 
 using model::Vec3;
 
-// 1 + √3, rounded up: below this many half edges a foot keeps to the way all over a cube.
-constexpr double kOnTheWay = 2.7321;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 // All counts of moves below are multiples of this: batches are padded.
 constexpr std::size_t kLanes = MoveBatch::kPad;
@@ -23,7 +21,7 @@ constexpr std::size_t kManyKept = 16;
 LIMITGAUGE_WIDE
 void find_feet(const BallColumns& c, std::size_t n, double px, double py, double pz, double h,
                double* squared, double* out_x, double* out_y, double* out_z, double* slide) {
-  const double on_the_way = -kOnTheWay * h, most = 3 * h * h;
+  const double on_the_way = -kFootStaysOnWay * h, most = 3 * h * h;
   n = n / kLanes * kLanes;
   LIMITGAUGE_EACH
   for (std::size_t i = 0; i < n; ++i) {
@@ -70,7 +68,8 @@ LIMITGAUGE_WIDE
 void first_margins(const BallColumns& c, const FeetColumns& f, std::size_t n, double h,
                    const Vec3& u, const Vec3& q, double squared, double rival_turn,
                    double* __restrict turn, double* __restrict margin) {
-  const double ux = u.x, uy = u.y, uz = u.z, on_the_way = -kOnTheWay * h, hh = h * h, h2 = 2 * h;
+  const double ux = u.x, uy = u.y, uz = u.z, on_the_way = -kFootStaysOnWay * h, hh = h * h,
+               h2 = 2 * h;
   const double rx = q.x, ry = q.y, rz = q.z;
   n = n / kLanes * kLanes;
   LIMITGAUGE_EACH
@@ -221,6 +220,37 @@ void CapsuleNarrowing::lose_at_corners(const MoveBatch& batch,
     const Rival r = rival(batch, kept[met[k]], some_, met[k]);
     raise_margins(f, n, half_edge_, r.squared, r.x, r.y, r.z, r.turn, margin_.data());
   }
+}
+
+namespace {
+
+LIMITGAUGE_WIDE
+void find_squares(const BallColumns& c, std::size_t n, double px, double py, double pz,
+                  double* __restrict squared) {
+  n = n / kLanes * kLanes;
+  LIMITGAUGE_EACH
+  for (std::size_t i = 0; i < n; ++i) {
+    const double qx = px - c.x[i], qy = py - c.y[i], qz = pz - c.z[i];
+    const double along = qx * c.along_x[i] + qy * c.along_y[i];
+    const double across = qy * c.along_x[i] - qx * c.along_y[i];
+    const double t_level = unit_clamp(along * c.inverse_run[i]);
+    const double t_line = unit_clamp((along * c.run[i] + qz * c.rise[i]) * c.inverse_length2[i]);
+    const bool above = qz >= c.rise[i] * t_level;
+    const double t = above ? t_level : t_line;
+    const double ea = along - t * c.run[i], below = qz - t * c.rise[i];
+    const double ez = above ? 0.0 : below;
+    squared[i] = ea * ea + across * across + ez * ez;
+  }
+}
+
+}  // namespace
+
+BallFound nearest_ball(const MoveBatch& batch, const Vec3& p, std::vector<double>& squares) {
+  const std::size_t n = batch.padded_size();
+  if (squares.size() < n) squares.resize(n);
+  find_squares(batch.columns(), n, p.x, p.y, p.z, squares.data());
+  const double least = least_of(squares.data(), n);
+  return {place_of(least, squares.data(), n), least};
 }
 
 namespace {

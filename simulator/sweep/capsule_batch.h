@@ -9,6 +9,9 @@
 
 namespace limitgauge::simulator {
 
+/// 1 + √3, rounded up: below this many half edges a foot keeps to the way all over a cube.
+inline constexpr double kFootStaysOnWay = 2.7321;
+
 /// What the inner loops read of the feet of moves.
 struct FeetColumns {
   const double *squared, *x, *y, *z, *slide, *turn;
@@ -46,6 +49,15 @@ class CapsuleNarrowing {
   Feet all_, some_;
   std::vector<double> margin_, tangent_;
 };
+
+/// The ball move of a batch that is nearest to a point, and how near the way of its centre is.
+struct BallFound {
+  std::size_t place = 0;
+  double squared = 0;  ///< mm²
+};
+/// Of several equal ones the first. `batch` must not be empty; valid where the tops do not matter.
+/// `squares` is room to work in.
+BallFound nearest_ball(const MoveBatch& batch, const model::Vec3& p, std::vector<double>& squares);
 
 /// Voxels along an edge of the cubes that are worked out at once.
 inline constexpr int kCubeEdge = 4;

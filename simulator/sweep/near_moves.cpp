@@ -127,9 +127,9 @@ std::optional<NearestMove> NearMoves::nearest(const SweepIndex& pass, const Vec3
     return best;
   }
   if (empty()) return best;
-  sample_balls(moves_, pass.profile().corner_radius(), p, at_);
-  const auto least = std::min_element(at_.distance.begin(), at_.distance.end());
-  if (*least < bound + kDistanceRounding_mm) look_at(moves_.slot[least - at_.distance.begin()]);
+  const BallFound found = nearest_ball(moves_, p, squares_);
+  if (std::sqrt(found.squared) - pass.profile().corner_radius() < bound + kDistanceRounding_mm)
+    look_at(moves_.slot[found.place]);
   return best;
 }
 

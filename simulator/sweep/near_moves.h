@@ -48,7 +48,7 @@ class NearMoves {
   bool below_tops_ = false;  // all of the cube is, of balls
   CapsuleNarrowing capsules_;
   BatchSamples samples_;
-  mutable BatchSamples at_;
+  mutable std::vector<double> squares_;
   std::vector<std::uint32_t> kept_;
 };
 

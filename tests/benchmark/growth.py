@@ -119,14 +119,14 @@ def solve(matrix, right):
     return [rows[k][n] / rows[k][k] for k in range(n)]
 
 
-def fit(runs, phase):
+def fit(runs, phase, factors=FACTORS):
     """Exponents of the factors, the constant's logarithm, and by how much a run is off at most."""
-    rows = [[math.log(r[f]) for f in FACTORS] + [1.0] for r in runs]
+    rows = [[math.log(r[f]) for f in factors] + [1.0] for r in runs]
     ys = [math.log(max(r[phase], 1e-4)) for r in runs]
     normal = [[sum(r[i] * r[j] for r in rows) for j in range(len(rows[0]))] for i in range(len(rows[0]))]
     found = solve(normal, [sum(r[i] * y for r, y in zip(rows, ys)) for i in range(len(rows[0]))])
     worst = max(abs(sum(c * x for c, x in zip(found, r)) - y) for r, y in zip(rows, ys))
-    return {"exponents": dict(zip(FACTORS, found)), "constant": found[-1], "off_by": math.exp(worst),
+    return {"exponents": dict(zip(factors, found)), "constant": found[-1], "off_by": math.exp(worst),
             "largest": max(r[phase] for r in runs)}
 
 
@@ -155,10 +155,10 @@ def measure(quick):
     return {"runs": runs, "fits": {phase: fit(runs, phase) for phase in PHASES}}
 
 
-def print_exponents(fits):
-    print(f"{'phase':14}" + "".join(f"{f:>10}" for f in FACTORS) + f"{'off by':>9}{'largest':>12}")
+def print_exponents(fits, factors=FACTORS):
+    print(f"{'phase':14}" + "".join(f"{f:>10}" for f in factors) + f"{'off by':>9}{'largest':>12}")
     for phase, found in fits.items():
-        print(f"{phase:14}" + "".join(f"{found['exponents'][f]:10.2f}" for f in FACTORS) +
+        print(f"{phase:14}" + "".join(f"{found['exponents'][f]:10.2f}" for f in factors) +
               f"{found['off_by']:8.2f}x{found['largest']:12.4g}")
 
 

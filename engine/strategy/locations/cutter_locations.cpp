@@ -78,6 +78,15 @@ std::optional<double> CutterLocations::tip_z(double x, double y) const {
   return result_of(greatest);
 }
 
+std::optional<double> CutterLocations::tip_z_above(double x, double y, double least_mm) const {
+  GreatestLift greatest;
+  greatest.slack = kSearchSlack_mm;
+  greatest.known = least_mm - kResultSlack_mm;
+  tree_->search<PlaceQuestion>(greatest, kNoEnd, Vec3{x, y, 0});
+  const std::optional<double> z = result_of(greatest);
+  return z && *z > least_mm ? z : std::nullopt;
+}
+
 std::optional<double> CutterLocations::lift(const Vec3& a, const Vec3& b) const {
   GreatestLift greatest;
   greatest.slack = kSearchSlack_mm;

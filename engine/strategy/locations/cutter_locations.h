@@ -31,6 +31,8 @@ class CutterLocations {
 
   /// Lowest height of the tip over (x, y), mm; nothing where no triangle is under the cutter.
   std::optional<double> tip_z(double x, double y) const;
+  /// The same where that is above `least_mm`, nothing elsewhere: the faster, the less it is above.
+  std::optional<double> tip_z_above(double x, double y, double least_mm) const;
 
   /// By how much the straight move of the tip from `a` to `b` must be lifted to touch nothing:
   /// negative by how much it might sink; nothing where no triangle is under it. Exact over the

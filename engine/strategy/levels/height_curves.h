@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/strategy/levels/curve_need.h"
+#include "engine/strategy/locations/cutter_locations.h"
+#include "engine/strategy/raster/isoline.h"
+#include "engine/strategy/raster/tip_raster.h"
+
+namespace limitgauge::engine::strategy {
+
+/// Shares of a waterline's tolerance: how far chords between points of the curve may leave it, and
+/// its points the curve.
+inline constexpr double kCurveShare = 0.15, kCrossingShare = 0.02;
+
+/// To the left of the way from `a` to `b`: the free side.
+inline FlatPoint left_of(const FlatPoint& a, const FlatPoint& b) {
+  const double length = distance(a, b);
+  if (length <= 0) return {0, 0};
+  return {-(b.y - a.y) / length, (b.x - a.x) / length};
+}
+inline FlatPoint moved(const FlatPoint& p, const FlatPoint& direction, double by) {
+  return {p.x + direction.x * by, p.y + direction.y * by};
+}
+
+/// The curves on which the tip height passes `height_mm`: what is higher is forbidden. Points lie
+/// on the free side, within kCrossingShare of the tolerance of the curve; the forbidden side is on
+/// the right.
+///
+/// A raster says where curves run. Points of them are found exactly a few cells apart, and more
+/// where a look at the middles of chords, at most three cells apart, finds the curve beside them.
+class HeightCurves {
+ public:
+  /// `need` is wide enough for what the raster does not see.
+  HeightCurves(const CutterLocations& locations, const TipRaster& tips, const CurveNeed& need,
+               double height_mm, double tolerance_mm)
+      : locations_(locations),
+        tips_(tips),
+        need_(need),
+        height_(height_mm),
+        tolerance_(tolerance_mm),
+        field_(sides()) {}
+
+  double height_mm() const { return height_; }
+  bool held_at(const FlatPoint& p) const {
+    return !locations_.clears({p.x, p.y, height_}, {p.x, p.y, height_}, 0);
+  }
+  /// Of a closed one the first point is repeated at the end.
+  std::vector<Isoline> curves() const;
+
+ private:
+  /// Tip height at a place less that of the curve; minus infinity where nothing is under the
+  /// cutter.
+  double above(const FlatPoint& p) const;
+  /// 1 at nodes that are forbidden, -1 at free ones.
+  std::vector<float> sides() const;
+  /// By how much a node's height may be wrong.
+  double node_error(int column, int row) const;
+  struct Place {
+    FlatPoint at;
+    double above_mm = 0;  ///< of the curve
+  };
+  /// A free and a forbidden place; the curve lies between.
+  struct Bracket {
+    Place free, held;
+    double width() const { return distance(free.at, held.at); }
+  };
+  Place place(const FlatPoint& at) const { return {at, above(at)}; }
+  Bracket narrowed(Bracket b) const;
+  FlatPoint crossing_past(const FlatPoint& from, const FlatPoint& other, bool held) const;
+  FlatPoint exact(const FlatPoint& edge_middle) const;
+  std::vector<std::size_t> spread_out(const Isoline& line) const;
+  std::vector<FlatPoint> exact_points(const Isoline& line) const;
+  std::vector<FlatPoint> densified(const std::vector<FlatPoint>& points) const;
+  void densify(const FlatPoint& a, const FlatPoint& b, std::vector<FlatPoint>& dense) const;
+  void densify_halves(const FlatPoint& a, const FlatPoint& b, std::vector<FlatPoint>& dense) const;
+  bool find_beside(const FlatPoint& a, const FlatPoint& b, FlatPoint& found) const;
+
+  const CutterLocations& locations_;
+  const TipRaster& tips_;
+  const CurveNeed& need_;
+  double height_, tolerance_;
+  std::vector<float> field_;
+};
+
+}  // namespace limitgauge::engine::strategy

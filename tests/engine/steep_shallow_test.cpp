@@ -186,20 +186,27 @@ TEST_CASE("of a curve only what is wanted and short gaps are followed", "[unit][
     const double a = 2 * std::numbers::pi * (k % 72) / 72;
     ring.points.push_back({5 + 4 * std::cos(a), 5 + 4 * std::sin(a)});
   }
+  const CellMask none(raster);
   CellMask left(raster);
   for (int j = 0; j < 10; ++j)
     for (int i = 0; i < 3; ++i) left.set[left.index(i, j)] = 1;
-  const auto open = needed_stretches(ring, left, 0);
+  const auto open = needed_stretches(ring, {left, 0, none, 0});
   REQUIRE(open.size() == 1);
   CHECK_FALSE(open[0].closed);
   for (const FlatPoint& p : open[0].points) CHECK(p.x < 3.5);
   CHECK(open[0].points.size() > 20);
   // The gap is 17 mm long: filled where so much is bridged, and the ring is whole.
-  const auto whole_ring = needed_stretches(ring, left, 9);
+  const auto whole_ring = needed_stretches(ring, {left, 9, none, 0});
   REQUIRE(whole_ring.size() == 1);
   CHECK(whole_ring[0].closed);
   CHECK(whole_ring[0].points.size() == ring.points.size());
-  CHECK(needed_stretches(ring, CellMask(raster), 9).empty());
+  CHECK(needed_stretches(ring, {none, 9, none, 0}).empty());
+  // Not where other passes touch all of the gap, but for twice what may be cut again and a few
+  // cells.
+  CellMask all(raster);
+  all.set.assign(all.set.size(), 1);
+  CHECK_FALSE(needed_stretches(ring, {left, 9, all, 2})[0].closed);
+  CHECK(needed_stretches(ring, {left, 9, all, 5})[0].closed);
   const CellMask wider = widened(left, 2);
   CHECK(wider.at(4.5, 5));
   CHECK_FALSE(wider.at(5.5, 5));

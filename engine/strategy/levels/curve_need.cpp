@@ -42,14 +42,28 @@ double length_between(const Isoline& line, std::size_t begin, std::size_t end) {
   return sum;
 }
 
+double touched_between(const Isoline& line, std::size_t begin, std::size_t end,
+                       const CellMask& touched) {
+  double sum = 0;
+  for (std::size_t k = begin; k < end; ++k) {
+    const FlatPoint middle = lerp(line.points[k], line.points[k + 1], 0.5);
+    if (touched.at(middle.x, middle.y)) sum += distance(line.points[k], line.points[k + 1]);
+  }
+  return sum;
+}
+
 /// Fills gaps that may be cut: those between two wanted pieces and, of a closed line, the last one.
-void fill_gaps(const Isoline& line, double longest_mm, std::vector<char>& wanted) {
+void fill_gaps(const Isoline& line, const CurveNeed& need, std::vector<char>& wanted) {
+  const double more = kCellsMore * need.cells.nodes.pixel_mm;
+  const double longest = kLongerAlong * need.bridged_mm + more;
+  const double repeated = kLongerAlong * need.repeated_mm + more;
   const std::size_t n = wanted.size();
   for (std::size_t k = 0; k < n;) {
     std::size_t end = k + 1;
     while (end < n && wanted[end] == wanted[k]) ++end;
     const bool inner = k > 0 && (end < n || line.closed);
-    if (!wanted[k] && inner && length_between(line, k, end) <= longest_mm)
+    if (!wanted[k] && inner && length_between(line, k, end) <= longest &&
+        touched_between(line, k, end, need.touched) <= repeated)
       std::fill(wanted.begin() + static_cast<std::ptrdiff_t>(k),
                 wanted.begin() + static_cast<std::ptrdiff_t>(end), 1);
     k = end;
@@ -84,13 +98,12 @@ CellMask widened(const CellMask& mask, int cells) {
   return wide;
 }
 
-std::vector<Isoline> needed_stretches(const Isoline& line, const CellMask& near,
-                                      double bridged_mm) {
-  std::vector<char> wanted = near_pieces(line, near);
+std::vector<Isoline> needed_stretches(const Isoline& line, const CurveNeed& near) {
+  std::vector<char> wanted = near_pieces(line, near.cells);
   if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) return {};
   Isoline turned = line;
   if (turned.closed) begin_after_gap(turned, wanted);
-  fill_gaps(turned, kLongerAlong * bridged_mm + kCellsMore * near.nodes.pixel_mm, wanted);
+  fill_gaps(turned, near, wanted);
   if (std::find(wanted.begin(), wanted.end(), 0) == wanted.end()) return {line};
   // The last gap of a closed line may have been the one filled.
   if (turned.closed) begin_after_gap(turned, wanted);

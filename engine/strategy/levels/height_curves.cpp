@@ -209,7 +209,7 @@ std::vector<Isoline> HeightCurves::curves() const {
   const Raster& raster = tips_.raster;
   std::vector<Isoline> made;
   for (const Isoline& line : isolines(raster, field_, whole(raster), 0))
-    for (const Isoline& part : needed_stretches(line, need_.cells, need_.bridged_mm)) {
+    for (const Isoline& part : needed_stretches(line, need_)) {
       std::vector<FlatPoint> points = exact_points(part);
       points.erase(std::unique(points.begin(), points.end(), same), points.end());
       if (points.size() > 2) made.push_back({densified(points), part.closed});

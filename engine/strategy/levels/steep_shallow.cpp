@@ -67,7 +67,7 @@ void add_contours(const LimitLocations& limit, const SteepRegions& regions,
       choose_levels(regions.slopes, regions.contours, regions.steep, levels_by);
   // The mesh has its share twice, see kLimitMeshShare.
   const double tolerance = (1 - 2 * kLimitMeshShare) * request.cut.tolerance_mm;
-  const CurveNeed need{regions.contours, rule.longest_mm};
+  const CurveNeed need{regions.contours, rule.longest_mm, regions.touched, rule.repeated_mm};
   for (const auto& level :
        waterlines(limit.surface, regions.tips, need, levels, tolerance, control)) {
     std::vector<CutPass> passes;

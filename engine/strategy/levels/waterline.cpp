@@ -97,7 +97,8 @@ std::vector<std::vector<Waterline>> waterlines(const CutterLocations& locations,
                                                const std::vector<double>& heights_mm,
                                                double tolerance_mm,
                                                const model::RunControl& control) {
-  const CurveNeed wide{widened(need.cells, kCellsOff), need.bridged_mm};
+  CurveNeed wide = need;
+  wide.cells = widened(need.cells, kCellsOff);
   std::vector<std::vector<Waterline>> made(heights_mm.size());
   model::parallel_chunks(made.size(), 1, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -115,7 +116,7 @@ std::vector<std::vector<Waterline>> waterlines(const CutterLocations& locations,
                                                const WaterlineRequest& request,
                                                const model::RunControl& control) {
   const TipRaster tips = make_tip_raster(locations, request.window, request.spacing_mm, control);
-  CurveNeed everywhere{CellMask(tips.raster), 0};
+  CurveNeed everywhere{CellMask(tips.raster), 0, CellMask(tips.raster), 0};
   everywhere.cells.set.assign(everywhere.cells.set.size(), 1);
   return waterlines(locations, tips, everywhere, heights_mm, request.tolerance_mm, control);
 }

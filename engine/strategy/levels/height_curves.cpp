@@ -16,6 +16,8 @@ namespace {
 /// cross without a look at its middle.
 constexpr std::size_t kPointsAChord = 8;
 constexpr double kStepsAside = 0.75, kStraight = 0.65, kUnseenCells = 3;
+/// Chords looked at between two exact points: ten times what smooth curves were measured to take.
+constexpr int kMostChords = 256;
 /// Of what is left to a place aimed at, so much is gone beyond it, to close brackets from both
 /// ends.
 constexpr double kBeyond = 0.1;
@@ -31,6 +33,7 @@ bool same(const FlatPoint& a, const FlatPoint& b) {
 
 /// What is farther below the curve than the tolerance is only known to be.
 double HeightCurves::above(const FlatPoint& p) const {
+  ++looks_;
   const auto z = locations_.tip_z_above(p.x, p.y, height_ - tolerance_);
   return z ? *z - height_ : -std::numeric_limits<double>::infinity();
 }
@@ -59,6 +62,13 @@ std::vector<float> HeightCurves::sides() const {
       if (tips_.error_mm > 0 && need_.cells.at(p.x, p.y)) field[node] = held_at(p) ? 1.0F : -1.0F;
     }
   return field;
+}
+
+/// Heights within their error of the curve's may seem to be on its other side: a bracket whose ends
+/// are on one side would never close.
+HeightCurves::Place HeightCurves::place(const FlatPoint& at, bool held) const {
+  const double z = above(at);
+  return {at, held ? std::max(z, kHeightError_mm) : std::min(z, -kHeightError_mm)};
 }
 
 /// Where heights are finite, looks where a straight line through them passes the curve, a little
@@ -164,8 +174,8 @@ bool HeightCurves::find_beside(const FlatPoint& a, const FlatPoint& b, FlatPoint
   for (double away = 2 * close; away <= farthest; away *= 2) {
     const FlatPoint next = moved(middle, left, side * away);
     if (held_at(next) != held) {
-      const Bracket sides =
-          held ? Bracket{place(next), place(before)} : Bracket{place(before), place(next)};
+      const Bracket sides = held ? Bracket{place(next, false), place(before, true)}
+                                 : Bracket{place(before, false), place(next, true)};
       found = narrowed(sides).free.at;
       return true;
     }
@@ -176,32 +186,37 @@ bool HeightCurves::find_beside(const FlatPoint& a, const FlatPoint& b, FlatPoint
 
 /// The middle of a chord that is close to the curve there is a point of it only where one is needed
 /// on either side.
-void HeightCurves::densify_halves(const FlatPoint& a, const FlatPoint& b,
+void HeightCurves::densify_halves(const FlatPoint& a, const FlatPoint& b, int& chords_left,
                                   std::vector<FlatPoint>& dense) const {
   const FlatPoint middle = lerp(a, b, 0.5);
   const std::size_t before = dense.size();
-  densify(a, middle, dense);
+  densify(a, middle, chords_left, dense);
   const std::size_t to_middle = dense.size();
-  densify(middle, b, dense);
+  densify(middle, b, chords_left, dense);
   if (to_middle == before + 1 && dense.size() == to_middle + 1)
     dense.erase(dense.begin() + static_cast<std::ptrdiff_t>(before));
 }
 
-void HeightCurves::densify(const FlatPoint& a, const FlatPoint& b,
+void HeightCurves::densify(const FlatPoint& a, const FlatPoint& b, int& chords_left,
                            std::vector<FlatPoint>& dense) const {
+  if (--chords_left < 0) return dense.push_back(b);
   FlatPoint beside;
   if (distance(a, b) > 2 * kCurveShare * tolerance_ && find_beside(a, b, beside)) {
-    densify(a, beside, dense);
-    densify(beside, b, dense);
+    densify(a, beside, chords_left, dense);
+    densify(beside, b, chords_left, dense);
     return;
   }
-  if (distance(a, b) > kUnseenCells * tips_.raster.pixel_mm) return densify_halves(a, b, dense);
+  if (distance(a, b) > kUnseenCells * tips_.raster.pixel_mm)
+    return densify_halves(a, b, chords_left, dense);
   dense.push_back(b);
 }
 
 std::vector<FlatPoint> HeightCurves::densified(const std::vector<FlatPoint>& points) const {
   std::vector<FlatPoint> dense = {points.front()};
-  for (std::size_t i = 1; i < points.size(); ++i) densify(points[i - 1], points[i], dense);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    int chords_left = kMostChords;
+    densify(points[i - 1], points[i], chords_left, dense);
+  }
   return dense;
 }
 

@@ -30,6 +30,9 @@ inline FlatPoint moved(const FlatPoint& p, const FlatPoint& direction, double by
 ///
 /// A raster says where curves run. Points of them are found exactly a few cells apart, and more
 /// where a look at the middles of chords, at most three cells apart, finds the curve beside them.
+/// Where the surface is as good as level a curve may wind without end: between two exact points no
+/// more than so many chords are looked at, and whoever cuts along the rest has to prove it. Queries
+/// count what they look at: one thread an object.
 class HeightCurves {
  public:
   /// `need` is wide enough for what the raster does not see.
@@ -44,10 +47,14 @@ class HeightCurves {
 
   double height_mm() const { return height_; }
   bool held_at(const FlatPoint& p) const {
+    ++looks_;
     return !locations_.clears({p.x, p.y, height_}, {p.x, p.y, height_}, 0);
   }
   /// Of a closed one the first point is repeated at the end.
   std::vector<Isoline> curves() const;
+  /// How many places were looked at so far: what curves cost. No more than a few hundred a point of
+  /// the raster's lines, whatever the surface is like.
+  std::size_t looks() const { return looks_; }
 
  private:
   /// Tip height at a place less that of the curve; minus infinity where nothing is under the
@@ -66,21 +73,26 @@ class HeightCurves {
     Place free, held;
     double width() const { return distance(free.at, held.at); }
   };
-  Place place(const FlatPoint& at) const { return {at, above(at)}; }
+  /// Of a place that was found `held` or not.
+  Place place(const FlatPoint& at, bool held) const;
   Bracket narrowed(Bracket b) const;
   FlatPoint crossing_past(const FlatPoint& from, const FlatPoint& other, bool held) const;
   FlatPoint exact(const FlatPoint& edge_middle) const;
   std::vector<std::size_t> spread_out(const Isoline& line) const;
   std::vector<FlatPoint> exact_points(const Isoline& line) const;
   std::vector<FlatPoint> densified(const std::vector<FlatPoint>& points) const;
-  void densify(const FlatPoint& a, const FlatPoint& b, std::vector<FlatPoint>& dense) const;
-  void densify_halves(const FlatPoint& a, const FlatPoint& b, std::vector<FlatPoint>& dense) const;
+  /// `chords_left`: how many more are looked at beside.
+  void densify(const FlatPoint& a, const FlatPoint& b, int& chords_left,
+               std::vector<FlatPoint>& dense) const;
+  void densify_halves(const FlatPoint& a, const FlatPoint& b, int& chords_left,
+                      std::vector<FlatPoint>& dense) const;
   bool find_beside(const FlatPoint& a, const FlatPoint& b, FlatPoint& found) const;
 
   const CutterLocations& locations_;
   const TipRaster& tips_;
   const CurveNeed& need_;
   double height_, tolerance_;
+  mutable std::size_t looks_ = 0;
   std::vector<float> field_;
 };
 

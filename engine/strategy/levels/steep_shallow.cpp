@@ -85,8 +85,7 @@ void add_contours(const LimitLocations& limit, const SteepRegions& regions,
 void raise_clear(const CutterLocations& surface, std::vector<Vec3>& tips) {
   std::vector<double> by(tips.size(), 0);
   for (std::size_t i = 1; i < tips.size(); ++i) {
-    if (surface.clears(tips[i - 1], tips[i], 0)) continue;
-    const double lift = surface.lift(tips[i - 1], tips[i]).value_or(0);
+    const double lift = surface.lift_above(tips[i - 1], tips[i], 0).value_or(0);
     by[i - 1] = std::max(by[i - 1], lift);
     by[i] = std::max(by[i], lift);
   }

@@ -94,6 +94,16 @@ std::optional<double> CutterLocations::lift(const Vec3& a, const Vec3& b) const 
   return result_of(greatest);
 }
 
+std::optional<double> CutterLocations::lift_above(const Vec3& a, const Vec3& b,
+                                                  double least_mm) const {
+  GreatestLift greatest;
+  greatest.slack = kSearchSlack_mm;
+  greatest.known = least_mm - kResultSlack_mm;
+  tree_->search_move(greatest, kNoEnd, a, b);
+  const std::optional<double> by = result_of(greatest);
+  return by && *by > least_mm ? by : std::nullopt;
+}
+
 bool CutterLocations::clears(const Vec3& a, const Vec3& b, double slack_mm) const {
   GreatestLift greatest;
   greatest.known = slack_mm;

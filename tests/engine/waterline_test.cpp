@@ -185,7 +185,8 @@ TEST_CASE("a curve beside a plateau takes few looks, however uneven heights are"
   engine::strategy::CellMask all(tips.raster), none(tips.raster);
   all.set.assign(all.set.size(), 1);
   const engine::strategy::CurveNeed need{all, 0, none, 0};
-  const engine::strategy::HeightCurves curves(surface, tips, need, above, kTolerance);
+  const engine::strategy::UnsureNodes unsure(tips, all);
+  const engine::strategy::HeightCurves curves(surface, tips, need, unsure, above, kTolerance);
   // Measured: three looks a node of the raster, or ninety where the plateau is uneven by just what
   // heights are exact to; without an end to the search it is a matter of luck.
   CHECK_FALSE(curves.curves().empty());

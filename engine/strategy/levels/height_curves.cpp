@@ -15,15 +15,12 @@ namespace {
 /// cells, and how much of its length may be the chord's at least; and how many cells a chord may
 /// cross without a look at its middle.
 constexpr std::size_t kPointsAChord = 8;
-constexpr double kStepsAside = 0.75, kStraight = 0.65, kUnseenCells = 3;
+constexpr double kStepsAside = 0.75, kStraight = 0.65, kUnseenCells = 4;
 /// Chords looked at between two exact points: ten times what smooth curves were measured to take.
 constexpr int kMostChords = 256;
 /// Of what is left to a place aimed at, so much is gone beyond it, to close brackets from both
 /// ends.
 constexpr double kBeyond = 0.1;
-/// Steepest slope (tangent) for which sides of nodes are told by heights that may be wrong: beyond
-/// that the curve is looked for past the node.
-constexpr double kSteepestNode = 20;
 
 bool same(const FlatPoint& a, const FlatPoint& b) {
   return a.x == b.x && a.y == b.y;
@@ -38,29 +35,16 @@ double HeightCurves::above(const FlatPoint& p) const {
   return z ? *z - height_ : -std::numeric_limits<double>::infinity();
 }
 
-double HeightCurves::node_error(int column, int row) const {
-  const Raster& r = tips_.raster;
-  double farthest = 0;
-  for (const auto& [i, j] :
-       {std::pair{column - 1, row}, {column + 1, row}, {column, row - 1}, {column, row + 1}})
-    if (i >= 0 && j >= 0 && i < r.columns && j < r.rows)
-      farthest = std::max(farthest, std::abs(tips_.at(i, j) - tips_.at(column, row)));
-  return tips_.error_mm * (1 + std::min(2 * farthest / r.pixel_mm, kSteepestNode));
-}
-
 std::vector<float> HeightCurves::sides() const {
-  const Raster& r = tips_.raster;
-  const double largest_error = tips_.error_mm * (1 + kSteepestNode);
   std::vector<float> field(tips_.z.size());
-  std::size_t node = 0;
-  for (int j = 0; j < r.rows; ++j)
-    for (int i = 0; i < r.columns; ++i, ++node) {
-      const double up = tips_.z[node] - height_;
-      field[node] = up > 0 ? 1.0F : -1.0F;
-      if (std::abs(up) > largest_error || std::abs(up) > node_error(i, j)) continue;
-      const FlatPoint p{r.x(i), r.y(j)};
-      if (tips_.error_mm > 0 && need_.cells.at(p.x, p.y)) field[node] = held_at(p) ? 1.0F : -1.0F;
-    }
+  std::transform(tips_.z.begin(), tips_.z.end(), field.begin(),
+                 [h = height_](double z) { return z > h ? 1.0F : -1.0F; });
+  const Raster& r = tips_.raster;
+  for (const UnsureNodes::Node& node : unsure_.near(height_)) {
+    if (std::abs(node.z - height_) > node.error_mm) continue;
+    const int i = static_cast<int>(node.at % r.columns), j = static_cast<int>(node.at / r.columns);
+    field[node.at] = held_at({r.x(i), r.y(j)}) ? 1.0F : -1.0F;
+  }
   return field;
 }
 

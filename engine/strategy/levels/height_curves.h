@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/strategy/levels/curve_need.h"
+#include "engine/strategy/levels/unsure_nodes.h"
 #include "engine/strategy/locations/cutter_locations.h"
 #include "engine/strategy/raster/isoline.h"
 #include "engine/strategy/raster/tip_raster.h"
@@ -29,18 +30,19 @@ inline FlatPoint moved(const FlatPoint& p, const FlatPoint& direction, double by
 /// the right.
 ///
 /// A raster says where curves run. Points of them are found exactly a few cells apart, and more
-/// where a look at the middles of chords, at most three cells apart, finds the curve beside them.
+/// where a look at the middles of chords, at most four cells apart, finds the curve beside them.
 /// Where the surface is as good as level a curve may wind without end: between two exact points no
 /// more than so many chords are looked at, and whoever cuts along the rest has to prove it. Queries
 /// count what they look at: one thread an object.
 class HeightCurves {
  public:
-  /// `need` is wide enough for what the raster does not see.
+  /// `need` is wide enough for what the raster does not see, `unsure` the nodes of its cells.
   HeightCurves(const CutterLocations& locations, const TipRaster& tips, const CurveNeed& need,
-               double height_mm, double tolerance_mm)
+               const UnsureNodes& unsure, double height_mm, double tolerance_mm)
       : locations_(locations),
         tips_(tips),
         need_(need),
+        unsure_(unsure),
         height_(height_mm),
         tolerance_(tolerance_mm),
         field_(sides()) {}
@@ -62,8 +64,6 @@ class HeightCurves {
   double above(const FlatPoint& p) const;
   /// 1 at nodes that are forbidden, -1 at free ones.
   std::vector<float> sides() const;
-  /// By how much a node's height may be wrong.
-  double node_error(int column, int row) const;
   struct Place {
     FlatPoint at;
     double above_mm = 0;  ///< of the curve
@@ -91,6 +91,7 @@ class HeightCurves {
   const CutterLocations& locations_;
   const TipRaster& tips_;
   const CurveNeed& need_;
+  const UnsureNodes& unsure_;
   double height_, tolerance_;
   mutable std::size_t looks_ = 0;
   std::vector<float> field_;

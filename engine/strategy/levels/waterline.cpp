@@ -99,10 +99,11 @@ std::vector<std::vector<Waterline>> waterlines(const CutterLocations& locations,
                                                const model::RunControl& control) {
   CurveNeed wide = need;
   wide.cells = widened(need.cells, kCellsOff);
+  const UnsureNodes unsure(tips, wide.cells);
   std::vector<std::vector<Waterline>> made(heights_mm.size());
   model::parallel_chunks(made.size(), 1, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const HeightCurves curves(locations, tips, wide, heights_mm[i] + kAbovePlateaus_mm,
+      const HeightCurves curves(locations, tips, wide, unsure, heights_mm[i] + kAbovePlateaus_mm,
                                 tolerance_mm);
       made[i] = PassMaker(locations, curves, tolerance_mm).passes();
     }

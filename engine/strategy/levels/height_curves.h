@@ -13,7 +13,7 @@ namespace limitgauge::engine::strategy {
 
 /// Shares of a waterline's tolerance: how far chords between points of the curve may leave it, and
 /// its points the curve.
-inline constexpr double kCurveShare = 0.15, kCrossingShare = 0.02;
+inline constexpr double kCurveShare = 0.15, kCrossingShare = 0.05;
 
 /// To the left of the way from `a` to `b`: the free side.
 inline FlatPoint left_of(const FlatPoint& a, const FlatPoint& b) {

@@ -1,6 +1,7 @@
 #include "engine/strategy/levels/waterline.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "engine/strategy/levels/height_curves.h"
@@ -30,6 +31,9 @@ class PassMaker {
 
  private:
   std::vector<FlatPoint> pushed(const std::vector<FlatPoint>& curve, bool closed) const;
+  bool keeps_to(std::span<const Vec3> exact, const Vec3& from, const Vec3& to) const;
+  std::vector<std::size_t> reduced(const std::vector<Vec3>& exact,
+                                   const std::vector<Vec3>& tips) const;
   void add_passes(const std::vector<FlatPoint>& curve, bool closed,
                   std::vector<Waterline>& made) const;
 
@@ -55,17 +59,48 @@ std::vector<FlatPoint> PassMaker::pushed(const std::vector<FlatPoint>& curve, bo
   return out;
 }
 
+/// Whether the chord keeps to the tolerance of the curve's points that it replaces, and does not
+/// pass on the forbidden side of what the curve is away from them at most.
+bool PassMaker::keeps_to(std::span<const Vec3> exact, const Vec3& from, const Vec3& to) const {
+  const FlatPoint left = left_of({from.x, from.y}, {to.x, to.y});
+  return std::all_of(exact.begin(), exact.end(), [&](const Vec3& p) {
+    const double outside = left.x * (p.x - from.x) + left.y * (p.y - from.y);
+    return outside <= kCrossingShare * tolerance_ &&
+           distance_to_segment(p, from, to) <= kCurveReductionShare * tolerance_;
+  });
+}
+
+/// Chords that keep to the curve are as a rule clear: only of others are shorter ones asked for.
+std::vector<std::size_t> PassMaker::reduced(const std::vector<Vec3>& exact,
+                                            const std::vector<Vec3>& tips) const {
+  const auto keeps = [&](std::size_t i, std::size_t j) {
+    return keeps_to(std::span(exact).subspan(i + 1, j - i - 1), tips[i], tips[j]);
+  };
+  const auto clears = [&](std::size_t i, std::size_t j) {
+    return locations_.clears(tips[i], tips[j], 0);
+  };
+  std::vector<std::size_t> kept = {0};
+  for (const std::size_t next : model::reduce_chords(tips.size(), keeps)) {
+    const std::size_t from = kept.back();
+    if (next <= from + 1 || clears(from, next)) {
+      if (next > from) kept.push_back(next);
+      continue;
+    }
+    const auto shorter = [&](std::size_t i, std::size_t j) {
+      return keeps(from + i, from + j) && clears(from + i, from + j);
+    };
+    for (const std::size_t k : model::reduce_chords(next - from + 1, shorter))
+      if (k > 0) kept.push_back(from + k);
+  }
+  return kept;
+}
+
 void PassMaker::add_passes(const std::vector<FlatPoint>& curve, bool closed,
                            std::vector<Waterline>& made) const {
   std::vector<Vec3> exact, tips;
   for (const FlatPoint& p : curve) exact.push_back({p.x, p.y, curves_.height_mm()});
   for (const FlatPoint& p : pushed(curve, closed)) tips.push_back({p.x, p.y, curves_.height_mm()});
-  const auto kept = model::reduce_chords(tips.size(), [&](std::size_t i, std::size_t j) {
-    for (std::size_t k = i + 1; k < j; ++k)
-      if (distance_to_segment(exact[k], tips[i], tips[j]) > kCurveReductionShare * tolerance_)
-        return false;
-    return locations_.clears(tips[i], tips[j], 0);
-  });
+  const std::vector<std::size_t> kept = reduced(exact, tips);
   std::vector<Waterline> parts(1);
   parts.back().closed = false;
   for (std::size_t k = 0; k < kept.size(); ++k) {

@@ -91,7 +91,7 @@ TEST_CASE("rows lie in their planes and run their way", "[unit][zigzag]") {
   const surface::FinishModel finish(test::paraboloid_cage(6, 5, -0.02), {0.01, 3, 10}, {});
   const double angle = GENERATE(0.0, 30.0, 90.0, 200.0);
   const auto request = ball_request(finish.patches().bounding_box(), angle);
-  const auto rows = make_ball_rows(finish, request, {});
+  const auto rows = make_ball_rows(finish.patches(), request, {});
   const double a = angle * std::numbers::pi / 180;
   const Vec3 along{std::cos(a), std::sin(a), 0}, left{-std::sin(a), std::cos(a), 0};
   REQUIRE(rows.rows.size() > 20);
@@ -115,7 +115,7 @@ TEST_CASE("rows over a plane are as far apart as its scallop lets them", "[unit]
   auto request = ball_request(finish.patches().bounding_box(), angle);
   request.cut.step_mm = 1;
   request.cut.scallop_mm = 0.005;
-  const auto rows = make_ball_rows(finish, request, {});
+  const auto rows = make_ball_rows(finish.patches(), request, {});
   const double turn = angle * std::numbers::pi / 180;
   const double a = slope * std::cos(turn), c = slope * std::sin(turn);
   const double apart =
@@ -142,7 +142,7 @@ TEST_CASE("cusps on curved surfaces are as low as asked", "[property][zigzag]") 
   request.cut.step_mm = 2;
   request.cut.scallop_mm = 0.02;
   request.cut.tolerance_mm = 0.002;
-  const auto rows = make_ball_rows(finish, request, {});
+  const auto rows = make_ball_rows(finish.patches(), request, {});
   double most = 0;
   const std::vector<Vec3> points = limit_points(cage, 4);
   for (std::size_t i = 0; i < points.size(); i += 19)
@@ -181,7 +181,7 @@ TEST_CASE("gaps within a row are bridged without a gouge", "[property][zigzag]")
   const model::Cage cage = plates(3);
   const surface::FinishModel finish(cage, {0.01, 3, 8}, {});
   const auto request = ball_request(finish.patches().bounding_box(), 90);
-  const auto rows = make_ball_rows(finish, request, {});
+  const auto rows = make_ball_rows(finish.patches(), request, {});
   const auto gapped = std::count_if(rows.rows.begin(), rows.rows.end(),
                                     [](const auto& row) { return row.runs.size() == 2; });
   REQUIRE(gapped > 40);

@@ -109,3 +109,23 @@ TEST_CASE("a zigzag within the error is one link", "[unit][envelope]") {
   CHECK(least_links(line, 1e-3).size() <= 4);
   CHECK(least_links(line, 2e-3).size() == 2);
 }
+
+TEST_CASE("points that repeat the one before but for rounding change nothing", "[unit][envelope]") {
+  // Where sections of two triangles meet, points come twice, one rounding of a coordinate apart.
+  // Down the ring of a torus the line passes from flat to steep pieces between two such.
+  const double error = GENERATE(1e-3, 3.75e-3, 1e-2);
+  const Line once = sampled(-4, 4, GENERATE(160, 320, 641),
+                            [](double s) { return std::sqrt(std::max(0.0, 16 - s * s)); });
+  Line twice = {once.front()};
+  for (std::size_t i = 1; i + 1 < once.size(); ++i) {
+    const bool rising = once[i + 1].z > once[i].z;
+    twice.push_back(once[i]);
+    twice.push_back({std::nextafter(once[i].s, 9), std::nextafter(once[i].z, rising ? 9 : -9)});
+    if (i % 3 == 0) twice.push_back(twice.back());
+  }
+  twice.push_back(once.back());
+  for (const PlanePoint& p : least_links(twice, error))
+    CHECK((std::isfinite(p.s) && std::isfinite(p.z)));
+  check_bound(twice, error);
+  CHECK(least_links(twice, error).size() == least_links(once, error).size());
+}

@@ -1,10 +1,12 @@
 #include "engine/strategy/levels/steep_shallow.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <tuple>
 
+#include "engine/strategy/levels/curve_need.h"
 #include "engine/strategy/levels/level_choice.h"
 #include "engine/strategy/linking/pass_clip.h"
 #include "engine/strategy/rows/boundary_pass.h"
@@ -146,6 +148,68 @@ TEST_CASE("contours climb unless asked otherwise", "[unit][steep_shallow]") {
       CHECK((turning < 0) == (direction != CutDirection::conventional));
     }
   CHECK(closed > 5);
+}
+
+TEST_CASE("heights from sections of a ball's offset surface are the exact ones within their error",
+          "[property][tip_raster]") {
+  const test::Setup setup(GENERATE("dome", "ridge", "torus"), "ball:D=4");
+  const double cell = 0.25;
+  const model::Box3 window = setup.limit.surface.fluted_extent().grown(cell);
+  const TipRaster exact = make_tip_raster(setup.limit.surface, window, cell, {});
+  const TipRaster made = make_ball_raster(setup.finish.patches(), setup.request, window, cell, {});
+  REQUIRE(made.z.size() == exact.z.size());
+  int compared = 0;
+  for (std::size_t i = 0; i < made.z.size(); ++i) {
+    if (!std::isfinite(made.z[i]) || !std::isfinite(exact.z[i])) continue;
+    const int column = static_cast<int>(i) % made.raster.columns;
+    const int row = static_cast<int>(i) / made.raster.columns;
+    // Heights may differ by the error along the normal; where it is steep that is more.
+    const auto near = [&](double x, double y) {
+      return setup.limit.surface.tip_z(made.raster.x(column) + x, made.raster.y(row) + y)
+          .value_or(-1e9);
+    };
+    const double e = made.error_mm;
+    const double highest = std::max({near(e, 0), near(-e, 0), near(0, e), near(0, -e)});
+    const double lowest = std::min({near(e, 0), near(-e, 0), near(0, e), near(0, -e)});
+    CHECK(made.z[i] <= std::max(highest, exact.z[i]) + e);
+    CHECK(made.z[i] >= std::min(lowest, exact.z[i]) - e);
+    ++compared;
+  }
+  CHECK(compared > 100);
+}
+
+TEST_CASE("of a curve only what is wanted and short gaps are followed", "[unit][curve_need]") {
+  // A ring of radius 4 about the middle of 10 x 10 cells of 1 mm; wanted left of x = 3.
+  const Raster raster{0, 0, 1, 11, 11};
+  Isoline ring{{}, true};
+  for (int k = 0; k <= 72; ++k) {
+    const double a = 2 * std::numbers::pi * (k % 72) / 72;
+    ring.points.push_back({5 + 4 * std::cos(a), 5 + 4 * std::sin(a)});
+  }
+  const CellMask none(raster);
+  CellMask left(raster);
+  for (int j = 0; j < 10; ++j)
+    for (int i = 0; i < 3; ++i) left.set[left.index(i, j)] = 1;
+  const auto open = needed_stretches(ring, {left, 0, none, 0});
+  REQUIRE(open.size() == 1);
+  CHECK_FALSE(open[0].closed);
+  for (const FlatPoint& p : open[0].points) CHECK(p.x < 3.5);
+  CHECK(open[0].points.size() > 20);
+  // The gap is 17 mm long: filled where so much is bridged, and the ring is whole.
+  const auto whole_ring = needed_stretches(ring, {left, 9, none, 0});
+  REQUIRE(whole_ring.size() == 1);
+  CHECK(whole_ring[0].closed);
+  CHECK(whole_ring[0].points.size() == ring.points.size());
+  CHECK(needed_stretches(ring, {none, 9, none, 0}).empty());
+  // Not where other passes touch all of the gap, but for twice what may be cut again and a few
+  // cells.
+  CellMask all(raster);
+  all.set.assign(all.set.size(), 1);
+  CHECK_FALSE(needed_stretches(ring, {left, 9, all, 2})[0].closed);
+  CHECK(needed_stretches(ring, {left, 9, all, 5})[0].closed);
+  const CellMask wider = widened(left, 2);
+  CHECK(wider.at(4.5, 5));
+  CHECK_FALSE(wider.at(5.5, 5));
 }
 
 TEST_CASE("levels are a step apart along the steepest-cut surface", "[unit][levels]") {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/strategy/levels/height_curves.h"
 #include "tests/engine/lift_probe.h"
 #include "tests/support/catch.h"
 
@@ -161,6 +162,46 @@ TEST_CASE("a level at a plateau meets only what rises above it", "[unit][waterli
     CHECK(p.z >= 0);
   }
   CHECK(lines[1].empty());
+}
+
+TEST_CASE("a curve beside a plateau takes few looks, however uneven heights are",
+          "[unit][waterline]") {
+  // A hill of 3 mm on a plateau that is level, or level but for `uneven`; heights of the raster are
+  // off by up to a hundredth of a millimetre. The curve runs a fraction of what heights are exact
+  // to (1e-6 mm) above the plateau, or within its unevenness: there is no telling which side a
+  // place of the plateau is on.
+  const double uneven = GENERATE(0.0, 1e-6, 1e-4, 3e-3), above = GENERATE(2e-7, 4e-7, 1e-6);
+  INFO(uneven << " " << above);
+  const test::Grid hill = test::height_grid(120, 10, [=](double x, double y) {
+    const double inside = std::max(0.0, 1 - (x * x + y * y) / 16);
+    return 3 * inside * inside + uneven * std::sin(17 * x + 3 * y) * std::sin(23 * y - 5 * x);
+  });
+  const CutterLocations surface = locations({hill}, "ball:D=4");
+  const WaterlineRequest request = request_over(8, 0.15);
+  auto tips = make_tip_raster(surface, request.window, request.spacing_mm, {});
+  tips.error_mm = 0.01;
+  for (std::size_t i = 0; i < tips.z.size(); ++i)
+    tips.z[i] += 0.5 * tips.error_mm * (1 + std::sin(1.7 * static_cast<double>(i)));
+  engine::strategy::CellMask all(tips.raster), none(tips.raster);
+  all.set.assign(all.set.size(), 1);
+  const engine::strategy::CurveNeed need{all, 0, none, 0};
+  const engine::strategy::UnsureNodes unsure(tips, all);
+  const engine::strategy::HeightCurves curves(surface, tips, need, unsure, above, kTolerance);
+  // Measured: three looks a node of the raster, or ninety where the plateau is uneven by just what
+  // heights are exact to; without an end to the search it is a matter of luck.
+  CHECK_FALSE(curves.curves().empty());
+  CHECK(curves.looks() <= 200 * tips.z.size());
+  // What is made of it is clear of the surface and goes around the hill.
+  double length = 0;
+  const auto lines = waterlines(surface, tips, need, {above}, kTolerance, {});
+  for (const Waterline& line : lines[0]) {
+    CHECK(clear_of(surface, line));
+    for (std::size_t i = 1; i < line.tips.size(); ++i)
+      length += distance(line.tips[i - 1], line.tips[i]);
+  }
+  // Around the foot at 4 mm a ball of 2 mm keeps away by up to its radius; the window is 16 mm
+  // wide.
+  CHECK(length >= 2 * std::numbers::pi * 4);
 }
 
 TEST_CASE("contours are the same for any number of threads", "[property][waterline]") {

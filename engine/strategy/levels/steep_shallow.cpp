@@ -10,7 +10,9 @@
 #include "engine/strategy/levels/waterline.h"
 #include "engine/strategy/linking/cut_pass.h"
 #include "engine/strategy/linking/pass_clip.h"
+#include "engine/strategy/locations/cutter_shape.h"
 #include "engine/strategy/raster/contact_mask.h"
+#include "engine/strategy/rows/ball_rows.h"
 #include "engine/strategy/rows/boundary_pass.h"
 #include "engine/strategy/rows/row_places.h"
 #include "engine/strategy/rows/sampled_rows.h"
@@ -22,11 +24,23 @@ namespace {
 
 /// How far the cells of a steep contact may be from it, in cells: their corners see its slope.
 constexpr double kNearCells = 2;
+/// Share of the tolerance by which leaving out points may move a row: contours end beside rows, so
+/// these come as close as those.
+constexpr double kRowsReductionShare = 0.1;
 
 /// Cells so small that a step sees what lies between two passes, and the cutter its own radius.
 double cell_size(const StageRequest& request) {
   constexpr double kOfStep = 0.5, kOfRadius = 0.25;
   return std::min(kOfStep * request.cut.step_mm, kOfRadius * request.cutter.radius_mm());
+}
+
+/// Whether the cutter is a ball, and shank and holder stay above the part wherever it touches that.
+bool touches_with_ball_alone(const LimitLocations& limit, const StageRequest& request) {
+  if (request.cutter.type != model::CutterType::ball) return false;
+  const std::vector<CutterShape> bodies = cutter_shapes(request.cutter, limit.kept_mm, true);
+  return std::all_of(bodies.begin() + 1, bodies.end(), [&](const CutterShape& body) {
+    return limit.lowest_contact_mm + body.bottom_mm() > limit.part.high.z;
+  });
 }
 
 void require_serves(const StageRequest& request) {
@@ -53,7 +67,9 @@ void add_contours(const LimitLocations& limit, const SteepRegions& regions,
       choose_levels(regions.slopes, regions.contours, regions.steep, levels_by);
   // The mesh has its share twice, see kLimitMeshShare.
   const double tolerance = (1 - 2 * kLimitMeshShare) * request.cut.tolerance_mm;
-  for (const auto& level : waterlines(limit.surface, regions.tips, levels, tolerance, control)) {
+  const CurveNeed need{regions.contours, rule.longest_mm, regions.touched, rule.repeated_mm};
+  for (const auto& level :
+       waterlines(limit.surface, regions.tips, need, levels, tolerance, control)) {
     std::vector<CutPass> passes;
     for (const Waterline& line : level)
       for (ClippedPass& clipped : clip_to(line.tips, line.closed, regions.contours, rule))
@@ -64,17 +80,35 @@ void add_contours(const LimitLocations& limit, const SteepRegions& regions,
   }
 }
 
-void add_rows(const LimitLocations& limit, const SteepRegions& regions, const StageRequest& request,
+/// Raises the ends of chords by what the exact surface asks for: rows from sections rest on another
+/// mesh. Ends that are higher than a chord asks for only take it farther away.
+void raise_clear(const CutterLocations& surface, std::vector<Vec3>& tips) {
+  std::vector<double> by(tips.size(), 0);
+  for (std::size_t i = 1; i < tips.size(); ++i) {
+    const double lift = surface.lift_above(tips[i - 1], tips[i], 0).value_or(0);
+    by[i - 1] = std::max(by[i - 1], lift);
+    by[i] = std::max(by[i], lift);
+  }
+  for (std::size_t i = 0; i < tips.size(); ++i) tips[i].z += by[i];
+}
+
+void add_rows(const surface::PatchModel& model, const LimitLocations& limit,
+              const SteepRegions& regions, const StageRequest& request,
               const model::RunControl& control, SteepShallowPasses& made) {
-  DriveRows rows = make_sampled_rows(limit, request, control);
+  DriveRows rows = touches_with_ball_alone(limit, request)
+                       ? make_ball_rows(model, request, control, kRowsReductionShare)
+                       : make_sampled_rows(limit, request, control);
   made.sampling_intervals = std::move(rows.sampling_intervals);
   const SteepClip steep{model::radians(request.cut.steep_angle_deg),
                         request.cut.overlap_or_default_mm()};
   for (const DriveRow& row : rows.rows) {
     const std::size_t before = made.rows.size();
     for (const auto& run : row.runs)
-      for (ClippedPass& clipped : clip_row(run, regions.rows, bridge_rule(regions, request), steep))
+      for (ClippedPass& clipped :
+           clip_row(run, regions.rows, bridge_rule(regions, request), steep)) {
+        raise_clear(limit.surface, clipped.tips);
         made.rows.push_back(row_pass(std::move(clipped.tips), request));
+      }
     if (made.rows.size() > before) ++made.planes;
   }
 }
@@ -85,8 +119,10 @@ SteepRegions find_regions(const surface::PatchModel& model, const LimitLocations
                           const StageRequest& request, const model::RunControl& control) {
   SteepRegions regions;
   const double cell = cell_size(request), overlap = request.cut.overlap_or_default_mm();
-  regions.tips =
-      make_tip_raster(limit.surface, limit.surface.fluted_extent().grown(2 * cell), cell, control);
+  const model::Box3 window = limit.surface.fluted_extent().grown(2 * cell);
+  regions.tips = touches_with_ball_alone(limit, request)
+                     ? make_ball_raster(model, request, window, cell, control)
+                     : make_tip_raster(limit.surface, window, cell, control);
   // What shank, holder or a taper's flank hold up alone is as good as nothing.
   for (double& z : regions.tips.z)
     if (z < limit.lowest_contact_mm) z = -std::numeric_limits<double>::infinity();
@@ -112,7 +148,7 @@ SteepShallowPasses steep_shallow_passes(const surface::PatchModel& model,
   const SteepRegions regions = find_regions(model, limit, request, control);
   SteepShallowPasses made;
   add_contours(limit, regions, request, control, made);
-  add_rows(limit, regions, request, control, made);
+  add_rows(model, limit, regions, request, control, made);
   return made;
 }
 

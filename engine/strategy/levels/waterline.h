@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/strategy/levels/curve_need.h"
 #include "engine/strategy/locations/cutter_locations.h"
 #include "engine/strategy/raster/tip_raster.h"
 #include "model/base/run_control.h"
@@ -28,9 +29,10 @@ std::vector<std::vector<Waterline>> waterlines(const CutterLocations& locations,
                                                const std::vector<double>& heights_mm,
                                                const WaterlineRequest& request,
                                                const model::RunControl& control);
-/// The same from tip heights that are there already.
+/// The same from tip heights that are there already, over the cells of their raster in `need`:
+/// what of a curve lies elsewhere may be left out, and the curve is open there.
 std::vector<std::vector<Waterline>> waterlines(const CutterLocations& locations,
-                                               const TipRaster& tips,
+                                               const TipRaster& tips, const CurveNeed& need,
                                                const std::vector<double>& heights_mm,
                                                double tolerance_mm,
                                                const model::RunControl& control);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/strategy/linking/link_fan.h"
+#include "engine/tolerance.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
@@ -118,10 +119,26 @@ void append_links(const std::vector<PlanePoint>& piece, Slope slope, double erro
   for (std::size_t i = 1; i < links.size(); ++i) result.push_back(turned(links[i], slope));
 }
 
+/// The line without points that are the one before but for rounding, as sections leave them where
+/// two triangles meet: what they bound has no width, and a link through both may be upright. The
+/// ends are kept as they are.
+std::vector<PlanePoint> without_repeats(const std::vector<PlanePoint>& line) {
+  const auto same = [](const PlanePoint& a, const PlanePoint& b) {
+    return std::hypot(b.s - a.s, b.z - a.z) <= kSamePlace_mm;
+  };
+  std::vector<PlanePoint> kept = {line.front()};
+  for (const PlanePoint& p : line)
+    if (!same(kept.back(), p)) kept.push_back(p);
+  while (kept.size() > 1 && same(kept.back(), line.back())) kept.pop_back();
+  kept.push_back(line.back());
+  return kept;
+}
+
 }  // namespace
 
-std::vector<PlanePoint> least_links(const std::vector<PlanePoint>& line, double error_mm) {
-  if (line.size() < 3) return line;
+std::vector<PlanePoint> least_links(const std::vector<PlanePoint>& all, double error_mm) {
+  if (all.size() < 3) return all;
+  const std::vector<PlanePoint> line = without_repeats(all);
   std::vector<PlanePoint> result = {line.front()}, piece = {line.front()};
   Slope slope = slope_of(line[0], line[1], Slope::flat);
   for (std::size_t i = 1; i < line.size(); ++i) {

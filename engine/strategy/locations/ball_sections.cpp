@@ -34,10 +34,11 @@ std::vector<PlanePoint> in_plane(const surface::SectionChain& chain) {
 }  // namespace
 
 BallSections::BallSections(const surface::PatchModel& model, const StageRequest& request,
-                           const DriveFrame& frame, const model::RunControl& control)
+                           const DriveFrame& frame, double reduction_mm,
+                           const model::RunControl& control)
     : reach_(request.cutter.radius_mm() + request.allowance_mm) {
   measure(model, frame);
-  std::vector<surface::Grid> grids = all_grids(model, request);
+  std::vector<surface::Grid> grids = all_grids(model, request, reduction_mm);
   std::vector<std::optional<surface::GridSection>> built(grids.size());
   model::parallel_chunks(grids.size(), 1, control, [&](std::size_t g, std::size_t) {
     for (Vec3& p : grids[g].points) p = frame.to_drive(p);
@@ -59,9 +60,10 @@ void BallSections::measure(const surface::PatchModel& model, const DriveFrame& f
 }
 
 std::vector<surface::Grid> BallSections::all_grids(const surface::PatchModel& model,
-                                                   const StageRequest& request) {
+                                                   const StageRequest& request,
+                                                   double reduction_mm) {
   const double mesh_error = kMeshShare * request.cut.tolerance_mm;
-  reach_ += mesh_error + kRowReductionShare * request.cut.tolerance_mm;
+  reach_ += mesh_error + reduction_mm;
   surface::OffsetModel offset = surface::sample_offset(model, reach_, mesh_error);
   if (offset.excess_mm > 0) {
     reach_ += offset.excess_mm;

@@ -20,12 +20,12 @@ inline constexpr double kRowReductionShare = 0.2;
 ///
 /// The centre keeps farther away by what the offset mesh may lack (a quarter of the stage's
 /// tolerance, or more where the model is no finer) and by what leaving out points of rows may take
-/// (kRowReductionShare): nothing of that cuts into the surface. Facets of rims lie outside what
-/// they stand for, by a tenth of the tolerance at most.
+/// (`reduction_mm`): nothing of that cuts into the surface. Facets of rims lie outside what they
+/// stand for, by a tenth of the tolerance at most.
 class BallSections {
  public:
   BallSections(const surface::PatchModel& model, const StageRequest& request,
-               const DriveFrame& frame, const model::RunControl& control);
+               const DriveFrame& frame, double reduction_mm, const model::RunControl& control);
 
   double reach_mm() const { return reach_; }  ///< of the centre from the surface
   /// Extent of the surface across the rows.
@@ -40,7 +40,7 @@ class BallSections {
 
  private:
   std::vector<surface::Grid> all_grids(const surface::PatchModel& model,
-                                       const StageRequest& request);
+                                       const StageRequest& request, double reduction_mm);
   void measure(const surface::PatchModel& model, const DriveFrame& frame);
 
   double reach_, low_ = 0, high_ = 0;

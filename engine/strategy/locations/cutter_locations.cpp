@@ -78,11 +78,30 @@ std::optional<double> CutterLocations::tip_z(double x, double y) const {
   return result_of(greatest);
 }
 
+std::optional<double> CutterLocations::tip_z_above(double x, double y, double least_mm) const {
+  GreatestLift greatest;
+  greatest.slack = kSearchSlack_mm;
+  greatest.known = least_mm - kResultSlack_mm;
+  tree_->search<PlaceQuestion>(greatest, kNoEnd, Vec3{x, y, 0});
+  const std::optional<double> z = result_of(greatest);
+  return z && *z > least_mm ? z : std::nullopt;
+}
+
 std::optional<double> CutterLocations::lift(const Vec3& a, const Vec3& b) const {
   GreatestLift greatest;
   greatest.slack = kSearchSlack_mm;
   tree_->search_move(greatest, kNoEnd, a, b);
   return result_of(greatest);
+}
+
+std::optional<double> CutterLocations::lift_above(const Vec3& a, const Vec3& b,
+                                                  double least_mm) const {
+  GreatestLift greatest;
+  greatest.slack = kSearchSlack_mm;
+  greatest.known = least_mm - kResultSlack_mm;
+  tree_->search_move(greatest, kNoEnd, a, b);
+  const std::optional<double> by = result_of(greatest);
+  return by && *by > least_mm ? by : std::nullopt;
 }
 
 bool CutterLocations::clears(const Vec3& a, const Vec3& b, double slack_mm) const {

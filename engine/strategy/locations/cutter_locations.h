@@ -31,11 +31,15 @@ class CutterLocations {
 
   /// Lowest height of the tip over (x, y), mm; nothing where no triangle is under the cutter.
   std::optional<double> tip_z(double x, double y) const;
+  /// The same where that is above `least_mm`, nothing elsewhere: the faster, the less it is above.
+  std::optional<double> tip_z_above(double x, double y, double least_mm) const;
 
   /// By how much the straight move of the tip from `a` to `b` must be lifted to touch nothing:
   /// negative by how much it might sink; nothing where no triangle is under it. Exact over the
   /// whole move, not at samples, but for kHeightError_mm; never below the truth.
   std::optional<double> lift(const Vec3& a, const Vec3& b) const;
+  /// The same where that is above `least_mm`, nothing elsewhere: the faster, the less it is above.
+  std::optional<double> lift_above(const Vec3& a, const Vec3& b, double least_mm) const;
   /// Whether the move needs no lift beyond `slack_mm` (faster than lift()).
   bool clears(const Vec3& a, const Vec3& b, double slack_mm) const;
 

@@ -132,8 +132,22 @@ MoveQuestion::Part MoveQuestion::concerned(const TopBox& box, double known) cons
   return part;
 }
 
+/// Cheap bounds over the whole move, which for short ones are as good as those over its parts.
+bool MoveQuestion::lifts_no_more(const LocationNode& node, const TopBox& box, double known) const {
+  if (body_.has_planes &&
+      std::max(plane_lift(node, from_), plane_lift(node, to_)) + kBoundSlack_mm <= known)
+    return true;
+  const double dx = gap(box.low_x, box.high_x, std::min(from_.x, to_.x), std::max(from_.x, to_.x));
+  const double dy = gap(box.low_y, box.high_y, std::min(from_.y, to_.y), std::max(from_.y, to_.y));
+  const double squared = dx * dx + dy * dy, reach = body_.shape.reach_mm() + kReachSlack_mm;
+  if (squared > reach * reach) return true;
+  const double lowest = std::min(from_.z, to_.z);
+  return box.high_z - height_at(body_.shape, squared) - lowest + kBoundSlack_mm <= known;
+}
+
 double MoveQuestion::bound(const LocationNode& node, double known) const {
   const TopBox box = top_box(node);
+  if (lifts_no_more(node, box, known)) return kNothing;
   const Part part = concerned(box, known);
   if (part.empty) return kNothing;
   double lift = box.high_z - height_at(body_.shape, part.squared_mm2);

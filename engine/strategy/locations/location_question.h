@@ -52,6 +52,7 @@ class MoveQuestion {
     double squared_mm2 = 0;
     bool empty = true;
   };
+  bool lifts_no_more(const LocationNode& node, const TopBox& box, double known) const;
   Part within(const TopBox& box, double reach) const;
   Part concerned(const TopBox& box, double known) const;
   double plane_bound(const LocationNode& node, const TopBox& box, const Part& part,

@@ -55,7 +55,9 @@ class Spread {
     // Cells of the mask count as a whole: what is beside them is as near as their border.
     source_ = mask.set;
     for (std::size_t i = 0; i < source_.size(); ++i)
-      if (source_[i]) reach(i, 0);
+      if (source_[i]) away_[i] = 0;
+    for (std::size_t i = 0; i < source_.size(); ++i)
+      if (source_[i] && at_border(mask, i)) open_.push({0, i});
     while (!open_.empty()) {
       const auto [away, i] = open_.top();
       open_.pop();
@@ -66,6 +68,15 @@ class Spread {
   }
 
  private:
+  /// Whether a cell of the mask has one beside it that is not: others pass nothing on.
+  bool at_border(const CellMask& mask, std::size_t i) const {
+    const auto wide = static_cast<std::size_t>(mask.columns());
+    const int column = static_cast<int>(i % wide), row = static_cast<int>(i / wide);
+    for (int r = std::max(row - 1, 0); r <= std::min(row + 1, mask.rows() - 1); ++r)
+      for (int c = std::max(column - 1, 0); c <= std::min(column + 1, mask.columns() - 1); ++c)
+        if (!source_[mask.index(c, r)]) return true;
+    return false;
+  }
   void reach(std::size_t i, double away) {
     if (away > farthest_ || away >= away_[i]) return;
     away_[i] = away;

@@ -154,13 +154,13 @@ std::vector<CentreRow> centre_rows(const BallSections& sections, const CutOption
   return rows_at(sections, even_rows(sections, cut.step_mm), control);
 }
 
-DriveRow tip_row(const CentreRow& row, const StageRequest& request, const DriveFrame& frame) {
+DriveRow tip_row(const CentreRow& row, const StageRequest& request, const DriveFrame& frame,
+                 double reduction_mm) {
   const double radius = request.cutter.radius_mm();
   DriveRow tips{row.across_mm, {}};
   for (const auto& run : row.centre.runs) {
     tips.runs.emplace_back();
-    for (const PlanePoint& p : least_links(raised(run, request.floor_z_mm + radius),
-                                           kRowReductionShare * request.cut.tolerance_mm))
+    for (const PlanePoint& p : least_links(raised(run, request.floor_z_mm + radius), reduction_mm))
       tips.runs.back().push_back(frame.to_part({p.s, row.across_mm, p.z - radius}));
   }
   return tips;
@@ -168,16 +168,17 @@ DriveRow tip_row(const CentreRow& row, const StageRequest& request, const DriveF
 
 }  // namespace
 
-DriveRows make_ball_rows(const surface::FinishModel& model, const StageRequest& request,
-                         const model::RunControl& control) {
+DriveRows make_ball_rows(const surface::PatchModel& model, const StageRequest& request,
+                         const model::RunControl& control, double reduction_share) {
   const DriveFrame frame(request.cut.angle_deg);
-  const BallSections sections(model.patches(), request, frame, control);
+  const double reduction_mm = reduction_share * request.cut.tolerance_mm;
+  const BallSections sections(model, request, frame, reduction_mm, control);
   const std::vector<CentreRow> rows = centre_rows(sections, request.cut, control);
   DriveRows result{std::vector<DriveRow>(rows.size()), sections.sampling_intervals()};
   model::parallel_chunks(rows.size(), kBallRowsAChunk, control,
                          [&](std::size_t begin, std::size_t end) {
                            for (std::size_t i = begin; i < end; ++i)
-                             result.rows[i] = tip_row(rows[i], request, frame);
+                             result.rows[i] = tip_row(rows[i], request, frame, reduction_mm);
                          });
   return result;
 }

@@ -52,7 +52,10 @@ double cusp_between(const CentreRow& left, const CentreRow& middle, const Centre
 /// centre keeps farther away by both: the ball never goes below the allowance surface, and what it
 /// can reach it leaves by at most t more than its rows' distance does. Where the finish model is no
 /// finer than t / 4 it leaves more, by what that lacks.
-DriveRows make_ball_rows(const surface::FinishModel& model, const StageRequest& request,
-                         const model::RunControl& control);
+///
+/// `reduction_share`: what leaving out points may move a row by, another share than a fifth.
+DriveRows make_ball_rows(const surface::PatchModel& model, const StageRequest& request,
+                         const model::RunControl& control,
+                         double reduction_share = kRowReductionShare);
 
 }  // namespace limitgauge::engine::strategy

@@ -33,8 +33,8 @@ StagePath plan_zigzag(const surface::FinishModel& model, const StageRequest& req
                       const model::RunControl& control) {
   const bool ball = request.cutter.type == model::CutterType::ball;
   const LimitLocations limit = limit_locations(model.patches(), request);
-  DriveRows made =
-      ball ? make_ball_rows(model, request, control) : make_sampled_rows(limit, request, control);
+  DriveRows made = ball ? make_ball_rows(model.patches(), request, control)
+                        : make_sampled_rows(limit, request, control);
   StagePath stage;
   stage.planes = static_cast<int>(made.rows.size());
   set_intervals(stage, std::move(made.sampling_intervals));

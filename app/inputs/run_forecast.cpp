@@ -22,8 +22,9 @@ constexpr double kCellsBytes = 10 * kMib;
 /// Of a cell that the surface is cut into to begin with, and of one about an irregular vertex,
 /// where cells grow smaller down to rounding: each with what a search for closest points needs.
 constexpr double kCellBytes = 1000, kVertexCellBytes = 4000;
-/// Files and pages of a stage; its pictures are drawn several times as large and made smaller.
-constexpr double kFilesBytes = 20 * kMib, kPicturesBytes = 92 * kMib;
+/// Files and pages of a stage; its pictures are drawn some rows at a time, two of them side by
+/// side.
+constexpr double kFilesBytes = 20 * kMib, kPicturesBytes = 48 * kMib;
 
 /// Of a move: itself, in the sweep's tree (simulator/sweep/sweep_index.h), and what it removed.
 constexpr double kMoveBytes = 32, kTreeBytes = 144, kRemovalBytes = 32;

@@ -1,8 +1,8 @@
 #include "reports/picture/stock_picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "reports/picture/marker.h"
 #include "reports/picture/raster.h"
@@ -40,15 +40,38 @@ int fit(View& view, const simulator::StockMesh& mesh, int width) {
   return int(std::ceil(size.y * view.scale)) + 2 * kMargin;
 }
 
+/// Millions of them: half the room, and far finer than a pixel.
+struct Small {
+  float x = 0, y = 0, z = 0;
+
+  Small() = default;
+  Small(double px, double py, double pz)
+      : x(static_cast<float>(px)), y(static_cast<float>(py)), z(static_cast<float>(pz)) {}
+  Vec3 vec() const { return {x, y, z}; }
+};
+
 /// Area-weighted normals at the vertices: what the stock's facets stand for.
-std::vector<Vec3> vertex_normals(const simulator::StockMesh& mesh) {
-  std::vector<Vec3> normals(mesh.vertices.size());
+std::vector<Small> vertex_normals(const simulator::StockMesh& mesh) {
+  std::vector<Small> normals(mesh.vertices.size());
   for (const auto& t : mesh.triangles) {
     const Vec3& a = mesh.vertices[t[0]];
     const Vec3 n = model::cross(mesh.vertices[t[1]] - a, mesh.vertices[t[2]] - a);
-    for (const auto corner : t) normals[corner] += n;
+    for (const auto corner : t) {
+      const Vec3 sum = normals[corner].vec() + n;
+      normals[corner] = {sum.x, sum.y, sum.z};
+    }
   }
   return normals;
+}
+
+std::vector<Small> screen_points(const simulator::StockMesh& mesh, const View& view) {
+  std::vector<Small> points;
+  points.reserve(mesh.vertices.size());
+  for (const Vec3& vertex : mesh.vertices) {
+    const ScreenPoint p = view.project(vertex);
+    points.push_back({p.x, p.y, p.z});
+  }
+  return points;
 }
 
 /// x to the fortieth.
@@ -77,18 +100,22 @@ struct Lights {
 };
 
 /// What is nearest in the rows of `depth`: all that is seen is lit, once.
-Image lit(const simulator::StockMesh& mesh, const std::vector<ScreenPoint>& points,
-          const std::vector<Vec3>& normals, const Lights& lights, DepthBuffer& depth) {
+Image lit(const simulator::StockMesh& mesh, const std::vector<Small>& points,
+          const std::vector<Small>& normals, const Lights& lights, DepthBuffer& depth) {
   Image image(depth.width(), depth.height());
-  std::vector<std::array<float, 3>> seen(image.pixels().size());
+  std::vector<Small> seen(image.pixels().size());
+  const auto corner = [&](std::uint32_t k) {
+    return ScreenPoint{points[k].x, points[k].y, points[k].z};
+  };
   for (const auto& t : mesh.triangles)
     depth.fill_triangle(
-        {points[t[0]], points[t[1]], points[t[2]]}, [&](std::size_t i, const auto& w) {
-          const Vec3 n = normals[t[0]] * w[0] + normals[t[1]] * w[1] + normals[t[2]] * w[2];
-          seen[i] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+        {corner(t[0]), corner(t[1]), corner(t[2])}, [&](std::size_t i, const auto& w) {
+          const Vec3 n =
+              normals[t[0]].vec() * w[0] + normals[t[1]].vec() * w[1] + normals[t[2]].vec() * w[2];
+          seen[i] = {n.x, n.y, n.z};
         });
   for (std::size_t i = 0; i < seen.size(); ++i)
-    if (!depth.is_empty(i)) image.pixels()[i] = lights.on({seen[i][0], seen[i][1], seen[i][2]});
+    if (!depth.is_empty(i)) image.pixels()[i] = lights.on(seen[i].vec());
   return image;
 }
 
@@ -98,10 +125,7 @@ Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width) {
   View view;
   const int fine_width = largest_width * kOversampling;
   const int fine_height = fit(view, mesh, fine_width) / 2 * 2;
-  const std::vector<Vec3> normals = vertex_normals(mesh);
-  std::vector<ScreenPoint> points;
-  points.reserve(mesh.vertices.size());
-  for (const Vec3& p : mesh.vertices) points.push_back(view.project(p));
+  const std::vector<Small> normals = vertex_normals(mesh), points = screen_points(mesh, view);
   const Lights lights(view);
   Image image(fine_width / kOversampling, std::max(fine_height / kOversampling, 1));
   by_rows(image.height() * kOversampling, [&](int first_row, int rows) {

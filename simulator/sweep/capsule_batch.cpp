@@ -25,24 +25,15 @@ void find_feet(const BallColumns& c, std::size_t n, double px, double py, double
   n = n / kLanes * kLanes;
   LIMITGAUGE_EACH
   for (std::size_t i = 0; i < n; ++i) {
-    const double qx = px - c.x[i], qy = py - c.y[i], qz = pz - c.z[i];
-    const double along = qx * c.along_x[i] + qy * c.along_y[i];
-    const double across = qy * c.along_x[i] - qx * c.along_y[i];
-    const double t_level = unit_clamp(along * c.inverse_run[i]);
-    const double t_line = unit_clamp((along * c.run[i] + qz * c.rise[i]) * c.inverse_length2[i]);
-    const bool above = qz >= c.rise[i] * t_level;
-    const double t = above ? t_level : t_line;
-    const double ea = along - t * c.run[i];
-    const double below = qz - t * c.rise[i];
-    const double ez = above ? 0.0 : below;
-    squared[i] = ea * ea + across * across + ez * ez;
-    out_x[i] = ea * c.along_x[i] - across * c.along_y[i];
-    out_y[i] = ea * c.along_y[i] + across * c.along_x[i];
-    out_z[i] = ez;
-    const double over = std::abs(ea * c.run[i] + ez * c.rise[i]) * c.inverse_length[i];
+    const BallFoot q = ball_foot(c, i, px, py, pz);
+    squared[i] = q.squared();
+    out_x[i] = q.along * c.along_x[i] - q.across * c.along_y[i];
+    out_y[i] = q.along * c.along_y[i] + q.across * c.along_x[i];
+    out_z[i] = q.up;
+    const double over = std::abs(q.along * c.run[i] + q.up * c.rise[i]) * c.inverse_length[i];
     double free = h * c.norm1[i] - over;
     free = free > 0 ? free : 0.0;
-    slide[i] = ez <= on_the_way ? free * free : most;
+    slide[i] = q.up <= on_the_way ? free * free : most;
   }
 }
 
@@ -230,16 +221,7 @@ void find_squares(const BallColumns& c, std::size_t n, double px, double py, dou
   n = n / kLanes * kLanes;
   LIMITGAUGE_EACH
   for (std::size_t i = 0; i < n; ++i) {
-    const double qx = px - c.x[i], qy = py - c.y[i], qz = pz - c.z[i];
-    const double along = qx * c.along_x[i] + qy * c.along_y[i];
-    const double across = qy * c.along_x[i] - qx * c.along_y[i];
-    const double t_level = unit_clamp(along * c.inverse_run[i]);
-    const double t_line = unit_clamp((along * c.run[i] + qz * c.rise[i]) * c.inverse_length2[i]);
-    const bool above = qz >= c.rise[i] * t_level;
-    const double t = above ? t_level : t_line;
-    const double ea = along - t * c.run[i], below = qz - t * c.rise[i];
-    const double ez = above ? 0.0 : below;
-    squared[i] = ea * ea + across * across + ez * ez;
+    squared[i] = ball_foot(c, i, px, py, pz).squared();
   }
 }
 

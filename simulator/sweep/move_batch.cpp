@@ -15,22 +15,13 @@ void ball_samples(const BallColumns& c, std::size_t n, double radius, double px,
                   double pz, double* __restrict distance, double* __restrict gx,
                   double* __restrict gy, double* __restrict gz) {
   for (std::size_t i = 0; i < n; ++i) {
-    const double qx = px - c.x[i], qy = py - c.y[i], qz = pz - c.z[i];
-    const double along = qx * c.along_x[i] + qy * c.along_y[i];
-    const double across = qy * c.along_x[i] - qx * c.along_y[i];
-    const double t_level = unit_clamp(along * c.inverse_run[i]);
-    const double t_line = unit_clamp((along * c.run[i] + qz * c.rise[i]) * c.inverse_length2[i]);
-    const bool above = qz >= c.rise[i] * t_level;
-    const double t = above ? t_level : t_line;
-    const double ea = along - t * c.run[i];
-    const double below = qz - t * c.rise[i];
-    const double ez = above ? 0.0 : below;
-    const double r = std::sqrt(ea * ea + across * across + ez * ez);
+    const BallFoot q = ball_foot(c, i, px, py, pz);
+    const double r = std::sqrt(q.squared());
     const double inverse = r > 0 ? 1 / r : 0.0;
     distance[i] = r - radius;
-    gx[i] = (ea * c.along_x[i] - across * c.along_y[i]) * inverse;
-    gy[i] = (ea * c.along_y[i] + across * c.along_x[i]) * inverse;
-    gz[i] = ez * inverse;
+    gx[i] = (q.along * c.along_x[i] - q.across * c.along_y[i]) * inverse;
+    gy[i] = (q.along * c.along_y[i] + q.across * c.along_x[i]) * inverse;
+    gz[i] = q.up * inverse;
   }
 }
 

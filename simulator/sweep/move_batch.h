@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "simulator/sweep/sweep_index.h"
+#include "simulator/sweep/vector_loops.h"
 
 namespace limitgauge::simulator {
 
@@ -18,6 +20,26 @@ struct BallColumns {
   const double *x, *y, *z, *along_x, *along_y, *run, *rise, *inverse_run, *inverse_length2;
   const double *inverse_length, *norm1;
 };
+
+/// Of a point, seen from the nearest place of the way of a ball's centre: in the way's level
+/// direction, across it and upwards, mm. Beside the way's upper side, which the shaft clears, only
+/// what is level counts.
+struct BallFoot {
+  double along = 0, across = 0, up = 0;
+  double squared() const { return along * along + across * across + up * up; }
+};
+/// Of move `i`, without branches: loops over moves take several at once.
+inline BallFoot ball_foot(const BallColumns& c, std::size_t i, double px, double py, double pz) {
+  const double qx = px - c.x[i], qy = py - c.y[i], qz = pz - c.z[i];
+  const double along = qx * c.along_x[i] + qy * c.along_y[i];
+  const double across = qy * c.along_x[i] - qx * c.along_y[i];
+  const double t_level = unit_clamp(along * c.inverse_run[i]);
+  const double t_line = unit_clamp((along * c.run[i] + qz * c.rise[i]) * c.inverse_length2[i]);
+  const bool above = qz >= c.rise[i] * t_level;
+  const double t = above ? t_level : t_line;
+  const double below = qz - t * c.rise[i];
+  return {along - t * c.run[i], across, above ? 0.0 : below};
+}
 
 /// Moves that may matter in one block, with what the inner loops read laid out in columns.
 class MoveBatch {

@@ -71,15 +71,17 @@ struct LocalContact::Frame {
   Vec3 n, t, b;     ///< normal, along the cutter's meridian, across it
   double lean = 0;  ///< how far a normal of the cell may be from n
   double u_x = 1, u_y = 0, v_y = 1;
+  double along_u_mm = 0, along_v_mm = 0;  ///< lengths of the first derivatives in the middle
 
   /// None where S has no plane.
   static std::optional<Frame> of(const SurfaceCell& cell, const CellContact& contact) {
     const Vec3& e = contact.direction();
-    Frame f{contact.normal(), {}, {-e.y, e.x, 0}, 2 * std::sin(contact.alpha() / 2), 1, 0, 1};
+    Frame f{contact.normal(), {}, {-e.y, e.x, 0}, 2 * std::sin(contact.alpha() / 2)};
     f.t = cross(f.b, f.n);
     const BezierJet j = jet(cell.shape, 0.5, 0.5);
     const Vec3 along_u = j.du / cell.size_u, along_v = j.dv / cell.size_v;
-    f.u_x = 1 / length(along_u);
+    f.along_u_mm = length(along_u), f.along_v_mm = length(along_v);
+    f.u_x = 1 / f.along_u_mm;
     const double skew = dot(along_v, along_u) * f.u_x * f.u_x;
     f.v_y = 1 / length(along_v - along_u * skew);
     f.u_y = -skew * f.v_y;
@@ -244,10 +246,9 @@ bool LocalContact::proven(const ParameterRect& area, const ParameterRect& own,
 std::optional<ClearedRect> LocalContact::clear(const SurfaceCell& cell,
                                                const CellContact& contact) const {
   const ParameterRect own = rect_of(cell);
-  const BezierJet j = jet(cell.shape, 0.5, 0.5);
-  const double u = length(j.du) / cell.size_u, v = length(j.dv) / cell.size_v;
   const auto frame = Frame::of(cell, contact);
-  if (!frame || !(u > 0) || !(v > 0)) return std::nullopt;
+  if (!frame) return std::nullopt;
+  const double u = frame->along_u_mm, v = frame->along_v_mm;
   const auto around = [&](double margin) {
     return clipped(
         cell.patch, own,

@@ -54,7 +54,8 @@ export async function withReport(browser, name, options, use) {
   const { width = 1280, height = 900, early, file, ...others } = options;
   const context = await browser.newContext({ viewport: { width, height }, ...others });
   try {
-    context.setDefaultTimeout(15_000);
+    // Nothing here is timed: a machine that does three things at once may take its time.
+    context.setDefaultTimeout(60_000);
     const page = await context.newPage();
     const address = pathToFileURL(reportFile(name, file)).href;
     const faults = watch(page, address);

@@ -58,12 +58,31 @@ void add_assumed(const RunInputs& inputs, std::vector<std::string>& said) {
 reports::SurfaceResult surface_as_read(const Job& job, const RunInputs& inputs) {
   reports::SurfaceResult surface;
   surface.cage = job.cage_as_stated;
+  surface.is_mesh = job.design == DesignKind::mesh;
+  surface.dropped_triangles = inputs.dropped_triangles;
   surface.summary = summarize(inputs.cage);
   surface.rules = inputs.surface.rules();
   surface.bbox_mm = inputs.surface.bounding_box();
   surface.area_mm2 = inputs.surface.area_mm2();
   surface.witness = inputs.witness;
   return surface;
+}
+
+/// What a mesh as a design is taken to be.
+void add_facets(const RunInputs& inputs, reports::RunResult& result) {
+  const reports::SurfaceResult& surface = result.surface;
+  result.assumptions.push_back(
+      "the facets of mesh " + surface.cage +
+      " are the design: how far they lie from the shape that they were made from is not known here "
+      "and not part of any figure");
+  if (surface.summary.boundary_edges > 0)
+    result.assumptions.push_back("mesh " + surface.cage +
+                                 " is open: the side from which the corners of its triangles go "
+                                 "round counter-clockwise is taken to be machined");
+  if (inputs.dropped_triangles > 0)
+    result.assumptions.push_back("mesh " + surface.cage + ": " +
+                                 std::to_string(inputs.dropped_triangles) +
+                                 " triangles with two corners in one point were left out");
 }
 
 /// Widest range of sampling intervals over the stages that were planned.
@@ -92,6 +111,7 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
   result.raw_stock = job.stock;
   result.surface = surface_as_read(job, inputs);
   result.assumptions = assumptions(job, inputs.settings);
+  if (job.design == DesignKind::mesh) add_facets(inputs, result);
   if (!inputs.cage.ends_in_line)
     result.assumptions.push_back("cage " + job.cage_as_stated +
                                  ": its last line has no line end; taken to be whole");

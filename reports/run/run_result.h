@@ -39,7 +39,9 @@ struct StockSurfaceFigures {
 
 /// The design surface's part of result.json.
 struct SurfaceResult {
-  std::string cage;  ///< file name as the job states it
+  std::string cage;      ///< file of the cage, or of the mesh, as the job states it
+  bool is_mesh = false;  ///< the design is a mesh: its facets are the surface
+  std::size_t dropped_triangles = 0;  ///< of a mesh: with two corners in one point
   model::CageSummary summary;
   verifier::SurfaceRules rules;
   model::Box3 bbox_mm;  ///< of the limit surface, exact

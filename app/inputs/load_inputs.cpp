@@ -126,7 +126,7 @@ JobSurface load_surface(const Job& job, const model::RunControl& control) {
   verifier::ReferenceSurface surface = make_surface(job, cage, control);
   control.check();
   witness::Agreement witness = witnessed(cage, surface);
-  return {std::move(cage), std::move(surface), std::move(witness)};
+  return {std::move(cage), std::move(surface), std::move(witness), std::nullopt};
 }
 
 RunInputs load_inputs(const Job& job, const RunTerms& terms, const model::RunControl& control) {
@@ -140,9 +140,9 @@ RunInputs load_inputs(const Job& job, const RunTerms& terms, JobSurface surface)
   std::vector<model::Fixture> fixtures = load_fixtures(job);
   auto programs = load_programs(job, settings, fixtures, box);
   settings.stock_limit_bytes = stock_limit_bytes(scale_of(job, surface.surface, programs, terms));
-  return {std::move(surface.cage),   std::move(surface.surface), std::move(surface.witness),
-          surface.dropped_triangles, std::move(settings),        terms,
-          std::move(fixtures),       std::move(programs),        input_checksums(job)};
+  return {std::move(surface.cage), std::move(surface.surface), std::move(surface.witness),
+          std::move(surface.mesh), std::move(settings),        terms,
+          std::move(fixtures),     std::move(programs),        input_checksums(job)};
 }
 
 }  // namespace limitgauge::app

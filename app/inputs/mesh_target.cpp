@@ -31,7 +31,8 @@ JobSurface load_mesh_target(const Job& job, const model::RunControl& control) {
   verifier::ReferenceSurface surface(target.mesh, control);
   control.check();
   witness::Agreement witness = witnessed_facets(target.cage, surface);
-  return {std::move(target.cage), std::move(surface), std::move(witness), target.dropped_triangles};
+  return {std::move(target.cage), std::move(surface), std::move(witness),
+          reports::MeshDesign{std::move(target.numbers), target.dropped_triangles}};
 }
 
 std::string mesh_like_warning(const model::CageSummary& cage) {

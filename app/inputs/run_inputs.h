@@ -24,7 +24,7 @@ struct RunInputs {
   model::Cage cage;  ///< placed; of a mesh, its faceted cage
   verifier::ReferenceSurface surface;
   witness::Agreement witness;
-  std::size_t dropped_triangles = 0;  ///< of a mesh: with two corners in one point
+  std::optional<reports::MeshDesign> mesh;  ///< where the design is one
   Settings settings;
   RunTerms terms;
   std::vector<model::Fixture> fixtures;
@@ -36,8 +36,8 @@ struct RunInputs {
 struct JobSurface {
   model::Cage cage;  ///< placed; of a mesh, its faceted cage
   verifier::ReferenceSurface surface;
-  witness::Agreement witness;  ///< on this cage: the two agree
-  std::size_t dropped_triangles = 0;
+  witness::Agreement witness;               ///< on this cage: the two agree
+  std::optional<reports::MeshDesign> mesh;  ///< where the design is one
 };
 /// Throws InputError for a cage that cannot be used, verifier::InstrumentDisagreement where the
 /// reference surface is not the one that the witness has of the cage, Interrupted when told to

@@ -115,7 +115,7 @@ TargetMesh target_mesh(const TriangleSoup& soup) {
   if (!is_open(cage) && volume_mm3(read.mesh) < 0)
     throw InputError({soup.file}, "the mesh is inside out: its normals point into the material",
                      "triangles whose corners go round counter-clockwise seen from outside");
-  return {std::move(read.mesh), std::move(cage), read.dropped_triangles};
+  return {std::move(read.mesh), std::move(cage), std::move(read.numbers), read.dropped_triangles};
 }
 
 TargetMesh read_target_mesh(const std::filesystem::path& path) {

@@ -17,6 +17,7 @@ Cage faceted_cage(const TriangleMesh& mesh);
 struct TargetMesh {
   TriangleMesh mesh;
   Cage cage;                          ///< faceted_cage of it
+  std::vector<std::size_t> numbers;   ///< of its triangles in the file, from 0
   std::size_t dropped_triangles = 0;  ///< two of whose corners are one point
 };
 

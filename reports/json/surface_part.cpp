@@ -66,7 +66,7 @@ Json witness_part(const witness::Agreement& w) {
 
 Json surface_part(const SurfaceResult& s) {
   Json part = {
-      {s.is_mesh ? "mesh" : "cage", clean_text(s.cage)},
+      {s.mesh ? "mesh" : "cage", clean_text(s.cage)},
       {"patches", s.summary.patches},
       {"faces", s.summary.faces},
       {"vertices", s.summary.vertices},
@@ -76,7 +76,7 @@ Json surface_part(const SurfaceResult& s) {
       {"corners", s.summary.corners},
       {"holes", s.summary.holes},
       {"boundary_rule", rule_name(s.rules.boundary)},
-      {"rules", rules_part(s.rules, s.is_mesh)},
+      {"rules", rules_part(s.rules, s.mesh.has_value())},
       {"bbox_mm", Json::array({point("surface.bbox_mm", s.bbox_mm.low),
                                point("surface.bbox_mm", s.bbox_mm.high)})},
       {"area_mm2", finite("surface.area_mm2", s.area_mm2)},
@@ -88,7 +88,7 @@ Json surface_part(const SurfaceResult& s) {
       {"memory_bytes", s.memory_bytes},
       {"cell_bytes_counted", s.cell_bytes_counted},
       {"cell_bytes_allocated", s.cell_bytes_allocated}};
-  if (s.is_mesh) part["dropped_triangles"] = s.dropped_triangles;
+  if (s.mesh) part["dropped_triangles"] = s.mesh->dropped_triangles;
   return part;
 }
 

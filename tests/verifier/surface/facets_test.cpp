@@ -5,6 +5,7 @@
 
 #include "model/part/target_mesh.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/judging.h"
 #include "verifier/surface/surface_tree.h"
 
@@ -108,24 +109,25 @@ TEST_CASE("facets: a ball above a flat facet leaves and a ball below gouges what
 }
 
 TEST_CASE("facets: a mesh and the cage that is sharp everywhere agree within their intervals",
-          "[property][facets][definition2]") {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+          "[property][slow][facets][definition2]") {
+  const auto seeds = static_cast<unsigned>(by_effort(6, 20));
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
     std::mt19937 random(seed);
-    const TriangleMesh mesh = random_ground(random, 3, 2, 2, 1.2);
+    const TriangleMesh mesh = random_ground(random, 2, 2, 2, 1.2);
     const ReferenceSurface facets(mesh), limit(model::faceted_cage(mesh));
     const model::Box3 box = bounding_box(mesh);
     const auto block = block_between(box.low - Vec3{0, 0, 2}, box.high + Vec3{0, 0, 1});
     const std::vector<Pass> passes = {
         pass_of(random_cutter(random), random_rows(random, mesh, 0.7))};
-    const StageDeviation a = measured(facets, block, passes, 0.005),
-                         b = measured(limit, block, passes, 0.005);
+    const StageDeviation a = measured(facets, block, passes, 0.02),
+                         b = measured(limit, block, passes, 0.02);
     CAPTURE(seed, a.gouge_mm.low, a.gouge_mm.high, b.gouge_mm.low, b.gouge_mm.high, a.uncut_mm.low,
             a.uncut_mm.high, b.uncut_mm.low, b.uncut_mm.high);
     CHECK(meet(a.gouge_mm, b.gouge_mm));
     CHECK(meet(a.uncut_mm, b.uncut_mm));
     CHECK(meet(a.missing_stock_mm, b.missing_stock_mm));
     // Not merely by being wide.
-    CHECK(a.gouge_mm.width() <= std::max(0.02, 1.01 * b.gouge_mm.width()));
+    CHECK(a.gouge_mm.width() <= std::max(0.04, 1.01 * b.gouge_mm.width()));
   }
 }
 

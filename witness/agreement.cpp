@@ -17,20 +17,20 @@ namespace {
 using model::Cage;
 using model::Vec3;
 
-int levels_for(std::size_t patches) {
+int levels_for(std::size_t patches, int most) {
   int levels = 1;
-  for (std::size_t faces = 16 * patches; levels < kMostLevels && faces <= kMostFaces; faces *= 4)
-    ++levels;
+  for (std::size_t faces = 16 * patches; levels < most && faces <= kMostFaces; faces *= 4) ++levels;
   return levels;
 }
 
 class Comparison {
  public:
-  Comparison(const Cage& cage, const SurfaceUnderTest& surface) : cage_(cage), surface_(surface) {}
+  Comparison(const Cage& cage, const SurfaceUnderTest& surface, int most_levels)
+      : cage_(cage), surface_(surface), most_levels_(most_levels) {}
 
   Agreement result() {
     found_.evaluator = evaluator_name();
-    found_.levels = levels_for(static_cast<std::size_t>(surface_.patch_count()));
+    found_.levels = levels_for(static_cast<std::size_t>(surface_.patch_count()), most_levels_);
     found_.bound_mm =
         bounds_of(cage_, found_.levels + static_cast<int>(model::kInfiniteSharpness) + kStarSteps)
             .position_mm();
@@ -101,14 +101,15 @@ class Comparison {
 
   const Cage& cage_;
   const SurfaceUnderTest& surface_;
+  int most_levels_ = kMostLevels;
   Agreement found_;
 };
 
 }  // namespace
 
-Agreement hold_against(const Cage& cage, const SurfaceUnderTest& surface) {
+Agreement hold_against(const Cage& cage, const SurfaceUnderTest& surface, int most_levels) {
   const model::Stopwatch watch;
-  Agreement found = Comparison(cage, surface).result();
+  Agreement found = Comparison(cage, surface, most_levels).result();
   found.seconds = watch.seconds();
   return found;
 }

@@ -55,6 +55,8 @@ inline constexpr std::size_t kMostRefined = 4096;
 
 /// Holds `surface` against the limits of `cage` by OpenSubdiv's Far, in double precision. The same
 /// result every time, but for `seconds`. A cage that OpenSubdiv refuses is a contradiction as well.
-Agreement hold_against(const model::Cage& cage, const SurfaceUnderTest& surface);
+/// `most_levels` of them, 1 to kMostLevels: with one, patches are compared at their corners.
+Agreement hold_against(const model::Cage& cage, const SurfaceUnderTest& surface,
+                       int most_levels = kMostLevels);
 
 }  // namespace limitgauge::witness

@@ -49,7 +49,8 @@ struct PlanCommand {
   std::filesystem::path output;  ///< empty: limitgauge-out/NAME-plan
 };
 struct VerifyCommand {
-  std::filesystem::path cage, program;
+  std::filesystem::path cage, target;  ///< one of the two; the other is empty
+  std::filesystem::path program;
   std::string stock;
   std::vector<std::string> tools;  ///< `SPEC`, or `N=SPEC` for each of several
   MachineOptions machine;

@@ -123,7 +123,10 @@ void CommandDefinition::add_machine(CLI::App& sub, MachineOptions& machine) {
 
 void CommandDefinition::add_inputs(CLI::App& sub) {
   VerifyCommand& verify = parsed_.verify;
-  file(sub.add_option("--cage", verify.cage, "Cage of the design (OBJ)"), "obj")->required();
+  file(sub.add_option("--cage", verify.cage, "Cage of the design (OBJ)"), "obj");
+  file(sub.add_option("--target", verify.target,
+                      "The design as a triangle mesh, in place of --cage: STL, PLY or OBJ; its "
+                      "facets are the truth"));
   hint(sub.add_option("--stock", verify.stock,
                       "box:LX,LY,LZ@X,Y,Z (size @ lower corner), mm; mesh:FILE (STL, OBJ, PLY); "
                       "vdb:FILE (stock of an earlier run)"),

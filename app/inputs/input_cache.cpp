@@ -85,12 +85,14 @@ StockReaders InputCache::stock_readers() {
 JobSurface InputCache::surface(const Job& job) {
   const FileState state = file_state(job.cage);
   const auto is_it = [&](const CachedSurface& known) {
-    return known.file == job.cage && known.state == state && same(known.placement, job.placement);
+    return known.kind == job.design && known.file == job.cage && known.state == state &&
+           same(known.placement, job.placement);
   };
-  return in_front(surfaces_, is_it,
-                  [&] {
-                    return CachedSurface{job.cage, job.placement, state, load_surface(job)};
-                  })
+  return in_front(
+             surfaces_, is_it,
+             [&] {
+               return CachedSurface{job.design, job.cage, job.placement, state, load_surface(job)};
+             })
       .surface;
 }
 

@@ -42,6 +42,7 @@ class InputCache {
     StockFile stock;
   };
   struct CachedSurface {
+    DesignKind kind = DesignKind::cage;
     std::filesystem::path file;
     model::Placement placement;
     FileState state;

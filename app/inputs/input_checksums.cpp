@@ -22,7 +22,8 @@ std::vector<JobFile> files_of(const Job& job) {
       if (file.role == role) add(file);
   };
   add_sources(JobFile::Role::job);
-  add({JobFile::Role::cage, job.cage, job.cage_as_stated});
+  add({job.design == DesignKind::mesh ? JobFile::Role::mesh : JobFile::Role::cage, job.cage,
+       job.cage_as_stated});
   add_sources(JobFile::Role::stock);
   for (const JobStage& stage : job.stages)
     if (!stage.plan) add({JobFile::Role::program, stage.program, stage.program_as_stated});
@@ -38,6 +39,8 @@ const char* name(JobFile::Role role) {
       return "job";
     case JobFile::Role::cage:
       return "cage";
+    case JobFile::Role::mesh:
+      return "mesh";
     case JobFile::Role::stock:
       return "stock";
     case JobFile::Role::program:

@@ -5,6 +5,7 @@
 
 #include "app/inputs/cage_fold.h"
 #include "app/inputs/input_checksums.h"
+#include "app/inputs/mesh_target.h"
 #include "app/inputs/part_fit.h"
 #include "app/inputs/run_forecast.h"
 #include "app/inputs/surface_witness.h"
@@ -119,12 +120,13 @@ std::vector<model::Fixture> load_fixtures(const Job& job) {
 }  // namespace
 
 JobSurface load_surface(const Job& job, const model::RunControl& control) {
+  if (job.design == DesignKind::mesh) return load_mesh_target(job, control);
   model::Cage cage = load_cage(job);
   require_fit(job, cage);
   verifier::ReferenceSurface surface = make_surface(job, cage, control);
   control.check();
   witness::Agreement witness = witnessed(cage, surface);
-  return {std::move(cage), std::move(surface), std::move(witness)};
+  return {std::move(cage), std::move(surface), std::move(witness), std::nullopt};
 }
 
 RunInputs load_inputs(const Job& job, const RunTerms& terms, const model::RunControl& control) {
@@ -138,14 +140,9 @@ RunInputs load_inputs(const Job& job, const RunTerms& terms, JobSurface surface)
   std::vector<model::Fixture> fixtures = load_fixtures(job);
   auto programs = load_programs(job, settings, fixtures, box);
   settings.stock_limit_bytes = stock_limit_bytes(scale_of(job, surface.surface, programs, terms));
-  return {std::move(surface.cage),
-          std::move(surface.surface),
-          std::move(surface.witness),
-          std::move(settings),
-          terms,
-          std::move(fixtures),
-          std::move(programs),
-          input_checksums(job)};
+  return {std::move(surface.cage), std::move(surface.surface), std::move(surface.witness),
+          std::move(surface.mesh), std::move(settings),        terms,
+          std::move(fixtures),     std::move(programs),        input_checksums(job)};
 }
 
 }  // namespace limitgauge::app

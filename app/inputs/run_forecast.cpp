@@ -22,6 +22,9 @@ constexpr double kCellsBytes = 10 * kMib;
 /// Of a cell that the surface is cut into to begin with, and of one about an irregular vertex,
 /// where cells grow smaller down to rounding: each with what a search for closest points needs.
 constexpr double kCellBytes = 1000, kVertexCellBytes = 4000;
+/// Of a facet of a mesh: three cells, normals between it and its neighbours, samples, each but for
+/// the piece itself.
+constexpr double kFacetBytes = 9500;
 /// Files and pages of a stage; its pictures are drawn some rows at a time, two of them side by
 /// side.
 constexpr double kFilesBytes = 20 * kMib, kPicturesBytes = 48 * kMib;
@@ -70,8 +73,10 @@ double measuring_bytes(const RunScale& scale) {
 }
 
 double surface_bytes(const verifier::ReferenceSurface& surface) {
+  const double facets =
+      surface.tree().is_faceted() ? static_cast<double>(surface.patch_count()) / 3 : 0;
   const double radius_mm = verifier::first_cell_radius_mm(surface.tree());
-  return static_cast<double>(surface.memory_bytes()) +
+  return static_cast<double>(surface.memory_bytes()) + kFacetBytes * facets +
          kCellBytes * surface.area_mm2() / (radius_mm * radius_mm) +
          kVertexCellBytes * static_cast<double>(surface.tree().pieces_about_vertices());
 }

@@ -21,9 +21,10 @@ struct RunTerms {
 
 /// Everything a job reads, read and checked before anything is computed or written.
 struct RunInputs {
-  model::Cage cage;  ///< placed
+  model::Cage cage;  ///< placed; of a mesh, its faceted cage
   verifier::ReferenceSurface surface;
   witness::Agreement witness;
+  std::optional<reports::MeshDesign> mesh;  ///< where the design is one
   Settings settings;
   RunTerms terms;
   std::vector<model::Fixture> fixtures;
@@ -33,9 +34,10 @@ struct RunInputs {
 
 /// The surface that a job is about.
 struct JobSurface {
-  model::Cage cage;  ///< placed
+  model::Cage cage;  ///< placed; of a mesh, its faceted cage
   verifier::ReferenceSurface surface;
-  witness::Agreement witness;  ///< on this cage: the two agree
+  witness::Agreement witness;               ///< on this cage: the two agree
+  std::optional<reports::MeshDesign> mesh;  ///< where the design is one
 };
 /// Throws InputError for a cage that cannot be used, verifier::InstrumentDisagreement where the
 /// reference surface is not the one that the witness has of the cage, Interrupted when told to

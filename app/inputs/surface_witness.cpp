@@ -26,13 +26,27 @@ class ReferenceUnderTest final : public witness::SurfaceUnderTest {
 
 }  // namespace
 
-witness::Agreement witnessed(const model::Cage& cage, const verifier::ReferenceSurface& surface) {
-  witness::Agreement found = hold_against(cage, ReferenceUnderTest(surface));
+namespace {
+
+witness::Agreement witnessed_to(const model::Cage& cage, const verifier::ReferenceSurface& surface,
+                                int levels) {
+  witness::Agreement found = hold_against(cage, ReferenceUnderTest(surface), levels);
   if (found.contradiction)
     throw verifier::InstrumentDisagreement("the reference surface and " + found.evaluator +
                                            "'s, of the same cage, " + *found.contradiction +
                                            "; please report this");
   return found;
+}
+
+}  // namespace
+
+witness::Agreement witnessed(const model::Cage& cage, const verifier::ReferenceSurface& surface) {
+  return witnessed_to(cage, surface, witness::kMostLevels);
+}
+
+witness::Agreement witnessed_facets(const model::Cage& faceted,
+                                    const verifier::ReferenceSurface& surface) {
+  return witnessed_to(faceted, surface, 1);
 }
 
 verifier::UncertaintyTerm budget_term(const witness::Agreement& witness) {

@@ -13,6 +13,10 @@ namespace limitgauge::app {
 /// verifier::InstrumentDisagreement where they differ by more than their errors: no verdict may
 /// rest on either.
 witness::Agreement witnessed(const model::Cage& cage, const verifier::ReferenceSurface& surface);
+/// The same of facets and their faceted cage, at the corners of the patches: within a facet, the
+/// two do not share their parameters.
+witness::Agreement witnessed_facets(const model::Cage& faceted,
+                                    const verifier::ReferenceSurface& surface);
 
 /// The line of the uncertainty budget that states it.
 verifier::UncertaintyTerm budget_term(const witness::Agreement& witness);

@@ -83,9 +83,12 @@ struct PartLength {
   model::SourcePlace place;
 };
 
+/// What a design is given as: its limit surface, or its facets, is the truth.
+enum class DesignKind { cage, mesh };
+
 /// A file that a job names.
 struct JobFile {
-  enum class Role { job, cage, stock, program, fixture, tool_table };
+  enum class Role { job, cage, mesh, stock, program, fixture, tool_table };
   Role role = Role::job;
   std::filesystem::path path;
   std::string as_stated;
@@ -94,7 +97,8 @@ struct JobFile {
 /// A job as the file states it, defaults filled in; paths are resolved against the job file.
 struct Job {
   std::string name;
-  std::filesystem::path cage;
+  DesignKind design = DesignKind::cage;
+  std::filesystem::path cage;  ///< of the design: a mesh's as well
   std::string cage_as_stated;
   double precision_mm = 0.01;  ///< bound on the chord error of the engine's limit mesh
   model::Placement placement;

@@ -16,14 +16,26 @@ PartLength part_length(const TomlTable& table, std::string_view key, double mm) 
 }
 
 void read_surface(const toml::table& table, Job& job, JobContext& context) {
-  const TomlTable surface(table, "[surface]", {"cage", "precision", "transform"});
-  job.cage_as_stated = surface.text("cage");
+  const TomlTable surface(table, "[surface]", {"cage", "mesh", "precision", "transform"});
+  const bool is_mesh = surface.has("mesh");
+  if (is_mesh && surface.has("cage"))
+    throw model::InputError(surface.place("mesh"), "[surface] has both cage and mesh",
+                            "one of the two");
+  const char* key = is_mesh ? "mesh" : "cage";
+  job.design = is_mesh ? DesignKind::mesh : DesignKind::cage;
+  job.cage_as_stated = surface.text(key);
   job.cage = context.folder / job.cage_as_stated;
   if (!model::is_file(job.cage)) {
-    throw model::InputError(surface.place("cage"), "no file \"" + job.cage_as_stated + "\"",
-                            "a cage as OBJ");
+    throw model::InputError(surface.place(key), "no file \"" + job.cage_as_stated + "\"",
+                            is_mesh ? "a mesh as STL, PLY or OBJ" : "a cage as OBJ");
   }
-  if (surface.has("precision")) {
+  if (is_mesh) {
+    if (surface.has("precision"))
+      throw model::InputError(surface.place("precision"),
+                              "\"precision\" beside \"mesh\" would change nothing: it is of the "
+                              "surface that paths are planned on",
+                              "it only beside \"cage\"");
+  } else if (surface.has("precision")) {
     job.precision_mm = part_length_mm(surface, "precision", job.part_lengths);
   } else {
     context.defaulted.push_back("surface precision " + model::shortest(job.precision_mm) +
@@ -43,6 +55,18 @@ reports::StockSurfaceFile stock_surface_of(const TomlTable& report) {
   return word == "cut" ? cut : word == "whole" ? whole : none;
 }
 
+/// Paths are planned on limit surfaces of cages.
+void refuse_planning(const Job& job, const TomlTable& root) {
+  if (job.design != DesignKind::mesh) return;
+  const std::vector<const toml::table*> stages = root.tables("stage");
+  for (std::size_t i = 0; i < job.stages.size(); ++i)
+    if (job.stages[i].plan)
+      throw model::InputError(
+          TomlTable(*stages[i], "[[stage]]", {}, {}).place("strategy"),
+          "stage \"" + job.stages[i].name + "\" is to be planned, but the design is a mesh",
+          "\"program\" in its place, or a Catmull-Clark cage as design");
+}
+
 Job read_root(const toml::table& table, JobContext& context) {
   const TomlTable root(table, "the job", {}, kJobKeys);
   Job job;
@@ -54,6 +78,7 @@ Job read_root(const toml::table& table, JobContext& context) {
   const std::vector<JobTool> tools = read_tools(root.tables("tool"), context);
   job.machine.tools = tool_table(tools);
   job.stages = read_stages(root.tables("stage"), tools, context);
+  refuse_planning(job, root);
   read_post(root, job, context);
   read_settings(root, job);
   if (root.has("published")) job.published = read_published(root);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/inputs/mesh_target.h"
 #include "model/text/number_text.h"
 #include "reports/run/report.h"
 
@@ -58,12 +59,30 @@ void add_assumed(const RunInputs& inputs, std::vector<std::string>& said) {
 reports::SurfaceResult surface_as_read(const Job& job, const RunInputs& inputs) {
   reports::SurfaceResult surface;
   surface.cage = job.cage_as_stated;
+  surface.mesh = inputs.mesh;
   surface.summary = summarize(inputs.cage);
   surface.rules = inputs.surface.rules();
   surface.bbox_mm = inputs.surface.bounding_box();
   surface.area_mm2 = inputs.surface.area_mm2();
   surface.witness = inputs.witness;
   return surface;
+}
+
+/// What a mesh as a design is taken to be.
+void add_facets(const reports::MeshDesign& mesh, reports::RunResult& result) {
+  const reports::SurfaceResult& surface = result.surface;
+  result.assumptions.push_back(
+      "the facets of mesh " + surface.cage +
+      " are the design: how far they lie from the shape that they were made from is not known here "
+      "and not part of any figure");
+  if (surface.summary.boundary_edges > 0)
+    result.assumptions.push_back("mesh " + surface.cage +
+                                 " is open: the side from which the corners of its triangles go "
+                                 "round counter-clockwise is taken to be machined");
+  if (mesh.dropped_triangles > 0)
+    result.assumptions.push_back("mesh " + surface.cage + ": " +
+                                 std::to_string(mesh.dropped_triangles) +
+                                 " triangles with two corners in one point were left out");
 }
 
 /// Widest range of sampling intervals over the stages that were planned.
@@ -92,6 +111,10 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
   result.raw_stock = job.stock;
   result.surface = surface_as_read(job, inputs);
   result.assumptions = assumptions(job, inputs.settings);
+  if (inputs.mesh) add_facets(*inputs.mesh, result);
+  if (const std::string like = mesh_like_warning(summarize(inputs.cage));
+      !inputs.mesh && !like.empty())
+    result.assumptions.push_back("cage " + job.cage_as_stated + ": " + like);
   if (!inputs.cage.ends_in_line)
     result.assumptions.push_back("cage " + job.cage_as_stated +
                                  ": its last line has no line end; taken to be whole");

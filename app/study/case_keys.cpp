@@ -123,7 +123,7 @@ std::string KeySources::prefix_key(std::size_t stages) const {
   for (const char* table : {"name", "surface", "stock", "machine", "post", "program_frame",
                             "fixture", "simulation", "verification"})
     add_table(key, table);
-  for (const char* role : {"cage", "stock", "fixture", "tool table"}) add_files(key, role);
+  for (const char* role : {"cage", "mesh", "stock", "fixture", "tool table"}) add_files(key, role);
   add_tools(key, stages);
   add_stage_tables(key, stages);
   if (!job_.voxel_mm) key.add("voxel", automatic_voxel_mm(job_));

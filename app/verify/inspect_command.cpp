@@ -7,11 +7,13 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "app/inputs/mesh_target.h"
 #include "app/inputs/run_inputs.h"
 #include "app/inputs/surface_witness.h"
 #include "model/base/error.h"
 #include "model/base/output_file.h"
 #include "model/gcode/program.h"
+#include "model/part/target_mesh.h"
 #include "model/text/clean_text.h"
 #include "model/text/number_text.h"
 #include "verifier/surface/reference_surface.h"
@@ -118,6 +120,15 @@ void print_counts(std::ostream& out, const char* title,
   out << '\n';
 }
 
+/// What is to be said of the surface beside its figures.
+std::string problems_of(const model::Cage& cage) {
+  std::string problems = mesh_like_warning(summarize(cage));
+  if (!cage.ends_in_line)
+    problems += (problems.empty() ? "" : "; ") +
+                std::string("the last line has no line end: the file may be cut off");
+  return problems.empty() ? "none" : problems;
+}
+
 void print_cage(std::ostream& out, const model::Cage& cage, const ReferenceSurface& surface,
                 const witness::Agreement& witness) {
   const model::CageSummary summary = summarize(cage);
@@ -142,9 +153,7 @@ void print_cage(std::ostream& out, const model::Cage& cage, const ReferenceSurfa
       << " mm\n"
       << "limit surface area     " << surface.area_mm2() << " mm2\n"
       << "witness                " << words_of(witness) << '\n'
-      << "problems               "
-      << (cage.ends_in_line ? "none" : "the last line has no line end: the file may be cut off")
-      << std::endl;
+      << "problems               " << problems_of(cage) << std::endl;
 }
 
 void write_samples(std::ostream& out, const ReferenceSurface& surface, int samples) {
@@ -180,6 +189,44 @@ void require_writable(const std::filesystem::path& csv) {
     refuse("this is a folder", "a file, or a name that is free");
 }
 
+void print_mesh(std::ostream& out, const JobSurface& read) {
+  const model::CageSummary summary = summarize(read.cage);
+  const model::Box3& box = read.surface.bounding_box();
+  out << "triangles              " << summary.faces << '\n'
+      << "dropped triangles      " << read.mesh->dropped_triangles << '\n'
+      << "vertices               " << summary.vertices << '\n'
+      << "boundary edges         " << summary.boundary_edges << '\n'
+      << std::fixed << std::setprecision(6) << "mesh low               " << box.low.x << ' '
+      << box.low.y << ' ' << box.low.z << " mm\n"
+      << "mesh high              " << box.high.x << ' ' << box.high.y << ' ' << box.high.z
+      << " mm\n"
+      << "mesh size              " << box.size().x << " x " << box.size().y << " x " << box.size().z
+      << " mm\n"
+      << "mesh area              " << read.surface.area_mm2() << " mm2\n"
+      << "witness                " << words_of(read.witness) << '\n'
+      << "problems               "
+      << (is_open(read.cage) ? "none; open: the side from which triangles go round "
+                               "counter-clockwise is machined"
+                             : "none")
+      << std::endl;
+}
+
+/// By its name; an OBJ is taken for a cage.
+bool is_mesh_file(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".stl" || extension == ".ply";
+}
+
+void inspect_mesh(const InspectCommand& command, const CommonOptions& common,
+                  const Console& console) {
+  Job job;
+  job.design = DesignKind::mesh;
+  job.cage = command.file;
+  const JobSurface read = load_surface(job, {common.threads, console.stop, {}});
+  if (!common.quiet) print_mesh(console.out, read);
+}
+
 void inspect_cage(const InspectCommand& command, const CommonOptions& common,
                   const Console& console) {
   if (!command.csv.empty()) require_writable(command.csv);
@@ -196,6 +243,13 @@ void inspect_cage(const InspectCommand& command, const CommonOptions& common,
 
 ExitCode execute(const InspectCommand& command, const CommonOptions& common,
                  const Console& console) {
+  if (is_mesh_file(command.file)) {
+    if (command.samples > 0 || command.moves)
+      throw UsageError(command.moves ? "--moves is for programs; expected a file of G-code"
+                                     : "--samples is for cages; expected a file .obj");
+    inspect_mesh(command, common, console);
+    return ExitCode::pass;
+  }
   if (command.file.extension() != ".obj") {
     if (command.samples > 0) {
       throw UsageError("--samples is for cages; expected a file .obj");

@@ -121,6 +121,17 @@ std::vector<PartLength> part_lengths_of(const VerifyCommand& command) {
   return lengths;
 }
 
+void read_design(const VerifyCommand& command, Job& job) {
+  if (command.cage.empty() == command.target.empty())
+    throw UsageError(command.cage.empty()
+                         ? "verify needs a design; expected --cage (a Catmull-Clark cage) or "
+                           "--target (a triangle mesh)"
+                         : "--cage beside --target; expected one of the two");
+  job.design = command.cage.empty() ? DesignKind::mesh : DesignKind::cage;
+  job.cage = command.cage.empty() ? command.target : command.cage;
+  job.cage_as_stated = job.cage.string();
+}
+
 JobStage stage_of(const VerifyCommand& command, const JobTool& tool) {
   JobStage stage;
   stage.name = "program";
@@ -169,8 +180,7 @@ std::vector<JobStage> stages_by_tool(const VerifyCommand& command, const Job& jo
 Job job_of(const VerifyCommand& command) {
   Job job;
   job.name = plain_name(command.program);
-  job.cage = command.cage;
-  job.cage_as_stated = command.cage.string();
+  read_design(command, job);
   job.stock = stock_of(command.stock, job);
   job.near_miss_mm = command.near_miss_mm;
   job.part_lengths = part_lengths_of(command);
@@ -231,12 +241,14 @@ constexpr std::pair<const char*, const char*> kJobOptions[] = {
     {"fixture", "--fixture"},
     {"post", "none: verify writes no program"},
     {"published", "none: such figures stand in a job file"}};
-constexpr std::pair<const char*, const char*> kSurfaceOptions[] = {{"cage", "--cage"}};
+constexpr std::pair<const char*, const char*> kSurfaceOptions[] = {{"cage", "--cage"},
+                                                                   {"mesh", "--target"}};
 constexpr std::pair<const char*, const char*> kStageOptions[] = {{"tool", "--tool"},
                                                                  {"program", "--program"}};
 
 void read_surface(const TomlTable& root, Job& job) {
-  const TomlTable surface(root.table("surface"), "[surface]", {"cage", "precision", "transform"});
+  const TomlTable surface(root.table("surface"), "[surface]",
+                          {"cage", "mesh", "precision", "transform"});
   refuse_options(surface, "[surface]", kSurfaceOptions);
   if (surface.has("precision"))
     job.precision_mm = part_length_mm(surface, "precision", job.part_lengths);

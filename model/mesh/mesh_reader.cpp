@@ -46,15 +46,26 @@ TriangleSoup soup_of(std::string_view bytes, const std::string& name) {
   throw InputError({name}, "the file is no mesh of a known kind", "STL, OBJ or PLY");
 }
 
-MeshReading reading_of(std::string_view bytes, const std::string& name) {
+/// What `make` makes; memory that does not do is a ResourceError.
+template <class Make>
+auto within_memory(const std::string& name, const Make& make) {
   try {
-    return solid_of(soup_of(bytes, name));
+    return make();
   } catch (const std::bad_alloc&) {
     throw ResourceError(name + ": there is not enough memory for this mesh");
   }
 }
 
+MeshReading reading_of(std::string_view bytes, const std::string& name) {
+  return within_memory(name, [&] { return solid_of(soup_of(bytes, name)); });
+}
+
 }  // namespace
+
+TriangleSoup read_mesh_soup(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  return within_memory(name, [&] { return soup_of(read_text_file(path), name); });
+}
 
 MeshReading read_mesh_file(const std::filesystem::path& path) {
   return reading_of(read_text_file(path), path.string());

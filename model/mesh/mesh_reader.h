@@ -15,6 +15,10 @@ namespace limitgauge::model {
 MeshReading read_mesh_file(const std::filesystem::path& path);
 MeshReading read_mesh(std::istream& in, const std::string& name_in_errors);
 
+/// The triangles as the file has them, of a solid or not; every corner names a vertex. Throws
+/// InputError for what is wrong with the file, ResourceError where memory does not do.
+TriangleSoup read_mesh_soup(const std::filesystem::path& path);
+
 /// The mesh alone.
 TriangleMesh read_triangle_mesh(const std::filesystem::path& path);
 TriangleMesh read_triangle_mesh(std::istream& in, const std::string& name_in_errors);

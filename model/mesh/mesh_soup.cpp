@@ -47,42 +47,6 @@ class Points {
   std::size_t mask_;
 };
 
-/// Joined, with the numbers that the file's triangles have.
-struct Joined {
-  MeshReading reading;
-  std::vector<std::size_t> number;  ///< in the file, from 0
-};
-
-Joined join(const TriangleSoup& soup) {
-  Joined out;
-  Points points(soup.vertices.size());
-  std::vector<std::uint32_t> joined(soup.vertices.size(), kNone);
-  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-    std::array<std::uint32_t, 3> t = soup.triangles[i];
-    for (std::uint32_t& v : t) {
-      if (joined[v] == kNone) joined[v] = points.number_of(soup.vertices[v]);
-      v = joined[v];
-    }
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
-      ++out.reading.dropped_triangles;
-      continue;
-    }
-    out.reading.mesh.triangles.push_back(t);
-    out.number.push_back(i);
-  }
-  out.reading.mesh.vertices = points.take();
-  return out;
-}
-
-[[noreturn]] void fail(const TriangleSoup& soup, const Joined& joined, const MeshDefect& defect) {
-  if (!defect.triangle) throw InputError({soup.file}, defect.wrong, defect.expected);
-  const std::size_t number = joined.number[*defect.triangle];
-  const std::string wrong = "triangle " + std::to_string(number + 1) + ": " + defect.wrong;
-  const std::uint64_t place = soup.places[number];
-  if (soup.binary) fail_at_byte(soup.file, place, wrong, defect.expected);
-  throw InputError({soup.file, static_cast<int>(place)}, wrong, defect.expected);
-}
-
 }  // namespace
 
 void fail_at_byte(const std::string& file, std::uint64_t byte, const std::string& wrong,
@@ -90,14 +54,42 @@ void fail_at_byte(const std::string& file, std::uint64_t byte, const std::string
   throw InputError({file}, "at byte " + std::to_string(byte) + ": " + wrong, expected);
 }
 
+void fail_at_triangle(const TriangleSoup& soup, std::size_t triangle, const std::string& wrong,
+                      const std::string& expected) {
+  const std::string what = "triangle " + std::to_string(triangle + 1) + ": " + wrong;
+  const std::uint64_t place = soup.places[triangle];
+  if (soup.binary) fail_at_byte(soup.file, place, what, expected);
+  throw InputError({soup.file, static_cast<int>(place)}, what, expected);
+}
+
 MeshReading joined(const TriangleSoup& soup) {
-  return join(soup).reading;
+  MeshReading out;
+  Points points(soup.vertices.size());
+  std::vector<std::uint32_t> numbers(soup.vertices.size(), kNone);
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    std::array<std::uint32_t, 3> t = soup.triangles[i];
+    for (std::uint32_t& v : t) {
+      if (numbers[v] == kNone) numbers[v] = points.number_of(soup.vertices[v]);
+      v = numbers[v];
+    }
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+      ++out.dropped_triangles;
+      continue;
+    }
+    out.mesh.triangles.push_back(t);
+    out.numbers.push_back(i);
+  }
+  out.mesh.vertices = points.take();
+  return out;
 }
 
 MeshReading solid_of(const TriangleSoup& soup) {
-  Joined joined = join(soup);
-  if (const auto defect = find_defect(joined.reading.mesh)) fail(soup, joined, *defect);
-  return std::move(joined.reading);
+  MeshReading read = joined(soup);
+  if (const auto defect = find_defect(read.mesh)) {
+    if (!defect->triangle) throw InputError({soup.file}, defect->wrong, defect->expected);
+    fail_at_triangle(soup, read.numbers[*defect->triangle], defect->wrong, defect->expected);
+  }
+  return read;
 }
 
 }  // namespace limitgauge::model

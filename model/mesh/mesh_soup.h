@@ -28,9 +28,14 @@ struct TriangleSoup {
 [[noreturn]] void fail_at_byte(const std::string& file, std::uint64_t byte,
                                const std::string& wrong, const std::string& expected);
 
-/// A mesh that bounds a solid, and what was left out of it.
+/// Throws InputError at a triangle of the soup, from 0: with its number, and its place.
+[[noreturn]] void fail_at_triangle(const TriangleSoup& soup, std::size_t triangle,
+                                   const std::string& wrong, const std::string& expected);
+
+/// A mesh, and what was left out of it.
 struct MeshReading {
   TriangleMesh mesh;
+  std::vector<std::size_t> numbers;  ///< of its triangles in the file, from 0
   /// Triangles two of whose corners are one point: they cover nothing and bound nothing.
   std::size_t dropped_triangles = 0;
 };

@@ -195,7 +195,7 @@ const InputRecord* find_input(const std::vector<InputRecord>& all, const InputRe
 
 /// The cage and the stock say what is measured: with others, figures are of another part.
 std::string consequence(const std::string& role) {
-  if (role == "cage") return ": the figures are those of another surface";
+  if (role == "cage" || role == "mesh") return ": the figures are those of another surface";
   return role == "stock" ? ": the figures are those of another stock" : "";
 }
 

@@ -53,16 +53,31 @@ std::string notes_list(const RunResult& result) {
 
 }  // namespace
 
+namespace {
+
+/// What a verdict on a mesh is about.
+std::string facets_sentence(const SurfaceResult& surface) {
+  return surface.mesh ? " The design is a mesh: all of it is about its facets." : "";
+}
+
+std::string design_text(const SurfaceResult& surface) {
+  const std::string file = escape_markup(surface.cage);
+  if (!surface.mesh) return file + ", a Catmull-Clark cage: its limit surface";
+  return fmt::format("{}, a mesh: its {} facets as they are", file, grouped(surface.summary.faces));
+}
+
+}  // namespace
+
 std::string masthead(const RunResult& result) {
   return fmt::format(
              "<header><p class=\"kind\">Limitgauge · certificate of toolpath verification</p>"
              "<h1>{}</h1>\n<div class=\"verdict {}\"><p "
              "class=\"word\">{}</p><p>{}</p>\n{}{}{}</div>\n",
              escape_markup(result.job), css_class(result.verdict), badge(result.verdict),
-             verdict_sentence(result.verdict), notes_list(result), worst_places(result),
-             reasons_list(result)) +
+             verdict_sentence(result.verdict) + facets_sentence(result.surface), notes_list(result),
+             worst_places(result), reasons_list(result)) +
          terms({{"Created", escape_markup(result.created)},
-                {"Design surface", escape_markup(result.surface.cage)},
+                {"Design surface", design_text(result.surface)},
                 {"Stock", stock_text(result.raw_stock)},
                 {"Program version", "limitgauge " + escape_markup(result.version)}}) +
          "</header>\n";

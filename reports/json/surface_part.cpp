@@ -17,8 +17,8 @@ const char* rule_name(model::BoundaryRule rule) {
   return "edge_only";
 }
 
-Json rules_part(const verifier::SurfaceRules& r) {
-  return {{"scheme", "catmull-clark"},
+Json rules_part(const verifier::SurfaceRules& r, bool is_mesh) {
+  return {{"scheme", is_mesh ? "facets" : "catmull-clark"},
           {"boundary", rule_name(r.boundary)},
           {"creases", "uniform"},
           {"infinite_sharpness", finite("rules.infinite_sharpness", r.infinite_sharpness)},
@@ -65,8 +65,8 @@ Json witness_part(const witness::Agreement& w) {
 }  // namespace
 
 Json surface_part(const SurfaceResult& s) {
-  return {
-      {"cage", clean_text(s.cage)},
+  Json part = {
+      {s.mesh ? "mesh" : "cage", clean_text(s.cage)},
       {"patches", s.summary.patches},
       {"faces", s.summary.faces},
       {"vertices", s.summary.vertices},
@@ -76,7 +76,7 @@ Json surface_part(const SurfaceResult& s) {
       {"corners", s.summary.corners},
       {"holes", s.summary.holes},
       {"boundary_rule", rule_name(s.rules.boundary)},
-      {"rules", rules_part(s.rules)},
+      {"rules", rules_part(s.rules, s.mesh.has_value())},
       {"bbox_mm", Json::array({point("surface.bbox_mm", s.bbox_mm.low),
                                point("surface.bbox_mm", s.bbox_mm.high)})},
       {"area_mm2", finite("surface.area_mm2", s.area_mm2)},
@@ -88,6 +88,8 @@ Json surface_part(const SurfaceResult& s) {
       {"memory_bytes", s.memory_bytes},
       {"cell_bytes_counted", s.cell_bytes_counted},
       {"cell_bytes_allocated", s.cell_bytes_allocated}};
+  if (s.mesh) part["dropped_triangles"] = s.mesh->dropped_triangles;
+  return part;
 }
 
 }  // namespace limitgauge::reports::json

@@ -184,7 +184,8 @@ std::vector<InputRecord> read_inputs(const JsonValue& root) {
 }
 
 void read_surface(const JsonValue& surface, RunRecord& out) {
-  out.cage = surface["cage"].text();
+  const std::optional<JsonValue> mesh = surface.find("mesh");
+  out.cage = (mesh ? *mesh : surface["cage"]).text();
   const std::vector<JsonValue> corners = surface["bbox_mm"].items();
   if (corners.size() != 2)
     surface["bbox_mm"].refuse("has not two corners", "lower and upper corner");

@@ -92,10 +92,10 @@ void mark_sides(FootCell& cell, const PatchFeatures& features) {
     if (on_side[k]) cell.sides[k] = features.sides[k];
 }
 
-void halve_until_even(FootCell cell, int depth, std::vector<FootCell>& out) {
+void halve_until_even(FootCell cell, int depth, int halvings, std::vector<FootCell>& out) {
   cell.middle = jet(cell.shape, 0.5, 0.5);
   const HessianRange h = hessian_range(distance_polynomial(cell.shape, cell.middle.position));
-  if (depth >= kMetricHalvings || is_even(cell, h)) {
+  if (depth >= halvings || is_even(cell, h)) {
     cell.own_ss = {h.uu_low, h.uu_high}, cell.own_tt = {h.vv_low, h.vv_high};
     cell.own_st = {h.uv_low, h.uv_high};
     bound_second_derivatives(cell);
@@ -109,7 +109,7 @@ void halve_until_even(FootCell cell, int depth, std::vector<FootCell>& out) {
   size /= 2;
   for (const Bezier& half : halves) {
     cell.shape = half;
-    halve_until_even(cell, depth + 1, out);
+    halve_until_even(cell, depth + 1, halvings, out);
     start += size;
   }
 }
@@ -118,10 +118,12 @@ void halve_until_even(FootCell cell, int depth, std::vector<FootCell>& out) {
 
 std::vector<FootCell> foot_cells(const SurfaceTree& tree) {
   std::vector<FootCell> cells;
+  // On a facet Newton's method finds the foot whatever the parameters are: nothing bends.
+  const int halvings = tree.is_faceted() ? 0 : kMetricHalvings;
   for (const Speck& s : tree.specks()) cells.push_back(vertex_cell(s));
   for (int patch = 0; patch < tree.patch_count(); ++patch)
     for (const Piece& piece : tree.pieces_beyond(patch, kFootOmitted_mm))
-      halve_until_even(whole(piece), 0, cells);
+      halve_until_even(whole(piece), 0, halvings, cells);
   for (FootCell& cell : cells) mark_sides(cell, tree.features().of(cell.patch));
   return cells;
 }

@@ -17,19 +17,22 @@ constexpr int kMostSamplesAlongPatch = 4096;
 /// Steps in u so that no step along any of a few u-lines is longer than the spacing on average.
 int steps_along(const ReferenceSurface& surface, int patch, bool in_u, double spacing_mm) {
   double longest = 0;
-  for (int line = 0; line <= kProbe; ++line) {
+  const bool is_flat = surface.tree().is_faceted();  // straight sides, which are the longest lines
+  const int probes = is_flat ? 1 : kProbe;
+  for (int line = 0; line <= probes; ++line) {
     double sum = 0;
     Vec3 last;
-    for (int k = 0; k <= kProbe; ++k) {
-      const double a = static_cast<double>(k) / kProbe, b = static_cast<double>(line) / kProbe;
+    for (int k = 0; k <= probes; ++k) {
+      const double a = static_cast<double>(k) / probes, b = static_cast<double>(line) / probes;
       const Vec3 p = surface.evaluate(patch, in_u ? a : b, in_u ? b : a).position;
       if (k > 0) sum = std::max(sum, distance(p, last));
       last = p;
     }
-    longest = std::max(longest, sum * kProbe);
+    longest = std::max(longest, sum * probes);
   }
   const double steps = std::ceil(longest / spacing_mm);
-  return static_cast<int>(std::clamp(steps, 2.0, static_cast<double>(kMostSamplesAlongPatch)));
+  const double fewest = is_flat ? 1 : 2;
+  return static_cast<int>(std::clamp(steps, fewest, static_cast<double>(kMostSamplesAlongPatch)));
 }
 
 void sample_patch(const ReferenceSurface& surface, int patch, double spacing_mm,
@@ -84,6 +87,27 @@ double run_at(const DeviationField::Sample& s, RunBounds& uncut, RunBounds& goug
   return out > 0 ? out : -gouge.run(s.place.point, s.normal, kShort_mm).length_mm;
 }
 
+/// A sample of the same place and normal among the few before, from `first` on: the three patches
+/// of a small facet share most of theirs.
+std::optional<std::size_t> measured_before(std::span<const DeviationField::Sample> samples,
+                                           std::size_t first, std::size_t i) {
+  constexpr std::size_t kFew = 8;
+  constexpr double kRounding = 1e-12;  // of a unit normal that is worked out from other points
+  for (std::size_t k = i; k-- > std::max(first, i - std::min(i, kFew));)
+    if (samples[k].place.point == samples[i].place.point &&
+        distance(samples[k].normal, samples[i].normal) <= kRounding)
+      return k;
+  return std::nullopt;
+}
+
+/// All that is measured, of another sample of the same place and normal.
+void copy_figures(const DeviationField::Sample& from, DeviationField::Sample& to) {
+  const SurfacePlace place = to.place;
+  const float area_mm2 = to.area_mm2;
+  to = from;
+  to.place = place, to.area_mm2 = area_mm2;
+}
+
 }  // namespace
 
 std::vector<ReachQuery::Touch> measure_field(DeviationField& field, const SurfaceCells& cells,
@@ -106,6 +130,11 @@ void measure_samples(DeviationField& field, std::vector<ReachQuery::Touch>& touc
     std::optional<BodyRef> hint;
     for (std::size_t i = begin + from; i < begin + to; ++i) {
       DeviationField::Sample& s = field.samples[i];
+      if (const auto same = measured_before(field.samples, begin + from, i)) {
+        copy_figures(field.samples[*same], s);
+        touches[i] = touches[*same];
+        continue;
+      }
       const Nearest nearest = uncut.nearest(s.place.point, hint);
       hint = nearest.body;
       s.deviation_mm = static_cast<float>(run_at(s, uncut, gouge));

@@ -1,11 +1,16 @@
 #include "verifier/surface/reference_surface.h"
 
+#include "model/part/target_mesh.h"
 #include "verifier/surface/surface_tree.h"
 
 namespace limitgauge::verifier {
 
 ReferenceSurface::ReferenceSurface(const model::Cage& cage, const model::RunControl& control)
     : tree_(std::make_shared<const SurfaceTree>(cage, control)), rules_(rules_of(cage)) {}
+ReferenceSurface::ReferenceSurface(const model::TriangleMesh& mesh,
+                                   const model::RunControl& control)
+    : tree_(std::make_shared<const SurfaceTree>(mesh, control)),
+      rules_(rules_of(model::faceted_cage(mesh))) {}
 
 int ReferenceSurface::patch_count() const {
   return tree_->patch_count();

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "model/base/run_control.h"
+#include "model/mesh/triangle_mesh.h"
 #include "model/part/cage.h"
 #include "verifier/surface/surface_rules.h"
 #include "verifier/surface/surface_sample.h"
@@ -22,6 +23,10 @@ class ReferenceSurface {
   /// Throws std::invalid_argument for a cage with defects (see model::find_defects), Interrupted
   /// when `control` asks to stop. The same surface for any number of threads.
   explicit ReferenceSurface(const model::Cage& cage, const model::RunControl& control = {});
+  /// The facets of a mesh, which are the truth: patches are numbered as those of a cage whose faces
+  /// are its triangles, three each, and every edge is sharp. Throws std::invalid_argument for a
+  /// mesh that is no two-manifold, or not oriented alike; it need not be closed.
+  explicit ReferenceSurface(const model::TriangleMesh& mesh, const model::RunControl& control = {});
 
   int patch_count() const;
   /// False for holes, and for faces that BoundaryRule::none leaves out.

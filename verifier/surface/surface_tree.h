@@ -7,6 +7,7 @@
 
 #include "model/base/run_control.h"
 #include "model/geometry/vec3.h"
+#include "model/mesh/triangle_mesh.h"
 #include "model/part/cage.h"
 #include "verifier/surface/bezier.h"
 #include "verifier/surface/sharp_lines.h"
@@ -42,8 +43,14 @@ class SurfaceTree {
  public:
   /// Throws model::Interrupted when `control` asks to stop.
   explicit SurfaceTree(const model::Cage& cage, const model::RunControl& control = {});
+  /// The facets of a mesh as they are: three patches a triangle, one a corner, as of a face of
+  /// three corners of a cage; each is the bilinear quad of the corner, the middles of the edges
+  /// beside it and the centroid.
+  explicit SurfaceTree(const model::TriangleMesh& mesh, const model::RunControl& control = {});
 
   int patch_count() const { return static_cast<int>(parts_.roots.size()); }
+  /// Whether it is made of the facets of a mesh: its pieces are flat, and whole patches.
+  bool is_faceted() const { return is_faceted_; }
   bool has_surface(int patch) const { return parts_.roots[patch] >= 0; }
   SurfaceSample evaluate(int patch, double u, double v) const;
   /// All pieces of a patch, always in the same order.
@@ -84,6 +91,8 @@ class SurfaceTree {
     std::vector<PlacedChain> chains;
     void append(Parts&& more);
   };
+  /// Features, lines, box and area of what `parts_` holds.
+  void complete(const model::Cage& cage, const model::RunControl& control);
   void add_pieces(std::int32_t node, std::vector<Piece>& out) const;
   static void add_pieces(const PlacedChain& placed, std::vector<Piece>& out);
   SurfaceSample in_chain(const PlacedChain& placed, double u, double v, double scale) const;
@@ -93,6 +102,7 @@ class SurfaceTree {
   SharpLines sharp_lines_;
   model::Box3 bounding_box_;
   double area_mm2_ = 0;
+  bool is_faceted_ = false;
 };
 
 /// The square of child `k` of a square.

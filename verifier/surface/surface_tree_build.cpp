@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "model/base/chunks.h"
+#include "model/part/target_mesh.h"
 #include "verifier/surface/neighbourhood.h"
 #include "verifier/surface/regular_piece.h"
 #include "verifier/surface/surface_tree.h"
@@ -73,6 +74,27 @@ std::optional<VertexLimit::Tangents> tangents_nearby(const std::optional<Bezier>
   if (!piece) return std::nullopt;
   const BezierJet j = jet(*piece, k == 1 || k == 2 ? 1 : 0, k >= 2 ? 1 : 0);
   return VertexLimit::Tangents{j.du, j.dv, TangentPlane::none};
+}
+
+}  // namespace
+
+namespace {
+
+/// Of a triangle, the quad at each corner: the corner at (0, 0), then round by the middle of the
+/// edge ahead, the centroid and the middle of the edge behind.
+std::array<Bezier, 3> corner_quads(const std::array<Vec3, 3>& p) {
+  const Vec3 centroid = (p[0] + p[1] + p[2]) / 3;
+  std::array<Bezier, 3> out;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 ahead = (p[k] + p[(k + 1) % 3]) / 2, behind = (p[(k + 2) % 3] + p[k]) / 2;
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i) {
+        const double u = i / 3.0, v = j / 3.0;
+        out[k].set(4 * j + i,
+                   (p[k] * (1 - u) + ahead * u) * (1 - v) + (behind * (1 - u) + centroid * u) * v);
+      }
+  }
+  return out;
 }
 
 }  // namespace
@@ -244,6 +266,29 @@ SurfaceTree::SurfaceTree(const model::Cage& cage, const model::RunControl& contr
   });
   for (Parts& part : parts) parts_.append(std::move(part));
   control.check();
+  complete(cage, control);
+}
+
+SurfaceTree::SurfaceTree(const model::TriangleMesh& mesh, const model::RunControl& control)
+    : is_faceted_(true) {
+  const model::Cage cage = model::faceted_cage(mesh);
+  const auto defects = model::find_defects(cage);
+  if (!defects.empty()) throw std::invalid_argument(model::describe(defects.front()));
+  for (const auto& triangle : mesh.triangles) {
+    std::array<Vec3, 3> corners;
+    for (int k = 0; k < 3; ++k) corners[k] = mesh.vertices[triangle[k]];
+    for (const Bezier& shape : corner_quads(corners)) {
+      const auto index = static_cast<std::int32_t>(parts_.pieces.size());
+      parts_.pieces.push_back({shape, {index, 0, 0, 1}});
+      parts_.nodes.push_back({Node::Kind::piece, {}, index});
+      parts_.roots.push_back(index);
+    }
+  }
+  control.check();
+  complete(cage, control);
+}
+
+void SurfaceTree::complete(const model::Cage& cage, const model::RunControl& control) {
   features_ = SurfaceFeatures(cage);
   sharp_lines_ = SharpLines(cage);
   bounding_box_ = exact_bounding_box(*this, control);

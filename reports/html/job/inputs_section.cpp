@@ -134,14 +134,16 @@ std::string surface_section(const SurfaceResult& s) {
   const model::Vec3 size = s.bbox_mm.size();
   return "<section id=\"surface\"><h2>Design surface</h2>\n" +
          terms(
-             {{"Size of the limit surface", fmt::format("{} × {} × {} mm", fixed(size.x, 3),
-                                                        fixed(size.y, 3), fixed(size.z, 3))},
+             {{s.mesh ? "Size of the mesh" : "Size of the limit surface",
+               fmt::format("{} × {} × {} mm", fixed(size.x, 3), fixed(size.y, 3),
+                           fixed(size.z, 3))},
               {"Area", three_digits(s.area_mm2) + " mm²"},
               {"Patches", grouped(std::uint64_t(s.summary.patches))},
-              {"Faces of the cage", grouped(std::uint64_t(s.summary.faces))},
+              {s.mesh ? "Triangles of the mesh" : "Faces of the cage",
+               grouped(std::uint64_t(s.summary.faces))},
               {"Boundary edges", grouped(std::uint64_t(s.summary.boundary_edges))},
               {"Extraordinary vertices", grouped(std::uint64_t(s.summary.extraordinary_vertices))},
-              {"Rules of the surface", rules_text(s.rules)},
+              {"Rules of the surface", s.mesh ? "the facets themselves" : rules_text(s.rules)},
               {"Held against", witness_text(s.witness)}}) +
          "</section>\n";
 }

@@ -60,14 +60,20 @@ std::string line_link(const RunResult& result, std::size_t index, const verifier
   return fmt::format("<a href=\"#{}\">{}</a>", line_anchor(index, f.stage, f.line), line);
 }
 
+/// Of a mesh, the triangle.
+std::string patch_text(const SurfaceResult& surface, int patch) {
+  return surface.mesh ? std::to_string(surface.mesh->triangle_of(patch)) : std::to_string(patch);
+}
+
 Row finding_row(const RunResult& result, std::size_t index, const std::string& name,
                 const verifier::Finding& f) {
   const std::string stage =
       f.stage < result.stages.size() ? escape_markup(result.stages[f.stage].name) : "–";
   return {{name, measured_length(f.depth_mm), three_digits(f.area_mm2) + " mm²",
-           extent_text(f.extent_mm), coordinates(f.place.point), std::to_string(f.place.patch),
-           fixed(f.place.u, 4), fixed(f.place.v, 4), stage, line_link(result, index, f),
-           grouped(f.move), name.front() == 'M' ? "raw stock" : left_by(f)},
+           extent_text(f.extent_mm), coordinates(f.place.point),
+           patch_text(result.surface, f.place.patch), fixed(f.place.u, 4), fixed(f.place.v, 4),
+           stage, line_link(result, index, f), grouped(f.move),
+           name.front() == 'M' ? "raw stock" : left_by(f)},
           // The map in the page knows gouges and leftovers.
           name.front() == 'M' ? " id=\"" + finding_anchor(index, name) + "\""
                               : finding_attributes(index, name)};
@@ -86,7 +92,7 @@ std::string findings_table(const RunResult& result, std::size_t index,
                 {"Area", true},
                 {"Extent in mm", true},
                 {"X, Y, Z in mm", true},
-                {"Patch", true},
+                {result.surface.mesh ? "Triangle" : "Patch", true},
                 {"u", true},
                 {"v", true},
                 {"Stage"},

@@ -33,7 +33,10 @@ std::string axes(const model::Vec3& p) {
       typeset(fixed(p.x, 3)), typeset(fixed(p.y, 3)), typeset(fixed(p.z, 3)));
 }
 
-std::string place_text(const verifier::SurfacePlace& place) {
+std::string place_text(const RunResult& result, const verifier::SurfacePlace& place) {
+  if (const auto& mesh = result.surface.mesh)
+    return axes(place.point) + fmt::format(" · <span class=\"part\">triangle {}</span>",
+                                           mesh->triangle_of(place.patch));
   return axes(place.point) + fmt::format(" · <span class=\"part\">patch {}, u {}, v {}</span>",
                                          place.patch, fixed(place.u, 4), fixed(place.v, 4));
 }
@@ -65,7 +68,7 @@ Term certified(const GateFigure& figure) {
 /// Of the listed finding.
 std::string finding_card(const RunResult& result, std::size_t index, const Side& side,
                          const GateFigure& figure, const verifier::Finding& f) {
-  std::vector<Term> list = {{"Where", place_text(f.place)}};
+  std::vector<Term> list = {{"Where", place_text(result, f.place)}};
   if (f.line > 0) {
     list.push_back(
         {side.letter == 'G' ? "Program" : "Nearest pass", line_text(result, f.stage, f.line)});
@@ -95,7 +98,7 @@ std::string sample_card(const RunResult& result, std::size_t index, const Side& 
                         const GateFigure& figure) {
   const auto* s = worst_sample(result.stages[index].ran->deviation.field.samples, side);
   if (!s) return {};
-  std::vector<Term> list = {{"Where", place_text(s->place)}};
+  std::vector<Term> list = {{"Where", place_text(result, s->place)}};
   if (s->line > 0) list.push_back({"Nearest pass", line_text(result, s->stage, s->line)});
   list.push_back(certified(figure));
   return card(std::string(side.title) + ", of the samples",
@@ -129,7 +132,7 @@ std::string stock_card(const RunResult& result, std::size_t index) {
         figure.standing == Standing::beyond || figure.standing == Standing::undecided;
     if (figure.name != "missing stock" || !blamed || findings.empty()) continue;
     return card("Missing raw stock", measured_length(findings.front().depth_mm),
-                {{"Where", place_text(findings.front().place)}, certified(figure)});
+                {{"Where", place_text(result, findings.front().place)}, certified(figure)});
   }
   return {};
 }

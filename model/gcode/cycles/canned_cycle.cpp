@@ -122,6 +122,7 @@ CycleGeometry CannedCycles::geometry(const Statement& statement,
   cycle.cycle = static_cast<Cycle>(context.code);
   cycle.plane = context.plane;
   cycle.start_mm = context.position_mm;
+  cycle.feeds_to_r = statement.rules().separate_cycle_group;
   cycle.holes = holes_of(statement, static_cast<int>(kMostMoves));
   add_places(statement, context, cycle);
   add_levels(statement, context, cycle);

@@ -90,7 +90,8 @@ bool Interpreter::listen(const Statement& statement) {
 void Interpreter::note_doubtful_lengths(const Statement& statement) {
   for (const Word& word : statement.block().words) {
     const bool is_length = (letter_bit(word.letter) & letter_bits("XYZIJKRQ")) != 0;
-    if (!is_length || word.value == 0 || word.text.find_first_of(".#[") != std::string_view::npos)
+    if (!is_length || word.value == 0 || statement.is_set_aside(word) ||
+        word.text.find_first_of(".#[") != std::string_view::npos)
       continue;
     doubts_lengths_ = false;
     assumed_.add(

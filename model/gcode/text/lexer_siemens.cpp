@@ -147,7 +147,9 @@ void Lexer::read_siemens_statement(Block& block, std::size_t begin, std::size_t 
              " is not carried out: " + reason_of(name),
          "G-code: G, M, X, Y, Z, I, J, K, F, S, T, D, R parameters");
   }
-  block.set_aside.emplace_back(text());
+  std::string_view statement = text();
+  while (is_blank(statement.back())) statement.remove_suffix(1);
+  block.set_aside.emplace_back(statement);
 }
 
 }  // namespace limitgauge::model::gcode

@@ -29,7 +29,7 @@ constexpr ControlRules iso_rules(Control control, std::string_view title) {
 
 constexpr ControlRules fanuc_rules() {
   ControlRules rules = iso_rules(Control::fanuc, "Fanuc");
-  rules.repeats_by_k = rules.rapid_in_machine_frame = true;
+  rules.repeats_by_k = rules.rapid_in_machine_frame = rules.program_names = true;
   rules.dwell_letters = "PX";
   rules.extended_systems = 300;
   return rules;
@@ -37,7 +37,7 @@ constexpr ControlRules fanuc_rules() {
 
 constexpr ControlRules haas_rules() {
   ControlRules rules = iso_rules(Control::haas, "Haas");
-  rules.local_subprograms = true;
+  rules.local_subprograms = rules.begins_in_g0 = true;
   rules.extended_systems = 99;
   return rules;
 }
@@ -56,7 +56,7 @@ constexpr ControlRules grbl_rules() {
   ControlRules rules;
   rules.control = Control::grbl;
   rules.title = "Grbl";
-  rules.trailing_percent = rules.dollar_lines = rules.idle_centre_words = true;
+  rules.idle_percent = rules.dollar_lines = rules.idle_centre_words = true;
   return rules;
 }
 
@@ -65,7 +65,7 @@ constexpr ControlRules siemens_rules() {
   rules.control = Control::siemens;
   rules.title = "Siemens";
   rules.r_parameters = rules.idle_centre_words = rules.rotary_zero = rules.length_by_d = true;
-  rules.trailing_percent = rules.turns_by_p = true;
+  rules.idle_percent = rules.turns_by_p = true;
   rules.dwell_letters = "FS";
   return rules;
 }

@@ -29,6 +29,8 @@ struct ControlRules {
   bool semicolon_ends_block = false;
   bool trailing_percent = false;  ///< a `%` ends a program that none began
   bool leader = false;            ///< text behind the first `%` is skipped
+  bool idle_percent = false;      ///< a line that begins with `%` says nothing of the end
+  bool program_names = false;     ///< `<NAME>` in the place of a program's number
   bool dollar_lines = false;      ///< `$` begins a line for the control itself
 
   // Words.
@@ -45,6 +47,7 @@ struct ControlRules {
   bool separate_cycle_group = false;     ///< G80 goes back to G0 to G3 before the cycle
   bool motion_beside_reference = false;  ///< G0 G28 Z0
   bool rapid_in_machine_frame = false;   ///< G53 is a rapid under G1 too
+  bool begins_in_g0 = false;
   bool begins_in_g98 = false;
   bool repeats_by_k = false;       ///< K of a canned cycle
   bool dwell_is_optional = false;  ///< of canned cycles that dwell; P in the others as well

@@ -22,6 +22,8 @@ MachineState::MachineState(const MachineSetup& machine)
       reference{stated_point(machine.home_mm, machine.assume_fresh_machine),
                 stated_point(machine.second_home_mm, machine.assume_fresh_machine)},
       fresh(machine.assume_fresh_machine) {
+  if (rules_of(machine.control).begins_in_g0) modal.motion = modal.beside_cycles = 0;
+  modal.motion_is_taken = modal.motion.has_value();
   modal.return_to_r = !rules_of(machine.control).begins_in_g98;
   refresh();
   if (!machine.start_mm) return;

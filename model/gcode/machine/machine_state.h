@@ -32,6 +32,7 @@ struct ModalState {
   std::optional<int> motion;      ///< G code in tenths
   /// G0 to G3, where canned cycles are a group beside them and come back to it.
   std::optional<int> beside_cycles;
+  bool motion_is_taken = false;                       ///< G0 of a control that begins in it
   std::optional<int> length_number, diameter_number;  ///< H and D, where they stay
   FeedMode feed_mode = FeedMode::per_minute;
   double feed_mm = 0;  ///< by minute or by revolution; 0: none
@@ -40,8 +41,9 @@ struct ModalState {
 struct Spindle {
   std::optional<bool> on;  ///< empty: no word of it yet
   bool clockwise = true;
-  std::optional<double> rpm;      ///< the S word in force
-  bool constant_surface = false;  ///< G96
+  std::optional<double> rpm;       ///< the S word in force
+  bool constant_surface = false;   ///< G96
+  std::uint32_t changed_line = 0;  ///< of the M6 that stopped it; 0: none did
 };
 
 struct Coolant {

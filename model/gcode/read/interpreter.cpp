@@ -190,11 +190,15 @@ void Interpreter::set_speed(const Statement& statement) {
 /// M4 leaves the spindle to the operator; one that starts it somewhere had it at rest before.
 void Interpreter::turn_spindle(const Statement& statement) {
   Spindle& spindle = state_.spindle;
-  if (statement.m(MGroup::tool_change) == 6 && spindle.on) spindle.on = false;
+  if (statement.m(MGroup::tool_change) == 6 && spindle.on) {
+    if (*spindle.on) spindle.changed_line = statement.line();
+    spindle.on = false;
+  }
   const auto code = statement.m(MGroup::spindle);
   if (!code) return;
   if (!spindle.on) motions_before_spindle_ = motions_so_far();
   spindle.on = *code == 3 || *code == 4;
+  spindle.changed_line = 0;
   spindle.clockwise = *code == 3;
   if (!*spindle.on || program_.starts_spindle) return;
   program_.starts_spindle = true;
@@ -281,6 +285,10 @@ void Interpreter::move(const Statement& statement, int code) {
       statement.g(GGroup::non_modal) == 530 && statement.rules().rapid_in_machine_frame;
   if (state_.modal.motion != code && !is_canned_cycle(code)) cycles_.forget();
   if (!passes) state_.modal.motion = code;
+  if (state_.modal.motion_is_taken && !statement.g_word(GGroup::motion))
+    assumed_.add(statement.line(),
+                 "the control is taken to have begun in G0: nothing before this motion says which");
+  state_.modal.motion_is_taken = false;
   if (statement.g(GGroup::non_modal) == 530 && code != 0 && code != 10)
     statement.fail(*statement.g_word(GGroup::non_modal), "G53 beside a motion that is not straight",
                    "G0 or G1");
@@ -371,6 +379,9 @@ void Interpreter::emit(const Statement& statement, Motion motion) {
   motion.line = statement.line();
   const Spindle& spindle = state_.spindle;
   if (spindle.on && (!*spindle.on || spindle.rpm == 0)) motion.spindle_stopped = true;
+  if (motion.spindle_stopped && motion.kind != MotionKind::rapid && spindle.changed_line != 0)
+    assumed_.add(statement.line(), "feeds with the spindle at rest: the M6 of line " +
+                                       std::to_string(spindle.changed_line) + " has stopped it");
   motion.position_known = state_.known[0] && state_.known[1] && state_.known[2];
   motion.height_known = state_.known[2];
   state_.has_moved = true;

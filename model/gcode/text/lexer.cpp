@@ -34,7 +34,7 @@ Lexer::Lexer(std::string_view text, std::string name, const Parameters& paramete
       }) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   texts_.push_back({std::move(name), text, nullptr, 0, 1,
-                    rules.dollar_lines ? std::nullopt : opening_percent(text)});
+                    rules.idle_percent ? std::nullopt : opening_percent(text)});
 }
 
 Lexer::Bookmark Lexer::add(std::string name, std::string text) {
@@ -129,8 +129,9 @@ bool Lexer::next(Block& block) {
   }
   block.line = block.main_line = line_;
   const Percent found = percent();
-  if (found != Percent::none && rules_.dollar_lines) {
-    block.set_aside.emplace_back("%");  // Grbl has no use for it
+  if (found != Percent::none && rules_.idle_percent) {
+    // Grbl has no use for it, and Siemens's files begin with a line as %_N_PART_MPF.
+    set_rest_aside(block);
     return true;
   }
   if (found != Percent::none) check_percent();
@@ -153,6 +154,7 @@ void Lexer::read_line(Block& block) {
     skip_blanks();
   }
   if (begins_o_word()) return read_o_word(block);
+  if (rules_.program_names && !at_end() && here() == '<') return set_rest_aside(block);
   if (rules_.dollar_lines && !at_end() && here() == '$') return read_dollar(block);
   if (rules_.macro_b && read_macro(block)) return;
   if (rules_.r_parameters) return read_siemens_items(block);
@@ -162,6 +164,13 @@ void Lexer::read_line(Block& block) {
 bool Lexer::begins_o_word() const {
   if (at_end() || rules_.r_parameters) return false;
   return upper(here()) == 'O' || (rules_.colon_numbers && here() == ':');
+}
+
+void Lexer::set_rest_aside(Block& block) {
+  std::string_view text = cursor_.line.substr(cursor_.at);
+  while (is_blank(text.back())) text.remove_suffix(1);
+  block.set_aside.emplace_back(text);
+  cursor_.at = cursor_.line.size();
 }
 
 void Lexer::read_dollar(Block& block) {

@@ -172,6 +172,7 @@ class Lexer {
   bool take_line();
   const Text& text_at(std::size_t at) const;
   void read_dollar(Block& block);
+  void set_rest_aside(Block& block);
   bool read_macro(Block& block);
   void read_condition(Block& block);
   void read_loop(Block& block, std::size_t begin, bool holds);

@@ -74,6 +74,9 @@ void Lexer::read_siemens_item(Block& block) {
   skip_blanks();
   if (!at_end() && here() == '=') {
     ++cursor_.at;
+    skip_blanks();
+    if (!at_end() && here() == '"')
+      fail(begin, in_quotes(name) + " by a name, whose number nothing states", "a number");
     value = read_siemens_value(block);
   } else if (!read_plain_value(value)) {
     fail(begin, "the number of " + in_quotes(name) + " is missing or malformed",

@@ -140,11 +140,25 @@ model::WorkOffset read_offset(const TomlTable& offsets, const std::string& key) 
   return {turned.position("origin"), turned.has("rotate_z") ? turned.angle_deg("rotate_z") : 0};
 }
 
+/// `G54.1P1` to `G54.1P300`, of Fanuc and Haas.
+std::string extended_name(int number) {
+  return "G54.1P" + std::to_string(number);
+}
+
 void read_offsets(const TomlTable& machine, model::MachineSetup& setup) {
+  constexpr int kMostExtended = 300;
+  std::vector<std::string> extended;
+  for (int number = 1; number <= kMostExtended; ++number) extended.push_back(extended_name(number));
+  std::vector<const char*> names(std::begin(kNames), std::end(kNames));
+  for (const std::string& name : extended) names.push_back(name.c_str());
   const TomlTable offsets(machine.table("work_offsets"), "\"work_offsets\" of [machine]", {},
-                          kNames);
+                          names);
   for (std::size_t i = 0; i < std::size(kNames); ++i)
     if (offsets.has(kNames[i])) setup.work_offsets[i] = read_offset(offsets, kNames[i]);
+  for (int number = 1; number <= kMostExtended; ++number) {
+    const std::string name = extended_name(number);
+    if (offsets.has(name)) setup.extended_offsets[number] = read_offset(offsets, name);
+  }
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ TEST_CASE("the machine and the programs' frame as a job states them", "[unit][jo
 }
 
 TEST_CASE("the control that programs are written for", "[unit][job]") {
+  const Job extended = read(with_machine("work_offsets = { \"G54.1P12\" = [1, 2, 3] }"));
+  CHECK(extended.machine.extended_offsets.at(12).origin_mm == model::Vec3{1, 2, 3});
   CHECK(read(with_machine("control = \"siemens\"")).machine.control == model::Control::siemens);
   CHECK(read(good_job()).machine.control == model::Control::linuxcnc);
   const auto error_of = [](const std::string& keys) {

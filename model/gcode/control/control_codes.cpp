@@ -48,7 +48,8 @@ constexpr std::array kIsoG = {
     refused(310, 310, kProbe, "a program without it"),
     refused(340, 379, "bolt holes and measuring cycles are not carried out", kLines),
     aside(401, 401),  // normal direction control off
-    refused(411, 429, "Fanuc has another meaning for it", "G41 or G42 with D"),
+    refused(411, 419, "Fanuc has another meaning for it", "G41 with D"),
+    refused(421, 429, "Fanuc has another meaning for it", "G42 with D"),
     refused(431, 439, kOriented, "G43 H"),
     refused(470, 470, "engraved text is the control's own", kLines),
     aside(491, 491),

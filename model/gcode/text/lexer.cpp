@@ -192,6 +192,11 @@ void Lexer::read_items(Block& block) {
       read_setting(block);
     } else if (rules_.polar_words && (c == '@' || c == '^')) {
       read_word(block);
+    } else if (rules_.numbered_skips && c == '/') {
+      // What stands behind it is left out where the switch is on.
+      block.block_delete = true;
+      ++cursor_.at;
+      while (!at_end() && is_digit(here())) ++cursor_.at;
     } else {
       fail_at_stray(cursor_.at);
     }

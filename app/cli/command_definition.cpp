@@ -104,9 +104,18 @@ void CommandDefinition::add_plan() {
 }
 
 void CommandDefinition::add_machine(CLI::App& sub, MachineOptions& machine) {
+  std::vector<std::string> controls;
+  for (const model::Control control : model::kControls) controls.emplace_back(name(control));
+  hint(sub.add_option(
+           "--control", machine.control,
+           "Whose habits the program is read by: " + control_names() + " (default: linuxcnc)"),
+       "NAME", {ValueHint::Kind::text, {}, controls});
+  folder(sub.add_option("--subprograms", machine.subprograms,
+                        "Folder with a file for each subprogram that M98 or G65 may call, as "
+                        "O1000.nc (default: those of the program's own file only)"));
   hint(sub.add_option("--work-offset", machine.work_offsets,
                       "G54=X,Y,Z or G54=X,Y,Z,TURN: origin of a work offset on the machine, mm "
-                      "and degrees"),
+                      "and degrees; G54.1P7=X,Y,Z of Fanuc and Haas"),
        "OFFSET")
       ->allow_extra_args(false);
   hint(sub.add_option("--home", machine.home, "The machine's reference point, where G28 goes, mm"),

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "model/gcode/program.h"
+
 namespace limitgauge::app {
 namespace {
 
@@ -27,6 +29,8 @@ std::vector<JobFile> files_of(const Job& job) {
   add_sources(JobFile::Role::stock);
   for (const JobStage& stage : job.stages)
     if (!stage.plan) add({JobFile::Role::program, stage.program, stage.program_as_stated});
+  for (const std::filesystem::path& file : model::subprogram_files(job.machine.subprograms))
+    add({JobFile::Role::program, file, file.filename().string()});
   for (const JobFixture& fixture : job.fixtures)
     add({JobFile::Role::fixture, fixture.file, fixture.file_as_stated});
   add_sources(JobFile::Role::tool_table);

@@ -6,7 +6,7 @@
 #include "app/job/program_parts.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
-#include "model/base/text_file.h"
+#include "model/gcode/text/program_text.h"
 
 namespace limitgauge::app {
 namespace {
@@ -70,7 +70,7 @@ class GroupReader {
 
 GroupReader::GroupReader(const Job& job, const Settings& settings, const Group& group)
     : job_(job), settings_(settings), group_(group), file_(stage(0).program.string()) {
-  text_ = std::make_shared<const std::string>(model::read_text_file(stage(0).program));
+  text_ = std::make_shared<const std::string>(model::read_program_text(stage(0).program));
   options_.machine_in_part = model::machine_in_part(
       job.program_frame, job.machine.work_offsets.front().value_or(model::WorkOffset()));
   // What is made of a path takes several times its own room (app/inputs/run_forecast.cpp).
@@ -85,7 +85,7 @@ void GroupReader::read(const std::optional<model::Vec3>& assumed_start_mm) {
   model::MachineSetup machine = machine_for(job_, stage(0).cutter);
   machine.start_is_assumed = !machine.start_mm;
   if (machine.start_is_assumed) machine.start_mm = assumed_start_mm;
-  program_ = model::read_program(std::string_view(*text_), file_, machine);
+  program_ = model::read_program_or_name_control(std::string_view(*text_), file_, machine);
   std::vector<const JobStage*> stages;
   for (const std::size_t i : group_) stages.push_back(&job_.stages[i]);
   ranges_ = assign_parts(program_, file_, stages);

@@ -71,10 +71,31 @@ void say_defaults(const TomlTable& post, const Job& job, JobContext& context) {
 
 }  // namespace
 
+namespace {
+
+void read_control(const TomlTable& machine, Job& job, const JobContext& context) {
+  if (machine.has("control")) {
+    const std::string name =
+        machine.one_of("control", {"linuxcnc", "fanuc", "haas", "mach3", "grbl", "siemens"});
+    job.machine.control = *model::control_named(name);
+    job.machine.control_is_stated = true;
+  }
+  if (!machine.has("subprograms")) return;
+  const std::string folder = machine.text("subprograms");
+  job.machine.subprograms = context.folder / folder;
+  std::error_code failure;
+  if (!std::filesystem::is_directory(job.machine.subprograms, failure))
+    throw model::InputError(machine.place("subprograms"), "no folder \"" + folder + "\"",
+                            "a folder with a file for each subprogram");
+}
+
+}  // namespace
+
 void read_machine(const TomlTable& root, Job& job, JobContext& context) {
-  const TomlTable machine(table_or_none(root, "machine"), "[machine]",
-                          {"rapid", "clearance", "acceleration", "junction_deviation", "travel",
-                           "work_offsets", "home", "second_home", "start"});
+  const TomlTable machine(
+      table_or_none(root, "machine"), "[machine]",
+      {"rapid", "clearance", "acceleration", "junction_deviation", "travel", "work_offsets", "home",
+       "second_home", "start", "control", "subprograms"});
   if (machine.has("rapid")) {
     job.rapid_mm_min = machine.rate_mm_min("rapid");
   } else {
@@ -84,6 +105,7 @@ void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   read_acceleration(machine, job, context);
   if (machine.has("travel")) job.travel_mm = read_travel(machine);
   read_setup(root, machine, job);
+  read_control(machine, job, context);
   if (machine.has("clearance")) {
     job.clearance_mm = machine.length_mm("clearance");
   } else {
@@ -118,11 +140,25 @@ model::WorkOffset read_offset(const TomlTable& offsets, const std::string& key) 
   return {turned.position("origin"), turned.has("rotate_z") ? turned.angle_deg("rotate_z") : 0};
 }
 
+/// `G54.1P1` to `G54.1P300`, of Fanuc and Haas.
+std::string extended_name(int number) {
+  return "G54.1P" + std::to_string(number);
+}
+
 void read_offsets(const TomlTable& machine, model::MachineSetup& setup) {
+  constexpr int kMostExtended = 300;
+  std::vector<std::string> extended;
+  for (int number = 1; number <= kMostExtended; ++number) extended.push_back(extended_name(number));
+  std::vector<const char*> names(std::begin(kNames), std::end(kNames));
+  for (const std::string& name : extended) names.push_back(name.c_str());
   const TomlTable offsets(machine.table("work_offsets"), "\"work_offsets\" of [machine]", {},
-                          kNames);
+                          names);
   for (std::size_t i = 0; i < std::size(kNames); ++i)
     if (offsets.has(kNames[i])) setup.work_offsets[i] = read_offset(offsets, kNames[i]);
+  for (int number = 1; number <= kMostExtended; ++number) {
+    const std::string name = extended_name(number);
+    if (offsets.has(name)) setup.extended_offsets[number] = read_offset(offsets, name);
+  }
 }
 
 }  // namespace

@@ -14,8 +14,12 @@ struct MachineOptions {
   std::string home, second_home;          ///< `X,Y,Z`; empty: not stated
   std::string start;                      ///< `X,Y,Z` of the tip; empty: not stated
   std::filesystem::path tool_table;       ///< LinuxCNC's; empty: none
+  std::string control;                    ///< its name; empty: not stated
+  std::filesystem::path subprograms;      ///< a folder; empty: none
 };
 
+/// `linuxcnc, fanuc, haas, mach3, grbl or siemens`.
+std::string control_names();
 /// Three numbers as `X,Y,Z`. Throws UsageError that names `option`.
 model::Vec3 point_of(const std::string& option, const std::string& text);
 /// Throws UsageError for options that say nothing, InputError for a tool table that cannot be read.

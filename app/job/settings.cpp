@@ -140,6 +140,11 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
                 " mm of stock or fixtures are listed and do not fail a stage"
           : "near misses: no clearance stated, not looked for",
   };
+  const auto is_program = [](const JobStage& stage) { return !stage.plan.has_value(); };
+  if (std::any_of(job.stages.begin(), job.stages.end(), is_program))
+    said.push_back("programs are read by the habits of control " +
+                   std::string(model::name(job.machine.control)) +
+                   (job.machine.control_is_stated ? "" : " (not stated)"));
   if (!job.voxel_mm) {
     said.push_back(
         "voxel " + model::shortest(settings.voxel_mm) +

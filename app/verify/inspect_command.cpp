@@ -88,7 +88,7 @@ void inspect_program(const InspectCommand& command, const CommonOptions& common,
                      const Console& console) {
   model::MachineSetup machine = machine_of(command.machine);
   machine.assume_fresh_machine = true;
-  const model::Program program = model::read_program(command.file, machine);
+  const model::Program program = model::read_program_or_name_control(command.file, machine);
   if (command.moves) {
     for (const Motion& motion : program.motions) print_motion(console.out, motion);
     console.out << std::flush;

@@ -157,7 +157,7 @@ const JobTool& tool_numbered(const std::vector<JobTool>& tools, const model::Too
 std::vector<JobStage> stages_by_tool(const VerifyCommand& command, const Job& job,
                                      const std::vector<JobTool>& tools) {
   const model::Program program =
-      model::read_program(command.program, machine_for(job, tools.front().cutter));
+      model::read_program_or_name_control(command.program, machine_for(job, tools.front().cutter));
   std::vector<JobStage> stages;
   for (const model::ToolChange& change : loadings(program)) {
     JobStage stage = stage_of(command, tool_numbered(tools, change, command.program));

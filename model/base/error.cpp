@@ -18,7 +18,15 @@ std::string message(const SourcePlace& place, const std::string& wrong,
 }  // namespace
 
 InputError::InputError(SourcePlace place, const std::string& wrong, const std::string& expected)
-    : std::runtime_error(message(place, wrong, expected)), place_(std::move(place)) {}
+    : std::runtime_error(message(place, wrong, expected)),
+      place_(std::move(place)),
+      wrong_(wrong),
+      expected_(expected) {}
+
+InputError InputError::with(const std::string& more) const {
+  if (expected_.empty()) return {place_, wrong_ + "; " + more};
+  return {place_, wrong_, expected_ + "; " + more};
+}
 
 ResourceError::ResourceError(const std::string& what) : std::runtime_error(clean_text(what)) {}
 

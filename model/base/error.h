@@ -19,9 +19,12 @@ class InputError : public std::runtime_error {
  public:
   InputError(SourcePlace place, const std::string& wrong, const std::string& expected = {});
   const SourcePlace& place() const { return place_; }
+  /// The same error with `more` behind what was expected.
+  InputError with(const std::string& more) const;
 
  private:
   SourcePlace place_;
+  std::string wrong_, expected_;
 };
 
 /// The machine cannot carry the work: memory, disk. Exit code 4.

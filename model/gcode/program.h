@@ -110,6 +110,8 @@ std::string missing_end_words(const Program& program);
 ///  - a parameter that was never set is an error where it is read;
 ///  - what `machine` does not state and the program needs is an error, except the machine's zero
 ///    along Z and the reference points: a move to them that nothing states leaves the axis parked.
+/// Other controls than LinuxCNC (MachineSetup::control) have rules of their own
+/// (model/gcode/control).
 /// Comments that a controller acts on, as `(MSG, text)`, are listed as ignored.
 Program read_program(const std::filesystem::path& path, const MachineSetup& machine = {});
 Program read_program(std::istream& in, const std::string& name_in_errors,
@@ -117,6 +119,17 @@ Program read_program(std::istream& in, const std::string& name_in_errors,
 /// Of a text that is at hand: no copy of it is made.
 Program read_program(std::string_view text, const std::string& name_in_errors,
                      const MachineSetup& machine = {});
+
+/// The same; where the machine's control does not read the program, the error names those that
+/// would. For what users see: it may read the program once for each control.
+Program read_program_or_name_control(const std::filesystem::path& path,
+                                     const MachineSetup& machine);
+Program read_program_or_name_control(std::string_view text, const std::string& name_in_errors,
+                                     const MachineSetup& machine);
+
+/// The files of `folder` that programs may call, sorted: named by a number, with or without O. None
+/// for an empty folder. Throws InputError for a folder that cannot be read.
+std::vector<std::filesystem::path> subprogram_files(const std::filesystem::path& folder);
 
 /// How a toolpath is written as a program.
 struct WriterOptions {

@@ -100,6 +100,7 @@ void ToolLine::take(ToolEntry& entry, char letter, std::size_t begin) {
 
 std::string work_offset_name(std::size_t index) {
   if (index < 6) return "G" + std::to_string(54 + index);
+  if (index >= kWorkOffsets) return "G54.1 P" + std::to_string(index - kWorkOffsets + 1);
   return "G59." + std::to_string(index - 5);
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/geometry/vec3.h"
+#include "model/part/control.h"
 
 namespace limitgauge::model {
 
@@ -29,7 +32,13 @@ inline constexpr std::size_t kWorkOffsets = 9;  ///< G54 to G59, G59.1 to G59.3
 /// What a program takes from the machine that it runs on. What is empty here and asked for by the
 /// program is an error of the reader that names it, except as `assume_fresh_machine` says.
 struct MachineSetup {
+  Control control = Control::linuxcnc;  ///< whose habits programs are read by
+  bool control_is_stated = false;
+  /// Where programs may find subprograms in files of their own; empty: nowhere.
+  std::filesystem::path subprograms;
   std::array<std::optional<WorkOffset>, kWorkOffsets> work_offsets;
+  /// G54.1 P or G154 P of Fanuc and Haas, by P.
+  std::map<int, WorkOffset> extended_offsets;
   std::optional<Vec3> home_mm, second_home_mm;  ///< G28 and G30, machine coordinates
   std::vector<ToolEntry> tools;
   /// What every T loads, whatever its number; only where `tools` is empty.
@@ -53,7 +62,7 @@ struct ProgramStart {
   bool assumed = false;  ///< nobody stated it
 };
 
-/// `G54` to `G59.3` for index 0 to 8.
+/// `G54` to `G59.3` for index 0 to 8, `G54.1 P1` and so on behind them.
 std::string work_offset_name(std::size_t index);
 
 /// LinuxCNC's tool table text: a line a tool, `T` number, `Z` length, `D` diameter, other words

@@ -24,6 +24,11 @@ Json programs_part(const RunResult& result) {
                        {"origin_mm", point("work_offsets", offset.origin_mm)},
                        {"rotate_z_deg", finite("work_offsets", offset.rotation_deg)}});
   }
+  for (const auto& [number, offset] : machine.extended_offsets)
+    offsets.push_back({{"name", model::work_offset_name(model::kWorkOffsets +
+                                                        static_cast<std::size_t>(number - 1))},
+                       {"origin_mm", point("work_offsets", offset.origin_mm)},
+                       {"rotate_z_deg", finite("work_offsets", offset.rotation_deg)}});
   for (const model::ToolEntry& tool : machine.tools) {
     Json entry = {{"number", tool.number}};
     if (tool.length_mm) entry["length_mm"] = finite("tools.length_mm", *tool.length_mm);
@@ -32,6 +37,7 @@ Json programs_part(const RunResult& result) {
   }
   Json out = {{"offset_mm", point("programs.offset_mm", result.program_frame.translate_mm)},
               {"rotate_z_deg", finite("programs.rotate_z_deg", result.program_frame.rotate_z_deg)},
+              {"control", std::string(model::name(machine.control))},
               {"work_offsets", std::move(offsets)},
               {"tools", std::move(tools)}};
   if (result.program_start) {

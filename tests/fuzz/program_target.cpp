@@ -50,5 +50,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text = fuzz::text_of(data, size);
   read_on(stated, text);
   read_on(fresh, text);
+  for (const model::Control control : model::kControls) {
+    if (control == model::Control::linuxcnc) continue;
+    model::MachineSetup machine = stated;
+    machine.control = control;
+    read_on(machine, text);
+  }
   return 0;
 }

@@ -21,7 +21,7 @@ collect cage '*.obj'
 collect mesh_obj '*.obj'
 collect mesh_stl '*.stl'
 collect mesh_ply '*.ply'
-collect program '*.ngc'
+for pattern in '*.ngc' '*.nc' '*.tap' '*.mpf'; do collect program "$pattern"; done
 collect cl_data '*.apt'
 collect tool_table '*.tbl'
 collect job '*.toml'

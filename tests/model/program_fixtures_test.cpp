@@ -17,8 +17,9 @@ using namespace limitgauge::model::test;
 namespace {
 
 /// As `limitgauge inspect` takes it: a fresh machine, with the tool table beside the program.
-MachineSetup machine_for(std::filesystem::path path) {
+MachineSetup machine_for(std::filesystem::path path, Control control = Control::linuxcnc) {
   MachineSetup machine;
+  machine.control = control;
   machine.assume_fresh_machine = true;
   path.replace_extension(".tbl");
   if (std::filesystem::exists(path)) machine.tools = parse_tool_table(text_of(path), path.string());
@@ -68,7 +69,52 @@ std::string ignored_text(const Program& program) {
   return text;
 }
 
+/// The programs of fixtures/programs/controls/CONTROL/`kind`.
+std::vector<std::filesystem::path> programs_of(Control control, const std::string& kind) {
+  const std::string folder = "programs/controls/" + std::string(name(control)) + "/" + kind;
+  std::vector<std::filesystem::path> files;
+  for (const char* extension : {".ngc", ".nc", ".tap", ".mpf"}) {
+    const auto found = fixture_files(folder, extension);
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
 }  // namespace
+
+TEST_CASE("every good program of a control gives its moves", "[unit][program]") {
+  std::size_t count = 0;
+  for (const Control control : kControls) {
+    for (const std::filesystem::path& path : programs_of(control, "good")) {
+      CAPTURE(path);
+      ++count;
+      try {
+        const Program program = read_program(path, machine_for(path, control));
+        check_motions(program, rows_of(text_beside(path, ".moves")));
+        CHECK(ignored_text(program) == text_beside(path, ".ignored"));
+        CHECK(program.has_end);
+      } catch (const InputError& error) {
+        FAIL_CHECK(error.what());
+      }
+    }
+  }
+  CHECK(count >= 60);
+}
+
+TEST_CASE("every bad program of a control gets its one error", "[unit][program]") {
+  std::size_t count = 0;
+  for (const Control control : kControls) {
+    for (const std::filesystem::path& path : programs_of(control, "bad")) {
+      ++count;
+      const std::string error =
+          message_of<InputError>([&] { read_program(path, machine_for(path, control)); });
+      const std::string expected = text_beside(path, ".error");
+      CHECK(error + "\n" ==
+            path.string() + (expected.starts_with("error") ? ": " : ":") + expected);
+    }
+  }
+  CHECK(count >= 40);
+}
 
 TEST_CASE("every good program gives its canonical moves", "[unit][program]") {
   const auto files = fixture_files("programs/good", ".ngc");

@@ -88,6 +88,8 @@ CycleMotions CannedCycles::moves(const Statement& statement, const CycleContext&
 
   const CycleGeometry cycle = geometry(statement, context);
   CycleMotions motions;
+  motions.end_mm = context.position_mm;
+  if (cycle.holes == 0) return motions;  // Fanuc's K0 and Haas's L0 only store the words
   motions.moves = cycle_moves(cycle);
   check_moves(statement, motions.moves);
   motions.end_mm = motions.moves.back().to_mm;
@@ -120,6 +122,7 @@ CycleGeometry CannedCycles::geometry(const Statement& statement,
   cycle.cycle = static_cast<Cycle>(context.code);
   cycle.plane = context.plane;
   cycle.start_mm = context.position_mm;
+  cycle.feeds_to_r = statement.rules().separate_cycle_group;
   cycle.holes = holes_of(statement, static_cast<int>(kMostMoves));
   add_places(statement, context, cycle);
   add_levels(statement, context, cycle);
@@ -176,6 +179,7 @@ void CannedCycles::add_pecks(const Statement& statement, const CycleContext& con
   const double unit_mm = context.unit_mm, q = *words_.q;
   const double r = *words_.r + (context.incremental ? *initial_level_mm_ / unit_mm : 0);
   const double bottom = *words_.bottom + (context.incremental ? r : 0);
+  if (q == 0) return;  // one peck
   for (double level = r - q; level > bottom; level -= q) {
     if (cycle.pecks_mm.size() >= kMostMoves)
       statement.fail(word_or_blamed(statement, 'Q'), "a canned cycle of more than 100000 moves",

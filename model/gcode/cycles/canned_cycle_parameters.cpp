@@ -69,7 +69,7 @@ void CycleParameters::take(const Statement& statement, int code, char along) {
   };
   read(r, 'R');
   read(bottom, along);
-  if (cycle_takes(code, 'P')) read(p, 'P');
+  if (cycle_takes(code, 'P') || statement.rules().dwell_is_optional) read(p, 'P');
   if (cycle_takes(code, 'Q')) read(q, 'Q');
   if (!cycle_takes(code, 'I')) return;
   read(i, 'I');
@@ -85,20 +85,29 @@ void CycleParameters::check(const Statement& statement, int code, char along) co
   };
   need(r, 'R', "R, the level where the rapid ends");
   need(bottom, along, "the depth");
-  for (const char letter : find(code)->needs) need(of(letter), letter, meaning_of(letter));
+  const ControlRules& rules = statement.rules();
+  for (const char letter : find(code)->needs) {
+    if (letter == 'P' && rules.dwell_is_optional) continue;
+    need(of(letter), letter, meaning_of(letter));
+  }
   if (p && *p < 0)
     statement.fail(word_or_blamed(statement, 'P'), "a negative dwell", "0 or more seconds");
-  if (q && !(*q > 0))
+  if (q && !(*q > 0) && !(*q == 0 && rules.whole_peck))
     statement.fail(word_or_blamed(statement, 'Q'), "a peck that is not above 0",
                    "Q above 0, whichever way the tool goes");
 }
 
 int holes_of(const Statement& statement, int most) {
-  const Word* const l = statement.word('L');
+  const Word* l = statement.word('L');
+  const Word* const k = statement.rules().repeats_by_k ? statement.word('K') : nullptr;
+  if (l && k) statement.fail(*k, "K and L both count repeats", "one of them");
+  if (k) l = k;
   if (!l) return 1;
   const double count = std::round(l->value);
-  if (!(std::abs(l->value - count) <= kWholeCount) || count < 1)
-    statement.fail(*l, in_quotes(l->text) + " repeats of a canned cycle", "an integer from 1");
+  const int least = statement.rules().separate_cycle_group ? 0 : 1;
+  if (!(std::abs(l->value - count) <= kWholeCount) || count < least)
+    statement.fail(*l, in_quotes(l->text) + " repeats of a canned cycle",
+                   "an integer from " + std::to_string(least));
   if (count > most)
     statement.fail(*l, in_quotes(l->text) + " repeats of a canned cycle",
                    "at most " + std::to_string(most));

@@ -90,6 +90,10 @@ class Writer {
       case Cycle::left_tapping:
       case Cycle::tapping:
       case Cycle::boring_dwell:
+        if (geometry_.feeds_to_r) {
+          feed(geometry_.r_mm);
+          break;
+        }
         feed(geometry_.return_mm);
         return mark_found_level(geometry_.return_mm);
       case Cycle::boring:

@@ -45,6 +45,7 @@ struct CycleGeometry {
   int holes = 1;
   double r_mm = 0, bottom_mm = 0;
   double return_mm = 0;          ///< where each hole ends
+  bool feeds_to_r = false;       ///< out of a tap or a G89 to R only, as Fanuc and Haas
   double middle_mm = 0;          ///< G87: top of the counterbore
   Vec2 aside_mm{};               ///< G87: from the hole to where the boring bar fits through
   std::vector<double> pecks_mm;  ///< G73, G83: levels drilled before the bottom, falling

@@ -13,25 +13,25 @@ bool may_move(const Block& block) {
 
 }  // namespace
 
-Flow::Flow(Lexer& lexer, Parameters& parameters, FlowLimits limits)
+Flow::Flow(Lexer& lexer, Parameters& parameters, FlowLimits limits, FindSubprogram find_subprogram)
     : lexer_(lexer),
       parameters_(parameters),
       limits_(limits),
       spans_(lexer, limits.most_depth),
-      subroutines_(lexer) {
+      subroutines_(lexer),
+      marks_(lexer),
+      find_subprogram_(std::move(find_subprogram)) {
   set_returned(std::nullopt);
+  if (lexer.rules().macro_b) parameters.use_macro_variables();
 }
 
 bool Flow::next(Block& block) {
-  while (lexer_.next(block)) {
-    if (!frames_.empty()) count(block);
-    if (!block.settings.empty()) set(block.settings);
-    if (block.o_word) {
-      carry_out(block);
-    } else if (block.words.empty() || block.words.front().letter != 'M' || !carry_out_code(block)) {
-      return true;
-    }
-    if (block.block_delete) {
+  while (take(block)) {
+    if (!frames_.empty() || jump_) count(block);
+    if (!block.settings.empty()) set(block);
+    if (lexer_.rules().call_beside_motion && split_call(block)) return true;
+    if (!is_for_flow(block)) return true;
+    if (block.block_delete || !block.notes.empty()) {
       block.words.clear();
       return true;
     }
@@ -40,8 +40,46 @@ bool Flow::next(Block& block) {
   return false;
 }
 
+/// The next block in the text, or the call that the block before ended with.
+bool Flow::take(Block& block) {
+  if (pending_) {
+    block = std::move(*pending_);
+    pending_.reset();
+    return true;
+  }
+  if (!lexer_.next(block)) return false;
+  name_main_line(block);
+  return true;
+}
+
+/// Carries out what says which block comes next; false for all others.
+bool Flow::is_for_flow(const Block& block) {
+  if (block.o_word) {
+    carry_out(block);
+  } else if (block.macro) {
+    carry_out_macro(block);
+  } else {
+    const bool is_m = !block.words.empty() && block.words.front().letter == 'M';
+    const bool is_macro = lexer_.rules().macro_b && !block.words.empty() &&
+                          block.words.front().letter == 'G' && block.words.front().value == 65;
+    if (is_macro) call_macro(block);
+    return is_macro || (is_m && carry_out_code(block));
+  }
+  return true;
+}
+
+/// What a subprogram of another file does stands for the line of the main program that called it.
+void Flow::name_main_line(Block& block) const {
+  if (frames_.empty() || lexer_.text_index(lexer_.line_bookmark()) == 0) return;
+  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
+    if (lexer_.text_index(frame->begin) != 0) continue;
+    block.main_line = frame->begin.line;
+    return;
+  }
+}
+
 void Flow::count(const Block& block) {
-  const Lexer::Bookmark before = frames_.front().begin;
+  const Lexer::Bookmark before = frames_.empty() ? jump_->begin : frames_.front().begin;
   const std::size_t times = limits_.most_times_before;
   ++blocks_;
   bytes_ += lexer_.bookmark().at - lexer_.line_bookmark().at;
@@ -57,17 +95,30 @@ void Flow::count(const Block& block) {
 
 /// At the outermost loop or call: which of its blocks is the one too many says nothing.
 void Flow::fail_without_end(const std::string& amount) const {
-  const Frame& outermost = frames_.front();
+  const Frame& outermost = frames_.empty() ? *jump_ : frames_.front();
   lexer_.fail_at(outermost.begin.line, outermost.column, "a loop without end: more than " + amount,
                  "a loop that ends");
 }
 
-void Flow::set(const std::vector<Setting>& settings) {
-  for (const Setting& setting : settings) {
-    if (setting.parameter.name.empty()) {
-      parameters_.set(setting.parameter.number, setting.value);
+/// Macro B's #3000 is an alarm and #3006 a stop with a message.
+void Flow::check_setting(const Block& block, const Setting& setting) const {
+  if (setting.parameter.number == 3000)
+    lexer_.fail_at(block.line, setting.column, "the program ends itself with an alarm (#3000)",
+                   "values that it takes");
+}
+
+void Flow::set(Block& block) {
+  for (const Setting& setting : block.settings) {
+    if (lexer_.rules().macro_b) check_setting(block, setting);
+    if (lexer_.rules().macro_b && setting.parameter.number == 3006)
+      block.notes.push_back("the stop of #3006 is not acted on");
+    const ParameterName& parameter = setting.parameter;
+    if (!parameter.name.empty()) {
+      parameters_.set(parameter.name, setting.value.value_or(0));
+    } else if (setting.value) {
+      parameters_.set(parameter.number, *setting.value);
     } else {
-      parameters_.set(setting.parameter.name, setting.value);
+      parameters_.clear(parameter.number);
     }
   }
 }
@@ -83,6 +134,12 @@ void Flow::check_end() const {
 
 void Flow::carry_out(const Block& block) {
   const FlowKeyword keyword = keyword_of(block, lexer_);
+  const ControlRules& rules = lexer_.rules();
+  if (!rules.subprograms)
+    fail(block, std::string(rules.title) + " has no O words", "G and M codes");
+  if (!rules.o_words && keyword != FlowKeyword::program)
+    fail(block, "'" + o_text(*block.o_word, keyword) + "' is LinuxCNC's",
+         rules.macro_b ? "IF, WHILE, G65 or M98" : "M98");
   switch (keyword) {
     case FlowKeyword::program:
       return begin_program(block);

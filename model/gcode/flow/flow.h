@@ -2,12 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "model/gcode/flow/flow_keyword.h"
+#include "model/gcode/flow/flow_marks.h"
 #include "model/gcode/flow/flow_spans.h"
 #include "model/gcode/flow/flow_subroutines.h"
 #include "model/gcode/text/lexer.h"
@@ -39,6 +42,14 @@ struct FlowLimits {
   std::size_t most_calls = 9;    ///< within each other; LinuxCNC's
 };
 
+/// A subprogram's file.
+struct SubprogramFile {
+  std::string name;
+  std::string text;
+};
+/// The file of a program number; nothing where there is none.
+using FindSubprogram = std::function<std::optional<SubprogramFile>(const std::string& number)>;
+
 /// Which block of a program comes next: carries out O words (sub, endsub, return, call, do, while,
 /// endwhile, break, continue, if, elseif, else, endif, repeat, endrepeat) and Fanuc's M98 P L, M99
 /// and O-number programs in the same file, as LinuxCNC does
@@ -51,10 +62,13 @@ struct FlowLimits {
 ///    return, break or continue have left over, or a call has used up.
 /// Subprograms may also stand before the M98 that calls them, and M98 P31000 means three times
 /// program 1000, as on older Fanuc controls, where there is no program 31000.
+/// Where the lexer's control has them: macro B's GOTO, WHILE, DO and END, G65 with its arguments,
+/// M97, M99 P, and calls at the end of a block of other words, which come after it.
 class Flow {
  public:
   /// `lexer` stands at the beginning of its text. `lexer` and `parameters` outlive it.
-  Flow(Lexer& lexer, Parameters& parameters, FlowLimits limits = {});
+  Flow(Lexer& lexer, Parameters& parameters, FlowLimits limits = {},
+       FindSubprogram find_subprogram = {});
   Flow(const Flow&) = delete;
   Flow& operator=(const Flow&) = delete;
 
@@ -71,15 +85,17 @@ class Flow {
     FlowSubroutine* subroutine = nullptr;  // of a call
     Lexer::Bookmark back;                  // of a call: behind its line
     double left = 0;                       // turns of a repeat, runs of a program
-    std::size_t branch = 0;                // lines of elseif and else that have been reached
-    bool taken = false;                    // a branch of an if has been carried out
-    Lexer::Bookmark begin;                 // before its line
+    int loop = 0;                          // of macro B: DO's number; `back` is before its END
+    std::optional<Parameters::MacroArguments> arguments;  // of a call by G65
+    std::size_t branch = 0;  // lines of elseif and else that have been reached
+    bool taken = false;      // a branch of an if has been carried out
+    Lexer::Bookmark begin;   // before its line
     std::uint32_t column = 0;
   };
 
   void count(const Block& block);
   [[noreturn]] void fail_without_end(const std::string& amount) const;
-  void set(const std::vector<Setting>& settings);
+  void set(Block& block);
   void check_end() const;
   void carry_out(const Block& block);
   void push(const Block& block, std::uint32_t column, const Frame& frame);
@@ -124,7 +140,29 @@ class Flow {
   void return_from_program(const Block& block);
   void begin_program(const Block& block);
   double whole(const Block& block, const Word& word, double most) const;
+  Frame call_frame() const;
+  void take_call_words(const Block& block, const Word*& p, const Word*& l) const;
+  FlowSubroutine* find_program(const std::string& label);
+  FlowSubroutine& program_numbered(const Block& block, const Word& p, double number);
+  [[noreturn]] void fail_missing(const Block& block, const Word& p, const std::string& label);
 
+  // flow_macro.cpp
+  void carry_out_macro(const Block& block);
+  void jump(const Block& block, std::uint32_t column, int number, Lexer::Bookmark from);
+  const NumberedBlock& numbered_block(const Block& block, std::uint32_t column, int number,
+                                      Lexer::Bookmark from);
+  void begin_loop(const Block& block);
+  void end_loop(const Block& block);
+  void call_macro(const Block& block);
+  void call_local(const Block& block);
+  bool split_call(Block& block);
+  [[noreturn]] void fail_at(const Block& block, const Word& word, const std::string& wrong,
+                            const std::string& expected) const;
+
+  bool take(Block& block);
+  bool is_for_flow(const Block& block);
+  void name_main_line(Block& block) const;
+  void check_setting(const Block& block, const Setting& setting) const;
   [[noreturn]] void fail(const Block& block, const std::string& wrong,
                          const std::string& expected) const;
 
@@ -133,6 +171,11 @@ class Flow {
   FlowLimits limits_;
   FlowSpans spans_;
   FlowSubroutines subroutines_;
+  FlowMarks marks_;
+  FindSubprogram find_subprogram_;
+  std::map<std::uint32_t, FlowSubroutine> locals_;  // by line
+  std::optional<Block> pending_;  // a call that stands behind other words of its block
+  std::optional<Frame> jump_;     // where the first GOTO led
   std::vector<Frame> frames_;
   std::size_t calls_ = 0;
   std::size_t blocks_ = 0, bytes_ = 0, idle_blocks_ = 0;

@@ -75,7 +75,8 @@ void Flow::return_from_sub(const Block& block, FlowKeyword keyword) {
   if (call == nullptr) fail(block, text + " outside a subroutine", "a subroutine around it");
   const FlowSubroutine& sub = *call->subroutine;
   if (sub.is_program) fail(block, text + " in program O" + sub.label, "M99");
-  if (sub.label != block.o_word->label)
+  // LinuxCNC returns from the subroutine that runs, whatever the label; only its end must have one.
+  if (keyword == FlowKeyword::endsub && sub.label != block.o_word->label)
     fail(block, text + " in the subroutine of line " + std::to_string(sub.line),
          "'" + o_text(sub.span->o_word, keyword) + "'");
   lexer_.go_to(pop_call().back);

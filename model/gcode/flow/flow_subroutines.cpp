@@ -9,14 +9,30 @@ FlowSubroutine* FlowSubroutines::find(Labels& labels, const std::string& label) 
 }
 
 void FlowSubroutines::look_through() {
+  look_through_from(start_);
+  is_complete_ = true;
+}
+
+void FlowSubroutines::add_file(Lexer::Bookmark start, const std::string& label) {
+  const std::size_t before = programs_.size();
+  look_through_from(start);
+  if (programs_.size() != before) return;
+  FlowSubroutine& entry = programs_[label];
+  entry.label = label;
+  entry.is_program = true;
+  entry.line = start.line;
+  entry.column = 1;
+  entry.open = entry.body = start;
+}
+
+void FlowSubroutines::look_through_from(Lexer::Bookmark start) {
   const Lexer::Bookmark here = lexer_.bookmark();
-  lexer_.go_to(start_);
+  lexer_.go_to(start);
   for (Block block; lexer_.skip_to_o_word(block);) {
     const auto keyword = flow_keyword(block.o_word->keyword);
     if (keyword == FlowKeyword::sub) add(subs_, block, false);
     if (keyword == FlowKeyword::program) add(programs_, block, true);
   }
-  is_complete_ = true;
   lexer_.go_to(here);
 }
 

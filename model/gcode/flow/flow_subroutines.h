@@ -13,6 +13,7 @@ namespace limitgauge::model::gcode {
 struct FlowSubroutine {
   std::string label;
   bool is_program = false;
+  bool is_local = false;  ///< a numbered block that M97 calls
   std::uint32_t line = 0, column = 0;
   std::uint32_t second_line = 0;   ///< where another one has its label; or 0
   Lexer::Bookmark open, body;      ///< before and behind its first line
@@ -29,11 +30,15 @@ class FlowSubroutines {
   /// Null where there is none. The lexer stays where it is.
   FlowSubroutine* sub(const std::string& label) { return find(subs_, label); }
   FlowSubroutine* program(const std::string& label) { return find(programs_, label); }
+  /// Adds the programs of a file whose text begins at `start`; one that no O number begins is
+  /// `label`'s.
+  void add_file(Lexer::Bookmark start, const std::string& label);
 
  private:
   using Labels = std::unordered_map<std::string, FlowSubroutine>;
   FlowSubroutine* find(Labels& labels, const std::string& label);
   void look_through();
+  void look_through_from(Lexer::Bookmark start);
   void add(Labels& labels, const Block& block, bool is_program);
 
   Lexer& lexer_;

@@ -1,6 +1,7 @@
 #include "model/gcode/machine/coordinate_systems.h"
 
 #include "model/base/angle.h"
+#include "model/gcode/control/control_rules.h"
 
 namespace limitgauge::model::gcode {
 
@@ -16,14 +17,22 @@ namespace {
 
 constexpr std::array<bool, 3> kAll = {true, true, true};
 
+std::optional<WorkOffset> stated_offset(const MachineSetup& machine, std::size_t index) {
+  if (index < kWorkOffsets) return machine.work_offsets[index];
+  const auto found = machine.extended_offsets.find(static_cast<int>(index - kWorkOffsets) + 1);
+  return found == machine.extended_offsets.end() ? std::nullopt : std::optional(found->second);
+}
+
 }  // namespace
 
-CoordinateSystems::CoordinateSystems(const MachineSetup& machine) {
-  for (std::size_t i = 0; i < kWorkOffsets; ++i) {
-    const std::optional<WorkOffset>& stated = machine.work_offsets[i];
+CoordinateSystems::CoordinateSystems(const MachineSetup& machine)
+    : systems_(kWorkOffsets +
+               static_cast<std::size_t>(rules_of(machine.control).extended_systems)) {
+  for (std::size_t i = 0; i < systems_.size(); ++i) {
+    const std::optional<WorkOffset> stated = stated_offset(machine, i);
     if (!stated && !machine.assume_fresh_machine) continue;
     const WorkOffset offset = stated.value_or(WorkOffset{});
-    systems_[i] = {offset.origin_mm, offset.rotation_deg, kAll, kAll};
+    systems_[i] = {offset.origin_mm, offset.rotation_deg, kAll, kAll, {}};
     frame_is_taken_ = false;
   }
   if (frame_is_taken_) systems_[0].usable = kAll;
@@ -37,6 +46,7 @@ void CoordinateSystems::state(std::size_t index, int axis, double origin_mm) {
   CoordinateSystem& system = systems_[index];
   system.origin_mm[axis] = origin_mm;
   system.usable[axis] = system.stated[axis] = true;
+  system.set_by_program[static_cast<std::size_t>(axis)] = true;
 }
 
 void CoordinateSystems::touch(std::size_t index, const Vec3& machine_mm, const Vec3& work_mm,
@@ -49,6 +59,7 @@ void CoordinateSystems::touch(std::size_t index, const Vec3& machine_mm, const V
     const bool moves = set[axis] || (is_turned && axis < 2 && (set[0] || set[1]));
     if (moves) system.origin_mm[axis] = origin_mm[axis];
     if (set[axis]) system.usable[axis] = true;
+    if (set[axis]) system.set_by_program[static_cast<std::size_t>(axis)] = true;
   }
 }
 

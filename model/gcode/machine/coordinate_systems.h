@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "model/geometry/vec3.h"
 #include "model/part/machine_setup.h"
@@ -32,6 +33,12 @@ struct CoordinateSystem {
   /// Whether the origin is known in the machine's own coordinates, which G53, G28 and G30 use.
   std::array<bool, 3> stated{};
 
+  /// The program itself has said where it lies along an axis.
+  std::array<bool, 3> set_by_program{};
+
+  bool is_set_by_program() const {
+    return set_by_program[0] && set_by_program[1] && set_by_program[2];
+  }
   bool is_usable() const { return usable[0] && usable[1] && usable[2]; }
 };
 
@@ -43,6 +50,8 @@ class CoordinateSystems {
  public:
   explicit CoordinateSystems(const MachineSetup& machine);
 
+  /// G54 to G59.3, and those of G54.1 P behind them.
+  std::size_t count() const { return systems_.size(); }
   std::size_t active() const { return active_; }
   const CoordinateSystem& system(std::size_t index) const { return systems_[index]; }
   const CoordinateSystem& system() const { return systems_[active_]; }
@@ -70,7 +79,7 @@ class CoordinateSystems {
   void restore_g92();            ///< G92.3
 
  private:
-  std::array<CoordinateSystem, kWorkOffsets> systems_;
+  std::vector<CoordinateSystem> systems_;
   std::size_t active_ = 0;
   Vec3 g92_mm_, saved_g92_mm_;
   bool g92_applies_ = false, g92_was_set_ = false, frame_is_taken_ = true;

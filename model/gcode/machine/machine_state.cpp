@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/base/angle.h"
+#include "model/gcode/control/control_rules.h"
 #include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
@@ -21,6 +22,9 @@ MachineState::MachineState(const MachineSetup& machine)
       reference{stated_point(machine.home_mm, machine.assume_fresh_machine),
                 stated_point(machine.second_home_mm, machine.assume_fresh_machine)},
       fresh(machine.assume_fresh_machine) {
+  if (rules_of(machine.control).begins_in_g0) modal.motion = modal.beside_cycles = 0;
+  modal.motion_is_taken = modal.motion.has_value();
+  modal.return_to_r = !rules_of(machine.control).begins_in_g98;
   refresh();
   if (!machine.start_mm) return;
   has_start = true;

@@ -25,10 +25,15 @@ struct ModalState {
   ArcPlane plane = ArcPlane::xy;
   double unit_mm = 1;
   bool incremental = false, centre_absolute = false;
-  bool return_to_r = true;    ///< G99
-  int compensation = 400;     ///< G40, G41 or G42, in tenths
-  int length_offset = 490;    ///< G43, G43.1, G43.2 or G49, in tenths
-  std::optional<int> motion;  ///< G code in tenths
+  bool return_to_r = true;        ///< G99
+  bool return_is_stated = false;  ///< by G98 or G99
+  int compensation = 400;         ///< G40, G41 or G42, in tenths
+  int length_offset = 490;        ///< G43, G43.1, G43.2 or G49, in tenths
+  std::optional<int> motion;      ///< G code in tenths
+  /// G0 to G3, where canned cycles are a group beside them and come back to it.
+  std::optional<int> beside_cycles;
+  bool motion_is_taken = false;                       ///< G0 of a control that begins in it
+  std::optional<int> length_number, diameter_number;  ///< H and D, where they stay
   FeedMode feed_mode = FeedMode::per_minute;
   double feed_mm = 0;  ///< by minute or by revolution; 0: none
 };
@@ -36,8 +41,9 @@ struct ModalState {
 struct Spindle {
   std::optional<bool> on;  ///< empty: no word of it yet
   bool clockwise = true;
-  std::optional<double> rpm;      ///< the S word in force
-  bool constant_surface = false;  ///< G96
+  std::optional<double> rpm;       ///< the S word in force
+  bool constant_surface = false;   ///< G96
+  std::uint32_t changed_line = 0;  ///< of the M6 that stopped it; 0: none did
 };
 
 struct Coolant {

@@ -4,7 +4,7 @@ namespace limitgauge::model::gcode {
 
 ToolTable::ToolTable(const MachineSetup& machine) : loaded_(machine.loaded_tool) {
   for (const ToolEntry& entry : machine.tools)
-    tools_[entry.number] = {entry.length_mm, entry.diameter_mm, entry.length_mm};
+    tools_[entry.number] = {entry.length_mm, entry.diameter_mm, entry.length_mm, 0, 0};
   if (!loaded_ && machine.tools.size() == 1) loaded_ = machine.tools.front().number;
   if (machine.tools.empty() && machine.only_tool)
     only_diameter_mm_ = machine.only_tool->diameter_mm;
@@ -17,12 +17,13 @@ const ToolTable::Tool* ToolTable::find(int tool) const {
 
 std::optional<double> ToolTable::offset_of(int tool) const {
   const Tool* const entry = find(tool);
-  return entry ? entry->offset_mm : std::nullopt;
+  if (!entry || !entry->offset_mm) return std::nullopt;
+  return *entry->offset_mm + entry->length_wear_mm;
 }
 
 std::optional<double> ToolTable::diameter_of(int tool) const {
   const Tool* const entry = find(tool);
-  if (entry && entry->diameter_mm) return entry->diameter_mm;
+  if (entry && entry->diameter_mm) return *entry->diameter_mm + entry->diameter_wear_mm;
   return loaded_.value_or(tool) == tool ? only_diameter_mm_ : std::nullopt;
 }
 

@@ -24,6 +24,9 @@ class ToolTable {
   std::optional<double> true_length() const;  ///< of the tool in the spindle
   bool is_full() const { return tools_.size() >= kMostTools; }
   void set_offset(int tool, double length_mm) { tools_[tool].offset_mm = length_mm; }
+  /// Wear adds to a length and to a diameter.
+  void set_length_wear(int tool, double wear_mm) { tools_[tool].length_wear_mm = wear_mm; }
+  void set_diameter_wear(int tool, double wear_mm) { tools_[tool].diameter_wear_mm = wear_mm; }
   void set_diameter(int tool, double diameter_mm) { tools_[tool].diameter_mm = diameter_mm; }
 
   void clear_offset();  ///< G49
@@ -44,6 +47,7 @@ class ToolTable {
  private:
   struct Tool {
     std::optional<double> offset_mm, diameter_mm, true_length_mm;
+    double length_wear_mm = 0, diameter_wear_mm = 0;
   };
   struct InUse {
     bool has_unstated_length = false;  ///< of tool `owner`, beside `offset_mm`

@@ -3,6 +3,7 @@
 #include <initializer_list>
 
 #include "model/text/characters.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {
@@ -53,9 +54,9 @@ std::string_view inside(std::string_view comment) {
 void list_comments(const Block& block, Program& program, std::size_t motions) {
   const bool alone = block.words.empty() && block.settings.empty() && !block.o_word;
   for (const Comment& comment : block.comments) {
-    if (is_active(comment.text)) add_ignored(program, block.line, cut(comment.text));
+    if (is_active(comment.text)) add_ignored(program, block.main_line, cut(comment.text));
     if (alone && program.comments.size() < kMostEntries)
-      program.comments.push_back({block.line, motions, cut(inside(comment.text))});
+      program.comments.push_back({block.main_line, motions, cut(inside(comment.text))});
   }
 }
 
@@ -79,6 +80,7 @@ const char* companions(const Statement& statement, const Word& word) {
 }
 
 void list_word(const Statement& statement, const Word& word, Program& program) {
+  if (statement.is_set_aside(word)) return add_ignored(program, statement.line(), plain(word));
   const char* const letters = companions(statement, word);
   if (!letters) return;
   std::string text = plain(word);
@@ -92,10 +94,30 @@ void list_word(const Statement& statement, const Word& word, Program& program) {
 
 void list_auxiliaries(const Statement& statement, Program& program, std::size_t motions) {
   const Block& block = statement.block();
-  if (block.block_delete) add_ignored(program, block.line, "/");
+  if (block.block_delete) add_ignored(program, block.main_line, "/");
   if (!block.comments.empty()) list_comments(block, program, motions);
-  if ((statement.letters() & letter_bits("GMST")) == 0) return;
+  for (const std::string& text : block.set_aside) add_ignored(program, block.main_line, cut(text));
+  if ((statement.letters() & letter_bits("GMST")) == 0 && !statement.any_set_aside()) return;
   for (const Word& word : block.words) list_word(statement, word, program);
+}
+
+void list_idle_centre(const Statement& statement, ArcPlane plane, Program& program) {
+  const Word* const word = statement.word("IJK"[axes_of(plane)[2]]);
+  if (word && word->value == 0 && statement.rules().idle_centre_words)
+    add_ignored(program, statement.line(), plain(*word));
+}
+
+/// Grbl 1.1, "Commands": settings, states and modes; of these $H and $J move the machine.
+void list_dollar(const Statement& statement, Program& program, bool moved, Assumptions& assumed) {
+  const Block& block = statement.block();
+  const std::string text = cut(block.dollar);
+  const char command = text.size() > 1 ? upper(text[1]) : '\0';
+  if (command == 'J' || (command == 'H' && moved))
+    statement.fail_line(in_quotes(text) + " moves the machine by itself",
+                        "G0 and G1; homing before the first motion");
+  if (command == 'H')
+    assumed.add(statement.line(), "the machine is homed by $H before it comes to its start");
+  add_ignored(program, statement.line(), text);
 }
 
 void list_unused_feed(const Statement& statement, Program& program) {

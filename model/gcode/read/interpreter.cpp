@@ -4,12 +4,14 @@
 
 #include "model/gcode/machine/feed.h"
 #include "model/gcode/machine/machine_motion.h"
+#include "model/gcode/machine/macro_variables.h"
 #include "model/gcode/read/auxiliaries.h"
 #include "model/gcode/read/motion_codes.h"
 #include "model/gcode/read/offset_codes.h"
 #include "model/gcode/read/tool_codes.h"
 #include "model/gcode/text/system_parameters.h"
 #include "model/gcode/text/word_use.h"
+#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {
@@ -26,12 +28,17 @@ Interpreter::Interpreter(Program& program, const MachineSetup& machine, const Le
       compensation_([this](const Motion& motion) { put(motion); },
                     [&lexer](std::uint32_t line) { return lexer.place(line, 1); }),
       saved_(state_, compensation_, parameters),
-      most_motions_(most_motions) {
+      most_motions_(most_motions),
+      doubts_lengths_(lexer.rules().whole_lengths_doubtful) {
   if (const auto tool = state_.tools.loaded()) program_.tool_changes.push_back({0, 0, *tool});
-  set_system_parameters(parameters);
+  set_system_parameters(parameters, lexer.rules());
 }
 
-void Interpreter::set_system_parameters(Parameters& parameters) {
+void Interpreter::set_system_parameters(Parameters& parameters, const ControlRules& rules) {
+  if (rules.macro_b)
+    return parameters.set_system(
+        [this, &rules](int number) { return macro_variable(state_, rules.control, number); },
+        [](std::string_view) { return std::nullopt; });
   // Where a subroutine has just ended, what it saved is back before the next line is read.
   parameters.set_system(
       [this](int number) {
@@ -45,6 +52,7 @@ void Interpreter::set_system_parameters(Parameters& parameters) {
 }
 
 bool Interpreter::execute(const Statement& statement) {
+  if (!listen(statement)) return true;
   if (plain_ && is_plain(statement)) {
     move_plainly(statement);
     return true;
@@ -52,7 +60,8 @@ bool Interpreter::execute(const Statement& statement) {
   list_auxiliaries(statement, program_, motions_so_far());
   if (statement.block().words.empty()) return true;
   if (!saved_.leave_calls()) SavedStates::fail(statement, statement.block().words.front());
-  const std::optional<int> motion = motion_of(statement, state_.modal.motion);
+  const std::optional<int> motion =
+      motion_of(statement, state_.modal.motion, state_.modal.beside_cycles);
   check_word_use(statement, motion);
   set_spindle_mode(statement);
   set_feed(statement, state_);
@@ -66,10 +75,40 @@ bool Interpreter::execute(const Statement& statement) {
   return stop(statement);
 }
 
+/// What the reader has taken for granted in the block, and lines that are for the control itself.
+/// False where that is all.
+bool Interpreter::listen(const Statement& statement) {
+  const Block& block = statement.block();
+  for (const std::string& note : block.notes) assumed_.add(statement.line(), note);
+  if (doubts_lengths_) note_doubtful_lengths(statement);
+  if (block.dollar.empty()) return true;
+  list_dollar(statement, program_, motions_so_far() > 0, assumed_);
+  return false;
+}
+
+/// Fanuc's parameter 3401#0 (DPI) and Haas's setting 162 say what X10 is.
+void Interpreter::note_doubtful_lengths(const Statement& statement) {
+  for (const Word& word : statement.block().words) {
+    const bool is_length = (letter_bit(word.letter) & letter_bits("XYZIJKRQ")) != 0;
+    if (!is_length || word.value == 0 || statement.is_set_aside(word) ||
+        word.text.find_first_of(".#[") != std::string_view::npos)
+      continue;
+    doubts_lengths_ = false;
+    assumed_.add(
+        statement.line(),
+        in_quotes(word.text) +
+            " and other lengths without a decimal point are taken to be "
+            "millimetres or inches; a control that is set otherwise counts its increments, "
+            "thousandths or less");
+    return;
+  }
+}
+
 /// Most blocks of a long program are axis words alone.
 bool Interpreter::is_plain(const Statement& statement) const {
   return (statement.letters() & ~kAxisLetters) == 0 && statement.has_axes() &&
-         statement.block().comments.empty() && !statement.block().block_delete;
+         statement.block().comments.empty() && !statement.block().block_delete &&
+         !statement.any_set_aside() && statement.block().set_aside.empty();
 }
 
 bool Interpreter::may_be_plain() const {
@@ -98,17 +137,29 @@ void Interpreter::carry_out_m(const Statement& statement) {
 void Interpreter::carry_out_g(const Statement& statement, std::optional<int> motion) {
   set_plane(statement);
   set_units(statement);
+  take_offset_numbers(statement, state_);
   set_radius_offset(statement, state_, compensation_);
   set_length_offset(statement, state_, assumed_);
   if (statement.g_word(GGroup::coordinate_system)) select_system(statement, state_, assumed_);
   set_late_modes(statement);
   carry_out_non_modal(statement);
   if (statement.g_word(GGroup::axis_offset)) apply_axis_offsets(statement, state_);
-  if (statement.g(GGroup::motion) == 800) {
-    state_.modal.motion.reset();
+  if (statement.g(GGroup::motion)) cancel_cycle(statement);
+  if (motion) move(statement, *motion);
+}
+
+/// G80, and on controls that let G0 and G1 stand beside codes that take the axis words, these.
+void Interpreter::cancel_cycle(const Statement& statement) {
+  const int code = *statement.g(GGroup::motion);
+  const bool separate = statement.rules().separate_cycle_group;
+  if (code == 800) {
+    state_.modal.motion = separate ? state_.modal.beside_cycles : std::nullopt;
+    cycles_.forget();
+  } else if (axes_are_taken(statement) && statement.rules().motion_beside_reference) {
+    state_.modal.motion = code;
     cycles_.forget();
   }
-  if (motion) move(statement, *motion);
+  if (separate && code <= 30) state_.modal.beside_cycles = code;
 }
 
 bool Interpreter::stop(const Statement& statement) {
@@ -139,11 +190,15 @@ void Interpreter::set_speed(const Statement& statement) {
 /// M4 leaves the spindle to the operator; one that starts it somewhere had it at rest before.
 void Interpreter::turn_spindle(const Statement& statement) {
   Spindle& spindle = state_.spindle;
-  if (statement.m(MGroup::tool_change) == 6 && spindle.on) spindle.on = false;
+  if (statement.m(MGroup::tool_change) == 6 && spindle.on) {
+    if (*spindle.on) spindle.changed_line = statement.line();
+    spindle.on = false;
+  }
   const auto code = statement.m(MGroup::spindle);
   if (!code) return;
   if (!spindle.on) motions_before_spindle_ = motions_so_far();
   spindle.on = *code == 3 || *code == 4;
+  spindle.changed_line = 0;
   spindle.clockwise = *code == 3;
   if (!*spindle.on || program_.starts_spindle) return;
   program_.starts_spindle = true;
@@ -183,7 +238,10 @@ void Interpreter::set_late_modes(const Statement& statement) {
   ModalState& modal = state_.modal;
   if (const auto code = statement.g(GGroup::distance)) modal.incremental = *code == 910;
   if (const auto code = statement.g(GGroup::arc_distance)) modal.centre_absolute = *code == 901;
-  if (const auto code = statement.g(GGroup::return_level)) modal.return_to_r = *code == 990;
+  if (const auto code = statement.g(GGroup::return_level)) {
+    modal.return_to_r = *code == 990;
+    modal.return_is_stated = true;
+  }
 }
 
 void Interpreter::carry_out_non_modal(const Statement& statement) {
@@ -200,7 +258,7 @@ void Interpreter::carry_out_non_modal(const Statement& statement) {
     case 920:
       return set_axis_offsets(statement, state_, program_, assumed_);
     case 530:
-      if (!statement.has_axes() && !statement.g_word(GGroup::motion))
+      if (!statement.has_axes() && !statement.has_rotary() && !statement.g_word(GGroup::motion))
         statement.fail(*statement.g_word(GGroup::non_modal), "G53 without a motion",
                        "G0 or G1 and axis words");
       return;
@@ -213,6 +271,7 @@ void Interpreter::carry_out_non_modal(const Statement& statement) {
 void Interpreter::go_home(const Statement& statement) {
   forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state_);
   check_system(statement, state_);
+  if (statement.has_rotary() && !statement.has_axes()) return;  // only an axis that stays
   Motion motion;
   motion.plane = state_.modal.plane;
   motion.to = state_.position_mm = waypoint_of(statement, state_);
@@ -222,14 +281,21 @@ void Interpreter::go_home(const Statement& statement) {
 }
 
 void Interpreter::move(const Statement& statement, int code) {
+  const bool passes =
+      statement.g(GGroup::non_modal) == 530 && statement.rules().rapid_in_machine_frame;
   if (state_.modal.motion != code && !is_canned_cycle(code)) cycles_.forget();
-  state_.modal.motion = code;
+  if (!passes) state_.modal.motion = code;
+  if (state_.modal.motion_is_taken && !statement.g_word(GGroup::motion))
+    assumed_.add(statement.line(),
+                 "the control is taken to have begun in G0: nothing before this motion says which");
+  state_.modal.motion_is_taken = false;
   if (statement.g(GGroup::non_modal) == 530 && code != 0 && code != 10)
     statement.fail(*statement.g_word(GGroup::non_modal), "G53 beside a motion that is not straight",
                    "G0 or G1");
   if (code == 0 || code == 10)
     return emit(statement, straight_motion(statement, state_, code == 0, assumed_));
-  if (is_canned_cycle(code)) return cycle(statement, code);
+  if (is_canned_cycle(code)) return tap(statement, code);
+  list_idle_centre(statement, state_.modal.plane, program_);
   emit(statement, arc_motion(statement, state_, code == 30));
 }
 
@@ -238,6 +304,40 @@ SpindleState Interpreter::spindle_state() const {
   if (!spindle.on) return SpindleState::unknown;
   if (!*spindle.on) return SpindleState::stopped;
   return spindle.clockwise ? SpindleState::clockwise : SpindleState::counter_clockwise;
+}
+
+/// A cycle; a tap turns the spindle by itself where the control is Fanuc's or like it.
+void Interpreter::tap(const Statement& statement, int code) {
+  note_return_level(statement);
+  note_pecks(statement, code);
+  if (!statement.rules().tap_turns_spindle || (code != 740 && code != 840))
+    return cycle(statement, code);
+  const Spindle before = state_.spindle;
+  if (before.on) state_.spindle.on = true, state_.spindle.clockwise = code == 840;
+  cycle(statement, code);
+  state_.spindle = before;
+}
+
+/// How far a cycle withdraws between pecks is a parameter's to say too; Q0 leaves them out.
+void Interpreter::note_pecks(const Statement& statement, int code) {
+  if (statement.rules().control == Control::linuxcnc || (code != 730 && code != 830)) return;
+  const Word* const q = statement.word('Q');
+  if (q && q->value == 0) {
+    assumed_.add(statement.line(), "Q0 of a pecking cycle is taken to mean one peck to the bottom");
+  } else {
+    assumed_.add(statement.line(),
+                 "G73 and G83 are taken to withdraw by LinuxCNC's 0.254 mm "
+                 "between pecks, which a parameter of the control says");
+  }
+}
+
+/// Where the tool goes between holes is a parameter's to say until G98 or G99 does.
+void Interpreter::note_return_level(const Statement& statement) {
+  if (statement.rules().control == Control::linuxcnc || state_.modal.return_is_stated) return;
+  state_.modal.return_is_stated = true;
+  assumed_.add(statement.line(), std::string("the control is taken to have begun in ") +
+                                     (state_.modal.return_to_r ? "G99" : "G98") +
+                                     ": nothing before this canned cycle says which");
 }
 
 void Interpreter::cycle(const Statement& statement, int code) {
@@ -279,6 +379,9 @@ void Interpreter::emit(const Statement& statement, Motion motion) {
   motion.line = statement.line();
   const Spindle& spindle = state_.spindle;
   if (spindle.on && (!*spindle.on || spindle.rpm == 0)) motion.spindle_stopped = true;
+  if (motion.spindle_stopped && motion.kind != MotionKind::rapid && spindle.changed_line != 0)
+    assumed_.add(statement.line(), "feeds with the spindle at rest: the M6 of line " +
+                                       std::to_string(spindle.changed_line) + " has stopped it");
   motion.position_known = state_.known[0] && state_.known[1] && state_.known[2];
   motion.height_known = state_.known[2];
   state_.has_moved = true;

@@ -31,9 +31,14 @@ class Interpreter {
   void finish() { compensation_.flush(); }
 
  private:
-  void set_system_parameters(Parameters& parameters);
+  void set_system_parameters(Parameters& parameters, const ControlRules& rules);
   bool is_plain(const Statement& statement) const;
   bool may_be_plain() const;
+  bool listen(const Statement& statement);
+  void note_doubtful_lengths(const Statement& statement);
+  void cancel_cycle(const Statement& statement);
+  void note_return_level(const Statement& statement);
+  void note_pecks(const Statement& statement, int code);
   void move_plainly(const Statement& statement);
   void carry_out_m(const Statement& statement);
   void carry_out_g(const Statement& statement, std::optional<int> motion);
@@ -49,6 +54,7 @@ class Interpreter {
   void go_home(const Statement& statement);
   void move(const Statement& statement, int code);
   void cycle(const Statement& statement, int code);
+  void tap(const Statement& statement, int code);
   SpindleState spindle_state() const;
 
   void emit(const Statement& statement, Motion motion);
@@ -64,7 +70,8 @@ class Interpreter {
   CannedCycles cycles_;
   std::size_t most_motions_;
   std::size_t motions_before_spindle_ = 0;
-  bool plain_ = false;  ///< blocks of axis words alone may go by move_plainly
+  bool doubts_lengths_ = false;  ///< lengths without a point are still to be told of
+  bool plain_ = false;           ///< blocks of axis words alone may go by move_plainly
 };
 
 }  // namespace limitgauge::model::gcode

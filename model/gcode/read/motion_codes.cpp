@@ -41,9 +41,41 @@ double axis_end(const Statement& statement, const Word& word, MachineState& stat
   return end_mm;
 }
 
+/// X and Y from a distance to the origin of the work frame (@) and an angle about it (^); one that
+/// is left out stays. In G91 both are added. LinuxCNC, "Polar Coordinates".
+void take_polar(const Statement& statement, MachineState& state, Vec3& end_mm) {
+  const Word *const distance = statement.word('@'), *const angle = statement.word('^');
+  const bool incremental = state.modal.incremental;
+  const Word& word = distance ? *distance : *angle;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (state.adrift[axis] && (incremental || !distance || !angle))
+      fail_adrift(statement, word, axis);
+  }
+  const bool at_origin = end_mm.x == 0 && end_mm.y == 0;
+  if (at_origin && (incremental || !angle))
+    statement.fail(word, "a polar coordinate from the origin, where no angle is", "@ and ^ in G90");
+  double radius_mm = std::hypot(end_mm.x, end_mm.y);
+  if (distance) radius_mm = length_of(statement, *distance, state) + (incremental ? radius_mm : 0);
+  double x = end_mm.x, y = end_mm.y;
+  if (angle && !incremental) {
+    const double radians = angle->value * std::numbers::pi / 180;
+    x = radius_mm * std::cos(radians), y = radius_mm * std::sin(radians);
+  } else {
+    const double radians =
+        std::atan2(end_mm.y, end_mm.x) + (angle ? angle->value * std::numbers::pi / 180 : 0);
+    x = radius_mm * std::cos(radians), y = radius_mm * std::sin(radians);
+  }
+  if (!(std::abs(x) <= kLargestCoordinateMm && std::abs(y) <= kLargestCoordinateMm))
+    statement.fail(word, "a position beyond any machine", "at most 1e9 mm");
+  end_mm.x = x, end_mm.y = y;
+  if (!distance || !angle || incremental) return;
+  for (int axis = 0; axis < 2; ++axis) state.known[axis] = true, state.adrift[axis] = false;
+}
+
 Vec2 centre_words(const Statement& statement, const MachineState& state) {
   const auto [first, second, normal] = axes_of(state.modal.plane);
-  if (const Word* stray = statement.word(kCentres[normal]))
+  const Word* const stray = statement.word(kCentres[normal]);
+  if (stray && !(stray->value == 0 && statement.rules().idle_centre_words))
     statement.fail(*stray, in_quotes(stray->text) + " is no centre word of this plane",
                    std::string(1, kCentres[first]) + " and " + kCentres[second]);
   const bool absolute = state.modal.centre_absolute;
@@ -82,7 +114,8 @@ ArcCentre find_centre(const Statement& statement, const MachineState& state, Vec
   if (!radius && !centre)
     statement.fail(statement.blamed(), "an arc without centre or radius", "I J K or R");
   if (radius && centre) statement.fail(*radius, "R beside I, J or K", "one of the two forms");
-  if (radius && !statement.word(kAxes[first]) && !statement.word(kAxes[second]))
+  if (radius && !statement.word(kAxes[first]) && !statement.word(kAxes[second]) &&
+      !statement.is_polar())
     statement.fail(*radius, "an arc by radius without its end point in the plane",
                    std::string(1, kAxes[first]) + " or " + kAxes[second]);
   const double unit_mm = state.modal.unit_mm;
@@ -116,6 +149,7 @@ Vec3 end_of(const Statement& statement, MachineState& state) {
     if (const Word* const word = statement.word(kAxes[axis]))
       end_mm[axis] = axis_end(statement, *word, state, axis);
   }
+  if (statement.is_polar()) take_polar(statement, state, end_mm);
   return end_mm;
 }
 

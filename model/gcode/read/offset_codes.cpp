@@ -17,8 +17,21 @@ const Word& required(const Statement& statement, char letter, const std::string&
   return *word;
 }
 
+/// The system that P names beside G10 L2, as Fanuc counts: P0 would move all of them.
+std::size_t fanuc_system_of(const Statement& statement) {
+  const char* const expected = "P1 to P6 for G54 to G59, L20 P for G54.1 P";
+  const Word& p = required(statement, 'P', expected);
+  const auto number = whole(p.value, kWholeCount);
+  if (number == 0)
+    statement.fail(p, "the external offset of all work frames (P0) is not carried out", expected);
+  if (!number || *number < 1 || *number > 6)
+    statement.fail(p, in_quotes(p.text) + " names no coordinate system", expected);
+  return static_cast<std::size_t>(*number - 1);
+}
+
 /// The system that P names, as LinuxCNC counts: 0 is the active one.
 std::size_t system_of(const Statement& statement, const MachineState& state) {
+  if (statement.rules().fanuc_offsets) return fanuc_system_of(statement);
   const char* const expected = "P0 for the active system, P1 to P9 for G54 to G59.3";
   const Word& p = required(statement, 'P', expected);
   const auto number = whole(p.value, kWholeCount);
@@ -57,16 +70,29 @@ void check_turn(const Statement& statement, const Word& r, const MachineState& s
                  "G92.1 before it");
 }
 
-void set_origin(const Statement& statement, MachineState& state, Assumptions& assumed) {
+/// G91 adds to the origin on Fanuc, and means nothing to it on LinuxCNC.
+double origin_of(const Statement& statement, const Word& word, const MachineState& state,
+                 std::size_t index, int axis) {
+  const double value_mm = length_of(statement, word, state);
+  if (!statement.rules().fanuc_offsets || !state.modal.incremental) return value_mm;
+  if (!state.systems.system(index).stated[axis])
+    statement.fail(word, "G10 in G91 adds to " + work_offset_name(index) + ", which nothing states",
+                   std::string("G90, or ") + kOffsetRemedy);
+  return state.systems.system(index).origin_mm[axis] + value_mm;
+}
+
+void set_origin(const Statement& statement, MachineState& state, std::size_t index,
+                Assumptions& assumed) {
   refuse_words(statement, {'I', 'J', 'Q'}, "G10 L2");
-  const std::size_t index = system_of(statement, state);
+  if (const Word* r = statement.word('R'); r && statement.rules().fanuc_offsets)
+    statement.fail(*r, "a turn of the work frame by G10 is LinuxCNC's", "X, Y and Z");
   if (index == state.systems.active())
     forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state);
   const bool taken = state.systems.frame_is_taken();
   state.keeping_tip([&] {
     for (int axis = 0; axis < 3; ++axis) {
       if (const Word* word = statement.word(kAxes[axis]))
-        state.systems.state(index, axis, length_of(statement, *word, state));
+        state.systems.state(index, axis, origin_of(statement, *word, state, index, axis));
     }
     if (const Word* r = statement.word('R')) {
       if (!(std::abs(r->value) <= kLargestCoordinateMm))
@@ -164,13 +190,66 @@ void set_tool_data(const Statement& statement, MachineState& state) {
   if (r) state.tools.set_diameter(*tool, 2 * length_of(statement, *r, state));
 }
 
+/// P of G54.1 and of G10 L20 on Fanuc: 1 on.
+std::size_t extended_system_of(const Statement& statement, const Word& code) {
+  const int most = statement.rules().extended_systems;
+  const std::string expected = "P1 to P" + std::to_string(most);
+  const Word* const p = statement.word('P');
+  if (!p) statement.fail(code, in_quotes(code.text) + " without its P", expected);
+  const auto number = whole(p->value, kWholeCount);
+  if (!number || *number < 1 || *number > most)
+    statement.fail(*p, in_quotes(p->text) + " names no coordinate system", expected);
+  return kWorkOffsets + static_cast<std::size_t>(*number - 1);
+}
+
+/// G10 L10 to L13 of Fanuc and Haas: length and its wear by H's number, radius or diameter and its
+/// wear by D's (B-63684EN, 14.1.7; Haas, "G10 Set Offsets").
+void set_fanuc_tool_data(const Statement& statement, MachineState& state, int kind,
+                         Assumptions& assumed) {
+  const char* const expected = "P with the offset's number, and R";
+  const Word &p = required(statement, 'P', expected), &r = required(statement, 'R', expected);
+  refuse_words(statement, {'I', 'J', 'Q', 'X', 'Y', 'Z'}, "G10 L10 to L13");
+  const auto number = whole(p.value, kWholeCount);
+  if (!number || *number < 1) statement.fail(p, in_quotes(p.text) + " names no offset", expected);
+  ToolTable& tools = state.tools;
+  if (state.modal.incremental)
+    statement.fail(r, "G10 in G91 adds to an offset of the control's memory", "G90");
+  if (tools.is_full() && !tools.offset_of(*number) && !tools.diameter_of(*number))
+    statement.fail(p, "more than 1000 tools", "fewer");
+  const double value_mm = length_of(statement, r, state);
+  if (kind == 10) return tools.set_offset(*number, value_mm);
+  if (kind == 11) return tools.set_length_wear(*number, value_mm);
+  const bool by_diameter = statement.rules().control == Control::haas;
+  assumed.add(statement.line(), by_diameter
+                                    ? "G10 L12 and L13 state diameters (Haas's setting 40)"
+                                    : "G10 L12 and L13 state radii (Fanuc's parameter 5004#2)");
+  const double diameter_mm = by_diameter ? value_mm : 2 * value_mm;
+  if (kind == 12) return tools.set_diameter(*number, diameter_mm);
+  tools.set_diameter_wear(*number, diameter_mm);
+}
+
+void set_fanuc_data(const Statement& statement, MachineState& state, const Word& l,
+                    Assumptions& assumed) {
+  const int kind = whole(l.value).value_or(-1);
+  if (kind == 2) return set_origin(statement, state, system_of(statement, state), assumed);
+  if (kind == 20)
+    return set_origin(statement, state,
+                      extended_system_of(statement, *statement.g_word(GGroup::non_modal)), assumed);
+  if (kind >= 10 && kind <= 13) return set_fanuc_tool_data(statement, state, kind, assumed);
+  statement.fail(l, in_quotes(l.text) + " beside G10 is not carried out",
+                 "L2 or L20 for a coordinate system, L10 to L13 for a tool offset");
+}
+
 }  // namespace
 
 void select_system(const Statement& statement, MachineState& state, Assumptions& assumed) {
   forbid_compensation(statement, *statement.g_word(GGroup::coordinate_system), state);
+  const Word& word = *statement.g_word(GGroup::coordinate_system);
   const int code = *statement.g(GGroup::coordinate_system);
-  const auto index = static_cast<std::size_t>(code <= 590 ? (code - 540) / 10 : code - 585);
-  if (state.fresh && index != 0)
+  const auto index = code == 541
+                         ? extended_system_of(statement, word)
+                         : static_cast<std::size_t>(code <= 590 ? (code - 540) / 10 : code - 585);
+  if (state.fresh && index != 0 && !state.systems.system(index).is_set_by_program())
     assumed.add(statement.line(), work_offset_name(index) + " lies at the machine's zero");
   state.keeping_tip([&] { state.systems.select(index); });
 }
@@ -179,8 +258,9 @@ void set_data(const Statement& statement, MachineState& state, Program& program,
               Assumptions& assumed) {
   const char* const expected = "L2 or L20 for a coordinate system, L1 for a tool";
   const Word& l = required(statement, 'L', expected);
+  if (statement.rules().fanuc_offsets) return set_fanuc_data(statement, state, l, assumed);
   const int kind = whole(l.value).value_or(-1);
-  if (kind == 2) return set_origin(statement, state, assumed);
+  if (kind == 2) return set_origin(statement, state, system_of(statement, state), assumed);
   if (kind == 20) return touch_system(statement, state, program, assumed);
   if (kind == 1) return set_tool_data(statement, state);
   if (kind == 10 || kind == 11)
@@ -198,6 +278,7 @@ void set_axis_offsets(const Statement& statement, MachineState& state, Program& 
                       Assumptions& assumed) {
   forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state);
   const bool shifts = statement.g(GGroup::non_modal) == 520;
+  if (!statement.has_axes() && statement.has_rotary()) return;
   if (!statement.has_axes())
     statement.fail(*statement.g_word(GGroup::non_modal),
                    in_quotes(statement.g_word(GGroup::non_modal)->text) + " without an axis word",

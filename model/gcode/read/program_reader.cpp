@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "model/base/text_file.h"
@@ -6,7 +7,9 @@
 #include "model/gcode/flow/flow.h"
 #include "model/gcode/program.h"
 #include "model/gcode/read/interpreter.h"
+#include "model/gcode/read/subprogram_files.h"
 #include "model/gcode/text/lexer.h"
+#include "model/gcode/text/program_text.h"
 #include "model/gcode/text/statement.h"
 
 namespace limitgauge::model {
@@ -18,28 +21,44 @@ constexpr std::size_t kShortestMoveBytes = 8;
 /// Motions beyond one a line, for loops and cycles; more would be a program that does not end.
 constexpr std::size_t kExpandedMotions = 5'000'000 / gcode::kFlowShare;
 
-}  // namespace
-
-Program read_program(std::string_view text, const std::string& name, const MachineSetup& machine) {
-  if (is_cl_data(text, name)) {
-    std::istringstream in{std::string(text)};
-    return to_program(read_cl_data(in, name), name, machine);
-  }
+/// The program of a text in plain characters.
+Program read_plain(std::string_view text, const std::string& name, const MachineSetup& machine) {
   Program program;
   program.name = std::filesystem::path(name).stem().string();
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   program.motions.reserve(std::min(lines, text.size() / kShortestMoveBytes) + 1);
   gcode::Parameters parameters;
-  gcode::Lexer lexer(text, name, parameters);
-  gcode::Flow flow(lexer, parameters);
+  gcode::Lexer lexer(text, name, parameters, gcode::rules_of(machine.control));
+  gcode::Flow flow(lexer, parameters, {}, gcode::subprograms_in(machine.subprograms));
   gcode::Interpreter interpreter(program, machine, lexer, parameters, lines + kExpandedMotions);
   gcode::Block block;
   bool goes_on = true;
   while (goes_on && flow.next(block)) goes_on = interpreter.execute(gcode::Statement(block, lexer));
   // What begins with '%' ends with it: the lexer has seen to that.
-  program.has_end = !goes_on || lexer.begins_with_percent();
+  program.has_end = !goes_on || lexer.begins_with_percent() || lexer.ended_by_percent();
   program.ends_in_line = text.ends_with('\n');
   interpreter.finish();
+  return program;
+}
+
+}  // namespace
+
+Program read_program(std::string_view text, const std::string& name, const MachineSetup& machine) {
+  const std::string decoded = as_program_text(text, name);
+  if (!decoded.empty()) text = decoded;
+  if (is_cl_data(text, name)) {
+    std::istringstream in{std::string(text)};
+    return to_program(read_cl_data(in, name), name, machine);
+  }
+  gcode::check_language(text, name);
+  std::vector<gcode::MendedCharacter> characters;
+  const std::string mended = gcode::mended(text, characters);
+  Program program = read_plain(mended.empty() ? text : mended, name, machine);
+  std::set<std::string> told;
+  for (const gcode::MendedCharacter& character : characters) {
+    if (told.insert(character.what).second)
+      program.assumed.push_back("line " + std::to_string(character.line) + ": " + character.what);
+  }
   return program;
 }
 
@@ -50,7 +69,7 @@ std::string missing_end_words(const Program& program) {
 }
 
 Program read_program(const std::filesystem::path& path, const MachineSetup& machine) {
-  return read_program(std::string_view(read_text_file(path)), path.string(), machine);
+  return read_program(std::string_view(read_program_text(path)), path.string(), machine);
 }
 
 Program read_program(std::istream& in, const std::string& name_in_errors,

@@ -62,7 +62,37 @@ void use_entry(const Statement& statement, const Word& blamed, int number, Machi
   use_own(statement, state, assumed);
 }
 
+/// Fanuc's and Haas's H stays until the next; H0 is no offset.
+void use_modal_offset(const Statement& statement, MachineState& state, Assumptions& assumed) {
+  const Word* const h = statement.word('H');
+  const Word* const code = statement.g_word(GGroup::length_offset);
+  const auto number = state.modal.length_number;
+  if (!number) statement.fail(*code, "G43 without the number of its offset", "H");
+  if (*number == 0) return state.keeping_tip([&] { state.tools.clear_offset(); });
+  if (!state.tools.loaded()) {
+    assumed.add(statement.line(),
+                "the tool in the spindle is taken to be tool " + std::to_string(*number));
+    state.keeping_tip([&] { state.tools.load(*number); });
+  }
+  use_entry(statement, h ? *h : *code, *number, state, assumed);
+}
+
+/// Siemens's D: the length of the tool in the spindle, of one cutting edge; D0 is none.
+void use_edge(const Statement& statement, const Word& d, MachineState& state,
+              Assumptions& assumed) {
+  const int edge = tool_number(statement, d, "cutting edge");
+  if (edge == 0) return state.keeping_tip([&] { state.tools.clear_offset(); });
+  const auto loaded = state.tools.loaded();
+  const auto entry_mm = loaded ? state.tools.offset_of(*loaded) : std::nullopt;
+  if (edge != 1)
+    statement.fail(d, in_quotes(d.text) + " is another edge of the tool, which nothing states",
+                   "D1, or D0");
+  if (entry_mm) return use_stated(statement, state, *entry_mm, assumed);
+  use_own(statement, state, assumed);
+}
+
 void use_offset(const Statement& statement, MachineState& state, Assumptions& assumed) {
+  if (statement.rules().modal_offset_words) return use_modal_offset(statement, state, assumed);
   const Word* const h = statement.word('H');
   const int number = h ? tool_number(statement, *h, "length offset") : 0;
   // LinuxCNC's H0 is the tool in the spindle.
@@ -134,8 +164,21 @@ void change_tool(const Statement& statement, MachineState& state, Program& progr
   state.refresh();
 }
 
+void take_offset_numbers(const Statement& statement, MachineState& state) {
+  if (!statement.rules().modal_offset_words) return;
+  if (const Word* h = statement.word('H'))
+    state.modal.length_number = tool_number(statement, *h, "length offset");
+  if (const Word* d = statement.word('D'))
+    state.modal.diameter_number = tool_number(statement, *d, "cutter offset");
+}
+
 void set_length_offset(const Statement& statement, MachineState& state, Assumptions& assumed) {
   const auto code = statement.g(GGroup::length_offset);
+  const Word *const h = statement.word('H'), *const d = statement.word('D');
+  const ControlRules& rules = statement.rules();
+  if (d && rules.length_by_d) use_edge(statement, *d, state, assumed);
+  if (!code && h && rules.modal_offset_words && state.modal.length_offset == 430)
+    return use_modal_offset(statement, state, assumed);
   if (!code) return;
   forbid_compensation(statement, *statement.g_word(GGroup::length_offset), state);
   state.modal.length_offset = *code;
@@ -174,9 +217,25 @@ void check_tip(const Statement& statement, const MachineState& state) {
 
 namespace {
 
+/// Fanuc's and Haas's D stays until the next; D0 is no offset.
+double modal_diameter(const Statement& statement, const Word& code, const MachineState& state) {
+  const auto number = state.modal.diameter_number;
+  const Word* const d = statement.word('D');
+  if (!number)
+    statement.fail(code, in_quotes(code.text) + " without the number of its offset", "D");
+  const auto diameter_mm = *number == 0 ? 0.0 : state.tools.diameter_of(*number);
+  if (!diameter_mm)
+    statement.fail(
+        d ? *d : code,
+        "cutter compensation by offset D" + std::to_string(*number) + ", which nothing states",
+        "G10 L12, or the tool table ([machine] tools in the job, or --tool-table)");
+  return *diameter_mm;
+}
+
 double diameter_of(const Statement& statement, const Word& code, const MachineState& state,
                    bool dynamic) {
   const Word* const d = statement.word('D');
+  if (statement.rules().modal_offset_words) return modal_diameter(statement, code, state);
   if (dynamic && !d) statement.fail(code, in_quotes(code.text) + " without its diameter", "D");
   if (dynamic) return length_of(statement, *d, state);
   const auto number = d ? whole(d->value, kWholeCount) : 0;

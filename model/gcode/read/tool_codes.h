@@ -13,6 +13,8 @@ void select_tool(const Statement& statement, MachineState& state);
 /// M6 and M61: the tool's tip comes where the spindle is.
 void change_tool(const Statement& statement, MachineState& state, Program& program);
 /// G43, G43.1, G43.2, G49. H0 means the tool in the spindle, as in LinuxCNC.
+/// H and D where they stay until the next.
+void take_offset_numbers(const Statement& statement, MachineState& state);
 void set_length_offset(const Statement& statement, MachineState& state, Assumptions& assumed);
 /// Takes up a length offset that was saved, as LinuxCNC does: by G49, or by G43 for the tool that
 /// is in the spindle now. False where it was one of G43.1 or G43.2, whose value is not saved.

@@ -19,7 +19,7 @@ enum class GGroup : std::uint8_t {
   radius_offset,      ///< G40 G41 G42 G41.1 G42.1
   length_offset,      ///< G43 G43.1 G43.2 G49
   return_level,       ///< G98 G99
-  coordinate_system,  ///< G54 to G59, G59.1 to G59.3
+  coordinate_system,  ///< G54 to G59, G59.1 to G59.3; of Fanuc and Haas G54.1
   path_control,       ///< G61 G61.1 G64
   spindle_mode,       ///< G96 G97
   count

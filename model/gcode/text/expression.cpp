@@ -24,10 +24,15 @@ constexpr int kLoosest = 1;
 /// Reads values by recursive descent, at most 100 within each other.
 class ValueReader {
  public:
-  ValueReader(Cursor& cursor, const Parameters& parameters, const Fail& fail)
-      : cursor_(cursor), parameters_(parameters), fail_(fail) {}
+  ValueReader(Cursor& cursor, const Parameters& parameters, const Fail& fail,
+              const ControlRules& rules)
+      : cursor_(cursor), parameters_(parameters), fail_(fail), rules_(rules) {}
 
   double value();
+  /// Values joined by operators, without brackets around them.
+  double calculation() { return chain(kLoosest); }
+  /// Whether the value read last is a vacant variable and nothing else.
+  bool vacant() const { return vacant_; }
   int whole_value();
   ParameterName parameter_name();
 
@@ -42,6 +47,9 @@ class ValueReader {
   double function();
   double arc_tangent(double y);
   double exists();
+  double joined(const OperatorText& found, double left, std::size_t at);
+  void check_order(const OperatorText& found, const OperatorText* other, std::size_t at) const;
+  double macro_joined(const OperatorText& found, double left, double right, std::size_t at);
   void take(char c);
   char peek();
   std::string word_ahead() const;
@@ -53,7 +61,9 @@ class ValueReader {
   Cursor& cursor_;
   const Parameters& parameters_;
   const Fail& fail_;
+  const ControlRules& rules_;
   int depth_ = 0;
+  bool vacant_ = false;
 };
 
 }  // namespace
@@ -104,6 +114,9 @@ void ValueReader::skip_word(std::size_t letters) {
 
 double ValueReader::value() {
   const char c = peek();
+  vacant_ = false;
+  if (!rules_.expressions && (c == '[' || c == '#' || is_letter(c)))
+    fail(cursor_.at, std::string(rules_.title) + " has no parameters and expressions", "a number");
   if (++depth_ > kMostDepth)
     fail(cursor_.at, "more than 100 values within each other", "a simpler expression");
   const double result = c == '+' || c == '-'      ? signed_value()
@@ -143,15 +156,60 @@ double ValueReader::bracketed() {
 /// Values joined by operators that bind as closely as `loosest` or closer.
 double ValueReader::chain(int loosest) {
   double left = value();
+  const OperatorText* before = nullptr;
   while (true) {
     if (peek() == ']') return left;
     const std::size_t at = cursor_.at;
     const OperatorText* const found = operator_at(word_ahead());
     if (found == nullptr || found->precedence < loosest) return left;
     skip_word(found->text.size());
-    const double right = chain(found->precedence + 1);
-    left = checked(apply(found->operation, left, right), at);
+    if (before != nullptr) check_order(*found, before, at);
+    left = joined(*found, left, at);
+    before = found;
   }
+}
+
+double ValueReader::joined(const OperatorText& found, double left, std::size_t at) {
+  const bool left_is_vacant = vacant_;
+  const bool logical = rules_.macro_b && found.precedence == 1;
+  const double right = logical ? value() : chain(found.precedence + 1);
+  const bool any_vacant = left_is_vacant || vacant_, both_vacant = left_is_vacant && vacant_;
+  vacant_ = false;
+  if (any_vacant && found.operation == Operator::equal) return both_vacant ? 1 : 0;
+  if (any_vacant && found.operation == Operator::not_equal) return both_vacant ? 0 : 1;
+  if (rules_.macro_b) return macro_joined(found, left, right, at);
+  return checked(apply(found.operation, left, right), at);
+}
+
+/// LinuxCNC's logical operators bind otherwise than Fanuc's: what would come out differently needs
+/// brackets.
+void ValueReader::check_order(const OperatorText& found, const OperatorText* other,
+                              std::size_t at) const {
+  if (!rules_.macro_b || other == nullptr || other->operation == found.operation) return;
+  const bool mixed = found.precedence == 1 || other->precedence == 1;
+  if (mixed || (found.precedence == 2 && other->precedence == 2))
+    fail(at, in_quotes(found.text) + " beside " + in_quotes(other->text) + " in one bracket",
+         "brackets around each of them");
+}
+
+double ValueReader::macro_joined(const OperatorText& found, double left, double right,
+                                 std::size_t at) {
+  const auto whole_bits = [&](double operand) {
+    if (std::abs(operand - std::round(operand)) > kWholeCount || std::abs(operand) > 1e9)
+      fail(at, in_quotes(found.text) + " of " + shortest(operand), "whole numbers");
+    return static_cast<long long>(std::llround(operand));
+  };
+  const OperatorText* const next = peek() == ']' ? nullptr : operator_at(word_ahead());
+  const bool logical = found.precedence == 1;
+  if (logical) check_order(found, next, at);
+  if (found.operation == Operator::modulo && right != 0) return std::fmod(left, right);
+  if (found.operation == Operator::power) fail(at, "'**' is no operator of macro B", "brackets");
+  if (!logical) return checked(apply(found.operation, left, right), at);
+  const long long a = whole_bits(left), b = whole_bits(right);
+  const long long bits = found.operation == Operator::logical_and  ? a & b
+                         : found.operation == Operator::logical_or ? a | b
+                                                                   : a ^ b;
+  return static_cast<double>(bits);
 }
 
 double ValueReader::number() {
@@ -204,6 +262,7 @@ ParameterName ValueReader::parameter_name() {
   if (peek() == '<') return {0, read_name(cursor_, fail_)};
   const std::size_t begin = cursor_.at;
   const int number = whole_value();
+  if (number == 0 && rules_.macro_b) return {};
   if (number < 1 || number > Parameters::kLargest)
     fail(begin, "parameter number " + std::to_string(number), "1 to 5999");
   return {number, {}};
@@ -215,6 +274,11 @@ double ValueReader::parameter() {
   const ParameterName name = parameter_name();
   const std::optional<double> found =
       name.name.empty() ? parameters_.numbered(name.number) : parameters_.named(name.name);
+  if (!found && rules_.macro_b && name.name.empty() &&
+      name.number <= Parameters::kLargestMacroLocal) {
+    vacant_ = true;
+    return 0;
+  }
   if (!found)
     fail(begin,
          "parameter " +
@@ -239,7 +303,11 @@ double ValueReader::function() {
   if (peek() != '[') fail(cursor_.at, "a function without its argument", "'['");
   if (*found == Function::exists) return exists();
   const double argument = bracketed();
+  vacant_ = false;
   if (*found == Function::atan) return arc_tangent(argument);
+  if (rules_.macro_b && *found == Function::fix) return std::trunc(argument);
+  if (rules_.macro_b && *found == Function::fup)
+    return argument < 0 ? std::floor(argument) : std::ceil(argument);
   return checked(apply(*found, argument), begin);
 }
 
@@ -247,6 +315,12 @@ double ValueReader::arc_tangent(double y) {
   if (peek() != '/') fail(cursor_.at, "ATAN with one argument", "ATAN[y]/[x]");
   ++cursor_.at;
   if (peek() != '[') fail(cursor_.at, "ATAN without its second argument", "ATAN[y]/[x]");
+  // Parameter 6004#0 chooses between -180 to 180 degrees and 0 to 360.
+  if (rules_.macro_b && y < 0)
+    fail(cursor_.at,
+         "ATAN of a negative value is an angle above 180 degrees or below 0, as the "
+         "control is set",
+         "ATAN of 0 or more, its sign turned afterwards");
   return arc_tangent_deg(y, bracketed());
 }
 
@@ -269,16 +343,33 @@ bool value_begins(Cursor cursor) {
   return is_digit(c) || c == '.' || c == '+' || c == '-' || c == '#' || c == '[';
 }
 
-double read_value(Cursor& cursor, const Parameters& parameters, const Fail& fail) {
-  return ValueReader(cursor, parameters, fail).value();
+double read_value(Cursor& cursor, const Parameters& parameters, const Fail& fail,
+                  const ControlRules& rules) {
+  return ValueReader(cursor, parameters, fail, rules).value();
 }
 
-int read_whole_value(Cursor& cursor, const Parameters& parameters, const Fail& fail) {
-  return ValueReader(cursor, parameters, fail).whole_value();
+std::optional<double> read_value_or_vacant(Cursor& cursor, const Parameters& parameters,
+                                           const Fail& fail, const ControlRules& rules) {
+  ValueReader reader(cursor, parameters, fail, rules);
+  const double value = reader.value();
+  return reader.vacant() ? std::nullopt : std::optional(value);
 }
 
-ParameterName read_parameter_name(Cursor& cursor, const Parameters& parameters, const Fail& fail) {
-  return ValueReader(cursor, parameters, fail).parameter_name();
+std::optional<double> read_setting_value(Cursor& cursor, const Parameters& parameters,
+                                         const Fail& fail, const ControlRules& rules) {
+  ValueReader reader(cursor, parameters, fail, rules);
+  const double value = rules.macro_b ? reader.calculation() : reader.value();
+  return reader.vacant() ? std::nullopt : std::optional(value);
+}
+
+int read_whole_value(Cursor& cursor, const Parameters& parameters, const Fail& fail,
+                     const ControlRules& rules) {
+  return ValueReader(cursor, parameters, fail, rules).whole_value();
+}
+
+ParameterName read_parameter_name(Cursor& cursor, const Parameters& parameters, const Fail& fail,
+                                  const ControlRules& rules) {
+  return ValueReader(cursor, parameters, fail, rules).parameter_name();
 }
 
 std::string read_name(Cursor& cursor, const Fail& fail) {

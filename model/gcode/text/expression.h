@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "model/gcode/control/control_rules.h"
 #include "model/gcode/text/parameters.h"
 
 namespace limitgauge::model::gcode {
@@ -30,10 +32,24 @@ bool value_begins(Cursor cursor);
 /// OR XOR. A sign belongs to its value: `[-2 ** 2]` is 4. What has no finite value (a division by
 /// 0, a root of a negative number, an unset parameter) and more than 100 values within each other
 /// go to `fail`, which must throw.
-double read_value(Cursor& cursor, const Parameters& parameters, const Fail& fail);
+///
+/// Under macro B (B-63684EN, 16.1 to 16.3) FIX and FUP go towards and away from zero, MOD keeps the
+/// sign of what is divided, AND, OR and XOR work on the bits of whole numbers, and what only
+/// brackets make clear is refused. A local variable that nothing has set is vacant: 0 in
+/// calculations, equal to nothing but #0 and other vacant ones.
+double read_value(Cursor& cursor, const Parameters& parameters, const Fail& fail,
+                  const ControlRules& rules = rules_of(Control::linuxcnc));
+/// The same; nothing for a vacant variable alone.
+std::optional<double> read_value_or_vacant(Cursor& cursor, const Parameters& parameters,
+                                           const Fail& fail, const ControlRules& rules);
+
+/// What stands behind `=`: under macro B a calculation without brackets around it.
+std::optional<double> read_setting_value(Cursor& cursor, const Parameters& parameters,
+                                         const Fail& fail, const ControlRules& rules);
 
 /// The same, but a whole number, within RS274/NGC's 0.0001.
-int read_whole_value(Cursor& cursor, const Parameters& parameters, const Fail& fail);
+int read_whole_value(Cursor& cursor, const Parameters& parameters, const Fail& fail,
+                     const ControlRules& rules = rules_of(Control::linuxcnc));
 
 /// A parameter's number, or its name in lower case and without blanks.
 struct ParameterName {
@@ -42,7 +58,8 @@ struct ParameterName {
 };
 
 /// Reads what follows `#`: a whole value from 1 to Parameters::kLargest, or `<name>`.
-ParameterName read_parameter_name(Cursor& cursor, const Parameters& parameters, const Fail& fail);
+ParameterName read_parameter_name(Cursor& cursor, const Parameters& parameters, const Fail& fail,
+                                  const ControlRules& rules = rules_of(Control::linuxcnc));
 
 /// Reads `<name>`: lower case and without blanks.
 std::string read_name(Cursor& cursor, const Fail& fail);

@@ -15,24 +15,58 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// RS274/NGC has no use for more; a file that is one long line must not fill the memory.
 constexpr std::size_t kMostItems = 100;
 
+/// Where the line of a `%` begins that stands before all else.
+std::optional<std::size_t> opening_percent(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || text[first] != '%') return std::nullopt;
+  const std::size_t line_end = text.rfind('\n', first);
+  return line_end == std::string_view::npos ? 0 : line_end + 1;
+}
+
 }  // namespace
 
-Lexer::Lexer(std::string_view text, std::string name, const Parameters& parameters)
-    : text_(text),
-      name_(std::move(name)),
+Lexer::Lexer(std::string_view text, std::string name, const Parameters& parameters,
+             const ControlRules& rules)
+    : rules_(rules),
       parameters_(parameters),
       fail_([this](std::size_t at, const std::string& wrong, const std::string& expected) {
         fail(at, wrong, expected);
       }) {
-  if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
-  const std::size_t first = text_.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos || text_[first] != '%') return;
-  const std::size_t line_end = text_.rfind('\n', first);
-  opening_percent_ = line_end == std::string_view::npos ? 0 : line_end + 1;
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  texts_.push_back({std::move(name), text, nullptr, 0, 1,
+                    rules.idle_percent ? std::nullopt : opening_percent(text)});
+}
+
+Lexer::Bookmark Lexer::add(std::string name, std::string text) {
+  const Text& last = texts_.back();
+  const auto lines =
+      static_cast<std::uint32_t>(std::count(last.text.begin(), last.text.end(), '\n') + 2);
+  auto own = std::make_unique<const std::string>(std::move(text));
+  std::string_view view = *own;
+  if (view.starts_with(kByteOrderMark)) view.remove_prefix(kByteOrderMark.size());
+  texts_.push_back({std::move(name), view, std::move(own), last.begin + last.text.size() + 2,
+                    last.first_line + lines, opening_percent(view)});
+  return {texts_.back().begin, texts_.back().first_line};
+}
+
+const Lexer::Text& Lexer::text_at(std::size_t at) const {
+  if (texts_.size() == 1) return texts_.front();
+  const auto behind =
+      std::upper_bound(texts_.begin(), texts_.end(), at,
+                       [](std::size_t place, const Text& text) { return place < text.begin; });
+  return *(behind - 1);
+}
+
+std::size_t Lexer::text_index(Bookmark bookmark) const {
+  return static_cast<std::size_t>(&text_at(bookmark.at) - texts_.data());
 }
 
 SourcePlace Lexer::place(std::uint32_t line, std::uint32_t column) const {
-  return {name_, static_cast<int>(line), static_cast<int>(column)};
+  const auto behind = std::upper_bound(
+      texts_.begin(), texts_.end(), line,
+      [](std::uint32_t place, const Text& text) { return place < text.first_line; });
+  const Text& text = behind == texts_.begin() ? texts_.front() : *(behind - 1);
+  return {text.name, static_cast<int>(line - text.first_line + 1), static_cast<int>(column)};
 }
 
 void Lexer::fail_at(std::uint32_t line, std::uint32_t column, const std::string& wrong,
@@ -51,27 +85,36 @@ void Lexer::skip_blanks() {
 /// False at the end of the text.
 bool Lexer::take_line() {
   line_ = next_.line;
-  if (next_.at >= text_.size()) {
+  line_at_ = next_.at;
+  const Text& text = text_at(next_.at);
+  in_text_ = static_cast<std::size_t>(&text - texts_.data());
+  const std::size_t at = next_.at - text.begin;
+  if (at >= text.text.size()) {
     cursor_ = {};
     return false;
   }
-  const std::size_t end = std::min(text_.find('\n', next_.at), text_.size());
-  cursor_ = {text_.substr(next_.at, end - next_.at), 0};
-  next_ = {end + 1, next_.line + 1};
+  const std::size_t end = std::min(text.text.find('\n', at), text.text.size());
+  cursor_ = {text.text.substr(at, end - at), 0};
+  next_ = {text.begin + end + 1, next_.line + 1};
   skip_blanks();
   return true;
 }
 
 Lexer::Percent Lexer::percent() const {
   if (at_end() || here() != '%') return Percent::none;
-  const auto begin = static_cast<std::size_t>(cursor_.line.data() - text_.data());
-  return opening_percent_ == begin ? Percent::opening : Percent::closing;
+  const Text& text = texts_[in_text_];
+  return text.opening_percent == line_at_ - text.begin ? Percent::opening : Percent::closing;
 }
 
 void Lexer::check_percent() const {
+  const bool opens = percent() == Percent::opening;
   const std::size_t text = cursor_.line.find_first_not_of(" \t\r", cursor_.at + 1);
-  if (text != std::string_view::npos) fail(text, "text after '%'", "'%' alone on its line");
-  if (!opening_percent_)
+  if (text != std::string_view::npos && !(opens && rules_.leader))
+    fail(text, "text after '%'", "'%' alone on its line");
+  const Text& own = texts_[in_text_];
+  const std::size_t behind = line_at_ - own.begin + cursor_.line.size();
+  const bool is_last = own.text.find_first_not_of(" \t\r\n\x1A%", behind) == std::string_view::npos;
+  if (!opens && !(rules_.trailing_percent && is_last) && !own.opening_percent)
     fail(cursor_.at, "'%' ends a program that no '%' began", "'%' on the first line too");
 }
 
@@ -79,15 +122,20 @@ bool Lexer::next(Block& block) {
   block.clear();
   const Bookmark before = next_;
   if (!take_line()) {
-    if (opening_percent_)
+    if (in_text_ == 0 && begins_with_percent())
       fail(0, "the program that '%' began does not end; it may have been cut off",
            "'%', M2 or M30");
     return false;
   }
-  block.line = line_;
+  block.line = block.main_line = line_;
   const Percent found = percent();
+  if (found != Percent::none && rules_.idle_percent) {
+    // Grbl has no use for it, and Siemens's files begin with a line as %_N_PART_MPF.
+    set_rest_aside(block);
+    return true;
+  }
   if (found != Percent::none) check_percent();
-  if (found == Percent::closing) next_ = before;
+  if (found == Percent::closing) next_ = before, ended_by_percent_ = true;
   if (found == Percent::none) read_line(block);
   return found != Percent::closing;
 }
@@ -98,14 +146,37 @@ void Lexer::read_line(Block& block) {
   if (!at_end() && here() == '/') {
     block.block_delete = true;
     ++cursor_.at;
+    while (rules_.numbered_skips && !at_end() && is_digit(here())) ++cursor_.at;
     skip_blanks();
   }
   if (!at_end() && upper(here()) == 'N') {
     read_line_number(cursor_.at++);
     skip_blanks();
   }
-  if (!at_end() && upper(here()) == 'O') return read_o_word(block);
+  if (begins_o_word()) return read_o_word(block);
+  if (rules_.program_names && !at_end() && here() == '<') return set_rest_aside(block);
+  if (rules_.dollar_lines && !at_end() && here() == '$') return read_dollar(block);
+  if (rules_.macro_b && read_macro(block)) return;
+  if (rules_.r_parameters) return read_siemens_items(block);
   read_items(block);
+}
+
+bool Lexer::begins_o_word() const {
+  if (at_end() || rules_.r_parameters) return false;
+  return upper(here()) == 'O' || (rules_.colon_numbers && here() == ':');
+}
+
+void Lexer::set_rest_aside(Block& block) {
+  std::string_view text = cursor_.line.substr(cursor_.at);
+  while (is_blank(text.back())) text.remove_suffix(1);
+  block.set_aside.emplace_back(text);
+  cursor_.at = cursor_.line.size();
+}
+
+void Lexer::read_dollar(Block& block) {
+  block.dollar = cursor_.line.substr(cursor_.at);
+  while (is_blank(block.dollar.back())) block.dollar.remove_suffix(1);
+  cursor_.at = cursor_.line.size();
 }
 
 void Lexer::read_items(Block& block) {
@@ -119,9 +190,15 @@ void Lexer::read_items(Block& block) {
       read_comment(block);
     } else if (c == '#') {
       read_setting(block);
+    } else if (rules_.polar_words && (c == '@' || c == '^')) {
+      read_word(block);
+    } else if (rules_.numbered_skips && c == '/') {
+      // What stands behind it is left out where the switch is on.
+      block.block_delete = true;
+      ++cursor_.at;
+      while (!at_end() && is_digit(here())) ++cursor_.at;
     } else {
-      fail(cursor_.at, in_quotes(c) + " does not begin a word",
-           "a letter and a number, or a comment");
+      fail_at_stray(cursor_.at);
     }
   }
 }
@@ -137,6 +214,7 @@ void Lexer::read_comment(Block& block) {
 void Lexer::skip_comment() {
   const std::size_t begin = cursor_.at++;
   if (cursor_.line[begin] == ';') {
+    check_behind_semicolon(begin);
     cursor_.at = cursor_.line.size();
     return;
   }
@@ -152,9 +230,17 @@ void Lexer::read_word(Block& block) {
   const std::size_t begin = cursor_.at++;
   const char letter = upper(cursor_.line[begin]);
   if (letter == 'N') fail(begin, "N after other words", "N at the beginning of the line");
-  if (letter == 'O') fail(begin, "O after other words", "O at the beginning of the line");
+  if (letter == 'O') fail_at_letter_o(begin);
   double value = 0;
-  if (!read_plain_value(value)) value = read_general_value(begin);
+  if (!read_plain_value(value)) {
+    const std::optional<double> found = read_general_value(begin);
+    if (!found) {
+      block.notes.push_back(in_quotes(cursor_.line.substr(begin, cursor_.at - begin)) +
+                            " is left out, as a word of a vacant variable is");
+      return;
+    }
+    value = *found;
+  }
   block.words.push_back(
       {letter, value, column_of(begin), cursor_.line.substr(begin, cursor_.at - begin)});
 }
@@ -176,18 +262,20 @@ bool Lexer::read_plain_value(double& value) {
   return true;
 }
 
-double Lexer::read_general_value(std::size_t word_begin) {
+std::optional<double> Lexer::read_general_value(std::size_t word_begin) {
+  check_known_word(word_begin);
   if (!value_begins(cursor_))
     fail(word_begin,
          "the number of " + in_quotes(cursor_.line[word_begin]) + " is missing or malformed",
          "a number, a parameter, a function or an expression in brackets");
-  return read_value(cursor_, parameters_, fail_);
+  return read_value_or_vacant(cursor_, parameters_, fail_, rules_);
 }
 
 void Lexer::read_setting(Block& block) {
   const std::size_t begin = cursor_.at++;
+  if (!rules_.expressions) fail(begin, std::string(rules_.title) + " has no parameters", "numbers");
   Setting setting{{}, 0, column_of(begin)};
-  setting.parameter = read_parameter_name(cursor_, parameters_, fail_);
+  setting.parameter = read_parameter_name(cursor_, parameters_, fail_, rules_);
   const ParameterName& name = setting.parameter;
   if (name.name.empty() ? !Parameters::is_settable(name.number)
                         : !Parameters::is_settable(name.name))
@@ -195,11 +283,15 @@ void Lexer::read_setting(Block& block) {
          "parameter " + in_quotes(cursor_.line.substr(begin, cursor_.at - begin)) +
              " belongs to the machine",
          "a code that sets it, as G10, or another parameter");
+  if (rules_.macro_b && name.number >= Parameters::kFirstMacroSystem && name.number != 3000 &&
+      name.number != 3006)
+    fail(begin, "variable #" + std::to_string(name.number) + " belongs to the control",
+         "G10 for offsets, or variables below #1000");
   skip_blanks();
   if (at_end() || here() != '=')
     fail(cursor_.at, "a parameter at the beginning of a word", "'=' and a value");
   ++cursor_.at;
-  setting.value = read_value(cursor_, parameters_, fail_);
+  setting.value = read_setting_value(cursor_, parameters_, fail_, rules_);
   block.settings.push_back(std::move(setting));
 }
 

@@ -1,19 +1,21 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "model/base/error.h"
+#include "model/gcode/control/control_rules.h"
 #include "model/gcode/text/expression.h"
 
 namespace limitgauge::model::gcode {
 
 /// A letter and its number. `text` is the word as it stands in the program, `column` counts from 1.
 struct Word {
-  char letter = 0;  ///< upper case
+  char letter = 0;  ///< upper case, `@` or `^`
   double value = 0;
   std::uint32_t column = 0;
   std::string_view text;
@@ -29,7 +31,7 @@ struct Comment {
 /// `#5 = ...` or `#<name> = ...`; takes effect after its line has been read whole.
 struct Setting {
   ParameterName parameter;
-  double value = 0;
+  std::optional<double> value;  ///< nothing: the parameter becomes vacant
   std::uint32_t column = 0;
 };
 
@@ -46,14 +48,31 @@ struct OWord {
   std::size_t rest = 0;  ///< byte of the line behind the keyword
 };
 
+/// Macro B: what a line says about which line comes next.
+enum class MacroKeyword : std::uint8_t { go_to, begin_while, begin_do, end };
+
+/// `IF [...] GOTO 10` with its condition fulfilled, `GOTO 10`, `WHILE [...] DO 1`, `DO 1`, `END 1`.
+struct MacroWord {
+  MacroKeyword keyword = MacroKeyword::go_to;
+  std::uint32_t column = 0;
+  int number = 0;     ///< of a block, or of a loop
+  bool holds = true;  ///< the condition of WHILE
+};
+
 /// One line of a program.
 struct Block {
   std::uint32_t line = 0;
+  /// The line of the main program that stands for it: its own there, else that of the call.
+  std::uint32_t main_line = 0;
   bool block_delete = false;  ///< the line begins with `/`
   std::vector<Word> words;
   std::vector<Comment> comments;
   std::vector<Setting> settings;
   std::optional<OWord> o_word;  ///< then there are no words and settings
+  std::optional<MacroWord> macro;
+  std::string_view dollar;             ///< a line for the control itself, from its `$` on
+  std::vector<std::string> notes;      ///< what was taken for granted in reading the line
+  std::vector<std::string> set_aside;  ///< statements that move nothing
 
   void clear() {
     block_delete = false;
@@ -61,6 +80,10 @@ struct Block {
     comments.clear();
     settings.clear();
     o_word.reset();
+    macro.reset();
+    dollar = {};
+    notes.clear();
+    set_aside.clear();
   }
 };
 
@@ -71,7 +94,8 @@ struct Block {
 class Lexer {
  public:
   /// `text` must outlive the lexer and its blocks, `parameters` the lexer.
-  Lexer(std::string_view text, std::string name, const Parameters& parameters);
+  Lexer(std::string_view text, std::string name, const Parameters& parameters,
+        const ControlRules& rules = rules_of(Control::linuxcnc));
   Lexer(const Lexer&) = delete;
   Lexer& operator=(const Lexer&) = delete;
 
@@ -86,33 +110,86 @@ class Lexer {
   /// there, save comments.
   std::vector<double> arguments(const Block& block);
 
-  /// Before the line that next() will read.
+  /// Before the line that next() will read. Texts that were added have places and lines behind
+  /// those of the texts before them.
   struct Bookmark {
     std::size_t at = 0;
     std::uint32_t line = 1;
   };
   Bookmark bookmark() const { return next_; }
   /// Before the line that next() or skip_to_o_word() read last.
-  Bookmark line_bookmark() const {
-    return {static_cast<std::size_t>(cursor_.line.data() - text_.data()), line_};
-  }
+  Bookmark line_bookmark() const { return {line_at_, line_}; }
   void go_to(Bookmark bookmark) { next_ = bookmark; }
+  /// Another file's text, which go_to() leads into; its beginning. Its end is the end of the
+  /// program to next().
+  Bookmark add(std::string name, std::string text);
+  /// The text that `bookmark` stands in, counted from 0: that of the constructor.
+  std::size_t text_index(Bookmark bookmark) const;
+  Bookmark beginning_of(std::size_t index) const {
+    return {texts_[index].begin, texts_[index].first_line};
+  }
+
+  /// A line that begins with N and its number; `number` is nothing where an O word begins the line,
+  /// or macro B's DO and END where `loops` asks for them.
+  struct Mark {
+    std::optional<int> number;
+    std::optional<MacroWord> loop;  ///< begin_do or end; conditions are not calculated
+    bool begins_program = false;
+    std::uint32_t column = 0;
+  };
+  /// Goes over lines to the next that begins with N, with an O word, or that has DO or END; false
+  /// at the end of the text or program. Lines need not be right.
+  bool skip_to_mark(Mark& mark);
+
+  const ControlRules& rules() const { return rules_; }
 
   SourcePlace place(std::uint32_t line, std::uint32_t column) const;
   [[noreturn]] void fail_at(std::uint32_t line, std::uint32_t column, const std::string& wrong,
                             const std::string& expected) const;
 
   /// Such a program ends with '%', M2 or M30, or is an error.
-  bool begins_with_percent() const { return opening_percent_.has_value(); }
+  bool begins_with_percent() const { return texts_.front().opening_percent.has_value(); }
+  /// A '%' that ends the program was reached.
+  bool ended_by_percent() const { return ended_by_percent_; }
 
  private:
   /// LinuxCNC's lines have 254 at most. A line may be carried out many times, and each must be
   /// quick.
   static constexpr std::size_t kMostLineBytes = 10'000;
 
+  /// One file.
+  struct Text {
+    std::string name;
+    std::string_view text;
+    std::unique_ptr<const std::string> own;
+    std::size_t begin = 0;                            ///< Bookmark::at of its first byte
+    std::uint32_t first_line = 1;                     ///< Bookmark::line of its first line
+    std::optional<std::size_t> opening_percent = {};  ///< where its line begins, in `text`
+  };
+
   enum class Percent : std::uint8_t { none, opening, closing };
 
   bool take_line();
+  const Text& text_at(std::size_t at) const;
+  void read_dollar(Block& block);
+  void set_rest_aside(Block& block);
+  bool read_macro(Block& block);
+  void read_condition(Block& block);
+  void read_loop(Block& block, std::size_t begin, bool holds);
+  void read_go_to(Block& block, std::size_t begin);
+  std::string letters_ahead() const;
+  void skip_letters(std::size_t letters);
+  void read_siemens_items(Block& block);
+  void read_siemens_item(Block& block);
+  void read_siemens_setting(Block& block, std::size_t begin);
+  double read_siemens_value(Block& block);
+  void read_siemens_statement(Block& block, std::size_t begin, std::size_t end,
+                              const std::string& name);
+  void check_behind_semicolon(std::size_t begin) const;
+  void check_known_word(std::size_t begin) const;
+  [[noreturn]] void fail_at_stray(std::size_t at) const;
+  [[noreturn]] void fail_at_letter_o(std::size_t at) const;
+  bool begins_o_word() const;
   Percent percent() const;
   void check_percent() const;
   void read_line(Block& block);
@@ -126,7 +203,7 @@ class Lexer {
   void read_label(OWord& o_word);
   void read_keyword(OWord& o_word);
   bool read_plain_value(double& value);
-  double read_general_value(std::size_t word_begin);
+  std::optional<double> read_general_value(std::size_t word_begin);
   void skip_comment();
   void skip_blanks();
   bool at_end() const { return cursor_.at >= cursor_.line.size(); }
@@ -135,14 +212,16 @@ class Lexer {
   [[noreturn]] void fail(std::size_t at, const std::string& wrong,
                          const std::string& expected) const;
 
-  std::string_view text_;
-  std::string name_;
+  std::vector<Text> texts_;
+  const ControlRules& rules_;
   const Parameters& parameters_;
   Fail fail_;
-  Cursor cursor_;           // the line that is read
-  std::uint32_t line_ = 1;  // its number
+  Cursor cursor_;            // the line that is read
+  std::uint32_t line_ = 1;   // its number
+  std::size_t line_at_ = 0;  // where it begins
+  std::size_t in_text_ = 0;  // of texts_, the one that it stands in
+  bool ended_by_percent_ = false;
   Bookmark next_;
-  std::optional<std::size_t> opening_percent_;  // where its line begins
 };
 
 }  // namespace limitgauge::model::gcode

@@ -49,7 +49,7 @@ bool Lexer::skip_to_o_word(Block& block) {
     }
     const bool block_delete = !at_end() && here() == '/';
     if (!skip_to_o()) continue;
-    block.line = line_;
+    block.line = block.main_line = line_;
     block.block_delete = block_delete;
     read_o_word(block);
     return true;
@@ -62,12 +62,13 @@ bool Lexer::skip_to_o_word(Block& block) {
 bool Lexer::skip_to_o() {
   if (cursor_.line.size() > kMostLineBytes) return false;
   if (!at_end() && here() == '/') ++cursor_.at;
+  while (rules_.numbered_skips && !at_end() && is_digit(here())) ++cursor_.at;
   skip_blanks();
   if (!at_end() && upper(here()) == 'N') {
     ++cursor_.at;
     while (!at_end() && (is_digit(here()) || here() == '.' || is_blank(here()))) ++cursor_.at;
   }
-  if (at_end() || upper(here()) != 'O') return false;
+  if (!begins_o_word()) return false;
   const std::size_t end = end_of_label(cursor_.line, cursor_.at + 1);
   const std::size_t keyword = end == kNone ? kNone : cursor_.line.find_first_not_of(kBlanks, end);
   if (keyword == kNone) return end != kNone;

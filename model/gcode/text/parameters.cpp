@@ -92,8 +92,9 @@ void Parameters::set_system(SystemNumbered numbered, SystemNamed named) {
 std::optional<double> Parameters::numbered(int number) const {
   if (number < 1 || number > kLargest) return std::nullopt;
   const auto index = static_cast<std::size_t>(number);
-  if (number <= kLargestLocal) return frames_.back().numbered[index];
-  if (number > kLargestFree && system_numbered_) {
+  if (number <= locals_) return frames_.back().numbered[index];
+  const int first_of_system = locals_ == kLargestMacroLocal ? kFirstMacroSystem : kLargestFree + 1;
+  if (number >= first_of_system && system_numbered_) {
     if (const std::optional<double> value = system_numbered_(number)) return value;
   }
   return numbered_[index];
@@ -124,7 +125,13 @@ bool Parameters::is_settable(std::string_view name) {
 void Parameters::set(int number, double value) {
   if (number < 1 || number > kLargest) return;
   const auto index = static_cast<std::size_t>(number);
-  (number <= kLargestLocal ? frames_.back().numbered[index] : numbered_[index]) = value;
+  (number <= locals_ ? frames_.back().numbered[index] : numbered_[index]) = value;
+}
+
+void Parameters::clear(int number) {
+  if (number < 1 || number > kLargest) return;
+  const auto index = static_cast<std::size_t>(number);
+  (number <= locals_ ? frames_.back().numbered[index] : numbered_[index]).reset();
 }
 
 void Parameters::set(std::string_view name, double value) {
@@ -142,6 +149,12 @@ void Parameters::enter(const std::vector<double>& arguments) {
   frame.call = ++calls_;
   for (std::size_t i = 1; i <= kLargestLocal; ++i)
     frame.numbered[i] = i <= arguments.size() ? arguments[i - 1] : 0;
+}
+
+void Parameters::enter_macro(const MacroArguments& arguments) {
+  Frame& frame = frames_.emplace_back();
+  frame.call = ++calls_;
+  frame.numbered = arguments;
 }
 
 void Parameters::enter() {

@@ -21,6 +21,8 @@ class Parameters {
   static constexpr int kLargest = 5999;
   static constexpr int kLargestFree = 5000;
   static constexpr int kLargestLocal = 30;
+  static constexpr int kLargestMacroLocal = 33;  ///< of macro B
+  static constexpr int kFirstMacroSystem = 1000;
   using SystemNumbered = std::function<std::optional<double>(int)>;
   using SystemNamed = std::function<std::optional<double>(std::string_view)>;
 
@@ -40,6 +42,14 @@ class Parameters {
   /// A call of a subroutine: `arguments` become 1, 2, ...; the rest of 1 to 30 is 0, as in
   /// LinuxCNC, and no local name is known. leave() brings the caller's back.
   void enter(const std::vector<double>& arguments);
+  /// From now on 1 to 33 are local, as in macro B.
+  void use_macro_variables() { locals_ = kLargestMacroLocal; }
+  /// What was set is forgotten: macro B's vacant variable.
+  void clear(int number);
+  using MacroArguments = std::array<std::optional<double>, kLargestMacroLocal + 1>;
+  /// A call by G65: its arguments by the variables that they are handed over in; the rest is
+  /// vacant.
+  void enter_macro(const MacroArguments& arguments);
   /// A call by M98: 1 to 30 are the caller's own, but no local name is known.
   void enter();
   void leave();
@@ -51,7 +61,7 @@ class Parameters {
 
  private:
   struct Frame {
-    std::array<std::optional<double>, kLargestLocal + 1> numbered;
+    MacroArguments numbered;
     std::map<std::string, double, std::less<>> named;
     bool shares_numbers = false;  // with its caller
     std::size_t call = 1;
@@ -61,6 +71,7 @@ class Parameters {
   std::map<std::string, double, std::less<>> named_;
   std::vector<Frame> frames_ = std::vector<Frame>(1);
   std::size_t calls_ = 1;
+  int locals_ = kLargestLocal;
   SystemNumbered system_numbered_;
   SystemNamed system_named_;
 };

@@ -9,7 +9,8 @@ namespace limitgauge::model::gcode {
 namespace {
 
 constexpr int kG80 = 800;
-constexpr std::uint32_t kUsed = letter_bits("DEFHIJKLPQRSTXYZ");
+constexpr std::uint32_t kUsed = letter_bits("DEFHIJKLPQRSTXYZ@^");
+constexpr std::uint32_t kRotaryAxes = letter_bits("ABC");
 constexpr std::uint32_t kOtherAxes = letter_bits("ABCUVW");
 
 }  // namespace
@@ -33,13 +34,44 @@ Statement::Statement(const Block& block, const Lexer& lexer) : block_(block), le
     } else {
       add_other(word, index);
     }
-    present_ |= letter_bit(word.letter);
+    if (!aside_[index - 1]) present_ |= letter_bit(word.letter);
+  }
+  for (const Word& word : block.words) {
+    if (!aside_.any()) break;
+    if (!is_set_aside(word) || (word.letter != 'G' && word.letter != 'M')) continue;
+    const int number = whole(word.value * (word.letter == 'G' ? 10 : 1)).value_or(-1);
+    const CodeRule* const rule =
+        word.letter == 'G' ? g_rule(rules().control, number) : m_rule(rules().control, number);
+    set_aside(rule->text);
+  }
+  take_dwell();
+}
+
+/// Words that belong to a setting go with it.
+void Statement::set_aside(std::string_view letters) {
+  for (const char letter : letters) {
+    Index& index = letters_[letter_index(letter)];
+    if (index == 0) continue;
+    aside_.set(index - 1U);
+    index = 0;
+    present_ &= ~letter_bit(letter);
   }
 }
 
+/// The time of G4 by other letters than P: none of them moves anything then.
+void Statement::take_dwell() {
+  if (rules().dwell_letters == "P" || g(GGroup::non_modal) != 40) return;
+  set_aside(rules().dwell_letters);
+}
+
 void Statement::add_g(const Word& word, Index index) {
-  const std::optional<int> tenths = whole(word.value * 10);
-  const std::optional<GGroup> group = tenths ? g_group(*tenths) : std::nullopt;
+  std::optional<int> tenths = whole(word.value * 10);
+  if (const CodeRule* rule = tenths ? g_rule(rules().control, *tenths) : nullptr) {
+    if (rule->use != CodeUse::same_as) return add(*rule, word, index);
+    tenths = rule->other;
+  }
+  const bool extended = tenths == 541 && rules().extended_systems == 0;
+  const std::optional<GGroup> group = tenths && !extended ? g_group(*tenths) : std::nullopt;
   if (!group) refuse(word, tenths ? g_refusal(*tenths) : Refusal{});
   Code& code = g_[static_cast<int>(*group)];
   // RS274/NGC lets G80 stand beside the motion code that follows it.
@@ -49,10 +81,20 @@ void Statement::add_g(const Word& word, Index index) {
 }
 
 void Statement::add_m(const Word& word, Index index) {
-  const std::optional<int> number = whole(word.value);
+  std::optional<int> number = whole(word.value);
+  if (const CodeRule* rule = number ? m_rule(rules().control, *number) : nullptr) {
+    if (rule->use != CodeUse::same_as) return add(*rule, word, index);
+    number = rule->other;
+  }
   const std::optional<MGroup> group = number ? m_group(*number) : std::nullopt;
   if (!group) refuse(word, number ? m_refusal(*number) : Refusal{});
   put(m_[static_cast<int>(*group)], *number, word, index);
+}
+
+/// A code that the control reads in a way of its own.
+void Statement::add(const CodeRule& rule, const Word& word, Index index) {
+  if (rule.use == CodeUse::refused) refuse(word, {rule.text, rule.expected});
+  aside_.set(index - 1U);
 }
 
 void Statement::put(Code& code, int number, const Word& word, Index index) {
@@ -66,9 +108,15 @@ void Statement::put(Code& code, int number, const Word& word, Index index) {
 
 void Statement::add_other(const Word& word, Index index) {
   const std::uint32_t bit = letter_bit(word.letter);
+  if ((kRotaryAxes & bit) != 0 && rules().rotary_zero && word.value == 0) {
+    has_rotary_ = true;
+    return aside_.set(index - 1U), void();
+  }
   if ((kOtherAxes & bit) != 0)
-    fail(word, "axis word " + in_quotes(word.text) + " of an axis that is not carried out",
-         "X, Y and Z only");
+    fail(word,
+         "axis word " + in_quotes(word.text) + " of an axis that is not carried out" +
+             ((kRotaryAxes & bit) != 0 ? ": orientations are not supported yet" : ""),
+         (kRotaryAxes & bit) != 0 ? "X, Y and Z, rotary axes that stay at 0" : "X, Y and Z only");
   if ((kUsed & bit) == 0)
     fail(word, in_quotes(word.text) + " belongs to no code that is carried out",
          "a word of RS274/NGC");
@@ -77,7 +125,7 @@ void Statement::add_other(const Word& word, Index index) {
          in_quotes(word.text) + " after " + in_quotes(this->word(word.letter)->text) +
              " in one block",
          "each letter once");
-  letters_[word.letter - 'A'] = index;
+  letters_[letter_index(word.letter)] = index;
 }
 
 const Word* Statement::first_of(std::initializer_list<char> letters) const {
@@ -97,7 +145,9 @@ const Word& Statement::blamed() const {
 
 void Statement::refuse(const Word& word, const Refusal& refusal) const {
   if (refusal.wrong.empty())
-    fail(word, "unknown code " + in_quotes(word.text), "a code of RS274/NGC");
+    fail(word, "unknown code " + in_quotes(word.text),
+         rules().control == Control::linuxcnc ? "a code of RS274/NGC"
+                                              : "a code of " + std::string(rules().title));
   fail(word, in_quotes(word.text) + " is not carried out: " + std::string(refusal.wrong),
        std::string(refusal.expected));
 }
@@ -105,6 +155,10 @@ void Statement::refuse(const Word& word, const Refusal& refusal) const {
 void Statement::fail(const Word& word, const std::string& wrong,
                      const std::string& expected) const {
   throw InputError(lexer_.place(block_.line, word.column), wrong, expected);
+}
+
+void Statement::fail_line(const std::string& wrong, const std::string& expected) const {
+  throw InputError(lexer_.place(block_.line, 1), wrong, expected);
 }
 
 }  // namespace limitgauge::model::gcode

@@ -10,7 +10,7 @@
 namespace limitgauge::model::gcode {
 namespace {
 
-constexpr std::uint32_t kFreeLetters = letter_bits("FGMSTXYZ");
+constexpr std::uint32_t kFreeLetters = letter_bits("FGMSTXYZ@^");
 constexpr std::uint32_t kCentreLetters = letter_bits("IJK");
 constexpr int kCancelCycle = 800;  // G80, in tenths
 
@@ -21,7 +21,7 @@ bool takes_axes(int non_modal) {
 }
 
 const Word& axis_of(const Statement& statement) {
-  return *statement.first_of({'X', 'Y', 'Z'});
+  return *statement.first_of({'X', 'Y', 'Z', '@', '^'});
 }
 
 /// One sort of code that may use a letter.
@@ -47,6 +47,12 @@ class Users {
   bool non_modal(int tenths) const { return g(GGroup::non_modal, tenths); }
   bool side() const { return statement_.g(GGroup::radius_offset).value_or(400) != 400; }
   bool arc() const { return is_arc(motion_); }
+  bool turns() const { return arc() && statement_.rules().turns_by_p; }
+  bool any_cycle() const { return is_canned_cycle(motion_); }
+  bool dwells() const {
+    return cycle('P') || (any_cycle() && statement_.rules().dwell_is_optional);
+  }
+  bool modal() const { return statement_.rules().modal_offset_words; }
   bool cycle(char letter) const { return cycle_takes(motion_, letter); }
   User arcs() const { return {arc(), "an arc"}; }
   User setting() const { return {non_modal(100), "G10"}; }
@@ -66,8 +72,10 @@ std::array<User, 6> Users::users_of_p() const {
   return {User{non_modal(40), "G4"},
           setting(),
           blending(),
-          User{arc() || cycle('P'), arc() ? "an arc" : "a canned cycle"},
-          User{m(MGroup::overrides, 50, 53) || m(MGroup::input_output, 62, 66), "an M code"},
+          User{turns() || dwells(), turns() ? "an arc" : "a canned cycle"},
+          User{m(MGroup::overrides, 50, 53) || m(MGroup::input_output, 62, 66) ||
+                   g(GGroup::coordinate_system, 541),
+               "an M code or G54.1"},
           orienting()};
 }
 
@@ -83,16 +91,19 @@ std::array<User, 6> Users::users_of_q() const {
 std::array<User, 6> Users::users_of(char letter) const {
   switch (letter) {
     case 'D':
+      if (modal() || statement_.rules().length_by_d) return {User{true, "a tool offset"}};
       return {User{side(), "cutter compensation"}, User{g(GGroup::spindle_mode, 960), "G96"}};
     case 'E':
       return {User{m(MGroup::input_output, 66, 68), "M66 to M68"}};
     case 'H':
+      if (modal()) return {User{true, "a tool offset"}};
       return {User{g(GGroup::length_offset, 430) || g(GGroup::length_offset, 432), "G43"}};
     case 'I':
     case 'J':
       return {arcs(), User{cycle(letter), "G87"}, setting()};
     case 'K':
-      return {arcs(), User{cycle(letter), "G87"}};
+      return {arcs(), User{cycle(letter), "G87"},
+              User{any_cycle() && statement_.rules().repeats_by_k, "a canned cycle"}};
     case 'L':
       return {User{cycle('L'), "a canned cycle"}, setting(), input()};
     case 'P':
@@ -148,7 +159,12 @@ void check_dwell(const Statement& statement, std::optional<int> motion) {
   const Word& code = *statement.g_word(GGroup::non_modal);
   if (motion && is_arc(*motion))
     statement.fail(code, "G4 beside an arc, which may use P too", "a block of its own");
-  const Word* const p = statement.word('P');
+  const Word* p = statement.word('P');
+  for (const Word& word : statement.block().words) {
+    if (statement.is_set_aside(word) && word.letter != 'G' && word.letter != 'M' &&
+        statement.rules().dwell_letters.find(word.letter) != std::string_view::npos)
+      p = &word;
+  }
   if (!p || !(p->value >= 0))
     statement.fail(code, "a dwell without its time", "P with 0 or more seconds");
 }
@@ -179,15 +195,31 @@ void check_auxiliaries(const Statement& statement) {
   }
 }
 
-std::optional<int> stated_motion(const Statement& statement, int code) {
+/// LinuxCNC, "Polar Coordinates".
+void check_polar(const Statement& statement, std::optional<int> modal_motion) {
+  const Word& polar = *statement.first_of({'@', '^'});
+  if (const Word* word = statement.first_of({'X', 'Y'}))
+    statement.fail(*word, in_quotes(word->text) + " beside polar coordinates",
+                   "@ and ^, or X and Y");
+  if (axes_are_taken(statement) || statement.g(GGroup::non_modal) == 530)
+    statement.fail(polar, "polar coordinates of a code that takes its axis words as they are",
+                   "X and Y");
+  if (!statement.g(GGroup::motion) && modal_motion && is_canned_cycle(*modal_motion))
+    statement.fail(polar, "a polar word in a canned cycle", "X and Y");
+}
+
+std::optional<int> stated_motion(const Statement& statement, int code,
+                                 std::optional<int> beside_cycles) {
   const Word& word = *statement.g_word(GGroup::motion);
   const auto non_modal = statement.g(GGroup::non_modal);
-  const bool taken = non_modal && takes_axes(*non_modal);
+  const bool taken = axes_are_taken(statement);
   if (code == kCancelCycle) {
-    if (statement.has_axes() && !taken)
-      statement.fail(axis_of(statement), "an axis word beside G80", "G0, G1, G2 or G3");
-    return std::nullopt;
+    if (!statement.has_axes() || taken) return std::nullopt;
+    if (beside_cycles) return beside_cycles;
+    statement.fail(axis_of(statement), "an axis word beside G80", "G0, G1, G2 or G3");
   }
+  const bool by_reference = non_modal == 280 || non_modal == 300;
+  if (by_reference && code <= 10 && statement.rules().motion_beside_reference) return std::nullopt;
   if (taken)
     statement.fail(*statement.g_word(GGroup::non_modal),
                    in_quotes(statement.g_word(GGroup::non_modal)->text) + " and " +
@@ -197,6 +229,8 @@ std::optional<int> stated_motion(const Statement& statement, int code) {
     statement.fail(*statement.g_word(GGroup::length_offset),
                    "G43.1 and " + in_quotes(word.text) + " would both use axis words",
                    "one of them in a block of its own");
+  if (is_canned_cycle(code) && statement.is_polar())
+    statement.fail(axis_of(statement), "a polar word in a canned cycle", "X and Y");
   if (is_canned_cycle(code) && !statement.has_axes())
     statement.fail(word, std::string(word.text) + " without an axis word", "X, Y or Z");
   return code;
@@ -204,11 +238,23 @@ std::optional<int> stated_motion(const Statement& statement, int code) {
 
 }  // namespace
 
-std::optional<int> motion_of(const Statement& statement, std::optional<int> modal_motion) {
-  if (const auto code = statement.g(GGroup::motion)) return stated_motion(statement, *code);
-  if (const auto code = statement.g(GGroup::non_modal); code && takes_axes(*code))
-    return std::nullopt;
-  if (statement.has_axes()) {
+bool axes_are_taken(const Statement& statement) {
+  const auto code = statement.g(GGroup::non_modal);
+  return code && takes_axes(*code);
+}
+
+std::optional<int> motion_of(const Statement& statement, std::optional<int> modal_motion,
+                             std::optional<int> beside_cycles) {
+  if (statement.is_polar()) check_polar(statement, modal_motion);
+  if (const auto code = statement.g(GGroup::motion))
+    return stated_motion(statement, *code, beside_cycles);
+  if (axes_are_taken(statement)) return std::nullopt;
+  const bool in_machine_frame = statement.g(GGroup::non_modal) == 530;
+  if (in_machine_frame && statement.has_axes() && statement.rules().rapid_in_machine_frame)
+    return 0;
+  // As LinuxCNC, a rotary word that turns nothing is a motion of no length.
+  const bool stays = statement.has_rotary() && (modal_motion == 0 || modal_motion == 10);
+  if (statement.has_axes() || statement.is_polar() || stays) {
     if (statement.g(GGroup::length_offset) == 431) return std::nullopt;
     if (!modal_motion)
       statement.fail(axis_of(statement), "an axis word without a motion mode", "G0, G1, G2 or G3");
@@ -224,7 +270,8 @@ void check_word_use(const Statement& statement, std::optional<int> motion) {
   if ((statement.letters() & ~kFreeLetters) == 0) return;
   const Users users(statement, motion);
   for (const Word& word : statement.block().words) {
-    if ((letter_bit(word.letter) & kFreeLetters) == 0) users.check(word);
+    if ((letter_bit(word.letter) & kFreeLetters) == 0 && !statement.is_set_aside(word))
+      users.check(word);
   }
 }
 

@@ -35,6 +35,12 @@ void add_machine(const RunResult& result, std::vector<Term>& list) {
     if (const auto& offset = machine.work_offsets[i])
       list.push_back({std::string("Work offset ") + model::work_offset_name(i),
                       origin_text(offset->origin_mm, offset->rotation_deg)});
+  for (const auto& [number, offset] : machine.extended_offsets)
+    list.push_back({"Work offset " + model::work_offset_name(model::kWorkOffsets +
+                                                             static_cast<std::size_t>(number - 1)),
+                    origin_text(offset.origin_mm, offset.rotation_deg)});
+  if (result.program_start)
+    list.push_back({"Programs read by the habits of", std::string(model::name(machine.control))});
   if (const auto& start = result.program_start)
     list.push_back(
         {"Programs start at", origin_text(start->at_mm, 0) + (start->assumed ? " (assumed)" : "")});

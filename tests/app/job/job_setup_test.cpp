@@ -1,6 +1,7 @@
 #include "model/base/error.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
+#include "tests/support/messages.h"
 
 namespace limitgauge::app {
 namespace {
@@ -27,6 +28,19 @@ TEST_CASE("the machine and the programs' frame as a job states them", "[unit][jo
   CHECK(job.program_frame.translate_mm == model::Vec3{4, 5, 6});
   CHECK(job.program_frame.rotate_z_deg == 90);
   CHECK(!job.machine.assume_fresh_machine);
+}
+
+TEST_CASE("the control that programs are written for", "[unit][job]") {
+  const Job extended = read(with_machine("work_offsets = { \"G54.1P12\" = [1, 2, 3] }"));
+  CHECK(extended.machine.extended_offsets.at(12).origin_mm == model::Vec3{1, 2, 3});
+  CHECK(read(with_machine("control = \"siemens\"")).machine.control == model::Control::siemens);
+  CHECK(read(good_job()).machine.control == model::Control::linuxcnc);
+  const auto error_of = [](const std::string& keys) {
+    return tests::message_of<model::InputError>([&] { read(with_machine(keys)); });
+  };
+  CHECK_THAT(error_of("control = \"hass\""), ContainsSubstring("haas"));
+  CHECK_THAT(error_of("subprograms = \"no-such-folder\""),
+             ContainsSubstring("no folder \"no-such-folder\""));
 }
 
 TEST_CASE("tools with numbers are the machine's tool table", "[unit][job]") {

@@ -38,6 +38,33 @@ TEST_CASE("the machine as the command line states it", "[unit][cli]") {
   CHECK(machine.tools[1].diameter_mm == 8.0);
 }
 
+TEST_CASE("the control and its subprograms as the command line states them", "[unit][cli]") {
+  const tests::TemporaryFolder folder;
+  MachineOptions options;
+  CHECK(!machine_of(options).control_is_stated);
+  CHECK(machine_of(options).control == model::Control::linuxcnc);
+  options.control = "haas";
+  options.subprograms = folder.path();
+  options.work_offsets = {"G54.1P7=1,2,3", "g154 p8=4,5,6,30"};
+  const model::MachineSetup machine = machine_of(options);
+  CHECK(machine.control == model::Control::haas);
+  CHECK(machine.control_is_stated);
+  CHECK(machine.subprograms == folder.path());
+  CHECK(machine.extended_offsets.at(7).origin_mm == model::Vec3{1, 2, 3});
+  CHECK(machine.extended_offsets.at(8).rotation_deg == 30);
+  options.work_offsets.emplace_back("G54.1P7=0,0,0");
+  CHECK_THAT(error_of(options), ContainsSubstring("G54.1 P7 is stated twice"));
+  options.work_offsets = {"G54.1P301=0,0,0"};
+  CHECK_THAT(error_of(options), ContainsSubstring("is no work offset"));
+  options.work_offsets.clear();
+  options.subprograms = folder.path() / "none";
+  CHECK_THAT(error_of(options), ContainsSubstring("none: no such folder"));
+  options.control = "Heidenhain";
+  CHECK(error_of(options) ==
+        "--control Heidenhain: no such control; expected linuxcnc, fanuc, haas, "
+        "mach3, grbl or siemens");
+}
+
 TEST_CASE("machine options that say nothing", "[unit][cli]") {
   MachineOptions options;
   options.home = "1,2";

@@ -141,6 +141,8 @@ junction_deviation = 0.02
 start = [0, 0, 120]
 home = [0, 0, 300]
 second_home = [0, 0, 200]
+control = "haas"
+subprograms = "foreign"
 [machine.work_offsets]
 G54 = [1, 2, 3]
 G55 = { origin = [0, 0, 0], rotate_z = 90 }

@@ -147,6 +147,7 @@ std::optional<Ends> ends_of(const std::string& range) {
       {"two ascending numbers", {{"[-1, 0.5]"}, {"[2, 1]", "[1, 1]", "[1, 2, 3]"}}},
       {"two ascending whole numbers", {{"[1, 1]", "[1, 2]"}, {"[2, 1]", "[1, 2.5]"}}},
       {"a file", {{}, {"\"no-such-file\"", "\"\"", "1"}}},
+      {"a folder", {{}, {"\"no-such-folder\"", "\"\"", "1"}}},
       {"any", {{}, {"\"1\"", "nan"}}},
       {"0 to 1, or an area",
        {{"0", "1", "\"0 mm2\"", "\"12.5mm²\""},

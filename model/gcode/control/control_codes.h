@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "model/part/control.h"
+
+namespace limitgauge::model::gcode {
+
+/// What a control makes of a code, where that is not what RS274/NGC makes of it.
+enum class CodeUse : std::uint8_t {
+  set_aside,  ///< a setting or the end of one: it moves nothing, and is listed as ignored
+  same_as,    ///< another code by another number
+  refused
+};
+
+struct CodeRule {
+  int first = 0, last = 0;  ///< G codes in tenths
+  CodeUse use = CodeUse::refused;
+  std::string_view text;      ///< set_aside: letters that belong to it; refused: what is wrong
+  std::string_view expected;  ///< of a refusal
+  int other = 0;              ///< same_as: the code of RS274/NGC
+};
+
+/// Null where the control reads the code as RS274/NGC does, or not at all.
+const CodeRule* g_rule(Control control, int tenths);
+const CodeRule* m_rule(Control control, int number);
+
+}  // namespace limitgauge::model::gcode

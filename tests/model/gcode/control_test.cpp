@@ -1,0 +1,157 @@
+#include <fstream>
+
+#include "model/gcode/control/control_codes.h"
+#include "model/gcode/program.h"
+#include "model/gcode/text/program_text.h"
+#include "tests/model/gcode/read_text.h"
+#include "tests/support/catch.h"
+#include "tests/support/messages.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace limitgauge::model;
+using limitgauge::tests::message_of;
+
+namespace {
+
+MachineSetup of(Control control) {
+  MachineSetup machine;
+  machine.control = control;
+  machine.assume_fresh_machine = true;
+  return machine;
+}
+
+std::string offer_of(const std::string& text, Control control) {
+  return message_of<InputError>(
+      [&] { read_program_or_name_control(std::string_view(text), "p.nc", of(control)); });
+}
+
+bool says(const Program& program, const std::string& part) {
+  for (const std::string& text : program.assumed)
+    if (text.find(part) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("controls have names", "[unit][program]") {
+  for (const Control control : kControls) CHECK(control_named(name(control)) == control);
+  CHECK(!control_named("Haas"));
+  CHECK(!control_named(""));
+}
+
+TEST_CASE("one word, two controls, two meanings", "[unit][program]") {
+  // G10 L20 states an origin on Fanuc, and where the tool stands on LinuxCNC.
+  const std::string text = "G21 G90\nG0 X5. Y0. Z0.\nG10 L20 P1 X1.\nG54.1 P1\nG0 X0.\n";
+  CHECK(read_text(text, of(Control::fanuc)).motions.back().to == Vec3{1, 0, 0});
+  CHECK(read_text("G21 G90\nG0 X5. Y0. Z0.\nG10 L20 P1 X1.\nG0 X0.\n", of(Control::linuxcnc))
+            .motions.back()
+            .to == Vec3{4, 0, 0});
+  // G70 is inches on Siemens and a lathe's elsewhere; M61 loads a tool on LinuxCNC only.
+  CHECK(read_text("G70\nG0 X1\n", of(Control::siemens)).motions.back().to.x == 25.4);
+  CHECK(read_text("M61 Q3\nG0 X1\n", of(Control::linuxcnc)).tool_changes.size() == 1);
+  CHECK(read_text("M61\nG0 X1.\n", of(Control::haas)).tool_changes.empty());
+  // FIX of a negative number, and H0.
+  CHECK(read_text("G0 X[FIX[-1.5]]\n", of(Control::linuxcnc)).motions.back().to.x == -2);
+  CHECK(read_text("G0 X[FIX[-1.5]]\n", of(Control::haas)).motions.back().to.x == -1);
+}
+
+TEST_CASE("a refusal names the controls that would read the program", "[unit][program]") {
+  CHECK_THAT(offer_of("G187 P1\nG0 X1.\n", Control::linuxcnc),
+             ContainsSubstring("; --control haas would read it, and so would fanuc"));
+  CHECK_THAT(offer_of("R1=5\nG0 X=R1\n", Control::linuxcnc),
+             ContainsSubstring("; --control siemens would read it"));
+  CHECK_THAT(offer_of("O1 if [1]\nO1 endif\nG0 X1\n", Control::haas),
+             ContainsSubstring("; --control linuxcnc would read it"));
+  CHECK_THAT(offer_of("G0 X1Q7Q\n", Control::linuxcnc), !ContainsSubstring("--control"));
+}
+
+TEST_CASE("what a control's parameters decide is listed as assumed", "[unit][program]") {
+  CHECK(says(read_text("G0 X10\n", of(Control::fanuc)), "'X10' and other lengths without"));
+  CHECK(!says(read_text("G0 X10. Y0\n", of(Control::fanuc)), "without a decimal point"));
+  CHECK(!says(read_text("G0 X10\n", of(Control::mach3)), "without a decimal point"));
+  CHECK(says(read_text("G81 X0. Z-1. R1. F9\n", of(Control::haas)), "begun in G98"));
+  CHECK(!says(read_text("G98 G81 X0. Z-1. R1. F9\n", of(Control::haas)), "begun in"));
+  CHECK(says(read_text("G99 G73 X0. Z-9. R1. Q2. F9\n", of(Control::haas)), "0.254 mm"));
+  CHECK(says(read_text("G10 L12 P1 R3.\n", of(Control::fanuc)), "state radii"));
+  CHECK(says(read_text("G10 L12 P1 R3.\n", of(Control::haas)), "state diameters"));
+  CHECK(says(read_text("#1=#0\nG0 X#1 Y1.\n", of(Control::haas)), "is left out"));
+  CHECK(says(read_text("G0 X\xE2\x88\x92"
+                       "1\n"),
+             "a dash that is not ASCII's"));
+}
+
+TEST_CASE("a work offset that the program sets is not assumed", "[unit][program]") {
+  const auto lies_at_zero = [](const std::string& text) {
+    return says(read_text(text, of(Control::linuxcnc)), "G55 lies at the machine's zero");
+  };
+  CHECK(lies_at_zero("G55 G0 X1\n"));
+  CHECK(lies_at_zero("G10 L2 P2 X1\nG55 G0 X1\n"));
+  CHECK(!lies_at_zero("G10 L2 P2 X1 Y2 Z3\nG55 G0 X1\n"));
+}
+
+TEST_CASE("subprograms in files of a folder", "[unit][program]") {
+  const limitgauge::tests::TemporaryFolder folder, elsewhere;
+  std::ofstream(folder.path() / "O0100.nc") << "%\nO0100\nG1 X[#1] F50.\nGOTO 5\nX99.\nN5 M99\n%\n";
+  std::ofstream(folder.path() / "200") << "G0 Y2.\nM98 P100\nM99\n";
+  std::ofstream(folder.path() / "readme.txt") << "not a program\n";
+  std::ofstream(elsewhere.path() / "O300.nc") << "G0 X1.\nM99\n";
+  std::filesystem::create_symlink(elsewhere.path() / "O300.nc", folder.path() / "O300.nc");
+  MachineSetup machine = of(Control::fanuc);
+  const std::string text = "G21 G90\n#1=7\nG0 X0. Y0. Z0.\nM98 P200\nG65 P100 A4.\nM30\n";
+  CHECK_THAT(message_of<InputError>([&] { read_text(text, machine); }),
+             ContainsSubstring("program O200 is not in this file"));
+  machine.subprograms = folder.path();
+  const Program program = read_text(text, machine);
+  REQUIRE(program.motions.size() == 4);
+  CHECK(program.motions[1].to == Vec3{0, 2, 0});
+  CHECK(program.motions[2].to == Vec3{7, 2, 0});
+  CHECK(program.motions[3].to == Vec3{4, 2, 0});
+  // Lines are those of the program that a report shows.
+  CHECK(program.motions[2].line == 4);
+  CHECK(program.motions[3].line == 5);
+  CHECK_THAT(message_of<InputError>([&] { read_text("M98 P300\n", machine); }),
+             ContainsSubstring("neither in this file nor in the folder"));
+  std::ofstream(folder.path() / "O100.tap") << "M99\n";
+  CHECK_THAT(message_of<InputError>([&] { read_text(text, machine); }),
+             ContainsSubstring("two files of program O100"));
+  std::ofstream(folder.path() / "O400.nc") << "G0 X1.\nG0 X#7 Y[1\nM99\n";
+  const std::string error = message_of<InputError>([&] { read_text("M98 P400\n", machine); });
+  CHECK_THAT(error, ContainsSubstring("O400.nc:2:9: error: "));
+  CHECK(subprogram_files(folder.path()).size() == 4);
+}
+
+TEST_CASE("a line without end is refused before it is read whole", "[unit][program]") {
+  const limitgauge::tests::TemporaryFolder folder;
+  const auto file = folder.path() / "long.nc";
+  {
+    std::ofstream out(file);
+    out << "G0 X1\nG0 X";
+  }
+  // A hole in the file: a gigabyte that takes no room.
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 30U);
+  CHECK_THAT(message_of<InputError>([&] { read_program(file); }),
+             ContainsSubstring("long.nc:2:1000001: error: a line of more than 1000000 bytes"));
+}
+
+TEST_CASE("text in other encodings", "[unit][program]") {
+  CHECK(as_program_text("G0 X1\r\nG0 X2\r\n", "a").empty());
+  CHECK(as_program_text("G0 X1\rG0 X2\r", "a") == "G0 X1\nG0 X2\n");
+  CHECK(as_program_text(std::string_view("\xFF\xFEG\0"
+                                         "0\0",
+                                         6),
+                        "a") == "G0");
+  CHECK(as_program_text(std::string_view("\0G\0"
+                                         "0\0 \0X",
+                                         8),
+                        "a") == "G0 X");
+  CHECK(as_program_text("", "a").empty());
+  CHECK(as_program_text("\r", "a").empty());
+}
+
+TEST_CASE("the M6 that stopped the spindle is named", "[unit][program]") {
+  const std::string start = "G21 G90\nT1 M6\nM3 S900\nG0 X0 Y0 Z0\nG1 X1 F90\n";
+  CHECK(says(read_text(start + "T2 M6\nG0 X2\nG1 X3\n"),
+             "line 8: feeds with the spindle at rest: the M6 of line 6 has stopped it"));
+  CHECK(!says(read_text(start + "T2 M6\nM3\nG1 X3\n"), "spindle at rest"));
+  CHECK(!says(read_text(start + "M5\nT2 M6\nG1 X3\n"), "spindle at rest"));
+}

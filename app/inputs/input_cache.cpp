@@ -82,14 +82,17 @@ StockReaders InputCache::stock_readers() {
   return readers;
 }
 
-JobSurface InputCache::surface(const Job& job) {
-  const FileState state = file_state(job.cage);
+std::optional<JobSurface> InputCache::surface(const Job& job) {
+  if (!job.design) return std::nullopt;
+  const JobDesign& design = *job.design;
+  const FileState state = file_state(design.cage);
   const auto is_it = [&](const CachedSurface& known) {
-    return known.file == job.cage && known.state == state && same(known.placement, job.placement);
+    return known.file == design.cage && known.state == state &&
+           same(known.placement, design.placement);
   };
   return in_front(surfaces_, is_it,
                   [&] {
-                    return CachedSurface{job.cage, job.placement, state, load_surface(job)};
+                    return CachedSurface{design.cage, design.placement, state, load_surface(job)};
                   })
       .surface;
 }

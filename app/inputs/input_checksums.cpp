@@ -22,7 +22,7 @@ std::vector<JobFile> files_of(const Job& job) {
       if (file.role == role) add(file);
   };
   add_sources(JobFile::Role::job);
-  add({JobFile::Role::cage, job.cage, job.cage_as_stated});
+  if (job.design) add({JobFile::Role::cage, job.design->cage, job.design->cage_as_stated});
   add_sources(JobFile::Role::stock);
   for (const JobStage& stage : job.stages)
     if (!stage.plan) add({JobFile::Role::program, stage.program, stage.program_as_stated});

@@ -19,11 +19,16 @@ struct RunTerms {
   std::size_t kept = 0;                ///< stages of other jobs that are held beside
 };
 
-/// Everything a job reads, read and checked before anything is computed or written.
-struct RunInputs {
+/// The surface that a job is about.
+struct JobSurface {
   model::Cage cage;  ///< placed
   verifier::ReferenceSurface surface;
-  witness::Agreement witness;
+  witness::Agreement witness;  ///< on this cage: the two agree
+};
+
+/// Everything a job reads, read and checked before anything is computed or written.
+struct RunInputs {
+  std::optional<JobSurface> design;  ///< empty for a job without one
   Settings settings;
   RunTerms terms;
   std::vector<model::Fixture> fixtures;
@@ -31,13 +36,7 @@ struct RunInputs {
   std::vector<reports::InputFile> files;             ///< what all of this was read from
 };
 
-/// The surface that a job is about.
-struct JobSurface {
-  model::Cage cage;  ///< placed
-  verifier::ReferenceSurface surface;
-  witness::Agreement witness;  ///< on this cage: the two agree
-};
-/// Throws InputError for a cage that cannot be used, verifier::InstrumentDisagreement where the
+/// Of a job with a design. Throws InputError for a cage that cannot be used, verifier::InstrumentDisagreement where the
 /// reference surface is not the one that the witness has of the cage, Interrupted when told to
 /// stop.
 JobSurface load_surface(const Job& job, const model::RunControl& control = {});
@@ -45,7 +44,7 @@ JobSurface load_surface(const Job& job, const model::RunControl& control = {});
 /// Throws InputError for a cage or program that cannot be used, and as load_surface does.
 /// ResourceError where the moves alone are more than the limit lets the run take.
 RunInputs load_inputs(const Job& job, const RunTerms& terms, const model::RunControl& control = {});
-/// The same with the job's surface, where it is at hand.
-RunInputs load_inputs(const Job& job, const RunTerms& terms, JobSurface surface);
+/// The same with the surface of the job's design, where it is at hand; empty for a job without one.
+RunInputs load_inputs(const Job& job, const RunTerms& terms, std::optional<JobSurface> design);
 
 }  // namespace limitgauge::app

@@ -15,25 +15,28 @@ PartLength part_length(const TomlTable& table, std::string_view key, double mm) 
   return {"\"" + std::string(key) + "\" in " + table.where(), mm, table.place(key)};
 }
 
-void read_surface(const toml::table& table, Job& job, JobContext& context) {
+JobDesign read_surface(const toml::table& table, JobContext& context) {
   const TomlTable surface(table, "[surface]", {"cage", "precision", "transform"});
-  job.cage_as_stated = surface.text("cage");
-  job.cage = context.folder / job.cage_as_stated;
-  if (!model::is_file(job.cage)) {
-    throw model::InputError(surface.place("cage"), "no file \"" + job.cage_as_stated + "\"",
+  JobDesign design;
+  design.cage_as_stated = surface.text("cage");
+  design.cage = context.folder / design.cage_as_stated;
+  if (!model::is_file(design.cage)) {
+    throw model::InputError(surface.place("cage"), "no file \"" + design.cage_as_stated + "\"",
                             "a cage as OBJ");
   }
   if (surface.has("precision")) {
-    job.precision_mm = part_length_mm(surface, "precision", job.part_lengths);
+    design.precision_mm = part_length_mm(surface, "precision", context.part_lengths);
   } else {
-    context.defaulted.push_back("surface precision " + model::shortest(job.precision_mm) +
+    context.defaulted.push_back("surface precision " + model::shortest(design.precision_mm) +
                                 " mm (default)");
   }
-  read_placement(surface, job);
+  read_placement(surface, design);
+  return design;
 }
 
 void read_voxel(const TomlTable& simulation, Job& job) {
   job.voxel_mm = simulation.length_or_auto_mm("voxel");
+  job.stated_voxel.reset();
   if (job.voxel_mm) job.stated_voxel = part_length(simulation, "voxel", *job.voxel_mm);
 }
 
@@ -47,7 +50,8 @@ Job read_root(const toml::table& table, JobContext& context) {
   const TomlTable root(table, "the job", {}, kJobKeys);
   Job job;
   job.name = read_job_name(root);
-  read_surface(root.table("surface"), job, context);
+  context.has_design = root.has("surface");
+  if (root.has("surface")) job.design = read_surface(root.table("surface"), context);
   job.stock = read_stock(root.table("stock"), context);
   read_machine(root, job, context);
   read_fixtures(root, job, context);
@@ -56,6 +60,7 @@ Job read_root(const toml::table& table, JobContext& context) {
   job.stages = read_stages(root.tables("stage"), tools, context);
   read_post(root, job, context);
   read_settings(root, job);
+  if (!job.design) refuse_design_keys(root);
   if (root.has("published")) job.published = read_published(root);
   job.defaulted = std::move(context.defaulted);
   job.sources = std::move(context.sources);
@@ -87,13 +92,13 @@ std::string read_job_name(const TomlTable& root) {
   return name;
 }
 
-void read_placement(const TomlTable& surface, Job& job) {
+void read_placement(const TomlTable& surface, JobDesign& design) {
   if (!surface.has("transform")) return;
   const TomlTable transform(surface.table("transform"), "\"transform\" of [surface]",
                             {"scale", "rotate_z", "translate"});
-  if (transform.has("scale")) job.placement.scale = transform.scale("scale");
-  if (transform.has("rotate_z")) job.placement.rotate_z_deg = transform.angle_deg("rotate_z");
-  if (transform.has("translate")) job.placement.translate_mm = transform.shift_mm("translate");
+  if (transform.has("scale")) design.placement.scale = transform.scale("scale");
+  if (transform.has("rotate_z")) design.placement.rotate_z_deg = transform.angle_deg("rotate_z");
+  if (transform.has("translate")) design.placement.translate_mm = transform.shift_mm("translate");
 }
 
 void read_settings(const TomlTable& root, Job& job) {

@@ -96,7 +96,7 @@ void check_tools(const std::vector<ToolChange>& changes, const std::string& file
       fail(file, change.line,
            tool_word(change.tool) + " is loaded in the part that stage \"" + stage.name +
                "\" takes, after " + tool_word(*loaded),
-           "a stage for each tool, by \"program_tool\" or \"program_section\"; with verify a "
+           "a stage for each tool, by \"program_tool\" or \"program_section\"; with verify or cut a "
            "--tool N=... for each");
     if (within) loaded = change.tool;
     if (within && stage.tool_number && *stage.tool_number != change.tool)

@@ -184,7 +184,7 @@ void inspect_cage(const InspectCommand& command, const CommonOptions& common,
                   const Console& console) {
   if (!command.csv.empty()) require_writable(command.csv);
   Job job;
-  job.cage = command.file;
+  job.design.emplace().cage = command.file;
   const JobSurface read = load_surface(job, {common.threads, console.stop, {}});
   if (!command.csv.empty())
     model::write_whole_file(

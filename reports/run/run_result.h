@@ -61,7 +61,8 @@ struct StageResult {
   std::string strategy;  ///< empty when `program` names a file
   std::string program;
   std::string program_part;  ///< "T2", "section 3", "from (FINISH)"; empty: the whole program
-  double allowance_mm = 0, step_mm = 0, tolerance_mm = 0;
+  std::optional<double> allowance_mm;  ///< empty where there is no design
+  double step_mm = 0, tolerance_mm = 0;
   verifier::GateLimits limits;
   verifier::GateDecision decision;
 
@@ -86,7 +87,8 @@ struct StageResult {
     simulator::Removal removal;                  ///< its moves are let go with the stock
     std::optional<page::PathView> path_view;     ///< once the stage's files are written
 
-    verifier::StageDeviation deviation;
+    /// Empty where nothing is measured against a design.
+    std::optional<verifier::StageDeviation> deviation;
   };
   std::optional<Ran> ran;
   std::optional<StagePictures> pictures;  ///< empty: a page without pictures
@@ -115,7 +117,7 @@ struct RunResult {
   unsigned threads = 1;
   verifier::Verdict verdict = verifier::Verdict::not_run;
   model::Stock raw_stock;
-  SurfaceResult surface;
+  std::optional<SurfaceResult> surface;  ///< empty: the run is about a program without a design
   model::RigidPlacement program_frame;               ///< programs' work frame in the cage's
   model::MachineSetup machine;                       ///< what programs were told of the machine
   std::optional<model::ProgramStart> program_start;  ///< where a stage is a program

@@ -111,7 +111,7 @@ std::string threshold_note(const verifier::StageDeviation& d) {
 }  // namespace
 
 std::string findings_part(const RunResult& result, std::size_t index) {
-  const verifier::StageDeviation& d = result.stages[index].ran->deviation;
+  const verifier::StageDeviation& d = *result.stages[index].ran->deviation;
   return threshold_note(d) + findings_table(result, index, d.gouges, "Gouges, deepest first", 'G') +
          findings_table(result, index, d.uncuts, "Material left standing, highest first", 'U') +
          findings_table(result, index, d.missing_stock, "Missing raw stock, deepest first", 'M') +

@@ -51,6 +51,7 @@ Job read_root(const toml::table& table, JobContext& context) {
   Job job;
   job.name = read_job_name(root);
   context.has_design = root.has("surface");
+  if (!context.has_design) refuse_design_keys(root);
   if (root.has("surface")) job.design = read_surface(root.table("surface"), context);
   job.stock = read_stock(root.table("stock"), context);
   read_machine(root, job, context);
@@ -60,7 +61,6 @@ Job read_root(const toml::table& table, JobContext& context) {
   job.stages = read_stages(root.tables("stage"), tools, context);
   read_post(root, job, context);
   read_settings(root, job);
-  if (!job.design) refuse_design_keys(root);
   if (root.has("published")) job.published = read_published(root);
   job.defaulted = std::move(context.defaulted);
   job.sources = std::move(context.sources);

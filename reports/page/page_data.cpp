@@ -7,6 +7,7 @@
 #include "reports/page/field_data.h"
 #include "reports/page/findings_data.h"
 #include "reports/page/path_view.h"
+#include "reports/page/stock_data.h"
 #include "reports/page/surface_data.h"
 #include "reports/text/embedded.h"
 #include "reports/text/text.h"
@@ -142,6 +143,7 @@ class Writer {
     if (!asked.ran) return out;
     out.update(findings_data(*asked.ran));
     if (asked.ran->deviation) add_deviation(*asked.ran->deviation, out);
+    if (asked.ran->stock_view) out["stock"] = stock_data(*asked.ran->stock_view, blob_);
     if (asked.ran->path_view) out["path"] = path_data(*asked.ran->path_view, blob_);
     return out;
   }

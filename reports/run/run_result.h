@@ -12,6 +12,7 @@
 #include "model/part/cage.h"
 #include "model/part/machine_setup.h"
 #include "reports/page/path_view.h"
+#include "reports/page/stock_view.h"
 #include "reports/run/published.h"
 #include "simulator/instrument/dexel_agreement.h"
 #include "simulator/instrument/dexel_stock.h"
@@ -86,6 +87,7 @@ struct StageResult {
     simulator::StockAgreement agreement;         ///< of the two stock models
     simulator::Removal removal;                  ///< its moves are let go with the stock
     std::optional<page::PathView> path_view;     ///< once the stage's files are written
+    std::optional<page::StockView> stock_view;   ///< likewise, of a run without a design
 
     /// Empty where nothing is measured against a design.
     std::optional<verifier::StageDeviation> deviation;

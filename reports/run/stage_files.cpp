@@ -109,6 +109,12 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
     jobs.push_back([&] { write_surface(ran, surface.mesh, into / "stock.vtp", options, facts); });
     jobs.push_back([&] { ran.stock->write_vdb(into / "stock.vdb"); });
   }
+  // Beside a design the page shows the surface, and what stands on it.
+  if (ran.stock && !ran.deviation)
+    jobs.push_back([&] {
+      files.stock_view = page::stock_view(*ran.stock, surface.mesh, options.passes,
+                                          {options.control.threads, options.control.stop, {}});
+    });
   if (ran.deviation)
     jobs.push_back(
         [&] { write_deviation_vtp(ran.deviation->field, into / "deviation.vtp", facts); });

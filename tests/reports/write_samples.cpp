@@ -48,7 +48,7 @@ const std::map<std::string, Sample> kSamples = {
 void write_field(const StageResult& stage, const std::filesystem::path& file) {
   std::ofstream out(file);
   out.precision(9);
-  for (const auto& s : stage.ran->deviation.field.samples)
+  for (const auto& s : stage.ran->deviation->field.samples)
     out << s.deviation_mm << ' ' << s.line << ' ' << s.stage << ' ' << s.reachable << '\n';
 }
 

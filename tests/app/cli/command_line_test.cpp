@@ -173,7 +173,7 @@ TEST_CASE("help names what there is and nothing else", "[unit][command_line]") {
   const CommandLine all = parse({"--help"});
   const std::string& text = std::get<PrintCommand>(all.command).text;
   for (const char* word :
-       {"run", "plan", "verify", "inspect", "compare", "study", "history", "view", "Exit codes"}) {
+       {"run", "plan", "verify", "cut", "inspect", "compare", "study", "history", "view", "Exit codes"}) {
     CHECK_THAT(text, ContainsSubstring(word));
   }
   CHECK_THAT(text, !ContainsSubstring("--generate"));

@@ -247,7 +247,7 @@ TEST_CASE("Reach, missing stock and their gates are read back", "[unit][record]"
   written.stages[0].limits.unreachable_is_share = false;
   written.stages[0].limits.unreachable = 12.5;
   const RunRecord run = read(record_text_of(written));
-  const StageMeasures& measures = *run.stages[1].measures;
+  const DeviationMeasures& measures = *run.stages[1].measures->deviation;
   CHECK(measures.reach.reachable_mm2 == 90);
   CHECK(measures.reach.unreachable_mm2 == 8);
   CHECK(measures.reach.undecided_mm2 == 2);

@@ -16,7 +16,7 @@ export function createLegend() {
   return {
     element,
     update(chosen) {
-      title.textContent = chosen.key === 'order' ? chosen.label : `${chosen.label} in ${chosen.unit}`;
+      title.textContent = chosen.key === 'order' || !chosen.unit ? chosen.label : `${chosen.label} in ${chosen.unit}`;
       // Times are long words.
       const values = legendTicks(chosen, chosen.key === 'order' ? 3 : 5);
       ticks.replaceChildren(...values.map((value, i) => tick(chosen, value, i === values.length - 1)));

@@ -105,7 +105,8 @@ struct PrintCommand {
   std::string text;
 };
 
-using Command = std::variant<RunCommand, PlanCommand, VerifyCommand, CutCommand, InspectCommand, CompareCommand,
-                             StudyCommand, HistoryCommand, ViewCommand, PrintCommand>;
+using Command =
+    std::variant<RunCommand, PlanCommand, VerifyCommand, CutCommand, InspectCommand, CompareCommand,
+                 StudyCommand, HistoryCommand, ViewCommand, PrintCommand>;
 
 }  // namespace limitgauge::app

@@ -95,8 +95,8 @@ double moves_bytes(const RunScale& scale) {
 /// All but the stock. Its mesh is gone when the next stage is measured: files and measuring share
 /// their room.
 double other_bytes(const RunScale& scale) {
-  return kProcessBytes + cells_bytes(scale) + kModelShare * scale.model_bytes +
-         moves_bytes(scale) + std::max(measuring_bytes(scale), writing_bytes(scale));
+  return kProcessBytes + cells_bytes(scale) + kModelShare * scale.model_bytes + moves_bytes(scale) +
+         std::max(measuring_bytes(scale), writing_bytes(scale));
 }
 
 }  // namespace
@@ -129,7 +129,8 @@ RunScale scale_of(const Job& job, const verifier::ReferenceSurface* surface,
 RunScale scale_of(const Job& job, const RunInputs& inputs,
                   const std::optional<engine::surface::FinishModel>& built,
                   const simulator::StockModel& stock) {
-  RunScale scale = scale_of(job, inputs.design ? &inputs.design->surface : nullptr, inputs.programs, inputs.terms);
+  RunScale scale = scale_of(job, inputs.design ? &inputs.design->surface : nullptr, inputs.programs,
+                            inputs.terms);
   if (built) scale.model_bytes = static_cast<double>(built->figures().memory_bytes);
   // Tile by tile, as much as there is room for.
   scale.grid_bytes = stock.tiles() == 0 ? static_cast<double>(stock.memory_bytes())
@@ -151,12 +152,12 @@ std::size_t stock_limit_bytes(const RunScale& scale) {
       "limitgauge: error: the run does not fit into memory: without its stock it is forecast to "
       "take " +
       model::in_mib(other_bytes(scale)) + ", " +
-      (scale.cells_bytes ? model::in_mib(*scale.cells_bytes) +
-                               " of it for the exact surface and its cells and "
-                         : std::string()) +
-      model::in_mib(moves_bytes(scale)) +
-      " of it for " + std::to_string(std::llround(scale.moves)) + " moves; allowed are " +
-      model::in_mib(limit) + (scale.pictures ? "; --no-pictures takes less" : "") +
+      (scale.cells_bytes
+           ? model::in_mib(*scale.cells_bytes) + " of it for the exact surface and its cells and "
+           : std::string()) +
+      model::in_mib(moves_bytes(scale)) + " of it for " +
+      std::to_string(std::llround(scale.moves)) + " moves; allowed are " + model::in_mib(limit) +
+      (scale.pictures ? "; --no-pictures takes less" : "") +
       "; a program of fewer moves, or more memory, would do");
 }
 

@@ -19,7 +19,7 @@ struct RunScale {
   /// Of the exact surface, and of the cells that the verifier makes of it; empty where nothing is
   /// measured against a design.
   std::optional<double> cells_bytes;
-  double grid_bytes = 0;     ///< of the stock's level set, or of what stands for it tile by tile
+  double grid_bytes = 0;  ///< of the stock's level set, or of what stands for it tile by tile
   bool pictures = true;
   RunTerms terms;
 };

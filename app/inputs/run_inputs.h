@@ -36,9 +36,9 @@ struct RunInputs {
   std::vector<reports::InputFile> files;             ///< what all of this was read from
 };
 
-/// Of a job with a design. Throws InputError for a cage that cannot be used, verifier::InstrumentDisagreement where the
-/// reference surface is not the one that the witness has of the cage, Interrupted when told to
-/// stop.
+/// Of a job with a design. Throws InputError for a cage that cannot be used,
+/// verifier::InstrumentDisagreement where the reference surface is not the one that the witness has
+/// of the cage, Interrupted when told to stop.
 JobSurface load_surface(const Job& job, const model::RunControl& control = {});
 
 /// Throws InputError for a cage or program that cannot be used, and as load_surface does.

@@ -144,10 +144,10 @@ double GroupReader::start_shift_mm(std::size_t first) const {
 
 void GroupReader::require_near(const model::Vec3& tip_mm, std::uint32_t line) const {
   if (model::is_near(tip_mm)) return;
-  throw model::InputError(
-      {file_, static_cast<int>(line), 0},
-      "the tip moves to " + model::farthest_words(tip_mm) + " in the frame of the " + (job_.design ? "cage" : "stock"),
-      model::kFarthestExpected);
+  throw model::InputError({file_, static_cast<int>(line), 0},
+                          "the tip moves to " + model::farthest_words(tip_mm) +
+                              " in the frame of the " + (job_.design ? "cage" : "stock"),
+                          model::kFarthestExpected);
 }
 
 ForeignPath GroupReader::path_of(std::size_t index) const {

@@ -25,11 +25,10 @@ void refuse_gate(const toml::table& table) {
 void refuse_in_stage(const toml::table& stage) {
   const auto place = [&](const char* key) { return place_of(stage.get(key)->source()); };
   if (stage.contains("strategy"))
-    throw model::InputError(
-        place("strategy"),
-        "stage \"" + stage["name"].value_or(std::string()) +
-            "\" is to be planned, and the job has no [surface] to plan it for",
-        "a [surface] with the design, or \"program\" instead of \"strategy\"");
+    throw model::InputError(place("strategy"),
+                            "stage \"" + stage["name"].value_or(std::string()) +
+                                "\" is to be planned, and the job has no [surface] to plan it for",
+                            "a [surface] with the design, or \"program\" instead of \"strategy\"");
   if (stage.contains("allowance"))
     throw model::InputError(place("allowance"),
                             "\"allowance\" is material above a surface, and the job has no "

@@ -40,9 +40,9 @@ std::string frame_words(const Job& job) {
            " share one frame in millimetres; no alignment is made";
   return std::string(job.design ? "cage and stock share one frame in millimetres"
                                 : "the stock's frame is in millimetres") +
-         "; the zero of programs lies at " +
-         point_words(job.program_frame.translate_mm) + " in it, turned about Z by " +
-         model::shortest(job.program_frame.rotate_z_deg) + " degrees; no alignment is made";
+         "; the zero of programs lies at " + point_words(job.program_frame.translate_mm) +
+         " in it, turned about Z by " + model::shortest(job.program_frame.rotate_z_deg) +
+         " degrees; no alignment is made";
 }
 
 void state_stage(const Job& job, const Settings& settings, std::size_t index,
@@ -103,8 +103,7 @@ double voxel_by_gates_mm(const Job& job) {
   }
   if (tightest == std::numeric_limits<double>::infinity())
     tightest = kVoxelWithoutGate_mm / kVoxelsPerGate;
-  return std::clamp(in_micrometres(kVoxelsPerGate * tightest), kSmallestVoxel_mm,
-                    kLargestVoxel_mm);
+  return std::clamp(in_micrometres(kVoxelsPerGate * tightest), kSmallestVoxel_mm, kLargestVoxel_mm);
 }
 
 }  // namespace
@@ -148,9 +147,9 @@ Settings choose_settings(const Job& job, const model::Box3& surface,
     if (job.design)
       settings.resolution_mm.push_back(
           job.resolution_mm.value_or(verifier::automatic_resolution_mm(stage.limits)));
-    settings.chord_error_mm.push_back(job.design ? chord_error_mm(settings.resolution_mm.back())
-                                                 : kChordsPerContact *
-                                                       settings.contact_tolerance_mm);
+    settings.chord_error_mm.push_back(job.design
+                                          ? chord_error_mm(settings.resolution_mm.back())
+                                          : kChordsPerContact * settings.contact_tolerance_mm);
     settings.floor_z_mm.push_back(
         !stage.plan ? std::numeric_limits<double>::quiet_NaN()
                     : stage.plan->floor_z_mm.value_or(automatic_floor_mm(stage.cutter, surface)));

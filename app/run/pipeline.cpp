@@ -133,9 +133,9 @@ std::vector<std::string> Bench::names_up_to(std::size_t index) const {
 }
 
 void Bench::write_files(reports::StageResult& stage) const {
-  reports::StageFiles files = write_stage_files(
-      stage, folder_,
-      {job_.pictures, control(stage.name + ": writing"), job_.rapid_mm_min, job_.stock_surface, passes_});
+  reports::StageFiles files = write_stage_files(stage, folder_,
+                                                {job_.pictures, control(stage.name + ": writing"),
+                                                 job_.rapid_mm_min, job_.stock_surface, passes_});
   stage.ran->surface = files.surface;
   stage.ran->path_view = std::move(files.path_view);
   stage.ran->stock_view = std::move(files.stock_view);

@@ -108,7 +108,7 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
   result.machine = job.machine;
   result.published = job.published;
   result.inputs = inputs.files;
-  for (const JobStage& asked : job.stages) 
+  for (const JobStage& asked : job.stages)
     result.stages.push_back(stage_as_asked(asked, job.design.has_value()));
   return result;
 }

@@ -171,7 +171,7 @@ void check_engine(const EngineOptions& engine) {
 void require_shareable(const Job& job, const EngineOptions& engine) {
   if (engine.engine == "slurm" && !job.design)
     throw UsageError(
-        "limitgauge: error: --engine slurm shares out what is measured against a surface, and the "
+        "--engine slurm shares out what is measured against a surface, and the "
         "job has no [surface]; expected the run without it");
 }
 

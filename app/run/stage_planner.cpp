@@ -67,7 +67,9 @@ std::vector<model::Box3> StagePlanner::regions(std::size_t stage,
   leftover.allowance_mm = asked.allowance_mm;
   leftover.threshold_mm = rest_threshold_mm(asked);
   leftover.tile_mm = std::max(leftover.tile_mm, 2 * asked.plan->cut.step_mm);
-  return find_leftover_regions(inputs_.design.value().surface, job_.stock, before, leftover, control).boxes;
+  return find_leftover_regions(inputs_.design.value().surface, job_.stock, before, leftover,
+                               control)
+      .boxes;
 }
 
 StageToCut StagePlanner::plan_own(std::size_t stage, std::span<const verifier::Pass> before,

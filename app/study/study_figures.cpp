@@ -43,7 +43,8 @@ double relative(double figure, double limit, double least) {
 }
 
 /// Of the limits of one stage; what is at most 0 is kept.
-std::vector<double> excesses(const DeviationMeasures& measures, const verifier::GateLimits& limits) {
+std::vector<double> excesses(const DeviationMeasures& measures,
+                             const verifier::GateLimits& limits) {
   std::vector<double> all;
   if (limits.has_gouge && limits.gouge_mm > 0)
     all.push_back(
@@ -89,7 +90,8 @@ const char* judged(const verifier::Interval& figure, double limit) {
 }
 
 template <class Add>
-void add_reach(const DeviationMeasures& measures, const verifier::GateLimits& limits, const Add& add) {
+void add_reach(const DeviationMeasures& measures, const verifier::GateLimits& limits,
+               const Add& add) {
   const verifier::Interval area_mm2 = unreachable_figure(measures, false),
                            figure = unreachable_figure(measures, limits.unreachable_is_share);
   if (area_mm2.high > 0 && measures.reach.reachable_mm2 <= 0 && measures.reachable_area_mm2 <= 0)

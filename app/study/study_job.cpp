@@ -114,9 +114,10 @@ void require_objective(const std::string& id, const std::vector<std::string>& st
 /// A study weighs accuracy against time.
 void require_design(const Job& job, const StudyFile& file) {
   if (job.design) return;
-  throw model::InputError({file.plan.job.string(), 0, 0},
-                          "the job has no [surface], and a study tunes what is measured against one",
-                          "a job with [surface]; without one, `limitgauge run` case by case");
+  throw model::InputError(
+      {file.plan.job.string(), 0, 0},
+      "the job has no [surface], and a study tunes what is measured against one",
+      "a job with [surface]; without one, `limitgauge run` case by case");
 }
 
 void require_figures(const StudyFile& file, const Job& job) {

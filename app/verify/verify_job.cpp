@@ -178,10 +178,11 @@ const char* other_than_cage(const std::filesystem::path& file) {
 /// would be of another part.
 void require_cage(const std::filesystem::path& file) {
   if (const char* format = other_than_cage(file))
-    throw UsageError("--cage " + file.string() + " is " + format +
-                     ", and --cage takes the control cage of a Catmull-Clark surface; expected an "
-                     "OBJ with quads or n-gons; without one, `limitgauge cut` with the same --stock, "
-                     "--tool and --program says what happens on the way and shows what is left");
+    throw UsageError(
+        "--cage " + file.string() + " is " + format +
+        ", and --cage takes the control cage of a Catmull-Clark surface; expected an "
+        "OBJ with quads or n-gons; without one, `limitgauge cut` with the same --stock, "
+        "--tool and --program says what happens on the way and shows what is left");
 }
 
 }  // namespace
@@ -254,9 +255,9 @@ void refuse_options(const TomlTable& table, const std::string& command, const st
                     std::span<const std::pair<const char*, const char*>> options) {
   for (const auto& [key, option] : options)
     if (table.has(key))
-      throw model::InputError(
-          table.place(key),
-          command + " takes \"" + key + "\" of " + where + " from its options", option);
+      throw model::InputError(table.place(key),
+                              command + " takes \"" + key + "\" of " + where + " from its options",
+                              option);
 }
 
 constexpr std::pair<const char*, const char*> kJobOptions[] = {

@@ -51,8 +51,7 @@ Fineness fineness_of(const record::StageMeasures& base, const record::StageMeasu
   const auto resolution_mm = [](const record::StageMeasures& m) {
     return m.deviation ? m.deviation->resolution_mm : 0;
   };
-  return {std::max(resolution_mm(base), resolution_mm(now)),
-          std::max(base.voxel_mm, now.voxel_mm)};
+  return {std::max(resolution_mm(base), resolution_mm(now)), std::max(base.voxel_mm, now.voxel_mm)};
 }
 
 double sample_floor_mm(const Fineness& fineness) {

@@ -44,8 +44,8 @@ void add(std::vector<Remark>& to, std::vector<Remark> remarks) {
   std::move(remarks.begin(), remarks.end(), std::back_inserter(to));
 }
 
-void compare_deviations(const record::DeviationMeasures& base,
-                        const record::DeviationMeasures& now, StageComparison& out) {
+void compare_deviations(const record::DeviationMeasures& base, const record::DeviationMeasures& now,
+                        StageComparison& out) {
   add(out.remarks, compare_certificates(base, now));
   if (std::optional<Remark> remark = tell_reach(base, now))
     out.remarks.push_back(std::move(*remark));

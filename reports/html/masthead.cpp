@@ -72,13 +72,13 @@ std::string masthead(const RunResult& result) {
                             : "a program cut without a design",
              escape_markup(result.job), css_class(result.verdict), badge(result.verdict),
              result.surface ? verdict_sentence(result.verdict) : process_sentence(result.verdict),
-             notes_list(result), worst_places(result),
-             reasons_list(result)) +
-         terms({{"Created", escape_markup(result.created)},
-                {"Design surface", result.surface ? escape_markup(result.surface->cage)
-                                                    : "none: gouge, uncut and coverage are not known"},
-                {"Stock", stock_text(result.raw_stock)},
-                {"Program version", "limitgauge " + escape_markup(result.version)}}) +
+             notes_list(result), worst_places(result), reasons_list(result)) +
+         terms(
+             {{"Created", escape_markup(result.created)},
+              {"Design surface", result.surface ? escape_markup(result.surface->cage)
+                                                : "none: gouge, uncut and coverage are not known"},
+              {"Stock", stock_text(result.raw_stock)},
+              {"Program version", "limitgauge " + escape_markup(result.version)}}) +
          "</header>\n";
 }
 
@@ -91,7 +91,8 @@ std::string entry(std::string_view anchor, std::string_view text) {
 }  // namespace
 
 std::string contents(const RunResult& result) {
-  std::string list = entry("stages", "Stages") + entry("view", result.surface ? "Error map in 3D" : "Finished stock in 3D");
+  std::string list = entry("stages", "Stages") +
+                     entry("view", result.surface ? "Error map in 3D" : "Finished stock in 3D");
   for (std::size_t i = 0; i < result.stages.size(); ++i)
     list +=
         entry(stage_anchor(i), fmt::format("{}. {}", i + 1, escape_markup(result.stages[i].name)));

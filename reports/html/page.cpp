@@ -27,7 +27,8 @@ constexpr const char* kView =
     "picture.</p></noscript>\n<div data-view=\"\"></div></section>\n";
 
 constexpr const char* kStockView =
-    "<section id=\"view\"><h2>Finished stock in 3D</h2>\n<noscript><p class=\"note\">The stock that "
+    "<section id=\"view\"><h2>Finished stock in 3D</h2>\n<noscript><p class=\"note\">The stock "
+    "that "
     "can be turned needs a script, which is switched off here. Each stage below has it as a "
     "picture.</p></noscript>\n<div data-view=\"\"></div></section>\n";
 
@@ -39,8 +40,8 @@ void write_html(const RunResult& result, std::ostream& out) {
       << stage_table(result) << (result.surface ? kView : kStockView);
   for (std::size_t i = 0; i < result.stages.size(); ++i) out << stage_section(result, i);
   if (result.surface) out << surface_section(*result.surface);
-  out << engine_section(result) << tools_section(result)
-      << inputs_section(result) << decision_section(result.surface.has_value()) << assumptions_section(result.assumptions)
+  out << engine_section(result) << tools_section(result) << inputs_section(result)
+      << decision_section(result.surface.has_value()) << assumptions_section(result.assumptions)
       << "</main>\n<footer><p>All lengths in mm or µm as stated. The same figures, digit for "
          "digit, are in "
          "result.json beside this page.</p></footer>\n</div>\n";

@@ -16,7 +16,7 @@ using model::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Beyond this, triangles are gathered before edges are looked at: about 100 bytes each.
-constexpr std::size_t kMostForEdges = 800'000;
+constexpr std::size_t kMostForEdges = 500'000;
 /// How far planes may be from what stands for them, to begin with.
 constexpr double kFlat_mm = 1e-3;
 constexpr double kGrowth = 1.5;

@@ -88,21 +88,21 @@ std::string source_text(const StageResult& stage) {
 
 Json stage_json(const StageResult& stage, std::size_t index) {
   Json out = {{"name", clean_text(stage.name)},
-          {"index", index},
-          {"tool", clean_text(stage.tool)},
-          {"cutter", cutter_json(stage.cutter)},
-          {"path_source", source_text(stage)},
-          {"verdict", verifier::name(stage.verdict())},
-          {"ran", stage.ran.has_value()},
-          {"limits", limits_json(stage.limits)},
-          {"gouges", Json::array()},
-          {"gouges_total", 0},
-          {"uncuts", Json::array()},
-          {"uncuts_total", 0},
-          {"process", Json::array()},
-          {"process_total", 0},
-          {"field", nullptr},
-          {"path", nullptr}};
+              {"index", index},
+              {"tool", clean_text(stage.tool)},
+              {"cutter", cutter_json(stage.cutter)},
+              {"path_source", source_text(stage)},
+              {"verdict", verifier::name(stage.verdict())},
+              {"ran", stage.ran.has_value()},
+              {"limits", limits_json(stage.limits)},
+              {"gouges", Json::array()},
+              {"gouges_total", 0},
+              {"uncuts", Json::array()},
+              {"uncuts_total", 0},
+              {"process", Json::array()},
+              {"process_total", 0},
+              {"field", nullptr},
+              {"path", nullptr}};
   if (stage.allowance_mm) out["allowance_mm"] = *stage.allowance_mm;
   return out;
 }
@@ -122,7 +122,8 @@ class Writer {
   PageData data() {
     Json stages = Json::array();
     for (std::size_t i = 0; i < result_.stages.size(); ++i) stages.push_back(stage(i));
-    const model::Box3 box = result_.surface ? result_.surface->bbox_mm : bounding_box(result_.raw_stock);
+    const model::Box3 box =
+        result_.surface ? result_.surface->bbox_mm : bounding_box(result_.raw_stock);
     const Json json = {{"format", "limitgauge.page/1"},
                        {"job", clean_text(result_.job)},
                        {"created", clean_text(result_.created)},

@@ -155,8 +155,7 @@ StageRecord read_stage(const JsonValue& stage, const StageContext& run) {
   read_setup(stage, run.has_design, out);
   out.verdict = read_verdict(stage["verdict"]);
   for (const JsonValue& reason : stage["reasons"].items()) out.reasons.push_back(reason.text());
-  if (out.verdict != verifier::Verdict::not_run)
-    out.measures = read_measures(stage, out.name, run);
+  if (out.verdict != verifier::Verdict::not_run) out.measures = read_measures(stage, out.name, run);
   return out;
 }
 

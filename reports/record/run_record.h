@@ -82,7 +82,7 @@ verifier::Interval unreachable_figure(const DeviationMeasures& measures, bool is
 
 struct StageRecord {
   std::string name, tool;
-  std::string strategy, program;  ///< one of them
+  std::string strategy, program;       ///< one of them
   std::optional<double> allowance_mm;  ///< empty for a run without a design
   double step_mm = 0, tolerance_mm = 0;
   verifier::GateLimits limits;

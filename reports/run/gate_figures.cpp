@@ -102,6 +102,12 @@ GateFigure count_figure(const char* what, std::size_t count) {
   return {what, count == 0 ? Standing::within : Standing::beyond, grouped(count), "0"};
 }
 
+/// A pass of a program that cuts nothing is no praise.
+std::vector<std::string> cut_notes(const StageResult::Ran& ran) {
+  if (ran.removal.totals.volume_mm3 > 0) return {};
+  return {"nothing was cut: no move came to the stock; are stock, program and tool in one frame?"};
+}
+
 }  // namespace
 
 Standing standing_of(const verifier::Interval& interval_mm, double limit_mm) {
@@ -130,7 +136,8 @@ std::vector<GateFigure> gate_figures(const StageResult& stage) {
 }
 
 std::vector<std::string> stage_notes(const StageResult& stage) {
-  if (!stage.ran || !stage.ran->deviation) return {};
+  if (!stage.ran) return {};
+  if (!stage.ran->deviation) return cut_notes(*stage.ran);
   const verifier::StageDeviation& d = *stage.ran->deviation;
   std::vector<std::string> out;
   // By samples where no part was proven.

@@ -120,8 +120,8 @@ struct RunResult {
   verifier::Verdict verdict = verifier::Verdict::not_run;
   model::Stock raw_stock;
   std::optional<SurfaceResult> surface;  ///< empty: the run is about a program without a design
-  model::RigidPlacement program_frame;               ///< programs' work frame in the cage's
-  model::MachineSetup machine;                       ///< what programs were told of the machine
+  model::RigidPlacement program_frame;   ///< programs' work frame in the cage's
+  model::MachineSetup machine;           ///< what programs were told of the machine
   std::optional<model::ProgramStart> program_start;  ///< where a stage is a program
   std::vector<StageResult> stages;
   std::vector<std::string>

@@ -58,7 +58,9 @@ std::vector<TerminalTable::Cell> row_of(const StageResult& stage) {
 }
 
 std::vector<TerminalTable::Cell> cut_row_of(const StageResult& stage) {
-  const auto ran = [&](const std::string& text) { return TerminalTable::Cell{stage.ran ? text : "–"}; };
+  const auto ran = [&](const std::string& text) {
+    return TerminalTable::Cell{stage.ran ? text : "–"};
+  };
   return {{stage.name},
           {stage.tool},
           {stage.program},

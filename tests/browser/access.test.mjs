@@ -24,7 +24,7 @@ async function accessibilityTree(page) {
     .map((node) => ({ role: node.role.value, name: node.name?.value ?? '', id: node.backendDOMNodeId }));
 }
 
-for (const name of ['failed', 'dome'])
+for (const name of ['failed', 'dome', 'cut'])
   test(`${name}: every control and picture has a name, headings leave out no level`, () =>
     withReport(browser, name, {}, async (page) => {
       await openAll(page);

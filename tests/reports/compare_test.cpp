@@ -146,8 +146,10 @@ TEST_CASE("Statistics, coverage, time and effort have floors of their own", "[un
   CHECK(judged("mean_mm", [](M& m) { m.deviation->mean_mm += 1; }) == Judgement::not_judged);
   CHECK(judged("coverage", [](M& m) { m.deviation->coverage = 0.9982; }) == Judgement::same);
   CHECK(judged("coverage", [](M& m) { m.deviation->coverage = 0.9979; }) == Judgement::worse);
-  CHECK(judged("voxel_uncut_mm", [](M& m) { m.deviation->voxel_uncut_mm = 0.09; }) == Judgement::same);
-  CHECK(judged("voxel_uncut_mm", [](M& m) { m.deviation->voxel_uncut_mm = 0.11; }) == Judgement::worse);
+  CHECK(judged("voxel_uncut_mm", [](M& m) { m.deviation->voxel_uncut_mm = 0.09; }) ==
+        Judgement::same);
+  CHECK(judged("voxel_uncut_mm", [](M& m) { m.deviation->voxel_uncut_mm = 0.11; }) ==
+        Judgement::worse);
   CHECK(judged("seconds", [](M& m) { m.seconds = 1e6; }) == Judgement::not_judged);
   CHECK(judged("machining_time_s", [](M& m) { m.machining_time_s = 900; }) ==
         Judgement::not_judged);
@@ -270,12 +272,12 @@ TEST_CASE("Inputs and settings that differ are named", "[unit][compare]") {
 
 TEST_CASE("Findings are matched by place and say what became of them", "[unit][compare]") {
   RunRecord base = sample_run(), now = sample_run();
-  base.stages[0].measures->deviation->uncuts = {place_at(0, 0.02, 10), place_at(10, 0.02, 11),
-                                     place_at(20, 0.02, 12), place_at(30, 0.02, 13),
-                                     place_at(50, 0.004, 15)};  // the certificate's witness
+  base.stages[0].measures->deviation->uncuts = {
+      place_at(0, 0.02, 10), place_at(10, 0.02, 11), place_at(20, 0.02, 12), place_at(30, 0.02, 13),
+      place_at(50, 0.004, 15)};  // the certificate's witness
   now.stages[0].measures->deviation->uncuts = {place_at(0.05, 0.0205, 10), place_at(10.5, 0.03, 21),
-                                    place_at(20.5, 0.02, 22), place_at(40, 0.02, 24),
-                                    place_at(60, 0.004, 25)};
+                                               place_at(20.5, 0.02, 22), place_at(40, 0.02, 24),
+                                               place_at(60, 0.004, 25)};
   const StageComparison stage = compare_runs(base, now, {}).stages[0];
   CHECK(stage.same_findings == 1);
   REQUIRE(stage.findings.size() == 4);

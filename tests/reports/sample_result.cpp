@@ -340,4 +340,20 @@ RunResult foreign_result(int samples_per_edge) {
   return r;
 }
 
+RunResult cut_result() {
+  RunResult r = foreign_result(3);
+  r.surface.reset();
+  for (StageResult& stage : r.stages) {
+    stage.allowance_mm.reset();
+    stage.limits = {};
+    stage.step_mm = stage.tolerance_mm = 0;
+    if (stage.program.empty()) stage.program = "rest.ngc";
+    stage.strategy.clear();
+    if (stage.ran) stage.ran->deviation.reset();
+  }
+  r.stages[0].decision.reasons = {"no fault in the process"};
+  r.stages[1].decision.reasons = {"rapid through standing material: 1 move"};
+  return r;
+}
+
 }  // namespace limitgauge::reports

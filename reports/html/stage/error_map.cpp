@@ -101,7 +101,8 @@ std::string summary(std::size_t shown, std::size_t all) {
 
 std::string patch_table(const RunResult& result, std::size_t index) {
   const StageResult& stage = result.stages[index];
-  const std::vector<PatchFigures> patches = patch_figures(stage.ran->deviation->field, stage.limits);
+  const std::vector<PatchFigures> patches =
+      patch_figures(stage.ran->deviation->field, stage.limits);
   if (patches.empty()) return {};
   const std::size_t shown = std::min(patches.size(), kMostRows);
   std::vector<Row> rows;

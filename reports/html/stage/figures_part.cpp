@@ -104,8 +104,9 @@ std::string counts_table(const StageResult& stage) {
   std::vector<std::vector<std::string>> rows;
   for (const GateFigure& f : gate_figures(stage))
     rows.push_back({f.name, f.measured, f.limit, badge(f.standing)});
-  return table("What the verdict is made of: counts of moves. Nothing was measured against a design.",
-               {{"Figure"}, {"Found", true}, {"Allowed", true}, {"Standing"}}, rows);
+  return table(
+      "What the verdict is made of: counts of moves. Nothing was measured against a design.",
+      {{"Figure"}, {"Found", true}, {"Allowed", true}, {"Standing"}}, rows);
 }
 
 }  // namespace

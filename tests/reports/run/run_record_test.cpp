@@ -209,14 +209,15 @@ TEST_CASE("Keys of later versions are left alone, those of earlier ones filled i
   json["stages"][1]["simulation"].erase("findings");
   json["stages"][1]["simulation"]["holder_collisions"] = {
       {{"line", 7}, {"x", 0}, {"y", 0}, {"z", 1}, {"depth_mm", 0.5}, {"part", "shank"}}};
-  const StageMeasures measures = *read(json.dump()).stages[1].measures;
+  const StageMeasures stage = *read(json.dump()).stages[1].measures;
+  const DeviationMeasures measures = stage.deviation.value();
   CHECK(measures.resolution_mm == 0.5);
   CHECK(measures.gouge_threshold_mm == 0.25);
   CHECK(measures.reached_resolution);
   CHECK(measures.findings_complete);
-  REQUIRE_FALSE(measures.process_findings.empty());
-  CHECK(measures.process_findings.back().kind == "shank_in_stock");
-  CHECK(measures.process_findings.back().line == 7U);
+  REQUIRE_FALSE(stage.process_findings.empty());
+  CHECK(stage.process_findings.back().kind == "shank_in_stock");
+  CHECK(stage.process_findings.back().line == 7U);
 }
 
 TEST_CASE("What schema 1 did not know is not asked of its results", "[unit][record]") {

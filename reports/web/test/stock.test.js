@@ -5,6 +5,7 @@ import { decodeStock } from '../src/data/stock.js';
 import { Blob32 } from '../src/data/blocks.js';
 import { colourChoices } from '../src/path/values.js';
 import { removalTimes, stockChoices } from '../src/stock/colours.js';
+import { stockHit } from '../src/stock/stock_hit.js';
 import { createPicker } from '../src/view/scene/pick.js';
 import { cutCurve } from '../src/view/section/section.js';
 
@@ -41,6 +42,18 @@ test('a picker names the triangle that it hit', () => {
     assert.equal(hit.cell, cell);
     assert.ok(Math.abs(hit.point_mm[2] - 1) < 1e-6);
   }
+});
+
+test('what a section opens is met on its plane', () => {
+  const picker = createPicker(stock);
+  const ray = { origin: [50, 5, 1], direction: [-1, 0, 0] };
+  const whole = stockHit(stock, picker, [0, 0, 0, 1], ray);
+  assert.equal(whole.cell, 1);
+  assert.ok(Math.abs(whole.point_mm[0] - 9) < 1e-6);
+  const cut = stockHit(stock, picker, [-1, 0, 0, 6], ray);
+  assert.equal(cut.cell, null);
+  assert.deepEqual(cut.point_mm, [6, 5, 1]);
+  assert.equal(stockHit(stock, picker, [-1, 0, 0, 6], { ...ray, origin: [50, 5, 20] }), null);
 });
 
 test('a section of triangles is what a plane cuts of them', () => {

@@ -21,8 +21,8 @@ struct Slotted {
 model::Pass pass_along(const Vec3& from, const Vec3& to, std::uint32_t line) {
   model::Toolpath path;
   path.start = {from.x, from.y, 5};
-  path.moves = {{from, model::MoveKind::feed, 500, line},
-                {to, model::MoveKind::feed, 500, line + 1}};
+  for (const Vec3& place : {from, to})
+    path.moves.emplace_back(place, 500.0F, line++, model::MoveKind::feed);
   return {model::parse_cutter("flat:D=6,L=12"), std::make_shared<const model::Toolpath>(path)};
 }
 

@@ -95,7 +95,7 @@ TEST_CASE("Results are compared with others of their kind alone", "[unit][cut][c
   CHECK(same.judgement() == compare::Judgement::same);
   CHECK(same.stages[0].figures.size() == 7);
   record::RunRecord worse = cut;
-  worse.stages[0].measures->process_findings.push_back({.kind = "rapid_through_stock"});
+  worse.stages[0].measures->process_findings.emplace_back().kind = "rapid_through_stock";
   worse.stages[0].measures->process.push_back({"rapid_through_stock", 1});
   CHECK(compare::compare_runs(cut, worse, {}).judgement() == compare::Judgement::worse);
   const std::string why =

@@ -2,7 +2,7 @@ import { fixed } from '../base/format.js';
 import { profileAxes } from '../view/section/section.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
-const USUAL_WIDTH = 1000, MOST_HEIGHT = 320, LEFT = 92, RIGHT = 18, TOP = 34, BOTTOM = 26;
+const USUAL_WIDTH = 1000, MOST_HEIGHT = 320, LEFT = 118, RIGHT = 18, TOP = 34, BOTTOM = 26;
 const AXES = 'XYZ';
 
 /** A drawing to scale of the stock cut by a plane, with the dimensions of what is drawn. */

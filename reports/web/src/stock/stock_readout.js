@@ -26,6 +26,7 @@ export function createStockReadout() {
 function words({ point_mm, maker, line, time_s }, stages) {
   const [x, y, z] = point_mm.map(coordinate);
   const place = `X ${x}  Y ${y}  Z ${z} mm`;
+  if (maker === null) return `${place} \u00b7 within the stock, on the section`;
   if (maker === 0) return `${place} \u00b7 raw stock`;
   const name = stages[maker - 1]?.name ?? '';
   const at = line > 0 ? `, line ${grouped(line)}` : '';

@@ -21,6 +21,7 @@ import { plainColour, rawColour, removalTimes, stockChoices, toolColour } from '
 import { createMeasure } from './measure.js';
 import { createStockActor } from './stock_actor.js';
 import { createStockChart } from './stock_chart.js';
+import { stockHit } from './stock_hit.js';
 import { createStockReadout } from './stock_readout.js';
 
 /** The stock of a run without a design in 3D: its elements, and what they do to each other. */
@@ -191,10 +192,10 @@ export class StockViewer {
   readingAt(x, y) {
     const made = this.current();
     made.picker ??= createPicker(made.stock);
-    const [a, b, c, d] = made.body.look.plane;
-    const hit = made.picker.first(this.scene.ray(x, y), ([px, py, pz]) => a * px + b * py + c * pz + d >= 0);
+    const hit = stockHit(made.stock, made.picker, made.body.look.plane, this.scene.ray(x, y));
     if (!hit) return null;
     const { cell, point_mm } = hit, { stock, times } = made;
+    if (cell === null) return { point_mm, maker: null, line: 0, time_s: NaN };
     return { point_mm, maker: stock.maker[cell], line: stock.line[cell], time_s: times[cell] };
   }
 

@@ -206,8 +206,7 @@ void CommandDefinition::add_verify() {
 }
 
 void CommandDefinition::add_cut() {
-  CLI::App& sub = *app_.add_subcommand(
-      "cut", "Cut a G-code program without a design: what happens on the way, and what is left");
+  CLI::App& sub = *app_.add_subcommand("cut", "Cut a G-code program without a design");
   add_inputs(sub, parsed_.cut);
   add_placement(sub, parsed_.cut);
 }

@@ -71,7 +71,7 @@ TEST_CASE("the voxel without a design goes by the smallest cutter and the stock"
   job.stages[1].cutter.diameter_mm = 6;
   CHECK(automatic_voxel_mm(job) == Approx(0.15));
   job.stock = model::BoxStock{{0, 0, 0}, {1000, 600, 80}};
-  CHECK(automatic_voxel_mm(job) == Approx(0.55));
+  CHECK(automatic_voxel_mm(job) == Approx(0.54));
 }
 
 TEST_CASE("what was chosen without a design is said", "[unit][settings][cut]") {

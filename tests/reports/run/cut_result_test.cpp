@@ -54,8 +54,8 @@ TEST_CASE("Without a design the gate's figures are counts of moves", "[unit][cut
   const std::string junit = cut_text_by(write_junit);
   CHECK_THAT(junit, !ContainsSubstring("gouge") && !ContainsSubstring("allowance_mm") &&
                         ContainsSubstring("rapid collisions"));
-  CHECK_THAT(cut_text_by(write_sarif),
-             !ContainsSubstring("\"ruleId\": \"gouge\"") && ContainsSubstring("process"));
+  CHECK_THAT(cut_text_by(write_sarif), !ContainsSubstring("\"ruleId\": \"gouge\"") &&
+                                           ContainsSubstring("rapid_through_stock"));
 }
 
 TEST_CASE("The page and the table say first that nothing was measured", "[unit][cut]") {

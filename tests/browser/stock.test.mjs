@@ -85,7 +85,7 @@ test('a section is drawn with its dimensions', () =>
     await part(page, 'view-section').selectOption('0');
     await settle(page);
     const chart = part(page, 'stock-section-chart');
-    const texts = await chart.locator('text').allInnerTexts();
+    const texts = await chart.locator('text').allTextContents();
     assert.ok(texts.some((text) => /^40\.0\d\d mm|^39\.9\d\d mm/.test(text)), texts.join('; '));
     assert.match(await chart.getAttribute('aria-label'), /Y from .* to .* mm, Z from/);
     assert.equal((await stateOf(page)).section.axis, 0);

@@ -48,20 +48,24 @@ struct PlanCommand {
   std::filesystem::path job;
   std::filesystem::path output;  ///< empty: limitgauge-out/NAME-plan
 };
-struct VerifyCommand {
-  std::filesystem::path cage, target;  ///< one of the two; the other is empty
+struct CutCommand {
   std::filesystem::path program;
   std::string stock;
   std::vector<std::string> tools;  ///< `SPEC`, or `N=SPEC` for each of several
   MachineOptions machine;
-  std::string program_offset;  ///< `X,Y,Z` of the programs' zero in the cage's frame
+  std::string program_offset;  ///< `X,Y,Z` of the programs' zero in the stock's frame
   double program_rotation_deg = 0;
-  double allowance_mm = 0;
-  double near_miss_mm = 0;  ///< 0: not looked for
+  double near_miss_mm = 0;         ///< 0: not looked for
+  std::optional<double> voxel_mm;  ///< empty: chosen
   std::vector<std::filesystem::path> fixtures;
-  verifier::GateLimits limits;
   std::filesystem::path output;  ///< empty: limitgauge-out/STEM of the program
   HistoryOptions history;
+};
+/// The same against a design.
+struct VerifyCommand : CutCommand {
+  std::filesystem::path cage, target;  ///< one of the two; the other is empty
+  double allowance_mm = 0;
+  verifier::GateLimits limits;
 };
 struct InspectCommand {
   std::filesystem::path file;
@@ -101,7 +105,8 @@ struct PrintCommand {
   std::string text;
 };
 
-using Command = std::variant<RunCommand, PlanCommand, VerifyCommand, InspectCommand, CompareCommand,
-                             StudyCommand, HistoryCommand, ViewCommand, PrintCommand>;
+using Command =
+    std::variant<RunCommand, PlanCommand, VerifyCommand, CutCommand, InspectCommand, CompareCommand,
+                 StudyCommand, HistoryCommand, ViewCommand, PrintCommand>;
 
 }  // namespace limitgauge::app

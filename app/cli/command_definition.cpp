@@ -42,6 +42,7 @@ CommandDefinition::CommandDefinition()
   add_run();
   add_plan();
   add_verify();
+  add_cut();
   add_inspect();
   add_compare();
   add_study();
@@ -123,25 +124,20 @@ void CommandDefinition::add_machine(CLI::App& sub, MachineOptions& machine) {
   hint(sub.add_option("--second-home", machine.second_home, "Where G30 goes, mm"), "X,Y,Z");
   hint(sub.add_option("--start", machine.start,
                       "Where the tip stands before the first line, in the program's frame, mm "
-                      "(default: verify: its zero, above everything; inspect: 0,0,0)"),
+                      "(default: verify, cut: its zero, above everything; inspect: 0,0,0)"),
        "X,Y,Z");
   file(sub.add_option("--tool-table", machine.tool_table,
                       "Lengths and diameters of the tools: LinuxCNC's tool table, mm"),
        "tbl");
 }
 
-void CommandDefinition::add_inputs(CLI::App& sub) {
-  VerifyCommand& verify = parsed_.verify;
-  file(sub.add_option("--cage", verify.cage, "Cage of the design (OBJ)"), "obj");
-  file(sub.add_option("--target", verify.target,
-                      "The design as a triangle mesh, in place of --cage: STL, PLY or OBJ; its "
-                      "facets are the truth"));
-  hint(sub.add_option("--stock", verify.stock,
+void CommandDefinition::add_inputs(CLI::App& sub, CutCommand& command) {
+  hint(sub.add_option("--stock", command.stock,
                       "box:LX,LY,LZ@X,Y,Z (size @ lower corner), mm; mesh:FILE (STL, OBJ, PLY); "
                       "vdb:FILE (stock of an earlier run)"),
        "STOCK", {ValueHint::Kind::text, {}, {"box:", "mesh:", "vdb:"}})
       ->required();
-  hint(sub.add_option("--tool", verify.tools,
+  hint(sub.add_option("--tool", command.tools,
                       "ball:D=6 | flat:D=8 | bull:D=8,r=1 | taper:D=1,r=0.5,angle=5 | "
                       "drill:D=6,angle=118 | apt:D=10,r=1,a=5,b=-10; with L= flute length, ramp= "
                       "steepest descent, shank=D:L, holder=D:L from the tip up; "
@@ -152,10 +148,36 @@ void CommandDefinition::add_inputs(CLI::App& sub) {
         {"ball:D=", "flat:D=", "bull:D=", "taper:D=", "drill:D=", "apt:D="}})
       ->required()
       ->allow_extra_args(false);
-  file(sub.add_option("--program", verify.program, "Program (G-code)"))->required();
-  file(sub.add_option("--fixture", verify.fixtures,
+  file(sub.add_option("--program", command.program, "Program (G-code)"))->required();
+  file(sub.add_option("--fixture", command.fixtures,
                       "Mesh that nothing of the tool may touch: STL, OBJ, PLY"))
       ->allow_extra_args(false);
+  hint(sub.add_option("--near-miss", command.near_miss_mm,
+                      "List what passes stock or fixtures within this, mm (default: not looked "
+                      "for)"),
+       "MM")
+      ->check(length(false));
+  hint(sub.add_option("--voxel", command.voxel_mm,
+                      "Edge of the simulated stock's voxels, mm (default: chosen, and stated in "
+                      "the report)"),
+       "MM")
+      ->check(length(false));
+}
+
+void CommandDefinition::add_placement(CLI::App& sub, CutCommand& command) {
+  add_machine(sub, command.machine);
+  hint(sub.add_option("--program-offset", command.program_offset,
+                      "The program's zero in the stock's frame, mm (default: 0,0,0)"),
+       "X,Y,Z");
+  hint(sub.add_option("--program-rotation", command.program_rotation_deg,
+                      "Turn of the program's frame about Z against the stock's, degrees "
+                      "(default: 0)"),
+       "DEGREES")
+      ->check(angle());
+  folder(sub.add_option("-o,--output", command.output,
+                        "Output folder (default: limitgauge-out/NAME of the program)"));
+  add_history_options(sub, command.history);
+  add_common(sub);
 }
 
 void CommandDefinition::add_checks(CLI::App& sub) {
@@ -163,11 +185,6 @@ void CommandDefinition::add_checks(CLI::App& sub) {
   hint(sub.add_option("--allowance", verify.allowance_mm, "Material to be left (default: 0 mm)"),
        "MM")
       ->check(length(true));
-  hint(sub.add_option("--near-miss", verify.near_miss_mm,
-                      "List what passes stock or fixtures within this, mm (default: not looked "
-                      "for)"),
-       "MM")
-      ->check(length(false));
   hint(add_limit(sub, "--gouge", verify.limits.gouge_mm, verify.limits.has_gouge,
                  "Largest gouge that passes, mm (default: measured, not gated)"),
        "MM")
@@ -191,21 +208,19 @@ void CommandDefinition::add_checks(CLI::App& sub) {
 void CommandDefinition::add_verify() {
   VerifyCommand& verify = parsed_.verify;
   CLI::App& sub = *app_.add_subcommand("verify", "Verify a G-code program without a job file");
-  add_inputs(sub);
+  file(sub.add_option("--cage", verify.cage, "Cage of the design (OBJ)"), "obj");
+  file(sub.add_option("--target", verify.target,
+                      "The design as a triangle mesh, in place of --cage: STL, PLY or OBJ; its "
+                      "facets are the truth"));
+  add_inputs(sub, verify);
   add_checks(sub);
-  add_machine(sub, verify.machine);
-  hint(sub.add_option("--program-offset", verify.program_offset,
-                      "The program's zero in the cage's frame, mm (default: 0,0,0)"),
-       "X,Y,Z");
-  hint(sub.add_option("--program-rotation", verify.program_rotation_deg,
-                      "Turn of the program's frame about Z against the cage's, degrees "
-                      "(default: 0)"),
-       "DEGREES")
-      ->check(angle());
-  folder(sub.add_option("-o,--output", verify.output,
-                        "Output folder (default: limitgauge-out/NAME of the program)"));
-  add_history_options(sub, verify.history);
-  add_common(sub);
+  add_placement(sub, verify);
+}
+
+void CommandDefinition::add_cut() {
+  CLI::App& sub = *app_.add_subcommand("cut", "Cut a G-code program without a design");
+  add_inputs(sub, parsed_.cut);
+  add_placement(sub, parsed_.cut);
 }
 
 void CommandDefinition::add_inspect() {

@@ -16,6 +16,7 @@ struct Parsed {
   RunCommand run;
   PlanCommand plan;
   VerifyCommand verify;
+  CutCommand cut;
   InspectCommand inspect;
   CompareCommand compare;
   StudyCommand study;
@@ -45,7 +46,9 @@ class CommandDefinition {
   void add_run();
   void add_plan();
   void add_verify();
-  void add_inputs(CLI::App& sub);
+  void add_cut();
+  void add_inputs(CLI::App& sub, CutCommand& command);
+  void add_placement(CLI::App& sub, CutCommand& command);
   void add_checks(CLI::App& sub);
   void add_inspect();
   void add_compare();

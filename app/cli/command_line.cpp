@@ -56,12 +56,12 @@ std::optional<std::string> generated(int argc, const char* const* argv,
 }
 
 void check_combinations(const std::string& command, const CommonOptions& common) {
-  const bool has_job =
-      command == "run" || command == "plan" || command == "verify" || command == "study";
+  const bool has_job = command == "run" || command == "plan" || command == "verify" ||
+                       command == "cut" || command == "study";
   if (!has_job && !common.overrides.empty()) {
     throw UsageError(
         "--set overrides a key of a job and this command reads none; "
-        "expected it with run, plan, verify or study");
+        "expected it with run, plan, verify, cut or study");
   }
   if (common.quiet && common.verbose) {
     throw UsageError("--quiet and --verbose contradict each other; expected one of them");
@@ -87,6 +87,7 @@ Command chosen(const std::string& command, const Parsed& parsed) {
   if (command == "run") return parsed.run;
   if (command == "plan") return parsed.plan;
   if (command == "verify") return parsed.verify;
+  if (command == "cut") return parsed.cut;
   if (command == "inspect") return parsed.inspect;
   if (command == "compare") return parsed.compare;
   if (command == "study") return parsed.study;

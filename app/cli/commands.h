@@ -26,6 +26,7 @@ struct Console {
 ExitCode execute(const RunCommand& command, const CommonOptions& common, const Console& console);
 ExitCode execute(const PlanCommand& command, const CommonOptions& common, const Console& console);
 ExitCode execute(const VerifyCommand& command, const CommonOptions& common, const Console& console);
+ExitCode execute(const CutCommand& command, const CommonOptions& common, const Console& console);
 ExitCode execute(const InspectCommand& command, const CommonOptions& common,
                  const Console& console);
 ExitCode execute(const CompareCommand& command, const CommonOptions& common,

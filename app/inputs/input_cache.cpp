@@ -82,17 +82,19 @@ StockReaders InputCache::stock_readers() {
   return readers;
 }
 
-JobSurface InputCache::surface(const Job& job) {
-  const FileState state = file_state(job.cage);
+std::optional<JobSurface> InputCache::surface(const Job& job) {
+  if (!job.design) return std::nullopt;
+  const JobDesign& design = *job.design;
+  const FileState state = file_state(design.file);
   const auto is_it = [&](const CachedSurface& known) {
-    return known.kind == job.design && known.file == job.cage && known.state == state &&
-           same(known.placement, job.placement);
+    return known.kind == design.kind && known.file == design.file && known.state == state &&
+           same(known.placement, design.placement);
   };
-  return in_front(
-             surfaces_, is_it,
-             [&] {
-               return CachedSurface{job.design, job.cage, job.placement, state, load_surface(job)};
-             })
+  return in_front(surfaces_, is_it,
+                  [&] {
+                    return CachedSurface{design.kind, design.file, design.placement, state,
+                                         load_surface(job)};
+                  })
       .surface;
 }
 

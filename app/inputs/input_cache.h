@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,8 +31,9 @@ class InputCache {
   Checksum checksum(const std::filesystem::path& file);
   /// Readers that keep what they read here; this must outlive them.
   StockReaders stock_readers();
-  /// The job's cage and its reference surface. Throws InputError.
-  JobSurface surface(const Job& job);
+  /// The cage of the job's design and its reference surface; empty where it has none. Throws
+  /// InputError.
+  std::optional<JobSurface> surface(const Job& job);
 
  private:
   struct CachedStock {

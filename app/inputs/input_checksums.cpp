@@ -24,8 +24,9 @@ std::vector<JobFile> files_of(const Job& job) {
       if (file.role == role) add(file);
   };
   add_sources(JobFile::Role::job);
-  add({job.design == DesignKind::mesh ? JobFile::Role::mesh : JobFile::Role::cage, job.cage,
-       job.cage_as_stated});
+  if (const auto& design = job.design)
+    add({design->kind == DesignKind::mesh ? JobFile::Role::mesh : JobFile::Role::cage, design->file,
+         design->as_stated});
   add_sources(JobFile::Role::stock);
   for (const JobStage& stage : job.stages)
     if (!stage.plan) add({JobFile::Role::program, stage.program, stage.program_as_stated});

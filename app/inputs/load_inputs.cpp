@@ -32,30 +32,30 @@ model::SourcePlace place_of(const std::filesystem::path& file, std::string_view 
 }
 
 /// Placed; a vertex too far out is an error at its line.
-model::Cage load_cage(const Job& job) {
-  model::Cage cage = placed(model::read_cage_obj(job.cage), job.placement);
+model::Cage load_cage(const JobDesign& design) {
+  model::Cage cage = placed(model::read_cage_obj(design.file), design.placement);
   for (std::size_t i = 0; i < cage.vertices.size(); ++i)
     if (!model::is_near(cage.vertices[i]))
-      throw model::InputError(place_of(job.cage, "v", i),
+      throw model::InputError(place_of(design.file, "v", i),
                               "the cage has a vertex at " + model::farthest_words(cage.vertices[i]),
                               model::kFarthestExpected);
   return cage;
 }
 
 /// Its distances would all be right and mean nothing, and to prove that takes without end.
-void refuse_folded(const Job& job, const model::Cage& cage) {
+void refuse_folded(const JobDesign& design, const model::Cage& cage) {
   const auto folded = folded_faces(cage);
   if (!folded) return;
   const auto [first, second] = *folded;
-  throw model::InputError(place_of(job.cage, "f", static_cast<std::size_t>(second)),
+  throw model::InputError(place_of(design.file, "f", static_cast<std::size_t>(second)),
                           "face " + std::to_string(second + 1) + " of the cage lies back on " +
                               (first == second ? "itself" : "face " + std::to_string(first + 1)) +
                               ": the folded surface has no area to be cut from one side",
                           "faces that do not lie on each other");
 }
 
-[[noreturn]] void refuse_empty(const Job& job) {
-  throw model::InputError({job.cage.string(), 0, 0},
+[[noreturn]] void refuse_empty(const JobDesign& design) {
+  throw model::InputError({design.file.string(), 0, 0},
                           "the limit surface has no area: there is nothing to measure",
                           "a cage whose points lie neither in one place nor on one line");
 }
@@ -83,20 +83,20 @@ bool has_area(const verifier::ReferenceSurface& surface) {
   return surface.area_mm2() > kLeastShare * extent_mm * extent_mm;
 }
 
-verifier::ReferenceSurface make_surface(const Job& job, const model::Cage& cage,
+verifier::ReferenceSurface make_surface(const JobDesign& design, const model::Cage& cage,
                                         const model::RunControl& control) {
-  if (lies_on_a_line(cage)) refuse_empty(job);
-  refuse_folded(job, cage);
+  if (lies_on_a_line(cage)) refuse_empty(design);
+  refuse_folded(design, cage);
   try {
     verifier::ReferenceSurface surface(cage, control);
     if (surface.bounding_box().empty()) {
-      throw model::InputError({job.cage.string(), 0, 0}, "the cage has no limit surface",
+      throw model::InputError({design.file.string(), 0, 0}, "the cage has no limit surface",
                               "at least one face that is no hole");
     }
-    if (!has_area(surface)) refuse_empty(job);
+    if (!has_area(surface)) refuse_empty(design);
     return surface;
   } catch (const std::invalid_argument& error) {
-    throw model::InputError({job.cage.string(), 0, 0}, error.what(), "a two-manifold cage");
+    throw model::InputError({design.file.string(), 0, 0}, error.what(), "a two-manifold cage");
   }
 }
 
@@ -120,29 +120,32 @@ std::vector<model::Fixture> load_fixtures(const Job& job) {
 }  // namespace
 
 JobSurface load_surface(const Job& job, const model::RunControl& control) {
-  if (job.design == DesignKind::mesh) return load_mesh_target(job, control);
-  model::Cage cage = load_cage(job);
-  require_fit(job, cage);
-  verifier::ReferenceSurface surface = make_surface(job, cage, control);
+  if (job.design.value().kind == DesignKind::mesh) return load_mesh_target(job, control);
+  const JobDesign& design = job.design.value();
+  model::Cage cage = load_cage(design);
+  require_fit(job, &cage);
+  verifier::ReferenceSurface surface = make_surface(design, cage, control);
   control.check();
   witness::Agreement witness = witnessed(cage, surface);
   return {std::move(cage), std::move(surface), std::move(witness), std::nullopt};
 }
 
 RunInputs load_inputs(const Job& job, const RunTerms& terms, const model::RunControl& control) {
-  return load_inputs(job, terms, load_surface(job, control));
+  return load_inputs(job, terms,
+                     job.design ? std::optional(load_surface(job, control)) : std::nullopt);
 }
 
-RunInputs load_inputs(const Job& job, const RunTerms& terms, JobSurface surface) {
-  require_fit(job, surface.cage);  // the surface may come from another job of the same cage
-  const model::Box3 box = surface.surface.bounding_box();
+RunInputs load_inputs(const Job& job, const RunTerms& terms, std::optional<JobSurface> design) {
+  // The surface may come from another job of the same cage.
+  require_fit(job, design ? &design->cage : nullptr);
+  const model::Box3 box = design ? design->surface.bounding_box() : model::Box3();
   Settings settings = choose_settings(job, box, terms.memory_limit_bytes);
   std::vector<model::Fixture> fixtures = load_fixtures(job);
   auto programs = load_programs(job, settings, fixtures, box);
-  settings.stock_limit_bytes = stock_limit_bytes(scale_of(job, surface.surface, programs, terms));
-  return {std::move(surface.cage), std::move(surface.surface), std::move(surface.witness),
-          std::move(surface.mesh), std::move(settings),        terms,
-          std::move(fixtures),     std::move(programs),        input_checksums(job)};
+  settings.stock_limit_bytes =
+      stock_limit_bytes(scale_of(job, design ? &design->surface : nullptr, programs, terms));
+  return {std::move(design),   std::move(settings), terms,
+          std::move(fixtures), std::move(programs), input_checksums(job)};
 }
 
 }  // namespace limitgauge::app

@@ -14,10 +14,10 @@ namespace {
 
 /// The faceted cage and the mesh have the same vertices.
 void place(model::TargetMesh& target, const Job& job) {
-  target.cage = placed(target.cage, job.placement);
+  target.cage = placed(target.cage, job.design->placement);
   target.mesh.vertices = target.cage.vertices;
   if (const model::Box3 box = bounding_box(target.mesh); !model::is_near(box))
-    throw model::InputError({job.cage.string()},
+    throw model::InputError({job.design->file.string()},
                             "the mesh reaches to " + model::farthest_words(box),
                             model::kFarthestExpected);
 }
@@ -25,9 +25,9 @@ void place(model::TargetMesh& target, const Job& job) {
 }  // namespace
 
 JobSurface load_mesh_target(const Job& job, const model::RunControl& control) {
-  model::TargetMesh target = model::read_target_mesh(job.cage);
+  model::TargetMesh target = model::read_target_mesh(job.design.value().file);
   place(target, job);
-  require_fit(job, target.cage);
+  require_fit(job, &target.cage);
   verifier::ReferenceSurface surface(target.mesh, control);
   control.check();
   witness::Agreement witness = witnessed_facets(target.cage, surface);

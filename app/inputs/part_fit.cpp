@@ -9,9 +9,10 @@ namespace limitgauge::app {
 namespace {
 
 /// Largest side of the box about cage and stock: the part lies within the one or the other.
-double extent_mm(const Job& job, const model::Cage& cage) {
+double extent_mm(const Job& job, const model::Cage* cage) {
   model::Box3 box = bounding_box(job.stock);
-  for (const model::Vec3& vertex : cage.vertices) box.add(vertex);
+  if (cage != nullptr)
+    for (const model::Vec3& vertex : cage->vertices) box.add(vertex);
   const model::Vec3 size = box.size();
   return std::max({size.x, size.y, size.z});
 }
@@ -31,10 +32,12 @@ void require_at_most(const PartLength& stated, double most_mm, const char* most_
 
 }  // namespace
 
-void require_fit(const Job& job, const model::Cage& cage) {
+void require_fit(const Job& job, const model::Cage* cage) {
   const double most_mm = extent_mm(job, cage);
   for (const PartLength& stated : job.part_lengths)
-    require_at_most(stated, most_mm, "the largest extent of cage and stock");
+    require_at_most(stated, most_mm,
+                    cage != nullptr ? "the largest extent of cage and stock"
+                                    : "the largest extent of the stock");
   if (job.stated_voxel)
     require_at_most(*job.stated_voxel, largest_diameter_mm(job),
                     "the diameter of the largest cutter");

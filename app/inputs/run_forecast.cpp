@@ -68,7 +68,12 @@ double stock_share(const RunTerms& terms) {
   return kCutShare + static_cast<double>(terms.kept) + (terms.files ? kMeshShare : 0);
 }
 
+double cells_bytes(const RunScale& scale) {
+  return scale.cells_bytes ? kCellsBytes + *scale.cells_bytes : 0;
+}
+
 double measuring_bytes(const RunScale& scale) {
+  if (!scale.cells_bytes) return 0;
   return scale.swept * kBodyBytes + scale.largest_moves * kBodyWorkBytes;
 }
 
@@ -95,24 +100,24 @@ double moves_bytes(const RunScale& scale) {
 /// All but the stock. Its mesh is gone when the next stage is measured: files and measuring share
 /// their room.
 double other_bytes(const RunScale& scale) {
-  return kProcessBytes + kCellsBytes + scale.cells_bytes + kModelShare * scale.model_bytes +
-         moves_bytes(scale) + std::max(measuring_bytes(scale), writing_bytes(scale));
+  return kProcessBytes + cells_bytes(scale) + kModelShare * scale.model_bytes + moves_bytes(scale) +
+         std::max(measuring_bytes(scale), writing_bytes(scale));
 }
 
 }  // namespace
 
-RunScale scale_of(const Job& job, const verifier::ReferenceSurface& surface,
+RunScale scale_of(const Job& job, const verifier::ReferenceSurface* surface,
                   const std::vector<std::optional<ForeignPath>>& programs, const RunTerms& terms) {
   RunScale scale;
   scale.pictures = job.pictures;
   scale.terms = terms;
-  scale.cells_bytes = surface_bytes(surface);
+  if (surface != nullptr) scale.cells_bytes = surface_bytes(*surface);
   const double height_mm = model::bounding_box(job.stock).size().z;
   const std::string* text = nullptr;
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     const JobStage& stage = job.stages[i];
     const double moves = programs[i] ? static_cast<double>(programs[i]->path->moves.size())
-                                     : expected_moves(stage, surface.area_mm2());
+                                     : expected_moves(stage, surface->area_mm2());
     scale.moves += moves;
     scale.swept += moves * followed_bodies(stage.cutter, height_mm);
     scale.largest_moves = std::max(scale.largest_moves, moves);
@@ -129,7 +134,8 @@ RunScale scale_of(const Job& job, const verifier::ReferenceSurface& surface,
 RunScale scale_of(const Job& job, const RunInputs& inputs,
                   const std::optional<engine::surface::FinishModel>& built,
                   const simulator::StockModel& stock) {
-  RunScale scale = scale_of(job, inputs.surface, inputs.programs, inputs.terms);
+  RunScale scale = scale_of(job, inputs.design ? &inputs.design->surface : nullptr, inputs.programs,
+                            inputs.terms);
   if (built) scale.model_bytes = static_cast<double>(built->figures().memory_bytes);
   // Tile by tile, as much as there is room for.
   scale.grid_bytes = stock.tiles() == 0 ? static_cast<double>(stock.memory_bytes())
@@ -150,10 +156,13 @@ std::size_t stock_limit_bytes(const RunScale& scale) {
   throw model::ResourceError(
       "limitgauge: error: the run does not fit into memory: without its stock it is forecast to "
       "take " +
-      model::in_mib(other_bytes(scale)) + ", " + model::in_mib(scale.cells_bytes) +
-      " of it for the exact surface and its cells and " + model::in_mib(moves_bytes(scale)) +
-      " of it for " + std::to_string(std::llround(scale.moves)) + " moves; allowed are " +
-      model::in_mib(limit) + (scale.pictures ? "; --no-pictures takes less" : "") +
+      model::in_mib(other_bytes(scale)) + ", " +
+      (scale.cells_bytes
+           ? model::in_mib(*scale.cells_bytes) + " of it for the exact surface and its cells and "
+           : std::string()) +
+      model::in_mib(moves_bytes(scale)) + " of it for " +
+      std::to_string(std::llround(scale.moves)) + " moves; allowed are " + model::in_mib(limit) +
+      (scale.pictures ? "; --no-pictures takes less" : "") +
       "; a program of fewer moves, or more memory, would do");
 }
 

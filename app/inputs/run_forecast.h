@@ -16,14 +16,17 @@ struct RunScale {
   double largest_moves = 0;  ///< of the stage that has most
   double text_bytes = 0;     ///< of the programs
   double model_bytes = 0;    ///< of the engine's model of the surface; 0 where no stage needs it
-  double cells_bytes = 0;    ///< of the exact surface, and the cells that the verifier makes of it
-  double grid_bytes = 0;     ///< of the stock's level set, or of what stands for it tile by tile
+  /// Of the exact surface, and of the cells that the verifier makes of it; empty where nothing is
+  /// measured against a design.
+  std::optional<double> cells_bytes;
+  double grid_bytes = 0;  ///< of the stock's level set, or of what stands for it tile by tile
   bool pictures = true;
   RunTerms terms;
 };
 
-/// The scale of a job, but for the model and the level set.
-RunScale scale_of(const Job& job, const verifier::ReferenceSurface& surface,
+/// The scale of a job, but for the model and the level set; `surface` is null for one without a
+/// design.
+RunScale scale_of(const Job& job, const verifier::ReferenceSurface* surface,
                   const std::vector<std::optional<ForeignPath>>& programs, const RunTerms& terms);
 
 /// The whole of it, once the stock stands and, where a stage is planned, the model does.

@@ -19,19 +19,6 @@ struct RunTerms {
   std::size_t kept = 0;                ///< stages of other jobs that are held beside
 };
 
-/// Everything a job reads, read and checked before anything is computed or written.
-struct RunInputs {
-  model::Cage cage;  ///< placed; of a mesh, its faceted cage
-  verifier::ReferenceSurface surface;
-  witness::Agreement witness;
-  std::optional<reports::MeshDesign> mesh;  ///< where the design is one
-  Settings settings;
-  RunTerms terms;
-  std::vector<model::Fixture> fixtures;
-  std::vector<std::optional<ForeignPath>> programs;  ///< a stage; empty for those planned here
-  std::vector<reports::InputFile> files;             ///< what all of this was read from
-};
-
 /// The surface that a job is about.
 struct JobSurface {
   model::Cage cage;  ///< placed; of a mesh, its faceted cage
@@ -39,15 +26,26 @@ struct JobSurface {
   witness::Agreement witness;               ///< on this cage: the two agree
   std::optional<reports::MeshDesign> mesh;  ///< where the design is one
 };
-/// Throws InputError for a cage that cannot be used, verifier::InstrumentDisagreement where the
-/// reference surface is not the one that the witness has of the cage, Interrupted when told to
-/// stop.
+
+/// Everything a job reads, read and checked before anything is computed or written.
+struct RunInputs {
+  std::optional<JobSurface> design;  ///< empty for a job without one
+  Settings settings;
+  RunTerms terms;
+  std::vector<model::Fixture> fixtures;
+  std::vector<std::optional<ForeignPath>> programs;  ///< a stage; empty for those planned here
+  std::vector<reports::InputFile> files;             ///< what all of this was read from
+};
+
+/// Of a job with a design. Throws InputError for a cage that cannot be used,
+/// verifier::InstrumentDisagreement where the reference surface is not the one that the witness has
+/// of the cage, Interrupted when told to stop.
 JobSurface load_surface(const Job& job, const model::RunControl& control = {});
 
 /// Throws InputError for a cage or program that cannot be used, and as load_surface does.
 /// ResourceError where the moves alone are more than the limit lets the run take.
 RunInputs load_inputs(const Job& job, const RunTerms& terms, const model::RunControl& control = {});
-/// The same with the job's surface, where it is at hand.
-RunInputs load_inputs(const Job& job, const RunTerms& terms, JobSurface surface);
+/// The same with the surface of the job's design, where it is at hand; empty for a job without one.
+RunInputs load_inputs(const Job& job, const RunTerms& terms, std::optional<JobSurface> design);
 
 }  // namespace limitgauge::app

@@ -144,15 +144,15 @@ double GroupReader::start_shift_mm(std::size_t first) const {
 
 void GroupReader::require_near(const model::Vec3& tip_mm, std::uint32_t line) const {
   if (model::is_near(tip_mm)) return;
-  throw model::InputError(
-      {file_, static_cast<int>(line), 0},
-      "the tip moves to " + model::farthest_words(tip_mm) + " in the frame of the cage",
-      model::kFarthestExpected);
+  throw model::InputError({file_, static_cast<int>(line), 0},
+                          "the tip moves to " + model::farthest_words(tip_mm) +
+                              " in the frame of the " + (job_.design ? "cage" : "stock"),
+                          model::kFarthestExpected);
 }
 
 ForeignPath GroupReader::path_of(std::size_t index) const {
   model::PathOptions options = options_;
-  options.chord_error_mm = chord_error_mm(settings_.resolution_mm[group_[index]]);
+  options.chord_error_mm = settings_.chord_error_mm[group_[index]];
   options.first = ranges_[index].first, options.last = ranges_[index].last;
   options.start_shift_z_mm = start_shift_mm(options.first);
   ForeignPath foreign;

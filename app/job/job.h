@@ -94,14 +94,21 @@ struct JobFile {
   std::string as_stated;
 };
 
+/// The design that stages are measured against: a cage or a mesh.
+struct JobDesign {
+  DesignKind kind = DesignKind::cage;
+  std::filesystem::path file;
+  std::string as_stated;
+  double precision_mm = 0.01;  ///< bound on the chord error of the engine's limit mesh
+  model::Placement placement;
+};
+
 /// A job as the file states it, defaults filled in; paths are resolved against the job file.
 struct Job {
   std::string name;
-  DesignKind design = DesignKind::cage;
-  std::filesystem::path cage;  ///< of the design: a mesh's as well
-  std::string cage_as_stated;
-  double precision_mm = 0.01;  ///< bound on the chord error of the engine's limit mesh
-  model::Placement placement;
+  /// Empty: programs are cut, and nothing is measured against a surface; no stage is planned then
+  /// and none has limits or an allowance.
+  std::optional<JobDesign> design;
   model::Stock stock;
   double rapid_mm_min = 5000;
   double clearance_mm = 5;                   ///< height of rapids above the stock

@@ -20,6 +20,7 @@ struct JobContext {
   std::vector<JobFile> sources;
   StockReaders stock_readers;
   std::vector<PartLength> part_lengths = {};
+  bool has_design = true;  ///< the job has a [surface]
 };
 
 /// The length at `key`, and its place for what the part's extent says of it.
@@ -46,7 +47,10 @@ inline constexpr const char* kJobKeys[] = {
 /// The name, which must do as a folder's.
 std::string read_job_name(const TomlTable& root);
 /// `transform` of [surface], where it is stated.
-void read_placement(const TomlTable& surface, Job& job);
+void read_placement(const TomlTable& surface, JobDesign& design);
+/// Of a job without [surface]: what could only be said of a design is an error that names its key.
+/// Throws InputError.
+void refuse_design_keys(const TomlTable& root);
 /// [simulation], [verification] and [report], as far as they are stated.
 void read_settings(const TomlTable& root, Job& job);
 /// The limits of a stage; none where it has no gate.

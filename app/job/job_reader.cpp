@@ -15,18 +15,19 @@ PartLength part_length(const TomlTable& table, std::string_view key, double mm) 
   return {"\"" + std::string(key) + "\" in " + table.where(), mm, table.place(key)};
 }
 
-void read_surface(const toml::table& table, Job& job, JobContext& context) {
+JobDesign read_surface(const toml::table& table, JobContext& context) {
   const TomlTable surface(table, "[surface]", {"cage", "mesh", "precision", "transform"});
   const bool is_mesh = surface.has("mesh");
   if (is_mesh && surface.has("cage"))
     throw model::InputError(surface.place("mesh"), "[surface] has both cage and mesh",
                             "one of the two");
   const char* key = is_mesh ? "mesh" : "cage";
-  job.design = is_mesh ? DesignKind::mesh : DesignKind::cage;
-  job.cage_as_stated = surface.text(key);
-  job.cage = context.folder / job.cage_as_stated;
-  if (!model::is_file(job.cage)) {
-    throw model::InputError(surface.place(key), "no file \"" + job.cage_as_stated + "\"",
+  JobDesign design;
+  design.kind = is_mesh ? DesignKind::mesh : DesignKind::cage;
+  design.as_stated = surface.text(key);
+  design.file = context.folder / design.as_stated;
+  if (!model::is_file(design.file)) {
+    throw model::InputError(surface.place(key), "no file \"" + design.as_stated + "\"",
                             is_mesh ? "a mesh as STL, PLY or OBJ" : "a cage as OBJ");
   }
   if (is_mesh) {
@@ -36,16 +37,18 @@ void read_surface(const toml::table& table, Job& job, JobContext& context) {
                               "surface that paths are planned on",
                               "it only beside \"cage\"");
   } else if (surface.has("precision")) {
-    job.precision_mm = part_length_mm(surface, "precision", job.part_lengths);
+    design.precision_mm = part_length_mm(surface, "precision", context.part_lengths);
   } else {
-    context.defaulted.push_back("surface precision " + model::shortest(job.precision_mm) +
+    context.defaulted.push_back("surface precision " + model::shortest(design.precision_mm) +
                                 " mm (default)");
   }
-  read_placement(surface, job);
+  read_placement(surface, design);
+  return design;
 }
 
 void read_voxel(const TomlTable& simulation, Job& job) {
   job.voxel_mm = simulation.length_or_auto_mm("voxel");
+  job.stated_voxel.reset();
   if (job.voxel_mm) job.stated_voxel = part_length(simulation, "voxel", *job.voxel_mm);
 }
 
@@ -57,7 +60,7 @@ reports::StockSurfaceFile stock_surface_of(const TomlTable& report) {
 
 /// Paths are planned on limit surfaces of cages.
 void refuse_planning(const Job& job, const TomlTable& root) {
-  if (job.design != DesignKind::mesh) return;
+  if (!job.design || job.design->kind != DesignKind::mesh) return;
   const std::vector<const toml::table*> stages = root.tables("stage");
   for (std::size_t i = 0; i < job.stages.size(); ++i)
     if (job.stages[i].plan)
@@ -71,7 +74,9 @@ Job read_root(const toml::table& table, JobContext& context) {
   const TomlTable root(table, "the job", {}, kJobKeys);
   Job job;
   job.name = read_job_name(root);
-  read_surface(root.table("surface"), job, context);
+  context.has_design = root.has("surface");
+  if (!context.has_design) refuse_design_keys(root);
+  if (root.has("surface")) job.design = read_surface(root.table("surface"), context);
   job.stock = read_stock(root.table("stock"), context);
   read_machine(root, job, context);
   read_fixtures(root, job, context);
@@ -112,13 +117,13 @@ std::string read_job_name(const TomlTable& root) {
   return name;
 }
 
-void read_placement(const TomlTable& surface, Job& job) {
+void read_placement(const TomlTable& surface, JobDesign& design) {
   if (!surface.has("transform")) return;
   const TomlTable transform(surface.table("transform"), "\"transform\" of [surface]",
                             {"scale", "rotate_z", "translate"});
-  if (transform.has("scale")) job.placement.scale = transform.scale("scale");
-  if (transform.has("rotate_z")) job.placement.rotate_z_deg = transform.angle_deg("rotate_z");
-  if (transform.has("translate")) job.placement.translate_mm = transform.shift_mm("translate");
+  if (transform.has("scale")) design.placement.scale = transform.scale("scale");
+  if (transform.has("rotate_z")) design.placement.rotate_z_deg = transform.angle_deg("rotate_z");
+  if (transform.has("translate")) design.placement.translate_mm = transform.shift_mm("translate");
 }
 
 void read_settings(const TomlTable& root, Job& job) {

@@ -130,7 +130,7 @@ JobStage read_stage(const toml::table& table, const std::vector<JobStage>& befor
   read_part(stage, result);
   if (stage.has("allowance")) {
     result.allowance_mm = part_length_or_zero_mm(stage, "allowance", context.part_lengths);
-  } else {
+  } else if (context.has_design) {
     context.defaulted.push_back("stage " + result.name + ": allowance 0 mm (default)");
   }
   result.limits = read_gate(stage, context.part_lengths);

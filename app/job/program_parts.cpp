@@ -93,11 +93,12 @@ void check_tools(const std::vector<ToolChange>& changes, const std::string& file
     if (change.motion <= range.first) loaded = change.tool;
     const bool within = change.motion >= range.first;
     if (within && loaded && *loaded != change.tool)
-      fail(file, change.line,
-           tool_word(change.tool) + " is loaded in the part that stage \"" + stage.name +
-               "\" takes, after " + tool_word(*loaded),
-           "a stage for each tool, by \"program_tool\" or \"program_section\"; with verify a "
-           "--tool N=... for each");
+      fail(
+          file, change.line,
+          tool_word(change.tool) + " is loaded in the part that stage \"" + stage.name +
+              "\" takes, after " + tool_word(*loaded),
+          "a stage for each tool, by \"program_tool\" or \"program_section\"; with verify or cut a "
+          "--tool N=... for each");
     if (within) loaded = change.tool;
     if (within && stage.tool_number && *stage.tool_number != change.tool)
       fail(file, change.line,

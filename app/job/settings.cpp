@@ -13,6 +13,9 @@ namespace {
 constexpr double kVoxelsPerGate = 10;
 constexpr double kSmallestVoxel_mm = 0.05;
 constexpr double kLargestVoxel_mm = 0.25;
+/// A cutter of that many voxels across leaves a stock that looks like its cuts.
+constexpr double kVoxelsPerCutter = 40;
+constexpr double kLargestVoxelOfCutter_mm = 0.5;
 constexpr double kMostSurfaceVoxels = 5e6;
 constexpr double kVoxelWithoutGate_mm = 0.1;
 
@@ -33,28 +36,34 @@ std::string point_words(const model::Vec3& p) {
 
 std::string frame_words(const Job& job) {
   if (job.program_frame == model::RigidPlacement())
-    return "cage, stock and programs share one frame in millimetres; no alignment is made";
-  return "cage and stock share one frame in millimetres; the zero of programs lies at " +
-         point_words(job.program_frame.translate_mm) + " in it, turned about Z by " +
-         model::shortest(job.program_frame.rotate_z_deg) + " degrees; no alignment is made";
+    return std::string(job.design ? "cage, stock and programs" : "stock and programs") +
+           " share one frame in millimetres; no alignment is made";
+  return std::string(job.design ? "cage and stock share one frame in millimetres"
+                                : "the stock's frame is in millimetres") +
+         "; the zero of programs lies at " + point_words(job.program_frame.translate_mm) +
+         " in it, turned about Z by " + model::shortest(job.program_frame.rotate_z_deg) +
+         " degrees; no alignment is made";
 }
 
-void state_stage(const JobStage& stage, double resolution_mm, double floor_z_mm,
-                 bool automatic_resolution, const Post& post, std::vector<std::string>& said) {
+void state_stage(const Job& job, const Settings& settings, std::size_t index,
+                 std::vector<std::string>& said) {
+  const JobStage& stage = job.stages[index];
+  const double floor_z_mm = settings.floor_z_mm[index];
+  const std::string chords = model::shortest(settings.chord_error_mm[index]) + " mm";
   const std::string head = "stage " + stage.name + ": ";
-  if (automatic_resolution) {
-    said.push_back(head + "resolution " + model::shortest(resolution_mm) +
+  if (job.design && !job.resolution_mm) {
+    said.push_back(head + "resolution " + model::shortest(settings.resolution_mm[index]) +
                    " mm (auto: a tenth of the tightest gate limit)");
   }
   if (stage.plan && !stage.plan->floor_z_mm) {
     said.push_back(head + "lowest tip height z " + model::shortest(floor_z_mm) +
                    " mm (default: lowest point of the surface less the cutter's corner radius)");
   }
-  if (stage.plan && post.arc_tolerance_mm) {
+  if (stage.plan && job.post.arc_tolerance_mm) {
     said.push_back(head + "arcs stand for runs of planned moves within " +
-                   model::shortest(*post.arc_tolerance_mm) +
+                   model::shortest(*job.post.arc_tolerance_mm) +
                    " mm; the program is measured as it is written, arcs as chords within " +
-                   model::shortest(chord_error_mm(resolution_mm)) + " mm");
+                   chords);
   }
   if (stage.plan && stage.plan->cut.strategy == engine::strategy::Strategy::rest) {
     said.push_back(head + "cuts where more than " + model::shortest(rest_threshold_mm(stage)) +
@@ -62,8 +71,7 @@ void state_stage(const JobStage& stage, double resolution_mm, double floor_z_mm,
                    (stage.limits.has_uncut ? "half of its uncut limit" : "its tolerance") + ")");
   }
   if (!stage.plan) {
-    said.push_back(head + "arcs as chords within " +
-                   model::shortest(chord_error_mm(resolution_mm)) + " mm");
+    said.push_back(head + "arcs as chords within " + chords);
     said.push_back(head + "the tool is taken to be " + model::to_text(stage.cutter) +
                    (stage.tool_number ? ", T" + std::to_string(*stage.tool_number)
                                       : std::string(", whatever number the program gives it")));
@@ -72,7 +80,22 @@ void state_stage(const JobStage& stage, double resolution_mm, double floor_z_mm,
 
 }  // namespace
 
-double automatic_voxel_mm(const Job& job) {
+namespace {
+
+/// In whole micrometres, so that the report can say it.
+double in_micrometres(double mm) {
+  return std::round(mm * 1000) / 1000;
+}
+
+double voxel_by_cutters_mm(const Job& job) {
+  double smallest_mm = std::numeric_limits<double>::infinity();
+  for (const JobStage& stage : job.stages)
+    smallest_mm = std::min(smallest_mm, stage.cutter.diameter_mm);
+  return std::clamp(in_micrometres(smallest_mm / kVoxelsPerCutter), kSmallestVoxel_mm,
+                    kLargestVoxelOfCutter_mm);
+}
+
+double voxel_by_gates_mm(const Job& job) {
   double tightest = std::numeric_limits<double>::infinity();
   for (const JobStage& stage : job.stages) {
     if (stage.limits.has_gouge) tightest = std::min(tightest, stage.limits.gouge_mm);
@@ -80,9 +103,13 @@ double automatic_voxel_mm(const Job& job) {
   }
   if (tightest == std::numeric_limits<double>::infinity())
     tightest = kVoxelWithoutGate_mm / kVoxelsPerGate;
-  // In whole micrometres, so that the report can say it.
-  const double by_gate = std::round(kVoxelsPerGate * tightest * 1000) / 1000;
-  const double wanted = std::clamp(by_gate, kSmallestVoxel_mm, kLargestVoxel_mm);
+  return std::clamp(in_micrometres(kVoxelsPerGate * tightest), kSmallestVoxel_mm, kLargestVoxel_mm);
+}
+
+}  // namespace
+
+double automatic_voxel_mm(const Job& job) {
+  const double wanted = job.design ? voxel_by_gates_mm(job) : voxel_by_cutters_mm(job);
   // A grid costs time and memory by the surface of the stock; the verdict comes from the
   // certificate.
   const model::Vec3 size = model::bounding_box(job.stock).size();
@@ -105,6 +132,9 @@ double rest_threshold_mm(const JobStage& stage) {
 /// What one calls a touch, whatever the voxel is: the search knows the stock exactly. Well above
 /// the rounding of coordinates and the chords of arcs, well below what leaves a mark that matters.
 constexpr double kContactTolerance_mm = 0.01;
+/// Without a design arcs are as exact as the findings need them: contacts of a tenth of the
+/// tolerance are listed.
+constexpr double kChordsPerContact = 0.05;
 
 Settings choose_settings(const Job& job, const model::Box3& surface,
                          std::size_t memory_limit_bytes) {
@@ -114,8 +144,12 @@ Settings choose_settings(const Job& job, const model::Box3& surface,
   settings.memory_limit_bytes = settings.stock_limit_bytes = memory_limit_bytes;
   settings.line_spacing_mm = simulator::removal_spacing_mm(settings.voxel_mm, job.stock, {});
   for (const JobStage& stage : job.stages) {
-    settings.resolution_mm.push_back(
-        job.resolution_mm.value_or(verifier::automatic_resolution_mm(stage.limits)));
+    if (job.design)
+      settings.resolution_mm.push_back(
+          job.resolution_mm.value_or(verifier::automatic_resolution_mm(stage.limits)));
+    settings.chord_error_mm.push_back(job.design
+                                          ? chord_error_mm(settings.resolution_mm.back())
+                                          : kChordsPerContact * settings.contact_tolerance_mm);
     settings.floor_z_mm.push_back(
         !stage.plan ? std::numeric_limits<double>::quiet_NaN()
                     : stage.plan->floor_z_mm.value_or(automatic_floor_mm(stage.cutter, surface)));
@@ -124,7 +158,12 @@ Settings choose_settings(const Job& job, const model::Box3& surface,
 }
 
 std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
-  std::vector<std::string> said = {
+  std::vector<std::string> said;
+  if (!job.design)
+    said.push_back(
+        "no design: nothing is measured against a surface; a stage passes where nothing that fails "
+        "was found in the process");
+  const std::vector<std::string> always = {
       "rapids are straight moves of the tool tip; a machine's own rapid need not be straight",
       frame_words(job),
       machining_time_words(job),
@@ -140,6 +179,7 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
                 " mm of stock or fixtures are listed and do not fail a stage"
           : "near misses: no clearance stated, not looked for",
   };
+  said.insert(said.end(), always.begin(), always.end());
   const auto is_program = [](const JobStage& stage) { return !stage.plan.has_value(); };
   if (std::any_of(job.stages.begin(), job.stages.end(), is_program))
     said.push_back("programs are read by the habits of control " +
@@ -148,14 +188,13 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
   if (!job.voxel_mm) {
     said.push_back(
         "voxel " + model::shortest(settings.voxel_mm) +
-        " mm (auto: ten times the tightest gate limit, within 0.05 and 0.25 mm, or as fine as five "
-        "million voxels cover the surface of the stock)");
+        (job.design ? " mm (auto: ten times the tightest gate limit, within 0.05 and 0.25 mm"
+                    : " mm (auto: a fortieth of the smallest cutter's diameter, within 0.05 and "
+                      "0.5 mm") +
+        ", or as fine as five million voxels cover the surface of the stock)");
   }
   said.insert(said.end(), job.defaulted.begin(), job.defaulted.end());
-  for (std::size_t i = 0; i < job.stages.size(); ++i) {
-    state_stage(job.stages[i], settings.resolution_mm[i], settings.floor_z_mm[i],
-                !job.resolution_mm, job.post, said);
-  }
+  for (std::size_t i = 0; i < job.stages.size(); ++i) state_stage(job, settings, i, said);
   return said;
 }
 

@@ -12,7 +12,9 @@ namespace limitgauge::app {
 /// The figures that a job may leave to the program, as they were chosen for one run.
 struct Settings {
   double voxel_mm = 0;
-  std::vector<double> resolution_mm;   ///< a stage: widest certified interval asked for
+  /// A stage: widest certified interval asked for; of none where there is no design.
+  std::vector<double> resolution_mm;
+  std::vector<double> chord_error_mm;  ///< a stage: of a program's arcs as chords
   std::vector<double> floor_z_mm;      ///< a stage: lowest tip height; NaN for a program
   double contact_tolerance_mm = 0;     ///< contacts shallower than this are none
   double line_spacing_mm = 0;          ///< of the lines that removal is followed on
@@ -21,7 +23,9 @@ struct Settings {
 };
 
 /// Voxel "auto": ten times the tightest gouge or uncut limit of the job, kept within 0.05 and
-/// 0.25 mm; 0.1 mm where nothing is limited. The certified intervals do not depend on it.
+/// 0.25 mm; 0.1 mm where nothing is limited. The certified intervals do not depend on it. Without a
+/// design a fortieth of the smallest cutter's diameter, within 0.05 and 0.5 mm. In either case no
+/// finer than five million voxels cover the surface of the stock.
 double automatic_voxel_mm(const Job& job);
 /// Floor of a stage that states none: the lowest point of the surface less the cutter's corner
 /// radius, so that a ball can roll over the lowest edge down to its equator.

@@ -116,12 +116,13 @@ std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Fi
 void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
   passes_.push_back({asked.cutter, ran.path});
+  if (!inputs_.design) return;
   const verifier::StageCheck check = stage_check(job_, inputs_, index);
   const auto workers = options_.share ? options_.share(passes_) : nullptr;
   const StockRayProbe probe(stock_->stock);
-  ran.deviation = measure_stage(inputs_.surface, job_.stock, passes_, &probe, check,
+  ran.deviation = measure_stage(inputs_.design->surface, job_.stock, passes_, &probe, check,
                                 control(asked.name + ": measuring"), workers.get());
-  ran.deviation.budget.push_back(budget_term(inputs_.witness));
+  ran.deviation->budget.push_back(budget_term(inputs_.design->witness));
 }
 
 /// For lines of the programs of earlier stages.
@@ -132,11 +133,12 @@ std::vector<std::string> Bench::names_up_to(std::size_t index) const {
 }
 
 void Bench::write_files(reports::StageResult& stage) const {
-  reports::StageFiles files = write_stage_files(
-      stage, folder_,
-      {job_.pictures, control(stage.name + ": writing"), job_.rapid_mm_min, job_.stock_surface});
+  reports::StageFiles files = write_stage_files(stage, folder_,
+                                                {job_.pictures, control(stage.name + ": writing"),
+                                                 job_.rapid_mm_min, job_.stock_surface, passes_});
   stage.ran->surface = files.surface;
   stage.ran->path_view = std::move(files.path_view);
+  stage.ran->stock_view = std::move(files.stock_view);
   if (job_.pictures) stage.pictures = std::move(files.pictures);
 }
 
@@ -150,12 +152,13 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   model::return_freed_memory();
   measure(index, ran);
   model::return_freed_memory();
-  stage.decision =
-      decide(ran.deviation, stage.limits, process_faults(ran.process), names_up_to(index));
+  const std::vector<verifier::ProcessFault> faults = process_faults(ran.process);
+  stage.decision = ran.deviation ? decide(*ran.deviation, stage.limits, faults, names_up_to(index))
+                                 : verifier::decide(faults);
   if (options_.stage_files) {
     write_files(stage);
-  } else {
-    ran.deviation.field = {};
+  } else if (ran.deviation) {
+    ran.deviation->field = {};
   }
   // What only the stage's files needed.
   ran.stock.reset();
@@ -164,7 +167,8 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   std::ostringstream line;
   line << stage.name << ": " << name(stage.decision.verdict) << "; planned "
        << ran.path->moves.size() << " moves in " << ran.plan_seconds << " s, cut in "
-       << ran.simulation_seconds << " s, measured in " << ran.deviation.seconds << " s";
+       << ran.simulation_seconds << " s";
+  if (ran.deviation) line << ", measured in " << ran.deviation->seconds << " s";
   options_.watch.note(line.str());
 }
 

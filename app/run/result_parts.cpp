@@ -9,14 +9,14 @@
 namespace limitgauge::app {
 namespace {
 
-reports::StageResult stage_as_asked(const JobStage& asked) {
+reports::StageResult stage_as_asked(const JobStage& asked, bool has_design) {
   reports::StageResult stage;
   stage.name = asked.name;
   stage.tool = asked.cutter.id;
   stage.cutter = asked.cutter;
   stage.program = asked.program_as_stated;
   stage.program_part = to_text(asked.part);
-  stage.allowance_mm = asked.allowance_mm;
+  if (has_design) stage.allowance_mm = asked.allowance_mm;
   stage.limits = asked.limits;
   if (!asked.plan) return stage;
   stage.strategy = strategy_name(asked.plan->cut.strategy);
@@ -25,11 +25,12 @@ reports::StageResult stage_as_asked(const JobStage& asked) {
   return stage;
 }
 
-std::string start_text(const model::Vec3& at_mm) {
+std::string start_text(const model::Vec3& at_mm, bool has_design) {
   return "programs start with the tip at (" + model::shortest(at_mm.x) + ", " +
          model::shortest(at_mm.y) + ", " + model::shortest(at_mm.z) +
-         ") mm of their frame (default: its zero in X and Y; in Z above stock, part, fixtures and "
-         "every height that a program names, by the clearance)";
+         ") mm of their frame (default: its zero in X and Y; in Z above stock, " +
+         (has_design ? "part, " : "") +
+         "fixtures and every height that a program names, by the clearance)";
 }
 
 /// Where the programs start: the same for all of them, but for those that say it by themselves.
@@ -39,7 +40,7 @@ void add_start(const RunInputs& inputs, reports::RunResult& result) {
     const model::ProgramStart& start = program->start;
     if (!result.program_start || start.assumed) result.program_start = start;
     if (!start.assumed) continue;
-    result.assumptions.push_back(start_text(start.at_mm));
+    result.assumptions.push_back(start_text(start.at_mm, inputs.design.has_value()));
     return;
   }
 }
@@ -56,43 +57,57 @@ void add_assumed(const RunInputs& inputs, std::vector<std::string>& said) {
   }
 }
 
-reports::SurfaceResult surface_as_read(const Job& job, const RunInputs& inputs) {
+reports::SurfaceResult surface_as_read(const JobDesign& design, const JobSurface& read) {
   reports::SurfaceResult surface;
-  surface.cage = job.cage_as_stated;
-  surface.mesh = inputs.mesh;
-  surface.summary = summarize(inputs.cage);
-  surface.rules = inputs.surface.rules();
-  surface.bbox_mm = inputs.surface.bounding_box();
-  surface.area_mm2 = inputs.surface.area_mm2();
-  surface.witness = inputs.witness;
+  surface.cage = design.as_stated;
+  surface.mesh = read.mesh;
+  surface.summary = summarize(read.cage);
+  surface.rules = read.surface.rules();
+  surface.bbox_mm = read.surface.bounding_box();
+  surface.area_mm2 = read.surface.area_mm2();
+  surface.witness = read.witness;
   return surface;
 }
 
 /// What a mesh as a design is taken to be.
-void add_facets(const reports::MeshDesign& mesh, reports::RunResult& result) {
-  const reports::SurfaceResult& surface = result.surface;
-  result.assumptions.push_back(
+void add_facets(const reports::SurfaceResult& surface, std::vector<std::string>& said) {
+  said.push_back(
       "the facets of mesh " + surface.cage +
       " are the design: how far they lie from the shape that they were made from is not known here "
       "and not part of any figure");
   if (surface.summary.boundary_edges > 0)
-    result.assumptions.push_back("mesh " + surface.cage +
-                                 " is open: the side from which the corners of its triangles go "
-                                 "round counter-clockwise is taken to be machined");
-  if (mesh.dropped_triangles > 0)
-    result.assumptions.push_back("mesh " + surface.cage + ": " +
-                                 std::to_string(mesh.dropped_triangles) +
-                                 " triangles with two corners in one point were left out");
+    said.push_back("mesh " + surface.cage +
+                   " is open: the side from which the corners of its triangles go round "
+                   "counter-clockwise is taken to be machined");
+  if (surface.mesh->dropped_triangles > 0)
+    said.push_back("mesh " + surface.cage + ": " + std::to_string(surface.mesh->dropped_triangles) +
+                   " triangles with two corners in one point were left out");
+}
+
+void add_design(const Job& job, const RunInputs& inputs, reports::RunResult& result) {
+  if (!inputs.design) return;
+  result.surface = surface_as_read(job.design.value(), *inputs.design);
+  const reports::SurfaceResult& surface = *result.surface;
+  if (surface.mesh) {
+    add_facets(surface, result.assumptions);
+    return;
+  }
+  const std::string head = "cage " + surface.cage + ": ";
+  if (const std::string like = mesh_like_warning(surface.summary); !like.empty())
+    result.assumptions.push_back(head + like);
+  if (!inputs.design->cage.ends_in_line)
+    result.assumptions.push_back(head + "its last line has no line end; taken to be whole");
 }
 
 /// Widest range of sampling intervals over the stages that were planned.
-void join_sampling(reports::RunResult& result) {
+void join_sampling(const std::vector<reports::StageResult>& stages,
+                   reports::SurfaceResult& surface) {
   bool first = true;
-  for (const reports::StageResult& stage : result.stages) {
+  for (const reports::StageResult& stage : stages) {
     if (!stage.ran || stage.strategy.empty()) continue;
     const auto& ran = *stage.ran;
-    int& low = result.surface.sampling_interval_min;
-    int& high = result.surface.sampling_interval_max;
+    int& low = surface.sampling_interval_min;
+    int& high = surface.sampling_interval_max;
     low = first ? ran.sampling_interval_min : std::min(low, ran.sampling_interval_min);
     high = first ? ran.sampling_interval_max : std::max(high, ran.sampling_interval_max);
     first = false;
@@ -109,22 +124,16 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
   result.version = LIMITGAUGE_VERSION;
   result.threads = options.threads;
   result.raw_stock = job.stock;
-  result.surface = surface_as_read(job, inputs);
   result.assumptions = assumptions(job, inputs.settings);
-  if (inputs.mesh) add_facets(*inputs.mesh, result);
-  if (const std::string like = mesh_like_warning(summarize(inputs.cage));
-      !inputs.mesh && !like.empty())
-    result.assumptions.push_back("cage " + job.cage_as_stated + ": " + like);
-  if (!inputs.cage.ends_in_line)
-    result.assumptions.push_back("cage " + job.cage_as_stated +
-                                 ": its last line has no line end; taken to be whole");
+  add_design(job, inputs, result);
   add_start(inputs, result);
   add_assumed(inputs, result.assumptions);
   result.program_frame = job.program_frame;
   result.machine = job.machine;
   result.published = job.published;
   result.inputs = inputs.files;
-  for (const JobStage& asked : job.stages) result.stages.push_back(stage_as_asked(asked));
+  for (const JobStage& asked : job.stages)
+    result.stages.push_back(stage_as_asked(asked, job.design.has_value()));
   return result;
 }
 
@@ -151,9 +160,10 @@ std::vector<RecordedStage> recorded_stages(const reports::RunResult& result) {
 
 void finish_surface(reports::RunResult& result,
                     const std::optional<engine::surface::ModelFigures>& figures) {
-  join_sampling(result);
+  if (!result.surface) return;
+  reports::SurfaceResult& surface = *result.surface;
+  join_sampling(result.stages, surface);
   if (!figures) return;
-  reports::SurfaceResult& surface = result.surface;
   surface.depth_min = figures->depth_min;
   surface.depth_max = figures->depth_max;
   surface.depths = figures->depths;

@@ -167,6 +167,14 @@ void check_engine(const EngineOptions& engine) {
         "--engine slurm beside them");
 }
 
+/// What is shared out is the measuring.
+void require_shareable(const Job& job, const EngineOptions& engine) {
+  if (engine.engine == "slurm" && !job.design)
+    throw UsageError(
+        "--engine slurm shares out what is measured against a surface, and the "
+        "job has no [surface]; expected the run without it");
+}
+
 ShareOut share_out(const RunCommand& command, const CommonOptions& common, const Console& console) {
   check_engine(command.engine);
   if (command.engine.engine != "slurm") return {};
@@ -192,17 +200,31 @@ ExitCode execute(const RunCommand& command, const CommonOptions& common, const C
   if (!command.engine.worker.empty()) return run_piece_worker(command, common, console);
   Job job = read_job(command.job, common.overrides);
   if (common.no_pictures) job.pictures = false;
+  require_shareable(job, command.engine);
   return run_and_report(job, or_default(command.output, job.name), command.history, common, console,
                         share_out(command, common, console));
 }
 
-ExitCode execute(const VerifyCommand& command, const CommonOptions& common,
-                 const Console& console) {
-  Job job = job_of(command);
+namespace {
+
+/// Of `verify` and of `cut`: `job` is what their options make.
+ExitCode run_program(Job job, const CutCommand& command, const CommonOptions& common,
+                     const Console& console) {
   apply_verify_overrides(job, common.overrides);
   if (common.no_pictures) job.pictures = false;
   return run_and_report(job, or_default(command.output, job.name), command.history, common,
                         console);
+}
+
+}  // namespace
+
+ExitCode execute(const VerifyCommand& command, const CommonOptions& common,
+                 const Console& console) {
+  return run_program(job_of(command), command, common, console);
+}
+
+ExitCode execute(const CutCommand& command, const CommonOptions& common, const Console& console) {
+  return run_program(job_of(command), command, common, console);
 }
 
 ExitCode execute(const PlanCommand& command, const CommonOptions& common, const Console& console) {

@@ -6,7 +6,7 @@
 
 namespace limitgauge::app {
 
-/// What a stage is measured for.
+/// What a stage is measured for, in a job with a design.
 inline verifier::StageCheck stage_check(const Job& job, const RunInputs& inputs,
                                         std::size_t index) {
   verifier::StageCheck check;

@@ -13,7 +13,7 @@ namespace limitgauge::app {
 
 engine::surface::ModelRequest model_request(const Job& job) {
   engine::surface::ModelRequest request;
-  request.precision_mm = job.precision_mm;
+  if (job.design) request.precision_mm = job.design->precision_mm;
   for (const JobStage& stage : job.stages) {
     // Only rows of a ball move the surface out; they keep away by their tolerance at most beyond.
     if (!stage.plan || stage.plan->cut.strategy != engine::strategy::Strategy::zigzag ||
@@ -27,7 +27,7 @@ engine::surface::ModelRequest model_request(const Job& job) {
 }
 
 const engine::surface::FinishModel& StagePlanner::finish_model(const model::RunControl& control) {
-  if (!model_) model_.emplace(inputs_.cage, model_request(job_), control);
+  if (!model_) model_.emplace(inputs_.design.value().cage, model_request(job_), control);
   is_used_ = true;
   return *model_;
 }
@@ -37,7 +37,7 @@ const std::optional<engine::surface::FinishModel>& StagePlanner::expected_model(
   const auto planned = [](const JobStage& stage) { return stage.plan.has_value(); };
   if (model_ || std::none_of(job_.stages.begin(), job_.stages.end(), planned)) return model_;
   try {
-    model_.emplace(inputs_.cage, model_request(job_), control);
+    model_.emplace(inputs_.design.value().cage, model_request(job_), control);
   } catch (const std::invalid_argument&) {
     // The stage that cannot be planned says so when its turn comes.
   }
@@ -67,7 +67,9 @@ std::vector<model::Box3> StagePlanner::regions(std::size_t stage,
   leftover.allowance_mm = asked.allowance_mm;
   leftover.threshold_mm = rest_threshold_mm(asked);
   leftover.tile_mm = std::max(leftover.tile_mm, 2 * asked.plan->cut.step_mm);
-  return find_leftover_regions(inputs_.surface, job_.stock, before, leftover, control).boxes;
+  return find_leftover_regions(inputs_.design.value().surface, job_.stock, before, leftover,
+                               control)
+      .boxes;
 }
 
 StageToCut StagePlanner::plan_own(std::size_t stage, std::span<const verifier::Pass> before,
@@ -82,7 +84,7 @@ StageToCut StagePlanner::plan_own(std::size_t stage, std::span<const verifier::P
     throw model::InputError({}, "stage \"" + job_.stages[stage].name + "\": " + error.what(),
                             "a stage that a path can serve");
   }
-  write_stage_program(job_, stage, chord_error_mm(inputs_.settings.resolution_mm[stage]), planned);
+  write_stage_program(job_, stage, inputs_.settings.chord_error_mm[stage], planned);
   StageToCut ready;
   ready.path = std::make_shared<const model::Toolpath>(std::move(planned.path.path));
   ready.program = std::make_shared<const std::string>(std::move(planned.program));

@@ -71,7 +71,7 @@ void PieceWorker::run(const study::WorkerTask& asked) const {
   const std::string reach =
       task->reach_key.empty() ? std::string() : stored(store_, kReachKind, task->reach_key);
   store_.put(kPieceKind, asked.key,
-             do_piece(inputs_.surface, job_.stock, passes,
+             do_piece(inputs_.design.value().surface, job_.stock, passes,
                       stage_check(job_, inputs_, shared->stage), task->piece, reach, control_));
 }
 

@@ -13,8 +13,8 @@ RunTerms case_terms(std::size_t memory_limit_bytes) {
   return {memory_limit_bytes, false, StagePrefixCache::kMostKept};
 }
 
-double case_forecast_bytes(const Job& job, JobSurface surface, std::size_t memory_limit_bytes,
-                           const std::atomic<bool>* stop) {
+double case_forecast_bytes(const Job& job, std::optional<JobSurface> surface,
+                           std::size_t memory_limit_bytes, const std::atomic<bool>* stop) {
   const RunTerms terms = case_terms(memory_limit_bytes);
   const RunInputs inputs = load_inputs(job, terms, std::move(surface));
   RunOptions options;

@@ -10,6 +10,7 @@ namespace limitgauge::app {
 namespace {
 
 using reports::record::Better;
+using reports::record::DeviationMeasures;
 using reports::record::Metric;
 using reports::record::RunRecord;
 using reports::record::Source;
@@ -42,7 +43,8 @@ double relative(double figure, double limit, double least) {
 }
 
 /// Of the limits of one stage; what is at most 0 is kept.
-std::vector<double> excesses(const StageMeasures& measures, const verifier::GateLimits& limits) {
+std::vector<double> excesses(const DeviationMeasures& measures,
+                             const verifier::GateLimits& limits) {
   std::vector<double> all;
   if (limits.has_gouge && limits.gouge_mm > 0)
     all.push_back(
@@ -75,7 +77,8 @@ double other_excess(const StageRecord& stage) {
 }
 
 std::optional<double> stage_excess(const StageRecord& stage) {
-  const std::vector<double> all = excesses(*stage.measures, stage.limits);
+  std::vector<double> all;
+  if (stage.measures->deviation) all = excesses(*stage.measures->deviation, stage.limits);
   std::optional<double> worst;
   if (!all.empty()) worst = *std::max_element(all.begin(), all.end());
   if (stage.verdict != Verdict::pass && !(worst && *worst > 0)) worst = other_excess(stage);
@@ -87,7 +90,8 @@ const char* judged(const verifier::Interval& figure, double limit) {
 }
 
 template <class Add>
-void add_reach(const StageMeasures& measures, const verifier::GateLimits& limits, const Add& add) {
+void add_reach(const DeviationMeasures& measures, const verifier::GateLimits& limits,
+               const Add& add) {
   const verifier::Interval area_mm2 = unreachable_figure(measures, false),
                            figure = unreachable_figure(measures, limits.unreachable_is_share);
   if (area_mm2.high > 0 && measures.reach.reachable_mm2 <= 0 && measures.reachable_area_mm2 <= 0)
@@ -98,22 +102,26 @@ void add_reach(const StageMeasures& measures, const verifier::GateLimits& limits
     add(std::string("unavoidable uncut") + judged(measures.unavoidable_mm, limits.unavoidable_mm));
 }
 
+template <class Add>
+void add_limits(const DeviationMeasures& measures, const verifier::GateLimits& limits,
+                const Add& add) {
+  if (limits.has_gouge && measures.gouge_mm.high > limits.gouge_mm)
+    add(std::string("gouge") + judged(measures.gouge_mm, limits.gouge_mm));
+  if (limits.has_uncut && measures.uncut_mm.high > limits.uncut_mm)
+    add(std::string("uncut") + judged(measures.uncut_mm, limits.uncut_mm));
+  if (limits.has_gouge && measures.missing_stock_mm.high > limits.gouge_mm)
+    add(std::string("missing stock") + judged(measures.missing_stock_mm, limits.gouge_mm));
+  if (limits.has_coverage && measures.coverage < limits.coverage) add("coverage too small");
+  add_reach(measures, limits, add);
+}
+
 /// What keeps the stage from passing, in a few words.
 std::string reason_of(const StageRecord& stage) {
   std::string reason;
   const auto add = [&](const std::string& what) { reason += (reason.empty() ? "" : ", ") + what; };
   if (stage.measures) {
-    const StageMeasures& measures = *stage.measures;
-    const verifier::GateLimits& limits = stage.limits;
-    if (limits.has_gouge && measures.gouge_mm.high > limits.gouge_mm)
-      add(std::string("gouge") + judged(measures.gouge_mm, limits.gouge_mm));
-    if (limits.has_uncut && measures.uncut_mm.high > limits.uncut_mm)
-      add(std::string("uncut") + judged(measures.uncut_mm, limits.uncut_mm));
-    if (limits.has_gouge && measures.missing_stock_mm.high > limits.gouge_mm)
-      add(std::string("missing stock") + judged(measures.missing_stock_mm, limits.gouge_mm));
-    if (limits.has_coverage && measures.coverage < limits.coverage) add("coverage too small");
-    add_reach(measures, limits, add);
-    for (const reports::record::ProcessCount& fault : measures.process) {
+    if (stage.measures->deviation) add_limits(*stage.measures->deviation, stage.limits, add);
+    for (const reports::record::ProcessCount& fault : stage.measures->process) {
       std::string kind = fault.kind;
       std::replace(kind.begin(), kind.end(), '_', ' ');
       if (fault.count > 0) add(kind);

@@ -111,6 +111,15 @@ void require_objective(const std::string& id, const std::vector<std::string>& st
       "\"" + model::nearest_word(id, known) + "\" or another figure of the stages");
 }
 
+/// A study weighs accuracy against time.
+void require_design(const Job& job, const StudyFile& file) {
+  if (job.design) return;
+  throw model::InputError(
+      {file.plan.job.string(), 0, 0},
+      "the job has no [surface], and a study tunes what is measured against one",
+      "a job with [surface]; without one, `limitgauge run` case by case");
+}
+
 void require_figures(const StudyFile& file, const Job& job) {
   std::vector<std::string> stages;
   for (const JobStage& stage : job.stages) stages.push_back(stage.name);
@@ -126,6 +135,7 @@ void relate_to_job(StudyFile& file, const std::string& job_text,
   const BaseJob job{file, job_text, {overrides.begin(), overrides.end()}};
   for (std::size_t v = 0; v < file.plan.variables.size(); ++v) require_job_key(job, v);
   const Job read = job.read_with({});
+  require_design(read, file);
   take_bases(file, job);
   require_figures(file, read);
 }

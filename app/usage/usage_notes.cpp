@@ -32,7 +32,7 @@ constexpr std::array<UsageNote, 4> kEnvironment = {{
     {"DISPLAY, WAYLAND_DISPLAY", "one of them set: view opens the desktop's browser"},
 }};
 
-constexpr std::array<UsageNote, 8> kExamples = {{
+constexpr std::array<UsageNote, 9> kExamples = {{
     {"limitgauge run part.toml", "Plan, cut and verify the stages of a job."},
     {"limitgauge run part.toml --set stage.finish.step=0.2", "The same with one key otherwise."},
     {"limitgauge run part.toml --engine slurm --cache /shared/limitgauge",
@@ -40,6 +40,8 @@ constexpr std::array<UsageNote, 8> kExamples = {{
     {"limitgauge verify --cage part.obj --stock box:90,80,30@-45,-40,-20 --tool ball:D=6 "
      "--program part.ngc --gouge 0.01 --uncut 0.01",
      "Verify somebody else's program."},
+    {"limitgauge cut --stock box:90,80,30@-45,-40,-20 --tool ball:D=6 --program part.ngc",
+     "Cut it without a design: collisions, times, the finished stock."},
     {"limitgauge inspect part.ngc --moves", "What a program does, one move a line."},
     {"limitgauge compare base limitgauge-out/part", "Has accuracy slipped since that result?"},
     {"limitgauge study tuning.toml", "Which setting is the cheapest that passes?"},

@@ -221,8 +221,9 @@ bool is_mesh_file(const std::filesystem::path& file) {
 void inspect_mesh(const InspectCommand& command, const CommonOptions& common,
                   const Console& console) {
   Job job;
-  job.design = DesignKind::mesh;
-  job.cage = command.file;
+  JobDesign& design = job.design.emplace();
+  design.kind = DesignKind::mesh;
+  design.file = command.file;
   const JobSurface read = load_surface(job, {common.threads, console.stop, {}});
   if (!common.quiet) print_mesh(console.out, read);
 }
@@ -231,7 +232,7 @@ void inspect_cage(const InspectCommand& command, const CommonOptions& common,
                   const Console& console) {
   if (!command.csv.empty()) require_writable(command.csv);
   Job job;
-  job.cage = command.file;
+  job.design.emplace().file = command.file;
   const JobSurface read = load_surface(job, {common.threads, console.stop, {}});
   if (!command.csv.empty())
     model::write_whole_file(

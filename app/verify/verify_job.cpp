@@ -1,6 +1,7 @@
 #include "app/verify/verify_job.h"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <stdexcept>
 
@@ -68,7 +69,7 @@ JobTool tool_of(const std::string& text) {
   return tool;
 }
 
-std::vector<JobTool> tools_of(const VerifyCommand& command) {
+std::vector<JobTool> tools_of(const CutCommand& command) {
   std::vector<JobTool> tools;
   for (const std::string& text : command.tools) {
     JobTool tool = tool_of(text);
@@ -121,25 +122,13 @@ std::vector<PartLength> part_lengths_of(const VerifyCommand& command) {
   return lengths;
 }
 
-void read_design(const VerifyCommand& command, Job& job) {
-  if (command.cage.empty() == command.target.empty())
-    throw UsageError(command.cage.empty()
-                         ? "verify needs a design; expected --cage (a Catmull-Clark cage) or "
-                           "--target (a triangle mesh)"
-                         : "--cage beside --target; expected one of the two");
-  job.design = command.cage.empty() ? DesignKind::mesh : DesignKind::cage;
-  job.cage = command.cage.empty() ? command.target : command.cage;
-  job.cage_as_stated = job.cage.string();
-}
-
-JobStage stage_of(const VerifyCommand& command, const JobTool& tool) {
+JobStage stage_of(const CutCommand& command, const JobTool& tool) {
   JobStage stage;
   stage.name = "program";
   stage.cutter = tool.cutter;
   stage.tool_number = tool.number;
   stage.program = command.program;
   stage.program_as_stated = command.program.string();
-  stage.allowance_mm = command.allowance_mm;
   return stage;
 }
 
@@ -154,7 +143,7 @@ const JobTool& tool_numbered(const std::vector<JobTool>& tools, const model::Too
 
 /// A stage for each loading of a tool. What the earlier ones leave is the later ones' work, so the
 /// limits hold for the last, which measures everything that was cut.
-std::vector<JobStage> stages_by_tool(const VerifyCommand& command, const Job& job,
+std::vector<JobStage> stages_by_tool(const CutCommand& command, const Job& job,
                                      const std::vector<JobTool>& tools) {
   const model::Program program =
       model::read_program_or_name_control(command.program, machine_for(job, tools.front().cutter));
@@ -175,15 +164,62 @@ std::vector<JobStage> stages_by_tool(const VerifyCommand& command, const Job& jo
   return stages;
 }
 
+/// The name of a file's format where it is one that holds no cage.
+const char* other_than_cage(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".stl") return "STL: triangles";
+  if (extension == ".ply") return "PLY: a mesh of facets";
+  return extension == ".step" || extension == ".stp" ? "STEP: faces and curves" : nullptr;
+}
+
+/// A mesh is the design itself, a cage its control polygon: taken for each other, every figure
+/// would be of another part.
+void require_cage(const std::filesystem::path& file) {
+  const char* format = other_than_cage(file);
+  if (!format) return;
+  throw UsageError("--cage " + file.string() + " is " + format +
+                   ", and --cage takes the control cage of a Catmull-Clark surface; expected an "
+                   "OBJ with quads or n-gons; a mesh goes to --target; without a design "
+                   "`limitgauge cut` with the same --stock, --tool and "
+                   "--program says what happens on the way and shows what is left");
+}
+
+JobDesign design_of(const VerifyCommand& command) {
+  if (command.cage.empty() == command.target.empty())
+    throw UsageError(command.cage.empty()
+                         ? "verify needs a design; expected --cage (a Catmull-Clark cage) or "
+                           "--target (a triangle mesh); without one, limitgauge cut"
+                         : "--cage beside --target; expected one of the two");
+  if (command.target.empty()) require_cage(command.cage);
+  const bool is_mesh = command.cage.empty();
+  JobDesign design;
+  design.kind = is_mesh ? DesignKind::mesh : DesignKind::cage;
+  design.file = is_mesh ? command.target : command.cage;
+  design.as_stated = design.file.string();
+  return design;
+}
+
 }  // namespace
 
 Job job_of(const VerifyCommand& command) {
+  JobDesign design = design_of(command);
+  Job job = job_of(static_cast<const CutCommand&>(command));
+  job.design = std::move(design);
+  job.part_lengths = part_lengths_of(command);
+  for (JobStage& stage : job.stages) stage.allowance_mm = command.allowance_mm;
+  job.stages.back().limits = command.limits;
+  return job;
+}
+
+Job job_of(const CutCommand& command) {
   Job job;
   job.name = plain_name(command.program);
-  read_design(command, job);
+  job.voxel_mm = command.voxel_mm;
+  if (command.voxel_mm) job.stated_voxel = {"--voxel", *command.voxel_mm, {}};
   job.stock = stock_of(command.stock, job);
   job.near_miss_mm = command.near_miss_mm;
-  job.part_lengths = part_lengths_of(command);
   for (const std::filesystem::path& file : command.fixtures)
     job.fixtures.push_back(fixture_of(file));
   const std::vector<JobTool> tools = tools_of(command);
@@ -196,7 +232,6 @@ Job job_of(const VerifyCommand& command) {
   job.program_frame.rotate_z_deg = command.program_rotation_deg;
   job.stages = tools.size() == 1 ? std::vector{stage_of(command, tools.front())}
                                  : stages_by_tool(command, job, tools);
-  job.stages.back().limits = command.limits;
   return job;
 }
 
@@ -218,28 +253,32 @@ toml::table gate_table(const verifier::GateLimits& limits) {
 /// What of the job can be named by a key: its name and its stages.
 toml::table nameable(const Job& job) {
   toml::array stages;
-  for (const JobStage& stage : job.stages)
-    stages.push_back(toml::table{{"name", stage.name},
-                                 {"allowance", stage.allowance_mm},
-                                 {"gate", gate_table(stage.limits)}});
+  for (const JobStage& stage : job.stages) {
+    toml::table keys{{"name", stage.name}};
+    if (job.design) {
+      keys.insert("allowance", stage.allowance_mm);
+      keys.insert("gate", gate_table(stage.limits));
+    }
+    stages.push_back(std::move(keys));
+  }
   return toml::table{{"name", job.name}, {"stage", std::move(stages)}};
 }
 
 /// A key that is no key of a job is told by the table's own reader.
-void refuse_options(const TomlTable& table, const std::string& where,
+void refuse_options(const TomlTable& table, const std::string& command, const std::string& where,
                     std::span<const std::pair<const char*, const char*>> options) {
   for (const auto& [key, option] : options)
     if (table.has(key))
-      throw model::InputError(
-          table.place(key),
-          std::string("verify takes \"") + key + "\" of " + where + " from its options", option);
+      throw model::InputError(table.place(key),
+                              command + " takes \"" + key + "\" of " + where + " from its options",
+                              option);
 }
 
 constexpr std::pair<const char*, const char*> kJobOptions[] = {
     {"stock", "--stock"},
     {"tool", "--tool"},
     {"fixture", "--fixture"},
-    {"post", "none: verify writes no program"},
+    {"post", "none: no program is written"},
     {"published", "none: such figures stand in a job file"}};
 constexpr std::pair<const char*, const char*> kSurfaceOptions[] = {{"cage", "--cage"},
                                                                    {"mesh", "--target"}};
@@ -249,19 +288,24 @@ constexpr std::pair<const char*, const char*> kStageOptions[] = {{"tool", "--too
 void read_surface(const TomlTable& root, Job& job) {
   const TomlTable surface(root.table("surface"), "[surface]",
                           {"cage", "mesh", "precision", "transform"});
-  refuse_options(surface, "[surface]", kSurfaceOptions);
+  if (!job.design)
+    throw model::InputError(root.place("surface"), "cut measures against no surface",
+                            "limitgauge verify, with --cage or --target");
+  refuse_options(surface, "verify", "[surface]", kSurfaceOptions);
   if (surface.has("precision"))
-    job.precision_mm = part_length_mm(surface, "precision", job.part_lengths);
-  read_placement(surface, job);
+    job.design->precision_mm = part_length_mm(surface, "precision", job.part_lengths);
+  read_placement(surface, *job.design);
 }
 
-void read_stage(const toml::table& table, JobStage& stage, std::vector<PartLength>& lengths) {
-  const TomlTable keys(table, "[[stage]] of verify",
+void read_stage(const toml::table& table, const std::string& command, bool has_design,
+                JobStage& stage, std::vector<PartLength>& lengths) {
+  const TomlTable keys(table, "[[stage]] of " + command,
                        {"name", "allowance", "gate", "tool", "program"});
-  refuse_options(keys, "[[stage]]", kStageOptions);
+  refuse_options(keys, command, "[[stage]]", kStageOptions);
   if (keys.text("name") != stage.name)
-    throw model::InputError(keys.place("name"), "verify names its stages itself",
+    throw model::InputError(keys.place("name"), command + " names its stages itself",
                             "other keys of the stage \"" + stage.name + "\"");
+  if (!has_design) return;
   stage.allowance_mm = part_length_or_zero_mm(keys, "allowance", lengths);
   stage.limits = read_gate(keys, lengths);
 }
@@ -273,7 +317,9 @@ void apply_verify_overrides(Job& job, std::span<const std::string> overrides) {
   toml::table table = nameable(job);
   apply_overrides(table, overrides);
   const TomlTable root(table, "the job", {}, kJobKeys);
-  refuse_options(root, "the job", kJobOptions);
+  const std::string command = job.design ? "verify" : "cut";
+  refuse_options(root, command, "the job", kJobOptions);
+  if (!job.design) refuse_design_keys(root);
   job.name = read_job_name(root);
   job.part_lengths.clear();  // all of them stand in the table, too
   if (root.has("surface")) read_surface(root, job);
@@ -282,7 +328,7 @@ void apply_verify_overrides(Job& job, std::span<const std::string> overrides) {
   read_settings(root, job);
   const std::vector<const toml::table*> stages = root.tables("stage");
   for (std::size_t i = 0; i < stages.size(); ++i)
-    read_stage(*stages[i], job.stages.at(i), job.part_lengths);
+    read_stage(*stages[i], command, job.design.has_value(), job.stages.at(i), job.part_lengths);
 }
 
 }  // namespace limitgauge::app

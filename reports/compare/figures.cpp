@@ -9,13 +9,14 @@
 namespace limitgauge::reports::compare {
 namespace {
 
+using record::DeviationMeasures;
 using record::Metric;
 using record::Source;
 using record::StageMeasures;
 using verifier::Interval;
 
 /// How far the samples go to the side of a figure; none for one that they do not tell of.
-std::optional<double> sampled_extreme(const Metric& metric, const StageMeasures& measures) {
+std::optional<double> sampled_extreme(const Metric& metric, const DeviationMeasures& measures) {
   if (!measures.sampled_mm) return std::nullopt;
   if (metric.id == "gouge_mm") return -measures.sampled_mm->low;
   if (metric.id == "uncut_mm") return measures.sampled_mm->high;
@@ -28,10 +29,11 @@ std::optional<double> sampled_extreme(const Metric& metric, const StageMeasures&
 /// did.
 bool all_rose(const Metric& metric, const StageMeasures& from, const StageMeasures& to,
               const Fineness& fineness) {
-  const auto sampled_from = sampled_extreme(metric, from), sampled_to = sampled_extreme(metric, to);
+  const auto sampled_from = sampled_extreme(metric, *from.deviation),
+             sampled_to = sampled_extreme(metric, *to.deviation);
   if (!sampled_from || !sampled_to) return false;
   const double floor = sample_floor_mm(fineness);
-  const Interval was = metric.of(from), is = metric.of(to);
+  const Interval was = *metric.of(from), is = *metric.of(to);
   return is.low - was.low > floor && is.high - was.high > floor &&
          *sampled_to - *sampled_from > floor;
 }
@@ -122,7 +124,10 @@ std::optional<FoundPlace> deepest(const FigureChange& change,
   }));
 }
 
-const std::vector<record::Place>& places_of(const Metric& metric, const StageMeasures& measures) {
+/// Of a figure of the design; none where there is no design.
+std::vector<record::Place> places_of(const Metric& metric, const StageMeasures& stage) {
+  if (!stage.deviation) return {};
+  const DeviationMeasures& measures = *stage.deviation;
   if (metric.id == "gouge_mm") return measures.gouges;
   return metric.id == "missing_stock_mm" ? measures.missing_stock : measures.uncuts;
 }
@@ -133,10 +138,12 @@ std::vector<FigureChange> compare_figures(const StageMeasures& base, const Stage
                                           const Options& options) {
   std::vector<FigureChange> out;
   for (const Metric& metric : record::stage_metrics()) {
+    const std::optional<Interval> was = metric.of(base), is = metric.of(now);
+    if (!was || !is) continue;
     FigureChange change;
     change.metric = &metric;
-    change.base = metric.of(base);
-    change.now = metric.of(now);
+    change.base = *was;
+    change.now = *is;
     judge(change, base, now, options);
     change.where = deepest(change, places_of(metric, base), places_of(metric, now));
     out.push_back(std::move(change));

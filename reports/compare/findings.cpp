@@ -102,20 +102,20 @@ Side places_of(const std::vector<Place>& places, double threshold_mm, bool is_co
 }
 
 Side gouges_of(const record::StageRecord& stage, double reach_mm) {
-  const record::StageMeasures& m = *stage.measures;
+  const record::DeviationMeasures& m = *stage.measures->deviation;
   const double limit = stage.limits.has_gouge ? stage.limits.gouge_mm : kUnlimited;
   return places_of(m.gouges, m.gouge_threshold_mm, m.findings_complete, limit, reach_mm);
 }
 
 Side uncuts_of(const record::StageRecord& stage, double reach_mm) {
-  const record::StageMeasures& m = *stage.measures;
+  const record::DeviationMeasures& m = *stage.measures->deviation;
   const double limit = stage.limits.has_uncut ? stage.limits.uncut_mm : kUnlimited;
   return places_of(m.uncuts, m.uncut_threshold_mm, m.findings_complete, limit, reach_mm);
 }
 
 /// The gate's limit of gouges holds for the stock, too; what was found of it is in the list.
 Side missing_stock_of(const record::StageRecord& stage, double reach_mm) {
-  const record::StageMeasures& m = *stage.measures;
+  const record::DeviationMeasures& m = *stage.measures->deviation;
   const double limit = stage.limits.has_gouge ? stage.limits.gouge_mm : kUnlimited;
   return places_of(m.missing_stock, m.gouge_threshold_mm, m.findings_complete, limit, reach_mm);
 }
@@ -157,10 +157,9 @@ int rank(Judgement judgement) {
   }
 }
 
-}  // namespace
-
-void compare_findings(const record::StageRecord& base, const record::StageRecord& now,
-                      double reach_mm, const Options& options, StageComparison& out) {
+/// Places on the design.
+void compare_deviation_findings(const record::StageRecord& base, const record::StageRecord& now,
+                                double reach_mm, const Options& options, StageComparison& out) {
   const double floor_mm = fineness_of(*base.measures, *now.measures).resolution_mm;
   compare_sides({"gouge", floor_mm, reach_mm, is_judged(options, "gouge_mm")},
                 gouges_of(base, reach_mm), gouges_of(now, reach_mm), out);
@@ -168,6 +167,14 @@ void compare_findings(const record::StageRecord& base, const record::StageRecord
                 uncuts_of(base, reach_mm), uncuts_of(now, reach_mm), out);
   compare_sides({"missing_stock", floor_mm, reach_mm, is_judged(options, "missing_stock_mm")},
                 missing_stock_of(base, reach_mm), missing_stock_of(now, reach_mm), out);
+}
+
+}  // namespace
+
+void compare_findings(const record::StageRecord& base, const record::StageRecord& now,
+                      double reach_mm, const Options& options, StageComparison& out) {
+  if (base.measures->deviation && now.measures->deviation)
+    compare_deviation_findings(base, now, reach_mm, options, out);
   compare_process(base, now, reach_mm, options, out);
   std::stable_sort(out.findings.begin(), out.findings.end(),
                    [](const FindingChange& a, const FindingChange& b) {

@@ -48,7 +48,10 @@ bool wholly_above(const Interval& a, const Interval& b) {
 }
 
 Fineness fineness_of(const record::StageMeasures& base, const record::StageMeasures& now) {
-  return {std::max(base.resolution_mm, now.resolution_mm), std::max(base.voxel_mm, now.voxel_mm)};
+  const auto resolution_mm = [](const record::StageMeasures& m) {
+    return m.deviation ? m.deviation->resolution_mm : 0;
+  };
+  return {std::max(resolution_mm(base), resolution_mm(now)), std::max(base.voxel_mm, now.voxel_mm)};
 }
 
 double sample_floor_mm(const Fineness& fineness) {

@@ -6,7 +6,7 @@ namespace limitgauge::reports::compare {
 
 /// How finely two runs were measured: the coarser of the two.
 struct Fineness {
-  double resolution_mm = 0;  ///< widest certified interval accepted
+  double resolution_mm = 0;  ///< widest certified interval accepted; 0 without a design
   double voxel_mm = 0;       ///< of the stock
 };
 Fineness fineness_of(const record::StageMeasures& base, const record::StageMeasures& now);

@@ -113,16 +113,16 @@ std::vector<Remark> compare_settings(const record::StageRecord& base,
     name_change(out, "tolerance", "tolerance", stated_length(base.tolerance_mm),
                 stated_length(now.tolerance_mm));
   }
-  if (base.allowance_mm != now.allowance_mm)
+  if (base.allowance_mm && now.allowance_mm && *base.allowance_mm != *now.allowance_mm)
     out.push_back({"allowance", Judgement::not_judged,
-                   "allowance was " + stated_length(base.allowance_mm) + ", is " +
-                       stated_length(now.allowance_mm) +
+                   "allowance was " + stated_length(*base.allowance_mm) + ", is " +
+                       stated_length(*now.allowance_mm) +
                        ": gouge and uncut are measured against another surface"});
   return out;
 }
 
-std::vector<Remark> compare_certificates(const record::StageMeasures& base,
-                                         const record::StageMeasures& now) {
+std::vector<Remark> compare_certificates(const record::DeviationMeasures& base,
+                                         const record::DeviationMeasures& now) {
   std::vector<Remark> out;
   name_change(out, "resolution", "resolution", stated_length(base.resolution_mm),
               stated_length(now.resolution_mm));
@@ -136,7 +136,7 @@ std::vector<Remark> compare_certificates(const record::StageMeasures& base,
 namespace {
 
 /// Empty where all is in reach.
-std::string reach_text(const record::StageMeasures& m) {
+std::string reach_text(const record::DeviationMeasures& m) {
   const double area_mm2 =
       m.reach.unreachable_mm2 > 0 ? m.reach.unreachable_mm2 : m.unreachable_area_mm2;
   if (!(area_mm2 > 0)) return {};
@@ -148,8 +148,8 @@ std::string reach_text(const record::StageMeasures& m) {
 
 }  // namespace
 
-std::optional<Remark> tell_reach(const record::StageMeasures& base,
-                                 const record::StageMeasures& now) {
+std::optional<Remark> tell_reach(const record::DeviationMeasures& base,
+                                 const record::DeviationMeasures& now) {
   const std::string was = reach_text(base), is = reach_text(now);
   if (was.empty() && is.empty()) return std::nullopt;
   const std::string said = is.empty() ? std::string("nothing") : is;

@@ -44,6 +44,13 @@ void add(std::vector<Remark>& to, std::vector<Remark> remarks) {
   std::move(remarks.begin(), remarks.end(), std::back_inserter(to));
 }
 
+void compare_deviations(const record::DeviationMeasures& base, const record::DeviationMeasures& now,
+                        StageComparison& out) {
+  add(out.remarks, compare_certificates(base, now));
+  if (std::optional<Remark> remark = tell_reach(base, now))
+    out.remarks.push_back(std::move(*remark));
+}
+
 void compare_stages(const StageRecord& base, const StageRecord& now, double reach_mm,
                     const Options& options, StageComparison& out) {
   if (std::optional<Remark> remark = compare_verdicts("verdict", base.verdict, now.verdict))
@@ -51,9 +58,8 @@ void compare_stages(const StageRecord& base, const StageRecord& now, double reac
   add(out.remarks, compare_gates(base.limits, now.limits, options));
   add(out.remarks, compare_settings(base, now));
   if (!base.measures || !now.measures) return;
-  add(out.remarks, compare_certificates(*base.measures, *now.measures));
-  if (std::optional<Remark> remark = tell_reach(*base.measures, *now.measures))
-    out.remarks.push_back(std::move(*remark));
+  if (base.measures->deviation && now.measures->deviation)
+    compare_deviations(*base.measures->deviation, *now.measures->deviation, out);
   add(out.remarks, compare_process_counts(*base.measures, *now.measures, options));
   out.figures = compare_figures(*base.measures, *now.measures, options);
   compare_findings(base, now, reach_mm, options, out);
@@ -105,6 +111,18 @@ void require_one_schema(const RunRecord& base, const RunRecord& now) {
           (base_is_older ? "baseline" : "new one") + " again with this limitgauge");
 }
 
+/// Where one of them says nothing of a surface, most of what the other says has no counterpart: a
+/// gouge could vanish without a word.
+void require_one_kind(const RunRecord& base, const RunRecord& now) {
+  if (base.cage.has_value() == now.cage.has_value()) return;
+  const auto words = [](const RunRecord& run) {
+    return run.cage ? "was measured against a design" : "is of a program cut without a design";
+  };
+  throw model::InputError(
+      {}, std::string("the base ") + words(base) + " and the new result " + words(now),
+      "two results against a design, or two without one");
+}
+
 void count(Comparison& out) {
   const auto add_one = [&out](Judgement judgement) {
     if (judgement == Judgement::worse) ++out.worse;
@@ -122,6 +140,7 @@ void count(Comparison& out) {
 
 Comparison compare_runs(const RunRecord& base, const RunRecord& now, const Options& options) {
   require_one_schema(base, now);
+  require_one_kind(base, now);
   const std::vector<StagePair> pairs = paired_stages(base, now);
   require_common(base, now, pairs);
   Comparison out;
@@ -132,7 +151,7 @@ Comparison compare_runs(const RunRecord& base, const RunRecord& now, const Optio
           compare_verdicts("the run's verdict", base.verdict, now.verdict))
     out.remarks.push_back(std::move(*remark));
   add(out.remarks, compare_heads(base, now));
-  const double reach_mm = kReachShare * std::max(base.surface_diagonal_mm, now.surface_diagonal_mm);
+  const double reach_mm = kReachShare * std::max(base.diagonal_mm, now.diagonal_mm);
   for (const StagePair& pair : pairs) out.stages.push_back(compare_pair(pair, reach_mm, options));
   count(out);
   return out;

@@ -31,11 +31,11 @@ std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifi
 std::vector<Remark> compare_settings(const record::StageRecord& base,
                                      const record::StageRecord& now);
 /// Resolutions asked for, reached or not, and findings that are not all listed.
-std::vector<Remark> compare_certificates(const record::StageMeasures& base,
-                                         const record::StageMeasures& now);
+std::vector<Remark> compare_certificates(const record::DeviationMeasures& base,
+                                         const record::DeviationMeasures& now);
 /// What no cutter used so far can reach, in both runs; nothing where all is in reach.
-std::optional<Remark> tell_reach(const record::StageMeasures& base,
-                                 const record::StageMeasures& now);
+std::optional<Remark> tell_reach(const record::DeviationMeasures& base,
+                                 const record::DeviationMeasures& now);
 /// Moves with a fault, by kind.
 std::vector<Remark> compare_process_counts(const record::StageMeasures& base,
                                            const record::StageMeasures& now,

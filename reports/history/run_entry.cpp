@@ -19,8 +19,10 @@ void add_limits(const record::StageRecord& stage, std::vector<history::Value>& v
 }
 
 void add_fineness(const record::StageRecord& stage, std::vector<history::Value>& values) {
-  const double resolution = stage.measures->resolution_mm, voxel = stage.measures->voxel_mm;
-  values.push_back({stage.name, "resolution_mm", resolution, resolution});
+  const double voxel = stage.measures->voxel_mm;
+  if (const auto& deviation = stage.measures->deviation)
+    values.push_back(
+        {stage.name, "resolution_mm", deviation->resolution_mm, deviation->resolution_mm});
   values.push_back({stage.name, "voxel_mm", voxel, voxel});
 }
 
@@ -39,8 +41,8 @@ history::Entry entry_of(const record::RunRecord& run) {
     entry.stages.push_back({stage.name, verifier::name(stage.verdict)});
     if (!stage.measures) continue;
     for (const record::Metric& metric : record::stage_metrics()) {
-      const verifier::Interval figure = metric.of(*stage.measures);
-      entry.values.push_back({stage.name, std::string(metric.id), figure.low, figure.high});
+      if (const std::optional<verifier::Interval> figure = metric.of(*stage.measures))
+        entry.values.push_back({stage.name, std::string(metric.id), figure->low, figure->high});
     }
     add_limits(stage, entry.values);
     add_fineness(stage, entry.values);

@@ -26,6 +26,16 @@ const char* verdict_sentence(verifier::Verdict verdict) {
   return "No stage was run.";
 }
 
+/// Without a design: what it does not say comes first.
+std::string process_sentence(verifier::Verdict verdict) {
+  const std::string head = "<strong>Nothing was measured against a design.</strong> ";
+  if (verdict == verifier::Verdict::pass)
+    return head + "The program was cut in its stock, and no fault was found on the way.";
+  if (verdict == verifier::Verdict::fail)
+    return head + "The program was cut in its stock, and faults were found on the way.";
+  return head + verdict_sentence(verdict);
+}
+
 /// What decided the verdict: the reasons of the stages that did not pass, or of all.
 std::string reasons_list(const RunResult& result) {
   std::string out;
@@ -70,16 +80,21 @@ std::string design_text(const SurfaceResult& surface) {
 
 std::string masthead(const RunResult& result) {
   return fmt::format(
-             "<header><p class=\"kind\">Limitgauge · certificate of toolpath verification</p>"
+             "<header><p class=\"kind\">Limitgauge · {}</p>"
              "<h1>{}</h1>\n<div class=\"verdict {}\"><p "
              "class=\"word\">{}</p><p>{}</p>\n{}{}{}</div>\n",
+             result.surface ? "certificate of toolpath verification"
+                            : "a program cut without a design",
              escape_markup(result.job), css_class(result.verdict), badge(result.verdict),
-             verdict_sentence(result.verdict) + facets_sentence(result.surface), notes_list(result),
-             worst_places(result), reasons_list(result)) +
-         terms({{"Created", escape_markup(result.created)},
-                {"Design surface", design_text(result.surface)},
-                {"Stock", stock_text(result.raw_stock)},
-                {"Program version", "limitgauge " + escape_markup(result.version)}}) +
+             result.surface ? verdict_sentence(result.verdict) + facets_sentence(*result.surface)
+                            : process_sentence(result.verdict),
+             notes_list(result), worst_places(result), reasons_list(result)) +
+         terms(
+             {{"Created", escape_markup(result.created)},
+              {"Design surface", result.surface ? design_text(*result.surface)
+                                                : "none: gouge, uncut and coverage are not known"},
+              {"Stock", stock_text(result.raw_stock)},
+              {"Program version", "limitgauge " + escape_markup(result.version)}}) +
          "</header>\n";
 }
 
@@ -92,11 +107,12 @@ std::string entry(std::string_view anchor, std::string_view text) {
 }  // namespace
 
 std::string contents(const RunResult& result) {
-  std::string list = entry("stages", "Stages") + entry("view", "Error map in 3D");
+  std::string list = entry("stages", "Stages") +
+                     entry("view", result.surface ? "Error map in 3D" : "Finished stock in 3D");
   for (std::size_t i = 0; i < result.stages.size(); ++i)
     list +=
         entry(stage_anchor(i), fmt::format("{}. {}", i + 1, escape_markup(result.stages[i].name)));
-  list += entry("surface", "Design surface");
+  if (result.surface) list += entry("surface", "Design surface");
   if (has_engine_section(result)) list += entry("toolpaths", "Toolpaths");
   list += entry("tools", "Tools") + entry("inputs", "Job and inputs") +
           entry("decision", "How it was decided");

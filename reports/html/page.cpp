@@ -26,15 +26,22 @@ constexpr const char* kView =
     "turned needs a script, which is switched off here. Each stage below has its map as a "
     "picture.</p></noscript>\n<div data-view=\"\"></div></section>\n";
 
+constexpr const char* kStockView =
+    "<section id=\"view\"><h2>Finished stock in 3D</h2>\n<noscript><p class=\"note\">The stock "
+    "that "
+    "can be turned needs a script, which is switched off here. Each stage below has it as a "
+    "picture.</p></noscript>\n<div data-view=\"\"></div></section>\n";
+
 }  // namespace
 
 void write_html(const RunResult& result, std::ostream& out) {
   out << head(result) << masthead(result) << contents(result)
       << "<main id=\"figures\" tabindex=\"-1\">\n"
-      << stage_table(result) << kView;
+      << stage_table(result) << (result.surface ? kView : kStockView);
   for (std::size_t i = 0; i < result.stages.size(); ++i) out << stage_section(result, i);
-  out << surface_section(result.surface) << engine_section(result) << tools_section(result)
-      << inputs_section(result) << decision_section() << assumptions_section(result.assumptions)
+  if (result.surface) out << surface_section(*result.surface);
+  out << engine_section(result) << tools_section(result) << inputs_section(result)
+      << decision_section(result.surface.has_value()) << assumptions_section(result.assumptions)
       << "</main>\n<footer><p>All lengths in mm or µm as stated. The same figures, digit for "
          "digit, are in "
          "result.json beside this page.</p></footer>\n</div>\n";

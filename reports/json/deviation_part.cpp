@@ -34,7 +34,7 @@ Json findings(const RunResult& result, const std::vector<verifier::Finding>& all
         {"body", clean_text(f.body)},
         {"extent_mm",
          {point("finding.extent", f.extent_mm.low), point("finding.extent", f.extent_mm.high)}}};
-    if (const auto& mesh = result.surface.mesh)
+    if (const MeshDesign* mesh = result.mesh_design())
       finding["triangle"] = mesh->triangle_of(f.place.patch);
     if (!f.passes.empty()) finding["passes"] = near_passes(result, f.passes);
     out.push_back(std::move(finding));

@@ -65,9 +65,11 @@ Json stage_part(const RunResult& result, std::size_t index) {
     out["program"] = clean_text(s.program);
     if (!s.program_part.empty()) out["program_part"] = clean_text(s.program_part);
   }
-  out["allowance_mm"] = finite("stage.allowance_mm", s.allowance_mm);
-  out["step_mm"] = finite("stage.step_mm", s.step_mm);
-  out["tolerance_mm"] = finite("stage.tolerance_mm", s.tolerance_mm);
+  if (s.allowance_mm) {
+    out["allowance_mm"] = finite("stage.allowance_mm", *s.allowance_mm);
+    out["step_mm"] = finite("stage.step_mm", s.step_mm);
+    out["tolerance_mm"] = finite("stage.tolerance_mm", s.tolerance_mm);
+  }
   out["gate"] = gate_part(s.limits);
   out["verdict"] = verifier::name(s.verdict());
   out["reasons"] = texts(s.decision.reasons);
@@ -75,7 +77,7 @@ Json stage_part(const RunResult& result, std::size_t index) {
     out["toolpath"] = toolpath_part(*s.ran);
     out["program_lines"] = named_program_lines(result, index, {});
     out["simulation"] = simulation_part(*s.ran);
-    out["deviation"] = deviation_part(result, s.ran->deviation);
+    if (s.ran->deviation) out["deviation"] = deviation_part(result, *s.ran->deviation);
   }
   out["seconds"] = finite("stage.seconds", s.seconds);
   return out;

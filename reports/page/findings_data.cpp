@@ -83,8 +83,8 @@ Json process_list(const std::vector<simulator::FindingGroup>& groups) {
 
 /// Lines of stage `named`'s program that the passes around leftovers of stage `by` name.
 void add_passes(const StageResult& by, std::size_t named, std::vector<std::uint32_t>& lines) {
-  if (!by.ran) return;
-  const std::vector<verifier::Finding>& uncuts = by.ran->deviation.uncuts;
+  if (!by.ran || !by.ran->deviation) return;
+  const std::vector<verifier::Finding>& uncuts = by.ran->deviation->uncuts;
   for (std::size_t i = 0; i < std::min(uncuts.size(), kMostFindings); ++i)
     for (const verifier::NearPass& p : uncuts[i].passes)
       if (p.stage == named) lines.push_back(p.line);
@@ -97,14 +97,15 @@ Json point_json(const model::Vec3& p) {
 }
 
 Json findings_data(const StageResult::Ran& ran) {
-  const verifier::StageDeviation& d = ran.deviation;
   const std::vector<simulator::FindingGroup> groups = worst_first(ran.process);
-  return {{"gouges", findings_list(d.gouges, d.field, 'G')},
-          {"gouges_total", d.gouges.size()},
-          {"uncuts", findings_list(d.uncuts, d.field, 'U')},
-          {"uncuts_total", d.uncuts.size()},
-          {"process", process_list(groups)},
-          {"process_total", groups.size()}};
+  Json out = {{"process", process_list(groups)}, {"process_total", groups.size()}};
+  if (!ran.deviation) return out;
+  const verifier::StageDeviation& d = *ran.deviation;
+  out["gouges"] = findings_list(d.gouges, d.field, 'G');
+  out["gouges_total"] = d.gouges.size();
+  out["uncuts"] = findings_list(d.uncuts, d.field, 'U');
+  out["uncuts_total"] = d.uncuts.size();
+  return out;
 }
 
 Json text_data(const RunResult& result, std::size_t index, Blob& blob) {

@@ -7,6 +7,7 @@
 #include "reports/page/field_data.h"
 #include "reports/page/findings_data.h"
 #include "reports/page/path_view.h"
+#include "reports/page/stock_data.h"
 #include "reports/page/surface_data.h"
 #include "reports/text/embedded.h"
 #include "reports/text/text.h"
@@ -86,23 +87,24 @@ std::string source_text(const StageResult& stage) {
 }
 
 Json stage_json(const StageResult& stage, std::size_t index) {
-  return {{"name", clean_text(stage.name)},
-          {"index", index},
-          {"tool", clean_text(stage.tool)},
-          {"cutter", cutter_json(stage.cutter)},
-          {"path_source", source_text(stage)},
-          {"verdict", verifier::name(stage.verdict())},
-          {"ran", stage.ran.has_value()},
-          {"allowance_mm", stage.allowance_mm},
-          {"limits", limits_json(stage.limits)},
-          {"gouges", Json::array()},
-          {"gouges_total", 0},
-          {"uncuts", Json::array()},
-          {"uncuts_total", 0},
-          {"process", Json::array()},
-          {"process_total", 0},
-          {"field", nullptr},
-          {"path", nullptr}};
+  Json out = {{"name", clean_text(stage.name)},
+              {"index", index},
+              {"tool", clean_text(stage.tool)},
+              {"cutter", cutter_json(stage.cutter)},
+              {"path_source", source_text(stage)},
+              {"verdict", verifier::name(stage.verdict())},
+              {"ran", stage.ran.has_value()},
+              {"limits", limits_json(stage.limits)},
+              {"gouges", Json::array()},
+              {"gouges_total", 0},
+              {"uncuts", Json::array()},
+              {"uncuts_total", 0},
+              {"process", Json::array()},
+              {"process_total", 0},
+              {"field", nullptr},
+              {"path", nullptr}};
+  if (stage.allowance_mm) out["allowance_mm"] = *stage.allowance_mm;
+  return out;
 }
 
 Json figures_json(const verifier::StageDeviation& d) {
@@ -120,7 +122,8 @@ class Writer {
   PageData data() {
     Json stages = Json::array();
     for (std::size_t i = 0; i < result_.stages.size(); ++i) stages.push_back(stage(i));
-    const model::Box3& box = result_.surface.bbox_mm;
+    const model::Box3 box =
+        result_.surface ? result_.surface->bbox_mm : bounding_box(result_.raw_stock);
     const Json json = {{"format", "limitgauge.page/1"},
                        {"job", clean_text(result_.job)},
                        {"created", clean_text(result_.created)},
@@ -139,15 +142,18 @@ class Writer {
     Json out = stage_json(asked, index);
     out["text"] = text_data(result_, index, blob_);
     if (!asked.ran) return out;
-    const verifier::StageDeviation& d = asked.ran->deviation;
-    out.update(figures_json(d));
     out.update(findings_data(*asked.ran));
-    if (!d.field.grids.empty()) {
-      const PageGrid grid = page_grid(d.field);
-      out["field"] = field_data(d, grid, surfaces_.add(d.field, grid, blob_), blob_);
-    }
+    if (asked.ran->deviation) add_deviation(*asked.ran->deviation, out);
+    if (asked.ran->stock_view) out["stock"] = stock_data(*asked.ran->stock_view, blob_);
     if (asked.ran->path_view) out["path"] = path_data(*asked.ran->path_view, blob_);
     return out;
+  }
+
+  void add_deviation(const verifier::StageDeviation& d, Json& out) {
+    out.update(figures_json(d));
+    if (d.field.grids.empty()) return;
+    const PageGrid grid = page_grid(d.field);
+    out["field"] = field_data(d, grid, surfaces_.add(d.field, grid, blob_), blob_);
   }
 
   /// Inside a script element nothing but "<" can end or nest it.

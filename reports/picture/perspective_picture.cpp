@@ -108,7 +108,7 @@ void draw_legend(Image& image, const DeviationScale& scale, int body, bool hatch
 }  // namespace
 
 Image draw_perspective_picture(const StageResult& stage) {
-  const verifier::StageDeviation& d = stage.ran->deviation;
+  const verifier::StageDeviation& d = *stage.ran->deviation;
   const DeviationScale scale = DeviationScale::for_gate(d, stage.limits);
   const std::vector<Mark> marks = marks_of(d);
   const PerspectiveView view = best_view(d.field, marks);

@@ -8,39 +8,48 @@ namespace {
 
 using verifier::Interval;
 
+using Figure = std::optional<Interval>;
+
 template <auto Member>
-Interval figure(const StageMeasures& m) {
+Figure figure(const StageMeasures& m) {
   const auto value = static_cast<double>(m.*Member);
-  return {value, value};
+  return Interval{value, value};
 }
-template <Interval StageMeasures::*Member>
-Interval certified(const StageMeasures& m) {
-  return m.*Member;
+template <double DeviationMeasures::*Member>
+Figure sampled(const StageMeasures& m) {
+  if (!m.deviation) return std::nullopt;
+  const double value = *m.deviation.*Member;
+  return Interval{value, value};
+}
+template <Interval DeviationMeasures::*Member>
+Figure certified(const StageMeasures& m) {
+  return m.deviation ? Figure(*m.deviation.*Member) : std::nullopt;
 }
 
 using M = StageMeasures;
+using D = DeviationMeasures;
 constexpr std::array kMetrics = {
-    Metric{"gouge_mm", "gouge", "mm", Better::lower, Source::certified, certified<&M::gouge_mm>},
-    Metric{"uncut_mm", "uncut", "mm", Better::lower, Source::certified, certified<&M::uncut_mm>},
+    Metric{"gouge_mm", "gouge", "mm", Better::lower, Source::certified, certified<&D::gouge_mm>},
+    Metric{"uncut_mm", "uncut", "mm", Better::lower, Source::certified, certified<&D::uncut_mm>},
     Metric{"missing_stock_mm", "missing stock", "mm", Better::lower, Source::certified,
-           certified<&M::missing_stock_mm>},
-    Metric{"coverage", "coverage", "", Better::higher, Source::measured, figure<&M::coverage>},
+           certified<&D::missing_stock_mm>},
+    Metric{"coverage", "coverage", "", Better::higher, Source::measured, sampled<&D::coverage>},
     Metric{"mean_mm", "mean deviation", "mm", Better::neither, Source::measured,
-           figure<&M::mean_mm>},
-    Metric{"rms_mm", "rms deviation", "mm", Better::lower, Source::measured, figure<&M::rms_mm>},
+           sampled<&D::mean_mm>},
+    Metric{"rms_mm", "rms deviation", "mm", Better::lower, Source::measured, sampled<&D::rms_mm>},
     Metric{"p01_mm", "1st percentile", "mm", Better::less_gouge, Source::measured,
-           figure<&M::p01_mm>},
-    Metric{"p50_mm", "median", "mm", Better::neither, Source::measured, figure<&M::p50_mm>},
+           sampled<&D::p01_mm>},
+    Metric{"p50_mm", "median", "mm", Better::neither, Source::measured, sampled<&D::p50_mm>},
     Metric{"p99_mm", "99th percentile", "mm", Better::less_uncut, Source::measured,
-           figure<&M::p99_mm>},
+           sampled<&D::p99_mm>},
     Metric{"voxel_gouge_mm", "gouge in the stock", "mm", Better::lower, Source::measured,
-           figure<&M::voxel_gouge_mm>},
+           sampled<&D::voxel_gouge_mm>},
     Metric{"voxel_uncut_mm", "uncut in the stock", "mm", Better::lower, Source::measured,
-           figure<&M::voxel_uncut_mm>},
+           sampled<&D::voxel_uncut_mm>},
     Metric{"unreachable_area_mm2", "area out of reach", "mm²", Better::neither, Source::measured,
-           figure<&M::unreachable_area_mm2>},
+           sampled<&D::unreachable_area_mm2>},
     Metric{"unavoidable_uncut_mm", "unavoidable uncut", "mm", Better::neither, Source::measured,
-           figure<&M::unavoidable_uncut_mm>},
+           sampled<&D::unavoidable_uncut_mm>},
     Metric{"removed_volume_mm3", "removed volume", "mm³", Better::neither, Source::measured,
            figure<&M::removed_volume_mm3>},
     Metric{"machining_time_s", "machining time", "s", Better::lower, Source::planned,
@@ -88,7 +97,7 @@ double machining_time_s(const RunRecord& run) {
   return sum;
 }
 
-Interval unreachable_figure(const StageMeasures& measures, bool is_share) {
+Interval unreachable_figure(const DeviationMeasures& measures, bool is_share) {
   const verifier::StageDeviation::ProvenReach& reach = measures.reach;
   const Interval area_mm2{reach.unreachable_mm2, reach.unreachable_mm2 + reach.undecided_mm2};
   const double whole_mm2 = reach.reachable_mm2 + area_mm2.high;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -30,8 +31,9 @@ struct Metric {
   std::string_view unit;   ///< "mm", "s", ""
   Better better = Better::neither;
   Source source = Source::measured;
-  /// The figure, as an interval of no width where it is no certified one.
-  verifier::Interval (*of)(const StageMeasures&) = nullptr;
+  /// The figure, as an interval of no width where it is no certified one; empty where it is of a
+  /// design and the stage was measured against none.
+  std::optional<verifier::Interval> (*of)(const StageMeasures&) = nullptr;
 };
 
 /// All of them, in the order in which reports list them: certified ones first.

@@ -1,6 +1,7 @@
 #include "reports/record/record_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "model/base/text_file.h"
@@ -48,7 +49,7 @@ std::optional<verifier::Interval> read_sampled(const JsonValue& deviation) {
   return out;
 }
 
-void read_statistics(const JsonValue& deviation, StageMeasures& out) {
+void read_statistics(const JsonValue& deviation, DeviationMeasures& out) {
   out.coverage = deviation["coverage"].share();
   out.mean_mm = deviation["mean_mm"].number();
   out.rms_mm = deviation["rms_mm"].length();
@@ -67,7 +68,7 @@ void read_statistics(const JsonValue& deviation, StageMeasures& out) {
 
 /// What results of schema 1 did not know.
 void read_reach(const JsonValue& deviation, const std::string& name, const LineTexts& texts,
-                StageMeasures& out) {
+                DeviationMeasures& out) {
   const JsonValue reach = deviation["reach"];
   out.reach = {reach["reachable_mm2"].length(), reach["unreachable_mm2"].length(),
                reach["undecided_mm2"].length()};
@@ -78,7 +79,7 @@ void read_reach(const JsonValue& deviation, const std::string& name, const LineT
 }
 
 /// The schema lets a result leave these out; what it then stands for follows from the rest.
-void read_certificate(const JsonValue& deviation, StageMeasures& out) {
+void read_certificate(const JsonValue& deviation, DeviationMeasures& out) {
   out.gouge_mm = deviation["gouge_mm"].interval();
   out.uncut_mm = deviation["uncut_mm"].interval();
   const auto or_else = [&deviation](const char* key, double other) {
@@ -97,31 +98,40 @@ void read_certificate(const JsonValue& deviation, StageMeasures& out) {
   out.uncut_threshold_mm = or_else("uncut_threshold_mm", out.uncut_mm.low / 2);
 }
 
-StageMeasures read_measures(const JsonValue& stage, const std::string& name, int schema,
-                            const LineTexts& texts) {
-  StageMeasures out;
-  read_toolpath(stage["toolpath"], out);
-  const JsonValue simulation = stage["simulation"], deviation = stage["deviation"];
-  read_simulation(simulation, out);
+DeviationMeasures read_deviation(const JsonValue& deviation, const std::string& name, int schema,
+                                 const LineTexts& texts) {
+  DeviationMeasures out;
   read_certificate(deviation, out);
   read_statistics(deviation, out);
   out.gouges = read_places(deviation["gouges"].items(), name, texts);
   out.uncuts = read_places(deviation["uncuts"].items(), name, texts);
   if (schema > 1) read_reach(deviation, name, texts, out);
-  out.process_findings = read_process(simulation, name, texts);
+  return out;
+}
+
+/// Against a design where the run has one.
+StageMeasures read_measures(const JsonValue& stage, const std::string& name,
+                            const StageContext& run) {
+  StageMeasures out;
+  read_toolpath(stage["toolpath"], out);
+  const JsonValue simulation = stage["simulation"];
+  read_simulation(simulation, out);
+  if (run.has_design)
+    out.deviation = read_deviation(stage["deviation"], name, run.schema, run.texts);
+  out.process_findings = read_process(simulation, name, run.texts);
   out.process = count_process(out.process_findings);
   out.seconds = stage["seconds"].length();
   return out;
 }
 
-void read_setup(const JsonValue& stage, StageRecord& out) {
+void read_setup(const JsonValue& stage, bool has_design, StageRecord& out) {
   if (const std::optional<JsonValue> strategy = stage.find("strategy"))
     out.strategy = strategy->text();
   else if (const std::optional<JsonValue> program = stage.find("program"))
     out.program = program->text();
   else
     stage.refuse("has neither a \"strategy\" nor a \"program\"", "one of them");
-  out.allowance_mm = stage["allowance_mm"].number();
+  if (has_design) out.allowance_mm = stage["allowance_mm"].number();
   if (const std::optional<JsonValue> step = stage.find("step_mm")) out.step_mm = step->length();
   if (const std::optional<JsonValue> t = stage.find("tolerance_mm")) out.tolerance_mm = t->length();
   if (const std::optional<JsonValue> gate = stage.find("gate")) read_gate(*gate, out.limits);
@@ -138,15 +148,14 @@ verifier::Verdict read_verdict(const JsonValue& value) {
   value.refuse("is no verdict", "pass, fail, indeterminate or not_run");
 }
 
-StageRecord read_stage(const JsonValue& stage, int schema, const LineTexts& texts) {
+StageRecord read_stage(const JsonValue& stage, const StageContext& run) {
   StageRecord out;
   out.name = stage["name"].text();
   out.tool = stage["tool"].text();
-  read_setup(stage, out);
+  read_setup(stage, run.has_design, out);
   out.verdict = read_verdict(stage["verdict"]);
   for (const JsonValue& reason : stage["reasons"].items()) out.reasons.push_back(reason.text());
-  if (out.verdict != verifier::Verdict::not_run)
-    out.measures = read_measures(stage, out.name, schema, texts);
+  if (out.verdict != verifier::Verdict::not_run) out.measures = read_measures(stage, out.name, run);
   return out;
 }
 
@@ -189,7 +198,13 @@ void read_surface(const JsonValue& surface, RunRecord& out) {
   const std::vector<JsonValue> corners = surface["bbox_mm"].items();
   if (corners.size() != 2)
     surface["bbox_mm"].refuse("has not two corners", "lower and upper corner");
-  out.surface_diagonal_mm = model::distance(corners[0].point(), corners[1].point());
+  out.diagonal_mm = model::distance(corners[0].point(), corners[1].point());
+}
+
+double stock_diagonal_mm(const JsonValue& stock) {
+  if (const std::optional<JsonValue> size = stock.find("size_mm"))
+    return model::length(size->point());
+  return std::hypot(stock["diameter_mm"].length(), stock["height_mm"].length());
 }
 
 }  // namespace
@@ -206,10 +221,13 @@ RunRecord read_result_json(std::istream& in, const std::string& shown) {
   if (out.threads == 0) root["threads"].refuse("is zero", "one or more");
   out.verdict = read_verdict(root["verdict"]);
   out.inputs = read_inputs(root);
-  read_surface(root["surface"], out);
+  const std::optional<JsonValue> surface = root.find("surface");
+  if (surface) read_surface(*surface, out);
   const std::vector<JsonValue> stages = root["stages"].items();
   const LineTexts texts = line_texts(stages);
-  for (const JsonValue& stage : stages) out.stages.push_back(read_stage(stage, out.schema, texts));
+  for (const JsonValue& stage : stages)
+    out.stages.push_back(read_stage(stage, {out.schema, surface.has_value(), texts}));
+  if (!surface) out.diagonal_mm = stock_diagonal_mm(root["stock"]);
   return out;
 }
 

@@ -19,8 +19,14 @@ RunRecord read_result_json(std::istream& in, const std::string& shown);
 /// The text of the program lines that a result holds, by stage and line.
 using LineTexts = std::map<std::pair<std::string, std::uint32_t>, std::string>;
 
-/// One entry of `stages` of a result of version `schema`.
-StageRecord read_stage(const JsonValue& stage, int schema, const LineTexts& texts);
+/// What of a result says how its stages are read.
+struct StageContext {
+  int schema = 2;
+  bool has_design = true;  ///< the result has a "surface"
+  const LineTexts& texts;
+};
+/// One entry of `stages`.
+StageRecord read_stage(const JsonValue& stage, const StageContext& run);
 /// `pass`, `fail`, `indeterminate` or `not_run`.
 verifier::Verdict read_verdict(const JsonValue& value);
 

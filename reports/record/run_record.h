@@ -43,10 +43,8 @@ struct ProcessCount {
   std::size_t count = 0;
 };
 
-/// What was measured of a stage that was run; units as in the names of result.json.
-struct StageMeasures {
-  double machining_time_s = 0, cut_length_mm = 0, rapid_length_mm = 0, removed_volume_mm3 = 0;
-  std::size_t moves = 0;
+/// What was measured of a stage against the design; units as in the names of result.json.
+struct DeviationMeasures {
   verifier::Interval gouge_mm, uncut_mm;  ///< certified
   double resolution_mm = 0;               ///< widest certified interval that was asked for
   bool reached_resolution = true;
@@ -54,7 +52,7 @@ struct StageMeasures {
   /// Least and greatest of the deviations sampled, negative for gouges; empty where the result does
   /// not say.
   std::optional<verifier::Interval> sampled_mm;
-  double voxel_mm = 0, voxel_gouge_mm = 0, voxel_uncut_mm = 0;
+  double voxel_gouge_mm = 0, voxel_uncut_mm = 0;
   double unreachable_area_mm2 = 0, unavoidable_uncut_mm = 0;
   verifier::StageDeviation::ProvenReach reach;  ///< of schema 2
   double reachable_area_mm2 = 0;                ///< by samples; of schema 2
@@ -65,6 +63,14 @@ struct StageMeasures {
   /// Depth from which a place is a finding: the gate's limit, or half of `low` without one.
   double gouge_threshold_mm = 0, uncut_threshold_mm = 0;
   std::vector<Place> gouges, uncuts, missing_stock;
+};
+
+/// What was found of a stage that was run; units as in the names of result.json.
+struct StageMeasures {
+  double machining_time_s = 0, cut_length_mm = 0, rapid_length_mm = 0, removed_volume_mm3 = 0;
+  std::size_t moves = 0;
+  double voxel_mm = 0;
+  std::optional<DeviationMeasures> deviation;  ///< empty for a run without a design
   std::vector<ProcessFinding> process_findings;
   std::vector<ProcessCount> process;  ///< a count a kind, by name of the kind
   double seconds = 0;                 ///< of the whole stage, on whatever machine it was
@@ -72,12 +78,13 @@ struct StageMeasures {
 };
 
 /// The figure that the gate `unreachable` judges: a share of the surface or mm².
-verifier::Interval unreachable_figure(const StageMeasures& measures, bool is_share);
+verifier::Interval unreachable_figure(const DeviationMeasures& measures, bool is_share);
 
 struct StageRecord {
   std::string name, tool;
-  std::string strategy, program;  ///< one of them
-  double allowance_mm = 0, step_mm = 0, tolerance_mm = 0;
+  std::string strategy, program;       ///< one of them
+  std::optional<double> allowance_mm;  ///< empty for a run without a design
+  double step_mm = 0, tolerance_mm = 0;
   verifier::GateLimits limits;
   verifier::Verdict verdict = verifier::Verdict::not_run;
   std::vector<std::string> reasons;
@@ -96,8 +103,9 @@ struct RunRecord {
   unsigned threads = 1;
   verifier::Verdict verdict = verifier::Verdict::not_run;
   std::vector<InputRecord> inputs;
-  std::string cage;                ///< as the job states it
-  double surface_diagonal_mm = 0;  ///< of the limit surface's box
+  std::optional<std::string> cage;  ///< as the job states it; empty for a run without a design
+  /// Of the limit surface's box; of the raw stock's for a run without a design.
+  double diagonal_mm = 0;
   std::vector<StageRecord> stages;
 };
 

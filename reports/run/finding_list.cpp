@@ -88,17 +88,24 @@ ListedFinding listed(const simulator::FindingGroup& g, std::size_t i, std::size_
 
 }  // namespace
 
-std::vector<ListedFinding> list_findings(const RunResult& result, std::size_t index) {
-  std::vector<ListedFinding> out;
-  const StageResult& stage = result.stages[index];
-  if (!stage.ran) return out;
-  const verifier::StageDeviation& d = stage.ran->deviation;
-  const verifier::GateLimits& l = stage.limits;
+namespace {
+
+void add_sides(const verifier::StageDeviation& d, const verifier::GateLimits& l, std::size_t stage,
+               std::vector<ListedFinding>& out) {
   for (const Side& side :
        {Side{"gouge", 'G', d.gouges, d.gouge_mm, l.has_gouge, l.gouge_mm},
         Side{"uncut", 'U', d.uncuts, d.uncut_mm, l.has_uncut, l.uncut_mm},
         Side{"missing_stock", 'M', d.missing_stock, d.missing_stock_mm, l.has_gouge, l.gouge_mm}})
-    for (std::size_t i = 0; i < side.findings.size(); ++i) out.push_back(listed(side, i, index));
+    for (std::size_t i = 0; i < side.findings.size(); ++i) out.push_back(listed(side, i, stage));
+}
+
+}  // namespace
+
+std::vector<ListedFinding> list_findings(const RunResult& result, std::size_t index) {
+  std::vector<ListedFinding> out;
+  const StageResult& stage = result.stages[index];
+  if (!stage.ran) return out;
+  if (stage.ran->deviation) add_sides(*stage.ran->deviation, stage.limits, index, out);
   const std::vector<simulator::FindingGroup> groups = worst_first(stage.ran->process);
   for (std::size_t i = 0; i < groups.size(); ++i)
     out.push_back(listed(groups[i], i, index, *stage.ran));

@@ -79,8 +79,33 @@ void add_reach(const verifier::StageDeviation& d, const verifier::GateLimits& l,
     out.push_back(length_figure("missing stock", d.missing_stock_mm, l.has_gouge, l.gouge_mm));
 }
 
+/// Figures of what is measured against a design.
+void add_deviation(const verifier::StageDeviation& d, const verifier::GateLimits& l,
+                   std::vector<GateFigure>& out) {
+  out = {length_figure("gouge", d.gouge_mm, l.has_gouge, l.gouge_mm),
+         length_figure("uncut", d.uncut_mm, l.has_uncut, l.uncut_mm),
+         coverage_figure(d.coverage, l)};
+  add_reach(d, l, out);
+}
+
+std::vector<GateFigure> figures_not_run(const StageResult& stage) {
+  std::vector<GateFigure> none;
+  const auto add = [&](std::initializer_list<const char*> names) {
+    for (const char* what : names) none.push_back({what, Standing::not_run, {}, {}});
+  };
+  if (stage.allowance_mm) add({"gouge", "uncut", "coverage", "unreachable"});
+  add({"rapid collisions", "holder collisions", "process faults"});
+  return none;
+}
+
 GateFigure count_figure(const char* what, std::size_t count) {
   return {what, count == 0 ? Standing::within : Standing::beyond, grouped(count), "0"};
+}
+
+/// A pass of a program that cuts nothing is no praise.
+std::vector<std::string> cut_notes(const StageResult::Ran& ran) {
+  if (ran.removal.totals.volume_mm3 > 0) return {};
+  return {"nothing was cut: no move came to the stock; are stock, program and tool in one frame?"};
 }
 
 }  // namespace
@@ -96,24 +121,14 @@ double accuracy_ratio(const verifier::Interval& interval_mm, double limit_mm) {
 }
 
 std::vector<GateFigure> gate_figures(const StageResult& stage) {
-  if (!stage.ran) {
-    std::vector<GateFigure> none;
-    for (const char* what : {"gouge", "uncut", "coverage", "unreachable", "rapid collisions",
-                             "holder collisions", "process faults"})
-      none.push_back({what, Standing::not_run, {}, {}});
-    return none;
-  }
-  const verifier::StageDeviation& d = stage.ran->deviation;
-  const verifier::GateLimits& l = stage.limits;
+  if (!stage.ran) return figures_not_run(stage);
+  std::vector<GateFigure> out;
+  if (stage.ran->deviation) add_deviation(*stage.ran->deviation, stage.limits, out);
   const std::span<const simulator::Finding> process = stage.ran->process;
   const std::size_t rapid = count(process, {simulator::FindingKind::rapid_through_stock});
   const auto holder = static_cast<std::size_t>(
       std::count_if(process.begin(), process.end(),
                     [](const simulator::Finding& f) { return is_holder_collision(f.kind); }));
-  std::vector<GateFigure> out = {length_figure("gouge", d.gouge_mm, l.has_gouge, l.gouge_mm),
-                                 length_figure("uncut", d.uncut_mm, l.has_uncut, l.uncut_mm),
-                                 coverage_figure(d.coverage, l)};
-  add_reach(d, l, out);
   out.push_back(count_figure("rapid collisions", rapid));
   out.push_back(count_figure("holder collisions", holder));
   out.push_back(count_figure("process faults", faults(process) - rapid - holder));
@@ -122,7 +137,8 @@ std::vector<GateFigure> gate_figures(const StageResult& stage) {
 
 std::vector<std::string> stage_notes(const StageResult& stage) {
   if (!stage.ran) return {};
-  const verifier::StageDeviation& d = stage.ran->deviation;
+  if (!stage.ran->deviation) return cut_notes(*stage.ran);
+  const verifier::StageDeviation& d = *stage.ran->deviation;
   std::vector<std::string> out;
   // By samples where no part was proven.
   verifier::Interval area_mm2 = unreachable_area_mm2(d);

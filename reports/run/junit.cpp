@@ -89,7 +89,7 @@ std::string message_for(const GateFigure& figure, const Suite& suite) {
 /// One measurement gives several figures: its time stands at the first of them.
 double seconds_of(const std::string& figure, const StageResult& stage) {
   if (!stage.ran) return 0;
-  if (figure == "gouge") return stage.ran->deviation.seconds;
+  if (figure == "gouge" && stage.ran->deviation) return stage.ran->deviation->seconds;
   return figure == "rapid collisions" ? stage.ran->simulation_seconds : 0;
 }
 
@@ -155,7 +155,7 @@ void add_properties(pugi::xml_node suite, const StageResult& stage, const RunRes
   add("cutter", model::to_text(stage.cutter));
   if (!stage.strategy.empty()) add("strategy", stage.strategy);
   add("program", program_file(stage));
-  add("allowance_mm", model::shortest(stage.allowance_mm));
+  if (stage.allowance_mm) add("allowance_mm", model::shortest(*stage.allowance_mm));
 }
 
 Counts add_suite(pugi::xml_node root, const RunResult& result, std::size_t index) {
@@ -187,7 +187,7 @@ void write_junit(const RunResult& result, std::ostream& out) {
   pugi::xml_node root = document.append_child("testsuites");
   set(root, "name", result.job);
   Counts all;
-  double seconds = result.surface.seconds;
+  double seconds = result.surface ? result.surface->seconds : 0;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     all += add_suite(root, result, i);
     seconds += result.stages[i].seconds;

@@ -77,8 +77,10 @@ std::vector<NamedLine> named_lines(const RunResult& result, std::size_t index, s
   std::vector<NamedLine> named;
   if (!result.stages[index].ran) return named;
   const StageResult::Ran& ran = *result.stages[index].ran;
-  add_findings(ran.deviation.gouges, 'G', most, named);
-  add_findings(ran.deviation.uncuts, 'U', most, named);
+  if (ran.deviation) {
+    add_findings(ran.deviation->gouges, 'G', most, named);
+    add_findings(ran.deviation->uncuts, 'U', most, named);
+  }
   const std::vector<simulator::FindingGroup> groups = worst_first(ran.process);
   for (std::size_t i = 0; i < std::min(groups.size(), most); ++i)
     if (groups[i].worst.line > 0)

@@ -39,12 +39,14 @@ struct StageFileOptions {
   model::RunControl control = {};
   double rapid_mm_min = 0;  ///< of the machine, for times along the path
   StockSurfaceFile stock = StockSurfaceFile::cut;
+  std::span<const model::Pass> passes = {};  ///< all that cut the stock, this stage's last
 };
 /// What writing a stage's files gives to its result.
 struct StageFiles {
   StagePictures pictures;                      ///< for StageResult::pictures
   std::optional<StockSurfaceFigures> surface;  ///< for StageResult::Ran::surface
   std::optional<page::PathView> path_view;     ///< for StageResult::Ran::path_view
+  std::optional<page::StockView> stock_view;   ///< for StageResult::Ran::stock_view
 };
 /// Writes NAME/toolpath.vtp, stock.vdb, stock.vtp, deviation.vtp and the pictures deviation.png,
 /// perspective.png and stock.png of a stage that ran into `folder`/NAME. Needs no display. Throws

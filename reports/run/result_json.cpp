@@ -15,7 +15,7 @@ void write_result_json(const RunResult& result, std::ostream& out) {
                      {"verdict", verifier::name(result.verdict)}};
   root["inputs"] = json::inputs_part(result.inputs);
   root["stock"] = json::stock_part(result.raw_stock);
-  root["surface"] = json::surface_part(result.surface);
+  if (result.surface) root["surface"] = json::surface_part(*result.surface);
   root["programs"] = json::programs_part(result);
   root["stages"] = json::Json::array();
   for (std::size_t i = 0; i < result.stages.size(); ++i)
@@ -35,7 +35,7 @@ std::string recorded_stage(const RunResult& result, std::size_t index) {
 
 bool is_recorded_stage(const std::string& text) {
   const json::Json entry = json::Json::parse(text, nullptr, false);
-  if (!entry.is_object() || !entry.contains("deviation")) return false;
+  if (!entry.is_object() || !entry.contains("simulation")) return false;
   const auto lines = entry.find("program_lines");
   if (lines == entry.end() || !lines->is_array()) return false;
   for (const json::Json& line : *lines)

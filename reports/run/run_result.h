@@ -12,6 +12,7 @@
 #include "model/part/cage.h"
 #include "model/part/machine_setup.h"
 #include "reports/page/path_view.h"
+#include "reports/page/stock_view.h"
 #include "reports/run/published.h"
 #include "simulator/instrument/dexel_agreement.h"
 #include "simulator/instrument/dexel_stock.h"
@@ -71,7 +72,8 @@ struct StageResult {
   std::string strategy;  ///< empty when `program` names a file
   std::string program;
   std::string program_part;  ///< "T2", "section 3", "from (FINISH)"; empty: the whole program
-  double allowance_mm = 0, step_mm = 0, tolerance_mm = 0;
+  std::optional<double> allowance_mm;  ///< empty where there is no design
+  double step_mm = 0, tolerance_mm = 0;
   verifier::GateLimits limits;
   verifier::GateDecision decision;
 
@@ -95,8 +97,10 @@ struct StageResult {
     simulator::StockAgreement agreement;         ///< of the two stock models
     simulator::Removal removal;                  ///< its moves are let go with the stock
     std::optional<page::PathView> path_view;     ///< once the stage's files are written
+    std::optional<page::StockView> stock_view;   ///< likewise, of a run without a design
 
-    verifier::StageDeviation deviation;
+    /// Empty where nothing is measured against a design.
+    std::optional<verifier::StageDeviation> deviation;
   };
   std::optional<Ran> ran;
   std::optional<StagePictures> pictures;  ///< empty: a page without pictures
@@ -125,15 +129,20 @@ struct RunResult {
   unsigned threads = 1;
   verifier::Verdict verdict = verifier::Verdict::not_run;
   model::Stock raw_stock;
-  SurfaceResult surface;
-  model::RigidPlacement program_frame;               ///< programs' work frame in the cage's
-  model::MachineSetup machine;                       ///< what programs were told of the machine
+  std::optional<SurfaceResult> surface;  ///< empty: the run is about a program without a design
+  model::RigidPlacement program_frame;   ///< programs' work frame in the cage's
+  model::MachineSetup machine;           ///< what programs were told of the machine
   std::optional<model::ProgramStart> program_start;  ///< where a stage is a program
   std::vector<StageResult> stages;
   std::vector<std::string>
       assumptions;  ///< stated in the report: straight rapids, start unknown, ...
   std::optional<PublishedFigures> published;
   std::vector<InputFile> inputs;  ///< each file once, in the order of the job
+
+  /// The mesh that the run is measured against; null of a cage, and without a design.
+  const MeshDesign* mesh_design() const {
+    return surface && surface->mesh ? &*surface->mesh : nullptr;
+  }
 };
 
 }  // namespace limitgauge::reports

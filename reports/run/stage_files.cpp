@@ -29,14 +29,17 @@ std::filesystem::path plain_name(const std::string& name) {
   return path;
 }
 
+bool has_field(const StageResult& stage) {
+  return stage.ran->deviation && !stage.ran->deviation->field.quads.empty();
+}
+
 std::string deviation_png(const StageResult& stage) {
-  const verifier::StageDeviation& d = stage.ran->deviation;
-  if (d.field.quads.empty()) return {};
-  return png_bytes(draw_deviation_picture(d, stage.limits));
+  if (!has_field(stage)) return {};
+  return png_bytes(draw_deviation_picture(*stage.ran->deviation, stage.limits));
 }
 
 std::string perspective_png(const StageResult& stage) {
-  if (stage.ran->deviation.field.quads.empty()) return {};
+  if (!has_field(stage)) return {};
   return png_bytes(draw_perspective_picture(stage));
 }
 
@@ -106,7 +109,15 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
     jobs.push_back([&] { write_surface(ran, surface.mesh, into / "stock.vtp", options, facts); });
     jobs.push_back([&] { ran.stock->write_vdb(into / "stock.vdb"); });
   }
-  jobs.push_back([&] { write_deviation_vtp(ran.deviation.field, into / "deviation.vtp", facts); });
+  // Beside a design the page shows the surface, and what stands on it.
+  if (ran.stock && !ran.deviation)
+    jobs.push_back([&] {
+      files.stock_view = page::stock_view(*ran.stock, surface.mesh, options.passes,
+                                          {options.control.threads, options.control.stop, {}});
+    });
+  if (ran.deviation)
+    jobs.push_back(
+        [&] { write_deviation_vtp(ran.deviation->field, into / "deviation.vtp", facts); });
   if (ran.path) {
     jobs.push_back([&] {
       write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves, facts);

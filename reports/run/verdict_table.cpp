@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "reports/run/gate_figures.h"
+#include "reports/run/process.h"
 #include "reports/run/report.h"
 #include "reports/text/terminal_table.h"
 #include "reports/text/text.h"
@@ -56,8 +57,38 @@ std::vector<TerminalTable::Cell> row_of(const StageResult& stage) {
           {stage.ran ? duration_text(stage.seconds) : "–"}};
 }
 
+std::vector<TerminalTable::Cell> cut_row_of(const StageResult& stage) {
+  const auto ran = [&](const std::string& text) {
+    return TerminalTable::Cell{stage.ran ? text : "–"};
+  };
+  return {{stage.name},
+          {stage.tool},
+          {stage.program},
+          {verdict_text(stage.verdict()), tone_of(stage.verdict())},
+          ran(stage.ran ? grouped(faults(stage.ran->process)) : ""),
+          ran(stage.ran ? three_digits(stage.ran->removed_volume_mm3 / 1000) + " cm³" : ""),
+          ran(stage.ran ? duration_text(stage.ran->machining_time_s) : ""),
+          ran(duration_text(stage.seconds))};
+}
+
+TerminalTable cut_table_of(const RunResult& result) {
+  constexpr TerminalTable::Column kName = {false, true}, kText, kNumber = {true};
+  TerminalTable table({kName, kName, kName, kText, kNumber, kNumber, kNumber, kNumber});
+  table.add_row({{"stage"},
+                 {"tool"},
+                 {"program"},
+                 {"verdict"},
+                 {"faults"},
+                 {"removed"},
+                 {"machining"},
+                 {"time"}});
+  for (const StageResult& stage : result.stages) table.add_row(cut_row_of(stage));
+  return table;
+}
+
 /// The names give way on a narrow terminal.
 TerminalTable table_of(const RunResult& result) {
+  if (!result.surface) return cut_table_of(result);
   constexpr TerminalTable::Column kName = {false, true}, kText, kNumber = {true};
   TerminalTable table({kName, kName, kName, kText, kText, kText, kNumber, kNumber});
   table.add_row({{"stage"},
@@ -97,7 +128,7 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t wid
 std::string verdict_table(const RunResult& result, bool colour, std::size_t width) {
   TerminalTable table = table_of(result);
   table.fit(width);
-  const bool narrow = table.width() > width;
+  const bool narrow = result.surface && table.width() > width;
   if (narrow) {
     // The intervals stand on a line of their own below their stage.
     table.hide(kGougeColumn);
@@ -120,6 +151,7 @@ std::string verdict_table(const RunResult& result, bool colour, std::size_t widt
       if (!is_note(reason))
         out += wrapped(clean_text(stage.name) + ": " + clean_text(reason), 4, width);
   }
+  if (!result.surface) out += wrapped("nothing was measured against a design", 0, width);
   return out +
          "verdict: " + painted(verdict_text(result.verdict), tone_of(result.verdict), colour) +
          '\n';

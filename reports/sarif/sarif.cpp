@@ -24,7 +24,8 @@ std::string joined(const std::vector<std::string>& reasons) {
 }
 
 bool coverage_fails(const StageResult& stage) {
-  return stage.limits.has_coverage && stage.ran->deviation.coverage < stage.limits.coverage;
+  return stage.limits.has_coverage && stage.ran->deviation &&
+         stage.ran->deviation->coverage < stage.limits.coverage;
 }
 
 /// Of figures that no finding stands for.
@@ -40,7 +41,8 @@ void add_unplaced(Json& results, const RunResult& result, std::size_t index,
   if (coverage_fails(stage)) {
     has_error = true;
     results.push_back(sarif::stage_entry(result, index, sarif::kCoverageRule, "error",
-                                         "coverage " + percent_text(stage.ran->deviation.coverage) +
+                                         "coverage " +
+                                             percent_text(stage.ran->deviation->coverage) +
                                              ", limit " + percent_text(stage.limits.coverage),
                                          places));
   }

@@ -8,8 +8,8 @@ std::vector<Fact> stage_facts(const StageResult& stage) {
   std::vector<Fact> facts{{"stage", stage.name},
                           {"tool", stage.tool},
                           {"verdict", std::string(name(stage.verdict()))},
-                          {"units", std::string("mm")},
-                          {"allowance_mm", stage.allowance_mm}};
+                          {"units", std::string("mm")}};
+  if (stage.allowance_mm) facts.push_back({"allowance_mm", *stage.allowance_mm});
   const verifier::GateLimits& l = stage.limits;
   if (l.has_gouge) facts.push_back({"gouge_limit_mm", l.gouge_mm});
   if (l.has_uncut) facts.push_back({"uncut_limit_mm", l.uncut_mm});

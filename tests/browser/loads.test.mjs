@@ -7,7 +7,7 @@ import { resultOf } from './support/pages.mjs';
 const browser = await openBrowser();
 const words = { pass: 'Passed', fail: 'Failed', indeterminate: 'Undecided' };
 
-for (const name of ['passed', 'failed', 'undecided', 'dome', 'gouging'])
+for (const name of ['passed', 'failed', 'undecided', 'dome', 'gouging', 'cut'])
   test(`${name}: opens, says its verdict first, asks for nothing`, () =>
     withReport(browser, name, {}, async (page) => {
       const { job, verdict } = resultOf(name);

@@ -9,20 +9,22 @@ namespace limitgauge::reports::compare {
 record::RunRecord sample_run() {
   record::StageMeasures m;
   m.machining_time_s = 100;
-  m.gouge_mm = {0, 0.001};
-  m.uncut_mm = {0.005, 0.006};
-  m.resolution_mm = 0.001;
-  m.gouge_threshold_mm = m.uncut_threshold_mm = 0.01;
-  m.coverage = 0.999;
-  m.rms_mm = 0.003;
-  m.p01_mm = 0.001;
-  m.p99_mm = 0.004;
-  m.sampled_mm = verifier::Interval{0.0005, 0.005};
+  record::DeviationMeasures& d = m.deviation.emplace();
+  d.gouge_mm = {0, 0.001};
+  d.uncut_mm = {0.005, 0.006};
+  d.resolution_mm = 0.001;
+  d.gouge_threshold_mm = d.uncut_threshold_mm = 0.01;
+  d.coverage = 0.999;
+  d.rms_mm = 0.003;
+  d.p01_mm = 0.001;
+  d.p99_mm = 0.004;
+  d.sampled_mm = verifier::Interval{0.0005, 0.005};
   m.voxel_mm = 0.1;
   record::StageRecord stage;
   stage.name = "finish";
   stage.tool = "ball3";
   stage.strategy = "zigzag";
+  stage.allowance_mm = 0;
   stage.limits = {true, true, true, 0.01, 0.01, 0.99};
   stage.verdict = verifier::Verdict::pass;
   stage.measures = m;
@@ -31,7 +33,8 @@ record::RunRecord sample_run() {
   run.version = "1";
   run.verdict = verifier::Verdict::pass;
   run.inputs = {{"job", "part.toml", "aa"}, {"cage", "part.obj", "bb"}};
-  run.surface_diagonal_mm = 100;
+  run.cage = "part.obj";
+  run.diagonal_mm = 100;
   run.stages = {stage};
   return run;
 }

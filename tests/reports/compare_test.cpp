@@ -20,8 +20,8 @@ namespace {
 
 RunRecord with_uncut(const Interval& uncut, double deepest_sample_mm) {
   RunRecord run = sample_run();
-  run.stages[0].measures->uncut_mm = uncut;
-  run.stages[0].measures->sampled_mm->high = deepest_sample_mm;
+  run.stages[0].measures->deviation->uncut_mm = uncut;
+  run.stages[0].measures->deviation->sampled_mm->high = deepest_sample_mm;
   return run;
 }
 
@@ -45,7 +45,7 @@ std::string text_of(void (*write)(const Comparison&, std::ostream&), const Compa
 TEST_CASE("A run compared with itself is the same", "[unit][compare]") {
   RunRecord run = sample_run();
   for (int i = 0; i < 40; ++i)  // more at one place than a search looks at
-    run.stages[0].measures->uncuts.push_back(place_at(7, 0.02, 12));
+    run.stages[0].measures->deviation->uncuts.push_back(place_at(7, 0.02, 12));
   const Comparison comparison = compare_runs(run, run, {});
   CHECK(comparison.judgement() == Judgement::same);
   CHECK(comparison.worse + comparison.better == 0);
@@ -87,7 +87,7 @@ TEST_CASE("Runs of one truth at two resolutions are the same", "[property][compa
     };
     RunRecord base = with_uncut(interval(0.001), sample);
     RunRecord now = with_uncut(interval(0.003), sample);
-    now.stages[0].measures->resolution_mm = 0.003;
+    now.stages[0].measures->deviation->resolution_mm = 0.003;
     CHECK(judgement_of("uncut_mm", base, now) == Judgement::same);
     CHECK(judgement_of("uncut_mm", now, base) == Judgement::same);
   }
@@ -113,7 +113,7 @@ TEST_CASE("Turned round, a comparison says the contrary of every figure", "[prop
   std::uniform_real_distribution<double> share(0, 1);
   const auto any = [&] {
     RunRecord run = sample_run();
-    record::StageMeasures& m = *run.stages[0].measures;
+    record::DeviationMeasures& m = *run.stages[0].measures->deviation;
     const double at = 0.01 * share(random);
     m.uncut_mm = {at, at + 0.002 * share(random)};
     m.sampled_mm = Interval{0.004 * (share(random) - 0.5), at};
@@ -138,16 +138,18 @@ TEST_CASE("Statistics, coverage, time and effort have floors of their own", "[un
     return judgement_of(id, sample_run(), now);
   };
   using M = record::StageMeasures;
-  CHECK(judged("rms_mm", [](M& m) { m.rms_mm += 0.00009; }) == Judgement::same);
-  CHECK(judged("rms_mm", [](M& m) { m.rms_mm += 0.00011; }) == Judgement::worse);
-  CHECK(judged("p99_mm", [](M& m) { m.p99_mm += 0.00011; }) == Judgement::worse);
-  CHECK(judged("p01_mm", [](M& m) { m.p01_mm = 0.0001; }) == Judgement::same);
-  CHECK(judged("p01_mm", [](M& m) { m.p01_mm = -0.00011; }) == Judgement::worse);
-  CHECK(judged("mean_mm", [](M& m) { m.mean_mm += 1; }) == Judgement::not_judged);
-  CHECK(judged("coverage", [](M& m) { m.coverage = 0.9982; }) == Judgement::same);
-  CHECK(judged("coverage", [](M& m) { m.coverage = 0.9979; }) == Judgement::worse);
-  CHECK(judged("voxel_uncut_mm", [](M& m) { m.voxel_uncut_mm = 0.09; }) == Judgement::same);
-  CHECK(judged("voxel_uncut_mm", [](M& m) { m.voxel_uncut_mm = 0.11; }) == Judgement::worse);
+  CHECK(judged("rms_mm", [](M& m) { m.deviation->rms_mm += 0.00009; }) == Judgement::same);
+  CHECK(judged("rms_mm", [](M& m) { m.deviation->rms_mm += 0.00011; }) == Judgement::worse);
+  CHECK(judged("p99_mm", [](M& m) { m.deviation->p99_mm += 0.00011; }) == Judgement::worse);
+  CHECK(judged("p01_mm", [](M& m) { m.deviation->p01_mm = 0.0001; }) == Judgement::same);
+  CHECK(judged("p01_mm", [](M& m) { m.deviation->p01_mm = -0.00011; }) == Judgement::worse);
+  CHECK(judged("mean_mm", [](M& m) { m.deviation->mean_mm += 1; }) == Judgement::not_judged);
+  CHECK(judged("coverage", [](M& m) { m.deviation->coverage = 0.9982; }) == Judgement::same);
+  CHECK(judged("coverage", [](M& m) { m.deviation->coverage = 0.9979; }) == Judgement::worse);
+  CHECK(judged("voxel_uncut_mm", [](M& m) { m.deviation->voxel_uncut_mm = 0.09; }) ==
+        Judgement::same);
+  CHECK(judged("voxel_uncut_mm", [](M& m) { m.deviation->voxel_uncut_mm = 0.11; }) ==
+        Judgement::worse);
   CHECK(judged("seconds", [](M& m) { m.seconds = 1e6; }) == Judgement::not_judged);
   CHECK(judged("machining_time_s", [](M& m) { m.machining_time_s = 900; }) ==
         Judgement::not_judged);
@@ -227,8 +229,8 @@ TEST_CASE("Limits of what is out of reach count as any other", "[unit][compare]"
 
 TEST_CASE("What is out of reach is told in every comparison", "[unit][compare]") {
   RunRecord base = sample_run(), now = sample_run();
-  now.stages[0].measures->reach = {95, 4, 1};
-  now.stages[0].measures->unavoidable_mm = {0.1, 0.25};
+  now.stages[0].measures->deviation->reach = {95, 4, 1};
+  now.stages[0].measures->deviation->unavoidable_mm = {0.1, 0.25};
   const std::string said =
       "unreachable: 4.00 mm² (4.00 %), unavoidable uncut up to 0.250 mm; before: nothing";
   const Comparison comparison = compare_runs(base, now, {});
@@ -241,7 +243,7 @@ TEST_CASE("What is out of reach is told in every comparison", "[unit][compare]")
 
 TEST_CASE("Stock that is newly missing is a regression", "[unit][compare]") {
   RunRecord now = sample_run();
-  now.stages[0].measures->missing_stock = {place_at(3, 0.05, 0)};
+  now.stages[0].measures->deviation->missing_stock = {place_at(3, 0.05, 0)};
   const Comparison comparison = compare_runs(sample_run(), now, {});
   REQUIRE(comparison.stages[0].findings.size() == 1);
   CHECK(comparison.stages[0].findings[0].judgement == Judgement::worse);
@@ -254,8 +256,8 @@ TEST_CASE("Inputs and settings that differ are named", "[unit][compare]") {
   now.inputs[0].file = "/elsewhere/part.toml";
   now.inputs[1].sha256 = "cc";
   now.stages[0].tool = "ball1";
-  now.stages[0].measures->resolution_mm = 0.002;
-  now.stages[0].measures->reached_resolution = false;
+  now.stages[0].measures->deviation->resolution_mm = 0.002;
+  now.stages[0].measures->deviation->reached_resolution = false;
   const Comparison comparison = compare_runs(sample_run(), now, {});
   CHECK(comparison.judgement() == Judgement::same);
   REQUIRE(comparison.remarks.size() == 2);
@@ -270,12 +272,12 @@ TEST_CASE("Inputs and settings that differ are named", "[unit][compare]") {
 
 TEST_CASE("Findings are matched by place and say what became of them", "[unit][compare]") {
   RunRecord base = sample_run(), now = sample_run();
-  base.stages[0].measures->uncuts = {place_at(0, 0.02, 10), place_at(10, 0.02, 11),
-                                     place_at(20, 0.02, 12), place_at(30, 0.02, 13),
-                                     place_at(50, 0.004, 15)};  // the certificate's witness
-  now.stages[0].measures->uncuts = {place_at(0.05, 0.0205, 10), place_at(10.5, 0.03, 21),
-                                    place_at(20.5, 0.02, 22), place_at(40, 0.02, 24),
-                                    place_at(60, 0.004, 25)};
+  base.stages[0].measures->deviation->uncuts = {
+      place_at(0, 0.02, 10), place_at(10, 0.02, 11), place_at(20, 0.02, 12), place_at(30, 0.02, 13),
+      place_at(50, 0.004, 15)};  // the certificate's witness
+  now.stages[0].measures->deviation->uncuts = {place_at(0.05, 0.0205, 10), place_at(10.5, 0.03, 21),
+                                               place_at(20.5, 0.02, 22), place_at(40, 0.02, 24),
+                                               place_at(60, 0.004, 25)};
   const StageComparison stage = compare_runs(base, now, {}).stages[0];
   CHECK(stage.same_findings == 1);
   REQUIRE(stage.findings.size() == 4);
@@ -290,7 +292,7 @@ TEST_CASE("Findings are matched by place and say what became of them", "[unit][c
   CHECK(stage.findings[3].status == FindingStatus::moved);
   CHECK(stage.findings[3].judgement == Judgement::not_judged);
   // What the base run need not have listed, had it been there, is no regression of the list.
-  base.stages[0].measures->findings_complete = false;
+  base.stages[0].measures->deviation->findings_complete = false;
   CHECK(compare_runs(base, now, {}).stages[0].findings[1].judgement != Judgement::worse);
 }
 
@@ -347,10 +349,10 @@ TEST_CASE("Texts of strangers are shown letter by letter", "[unit][compare]") {
   for (RunRecord* run : {&base, &now}) {
     run->job = hostile;
     run->stages[0].name = hostile;
-    run->stages[0].measures->uncuts = {place_at(1, 0.0205, 3)};
-    run->stages[0].measures->uncuts[0].line_text = hostile;
+    run->stages[0].measures->deviation->uncuts = {place_at(1, 0.0205, 3)};
+    run->stages[0].measures->deviation->uncuts[0].line_text = hostile;
   }
-  now.stages[0].measures->uncuts[0].depth_mm = 0.05;
+  now.stages[0].measures->deviation->uncuts[0].depth_mm = 0.05;
   now.stages[0].tool = hostile;
   now.inputs[0].file = hostile;
   now.inputs.push_back({hostile, hostile, "dd"});

@@ -16,7 +16,7 @@ import zlib
 import jsonschema
 import junitparser
 
-SAMPLES = ("passed", "failed", "undecided", "foreign")
+SAMPLES = ("passed", "failed", "undecided", "foreign", "cut")
 LEVEL_OF_VERDICT = {"pass": "note", "indeterminate": "warning", "fail": "error"}
 RANK = {"note": 0, "warning": 1, "error": 2}
 COLUMNS = ("stage", "kind", "id", "depth_mm", "area_mm2", "x", "y", "z", "patch", "u", "v", "body",

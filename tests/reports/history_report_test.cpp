@@ -45,10 +45,11 @@ record::RunRecord sample_record() {
   rough.limits.has_gouge = true;
   rough.limits.gouge_mm = 0.05;
   record::StageMeasures& measures = rough.measures.emplace();
-  measures.gouge_mm = {0.06, 0.07};
-  measures.uncut_mm = {0.1, 0.2};
+  record::DeviationMeasures& deviation = measures.deviation.emplace();
+  deviation.gouge_mm = {0.06, 0.07};
+  deviation.uncut_mm = {0.1, 0.2};
   measures.machining_time_s = 12.5;
-  measures.resolution_mm = 0.01;
+  deviation.resolution_mm = 0.01;
   measures.voxel_mm = 0.25;
   run.stages.emplace_back().name = "finish";
   return run;

@@ -30,10 +30,10 @@ void spoil_measured(StageResult::Ran& ran) {
   ran.program_text = std::make_shared<const std::string>(hostile_program(*ran.program_text));
   ran.ignored_words = {"7: " + kScript, "8: " + kAttribute};
   for (simulator::Finding& f : ran.process) f.part += kScript, f.against += kAttribute;
-  spoil_findings(ran.deviation.gouges);
-  spoil_findings(ran.deviation.uncuts);
-  for (verifier::BodyFigure& b : ran.deviation.bodies) b.body += kScript;
-  for (verifier::UncertaintyTerm& t : ran.deviation.budget) t.source += kAttribute;
+  spoil_findings(ran.deviation->gouges);
+  spoil_findings(ran.deviation->uncuts);
+  for (verifier::BodyFigure& b : ran.deviation->bodies) b.body += kScript;
+  for (verifier::UncertaintyTerm& t : ran.deviation->budget) t.source += kAttribute;
 }
 
 void spoil_stage(StageResult& stage) {
@@ -49,7 +49,7 @@ void spoil_stage(StageResult& stage) {
 RunResult hostile_result() {
   RunResult r = sample_result(Outcome::failed);
   r.job = kScript + kAttribute;
-  r.surface.cage = kLink + kAttribute + kScript;
+  r.surface->cage = kLink + kAttribute + kScript;
   for (std::string& a : r.assumptions) a += kScript + kAttribute;
   for (StageResult& stage : r.stages) spoil_stage(stage);
   return r;

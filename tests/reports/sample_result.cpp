@@ -275,7 +275,7 @@ RunResult sample_result(Outcome outcome, int samples_per_edge) {
                    "machining time takes no acceleration into account"};
   r.inputs = {{"job", "aircraft.toml", 2'518, std::string(64, '3')},
               {"cage", "aircraft.obj", 1'204, std::string(64, 'c')}};
-  set_surface(r.surface);
+  set_surface(r.surface.emplace());
   r.program_frame = {90, {1, 2, 3}};
   r.machine.home_mm = {0, 0, 150};
   r.machine.work_offsets[6] = model::WorkOffset{{4, 5, 6}, 30};
@@ -332,11 +332,27 @@ RunResult foreign_result(int samples_per_edge) {
   for (StageResult& stage : r.stages) stage.strategy.clear();
   // The rough stage's move made the worst gouge, its passes lie around the worst leftover, and a
   // second one stands where no pass came.
-  verifier::StageDeviation& d = r.stages[1].ran->deviation;
+  verifier::StageDeviation& d = *r.stages[1].ran->deviation;
   d.gouges.front().stage = 0;
   d.uncuts.front().passes = {{1, 90, 100, 0.25}, {0, 95, 105, 0.5}};
   d.uncuts[1].raw_stock = true, d.uncuts[1].line = 0, d.uncuts[1].move = 0;
   r.stages[1].limits.has_uncut = false;
+  return r;
+}
+
+RunResult cut_result() {
+  RunResult r = foreign_result(3);
+  r.surface.reset();
+  for (StageResult& stage : r.stages) {
+    stage.allowance_mm.reset();
+    stage.limits = {};
+    stage.step_mm = stage.tolerance_mm = 0;
+    if (stage.program.empty()) stage.program = "rest.ngc";
+    stage.strategy.clear();
+    if (stage.ran) stage.ran->deviation.reset();
+  }
+  r.stages[0].decision.reasons = {"no fault in the process"};
+  r.stages[1].decision.reasons = {"rapid through standing material: 1 move"};
   return r;
 }
 

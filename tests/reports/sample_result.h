@@ -17,4 +17,7 @@ RunResult sample_result(Outcome outcome, int samples_per_edge = 9);
 /// share one, and names try to be formulas, markup, links and placeholders.
 RunResult foreign_result(int samples_per_edge = 41);
 
+/// The failed job's programs cut without a design: its second stage fails by its process.
+RunResult cut_result();
+
 }  // namespace limitgauge::reports

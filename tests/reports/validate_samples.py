@@ -17,7 +17,7 @@ jsonschema.Draft202012Validator.check_schema(schema)
 validator = jsonschema.Draft202012Validator(schema)
 
 results = {name: json.loads((folder / name / "result.json").read_text())
-           for name in ("passed", "failed", "undecided", "foreign")}
+           for name in ("passed", "failed", "undecided", "foreign", "cut")}
 for name, result in results.items():
     for error in validator.iter_errors(result):
         sys.exit(f"{name}: {error.json_path}: {error.message}")
@@ -45,7 +45,21 @@ def drop(*path):
     return change
 
 
+def without_design(change):
+    def on_cut(result):
+        result.clear()
+        result.update(copy.deepcopy(results["cut"]))
+        change(result)
+    return on_cut
+
+
 changes = {
+    "no surface and yet deviations": drop("surface"),
+    "cut with a deviation": without_design(set_at("stages", 0, "deviation", value=results["failed"]["stages"][0]["deviation"])),
+    "cut with an allowance": without_design(set_at("stages", 0, "allowance_mm", value=0)),
+    "cut with a limit": without_design(set_at("stages", 0, "gate", value={"gouge_mm": 0.1})),
+    "cut that is undecided": without_design(set_at("stages", 0, "verdict", value="indeterminate")),
+    "cut without simulation": without_design(drop("stages", 0, "simulation")),
     "no verdict": drop("verdict"),
     "unknown verdict": set_at("verdict", value="maybe"),
     "other schema": set_at("schema", value="limitgauge.result/1"),

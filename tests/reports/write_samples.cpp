@@ -1,7 +1,7 @@
 // write_samples FOLDER [--no-pictures] [NAME...]: the reports of sample jobs, each in its folder,
-// for checks by readers that are not ours: passed, failed, undecided and foreign (without names
-// these), for browsers hostile (markup in every text) and large (200,000 cells a stage), and
-// thinned, whose field is too large to be shown whole.
+// for checks by readers that are not ours: passed, failed, undecided, foreign and cut, a program
+// without a design (without names these), for browsers hostile (markup in every text) and large
+// (200,000 cells a stage), and thinned, whose field is too large to be shown whole.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -39,6 +39,7 @@ const std::map<std::string, Sample> kSamples = {
     {"failed", {[] { return sample_result(Outcome::failed, kSamplesPerEdge); }}},
     {"undecided", {[] { return sample_result(Outcome::indeterminate, kSamplesPerEdge); }}},
     {"foreign", {[] { return foreign_result(kSamplesPerEdge); }}},
+    {"cut", {[] { return cut_result(); }}},
     {"hostile", {[] { return hostile_result(); }, false}},
     {"large", {[] { return sample_result(Outcome::passed, kLargeSamplesPerEdge); }}},
     {"thinned", {thinned_result}},
@@ -48,7 +49,7 @@ const std::map<std::string, Sample> kSamples = {
 void write_field(const StageResult& stage, const std::filesystem::path& file) {
   std::ofstream out(file);
   out.precision(9);
-  for (const auto& s : stage.ran->deviation.field.samples)
+  for (const auto& s : stage.ran->deviation->field.samples)
     out << s.deviation_mm << ' ' << s.line << ' ' << s.stage << ' ' << s.reachable << '\n';
 }
 
@@ -60,7 +61,7 @@ void write_stage(StageResult& stage, bool names_folder, const std::filesystem::p
   StageFiles files = write_stage_files(stage, folder, {.pictures = pictures, .rapid_mm_min = 5000});
   if (stage.ran) {
     stage.ran->path_view = std::move(files.path_view);
-    write_field(stage, folder / stage.name / "field.txt");
+    if (stage.ran->deviation) write_field(stage, folder / stage.name / "field.txt");
   }
   stage.name = std::move(name);
   if (pictures) stage.pictures = std::move(files.pictures);
@@ -89,7 +90,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder(argv[1]);
   std::vector<std::string> names(argv + 2, argv + argc);
   const bool pictures = std::erase(names, "--no-pictures") == 0;
-  if (names.empty()) names = {"passed", "failed", "undecided", "foreign"};
+  if (names.empty()) names = {"passed", "failed", "undecided", "foreign", "cut"};
   for (const std::string& name : names) write_all(kSamples.at(name), folder / name, pictures);
   std::ofstream(folder / "schema.json") << result_schema();
 }

@@ -143,8 +143,7 @@ void Decision::judge_missing_stock() {
       verdict, where);
 }
 
-void Decision::judge_process(const ProcessFault& fault) {
-  if (fault.count == 0) return;
+std::string fault_text(const ProcessFault& fault) {
   std::string text =
       fault.what + ": " + std::to_string(fault.count) + (fault.count == 1 ? " move" : " moves");
   if (fault.worst) {
@@ -153,7 +152,11 @@ void Decision::judge_process(const ProcessFault& fault) {
     text += place_text(fault.worst->point);
     if (fault.worst->line > 0) text += ", program line " + std::to_string(fault.worst->line);
   }
-  add(text, Verdict::fail, {});
+  return text;
+}
+
+void Decision::judge_process(const ProcessFault& fault) {
+  if (fault.count > 0) add(fault_text(fault), Verdict::fail, {});
 }
 
 /// Said beside every verdict: what is out of reach is judged by no other figure.
@@ -221,6 +224,18 @@ GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
   for (const ProcessFault& fault : faults) decision.judge_process(fault);
   decision.tell_reach();
   return decision.take();
+}
+
+GateDecision decide(std::span<const ProcessFault> faults) {
+  GateDecision decision{Verdict::pass, {}};
+  for (const ProcessFault& fault : faults) {
+    if (fault.count == 0) continue;
+    decision.verdict = Verdict::fail;
+    decision.reasons.push_back(fault_text(fault));
+  }
+  if (decision.verdict == Verdict::pass)
+    decision.reasons.push_back("no fault in the process; nothing was measured against a design");
+  return decision;
 }
 
 }  // namespace limitgauge::verifier

@@ -95,5 +95,8 @@ bool nothing_in_reach(const StageDeviation& deviation);
 GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
                     std::span<const ProcessFault> faults = {},
                     std::span<const std::string> stages = {});
+/// Where nothing is measured against a surface: fail for each kind of process fault found at least
+/// once, pass where there is none, never indeterminate.
+GateDecision decide(std::span<const ProcessFault> faults);
 
 }  // namespace limitgauge::verifier

@@ -27,10 +27,21 @@ ratio of limit to interval width stands beside each figure; below 4 : 1 it is ma
 better is aimed for.</p></section>
 )";
 
+constexpr const char* kProcessRule = R"(<section id="decision"><h2>How it was decided</h2>
+<p>The program was cut in the raw stock, move by move, and nothing was measured against a design: whether
+the part has the shape that it should have, this page does not say.</p>
+<ul><li><strong>Passed</strong>: the process has no fault: no rapid through standing material, no holder,
+shank or fixture touched, no cut with the spindle at rest, ...; near misses are shown and do not count.</li>
+<li><strong>Failed</strong>: the process has a fault.</li></ul>
+<p>Contacts are judged on the exact statement of the stock, not on its voxels. The stock was cut a second
+time by a model that shares nothing with the first, and the run ends with an error where the two contradict
+each other.</p></section>
+)";
+
 }  // namespace
 
-std::string decision_section() {
-  return kDecisionRule;
+std::string decision_section(bool has_design) {
+  return has_design ? kDecisionRule : kProcessRule;
 }
 
 std::string assumptions_section(const std::vector<std::string>& assumptions) {

@@ -38,7 +38,7 @@ std::string megabytes_text(const std::optional<double>& mb) {
 }
 
 std::string model_table(const RunResult& result) {
-  const SurfaceResult& s = result.surface;
+  const SurfaceResult& s = *result.surface;
   std::vector<Cells> rows = {{"this run", grouped(std::uint64_t(s.summary.patches)),
                               span_text(s.depth_min, s.depth_max),
                               span_text(s.sampling_interval_min, s.sampling_interval_max),

@@ -29,8 +29,9 @@ std::string origin_text(const model::Vec3& origin_mm, double turn_deg) {
 /// What programs of somebody else were told of the machine.
 void add_machine(const RunResult& result, std::vector<Term>& list) {
   const model::MachineSetup& machine = result.machine;
-  list.push_back({"Programs' frame in the cage's", origin_text(result.program_frame.translate_mm,
-                                                               result.program_frame.rotate_z_deg)});
+  list.push_back(
+      {result.surface ? "Programs' frame in the cage's" : "Programs' frame in the stock's",
+       origin_text(result.program_frame.translate_mm, result.program_frame.rotate_z_deg)});
   for (std::size_t i = 0; i < machine.work_offsets.size(); ++i)
     if (const auto& offset = machine.work_offsets[i])
       list.push_back({std::string("Work offset ") + model::work_offset_name(i),

@@ -25,8 +25,8 @@ std::string tools_section(const RunResult& result);
 /// The job's own data, and all files that were read with their checksums.
 std::string inputs_section(const RunResult& result);
 
-/// The decision rule in words.
-std::string decision_section();
+/// The decision rule in words: that of a design, or that of the process alone.
+std::string decision_section(bool has_design);
 /// What was taken for granted; empty where nothing was.
 std::string assumptions_section(const std::vector<std::string>& assumptions);
 

@@ -57,7 +57,7 @@ bool is_faint(const verifier::StageDeviation& d, const verifier::GateLimits& l) 
 }  // namespace
 
 std::string error_map(const StageResult& stage) {
-  const verifier::StageDeviation& d = stage.ran->deviation;
+  const verifier::StageDeviation& d = *stage.ran->deviation;
   if (d.field.quads.empty()) return {};
   if (is_faint(d, stage.limits))
     return map_figure(d, DeviationScale::magnified(d),
@@ -85,7 +85,7 @@ std::string seen_length(double mm) {
 }
 
 Row patch_row(const RunResult& result, std::size_t index, const PatchFigures& f) {
-  return {{std::to_string(f.patch), number_of(result.surface.depths, f.patch),
+  return {{std::to_string(f.patch), number_of(result.surface->depths, f.patch),
            number_of(result.stages[index].ran->sampling_intervals, f.patch),
            seen_length(f.gouge_mm), seen_length(f.uncut_mm), three_digits(f.area_mm2) + " mm²",
            percent_text(f.unreachable_share()), grouped(f.samples)},
@@ -101,7 +101,8 @@ std::string summary(std::size_t shown, std::size_t all) {
 
 std::string patch_table(const RunResult& result, std::size_t index) {
   const StageResult& stage = result.stages[index];
-  const std::vector<PatchFigures> patches = patch_figures(stage.ran->deviation.field, stage.limits);
+  const std::vector<PatchFigures> patches =
+      patch_figures(stage.ran->deviation->field, stage.limits);
   if (patches.empty()) return {};
   const std::size_t shown = std::min(patches.size(), kMostRows);
   std::vector<Row> rows;

@@ -71,8 +71,10 @@ const char* concerned(const verifier::UncertaintyTerm& t) {
 }  // namespace
 
 std::string figures_part(const StageResult::Ran& ran) {
-  return "<div class=\"figures\"><div>" + deviation_terms(ran.deviation) + "</div><div>" +
-         path_terms(ran) + simulation_terms(ran) + removal_terms(ran) + "</div></div>\n";
+  const std::string deviation =
+      ran.deviation ? "<div>" + deviation_terms(*ran.deviation) + "</div>" : std::string();
+  return "<div class=\"figures\">" + deviation + "<div>" + path_terms(ran) + simulation_terms(ran) +
+         removal_terms(ran) + "</div></div>\n";
 }
 
 std::string budget_table(const std::vector<verifier::UncertaintyTerm>& budget) {
@@ -97,10 +99,21 @@ std::string ratio_text(const verifier::Interval& interval, bool has_limit, doubl
   return text + " <strong class=\"warn\">below 4 : 1</strong>";
 }
 
+/// Without a design no figure is an interval.
+std::string counts_table(const StageResult& stage) {
+  std::vector<std::vector<std::string>> rows;
+  for (const GateFigure& f : gate_figures(stage))
+    rows.push_back({f.name, f.measured, f.limit, badge(f.standing)});
+  return table(
+      "What the verdict is made of: counts of moves. Nothing was measured against a design.",
+      {{"Figure"}, {"Found", true}, {"Allowed", true}, {"Standing"}}, rows);
+}
+
 }  // namespace
 
 std::string gate_part(const StageResult& stage) {
-  const verifier::StageDeviation& d = stage.ran->deviation;
+  if (!stage.ran->deviation) return counts_table(stage);
+  const verifier::StageDeviation& d = *stage.ran->deviation;
   const verifier::GateLimits& l = stage.limits;
   const std::vector<GateFigure> figures = gate_figures(stage);
   const std::string charts[] = {interval_chart(d.gouge_mm, l.has_gouge, l.gouge_mm),

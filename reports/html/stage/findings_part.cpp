@@ -61,8 +61,9 @@ std::string line_link(const RunResult& result, std::size_t index, const verifier
 }
 
 /// Of a mesh, the triangle.
-std::string patch_text(const SurfaceResult& surface, int patch) {
-  return surface.mesh ? std::to_string(surface.mesh->triangle_of(patch)) : std::to_string(patch);
+std::string patch_text(const RunResult& result, int patch) {
+  const MeshDesign* mesh = result.mesh_design();
+  return mesh ? std::to_string(mesh->triangle_of(patch)) : std::to_string(patch);
 }
 
 Row finding_row(const RunResult& result, std::size_t index, const std::string& name,
@@ -70,10 +71,9 @@ Row finding_row(const RunResult& result, std::size_t index, const std::string& n
   const std::string stage =
       f.stage < result.stages.size() ? escape_markup(result.stages[f.stage].name) : "–";
   return {{name, measured_length(f.depth_mm), three_digits(f.area_mm2) + " mm²",
-           extent_text(f.extent_mm), coordinates(f.place.point),
-           patch_text(result.surface, f.place.patch), fixed(f.place.u, 4), fixed(f.place.v, 4),
-           stage, line_link(result, index, f), grouped(f.move),
-           name.front() == 'M' ? "raw stock" : left_by(f)},
+           extent_text(f.extent_mm), coordinates(f.place.point), patch_text(result, f.place.patch),
+           fixed(f.place.u, 4), fixed(f.place.v, 4), stage, line_link(result, index, f),
+           grouped(f.move), name.front() == 'M' ? "raw stock" : left_by(f)},
           // The map in the page knows gouges and leftovers.
           name.front() == 'M' ? " id=\"" + finding_anchor(index, name) + "\""
                               : finding_attributes(index, name)};
@@ -92,7 +92,7 @@ std::string findings_table(const RunResult& result, std::size_t index,
                 {"Area", true},
                 {"Extent in mm", true},
                 {"X, Y, Z in mm", true},
-                {result.surface.mesh ? "Triangle" : "Patch", true},
+                {result.mesh_design() ? "Triangle" : "Patch", true},
                 {"u", true},
                 {"v", true},
                 {"Stage"},
@@ -117,7 +117,7 @@ std::string threshold_note(const verifier::StageDeviation& d) {
 }  // namespace
 
 std::string findings_part(const RunResult& result, std::size_t index) {
-  const verifier::StageDeviation& d = result.stages[index].ran->deviation;
+  const verifier::StageDeviation& d = *result.stages[index].ran->deviation;
   return threshold_note(d) + findings_table(result, index, d.gouges, "Gouges, deepest first", 'G') +
          findings_table(result, index, d.uncuts, "Material left standing, highest first", 'U') +
          findings_table(result, index, d.missing_stock, "Missing raw stock, deepest first", 'M') +

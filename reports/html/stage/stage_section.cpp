@@ -39,9 +39,9 @@ std::string stock_figure(const std::optional<StagePictures>& pictures) {
 
 std::string plates(const StageResult& stage, std::size_t index) {
   std::string out = "<div class=\"plates\">";
-  if (stage.pictures) out += error_map(stage);
+  if (stage.pictures && stage.ran->deviation) out += error_map(stage);
   out += stock_figure(stage.pictures);
-  out += histogram_chart(stage.ran->deviation, stage.limits, index);
+  if (stage.ran->deviation) out += histogram_chart(*stage.ran->deviation, stage.limits, index);
   return out + "</div>\n";
 }
 
@@ -49,19 +49,19 @@ std::string measured_part(const RunResult& result, std::size_t index) {
   const StageResult& stage = result.stages[index];
   const StageResult::Ran& ran = *stage.ran;
   std::string out = gate_part(stage) + plates(stage, index);
-  out += "<h3>Gouges and leftovers</h3>\n" + findings_part(result, index);
+  if (ran.deviation) out += "<h3>Gouges and leftovers</h3>\n" + findings_part(result, index);
   out += "<h3>Process</h3>\n" + process_table(ran, index) + process_charts(index);
   out += program_part(result, index);
-  out += "<h3>Patches</h3>\n" + patch_table(result, index);
+  if (ran.deviation) out += "<h3>Patches</h3>\n" + patch_table(result, index);
   out += figures_part(ran) + ignored_words(ran.ignored_words);
-  return out + "<h3>Uncertainty</h3>\n" + budget_table(ran.deviation.budget);
+  return ran.deviation ? out + "<h3>Uncertainty</h3>\n" + budget_table(ran.deviation->budget) : out;
 }
 
 std::string request_line(const StageResult& stage) {
   std::vector<std::string> parts = {escape_markup(stage.tool) + ", " + cutter_text(stage.cutter),
                                     path_source(stage)};
   if (stage.step_mm > 0) parts.push_back("path interval " + stated_length(stage.step_mm));
-  parts.push_back("allowance " + stated_length(stage.allowance_mm));
+  if (stage.allowance_mm) parts.push_back("allowance " + stated_length(*stage.allowance_mm));
   if (stage.tolerance_mm > 0)
     parts.push_back("path tolerance " + stated_length(stage.tolerance_mm));
   std::string out;
@@ -106,6 +106,30 @@ std::string share_below(const std::string& measured) {
   return measured.substr(0, share) + "<small>" + measured.substr(share + 1) + "</small>";
 }
 
+/// What stands in a row whether there is a design or not.
+std::vector<std::string> first_cells(const StageResult& stage, std::size_t index) {
+  return {fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),
+          badge(stage.verdict()),
+          fmt::format("{}<small>{}</small><small>{}</small>", escape_markup(stage.tool),
+                      cutter_text(stage.cutter), path_source(stage))};
+}
+
+std::string process_faults_cell(const StageResult& stage) {
+  return stage.ran ? grouped(faults(stage.ran->process)) : "–";
+}
+
+std::string machining_time_cell(const StageResult& stage) {
+  return stage.ran ? duration_text(stage.ran->machining_time_s) : "–";
+}
+
+std::vector<std::string> cut_row(const StageResult& stage, std::size_t index) {
+  std::vector<std::string> cells = first_cells(stage, index);
+  cells.push_back(stage.ran ? three_digits(stage.ran->removed_volume_mm3 / 1000) + " cm³" : "–");
+  cells.push_back(process_faults_cell(stage));
+  cells.push_back(machining_time_cell(stage));
+  return cells;
+}
+
 std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) {
   const std::vector<GateFigure> f = gate_figures(stage);
   const auto figure = [&](std::size_t i) {
@@ -113,23 +137,33 @@ std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) 
     return share_below(f[i].measured) +
            (f[i].limit.empty() ? "" : "<small>limit " + f[i].limit + "</small>");
   };
-  const std::size_t hits = stage.ran ? faults(stage.ran->process) : 0;
-  return {fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),
-          badge(stage.verdict()),
-          fmt::format("{}<small>{}</small><small>{}</small>", escape_markup(stage.tool),
-                      cutter_text(stage.cutter), path_source(stage)),
-          stated_length(stage.allowance_mm),
-          figure(0),
-          figure(1),
-          figure(2),
-          figure(3),
-          stage.ran ? grouped(hits) : "–",
-          stage.ran ? duration_text(stage.ran->machining_time_s) : "–"};
+  std::vector<std::string> cells = first_cells(stage, index);
+  cells.push_back(stage.allowance_mm ? stated_length(*stage.allowance_mm) : "–");
+  for (const std::size_t i : {0, 1, 2, 3}) cells.push_back(figure(i));
+  cells.push_back(process_faults_cell(stage));
+  cells.push_back(machining_time_cell(stage));
+  return cells;
+}
+
+std::string cut_table(const RunResult& result) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < result.stages.size(); ++i)
+    rows.push_back(cut_row(result.stages[i], i));
+  return table("What was cut, without a design to measure it against.",
+               {{"Stage"},
+                {"Verdict"},
+                {"Tool, path"},
+                {"Removed volume", true},
+                {"Process faults", true},
+                {"Machining time", true}},
+               rows);
 }
 
 }  // namespace
 
 std::string stage_table(const RunResult& result) {
+  if (!result.surface)
+    return "<section id=\"stages\"><h2>Stages</h2>\n" + cut_table(result) + "</section>\n";
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < result.stages.size(); ++i)
     rows.push_back(stage_row(result.stages[i], i));

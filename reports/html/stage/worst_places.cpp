@@ -34,7 +34,7 @@ std::string axes(const model::Vec3& p) {
 }
 
 std::string place_text(const RunResult& result, const verifier::SurfacePlace& place) {
-  if (const auto& mesh = result.surface.mesh)
+  if (const auto* mesh = result.mesh_design())
     return axes(place.point) + fmt::format(" · <span class=\"part\">triangle {}</span>",
                                            mesh->triangle_of(place.patch));
   return axes(place.point) + fmt::format(" · <span class=\"part\">patch {}, u {}, v {}</span>",
@@ -96,7 +96,7 @@ const verifier::DeviationField::Sample* worst_sample(const Samples& samples, con
 
 std::string sample_card(const RunResult& result, std::size_t index, const Side& side,
                         const GateFigure& figure) {
-  const auto* s = worst_sample(result.stages[index].ran->deviation.field.samples, side);
+  const auto* s = worst_sample(result.stages[index].ran->deviation->field.samples, side);
   if (!s) return {};
   std::vector<Term> list = {{"Where", place_text(result, s->place)}};
   if (s->line > 0) list.push_back({"Nearest pass", line_text(result, s->stage, s->line)});
@@ -116,7 +116,7 @@ bool is_to_blame(const std::vector<GateFigure>& figures, const Side& side) {
 std::string side_card(const RunResult& result, std::size_t index, const Side& side) {
   const std::vector<GateFigure> figures = gate_figures(result.stages[index]);
   if (!is_to_blame(figures, side)) return {};
-  const verifier::StageDeviation& d = result.stages[index].ran->deviation;
+  const verifier::StageDeviation& d = *result.stages[index].ran->deviation;
   const std::vector<verifier::Finding>& findings = side.letter == 'G' ? d.gouges : d.uncuts;
   const GateFigure& figure = figures[side.figure];
   return findings.empty() ? sample_card(result, index, side, figure)
@@ -126,7 +126,7 @@ std::string side_card(const RunResult& result, std::size_t index, const Side& si
 /// Where the raw stock does not cover the surface, if that keeps the stage from passing.
 std::string stock_card(const RunResult& result, std::size_t index) {
   const std::vector<verifier::Finding>& findings =
-      result.stages[index].ran->deviation.missing_stock;
+      result.stages[index].ran->deviation->missing_stock;
   for (const GateFigure& figure : gate_figures(result.stages[index])) {
     const bool blamed =
         figure.standing == Standing::beyond || figure.standing == Standing::undecided;
@@ -160,8 +160,9 @@ std::string worst_places(const RunResult& result) {
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     const StageResult& stage = result.stages[i];
     if (!stage.ran || stage.verdict() == verifier::Verdict::pass) continue;
-    cards += side_card(result, i, kGouge) + side_card(result, i, kUncut) + stock_card(result, i) +
-             process_card(result, i);
+    if (stage.ran->deviation)
+      cards += side_card(result, i, kGouge) + side_card(result, i, kUncut) + stock_card(result, i);
+    cards += process_card(result, i);
   }
   return cards.empty() ? cards : "<div class=\"cards\">" + cards + "</div>\n";
 }

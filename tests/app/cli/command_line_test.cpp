@@ -172,8 +172,8 @@ TEST_CASE("usage that cannot be obeyed is refused", "[unit][command_line]") {
 TEST_CASE("help names what there is and nothing else", "[unit][command_line]") {
   const CommandLine all = parse({"--help"});
   const std::string& text = std::get<PrintCommand>(all.command).text;
-  for (const char* word :
-       {"run", "plan", "verify", "inspect", "compare", "study", "history", "view", "Exit codes"}) {
+  for (const char* word : {"run", "plan", "verify", "cut", "inspect", "compare", "study", "history",
+                           "view", "Exit codes"}) {
     CHECK_THAT(text, ContainsSubstring(word));
   }
   CHECK_THAT(text, !ContainsSubstring("--generate"));

@@ -30,8 +30,8 @@ TEST_CASE("what is told of the options is what the parser knows", "[unit][usage]
   CHECK(program.name == "limitgauge");
   std::vector<std::string> names;
   for (const CommandReference& command : program.commands) names.push_back(command.name);
-  CHECK(names == std::vector<std::string>{"run", "plan", "verify", "inspect", "compare", "study",
-                                          "history", "view"});
+  CHECK(names == std::vector<std::string>{"run", "plan", "verify", "cut", "inspect", "compare",
+                                          "study", "history", "view"});
   const OptionReference& output = option_of(program, "run", "--output");
   CHECK(output.names == std::vector<std::string>{"-o", "--output"});
   CHECK(output.value == "DIR");

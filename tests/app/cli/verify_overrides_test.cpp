@@ -12,6 +12,7 @@ Job two_tools() {
   Job job;
   job.name = "plate";
   job.near_miss_mm = 0.5;
+  job.design.emplace();
   for (const char* name : {"T1", "T2"}) {
     JobStage stage;
     stage.name = name;
@@ -50,7 +51,7 @@ TEST_CASE("keys of a job replace what verify's options leave open", "[unit][cli]
   CHECK_FALSE(job.pictures);
   CHECK(job.rapid_mm_min == 8000);
   CHECK(job.program_frame.translate_mm == model::Vec3{1, 2, 3});
-  CHECK(job.placement.scale == 2);
+  CHECK(job.design->placement.scale == 2);
   CHECK(job.stages[0].limits.has_uncut);
   CHECK(job.stages[0].limits.uncut_mm == 2);
   CHECK_FALSE(job.stages[0].limits.has_gouge);

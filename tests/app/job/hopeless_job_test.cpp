@@ -76,8 +76,10 @@ model::Cage plate(double side_mm) {
 }
 
 std::string misfit_of(const std::string& override) {
-  return tests::message_of<model::InputError>(
-      [&] { require_fit(read(good_job(), {override}), plate(10)); });
+  return tests::message_of<model::InputError>([&] {
+    const model::Cage cage = plate(10);
+    require_fit(read(good_job(), {override}), &cage);
+  });
 }
 
 TEST_CASE("what divides a part is no larger than the part", "[unit][job]") {

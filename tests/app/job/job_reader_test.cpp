@@ -17,7 +17,7 @@ struct BadJob {
 TEST_CASE("a job is read with its defaults stated", "[unit][job]") {
   const Job job = read(good_job());
   CHECK(job.name == "dome");
-  CHECK(job.cage == tests::fixtures() / "cages/quick-dome.obj");
+  CHECK(job.design->cage == tests::fixtures() / "cages/quick-dome.obj");
   CHECK(std::get<model::BoxStock>(job.stock).size_mm == model::Vec3{26, 26, 9});
   REQUIRE(job.stages.size() == 1);
   const JobStage& stage = job.stages[0];
@@ -101,10 +101,10 @@ resolution = 0.002
 pictures = false
 stock = "none"
 )");
-  CHECK(job.precision_mm == 0.02);
-  CHECK(job.placement.scale == 2);
-  CHECK(job.placement.rotate_z_deg == 90);
-  CHECK(job.placement.translate_mm == model::Vec3{1, 2, 3});
+  CHECK(job.design->precision_mm == 0.02);
+  CHECK(job.design->placement.scale == 2);
+  CHECK(job.design->placement.rotate_z_deg == 90);
+  CHECK(job.design->placement.translate_mm == model::Vec3{1, 2, 3});
   const auto& stock = std::get<model::CylinderStock>(job.stock);
   CHECK(stock.diameter_mm == 50);
   CHECK(stock.height_mm == 20);

@@ -91,7 +91,8 @@ TEST_CASE("parts that do not fit are refused with the program's line", "[unit][p
   const model::Program program = three_loadings();
   CHECK(error_of(program, {stage_with("a", {})}) ==
         "all.ngc:20: error: T2 is loaded in the part that stage \"a\" takes, after T1; expected a "
-        "stage for each tool, by \"program_tool\" or \"program_section\"; with verify a --tool "
+        "stage for each tool, by \"program_tool\" or \"program_section\"; with verify or cut a "
+        "--tool "
         "N=... for each");
   CHECK_THAT(error_of(program, {stage_with("a", tool(1), 1), stage_with("b", tool(2), 2)}),
              ContainsSubstring("all.ngc:40: error: stage \"a\" takes T1, which is loaded a second "

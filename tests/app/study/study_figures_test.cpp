@@ -22,9 +22,10 @@ StageRecord stage(const std::string& name, double gouge_high, double uncut_high)
   record.limits = {true, true, false, 0.02, 0.04, 0};
   StageMeasures measures;
   measures.machining_time_s = 100;
-  measures.gouge_mm = {gouge_high / 2, gouge_high};
-  measures.uncut_mm = {uncut_high / 2, uncut_high};
-  measures.coverage = 0.995;
+  reports::record::DeviationMeasures& deviation = measures.deviation.emplace();
+  deviation.gouge_mm = {gouge_high / 2, gouge_high};
+  deviation.uncut_mm = {uncut_high / 2, uncut_high};
+  deviation.coverage = 0.995;
   record.measures = measures;
   return record;
 }
@@ -114,14 +115,14 @@ TEST_CASE("the excess is above zero where a gate does not pass", "[unit][study]"
   hit.measures->process = {{"rapid_collision", 3}, {"holder_collision", 1}};
   CHECK(excess(hit, Verdict::fail) == 4);
   hit.measures->process.clear();
-  hit.measures->voxel_uncut_mm = 0.1;  // both instruments measure runs: it gates nothing
+  hit.measures->deviation->voxel_uncut_mm = 0.1;  // both instruments measure runs: it gates nothing
   CHECK(excess(hit, Verdict::fail) == 1);
 
   StageRecord bare = stage("a", 0.001, 0.001);
-  bare.measures->missing_stock_mm = {0.05, 0.06};
+  bare.measures->deviation->missing_stock_mm = {0.05, 0.06};
   CHECK(excess(bare, Verdict::fail) == Approx(2));  // 0.06 of 0.02
   StageRecord far = stage("a", 0.001, 0.001);
-  far.measures->reach = {90, 8, 2};
+  far.measures->deviation->reach = {90, 8, 2};
   far.limits.has_unreachable = true, far.limits.unreachable = 0.05;
   CHECK(excess(far, Verdict::fail) == Approx(1));
   far.limits.unreachable_is_share = false, far.limits.unreachable = 8;
@@ -129,7 +130,7 @@ TEST_CASE("the excess is above zero where a gate does not pass", "[unit][study]"
   far.limits.unreachable = 0;
   CHECK(excess(far, Verdict::fail) == Approx(1000));
   far.limits.has_unreachable = false, far.limits.has_unavoidable = true;
-  far.limits.unavoidable_mm = 0.1, far.measures->unavoidable_mm = {0.1, 0.3};
+  far.limits.unavoidable_mm = 0.1, far.measures->deviation->unavoidable_mm = {0.1, 0.3};
   CHECK(excess(far, Verdict::indeterminate) == Approx(2));
 
   StageRecord open = stage("a", 0.001, 0.001);
@@ -152,10 +153,10 @@ TEST_CASE("reasons name what does not pass, and group", "[unit][study]") {
   hit.measures->process.clear();
   hit.reasons = {"gouge: within", "something else"};
   CHECK(reason(hit, Verdict::fail) == "a: something else");
-  hit.measures->missing_stock_mm = {0.05, 0.06};
-  hit.measures->reach = {0, 8, 2};
+  hit.measures->deviation->missing_stock_mm = {0.05, 0.06};
+  hit.measures->deviation->reach = {0, 8, 2};
   hit.limits.has_unreachable = hit.limits.has_unavoidable = true;
-  hit.limits.unreachable = 0.9, hit.measures->unavoidable_mm = {1, 2};
+  hit.limits.unreachable = 0.9, hit.measures->deviation->unavoidable_mm = {1, 2};
   CHECK(reason(hit, Verdict::fail) ==
         "a: missing stock beyond its limit, nothing in reach, unreachable area not decided at this "
         "resolution, unavoidable uncut beyond its limit");

@@ -98,8 +98,8 @@ TEST_CASE("what a setting is written as, the job reads as it was meant", "[unit]
     overrides.push_back(variable.key + "=" + variable.values[0].toml);
   const Job job = read_job(plan.job, overrides);
   CHECK(job.stages[1].plan->cut.feed_mm_min == 1234.5);
-  CHECK(job.placement.scale == 1.5);
-  CHECK(job.placement.translate_mm[1] == 2.25);
+  CHECK(job.design->placement.scale == 1.5);
+  CHECK(job.design->placement.translate_mm[1] == 2.25);
 }
 
 TEST_CASE("each method reads its keys", "[unit][study]") {

@@ -252,8 +252,8 @@ TEST_CASE("defaults in docs/job.md are those of the reader", "[unit][job]") {
   const engine::strategy::CutOptions& cut = stage.plan->cut;
   using engine::strategy::Entry;
   const std::map<std::string, std::string> defaults = {
-      {"surface.precision", model::shortest(job.precision_mm)},
-      {"surface.transform.scale", model::shortest(job.placement.scale)},
+      {"surface.precision", model::shortest(job.design->precision_mm)},
+      {"surface.transform.scale", model::shortest(job.design->placement.scale)},
       {"machine.rapid", model::shortest(job.rapid_mm_min)},
       {"machine.clearance", model::shortest(job.clearance_mm)},
       {"machine.acceleration", job.acceleration_mm_s2 ? "some" : "none"},

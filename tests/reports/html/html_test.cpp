@@ -46,7 +46,7 @@ TEST_CASE("the header speaks of what is out of reach and of missing stock, whate
           "[unit][html]") {
   for (const Outcome outcome : {Outcome::passed, Outcome::failed}) {
     RunResult result = sample_result(outcome);
-    verifier::StageDeviation& d = result.stages[0].ran->deviation;
+    verifier::StageDeviation& d = *result.stages[0].ran->deviation;
     d.surface_area_mm2 = 300;
     d.proven_reach = {287.2, 12.3, 0.5};
     d.unavoidable_uncut_mm = {0.1, 0.25};
@@ -121,7 +121,7 @@ TEST_CASE("the script finds its places in the page", "[unit][html]") {
 TEST_CASE("the header of a failed job names the worst gouge, its depth, place and program line",
           "[unit][html]") {
   const RunResult result = sample_result(Outcome::failed);
-  const verifier::Finding& f = result.stages[1].ran->deviation.gouges.front();
+  const verifier::Finding& f = result.stages[1].ran->deviation->gouges.front();
   ParsedPage page;
   parse_page(page_of(result), page);
   const pugi::xml_node header = page.tree.find_node(
@@ -148,7 +148,7 @@ TEST_CASE("the header of a failed job names the worst gouge, its depth, place an
 
 TEST_CASE("the header of an undecided job names what is not decided", "[unit][html]") {
   RunResult result = sample_result(Outcome::indeterminate);
-  verifier::StageDeviation& d = result.stages[2].ran->deviation;
+  verifier::StageDeviation& d = *result.stages[2].ran->deviation;
   const auto header_text = [&] {
     ParsedPage page;
     parse_page(page_of(result), page);
@@ -168,8 +168,8 @@ TEST_CASE("the header of an undecided job names what is not decided", "[unit][ht
 
 TEST_CASE("each patch has its row, the worst first", "[unit][html]") {
   RunResult result = sample_result(Outcome::failed, 9);
-  result.surface.depths.assign(30, 5);
-  result.surface.depths[20] = 7;
+  result.surface->depths.assign(30, 5);
+  result.surface->depths[20] = 7;
   result.stages[1].ran->sampling_intervals.assign(30, 4);
   ParsedPage page;
   parse_page(page_of(result), page);
@@ -184,7 +184,7 @@ TEST_CASE("each patch has its row, the worst first", "[unit][html]") {
   CHECK(worst[0] == "20");
   CHECK(worst[1] == "7");
   CHECK(worst[2] == "4");
-  CHECK(worst[3] == measured_length(result.stages[1].ran->deviation.gouge_mm.low));
+  CHECK(worst[3] == measured_length(result.stages[1].ran->deviation->gouge_mm.low));
   CHECK(worst[5] == "173 mm²");
   CHECK(worst[6] == "0.00 %");
   CHECK(worst[7] == "81");
@@ -192,7 +192,7 @@ TEST_CASE("each patch has its row, the worst first", "[unit][html]") {
 
 TEST_CASE("many patches are folded away", "[unit][html]") {
   RunResult result = sample_result(Outcome::passed, 3);
-  verifier::DeviationField& field = result.stages[0].ran->deviation.field;
+  verifier::DeviationField& field = result.stages[0].ran->deviation->field;
   const std::vector<verifier::DeviationField::Sample> samples = field.samples;
   for (const int more : {30, 500}) {
     for (verifier::DeviationField::Sample s : samples)
@@ -250,7 +250,7 @@ TEST_CASE("a ratio of limit to interval below 4 : 1 is marked", "[unit][html]") 
 
 TEST_CASE("findings stand in the table with place, patch, parameters and line", "[unit][html]") {
   const RunResult result = sample_result(Outcome::failed);
-  const verifier::Finding& f = result.stages[1].ran->deviation.gouges.front();
+  const verifier::Finding& f = result.stages[1].ran->deviation->gouges.front();
   ParsedPage page;
   parse_page(page_of(result), page);
   const std::vector<std::string> cells = cells_of(element_with(page.tree, "id", "stage-2-G1"));

@@ -44,7 +44,7 @@ TEST_CASE("the page's data hold what the result holds", "[unit][page]") {
   CHECK(data["surfaces"][0]["patches"].size() == 30);
   CHECK(data["surfaces"][0]["position"]["block"]["count"] == 3 * 30 * 81);
   const json& stage = data["stages"][1];
-  const verifier::StageDeviation& d = result.stages[1].ran->deviation;
+  const verifier::StageDeviation& d = *result.stages[1].ran->deviation;
   CHECK(stage["gouges_total"] == d.gouges.size());
   CHECK(stage["gouges"][0]["id"] == "G1");
   CHECK(stage["gouges"][0]["depth_mm"] == d.gouges[0].depth_mm);
@@ -69,10 +69,10 @@ TEST_CASE("the page's data hold what the result holds", "[unit][page]") {
 
 TEST_CASE("a finding's normal is that of the surface there", "[unit][page]") {
   const RunResult result = sample_result(Outcome::failed, 41);
-  const verifier::Finding& f = result.stages[1].ran->deviation.gouges[0];
+  const verifier::Finding& f = result.stages[1].ran->deviation->gouges[0];
   const json normal = json_of(result)["stages"][1]["gouges"][0]["normal"];
   // The sample result's findings are at samples: the same normal, digit for digit.
-  const auto& samples = result.stages[1].ran->deviation.field.samples;
+  const auto& samples = result.stages[1].ran->deviation->field.samples;
   const auto at = std::find_if(samples.begin(), samples.end(),
                                [&](const auto& s) { return s.place.point == f.place.point; });
   REQUIRE(at != samples.end());
@@ -81,7 +81,7 @@ TEST_CASE("a finding's normal is that of the surface there", "[unit][page]") {
 
 TEST_CASE("lists of findings are cut, and say of how many", "[unit][page]") {
   RunResult result = sample_result(Outcome::failed, 5);
-  auto& gouges = result.stages[1].ran->deviation.gouges;
+  auto& gouges = result.stages[1].ran->deviation->gouges;
   gouges.resize(1234, gouges.front());
   const json stage = json_of(result)["stages"][1];
   CHECK(stage["gouges"].size() == page::kMostFindings);
@@ -96,7 +96,7 @@ TEST_CASE("nothing from a file leaves the page's data", "[unit][page]") {
     stage.name = stage.tool = stage.strategy = stage.program = stage.program_part = hostile;
     if (!stage.ran) continue;
     for (auto& f : stage.ran->process) f.part = f.against = hostile;
-    for (auto& f : stage.ran->deviation.gouges) f.body = hostile;
+    for (auto& f : stage.ran->deviation->gouges) f.body = hostile;
     std::string program;
     for (int i = 0; i < 2000; ++i) program += "(" + hostile + ")\n";
     stage.ran->program_text = std::make_shared<const std::string>(program);
@@ -122,14 +122,14 @@ TEST_CASE("nothing from a file leaves the page's data", "[unit][page]") {
 
 TEST_CASE("a figure that is no number leaves readable data", "[unit][page]") {
   RunResult result = sample_result(Outcome::passed, 5);
-  result.stages[0].ran->deviation.mean_mm = NAN;
-  result.stages[0].ran->deviation.gouge_mm.high = NAN;
+  result.stages[0].ran->deviation->mean_mm = NAN;
+  result.stages[0].ran->deviation->gouge_mm.high = NAN;
   CHECK(json_of(result)["stages"][0]["gouge_mm"]["high"] == nullptr);
 }
 
 TEST_CASE("a result without fields or paths still has data", "[unit][page]") {
   RunResult result = sample_result(Outcome::passed, 5);
-  for (StageResult& stage : result.stages) stage.ran->deviation.field = {};
+  for (StageResult& stage : result.stages) stage.ran->deviation->field = {};
   const json data = json_of(result);
   CHECK(data["surfaces"].empty());
   CHECK(data["stages"][0]["field"] == nullptr);

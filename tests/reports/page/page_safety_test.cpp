@@ -63,7 +63,7 @@ void require_harmless(const ParsedPage& page) {
 /// Every text that comes from a file or the command line becomes `text`.
 RunResult with_texts(const std::string& text) {
   RunResult r = sample_result(Outcome::failed, 3);
-  r.job = r.created = r.version = r.surface.cage = text;
+  r.job = r.created = r.version = r.surface->cage = text;
   r.assumptions = {text};
   r.inputs = {{text, text, 1, text}};
   r.published = PublishedFigures{};
@@ -76,9 +76,9 @@ RunResult with_texts(const std::string& text) {
     std::string program;
     for (int line = 0; line < 2000; ++line) program += text + "\n";
     s.ran->program_text = std::make_shared<const std::string>(program);
-    for (verifier::UncertaintyTerm& term : s.ran->deviation.budget) term.source = text;
-    for (verifier::BodyFigure& body : s.ran->deviation.bodies) body.body = text;
-    for (verifier::Finding& f : s.ran->deviation.gouges) f.body = text;
+    for (verifier::UncertaintyTerm& term : s.ran->deviation->budget) term.source = text;
+    for (verifier::BodyFigure& body : s.ran->deviation->bodies) body.body = text;
+    for (verifier::Finding& f : s.ran->deviation->gouges) f.body = text;
     for (simulator::Finding& f : s.ran->process) f.part = f.against = text;
   }
   r.stages[0].program = text;

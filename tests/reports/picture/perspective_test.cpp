@@ -122,12 +122,12 @@ TEST_CASE("the perspective picture marks the worst gouge where it is", "[unit][p
   const StageResult& stage = result.stages[1];
   const Image marked = draw_perspective_picture(stage);
   StageResult other = stage;
-  other.ran->deviation.gouges.clear();
+  other.ran->deviation->gouges.clear();
   const Image plain = draw_perspective_picture(other);
   REQUIRE(marked.width() == plain.width());
   REQUIRE(marked.height() == plain.height());
-  const PerspectiveView view(stage.ran->deviation.field, kFront, 1240, 860);
-  const ScreenPoint at = view.project(stage.ran->deviation.gouges.front().place.point);
+  const PerspectiveView view(stage.ran->deviation->field, kFront, 1240, 860);
+  const ScreenPoint at = view.project(stage.ran->deviation->gouges.front().place.point);
   const int x = int(at.x) + 36, y = int(at.y) + 36 + 96;
   // The ring, 16 pixels away.
   CHECK(marked.at(x + 16, y).r < 80);
@@ -147,6 +147,6 @@ TEST_CASE("the perspective picture of a stage without findings and of one point"
           "[unit][picture]") {
   StageResult stage;
   stage.name = "finish";
-  add_sheet(stage.ran.emplace().deviation.field, 0, 0, 2, false);
+  add_sheet(stage.ran.emplace().deviation.emplace().field, 0, 0, 2, false);
   CHECK(draw_perspective_picture(stage).width() > 1000);
 }

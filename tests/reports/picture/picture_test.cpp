@@ -272,7 +272,7 @@ TEST_CASE("the deviation picture marks the worst gouge and can draw all its word
           "[unit][picture]") {
   const RunResult result = sample_result(Outcome::failed);
   const StageResult& stage = result.stages[1];
-  const verifier::StageDeviation& d = stage.ran->deviation;
+  const verifier::StageDeviation& d = *stage.ran->deviation;
   const Image picture = decoded(png_bytes(draw_deviation_picture(d, stage.limits)));
   const MapFrame frame = map_frame(d.field, 1400, 1100);
   const model::Vec2 worst = frame.pixel(d.gouges.front().place.point);

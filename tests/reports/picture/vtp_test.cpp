@@ -134,7 +134,7 @@ TEST_CASE("VTK reads a deviation field back", "[unit][vtk]") {
   const tests::TemporaryFolder folder;
   // 43,320 samples: more than one compressed block an array.
   const RunResult result = sample_result(Outcome::failed, 38);
-  const verifier::DeviationField& field = result.stages[1].ran->deviation.field;
+  const verifier::DeviationField& field = result.stages[1].ran->deviation->field;
   write_deviation_vtp(field, folder.path() / "deviation.vtp");
   const auto mesh = read_back(folder.path() / "deviation.vtp");
   REQUIRE(mesh->GetNumberOfPoints() == vtkIdType(field.samples.size()));
@@ -163,7 +163,7 @@ TEST_CASE("VTK reads a deviation field back", "[unit][vtk]") {
 TEST_CASE("the active normals are unit vectors on the machining side", "[unit][vtk]") {
   const tests::TemporaryFolder folder;
   const RunResult result = sample_result(Outcome::passed, 9);
-  const verifier::DeviationField& field = result.stages[2].ran->deviation.field;
+  const verifier::DeviationField& field = result.stages[2].ran->deviation->field;
   write_deviation_vtp(field, folder.path() / "deviation.vtp");
   const auto mesh = read_back(folder.path() / "deviation.vtp");
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
@@ -191,7 +191,7 @@ TEST_CASE("field data holds the stage's target, its stated limits and its verdic
   l = {};
   l.has_gouge = true, l.gouge_mm = 0.0125;
   l.has_unreachable = true, l.unreachable_is_share = false, l.unreachable = 17.5;
-  write_deviation_vtp(stage.ran->deviation.field, folder.path() / "a.vtp", stage_facts(stage));
+  write_deviation_vtp(stage.ran->deviation->field, folder.path() / "a.vtp", stage_facts(stage));
   const auto first = read_back(folder.path() / "a.vtp");
   vtkFieldData* facts = first->GetFieldData();
   CHECK(text(facts, "stage") == stage.name);
@@ -239,7 +239,7 @@ TEST_CASE("one file opens all stages of a run", "[unit][vtk]") {
     CHECK(block_name(block, 1) == "toolpath");
     auto* surface = vtkPolyData::SafeDownCast(block->GetBlock(0));
     REQUIRE(surface);
-    const auto& samples = result.stages[i].ran->deviation.field.samples;
+    const auto& samples = result.stages[i].ran->deviation->field.samples;
     REQUIRE(surface->GetNumberOfPoints() == vtkIdType(samples.size()));
     CHECK(value(surface->GetPointData(), "deviation_mm", 5) == samples[5].deviation_mm);
     CHECK(text(surface->GetFieldData(), "stage") == result.stages[i].name);
@@ -292,7 +292,7 @@ TEST_CASE("a full disk is out of resources and leaves nothing", "[unit][vtk]") {
   std::filesystem::create_symlink("/dev/full", full);
   const RunResult result = sample_result(Outcome::passed, 9);
   try {
-    write_deviation_vtp(result.stages[2].ran->deviation.field, full);
+    write_deviation_vtp(result.stages[2].ran->deviation->field, full);
     FAIL("was written");
   } catch (const model::ResourceError& error) {
     CHECK(std::string(error.what()).find("deviation.vtp") != std::string::npos);

@@ -23,7 +23,7 @@ RunResult gouged(const std::vector<double>& depths_mm, double low_mm, double wid
   StageResult& stage = result.stages.emplace_back();
   stage.name = "finish", stage.strategy = "zigzag";
   stage.limits.has_gouge = true, stage.limits.gouge_mm = 1;
-  verifier::StageDeviation& d = stage.ran.emplace().deviation;
+  verifier::StageDeviation& d = stage.ran.emplace().deviation.emplace();
   d.gouge_mm = {low_mm, low_mm + width_mm};
   for (const double depth : depths_mm) d.gouges.push_back(at_depth(depth));
   return result;
@@ -76,7 +76,7 @@ TEST_CASE("findings are numbered as on the page, process findings worst first",
 TEST_CASE("missing stock is a finding of its own, held against the gouge limit",
           "[unit][findings]") {
   RunResult result = gouged({}, 0, 0.1);
-  verifier::StageDeviation& d = result.stages[0].ran->deviation;
+  verifier::StageDeviation& d = *result.stages[0].ran->deviation;
   d.missing_stock = {at_depth(1.5), at_depth(0.5)};
   for (verifier::Finding& f : d.missing_stock) f.line = 0;
   d.missing_stock_mm = {1.5, 1.6};

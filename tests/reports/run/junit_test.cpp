@@ -73,8 +73,8 @@ TEST_CASE("a figure without a limit is skipped", "[unit][junit]") {
 TEST_CASE("what is out of reach has a case of its own, gated or not", "[unit][junit]") {
   RunResult result = sample_result(Outcome::passed);
   StageResult& stage = result.stages[2];
-  stage.ran->deviation.surface_area_mm2 = 300;
-  stage.ran->deviation.proven_reach = {287.2, 12.3, 0.5};
+  stage.ran->deviation->surface_area_mm2 = 300;
+  stage.ran->deviation->proven_reach = {287.2, 12.3, 0.5};
   const auto message = [&](const std::string& outcome, const std::string& figure) {
     const pugi::xml_document document = parsed(result);
     const std::string path =
@@ -83,9 +83,9 @@ TEST_CASE("what is out of reach has a case of its own, gated or not", "[unit][ju
   };
   CHECK_THAT(message("skipped", "unreachable"), ContainsSubstring("12.3 to 12.8 mm² (4.10 to"));
   CHECK_THAT(message("skipped", "unavoidable uncut"), ContainsSubstring("0.31"));
-  stage.ran->deviation.proven_reach = {300, 0, 5.8e-21};  // what rounding left undecided
+  stage.ran->deviation->proven_reach = {300, 0, 5.8e-21};  // what rounding left undecided
   CHECK_THAT(message("skipped", "unreachable"), ContainsSubstring("0 mm² (0 %)"));
-  stage.ran->deviation.proven_reach = {287.2, 12.3, 0.5};
+  stage.ran->deviation->proven_reach = {287.2, 12.3, 0.5};
   stage.limits.has_unreachable = true, stage.limits.unreachable = 0.04;
   CHECK_THAT(message("failure", "unreachable"), ContainsSubstring(", limit 4 %"));
   stage.limits.unreachable = 0.042;
@@ -94,11 +94,11 @@ TEST_CASE("what is out of reach has a case of its own, gated or not", "[unit][ju
   CHECK(message("failure", "unreachable").empty());
   CHECK(message("error", "unreachable").empty());
   stage.limits.has_unreachable = false;
-  stage.ran->deviation.proven_reach = {0, 300, 0};
-  stage.ran->deviation.reachable_area_mm2 = 0;
+  stage.ran->deviation->proven_reach = {0, 300, 0};
+  stage.ran->deviation->reachable_area_mm2 = 0;
   CHECK_THAT(message("failure", "unreachable"), ContainsSubstring("300 mm² (100 %)"));
-  stage.ran->deviation.missing_stock_mm = {0.5, 0.51};
-  stage.ran->deviation.missing_stock = {stage.ran->deviation.uncuts.front()};
+  stage.ran->deviation->missing_stock_mm = {0.5, 0.51};
+  stage.ran->deviation->missing_stock = {stage.ran->deviation->uncuts.front()};
   CHECK_THAT(message("failure", "missing stock"), ContainsSubstring("; worst M1 "));
 }
 

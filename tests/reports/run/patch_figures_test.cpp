@@ -57,7 +57,7 @@ TEST_CASE("patches are sorted by how far they use up their limits", "[unit][html
 TEST_CASE("the patches of a stage share out its surface", "[unit][html]") {
   const RunResult result = sample_result(Outcome::failed, 9);
   const StageResult& stage = result.stages[1];
-  const std::vector<PatchFigures> all = patch_figures(stage.ran->deviation.field, stage.limits);
+  const std::vector<PatchFigures> all = patch_figures(stage.ran->deviation->field, stage.limits);
   REQUIRE(all.size() == 30);
   double gouge = 0, unreachable = 0;
   for (const PatchFigures& f : all) {
@@ -67,8 +67,8 @@ TEST_CASE("the patches of a stage share out its surface", "[unit][html]") {
     unreachable += f.unreachable_mm2;
   }
   // The sample's certified lower end is its deepest sample.
-  CHECK(gouge == Approx(stage.ran->deviation.gouge_mm.low).epsilon(1e-12));
-  CHECK(unreachable == Approx(stage.ran->deviation.unreachable_area_mm2));
+  CHECK(gouge == Approx(stage.ran->deviation->gouge_mm.low).epsilon(1e-12));
+  CHECK(unreachable == Approx(stage.ran->deviation->unreachable_area_mm2));
   // The dent of stage 2 lies at x = -12, y = 9: column 2, row 3 of six by five patches.
   CHECK(all.front().patch == 3 * 6 + 2);
 }

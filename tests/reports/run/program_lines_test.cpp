@@ -41,10 +41,10 @@ TEST_CASE("the page shows the program at its findings as text", "[unit][report]"
   RunResult result = sample_result(Outcome::passed);
   StageResult& stage = result.stages.front();
   REQUIRE(stage.ran);
-  stage.ran->deviation.gouges.resize(1);
-  stage.ran->deviation.gouges[0].stage = 0;
-  stage.ran->deviation.gouges[0].line = 5;
-  stage.ran->deviation.uncuts.clear();
+  stage.ran->deviation->gouges.resize(1);
+  stage.ran->deviation->gouges[0].stage = 0;
+  stage.ran->deviation->gouges[0].line = 5;
+  stage.ran->deviation->uncuts.clear();
   stage.ran->process.clear();
   stage.ran->program_text =
       std::make_shared<const std::string>("a\nb\nc\nd\nG1 <script>alert(1)</script>\nf\n");
@@ -53,7 +53,7 @@ TEST_CASE("the page shows the program at its findings as text", "[unit][report]"
                                      "&lt;script&gt;"));
   CHECK(page.find("<script>") == std::string::npos);
   CHECK_THAT(page, ContainsSubstring("<th scope=\"row\">2</th>"));
-  stage.ran->deviation.gouges[0].line = 0;
+  stage.ran->deviation->gouges[0].line = 0;
   CHECK(html::program_part(result, 0).empty());
 }
 

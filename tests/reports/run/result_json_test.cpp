@@ -117,13 +117,13 @@ TEST_CASE("result.json groups process findings and names what is left at a near 
 
 TEST_CASE("result.json carries the values digit for digit", "[unit][json]") {
   RunResult result = sample_result(Outcome::passed);
-  result.stages[2].ran->deviation.mean_mm = 0.1 + 0.2;
-  result.stages[2].ran->deviation.gouges[0].place.u = 1.0 / 3.0;
+  result.stages[2].ran->deviation->mean_mm = 0.1 + 0.2;
+  result.stages[2].ran->deviation->gouges[0].place.u = 1.0 / 3.0;
   const Json root = json_of(result);
   const Json& deviation = root["stages"][2]["deviation"];
   CHECK(deviation["mean_mm"].get<double>() == 0.1 + 0.2);
   CHECK(deviation["gouges"][0]["u"].get<double>() == 1.0 / 3.0);
-  CHECK(deviation["gouge_mm"]["high"] == result.stages[2].ran->deviation.gouge_mm.high);
+  CHECK(deviation["gouge_mm"]["high"] == result.stages[2].ran->deviation->gouge_mm.high);
   CHECK(deviation["gouges"][0]["stage"] == "finish");
   CHECK(deviation["histogram"]["edges_mm"].size() == deviation["histogram"]["area_mm2"].size() + 1);
   CHECK(root["surface"]["bbox_mm"][1][2] == 11.6);
@@ -167,10 +167,10 @@ TEST_CASE("a program stands in the place of a strategy", "[unit][json]") {
 
 TEST_CASE("what is not a number is refused, never written", "[unit][json]") {
   RunResult result = sample_result(Outcome::passed);
-  result.stages[1].ran->deviation.p50_mm = std::numeric_limits<double>::quiet_NaN();
+  result.stages[1].ran->deviation->p50_mm = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH(json_text_of(result), ContainsSubstring("deviation.p50_mm"));
   result = sample_result(Outcome::passed);
-  result.stages[1].ran->deviation.uncut_mm.high = std::numeric_limits<double>::infinity();
+  result.stages[1].ran->deviation->uncut_mm.high = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(json_text_of(result), ContainsSubstring("deviation.uncut_mm"));
 }
 

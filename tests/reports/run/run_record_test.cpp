@@ -62,14 +62,14 @@ TEST_CASE("A result is read back as it was written", "[unit][record]") {
   CHECK(stage.limits.gouge_mm == from.limits.gouge_mm);
   CHECK_FALSE(run.stages[2].measures);
   REQUIRE(stage.measures);
-  const verifier::StageDeviation& deviation = from.ran->deviation;
-  CHECK(stage.measures->uncut_mm.low == deviation.uncut_mm.low);
-  CHECK(stage.measures->uncut_mm.high == deviation.uncut_mm.high);
-  CHECK(stage.measures->rms_mm == deviation.rms_mm);
-  CHECK(stage.measures->resolution_mm == deviation.resolution_mm);
-  REQUIRE(stage.measures->gouges.size() == deviation.gouges.size());
+  const verifier::StageDeviation& deviation = *from.ran->deviation;
+  CHECK(stage.measures->deviation->uncut_mm.low == deviation.uncut_mm.low);
+  CHECK(stage.measures->deviation->uncut_mm.high == deviation.uncut_mm.high);
+  CHECK(stage.measures->deviation->rms_mm == deviation.rms_mm);
+  CHECK(stage.measures->deviation->resolution_mm == deviation.resolution_mm);
+  REQUIRE(stage.measures->deviation->gouges.size() == deviation.gouges.size());
   REQUIRE(!deviation.gouges.empty());
-  const Place& place = stage.measures->gouges[0];
+  const Place& place = stage.measures->deviation->gouges[0];
   CHECK(place.at_mm == deviation.gouges[0].place.point);
   CHECK(place.line == deviation.gouges[0].line);
   CHECK(place.stage == written.stages[deviation.gouges[0].stage].name);
@@ -87,7 +87,7 @@ TEST_CASE("Every metric finds its figure under its own name", "[unit][record]") 
   for (const Metric& metric : stage_metrics()) {
     INFO(metric.id);
     CHECK(find_metric(metric.id) == &metric);
-    const verifier::Interval figure = metric.of(*run.stages[1].measures);
+    const verifier::Interval figure = metric.of(*run.stages[1].measures).value();
     const std::string id(metric.id);
     const RecordJson* found = stage.contains(id) ? &stage[id] : nullptr;
     for (const char* part : {"toolpath", "simulation", "deviation"})
@@ -209,14 +209,15 @@ TEST_CASE("Keys of later versions are left alone, those of earlier ones filled i
   json["stages"][1]["simulation"].erase("findings");
   json["stages"][1]["simulation"]["holder_collisions"] = {
       {{"line", 7}, {"x", 0}, {"y", 0}, {"z", 1}, {"depth_mm", 0.5}, {"part", "shank"}}};
-  const StageMeasures measures = *read(json.dump()).stages[1].measures;
+  const StageMeasures stage = *read(json.dump()).stages[1].measures;
+  const DeviationMeasures measures = stage.deviation.value();
   CHECK(measures.resolution_mm == 0.5);
   CHECK(measures.gouge_threshold_mm == 0.25);
   CHECK(measures.reached_resolution);
   CHECK(measures.findings_complete);
-  REQUIRE_FALSE(measures.process_findings.empty());
-  CHECK(measures.process_findings.back().kind == "shank_in_stock");
-  CHECK(measures.process_findings.back().line == 7U);
+  REQUIRE_FALSE(stage.process_findings.empty());
+  CHECK(stage.process_findings.back().kind == "shank_in_stock");
+  CHECK(stage.process_findings.back().line == 7U);
 }
 
 TEST_CASE("What schema 1 did not know is not asked of its results", "[unit][record]") {
@@ -229,14 +230,14 @@ TEST_CASE("What schema 1 did not know is not asked of its results", "[unit][reco
       if (stage.contains("deviation")) stage["deviation"].erase(key);
   const RunRecord run = read(json.dump());
   CHECK(run.schema == 1);
-  CHECK(run.stages[1].measures->missing_stock.empty());
+  CHECK(run.stages[1].measures->deviation->missing_stock.empty());
   json["schema"] = "limitgauge.result/2";
   CHECK(error_of(json.dump()).find("has no key \"reach\"") != std::string::npos);
 }
 
 TEST_CASE("Reach, missing stock and their gates are read back", "[unit][record]") {
   RunResult written = sample_result(Outcome::failed);
-  verifier::StageDeviation& d = written.stages[1].ran->deviation;
+  verifier::StageDeviation& d = *written.stages[1].ran->deviation;
   d.proven_reach = {90, 8, 2};
   d.missing_stock_mm = {0.25, 0.5};
   d.missing_stock = {d.gouges.front()};
@@ -247,7 +248,7 @@ TEST_CASE("Reach, missing stock and their gates are read back", "[unit][record]"
   written.stages[0].limits.unreachable_is_share = false;
   written.stages[0].limits.unreachable = 12.5;
   const RunRecord run = read(record_text_of(written));
-  const StageMeasures& measures = *run.stages[1].measures;
+  const DeviationMeasures& measures = *run.stages[1].measures->deviation;
   CHECK(measures.reach.reachable_mm2 == 90);
   CHECK(measures.reach.unreachable_mm2 == 8);
   CHECK(measures.reach.undecided_mm2 == 2);

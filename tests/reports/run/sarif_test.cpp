@@ -41,7 +41,7 @@ RunResult shifted(RunResult result, std::uint32_t count) {
   StageResult::Ran& ran = *result.stages[1].ran;
   ran.program_text =
       std::make_shared<const std::string>(std::string(count, '\n') + *ran.program_text);
-  for (auto* findings : {&ran.deviation.gouges, &ran.deviation.uncuts})
+  for (auto* findings : {&ran.deviation->gouges, &ran.deviation->uncuts})
     for (verifier::Finding& f : *findings) f.line += count;
   for (simulator::Finding& f : ran.process) f.line += count;
   return result;
@@ -49,7 +49,7 @@ RunResult shifted(RunResult result, std::uint32_t count) {
 
 /// Every place and depth a little off, as another order of summation would leave them.
 RunResult jittered(RunResult result, double by_mm) {
-  verifier::StageDeviation& d = result.stages[1].ran->deviation;
+  verifier::StageDeviation& d = *result.stages[1].ran->deviation;
   for (auto* findings : {&d.gouges, &d.uncuts}) {
     for (verifier::Finding& f : *findings) {
       f.depth_mm += by_mm, f.place.point.x += by_mm;
@@ -112,7 +112,7 @@ TEST_CASE("fingerprints tell stages, kinds and places apart", "[unit][sarif]") {
 
 TEST_CASE("findings in one cell are counted", "[unit][sarif]") {
   RunResult result = sample_result(Outcome::failed, 9);
-  auto& gouges = result.stages[1].ran->deviation.gouges;
+  auto& gouges = result.stages[1].ran->deviation->gouges;
   gouges.push_back(gouges.front());
   std::multiset<std::string> ends;
   for (const json& entry : results_of(result))
@@ -133,19 +133,19 @@ TEST_CASE("a verdict that no finding explains is a result of its own", "[unit][s
   CHECK(results[0]["level"] == "error");
   CHECK_THAT(results[0]["message"]["text"].get<std::string>(),
              ContainsSubstring("for a reason of its own"));
-  result.stages[0].ran->deviation.coverage = 0.5;
+  result.stages[0].ran->deviation->coverage = 0.5;
   results = results_of(result);
   REQUIRE(results.size() == 1);
   CHECK(results[0]["ruleId"] == "coverage");
   result.stages[0].decision = {verifier::Verdict::indeterminate, {"open"}};
-  result.stages[0].ran->deviation.coverage = 1;
+  result.stages[0].ran->deviation->coverage = 1;
   CHECK(run_of(result)["results"][0]["level"] == "warning");
 }
 
 TEST_CASE("missing stock and what is out of reach are results", "[unit][sarif]") {
   RunResult result = sample_result(Outcome::passed, 9);
   StageResult& stage = result.stages[0];
-  verifier::StageDeviation& d = stage.ran->deviation;
+  verifier::StageDeviation& d = *stage.ran->deviation;
   stage.decision = {verifier::Verdict::fail, {"for what follows"}};
   d.missing_stock_mm = {0.5, 0.51};
   d.missing_stock = {d.uncuts.front()};

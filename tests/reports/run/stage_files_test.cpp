@@ -35,7 +35,7 @@ StageResult stage_with_stock() {
 TEST_CASE("a stage that ran leaves its files, twice the same", "[unit][files]") {
   const tests::TemporaryFolder a, b;
   const StageResult stage = stage_with_stock();
-  const auto [pictures, surface, path_view] = write_stage_files(stage, a.path(), {});
+  const auto [pictures, surface, path_view, stock_view] = write_stage_files(stage, a.path(), {});
   write_stage_files(stage, b.path(), {.control = {3}});
   for (const char* name : {"toolpath.vtp", "deviation.vtp", "stock.vtp", "deviation.png",
                            "perspective.png", "stock.png"}) {
@@ -92,10 +92,11 @@ TEST_CASE("pictures can be left out", "[unit][files]") {
 
 TEST_CASE("a stage that was not run leaves nothing", "[unit][files]") {
   const tests::TemporaryFolder folder;
-  const auto [pictures, surface, path_view] =
+  const auto [pictures, surface, path_view, stock_view] =
       write_stage_files(sample_result(Outcome::failed, 3).stages[2], folder.path(), {});
   CHECK(std::filesystem::is_empty(folder.path()));
-  CHECK((pictures.deviation_png.empty() && pictures.stock_png.empty() && !surface && !path_view));
+  CHECK((pictures.deviation_png.empty() && pictures.stock_png.empty() && !surface && !path_view &&
+         !stock_view));
 }
 
 TEST_CASE("a stage's name never leads out of the folder", "[unit][files]") {

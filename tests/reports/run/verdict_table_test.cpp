@@ -35,12 +35,12 @@ TEST_CASE("the table shows interval, relation and limit", "[unit][table]") {
 TEST_CASE("what is out of reach and what stock is missing stand below the table", "[unit][table]") {
   RunResult result = sample_result(Outcome::passed);
   for (StageResult& stage : result.stages) {
-    stage.ran->deviation.unreachable_area_mm2 = 0;
-    stage.ran->deviation.proven_reach = {1000, 0, 0};
+    stage.ran->deviation->unreachable_area_mm2 = 0;
+    stage.ran->deviation->proven_reach = {1000, 0, 0};
   }
   CHECK_THAT(verdict_table(result, false),
              !ContainsSubstring("unreachable") && !ContainsSubstring("missing"));
-  verifier::StageDeviation& d = result.stages[1].ran->deviation;
+  verifier::StageDeviation& d = *result.stages[1].ran->deviation;
   d.surface_area_mm2 = 300;
   d.proven_reach = {287.2, 12.3, 0.5};
   d.unavoidable_uncut_mm = {0.1, 0.25};

@@ -1,5 +1,6 @@
 import { Blob32 } from './blocks.js';
 import { lazily } from './lazy.js';
+import { decodeStock } from './stock.js';
 import { decodeSurface } from './surface.js';
 import { unpack } from './unpack.js';
 
@@ -34,9 +35,10 @@ function decodeData(report, blob) {
 }
 
 function decodeStage(stage, surfaces, blob) {
-  const { field, path, text, ...rest } = stage;
+  const { field, path, stock, text, ...rest } = stage;
   rest.field = field && decodeField(field, surfaces, blob);
   rest.path = path && decodePath(path, blob);
+  rest.stock = stock && decodeStock(stock, blob);
   blob.check(text.line);
   blob.check(text.utf8);
   return lazily(rest, { text: () => decodeText(text, blob) });

@@ -11,7 +11,7 @@ export function lazily(target, makers) {
       configurable: true,
       enumerable: true,
       get() {
-        const value = make();
+        const value = make.call(target);
         Object.defineProperty(target, name, { value, enumerable: true });
         return value;
       },

@@ -1,7 +1,7 @@
 import { make } from '../base/dom.js';
 import { legendTicks, shareOf } from './values.js';
 import { viridisGradient } from './viridis.js';
-import { clockText, figure } from '../base/figure_text.js';
+import { clockText, figure, grouped } from '../base/figure_text.js';
 
 /** What the colours of the path mean, in figures with their unit. */
 export function createLegend() {
@@ -16,7 +16,7 @@ export function createLegend() {
   return {
     element,
     update(chosen) {
-      title.textContent = chosen.key === 'order' ? chosen.label : `${chosen.label} in ${chosen.unit}`;
+      title.textContent = chosen.key === 'order' || !chosen.unit ? chosen.label : `${chosen.label} in ${chosen.unit}`;
       // Times are long words.
       const values = legendTicks(chosen, chosen.key === 'order' ? 3 : 5);
       ticks.replaceChildren(...values.map((value, i) => tick(chosen, value, i === values.length - 1)));
@@ -25,8 +25,13 @@ export function createLegend() {
   };
 }
 
+function textOf(chosen, value) {
+  if (chosen.key === 'order') return clockText(value, chosen.high < 60 ? 1 : 0);
+  return chosen.key === 'line' ? grouped(Math.round(value)) : figure(value);
+}
+
 function tick(chosen, value, last) {
-  const text = chosen.key === 'order' ? clockText(value, chosen.high < 60 ? 1 : 0) : figure(value);
+  const text = textOf(chosen, value);
   const element = make('span', { text: last && chosen.clipped ? `\u2265 ${text}` : text });
   const share = shareOf(chosen, value);
   element.style.left = `${100 * share}%`;

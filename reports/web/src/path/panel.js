@@ -10,14 +10,14 @@ const WINDOWS_S = [0, 1, 5, 20, 60, 300, 1200];
  * The controls of the toolpath. `on` is told what the reader did: colour(key), rapids(bool), veil(bool),
  * time(s), window(s), speed(factor), play(), step(direction).
  */
-export function createPanel(on) {
+export function createPanel(on, veilWords = 'Map shows through') {
   const parts = controls();
   const legend = createLegend();
   const transport = [parts.back, parts.play, parts.forward, parts.slider, labelled('Speed', parts.speed)];
   const body = make('div', {}, [
     make('div', { class: 'path-row' }, [
       labelled('Path coloured by', parts.colour), labelled('Show', parts.window),
-      labelled('Rapids', parts.rapids), labelled('Map shows through', parts.veil),
+      labelled('Rapids', parts.rapids), labelled(veilWords, parts.veil),
     ]),
     parts.reason, legend.element,
     make('div', { class: 'path-row path-transport' }, transport),

@@ -80,7 +80,7 @@ function pixelSize(camera, height) {
 }
 
 /** A plane in mm for the vertices as vtk.js keeps them: it shifts and scales those of large bodies. */
-function inVertices(plane, buffer) {
+export function inVertices(plane, buffer) {
   if (!buffer.getCoordShiftAndScaleEnabled()) return plane;
   const shift = buffer.getCoordShift(), scale = buffer.getCoordScale();
   const [x, y, z, offset] = plane;

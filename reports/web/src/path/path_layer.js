@@ -16,11 +16,12 @@ const TOOL = { light: [50, 60, 75], dark: [96, 128, 165] };
  * The toolpath of a stage over the error map, with its controls.
  * @param {object} scene of view/scene/scene.js
  * @param {object} report as decodeReport gives it
+ * @param {string} [veilWords] what the switch says that thins the path out
  * @returns {{element: HTMLElement, show: (stageIndex: number|null) => void,
  *   setTheme: (dark: boolean) => void, setSection: (section: object|null) => void, state: () => object}}
  */
-export function createPathLayer(scene, report) {
-  const layer = new PathLayer(scene, report);
+export function createPathLayer(scene, report, veilWords) {
+  const layer = new PathLayer(scene, report, veilWords);
   // A click on a chart over machining time.
   document.addEventListener('limitgauge:time', ({ detail }) => layer.goTo(detail));
   return {
@@ -40,7 +41,7 @@ function sectionPlane(section) {
 }
 
 class PathLayer {
-  constructor(scene, report) {
+  constructor(scene, report, veilWords) {
     this.scene = scene;
     this.report = report;
     this.drawn = new Map();
@@ -59,7 +60,7 @@ class PathLayer {
       speed: (factor) => this.player.setSpeed(factor),
       play: () => this.togglePlay(),
       step: (direction) => this.setTime(stepTime(this.path(), this.time_s, direction)),
-    });
+    }, veilWords);
     this.panel.element.hidden = true;
   }
 

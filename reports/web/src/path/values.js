@@ -11,7 +11,7 @@ const FEED = 1;
  * @returns {{key, label, unit, reason?, values?, low?, high?, clipped?}[]}
  */
 export function colourChoices(path) {
-  return [order(path), feed(path), rate(path)];
+  return [order(path), feed(path), rate(path), line(path)];
 }
 
 function order(path) {
@@ -37,6 +37,13 @@ function rate(path) {
   const usual = quantileInTime(path, path.rate_mm3_min, 0.9);
   const high = usual > 0 ? usual : most;
   return { ...choice, values: path.rate_mm3_min, low: 0, high, clipped: most > high };
+}
+
+function line(path) {
+  const choice = { key: 'line', label: 'Program line', unit: '' };
+  const [low, high] = extremes(path, path.line);
+  if (!(high > 0)) return { ...choice, reason: 'its moves have no program lines' };
+  return { ...choice, values: path.line, low, high, clipped: false };
 }
 
 /** Least and largest of `values` over the feed moves. */

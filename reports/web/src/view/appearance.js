@@ -43,10 +43,10 @@ export function applySection(viewer) {
 }
 
 /** The half that is kept, so that the cut faces the usual eye: below in X and Z, above in Y. */
-const KEPT = [-1, 1, -1];
+export const KEPT = [-1, 1, -1];
 
 /** What is kept is where this is not negative. */
-function planeEquation({ axis, offset_mm, flip }) {
+export function planeEquation({ axis, offset_mm, flip }) {
   const way = flip ? -KEPT[axis] : KEPT[axis];
   const plane = [0, 0, 0, -way * offset_mm];
   plane[axis] = way;

@@ -6,7 +6,7 @@ const CLASSES = { pass: 'pass', fail: 'fail', indeterminate: 'open' };
 /** Tabs for the stages, left and right arrow move between them. */
 export function createStageTabs(stages, panelId, choose) {
   const tabs = stages.map((stage, index) => make('button', {
-    type: 'button', role: 'tab', data: { stage: index }, 'aria-controls': panelId, disabled: !stage.field,
+    type: 'button', role: 'tab', data: { stage: index }, 'aria-controls': panelId, disabled: !stage.field && !stage.stock,
     on: { click: () => choose(index) },
   }, [
     make('span', { text: stage.name }),

@@ -1,13 +1,10 @@
 import './viewer.css';
 import { createLayers } from './scene/layers.js';
 import { make } from '../base/dom.js';
+import { LOST, MISSING, sentence } from './messages.js';
 import { createScene } from './scene/scene.js';
+import { startStockView } from '../stock/stock_view.js';
 import { createViewer } from './viewer.js';
-
-const MISSING = 'The 3D view needs WebGL 2, which this browser does not offer or has switched off. '
-  + 'All figures, findings and maps stand in the page below.';
-const LOST = 'The graphics card has taken its memory back, and the 3D view with it. Load the page again to '
-  + 'see it; all figures, findings and maps stand in the page below.';
 
 /**
  * Starts the error map in 3D.
@@ -17,7 +14,7 @@ const LOST = 'The graphics card has taken its memory back, and the 3D view with 
  *   can be drawn
  */
 export async function startView(report, element) {
-  if (!report.stages.some(({ field }) => field)) return null;
+  if (!report.stages.some(({ field }) => field)) return startStockView(report, element);
   const frame = make('div', {
     class: 'view-frame', tabindex: '0', role: 'application', data: { testid: 'view-canvas' },
     'aria-label': 'Error map of the part. Arrow keys turn it, Shift with arrow keys moves it, '
@@ -35,5 +32,3 @@ export async function startView(report, element) {
   await view.settled();
   return view;
 }
-
-const sentence = (text) => make('p', { class: 'view-missing', text, data: { testid: 'view-missing' } });

@@ -15,7 +15,8 @@ export function createPicker(surface) {
      * The first hit along a ray.
      * @param {{origin: number[], direction: number[]}} ray
      * @param {(point: number[]) => boolean} [shown] false for what a section plane takes away
-     * @returns {{point_mm, corners: number[], weights: number[]}|null} three sample indices, weights sum 1
+     * @returns {{point_mm, corners: number[], weights: number[], cell: number}|null} three sample indices,
+     *   weights sum 1; the cell that was hit
      */
     first: (ray, shown = () => true) => firstHit(surface, tree, ray, shown),
     nodes: tree.count,
@@ -120,7 +121,8 @@ function firstHit(surface, tree, ray, shown) {
     for (let k = tree.start(index); k < tree.start(index + 1); ++k)
       for (const corners of triangles(surface.cells, tree.order[k])) {
         const hit = hitTriangle(surface.positions, corners, ray);
-        if (hit && hit.t < nearest && shown(hit.point_mm)) [best, nearest] = [hit, hit.t];
+        if (hit && hit.t < nearest && shown(hit.point_mm))
+          [best, nearest] = [{ ...hit, cell: tree.order[k] }, hit.t];
       }
   };
   while (stack.length > 0) {
@@ -134,7 +136,9 @@ function firstHit(surface, tree, ray, shown) {
     children.sort((a, b) => b[1] - a[1]);
     stack.push(...children.filter(([, at]) => at < nearest));
   }
-  return best && { point_mm: best.point_mm, corners: best.corners, weights: best.weights };
+  return best && {
+    point_mm: best.point_mm, corners: best.corners, weights: best.weights, cell: best.cell,
+  };
 }
 
 function triangles(cells, cell) {

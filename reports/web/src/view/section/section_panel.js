@@ -9,8 +9,9 @@ const STEPS = 400;
  * @param {number[][]} bounds_mm of the part
  * @param {() => number[]|undefined} interest a point that a new section should pass
  * @param {() => void} changed
+ * @param {{element: Element}} [chart] drawn below the controls
  */
-export function createSectionPanel(bounds_mm, interest, changed) {
+export function createSectionPanel(bounds_mm, interest, changed, chart = createSectionChart()) {
   const axis = choice('Section', 'view-section',
     [['none', 'none'], ['0', 'square to X'], ['1', 'square to Y'], ['2', 'square to Z']]);
   const offset = make('input', {
@@ -19,7 +20,6 @@ export function createSectionPanel(bounds_mm, interest, changed) {
   });
   const figure = make('output', { class: 'view-offset' });
   const flip = make('input', { type: 'checkbox', data: { testid: 'view-section-flip' } });
-  const chart = createSectionChart();
   const note = make('p', { class: 'view-note' });
   const rest = make('div', { class: 'view-section-rest', hidden: true }, [
     make('label', { class: 'view-slide' }, [offset, figure]),

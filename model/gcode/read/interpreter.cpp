@@ -271,9 +271,14 @@ void Interpreter::carry_out_non_modal(const Statement& statement) {
 void Interpreter::go_home(const Statement& statement) {
   forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state_);
   check_system(statement, state_);
-  if (statement.has_rotary() && !statement.has_axes()) return;  // only an axis that stays
   Motion motion;
   motion.plane = state_.modal.plane;
+  if (statement.has_rotary() && !statement.has_axes()) {
+    // Only an axis that stays: as LinuxCNC, two motions of no length.
+    motion.to = state_.position_mm;
+    emit(statement, motion);
+    return emit(statement, motion);
+  }
   motion.to = state_.position_mm = waypoint_of(statement, state_);
   emit(statement, motion);
   motion.to = state_.position_mm = reference_end(statement, state_, assumed_);

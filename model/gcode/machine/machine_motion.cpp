@@ -75,6 +75,7 @@ void check_astray(const Statement& statement, const MachineState& state) {
 Vec3 machine_end(const Statement& statement, MachineState& state, bool rapid,
                  Assumptions& assumed) {
   forbid_compensation(statement, code_of(statement), state);
+  if (statement.has_rotary() && !statement.has_axes()) return state.position_mm;
   if (!state.modal.incremental && parks(statement, state, rapid)) {
     state.adrift[2] = true;
     assumed.add(statement.line(), "Z0 in machine coordinates is taken to be above everything");

@@ -69,6 +69,7 @@ struct MachineState {
   std::array<ReferencePoint, 2> reference;  ///< of G28 and G30
   bool fresh = false;                       ///< MachineSetup::assume_fresh_machine
   std::optional<int> selected_tool;         ///< by T
+  int shifted_by = 0;                       ///< 520 or 920: the code that last set their offset
   bool has_start = false;                   ///< MachineSetup::start_mm
   bool has_moved = false;
   Vec3 start_mm;  ///< of the tip, in the frame of G54; follows what G92 says of unknown axes

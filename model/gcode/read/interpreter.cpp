@@ -11,7 +11,6 @@
 #include "model/gcode/read/tool_codes.h"
 #include "model/gcode/text/system_parameters.h"
 #include "model/gcode/text/word_use.h"
-#include "model/text/message_text.h"
 
 namespace limitgauge::model::gcode {
 namespace {
@@ -75,35 +74,6 @@ bool Interpreter::execute(const Statement& statement) {
   return stop(statement);
 }
 
-/// What the reader has taken for granted in the block, and lines that are for the control itself.
-/// False where that is all.
-bool Interpreter::listen(const Statement& statement) {
-  const Block& block = statement.block();
-  for (const std::string& note : block.notes) assumed_.add(statement.line(), note);
-  if (doubts_lengths_) note_doubtful_lengths(statement);
-  if (block.dollar.empty()) return true;
-  list_dollar(statement, program_, motions_so_far() > 0, assumed_);
-  return false;
-}
-
-/// Fanuc's parameter 3401#0 (DPI) and Haas's setting 162 say what X10 is.
-void Interpreter::note_doubtful_lengths(const Statement& statement) {
-  for (const Word& word : statement.block().words) {
-    const bool is_length = (letter_bit(word.letter) & letter_bits("XYZIJKRQ")) != 0;
-    if (!is_length || word.value == 0 || statement.is_set_aside(word) ||
-        word.text.find_first_of(".#[") != std::string_view::npos)
-      continue;
-    doubts_lengths_ = false;
-    assumed_.add(
-        statement.line(),
-        in_quotes(word.text) +
-            " and other lengths without a decimal point are taken to be "
-            "millimetres or inches; a control that is set otherwise counts its increments, "
-            "thousandths or less");
-    return;
-  }
-}
-
 /// Most blocks of a long program are axis words alone.
 bool Interpreter::is_plain(const Statement& statement) const {
   return (statement.letters() & ~kAxisLetters) == 0 && statement.has_axes() &&
@@ -146,20 +116,6 @@ void Interpreter::carry_out_g(const Statement& statement, std::optional<int> mot
   if (statement.g_word(GGroup::axis_offset)) apply_axis_offsets(statement, state_);
   if (statement.g(GGroup::motion)) cancel_cycle(statement);
   if (motion) move(statement, *motion);
-}
-
-/// G80, and on controls that let G0 and G1 stand beside codes that take the axis words, these.
-void Interpreter::cancel_cycle(const Statement& statement) {
-  const int code = *statement.g(GGroup::motion);
-  const bool separate = statement.rules().separate_cycle_group;
-  if (code == 800) {
-    state_.modal.motion = separate ? state_.modal.beside_cycles : std::nullopt;
-    cycles_.forget();
-  } else if (axes_are_taken(statement) && statement.rules().motion_beside_reference) {
-    state_.modal.motion = code;
-    cycles_.forget();
-  }
-  if (separate && code <= 30) state_.modal.beside_cycles = code;
 }
 
 bool Interpreter::stop(const Statement& statement) {
@@ -271,9 +227,14 @@ void Interpreter::carry_out_non_modal(const Statement& statement) {
 void Interpreter::go_home(const Statement& statement) {
   forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state_);
   check_system(statement, state_);
-  if (statement.has_rotary() && !statement.has_axes()) return;  // only an axis that stays
   Motion motion;
   motion.plane = state_.modal.plane;
+  if (statement.has_rotary() && !statement.has_axes()) {
+    // Only an axis that stays: as LinuxCNC, two motions of no length.
+    motion.to = state_.position_mm;
+    emit(statement, motion);
+    return emit(statement, motion);
+  }
   motion.to = state_.position_mm = waypoint_of(statement, state_);
   emit(statement, motion);
   motion.to = state_.position_mm = reference_end(statement, state_, assumed_);
@@ -304,40 +265,6 @@ SpindleState Interpreter::spindle_state() const {
   if (!spindle.on) return SpindleState::unknown;
   if (!*spindle.on) return SpindleState::stopped;
   return spindle.clockwise ? SpindleState::clockwise : SpindleState::counter_clockwise;
-}
-
-/// A cycle; a tap turns the spindle by itself where the control is Fanuc's or like it.
-void Interpreter::tap(const Statement& statement, int code) {
-  note_return_level(statement);
-  note_pecks(statement, code);
-  if (!statement.rules().tap_turns_spindle || (code != 740 && code != 840))
-    return cycle(statement, code);
-  const Spindle before = state_.spindle;
-  if (before.on) state_.spindle.on = true, state_.spindle.clockwise = code == 840;
-  cycle(statement, code);
-  state_.spindle = before;
-}
-
-/// How far a cycle withdraws between pecks is a parameter's to say too; Q0 leaves them out.
-void Interpreter::note_pecks(const Statement& statement, int code) {
-  if (statement.rules().control == Control::linuxcnc || (code != 730 && code != 830)) return;
-  const Word* const q = statement.word('Q');
-  if (q && q->value == 0) {
-    assumed_.add(statement.line(), "Q0 of a pecking cycle is taken to mean one peck to the bottom");
-  } else {
-    assumed_.add(statement.line(),
-                 "G73 and G83 are taken to withdraw by LinuxCNC's 0.254 mm "
-                 "between pecks, which a parameter of the control says");
-  }
-}
-
-/// Where the tool goes between holes is a parameter's to say until G98 or G99 does.
-void Interpreter::note_return_level(const Statement& statement) {
-  if (statement.rules().control == Control::linuxcnc || state_.modal.return_is_stated) return;
-  state_.modal.return_is_stated = true;
-  assumed_.add(statement.line(), std::string("the control is taken to have begun in ") +
-                                     (state_.modal.return_to_r ? "G99" : "G98") +
-                                     ": nothing before this canned cycle says which");
 }
 
 void Interpreter::cycle(const Statement& statement, int code) {

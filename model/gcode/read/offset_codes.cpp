@@ -190,6 +190,16 @@ void set_tool_data(const Statement& statement, MachineState& state) {
   if (r) state.tools.set_diameter(*tool, 2 * length_of(statement, *r, state));
 }
 
+/// LinuxCNC keeps one offset for G92 and G52, Fanuc one for each.
+void check_one_shift(const Statement& statement, MachineState& state) {
+  const int code = *statement.g(GGroup::non_modal);
+  const bool is_set = state.systems.g92_mm() != Vec3{};
+  if (statement.rules().fanuc_offsets && is_set && state.shifted_by != code)
+    statement.fail(*statement.g_word(GGroup::non_modal),
+                   "G52 and G92 one upon the other are not carried out", "one of them");
+  state.shifted_by = code;
+}
+
 /// P of G54.1 and of G10 L20 on Fanuc: 1 on.
 std::size_t extended_system_of(const Statement& statement, const Word& code) {
   const int most = statement.rules().extended_systems;
@@ -279,6 +289,7 @@ void set_axis_offsets(const Statement& statement, MachineState& state, Program& 
   forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state);
   const bool shifts = statement.g(GGroup::non_modal) == 520;
   if (!statement.has_axes() && statement.has_rotary()) return;
+  check_one_shift(statement, state);
   if (!statement.has_axes())
     statement.fail(*statement.g_word(GGroup::non_modal),
                    in_quotes(statement.g_word(GGroup::non_modal)->text) + " without an axis word",

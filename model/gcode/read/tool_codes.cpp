@@ -238,7 +238,9 @@ double diameter_of(const Statement& statement, const Word& code, const MachineSt
   if (statement.rules().modal_offset_words) return modal_diameter(statement, code, state);
   if (dynamic && !d) statement.fail(code, in_quotes(code.text) + " without its diameter", "D");
   if (dynamic) return length_of(statement, *d, state);
-  const auto number = d ? whole(d->value, kWholeCount) : 0;
+  // Siemens's D names an edge of the tool in the spindle, and no tool.
+  const bool by_edge = statement.rules().length_by_d;
+  const auto number = d && !by_edge ? whole(d->value, kWholeCount) : 0;
   if (!number || *number < 0)
     statement.fail(*d, in_quotes(d->text) + " names no tool", "an integer from 0");
   const auto tool = *number == 0 ? state.tools.loaded() : number;

@@ -39,6 +39,21 @@ TEST_CASE("controls have names", "[unit][program]") {
   CHECK(!control_named(""));
 }
 
+TEST_CASE("codes that Fanuc and Haas share with RS274/NGC have no rule of their own",
+          "[unit][program]") {
+  using gcode::g_rule, gcode::m_rule;
+  for (const int tenths :
+       {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 210, 280, 300, 400, 410, 420, 430,
+        490, 520, 530, 540, 541, 550, 560, 570, 580, 590, 610, 640, 730, 740, 800, 810, 820,
+        830, 840, 850, 860, 880, 890, 900, 910, 920, 930, 940, 950, 960, 970, 980, 990}) {
+    CAPTURE(tenths);
+    CHECK(g_rule(Control::fanuc, tenths) == nullptr);
+    CHECK(g_rule(Control::linuxcnc, tenths) == nullptr);
+  }
+  for (const int number : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 19, 30, 98, 99})
+    CHECK(m_rule(Control::haas, number) == nullptr);
+}
+
 TEST_CASE("one word, two controls, two meanings", "[unit][program]") {
   // G10 L20 states an origin on Fanuc, and where the tool stands on LinuxCNC.
   const std::string text = "G21 G90\nG0 X5. Y0. Z0.\nG10 L20 P1 X1.\nG54.1 P1\nG0 X0.\n";
@@ -50,6 +65,10 @@ TEST_CASE("one word, two controls, two meanings", "[unit][program]") {
   CHECK(read_text("G70\nG0 X1\n", of(Control::siemens)).motions.back().to.x == 25.4);
   CHECK(read_text("M61 Q3\nG0 X1\n", of(Control::linuxcnc)).tool_changes.size() == 1);
   CHECK(read_text("M61\nG0 X1.\n", of(Control::haas)).tool_changes.empty());
+  CHECK_THAT(message_of<InputError>(
+                 [] { read_text("G0 X0. Y0. Z0.\nG92 X5.\nG52 Y1.\n", of(Control::fanuc)); }),
+             ContainsSubstring("one upon the other"));
+  CHECK(read_text("G0 X0 Y0 Z0\nG92 X5\nG52 Y1\nG0 Y0\n").motions.back().to.y == 1);
   // FIX of a negative number, and H0.
   CHECK(read_text("G0 X[FIX[-1.5]]\n", of(Control::linuxcnc)).motions.back().to.x == -2);
   CHECK(read_text("G0 X[FIX[-1.5]]\n", of(Control::haas)).motions.back().to.x == -1);

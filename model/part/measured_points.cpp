@@ -55,8 +55,10 @@ void split(std::string_view line, char separator, std::vector<Cell>& out) {
       if (at == line.size()) break;
     }
     std::size_t end = at;
+    bool quoted = false;
     const auto parts = [&](char c) { return separator == ' ' ? is_blank(c) : c == separator; };
-    while (end < line.size() && !parts(line[end])) ++end;
+    for (; end < line.size() && (quoted || !parts(line[end])); ++end)
+      if (line[end] == '"') quoted = !quoted;
     out.push_back(cell_of(line.substr(at, end - at), at));
     at = end + 1;
   }

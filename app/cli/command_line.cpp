@@ -90,6 +90,7 @@ Command chosen(const std::string& command, const Parsed& parsed) {
   if (command == "cut") return parsed.cut;
   if (command == "inspect") return parsed.inspect;
   if (command == "compare") return parsed.compare;
+  if (command == "probe") return parsed.probe;
   if (command == "study") return parsed.study;
   if (command == "history") return parsed.history;
   return parsed.view;

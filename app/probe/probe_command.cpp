@@ -66,16 +66,14 @@ probe::ProbeResult measured(const ProbeCommand& command, const CommonOptions& co
 
 void write_files(const probe::ProbeResult& result, OutputFolder& folder,
                  const model::RunControl& control) {
-  using probe::ProbeResult;
-  const auto put = [&](const char* name, void (*write)(const ProbeResult&, std::ostream&)) {
+  const auto put = [&](const char* name, const auto& write) {
     control.check();
-    model::write_file(folder.working() / name, [&](std::ostream& out) { write(result, out); });
+    model::write_file(folder.working() / name, [&](std::ostream& out) { write(out); });
   };
   folder.fill([&] {
-    put("probe.html", probe::write_probe_html);
-    put("probe.csv", probe::write_probe_csv);
-    put("probe.json", probe::write_probe_json);
-    control.check();
+    put("probe.html", [&](std::ostream& out) { write_probe_html(result, out); });
+    put("probe.csv", [&](std::ostream& out) { write_probe_csv(result, control, out); });
+    put("probe.json", [&](std::ostream& out) { write_probe_json(result, out); });
   });
 }
 

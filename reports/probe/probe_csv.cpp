@@ -14,6 +14,8 @@ constexpr const char* kProbeHeader =
     "shifted_low_mm,shifted_high_mm,normal_x,normal_y,normal_z,made_by,stage,tool,program_line,"
     "move\r\n";
 
+constexpr std::size_t kRowsAtOnce = 4096;
+
 std::string vector_cells(const model::Vec3& v) {
   return shortest(v.x) + "," + shortest(v.y) + "," + shortest(v.z);
 }
@@ -39,9 +41,12 @@ std::string nearest_cells(const ProbeResult& result, const ProbedPoint& point) {
 
 }  // namespace
 
-void write_probe_csv(const ProbeResult& result, std::ostream& out) {
+void write_probe_csv(const ProbeResult& result, const model::RunControl& control,
+                     std::ostream& out) {
   out << kProbeHeader;
-  for (const ProbedPoint& point : result.points) {
+  for (std::size_t i = 0; i < result.points.size(); ++i) {
+    if (i % kRowsAtOnce == 0) control.check();
+    const ProbedPoint& point = result.points[i];
     out << point.measured.line << ',' << vector_cells(point.measured.at_mm) << ','
         << (result.has_uncertainty ? shortest(point.measured.u_mm) : std::string()) << ','
         << residual_cells(point.before) << ',' << residual_cells(point.after) << ','

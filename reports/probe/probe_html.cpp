@@ -82,6 +82,8 @@ std::string probe_masthead(const ProbeResult& result) {
 std::string shift_notes(const ProbeResult& result) {
   const verifier::ZeroShift& shift = result.shift;
   std::string out;
+  for (const std::string& one : shifts_between_axes(shift))
+    out += "<p>Determined between axes, and taken back: " + typeset(one) + ".</p>\n";
   if (const auto ratio = scatter_ratio(result))
     out += fmt::format(
         "<p>The residuals that are left scatter by {} of what the stated uncertainties explain: 1 "
@@ -104,10 +106,10 @@ std::string shift_notes(const ProbeResult& result) {
 std::string directions_table(const verifier::ZeroShift& shift) {
   std::vector<html::Row> rows;
   for (const verifier::FitDirection& one : shift.directions)
-    rows.push_back(
-        {{html::coordinates(one.along), three_digits(one.leverage),
-          one.determined ? signed_length(one.shift_mm) : html::badge("open", "?", "undetermined")},
-         {}});
+    rows.push_back({{html::coordinates(one.along), three_digits(one.leverage),
+                     one.determined ? typeset(signed_length(one.shift_mm))
+                                    : html::badge("open", "?", "undetermined")},
+                    {}});
   return "<details><summary>Directions of the fit</summary>\n" +
          html::table("Square to each other, the best determined first",
                      {{"Direction"}, {"Leverage", true}, {"Shift along it", true}}, rows) +
@@ -136,7 +138,7 @@ html::Row summary_row(const ProbeResult& result, Residuals which) {
   const LengthUnit unit = unit_for(std::abs(residual.gap.value_mm));
   return {{before ? "as measured" : "shift taken back",
            measured_length(before ? result.shift.rms_before_mm : result.shift.rms_after_mm),
-           signed_length(residual.gap.value_mm),
+           typeset(signed_length(residual.gap.value_mm)),
            typeset(interval_text(residual, unit)) + " " + unit.symbol,
            html::coordinates(worst.measured.at_mm), escape_markup(nearest_text(result, worst))},
           {}};
@@ -159,7 +161,7 @@ std::string residuals_section(const ProbeResult& result) {
 html::Row point_row(const ProbeResult& result, const ProbedPoint& point) {
   const auto certified = [](const verifier::ProbeResidual& residual) {
     const LengthUnit unit = unit_for(std::abs(residual.gap.value_mm));
-    return fmt::format("{} <small>{} {}</small>", signed_length(residual.gap.value_mm),
+    return fmt::format("{} <small>{} {}</small>", typeset(signed_length(residual.gap.value_mm)),
                        typeset(interval_text(residual, unit)), unit.symbol);
   };
   std::string nearest = escape_markup(nearest_text(result, point));

@@ -66,6 +66,11 @@ std::string reasons(const verifier::ZeroShift& shift) {
     if (!no_u.empty())
       out += fmt::format("{} without uncertainty: {}\n", axis_name(axis, true), no_u);
   }
+  for (const std::string& one : shifts_between_axes(shift))
+    out += "determined between axes, and taken back: " + one + "\n";
+  if (!shift.settled)
+    out +=
+        "the fit did not settle: the last step was " + measured_length(shift.last_step_mm) + "\n";
   return out;
 }
 

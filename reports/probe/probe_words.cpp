@@ -11,6 +11,8 @@ namespace {
 
 /// A direction that lies this near to an axis, as the square of the sine between, is the axis.
 constexpr double kAlongAxis = 1e-6;
+/// Rounding of the normals: a leverage below is none.
+constexpr double kNoLeverage = 1e-9;
 constexpr int kMostDecimals = 6;
 
 std::string direction_text(const model::Vec3& v) {
@@ -67,14 +69,29 @@ const char* axis_name(int axis, bool capital) {
 std::string why_undetermined(const verifier::ZeroShift& shift, int axis) {
   if (shift.axes_mm[axis]) return {};
   std::string directions;
-  for (const verifier::FitDirection& direction : shift.directions) {
-    if (direction.determined || direction.along[axis] * direction.along[axis] <= kAlongAxis)
-      continue;
-    if (is_axis(direction.along, axis))
-      return fmt::format("no point lies on a surface that faces {}", axis_name(axis, true));
-    directions += (directions.empty() ? "" : " or ") + direction_text(direction.along);
+  double leverage = 0;
+  for (const verifier::FitDirection& one : shift.directions) {
+    if (one.determined || one.along[axis] * one.along[axis] <= kAlongAxis) continue;
+    leverage = std::max(leverage, one.leverage);
+    directions += directions.empty() ? "" : " or ";
+    directions += is_axis(one.along, axis) ? axis_name(axis, true) : direction_text(one.along);
   }
-  return "no point lies on a surface that faces " + directions;
+  return (leverage < kNoLeverage ? "no point lies on a surface that faces "
+                                 : "too few points lie on surfaces that face ") +
+         directions;
+}
+
+std::vector<std::string> shifts_between_axes(const verifier::ZeroShift& shift) {
+  std::vector<std::string> out;
+  for (const verifier::FitDirection& one : shift.directions) {
+    bool is_shown = true;
+    for (int axis = 0; axis < 3; ++axis)
+      if (!shift.axes_mm[axis] && one.along[axis] * one.along[axis] > kAlongAxis) is_shown = false;
+    if (!one.determined || is_shown) continue;
+    out.push_back(
+        fmt::format("{} along {}", signed_length(one.shift_mm), direction_text(one.along)));
+  }
+  return out;
 }
 
 std::string why_no_uncertainty(const verifier::ZeroShift& shift, int axis) {
@@ -107,7 +124,7 @@ ShiftText shift_text(double shift_mm, std::optional<double> u_mm, const LengthUn
 
 std::string signed_length(double mm) {
   if (std::abs(mm) < 1e-9) return "0 µm";
-  return (mm < 0 ? "−" : "+") + measured_length(std::abs(mm));
+  return (mm < 0 ? "-" : "+") + measured_length(std::abs(mm));
 }
 
 std::string interval_text(const verifier::ProbeResidual& residual, const LengthUnit& unit) {

@@ -15,6 +15,9 @@ const char* axis_name(int axis, bool capital);
 
 /// Why an axis of the shift is undetermined; empty where it is not.
 std::string why_undetermined(const verifier::ZeroShift& shift, int axis);
+/// What is taken back along a direction that is determined, though the axes that it lies between
+/// are not: "+12.0 µm along (0.707, 0.707, 0.000)".
+std::vector<std::string> shifts_between_axes(const verifier::ZeroShift& shift);
 /// Why it has no uncertainty; empty where it has one.
 std::string why_no_uncertainty(const verifier::ZeroShift& shift, int axis);
 
@@ -31,7 +34,7 @@ struct ShiftText {
 };
 ShiftText shift_text(double shift_mm, std::optional<double> u_mm, const LengthUnit& unit);
 
-/// "+1.25 µm", three significant digits with a sign.
+/// "+1.25 µm", three significant digits with a sign; "0 µm" below a picometre.
 std::string signed_length(double mm);
 /// "[1.24, 1.26]", rounded outwards, or "[1.24, unknown]" where nothing was proven to stand.
 std::string interval_text(const verifier::ProbeResidual& residual, const LengthUnit& unit);

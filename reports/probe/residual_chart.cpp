@@ -18,10 +18,10 @@ std::size_t points_a_mark(std::size_t points) {
   return (points + kMostMarks - 1) / kMostMarks;
 }
 
-/// What the vertical axis ends at, on both sides: 1, 2 or 5 times a power of ten, mm.
+/// What the vertical axis ends at, on both sides: a round number of mm.
 double round_up(double largest_mm) {
   const double power = std::pow(10, std::floor(std::log10(std::max(largest_mm, kLeastExtent_mm))));
-  for (const double step : {1.0, 2.0, 5.0})
+  for (const double step : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0})
     if (largest_mm <= step * power) return step * power;
   return 10 * power;
 }

@@ -172,7 +172,7 @@ TEST_CASE("usage that cannot be obeyed is refused", "[unit][command_line]") {
 TEST_CASE("help names what there is and nothing else", "[unit][command_line]") {
   const CommandLine all = parse({"--help"});
   const std::string& text = std::get<PrintCommand>(all.command).text;
-  for (const char* word : {"run", "plan", "verify", "cut", "inspect", "compare", "study", "history",
+  for (const char* word : {"run", "plan", "verify", "cut", "inspect", "compare", "probe", "study", "history",
                            "view", "Exit codes"}) {
     CHECK_THAT(text, ContainsSubstring(word));
   }

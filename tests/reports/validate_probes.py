@@ -1,7 +1,5 @@
-""
-    "validate_probes.py WRITE_PROBES: every sample probe.json holds against the shipped schema, by a
-    validator that is not ours,
-    and ones that break the contract do not ; probe.csv says the same."""
+"""validate_probes.py WRITE_PROBES: every sample probe.json holds against the shipped schema, by a
+validator that is not ours, and ones that break the contract do not; probe.csv says the same."""
 import copy
 import csv
 import json

@@ -62,11 +62,11 @@ TEST_CASE("a result says what it was cut with, to the last bit", "[unit][stock_r
 
 TEST_CASE("raw stock of every shape is read back", "[unit][stock_record]") {
   RunResult result = cut_result();
-  result.stock = model::BoxStock{{-1.1, 2, 3}, {4, 5.3, 6}};
+  result.raw_stock = model::BoxStock{{-1.1, 2, 3}, {4, 5.3, 6}};
   const StockRecord box = stock_of(stock_text_of(result));
   CHECK(std::get<model::BoxStock>(box.raw).corner_mm == model::Vec3{-1.1, 2, 3});
   CHECK(std::get<model::BoxStock>(box.raw).size_mm == model::Vec3{4, 5.3, 6});
-  result.stock = model::CylinderStock{{1, 2, 3}, 40.1, 20};
+  result.raw_stock = model::CylinderStock{{1, 2, 3}, 40.1, 20};
   const StockRecord bar = stock_of(stock_text_of(result));
   CHECK(std::get<model::CylinderStock>(bar.raw).diameter_mm == 40.1);
   StockJson tree = StockJson::parse(stock_text_of(result));

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/e2e/probed_part.h"
+#include "tests/e2e/probe/probed_part.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::e2e {

@@ -1,4 +1,4 @@
-#include "tests/e2e/probed_part.h"
+#include "tests/e2e/probe/probed_part.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::e2e {

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <set>
 #include <sstream>
 
+#include "reports/run/finding_list.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
+#include "reports/run/program_lines.h"
 #include "reports/run/report.h"
 #include "reports/text/terminal_table.h"
 #include "reports/text/text.h"
@@ -54,6 +57,7 @@ std::vector<TerminalTable::Cell> row_of(const StageResult& stage) {
           {against_limit(figures[0])},
           {against_limit(figures[1])},
           {stage.ran ? figures[2].measured : "–"},
+          {stage.ran ? duration_text(stage.ran->machining_time_s) : "–"},
           {stage.ran ? duration_text(stage.seconds) : "–"}};
 }
 
@@ -81,7 +85,7 @@ TerminalTable cut_table_of(const RunResult& result) {
                  {"faults"},
                  {"removed"},
                  {"machining"},
-                 {"time"}});
+                 {"computing"}});
   for (const StageResult& stage : result.stages) table.add_row(cut_row_of(stage));
   return table;
 }
@@ -90,7 +94,7 @@ TerminalTable cut_table_of(const RunResult& result) {
 TerminalTable table_of(const RunResult& result) {
   if (!result.surface) return cut_table_of(result);
   constexpr TerminalTable::Column kName = {false, true}, kText, kNumber = {true};
-  TerminalTable table({kName, kName, kName, kText, kText, kText, kNumber, kNumber});
+  TerminalTable table({kName, kName, kName, kText, kText, kText, kNumber, kNumber, kNumber});
   table.add_row({{"stage"},
                  {"tool"},
                  {"strategy"},
@@ -98,7 +102,8 @@ TerminalTable table_of(const RunResult& result) {
                  {"gouge"},
                  {"uncut"},
                  {"coverage"},
-                 {"time"}});
+                 {"machining"},
+                 {"computing"}});
   for (const StageResult& stage : result.stages) table.add_row(row_of(stage));
   return table;
 }
@@ -123,6 +128,51 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t wid
   return out + '\n';
 }
 
+/// What the program says at the worst place of each kind that fails its stage or may: "part.ngc:23:
+/// G0 X10".
+std::vector<std::string> lines_to_blame(const RunResult& result, std::size_t index) {
+  std::vector<std::string> out;
+  std::set<std::string> told;
+  for (const ListedFinding& f : list_findings(result, index)) {
+    const bool counts =
+        f.significance == Significance::fails || f.significance == Significance::undecided;
+    if (!counts || f.line == 0 || !told.insert(f.kind).second) continue;
+    const StageResult& made = result.stages[f.program_stage];
+    if (!made.ran || !made.ran->program_text) continue;
+    for (const ProgramLine& line : program_lines(*made.ran->program_text, {{f.line}}, 0)) {
+      const std::string text =
+          program_file(made) + ":" + std::to_string(line.line) + ": " + line.text;
+      if (std::find(out.begin(), out.end(), text) == out.end()) out.push_back(text);
+    }
+  }
+  return out;
+}
+
+/// Why a stage does not pass, and the lines of the program that it is about.
+std::string why_not(const RunResult& result, std::size_t index, std::size_t width) {
+  const StageResult& stage = result.stages[index];
+  if (stage.verdict() == verifier::Verdict::pass) return {};
+  const std::string begin = clean_text(stage.name) + ": ";
+  std::string out;
+  for (const std::string& reason : stage.decision.reasons)
+    if (!is_note(reason)) out += wrapped(begin + clean_text(reason), 4, width);
+  for (const std::string& line : lines_to_blame(result, index))
+    out += wrapped(begin + clean_text(line), 4, width);
+  return out;
+}
+
+/// "machining time 3 min 20 s in all, computing time 12 s".
+std::string times_of(const RunResult& result) {
+  double machining_s = 0, computing_s = 0;
+  for (const StageResult& stage : result.stages) {
+    if (!stage.ran) continue;
+    machining_s += stage.ran->machining_time_s;
+    computing_s += stage.seconds;
+  }
+  return "machining time " + duration_text(machining_s) + ", computing time " +
+         duration_text(computing_s);
+}
+
 }  // namespace
 
 std::string verdict_table(const RunResult& result, bool colour, std::size_t width) {
@@ -145,12 +195,8 @@ std::string verdict_table(const RunResult& result, bool colour, std::size_t widt
   for (const StageResult& stage : result.stages)
     for (const std::string& note : stage_notes(stage))
       out += wrapped(clean_text(stage.name) + ": " + note, 4, width);
-  for (const StageResult& stage : result.stages) {
-    if (stage.verdict() == verifier::Verdict::pass) continue;
-    for (const std::string& reason : stage.decision.reasons)
-      if (!is_note(reason))
-        out += wrapped(clean_text(stage.name) + ": " + clean_text(reason), 4, width);
-  }
+  for (std::size_t i = 0; i < result.stages.size(); ++i) out += why_not(result, i, width);
+  out += wrapped(times_of(result), 4, width);
   if (!result.surface) out += wrapped("nothing was measured against a design", 0, width);
   return out +
          "verdict: " + painted(verdict_text(result.verdict), tone_of(result.verdict), colour) +

@@ -56,9 +56,7 @@ std::vector<TerminalTable::Cell> row_of(const StageResult& stage) {
           {verdict_text(stage.verdict()), tone_of(stage.verdict())},
           {against_limit(figures[0])},
           {against_limit(figures[1])},
-          {stage.ran ? figures[2].measured : "–"},
-          {stage.ran ? duration_text(stage.ran->machining_time_s) : "–"},
-          {stage.ran ? duration_text(stage.seconds) : "–"}};
+          {stage.ran ? figures[2].measured : "–"}};
 }
 
 std::vector<TerminalTable::Cell> cut_row_of(const StageResult& stage) {
@@ -70,22 +68,13 @@ std::vector<TerminalTable::Cell> cut_row_of(const StageResult& stage) {
           {stage.program},
           {verdict_text(stage.verdict()), tone_of(stage.verdict())},
           ran(stage.ran ? grouped(faults(stage.ran->process)) : ""),
-          ran(stage.ran ? three_digits(stage.ran->removed_volume_mm3 / 1000) + " cm³" : ""),
-          ran(stage.ran ? duration_text(stage.ran->machining_time_s) : ""),
-          ran(duration_text(stage.seconds))};
+          ran(stage.ran ? three_digits(stage.ran->removed_volume_mm3 / 1000) + " cm³" : "")};
 }
 
 TerminalTable cut_table_of(const RunResult& result) {
   constexpr TerminalTable::Column kName = {false, true}, kText, kNumber = {true};
-  TerminalTable table({kName, kName, kName, kText, kNumber, kNumber, kNumber, kNumber});
-  table.add_row({{"stage"},
-                 {"tool"},
-                 {"program"},
-                 {"verdict"},
-                 {"faults"},
-                 {"removed"},
-                 {"machining"},
-                 {"computing"}});
+  TerminalTable table({kName, kName, kName, kText, kNumber, kNumber});
+  table.add_row({{"stage"}, {"tool"}, {"program"}, {"verdict"}, {"faults"}, {"removed"}});
   for (const StageResult& stage : result.stages) table.add_row(cut_row_of(stage));
   return table;
 }
@@ -94,16 +83,9 @@ TerminalTable cut_table_of(const RunResult& result) {
 TerminalTable table_of(const RunResult& result) {
   if (!result.surface) return cut_table_of(result);
   constexpr TerminalTable::Column kName = {false, true}, kText, kNumber = {true};
-  TerminalTable table({kName, kName, kName, kText, kText, kText, kNumber, kNumber, kNumber});
-  table.add_row({{"stage"},
-                 {"tool"},
-                 {"strategy"},
-                 {"verdict"},
-                 {"gouge"},
-                 {"uncut"},
-                 {"coverage"},
-                 {"machining"},
-                 {"computing"}});
+  TerminalTable table({kName, kName, kName, kText, kText, kText, kNumber});
+  table.add_row(
+      {{"stage"}, {"tool"}, {"strategy"}, {"verdict"}, {"gouge"}, {"uncut"}, {"coverage"}});
   for (const StageResult& stage : result.stages) table.add_row(row_of(stage));
   return table;
 }
@@ -161,16 +143,25 @@ std::string why_not(const RunResult& result, std::size_t index, std::size_t widt
   return out;
 }
 
-/// "machining time 3 min 20 s in all, computing time 12 s".
-std::string times_of(const RunResult& result) {
-  double machining_s = 0, computing_s = 0;
+/// "machining time 5 min 10 s (rough 3 min, finish 2 min 10 s)".
+std::string time_text(const RunResult& result, const char* name,
+                      double (*seconds)(const StageResult&)) {
+  double all_s = 0;
+  std::string parts;
+  std::size_t ran = 0;
   for (const StageResult& stage : result.stages) {
     if (!stage.ran) continue;
-    machining_s += stage.ran->machining_time_s;
-    computing_s += stage.seconds;
+    all_s += seconds(stage);
+    parts += (ran++ > 0 ? ", " : "") + clean_text(stage.name) + ' ' + duration_text(seconds(stage));
   }
-  return "machining time " + duration_text(machining_s) + ", computing time " +
-         duration_text(computing_s);
+  return name + duration_text(all_s) + (ran > 1 ? " (" + parts + ")" : "");
+}
+
+std::string times_of(const RunResult& result, std::size_t width) {
+  const auto machining = [](const StageResult& s) { return s.ran->machining_time_s; };
+  const auto computing = [](const StageResult& s) { return s.seconds; };
+  return wrapped(time_text(result, "machining time ", machining), 4, width) +
+         wrapped(time_text(result, "computing time ", computing), 4, width);
 }
 
 }  // namespace
@@ -196,7 +187,7 @@ std::string verdict_table(const RunResult& result, bool colour, std::size_t widt
     for (const std::string& note : stage_notes(stage))
       out += wrapped(clean_text(stage.name) + ": " + note, 4, width);
   for (std::size_t i = 0; i < result.stages.size(); ++i) out += why_not(result, i, width);
-  out += wrapped(times_of(result), 4, width);
+  out += times_of(result, width);
   if (!result.surface) out += wrapped("nothing was measured against a design", 0, width);
   return out +
          "verdict: " + painted(verdict_text(result.verdict), tone_of(result.verdict), colour) +

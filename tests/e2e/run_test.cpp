@@ -110,7 +110,7 @@ TEST_CASE("a stage that fails its gate stops the job with a report", "[e2e][run]
   CHECK_FALSE(fs::exists(scratch / "out/finish"));
 }
 
-TEST_CASE("--json prints the bytes of result.json and nothing else", "[e2e][run]") {
+TEST_CASE("with --json the bytes of result.json and nothing else are printed", "[e2e][run]") {
   const Scratch scratch;
   const Outcome run = limitgauge(
       scratch, {"run", kDome, "-o", "out", "--no-pictures", "--json", "--history", "runs.sqlite"});

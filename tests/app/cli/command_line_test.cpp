@@ -183,7 +183,7 @@ TEST_CASE("a mistyped option names the one that was meant", "[unit][command_line
              !ContainsSubstring("unknown option '--thread' of"));
 }
 
-TEST_CASE("--json goes with commands that have a result", "[unit][command_line]") {
+TEST_CASE("JSON is printed by commands that have a result", "[unit][command_line]") {
   CHECK(parse({"run", "a.toml", "--json"}).common.json);
   CHECK(parse({"run", "a.toml", "--json", "--quiet"}).common.json);
   CHECK(parse({"compare", "a", "b", "--json"}).common.json);

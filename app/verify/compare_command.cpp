@@ -79,7 +79,10 @@ ExitCode execute(const CompareCommand& command, const CommonOptions& common,
   const compare::Comparison comparison =
       compare::compare_runs(read_result(command.base), read_result(command.now), options);
   if (folder) write_files(comparison, *folder);
-  if (!common.quiet) {
+  if (common.json) {
+    compare::write_json(comparison, console.out);
+    console.out << std::flush;
+  } else if (!common.quiet) {
     console.out << compare::text_table(comparison, console.colour, console.out_columns,
                                        common.verbose);
     if (folder)

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "model/base/chunks.h"
+#include "model/text/message_text.h"
 #include "verifier/probe/probe_residual.h"
 #include "verifier/probe/zero_shift.h"
 
@@ -20,6 +21,13 @@ std::optional<reports::probe::NearestMove> nearest_move(const ResultStock& stock
   const model::Move& move = stock.passes[body.pass].path->moves[body.index];
   return reports::probe::NearestMove{body.pass, body.index, move.line,
                                      move.kind == model::MoveKind::rapid};
+}
+
+std::string ignored_words(const std::vector<std::string>& columns) {
+  std::string names;
+  for (const std::string& column : columns)
+    names += (names.empty() ? "" : ", ") + model::in_quotes(column);
+  return "columns of the points' file that were passed over: " + names;
 }
 
 void measure_before(const ResultStock& stock, const model::RunControl& control,
@@ -68,8 +76,7 @@ ProbeResult probe_points(const ResultStock& stock, const model::MeasuredPoints& 
   result.stages = stock.stages;
   result.remarks = stock.remarks;
   result.has_uncertainty = measured.has_uncertainty;
-  for (const std::string& column : measured.ignored)
-    result.remarks.push_back("column \"" + column + "\" of the points means nothing here");
+  if (!measured.ignored.empty()) result.remarks.push_back(ignored_words(measured.ignored));
   for (const model::MeasuredPoint& point : measured.points)
     result.points.push_back({point, {}, {}, {}});
   watch.phase("certifying residuals");

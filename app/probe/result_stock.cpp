@@ -70,44 +70,45 @@ class ResultFolder {
   bool is_checked_ = true;
 };
 
+[[noreturn]] void refuse_stage(const fs::path& file, const std::string& wrong,
+                               const std::string& expected) {
+  throw model::InputError({file.string(), 0, 0}, wrong, expected);
+}
+
+/// The place of the stage that is asked for, which ran.
+std::size_t stage_asked_for(const StockRecord& record, const std::string& asked,
+                            const std::vector<std::string_view>& ran, const fs::path& file) {
+  const auto found = std::find_if(record.stages.begin(), record.stages.end(),
+                                  [&](const StageCut& stage) { return stage.name == asked; });
+  if (found == record.stages.end())
+    refuse_stage(file, "has no stage " + model::in_quotes(asked),
+                 model::in_quotes(model::nearest_word(asked, ran)) + " or another");
+  if (!found->ran)
+    refuse_stage(file, "stage " + model::in_quotes(asked) + " was not run",
+                 "one up to " + model::in_quotes(ran.back()));
+  return static_cast<std::size_t>(found - record.stages.begin());
+}
+
 /// How many stages cut the stock that is asked for.
 std::size_t stages_asked_for(const StockRecord& record, const ProbeCommand& command,
                              const fs::path& file) {
-  std::vector<std::string_view> names;
+  std::vector<std::string_view> ran;
   for (const StageCut& stage : record.stages)
-    if (stage.ran) names.push_back(stage.name);
-  if (names.empty())
-    throw model::InputError({file.string(), 0, 0}, "no stage of it was run",
-                            "a result with a stock");
-  if (command.stage.empty()) return names.size();
-  const auto asked = std::find_if(record.stages.begin(), record.stages.end(),
-                                  [&](const StageCut& s) { return s.name == command.stage; });
-  if (asked == record.stages.end()) {
-    const std::string nearest = model::nearest_word(command.stage, names);
-    throw model::InputError(
-        {file.string(), 0, 0}, "has no stage " + model::in_quotes(command.stage),
-        nearest.empty() ? "one that it has" : model::in_quotes(nearest) + " or another");
-  }
-  if (!asked->ran)
-    throw model::InputError({file.string(), 0, 0},
-                            "stage " + model::in_quotes(command.stage) + " was not run",
-                            "one up to " + model::in_quotes(std::string(names.back())));
-  return static_cast<std::size_t>(asked - record.stages.begin()) + 1;
+    if (stage.ran) ran.push_back(stage.name);
+  if (ran.empty()) refuse_stage(file, "no stage of it was run", "a result with a stock");
+  if (command.stage.empty()) return ran.size();
+  return stage_asked_for(record, command.stage, ran, file) + 1;
 }
 
-/// Stages run one after the other: what comes before one that ran, ran.
+/// Stages run one after the other, each into a folder of its name.
 void require_in_order(const StockRecord& record, std::size_t count, const fs::path& file) {
+  const std::string expected = "a result as limitgauge writes it";
   for (std::size_t i = 0; i < count; ++i) {
     const StageCut& stage = record.stages[i];
-    if (!stage.ran)
-      throw model::InputError(
-          {file.string(), 0, 0},
-          "stage " + model::in_quotes(stage.name) + " was not run, but one behind it was",
-          "a result as limitgauge writes it");
+    const std::string named = "stage " + model::in_quotes(stage.name);
+    if (!stage.ran) refuse_stage(file, named + " was not run, but one behind it was", expected);
     if (fs::path(stage.name).filename() != stage.name || stage.name == "." || stage.name == "..")
-      throw model::InputError({file.string(), 0, 0},
-                              "stage " + model::in_quotes(stage.name) + " is no name of a folder",
-                              "a result as limitgauge writes it");
+      refuse_stage(file, named + " is no name of a folder", expected);
   }
 }
 
@@ -172,6 +173,24 @@ model::Stock raw_stock(const StockRecord& record, const ProbeCommand& command, c
   return std::get<model::CylinderStock>(record.raw);
 }
 
+struct StagesRead {
+  std::vector<reports::probe::CutBy> stages;
+  std::vector<model::Pass> passes;
+};
+
+StagesRead read_stages(const StockRecord& record, std::size_t count, ResultFolder& folder,
+                       const model::RunControl& control) {
+  StagesRead read;
+  for (std::size_t i = 0; i < count; ++i) {
+    control.check();
+    const StageCut& stage = record.stages[i];
+    read.passes.push_back(read_pass(stage, folder));
+    read.stages.push_back({stage.name, to_text(stage.cutter), stage.moves, stage.chord_error_mm});
+  }
+  control.check();
+  return read;
+}
+
 }  // namespace
 
 ResultStock read_result_stock(const ProbeCommand& command, const model::RunControl& control) {
@@ -185,22 +204,19 @@ ResultStock read_result_stock(const ProbeCommand& command, const model::RunContr
   require_in_order(record, count, file);
   std::vector<std::string> remarks;
   const model::Stock stock = raw_stock(record, command, file, remarks);
-  std::vector<reports::probe::CutBy> stages;
-  std::vector<model::Pass> passes;
-  for (std::size_t i = 0; i < count; ++i) {
-    control.check();
-    const StageCut& stage = record.stages[i];
-    passes.push_back(read_pass(stage, folder));
-    stages.push_back({stage.name, to_text(stage.cutter), stage.moves, stage.chord_error_mm});
-  }
+  StagesRead read = read_stages(record, count, folder, control);
   if (!folder.is_checked())
     remarks.push_back(std::string("there is no ") + kManifestFile +
                       " beside the result: nobody knows whether its files were changed");
-  control.check();
-  verifier::RemovedSpace removed(stock, passes);
-  return {
-      record.job,        record.version,    sum_of(text),       record.stages[count - 1].verdict,
-      std::move(stages), std::move(passes), std::move(removed), std::move(remarks)};
+  verifier::RemovedSpace removed(stock, read.passes);
+  return {record.job,
+          record.version,
+          sum_of(text),
+          record.stages[count - 1].verdict,
+          std::move(read.stages),
+          std::move(read.passes),
+          std::move(removed),
+          std::move(remarks)};
 }
 
 }  // namespace limitgauge::app

@@ -28,6 +28,7 @@ void CommandDefinition::add_probe() {
       ->check(length(false));
   add_common(sub);
   hide_unused(sub);
+  offer_json(sub, "Print what probe.json holds instead of the table");
   for (const char* name : {"--threads", "--force"})
     sub.get_option(name)->group(sub.get_option("--quiet")->get_group());
 }

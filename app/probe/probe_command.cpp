@@ -82,6 +82,17 @@ ExitCode exit_of(const probe::ProbeResult& result) {
   return result.gate->verdict == verifier::Verdict::fail ? ExitCode::fail : ExitCode::indeterminate;
 }
 
+void print(const probe::ProbeResult& result, const OutputFolder& folder,
+           const CommonOptions& common, const Console& console) {
+  if (common.json) {
+    write_probe_json(result, console.out);
+  } else if (!common.quiet) {
+    console.out << probe::probe_table(result, console.colour, console.out_columns)
+                << "page: " << model::one_line((folder.target() / "probe.html").string()) << '\n';
+  }
+  console.out << std::flush;
+}
+
 }  // namespace
 
 ExitCode execute(const ProbeCommand& command, const CommonOptions& common, const Console& console) {
@@ -90,10 +101,7 @@ ExitCode execute(const ProbeCommand& command, const CommonOptions& common, const
   OutputFolder folder(output, common.force);
   const probe::ProbeResult result = measured(command, common, console);
   write_files(result, folder, {common.threads, console.stop});
-  if (!common.quiet)
-    console.out << probe::probe_table(result, console.colour, console.out_columns)
-                << "page: " << model::one_line((folder.target() / "probe.html").string())
-                << std::endl;
+  print(result, folder, common, console);
   return exit_of(result);
 }
 

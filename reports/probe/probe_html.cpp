@@ -31,11 +31,16 @@ std::string gate_words(const ProbeResult& result) {
   return out;
 }
 
-std::string shift_cell(const verifier::ZeroShift& shift, int axis) {
+/// As part of a sentence; what is undetermined is named so.
+std::string shift_words(const verifier::ZeroShift& shift, int axis) {
   const LengthUnit unit = shift_unit(shift);
-  if (!shift.axes_mm[axis]) return html::badge("open", "?", "undetermined");
+  if (!shift.axes_mm[axis]) return "<strong>undetermined</strong>";
   const ShiftText text = shift_text(*shift.axes_mm[axis], shift.axes_u_mm[axis], unit);
   return typeset(text.value) + (text.u.empty() ? "" : " ± " + text.u) + " " + unit.symbol;
+}
+
+std::string shift_cell(const verifier::ZeroShift& shift, int axis) {
+  return shift.axes_mm[axis] ? shift_words(shift, axis) : html::badge("open", "?", "undetermined");
 }
 
 std::string probe_box(const ProbeResult& result) {
@@ -48,7 +53,7 @@ std::string probe_box(const ProbeResult& result) {
       "Root mean square of the residuals: {} as measured, {} with the shift taken "
       "back.</p></div>\n",
       css, word, result.gate ? "<p>" + gate_words(result) + "</p>\n" : "",
-      shift_cell(result.shift, 0), shift_cell(result.shift, 1), shift_cell(result.shift, 2),
+      shift_words(result.shift, 0), shift_words(result.shift, 1), shift_words(result.shift, 2),
       measured_length(result.shift.rms_before_mm), measured_length(result.shift.rms_after_mm));
 }
 

@@ -187,10 +187,11 @@ TEST_CASE("JSON is printed by commands that have a result", "[unit][command_line
   CHECK(parse({"run", "a.toml", "--json"}).common.json);
   CHECK(parse({"run", "a.toml", "--json", "--quiet"}).common.json);
   CHECK(parse({"compare", "a", "b", "--json"}).common.json);
+  CHECK(parse({"probe", "a", "b", "--json"}).common.json);
   CHECK_FALSE(parse({"run", "a.toml"}).common.json);
   for (const char* command : {"plan", "inspect", "view"})
     CHECK_THAT(error_of({command, "a", "--json"}),
-               ContainsSubstring("expected it with run, verify, cut or compare"));
+               ContainsSubstring("expected it with run, verify, cut, compare or probe"));
 }
 
 TEST_CASE("probe takes a result, points and what to judge by", "[unit][command_line]") {

@@ -150,6 +150,9 @@ TEST_CASE("a limit for the residuals passes, fails or stays open", "[e2e][probe]
   CHECK(failed.exit_code == 1);
   CHECK_THAT(failed.out, ContainsSubstring("residual limit 7 µm: fail, 1 beyond"));
   CHECK(probe_json(scratch, "out")["gate"]["verdict"] == "fail");
+  const Outcome told = probe(scratch, "part", "told", {"--json", "--residual", "0.007"});
+  CHECK(told.exit_code == 1);
+  CHECK(told.out == read_text(scratch / "told/probe.json"));
 }
 
 TEST_CASE("the same points give the same bytes for any number of threads", "[e2e][probe]") {

@@ -54,7 +54,7 @@ std::string probe_box(const ProbeResult& result) {
       "back.</p></div>\n",
       css, word, result.gate ? "<p>" + gate_words(result) + "</p>\n" : "",
       shift_words(result.shift, 0), shift_words(result.shift, 1), shift_words(result.shift, 2),
-      measured_length(result.shift.rms_before_mm), measured_length(result.shift.rms_after_mm));
+      shown_length(result.shift.rms_before_mm), shown_length(result.shift.rms_after_mm));
 }
 
 std::string file_term(const ProbeInput& input) {
@@ -99,12 +99,12 @@ std::string shift_notes(const ProbeResult& result) {
     out += fmt::format(
         "<p>No uncertainty is stated: that of the shift follows from the scatter of the points, {} "
         "each.</p>\n",
-        measured_length(*shift.scatter_mm));
+        shown_length(*shift.scatter_mm));
   if (!shift.settled)
     out += fmt::format(
         "<p class=\"warn\">The fit did not settle: its last step was {}. The shift is not the "
         "best one.</p>\n",
-        measured_length(shift.last_step_mm));
+        shown_length(shift.last_step_mm));
   return out;
 }
 
@@ -142,7 +142,7 @@ html::Row summary_row(const ProbeResult& result, Residuals which) {
   const verifier::ProbeResidual& residual = residual_of(worst, which);
   const LengthUnit unit = unit_for(std::abs(residual.gap.value_mm));
   return {{before ? "as measured" : "shift taken back",
-           measured_length(before ? result.shift.rms_before_mm : result.shift.rms_after_mm),
+           shown_length(before ? result.shift.rms_before_mm : result.shift.rms_after_mm),
            typeset(signed_length(residual.gap.value_mm)),
            typeset(interval_text(residual, unit)) + " " + unit.symbol,
            html::coordinates(worst.measured.at_mm), escape_markup(nearest_text(result, worst))},
@@ -205,7 +205,7 @@ std::string stock_section(const ProbeResult& result) {
   std::vector<html::Row> rows;
   for (const CutBy& stage : result.stages)
     rows.push_back({{escape_markup(stage.name), "<code>" + escape_markup(stage.cutter) + "</code>",
-                     grouped(stage.moves), measured_length(stage.chord_error_mm)},
+                     grouped(stage.moves), shown_length(stage.chord_error_mm)},
                     {}});
   std::string remarks;
   for (const std::string& remark : result.remarks)

@@ -25,7 +25,7 @@ std::vector<TerminalTable::Cell> residual_row(const ProbeResult& result, Residua
   const verifier::ProbeResidual& residual = residual_of(worst, which);
   const LengthUnit unit = unit_for(std::abs(residual.gap.value_mm));
   return {{before ? "as measured" : "shift taken back"},
-          {measured_length(before ? result.shift.rms_before_mm : result.shift.rms_after_mm)},
+          {shown_length(before ? result.shift.rms_before_mm : result.shift.rms_after_mm)},
           {signed_length(residual.gap.value_mm)},
           {interval_text(residual, unit) + " " + unit.symbol},
           {place_text(worst.measured.at_mm)},
@@ -69,8 +69,7 @@ std::string reasons(const verifier::ZeroShift& shift) {
   for (const std::string& one : shifts_between_axes(shift))
     out += "determined between axes, and taken back: " + one + "\n";
   if (!shift.settled)
-    out +=
-        "the fit did not settle: the last step was " + measured_length(shift.last_step_mm) + "\n";
+    out += "the fit did not settle: the last step was " + shown_length(shift.last_step_mm) + "\n";
   return out;
 }
 

@@ -13,6 +13,8 @@ namespace {
 constexpr double kAlongAxis = 1e-6;
 /// Rounding of the normals: a leverage below is none.
 constexpr double kNoLeverage = 1e-9;
+/// What is shorter is the rounding of distances, a picometre, and shown as none.
+constexpr double kNothing_mm = 1e-9;
 constexpr int kMostDecimals = 6;
 
 std::string direction_text(const model::Vec3& v) {
@@ -122,8 +124,12 @@ ShiftText shift_text(double shift_mm, std::optional<double> u_mm, const LengthUn
   return {fixed(shown, decimals), fixed(*u_mm * unit.per_mm, decimals)};
 }
 
+std::string shown_length(double mm) {
+  return std::abs(mm) < kNothing_mm ? "0 µm" : measured_length(mm);
+}
+
 std::string signed_length(double mm) {
-  if (std::abs(mm) < 1e-9) return "0 µm";
+  if (std::abs(mm) < kNothing_mm) return "0 µm";
   return (mm < 0 ? "-" : "+") + measured_length(std::abs(mm));
 }
 

@@ -34,6 +34,8 @@ struct ShiftText {
 };
 ShiftText shift_text(double shift_mm, std::optional<double> u_mm, const LengthUnit& unit);
 
+/// As measured_length(), "0 µm" below a picometre.
+std::string shown_length(double mm);
 /// "+1.25 µm", three significant digits with a sign; "0 µm" below a picometre.
 std::string signed_length(double mm);
 /// "[1.24, 1.26]", rounded outwards, or "[1.24, unknown]" where nothing was proven to stand.

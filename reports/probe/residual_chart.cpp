@@ -103,8 +103,8 @@ std::string residual_chart(const ProbeResult& result) {
       "taken back\">\n<line class=\"zero\" x1=\"0\" x2=\"100\" y1=\"50\" y2=\"50\"/>\n{}</svg>"
       "</div></figure>\n",
       caption(result), legend(result), stated_length(scale_mm), stated_length(scale_mm),
-      grouped(result.points.size()), measured_length(result.shift.rms_before_mm),
-      measured_length(result.shift.rms_after_mm), drawn);
+      grouped(result.points.size()), shown_length(result.shift.rms_before_mm),
+      shown_length(result.shift.rms_after_mm), drawn);
 }
 
 }  // namespace limitgauge::reports::probe

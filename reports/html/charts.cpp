@@ -157,10 +157,9 @@ std::string histogram_chart(const verifier::StageDeviation& d, const verifier::G
     ticks += axis_label(axis.percent(t), "tick", signed_number(is_zero ? 0 : t, unit));
   }
   return fmt::format(
-      "<figure class=\"histogram\" data-stage=\"{}\"><figcaption>Area by deviation from the "
-      "allowance surface, in "
-      "{}. "
-      "Left of zero the cutter went too deep, right of zero material still stands.</figcaption>"
+      "<figure class=\"histogram\" data-stage=\"{}\"><figcaption>Area in mm² (upwards) by deviation "
+      "from the allowance surface in {}: left of zero the cutter went too deep, right of it material "
+      "still stands.</figcaption>"
       "<div class=\"static\"><div class=\"above\">{}</div><svg viewBox=\"0 0 100 100\" "
       "preserveAspectRatio=\"none\" "
       "role=\"img\" aria-label=\"Histogram of deviation, area-weighted\">{}{}</svg>"

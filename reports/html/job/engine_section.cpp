@@ -62,22 +62,16 @@ std::string model_table(const RunResult& result) {
 
 Cells path_row(const StageResult& stage, const StageResult::Ran& r) {
   return {escape_markup(stage.name),
-          path_source(stage),
-          stage.step_mm > 0 ? stated_length(stage.step_mm) : kNothing,
           grouped(std::uint64_t(std::max(r.planes, 0))),
           span_text(r.sampling_interval_min, r.sampling_interval_max),
           grouped(r.path ? r.path->moves.size() : 0),
-          duration_text(r.machining_time_s),
           duration_text(r.plan_seconds),
           bytes_text(r.path_memory_bytes)};
 }
 
 Cells published_row(const PublishedFigures::Stage& stage) {
   return {escape_markup(stage.name) + "<small>published</small>",
-          kNothing,
-          kNothing,
           count_text(stage.planes),
-          kNothing,
           kNothing,
           kNothing,
           seconds_text(stage.seconds),
@@ -95,12 +89,9 @@ std::string path_table(const RunResult& result) {
   }
   return table("Toolpaths",
                {{"Stage"},
-                {"Path"},
-                {"Path interval", true},
-                {"Planes", true},
+                {"Planes or levels", true},
                 {"Sampling interval", true},
                 {"Moves", true},
-                {"Machining time", true},
                 {"Planned in", true},
                 {"Memory", true}},
                rows);

@@ -12,8 +12,6 @@
 namespace limitgauge::reports::html {
 namespace {
 
-constexpr std::size_t kMostGroups = 20;
-
 std::string lines_text(const simulator::FindingGroup& group) {
   if (group.first_line == 0) return "–";
   if (group.first_line == group.last_line) return std::to_string(group.first_line);

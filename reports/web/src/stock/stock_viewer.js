@@ -143,9 +143,13 @@ export class StockViewer {
     this.scene.render();
   }
 
+  /** It begins where the chosen finding is, or the worst one; without a finding all of it is shown. */
   showPath(on) {
+    const fresh = on && this.layer.state().stage !== this.stage;
     this.path = on;
     this.layer.show(on ? this.stage : null);
+    const finding = this.finding ?? findingsOf(this.report.stages[this.stage])[0];
+    if (fresh && finding) this.layer.goNear(finding);
   }
 
   applySection() {

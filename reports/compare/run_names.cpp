@@ -32,6 +32,7 @@ void name_runs(Comparison& comparison, const record::RunRecord& base, const fs::
   const std::vector<std::string> a = parts_of(base_file), b = parts_of(now_file);
   std::size_t count = 1;
   while (last(a, count) == last(b, count) && count < std::max(a.size(), b.size())) ++count;
+  if (a == b) count = 1;
   comparison.base.name = base.label.empty() ? last(a, count) : base.label;
   comparison.now.name = now.label.empty() ? last(b, count) : now.label;
 }

@@ -8,7 +8,7 @@
 
 #include "model/text/number_text.h"
 #include "reports/run/gate_figures.h"
-#include "reports/text/text.h"
+#include "reports/text/interval_text.h"
 #include "reports/tolerance.h"
 
 namespace limitgauge::reports::html {
@@ -178,10 +178,13 @@ std::string colour_legend(const DeviationScale& scale) {
   }
   std::string labels;
   const std::vector<double> ticks = scale.ticks_mm();
+  double largest_mm = 0;
+  for (const double tick : ticks) largest_mm = std::max(largest_mm, std::abs(tick));
+  const LengthUnit unit = unit_for(largest_mm);
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const bool limit = (i == 1 && scale.gouge().has_limit) || (i == 3 && scale.uncut().has_limit);
     std::string text = ticks[i] == 0 ? "0" : ticks[i] < 0 ? "−" : "+";
-    if (ticks[i] != 0) text += stated_length(std::abs(ticks[i]));
+    if (ticks[i] != 0) text += stated_number(std::abs(ticks[i]), unit) + " " + unit.symbol;
     if (limit) text += "<br/>limit";
     labels += axis_label(50 + 50 * scale.position(ticks[i]), limit ? "tick limit" : "tick", text);
   }

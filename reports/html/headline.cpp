@@ -82,6 +82,9 @@ std::vector<std::string> notes_of(const StageResult& stage) {
     if (missing || (is_about_reach(figure) && (out_of_reach || is_told(figure))))
       out.push_back(escape_markup(against_limit(figure)));
   }
+  // Where no part is proven to be out of reach, samples may still be.
+  if (unreachable_area_mm2(d).high <= 0 && d.unreachable_area_mm2 > 0)
+    out = stage_notes(stage);
   return out;
 }
 

@@ -12,6 +12,8 @@ import { viridis } from './viridis.js';
 const RAPID = { light: [90, 98, 110], dark: [138, 150, 165] };
 /** How much of the path is shown about a finding, s: the rows beside it, no hairball. */
 const ABOUT_FINDING_S = 20;
+/** Of a longer path no more than the last minute is shown at first: all of it would be a hairball. */
+const MOST_AT_ONCE = 4000, LAST_S = 60;
 const TOOL = { light: [50, 60, 75], dark: [96, 128, 165] };
 
 /**
@@ -102,6 +104,8 @@ class PathLayer {
     const speed = usualSpeed(this.total_s, SPEEDS);
     this.player.setSpeed(speed);
     this.panel.setSpeed(speed);
+    if (path.end_s.length > MOST_AT_ONCE && this.view.window_s === 0) this.view.window_s = LAST_S;
+    this.panel.setWindow(this.view.window_s);
     this.setTime(this.total_s);
   }
 

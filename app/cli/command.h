@@ -17,6 +17,7 @@ namespace limitgauge::app {
 struct CommonOptions {
   unsigned threads = 0;  ///< never zero once parsed
   bool quiet = false, verbose = false, no_pictures = false, force = false;
+  bool json = false;                   ///< the result's JSON alone goes to standard output
   std::vector<std::string> overrides;  ///< `key=value`
 };
 

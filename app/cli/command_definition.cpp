@@ -70,12 +70,18 @@ void CommandDefinition::add_common(CLI::App& sub) {
       ->check(whole_number(1, 4096));
   sub.add_flag("--quiet", common.quiet, "No table, no progress: errors only");
   sub.add_flag("--verbose", common.verbose, "Say how long each stage took");
+  sub.add_flag("--json", common.json)->group("");
   sub.add_flag("--no-pictures", common.no_pictures, "Write no pictures");
   sub.add_flag("--force", common.force, "Overwrite a finished output folder");
   hint(
       sub.add_option("--set", common.overrides, "Override a key of the job: stage.finish.step=0.2"),
       "KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+/// Of commands that have a result.
+void CommandDefinition::offer_json(CLI::App& sub, const char* help) {
+  sub.get_option("--json")->group("Options")->description(help);
 }
 
 /// Every command takes the common options; those that change nothing in it are not told of.
@@ -94,6 +100,7 @@ void CommandDefinition::add_run() {
              "slurm: 16; local: one process");
   add_cache(sub, parsed_.run.engine, "pieces are exchanged on Slurm");
   add_common(sub);
+  offer_json(sub, "Print result.json instead of the table");
 }
 
 void CommandDefinition::add_plan() {
@@ -178,6 +185,7 @@ void CommandDefinition::add_placement(CLI::App& sub, CutCommand& command) {
                         "Output folder (default: limitgauge-out/NAME of the program)"));
   add_history_options(sub, command.history);
   add_common(sub);
+  offer_json(sub, "Print result.json instead of the table");
 }
 
 void CommandDefinition::add_checks(CLI::App& sub) {

@@ -42,6 +42,7 @@ class CommandDefinition {
   CLI::Option* folder(CLI::Option* option);
   void add_common(CLI::App& sub);
   void hide_unused(CLI::App& sub);
+  void offer_json(CLI::App& sub, const char* help);
   void add_machine(CLI::App& sub, MachineOptions& machine);
   void add_run();
   void add_plan();

@@ -13,10 +13,14 @@
 namespace limitgauge::app {
 namespace {
 
+std::vector<const CLI::App*> commands_of(CLI::App& app) {
+  const std::vector<CLI::App*> all = app.get_subcommands([](CLI::App*) { return true; });
+  return {all.begin(), all.end()};
+}
+
 std::vector<std::string> command_names(CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* sub : app.get_subcommands([](CLI::App*) { return true; }))
-    names.push_back(sub->get_name());
+  for (const CLI::App* sub : commands_of(app)) names.push_back(sub->get_name());
   return names;
 }
 
@@ -42,6 +46,62 @@ void refuse_unknown_command(int argc, const char* const* argv, CLI::App& app) {
                    list(names));
 }
 
+/// The long options of one command, as they are typed: "--threads".
+std::vector<std::string> long_options(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+/// The option of this name; null: there is none.
+const CLI::Option* option_of(const CLI::App& command, const std::string& name) {
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& known : option->get_lnames())
+      if ("--" + known == name) return option;
+  return nullptr;
+}
+
+/// "one of verify or cut", which have an option of this name; empty where none has.
+std::string of_other_commands(CLI::App& app, const std::string& name) {
+  std::vector<std::string> having;
+  for (const CLI::App* sub : commands_of(app))
+    if (option_of(*sub, name) != nullptr) having.push_back(sub->get_name());
+  return having.empty() ? "" : "it is one of " + list(having);
+}
+
+/// What to do about `name`, which `command` does not know.
+std::string remedy(CLI::App& app, const CLI::App& command, const std::string& name) {
+  if (std::string others = of_other_commands(app, name); !others.empty()) return others;
+  const std::vector<std::string> names = long_options(command);
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string meant = model::meant_word(name, known);
+  return meant.empty() ? "expected one that it has" : "expected " + model::in_quotes(meant);
+}
+
+/// Of a command line that the library could not read: a flag that is mistyped comes before what is
+/// missing for want of it.
+void refuse_unknown_option(int argc, const char* const* argv, CLI::App& app) {
+  const std::vector<const CLI::App*> all = commands_of(app);
+  const auto command = std::find_if(all.begin(), all.end(), [&](const CLI::App* one) {
+    return argc > 1 && one->get_name() == argv[1];
+  });
+  if (command == all.end()) return;
+  for (int i = 2; i < argc && argv[i] != std::string_view("--"); ++i) {
+    const std::string word = argv[i];
+    if (!word.starts_with("--")) continue;
+    const std::string name = word.substr(0, word.find('='));
+    if (const CLI::Option* known = option_of(**command, name)) {
+      // The next word is its value, whatever that begins with.
+      if (name == word && known->get_items_expected_max() > 0) ++i;
+      continue;
+    }
+    throw UsageError("unknown option " + model::in_quotes(name) + " of " + (*command)->get_name() +
+                     "; " + remedy(app, **command, name) + "; see limitgauge " +
+                     (*command)->get_name() + " --help");
+  }
+}
+
 /// `--generate man|bash|zsh|fish`: for the build and for packagers, not for users; no option of the
 /// library, so that it stands in none of the texts that it writes.
 std::optional<std::string> generated(int argc, const char* const* argv,
@@ -65,6 +125,12 @@ void check_combinations(const std::string& command, const CommonOptions& common)
   }
   if (common.quiet && common.verbose) {
     throw UsageError("--quiet and --verbose contradict each other; expected one of them");
+  }
+  const bool has_result =
+      command == "run" || command == "verify" || command == "cut" || command == "compare";
+  if (common.json && !has_result) {
+    throw UsageError("--json prints the result of a run and " + command +
+                     " has none; expected it with run, verify, cut or compare");
   }
 }
 
@@ -118,6 +184,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion& version) {
     return {PrintCommand{std::string(version.what()) + "\n"}, {}};
   } catch (const CLI::ParseError& error) {
+    refuse_unknown_option(argc, argv, app);
     throw UsageError(std::string(error.what()) + "; see limitgauge --help");
   }
   const std::string command = app.get_subcommands().front()->get_name();

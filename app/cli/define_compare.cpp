@@ -38,6 +38,7 @@ void CommandDefinition::add_compare() {
   add_common(sub);
   hide_unused(sub);
   sub.get_option("--verbose")->group("Options")->description("List every figure");
+  offer_json(sub, "Print what compare.json holds instead of the table");
   sub.get_option("--force")->group("Options");
 }
 

@@ -65,7 +65,7 @@ void refuse_planning(const Job& job, const TomlTable& root) {
   for (std::size_t i = 0; i < job.stages.size(); ++i)
     if (job.stages[i].plan)
       throw model::InputError(
-          TomlTable(*stages[i], "[[stage]]", {}, {}).place("strategy"),
+          place_of(stages[i]->get("strategy")->source()),
           "stage \"" + job.stages[i].name + "\" is to be planned, but the design is a mesh",
           "\"program\" in its place, or a Catmull-Clark cage as design");
 }

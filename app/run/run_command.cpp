@@ -20,6 +20,7 @@
 #include "model/base/clock.h"
 #include "model/base/error.h"
 #include "model/base/memory.h"
+#include "model/base/text_file.h"
 #include "model/text/clean_text.h"
 #include "reports/run/report.h"
 
@@ -82,6 +83,11 @@ void work_in(OutputFolder& folder, const Work& work) {
 
 void print_result(const reports::RunResult& result, const OutputFolder& folder,
                   const CommonOptions& common, const Console& console) {
+  if (common.json) {
+    // The bytes of the file, so that whoever reads either reads the same.
+    console.out << model::read_text_file(folder.target() / "result.json") << std::flush;
+    return;
+  }
   if (common.quiet) return;
   console.out << reports::verdict_table(result, console.colour, console.out_columns)
               << "report: " << model::one_line((folder.target() / "report.html").string())
@@ -120,7 +126,7 @@ void print(const reports::RunResult& result, const OutputFolder& folder, const R
   const Kept kept = kept_in(history, folder);
   print_result(result, folder, common, console);
   if (!kept.failure.empty()) throw model::ResourceError(kept.failure);
-  if (kept.id && !common.quiet)
+  if (kept.id && !common.quiet && !common.json)
     console.out << "history: " << model::one_line(history.file().string()) << ", run " << *kept.id
                 << std::endl;
 }

@@ -80,7 +80,10 @@ ExitCode execute(const CompareCommand& command, const CommonOptions& common,
   compare::Comparison comparison = compare::compare_runs(base, now, options);
   compare::name_runs(comparison, base, command.base, now, command.now);
   if (folder) write_files(comparison, *folder);
-  if (!common.quiet) {
+  if (common.json) {
+    compare::write_json(comparison, console.out);
+    console.out << std::flush;
+  } else if (!common.quiet) {
     console.out << compare::text_table(comparison, console.colour, console.out_columns,
                                        common.verbose);
     if (folder)

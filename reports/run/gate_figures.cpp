@@ -118,6 +118,14 @@ std::vector<std::string> cut_notes(const StageResult::Ran& ran) {
   return {"nothing was cut: no move came to the stock; are stock, program and tool in one frame?"};
 }
 
+/// A stage with a design may pass for what others left; that it did nothing is said.
+std::vector<std::string> path_notes(const StageResult& stage) {
+  if (stage.ran->cut_length_mm > 0) return {};
+  if (stage.strategy == "rest")
+    return {"no moves, since nothing that this cutter can reach was left beyond the threshold"};
+  return {"no moves that cut"};
+}
+
 }  // namespace
 
 std::string GateFigure::measured_in(const LengthUnit& unit) const {
@@ -166,7 +174,7 @@ std::vector<std::string> stage_notes(const StageResult& stage) {
   if (!stage.ran) return {};
   if (!stage.ran->deviation) return cut_notes(*stage.ran);
   const verifier::StageDeviation& d = *stage.ran->deviation;
-  std::vector<std::string> out;
+  std::vector<std::string> out = path_notes(stage);
   // By samples where no part was proven.
   verifier::Interval area_mm2 = unreachable_area_mm2(d);
   if (area_mm2.low <= 0) area_mm2 = {d.unreachable_area_mm2, d.unreachable_area_mm2};

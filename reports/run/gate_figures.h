@@ -49,7 +49,8 @@ LengthUnit column_unit(const std::vector<GateFigure>& figures);
 std::vector<GateFigure> gate_figures(const StageResult& stage);
 /// What has to be said of a stage beside its verdict, whatever that is: "unreachable 12.3 mm²
 /// (4.10 %), unavoidable uncut up to 0.3 mm"; "missing stock [0.5, 0.51] mm". None where all is in
-/// reach and nothing missing. Of a run without a design: that nothing was cut.
+/// reach and nothing missing. That a path has no moves, or in a run without a design that nothing
+/// was cut.
 std::vector<std::string> stage_notes(const StageResult& stage);
 /// Whether a reason of the gate says again what `stage_notes` says.
 bool is_note(const std::string& reason);

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <set>
 #include <sstream>
 
+#include "reports/run/finding_list.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
+#include "reports/run/program_lines.h"
 #include "reports/run/report.h"
 #include "reports/text/terminal_table.h"
 #include "reports/text/text.h"
@@ -53,8 +56,7 @@ std::vector<TerminalTable::Cell> row_of(const StageResult& stage) {
           {verdict_text(stage.verdict()), tone_of(stage.verdict())},
           {against_limit(figures[0])},
           {against_limit(figures[1])},
-          {stage.ran ? figures[2].measured : "–"},
-          {stage.ran ? duration_text(stage.seconds) : "–"}};
+          {stage.ran ? figures[2].measured : "–"}};
 }
 
 std::vector<TerminalTable::Cell> cut_row_of(const StageResult& stage) {
@@ -66,22 +68,13 @@ std::vector<TerminalTable::Cell> cut_row_of(const StageResult& stage) {
           {stage.program},
           {verdict_text(stage.verdict()), tone_of(stage.verdict())},
           ran(stage.ran ? grouped(faults(stage.ran->process)) : ""),
-          ran(stage.ran ? three_digits(stage.ran->removed_volume_mm3 / 1000) + " cm³" : ""),
-          ran(stage.ran ? duration_text(stage.ran->machining_time_s) : ""),
-          ran(duration_text(stage.seconds))};
+          ran(stage.ran ? three_digits(stage.ran->removed_volume_mm3 / 1000) + " cm³" : "")};
 }
 
 TerminalTable cut_table_of(const RunResult& result) {
   constexpr TerminalTable::Column kName = {false, true}, kText, kNumber = {true};
-  TerminalTable table({kName, kName, kName, kText, kNumber, kNumber, kNumber, kNumber});
-  table.add_row({{"stage"},
-                 {"tool"},
-                 {"program"},
-                 {"verdict"},
-                 {"faults"},
-                 {"removed"},
-                 {"machining"},
-                 {"time"}});
+  TerminalTable table({kName, kName, kName, kText, kNumber, kNumber});
+  table.add_row({{"stage"}, {"tool"}, {"program"}, {"verdict"}, {"faults"}, {"removed"}});
   for (const StageResult& stage : result.stages) table.add_row(cut_row_of(stage));
   return table;
 }
@@ -90,15 +83,9 @@ TerminalTable cut_table_of(const RunResult& result) {
 TerminalTable table_of(const RunResult& result) {
   if (!result.surface) return cut_table_of(result);
   constexpr TerminalTable::Column kName = {false, true}, kText, kNumber = {true};
-  TerminalTable table({kName, kName, kName, kText, kText, kText, kNumber, kNumber});
-  table.add_row({{"stage"},
-                 {"tool"},
-                 {"strategy"},
-                 {"verdict"},
-                 {"gouge"},
-                 {"uncut"},
-                 {"coverage"},
-                 {"time"}});
+  TerminalTable table({kName, kName, kName, kText, kText, kText, kNumber});
+  table.add_row(
+      {{"stage"}, {"tool"}, {"strategy"}, {"verdict"}, {"gouge"}, {"uncut"}, {"coverage"}});
   for (const StageResult& stage : result.stages) table.add_row(row_of(stage));
   return table;
 }
@@ -123,6 +110,60 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t wid
   return out + '\n';
 }
 
+/// What the program says at the worst place of each kind that fails its stage or may: "part.ngc:23:
+/// G0 X10".
+std::vector<std::string> lines_to_blame(const RunResult& result, std::size_t index) {
+  std::vector<std::string> out;
+  std::set<std::string> told;
+  for (const ListedFinding& f : list_findings(result, index)) {
+    const bool counts =
+        f.significance == Significance::fails || f.significance == Significance::undecided;
+    if (!counts || f.line == 0 || !told.insert(f.kind).second) continue;
+    const StageResult& made = result.stages[f.program_stage];
+    if (!made.ran || !made.ran->program_text) continue;
+    for (const ProgramLine& line : program_lines(*made.ran->program_text, {{f.line}}, 0)) {
+      const std::string text =
+          program_file(made) + ":" + std::to_string(line.line) + ": " + line.text;
+      if (std::find(out.begin(), out.end(), text) == out.end()) out.push_back(text);
+    }
+  }
+  return out;
+}
+
+/// Why a stage does not pass, and the lines of the program that it is about.
+std::string why_not(const RunResult& result, std::size_t index, std::size_t width) {
+  const StageResult& stage = result.stages[index];
+  if (stage.verdict() == verifier::Verdict::pass) return {};
+  const std::string begin = clean_text(stage.name) + ": ";
+  std::string out;
+  for (const std::string& reason : stage.decision.reasons)
+    if (!is_note(reason)) out += wrapped(begin + clean_text(reason), 4, width);
+  for (const std::string& line : lines_to_blame(result, index))
+    out += wrapped(begin + clean_text(line), 4, width);
+  return out;
+}
+
+/// "machining time 5 min 10 s (rough 3 min, finish 2 min 10 s)".
+std::string time_text(const RunResult& result, const char* name,
+                      double (*seconds)(const StageResult&)) {
+  double all_s = 0;
+  std::string parts;
+  std::size_t ran = 0;
+  for (const StageResult& stage : result.stages) {
+    if (!stage.ran) continue;
+    all_s += seconds(stage);
+    parts += (ran++ > 0 ? ", " : "") + clean_text(stage.name) + ' ' + duration_text(seconds(stage));
+  }
+  return name + duration_text(all_s) + (ran > 1 ? " (" + parts + ")" : "");
+}
+
+std::string times_of(const RunResult& result, std::size_t width) {
+  const auto machining = [](const StageResult& s) { return s.ran->machining_time_s; };
+  const auto computing = [](const StageResult& s) { return s.seconds; };
+  return wrapped(time_text(result, "machining time ", machining), 4, width) +
+         wrapped(time_text(result, "computing time ", computing), 4, width);
+}
+
 }  // namespace
 
 std::string verdict_table(const RunResult& result, bool colour, std::size_t width) {
@@ -145,12 +186,8 @@ std::string verdict_table(const RunResult& result, bool colour, std::size_t widt
   for (const StageResult& stage : result.stages)
     for (const std::string& note : stage_notes(stage))
       out += wrapped(clean_text(stage.name) + ": " + note, 4, width);
-  for (const StageResult& stage : result.stages) {
-    if (stage.verdict() == verifier::Verdict::pass) continue;
-    for (const std::string& reason : stage.decision.reasons)
-      if (!is_note(reason))
-        out += wrapped(clean_text(stage.name) + ": " + clean_text(reason), 4, width);
-  }
+  for (std::size_t i = 0; i < result.stages.size(); ++i) out += why_not(result, i, width);
+  out += times_of(result, width);
   if (!result.surface) out += wrapped("nothing was measured against a design", 0, width);
   return out +
          "verdict: " + painted(verdict_text(result.verdict), tone_of(result.verdict), colour) +

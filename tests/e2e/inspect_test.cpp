@@ -66,6 +66,21 @@ TEST_CASE("inspect writes reference points and normals", "[e2e][inspect]") {
 }
 
 // TURNS as LinuxCNC's canonical arcs count them: 1 is counter-clockwise up to one full circle.
+TEST_CASE("inspect of an empty file is an error", "[e2e][inspect]") {
+  const Scratch scratch;
+  for (const char* file : {"e.ngc", "e.obj", "e.stl", "e.ply", "e"}) {
+    write_text(scratch / file, "");
+    const Outcome outcome = limitgauge(scratch, {"inspect", file});
+    INFO(file << ": " << outcome.errors);
+    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.out.empty());
+    CHECK_THAT(outcome.errors, ContainsSubstring("expected a "));
+  }
+  write_text(scratch / "blank.ngc", " \r\n\n\t");
+  CHECK_THAT(limitgauge(scratch, {"inspect", "blank.ngc"}).errors,
+             ContainsSubstring("blank.ngc: error: the file is empty; expected a program"));
+}
+
 TEST_CASE("inspect lists canonical moves", "[e2e][inspect]") {
   const Scratch scratch;
   write_text(scratch / "a.ngc",

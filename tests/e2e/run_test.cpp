@@ -110,6 +110,22 @@ TEST_CASE("a stage that fails its gate stops the job with a report", "[e2e][run]
   CHECK_FALSE(fs::exists(scratch / "out/finish"));
 }
 
+TEST_CASE("with --json the bytes of result.json and nothing else are printed", "[e2e][run]") {
+  const Scratch scratch;
+  const Outcome run = limitgauge(
+      scratch, {"run", kDome, "-o", "out", "--no-pictures", "--json", "--history", "runs.sqlite"});
+  INFO(run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.out == read_text(scratch / "out/result.json"));
+  const Outcome compared = limitgauge(scratch, {"compare", "out", "out", "--json", "-o", "same"});
+  CHECK(compared.exit_code == 0);
+  CHECK(compared.out == read_text(scratch / "same/compare.json"));
+  // Bad input prints none.
+  const Outcome refused = limitgauge(scratch, {"run", "none.toml", "--json"});
+  CHECK(refused.exit_code == 3);
+  CHECK(refused.out.empty());
+}
+
 TEST_CASE("a finished folder is overwritten only with --force", "[e2e][run]") {
   const Scratch scratch;
   REQUIRE(limitgauge(scratch, {"plan", kDome, "-o", "out"}).exit_code == 0);

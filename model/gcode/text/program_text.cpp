@@ -120,7 +120,10 @@ std::string read_program_text(const std::filesystem::path& path) {
     bytes = read_text_file(path);
   }
   std::string text = as_program_text(bytes, path.string());
-  return text.empty() ? bytes : text;
+  if (text.empty()) text = std::move(bytes);
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw InputError({path.string()}, "the file is empty", "a program as G-code or CL data");
+  return text;
 }
 
 namespace gcode {

@@ -155,7 +155,6 @@ TEST_CASE("usage that cannot be obeyed is refused", "[unit][command_line]") {
   CHECK_THAT(error_of({}), ContainsSubstring("subcommand"));
   CHECK_THAT(error_of({"run"}), ContainsSubstring("JOB is required"));
   CHECK_THAT(error_of({"rnu", "a.toml"}), ContainsSubstring("expected 'run'"));
-  CHECK_THAT(error_of({"run", "a.toml", "--thread", "2"}), ContainsSubstring("--thread"));
   CHECK_THAT(error_of({"run", "a.toml", "--threads", "0"}), ContainsSubstring("--threads"));
   CHECK_THAT(error_of({"inspect", "c.obj", "--samples", "5"}), ContainsSubstring("--csv"));
   CHECK_THAT(error_of({"inspect", "c.obj", "--samples", "1", "--csv", "a.csv"}),
@@ -167,6 +166,31 @@ TEST_CASE("usage that cannot be obeyed is refused", "[unit][command_line]") {
   CHECK_THAT(error_of({"view", "out", "--set", "a=1"}), ContainsSubstring("--set"));
   CHECK_THAT(error_of({"--generate", "tcsh"}), ContainsSubstring("expected man, bash"));
   CHECK_THAT(error_of({"--generate"}), ContainsSubstring("expected man, bash"));
+}
+
+TEST_CASE("a mistyped option names the one that was meant", "[unit][command_line]") {
+  CHECK_THAT(error_of({"run", "a.toml", "--thread", "2"}),
+             ContainsSubstring("unknown option '--thread' of run; expected '--threads'"));
+  // What is missing for want of it comes second.
+  CHECK_THAT(error_of({"cut", "--tol=flat:D=8"}), ContainsSubstring("expected '--tool'"));
+  CHECK_THAT(error_of({"verify", "--guge", "0.1"}), ContainsSubstring("expected '--gouge'"));
+  CHECK_THAT(error_of({"run", "a.toml", "--gouge", "1"}),
+             ContainsSubstring("it is one of verify;"));
+  CHECK_THAT(error_of({"run", "a.toml", "--qqqqqqqq"}),
+             ContainsSubstring("expected one that it has; see limitgauge run --help"));
+  // A value is no option, whatever it begins with.
+  CHECK_THAT(error_of({"run", "a.toml", "--label", "--thread", "--threads", "0"}),
+             !ContainsSubstring("unknown option '--thread' of"));
+}
+
+TEST_CASE("JSON is printed by commands that have a result", "[unit][command_line]") {
+  CHECK(parse({"run", "a.toml", "--json"}).common.json);
+  CHECK(parse({"run", "a.toml", "--json", "--quiet"}).common.json);
+  CHECK(parse({"compare", "a", "b", "--json"}).common.json);
+  CHECK_FALSE(parse({"run", "a.toml"}).common.json);
+  for (const char* command : {"plan", "inspect", "view"})
+    CHECK_THAT(error_of({command, "a", "--json"}),
+               ContainsSubstring("expected it with run, verify, cut or compare"));
 }
 
 TEST_CASE("help names what there is and nothing else", "[unit][command_line]") {

@@ -61,7 +61,7 @@ TEST_CASE("every file that a job names has its checksum, each once", "[unit][inp
   job.sources = {{JobFile::Role::tool_table, folder.path() / "p.ngc", "tool.tbl"},
                  {JobFile::Role::job, folder.path() / "job.toml", "jobs/job.toml"}};
   JobDesign& design = job.design.emplace();
-  design.cage = folder.path() / "cage.obj", design.cage_as_stated = "../cage.obj";
+  design.file = folder.path() / "cage.obj", design.as_stated = "../cage.obj";
   JobStage stage;
   stage.program = folder.path() / "p.ngc", stage.program_as_stated = "p.ngc";
   job.stages = {stage, stage};
@@ -110,7 +110,7 @@ TEST_CASE("verify's stock and tool table are among its inputs", "[unit][inputs]"
 
 TEST_CASE("a file that went away has no checksum", "[unit][inputs]") {
   Job job;
-  job.design.emplace().cage = "/nonexistent/cage.obj";
+  job.design.emplace().file = "/nonexistent/cage.obj";
   CHECK_THROWS_AS(input_checksums(job), model::InputError);
 }
 

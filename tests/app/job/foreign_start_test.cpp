@@ -155,7 +155,7 @@ TEST_CASE("a cage with nothing to measure or too far away is bad input", "[unit]
     const std::string file = (folder.path() / "c.obj").string();
     std::ofstream(file) << cage;
     Job job = read(good_job());
-    job.design->cage = file;
+    job.design->file = file;
     try {
       load_inputs(job, {kMemory});
     } catch (const model::InputError& error) {

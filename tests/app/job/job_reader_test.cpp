@@ -17,7 +17,7 @@ struct BadJob {
 TEST_CASE("a job is read with its defaults stated", "[unit][job]") {
   const Job job = read(good_job());
   CHECK(job.name == "dome");
-  CHECK(job.design->cage == tests::fixtures() / "cages/quick-dome.obj");
+  CHECK(job.design->file == tests::fixtures() / "cages/quick-dome.obj");
   CHECK(std::get<model::BoxStock>(job.stock).size_mm == model::Vec3{26, 26, 9});
   REQUIRE(job.stages.size() == 1);
   const JobStage& stage = job.stages[0];

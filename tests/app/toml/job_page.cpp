@@ -209,7 +209,19 @@ memory_mb = 2
 surface = { cage = "cages/quick-dome.obj" }
 stock = { shape = "cylinder", diameter = 40, height = 12, base = [0, 0, -5] }
 )";
-  return {first + planned, foreign, bar + planned};
+  const std::string mesh = R"(name = "mesh"
+surface = { mesh = "findings/clamp.obj" }
+stock = { shape = "box", size = [60, 60, 60], corner = [-30, -30, -30] }
+[[tool]]
+id = "flat6"
+type = "flat"
+diameter = 6
+[[stage]]
+name = "a"
+tool = "flat6"
+program = "foreign/plate.ngc"
+)";
+  return {first + planned, foreign, bar + planned, mesh};
 }
 
 }  // namespace limitgauge::app

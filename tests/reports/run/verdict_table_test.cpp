@@ -94,3 +94,32 @@ TEST_CASE("colour changes nothing but the colour", "[unit][table]") {
     coloured.erase(at, coloured.find('m', at) - at + 1);
   CHECK(coloured == verdict_table(result, false));
 }
+
+TEST_CASE("the table shows the program's own line at the worst place of a failure",
+          "[unit][table]") {
+  RunResult result = sample_result(Outcome::failed);
+  StageResult& stage = result.stages[1];
+  REQUIRE(stage.verdict() == verifier::Verdict::fail);
+  REQUIRE(!stage.ran->deviation->gouges.empty());
+  stage.program = "jobs/part.ngc";
+  stage.ran->program_text = std::make_shared<const std::string>("G21\nG1 X12 Y3 F600\nM2\n");
+  verifier::Finding& worst = stage.ran->deviation->gouges.front();
+  worst.stage = 1, worst.line = 2;
+  const std::string text = verdict_table(result, false);
+  INFO(text);
+  CHECK_THAT(text, ContainsSubstring("\nsemi-finish: jobs/part.ngc:2: G1 X12 Y3 F600\n"));
+  // Of stages that pass, none.
+  stage.decision.verdict = verifier::Verdict::pass;
+  CHECK_THAT(verdict_table(result, false), !ContainsSubstring("G1 X12"));
+}
+
+TEST_CASE("times go by their names, and a stage without moves is told", "[unit][table]") {
+  RunResult result = sample_result(Outcome::passed);
+  CHECK_THAT(verdict_table(result, false),
+             ContainsSubstring("\nmachining time ") && ContainsSubstring(" (rough ") &&
+                 ContainsSubstring("\ncomputing time ") && !ContainsSubstring("no moves"));
+  result.stages[1].ran->cut_length_mm = 0;
+  CHECK_THAT(verdict_table(result, false), ContainsSubstring("no moves that cut"));
+  result.stages[1].strategy = "rest";
+  CHECK_THAT(verdict_table(result, false), ContainsSubstring("no moves, since nothing that"));
+}

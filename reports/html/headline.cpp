@@ -71,12 +71,21 @@ bool is_told(const GateFigure& figure) {
          !figure.limit.empty();
 }
 
+std::vector<std::string> escaped(std::vector<std::string> texts) {
+  for (std::string& text : texts) text = escape_markup(text);
+  return texts;
+}
+
 /// The figures that are said beside the verdict.
 std::vector<std::string> notes_of(const StageResult& stage) {
   std::vector<std::string> out;
-  if (!stage.ran || !stage.ran->deviation) return stage_notes(stage);
+  if (!stage.ran) return out;
+  if (!stage.ran->deviation) return escaped(stage_notes(stage));
   const verifier::StageDeviation& d = *stage.ran->deviation;
   const bool out_of_reach = unreachable_area_mm2(d).low > 0 || d.unreachable_area_mm2 > 0;
+  for (const std::string& note : stage_notes(stage))
+    if (!note.starts_with("unreachable ") && !note.starts_with("missing stock "))
+      out.push_back(escape_markup(note));
   for (const GateFigure& figure : gate_figures(stage)) {
     const bool missing = figure.name == "missing stock" && d.missing_stock_mm.low > 0;
     if (missing || (is_about_reach(figure) && (out_of_reach || is_told(figure))))
@@ -84,7 +93,7 @@ std::vector<std::string> notes_of(const StageResult& stage) {
   }
   // Where no part is proven to be out of reach, samples may still be.
   if (unreachable_area_mm2(d).high <= 0 && d.unreachable_area_mm2 > 0)
-    out = stage_notes(stage);
+    out = escaped(stage_notes(stage));
   return out;
 }
 

@@ -328,8 +328,10 @@ TEST_CASE("Runs are named by their labels, or by the folders that tell them apar
   record::RunRecord labelled = run;
   labelled.label = "before the new cutter";
   CHECK(names(labelled, "a", run, "b") == "before the new cutter | b");
-  Comparison comparison = compare_runs(labelled, run, {});
-  name_runs(comparison, labelled, "a", run, "b");
+  record::RunRecord now = run;
+  now.stages[0].measures->deviation->gouge_mm.high += 1;
+  Comparison comparison = compare_runs(labelled, now, {});
+  name_runs(comparison, labelled, "a", now, "b");
   std::ostringstream page, comment;
   write_html(comparison, page);
   write_markdown(comparison, comment);

@@ -7,7 +7,9 @@ import { axisOption, commonOption, tooltipLines } from './theme.js';
  * Above the plot every kind of mark has a row of its own, from the top: gouge limit, uncut limit, median,
  * other percentiles. So none is printed over another, however near to each other their lines stand.
  */
-const ROW_PX = 18, ROWS = 4, LETTER_PX = 7.4;
+const ROW_PX = 18, ROWS = 4;
+/** The widest that a bold letter of 13 px is on average. */
+const LETTER_PX = 9.6;
 
 /**
  * What ECharts draws of a stage's histogram.

@@ -131,8 +131,8 @@ void print(const reports::RunResult& result, const OutputFolder& folder, const R
                 << std::endl;
 }
 
-/// A mesh taken for a cage is measured as another, smoother shape: whoever waits for the verdict is told
-/// before the work begins.
+/// A mesh taken for a cage is measured as another, smoother shape: whoever waits for the verdict is
+/// told before the work begins.
 void warn_of_mesh(const Job& job, const RunInputs& inputs, ProgressLine& progress,
                   const CommonOptions& common, const Console& console) {
   if (common.quiet || !inputs.design || inputs.design->mesh) return;

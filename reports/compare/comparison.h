@@ -43,7 +43,7 @@ struct FigureChange {
   verifier::Interval base, now;  ///< of no width where it is no certified one
   /// What the gates of both runs held it against; empty where they did not.
   std::optional<double> base_limit, now_limit;
-  std::optional<double> floor;   ///< a change up to it says nothing; empty: not judged
+  std::optional<double> floor;  ///< a change up to it says nothing; empty: not judged
   Judgement judgement = Judgement::not_judged;
   std::string why;                  ///< the rule that decided, in words
   std::optional<FoundPlace> where;  ///< of a certified figure: the deepest place of the worse run

@@ -37,11 +37,10 @@ FigureText length_cells(const FigureChange& change) {
   const LengthUnit unit = unit_for(largest);
   const double moved = change.now.high - change.base.high;
   const std::string symbol = std::string(" ") + unit.symbol;
-  return {
-      interval_or_number(change.base, unit, change.base_limit),
-      interval_or_number(change.now, unit, change.now_limit),
-      moved == 0 ? "0" : signed_text(moved, measured_number(std::abs(moved), unit) + symbol),
-      change.floor ? stated_number(*change.floor, unit) + symbol : ""};
+  return {interval_or_number(change.base, unit, change.base_limit),
+          interval_or_number(change.now, unit, change.now_limit),
+          moved == 0 ? "0" : signed_text(moved, measured_number(std::abs(moved), unit) + symbol),
+          change.floor ? stated_number(*change.floor, unit) + symbol : ""};
 }
 
 FigureText share_cells(const FigureChange& change) {

@@ -226,8 +226,7 @@ std::string stage_section(const StageComparison& stage, std::size_t index,
       "<section id=\"{}\"><h2>{}</h2>\n<p>Verdict: {} before, now {}.</p>\n{}{}{}{}</section>\n",
       html::stage_anchor(index), escape_markup(stage.name), verdict_badge(stage.base),
       verdict_badge(stage.now), remark_list(stage.remarks), worst_place(stage),
-      figures_part(stage, titles),
-      findings_table(stage));
+      figures_part(stage, titles), findings_table(stage));
 }
 
 }  // namespace

@@ -63,7 +63,8 @@ void write_figures(const Comparison& comparison, std::ostream& out) {
       if (!is_shown(figure)) continue;
       if (!has_head)
         out << "\n| stage | figure | " << escaped(base_title(comparison)) << " | "
-            << escaped(new_title(comparison)) << " | change | floor | |\n"
+            << escaped(new_title(comparison))
+            << " | change | floor | |\n"
                "|---|---|--:|--:|--:|--:|---|\n";
       has_head = true;
       const FigureText text = figure_text(figure);

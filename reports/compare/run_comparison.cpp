@@ -53,7 +53,9 @@ void compare_deviations(const record::DeviationMeasures& base, const record::Dev
 
 /// What the gate holds a certified length or the coverage against.
 std::optional<double> limit_of(const record::Metric& metric, const verifier::GateLimits& limits) {
-  const auto stated = [](bool has, double value) { return has ? std::optional(value) : std::nullopt; };
+  const auto stated = [](bool has, double value) {
+    return has ? std::optional(value) : std::nullopt;
+  };
   if (metric.id == "gouge_mm" || metric.id == "missing_stock_mm")
     return stated(limits.has_gouge, limits.gouge_mm);
   if (metric.id == "uncut_mm") return stated(limits.has_uncut, limits.uncut_mm);

@@ -12,8 +12,8 @@ namespace limitgauge::reports::compare {
 Comparison compare_runs(const record::RunRecord& base, const record::RunRecord& now,
                         const Options& options);
 
-/// Names the two runs by their labels, or by the shortest ends of the paths to their results that tell
-/// them apart: "base" and "new" say nothing of where a result is from.
+/// Names the two runs by their labels, or by the shortest ends of the paths to their results that
+/// tell them apart: "base" and "new" say nothing of where a result is from.
 void name_runs(Comparison& comparison, const record::RunRecord& base,
                const std::filesystem::path& base_file, const record::RunRecord& now,
                const std::filesystem::path& now_file);

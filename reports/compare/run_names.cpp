@@ -6,8 +6,8 @@ namespace limitgauge::reports::compare {
 namespace fs = std::filesystem;
 namespace {
 
-/// The folders that lead to a result, the innermost first; a result of another name than that of a run
-/// begins with itself.
+/// The folders that lead to a result, the innermost first; a result of another name than that of a
+/// run begins with itself.
 std::vector<std::string> parts_of(const fs::path& file) {
   std::vector<std::string> parts;
   const fs::path whole = file.lexically_normal();

@@ -157,8 +157,10 @@ std::string histogram_chart(const verifier::StageDeviation& d, const verifier::G
     ticks += axis_label(axis.percent(t), "tick", signed_number(is_zero ? 0 : t, unit));
   }
   return fmt::format(
-      "<figure class=\"histogram\" data-stage=\"{}\"><figcaption>Area in mm² (upwards) by deviation "
-      "from the allowance surface in {}: left of zero the cutter went too deep, right of it material "
+      "<figure class=\"histogram\" data-stage=\"{}\"><figcaption>Area in mm² (upwards) by "
+      "deviation "
+      "from the allowance surface in {}: left of zero the cutter went too deep, right of it "
+      "material "
       "still stands.</figcaption>"
       "<div class=\"static\"><div class=\"above\">{}</div><svg viewBox=\"0 0 100 100\" "
       "preserveAspectRatio=\"none\" "

@@ -133,8 +133,7 @@ std::string verdict_lines(const RunResult& result) {
   StageList list(result);
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     const std::vector<std::string> kinds = headlines(result.stages[i]);
-    if (!kinds.empty())
-      list.add(i, "<strong>" + escape_markup(joined(kinds, ", ")) + "</strong>");
+    if (!kinds.empty()) list.add(i, "<strong>" + escape_markup(joined(kinds, ", ")) + "</strong>");
   }
   std::string about = design_words(result);
   if (has_open_figure(result))

@@ -84,8 +84,7 @@ std::string terms(const std::vector<Term>& list) {
   return out + "</dl>\n";
 }
 
-std::string fold(std::string_view css, std::string_view summary, std::string_view body,
-                 bool open) {
+std::string fold(std::string_view css, std::string_view summary, std::string_view body, bool open) {
   return fmt::format("<details class=\"{}\"{}><summary>{}</summary>\n{}</details>\n", css,
                      open ? " open=\"\"" : "", summary, body);
 }

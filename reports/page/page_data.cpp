@@ -125,14 +125,14 @@ class Writer {
     const model::Box3 box =
         result_.surface ? result_.surface->bbox_mm : bounding_box(result_.raw_stock);
     Json json = {{"format", "limitgauge.page/1"},
-                       {"job", clean_text(result_.job)},
-                       {"created", clean_text(result_.created)},
-                       {"version", clean_text(result_.version)},
-                       {"verdict", verifier::name(result_.verdict)},
-                       {"bounds_mm", {point_json(box.low), point_json(box.high)}},
-                       {"surfaces", surfaces_.json()},
-                       {"stages", std::move(stages)},
-                       {"blob_bytes", 0}};
+                 {"job", clean_text(result_.job)},
+                 {"created", clean_text(result_.created)},
+                 {"version", clean_text(result_.version)},
+                 {"verdict", verifier::name(result_.verdict)},
+                 {"bounds_mm", {point_json(box.low), point_json(box.high)}},
+                 {"surfaces", surfaces_.json()},
+                 {"stages", std::move(stages)},
+                 {"blob_bytes", 0}};
     if (const MeshDesign* mesh = result_.mesh_design()) json["triangles"] = triangles(*mesh);
     json["blob_bytes"] = blob_.bytes().size();
     return {safe_text(json), packed(blob_.bytes())};

@@ -43,8 +43,7 @@ std::string range_numbers(const verifier::Interval& figure, const std::optional<
     return model::rounded_text(value, model::significant_decimals(value, 3), rounding, limit);
   };
   if (figure.low == figure.high) return end(figure.low, model::Rounding::nearest);
-  return end(figure.low, model::Rounding::down) + " to " +
-         end(figure.high, model::Rounding::up);
+  return end(figure.low, model::Rounding::down) + " to " + end(figure.high, model::Rounding::up);
 }
 
 /// "12.3 mm² (4.10 %)", with "12.3 to 12.9 mm² (4.10 to 4.30 %)" where some is undecided.

@@ -34,7 +34,8 @@ struct GateFigure {
   };
   std::optional<Length> length = std::nullopt;
 
-  /// As `measured` and `limit`, of a certified length in `unit` and without it; as they are of all else.
+  /// As `measured` and `limit`, of a certified length in `unit` and without it; as they are of all
+  /// else.
   std::string measured_in(const LengthUnit& unit) const;
   std::string limit_in(const LengthUnit& unit) const;
 };

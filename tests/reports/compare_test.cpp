@@ -313,7 +313,8 @@ TEST_CASE("A new collision is a regression, a near miss is not", "[unit][compare
   CHECK(compare_runs(sample_run(), now, {}).worse == 0);
 }
 
-TEST_CASE("Runs are named by their labels, or by the folders that tell them apart", "[unit][compare]") {
+TEST_CASE("Runs are named by their labels, or by the folders that tell them apart",
+          "[unit][compare]") {
   const auto names = [](record::RunRecord base, const char* base_file, record::RunRecord now,
                         const char* now_file) {
     Comparison comparison = compare_runs(base, now, {});
@@ -337,7 +338,8 @@ TEST_CASE("Runs are named by their labels, or by the folders that tell them apar
   write_markdown(comparison, comment);
   CHECK(page.str().find("Base, before the new cutter") != std::string::npos);
   CHECK(comment.str().find("| base, before the new cutter | new, b |") != std::string::npos);
-  CHECK(text_table(comparison, false, 100, false).starts_with("base: before the new cutter; new: b\n"));
+  CHECK(text_table(comparison, false, 100, false)
+            .starts_with("base: before the new cutter; new: b\n"));
 }
 
 TEST_CASE("Places are paired one to one, nearest first", "[unit][compare]") {

@@ -74,8 +74,8 @@ class Decision {
   void judge_length(const std::string& what, const Interval& figure, double limit_mm,
                     const std::string& where) {
     const Verdict verdict = judge(figure, limit_mm);
-    add(what + " certified " + range_text(figure, limit_mm) + ", limit " + length_text(limit_mm, limit_mm) +
-            standing(verdict, d_.reached_resolution),
+    add(what + " certified " + range_text(figure, limit_mm) + ", limit " +
+            length_text(limit_mm, limit_mm) + standing(verdict, d_.reached_resolution),
         verdict, where);
   }
   void judge_unreachable();
@@ -88,9 +88,11 @@ class Decision {
 
 void Decision::judge_runs() {
   if (limits_.has_gouge)
-    judge_length(gouge_by(d_), d_.gouge_mm, limits_.gouge_mm, deepest_text(d_.gouges, stages_, limits_.gouge_mm));
+    judge_length(gouge_by(d_), d_.gouge_mm, limits_.gouge_mm,
+                 deepest_text(d_.gouges, stages_, limits_.gouge_mm));
   if (limits_.has_uncut)
-    judge_length("uncut", d_.uncut_mm, limits_.uncut_mm, deepest_text(d_.uncuts, stages_, limits_.uncut_mm));
+    judge_length("uncut", d_.uncut_mm, limits_.uncut_mm,
+                 deepest_text(d_.uncuts, stages_, limits_.uncut_mm));
 }
 
 void Decision::judge_coverage() {
@@ -112,7 +114,8 @@ void Decision::judge_unreachable() {
   const double unit_mm2 = limits_.unreachable_is_share ? whole_mm2 : 1;
   const Verdict verdict =
       judge({area_mm2.low / unit_mm2, area_mm2.high / unit_mm2}, limits_.unreachable);
-  add("unreachable certified " + area_range_text(area_mm2, whole_mm2, limits_.unreachable * unit_mm2) + ", limit " +
+  add("unreachable certified " +
+          area_range_text(area_mm2, whole_mm2, limits_.unreachable * unit_mm2) + ", limit " +
           (limits_.unreachable_is_share ? share_text(limits_.unreachable)
                                         : area_text(limits_.unreachable)) +
           (verdict == Verdict::pass ? ": within the limit" : standing(verdict, false)),
@@ -144,7 +147,8 @@ void Decision::judge_missing_stock() {
   }
   const Verdict verdict = judge(figure, limits_.gouge_mm);
   if (verdict == Verdict::pass && !(figure.low > 0)) return;
-  add(range + ", limit " + length_text(limits_.gouge_mm, limits_.gouge_mm) + standing(verdict, d_.reached_resolution),
+  add(range + ", limit " + length_text(limits_.gouge_mm, limits_.gouge_mm) +
+          standing(verdict, d_.reached_resolution),
       verdict, where);
 }
 

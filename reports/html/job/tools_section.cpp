@@ -16,16 +16,22 @@ struct Tool {
   std::string stages;
 };
 
+std::string stage_link(const RunResult& result, std::size_t index) {
+  return fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index),
+                     escape_markup(result.stages[index].name));
+}
+
 std::vector<Tool> tools_of(const RunResult& result) {
   std::vector<Tool> tools;
-  for (const StageResult& stage : result.stages) {
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    const StageResult& stage = result.stages[i];
     const auto known = std::find_if(tools.begin(), tools.end(), [&](const Tool& tool) {
       return tool.first->tool == stage.tool && to_text(tool.first->cutter) == to_text(stage.cutter);
     });
     if (known == tools.end()) {
-      tools.push_back({&stage, escape_markup(stage.name)});
+      tools.push_back({&stage, stage_link(result, i)});
     } else {
-      known->stages += ", " + escape_markup(stage.name);
+      known->stages += ", " + stage_link(result, i);
     }
   }
   return tools;

@@ -127,20 +127,21 @@ std::string patch_table(const RunResult& result, std::size_t index) {
   std::vector<Row> rows;
   for (std::size_t i = 0; i < shown; ++i)
     rows.push_back(patch_row(result, index, patches[i], units));
-  return fold("patches", summary(shown, patches.size()),
-              table("Depth and interval: how finely the engine's model of the patch was subdivided, "
-                    "and how sparsely this stage's path sampled it. Gouge and uncut are the worst of "
-                    "the patch's samples, uncut where the cutter can reach; certified are the figures "
-                    "for the whole.",
-                    {{"Patch"},
-                     {"Depth", true},
-                     {"Interval", true},
-                     {std::string("Gouge seen, ") + units.gouge.symbol, true},
-                     {std::string("Uncut seen, ") + units.uncut.symbol, true},
-                     {"Area, mm²", true},
-                     {"Out of reach, %", true},
-                     {"Samples", true}},
-                    rows));
+  return fold(
+      "patches", summary(shown, patches.size()),
+      table("Depth and interval: how finely the engine's model of the patch was subdivided, "
+            "and how sparsely this stage's path sampled it. Gouge and uncut are the worst of "
+            "the patch's samples, uncut where the cutter can reach; certified are the figures "
+            "for the whole.",
+            {{"Patch"},
+             {"Depth", true},
+             {"Interval", true},
+             {std::string("Gouge seen, ") + units.gouge.symbol, true},
+             {std::string("Uncut seen, ") + units.uncut.symbol, true},
+             {"Area, mm²", true},
+             {"Out of reach, %", true},
+             {"Samples", true}},
+            rows));
 }
 
 }  // namespace limitgauge::reports::html

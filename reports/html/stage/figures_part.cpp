@@ -38,9 +38,9 @@ std::string deviation_terms(const StageResult& stage) {
     if (figure.name == "missing stock" && !(d.missing_stock_mm.low > 0))
       list.push_back({"Missing stock", figure.measured});
   list.push_back({"Cells examined", grouped(d.cells)});
-  list.push_back({"Interval width asked for",
-                  stated_length(d.resolution_mm) +
-                      (d.reached_resolution ? ", reached" : ", not reached")});
+  list.push_back(
+      {"Interval width asked for",
+       stated_length(d.resolution_mm) + (d.reached_resolution ? ", reached" : ", not reached")});
   list.push_back({"Verification took", duration_text(d.seconds)});
   return "<h3>Deviation</h3>" + terms(list);
 }

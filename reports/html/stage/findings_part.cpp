@@ -40,8 +40,7 @@ std::string left_by(const verifier::Finding& f) {
 std::string bodies_table(const RunResult& result, const verifier::StageDeviation& d) {
   if (d.bodies.size() < 2) return {};
   double largest_mm = 0;
-  for (const verifier::BodyFigure& b : d.bodies)
-    largest_mm = std::max(largest_mm, b.gouge_mm.high);
+  for (const verifier::BodyFigure& b : d.bodies) largest_mm = std::max(largest_mm, b.gouge_mm.high);
   const LengthUnit unit = unit_for(largest_mm);
   std::vector<std::vector<std::string>> rows;
   for (const verifier::BodyFigure& b : d.bodies) {
@@ -94,12 +93,12 @@ Row finding_row(const RunResult& result, std::size_t index, const FindingKindTab
                 std::size_t number, const verifier::Finding& f) {
   const std::string name = kind.letter + std::to_string(number + 1);
   const bool missing = kind.letter == 'M';
-  return {{name, measured_number(f.depth_mm, kind.unit, kind.limit_mm), three_digits(f.area_mm2),
-           extent_text(f.extent_mm), coordinates(f.place.point), patch_text(result, f.place),
-           line_cell(result, index, f), missing ? "raw stock" : left_by(f)},
-          // The map in the page knows gouges and leftovers.
-          missing ? " id=\"" + finding_anchor(index, name) + "\""
-                  : finding_attributes(index, name)};
+  return {
+      {name, measured_number(f.depth_mm, kind.unit, kind.limit_mm), three_digits(f.area_mm2),
+       extent_text(f.extent_mm), coordinates(f.place.point), patch_text(result, f.place),
+       line_cell(result, index, f), missing ? "raw stock" : left_by(f)},
+      // The map in the page knows gouges and leftovers.
+      missing ? " id=\"" + finding_anchor(index, name) + "\"" : finding_attributes(index, name)};
 }
 
 std::vector<Column> finding_columns(const RunResult& result, const LengthUnit& unit) {
@@ -123,9 +122,9 @@ std::string findings_table(const RunResult& result, std::size_t index,
   const std::vector<Column> columns = finding_columns(result, kind.unit);
   std::string out = table(kind.caption, columns, open);
   if (!folded.empty())
-    out += fold("more", fmt::format("The next {}", folded.size()),
-                table(fmt::format("{}, from the {}th on", kind.caption, kMostOpen + 1), columns,
-                      folded));
+    out += fold(
+        "more", fmt::format("The next {}", folded.size()),
+        table(fmt::format("{}, from the {}th on", kind.caption, kMostOpen + 1), columns, folded));
   return out + more_note(findings.size());
 }
 

@@ -12,9 +12,9 @@ namespace limitgauge::reports::html {
 /// One row a stage with its verdict and its gate figures, each with its limit.
 std::string stage_table(const RunResult& result);
 
-/// For the header: of each stage that did not pass the worst gouge, leftover, missing stock and fault
-/// of every kind with its depth, its place, its program line in full, and a link to its row. Empty
-/// for a job that passed.
+/// For the header: of each stage that did not pass the worst gouge, leftover, missing stock and
+/// fault of every kind with its depth, its place, its program line in full, and a link to its row.
+/// Empty for a job that passed.
 std::string worst_places(const RunResult& result);
 
 /// The stage's part of the page, folded below its heading where it passed.

@@ -24,9 +24,7 @@ class TimeColumn {
     for (const StageResult& stage : stages)
       if (stage.ran && stage.ran->machining_time_s >= kMinute_s) long_ = true;
   }
-  Column column() const {
-    return {long_ ? "Machining time, h:min:s" : "Machining time, s", true};
-  }
+  Column column() const { return {long_ ? "Machining time, h:min:s" : "Machining time, s", true}; }
   std::string cell(const StageResult& stage) const {
     if (!stage.ran) return "–";
     const double seconds = stage.ran->machining_time_s;
@@ -47,8 +45,7 @@ std::string ratio_text(const GateFigure::Length& figure) {
 }
 
 std::string standing_badge(const GateFigure& figure) {
-  const bool speaks =
-      figure.standing == Standing::beyond || figure.standing == Standing::undecided;
+  const bool speaks = figure.standing == Standing::beyond || figure.standing == Standing::undecided;
   return speaks ? "<small>" + badge(figure.standing) + "</small>" : std::string();
 }
 

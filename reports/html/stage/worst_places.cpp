@@ -56,8 +56,8 @@ std::string line_text(const RunResult& result, std::size_t stage, std::uint32_t 
 std::string card(const std::string& title, const std::string& measure,
                  const std::vector<Term>& list, const std::string& more = {}) {
   return fmt::format(
-      "<div class=\"worst\"><p class=\"what\">{} <strong>{}</strong>{}</p>{}</div>\n", title, measure,
-      more, terms(list));
+      "<div class=\"worst\"><p class=\"what\">{} <strong>{}</strong>{}</p>{}</div>\n", title,
+      measure, more, terms(list));
 }
 
 /// ", limit 10 µm: beyond"; the interval stands in the table of stages.

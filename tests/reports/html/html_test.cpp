@@ -213,9 +213,9 @@ TEST_CASE("tools stand in all their measures, each once", "[unit][html]") {
   parse_page(page_of(result), page);
   const std::vector<pugi::xml_node> rows = rows_of(element_with(page.tree, "id", "tools"));
   REQUIRE(rows.size() == 2);  // ball3 is used in two stages
-  CHECK(cells_of(rows[0]) ==
-        std::vector<std::string>{"flat8", "flat", "8", "–", "–", "–", "25", "⌀8 × 30",
-                                 "⌀40 × 20, ⌀50 × 30.5", "90", "rough"});
+  CHECK(cells_of(rows[0]) == std::vector<std::string>{"flat8", "flat", "8", "–", "–", "–", "25",
+                                                      "⌀8 × 30", "⌀40 × 20, ⌀50 × 30.5", "90",
+                                                      "rough"});
   CHECK(cells_of(rows[1])[3] == "3");
   CHECK(cells_of(rows[1])[10] == "semi-finish, finish");
 }
@@ -242,8 +242,8 @@ TEST_CASE("a page without pictures has none, and the same result gives the same 
 
 TEST_CASE("a ratio of limit to interval below 4 : 1 is marked", "[unit][html]") {
   // Its interval of 3.1 µm against 10 µm is 3.2 : 1.
-  CHECK(
-      contains(page_of(sample_result(Outcome::indeterminate)), "3.23 : 1</span> <strong class=\"warn\">"));
+  CHECK(contains(page_of(sample_result(Outcome::indeterminate)),
+                 "3.23 : 1</span> <strong class=\"warn\">"));
   CHECK_FALSE(contains(page_of(sample_result(Outcome::passed)), "class=\"warn\""));
 }
 
@@ -255,8 +255,8 @@ TEST_CASE("findings stand in the table with place, patch, parameters and line", 
   const std::vector<std::string> cells = cells_of(element_with(page.tree, "id", "stage-2-G1"));
   CHECK(cells[0] == "G1");
   CHECK(cells[1] + " µm" == measured_length(f.depth_mm));
-  CHECK(cells[5] == std::to_string(f.place.patch) + fixed(f.place.u, 4) + ", " +
-                        fixed(f.place.v, 4));
+  CHECK(cells[5] ==
+        std::to_string(f.place.patch) + fixed(f.place.u, 4) + ", " + fixed(f.place.v, 4));
   CHECK(cells[6].starts_with(std::to_string(f.line) + "move "));
 }
 
@@ -264,8 +264,7 @@ TEST_CASE("what passed and what is looked up is folded, what failed is open", "[
   ParsedPage page;
   parse_page(page_of(sample_result(Outcome::failed)), page);
   const auto folded = [&](const char* id, const char* css) {
-    const pugi::xml_node details =
-        element_with(element_with(page.tree, "id", id), "class", css);
+    const pugi::xml_node details = element_with(element_with(page.tree, "id", id), "class", css);
     CHECK(std::string(details.name()) == "details");
     return !details.attribute("open");
   };

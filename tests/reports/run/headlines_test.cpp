@@ -50,8 +50,9 @@ TEST_CASE("each kind of failure has a headline of its own", "[unit][headlines]")
           d.proven_reach = {0, 100, 0};
           d.reachable_area_mm2 = 0;
         }) == Words{"nothing is in reach of any cutter"});
-  CHECK(of([](Stage& s, D& d) { d.gouge_mm = {0, s.limits.gouge_mm * 2}; }) ==
-        Words{"undecided: gouge"});
+  CHECK(of([](Stage& s, D& d) {
+          d.gouge_mm = {0, s.limits.gouge_mm * 2};
+        }) == Words{"undecided: gouge"});
   StageResult stage = good_stage();
   stage.ran.reset();
   CHECK(headlines(stage) == Words{"not run"});

@@ -122,8 +122,9 @@ TEST_CASE("no reason prints a figure across the limit that it speaks of", "[unit
              ContainsSubstring("between 10.00004 µm and 12 µm, limit 10 µm: beyond"));
   CHECK_THAT(all(decide(with({0.004, 0.01}, {0, 0}), kLimits)),
              ContainsSubstring("between 4 µm and 10 µm, limit 10 µm: within"));
-  CHECK_THAT(all(decide(with({0, 0}, {0, 0}, 0.989999), kLimits)),
-             ContainsSubstring("coverage 0.9899 of the reachable area, least accepted 0.9900: too"));
+  CHECK_THAT(
+      all(decide(with({0, 0}, {0, 0}, 0.989999), kLimits)),
+      ContainsSubstring("coverage 0.9899 of the reachable area, least accepted 0.9900: too"));
   StageDeviation d = with({0.01000004, 0.012}, {0, 0});
   d.gouges = {finding({1, 2, 3}, 0.01000004, 12)};
   CHECK_THAT(all(decide(d, kLimits)), ContainsSubstring("deepest 10.00004 µm at"));

@@ -103,6 +103,9 @@ std::string masthead(const Comparison& comparison) {
   const char* css = judgement == Judgement::worse    ? "fail"
                     : judgement == Judgement::better ? "pass"
                                                      : "none";
+  // What is worse stands on top already.
+  std::vector<Remark> others = comparison.remarks;
+  std::erase_if(others, [](const Remark& r) { return r.judgement == Judgement::worse; });
   const auto run = [](const RunHead& head) {
     const std::string name =
         head.name.empty() ? std::string() : "<strong>" + escape_markup(head.name) + "</strong>, ";
@@ -119,7 +122,7 @@ std::string masthead(const Comparison& comparison) {
               {"New", run(comparison.now)},
               {"Machining time", duration_text(comparison.base.machining_time_s) + " before, now " +
                                      duration_text(comparison.now.machining_time_s)}}) +
-         remark_list(comparison.remarks) + "</header>\n";
+         remark_list(others) + "</header>\n";
 }
 
 html::Row figure_row(const FigureChange& figure) {

@@ -41,7 +41,7 @@ std::string interval_numbers(const verifier::Interval& interval_mm, const Length
 }
 
 std::string stated_number(double mm, const LengthUnit& unit) {
-  return model::shortest(without_dust(mm * unit.per_mm));
+  return model::without_trailing_zeros(fixed(without_dust(mm * unit.per_mm), 9));
 }
 
 std::string measured_number(double mm, const LengthUnit& unit,

@@ -79,6 +79,7 @@ TEST_CASE("no end of an interval is printed across its limit", "[unit][text]") {
   CHECK(percent_beside(0.99, 0.99) == "99.00 %");
   CHECK(stated_percent(0.99005) == "99.005 %");
   CHECK(stated_percent(0.99) == "99.00 %");
+  CHECK(stated_number(0.0005, {}) == "0.0005");
 }
 
 TEST_CASE("whatever the figure and its limit, what is printed stands as the figure does",

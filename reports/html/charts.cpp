@@ -186,16 +186,16 @@ std::string colour_legend(const DeviationScale& scale) {
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const bool limit = (i == 1 && scale.gouge().has_limit) || (i == 3 && scale.uncut().has_limit);
     std::string text = ticks[i] == 0 ? "0" : ticks[i] < 0 ? "−" : "+";
-    if (ticks[i] != 0) text += stated_number(std::abs(ticks[i]), unit) + " " + unit.symbol;
+    if (ticks[i] != 0) text += stated_number(std::abs(ticks[i]), unit);
     if (limit) text += "<br/>limit";
     labels += axis_label(50 + 50 * scale.position(ticks[i]), limit ? "tick limit" : "tick", text);
   }
   return fmt::format(
-      "<div class=\"legend\"><div class=\"ends\"><span>too deep (gouge)</span>"
-      "<span>still standing (uncut)</span></div><svg viewBox=\"0 0 {} 1\" "
-      "preserveAspectRatio=\"none\" aria-hidden=\"true\">{}</svg><div "
-      "class=\"below\">{}</div></div>\n",
-      kSteps, stops, labels);
+      "<div class=\"legend\"><div class=\"ends\"><span>too deep (gouge), {2}</span>"
+      "<span>still standing (uncut), {2}</span></div><svg viewBox=\"0 0 {0} 1\" "
+      "preserveAspectRatio=\"none\" aria-hidden=\"true\">{1}</svg><div "
+      "class=\"below\">{3}</div></div>\n",
+      kSteps, stops, unit.symbol, labels);
 }
 
 }  // namespace limitgauge::reports::html

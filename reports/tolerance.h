@@ -22,8 +22,5 @@ inline constexpr double kLeastSeen = 1e-9;
 /// Numbers that differ by less of their size, or of the axis that they stand on, differ by the
 /// rounding of a few operations only, which is some 1e-16 each. No unit.
 inline constexpr double kRounding = 1e-9;
-/// In units of the last digit shown: a number that is nearer to a whole one has no further digits
-/// but for its binary form, which is off by less than this up to some 1e9 of these units.
-inline constexpr double kWholeDigit = 1e-6;
 
 }  // namespace limitgauge::reports

@@ -186,10 +186,4 @@ inline constexpr double kCrossing_mm = 1e-6;
 inline constexpr double kNoArea_mm2 = 1e-9;
 inline constexpr double kNoLength_mm = 1e-6;
 
-// Texts.
-
-/// Of the last of four digits: a number off by less is the number of four digits, which rounding
-/// outwards leaves as it is. Far above what its last bits are, far below what is shown.
-inline constexpr double kFourthDigit = 1e-6;
-
 }  // namespace limitgauge::verifier

@@ -44,9 +44,9 @@ void CommandDefinition::add_history_options(CLI::App& run, HistoryOptions& histo
   CLI::Option* kept = file(
       run.add_option("--history", history.file, "Add the run's figures to this history (SQLite)"),
       "sqlite");
-  hint(run.add_option("--label", history.label, "Name of the run in the history"), "WORDS")
-      ->check(short_name())
-      ->needs(kept);
+  hint(run.add_option("--label", history.label, "Name of the run, in its result and the history"),
+       "WORDS")
+      ->check(short_name());
   hint(run.add_option("--commit", history.commit, "Commit of what is verified, for the history"),
        "COMMIT")
       ->check(short_name())

@@ -120,6 +120,7 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
                                    const RunOptions& options) {
   reports::RunResult result;
   result.job = job.name;
+  result.label = options.label;
   result.created = options.created;
   result.version = LIMITGAUGE_VERSION;
   result.threads = options.threads;

@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/error_message.h"
 #include "app/cli/usage_error.h"
+#include "app/inputs/mesh_target.h"
 #include "app/job/job_reader.h"
 #include "app/output/output_folder.h"
 #include "app/output/progress.h"
@@ -130,6 +131,17 @@ void print(const reports::RunResult& result, const OutputFolder& folder, const R
                 << std::endl;
 }
 
+/// A mesh taken for a cage is measured as another, smoother shape: whoever waits for the verdict is
+/// told before the work begins.
+void warn_of_mesh(const Job& job, const RunInputs& inputs, ProgressLine& progress,
+                  const CommonOptions& common, const Console& console) {
+  if (common.quiet || !inputs.design || inputs.design->mesh) return;
+  const std::string warning = mesh_like_warning(summarize(inputs.design->cage));
+  if (warning.empty()) return;
+  progress.clear();
+  console.errors << model::one_line(job.design->as_stated) << ": warning: " << warning << std::endl;
+}
+
 /// Makes of the options what a run shares its work by, once it is known how it is watched.
 using ShareOut = std::function<std::unique_ptr<SharedPieces>(ProgressLine& progress)>;
 
@@ -141,7 +153,9 @@ ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
   const RunHistory history(kept, folder.target());
   watched(common, console, [&](ProgressLine& progress) {
     RunOptions options = options_for(common, console, progress);
+    options.label = kept.label;
     const RunInputs inputs = load_inputs(job, {model::memory_limit_bytes()}, control_of(options));
+    warn_of_mesh(job, inputs, progress, common, console);
     const auto shared = share_out ? share_out(progress) : nullptr;
     if (shared)
       options.share = [&](std::span<const model::Pass> passes) { return shared->of_stage(passes); };

@@ -32,6 +32,7 @@ struct RunOptions {
   unsigned threads = 1;
   const std::atomic<bool>* stop = nullptr;
   RunWatch watch;
+  std::string label;    ///< of the run, or empty; stands in the result as it is
   std::string created;  ///< ISO 8601, UTC; stands in the result as it is
   /// False: no files of stages are written, and the result has no figures of them.
   bool stage_files = true;

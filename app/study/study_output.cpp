@@ -25,6 +25,7 @@ reports::study_report::About about(const study::Plan& plan, const StudyOutcome& 
   about.created = outcome.created;
   about.engine = outcome.engine;
   about.seconds = outcome.seconds;
+  about.job_path = plan.job.lexically_normal().string();
   for (const study::Variable& variable : plan.variables) {
     if (!variable.base) return about.own.clear(), about;
     about.own.push_back(*variable.base);

@@ -76,8 +76,9 @@ ExitCode execute(const CompareCommand& command, const CommonOptions& common,
   const compare::Options options = options_of(command);
   std::optional<OutputFolder> folder;
   if (!command.output.empty()) folder.emplace(command.output, common.force);
-  const compare::Comparison comparison =
-      compare::compare_runs(read_result(command.base), read_result(command.now), options);
+  const reports::record::RunRecord base = read_result(command.base), now = read_result(command.now);
+  compare::Comparison comparison = compare::compare_runs(base, now, options);
+  compare::name_runs(comparison, base, command.base, now, command.now);
   if (folder) write_files(comparison, *folder);
   if (common.json) {
     compare::write_json(comparison, console.out);

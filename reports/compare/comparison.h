@@ -41,7 +41,9 @@ struct FoundPlace {
 struct FigureChange {
   const record::Metric* metric = nullptr;
   verifier::Interval base, now;  ///< of no width where it is no certified one
-  std::optional<double> floor;   ///< a change up to it says nothing; empty: not judged
+  /// What the gates of both runs held it against; empty where they did not.
+  std::optional<double> base_limit, now_limit;
+  std::optional<double> floor;  ///< a change up to it says nothing; empty: not judged
   Judgement judgement = Judgement::not_judged;
   std::string why;                  ///< the rule that decided, in words
   std::optional<FoundPlace> where;  ///< of a certified figure: the deepest place of the worse run
@@ -77,6 +79,7 @@ struct StageComparison {
 /// What identifies a run.
 struct RunHead {
   std::string job, version, created;
+  std::string name;  ///< the run's label, or the folder that tells it from the other; or empty
   verifier::Verdict verdict = verifier::Verdict::not_run;
   double machining_time_s = 0;
 };

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "reports/run/process.h"
-#include "reports/text/text.h"
+#include "reports/text/interval_text.h"
 
 namespace limitgauge::reports::compare {
 namespace {
@@ -17,13 +17,18 @@ std::string signed_text(double value, const std::string& magnitude) {
   return (value < 0 ? "−" : "+") + magnitude;
 }
 
-std::string in_unit(double mm, const LengthUnit& unit) {
-  return three_digits(mm * unit.per_mm) + " " + unit.symbol;
+/// In the unit of its row, beside the limit of its run.
+std::string interval_or_number(const Interval& figure, const LengthUnit& unit,
+                               const std::optional<double>& limit_mm) {
+  const std::string numbers = figure.low == figure.high
+                                  ? measured_number(figure.high, unit, limit_mm)
+                                  : interval_numbers(figure, unit, limit_mm);
+  return numbers + " " + unit.symbol;
 }
 
-std::string interval_or_number(const Interval& figure, const LengthUnit& unit) {
-  if (figure.low == figure.high) return in_unit(figure.high, unit);
-  return interval_numbers(figure, unit) + " " + unit.symbol;
+std::string title(const char* which, const RunHead& head) {
+  constexpr std::size_t kWidest = 32;
+  return head.name.empty() ? which : std::string(which) + ", " + shortened(head.name, kWidest);
 }
 
 FigureText length_cells(const FigureChange& change) {
@@ -31,14 +36,19 @@ FigureText length_cells(const FigureChange& change) {
       std::max({std::abs(change.base.high), std::abs(change.now.high), change.floor.value_or(0)});
   const LengthUnit unit = unit_for(largest);
   const double moved = change.now.high - change.base.high;
-  return {interval_or_number(change.base, unit), interval_or_number(change.now, unit),
-          moved == 0 ? "0" : signed_text(moved, measured_length(std::abs(moved))),
-          change.floor ? stated_length(*change.floor) : ""};
+  const std::string symbol = std::string(" ") + unit.symbol;
+  return {interval_or_number(change.base, unit, change.base_limit),
+          interval_or_number(change.now, unit, change.now_limit),
+          moved == 0 ? "0" : signed_text(moved, measured_number(std::abs(moved), unit) + symbol),
+          change.floor ? stated_number(*change.floor, unit) + symbol : ""};
 }
 
 FigureText share_cells(const FigureChange& change) {
   const double points = 100 * (change.now.high - change.base.high);
-  return {percent_text(change.base.high), percent_text(change.now.high),
+  const auto text = [](double share, const std::optional<double>& least) {
+    return least ? percent_beside(share, *least) : percent_text(share);
+  };
+  return {text(change.base.high, change.base_limit), text(change.now.high, change.now_limit),
           points == 0 ? "0" : signed_text(points, three_digits(std::abs(points)) + " points"),
           change.floor ? three_digits(100 * *change.floor) + " points" : ""};
 }
@@ -106,6 +116,14 @@ FigureText figure_text(const FigureChange& change) {
   const bool is_length = change.metric->unit == "mm";
   if (is_length && change.metric->source != record::Source::planned) return length_cells(change);
   return change.metric->id == "coverage" ? share_cells(change) : plain_cells(change);
+}
+
+std::string base_title(const Comparison& comparison) {
+  return title("base", comparison.base);
+}
+
+std::string new_title(const Comparison& comparison) {
+  return title("new", comparison.now);
 }
 
 std::string depth_text(const FindingChange& change) {

@@ -18,6 +18,9 @@ struct FigureText {
   std::string base, now, change, floor;
 };
 FigureText figure_text(const FigureChange& change);
+/// "base", "new"; with the run's name where it has one: "base, out/main".
+std::string base_title(const Comparison& comparison);
+std::string new_title(const Comparison& comparison);
 /// "0.05 mm", "0.05 mm, 0.04 mm before".
 std::string depth_text(const FindingChange& change);
 /// "line 120: X1 Y2 Z3"; with the stage whose program it is unless that is `stage`.

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <ostream>
 
 #include "reports/compare/comparison_text.h"
 #include "reports/compare/report.h"
 #include "reports/html/markup.h"
 #include "reports/html/shell.h"
-#include "reports/text/text.h"
+#include "reports/text/interval_text.h"
 
 namespace limitgauge::reports::compare {
 namespace {
@@ -36,6 +38,12 @@ Look look_of(Judgement judgement) {
 std::string badge(Judgement judgement) {
   const Look look = look_of(judgement);
   return html::badge(look.css, look.sign, name(judgement));
+}
+
+/// The words come from here and begin with a plain letter.
+std::string capital(std::string words) {
+  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return words;
 }
 
 std::string verdict_badge(std::optional<verifier::Verdict> verdict) {
@@ -95,8 +103,13 @@ std::string masthead(const Comparison& comparison) {
   const char* css = judgement == Judgement::worse    ? "fail"
                     : judgement == Judgement::better ? "pass"
                                                      : "none";
+  // What is worse stands on top already.
+  std::vector<Remark> others = comparison.remarks;
+  std::erase_if(others, [](const Remark& r) { return r.judgement == Judgement::worse; });
   const auto run = [](const RunHead& head) {
-    return fmt::format("{}, limitgauge {} {}", escape_markup(head.created),
+    const std::string name =
+        head.name.empty() ? std::string() : "<strong>" + escape_markup(head.name) + "</strong>, ";
+    return fmt::format("{}{}, limitgauge {} {}", name, escape_markup(head.created),
                        escape_markup(head.version), html::badge(head.verdict));
   };
   return fmt::format(
@@ -109,7 +122,7 @@ std::string masthead(const Comparison& comparison) {
               {"New", run(comparison.now)},
               {"Machining time", duration_text(comparison.base.machining_time_s) + " before, now " +
                                      duration_text(comparison.now.machining_time_s)}}) +
-         remark_list(comparison.remarks) + "</header>\n";
+         remark_list(others) + "</header>\n";
 }
 
 html::Row figure_row(const FigureChange& figure) {
@@ -121,49 +134,66 @@ html::Row figure_row(const FigureChange& figure) {
           {}};
 }
 
-std::string figures_table(const StageComparison& stage, bool judged, const char* caption) {
+/// What the columns of the two runs are called.
+struct RunTitles {
+  std::string base, now;
+};
+
+std::string figures_table(const StageComparison& stage, bool judged, const char* caption,
+                          const RunTitles& titles) {
   std::vector<html::Row> rows;
   for (const FigureChange& figure : stage.figures)
     if ((figure.judgement != Judgement::not_judged) == judged) rows.push_back(figure_row(figure));
   if (rows.empty()) return {};
   return html::table(caption,
                      {{"Figure"},
-                      {"Base", true},
-                      {"New", true},
+                      {titles.base, true},
+                      {titles.now, true},
                       {"Change", true},
                       {"Noise floor", true},
                       {"Judgement"}},
                      rows);
 }
 
-std::string figures_part(const StageComparison& stage) {
+std::string figures_part(const StageComparison& stage, const RunTitles& titles) {
   if (stage.figures.empty()) return "<p>No figures: not both runs measured this stage.</p>\n";
-  return figures_table(stage, true, "Figures") +
+  return figures_table(stage, true, "Figures", titles) +
          "<details><summary>Figures that are not judged</summary>\n" +
-         figures_table(stage, false, "Shown for information") + "</details>\n";
+         figures_table(stage, false, "Shown for information", titles) + "</details>\n";
 }
 
-html::Row finding_row(const StageComparison& stage, const FindingChange& change) {
+html::Row finding_row(const StageComparison& stage, const FindingChange& change,
+                      const LengthUnit& unit) {
   const FoundPlace& place = change.now ? *change.now : *change.base;
   std::string kind = escape_markup(kind_text(change.kind));
   if (!place.by.empty()) kind += " <small>" + escape_markup(place.by) + "</small>";
-  const auto depth = [](const std::optional<FoundPlace>& p) {
-    return p ? measured_length(p->depth_mm) : std::string("–");
+  const auto depth = [&](const std::optional<FoundPlace>& p) {
+    return p ? html::typeset(measured_number(p->depth_mm, unit)) : std::string("–");
   };
   return {{std::string(name(change)), kind, depth(change.base), depth(change.now),
-           change.base && change.now ? measured_length(change.moved_mm) : "–",
+           change.base && change.now ? measured_number(change.moved_mm, {}) : "–",
            html::coordinates(place.at_mm), place_cell(place, stage.name), badge(change.judgement)},
           {}};
+}
+
+/// Of all depths of the stage's findings.
+LengthUnit depth_unit(const StageComparison& stage) {
+  double largest_mm = 0;
+  for (const FindingChange& change : stage.findings)
+    for (const std::optional<FoundPlace>& place : {change.base, change.now})
+      if (place) largest_mm = std::max(largest_mm, std::abs(place->depth_mm));
+  return unit_for(largest_mm);
 }
 
 std::string findings_table(const StageComparison& stage) {
   if (stage.findings.empty())
     return fmt::format("<p>No finding is new, vanished or differs; {} the same.</p>\n",
                        grouped(stage.same_findings));
+  const LengthUnit unit = depth_unit(stage);
   std::vector<html::Row> rows;
   for (const FindingChange& change : stage.findings) {
     if (rows.size() == kMostFindings) break;
-    rows.push_back(finding_row(stage, change));
+    rows.push_back(finding_row(stage, change, unit));
   }
   std::string caption =
       fmt::format("Findings that differ; {} the same", grouped(stage.same_findings));
@@ -173,10 +203,10 @@ std::string findings_table(const StageComparison& stage) {
   return html::table(caption,
                      {{"Finding"},
                       {"Kind"},
-                      {"Base depth", true},
-                      {"New depth", true},
-                      {"Moved", true},
-                      {"Place (mm)", true},
+                      {std::string("Base depth, ") + unit.symbol, true},
+                      {std::string("New depth, ") + unit.symbol, true},
+                      {"Moved, mm", true},
+                      {"X, Y, Z, mm", true},
                       {"Program"},
                       {"Judgement"}},
                      rows);
@@ -193,12 +223,13 @@ std::string worst_place(const StageComparison& stage) {
   return out;
 }
 
-std::string stage_section(const StageComparison& stage, std::size_t index) {
+std::string stage_section(const StageComparison& stage, std::size_t index,
+                          const RunTitles& titles) {
   return fmt::format(
       "<section id=\"{}\"><h2>{}</h2>\n<p>Verdict: {} before, now {}.</p>\n{}{}{}{}</section>\n",
       html::stage_anchor(index), escape_markup(stage.name), verdict_badge(stage.base),
-      verdict_badge(stage.now), remark_list(stage.remarks), worst_place(stage), figures_part(stage),
-      findings_table(stage));
+      verdict_badge(stage.now), remark_list(stage.remarks), worst_place(stage),
+      figures_part(stage, titles), findings_table(stage));
 }
 
 }  // namespace
@@ -206,8 +237,10 @@ std::string stage_section(const StageComparison& stage, std::size_t index) {
 void write_html(const Comparison& comparison, std::ostream& out) {
   out << html::shell_head(comparison.now.job + ", compared", {}) << masthead(comparison)
       << "<main id=\"figures\" tabindex=\"-1\">\n";
+  const RunTitles titles{capital(escape_markup(base_title(comparison))),
+                         capital(escape_markup(new_title(comparison)))};
   for (std::size_t i = 0; i < comparison.stages.size(); ++i)
-    out << stage_section(comparison.stages[i], i);
+    out << stage_section(comparison.stages[i], i, titles);
   out << "</main>\n<footer>A figure is worse or better where it changed beyond its noise floor: "
          "for certified figures "
          "the widest certified interval that either run accepted, for statistics of the deviation "

@@ -62,7 +62,9 @@ void write_figures(const Comparison& comparison, std::ostream& out) {
     for (const FigureChange& figure : stage.figures) {
       if (!is_shown(figure)) continue;
       if (!has_head)
-        out << "\n| stage | figure | base | new | change | floor | |\n"
+        out << "\n| stage | figure | " << escaped(base_title(comparison)) << " | "
+            << escaped(new_title(comparison))
+            << " | change | floor | |\n"
                "|---|---|--:|--:|--:|--:|---|\n";
       has_head = true;
       const FigureText text = figure_text(figure);

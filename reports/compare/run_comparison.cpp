@@ -51,6 +51,18 @@ void compare_deviations(const record::DeviationMeasures& base, const record::Dev
     out.remarks.push_back(std::move(*remark));
 }
 
+/// What the gate holds a certified length or the coverage against.
+std::optional<double> limit_of(const record::Metric& metric, const verifier::GateLimits& limits) {
+  const auto stated = [](bool has, double value) {
+    return has ? std::optional(value) : std::nullopt;
+  };
+  if (metric.id == "gouge_mm" || metric.id == "missing_stock_mm")
+    return stated(limits.has_gouge, limits.gouge_mm);
+  if (metric.id == "uncut_mm") return stated(limits.has_uncut, limits.uncut_mm);
+  if (metric.id == "coverage") return stated(limits.has_coverage, limits.coverage);
+  return std::nullopt;
+}
+
 void compare_stages(const StageRecord& base, const StageRecord& now, double reach_mm,
                     const Options& options, StageComparison& out) {
   if (std::optional<Remark> remark = compare_verdicts("verdict", base.verdict, now.verdict))
@@ -62,6 +74,10 @@ void compare_stages(const StageRecord& base, const StageRecord& now, double reac
     compare_deviations(*base.measures->deviation, *now.measures->deviation, out);
   add(out.remarks, compare_process_counts(*base.measures, *now.measures, options));
   out.figures = compare_figures(*base.measures, *now.measures, options);
+  for (FigureChange& figure : out.figures) {
+    figure.base_limit = limit_of(*figure.metric, base.limits);
+    figure.now_limit = limit_of(*figure.metric, now.limits);
+  }
   compare_findings(base, now, reach_mm, options, out);
 }
 
@@ -80,7 +96,7 @@ StageComparison compare_pair(const StagePair& pair, double reach_mm, const Optio
 }
 
 RunHead head_of(const RunRecord& run) {
-  return {run.job, run.version, run.created, run.verdict, record::machining_time_s(run)};
+  return {run.job, run.version, run.created, {}, run.verdict, record::machining_time_s(run)};
 }
 
 void require_common(const RunRecord& base, const RunRecord& now,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "reports/compare/comparison.h"
 
 /// How the records of two runs become a comparison: the whole, and part by part.
@@ -9,6 +11,12 @@ namespace limitgauge::reports::compare {
 /// name; and for results of two schemas, whose gouge and uncut mean different things.
 Comparison compare_runs(const record::RunRecord& base, const record::RunRecord& now,
                         const Options& options);
+
+/// Names the two runs by their labels, or by the shortest ends of the paths to their results that
+/// tell them apart: "base" and "new" say nothing of where a result is from.
+void name_runs(Comparison& comparison, const record::RunRecord& base,
+               const std::filesystem::path& base_file, const record::RunRecord& now,
+               const std::filesystem::path& now_file);
 
 /// Every metric of a stage that both runs measured.
 std::vector<FigureChange> compare_figures(const record::StageMeasures& base,

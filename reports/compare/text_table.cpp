@@ -97,6 +97,9 @@ std::string places_of(const StageComparison& stage, bool colour) {
 std::string text_table(const Comparison& comparison, bool colour, std::size_t width, bool all) {
   const TerminalTable table = table_of(comparison, width, all);
   std::string out;
+  if (!comparison.base.name.empty())
+    out = "base: " + clean_text(comparison.base.name) +
+          "; new: " + clean_text(comparison.now.name) + '\n';
   for (std::size_t i = 0; table.rows() > 1 && i < table.rows(); ++i) out += table.line(i, colour);
   for (const Remark& remark : comparison.remarks) out += remark_line("", remark, colour);
   for (const StageComparison& stage : comparison.stages) {

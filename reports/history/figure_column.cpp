@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/text/number_text.h"
-#include "reports/text/text.h"
+#include "reports/text/interval_text.h"
 
 namespace limitgauge::reports::history_report {
 namespace {
@@ -46,7 +46,7 @@ std::string FigureColumn::number(double value) const {
 std::string FigureColumn::figure(const Cell& cell) const {
   if (!cell.value) return "–";
   if (column_->known != nullptr && column_->known->source == record::Source::certified)
-    return interval_numbers(*cell.value, length_);
+    return interval_numbers(*cell.value, length_, cell.limit);
   if (unit_ == "%") return fixed(std::floor(cell.value->low * 1e4) / 100, 2);
   return number(cell.value->high);
 }

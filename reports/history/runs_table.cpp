@@ -76,8 +76,8 @@ std::string runs_table(const JobHistory& job, std::size_t index) {
   for (auto run = job.runs.rbegin(); run != job.runs.rend(); ++run) {
     Row& row = rows.emplace_back();
     row.attributes = fmt::format(" id=\"run-{}\" data-run=\"{}\"", run->entry.id, run->entry.id);
-    row.cells = {std::to_string(run->entry.id), escape_markup(moment(run->entry.created)),
-                 named(run->entry),
+    row.cells = {fmt::format("<a href=\"#run-{0}\">{0}</a>", run->entry.id),
+                 escape_markup(moment(run->entry.created)), named(run->entry),
                  verdict_badge(run->entry.verdict) + stages_that_did_not_pass(run->entry)};
     for (std::size_t i = 0; i < job.columns.size(); ++i)
       row.cells.push_back(figure_cell(job.columns[i], shown[i], run->cells[i]));

@@ -8,7 +8,7 @@
 
 #include "model/text/number_text.h"
 #include "reports/run/gate_figures.h"
-#include "reports/text/text.h"
+#include "reports/text/interval_text.h"
 #include "reports/tolerance.h"
 
 namespace limitgauge::reports::html {
@@ -157,10 +157,11 @@ std::string histogram_chart(const verifier::StageDeviation& d, const verifier::G
     ticks += axis_label(axis.percent(t), "tick", signed_number(is_zero ? 0 : t, unit));
   }
   return fmt::format(
-      "<figure class=\"histogram\" data-stage=\"{}\"><figcaption>Area by deviation from the "
-      "allowance surface, in "
-      "{}. "
-      "Left of zero the cutter went too deep, right of zero material still stands.</figcaption>"
+      "<figure class=\"histogram\" data-stage=\"{}\"><figcaption>Area in mm² (upwards) by "
+      "deviation "
+      "from the allowance surface in {}: left of zero the cutter went too deep, right of it "
+      "material "
+      "still stands.</figcaption>"
       "<div class=\"static\"><div class=\"above\">{}</div><svg viewBox=\"0 0 100 100\" "
       "preserveAspectRatio=\"none\" "
       "role=\"img\" aria-label=\"Histogram of deviation, area-weighted\">{}{}</svg>"
@@ -179,19 +180,22 @@ std::string colour_legend(const DeviationScale& scale) {
   }
   std::string labels;
   const std::vector<double> ticks = scale.ticks_mm();
+  double largest_mm = 0;
+  for (const double tick : ticks) largest_mm = std::max(largest_mm, std::abs(tick));
+  const LengthUnit unit = unit_for(largest_mm);
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const bool limit = (i == 1 && scale.gouge().has_limit) || (i == 3 && scale.uncut().has_limit);
     std::string text = ticks[i] == 0 ? "0" : ticks[i] < 0 ? "−" : "+";
-    if (ticks[i] != 0) text += stated_length(std::abs(ticks[i]));
+    if (ticks[i] != 0) text += stated_number(std::abs(ticks[i]), unit);
     if (limit) text += "<br/>limit";
     labels += axis_label(50 + 50 * scale.position(ticks[i]), limit ? "tick limit" : "tick", text);
   }
   return fmt::format(
-      "<div class=\"legend\"><div class=\"ends\"><span>too deep (gouge)</span>"
-      "<span>still standing (uncut)</span></div><svg viewBox=\"0 0 {} 1\" "
-      "preserveAspectRatio=\"none\" aria-hidden=\"true\">{}</svg><div "
-      "class=\"below\">{}</div></div>\n",
-      kSteps, stops, labels);
+      "<div class=\"legend\"><div class=\"ends\"><span>too deep (gouge), {2}</span>"
+      "<span>still standing (uncut), {2}</span></div><svg viewBox=\"0 0 {0} 1\" "
+      "preserveAspectRatio=\"none\" aria-hidden=\"true\">{1}</svg><div "
+      "class=\"below\">{3}</div></div>\n",
+      kSteps, stops, unit.symbol, labels);
 }
 
 }  // namespace limitgauge::reports::html

@@ -84,6 +84,11 @@ std::string terms(const std::vector<Term>& list) {
   return out + "</dl>\n";
 }
 
+std::string fold(std::string_view css, std::string_view summary, std::string_view body, bool open) {
+  return fmt::format("<details class=\"{}\"{}><summary>{}</summary>\n{}</details>\n", css,
+                     open ? " open=\"\"" : "", summary, body);
+}
+
 std::string badge(std::string_view css, std::string_view sign, std::string_view word) {
   return fmt::format("<span class=\"badge {}\"><span aria-hidden=\"true\">{}</span> {}</span>", css,
                      sign, word);

@@ -34,6 +34,10 @@ struct Term {
 };
 std::string terms(const std::vector<Term>& list);
 
+/// `body` folded away below `summary`, or open to begin with; both are markup already.
+std::string fold(std::string_view css, std::string_view summary, std::string_view body,
+                 bool open = false);
+
 /// A coloured word with a sign that needs no colour; `css` is the class name that carries the
 /// colour.
 std::string badge(std::string_view css, std::string_view sign, std::string_view word);

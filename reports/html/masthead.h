@@ -6,8 +6,8 @@
 
 namespace limitgauge::reports::html {
 
-/// The page's header: the verdict, the worst places of a job that did not pass with depth, place
-/// and program line, the reasons, what was verified.
+/// The page's header: the verdict, what kept a job from passing by kind, the worst places with
+/// depth, place and program line, what is out of reach, what was verified.
 std::string masthead(const RunResult& result);
 
 /// A short table of contents: the page's sections and stages.

@@ -30,7 +30,7 @@ Json normal_near(const verifier::DeviationField& field, const verifier::SurfaceP
 }
 
 Json finding_json(const verifier::Finding& f, const verifier::DeviationField& field,
-                  std::string name) {
+                  const MeshDesign* mesh, std::string name) {
   Json out = {{"id", std::move(name)},
               {"point_mm", point_json(f.place.point)},
               {"normal", normal_near(field, f.place)},
@@ -44,6 +44,7 @@ Json finding_json(const verifier::Finding& f, const verifier::DeviationField& fi
               {"move", f.move},
               {"raw_stock", f.raw_stock},
               {"body", clean_text(f.body)}};
+  if (mesh != nullptr) out["triangle"] = mesh->triangle_of(f.place.patch);
   if (!f.extent_mm.empty())
     out["extent_mm"] = {point_json(f.extent_mm.low), point_json(f.extent_mm.high)};
   for (const verifier::NearPass& p : f.passes)
@@ -53,10 +54,10 @@ Json finding_json(const verifier::Finding& f, const verifier::DeviationField& fi
 }
 
 Json findings_list(const std::vector<verifier::Finding>& findings,
-                   const verifier::DeviationField& field, char letter) {
+                   const verifier::DeviationField& field, const MeshDesign* mesh, char letter) {
   Json out = Json::array();
   for (std::size_t i = 0; i < std::min(findings.size(), kMostFindings); ++i)
-    out.push_back(finding_json(findings[i], field, id(letter, i)));
+    out.push_back(finding_json(findings[i], field, mesh, id(letter, i)));
   return out;
 }
 
@@ -96,14 +97,14 @@ Json point_json(const model::Vec3& p) {
   return {p.x, p.y, p.z};
 }
 
-Json findings_data(const StageResult::Ran& ran) {
+Json findings_data(const StageResult::Ran& ran, const MeshDesign* mesh) {
   const std::vector<simulator::FindingGroup> groups = worst_first(ran.process);
   Json out = {{"process", process_list(groups)}, {"process_total", groups.size()}};
   if (!ran.deviation) return out;
   const verifier::StageDeviation& d = *ran.deviation;
-  out["gouges"] = findings_list(d.gouges, d.field, 'G');
+  out["gouges"] = findings_list(d.gouges, d.field, mesh, 'G');
   out["gouges_total"] = d.gouges.size();
-  out["uncuts"] = findings_list(d.uncuts, d.field, 'U');
+  out["uncuts"] = findings_list(d.uncuts, d.field, mesh, 'U');
   out["uncuts_total"] = d.uncuts.size();
   return out;
 }

@@ -124,25 +124,35 @@ class Writer {
     for (std::size_t i = 0; i < result_.stages.size(); ++i) stages.push_back(stage(i));
     const model::Box3 box =
         result_.surface ? result_.surface->bbox_mm : bounding_box(result_.raw_stock);
-    const Json json = {{"format", "limitgauge.page/1"},
-                       {"job", clean_text(result_.job)},
-                       {"created", clean_text(result_.created)},
-                       {"version", clean_text(result_.version)},
-                       {"verdict", verifier::name(result_.verdict)},
-                       {"bounds_mm", {point_json(box.low), point_json(box.high)}},
-                       {"surfaces", surfaces_.json()},
-                       {"stages", std::move(stages)},
-                       {"blob_bytes", blob_.bytes().size()}};
+    Json json = {{"format", "limitgauge.page/1"},
+                 {"job", clean_text(result_.job)},
+                 {"created", clean_text(result_.created)},
+                 {"version", clean_text(result_.version)},
+                 {"verdict", verifier::name(result_.verdict)},
+                 {"bounds_mm", {point_json(box.low), point_json(box.high)}},
+                 {"surfaces", surfaces_.json()},
+                 {"stages", std::move(stages)},
+                 {"blob_bytes", 0}};
+    if (const MeshDesign* mesh = result_.mesh_design()) json["triangles"] = triangles(*mesh);
+    json["blob_bytes"] = blob_.bytes().size();
     return {safe_text(json), packed(blob_.bytes())};
   }
 
  private:
+  /// Of each three patches the triangle of the file that they make up, as people count.
+  Json triangles(const MeshDesign& mesh) {
+    std::vector<std::uint32_t> numbers;
+    for (const std::size_t number : mesh.numbers)
+      numbers.push_back(static_cast<std::uint32_t>(number + 1));
+    return blob_.add(numbers);
+  }
+
   Json stage(std::size_t index) {
     const StageResult& asked = result_.stages[index];
     Json out = stage_json(asked, index);
     out["text"] = text_data(result_, index, blob_);
     if (!asked.ran) return out;
-    out.update(findings_data(*asked.ran));
+    out.update(findings_data(*asked.ran, result_.mesh_design()));
     if (asked.ran->deviation) add_deviation(*asked.ran->deviation, out);
     if (asked.ran->stock_view) out["stock"] = stock_data(*asked.ran->stock_view, blob_);
     if (asked.ran->path_view) out["path"] = path_data(*asked.ran->path_view, blob_);

@@ -217,6 +217,7 @@ RunRecord read_result_json(std::istream& in, const std::string& shown) {
   out.job = root["job"].text();
   out.version = root["version"].text();
   out.created = root["created"].text();
+  if (const std::optional<JsonValue> label = root.find("label")) out.label = label->text();
   out.threads = static_cast<unsigned>(root["threads"].count(std::numeric_limits<unsigned>::max()));
   if (out.threads == 0) root["threads"].refuse("is zero", "one or more");
   out.verdict = read_verdict(root["verdict"]);

@@ -100,6 +100,7 @@ struct RunRecord {
   /// in 2 runs along the normal: figures of the two cannot be held against each other.
   int schema = 2;
   std::string job, version, created;
+  std::string label;  ///< or empty
   unsigned threads = 1;
   verifier::Verdict verdict = verifier::Verdict::not_run;
   std::vector<InputRecord> inputs;

@@ -14,12 +14,13 @@ namespace {
 
 GateFigure length_figure(const char* what, const verifier::Interval& interval, bool has_limit,
                          double limit_mm) {
-  const LengthUnit unit = unit_for(std::max(interval.high, has_limit ? limit_mm : 0.0));
-  GateFigure figure{
-      what, Standing::no_limit, interval_numbers(interval, unit) + " " + unit.symbol, {}, "≤ "};
+  GateFigure figure{what, Standing::no_limit, {}, {}, "≤ "};
+  figure.length = {interval, has_limit ? std::optional(limit_mm) : std::nullopt};
+  const LengthUnit unit = column_unit({figure});
+  figure.measured = figure.measured_in(unit) + " " + unit.symbol;
   if (!has_limit) return figure;
   figure.standing = standing_of(interval, limit_mm);
-  figure.limit = model::shortest(std::stod(fixed(limit_mm * unit.per_mm, 9))) + " " + unit.symbol;
+  figure.limit = figure.limit_in(unit) + " " + unit.symbol;
   return figure;
 }
 
@@ -27,7 +28,8 @@ GateFigure coverage_figure(double coverage, const verifier::GateLimits& limits) 
   GateFigure figure{"coverage", Standing::no_limit, percent_text(coverage), {}, "≥ "};
   if (!limits.has_coverage) return figure;
   figure.standing = coverage >= limits.coverage ? Standing::within : Standing::beyond;
-  figure.limit = percent_text(limits.coverage);
+  figure.measured = percent_beside(coverage, limits.coverage);
+  figure.limit = stated_percent(limits.coverage);
   return figure;
 }
 
@@ -35,20 +37,26 @@ std::string area_text(double mm2) {
   return (mm2 == 0 ? "0" : three_digits(mm2)) + " mm²";
 }
 
-/// Nothing that is there rounds down to none.
-std::string share_text(double share) {
-  return (share == 0 ? "0" : three_digits(100 * share)) + " %";
+/// Two numbers in three digits, rounded outwards, each on its side of the limit.
+std::string range_numbers(const verifier::Interval& figure, const std::optional<double>& limit) {
+  const auto end = [&](double value, model::Rounding rounding) {
+    return model::rounded_text(value, model::significant_decimals(value, 3), rounding, limit);
+  };
+  if (figure.low == figure.high) return end(figure.low, model::Rounding::nearest);
+  return end(figure.low, model::Rounding::down) + " to " + end(figure.high, model::Rounding::up);
 }
 
 /// "12.3 mm² (4.10 %)", with "12.3 to 12.9 mm² (4.10 to 4.30 %)" where some is undecided.
-std::string reach_text(const verifier::Interval& area_mm2, double whole_mm2) {
+std::string reach_text(const verifier::Interval& area_mm2, double whole_mm2,
+                       const std::optional<double>& limit_mm2 = std::nullopt) {
   if (!(whole_mm2 > 0)) return area_text(area_mm2.high);
-  const std::string most = area_text(area_mm2.high) + " (",
-                    share = share_text(area_mm2.high / whole_mm2) + ")";
-  if (area_mm2.low == area_mm2.high) return most + share;
-  if (area_mm2.low < kNoArea_mm2) return "0 to " + most + "0 to " + share;
-  return three_digits(area_mm2.low) + " to " + most + three_digits(100 * area_mm2.low / whole_mm2) +
-         " to " + share;
+  const bool none = area_mm2.low < kNoArea_mm2 && area_mm2.low < area_mm2.high;
+  const double percent = 100 / whole_mm2;
+  const verifier::Interval area{none ? 0 : area_mm2.low, area_mm2.high};
+  std::optional<double> share_limit;
+  if (limit_mm2) share_limit = *limit_mm2 * percent;
+  return range_numbers(area, limit_mm2) + " mm² (" +
+         range_numbers({area.low * percent, area.high * percent}, share_limit) + " %)";
 }
 
 GateFigure unreachable_figure(const verifier::StageDeviation& d, const verifier::GateLimits& l) {
@@ -57,6 +65,7 @@ GateFigure unreachable_figure(const verifier::StageDeviation& d, const verifier:
   GateFigure figure{"unreachable", Standing::no_limit, reach_text(area_mm2, whole_mm2), {}, "≤ "};
   if (l.has_unreachable && whole_mm2 > 0) {
     const double unit_mm2 = l.unreachable_is_share ? whole_mm2 : 1;
+    figure.measured = reach_text(area_mm2, whole_mm2, l.unreachable * unit_mm2);
     figure.standing =
         standing_of({area_mm2.low / unit_mm2, area_mm2.high / unit_mm2}, l.unreachable);
     figure.limit = l.unreachable_is_share
@@ -117,6 +126,23 @@ std::vector<std::string> path_notes(const StageResult& stage) {
 }
 
 }  // namespace
+
+std::string GateFigure::measured_in(const LengthUnit& unit) const {
+  return length ? interval_numbers(length->interval_mm, unit, length->limit_mm) : measured;
+}
+
+std::string GateFigure::limit_in(const LengthUnit& unit) const {
+  return length && length->limit_mm ? stated_number(*length->limit_mm, unit) : limit;
+}
+
+LengthUnit column_unit(const std::vector<GateFigure>& figures) {
+  double largest_mm = 0;
+  for (const GateFigure& f : figures)
+    if (f.length)
+      largest_mm =
+          std::max({largest_mm, f.length->interval_mm.high, f.length->limit_mm.value_or(0.0)});
+  return unit_for(largest_mm);
+}
 
 Standing standing_of(const verifier::Interval& interval_mm, double limit_mm) {
   if (interval_mm.high <= limit_mm) return Standing::within;

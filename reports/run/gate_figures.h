@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "reports/run/run_result.h"
+#include "reports/text/interval_text.h"
 
 namespace limitgauge::reports {
 
@@ -25,7 +27,22 @@ struct GateFigure {
   std::string measured;       ///< "[0.076, 0.41] µm"; empty when the stage was not run
   std::string limit;          ///< "10 µm"; empty where there is none
   const char* relation = "";  ///< how `limit` is meant: "≤ ", "≥ "
+  /// Of a certified length, for columns that stand in one unit.
+  struct Length {
+    verifier::Interval interval_mm;
+    std::optional<double> limit_mm;
+  };
+  std::optional<Length> length = std::nullopt;
+
+  /// As `measured` and `limit`, of a certified length in `unit` and without it; as they are of all
+  /// else.
+  std::string measured_in(const LengthUnit& unit) const;
+  std::string limit_in(const LengthUnit& unit) const;
 };
+
+/// The unit in which the certified lengths of a column stand beside each other; `figures` may hold
+/// others, too.
+LengthUnit column_unit(const std::vector<GateFigure>& figures);
 
 /// The figures of `stage` in the order above. Unavoidable uncut is there where it is gated or
 /// something is out of reach, missing stock where some may be missing; the others always. Of a run

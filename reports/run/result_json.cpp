@@ -13,6 +13,7 @@ void write_result_json(const RunResult& result, std::ostream& out) {
                      {"created", clean_text(result.created)},
                      {"threads", result.threads},
                      {"verdict", verifier::name(result.verdict)}};
+  if (!result.label.empty()) root["label"] = clean_text(result.label);
   root["inputs"] = json::inputs_part(result.inputs);
   root["stock"] = json::stock_part(result.raw_stock);
   if (result.surface) root["surface"] = json::surface_part(*result.surface);

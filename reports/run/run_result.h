@@ -124,6 +124,7 @@ struct InputFile {
 /// Everything a report shows.
 struct RunResult {
   std::string job;      ///< the job's name
+  std::string label;    ///< what the user calls this run; or empty
   std::string created;  ///< ISO 8601, UTC
   std::string version;
   unsigned threads = 1;

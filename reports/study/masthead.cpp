@@ -70,7 +70,8 @@ std::string quoted(const std::string& text) {
 }
 
 std::string command(const StudyView& view, const study::Row& row) {
-  std::string line = "limitgauge run " + quoted(view.table.job);
+  const std::string& path = view.about.job_path;
+  std::string line = "limitgauge run " + quoted(path.empty() ? view.table.job : path);
   for (std::size_t i = 0; i < view.table.keys.size(); ++i)
     line += " \\\n  --set " + quoted(view.table.keys[i] + "=" + row.asked.settings.at(i).toml);
   return "<p class=\"study-command\">" + code(line) + "</p>\n";

@@ -20,6 +20,9 @@ struct About {
   double seconds = 0;           ///< that the study took
   /// What the job itself states for the varied keys, in the order of Table::keys.
   std::vector<study::Setting> own;
+  /// The job's file as it is reached from where the study was started; empty: as the study states
+  /// it.
+  std::string job_path = {};
 };
 
 /// Where a case's result lies below the study's folder: "cases/0100/0142/result.json". No folder

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "model/text/number_text.h"
-#include "reports/tolerance.h"
 
 namespace limitgauge::reports {
 namespace {
@@ -26,21 +25,6 @@ std::string_view entity(char c) {
     default:
       return {};
   }
-}
-
-int significant_decimals(double value, int digits) {
-  if (value == 0 || !std::isfinite(value)) return 0;
-  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  return std::clamp(digits - 1 - magnitude, 0, 9);
-}
-
-/// Rounds down (`direction` −1) or up (+1) at `decimals`; a value that already has no more digits
-/// than that, but for the last bits of its binary form, stays.
-double rounded_outwards(double value, int decimals, int direction) {
-  const double scale = std::pow(10.0, decimals);
-  const double nearest = std::round(value * scale);
-  if (std::abs(value * scale - nearest) < kWholeDigit) return nearest / scale;
-  return (direction < 0 ? std::floor(value * scale) : std::ceil(value * scale)) / scale;
 }
 
 }  // namespace
@@ -75,16 +59,6 @@ std::string shortened(std::string_view text, std::size_t width) {
   return whole.substr(0, end) + "…";
 }
 
-std::string fixed(double value, int decimals) {
-  std::array<char, 400> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                 std::chars_format::fixed, decimals)
-                       .ptr;
-  std::string text{buffer.data(), end};
-  if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
-  return text;
-}
-
 std::string three_digits(double value) {
   const double size = std::abs(value);
   if (size != 0 && size < 1e-4) {
@@ -94,7 +68,7 @@ std::string three_digits(double value) {
                          .ptr;
     return {buffer.data(), end};
   }
-  return fixed(value, significant_decimals(value, 3));
+  return fixed(value, model::significant_decimals(value, 3));
 }
 
 std::string grouped(std::uint64_t count) {
@@ -122,19 +96,6 @@ std::string stated_length(double mm) {
   return model::shortest(std::round(mm * unit.per_mm * 1e9) / 1e9) + " " + unit.symbol;
 }
 
-std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit) {
-  const double low = interval_mm.low * unit.per_mm, high = interval_mm.high * unit.per_mm;
-  if (low == 0 && high == 0) return "[0, 0]";
-  const double width = high - low;
-  const int decimals = width > 0 ? std::clamp(int(std::ceil(-std::log10(width / 5))), 0, 4)
-                                 : std::min(4, significant_decimals(high, 3));
-  return std::string("[")
-      .append(fixed(rounded_outwards(low, decimals, -1), decimals))
-      .append(", ")
-      .append(fixed(rounded_outwards(high, decimals, +1), decimals))
-      .append("]");
-}
-
 std::string duration_text(double seconds) {
   if (seconds < 0.95) return fixed(seconds, seconds < 0.095 ? 2 : 1) + " s";
   if (seconds < 59.95) return fixed(seconds, 1) + " s";
@@ -142,6 +103,12 @@ std::string duration_text(double seconds) {
   const auto two = [](std::uint64_t n) { return std::to_string(100 + n).substr(1); };
   if (whole < 3600) return std::to_string(whole / 60) + " min " + two(whole % 60) + " s";
   return std::to_string(whole / 3600) + " h " + two(whole % 3600 / 60) + " min";
+}
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<std::uint64_t>(std::llround(std::max(seconds, 0.0)));
+  const auto two = [](std::uint64_t n) { return std::to_string(100 + n).substr(1); };
+  return std::to_string(whole / 3600) + ":" + two(whole % 3600 / 60) + ":" + two(whole % 60);
 }
 
 std::string bytes_text(std::size_t bytes) {
@@ -157,7 +124,7 @@ std::string verdict_text(verifier::Verdict verdict) {
 }
 
 std::string percent_text(double share) {
-  return fixed(rounded_outwards(share * 100, 2, -1), 2) + " %";
+  return model::rounded_text(share * 100, 2, model::Rounding::down) + " %";
 }
 
 namespace {

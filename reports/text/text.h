@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "model/text/clean_text.h"
+#include "model/text/rounded.h"
 #include "verifier/gate/deviation.h"
 
 namespace limitgauge::reports {
@@ -19,7 +20,9 @@ std::size_t code_points(std::string_view text);
 std::string shortened(std::string_view text, std::size_t width);
 
 /// `value` with `decimals` places after the point; never "-0".
-std::string fixed(double value, int decimals);
+inline std::string fixed(double value, int decimals) {
+  return model::with_decimals(value, decimals);
+}
 /// `value` with three significant digits, no exponent between 1e-4 and 1e7.
 std::string three_digits(double value);
 /// 98325 as "98 325", with narrow no-break spaces from five digits on.
@@ -36,12 +39,11 @@ LengthUnit unit_for(double largest_mm);
 std::string measured_length(double mm);
 /// A stated length, all its digits and its unit: "10 µm", "0.2 mm".
 std::string stated_length(double mm);
-/// A certified interval without its unit, rounded outwards so that what is shown stays true, by no
-/// more than a fifth of its width: "[0.44, 0.52]".
-std::string interval_numbers(const verifier::Interval& interval_mm, const LengthUnit& unit);
 
 /// "0.8 s", "12.4 s", "3 min 05 s", "1 h 02 min".
 std::string duration_text(double seconds);
+/// "1:33:05": hours, minutes and seconds, for columns of times.
+std::string clock_text(double seconds);
 /// "21.8 MB" (10^6 bytes, as the paper's tables count).
 std::string bytes_text(std::size_t bytes);
 /// A share as a percentage that never rounds up to a whole it has not reached: "99.98 %".

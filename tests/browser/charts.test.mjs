@@ -5,6 +5,8 @@ import { openBrowser, withReport } from './support/browser.mjs';
 import { part } from './support/view.mjs';
 
 const browser = await openBrowser();
+const unfold = (page) =>
+  page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));
 
 /** How many colours a drawing has: one is an empty sheet. */
 const colours = (chart) => chart.evaluate((element) => {
@@ -19,6 +21,7 @@ const colours = (chart) => chart.evaluate((element) => {
 for (const [name, colorScheme] of [['failed', 'light'], ['dome', 'dark']])
   test(`${name}, ${colorScheme}: every stage has its histogram drawn`, () =>
     withReport(browser, name, { colorScheme }, async (page) => {
+      await unfold(page);
       const figures = await page.locator('figure.histogram').all();
       assert.ok(figures.length >= 2);
       for (const figure of figures) {
@@ -33,6 +36,7 @@ for (const [name, colorScheme] of [['failed', 'light'], ['dome', 'dark']])
 
 test('a chart of the process stands for each stage of a real job', () =>
   withReport(browser, 'dome', {}, async (page) => {
+    await unfold(page);
     for (const place of await page.locator('[data-chart="process"]').all()) {
       await place.evaluate((element) => {
         element.hidden = false;
@@ -48,6 +52,7 @@ test('a chart of the process stands for each stage of a real job', () =>
 
 test('the histogram counts in powers of ten when asked to', () =>
   withReport(browser, 'failed', {}, async (page) => {
+    await unfold(page);
     const figure = page.locator('figure.histogram').first();
     await figure.scrollIntoViewIfNeeded();
     await figure.and(page.locator('.chart-drawn')).waitFor();
@@ -56,3 +61,53 @@ test('the histogram counts in powers of ten when asked to', () =>
     await page.waitForTimeout(300);
     assert.notEqual((await figure.screenshot()).toString('base64'), before.toString('base64'));
   }));
+
+/** Texts of a drawn chart that run into each other, or out of it. */
+const overprints = (figure) => figure.evaluate((element) => {
+  const plot = element.querySelector('[data-testid="histogram-chart"]');
+  const outer = plot.getBoundingClientRect(), faults = [];
+  const words = [...plot.querySelectorAll('svg text')].filter((e) => e.textContent.trim())
+    .map((e) => ({ text: e.textContent, box: e.getBoundingClientRect() }));
+  // A box is higher than its letters.
+  const meet = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 4 && b.top < a.bottom - 4;
+  words.forEach((a, i) => words.slice(i + 1).forEach((b) => {
+    if (meet(a.box, b.box)) faults.push(`${a.text} | ${b.text}`);
+  }));
+  for (const { text, box } of words)
+    if (box.left < outer.left - 1 || box.right > outer.right + 1) faults.push(`out of the chart: ${text}`);
+  const limits = words.filter(({ text }) => / limit /.test(text)).length;
+  return limits === 2 ? faults : [...faults, `${limits} limits named`];
+});
+
+/** Gate limits against a spread of tenths of a millimetre: nothing, as stated, and far beyond. */
+const scales = { both: [1e-6, 1e-6], gouge: [1e-6, 0.08], uncut: [0.08, 1e-6], far: [50, 70], left: [0.05, 70] };
+
+for (const width of [1280, 400])
+  for (const [kind, [gouge_mm, uncut_mm]] of Object.entries(scales))
+    test(`${width} px, ${kind}: the histogram prints no word over another, and names both limits`, () =>
+      withReport(browser, 'failed', { width, early: `
+        const parse = JSON.parse;
+        JSON.parse = (text) => {
+          const value = parse(text);
+          for (const stage of value?.stages ?? [])
+            if (stage.limits) Object.assign(stage.limits, { gouge_mm: ${gouge_mm}, uncut_mm: ${uncut_mm} });
+          return value;
+        };` }, async (page) => {
+        const figure = page.locator('#stage-2 figure.histogram');
+        await figure.scrollIntoViewIfNeeded();
+        await figure.and(page.locator('.chart-drawn')).waitFor();
+        await figure.locator('svg text').first().waitFor();
+        assert.deepEqual(await overprints(figure), []);
+      }));
+
+for (const name of ['passed', 'failed', 'undecided'])
+  test(`${name}: so does the one that needs no script`, () =>
+    withReport(browser, name, { javaScriptEnabled: false, width: 400 }, async (page) => {
+      await page.locator('.stage > details').evaluateAll((all) => all.forEach((details) => (details.open = true)));
+      for (const figure of await page.locator('figure.histogram').all()) {
+        const boxes = await Promise.all((await figure.locator('.above .limit').all()).map((e) => e.boundingBox()));
+        assert.equal(boxes.length, 2);
+        assert.ok(boxes[0].y + boxes[0].height <= boxes[1].y + 4, 'a row each');
+        for (const box of boxes) assert.ok(box.x >= 0 && box.x + box.width <= 400);
+      }
+    }));

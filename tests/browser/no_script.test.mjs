@@ -12,6 +12,7 @@ for (const name of ['passed', 'failed', 'undecided'])
     withReport(browser, name, still, async (page) => {
       const stages = resultOf(name).stages.filter((stage) => stage.deviation);
       assert.ok(await page.locator('.verdict .word').isVisible());
+      await page.locator('.stage > details').evaluateAll((all) => all.forEach((details) => (details.open = true)));
       assert.equal(await page.locator('.map img:visible').count() >= stages.length, true);
       assert.equal(await page.locator('.histogram svg:visible').count(), stages.length);
       for (const img of await page.locator('img:visible').all()) {

@@ -11,6 +11,7 @@ for (const options of refusals) {
   const browser = await openBrowser(options);
   test(`${options.join(' ')}: a sentence instead of the view, pictures and tables as ever`, () =>
     withReport(browser, 'failed', { width: 400 }, async (page) => {
+      await page.locator('.stage > details').evaluateAll((all) => all.forEach((details) => (details.open = true)));
       const missing = part(page, 'view-missing');
       assert.ok(await missing.isVisible());
       assert.match(await missing.innerText(), /\w+ .*\./);

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { openBrowser, withReport } from './support/browser.mjs';
+import { resultOf } from './support/pages.mjs';
 import { zigzag } from './support/sample.mjs';
 import { distance, part, settle, showPath, showStage } from './support/view.mjs';
 
@@ -117,4 +118,23 @@ test('it is drawn, and colours by order, feed and removal rate have legends of t
     assert.equal(drawn.size, 4, 'four pictures');
     assert.equal(legends.size, 3, 'three legends');
     assert.match([...legends].join('\n'), /mm\/min[^]*mm³\/min/);
+  }));
+
+test('the path starts where the chosen finding was made, with no more than what led there', () =>
+  withReport(browser, 'gouging', { reducedMotion: 'reduce' }, async (page) => {
+    const { gouges, uncuts } = resultOf('gouging').stages[1].deviation;
+    const near = async (finding, id) => {
+      const { now, shown, total_s } = await page.evaluate(() => window.limitgauge.view.path.state());
+      const away = distance(now.point_mm, [finding.x, finding.y, finding.z]);
+      assert.ok(away < 3, `${id}: the tool is ${away} mm from it`);
+      assert.ok(shown.to_s - shown.from_s <= 20 + 1e-6 && shown.to_s <= total_s, `${id}: a stretch of the path`);
+    };
+    // The worst finding is chosen when the page opens.
+    await showPath(page);
+    await near(gouges[0], 'G1');
+    assert.equal(await part(page, 'path-window').inputValue(), '20');
+    if (uncuts.length === 0) return;
+    await page.locator('[data-testid="view-findings"] [data-finding-id="U1"]').click();
+    await settle(page);
+    await near(uncuts[0], 'U1');
   }));

@@ -313,6 +313,35 @@ TEST_CASE("A new collision is a regression, a near miss is not", "[unit][compare
   CHECK(compare_runs(sample_run(), now, {}).worse == 0);
 }
 
+TEST_CASE("Runs are named by their labels, or by the folders that tell them apart",
+          "[unit][compare]") {
+  const auto names = [](record::RunRecord base, const char* base_file, record::RunRecord now,
+                        const char* now_file) {
+    Comparison comparison = compare_runs(base, now, {});
+    name_runs(comparison, base, base_file, now, now_file);
+    return comparison.base.name + " | " + comparison.now.name;
+  };
+  const record::RunRecord run = sample_run();
+  CHECK(names(run, "out/old/result.json", run, "out/new/result.json") == "old | new");
+  CHECK(names(run, "a/out", run, "b/out/") == "a/out | b/out");
+  CHECK(names(run, "a/out", run, "a/out") == "out | out");
+  CHECK(names(run, "baseline.json", run, "./out/result.json") == "baseline.json | out");
+  record::RunRecord labelled = run;
+  labelled.label = "before the new cutter";
+  CHECK(names(labelled, "a", run, "b") == "before the new cutter | b");
+  record::RunRecord now = run;
+  now.stages[0].measures->deviation->gouge_mm.high += 1;
+  Comparison comparison = compare_runs(labelled, now, {});
+  name_runs(comparison, labelled, "a", now, "b");
+  std::ostringstream page, comment;
+  write_html(comparison, page);
+  write_markdown(comparison, comment);
+  CHECK(page.str().find("Base, before the new cutter") != std::string::npos);
+  CHECK(comment.str().find("| base, before the new cutter | new, b |") != std::string::npos);
+  CHECK(text_table(comparison, false, 100, false)
+            .starts_with("base: before the new cutter; new: b\n"));
+}
+
 TEST_CASE("Places are paired one to one, nearest first", "[unit][compare]") {
   const std::vector<Spot> base = {{{0, 0, 0}, 2}, {{1, 0, 0}, 2}, {{9, 0, 0}, 1}};
   const std::vector<Spot> now = {{{0.9, 0, 0}, 2}, {{0.8, 0, 0}, 2}, {{10.5, 0, 0}, 1}};

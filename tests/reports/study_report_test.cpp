@@ -214,3 +214,11 @@ TEST_CASE("study.html of 10,008 cases: listed are the best 200", "[unit]") {
 }
 
 }  // namespace
+
+TEST_CASE("the command that is ready to run names the job from where the study was started",
+          "[unit][study]") {
+  SampleStudy study = sample_study();
+  study.about.job_path = "parts/wing's/job.toml";
+  CHECK(page_of(study).find("limitgauge run &#39;parts/wing&#39;\\&#39;&#39;s/job.toml&#39; \\") !=
+        std::string::npos);
+}

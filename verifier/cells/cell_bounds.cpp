@@ -13,6 +13,9 @@ using model::Vec3;
 using Values = std::array<double, 16>;
 
 constexpr int kLineSearches = 6;
+/// First piece of a prism that is looked at, whatever the cell, mm: fifteen twice as long each
+/// reach through any part.
+constexpr double kShortestPiece_mm = 1e-3;
 /// An edge counts as sharp where its rounding is below so many radii of the cell.
 constexpr double kSharp = 8;
 /// Bodies whose values at the control points are compared when the upper bound is improved.
@@ -180,11 +183,29 @@ bool CellBounder::surely_outside(const Bezier& cell, double margin_mm,
   return std::all_of(near_.begin(), near_.end(), clear);
 }
 
-bool CellBounder::surely_unswept(const Bezier& cell, const Vec3& prism, double margin_mm) {
+bool CellBounder::surely_unswept(const Bezier& cell, const Vec3& prism, double margin_mm,
+                                 double margin_per_mm) {
+  // Piece by piece, each twice as long as the one before: what lies beside the cell is near to
+  // short ones only, and what swept any of it did so near its beginning, most often.
+  const double whole = length(prism);
+  double from = 0, piece = std::max(control_radius(cell, middle(cell)), kShortestPiece_mm);
+  while (from < whole) {
+    const double to = std::min(whole, from + piece);
+    if (!piece_unswept(shifted(cell, prism * (from / whole)), prism * ((to - from) / whole),
+                       margin_mm + margin_per_mm * to))
+      return false;
+    from = to, piece *= 2;
+  }
+  return true;
+}
+
+bool CellBounder::piece_unswept(const Bezier& cell, const Vec3& prism, double margin_mm) {
   const Vec3 centre = middle(cell) + prism / 2;
-  const double radius = control_radius(cell, middle(cell)) + length(prism) / 2;
+  model::Box3 box = control_box(cell);
+  const model::Box3 end{box.low + prism, box.high + prism};
+  box.add(end.low), box.add(end.high);
   near_.clear();
-  space_.within(centre, margin_mm + radius, near_);
+  space_.within(box, margin_mm, near_, far_.get());
   return std::all_of(near_.begin(), near_.end(), [&](BodyRef body) {
     if (space_.is_stock(body)) return true;
     const BodyDistance d = space_.distance(body, centre);

@@ -36,14 +36,17 @@ class CellBounder {
   /// the lower bound once it is above `high_enough`.
   CellBounds bound(const Bezier& cell, std::vector<BodyRef>& candidates, double low_enough,
                    double high_enough = -std::numeric_limits<double>::infinity());
-  /// Proof that δ ≥ `margin_mm` on all of the cell, or all of the cell and of what lies between it
-  /// and the cell moved by `prism`, where raw stock does not count. False means "not proven".
-  /// `first`, the likeliest to be in the way, is looked at before the others.
+  /// Proof that δ ≥ `margin_mm` on all of the cell. False means "not proven". `first`, the
+  /// likeliest to be in the way, is looked at before the others.
   bool surely_outside(const Bezier& cell, double margin_mm, std::optional<BodyRef> first = {});
   /// By how much the body in the way of the last such proof misses the margin, where it is smooth
   /// over the cell: a cell moved by clearly less stays unproven. Nothing of one with a sharp edge.
   double missed_by_mm() const { return missed_by_mm_; }
-  bool surely_unswept(const Bezier& cell, const model::Vec3& prism, double margin_mm);
+  /// Proof that what swept comes no nearer than `margin_mm`, and `margin_per_mm` more for each mm
+  /// along it, to what lies between the cell and the cell moved by `prism`. Raw stock does not
+  /// count.
+  bool surely_unswept(const Bezier& cell, const model::Vec3& prism, double margin_mm,
+                      double margin_per_mm);
   /// Proof that δ ≤ −`margin_mm` on all of the cell, by `first`, a body that is low at its middle,
   /// or by means of those nearly as low.
   bool surely_inside(const Bezier& cell, double margin_mm, BodyRef first);
@@ -57,6 +60,7 @@ class CellBounder {
 
   Scored score(const Bezier& cell, const model::Vec3& middle, BodyRef body,
                BodyDistance& distance) const;
+  bool piece_unswept(const Bezier& cell, const model::Vec3& prism, double margin_mm);
   double upper_of(const Bezier& cell, const model::Vec3& middle, BodyRef body);
   double improve_upper(const Bezier& cell, double upper, double low_enough);
   double mixed_lower(const Bezier& cell, const model::Vec3& middle, BodyRef body) const;

@@ -19,11 +19,6 @@ constexpr std::array kCorners = {0, 3, 12, 15};
 /// Deeper in a body than this, no face of it is beside a corner.
 constexpr double kDeep_mm = 2 * kBeside_mm;
 
-Bezier shifted(Bezier cell, const Vec3& by) {
-  for (int k = 0; k < 16; ++k) cell.x[k] += by.x, cell.y[k] += by.y, cell.z[k] += by.z;
-  return cell;
-}
-
 /// Whether half a micrometre is much to a cell: what is wider is halved first.
 bool is_narrow(const OffsetCell& cell) {
   constexpr double kNarrow_mm = 8 * kBeside_mm;
@@ -219,8 +214,8 @@ bool RunBounds::surely_unswept(const OffsetCell& cell, double length_mm) {
       (length(cell.turning[0]) + length(cell.turning[1]) + length(cell.turning[2])) * radius +
       length(cell.fan);
   const auto unswept = [&](double down) {
-    const double margin = margin_mm(cell, std::abs(top) + down) + down * turning - kSkin_mm;
-    return bounder_.surely_unswept(moved, cell.normal * -down, margin);
+    return bounder_.surely_unswept(moved, cell.normal * -down, margin_mm(cell, top) - kSkin_mm,
+                                   cell.remainder + turning);
   };
   // Most often nothing swept anything there at all.
   if (unswept(longest_mm_)) return true;

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+#include <optional>
 
+#include "model/text/rounded.h"
 #include "verifier/gate/gate_text.h"
 #include "verifier/gate/verify.h"
 #include "verifier/tolerance.h"
@@ -73,8 +74,8 @@ class Decision {
   void judge_length(const std::string& what, const Interval& figure, double limit_mm,
                     const std::string& where) {
     const Verdict verdict = judge(figure, limit_mm);
-    add(what + " certified " + range_text(figure) + ", limit " + length_text(limit_mm) +
-            standing(verdict, d_.reached_resolution),
+    add(what + " certified " + range_text(figure, limit_mm) + ", limit " +
+            length_text(limit_mm, limit_mm) + standing(verdict, d_.reached_resolution),
         verdict, where);
   }
   void judge_unreachable();
@@ -87,18 +88,22 @@ class Decision {
 
 void Decision::judge_runs() {
   if (limits_.has_gouge)
-    judge_length(gouge_by(d_), d_.gouge_mm, limits_.gouge_mm, deepest_text(d_.gouges, stages_));
+    judge_length(gouge_by(d_), d_.gouge_mm, limits_.gouge_mm,
+                 deepest_text(d_.gouges, stages_, limits_.gouge_mm));
   if (limits_.has_uncut)
-    judge_length("uncut", d_.uncut_mm, limits_.uncut_mm, deepest_text(d_.uncuts, stages_));
+    judge_length("uncut", d_.uncut_mm, limits_.uncut_mm,
+                 deepest_text(d_.uncuts, stages_, limits_.uncut_mm));
 }
 
 void Decision::judge_coverage() {
   if (!limits_.has_coverage) return;
   const bool enough = d_.coverage >= limits_.coverage;
-  char text[128];
-  std::snprintf(text, sizeof text, "coverage %.4f of the reachable area, least accepted %.4f: %s",
-                d_.coverage, limits_.coverage, enough ? "enough" : "too little");
-  add(text, enough ? Verdict::pass : Verdict::fail, {});
+  const auto share = [&](double value) {
+    return model::rounded_text(value, 4, model::Rounding::down, limits_.coverage);
+  };
+  add("coverage " + share(d_.coverage) + " of the reachable area, least accepted " +
+          share(limits_.coverage) + (enough ? ": enough" : ": too little"),
+      enough ? Verdict::pass : Verdict::fail, {});
 }
 
 /// What is proven to be out of reach is the low end, with what is undecided the high one.
@@ -109,7 +114,8 @@ void Decision::judge_unreachable() {
   const double unit_mm2 = limits_.unreachable_is_share ? whole_mm2 : 1;
   const Verdict verdict =
       judge({area_mm2.low / unit_mm2, area_mm2.high / unit_mm2}, limits_.unreachable);
-  add("unreachable certified " + area_range_text(area_mm2, whole_mm2) + ", limit " +
+  add("unreachable certified " +
+          area_range_text(area_mm2, whole_mm2, limits_.unreachable * unit_mm2) + ", limit " +
           (limits_.unreachable_is_share ? share_text(limits_.unreachable)
                                         : area_text(limits_.unreachable)) +
           (verdict == Verdict::pass ? ": within the limit" : standing(verdict, false)),
@@ -130,16 +136,19 @@ void Decision::judge_reach() {
 /// gouges. Without one it is told and cannot fail.
 void Decision::judge_missing_stock() {
   const Interval& figure = d_.missing_stock_mm;
+  const std::optional<double> limit_mm =
+      limits_.has_gouge ? std::optional(limits_.gouge_mm) : std::nullopt;
   const std::string range =
-      "missing stock: S lies " + range_text(figure) + " outside the raw stock";
-  const std::string where = deepest_text(d_.missing_stock, stages_);
+      "missing stock: S lies " + range_text(figure, limit_mm) + " outside the raw stock";
+  const std::string where = deepest_text(d_.missing_stock, stages_, limit_mm);
   if (!limits_.has_gouge) {
     if (figure.low > 0) out_.reasons.push_back(range + where);
     return;
   }
   const Verdict verdict = judge(figure, limits_.gouge_mm);
   if (verdict == Verdict::pass && !(figure.low > 0)) return;
-  add(range + ", limit " + length_text(limits_.gouge_mm) + standing(verdict, d_.reached_resolution),
+  add(range + ", limit " + length_text(limits_.gouge_mm, limits_.gouge_mm) +
+          standing(verdict, d_.reached_resolution),
       verdict, where);
 }
 

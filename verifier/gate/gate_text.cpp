@@ -4,22 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/text/rounded.h"
 #include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
-
-using Rounding = double (*)(double);
-
-/// `value` in four significant digits, rounded by `up_or_down`: what is said of an end of a
-/// certified interval stays true. A number of four digits is itself, whatever its last bits say.
-double outwards(double value, Rounding up_or_down) {
-  if (value <= 0) return value;
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 3);
-  const double units = value / unit;
-  const double nearest = std::round(units);
-  return (std::abs(units - nearest) < kFourthDigit ? nearest : up_or_down(units)) * unit;
-}
 
 std::string four_digits(double value, const char* unit) {
   char text[48];
@@ -27,22 +16,50 @@ std::string four_digits(double value, const char* unit) {
   return text;
 }
 
-Interval outwards(const Interval& figure) {
-  return {outwards(figure.low, std::floor), outwards(figure.high, std::ceil)};
+struct Unit {
+  double per_mm;
+  const char* name;
+};
+
+Unit unit_of(double mm) {
+  constexpr double kMicrometres_mm = 0.1, kNanometres_mm = 1e-6;
+  if (std::abs(mm) >= kMicrometres_mm) return {1, "mm"};
+  if (mm == 0 || std::abs(mm) >= kNanometres_mm) return {1e3, "µm"};
+  return {1e6, "nm"};
+}
+
+/// Four digits, or as many as show on which side of the limit it lies.
+std::string end_text(double value, const Unit& unit, model::Rounding rounding,
+                     const std::optional<double>& limit) {
+  double shown = value * unit.per_mm;
+  std::optional<double> beside;
+  if (limit) {
+    beside = model::without_dust(*limit * unit.per_mm);
+    if (value == *limit) shown = *beside;
+  }
+  const std::string number =
+      model::rounded_text(shown, model::significant_decimals(shown, 4), rounding, beside);
+  return model::without_trailing_zeros(number) + " " + unit.name;
+}
+
+std::string end_text(double mm, model::Rounding rounding, const std::optional<double>& limit_mm) {
+  return end_text(mm, unit_of(mm), rounding, limit_mm);
 }
 
 }  // namespace
 
 std::string length_text(double mm) {
-  constexpr double kMicrometres_mm = 0.1, kNanometres_mm = 1e-6;
-  if (std::abs(mm) >= kMicrometres_mm) return four_digits(mm, "mm");
-  if (mm == 0 || std::abs(mm) >= kNanometres_mm) return four_digits(mm * 1e3, "µm");
-  return four_digits(mm * 1e6, "nm");
+  const Unit unit = unit_of(mm);
+  return four_digits(mm * unit.per_mm, unit.name);
 }
 
-std::string range_text(const Interval& figure) {
-  const Interval shown = outwards(figure);
-  return "between " + length_text(shown.low) + " and " + length_text(shown.high);
+std::string length_text(double mm, const std::optional<double>& limit_mm) {
+  return limit_mm ? end_text(mm, model::Rounding::nearest, limit_mm) : length_text(mm);
+}
+
+std::string range_text(const Interval& figure, const std::optional<double>& limit_mm) {
+  return "between " + end_text(figure.low, model::Rounding::down, limit_mm) + " and " +
+         end_text(figure.high, model::Rounding::up, limit_mm);
 }
 
 std::string area_text(double mm2) {
@@ -53,11 +70,16 @@ std::string share_text(double share) {
   return four_digits(100 * share, "%");
 }
 
-std::string area_range_text(const Interval& area_mm2, double whole_mm2) {
-  const Interval area = outwards(area_mm2),
-                 share = outwards(Interval{area_mm2.low / whole_mm2, area_mm2.high / whole_mm2});
-  return "between " + area_text(area.low) + " and " + area_text(area.high) + " (" +
-         share_text(share.low) + " to " + share_text(share.high) + ")";
+std::string area_range_text(const Interval& area_mm2, double whole_mm2,
+                            const std::optional<double>& limit_mm2) {
+  constexpr Unit kArea{1, "mm²"}, kShare{100, "%"};
+  std::optional<double> share;
+  if (limit_mm2) share = *limit_mm2 / whole_mm2;
+  const auto low = model::Rounding::down, high = model::Rounding::up;
+  return "between " + end_text(area_mm2.low, kArea, low, limit_mm2) + " and " +
+         end_text(area_mm2.high, kArea, high, limit_mm2) + " (" +
+         end_text(area_mm2.low / whole_mm2, kShare, low, share) + " to " +
+         end_text(area_mm2.high / whole_mm2, kShare, high, share) + ")";
 }
 
 std::string place_text(const model::Vec3& p) {
@@ -71,13 +93,14 @@ std::string line_text(std::size_t stage, std::uint32_t line, std::span<const std
   return stage + 1 < stages.size() ? text + " of stage " + stages[stage] : text;
 }
 
-std::string deepest_text(const std::vector<Finding>& findings,
-                         std::span<const std::string> stages) {
+std::string deepest_text(const std::vector<Finding>& findings, std::span<const std::string> stages,
+                         const std::optional<double>& limit_mm) {
   if (findings.empty()) return {};
   const Finding& f =
       *std::max_element(findings.begin(), findings.end(),
                         [](const Finding& a, const Finding& b) { return a.depth_mm < b.depth_mm; });
-  const std::string text = "; deepest " + length_text(f.depth_mm) + " " + place_text(f.place.point);
+  const std::string text =
+      "; deepest " + length_text(f.depth_mm, limit_mm) + " " + place_text(f.place.point);
   if (f.line > 0) return text + ", " + line_text(f.stage, f.line, stages);
   return text + (f.raw_stock ? ", a face of the raw stock" : "");
 }

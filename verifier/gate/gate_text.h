@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,10 +12,15 @@ namespace limitgauge::verifier {
 /// Micrometres below a tenth of a millimetre, millimetres above; nanometres where micrometres would
 /// need an exponent.
 std::string length_text(double mm);
-/// "between 1.234 µm and 2.346 µm": rounded outwards to four digits, so that it stays true.
-std::string range_text(const Interval& figure);
+/// Likewise, with more digits where four would not show on which side of the limit it lies.
+std::string length_text(double mm, const std::optional<double>& limit_mm);
+/// "between 1.234 µm and 2.346 µm": rounded outwards to four digits, so that it stays true, and to
+/// more where four would put an end on another side of the limit.
+std::string range_text(const Interval& figure,
+                       const std::optional<double>& limit_mm = std::nullopt);
 /// "between 12.1 mm² and 12.9 mm² (4.03 % to 4.3 %)", rounded likewise; `whole_mm2` > 0.
-std::string area_range_text(const Interval& area_mm2, double whole_mm2);
+std::string area_range_text(const Interval& area_mm2, double whole_mm2,
+                            const std::optional<double>& limit_mm2 = std::nullopt);
 /// "12.3 mm²".
 std::string area_text(double mm2);
 /// 0.041 as "4.1 %".
@@ -26,7 +32,8 @@ std::string place_text(const model::Vec3& p);
 std::string line_text(std::size_t stage, std::uint32_t line, std::span<const std::string> stages);
 /// Of the deepest of `findings`: "; deepest 0.3 mm at (1.000, 2.000, 3.000) mm, program line 12".
 /// Empty where there is none.
-std::string deepest_text(const std::vector<Finding>& findings, std::span<const std::string> stages);
+std::string deepest_text(const std::vector<Finding>& findings, std::span<const std::string> stages,
+                         const std::optional<double>& limit_mm = std::nullopt);
 /// Of what stands highest among the samples out of reach, likewise; empty where none is.
 std::string out_of_reach_text(const DeviationField& field, std::span<const std::string> stages);
 

@@ -210,6 +210,11 @@ double area_mm2(const Bezier& b) {
   return sum;
 }
 
+Bezier shifted(Bezier b, const Vec3& by) {
+  for (int k = 0; k < 16; ++k) b.x[k] += by.x, b.y[k] += by.y, b.z[k] += by.z;
+  return b;
+}
+
 model::Box3 control_box(const Bezier& b) {
   model::Box3 box;
   for (int k = 0; k < 16; ++k) box.add(b.control(k));

@@ -54,6 +54,8 @@ Bezier restrict(const Bezier& b, double u0, double u1, double v0, double v1);
 double area_mm2(const Bezier& b);
 /// Box of the control points; contains the patch.
 model::Box3 control_box(const Bezier& b);
+/// The patch moved.
+Bezier shifted(Bezier b, const model::Vec3& by);
 /// Greatest distance from `centre` to a control point: every point of the patch is within it.
 double control_radius(const Bezier& b, const model::Vec3& centre);
 

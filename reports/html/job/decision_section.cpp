@@ -6,6 +6,7 @@ namespace limitgauge::reports::html {
 namespace {
 
 constexpr const char* kDecisionRule = R"(<section id="decision"><h2>How it was decided</h2>
+<details><summary>The rule, and what each verdict means</summary>
 <p>Deviation is a run along the normal of the exact limit surface, from the allowance surface: outwards
 through the material that still stands (uncut, positive), or inwards through what is no longer there
 (gouge, negative). At a sharp edge every normal between those of its two faces counts. Part and
@@ -24,10 +25,11 @@ allowed.</li></ul>
 <p>This is the rule of ISO 14253-1 in spirit: conformance is proven to pass and non-conformance is
 proven to fail. The bounds are worst cases, not standard deviations, and carry no coverage factor. The
 ratio of limit to interval width stands beside each figure; below 4 : 1 it is marked, and 10 : 1 or
-better is aimed for.</p></section>
+better is aimed for.</p></details></section>
 )";
 
 constexpr const char* kProcessRule = R"(<section id="decision"><h2>How it was decided</h2>
+<details><summary>The rule, and what each verdict means</summary>
 <p>The program was cut in the raw stock, move by move, and nothing was measured against a design: whether
 the part has the shape that it should have, this page does not say.</p>
 <ul><li><strong>Passed</strong>: the process has no fault: no rapid through standing material, no holder,
@@ -35,7 +37,7 @@ shank or fixture touched, no cut with the spindle at rest, ...; near misses are 
 <li><strong>Failed</strong>: the process has a fault.</li></ul>
 <p>Contacts are judged on the exact statement of the stock, not on its voxels. The stock was cut a second
 time by a model that shares nothing with the first, and the run ends with an error where the two contradict
-each other.</p></section>
+each other.</p></details></section>
 )";
 
 }  // namespace

@@ -28,13 +28,16 @@ std::string count_text(const std::optional<int>& count) {
 }
 
 std::string seconds_text(const std::optional<double>& seconds) {
-  return seconds ? duration_text(*seconds) : kNothing;
+  return seconds ? three_digits(*seconds) : kNothing;
 }
 
 /// Published in units of a million bytes, as this page's own figures are.
 std::string megabytes_text(const std::optional<double>& mb) {
-  constexpr double kMegabyte = 1e6;
-  return mb ? bytes_text(static_cast<std::size_t>(*mb * kMegabyte)) : kNothing;
+  return mb ? three_digits(*mb) : kNothing;
+}
+
+std::string megabytes_text(std::size_t bytes) {
+  return three_digits(static_cast<double>(bytes) / 1e6);
 }
 
 std::string model_table(const RunResult& result) {
@@ -42,42 +45,36 @@ std::string model_table(const RunResult& result) {
   std::vector<Cells> rows = {{"this run", grouped(std::uint64_t(s.summary.patches)),
                               span_text(s.depth_min, s.depth_max),
                               span_text(s.sampling_interval_min, s.sampling_interval_max),
-                              duration_text(s.seconds), bytes_text(s.memory_bytes)}};
+                              three_digits(s.seconds), megabytes_text(s.memory_bytes)}};
   if (s.cell_bytes_counted > 0)
     rows.push_back({"its CELL control points in single precision, as the paper counts them", "", "",
-                    "", "", bytes_text(s.cell_bytes_counted)});
+                    "", "", megabytes_text(s.cell_bytes_counted)});
   if (const auto& p = result.published)
     rows.push_back({"published", count_text(p->patches), span_text(p->depth),
                     span_text(p->sampling_interval), seconds_text(p->seconds),
                     megabytes_text(p->memory_mb)});
   return table("Model of the surface",
-               {{""},
+               {{"Whose figures"},
                 {"Patches", true},
                 {"Subdivision depth", true},
                 {"Sampling interval", true},
-                {"Time", true},
-                {"Memory", true}},
+                {"Time, s", true},
+                {"Memory, MB", true}},
                rows);
 }
 
 Cells path_row(const StageResult& stage, const StageResult::Ran& r) {
   return {escape_markup(stage.name),
-          path_source(stage),
-          stage.step_mm > 0 ? stated_length(stage.step_mm) : kNothing,
           grouped(std::uint64_t(std::max(r.planes, 0))),
           span_text(r.sampling_interval_min, r.sampling_interval_max),
           grouped(r.path ? r.path->moves.size() : 0),
-          duration_text(r.machining_time_s),
-          duration_text(r.plan_seconds),
-          bytes_text(r.path_memory_bytes)};
+          three_digits(r.plan_seconds),
+          megabytes_text(r.path_memory_bytes)};
 }
 
 Cells published_row(const PublishedFigures::Stage& stage) {
   return {escape_markup(stage.name) + "<small>published</small>",
-          kNothing,
-          kNothing,
           count_text(stage.planes),
-          kNothing,
           kNothing,
           kNothing,
           seconds_text(stage.seconds),
@@ -95,14 +92,11 @@ std::string path_table(const RunResult& result) {
   }
   return table("Toolpaths",
                {{"Stage"},
-                {"Path"},
-                {"Path interval", true},
-                {"Planes", true},
+                {"Planes or levels", true},
                 {"Sampling interval", true},
                 {"Moves", true},
-                {"Machining time", true},
-                {"Planned in", true},
-                {"Memory", true}},
+                {"Planned in, s", true},
+                {"Memory, MB", true}},
                rows);
 }
 

@@ -86,14 +86,12 @@ std::string stock_text(const model::Stock& stock) {
 }
 
 std::string inputs_section(const RunResult& result) {
-  std::vector<Term> list = {{"Job", escape_markup(result.job)},
-                            {"Run on", escape_markup(result.created)},
-                            {"Program version", "limitgauge " + escape_markup(result.version)},
-                            {"Threads", std::to_string(result.threads)},
-                            {"Stock", stock_text(result.raw_stock)}};
+  std::vector<Term> list = {{"Threads", std::to_string(result.threads)}};
   add_machine(result, list);
-  return "<section id=\"inputs\"><h2>Job and inputs</h2>\n" + terms(list) +
-         machine_tools(result.machine.tools) + files_table(result.inputs) + "</section>\n";
+  return "<section id=\"inputs\"><h2>Job and inputs</h2>\n" +
+         fold("more", "What the job stated and every file that was read",
+              terms(list) + machine_tools(result.machine.tools) + files_table(result.inputs)) +
+         "</section>\n";
 }
 
 namespace {

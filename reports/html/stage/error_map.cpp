@@ -9,7 +9,7 @@
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/png.h"
 #include "reports/run/patch_figures.h"
-#include "reports/text/text.h"
+#include "reports/text/interval_text.h"
 #include "reports/tolerance.h"
 
 namespace limitgauge::reports::html {
@@ -70,8 +70,8 @@ std::string error_map(const StageResult& stage) {
 
 namespace {
 
-/// Longer tables are folded away; of still longer ones the worst are shown.
-constexpr std::size_t kMostOpenPatches = 40, kMostRows = 400;
+/// Of longer tables the worst are shown.
+constexpr std::size_t kMostRows = 400;
 
 /// Of the model and the path that were planned; a program of somebody else has neither.
 std::string number_of(const std::vector<int>& numbers, int patch) {
@@ -80,15 +80,33 @@ std::string number_of(const std::vector<int>& numbers, int patch) {
 }
 
 /// Below half a nanometre the samples' own rounding would be shown.
-std::string seen_length(double mm) {
-  return measured_length(mm < kNoLength_mm ? 0 : mm);
+std::string seen_number(double mm, const LengthUnit& unit) {
+  return measured_number(mm < kNoLength_mm ? 0 : mm, unit);
 }
 
-Row patch_row(const RunResult& result, std::size_t index, const PatchFigures& f) {
+/// In which the columns of gouge and uncut stand.
+struct PatchUnits {
+  LengthUnit gouge, uncut;
+};
+
+PatchUnits units_of(const std::vector<PatchFigures>& patches) {
+  double gouge_mm = 0, uncut_mm = 0;
+  for (const PatchFigures& f : patches)
+    gouge_mm = std::max(gouge_mm, f.gouge_mm), uncut_mm = std::max(uncut_mm, f.uncut_mm);
+  return {unit_for(gouge_mm), unit_for(uncut_mm)};
+}
+
+std::string percent_number(double share) {
+  const std::string text = percent_text(share);
+  return text.substr(0, text.rfind(" %"));
+}
+
+Row patch_row(const RunResult& result, std::size_t index, const PatchFigures& f,
+              const PatchUnits& units) {
   return {{std::to_string(f.patch), number_of(result.surface->depths, f.patch),
            number_of(result.stages[index].ran->sampling_intervals, f.patch),
-           seen_length(f.gouge_mm), seen_length(f.uncut_mm), three_digits(f.area_mm2) + " mm²",
-           percent_text(f.unreachable_share()), grouped(f.samples)},
+           seen_number(f.gouge_mm, units.gouge), seen_number(f.uncut_mm, units.uncut),
+           three_digits(f.area_mm2), percent_number(f.unreachable_share()), grouped(f.samples)},
           fmt::format(" data-stage=\"{}\" data-patch=\"{}\"", index, f.patch)};
 }
 
@@ -105,24 +123,25 @@ std::string patch_table(const RunResult& result, std::size_t index) {
       patch_figures(stage.ran->deviation->field, stage.limits);
   if (patches.empty()) return {};
   const std::size_t shown = std::min(patches.size(), kMostRows);
+  const PatchUnits units = units_of(patches);
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < shown; ++i) rows.push_back(patch_row(result, index, patches[i]));
-  return fmt::format(
-      "<details class=\"patches\"{}><summary>{}</summary>\n{}</details>\n",
-      patches.size() <= kMostOpenPatches ? " open=\"\"" : "", summary(shown, patches.size()),
-      table(
-          "Depth and interval: how finely the engine's model of the patch was subdivided, and how "
-          "sparsely this stage's path sampled it. Gouge and uncut are the worst of the patch's "
-          "samples, uncut where the cutter can reach; certified are the figures for the whole.",
-          {{"Patch"},
-           {"Depth", true},
-           {"Interval", true},
-           {"Gouge seen", true},
-           {"Uncut seen", true},
-           {"Area", true},
-           {"Out of reach", true},
-           {"Samples", true}},
-          rows));
+  for (std::size_t i = 0; i < shown; ++i)
+    rows.push_back(patch_row(result, index, patches[i], units));
+  return fold(
+      "patches", summary(shown, patches.size()),
+      table("Depth and interval: how finely the engine's model of the patch was subdivided, "
+            "and how sparsely this stage's path sampled it. Gouge and uncut are the worst of "
+            "the patch's samples, uncut where the cutter can reach; certified are the figures "
+            "for the whole.",
+            {{"Patch"},
+             {"Depth", true},
+             {"Interval", true},
+             {std::string("Gouge seen, ") + units.gouge.symbol, true},
+             {std::string("Uncut seen, ") + units.uncut.symbol, true},
+             {"Area, mm²", true},
+             {"Out of reach, %", true},
+             {"Samples", true}},
+            rows));
 }
 
 }  // namespace limitgauge::reports::html

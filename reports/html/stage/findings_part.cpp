@@ -3,14 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "reports/html/markup.h"
-#include "reports/text/text.h"
+#include "reports/text/interval_text.h"
 
 namespace limitgauge::reports::html {
 namespace {
 
-constexpr std::size_t kLongestList = 20;
+/// Of a longer list the worst are shown, of these the first few unfolded.
+constexpr std::size_t kLongestList = 20, kMostOpen = 5;
 
 std::string more_note(std::size_t total) {
   if (total <= kLongestList) return {};
@@ -37,17 +39,20 @@ std::string left_by(const verifier::Finding& f) {
 /// What each body of the assembly does to the part; nothing to say where all is well above it.
 std::string bodies_table(const RunResult& result, const verifier::StageDeviation& d) {
   if (d.bodies.size() < 2) return {};
+  double largest_mm = 0;
+  for (const verifier::BodyFigure& b : d.bodies) largest_mm = std::max(largest_mm, b.gouge_mm.high);
+  const LengthUnit unit = unit_for(largest_mm);
   std::vector<std::vector<std::string>> rows;
   for (const verifier::BodyFigure& b : d.bodies) {
     const bool flutes = b.body == "cutter";
-    rows.push_back(
-        {escape_markup(b.body),
-         flutes || b.stage >= result.stages.size() ? "all so far"
-                                                   : escape_markup(result.stages[b.stage].name),
-         typeset(measured_length(b.gouge_mm.low)), typeset(measured_length(b.gouge_mm.high))});
+    rows.push_back({escape_markup(b.body),
+                    flutes || b.stage >= result.stages.size()
+                        ? "all so far"
+                        : escape_markup(result.stages[b.stage].name),
+                    typeset(interval_numbers(b.gouge_mm, unit))});
   }
   return table("Gouge by body of the assembly, certified",
-               {{"Body"}, {"Stage"}, {"At least", true}, {"At most", true}}, rows);
+               {{"Body"}, {"Stage"}, {std::string("Gouge, ") + unit.symbol, true}}, rows);
 }
 
 /// The program line, linked to where it stands in the listing below.
@@ -60,47 +65,67 @@ std::string line_link(const RunResult& result, std::size_t index, const verifier
   return fmt::format("<a href=\"#{}\">{}</a>", line_anchor(index, f.stage, f.line), line);
 }
 
-/// Of a mesh, the triangle.
-std::string patch_text(const RunResult& result, int patch) {
-  const MeshDesign* mesh = result.mesh_design();
-  return mesh ? std::to_string(mesh->triangle_of(patch)) : std::to_string(patch);
+/// Patch with u and v; of a mesh, the triangle.
+std::string patch_text(const RunResult& result, const verifier::SurfacePlace& place) {
+  if (const MeshDesign* mesh = result.mesh_design())
+    return std::to_string(mesh->triangle_of(place.patch));
+  return fmt::format("{}<small>{}, {}</small>", place.patch, fixed(place.u, 4), fixed(place.v, 4));
 }
 
-Row finding_row(const RunResult& result, std::size_t index, const std::string& name,
-                const verifier::Finding& f) {
-  const std::string stage =
-      f.stage < result.stages.size() ? escape_markup(result.stages[f.stage].name) : "–";
-  return {{name, measured_length(f.depth_mm), three_digits(f.area_mm2) + " mm²",
-           extent_text(f.extent_mm), coordinates(f.place.point), patch_text(result, f.place.patch),
-           fixed(f.place.u, 4), fixed(f.place.v, 4), stage, line_link(result, index, f),
-           grouped(f.move), name.front() == 'M' ? "raw stock" : left_by(f)},
-          // The map in the page knows gouges and leftovers.
-          name.front() == 'M' ? " id=\"" + finding_anchor(index, name) + "\""
-                              : finding_attributes(index, name)};
+/// Program line and move, with the stage where it is not this one.
+std::string line_cell(const RunResult& result, std::size_t index, const verifier::Finding& f) {
+  std::string out = line_link(result, index, f);
+  if (f.line == 0) return out;
+  if (f.stage != index && f.stage < result.stages.size())
+    out += " of " + escape_markup(result.stages[f.stage].name);
+  return out + "<small>move " + grouped(f.move) + "</small>";
+}
+
+/// A table of one kind of finding: its letter, and what its depth is held against.
+struct FindingKindTable {
+  std::string_view caption;
+  char letter;
+  std::optional<double> limit_mm;
+  LengthUnit unit = {};
+};
+
+Row finding_row(const RunResult& result, std::size_t index, const FindingKindTable& kind,
+                std::size_t number, const verifier::Finding& f) {
+  const std::string name = kind.letter + std::to_string(number + 1);
+  const bool missing = kind.letter == 'M';
+  return {
+      {name, measured_number(f.depth_mm, kind.unit, kind.limit_mm), three_digits(f.area_mm2),
+       extent_text(f.extent_mm), coordinates(f.place.point), patch_text(result, f.place),
+       line_cell(result, index, f), missing ? "raw stock" : left_by(f)},
+      // The map in the page knows gouges and leftovers.
+      missing ? " id=\"" + finding_anchor(index, name) + "\"" : finding_attributes(index, name)};
+}
+
+std::vector<Column> finding_columns(const RunResult& result, const LengthUnit& unit) {
+  return {{"No."},
+          {std::string("Depth, ") + unit.symbol, true},
+          {"Area, mm²", true},
+          {"Extent, mm", true},
+          {"X, Y, Z, mm", true},
+          {result.mesh_design() ? "Triangle" : "Patch, u, v", true},
+          {"Line", true},
+          {"By"}};
 }
 
 std::string findings_table(const RunResult& result, std::size_t index,
-                           const std::vector<verifier::Finding>& findings, std::string_view caption,
-                           char letter) {
+                           const std::vector<verifier::Finding>& findings, FindingKindTable kind) {
   if (findings.empty()) return {};
-  std::vector<Row> rows;
+  kind.unit = unit_for(std::max(findings.front().depth_mm, kind.limit_mm.value_or(0)));
+  std::vector<Row> open, folded;
   for (std::size_t i = 0; i < std::min(findings.size(), kLongestList); ++i)
-    rows.push_back(finding_row(result, index, letter + std::to_string(i + 1), findings[i]));
-  return table(caption,
-               {{"No."},
-                {"Depth", true},
-                {"Area", true},
-                {"Extent in mm", true},
-                {"X, Y, Z in mm", true},
-                {result.mesh_design() ? "Triangle" : "Patch", true},
-                {"u", true},
-                {"v", true},
-                {"Stage"},
-                {"Line", true},
-                {"Move", true},
-                {"By"}},
-               rows) +
-         more_note(findings.size());
+    (i < kMostOpen ? open : folded).push_back(finding_row(result, index, kind, i, findings[i]));
+  const std::vector<Column> columns = finding_columns(result, kind.unit);
+  std::string out = table(kind.caption, columns, open);
+  if (!folded.empty())
+    out += fold(
+        "more", fmt::format("The next {}", folded.size()),
+        table(fmt::format("{}, from the {}th on", kind.caption, kMostOpen + 1), columns, folded));
+  return out + more_note(findings.size());
 }
 
 /// From which depth on places are listed.
@@ -118,9 +143,16 @@ std::string threshold_note(const verifier::StageDeviation& d) {
 
 std::string findings_part(const RunResult& result, std::size_t index) {
   const verifier::StageDeviation& d = *result.stages[index].ran->deviation;
-  return threshold_note(d) + findings_table(result, index, d.gouges, "Gouges, deepest first", 'G') +
-         findings_table(result, index, d.uncuts, "Material left standing, highest first", 'U') +
-         findings_table(result, index, d.missing_stock, "Missing raw stock, deepest first", 'M') +
+  const verifier::GateLimits& limits = result.stages[index].limits;
+  const auto stated = [](bool has, double mm) { return has ? std::optional(mm) : std::nullopt; };
+  const std::optional<double> gouge_mm = stated(limits.has_gouge, limits.gouge_mm),
+                              uncut_mm = stated(limits.has_uncut, limits.uncut_mm);
+  return threshold_note(d) +
+         findings_table(result, index, d.gouges, {"Gouges, deepest first", 'G', gouge_mm}) +
+         findings_table(result, index, d.uncuts,
+                        {"Material left standing, highest first", 'U', uncut_mm}) +
+         findings_table(result, index, d.missing_stock,
+                        {"Missing raw stock, deepest first", 'M', gouge_mm}) +
          bodies_table(result, d);
 }
 

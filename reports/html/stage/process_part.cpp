@@ -3,16 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/html/markup.h"
 #include "reports/run/process.h"
 #include "reports/run/program_lines.h"
-#include "reports/text/text.h"
+#include "reports/text/interval_text.h"
 
 namespace limitgauge::reports::html {
 namespace {
-
-constexpr std::size_t kMostGroups = 20;
 
 std::string lines_text(const simulator::FindingGroup& group) {
   if (group.first_line == 0) return "–";
@@ -27,13 +26,28 @@ std::string line_text(std::size_t stage, std::uint32_t line, bool listed) {
   return fmt::format("<a href=\"#{}\">{}</a>", line_anchor(stage, stage, line), line);
 }
 
-Row row(std::size_t stage, std::size_t index, const simulator::FindingGroup& group, bool listed) {
+/// "≥ 0.84" and "0.3 apart", in the unit of the column.
+std::string depth_cell(const simulator::Finding& f, const LengthUnit& unit) {
+  if (f.kind == simulator::FindingKind::near_miss)
+    return measured_number(-f.depth_mm, unit) + " apart";
+  return f.depth_mm > 0 ? "≥ " + measured_number(f.depth_mm, unit) : "–";
+}
+
+LengthUnit unit_of(const std::vector<simulator::FindingGroup>& groups, std::size_t shown) {
+  double largest_mm = 0;
+  for (std::size_t i = 0; i < shown; ++i)
+    largest_mm = std::max(largest_mm, std::abs(groups[i].worst.depth_mm));
+  return unit_for(largest_mm);
+}
+
+Row row(std::size_t stage, std::size_t index, const simulator::FindingGroup& group, bool listed,
+        const LengthUnit& unit) {
   const simulator::Finding& worst = group.worst;
   std::string what = description(group.kind);
   if (!fails(group.kind)) what += " (does not fail the stage)";
   const std::string name = "P" + std::to_string(index + 1);
   return {{name, lines_text(group), what, escape_markup(group.part), escape_markup(group.against),
-           process_depth(worst), coordinates(worst.point), line_text(stage, worst.line, listed),
+           depth_cell(worst, unit), coordinates(worst.point), line_text(stage, worst.line, listed),
            grouped(group.count)},
           finding_attributes(stage, name)};
 }
@@ -53,17 +67,19 @@ std::string process_table(const StageResult::Ran& ran, std::size_t stage) {
   const std::vector<simulator::Finding>& findings = ran.process;
   if (findings.empty()) return "<p class=\"note\">The process has no fault and no near miss.</p>\n";
   const std::vector<simulator::FindingGroup> groups = worst_first(findings);
+  const std::size_t shown = std::min(groups.size(), kMostGroups);
+  const LengthUnit unit = unit_of(groups, shown);
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < std::min(groups.size(), kMostGroups); ++i)
-    rows.push_back(row(stage, i, groups[i], ran.program_text != nullptr));
+  for (std::size_t i = 0; i < shown; ++i)
+    rows.push_back(row(stage, i, groups[i], ran.program_text != nullptr, unit));
   std::string out = table("Process findings; the stock is judged as it stood at that move.",
                           {{"No."},
                            {"Lines", true},
                            {"What"},
                            {"Part"},
                            {"Against"},
-                           {"Worst", true},
-                           {"X, Y, Z in mm", true},
+                           {std::string("Worst, ") + unit.symbol, true},
+                           {"X, Y, Z, mm", true},
                            {"On line", true},
                            {"Moves", true}},
                           rows);

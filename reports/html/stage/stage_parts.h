@@ -9,41 +9,39 @@
 /// What the page tells of a stage, part by part.
 namespace limitgauge::reports::html {
 
-/// One row a stage with its gate figures and verdict.
+/// One row a stage with its verdict and its gate figures, each with its limit.
 std::string stage_table(const RunResult& result);
 
-/// For the header: of each stage that did not pass the worst gouge, leftover or process fault with
-/// its depth, its place, its program line in full, and a link to its row. Empty for a job that
-/// passed.
+/// For the header: of each stage that did not pass the worst gouge, leftover, missing stock and
+/// fault of every kind with its depth, its place, its program line in full, and a link to its row.
+/// Empty for a job that passed.
 std::string worst_places(const RunResult& result);
 
-/// The stage's part of the page.
+/// The stage's part of the page, folded below its heading where it passed.
 std::string stage_section(const RunResult& result, std::size_t index);
 /// "contour", or the program's name; escaped.
 std::string path_source(const StageResult& stage);
 /// "⌀8 mm flat"; escaped.
 std::string cutter_text(const model::Cutter& cutter);
 
-/// Gouge and uncut of a stage that ran as bars against their limits, then coverage and collisions
-/// in words.
-std::string gate_part(const StageResult& stage);
-
 /// What is told in single figures of a stage that ran: deviation, toolpath, simulation, removal.
-std::string figures_part(const StageResult::Ran& ran);
-/// Worst-case bounds of all sources of error.
+std::string figures_part(const StageResult& stage);
+/// Worst-case bounds of all sources of error, folded away.
 std::string budget_table(const std::vector<verifier::UncertaintyTerm>& budget);
 
 /// The error map with its legend and the worst places marked, scaled by the gate; where everything
 /// measured is far inside the limits, by what was measured.
 std::string error_map(const StageResult& stage);
 
-/// The patches of a stage that ran, the worst first, folded away where there are many.
+/// The patches of a stage that ran, the worst first, folded away.
 std::string patch_table(const RunResult& result, std::size_t index);
 
 /// Gouges and leftovers of a stage that ran, the worst first, and what each body of the assembly
 /// did to the part.
 std::string findings_part(const RunResult& result, std::size_t index);
 
+/// Rows of that table; the others are in result.json.
+inline constexpr std::size_t kMostGroups = 20;
 /// Faults and near misses of the process, runs of moves with the same one as a row; a sentence
 /// where there is none.
 std::string process_table(const StageResult::Ran& ran, std::size_t stage);

@@ -7,8 +7,6 @@
 #include "reports/html/charts.h"
 #include "reports/html/markup.h"
 #include "reports/picture/png.h"
-#include "reports/run/gate_figures.h"
-#include "reports/run/process.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::html {
@@ -45,16 +43,21 @@ std::string plates(const StageResult& stage, std::size_t index) {
   return out + "</div>\n";
 }
 
+/// What a reader of a stage that passed need not see: all of it is folded then.
 std::string measured_part(const RunResult& result, std::size_t index) {
   const StageResult& stage = result.stages[index];
   const StageResult::Ran& ran = *stage.ran;
-  std::string out = gate_part(stage) + plates(stage, index);
+  std::string out = plates(stage, index);
   if (ran.deviation) out += "<h3>Gouges and leftovers</h3>\n" + findings_part(result, index);
   out += "<h3>Process</h3>\n" + process_table(ran, index) + process_charts(index);
-  out += program_part(result, index);
-  if (ran.deviation) out += "<h3>Patches</h3>\n" + patch_table(result, index);
-  out += figures_part(ran) + ignored_words(ran.ignored_words);
-  return ran.deviation ? out + "<h3>Uncertainty</h3>\n" + budget_table(ran.deviation->budget) : out;
+  out += program_part(result, index) + ignored_words(ran.ignored_words);
+  if (ran.deviation) out += patch_table(result, index);
+  out += fold("more", "More figures of the stage", figures_part(stage));
+  if (ran.deviation) out += budget_table(ran.deviation->budget);
+  return fold("stage-body",
+              ran.deviation ? "Map, histogram, findings and process of this stage"
+                            : "Stock, process and figures of this stage",
+              out, stage.verdict() != verifier::Verdict::pass);
 }
 
 std::string request_line(const StageResult& stage) {
@@ -85,105 +88,11 @@ std::string cutter_text(const model::Cutter& cutter) {
 
 std::string stage_section(const RunResult& result, std::size_t index) {
   const StageResult& stage = result.stages[index];
-  std::string reasons;
-  for (const std::string& reason : stage.decision.reasons)
-    reasons += "<li>" + escape_markup(reason) + "</li>";
-  if (!reasons.empty()) reasons = fmt::format("<ul class=\"reasons\">{}</ul>", reasons);
   return fmt::format(
       "<section class=\"stage\" id=\"{}\" data-stage=\"{}\"><h2><span class=\"no\">Stage {}</span> "
-      "{} "
-      "{}</h2>\n<p class=\"request\">{}</p>\n{}\n{}</section>\n",
+      "{} {}</h2>\n<p class=\"request\">{}</p>\n{}</section>\n",
       stage_anchor(index), index, index + 1, escape_markup(stage.name), badge(stage.verdict()),
-      request_line(stage), reasons, stage.ran ? measured_part(result, index) : std::string());
-}
-
-namespace {
-
-/// "71.1 to 515 mm² (3.24 to 23.5 %)" with the share on a line of its own: the row is wide.
-std::string share_below(const std::string& measured) {
-  const std::size_t share = measured.find(" (");
-  if (share == std::string::npos) return measured;
-  return measured.substr(0, share) + "<small>" + measured.substr(share + 1) + "</small>";
-}
-
-/// What stands in a row whether there is a design or not.
-std::vector<std::string> first_cells(const StageResult& stage, std::size_t index) {
-  return {fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),
-          badge(stage.verdict()),
-          fmt::format("{}<small>{}</small><small>{}</small>", escape_markup(stage.tool),
-                      cutter_text(stage.cutter), path_source(stage))};
-}
-
-std::string process_faults_cell(const StageResult& stage) {
-  return stage.ran ? grouped(faults(stage.ran->process)) : "–";
-}
-
-std::string machining_time_cell(const StageResult& stage) {
-  return stage.ran ? duration_text(stage.ran->machining_time_s) : "–";
-}
-
-std::vector<std::string> cut_row(const StageResult& stage, std::size_t index) {
-  std::vector<std::string> cells = first_cells(stage, index);
-  cells.push_back(stage.ran ? three_digits(stage.ran->removed_volume_mm3 / 1000) + " cm³" : "–");
-  cells.push_back(process_faults_cell(stage));
-  cells.push_back(machining_time_cell(stage));
-  return cells;
-}
-
-std::vector<std::string> stage_row(const StageResult& stage, std::size_t index) {
-  const std::vector<GateFigure> f = gate_figures(stage);
-  const auto figure = [&](std::size_t i) {
-    if (f[i].standing == Standing::not_run) return std::string("–");
-    return share_below(f[i].measured) +
-           (f[i].limit.empty() ? "" : "<small>limit " + f[i].limit + "</small>");
-  };
-  std::vector<std::string> cells = first_cells(stage, index);
-  cells.push_back(stage.allowance_mm ? stated_length(*stage.allowance_mm) : "–");
-  for (const std::size_t i : {0, 1, 2, 3}) cells.push_back(figure(i));
-  cells.push_back(process_faults_cell(stage));
-  cells.push_back(machining_time_cell(stage));
-  return cells;
-}
-
-std::string cut_table(const RunResult& result) {
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < result.stages.size(); ++i)
-    rows.push_back(cut_row(result.stages[i], i));
-  return table("What was cut, without a design to measure it against.",
-               {{"Stage"},
-                {"Verdict"},
-                {"Tool, path"},
-                {"Removed volume", true},
-                {"Process faults", true},
-                {"Machining time", true}},
-               rows);
-}
-
-}  // namespace
-
-std::string stage_table(const RunResult& result) {
-  if (!result.surface)
-    return "<section id=\"stages\"><h2>Stages</h2>\n" + cut_table(result) + "</section>\n";
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < result.stages.size(); ++i)
-    rows.push_back(stage_row(result.stages[i], i));
-  return "<section id=\"stages\"><h2>Stages</h2>\n" +
-         table(
-             "Gouge and uncut are certified runs along the normals, against the stage's own "
-             "allowance "
-             "surface; unreachable is what no cutter used so far can touch.",
-             {{"Stage"},
-              {"Verdict"},
-              {"Tool, path"},
-              {"Allowance", true},
-              {"Gouge", true},
-              {"Uncut", true},
-              {"Coverage", true},
-              {"Unreachable", true},
-              {"Process faults", true},
-              {"Machining time", true}},
-             rows) +
-         "</section>\n";
+      request_line(stage), stage.ran ? measured_part(result, index) : std::string());
 }
 
 }  // namespace limitgauge::reports::html

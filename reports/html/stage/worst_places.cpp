@@ -10,7 +10,7 @@
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
 #include "reports/run/program_lines.h"
-#include "reports/text/text.h"
+#include "reports/text/interval_text.h"
 
 namespace limitgauge::reports::html {
 namespace {
@@ -54,15 +54,20 @@ std::string line_text(const RunResult& result, std::size_t stage, std::uint32_t 
 }
 
 std::string card(const std::string& title, const std::string& measure,
-                 const std::vector<Term>& list) {
-  return fmt::format("<div class=\"worst\"><p class=\"what\">{} <strong>{}</strong></p>{}</div>\n",
-                     title, measure, terms(list));
+                 const std::vector<Term>& list, const std::string& more = {}) {
+  return fmt::format(
+      "<div class=\"worst\"><p class=\"what\">{} <strong>{}</strong>{}</p>{}</div>\n", title,
+      measure, more, terms(list));
 }
 
-Term certified(const GateFigure& figure) {
-  return {"Certified", figure.measured + (figure.limit.empty() ? ", not limited"
-                                                               : ", limit " + figure.limit + ": " +
-                                                                     name(figure.standing))};
+/// ", limit 10 µm: beyond"; the interval stands in the table of stages.
+std::string beside_limit(const GateFigure& figure) {
+  if (figure.limit.empty()) return ", not limited";
+  return ", limit " + figure.limit + ": " + name(figure.standing);
+}
+
+std::string depth_beside(double mm, const GateFigure& figure) {
+  return measured_beside(mm, figure.length ? figure.length->limit_mm : std::nullopt);
 }
 
 /// Of the listed finding.
@@ -75,12 +80,12 @@ std::string finding_card(const RunResult& result, std::size_t index, const Side&
   } else if (f.raw_stock) {
     list.push_back({"Nearest", "a face of the raw stock"});
   }
-  list.push_back(certified(figure));
+  if (!f.body.empty() && f.body != "cutter") list.push_back({"By", escape_markup(f.body)});
   const std::string id = side.letter + std::string("1");
   list.push_back(
       {"More",
        finding_link(index, id, id + " of stage " + escape_markup(result.stages[index].name))});
-  return card(side.title, measured_length(f.depth_mm), list);
+  return card(side.title, depth_beside(f.depth_mm, figure), list, beside_limit(figure));
 }
 
 /// The sample that is worst on one side; where nothing is proven beyond a limit there may be no
@@ -97,12 +102,11 @@ const verifier::DeviationField::Sample* worst_sample(const Samples& samples, con
 std::string sample_card(const RunResult& result, std::size_t index, const Side& side,
                         const GateFigure& figure) {
   const auto* s = worst_sample(result.stages[index].ran->deviation->field.samples, side);
-  if (!s) return {};
+  if (!s) return card(side.title, figure.measured, {}, beside_limit(figure));
   std::vector<Term> list = {{"Where", place_text(result, s->place)}};
   if (s->line > 0) list.push_back({"Nearest pass", line_text(result, s->stage, s->line)});
-  list.push_back(certified(figure));
   return card(std::string(side.title) + ", of the samples",
-              measured_length(side.sign * s->deviation_mm), list);
+              depth_beside(side.sign * s->deviation_mm, figure), list, beside_limit(figure));
 }
 
 /// Whether the figure is one that keeps the stage from passing; too small a coverage speaks of what
@@ -131,26 +135,42 @@ std::string stock_card(const RunResult& result, std::size_t index) {
     const bool blamed =
         figure.standing == Standing::beyond || figure.standing == Standing::undecided;
     if (figure.name != "missing stock" || !blamed || findings.empty()) continue;
-    return card("Missing raw stock", measured_length(findings.front().depth_mm),
-                {{"Where", place_text(result, findings.front().place)}, certified(figure)});
+    return card("Missing raw stock", depth_beside(findings.front().depth_mm, figure),
+                {{"Where", place_text(result, findings.front().place)}}, beside_limit(figure));
   }
   return {};
 }
 
-std::string process_card(const RunResult& result, std::size_t index) {
-  const std::vector<simulator::FindingGroup> groups =
-      worst_first(result.stages[index].ran->process);
-  if (groups.empty() || !fails(groups.front().kind)) return {};
-  const simulator::Finding& f = groups.front().worst;
+/// The worst of one kind; `number` is that of its row.
+std::string process_card(const RunResult& result, std::size_t index, std::size_t number,
+                         const simulator::Finding& f) {
   std::vector<Term> list = {
       {"Where", axes(f.point)},
       {"Bodies", escape_markup(f.part) + " against " + escape_markup(f.against)}};
   if (f.line > 0) list.push_back({"Program", line_text(result, index, f.line)});
-  list.push_back({"More", finding_link(index, "P1",
-                                       "P1 of stage " + escape_markup(result.stages[index].name))});
+  const std::string id = "P" + std::to_string(number + 1);
+  if (number < kMostGroups)
+    list.push_back(
+        {"More",
+         finding_link(index, id, id + " of stage " + escape_markup(result.stages[index].name))});
   std::string what = description(f.kind);
   what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
   return card(what, f.depth_mm > 0 ? process_depth(f) : "", list);
+}
+
+/// One card for each kind of fault.
+std::string process_cards(const RunResult& result, std::size_t index) {
+  const std::vector<simulator::FindingGroup> groups =
+      worst_first(result.stages[index].ran->process);
+  std::vector<simulator::FindingKind> shown;
+  std::string out;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const simulator::Finding& f = groups[i].worst;
+    if (!fails(f.kind) || std::find(shown.begin(), shown.end(), f.kind) != shown.end()) continue;
+    shown.push_back(f.kind);
+    out += process_card(result, index, i, f);
+  }
+  return out;
 }
 
 }  // namespace
@@ -162,7 +182,7 @@ std::string worst_places(const RunResult& result) {
     if (!stage.ran || stage.verdict() == verifier::Verdict::pass) continue;
     if (stage.ran->deviation)
       cards += side_card(result, i, kGouge) + side_card(result, i, kUncut) + stock_card(result, i);
-    cards += process_card(result, i);
+    cards += process_cards(result, i);
   }
   return cards.empty() ? cards : "<div class=\"cards\">" + cards + "</div>\n";
 }

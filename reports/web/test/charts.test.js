@@ -5,7 +5,7 @@ import {
   binnedVolume, findingTimes, histogramAxis, histogramBars, leastDecade, placeWords, processBins,
 } from '../src/charts/bins.js';
 import { clockInterval } from '../src/charts/clock_axis.js';
-import { histogramOption, percentilesOf, unitOf } from '../src/charts/histogram_option.js';
+import { histogramOption, limitMarks, percentilesOf, unitOf } from '../src/charts/histogram_option.js';
 import { leastRate, processOption } from '../src/charts/process_option.js';
 import { clockMark } from '../src/base/figure_text.js';
 import { sampleReport } from './sample.js';
@@ -118,21 +118,35 @@ const colours = {
   fail: 'red', open: 'orange', link: 'navy', font: 'sans-serif',
 };
 
-test('the histogram marks zero, both limits and the percentiles, and holds far limits at its sides', () => {
+test('the histogram marks zero and the percentiles, a limit on its place or at the side where it lies', () => {
   const stage = { ...sampleReport().stages[1], percentiles: { p01_mm: -0.02, p50_mm: 0, p99_mm: 0.02 } };
-  const marks = (changed) => {
-    const bars = histogramBars(stage.histogram, stage.limits);
-    const chart = { bars, stage: { ...stage, ...changed }, logarithmic: false };
-    const option = histogramOption(chart, colours, 1000);
-    return option.series[1].markLine.data.map(({ xAxis, label, lineStyle }) =>
-      [Math.round(xAxis), label.formatter, lineStyle.width]);
-  };
-  assert.deepEqual(marks({}), [
-    [0, undefined, 1], [-10, 'gouge limit 10 \u00b5m', 2], [20, 'uncut limit 20 \u00b5m', 2],
-    [-20, 'p01', 1.5], [0, 'p50', 1.5], [20, 'p99', 1.5],
-  ]);
-  const far = marks({ limits: { uncut_mm: 0.9 }, percentiles: undefined });
-  assert.deepEqual(far[1].slice(1), ['uncut limit 900 \u00b5m \u2192', 0]);
+  const bars = histogramBars(stage.histogram, stage.limits);
+  const { series } = histogramOption({ bars, stage, logarithmic: false }, colours, 1000);
+  assert.deepEqual(series[1].markLine.data.map(({ xAxis, label }) => [Math.round(xAxis), label.formatter]),
+    [[0, undefined], [-20, 'p01'], [0, 'p50'], [20, 'p99']]);
+  const unit = { perMm: 1000, symbol: '\u00b5m' }, axis = { low_mm: -0.03, high_mm: 0.03 };
+  assert.deepEqual(limitMarks({ gouge_mm: 0.01, uncut_mm: 0.02 }, axis, unit), [
+    { at: -10, inside: true, row: 0, text: 'gouge limit 10 \u00b5m' },
+    { at: 20, inside: true, row: 1, text: 'uncut limit 20 \u00b5m' }]);
+  assert.deepEqual(limitMarks({ gouge_mm: 0.5, uncut_mm: 0.9 }, axis, unit).map(({ inside, text }) => [inside, text]),
+    [[false, '\u2190 gouge limit 500 \u00b5m'], [false, 'uncut limit 900 \u00b5m \u2192']]);
+});
+
+test('the words of the limits have rows of their own and stay inside the chart at any scale', () => {
+  const stage = sampleReport().stages[1], bars = histogramBars(stage.histogram, stage.limits);
+  for (const width_px of [320, 1000])
+    for (const limits of [{ gouge_mm: 1e-6, uncut_mm: 1e-6 }, { gouge_mm: 0.01, uncut_mm: 0.02 }, { gouge_mm: 9, uncut_mm: 9 }]) {
+      const { series, grid } = histogramOption({ bars, stage: { ...stage, limits }, logarithmic: false }, colours, width_px);
+      const words = [0, 1].map((dataIndex) => series[2].renderItem(
+        { dataIndex, coordSys: { y: grid.top, height: 200 } },
+        { coord: ([x]) => [width_px * (0.5 + x / 100), 0] }).children[0]);
+      assert.ok(words[1].y - words[0].y >= 16, 'a row each');
+      for (const { x, style } of words) {
+        const half = (style.text.length * 7.4) / 2;
+        assert.ok(x - half >= 0 && x + half <= width_px, `${style.text} at ${x} of ${width_px} px`);
+      }
+      assert.ok(grid.top >= words[1].y + 16, 'above the plot');
+    }
 });
 
 test('a logarithmic removal rate begins at a power of ten, no more than five below the largest', () => {

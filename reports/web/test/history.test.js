@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import {
-  decodeHistory, figureText, limitText, nearestRun, runName, scaleOf, verdictOf,
+  decodeHistory, figureText, limitText, nearestRun, runName, scaleOf, standingOf,
 } from '../src/history/data.js';
 import { historyOption, runsInSight, zoomedAxes } from '../src/history/option.js';
 import { panelExtent } from '../src/history/panels.js';
@@ -62,11 +62,25 @@ test('a run is known by its commit, its label or its number', () => {
   assert.equal(runName({ id: 3, commit: '', label: '' }), 'run 3');
 });
 
-test('a figure is marked by the verdict of its stage, the whole run\'s by its own', () => {
-  const { runs, series } = sampleHistory().jobs[0];
-  assert.equal(verdictOf(runs[3], series[0]), 'fail');
-  assert.equal(verdictOf(runs[3], series[1]), 'not_run');
-  assert.equal(verdictOf({ verdict: 'pass', stages: [] }, series[1]), 'pass');
+test('a figure is marked by its own limit: the cross stands at the one that failed', () => {
+  const [time, uncut] = sampleHistory().jobs[0].series;
+  // The third run failed by its uncut; its machining time has nothing to do with it.
+  assert.equal(standingOf(uncut, uncut.values[2]), 'fail');
+  assert.equal(standingOf(time, time.values[2]), 'no limit');
+  assert.equal(standingOf(uncut, uncut.values[0]), 'pass');
+  assert.equal(standingOf(uncut, { low: 0.009, high: 0.011, limit: 0.01 }), 'indeterminate');
+  assert.equal(standingOf(uncut, null), 'no limit');
+  const coverage = { metric: 'coverage' };
+  assert.equal(standingOf(coverage, { low: 0.989, high: 0.989, limit: 0.99 }), 'fail');
+  assert.equal(standingOf(coverage, { low: 0.99, high: 0.99, limit: 0.99 }), 'pass');
+});
+
+test('a figure is printed on the side of its limit that it lies on', () => {
+  const [, uncut] = sampleHistory().jobs[0].series, limit = 0.005;
+  assert.equal(figureText(uncut, { low: 0.004, high: 0.0049996, limit }), '[4.0, 4.9996] \u00b5m');
+  assert.equal(figureText(uncut, { low: 0.0050001, high: 0.006, limit }), '[5.0001, 6.0] \u00b5m');
+  assert.equal(figureText(uncut, { low: 0.0045, high: 0.005, limit }), '[4.5, 5.0] \u00b5m');
+  assert.equal(figureText(uncut, { low: 0.0045, high: 0.0050000001, limit }), '[4.5, 5.01] \u00b5m');
 });
 
 test('the nearest run is found by number and by time', () => {

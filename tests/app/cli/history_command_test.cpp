@@ -107,8 +107,11 @@ TEST_CASE("names that a history does not have are refused with the nearest", "[u
   CHECK_FALSE(fs::exists(at.out));
 }
 
-TEST_CASE("a label needs a history, and is a name", "[unit][history]") {
-  CHECK_THAT(run({"run", "a.toml", "--label", "x"}).errors, ContainsSubstring("--history"));
+TEST_CASE("a commit needs a history; a label is a name with it or without", "[unit][history]") {
+  CHECK_THAT(run({"run", "a.toml", "--commit", "x"}).errors, ContainsSubstring("--history"));
+  CHECK_THAT(run({"run", "a.toml", "--label", "x"}).errors, !ContainsSubstring("--history"));
+  CHECK_THAT(run({"run", "a.toml", "--label", std::string(201, 'x')}).errors,
+             ContainsSubstring("--label") && ContainsSubstring("longer than 200 bytes"));
   CHECK_THAT(run({"run", "a.toml", "--history", "h", "--commit", std::string(201, 'x')}).errors,
              ContainsSubstring("--commit") && ContainsSubstring("longer than 200 bytes"));
 }

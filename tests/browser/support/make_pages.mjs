@@ -52,6 +52,25 @@ function cutProgram() {
   return ['cut', '--stock', 'box:50,40,20@0,0,-20', '--tool', 'flat:D=6,L=20,shank=6:20', '--program', file];
 }
 
+/** A triangulated ramp of 20 x 30 cells as the design, which a pocket of a flat cutter gouges. */
+function meshTarget() {
+  const [columns, rows] = [20, 30], at = (i, j) => `${2 * i} ${j} ${(-0.05 * i).toFixed(3)}`;
+  const facets = [];
+  const facet = (...corners) => facets.push('facet normal 0 0 1', 'outer loop',
+    ...corners.map((corner) => `vertex ${corner}`), 'endloop', 'endfacet');
+  for (let i = 0; i < columns; ++i)
+    for (let j = 0; j < rows; ++j) {
+      facet(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      facet(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  writeFileSync(join(out, 'ramp.stl'), ['solid ramp', ...facets, 'endsolid ramp', ''].join('\n'));
+  const pocket = ['G21 G90 G17', 'T1 M6', 'S8000 M3', 'G0 Z10', 'G0 X20 Y15', 'G1 Z-2 F600', 'G1 X30',
+    'G0 Z10', 'M5', 'M30', ''];
+  writeFileSync(join(out, 'pocket.ngc'), pocket.join('\n'));
+  return ['verify', '--target', join(out, 'ramp.stl'), '--stock', 'box:40,30,20@0,0,-20',
+    '--tool', 'flat:D=6,L=20,shank=6:20', '--program', join(out, 'pocket.ngc'), '--gouge', '0.1'];
+}
+
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 execFileSync(writeSamples, [out, 'passed', 'failed', 'undecided', 'hostile', 'large']);
@@ -59,3 +78,5 @@ execFileSync(writeStudies, [join(out, 'studies')]);
 run(['run', join(fixtures, '../jobs/quick-dome.toml')], 'dome', 0);
 run(['run', gougingJob()], 'gouging', 1);
 run(cutProgram(), 'cut', 1);
+run(meshTarget(), 'mesh', 1);
+run(['compare', join(out, 'passed'), join(out, 'failed')], 'compared', 1);

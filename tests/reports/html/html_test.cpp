@@ -34,7 +34,7 @@ std::vector<pugi::xml_node> rows_of(const pugi::xml_node& root) {
 TEST_CASE("the page states the verdict first, then the stages", "[unit][html]") {
   const std::string page = page_of(sample_result(Outcome::failed));
   const auto verdict = page.find("<span aria-hidden=\"true\">✕</span> Failed"),
-             reason = page.find("at least 61.1 µm"), stages = page.find("<h2>Stages</h2>");
+             reason = page.find("gouged beyond the limit"), stages = page.find("<h2>Stages</h2>");
   CHECK(verdict < reason);
   CHECK(reason < stages);
   CHECK(contains(page, "Not run"));
@@ -59,9 +59,8 @@ TEST_CASE("the header speaks of what is out of reach and of missing stock, whate
         [](const pugi::xml_node& n) { return std::string(n.name()) == "header"; }));
     INFO(text);
     CHECK(contains(text,
-                   "unreachable 12.3 to 12.8 mm² (4.10 to 4.27 %), unavoidable uncut up to "
-                   "0.250 mm"));
-    CHECK(contains(text, "missing stock [0.500, 0.510] mm"));
+                   "unreachable 12.3 to 12.8 mm² (4.10 to 4.27 %); unavoidable uncut [0.10, 0.25] "
+                   "mm; missing stock [0.500, 0.510] mm, limit ≤ 0.05 mm: beyond"));
     CHECK_FALSE(contains(text, "said again"));
     const pugi::xml_node row = element_with(page.tree, "id", "stage-1-M1");
     CHECK(std::string(row.name()) == "tr");
@@ -175,7 +174,7 @@ TEST_CASE("each patch has its row, the worst first", "[unit][html]") {
   parse_page(page_of(result), page);
   const pugi::xml_node patches =
       element_with(element_with(page.tree, "id", "stage-2"), "class", "patches");
-  CHECK(patches.attribute("open"));
+  CHECK_FALSE(patches.attribute("open"));
   const std::vector<pugi::xml_node> rows = rows_of(patches);
   REQUIRE(rows.size() == 30);
   // The dent of the sample lies on patch 20, of 80 mm x 65 mm / 30, all of it in reach.
@@ -184,9 +183,9 @@ TEST_CASE("each patch has its row, the worst first", "[unit][html]") {
   CHECK(worst[0] == "20");
   CHECK(worst[1] == "7");
   CHECK(worst[2] == "4");
-  CHECK(worst[3] == measured_length(result.stages[1].ran->deviation->gouge_mm.low));
-  CHECK(worst[5] == "173 mm²");
-  CHECK(worst[6] == "0.00 %");
+  CHECK(worst[3] + " µm" == measured_length(result.stages[1].ran->deviation->gouge_mm.low));
+  CHECK(worst[5] == "173");
+  CHECK(worst[6] == "0.00");
   CHECK(worst[7] == "81");
 }
 
@@ -214,10 +213,10 @@ TEST_CASE("tools stand in all their measures, each once", "[unit][html]") {
   parse_page(page_of(result), page);
   const std::vector<pugi::xml_node> rows = rows_of(element_with(page.tree, "id", "tools"));
   REQUIRE(rows.size() == 2);  // ball3 is used in two stages
-  CHECK(cells_of(rows[0]) ==
-        std::vector<std::string>{"flat8", "flat", "8 mm", "–", "–", "–", "25 mm", "⌀8 × 30 mm",
-                                 "⌀40 × 20 mm, ⌀50 × 30.5 mm", "90°", "rough"});
-  CHECK(cells_of(rows[1])[3] == "3 mm");
+  CHECK(cells_of(rows[0]) == std::vector<std::string>{"flat8", "flat", "8", "–", "–", "–", "25",
+                                                      "⌀8 × 30", "⌀40 × 20, ⌀50 × 30.5", "90",
+                                                      "rough"});
+  CHECK(cells_of(rows[1])[3] == "3");
   CHECK(cells_of(rows[1])[10] == "semi-finish, finish");
 }
 
@@ -243,8 +242,8 @@ TEST_CASE("a page without pictures has none, and the same result gives the same 
 
 TEST_CASE("a ratio of limit to interval below 4 : 1 is marked", "[unit][html]") {
   // Its interval of 3.1 µm against 10 µm is 3.2 : 1.
-  CHECK(
-      contains(page_of(sample_result(Outcome::indeterminate)), "3.23 : 1 <strong class=\"warn\">"));
+  CHECK(contains(page_of(sample_result(Outcome::indeterminate)),
+                 "3.23 : 1</span> <strong class=\"warn\">"));
   CHECK_FALSE(contains(page_of(sample_result(Outcome::passed)), "class=\"warn\""));
 }
 
@@ -255,10 +254,53 @@ TEST_CASE("findings stand in the table with place, patch, parameters and line", 
   parse_page(page_of(result), page);
   const std::vector<std::string> cells = cells_of(element_with(page.tree, "id", "stage-2-G1"));
   CHECK(cells[0] == "G1");
-  CHECK(cells[1] == measured_length(f.depth_mm));
-  CHECK(cells[5] == std::to_string(f.place.patch));
-  CHECK(cells[6] == fixed(f.place.u, 4));
-  CHECK(cells[9] == std::to_string(f.line));
+  CHECK(cells[1] + " µm" == measured_length(f.depth_mm));
+  CHECK(cells[5] ==
+        std::to_string(f.place.patch) + fixed(f.place.u, 4) + ", " + fixed(f.place.v, 4));
+  CHECK(cells[6].starts_with(std::to_string(f.line) + "move "));
+}
+
+TEST_CASE("what passed and what is looked up is folded, what failed is open", "[unit][html]") {
+  ParsedPage page;
+  parse_page(page_of(sample_result(Outcome::failed)), page);
+  const auto folded = [&](const char* id, const char* css) {
+    const pugi::xml_node details = element_with(element_with(page.tree, "id", id), "class", css);
+    CHECK(std::string(details.name()) == "details");
+    return !details.attribute("open");
+  };
+  CHECK(folded("stage-1", "stage-body"));
+  CHECK_FALSE(folded("stage-2", "stage-body"));
+  for (const char* css : {"patches", "more", "budget"}) CHECK(folded("stage-2", css));
+  CHECK(folded("inputs", "more"));
+  // A stage that was not run has nothing to fold.
+  CHECK_FALSE(contains(text_of(element_with(page.tree, "id", "stage-3")), "histogram"));
+}
+
+TEST_CASE("a failed card has the failing reasons alone", "[unit][html]") {
+  RunResult result = sample_result(Outcome::failed);
+  result.stages[1].ran->deviation->coverage = 0.98996;
+  ParsedPage page;
+  parse_page(page_of(result), page);
+  const std::string text = text_of(element_with(page.tree, "class", "verdict fail"));
+  INFO(text);
+  CHECK(contains(text, "coverage 98.99 %, limit ≥ 99.00 %: beyond"));
+  // Its uncut is within the limit, and the first stage passed.
+  CHECK_FALSE(contains(text, "Most material left"));
+  CHECK_FALSE(contains(text, "within"));
+}
+
+TEST_CASE("a column of the stages stands in one unit, and each figure once", "[unit][html]") {
+  ParsedPage page;
+  parse_page(page_of(sample_result(Outcome::passed)), page);
+  const pugi::xml_node stages = element_with(page.tree, "id", "stages");
+  const std::string text = text_of(stages);
+  CHECK(contains(text, "Gouge, µm"));
+  CHECK(contains(text, "Uncut, mm"));
+  for (const pugi::xml_node& row : rows_of(stages))
+    for (std::size_t i = 3; i < 6; ++i)
+      for (const char* unit : {"mm", "µm", "%"}) CHECK_FALSE(contains(cells_of(row)[i], unit));
+  // Of the words for a figure that is within its limit none is left.
+  CHECK_FALSE(contains(page_of(sample_result(Outcome::passed)), "within the limit everywhere"));
 }
 
 TEST_CASE("numbers are set as numbers", "[unit][html]") {
@@ -282,6 +324,6 @@ TEST_CASE("published figures stand beside the run's own", "[unit][html]") {
   result.published = published;
   const std::string page = page_of(result);
   for (const std::string shown :
-       {"A &lt;paper&gt;, Tables 1 and 3", "7 to 10", "277 MB", "1.66 MB"})
+       {"A &lt;paper&gt;, Tables 1 and 3", "7 to 10", "277", "1.66", "Memory, MB"})
     CHECK(contains(page, shown));
 }

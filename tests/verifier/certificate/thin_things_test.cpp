@@ -145,4 +145,29 @@ TEST_CASE("raw stock that does not cover the part is no program's gouge", "[unit
   CHECK(!d.missing_stock.empty());
 }
 
+TEST_CASE("a bent part beside its block, that the path just touches, is proven clear in few cells",
+          "[unit][definition2]") {
+  // z = -0.04 x²; the block lies to the right of it. Below S nothing stands and nothing was swept,
+  // all the way, while the ball passes at S itself: that takes margins that grow with the way only.
+  const double bend = 0.04, half = 6, radius = 3;
+  const ReferenceSurface ridge(trough_cage(half, -bend));
+  const auto block = block_between({7, -6, -6}, {19, 6, 1});
+  const auto tip_x = [&](double x) {
+    return x + radius * 2 * bend * x / std::hypot(1, 2 * bend * x);
+  };
+  const auto tip_z = [&](double x, double) {
+    double low = -20, high = 20;  // the contact whose tip stands over x
+    for (int k = 0; k < 60; ++k) (tip_x((low + high) / 2) < x ? low : high) = (low + high) / 2;
+    return -bend * low * low + radius / std::hypot(1, 2 * bend * low) - radius;
+  };
+  const std::vector<Pass> passes = {pass_of(ball_cutter(radius), raster(8, 0.25, 16, tip_z))};
+  const StageDeviation d = measured(ridge, block, passes, 0.001);
+  CHECK(d.gouge_mm.low == 0);
+  CHECK(d.gouge_mm.high <= 0.001);
+  CHECK(d.missing_stock_mm.low > 1);
+  // A quarter of a million; with margins of the way's end from its beginning on they would have to
+  // be two hundred times as small.
+  CHECK(d.cells < 400'000);
+}
+
 }  // namespace limitgauge::verifier

@@ -114,6 +114,22 @@ TEST_CASE("rays into the simulated stock gate nothing: both instruments measure 
   CHECK(decide(d, kLimits).verdict == Verdict::pass);
 }
 
+TEST_CASE("no reason prints a figure across the limit that it speaks of", "[unit]") {
+  // Four digits would show each of these as the limit itself.
+  CHECK_THAT(all(decide(with({0.004, 0.00999996}, {0, 0}), kLimits)),
+             ContainsSubstring("between 4 µm and 9.99996 µm, limit 10 µm: within"));
+  CHECK_THAT(all(decide(with({0.01000004, 0.012}, {0, 0}), kLimits)),
+             ContainsSubstring("between 10.00004 µm and 12 µm, limit 10 µm: beyond"));
+  CHECK_THAT(all(decide(with({0.004, 0.01}, {0, 0}), kLimits)),
+             ContainsSubstring("between 4 µm and 10 µm, limit 10 µm: within"));
+  CHECK_THAT(
+      all(decide(with({0, 0}, {0, 0}, 0.989999), kLimits)),
+      ContainsSubstring("coverage 0.9899 of the reachable area, least accepted 0.9900: too"));
+  StageDeviation d = with({0.01000004, 0.012}, {0, 0});
+  d.gouges = {finding({1, 2, 3}, 0.01000004, 12)};
+  CHECK_THAT(all(decide(d, kLimits)), ContainsSubstring("deepest 10.00004 µm at"));
+}
+
 TEST_CASE("what cannot be reached is gated by its share of the surface", "[unit]") {
   GateLimits limits;
   limits.has_unreachable = true, limits.unreachable = 0.05;

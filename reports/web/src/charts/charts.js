@@ -3,9 +3,8 @@ import './charts.css';
 import { duration } from '../path/timeline.js';
 import { clockText } from '../base/figure_text.js';
 import { make } from '../base/dom.js';
-import { signedMeasured } from '../base/format.js';
 import { findingTimes, histogramBars, processBins } from './bins.js';
-import { histogramOption, percentilesOf } from './histogram_option.js';
+import { histogramOption } from './histogram_option.js';
 import { createLiveChart, whenSeen } from './live_chart.js';
 import { processHeight, processOption } from './process_option.js';
 
@@ -34,7 +33,7 @@ function liveHistogram(figure, stage) {
   const plot = make('div', { class: 'chart-plot chart-histogram', data: { testid: 'histogram-chart' } });
   const log = make('input', { type: 'checkbox', data: { testid: 'histogram-log' } });
   const controls = make('label', { class: 'chart-switch' }, [log, 'logarithmic area']);
-  figure.append(make('div', { 'data-live': true }, [controls, plot, ...percentileWords(stage)]));
+  figure.append(make('div', { 'data-live': true }, [controls, plot]));
   const picture = figure.querySelector('.static');
   if (picture) picture.hidden = true;
   figure.classList.add('chart-drawn');
@@ -44,14 +43,6 @@ function liveHistogram(figure, stage) {
     drawn.logarithmic = log.checked;
     redraw();
   });
-}
-
-/** The percentiles as figures. */
-function percentileWords(stage) {
-  const texts = percentilesOf(stage).map(({ name, at_mm }) => `${name} ${signedMeasured(at_mm)}`);
-  if (texts.length === 0) return [];
-  return [make('p', { class: 'chart-words', data: { testid: 'histogram-percentiles' } },
-    ['Percentiles of the area:', ...texts].map((text) => make('span', { text })))];
 }
 
 /** Its figures are worked out when it is about to be seen, too: they may have to be unpacked. */

@@ -3,8 +3,13 @@ import { threeDigits, unitFor } from '../base/format.js';
 import { histogramAxis, leastDecade, placeWords } from './bins.js';
 import { axisOption, commonOption, tooltipLines } from './theme.js';
 
-/** Room for the words of a limit; below NARROW_PX those of both have rows of their own. */
-const LABEL_PX = 135, NARROW_PX = 640;
+/**
+ * Above the plot every kind of mark has a row of its own, from the top: gouge limit, uncut limit, median,
+ * other percentiles. So none is printed over another, however near to each other their lines stand.
+ */
+const ROW_PX = 18, ROWS = 4;
+/** The widest that a bold letter of 13 px is on average. */
+const LETTER_PX = 9.6;
 
 /**
  * What ECharts draws of a stage's histogram.
@@ -16,7 +21,7 @@ export function histogramOption({ bars, stage, logarithmic }, colours, width_px)
   return {
     ...commonOption(colours, `Histogram of deviation of stage ${stage.name}, area-weighted`),
     grid: {
-      left: 8, right: 14, top: width_px < NARROW_PX ? 90 : 70, bottom: 34,
+      left: 8, right: 26, top: ROWS * ROW_PX + 6, bottom: 34,
       outerBoundsMode: 'same', outerBoundsContain: 'axisLabel',
     },
     tooltip: {
@@ -33,7 +38,8 @@ export function histogramOption({ bars, stage, logarithmic }, colours, width_px)
       },
     }),
     yAxis: areaAxis(colours, bars, logarithmic),
-    series: [barSeries(bars, unit, colours, logarithmic), markSeries(stage, axis, unit, colours, width_px)],
+    series: [barSeries(bars, unit, colours, logarithmic), markSeries(stage, axis, unit, colours),
+      limitSeries(limitMarks(stage.limits, axis, unit), colours, width_px)],
   };
 }
 
@@ -47,8 +53,7 @@ const areaTick = (value) => (value >= 1e4 ? grouped(value) : String(Number(value
 
 function areaAxis(colours, bars, logarithmic) {
   return axisOption(colours, {
-    type: logarithmic ? 'log' : 'value', name: 'area, mm\u00b2', nameLocation: 'end', nameGap: 10,
-    nameTextStyle: { color: colours.soft, fontSize: 13, align: 'left', padding: [0, 0, 0, -30] },
+    type: logarithmic ? 'log' : 'value',
     min: logarithmic ? leastDecade(bars) : 0, splitNumber: 4,
     axisLine: { show: false, onZero: false }, axisTick: { show: false },
     axisLabel: { color: colours.soft, fontSize: 13, hideOverlap: true, formatter: areaTick },
@@ -88,40 +93,55 @@ function barTooltip(params, bars, limits, unit) {
   ]);
 }
 
-/** Lines for zero, the limits (named above) and the percentiles. */
-function markSeries(stage, axis, unit, colours, width_px) {
+/** Lines for zero and the percentiles. */
+function markSeries(stage, axis, unit, colours) {
   return {
     type: 'line', data: [], silent: true,
     markLine: {
       silent: true, symbol: 'none', animation: false,
       data: [
         { xAxis: 0, lineStyle: { color: colours.soft, width: 1, type: 'dashed' }, label: { show: false } },
-        ...limitMarks(stage.limits, axis, unit, colours, width_px),
         ...percentileMarks(stage, axis, unit, colours)],
     },
   };
 }
 
-function limitMarks({ gouge_mm, uncut_mm }, axis, unit, colours, width_px) {
-  const marks = [['gouge', gouge_mm === undefined ? undefined : -gouge_mm], ['uncut', uncut_mm]];
-  return marks.filter(([, at]) => at !== undefined).map(([side, at]) => {
+/**
+ * The limits as they stand on the axis: `at` in its unit, held to its ends; `inside` whether that is where it
+ * is; `row` of its words.
+ */
+export function limitMarks({ gouge_mm, uncut_mm }, axis, unit) {
+  const marks = [['gouge', gouge_mm === undefined ? undefined : -gouge_mm, 0], ['uncut', uncut_mm, 1]];
+  return marks.filter(([, at]) => at !== undefined).map(([side, at, row]) => {
+    const held = Math.min(Math.max(at, axis.low_mm), axis.high_mm), inside = held === at;
     const text = `${side} limit ${Number((Math.abs(at) * unit.perMm).toPrecision(9))} ${unit.symbol}`;
-    // A mark at the very end of the axis is lost to rounding.
-    const margin = 1e-3 * (axis.high_mm - axis.low_mm);
-    const held = Math.min(Math.max(at, axis.low_mm + margin), axis.high_mm - margin), inside = held === at;
-    const share = (held - axis.low_mm) / (axis.high_mm - axis.low_mm);
-    // Outwards of its line where there is room; in a row of its own where both may meet.
-    const room = (side === 'gouge' ? share : 1 - share) * width_px > LABEL_PX;
-    const outwards = side === 'gouge' ? 'right' : 'left', inwards = side === 'gouge' ? 'left' : 'right';
-    const arrow = side === 'gouge' ? `\u2190 ${text}` : `${text} \u2192`;
-    return {
-      xAxis: held * unit.perMm,
-      lineStyle: { color: colours.ink, width: inside ? 2 : 0, type: 'solid' },
-      label: { show: true, position: 'end', distance: side === 'gouge' && width_px < NARROW_PX ? 56 : 38,
-        color: colours.ink, fontWeight: 600, fontSize: 13, align: room ? outwards : inwards,
-        formatter: inside ? text : arrow },
-    };
+    const arrowed = at < held ? `\u2190 ${text}` : `${text} \u2192`;
+    return { at: held * unit.perMm, inside, row, text: inside ? text : arrowed };
   });
+}
+
+/** A line each over the height of the plot, its words above it, kept inside the chart at both sides. */
+function limitSeries(marks, colours, width_px) {
+  return {
+    type: 'custom', silent: true, clip: false, z: 5, encode: { x: 0 },
+    data: marks.map(({ at }) => [at]),
+    renderItem({ dataIndex, coordSys }, api) {
+      const { at, inside, row, text } = marks[dataIndex];
+      const [x] = api.coord([at, 0]), half = (LETTER_PX * text.length) / 2;
+      const middle = Math.min(Math.max(x, half + 2), width_px - half - 2);
+      const words = {
+        type: 'text', x: middle, y: row * ROW_PX + 2,
+        style: { text, fill: colours.ink, align: 'center', verticalAlign: 'top',
+          font: `600 13px ${colours.font || 'sans-serif'}` },
+      };
+      const { y, height } = coordSys;
+      const line = {
+        type: 'line', shape: { x1: x, x2: x, y1: y, y2: y + height },
+        style: { stroke: colours.ink, lineWidth: 2 },
+      };
+      return { type: 'group', children: inside ? [words, line] : [words] };
+    },
+  };
 }
 
 /** The percentiles that the data have: {name, at_mm}. */
@@ -133,7 +153,7 @@ export function percentilesOf({ percentiles }) {
 
 function percentileMarks(stage, axis, unit, colours) {
   // Their labels stand apart even where all three lie close together.
-  const place = { p01: ['right', 4], p50: ['center', 20], p99: ['left', 4] };
+  const place = { p01: ['right', 4], p50: ['center', 4 + ROW_PX], p99: ['left', 4] };
   return percentilesOf(stage)
     .filter(({ at_mm }) => at_mm >= axis.low_mm && at_mm <= axis.high_mm)
     .map(({ name, at_mm }) => ({

@@ -29,6 +29,7 @@ function element(document, id) {
 function decodeData(report, blob) {
   return {
     ...report,
+    triangles: report.triangles && blob.numbers(blob.check(report.triangles)),
     surfaces: report.surfaces.map((surface) => decodeSurface(surface, blob)),
     stages: report.stages.map((stage) => decodeStage(stage, report.surfaces, blob)),
   };

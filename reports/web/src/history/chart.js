@@ -50,7 +50,7 @@ export function createHistoryChart(place, job, table) {
 
 const caption = () => make('figcaption', {
   text: 'One panel a figure, oldest run left. Shaded: the certified interval. Dashed: the limit. Marks: '
-    + 'circle passed, cross failed, triangle undecided. The slider, or Ctrl and the wheel, chooses runs.',
+    + 'circle within its limit, cross beyond it, triangle undecided, square without a limit. The slider, or Ctrl and the wheel, chooses runs.',
 });
 
 function drawn(plot, job, state, pin) {

@@ -31,10 +31,17 @@ export const seriesTitle = ({ stage, label }) => (stage ? `${stage} ${label}` : 
 export const drawnAt = (series, value) =>
   (series.metric === 'coverage' ? value.low : value.high) * series.scale.factor;
 
-/** The verdict that goes with a figure: its stage's, or the run's. */
-export function verdictOf(run, series) {
-  if (!series.stage) return run.verdict;
-  return run.stages.find(({ name }) => name === series.stage)?.verdict ?? run.verdict;
+/**
+ * How a figure itself stands against its limit: the mark of a run that failed stands at the figure that
+ * failed, and at no other. Of a figure without a limit nothing can be said.
+ * @returns {'pass'|'fail'|'indeterminate'|'no limit'}
+ */
+export function standingOf({ metric }, value) {
+  if (!value || value.limit === undefined) return 'no limit';
+  const { low, high, limit } = value;
+  if (metric === 'coverage') return low >= limit ? 'pass' : 'fail';
+  if (high <= limit) return 'pass';
+  return low > limit ? 'fail' : 'indeterminate';
 }
 
 /** A commit as short as it tells, or the label, or the number. */
@@ -50,25 +57,43 @@ export function figureText({ scale, source, metric }, value) {
   if (!value) return 'not measured';
   const unit = scale.symbol ? ` ${scale.symbol}` : '';
   const [low, high] = [value.low, value.high].map((end) => end * scale.factor);
-  if (metric === 'coverage') return `${fixed(Math.floor(low * 100) / 100, 2)}${unit}`;
-  return source === 'certified' ? `${intervalText(low, high)}${unit}` : `${number(high)}${unit}`;
+  const limit = value.limit === undefined ? undefined : statedLimit(scale, value.limit);
+  if (metric === 'coverage') return `${roundedText(low, 2, Math.floor, limit)}${unit}`;
+  if (source !== 'certified') return `${number(high)}${unit}`;
+  return `${intervalText(low, high, limit, scale)}${unit}`;
 }
 
-function intervalText(low, high) {
+const statedLimit = (scale, limit) => Number((limit * scale.factor).toPrecision(12));
+
+function intervalText(low, high, limit, { symbol }) {
   if (low === 0 && high === 0) return '[0, 0]';
+  // A tenth of a nanometre is the last that is shown, in either unit.
   const digits = high > low ? Math.ceil(-Math.log10((high - low) / 5)) : 4;
-  const decimals = Math.min(4, Math.max(0, digits)), scale = 10 ** decimals;
-  // What already has no more digits, but for the last bits of its binary form, stays.
-  const outwards = (end, round) => {
-    const nearest = Math.round(end * scale);
-    return (Math.abs(end * scale - nearest) < 1e-6 ? nearest : round(end * scale)) / scale;
-  };
-  return `[${fixed(outwards(low, Math.floor), decimals)}, ${fixed(outwards(high, Math.ceil), decimals)}]`;
+  const decimals = Math.min(symbol === 'mm' ? 7 : 4, Math.max(0, digits));
+  return `[${roundedText(low, decimals, Math.floor, limit)}, ${roundedText(high, decimals, Math.ceil, limit)}]`;
+}
+
+/** As model/text/rounded.h has it: what is printed lies on the side of the limit that the figure lies on. */
+function roundedText(value, decimals, round, limit) {
+  const side = Math.sign(near(value, limit) ? 0 : value - limit);
+  for (let places = decimals; ; ++places) {
+    const shown = rounded(value, places, round);
+    if (limit === undefined || places >= 15 || Math.sign(shown - limit) === side) return fixed(shown, places);
+  }
+}
+
+/** Two numbers that only the binary form of one tells apart. */
+const near = (value, limit) => Math.abs(value - limit) <= 4e-16 * Math.abs(limit);
+
+/** What already has no more places, but for the last bits of its binary form, stays. */
+function rounded(value, places, round) {
+  const scale = 10 ** places, nearest = Math.round(value * scale);
+  return (Math.abs(value * scale - nearest) < 1e-6 ? nearest : round(value * scale)) / scale;
 }
 
 /** "limit 30 µm" */
 export function limitText({ scale }, limit) {
-  const figure = Number((limit * scale.factor).toPrecision(12));
+  const figure = statedLimit(scale, limit);
   return `limit ${figure}${scale.symbol ? ` ${scale.symbol}` : ''}`;
 }
 

@@ -1,6 +1,6 @@
-import { drawnAt, verdictOf } from './data.js';
+import { drawnAt, standingOf } from './data.js';
 
-/** A mark of its own for each verdict: it needs no colour. */
+/** A mark of its own for each way a figure may stand against its limit: it needs no colour. */
 const MARKS = {
   pass: { symbol: 'circle', size: 8 },
   fail: { symbol: 'path://M1 0L5 4L9 0L10 1L6 5L10 9L9 10L5 6L1 10L0 9L4 5L0 1Z', size: 11 },
@@ -8,8 +8,8 @@ const MARKS = {
 };
 const NO_MARK = { symbol: 'rect', size: 6 };
 
-const colourOf = (verdict, colours) =>
-  ({ pass: colours.pass, fail: colours.fail, indeterminate: colours.open })[verdict] ?? colours.soft;
+const colourOf = (standing, colours) =>
+  ({ pass: colours.pass, fail: colours.fail, indeterminate: colours.open })[standing] ?? colours.soft;
 
 /** Whether the run before measured something else under this name. */
 const isNewMeaning = (value) => value?.trend === 'new meaning';
@@ -82,11 +82,11 @@ function figureSeries(job, series, [first, last], { byTime, pinned }, colours, a
     ...axes, type: 'line', z: 3, lineStyle: { color: colours.link, width: 1.5 },
     data: series.values.map((any, index) => {
       const value = index >= first && index <= last ? any : null;
-      const run = job.runs[index], verdict = verdictOf(run, series);
-      const { symbol, size } = MARKS[verdict] ?? NO_MARK;
+      const run = job.runs[index], standing = standingOf(series, value);
+      const { symbol, size } = MARKS[standing] ?? NO_MARK;
       return {
         value: [placeOf(run, byTime), value ? drawnAt(series, value) : null], symbol,
-        symbolSize: pinned === run ? size + 5 : size, itemStyle: { color: colourOf(verdict, colours) },
+        symbolSize: pinned === run ? size + 5 : size, itemStyle: { color: colourOf(standing, colours) },
       };
     }),
     // Marks of hundreds of runs would be a bar.

@@ -98,6 +98,7 @@ function updates(parts, legend, body) {
       parts.slider.max = max_s;
       parts.slider.step = step_s;
     },
+    setWindow: (seconds) => (parts.window.value = seconds),
     setExact: (text) => (parts.exact.textContent = text),
     setSpeed: (factor) => (parts.speed.value = factor),
     setPlaying(playing) {

@@ -3,13 +3,17 @@ import './path.css';
 import { createPanel, SPEEDS } from './panel.js';
 import { createPathActor } from './path_actor.js';
 import { createPlayer } from './player.js';
-import { duration, instant, sliderScale, stepTime, usualSpeed } from './timeline.js';
+import { duration, instant, sliderScale, stepTime, timeNear, usualSpeed } from './timeline.js';
 import { createToolMarker } from './tool_marker.js';
 import { colourChoices, exactness, shareOf } from './values.js';
 import { viridis } from './viridis.js';
 
 /** Greys and a blue grey that no scale has, seen on the page's ground and on the pale map. */
 const RAPID = { light: [90, 98, 110], dark: [138, 150, 165] };
+/** How much of the path is shown about a finding, s: the rows beside it, no hairball. */
+const ABOUT_FINDING_S = 20;
+/** Of a longer path no more than the last minute is shown at first: all of it would be a hairball. */
+const MOST_AT_ONCE = 4000, LAST_S = 60;
 const TOOL = { light: [50, 60, 75], dark: [96, 128, 165] };
 
 /**
@@ -18,7 +22,8 @@ const TOOL = { light: [50, 60, 75], dark: [96, 128, 165] };
  * @param {object} report as decodeReport gives it
  * @param {string} [veilWords] what the switch says that thins the path out
  * @returns {{element: HTMLElement, show: (stageIndex: number|null) => void,
- *   setTheme: (dark: boolean) => void, setSection: (section: object|null) => void, state: () => object}}
+ *   goNear: (finding: object) => void, setTheme: (dark: boolean) => void,
+ *   setSection: (section: object|null) => void, state: () => object}}
  */
 export function createPathLayer(scene, report, veilWords) {
   const layer = new PathLayer(scene, report, veilWords);
@@ -27,6 +32,7 @@ export function createPathLayer(scene, report, veilWords) {
   return {
     element: layer.panel.element,
     show: (stageIndex) => layer.show(stageIndex),
+    goNear: (finding) => layer.goNear(finding),
     setTheme: (dark) => layer.setTheme(dark),
     setSection: (section) => layer.setSection(section),
     state: () => layer.state(),
@@ -98,6 +104,8 @@ class PathLayer {
     const speed = usualSpeed(this.total_s, SPEEDS);
     this.player.setSpeed(speed);
     this.panel.setSpeed(speed);
+    if (path.end_s.length > MOST_AT_ONCE && this.view.window_s === 0) this.view.window_s = LAST_S;
+    this.panel.setWindow(this.view.window_s);
     this.setTime(this.total_s);
   }
 
@@ -178,6 +186,17 @@ class PathLayer {
   setWindow(window_s) {
     this.view.window_s = window_s;
     this.setTime(this.time_s);
+  }
+
+  /** The tool where a finding was made, with the last of the path that led there. */
+  goNear({ point_mm, stage, move, raw_stock }) {
+    const path = this.path();
+    if (path === null || path.end_s.length === 0 || !point_mm) return;
+    this.stop();
+    const own = !raw_stock && (stage === undefined || stage === this.stage);
+    this.view.window_s = ABOUT_FINDING_S;
+    this.panel.setWindow(ABOUT_FINDING_S);
+    this.setTime(timeNear(path, point_mm, own ? move : undefined));
   }
 
   /** Shows the path up to `time_s`: two numbers for the shader, a place for the tool. */

@@ -36,6 +36,30 @@ export function segmentOfMove(path, move) {
   return low < path.move.length ? low : -1;
 }
 
+/**
+ * When the tool is nearest to a place, s: on the segment of `move`, or of the whole path where no move is
+ * named or it is none of the path's.
+ */
+export function timeNear(path, point_mm, move) {
+  const named = move === undefined || move === null ? -1 : segmentOfMove(path, move);
+  const [first, last] = named >= 0 ? [named, named] : [0, path.end_s.length - 1];
+  let best = { distance: Infinity, time_s: 0 };
+  for (let i = first; i <= last; ++i) {
+    const { share, distance } = nearestOn(endPoint(path, i - 1), endPoint(path, i), point_mm);
+    const from = beginning(path, i);
+    if (distance < best.distance) best = { distance, time_s: from + share * (path.end_s[i] - from) };
+  }
+  return best.time_s;
+}
+
+/** The point of a segment nearest to `p`: how far along it, 0 to 1, and its distance. */
+function nearestOn(a, b, p) {
+  const along = b.map((c, k) => c - a[k]), square = along.reduce((sum, c) => sum + c * c, 0);
+  const dot = along.reduce((sum, c, k) => sum + c * (p[k] - a[k]), 0);
+  const share = square > 0 ? Math.min(1, Math.max(0, dot / square)) : 1;
+  return { share, distance: Math.hypot(...a.map((c, k) => c + share * along[k] - p[k])) };
+}
+
 /** Where segment `index` ends, mm; its beginning is the end of the one before. */
 export function endPoint(path, index) {
   return Array.from(index < 0 ? path.start_mm : path.positions.subarray(3 * index, 3 * index + 3));

@@ -33,7 +33,8 @@ export class StockViewer {
     this.measure = createMeasure(() => this.readingInMiddle()?.point_mm ?? null);
     this.colours = createStockColours(() => this.paint());
     this.findings = createFindingsPanel(report, (id) => this.chooseFinding(id));
-    this.tabs = createStageTabs(report.stages, uniqueId('panel'), (index) => this.choose(index));
+    this.panelId = uniqueId('panel');
+    this.tabs = createStageTabs(report.stages, this.panelId, (index) => this.choose(index));
     this.chart = createStockChart();
     this.section = createSectionPanel(report.bounds_mm, () => this.finding?.point_mm,
       () => this.applySection(), this.chart);
@@ -53,7 +54,7 @@ export class StockViewer {
       class: 'view-hint', 'aria-hidden': 'true', text: 'Click here first, or hold Ctrl, to zoom with the wheel',
     });
     this.frame.append(make('i', { class: 'view-crosshair', 'aria-hidden': 'true' }), this.hint);
-    return make('div', { class: 'view', data: { testid: 'stock-view' } }, [
+    return make('div', { class: 'view', id: this.panelId, data: { testid: 'stock-view' } }, [
       make('p', { class: 'view-lead', text: 'The stock as it was simulated, not the part as it should be: '
         + 'nothing was measured against a design. Drag to turn it; choose a finding to go there.' }),
       make('div', { class: 'view-head' }, [this.tabs.element, toolbar]),
@@ -143,9 +144,13 @@ export class StockViewer {
     this.scene.render();
   }
 
+  /** It begins where the chosen finding is, or the worst one; without a finding all of it is shown. */
   showPath(on) {
+    const fresh = on && this.layer.state().stage !== this.stage;
     this.path = on;
     this.layer.show(on ? this.stage : null);
+    const finding = this.finding ?? findingsOf(this.report.stages[this.stage])[0];
+    if (fresh && finding) this.layer.goNear(finding);
   }
 
   applySection() {
@@ -177,6 +182,7 @@ export class StockViewer {
     this.mark(finding);
     if (!finding.point_mm) return Promise.resolve();
     this.section.through(finding.point_mm);
+    if (this.path) this.layer.goNear(finding);
     return this.scene.flyTo({ point_mm: finding.point_mm, distance_mm: 0.8 * this.scene.size_mm });
   }
 

@@ -30,6 +30,7 @@ export function showReading(viewer, spoken) {
   viewer.legend.point(value ? value.deviation_mm : null);
   viewer.readout.show(value, {
     sign: colours.sign(), limits: current(viewer).stage.limits, stages: report.stages,
+    triangles: report.triangles,
     colour: value && css(colour(state.scale, value.deviation_mm, colours.band())),
   }, spoken);
 }

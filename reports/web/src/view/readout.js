@@ -30,7 +30,7 @@ export function createReadout() {
   return {
     element,
     /** @param {boolean} spoken whether a screen reader should say it */
-    show(reading, { sign, limits, colour, stages }, spoken) {
+    show(reading, { sign, limits, colour, stages, triangles }, spoken) {
       element.setAttribute('aria-live', spoken ? 'polite' : 'off');
       setAttributes(element, reading);
       idle.hidden = reading !== null;
@@ -41,10 +41,16 @@ export function createReadout() {
       word.textContent = wordOf(reading, limits);
       const [x, y, z] = reading.point_mm.map(coordinate);
       place.textContent = `X ${x}  Y ${y}  Z ${z} mm`;
-      patch.textContent = `patch ${reading.patch}, u ${parameter(reading.u)}, v ${parameter(reading.v)}`;
+      patch.textContent = patchText(reading, triangles);
       line.textContent = lineOf(reading, stages);
     },
   };
+}
+
+/** Of a mesh the triangle, of which three patches make up one. */
+function patchText({ patch, u, v }, triangles) {
+  if (triangles) return `triangle ${triangles[Math.floor(patch / 3)]}`;
+  return `patch ${patch}, u ${parameter(u)}, v ${parameter(v)}`;
 }
 
 function wordOf(reading, limits) {

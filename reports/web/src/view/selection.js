@@ -32,9 +32,13 @@ export function chooseStage(viewer, index) {
   showPath(viewer, state.path);
 }
 
+/** The path begins where the chosen finding is, or the worst one of the stage. */
 export function showPath(viewer, on) {
-  viewer.state.path = on;
-  viewer.path.show(on ? viewer.state.stage : null);
+  const { state, report, path } = viewer, fresh = on && path.state().stage !== state.stage;
+  state.path = on;
+  path.show(on ? state.stage : null);
+  const finding = state.finding ?? findingsOf(report.stages[state.stage])[0];
+  if (fresh && finding) path.goNear(finding);
 }
 
 /** A click on a chart over time: the path layer goes to the moment once its stage and path are shown. */
@@ -58,6 +62,7 @@ export function chooseFinding(viewer, id) {
   if (!finding) return Promise.resolve();
   markFinding(viewer, finding);
   if (!finding.point_mm) return Promise.resolve();
+  if (state.path) viewer.path.goNear(finding);
   viewer.section.through(finding.point_mm);
   const { point_mm, normal } = finding;
   return scene.flyTo({ point_mm, normal, distance_mm: distanceFor(scene, finding) });

@@ -22,11 +22,13 @@ import { createTriad } from './scene/triad.js';
  * @param {HTMLElement} frame that the scene is drawn in
  */
 export function createViewer(report, frame) {
+  const borders = hasFewPatches(report);
   const state = { stage: null, finding: null, reading: null, scale: null, path: false, pickers: new Map() };
   const viewer = { report, state, frame };
-  buildElements(viewer);
+  buildElements(viewer, borders);
   viewer.attach = (scene, layers) => {
     Object.assign(viewer, { scene, layers });
+    layers.surface.look.borders = borders;
     viewer.markers = createMarkers(scene, (id) => chooseFinding(viewer, id),
       (finding) => isBehind(viewer, finding));
     createTriad(scene);
@@ -44,7 +46,11 @@ export function createViewer(report, frame) {
   return viewer;
 }
 
-function buildElements(viewer) {
+/** The borders of more patches would make the whole map dark. */
+const MOST_BORDERED = 500;
+const hasFewPatches = ({ surfaces }) => surfaces.every(({ patches }) => patches.length <= MOST_BORDERED);
+
+function buildElements(viewer, borders) {
   const { report, frame } = viewer;
   const panelId = uniqueId('panel');
   viewer.tabs = createStageTabs(report.stages, panelId, (index) => chooseStage(viewer, index));
@@ -65,7 +71,7 @@ function buildElements(viewer) {
       { id: 'view-map', text: 'Error map', checked: true, change: (on) => applyLook(viewer, { map: on }) },
       { id: 'view-path', text: 'Toolpath', checked: false, change: (on) => showPath(viewer, on) },
       {
-        id: 'view-borders', text: 'Patch borders', checked: true,
+        id: 'view-borders', text: 'Patch borders', checked: borders,
         change: (on) => applyLook(viewer, { borders: on }),
       },
     ],

@@ -52,11 +52,12 @@ function button(finding, choose) {
   ]);
 }
 
-function whereOf({ patch, line, raw_stock }) {
+function whereOf({ patch, triangle, line, raw_stock }) {
   const parts = [];
   if (raw_stock) parts.push('raw stock');
   else if (line) parts.push(`line ${line}`);
-  if (patch !== undefined && patch !== null) parts.push(`patch ${patch}`);
+  if (triangle) parts.push(`triangle ${triangle}`);
+  else if (patch !== undefined && patch !== null) parts.push(`patch ${patch}`);
   return parts.join(' · ');
 }
 
@@ -69,7 +70,7 @@ function scrollWithin(list, entry) {
 }
 
 function details(report, stageIndex, finding) {
-  const figures = [['Place', placeOf(finding)], ['Patch', patchOf(finding)], ['Size', sizeOf(finding)],
+  const figures = [['Place', placeOf(finding)], [finding.triangle ? 'Triangle' : 'Patch', patchOf(finding)], ['Size', sizeOf(finding)],
     ['Program', lineOf(report, stageIndex, finding)]];
   return [
     make('h4', {}, [
@@ -89,7 +90,8 @@ function sentence(finding) {
 
 const placeOf = ({ point_mm }) => point_mm && `${point_mm.map(coordinate).join(', ')} mm`;
 
-function patchOf({ patch, u, v }) {
+function patchOf({ patch, triangle, u, v }) {
+  if (triangle) return String(triangle);
   return patch === undefined || patch === null ? '' : `${patch}, u ${parameter(u)}, v ${parameter(v)}`;
 }
 

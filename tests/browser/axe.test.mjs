@@ -1,14 +1,10 @@
 // axe-core finds nothing on any page: wide in light, narrow in dark, with all that is folded unfolded.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import { test } from 'node:test';
+import { violations } from './support/axe.mjs';
 import { openBrowser, withReport } from './support/browser.mjs';
-import { given } from './support/pages.mjs';
 
 const browser = await openBrowser();
-// Lies with the page's libraries, by the lock file: without it nothing was built.
-const axe = readFileSync(join(given('LIMITGAUGE_NODE_MODULES'), 'axe-core', 'axe.min.js'), 'utf8');
 
 const reports = ['passed', 'failed', 'undecided', 'dome', 'gouging', 'cut', 'mesh', 'hostile']
   .map((name) => [name, 'report.html']);
@@ -29,20 +25,12 @@ async function unfold(page) {
   }
 }
 
-/** What axe objects to, a sentence an element. */
-const violations = (page) => page.evaluate(async () => {
-  const found = await window.axe.run(document, { resultTypes: ['violations'] });
-  return found.violations.flatMap(({ id, nodes }) =>
-    nodes.map(({ html, failureSummary }) => `${id}: ${html.slice(0, 120)}: ${failureSummary}`));
-});
-
 for (const [name, file] of [...reports, ['compared', 'compare.html'], ...studies, ...histories])
   test(`${name}: axe finds nothing`, async () => {
     for (const [width, colorScheme] of [[1280, 'light'], [400, 'dark']])
       await withReport(browser, name, { file, width, colorScheme, reducedMotion: 'reduce', bypassCSP: true },
         async (page) => {
           await unfold(page);
-          await page.evaluate(axe);
           assert.deepEqual(await violations(page), [], `${width} px, ${colorScheme}`);
         });
   });

@@ -1,6 +1,7 @@
 // The page of measured points: it needs no script, fits, and says all in words.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { violations } from './support/axe.mjs';
 import { openBrowser, withReport } from './support/browser.mjs';
 import { faintWords } from './support/contrast.mjs';
 import { misfits, smallTargets } from './support/layout.mjs';
@@ -19,6 +20,15 @@ for (const name of ['two-hundred', 'many', 'one', 'floor', 'slanted', 'failed', 
         assert.deepEqual(faults.flat().map((fault) => `${width} px, ${colorScheme}: ${fault}`), []);
       }
     }));
+
+for (const name of ['two-hundred', 'floor', 'slanted', 'failed', 'hostile'])
+  test(`${name}: axe finds nothing`, async () => {
+    for (const [width, colorScheme] of [[1280, 'light'], [400, 'dark']])
+      await withReport(browser, name, { width, colorScheme, bypassCSP: true }, async (page) => {
+        await page.evaluate(() => { for (const one of document.querySelectorAll('details')) one.open = true; });
+        assert.deepEqual(await violations(page), [], `${width} px, ${colorScheme}`);
+      });
+  });
 
 test('a row and a mark for every point, the worst first', () =>
   withReport(browser, 'two-hundred', still, async (page) => {

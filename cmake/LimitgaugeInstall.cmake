@@ -5,6 +5,7 @@
 install(TARGETS limitgauge RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES ${CMAKE_SOURCE_DIR}/reports/result.schema.json
     ${CMAKE_SOURCE_DIR}/reports/study/study.schema.json
+    ${CMAKE_SOURCE_DIR}/reports/probe/probe.schema.json
   DESTINATION ${CMAKE_INSTALL_DATADIR}/limitgauge)
 # The pages, and what they name for trying out.
 file(GLOB pages RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/*.md)
@@ -12,7 +13,8 @@ foreach(room IN ITEMS model engine simulator verifier witness study history repo
   file(GLOB_RECURSE more RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${room}/*.md)
   list(APPEND pages ${more})
 endforeach()
-foreach(file IN ITEMS ${pages} LICENSE reports/result.schema.json reports/study/study.schema.json)
+foreach(file IN ITEMS ${pages} LICENSE reports/result.schema.json reports/study/study.schema.json
+    reports/probe/probe.schema.json)
   cmake_path(GET file PARENT_PATH folder)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
 endforeach()

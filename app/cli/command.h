@@ -82,6 +82,14 @@ struct CompareCommand {
   std::optional<double> time_limit_percent;
   std::vector<std::string> metrics, ignored;  ///< ids of what is judged
 };
+struct ProbeCommand {
+  std::filesystem::path result;  ///< result.json, or the folder that has one
+  std::filesystem::path points;
+  std::filesystem::path output;       ///< empty: limitgauge-out/STEM-probe of the points' file
+  std::string stage;                  ///< empty: the last that ran
+  std::filesystem::path stock;        ///< raw stock's file; empty where the result says all of it
+  std::optional<double> residual_mm;  ///< empty: measured, not gated
+};
 struct StudyCommand : EngineOptions {
   std::filesystem::path study;            ///< of a worker the job
   std::filesystem::path output;           ///< empty: limitgauge-out/NAME
@@ -108,6 +116,6 @@ struct PrintCommand {
 
 using Command =
     std::variant<RunCommand, PlanCommand, VerifyCommand, CutCommand, InspectCommand, CompareCommand,
-                 StudyCommand, HistoryCommand, ViewCommand, PrintCommand>;
+                 ProbeCommand, StudyCommand, HistoryCommand, ViewCommand, PrintCommand>;
 
 }  // namespace limitgauge::app

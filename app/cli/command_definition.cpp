@@ -45,6 +45,7 @@ CommandDefinition::CommandDefinition()
   add_cut();
   add_inspect();
   add_compare();
+  add_probe();
   add_study();
   add_history();
   add_view();

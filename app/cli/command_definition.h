@@ -19,6 +19,7 @@ struct Parsed {
   CutCommand cut;
   InspectCommand inspect;
   CompareCommand compare;
+  ProbeCommand probe;
   StudyCommand study;
   HistoryCommand history;
   ViewCommand view;
@@ -53,6 +54,7 @@ class CommandDefinition {
   void add_checks(CLI::App& sub);
   void add_inspect();
   void add_compare();
+  void add_probe();
   void add_study();
   /// `what` is done where, `alone` says how many at a time by themselves.
   void add_engine(CLI::App& sub, EngineOptions& engine, const std::string& what,

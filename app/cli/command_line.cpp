@@ -126,11 +126,11 @@ void check_combinations(const std::string& command, const CommonOptions& common)
   if (common.quiet && common.verbose) {
     throw UsageError("--quiet and --verbose contradict each other; expected one of them");
   }
-  const bool has_result =
-      command == "run" || command == "verify" || command == "cut" || command == "compare";
+  const bool has_result = command == "run" || command == "verify" || command == "cut" ||
+                          command == "compare" || command == "probe";
   if (common.json && !has_result) {
     throw UsageError("--json prints the result of a run and " + command +
-                     " has none; expected it with run, verify, cut or compare");
+                     " has none; expected it with run, verify, cut, compare or probe");
   }
 }
 
@@ -156,6 +156,7 @@ Command chosen(const std::string& command, const Parsed& parsed) {
   if (command == "cut") return parsed.cut;
   if (command == "inspect") return parsed.inspect;
   if (command == "compare") return parsed.compare;
+  if (command == "probe") return parsed.probe;
   if (command == "study") return parsed.study;
   if (command == "history") return parsed.history;
   return parsed.view;

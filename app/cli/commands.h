@@ -31,6 +31,7 @@ ExitCode execute(const InspectCommand& command, const CommonOptions& common,
                  const Console& console);
 ExitCode execute(const CompareCommand& command, const CommonOptions& common,
                  const Console& console);
+ExitCode execute(const ProbeCommand& command, const CommonOptions& common, const Console& console);
 ExitCode execute(const StudyCommand& command, const CommonOptions& common, const Console& console);
 ExitCode execute(const HistoryCommand& command, const CommonOptions& common,
                  const Console& console);

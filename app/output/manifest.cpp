@@ -107,6 +107,11 @@ std::optional<std::string> seal_of(const fs::path& folder) {
   return file_checksum(folder / kManifestFile).sha256;
 }
 
+Sealed sealed(const fs::path& folder, const fs::path& entry) {
+  if (type_of(folder / kManifestFile) != fs::file_type::regular) return Sealed::unknown;
+  return is_ours(folder, entry, stated_sums(folder)) ? Sealed::as_written : Sealed::otherwise;
+}
+
 std::optional<fs::path> foreign_in(const fs::path& folder) {
   const Sums sums = stated_sums(folder);
   for (const fs::path& entry : entries_of(folder)) {

@@ -18,6 +18,11 @@ void seal(const std::filesystem::path& folder);
 /// `folder` has no manifest.
 std::optional<std::string> seal_of(const std::filesystem::path& folder);
 
+/// Whether `entry`, relative to `folder`, is the file that was sealed there: unknown where `folder`
+/// has no manifest. Throws ResourceError where it breaks while it is read.
+enum class Sealed { unknown, as_written, otherwise };
+Sealed sealed(const std::filesystem::path& folder, const std::filesystem::path& entry);
+
 /// Something in `folder`, relative to it, that its manifest does not prove to be ours: a file that
 /// it does not name or that was changed since, a link, a folder without files of ours. Nothing
 /// where all is ours. Throws ResourceError where it cannot be looked at.

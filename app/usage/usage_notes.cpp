@@ -13,13 +13,14 @@ constexpr std::array<UsageNote, 5> kExitCodes = {{
     {"4", "out of resources, interrupted or internal error"},
 }};
 
-constexpr std::array<UsageNote, 8> kFiles = {{
+constexpr std::array<UsageNote, 9> kFiles = {{
     {"report.html", "the report, one page that works offline"},
     {"result.json", "its figures for programs; written last"},
     {"junit.xml", "a test case for each stage and gate"},
     {"STAGE/", "a folder for each stage: toolpath, stock, deviation and pictures"},
     {"NAME.incomplete/", "what a run that ran out of disk or memory had finished"},
     {"compare.html, .md, .json", "of compare: what got better or worse"},
+    {"probe.html, .csv, .json", "of probe: residuals of measured points and the zero shift"},
     {"history.html, .csv, .json", "of history: figures of past runs"},
     {"study.html, .csv, .json", "of study: its cases, and cases/ with the result of each"},
 }};
@@ -32,7 +33,7 @@ constexpr std::array<UsageNote, 4> kEnvironment = {{
     {"DISPLAY, WAYLAND_DISPLAY", "one of them set: view opens the desktop's browser"},
 }};
 
-constexpr std::array<UsageNote, 9> kExamples = {{
+constexpr std::array<UsageNote, 10> kExamples = {{
     {"limitgauge run part.toml", "Plan, cut and verify the stages of a job."},
     {"limitgauge run part.toml --set stage.finish.step=0.2", "The same with one key otherwise."},
     {"limitgauge run part.toml --engine slurm --cache /shared/limitgauge",
@@ -44,6 +45,8 @@ constexpr std::array<UsageNote, 9> kExamples = {{
      "Cut it without a design: collisions, times, the finished stock."},
     {"limitgauge inspect part.ngc --moves", "What a program does, one move a line."},
     {"limitgauge compare base limitgauge-out/part", "Has accuracy slipped since that result?"},
+    {"limitgauge probe limitgauge-out/part points.csv",
+     "How far is the part, as measured, from its simulation?"},
     {"limitgauge study tuning.toml", "Which setting is the cheapest that passes?"},
     {"limitgauge view limitgauge-out/part", "Open the report of a finished run."},
 }};

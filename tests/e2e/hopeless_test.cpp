@@ -95,6 +95,7 @@ TEST_CASE("a pipe without a writer, a device and a name without end are no files
     table.push_back({{"inspect", file}, wrong});
     table.push_back({{"study", file}, wrong});
     table.push_back({{"compare", file, file}, wrong});
+    table.push_back({{"probe", "out", file}, wrong});
     table.push_back({verify(file, box), wrong});
     table.push_back({verify("plate.obj", "mesh:" + file), wrong});
     table.push_back({verify("plate.obj", box, {"--tool-table", file}), wrong});

@@ -18,6 +18,7 @@ TEST_CASE("what is installed stands where a system looks for it, and runs", "[e2
        {"bin/limitgauge", "share/man/man1/limitgauge.1",
         "share/bash-completion/completions/limitgauge", "share/zsh/site-functions/_limitgauge",
         "share/fish/vendor_completions.d/limitgauge.fish", "share/limitgauge/result.schema.json",
+        "share/limitgauge/probe.schema.json", "share/doc/limitgauge/docs/probe.md",
         "share/doc/limitgauge/README.md", "share/doc/limitgauge/LICENSE",
         "share/doc/limitgauge/docs/verifier.md", "share/doc/limitgauge/THIRD-PARTY.txt"}) {
     CAPTURE(file);

@@ -35,7 +35,7 @@ using Words = std::vector<std::string>;
 TEST_CASE("bash completes commands and options", "[e2e][shell]") {
   const Scratch scratch;
   CHECK(offered(scratch.path(), {""}) ==
-        Words{"compare", "cut", "history", "inspect", "plan", "run", "study", "verify", "view"});
+        Words{"compare", "cut", "history", "inspect", "plan", "probe", "run", "study", "verify", "view"});
   CHECK(offered(scratch.path(), {"v"}) == Words{"verify", "view"});
   CHECK(offered(scratch.path(), {"--v"}) == Words{"--version"});
   CHECK(offered(scratch.path(), {"run", "--no"}) == Words{"--no-pictures"});

@@ -187,17 +187,34 @@ TEST_CASE("JSON is printed by commands that have a result", "[unit][command_line
   CHECK(parse({"run", "a.toml", "--json"}).common.json);
   CHECK(parse({"run", "a.toml", "--json", "--quiet"}).common.json);
   CHECK(parse({"compare", "a", "b", "--json"}).common.json);
+  CHECK(parse({"probe", "a", "b", "--json"}).common.json);
   CHECK_FALSE(parse({"run", "a.toml"}).common.json);
   for (const char* command : {"plan", "inspect", "view"})
     CHECK_THAT(error_of({command, "a", "--json"}),
-               ContainsSubstring("expected it with run, verify, cut or compare"));
+               ContainsSubstring("expected it with run, verify, cut, compare or probe"));
+}
+
+TEST_CASE("probe takes a result, points and what to judge by", "[unit][command_line]") {
+  const CommandLine line = parse({"probe", "out", "points.csv", "--stage", "rough", "--residual",
+                                  "0.02", "--stock", "raw.stl", "-o", "there"});
+  const auto& probe = std::get<ProbeCommand>(line.command);
+  CHECK(probe.result == "out");
+  CHECK(probe.points == "points.csv");
+  CHECK(probe.stage == "rough");
+  CHECK(probe.residual_mm == 0.02);
+  CHECK(probe.stock == "raw.stl");
+  CHECK(probe.output == "there");
+  CHECK_FALSE(std::get<ProbeCommand>(parse({"probe", "a", "b"}).command).residual_mm);
+  CHECK_THAT(error_of({"probe", "out"}), ContainsSubstring("POINTS is required"));
+  CHECK_THAT(error_of({"probe", "a", "b", "--residual", "-1"}), ContainsSubstring("--residual"));
+  CHECK_THAT(error_of({"probe", "a", "b", "--gouge", "1"}), ContainsSubstring("--gouge"));
 }
 
 TEST_CASE("help names what there is and nothing else", "[unit][command_line]") {
   const CommandLine all = parse({"--help"});
   const std::string& text = std::get<PrintCommand>(all.command).text;
-  for (const char* word : {"run", "plan", "verify", "cut", "inspect", "compare", "study", "history",
-                           "view", "Exit codes"}) {
+  for (const char* word : {"run", "plan", "verify", "cut", "inspect", "compare", "probe", "study",
+                           "history", "view", "Exit codes"}) {
     CHECK_THAT(text, ContainsSubstring(word));
   }
   CHECK_THAT(text, !ContainsSubstring("--generate"));

@@ -31,7 +31,7 @@ TEST_CASE("what is told of the options is what the parser knows", "[unit][usage]
   std::vector<std::string> names;
   for (const CommandReference& command : program.commands) names.push_back(command.name);
   CHECK(names == std::vector<std::string>{"run", "plan", "verify", "cut", "inspect", "compare",
-                                          "study", "history", "view"});
+                                          "probe", "study", "history", "view"});
   const OptionReference& output = option_of(program, "run", "--output");
   CHECK(output.names == std::vector<std::string>{"-o", "--output"});
   CHECK(output.value == "DIR");

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "app/output/manifest.h"
 #include "model/base/error.h"
 #include "model/base/output_file.h"
 #include "tests/support/catch.h"
@@ -59,6 +60,19 @@ std::string text_of(const fs::path& file) {
   std::string text;
   std::getline(std::ifstream(file), text);
   return text;
+}
+
+TEST_CASE("a manifest vouches for its files, and for no other", "[unit][output]") {
+  const tests::TemporaryFolder scratch;
+  const fs::path folder = scratch.path() / "job";
+  finish(folder, "as it was");
+  CHECK(sealed(folder, "result.json") == Sealed::as_written);
+  CHECK(sealed(folder, "finish/stock.vdb") == Sealed::as_written);
+  CHECK(sealed(folder, "finish/other.vdb") == Sealed::otherwise);
+  put(folder / "finish" / "stock.vdb", "as it is");
+  CHECK(sealed(folder, "finish/stock.vdb") == Sealed::otherwise);
+  fs::remove(folder / kManifestFile);
+  CHECK(sealed(folder, "result.json") == Sealed::unknown);
 }
 
 TEST_CASE("a finished folder is overwritten only when asked for", "[unit][output]") {

@@ -9,6 +9,7 @@
 #include "reports/run/report.h"
 #include "reports/text/terminal_table.h"
 #include "reports/text/text.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge::reports {
 namespace {
@@ -137,7 +138,8 @@ std::string why_not(const RunResult& result, std::size_t index, std::size_t widt
   const std::string begin = clean_text(stage.name) + ": ";
   std::string out;
   for (const std::string& reason : stage.decision.reasons)
-    if (!is_note(reason)) out += wrapped(begin + clean_text(reason), 4, width);
+    if (!is_note(reason) && !verifier::tells_a_pass(reason))
+      out += wrapped(begin + clean_text(reason), 4, width);
   for (const std::string& line : lines_to_blame(result, index))
     out += wrapped(begin + clean_text(line), 4, width);
   return out;

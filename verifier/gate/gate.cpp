@@ -22,10 +22,12 @@ Verdict judge(const Interval& figure, double limit_mm) {
   return figure.low > limit_mm ? Verdict::fail : Verdict::indeterminate;
 }
 
+constexpr const char *kWithin = ": within the limit everywhere", *kEnough = ": enough";
+
 const char* standing(Verdict verdict, bool is_narrow) {
   switch (verdict) {
     case Verdict::pass:
-      return ": within the limit everywhere";
+      return kWithin;
     case Verdict::fail:
       return ": beyond the limit";
     default:
@@ -102,7 +104,7 @@ void Decision::judge_coverage() {
     return model::rounded_text(value, 4, model::Rounding::down, limits_.coverage);
   };
   add("coverage " + share(d_.coverage) + " of the reachable area, least accepted " +
-          share(limits_.coverage) + (enough ? ": enough" : ": too little"),
+          share(limits_.coverage) + (enough ? kEnough : ": too little"),
       enough ? Verdict::pass : Verdict::fail, {});
 }
 
@@ -245,6 +247,10 @@ GateDecision decide(std::span<const ProcessFault> faults) {
   if (decision.verdict == Verdict::pass)
     decision.reasons.push_back("no fault in the process; nothing was measured against a design");
   return decision;
+}
+
+bool tells_a_pass(const std::string& reason) {
+  return reason.ends_with(kWithin) || reason.ends_with(kEnough);
 }
 
 }  // namespace limitgauge::verifier

@@ -99,4 +99,7 @@ GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,
 /// once, pass where there is none, never indeterminate.
 GateDecision decide(std::span<const ProcessFault> faults);
 
+/// Whether one of the reasons of a decision is of a figure that passes.
+bool tells_a_pass(const std::string& reason);
+
 }  // namespace limitgauge::verifier

@@ -49,6 +49,19 @@ TEST_CASE("conformance must be proven to pass, non-conformance to fail", "[unit]
   CHECK(decide(with({0, 0}, {0, 0}, 0.98), kLimits).verdict == Verdict::fail);
 }
 
+TEST_CASE("reasons of figures that pass are told from those that do not", "[unit]") {
+  const std::vector<std::string> good = decide(with({0, 0.01}, {0, 0.02}), kLimits).reasons;
+  CHECK(good.size() == 3);
+  for (const std::string& reason : good) CHECK(tells_a_pass(reason));
+  const auto fails = [](const StageDeviation& d, std::size_t reason) {
+    return !tells_a_pass(decide(d, kLimits).reasons.at(reason));
+  };
+  CHECK(fails(with({0.0101, 0.02}, {0, 0}), 0));
+  CHECK(fails(with({0.0099, 0.0101}, {0, 0}), 0));
+  CHECK(fails(with({0, 0}, {0.021, 0.03}), 1));
+  CHECK(fails(with({0, 0}, {0, 0}, 0.98), 2));
+}
+
 TEST_CASE("a proven failure outweighs an open question", "[unit]") {
   CHECK(decide(with({0.0099, 0.0101}, {0.03, 0.04}), kLimits).verdict == Verdict::fail);
 }

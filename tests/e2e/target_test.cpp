@@ -69,7 +69,7 @@ TEST_CASE("verify measures against the facets of a mesh and names the triangle",
   CHECK(worst["triangle"].get<int>() <= 4);
   CHECK(worst["line"].get<int>() > 0);
   const std::string page = read_text(scratch / "out/report.html");
-  CHECK(page.find("all of it is about its facets") != std::string::npos);
+  CHECK(page.find("all of this is about its facets") != std::string::npos);
   CHECK(page.find("triangle " + std::to_string(worst["triangle"].get<int>())) != std::string::npos);
 }
 

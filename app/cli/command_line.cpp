@@ -54,19 +54,11 @@ std::vector<std::string> long_options(const CLI::App& command) {
   return names;
 }
 
-/// The option of this name; null: there is none.
-const CLI::Option* option_of(const CLI::App& command, const std::string& name) {
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& known : option->get_lnames())
-      if ("--" + known == name) return option;
-  return nullptr;
-}
-
 /// "one of verify or cut", which have an option of this name; empty where none has.
 std::string of_other_commands(CLI::App& app, const std::string& name) {
   std::vector<std::string> having;
   for (const CLI::App* sub : commands_of(app))
-    if (option_of(*sub, name) != nullptr) having.push_back(sub->get_name());
+    if (sub->get_option_no_throw(name) != nullptr) having.push_back(sub->get_name());
   return having.empty() ? "" : "it is one of " + list(having);
 }
 
@@ -91,7 +83,7 @@ void refuse_unknown_option(int argc, const char* const* argv, CLI::App& app) {
     const std::string word = argv[i];
     if (!word.starts_with("--")) continue;
     const std::string name = word.substr(0, word.find('='));
-    if (const CLI::Option* known = option_of(**command, name)) {
+    if (const CLI::Option* known = (*command)->get_option_no_throw(name)) {
       // The next word is its value, whatever that begins with.
       if (name == word && known->get_items_expected_max() > 0) ++i;
       continue;

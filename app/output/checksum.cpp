@@ -45,6 +45,12 @@ std::string Sha256::digits() {
   return model::hexadecimal(std::span(sum.data(), length));
 }
 
+std::string sha256_of(std::string_view bytes) {
+  Sha256 sum;
+  sum.add(bytes);
+  return sum.digits();
+}
+
 Checksum checksum(std::istream& in) {
   Sha256 digest;
   Checksum out;

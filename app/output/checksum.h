@@ -25,6 +25,9 @@ class Sha256 {
   std::unique_ptr<Context> context_;
 };
 
+/// Of a text that is at hand, likewise.
+std::string sha256_of(std::string_view bytes);
+
 /// Length and SHA-256 of the rest of a stream, read piece by piece.
 struct Checksum {
   std::uint64_t bytes = 0;

@@ -9,6 +9,7 @@
 
 #include "app/output/manifest.h"
 #include "model/base/absolute_path.h"
+#include "model/base/error.h"
 #include "model/base/output_file.h"
 
 namespace limitgauge::app {
@@ -269,6 +270,15 @@ fs::path OutputFolder::keep_incomplete(const std::string& note) {
     // A full disk: what is there is kept all the same, and nothing proves it ours.
   }
   return keep_as("incomplete", true);
+}
+
+std::filesystem::path result_file(const std::filesystem::path& stated) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(stated, ignored)) return stated;
+  const std::filesystem::path file = stated / "result.json";
+  if (std::filesystem::exists(file, ignored)) return file;
+  throw model::InputError({stated.string(), 0, 0}, "has no result.json",
+                          "result.json, or the folder of a finished run");
 }
 
 }  // namespace limitgauge::app

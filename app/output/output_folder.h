@@ -63,4 +63,8 @@ class OutputFolder {
   std::optional<FolderLock> lock_;
 };
 
+/// result.json, stated as itself or as the folder of a finished run. Throws InputError for a folder
+/// without one; whether the file can be read is its reader's business.
+std::filesystem::path result_file(const std::filesystem::path& stated);
+
 }  // namespace limitgauge::app

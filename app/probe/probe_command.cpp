@@ -1,5 +1,4 @@
 #include <ostream>
-#include <sstream>
 
 #include "app/cli/commands.h"
 #include "app/output/checksum.h"
@@ -40,8 +39,7 @@ struct PointsRead {
 
 PointsRead read_points(const fs::path& file) {
   const std::string text = model::read_text_file(file);
-  std::istringstream in(text);
-  return {model::parse_measured_points(text, file.string()), checksum(in).sha256};
+  return {model::parse_measured_points(text, file.string()), sha256_of(text)};
 }
 
 probe::ProbeResult measured(const ProbeCommand& command, const CommonOptions& common,

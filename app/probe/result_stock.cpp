@@ -8,6 +8,7 @@
 #include "app/inputs/stock_file.h"
 #include "app/output/checksum.h"
 #include "app/output/manifest.h"
+#include "app/output/output_folder.h"
 #include "model/base/error.h"
 #include "model/base/text_file.h"
 #include "model/text/message_text.h"
@@ -26,20 +27,6 @@ constexpr const char* kMovesFile = "toolpath.vtp";
 /// A mesh is where the result says it was within this: the rounding of its coordinates in
 /// result.json is none, that of a file's own digits less.
 constexpr double kSamePlace_mm = 1e-6;
-
-fs::path result_file(const fs::path& stated) {
-  std::error_code ignored;
-  if (!fs::is_directory(stated, ignored)) return stated;
-  if (fs::exists(stated / "result.json", ignored)) return stated / "result.json";
-  throw model::InputError({stated.string(), 0, 0}, "has no result.json",
-                          "result.json, or the folder of a finished run");
-}
-
-std::string sum_of(const std::string& text) {
-  Sha256 sum;
-  sum.add(text);
-  return sum.digits();
-}
 
 /// The files of one result, as far as its manifest vouches for them.
 class ResultFolder {
@@ -211,7 +198,7 @@ ResultStock read_result_stock(const ProbeCommand& command, const model::RunContr
   verifier::RemovedSpace removed(stock, read.passes);
   return {record.job,
           record.version,
-          sum_of(text),
+          sha256_of(text),
           record.stages[count - 1].verdict,
           std::move(read.stages),
           std::move(read.passes),

@@ -48,9 +48,7 @@ std::optional<PieceTask> piece_task_of(std::span<const std::string> words) {
 }
 
 std::string content_key(std::string_view content) {
-  Sha256 sum;
-  sum.add(content);
-  return sum.digits();
+  return sha256_of(content);
 }
 
 std::string piece_key(const PieceTask& task) {

@@ -47,12 +47,7 @@ compare::Options options_of(const CompareCommand& command) {
 }
 
 reports::record::RunRecord read_result(const fs::path& stated) {
-  std::error_code ignored;
-  const bool is_folder = fs::is_directory(stated, ignored);
-  const fs::path file = is_folder ? stated / "result.json" : stated;
-  if (is_folder && !fs::exists(file, ignored))
-    throw model::InputError({stated.string(), 0, 0}, "has no result.json",
-                            "result.json, or the folder of a finished run");
+  const fs::path file = result_file(stated);
   std::istringstream in(model::read_text_file(file));
   return reports::record::read_result_json(in, file.string());
 }

@@ -23,6 +23,10 @@ constexpr double kMiB = 1024.0 * 1024.0;
 /// what was there, and one that is a quarter too low just fits.
 constexpr double kShareOfAvailable = 0.8;
 
+/// Of address space, that threads reserve and hardly use: their stacks of 8 MiB, and the region of
+/// 64 MiB that glibc sets aside for what a thread allocates.
+constexpr std::uint64_t kThreadAddresses = std::uint64_t{80} << 20;
+
 std::uint64_t left_of(std::uint64_t most, std::uint64_t taken) {
   return most == kNoLimit ? kNoLimit : most - std::min(most, taken);
 }
@@ -88,13 +92,15 @@ std::uint64_t groups_bytes(const fs::path& root) {
   return left;
 }
 
-/// What `ulimit -v` and `ulimit -d` leave.
+/// What `ulimit -v`, less what threads reserve, and `ulimit -d` leave.
 std::uint64_t process_bytes(const fs::path& root) {
   const fs::path limits = root / "proc/self/limits", status = root / "proc/self/status";
-  const auto left = [&](const char* most, const char* taken) {
-    return left_of(number_after(limits, most).value_or(kNoLimit), kib_after(status, taken, 0));
+  const auto left = [&](const char* most, const char* taken, std::uint64_t reserved) {
+    return left_of(number_after(limits, most).value_or(kNoLimit),
+                   kib_after(status, taken, 0) + reserved);
   };
-  return std::min(left("Max address space ", "VmSize:"), left("Max data size ", "VmData:"));
+  return std::min(left("Max address space ", "VmSize:", kThreadAddresses),
+                  left("Max data size ", "VmData:", 0));
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ std::uint64_t memory_limit_bytes(const std::filesystem::path& root = "/");
 /// Memory that this process and its children may still take: the least of what the kernel holds to
 /// be available without driving the machine to its swap, of what the control groups that we are in
 /// have left (both versions, all that they lie in, file pages that the kernel can drop not counted
-/// as taken), and of what this process's limits of address space and data leave. The largest number
+/// as taken), and of what this process's limits of address space, less what threads reserve of it, and
+/// of data leave. The largest number
 /// where nothing is known. `root` stands in for "/" in tests.
 std::uint64_t available_memory_bytes(const std::filesystem::path& root = "/");
 

@@ -85,12 +85,13 @@ TEST_CASE("limits of the process leave what it has not taken of them", "[unit][m
   kernel.write("proc/self/limits",
                head +
                    "Max data size             unlimited     unlimited  bytes\n"
-                   "Max address space         5120000       unlimited  bytes\n");
+                   "Max address space         89006080      unlimited  bytes\n");
+  // 80 MiB of 86,920 kB are left to the stacks and heap regions of threads.
   CHECK(kernel.available() == 3000 * 1024);
   kernel.write("proc/self/limits",
                head +
                    "Max data size             1024000       unlimited  bytes\n"
-                   "Max address space         5120000       unlimited  bytes\n");
+                   "Max address space         89006080      unlimited  bytes\n");
   CHECK(kernel.available() == 500 * 1024);
   kernel.write("proc/self/status", "VmSize: 9000 kB\nVmData: 9000 kB\n");
   CHECK(kernel.available() == 0);

@@ -144,7 +144,7 @@ std::optional<StockLayout> layout_within(const Material& material, const Lattice
       throw model::ResourceError(needed + "; a voxel of " + model::six_digits(voxel) +
                                  " mm would do");
   }
-  throw model::ResourceError(needed);
+  throw model::ResourceError(needed + "; fewer moves or more memory would do");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "model/base/run_control.h"
 #include "model/part/stock.h"
+#include "model/part/tolerances.h"
 #include "model/part/toolpath.h"
 #include "verifier/gate/deviation.h"
 #include "verifier/surface/reference_surface.h"
@@ -44,6 +45,9 @@ struct StageCheck {
   double resolution_mm = 0;        ///< widest certified interval asked for; > 0
   double field_spacing_mm = 0.25;  ///< largest distance between samples of the deviation field
   std::size_t largest_cell_count = 5'000'000;  ///< where branch and bound gives up
+  /// What is not known of tools and zero; none: they are taken as stated.
+  std::optional<model::Tolerances> tolerances;
+  bool finds_margin = true;  ///< how far the tolerances could grow, beside what they lead to
 };
 
 /// Resolution "auto": a tenth of the tightest gate limit, 1 µm where nothing is limited.

@@ -1,5 +1,6 @@
 #include "model/part/tolerances.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "model/text/number_text.h"
@@ -56,6 +57,18 @@ bool is_none(const Tolerances& tolerances) {
       return false;
   return tolerances.path_mm == 0 && tolerances.runout_mm == 0 &&
          tolerances.positioning_mm == Vec3{};
+}
+
+double farthest_off_mm(const Tolerances& tolerances) {
+  double tool_mm = 0;
+  for (const auto& [id, tool] : tolerances.tools) {
+    const double flat = tool.flat_mm ? tool.flat_mm->largest() : 0;
+    tool_mm = std::max(tool_mm, tool.radius_mm.largest() + tool.length_mm.largest() +
+                                    tool.corner_radius_mm.largest() + flat);
+  }
+  const auto& zero = tolerances.zero_mm;
+  return tool_mm + length(Vec3{zero[0].largest(), zero[1].largest(), zero[2].largest()}) +
+         tolerances.path_mm + tolerances.runout_mm + length(tolerances.positioning_mm);
 }
 
 Cutter varied(const Cutter& cutter, const CutterOffset& by) {

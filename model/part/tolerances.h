@@ -38,6 +38,9 @@ Tolerances scaled(const Tolerances& tolerances, double factor);
 /// Whether nothing may differ.
 bool is_none(const Tolerances& tolerances);
 
+/// No point of any of the tools lies further than this from where it is stated to be.
+double farthest_off_mm(const Tolerances& tolerances);
+
 /// What one tool is off by.
 struct CutterOffset {
   double radius_mm = 0, length_mm = 0, corner_radius_mm = 0;

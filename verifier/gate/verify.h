@@ -82,6 +82,13 @@ struct ProcessFault {
   std::optional<Place> worst = std::nullopt;  ///< where it is deepest
 };
 
+/// What the gates of gouge and uncut judge: the figure over tolerances, where any are stated.
+const Interval& judged_gouge_mm(const StageDeviation& deviation);
+const Interval& judged_uncut_mm(const StageDeviation& deviation);
+/// The verdict of both figures over tolerances against the limits that there are.
+Verdict judge_robust(const RobustDeviation& robust, const GateLimits& limits);
+/// The figure whose tolerances may grow least; null where no margin was found of any.
+const RobustFigure* least_margin(const RobustDeviation& robust);
 /// Area of S that shares are of.
 double whole_area_mm2(const StageDeviation& deviation);
 /// Proven out of reach, and with what is undecided: what the gate `unreachable` judges. What is no

@@ -60,6 +60,28 @@ std::string Tolerance::name() const {
   return of == Of::runout ? word : word + kAxes[axis];
 }
 
+void require_certifiable(const model::Tolerances& tolerances, const model::Cutter& cutter) {
+  const std::string who = "tool \"" + cutter.id + "\": ";
+  const auto stated = tolerances.tools.find(cutter.id);
+  model::ToolTolerance tool = stated == tolerances.tools.end() ? model::ToolTolerance{} : stated->second;
+  const double heights =
+      tool.length_mm.width() + tolerances.zero_mm[2].width() + 2 * tolerances.positioning_mm.z;
+  const CutterProfile profile(cutter);
+  if (heights > 0 && profile.undercuts())
+    throw std::invalid_argument(who +
+                                "its side leans inwards; no range of heights (length, zero or "
+                                "positioning along Z) can be certified of it");
+  if (heights >= profile.top_mm - profile.core_mm)
+    throw std::invalid_argument(who + "its range of heights is longer than its flutes");
+  Interval& radius = tool.flat_mm ? *tool.flat_mm : tool.radius_mm;
+  radius = radius.widened(tolerances.runout_mm);
+  try {
+    model::require_valid(tool, cutter);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(who + error.what());
+  }
+}
+
 ToleranceBox::ToleranceBox(const model::Tolerances& tolerances, std::span<const Pass> passes)
     : passes_(passes), path_mm_(tolerances.path_mm) {
   const auto add = [&](Of of, int axis, const Interval& range) {
@@ -71,11 +93,7 @@ ToleranceBox::ToleranceBox(const model::Tolerances& tolerances, std::span<const 
   for (int axis = 0; axis < 3; ++axis)
     add(Of::positioning, axis, about_zero(tolerances.positioning_mm[axis]));
   for (int axis = 0; axis < 3; ++axis) add(Of::path, axis, about_zero(tolerances.path_mm));
-  for (const Pass& pass : passes)
-    if (height_range_mm(pass) > 0 && CutterProfile(pass.cutter).undercuts())
-      throw std::invalid_argument("tool \"" + pass.cutter.id +
-                                  "\": a side that leans inwards; no range of heights (length, "
-                                  "zero or positioning along Z) can be certified of it");
+  for (const Pass& pass : passes) require_certifiable(tolerances, pass.cutter);
 }
 
 void ToleranceBox::add_tool(const model::Tolerances& tolerances, const Pass& pass) {
@@ -85,7 +103,6 @@ void ToleranceBox::add_tool(const model::Tolerances& tolerances, const Pass& pas
   });
   if (stated == tolerances.tools.end() || known) return;
   const model::ToolTolerance& tool = stated->second;
-  model::require_valid(tool, pass.cutter);
   const auto add = [&](Of of, const Interval& range) {
     if (range.low != 0 || range.high != 0) tolerances_.push_back({of, 0, stated->first, range});
   };
@@ -177,9 +194,6 @@ std::vector<Sweep> ToleranceBox::sweeps(const ToleranceValues& values, Side side
     const model::CutterOffset by = offset_of(values, pass.cutter.id);
     Sweep sweep{CutterProfile(model::varied(pass.cutter, by)), -by.length_mm, pass.path};
     sweep.profile.top_mm += grown * height_range_mm(pass);
-    if (!(sweep.profile.top_mm > sweep.profile.core_mm))
-      throw std::invalid_argument("tool \"" + pass.cutter.id +
-                                  "\": its range of heights is longer than its flutes");
     out.push_back(std::move(sweep));
   }
   if (side == Side::uncut) return out;

@@ -111,7 +111,7 @@ Json deviation_part(const RunResult& result, const verifier::StageDeviation& d,
       {"uncuts", findings(result, d.uncuts)},
       {"missing_stocks", findings(result, d.missing_stock)},
       {"uncertainty", budget_part(d.budget)}};
-  if (d.robust) out["robust"] = robust_part(*d.robust, limits);
+  if (d.robust) out["robust"] = robust_part(result, *d.robust, limits);
   return out;
 }
 

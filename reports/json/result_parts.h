@@ -31,7 +31,8 @@ Json deviation_part(const RunResult& result, const verifier::StageDeviation& d,
                     const verifier::GateLimits& limits);
 
 /// What is certified over tolerances: "robust" of a stage.
-Json robust_part(const verifier::RobustDeviation& robust, const verifier::GateLimits& limits);
+Json robust_part(const RunResult& result, const verifier::RobustDeviation& robust,
+                 const verifier::GateLimits& limits);
 
 /// "tolerances", as they were stated.
 Json tolerances_part(const model::Tolerances& tolerances);

@@ -21,7 +21,7 @@ Json margin_part(const verifier::ToleranceMargin& margin) {
   return {{"proven", factor(margin.proven)}, {"refuted", factor(margin.refuted)}};
 }
 
-Json figure_part(const verifier::RobustFigure& figure) {
+Json figure_part(const RunResult& result, const verifier::RobustFigure& figure) {
   Json out = interval("deviation.robust", figure.figure_mm);
   out["at"] = lengths("robust.at", figure.at);
   out["reached_resolution"] = figure.reached_resolution;
@@ -33,6 +33,11 @@ Json figure_part(const verifier::RobustFigure& figure) {
                     {"u", finite("robust.u", figure.place->u)},
                     {"v", finite("robust.v", figure.place->v)}};
     out["sensitivity"] = lengths("robust.sensitivity", figure.sensitivity);
+    if (!figure.raw_stock) {
+      out["stage"] = stage_name(result, figure.stage);
+      out["line"] = figure.line, out["move"] = figure.move;
+      out["body"] = clean_text(figure.body);
+    }
   }
   if (figure.margin) out["margin"] = margin_part(*figure.margin);
   return out;
@@ -57,8 +62,10 @@ Json tool_part(const model::ToolTolerance& tool) {
 
 }  // namespace
 
-Json robust_part(const verifier::RobustDeviation& robust, const verifier::GateLimits& limits) {
-  Json out = {{"gouge_mm", figure_part(robust.gouge)}, {"uncut_mm", figure_part(robust.uncut)}};
+Json robust_part(const RunResult& result, const verifier::RobustDeviation& robust,
+                 const verifier::GateLimits& limits) {
+  Json out = {{"gouge_mm", figure_part(result, robust.gouge)},
+              {"uncut_mm", figure_part(result, robust.uncut)}};
   out["verdict"] = verifier::name(verifier::judge_robust(robust, limits));
   if (const verifier::RobustFigure* least = verifier::least_margin(robust)) {
     out["margin"] = margin_part(*least->margin);

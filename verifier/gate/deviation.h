@@ -117,6 +117,11 @@ struct RobustFigure {
   std::optional<SurfacePlace> place;
   model::Vec3 normal;
   std::vector<NamedLength> at;
+  /// Who made it there, as of a Finding.
+  std::size_t stage = 0, move = 0;
+  std::uint32_t line = 0;
+  bool raw_stock = false;
+  std::string body = "cutter";
   /// How the run there grows with each value, mm per mm.
   std::vector<NamedLength> sensitivity;
   bool reached_resolution = true;

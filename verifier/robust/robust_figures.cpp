@@ -1,6 +1,7 @@
 #include "verifier/robust/robust_figures.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "model/base/clock.h"
@@ -12,6 +13,8 @@ namespace {
 /// Step of a value when it is asked how a run changes with it, mm: far above what runs are found
 /// to, far below what bends them.
 constexpr double kStep_mm = 1e-3;
+/// Beyond all passes: the raw stock.
+constexpr std::uint32_t kNoPass = std::numeric_limits<std::uint32_t>::max();
 
 /// A figure and the values that its witness has.
 struct Found {
@@ -70,6 +73,19 @@ ToleranceMargin margin_of(const RobustScene& scene, Side side, const Interval& n
   });
 }
 
+/// The move that swept the place, or that is nearest to it.
+void name_move(const RobustScene& scene, const ToleranceBox& box, const BodyRef& body,
+               RobustFigure& out) {
+  const std::vector<AssemblySweep> parts = box.parts(scene.highest_mm);
+  const std::size_t passes = scene.passes.size();
+  out.raw_stock = body.pass >= passes + parts.size();
+  if (out.raw_stock) return;
+  out.stage = body.pass < passes ? body.pass : parts[body.pass - passes].stage;
+  if (body.pass >= passes) out.body = parts[body.pass - passes].body;
+  out.move = body.index;
+  out.line = scene.passes[out.stage].path->moves[out.move].line;
+}
+
 }  // namespace
 
 RobustFigure robust_figure(const RobustScene& scene, Side side,
@@ -82,6 +98,10 @@ RobustFigure robust_figure(const RobustScene& scene, Side side,
   if (!found.values) return out;
   out.place = found.certificate.witness->place;
   out.normal = found.certificate.witness->normal;
+  BodyRef body = found.certificate.witness->body;
+  // Of what is left no part of a shank is held.
+  if (side == Side::uncut && body.pass >= scene.passes.size()) body.pass = kNoPass;
+  name_move(scene, box, body, out);
   for (std::size_t k = 0; k < box.tolerances().size(); ++k)
     out.at.push_back({box.tolerances()[k].name(), (*found.values)[k]});
   out.sensitivity = sensitivities(scene, side, box, found);

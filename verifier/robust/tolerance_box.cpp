@@ -5,8 +5,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "verifier/cutter/assembly.h"
-
 namespace limitgauge::verifier {
 namespace {
 
@@ -187,6 +185,12 @@ double ToleranceBox::height_range_mm(const Pass& pass) const {
   return range + range_of(Of::zero, 2).width() + range_of(Of::positioning, 2).width();
 }
 
+std::vector<AssemblySweep> ToleranceBox::parts(double highest_mm) const {
+  double range = 0;
+  for (const Pass& pass : passes_) range = std::max(range, height_range_mm(pass));
+  return assembly_sweeps(passes_, highest_mm + range);
+}
+
 std::vector<Sweep> ToleranceBox::sweeps(const ToleranceValues& values, Side side, double highest_mm,
                                         double grown) const {
   std::vector<Sweep> out;
@@ -197,9 +201,7 @@ std::vector<Sweep> ToleranceBox::sweeps(const ToleranceValues& values, Side side
     out.push_back(std::move(sweep));
   }
   if (side == Side::uncut) return out;
-  double lowest = 0;
-  for (const Pass& pass : passes_) lowest = std::max(lowest, height_range_mm(pass));
-  for (const AssemblySweep& part : assembly_sweeps(passes_, highest_mm + lowest)) {
+  for (const AssemblySweep& part : parts(highest_mm)) {
     const Pass& pass = passes_[part.stage];
     out.push_back(part.sweep);
     out.back().lift_mm -= offset_of(values, pass.cutter.id).length_mm;

@@ -6,6 +6,7 @@
 
 #include "model/part/tolerances.h"
 #include "verifier/certificate/run_bounds.h"
+#include "verifier/cutter/assembly.h"
 #include "verifier/cutter/removed_space.h"
 #include "verifier/gate/deviation.h"
 
@@ -50,6 +51,8 @@ class ToleranceBox {
   std::vector<Sweep> sweeps_at(const ToleranceValues& values, Side side, double highest_mm) const;
   /// The same, of a body that every set of values sweeps (uncut), or that holds what any does.
   std::vector<Sweep> hull_sweeps(Side side, double highest_mm) const;
+  /// The parts of shanks and holders that the sweeps of gouge hold after those of the passes.
+  std::vector<AssemblySweep> parts(double highest_mm) const;
   /// The shift that all passes share.
   model::Vec3 shift_at(const ToleranceValues& values) const;
   /// From the lowest to the highest place of a tool's tip, per pass.

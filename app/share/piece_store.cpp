@@ -47,14 +47,10 @@ std::optional<PieceTask> piece_task_of(std::span<const std::string> words) {
   return PieceTask{words[0], words[1] == kNone ? std::string() : words[1], *piece};
 }
 
-std::string content_key(std::string_view content) {
-  return sha256_of(content);
-}
-
 std::string piece_key(const PieceTask& task) {
   std::string text = "piece";
   for (const std::string& word : words_of(task)) text += "\n" + word;
-  return content_key(text);
+  return sha256_of(text);
 }
 
 }  // namespace limitgauge::app

@@ -33,8 +33,6 @@ std::optional<PieceTask> piece_task_of(std::span<const std::string> words);
 
 /// Kinds of entries: SharedStage, reach map, what a piece came to.
 inline constexpr const char *kStageKind = "stage", *kReachKind = "reach", *kPieceKind = "result";
-/// Of an entry with this content.
-std::string content_key(std::string_view content);
 /// Of what the piece comes to.
 std::string piece_key(const PieceTask& task);
 

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "app/output/cache_folder.h"
+#include "app/output/checksum.h"
 #include "app/share/piece_store.h"
 #include "app/study/case_keys.h"
 #include "app/study/study_engine.h"
@@ -59,7 +60,7 @@ class SharedPieces::OfStage : public verifier::PieceWorkers {
 
  private:
   std::string put(const char* kind, const std::string& content) const {
-    const std::string key = content_key(content);
+    const std::string key = sha256_of(content);
     all_.store_.put(kind, key, content);
     return key;
   }

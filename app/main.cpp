@@ -8,6 +8,7 @@
 #include "app/cli/terminal.h"
 #include "app/output/interrupt.h"
 #include "app/output/standard_stream.h"
+#include "model/base/memory.h"
 
 namespace limitgauge::app {
 namespace {
@@ -22,6 +23,7 @@ ExitCode unless_lost(ExitCode code, StandardStream& out) {
 
 int run(int argc, char** argv) {
   hold_standard_descriptors();
+  model::spare_addresses();
   const char* term = std::getenv("TERM");
   StandardStream out(STDOUT_FILENO);
   const Console console{out,

@@ -15,6 +15,7 @@ namespace limitgauge::model {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* kAddressLimit = "Max address space ";
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 constexpr double kMiB = 1024.0 * 1024.0;
 
@@ -23,8 +24,8 @@ constexpr double kMiB = 1024.0 * 1024.0;
 /// what was there, and one that is a quarter too low just fits.
 constexpr double kShareOfAvailable = 0.8;
 
-/// Of address space, that threads reserve and hardly use: their stacks of 8 MiB, and the region of
-/// 64 MiB that glibc sets aside for what a thread allocates.
+/// Of address space, that threads reserve and hardly use: the stacks of ten, 8 MiB each. Heaps of
+/// their own they have none there, see spare_addresses().
 constexpr std::uint64_t kThreadAddresses = std::uint64_t{80} << 20;
 
 std::uint64_t left_of(std::uint64_t most, std::uint64_t taken) {
@@ -99,7 +100,7 @@ std::uint64_t process_bytes(const fs::path& root) {
     return left_of(number_after(limits, most).value_or(kNoLimit),
                    kib_after(status, taken, 0) + reserved);
   };
-  return std::min(left("Max address space ", "VmSize:", kThreadAddresses),
+  return std::min(left(kAddressLimit, "VmSize:", kThreadAddresses),
                   left("Max data size ", "VmData:", 0));
 }
 
@@ -125,6 +126,12 @@ std::string in_mib(double bytes) {
 void return_freed_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);
+#endif
+}
+
+void spare_addresses() {
+#ifdef __GLIBC__
+  if (number_after("/proc/self/limits", kAddressLimit)) mallopt(M_ARENA_MAX, 1);
 #endif
 }
 

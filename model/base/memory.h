@@ -15,9 +15,8 @@ std::uint64_t memory_limit_bytes(const std::filesystem::path& root = "/");
 /// Memory that this process and its children may still take: the least of what the kernel holds to
 /// be available without driving the machine to its swap, of what the control groups that we are in
 /// have left (both versions, all that they lie in, file pages that the kernel can drop not counted
-/// as taken), and of what this process's limits of address space, less what threads reserve of it, and
-/// of data leave. The largest number
-/// where nothing is known. `root` stands in for "/" in tests.
+/// as taken), and of what this process's limits of address space, less what threads reserve of it,
+/// and of data leave. The largest number where nothing is known. `root` stands in for "/" in tests.
 std::uint64_t available_memory_bytes(const std::filesystem::path& root = "/");
 
 /// "1234 MiB" for messages.
@@ -26,6 +25,11 @@ std::string in_mib(double bytes);
 /// Gives memory that was freed back to the machine, where the allocator has kept it for later:
 /// between phases of a run, so that its peak is that of its largest phase.
 void return_freed_memory();
+
+/// Where the process may have so many addresses only (`ulimit -v`), has all threads allocate from
+/// one heap: glibc reserves 64 MiB of addresses for each that has its own, and libraries end the
+/// program where none are left. To be called before threads begin.
+void spare_addresses();
 
 /// From now on the peak counts anew, where the kernel lets us say so.
 void reset_process_peak();

@@ -86,7 +86,7 @@ TEST_CASE("limits of the process leave what it has not taken of them", "[unit][m
                head +
                    "Max data size             unlimited     unlimited  bytes\n"
                    "Max address space         89006080      unlimited  bytes\n");
-  // 80 MiB of 86,920 kB are left to the stacks and heap regions of threads.
+  // 80 MiB of 86,920 kB are left to the stacks of threads.
   CHECK(kernel.available() == 3000 * 1024);
   kernel.write("proc/self/limits",
                head +

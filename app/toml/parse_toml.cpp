@@ -84,12 +84,56 @@ toml::table parse_toml(const std::string& text, const std::string& name_in_error
   return table;
 }
 
+namespace {
+
+constexpr std::size_t kLongestShown = 60;
+
+/// Not by toml++'s own writing of lists and tables: to choose their lines it casts the logarithm of
+/// a number, which for one below 0.1 is undefined. Stops once there is more than is shown.
+void show(std::ostringstream& out, const toml::node& node);
+
+void show_separated(std::ostringstream& out, std::size_t& shown) {
+  out << (shown++ == 0 ? " " : ", ");
+}
+
+void show_list(std::ostringstream& out, const toml::array& list) {
+  std::size_t shown = 0;
+  out << '[';
+  for (const toml::node& entry : list) {
+    if (out.tellp() > static_cast<std::streamoff>(kLongestShown)) return;
+    show_separated(out, shown);
+    show(out, entry);
+  }
+  out << (shown > 0 ? " ]" : "]");
+}
+
+void show_table(std::ostringstream& out, const toml::table& table) {
+  std::size_t shown = 0;
+  out << '{';
+  for (const auto& [key, value] : table) {
+    if (out.tellp() > static_cast<std::streamoff>(kLongestShown)) return;
+    show_separated(out, shown);
+    out << key.str() << " = ";
+    show(out, value);
+  }
+  out << (shown > 0 ? " }" : "}");
+}
+
+void show(std::ostringstream& out, const toml::node& node) {
+  if (const toml::table* table = node.as_table()) return show_table(out, *table);
+  if (const toml::array* list = node.as_array()) return show_list(out, *list);
+  node.visit([&out](const auto& known) {
+    if constexpr (toml::is_value<decltype(known)>) out << known;
+  });
+}
+
+}  // namespace
+
 std::string shown_value(const toml::node& value) {
-  constexpr std::size_t kLongest = 60;
   std::ostringstream out;
-  value.visit([&out](const auto& known) { out << known; });
+  show(out, value);
   const std::string text = std::move(out).str();
-  return text.size() > kLongest ? text.substr(0, kLongest) + "..." : text;
+  return text.size() > kLongestShown ? text.substr(0, kLongestShown) + "..." : text;
 }
 
 namespace {

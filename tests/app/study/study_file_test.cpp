@@ -174,6 +174,8 @@ TEST_CASE("study files that are refused say where and why", "[unit][study]") {
       {vary("range = [1, 1]\nsteps = 3"),
        "study.toml:5:9: error: \"range\" in [[vary]] is no pair of ascending numbers"},
       {vary("range = [2, 1]\nsteps = 3"), "is no pair of ascending numbers"},
+      {vary("range = [0.0625, -1.5]\nsteps = 3"),
+       "is no pair of ascending numbers: [ 0.0625, -1.5 ]"},
       {vary("range = [1, nan]\nsteps = 3"), "is no pair of ascending numbers"},
       {vary("range = [1, 2]\nsteps = 1"), "study.toml:6:9: error: \"steps\" in [[vary]] is 1"},
       {vary("range = [1, 2]\nsteps = 2.5"), "is no whole number"},

@@ -157,6 +157,14 @@ void CommandDefinition::add_inputs(CLI::App& sub, CutCommand& command) {
       ->required()
       ->allow_extra_args(false);
   file(sub.add_option("--program", command.program, "Program (G-code)"))->required();
+  hint(sub.add_option("--tolerance", command.tolerances,
+                      "What is not known, as half widths in mm: zero=X,Y,Z of the program's zero; "
+                      "N:radius=R,length=L,corner_radius=C,flat=F of tool N (N: may be left out "
+                      "where there is one); path=P, runout=R and positioning=X,Y,Z, which differ "
+                      "from move to move (default: all is as stated)"),
+       "TOLERANCE",
+       {ValueHint::Kind::text, {}, {"zero=", "radius=", "path=", "runout=", "positioning="}})
+      ->allow_extra_args(false);
   file(sub.add_option("--fixture", command.fixtures,
                       "Mesh that nothing of the tool may touch: STL, OBJ, PLY"))
       ->allow_extra_args(false);

@@ -12,6 +12,7 @@
 #include "model/part/cage.h"
 #include "model/part/cutter.h"
 #include "model/part/stock.h"
+#include "model/part/tolerances.h"
 #include "reports/run/published.h"
 #include "reports/run/report.h"
 #include "verifier/gate/deviation.h"
@@ -125,6 +126,9 @@ struct Job {
   std::optional<model::Box3> travel_mm;        ///< of the tip; infinite where an axis has no limit
   double near_miss_mm = 0;                     ///< 0: near misses are not looked for
   std::optional<double> contact_tolerance_mm;  ///< empty: not stated
+  /// What is not known of tools and zero; empty: they are taken as stated.
+  std::optional<model::Tolerances> tolerances;
+  bool finds_margin = true;  ///< how far the tolerances could grow
   std::vector<JobFixture> fixtures;
   std::optional<reports::PublishedFigures> published;
   /// What the job was read from and is named nowhere else here: job file, stock, tool table.

@@ -43,7 +43,8 @@ Job read_merged_job(const toml::table& table, JobContext context);
 /// The tables and keys that a job may have.
 inline constexpr const char* kJobKeys[] = {
     "name",       "surface",      "stock",  "machine", "fixture",   "tool",         "stage",
-    "simulation", "verification", "report", "post",    "published", "program_frame"};
+    "simulation", "verification", "report", "post",    "published", "program_frame",
+    "tolerances"};
 /// The name, which must do as a folder's.
 std::string read_job_name(const TomlTable& root);
 /// `transform` of [surface], where it is stated.
@@ -53,6 +54,9 @@ void read_placement(const TomlTable& surface, JobDesign& design);
 void refuse_design_keys(const TomlTable& root);
 /// [simulation], [verification] and [report], as far as they are stated.
 void read_settings(const TomlTable& root, Job& job);
+/// [tolerances], where it is stated, of the tools of that name. Throws InputError for a tool that
+/// is none of them, and for what no such cutter has.
+void read_tolerances(const TomlTable& root, std::span<const model::Cutter> tools, Job& job);
 /// The limits of a stage; none where it has no gate.
 verifier::GateLimits read_gate(const TomlTable& stage, std::vector<PartLength>& lengths);
 

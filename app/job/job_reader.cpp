@@ -86,6 +86,9 @@ Job read_root(const toml::table& table, JobContext& context) {
   refuse_planning(job, root);
   read_post(root, job, context);
   read_settings(root, job);
+  std::vector<model::Cutter> cutters;
+  for (const JobTool& tool : tools) cutters.push_back(tool.cutter);
+  read_tolerances(root, cutters, job);
   if (root.has("published")) job.published = read_published(root);
   job.defaulted = std::move(context.defaulted);
   job.sources = std::move(context.sources);

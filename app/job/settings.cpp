@@ -136,6 +136,11 @@ constexpr double kContactTolerance_mm = 0.01;
 /// tolerance are listed.
 constexpr double kChordsPerContact = 0.05;
 
+double near_miss_mm(const Job& job) {
+  return std::max(job.near_miss_mm,
+                  job.tolerances ? model::farthest_off_mm(*job.tolerances) : 0.0);
+}
+
 Settings choose_settings(const Job& job, const model::Box3& surface,
                          std::size_t memory_limit_bytes) {
   Settings settings;
@@ -174,12 +179,18 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
           " fail nothing; those of a tenth of that and more are listed",
       job.travel_mm ? "travel limits: as the job states them, for the tool tip in the job's frame"
                     : "travel limits: none stated, none checked",
-      job.near_miss_mm > 0
-          ? "near misses: rapids, shanks and holders within " + model::shortest(job.near_miss_mm) +
-                " mm of stock or fixtures are listed and do not fail a stage"
+      near_miss_mm(job) > 0
+          ? "near misses: rapids, shanks and holders within " + model::shortest(near_miss_mm(job)) +
+                " mm of stock or fixtures are listed and do not fail a stage" +
+                (near_miss_mm(job) > job.near_miss_mm ? ": so far the tolerances may move a tool"
+                                                      : "")
           : "near misses: no clearance stated, not looked for",
   };
   said.insert(said.end(), always.begin(), always.end());
+  if (job.tolerances && job.design)
+    said.push_back(
+        "tolerances: gouge and uncut are certified and judged for all their values together; reach, "
+        "coverage, maps and findings, and the simulated stock are of the stated tools and zero");
   const auto is_program = [](const JobStage& stage) { return !stage.plan.has_value(); };
   if (std::any_of(job.stages.begin(), job.stages.end(), is_program))
     said.push_back("programs are read by the habits of control " +

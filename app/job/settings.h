@@ -38,6 +38,9 @@ double chord_error_mm(double resolution_mm);
 /// uncut limit where it has one, else its tolerance.
 double rest_threshold_mm(const JobStage& stage);
 
+/// Within what near misses are looked for: as stated, and no less than tolerances may move a tool.
+double near_miss_mm(const Job& job);
+
 /// `memory_limit_bytes` is model::memory_limit_bytes() as it was when the run began: what the run
 /// may take at its peak.
 Settings choose_settings(const Job& job, const model::Box3& surface,

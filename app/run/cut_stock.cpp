@@ -20,7 +20,7 @@ void follow_process(const Job& job, const RunInputs& inputs, const JobStage& ask
                     reports::StageResult::Ran& ran) {
   simulator::ProcessLimits limits;
   limits.tolerance_mm = inputs.settings.contact_tolerance_mm;
-  limits.near_miss_mm = job.near_miss_mm;
+  limits.near_miss_mm = near_miss_mm(job);
   limits.travel_mm = job.travel_mm;
   limits.fixtures = inputs.fixtures;
   ran.process = check_process(stock.stock, pass, limits,

@@ -125,6 +125,7 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
   result.version = LIMITGAUGE_VERSION;
   result.threads = options.threads;
   result.raw_stock = job.stock;
+  result.tolerances = job.tolerances;
   result.assumptions = assumptions(job, inputs.settings);
   add_design(job, inputs, result);
   add_start(inputs, result);

@@ -13,6 +13,8 @@ inline verifier::StageCheck stage_check(const Job& job, const RunInputs& inputs,
   check.allowance_mm = job.stages[index].allowance_mm;
   check.limits = job.stages[index].limits;
   check.resolution_mm = inputs.settings.resolution_mm[index];
+  check.tolerances = job.tolerances;
+  check.finds_margin = job.finds_margin;
   return check;
 }
 

@@ -268,6 +268,34 @@ model::Vec3 TomlTable::shift_mm(std::string_view key) const {
   return value_mm;
 }
 
+model::Interval TomlTable::tolerance_mm(std::string_view key, const toml::node& found) const {
+  constexpr const char* kExpected = "a number that is not negative (0.005 is ±0.005), or [low, high]";
+  if (const auto half = finite_number(found)) {
+    if (*half < 0 || !model::is_near(*half)) refuse(key, "has " + shown(*half) + " mm", kExpected);
+    return {-*half, *half};
+  }
+  const toml::array* list = found.as_array();
+  if (list != nullptr && list->size() == 2) {
+    const auto low = finite_number(*list->get(0)), high = finite_number(*list->get(1));
+    if (low && high && *low <= *high && model::is_near(*low) && model::is_near(*high))
+      return {*low, *high};
+  }
+  refuse(key, "has " + shown_value(found), kExpected);
+}
+
+model::Interval TomlTable::tolerance_mm(std::string_view key) const {
+  return tolerance_mm(key, node(key));
+}
+
+std::array<model::Interval, 3> TomlTable::tolerances_mm(std::string_view key) const {
+  const toml::array* list = node(key).as_array();
+  if (list == nullptr || list->size() != 3)
+    refuse(key, "is " + shown_value(node(key)), "an entry for each axis, as [0.005, 0.005, 0.005]");
+  std::array<model::Interval, 3> out;
+  for (std::size_t axis = 0; axis < 3; ++axis) out[axis] = tolerance_mm(key, *list->get(axis));
+  return out;
+}
+
 const toml::table& TomlTable::table(std::string_view key) const {
   const toml::node& found = node(key);
   if (!found.is_table()) refuse(key, "is " + typed(found), "a table");

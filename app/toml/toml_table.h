@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <array>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "model/base/error.h"
+#include "model/geometry/interval.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::app {
@@ -70,12 +72,17 @@ class TomlTable {
   model::Vec3 position(std::string_view key) const;  ///< within model::kFarthestMm of zero
   /// How far something is moved: by 1 km at most, since it may have lain as far off.
   model::Vec3 shift_mm(std::string_view key) const;
+  /// What a figure may be off by: `h` is ±h, `[low, high]` a range; within model::kFarthestMm.
+  model::Interval tolerance_mm(std::string_view key) const;
+  /// The same for each axis, `[x, y, z]`.
+  std::array<model::Interval, 3> tolerances_mm(std::string_view key) const;
   const toml::table& table(std::string_view key) const;
   /// The tables of `[[key]]`.
   std::vector<const toml::table*> tables(std::string_view key) const;
 
  private:
   const toml::node& node(std::string_view key) const;
+  model::Interval tolerance_mm(std::string_view key, const toml::node& found) const;
   [[noreturn]] void refuse(std::string_view key, const std::string& wrong,
                            const std::string& expected) const;
 

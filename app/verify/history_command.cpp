@@ -40,13 +40,14 @@ void require_names(const history::History& history, const HistoryCommand& comman
     require_known(command.file, "metric", one, metrics);
 }
 
-history::Query query_of(const HistoryCommand& command, const history_report::Choice& choice) {
+history::Query query_of(const history::History& history, const HistoryCommand& command,
+                        const history_report::Choice& choice) {
   history::Query query;
   if (!command.job.empty()) query.job = command.job;
   query.since = command.since;
   query.last = static_cast<std::size_t>(command.last);
   query.stages = choice.stages;
-  query.metrics = history_report::metrics_to_read(choice);
+  query.metrics = history_report::metrics_to_read(choice, history.series());
   return query;
 }
 
@@ -56,7 +57,7 @@ history_report::Overview overview_of(const history::History& history,
   overview.file = command.file.filename().string();
   overview.version = LIMITGAUGE_VERSION;
   overview.choice = {command.stages, command.metrics};
-  const history::Query query = query_of(command, overview.choice);
+  const history::Query query = query_of(history, command, overview.choice);
   overview.found = history.count(query);
   overview.jobs = history_report::job_histories(history.runs(query), overview.choice);
   return overview;

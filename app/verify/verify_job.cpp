@@ -12,6 +12,7 @@
 #include "app/job/job_reader.h"
 #include "app/job/program_parts.h"
 #include "app/run/gate_limits.h"
+#include "app/verify/tolerance_option.h"
 #include "model/base/error.h"
 #include "model/base/text_file.h"
 
@@ -80,6 +81,17 @@ std::vector<JobTool> tools_of(const CutCommand& command) {
     tools.push_back(std::move(tool));
   }
   return tools;
+}
+
+/// Two cutters of one shape are each off by figures of their own.
+void tell_apart(std::vector<JobTool>& tools) {
+  const std::vector<JobTool> stated = tools;
+  for (JobTool& tool : tools) {
+    const auto same = std::count_if(stated.begin(), stated.end(), [&](const JobTool& other) {
+      return other.cutter.id == tool.cutter.id;
+    });
+    if (same > 1) tool.cutter.id = std::to_string(*tool.number) + "=" + tool.cutter.id;
+  }
 }
 
 /// Diameters are the cutters'; lengths come from the tool table, where there is one.
@@ -222,7 +234,11 @@ Job job_of(const CutCommand& command) {
   job.near_miss_mm = command.near_miss_mm;
   for (const std::filesystem::path& file : command.fixtures)
     job.fixtures.push_back(fixture_of(file));
-  const std::vector<JobTool> tools = tools_of(command);
+  std::vector<JobTool> tools = tools_of(command);
+  if (!command.tolerances.empty()) {
+    tell_apart(tools);
+    job.tolerances = tolerances_of(command.tolerances, tools);
+  }
   job.machine = machine_of(command.machine);
   if (const std::filesystem::path& table = command.machine.tool_table; !table.empty())
     job.sources.push_back({JobFile::Role::tool_table, table, table.string()});
@@ -326,6 +342,9 @@ void apply_verify_overrides(Job& job, std::span<const std::string> overrides) {
   JobContext context;  // what it gathers of defaults concerns job files
   if (root.has("machine") || root.has("program_frame")) read_machine(root, job, context);
   read_settings(root, job);
+  std::vector<model::Cutter> cutters;
+  for (const JobStage& stage : job.stages) cutters.push_back(stage.cutter);
+  read_tolerances(root, cutters, job);
   const std::vector<const toml::table*> stages = root.tables("stage");
   for (std::size_t i = 0; i < stages.size(); ++i)
     read_stage(*stages[i], command, job.design.has_value(), job.stages.at(i), job.part_lengths);

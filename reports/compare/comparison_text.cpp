@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/compare/noise.h"
 #include "reports/run/process.h"
 #include "reports/text/interval_text.h"
 
@@ -41,6 +42,15 @@ FigureText length_cells(const FigureChange& change) {
           interval_or_number(change.now, unit, change.now_limit),
           moved == 0 ? "0" : signed_text(moved, measured_number(std::abs(moved), unit) + symbol),
           change.floor ? stated_number(*change.floor, unit) + symbol : ""};
+}
+
+/// From what is proven to what is refuted; the change is that of what is proven.
+FigureText margin_cells(const FigureChange& change) {
+  const LengthUnit plain{1, ""};
+  const double moved = change.now.low - change.base.low;
+  return {interval_numbers(change.base, plain), interval_numbers(change.now, plain),
+          moved == 0 ? "0" : signed_text(moved, three_digits(std::abs(moved))),
+          change.floor ? three_digits(*change.floor) : ""};
 }
 
 FigureText share_cells(const FigureChange& change) {
@@ -115,6 +125,7 @@ std::string kind_text(const std::string& kind) {
 FigureText figure_text(const FigureChange& change) {
   const bool is_length = change.metric->unit == "mm";
   if (is_length && change.metric->source != record::Source::planned) return length_cells(change);
+  if (is_margin(*change.metric)) return margin_cells(change);
   return change.metric->id == "coverage" ? share_cells(change) : plain_cells(change);
 }
 

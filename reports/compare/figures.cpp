@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/compare/comparison_text.h"
 #include "reports/compare/noise.h"
 #include "reports/text/text.h"
 
@@ -68,6 +69,16 @@ void judge_certified(FigureChange& change, const StageMeasures& base, const Stag
   }
 }
 
+void judge_margin(FigureChange& change, const Fineness& fineness) {
+  change.judgement = judge_figure(*change.metric, change.base, change.now, fineness);
+  if (change.judgement == Judgement::worse)
+    change.why = "proved: what the new run refutes was proven before";
+  else if (change.judgement == Judgement::better)
+    change.why = "proved: what the new run proves was refuted before";
+  else
+    change.why = "the intervals from proven to refuted meet, or lie within a thousandth";
+}
+
 std::string why_measured(const FigureChange& change) {
   const std::string_view id = change.metric->id;
   const std::string where = change.judgement == Judgement::same ? "within " : "beyond ";
@@ -105,7 +116,8 @@ void judge(FigureChange& change, const StageMeasures& base, const StageMeasures&
   } else if (metric.source == Source::planned) {
     judge_time(change, options);
   } else {
-    change.floor = noise_floor(metric, change.base.high, fineness);
+    change.floor = noise_floor(metric, record::promised(metric, change.base), fineness);
+    if (is_margin(metric)) return judge_margin(change, fineness);
     if (metric.source == Source::certified) return judge_certified(change, base, now, fineness);
     change.judgement = judge_figure(metric, change.base, change.now, fineness);
     change.why = why_measured(change);
@@ -124,15 +136,41 @@ std::optional<FoundPlace> deepest(const FigureChange& change,
   }));
 }
 
-/// Of a figure of the design; none where there is no design.
+/// Of a figure of the design; none where there is no design, and none of figures over tolerances:
+/// findings are those of the stated values.
 std::vector<record::Place> places_of(const Metric& metric, const StageMeasures& stage) {
   if (!stage.deviation) return {};
   const DeviationMeasures& measures = *stage.deviation;
   if (metric.id == "gouge_mm") return measures.gouges;
-  return metric.id == "missing_stock_mm" ? measures.missing_stock : measures.uncuts;
+  if (metric.id == "uncut_mm") return measures.uncuts;
+  return metric.id == "missing_stock_mm" ? measures.missing_stock : std::vector<record::Place>{};
+}
+
+/// "tolerance margin ([1.07, 1.08])"
+std::string lone_words(const Metric& metric, const Interval& figure) {
+  FigureChange alone;
+  alone.metric = &metric;
+  alone.base = alone.now = figure;
+  return std::string(metric.label) + " (" + figure_text(alone).now + ")";
 }
 
 }  // namespace
+
+std::vector<Remark> tell_lone_figures(const StageMeasures& base, const StageMeasures& now) {
+  std::string of_base, of_now;
+  for (const Metric& metric : record::stage_metrics()) {
+    const std::optional<Interval> was = metric.of(base), is = metric.of(now);
+    if (was.has_value() == is.has_value()) continue;
+    std::string& words = was ? of_base : of_now;
+    words += (words.empty() ? "" : ", ") + lone_words(metric, was ? *was : *is);
+  }
+  std::vector<Remark> out;
+  if (!of_base.empty())
+    out.push_back({"figure", Judgement::not_judged, "only the base run has " + of_base});
+  if (!of_now.empty())
+    out.push_back({"figure", Judgement::not_judged, "only the new run has " + of_now});
+  return out;
+}
 
 std::vector<FigureChange> compare_figures(const StageMeasures& base, const StageMeasures& now,
                                           const Options& options) {

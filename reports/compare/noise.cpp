@@ -22,6 +22,10 @@ constexpr double kPlannedFloor = 0.001;
 /// a tenth of it.
 constexpr double kSampleShare = 0.1;
 
+/// The search for a margin ends where what is proven and what is refuted are that near to each
+/// other, as a share of them.
+constexpr double kMarginFloor = 0.001;
+
 Judgement by_floor(double harm, double floor) {
   if (harm > floor) return Judgement::worse;
   return harm < -floor ? Judgement::better : Judgement::same;
@@ -43,6 +47,10 @@ double badness(const Metric& metric, double value) {
 
 }  // namespace
 
+bool is_margin(const Metric& metric) {
+  return metric.source == Source::certified && metric.better == Better::higher;
+}
+
 bool wholly_above(const Interval& a, const Interval& b) {
   return a.low > b.high + kSameLength_mm;
 }
@@ -60,11 +68,25 @@ double sample_floor_mm(const Fineness& fineness) {
 
 double noise_floor(const Metric& metric, double base, const Fineness& fineness) {
   if (metric.source == Source::planned) return kPlannedFloor * std::abs(base);
+  if (is_margin(metric)) return kMarginFloor * std::abs(base);
   if (metric.id == "coverage") return kCoverageFloor;
   if (metric.id.starts_with("voxel_")) return std::max(fineness.voxel_mm, kSameLength_mm);
   if (metric.source == Source::certified) return std::max(fineness.resolution_mm, kSameLength_mm);
   return sample_floor_mm(fineness);
 }
+
+namespace {
+
+/// What lies between proven and refuted is not known, so that margins whose intervals meet may be
+/// alike. Neither width nor end says more: where nothing is refuted the end is only that of the
+/// search.
+Judgement judge_margin(const Interval& base, const Interval& now, double floor) {
+  if (now.high < base.low && base.low - now.low > floor) return Judgement::worse;
+  if (now.low > base.high && now.low - base.low > floor) return Judgement::better;
+  return Judgement::same;
+}
+
+}  // namespace
 
 /// The truth of either run may lie anywhere in its interval, so bounds alone say little: a change
 /// is one where the intervals do not meet, or where the upper end, which is what a run promises,
@@ -74,12 +96,13 @@ Judgement judge_figure(const Metric& metric, const Interval& base, const Interva
                        const Fineness& fineness) {
   if (metric.better == Better::neither || metric.source == Source::effort)
     return Judgement::not_judged;
+  const double floor = noise_floor(metric, record::promised(metric, base), fineness);
+  if (is_margin(metric)) return judge_margin(base, now, floor);
   if (metric.source == Source::certified) {
     if (wholly_above(now, base)) return Judgement::worse;
     if (wholly_above(base, now)) return Judgement::better;
   }
-  return by_floor(badness(metric, now.high) - badness(metric, base.high),
-                  noise_floor(metric, base.high, fineness));
+  return by_floor(badness(metric, now.high) - badness(metric, base.high), floor);
 }
 
 }  // namespace limitgauge::reports::compare

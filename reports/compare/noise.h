@@ -11,7 +11,7 @@ struct Fineness {
 };
 Fineness fineness_of(const record::StageMeasures& base, const record::StageMeasures& now);
 
-/// Up to where a change of a metric says nothing, in the metric's unit; `base` is its figure
+/// Up to where a change of a metric says nothing, in the metric's unit; `base` is what was promised
 /// before.
 double noise_floor(const record::Metric& metric, double base, const Fineness& fineness);
 
@@ -22,6 +22,9 @@ double sample_floor_mm(const Fineness& fineness);
 /// is better, and for what the running took.
 Judgement judge_figure(const record::Metric& metric, const verifier::Interval& base,
                        const verifier::Interval& now, const Fineness& fineness);
+
+/// Whether the figure is a factor that is proven up to its lower end.
+bool is_margin(const record::Metric& metric);
 
 /// Whether even the least that `a` can be is more than the most that `b` can be.
 bool wholly_above(const verifier::Interval& a, const verifier::Interval& b);

@@ -128,6 +128,11 @@ std::vector<Remark> compare_certificates(const record::DeviationMeasures& base,
               stated_length(now.resolution_mm));
   name_lack(out, "resolution", "resolution was not reached", !base.reached_resolution,
             !now.reached_resolution);
+  const auto lacks = [](const record::DeviationMeasures& m) {
+    return m.robust && !m.robust->reached_resolution;
+  };
+  name_lack(out, "resolution", "resolution was not reached over the tolerances", lacks(base),
+            lacks(now));
   name_lack(out, "findings", "list of findings is not complete", !base.findings_complete,
             !now.findings_complete);
   return out;

@@ -52,19 +52,30 @@ void compare_deviations(const record::DeviationMeasures& base, const record::Dev
 }
 
 /// What the gate holds a certified length or the coverage against.
-std::optional<double> limit_of(const record::Metric& metric, const verifier::GateLimits& limits) {
+std::optional<double> limit_of(const record::Metric& metric, const StageRecord& stage) {
+  const verifier::GateLimits& limits = stage.limits;
+  const bool is_robust = stage.measures->deviation && stage.measures->deviation->robust;
   const auto stated = [](bool has, double value) {
     return has ? std::optional(value) : std::nullopt;
   };
-  if (metric.id == "gouge_mm" || metric.id == "missing_stock_mm")
+  if (metric.id == (is_robust ? "robust_gouge_mm" : "gouge_mm") || metric.id == "missing_stock_mm")
     return stated(limits.has_gouge, limits.gouge_mm);
-  if (metric.id == "uncut_mm") return stated(limits.has_uncut, limits.uncut_mm);
+  if (metric.id == (is_robust ? "robust_uncut_mm" : "uncut_mm"))
+    return stated(limits.has_uncut, limits.uncut_mm);
   if (metric.id == "coverage") return stated(limits.has_coverage, limits.coverage);
   return std::nullopt;
 }
 
-void compare_stages(const StageRecord& base, const StageRecord& now, double reach_mm,
-                    const Options& options, StageComparison& out) {
+/// What stages are compared with, of the runs as a whole.
+struct RunContext {
+  double reach_mm = 0;
+  bool same_tolerances = true;
+  const Options& options;
+};
+
+void compare_stages(const StageRecord& base, const StageRecord& now, const RunContext& run,
+                    StageComparison& out) {
+  const Options& options = run.options;
   if (std::optional<Remark> remark = compare_verdicts("verdict", base.verdict, now.verdict))
     out.remarks.push_back(std::move(*remark));
   add(out.remarks, compare_gates(base.limits, now.limits, options));
@@ -73,15 +84,17 @@ void compare_stages(const StageRecord& base, const StageRecord& now, double reac
   if (base.measures->deviation && now.measures->deviation)
     compare_deviations(*base.measures->deviation, *now.measures->deviation, out);
   add(out.remarks, compare_process_counts(*base.measures, *now.measures, options));
+  add(out.remarks, tell_lone_figures(*base.measures, *now.measures));
   out.figures = compare_figures(*base.measures, *now.measures, options);
+  leave_other_questions(base, now, run.same_tolerances, out.figures);
   for (FigureChange& figure : out.figures) {
-    figure.base_limit = limit_of(*figure.metric, base.limits);
-    figure.now_limit = limit_of(*figure.metric, now.limits);
+    figure.base_limit = limit_of(*figure.metric, base);
+    figure.now_limit = limit_of(*figure.metric, now);
   }
-  compare_findings(base, now, reach_mm, options, out);
+  compare_findings(base, now, run.reach_mm, options, out);
 }
 
-StageComparison compare_pair(const StagePair& pair, double reach_mm, const Options& options) {
+StageComparison compare_pair(const StagePair& pair, const RunContext& run) {
   StageComparison out;
   out.name = (pair.now ? pair.now : pair.base)->name;
   if (pair.base) out.base = pair.base->verdict;
@@ -91,7 +104,7 @@ StageComparison compare_pair(const StagePair& pair, double reach_mm, const Optio
   else if (!pair.base)
     out.remarks.push_back({"stage", Judgement::not_judged, "the base run has no such stage"});
   else
-    compare_stages(*pair.base, *pair.now, reach_mm, options, out);
+    compare_stages(*pair.base, *pair.now, run, out);
   return out;
 }
 
@@ -167,8 +180,10 @@ Comparison compare_runs(const RunRecord& base, const RunRecord& now, const Optio
           compare_verdicts("the run's verdict", base.verdict, now.verdict))
     out.remarks.push_back(std::move(*remark));
   add(out.remarks, compare_heads(base, now));
-  const double reach_mm = kReachShare * std::max(base.diagonal_mm, now.diagonal_mm);
-  for (const StagePair& pair : pairs) out.stages.push_back(compare_pair(pair, reach_mm, options));
+  const std::optional<Remark> box = compare_tolerances(base.tolerances, now.tolerances, options);
+  if (box) out.remarks.push_back(*box);
+  const RunContext run{kReachShare * std::max(base.diagonal_mm, now.diagonal_mm), !box, options};
+  for (const StagePair& pair : pairs) out.stages.push_back(compare_pair(pair, run));
   count(out);
   return out;
 }

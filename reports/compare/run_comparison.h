@@ -22,6 +22,10 @@ void name_runs(Comparison& comparison, const record::RunRecord& base,
 std::vector<FigureChange> compare_figures(const record::StageMeasures& base,
                                           const record::StageMeasures& now, const Options& options);
 
+/// Metrics of a stage that one of the runs alone has.
+std::vector<Remark> tell_lone_figures(const record::StageMeasures& base,
+                                      const record::StageMeasures& now);
+
 /// Findings of gouges, of leftovers and of the process into `out`: matched by place within
 /// `reach_mm`, or within half the diagonal of the larger one's box.
 void compare_findings(const record::StageRecord& base, const record::StageRecord& now,
@@ -35,6 +39,15 @@ std::optional<Remark> compare_verdicts(const std::string& what, verifier::Verdic
 /// figures then do.
 std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifier::GateLimits& now,
                                   const Options& options);
+/// Tolerances taken away or narrowed count as worse, as limits that are loosened: what the gate
+/// judges gives way. Nothing where both runs have the same, or none.
+std::optional<Remark> compare_tolerances(const std::optional<model::Tolerances>& base,
+                                         const std::optional<model::Tolerances>& now,
+                                         const Options& options);
+/// Figures over tolerances of two boxes, and margins of two limits, are answers to two questions:
+/// they are shown and not judged.
+void leave_other_questions(const record::StageRecord& base, const record::StageRecord& now,
+                           bool same_tolerances, std::vector<FigureChange>& figures);
 /// Tool, strategy, allowance and the like: named, for they explain.
 std::vector<Remark> compare_settings(const record::StageRecord& base,
                                      const record::StageRecord& now);

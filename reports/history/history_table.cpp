@@ -57,10 +57,12 @@ void add_heads(const JobHistory& job, std::vector<TextColumn>& columns) {
       column(job, "verdict", false, [](const Run& run) { return run.entry.verdict; }));
 }
 
-/// Those that a line has room for: the whole run's and the last stage's, unless they were chosen.
+/// Those that a line has room for, unless they were chosen: the whole run's and the last stage's,
+/// of tolerances the margin.
 bool is_shown(const JobHistory& job, const Column& one, const Choice& choice) {
-  return !choice.metrics.empty() || !choice.stages.empty() || one.stage.empty() ||
-         one.stage == job.columns.back().stage;
+  if (!choice.metrics.empty()) return true;
+  if (one.metric.starts_with("robust_")) return false;
+  return !choice.stages.empty() || one.stage.empty() || one.stage == job.columns.back().stage;
 }
 
 void add_figures(const JobHistory& job, const Choice& choice, std::vector<TextColumn>& columns) {

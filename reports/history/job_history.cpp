@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reports/compare/noise.h"
+#include "reports/history/run_entry.h"
 
 namespace limitgauge::reports::history_report {
 namespace {
@@ -17,8 +18,13 @@ bool holds(const Names& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Of the tolerances: where there are any, the gate judges these.
+bool is_robust(std::string_view metric) {
+  return metric.starts_with("robust_") || metric == "margin";
+}
+
 bool is_asked(const Choice& choice, const std::string& stage, const std::string& metric) {
-  const bool by_default = metric == "gouge_mm" || metric == "uncut_mm" ||
+  const bool by_default = metric == "gouge_mm" || metric == "uncut_mm" || is_robust(metric) ||
                           // Of all stages together, unless one is looked at.
                           (metric == "machining_time_s" && stage.empty() == choice.stages.empty());
   if (!choice.stages.empty() && !holds(choice.stages, stage)) return false;
@@ -99,11 +105,54 @@ double greatest(const Figures& before, const Figures& now, const std::string& st
   return most;
 }
 
+/// Figures of a run whose names begin so; of another box, those over tolerances say something else.
+Figures tolerances_of(const Figures& figures) {
+  Figures out;
+  for (auto at = figures.lower_bound({"", kToleranceMetric});
+       at != figures.end() && at->first.first.empty() &&
+       at->first.second.starts_with(kToleranceMetric);
+       ++at)
+    out.insert(*at);
+  return out;
+}
+
+bool same_interval(const verifier::Interval& a, const verifier::Interval& b) {
+  return a.low == b.low && a.high == b.high;
+}
+
+bool same_tolerances(const Figures& before, const Figures& now) {
+  const Figures a = tolerances_of(before), b = tolerances_of(now);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.first == y.first && same_interval(x.second, y.second);
+  });
+}
+
+bool same_limits(const Figures& before, const Figures& now, const std::string& stage) {
+  for (const char* metric : {"robust_gouge_limit_mm", "robust_uncut_limit_mm"}) {
+    const auto a = before.find({stage, metric}), b = now.find({stage, metric});
+    if ((a == before.end()) != (b == now.end())) return false;
+    if (a != before.end() && !same_interval(a->second, b->second)) return false;
+  }
+  return true;
+}
+
+/// Figures over other tolerances, and margins of other limits, are not held against each other.
+bool is_same_question(const Column& column, const Figures& before, const Figures& now) {
+  if (!is_robust(column.metric)) return true;
+  return same_tolerances(before, now) &&
+         (column.metric != "margin" || same_limits(before, now, column.stage));
+}
+
+double middle(const Column& column, const verifier::Interval& figure) {
+  const bool is_margin = column.known != nullptr && compare::is_margin(*column.known);
+  return is_margin ? figure.low : (figure.low + figure.high) / 2;
+}
+
 void judge(const Column& column, const Figures& before, const Figures& now,
            const verifier::Interval& earlier, Cell& cell) {
-  const double change = (cell.value->low + cell.value->high) - (earlier.low + earlier.high);
+  const double change = middle(column, *cell.value) - middle(column, earlier);
   cell.direction = change > 0 ? 1 : change < 0 ? -1 : 0;
-  if (column.known == nullptr) return;
+  if (column.known == nullptr || !is_same_question(column, before, now)) return;
   const compare::Fineness fineness{greatest(before, now, column.stage, "resolution_mm"),
                                    greatest(before, now, column.stage, "voxel_mm")};
   cell.judgement = compare::judge_figure(*column.known, earlier, *cell.value, fineness);
@@ -161,10 +210,16 @@ bool JobHistory::changes_meaning() const {
   });
 }
 
-std::vector<std::string> metrics_to_read(const Choice& choice) {
+std::vector<std::string> metrics_to_read(const Choice& choice,
+                                         std::span<const history::Series> series) {
   Names names = {"gouge_mm",
                  "uncut_mm",
+                 "robust_gouge_mm",
+                 "robust_uncut_mm",
+                 "margin",
                  "machining_time_s",
+                 "robust_gouge_limit_mm",
+                 "robust_uncut_limit_mm",
                  "gouge_limit_mm",
                  "uncut_limit_mm",
                  "coverage_limit",
@@ -172,6 +227,8 @@ std::vector<std::string> metrics_to_read(const Choice& choice) {
                  "unreachable_area_limit_mm2",
                  "resolution_mm",
                  "voxel_mm"};
+  for (const history::Series& one : series)
+    if (one.metric.starts_with(kToleranceMetric)) names.push_back(one.metric);
   for (const std::string& metric : choice.metrics)
     if (!holds(names, metric)) names.push_back(metric);
   return names;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "history/entry.h"
+#include "history/history.h"
 #include "reports/compare/comparison.h"
 #include "reports/record/metrics.h"
 #include "verifier/gate/deviation.h"
@@ -13,7 +14,8 @@
 /// Past runs, job by job, as the terminal, the page and the files show them.
 namespace limitgauge::reports::history_report {
 
-/// What is shown; empty: all stages, and of the metrics gouge, uncut and the machining time.
+/// What is shown; empty: all stages, and of the metrics gouge, uncut, those over
+/// tolerances with their margin, and the machining time.
 struct Choice {
   std::vector<std::string> stages, metrics;
 };
@@ -32,7 +34,8 @@ struct Cell {
   std::optional<compare::Judgement> judgement;  ///< empty where there is nothing to judge by
   /// The run before measured something else under this name: nothing is judged.
   bool new_meaning = false;
-  int direction = 0;  ///< +1 where the figure's middle grew, −1 where it fell
+  int direction =
+      0;  ///< +1 where the figure's middle (a margin's proven end) grew, −1 where it fell
 };
 
 struct Run {
@@ -64,8 +67,10 @@ inline constexpr const char* kNewMeaning =
     "\"new meaning\" on (limitgauge.result/2): runs along the normal, no longer distances to the "
     "nearest removed space or material. No trend is drawn across that.";
 
-/// Metrics that must be read for `choice`: limits and what trends are judged by among them.
-std::vector<std::string> metrics_to_read(const Choice& choice);
+/// Metrics of the `series` of a history that must be read for `choice`: limits and what trends are
+/// judged by among them.
+std::vector<std::string> metrics_to_read(const Choice& choice,
+                                         std::span<const history::Series> series);
 
 /// `runs` by job, oldest first as they are.
 std::vector<JobHistory> job_histories(std::span<const history::Entry> runs, const Choice& choice);

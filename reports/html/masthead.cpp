@@ -6,6 +6,7 @@
 #include "reports/html/job/job_sections.h"
 #include "reports/html/markup.h"
 #include "reports/html/stage/stage_parts.h"
+#include "reports/html/tolerance_line.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::html {
@@ -22,12 +23,12 @@ std::string design_text(const SurfaceResult& surface) {
 std::string masthead(const RunResult& result) {
   return fmt::format(
              "<header><p class=\"kind\">Limitgauge · {}</p>"
-             "<h1>{}</h1>\n<div class=\"verdict {}\"><p class=\"word\">{}</p>\n{}{}{}{}</div>\n",
+             "<h1>{}</h1>\n<div class=\"verdict {}\"><p class=\"word\">{}</p>\n{}{}{}{}{}</div>\n",
              result.surface ? "certificate of toolpath verification"
                             : "a program cut without a design",
              escape_markup(result.job), css_class(result.verdict), badge(result.verdict),
              verdict_lines(result), worst_places(result), placeless_reasons(result),
-             notes_list(result)) +
+             notes_list(result), tolerance_line(result)) +
          terms(
              {{"Created", escape_markup(result.created)},
               {"Design surface", result.surface ? design_text(*result.surface)

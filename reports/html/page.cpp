@@ -5,6 +5,7 @@
 #include "reports/html/masthead.h"
 #include "reports/html/shell.h"
 #include "reports/html/stage/stage_parts.h"
+#include "reports/html/tolerance_line.h"
 #include "reports/page/page_data.h"
 #include "reports/run/report.h"
 #include "reports/text/embedded.h"
@@ -15,8 +16,9 @@ namespace {
 using namespace html;
 
 std::string head(const RunResult& result) {
+  const std::string css = std::string(embedded::script_css()).append(tolerance_style(result));
   return shell_head(result.job + ": " + word(result.verdict),
-                    {embedded::report_js(), embedded::report_js_sha256(), embedded::script_css()});
+                    {embedded::report_js(), embedded::report_js_sha256(), css});
 }
 
 /// Where the page's script shows the part; without it the maps of the stages say the same.

@@ -70,8 +70,9 @@ Json phases_part(const verifier::StageDeviation::Phases& p) {
 
 }  // namespace
 
-Json deviation_part(const RunResult& result, const verifier::StageDeviation& d) {
-  return {
+Json deviation_part(const RunResult& result, const verifier::StageDeviation& d,
+                    const verifier::GateLimits& limits) {
+  Json out = {
       {"gouge_mm", interval("deviation.gouge_mm", d.gouge_mm)},
       {"uncut_mm", interval("deviation.uncut_mm", d.uncut_mm)},
       {"missing_stock_mm", interval("deviation.missing_stock_mm", d.missing_stock_mm)},
@@ -110,6 +111,8 @@ Json deviation_part(const RunResult& result, const verifier::StageDeviation& d) 
       {"uncuts", findings(result, d.uncuts)},
       {"missing_stocks", findings(result, d.missing_stock)},
       {"uncertainty", budget_part(d.budget)}};
+  if (d.robust) out["robust"] = robust_part(result, *d.robust, limits);
+  return out;
 }
 
 }  // namespace limitgauge::reports::json

@@ -27,6 +27,14 @@ Json toolpath_part(const StageResult::Ran& r);
 Json simulation_part(const StageResult::Ran& r);
 
 /// What was measured of a stage: "deviation".
-Json deviation_part(const RunResult& result, const verifier::StageDeviation& d);
+Json deviation_part(const RunResult& result, const verifier::StageDeviation& d,
+                    const verifier::GateLimits& limits);
+
+/// What is certified over tolerances: "robust" of a stage.
+Json robust_part(const RunResult& result, const verifier::RobustDeviation& robust,
+                 const verifier::GateLimits& limits);
+
+/// "tolerances", as they were stated.
+Json tolerances_part(const model::Tolerances& tolerances);
 
 }  // namespace limitgauge::reports::json

@@ -77,7 +77,7 @@ Json stage_part(const RunResult& result, std::size_t index) {
     out["toolpath"] = toolpath_part(*s.ran);
     out["program_lines"] = named_program_lines(result, index, {});
     out["simulation"] = simulation_part(*s.ran);
-    if (s.ran->deviation) out["deviation"] = deviation_part(result, *s.ran->deviation);
+    if (s.ran->deviation) out["deviation"] = deviation_part(result, *s.ran->deviation, s.limits);
   }
   out["seconds"] = finite("stage.seconds", s.seconds);
   return out;

@@ -163,6 +163,18 @@ std::vector<JsonValue> JsonValue::items(const std::string& key) const {
   return list ? list->items() : std::vector<JsonValue>{};
 }
 
+std::vector<std::pair<std::string, JsonValue>> JsonValue::members() const {
+  if (!json_->is_object()) refuse(kind(), "an object");
+  std::vector<std::pair<std::string, JsonValue>> out;
+  for (const auto& [key, value] : json_->items())
+    out.emplace_back(key, JsonValue(value, shown_, path_.empty() ? key : path_ + "." + key));
+  return out;
+}
+
+bool JsonValue::is_null() const {
+  return json_->is_null();
+}
+
 double JsonValue::number() const {
   if (!json_->is_number()) refuse(kind(), "a number");
   return json_->get<double>();
@@ -200,6 +212,14 @@ std::string JsonValue::text() const {
 verifier::Interval JsonValue::interval() const {
   const verifier::Interval out{(*this)["low"].length(), (*this)["high"].length()};
   if (out.low > out.high) refuse("has its low above its high", "an interval");
+  return out;
+}
+
+verifier::Interval JsonValue::range() const {
+  const std::vector<JsonValue> ends = items();
+  if (ends.size() != 2) refuse("has not two entries", "lower and upper end");
+  const verifier::Interval out{ends[0].number(), ends[1].number()};
+  if (out.low > out.high) refuse("has its lower end above its upper", "a range");
   return out;
 }
 

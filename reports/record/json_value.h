@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -28,6 +29,10 @@ class JsonValue {
   std::vector<JsonValue> items() const;                         ///< of a list
   std::vector<JsonValue> items(const std::string& key) const;   ///< none where it is absent
 
+  /// Of an object: names and values, in the order of the names.
+  std::vector<std::pair<std::string, JsonValue>> members() const;
+  bool is_null() const;
+
   double number() const;
   double length() const;  ///< zero or more
   double share() const;   ///< 0 to 1
@@ -35,6 +40,7 @@ class JsonValue {
   bool flag() const;
   std::string text() const;
   verifier::Interval interval() const;  ///< of an object with low and high
+  verifier::Interval range() const;     ///< of a list of two, which may lie below zero
   model::Vec3 point() const;            ///< of a list of three
 
   [[noreturn]] void refuse(const std::string& wrong, const std::string& expected) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "verifier/robust/tolerance_margin.h"
+
 namespace limitgauge::reports::record {
 namespace {
 
@@ -26,13 +28,29 @@ Figure certified(const StageMeasures& m) {
   return m.deviation ? Figure(*m.deviation.*Member) : std::nullopt;
 }
 
+template <Interval RobustMeasures::*Member>
+Figure robust(const StageMeasures& m) {
+  if (!m.deviation || !m.deviation->robust) return std::nullopt;
+  return *m.deviation->robust.*Member;
+}
+Figure margin(const StageMeasures& m) {
+  if (!m.deviation || !m.deviation->robust || !m.deviation->robust->margin) return std::nullopt;
+  return margin_interval(*m.deviation->robust->margin);
+}
+
 using M = StageMeasures;
 using D = DeviationMeasures;
+using R = RobustMeasures;
 constexpr std::array kMetrics = {
     Metric{"gouge_mm", "gouge", "mm", Better::lower, Source::certified, certified<&D::gouge_mm>},
     Metric{"uncut_mm", "uncut", "mm", Better::lower, Source::certified, certified<&D::uncut_mm>},
     Metric{"missing_stock_mm", "missing stock", "mm", Better::lower, Source::certified,
            certified<&D::missing_stock_mm>},
+    Metric{"robust_gouge_mm", "gouge over tolerances", "mm", Better::lower, Source::certified,
+           robust<&R::gouge_mm>},
+    Metric{"robust_uncut_mm", "uncut over tolerances", "mm", Better::lower, Source::certified,
+           robust<&R::uncut_mm>},
+    Metric{"margin", "tolerance margin", "", Better::higher, Source::certified, margin},
     Metric{"coverage", "coverage", "", Better::higher, Source::measured, sampled<&D::coverage>},
     Metric{"mean_mm", "mean deviation", "mm", Better::neither, Source::measured,
            sampled<&D::mean_mm>},
@@ -90,11 +108,28 @@ const char* name(Source source) {
   return "effort";
 }
 
+double promised(const Metric& metric, const Interval& figure) {
+  return metric.better == Better::higher ? figure.low : figure.high;
+}
+
+Interval margin_interval(const verifier::ToleranceMargin& margin) {
+  const double proven = margin.proven.value_or(0);
+  return {proven, margin.refuted.value_or(std::max(proven, verifier::kLargestFactor))};
+}
+
 double machining_time_s(const RunRecord& run) {
   double sum = 0;
   for (const StageRecord& stage : run.stages)
     if (stage.measures) sum += stage.measures->machining_time_s;
   return sum;
+}
+
+const Interval& judged_gouge_mm(const DeviationMeasures& measures) {
+  return measures.robust ? measures.robust->gouge_mm : measures.gouge_mm;
+}
+
+const Interval& judged_uncut_mm(const DeviationMeasures& measures) {
+  return measures.robust ? measures.robust->uncut_mm : measures.uncut_mm;
 }
 
 Interval unreachable_figure(const DeviationMeasures& measures, bool is_share) {

@@ -32,12 +32,17 @@ struct Metric {
   Better better = Better::neither;
   Source source = Source::measured;
   /// The figure, as an interval of no width where it is no certified one; empty where it is of a
-  /// design and the stage was measured against none.
+  /// design and the stage was measured against none, or of tolerances and none were stated.
   std::optional<verifier::Interval> (*of)(const StageMeasures&) = nullptr;
 };
 
 /// All of them, in the order in which reports list them: certified ones first.
 std::span<const Metric> stage_metrics();
+/// The end of the figure that a run promises: `high`, or `low` of what is better the higher it is.
+double promised(const Metric& metric, const verifier::Interval& figure);
+/// From the factor that is proven to the one that is refuted: the truth lies between. Where none is
+/// proven it begins at 0; where none is refuted it ends with the largest that is tried.
+verifier::Interval margin_interval(const verifier::ToleranceMargin& margin);
 /// Nothing where there is no such metric.
 const Metric* find_metric(std::string_view id);
 

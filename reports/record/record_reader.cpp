@@ -106,6 +106,8 @@ DeviationMeasures read_deviation(const JsonValue& deviation, const std::string& 
   out.gouges = read_places(deviation["gouges"].items(), name, texts);
   out.uncuts = read_places(deviation["uncuts"].items(), name, texts);
   if (schema > 1) read_reach(deviation, name, texts, out);
+  if (const std::optional<JsonValue> robust = deviation.find("robust"))
+    out.robust = read_robust(*robust);
   return out;
 }
 
@@ -228,6 +230,8 @@ RunRecord read_result_json(std::istream& in, const std::string& shown) {
   const LineTexts texts = line_texts(stages);
   for (const JsonValue& stage : stages)
     out.stages.push_back(read_stage(stage, {out.schema, surface.has_value(), texts}));
+  if (const std::optional<JsonValue> tolerances = root.find("tolerances"))
+    out.tolerances = read_tolerances(*tolerances);
   if (!surface) out.diagonal_mm = stock_diagonal_mm(root["stock"]);
   return out;
 }

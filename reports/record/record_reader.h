@@ -30,6 +30,11 @@ StageRecord read_stage(const JsonValue& stage, const StageContext& run);
 /// `pass`, `fail`, `indeterminate` or `not_run`.
 verifier::Verdict read_verdict(const JsonValue& value);
 
+/// `robust` of a stage's `deviation`.
+RobustMeasures read_robust(const JsonValue& robust);
+/// `tolerances` of a run.
+model::Tolerances read_tolerances(const JsonValue& tolerances);
+
 /// The places of `gouges`, `uncuts` or `missing_stocks` of the stage `name`.
 std::vector<Place> read_places(const std::vector<JsonValue>& findings, const std::string& name,
                                const LineTexts& texts);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/geometry/vec3.h"
+#include "model/part/tolerances.h"
 #include "verifier/gate/deviation.h"
 
 /// Results as they are read back from result.json: the one way in which compare, history and study
@@ -43,6 +44,15 @@ struct ProcessCount {
   std::size_t count = 0;
 };
 
+/// Figures over every value of the tolerances.
+struct RobustMeasures {
+  verifier::Interval gouge_mm, uncut_mm;  ///< certified
+  bool reached_resolution = true;         ///< of both
+  /// By what factor all tolerances may grow together; none where no gate limits either figure, or
+  /// where it was not looked for.
+  std::optional<verifier::ToleranceMargin> margin;
+};
+
 /// What was measured of a stage against the design; units as in the names of result.json.
 struct DeviationMeasures {
   verifier::Interval gouge_mm, uncut_mm;  ///< certified
@@ -63,6 +73,7 @@ struct DeviationMeasures {
   /// Depth from which a place is a finding: the gate's limit, or half of `low` without one.
   double gouge_threshold_mm = 0, uncut_threshold_mm = 0;
   std::vector<Place> gouges, uncuts, missing_stock;
+  std::optional<RobustMeasures> robust;  ///< of a run with tolerances
 };
 
 /// What was found of a stage that was run; units as in the names of result.json.
@@ -77,6 +88,9 @@ struct StageMeasures {
   std::size_t peak_memory_bytes = 0;
 };
 
+/// What the gates of gouge and uncut judge: the figure over tolerances, where there is one.
+const verifier::Interval& judged_gouge_mm(const DeviationMeasures& measures);
+const verifier::Interval& judged_uncut_mm(const DeviationMeasures& measures);
 /// The figure that the gate `unreachable` judges: a share of the surface or mm².
 verifier::Interval unreachable_figure(const DeviationMeasures& measures, bool is_share);
 
@@ -107,6 +121,7 @@ struct RunRecord {
   std::optional<std::string> cage;  ///< as the job states it; empty for a run without a design
   /// Of the limit surface's box; of the raw stock's for a run without a design.
   double diagonal_mm = 0;
+  std::optional<model::Tolerances> tolerances;  ///< where the run states some
   std::vector<StageRecord> stages;
 };
 

@@ -38,6 +38,16 @@ Significance significance_of(const Side& side, std::size_t i) {
   }
 }
 
+/// " with zero.z -0.005 mm, tool.ball3.radius +0.01 mm".
+std::string values_text(const std::vector<verifier::NamedLength>& values) {
+  std::string text;
+  for (const verifier::NamedLength& value : values)
+    if (value.mm != 0)
+      text += (text.empty() ? " with " : ", ") + value.name + (value.mm > 0 ? " +" : " ") +
+              model::six_digits(value.mm) + " mm";
+  return text;
+}
+
 std::string words_of(const Side& side, const verifier::Finding& f) {
   if (side.letter == 'M') return "raw stock does not cover the surface";
   if (side.letter == 'G') return "gouge by the " + f.body;
@@ -57,6 +67,26 @@ ListedFinding listed(const Side& side, std::size_t i, std::size_t stage) {
   out.body = f.body, out.words = words_of(side, f);
   out.passes = f.passes;
   out.about = f.extent_mm.empty() ? f.place.point : (f.extent_mm.low + f.extent_mm.high) / 2.0;
+  return out;
+}
+
+/// The worst place of a figure over tolerances: what happens there for which values.
+ListedFinding listed(const Side& side, const verifier::RobustFigure& figure, std::size_t stage) {
+  ListedFinding out;
+  out.id = std::string(1, side.letter) + "T";
+  out.kind = side.kind;
+  if (side.has_limit) {
+    const Standing standing = standing_of(figure.figure_mm, side.limit_mm);
+    out.significance = standing == Standing::beyond      ? Significance::fails
+                       : standing == Standing::undecided ? Significance::undecided
+                                                         : Significance::within;
+  }
+  out.stage = stage, out.program_stage = figure.line > 0 ? figure.stage : stage;
+  out.line = figure.line, out.move = figure.move;
+  out.depth_mm = figure.figure_mm.low, out.body = figure.body;
+  out.place = figure.place, out.point = out.about = figure.place->point;
+  out.words = (side.letter == 'G' ? "gouge by the " + figure.body : "material left standing") +
+              values_text(figure.at);
   return out;
 }
 
@@ -90,6 +120,19 @@ ListedFinding listed(const simulator::FindingGroup& g, std::size_t i, std::size_
 
 namespace {
 
+/// Where tolerances are stated they come first: they decide.
+void add_tolerated(const verifier::StageDeviation& d, const verifier::GateLimits& l,
+                   std::size_t stage, std::vector<ListedFinding>& out) {
+  if (!d.robust) return;
+  const verifier::RobustFigure &gouge = d.robust->gouge, &uncut = d.robust->uncut;
+  if (gouge.place)
+    out.push_back(listed({"gouge", 'G', d.gouges, gouge.figure_mm, l.has_gouge, l.gouge_mm}, gouge,
+                         stage));
+  if (uncut.place)
+    out.push_back(listed({"uncut", 'U', d.uncuts, uncut.figure_mm, l.has_uncut, l.uncut_mm}, uncut,
+                         stage));
+}
+
 void add_sides(const verifier::StageDeviation& d, const verifier::GateLimits& l, std::size_t stage,
                std::vector<ListedFinding>& out) {
   for (const Side& side :
@@ -105,6 +148,7 @@ std::vector<ListedFinding> list_findings(const RunResult& result, std::size_t in
   std::vector<ListedFinding> out;
   const StageResult& stage = result.stages[index];
   if (!stage.ran) return out;
+  if (stage.ran->deviation) add_tolerated(*stage.ran->deviation, stage.limits, index, out);
   if (stage.ran->deviation) add_sides(*stage.ran->deviation, stage.limits, index, out);
   const std::vector<simulator::FindingGroup> groups = worst_first(stage.ran->process);
   for (std::size_t i = 0; i < groups.size(); ++i)

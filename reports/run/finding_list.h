@@ -21,7 +21,8 @@ enum class Significance {
 /// One finding of a stage, of whatever instrument: a gouge, a leftover, or a run of moves with the
 /// same process finding.
 struct ListedFinding {
-  std::string id;  ///< as the page numbers it: "G1", "U3", "M1", "P2"
+  /// As the page numbers it: "G1", "U3", "M1", "P2"; "GT", "UT" the worst over tolerances.
+  std::string id;
   std::string
       kind;  ///< "gouge", "uncut", "missing_stock", or a process finding's name in result.json
   Significance significance = Significance::informs;

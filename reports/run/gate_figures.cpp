@@ -88,12 +88,19 @@ void add_reach(const verifier::StageDeviation& d, const verifier::GateLimits& l,
     out.push_back(length_figure("missing stock", d.missing_stock_mm, l.has_gouge, l.gouge_mm));
 }
 
+/// The figures without tolerances, beside those that the gate judges.
+void add_stated(const verifier::StageDeviation& d, std::vector<GateFigure>& out) {
+  out.push_back(length_figure("gouge as stated", d.gouge_mm, false, 0));
+  out.push_back(length_figure("uncut as stated", d.uncut_mm, false, 0));
+}
+
 /// Figures of what is measured against a design.
 void add_deviation(const verifier::StageDeviation& d, const verifier::GateLimits& l,
                    std::vector<GateFigure>& out) {
-  out = {length_figure("gouge", d.gouge_mm, l.has_gouge, l.gouge_mm),
-         length_figure("uncut", d.uncut_mm, l.has_uncut, l.uncut_mm),
+  out = {length_figure("gouge", judged_gouge_mm(d), l.has_gouge, l.gouge_mm),
+         length_figure("uncut", judged_uncut_mm(d), l.has_uncut, l.uncut_mm),
          coverage_figure(d.coverage, l)};
+  if (d.robust) add_stated(d, out);
   add_reach(d, l, out);
 }
 

@@ -21,7 +21,9 @@ enum class Standing {
 /// One figure of the gate: what JUnit, the page and the terminal show of it.
 struct GateFigure {
   /// "gouge", "uncut", "coverage", "unreachable", "unavoidable uncut", "missing stock", "rapid
-  /// collisions", "holder collisions", "process faults" (all others).
+  /// collisions", "holder collisions", "process faults" (all others). Where tolerances are stated,
+  /// gouge and uncut are those over all their values, and "gouge as stated", "uncut as stated"
+  /// those without.
   std::string name;
   Standing standing = Standing::not_run;
   std::string measured;       ///< "[0.076, 0.41] µm"; empty when the stage was not run

@@ -11,6 +11,7 @@
 #include "model/gcode/program_path.h"
 #include "model/part/cage.h"
 #include "model/part/machine_setup.h"
+#include "model/part/tolerances.h"
 #include "reports/page/path_view.h"
 #include "reports/page/stock_view.h"
 #include "reports/run/published.h"
@@ -134,6 +135,8 @@ struct RunResult {
   model::RigidPlacement program_frame;   ///< programs' work frame in the cage's
   model::MachineSetup machine;           ///< what programs were told of the machine
   std::optional<model::ProgramStart> program_start;  ///< where a stage is a program
+  /// What is not known of tools and zero; empty: they are taken as stated.
+  std::optional<model::Tolerances> tolerances;
   std::vector<StageResult> stages;
   std::vector<std::string>
       assumptions;  ///< stated in the report: straight rapids, start unknown, ...

@@ -11,7 +11,8 @@ std::string_view result_schema();
 std::string_view study_schema();
 std::string_view probe_schema();
 std::string_view report_css();
-std::string_view probe_css();  ///< what the page of measured points adds
+std::string_view tolerances_css();    ///< what it adds where tolerances are stated
+std::string_view probe_css();         ///< what the page of measured points adds
 std::string_view report_js();         ///< the page's script, bundled from reports/web
 std::string_view report_js_sha256();  ///< its checksum in base64, for the page's policy
 std::string_view script_css();        ///< the style of what the script adds

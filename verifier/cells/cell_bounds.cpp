@@ -10,7 +10,7 @@ namespace limitgauge::verifier {
 namespace {
 
 using model::Vec3;
-using Values = std::array<double, 16>;
+using Values = CellValues;
 
 constexpr int kLineSearches = 6;
 /// First piece of a prism that is looked at, whatever the cell, mm: fifteen twice as long each
@@ -41,29 +41,80 @@ double least(const Values& v) {
 }
 
 /// Moves `a` to the point of the segment from `a` to `b` whose largest entry is least: the upper
-/// envelope of sixteen lines, walked from corner to corner.
+/// envelope of as many lines, walked from corner to corner.
 void mix(Values& a, const Values& b) {
   double at = 0;
   std::size_t top = std::max_element(a.begin(), a.end()) - a.begin();
-  for (int corner = 0; corner < 16; ++corner) {
-    const double slope = b[top] - a[top];
+  for (std::size_t corner = 0; corner < a.count; ++corner) {
+    const double slope = b.at[top] - a.at[top];
     if (slope >= 0) break;
     double next = 1;
     std::size_t over = top;
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      const double steeper = (b[k] - a[k]) - slope;
+    for (std::size_t k = 0; k < a.count; ++k) {
+      const double steeper = (b.at[k] - a.at[k]) - slope;
       if (steeper <= 0) continue;
-      const double crossing = (a[top] - a[k]) / steeper;
+      const double crossing = (a.at[top] - a.at[k]) / steeper;
       if (crossing >= at && crossing < next) next = crossing, over = k;
     }
     at = next;
     if (over == top) break;
     top = over;
   }
-  for (std::size_t k = 0; k < a.size(); ++k) a[k] += at * (b[k] - a[k]);
+  for (std::size_t k = 0; k < a.count; ++k) a.at[k] += at * (b.at[k] - a.at[k]);
+}
+
+/// Of a box about zero, those that differ.
+std::vector<Vec3> corners_of(const Vec3& half) {
+  std::vector<Vec3> out{{}};
+  for (int axis = 0; axis < 2; ++axis) {
+    if (half[axis] == 0) continue;
+    const std::size_t count = out.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      Vec3 low = out[k];
+      low[axis] = -half[axis], out[k][axis] = half[axis];
+      out.push_back(low);
+    }
+  }
+  return out;
 }
 
 }  // namespace
+
+CellBounder::CellBounder(const RemovedSpace& space, std::shared_ptr<FarPasses> far)
+    : space_(space),
+      far_(std::move(far)),
+      corners_(corners_of(space.sway())),
+      sway_mm_(length(space.sway())) {}
+
+/// Of a body that is swept at the control points seen from every corner; the raw stock does not
+/// sway.
+CellValues CellBounder::values_of(const Bezier& cell, BodyRef body) const {
+  CellValues out;
+  std::array<double, 16> at{};
+  const bool fixed = space_.is_stock(body);
+  if (fixed) space_.values(body, cell, at);
+  for (const Vec3& corner : corners_) {
+    if (!fixed) space_.values(body, corner == Vec3{} ? cell : shifted(cell, -corner), at);
+    std::copy(at.begin(), at.end(), out.end());
+    out.count += at.size();
+  }
+  return out;
+}
+
+/// A lower bound on a cell, by a plane of that slope, for every shift.
+double CellBounder::swayed(BodyRef body, double lower, const Vec3& gradient) const {
+  return space_.is_stock(body) ? lower : lower - space_.swayed_by_mm(gradient);
+}
+
+/// The same by the plane where the cell's middle lies deepest in the body, but for its bend.
+double CellBounder::corner_lower(const Bezier& cell, const Vec3& middle, BodyRef body,
+                                 const Vec3& gradient) const {
+  const Vec3 corner{std::copysign(space_.sway().x, gradient.x),
+                    std::copysign(space_.sway().y, gradient.y), 0};
+  const BodyDistance d = space_.distance(body, middle - corner);
+  return plane_range(cell, middle, d).low - d.slack_mm + dot(d.gradient, corner) -
+         space_.swayed_by_mm(d.gradient);
+}
 
 CellBounder::Scored CellBounder::score(const Bezier& cell, const Vec3& middle, BodyRef body,
                                        BodyDistance& distance) const {
@@ -71,12 +122,11 @@ CellBounder::Scored CellBounder::score(const Bezier& cell, const Vec3& middle, B
   if (const MeshOutside* mesh = space_.mesh_of(body))
     return {body, distance.value, mesh->lower(cell, middle, distance), 0};
   if (!space_.is_concave(body)) {
-    const model::Interval plane = plane_range(cell, middle, distance);
-    return {body, distance.value, plane.low - distance.slack_mm, 0};
+    const double plane = plane_range(cell, middle, distance).low - distance.slack_mm;
+    return {body, distance.value, swayed(body, plane, distance.gradient), 0};
   }
-  Values at{};
-  space_.values(body, cell, at);
-  return {body, distance.value, least(at), plane_range(cell, middle, distance).high};
+  return {body, distance.value, least(values_of(cell, body)),
+          plane_range(cell, middle, distance).high};
 }
 
 double CellBounder::upper_of(const Bezier& cell, const Vec3& middle, BodyRef body) {
@@ -86,9 +136,7 @@ double CellBounder::upper_of(const Bezier& cell, const Vec3& middle, BodyRef bod
     BodyDistance distance;
     return score(cell, middle, body, distance).upper;
   }
-  Values at{};
-  space_.values(body, cell, at);
-  return largest(at);
+  return largest(values_of(cell, body));
 }
 
 void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates,
@@ -112,7 +160,7 @@ double CellBounder::improve_upper(const Bezier& cell, double upper, double low_e
   values_.clear();
   for (std::size_t i = 0; i < count; ++i)
     if (!space_.is_concave(scored_[i].body))
-      space_.values(scored_[i].body, cell, values_.emplace_back());
+      values_.push_back(values_of(cell, scored_[i].body));
   if (values_.size() < 2) return upper;
   const auto first =
       std::min_element(values_.begin(), values_.end(),
@@ -122,8 +170,9 @@ double CellBounder::improve_upper(const Bezier& cell, double upper, double low_e
   for (int step = 0; step < kLineSearches && best > low_enough; ++step) {
     const std::size_t worst = std::max_element(mean.begin(), mean.end()) - mean.begin();
     const auto towards =
-        std::min_element(values_.begin(), values_.end(),
-                         [&](const Values& a, const Values& b) { return a[worst] < b[worst]; });
+        std::min_element(values_.begin(), values_.end(), [&](const Values& a, const Values& b) {
+          return a.at[worst] < b.at[worst];
+        });
     mix(mean, *towards);
     const double now = largest(mean);
     const bool stuck = best - now < 1e-3 * std::abs(best - low_enough);
@@ -137,26 +186,32 @@ double CellBounder::mixed_lower(const Bezier& cell, const Vec3& middle, BodyRef 
   // The corners see the faces on both sides of an edge; from under S the edge itself is seen.
   const InnerChords chords = inner_chords(cell);
   const Vec3 under = middle - normalized(cross(chords.u, chords.v)) * control_radius(cell, middle);
-  const Vec3 points[] = {middle,           under,           cell.control(0), cell.control(3),
-                         cell.control(12), cell.control(15)};
-  constexpr std::size_t kPlanes = std::size(points);
+  std::array<Vec3, 10> points = {middle,          under,           cell.control(0),
+                                 cell.control(3), cell.control(12), cell.control(15)};
+  std::size_t count = 6;
+  // So do the corners of the sway.
+  if (corners_.size() > 1)
+    for (const Vec3& corner : corners_) points[count++] = middle - corner;
   // Planes with their signs changed, so that the largest entry is to be made least, as above.
-  std::array<Values, kPlanes> planes{};
+  std::array<Values, 10> planes;
+  const auto end = planes.begin() + count;
   double slack_mm = 0;
-  for (std::size_t n = 0; n < kPlanes; ++n) {
+  for (std::size_t n = 0; n < count; ++n) {
     const BodyDistance d = space_.distance(body, points[n]);
     slack_mm = std::max(slack_mm, d.slack_mm);
-    for (int k = 0; k < 16; ++k)
-      planes[n][k] = -(d.value + dot(d.gradient, cell.control(k) - points[n]));
+    for (const Vec3& corner : corners_)
+      for (int k = 0; k < 16; ++k)
+        planes[n].at[planes[n].count++] =
+            -(d.value + dot(d.gradient, cell.control(k) - corner - points[n]));
   }
   Values mean =
-      *std::min_element(planes.begin(), planes.end(),
+      *std::min_element(planes.begin(), end,
                         [](const Values& a, const Values& b) { return largest(a) < largest(b); });
   for (int step = 0; step < kLineSearches; ++step) {
     const std::size_t worst = std::max_element(mean.begin(), mean.end()) - mean.begin();
-    mix(mean,
-        *std::min_element(planes.begin(), planes.end(),
-                          [&](const Values& a, const Values& b) { return a[worst] < b[worst]; }));
+    mix(mean, *std::min_element(planes.begin(), end, [&](const Values& a, const Values& b) {
+          return a.at[worst] < b.at[worst];
+        }));
   }
   return -largest(mean) - slack_mm;
 }
@@ -169,9 +224,13 @@ bool CellBounder::surely_outside(const Bezier& cell, double margin_mm,
                                  std::optional<BodyRef> first) {
   const Vec3 centre = middle(cell);
   const double radius = control_radius(cell, centre);
+  const bool sways = corners_.size() > 1;
   const auto clear = [&](BodyRef body) {
     BodyDistance distance;
-    const double lower = score(cell, centre, body, distance).lower;
+    double lower = score(cell, centre, body, distance).lower;
+    if (lower >= margin_mm) return true;
+    if (sways && !space_.is_stock(body))
+      lower = std::max(lower, corner_lower(cell, centre, body, distance.gradient));
     if (lower >= margin_mm) return true;
     const bool by_edge = sharp(body, radius);
     missed_by_mm_ = by_edge || space_.mesh_of(body) ? 0 : margin_mm - lower;
@@ -179,7 +238,7 @@ bool CellBounder::surely_outside(const Bezier& cell, double margin_mm,
   };
   if (first && !clear(*first)) return false;
   near_.clear();
-  space_.within(control_box(cell), margin_mm, near_, far_.get());
+  space_.within(control_box(cell), margin_mm + sway_mm_, near_, far_.get());
   return std::all_of(near_.begin(), near_.end(), clear);
 }
 
@@ -205,13 +264,14 @@ bool CellBounder::piece_unswept(const Bezier& cell, const Vec3& prism, double ma
   const model::Box3 end{box.low + prism, box.high + prism};
   box.add(end.low), box.add(end.high);
   near_.clear();
-  space_.within(box, margin_mm, near_, far_.get());
+  space_.within(box, margin_mm + sway_mm_, near_, far_.get());
   return std::all_of(near_.begin(), near_.end(), [&](BodyRef body) {
     if (space_.is_stock(body)) return true;
     const BodyDistance d = space_.distance(body, centre);
     // Convex hull of both ends: the plane is least at a control point of one of them.
     const double along = std::min(0.0, dot(d.gradient, prism));
-    return plane_range(cell, centre, d).low + along - d.slack_mm >= margin_mm;
+    const double lower = plane_range(cell, centre, d).low + along - d.slack_mm;
+    return swayed(body, lower, d.gradient) >= margin_mm;
   });
 }
 
@@ -224,7 +284,7 @@ bool CellBounder::surely_inside(const Bezier& cell, double margin_mm, BodyRef fi
   constexpr double kLeastWeight = 0.1;
   const double radius = control_radius(cell, centre), room = -margin_mm - lowest;
   near_.clear();
-  space_.within(centre, std::min(radius - margin_mm, lowest + room / kLeastWeight), near_);
+  space_.within(centre, std::min(radius + sway_mm_ - margin_mm, lowest + room / kLeastWeight), near_);
   if (near_.size() < 2) return false;
   scored_.clear();
   for (const BodyRef body : near_)

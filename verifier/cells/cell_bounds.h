@@ -15,25 +15,37 @@ struct CellBounds {
   double lower = 0, upper = 0;
 };
 
-/// Bounds of δ = min over i of d_i on a Bézier cell with control points P_k and middle m.
-/// Formulas and proofs: CERTIFICATE.md, section 3. A body whose term exceeds the upper bound is
-/// nearest nowhere in the cell and is dropped, for this cell and all its parts. The outside of a
-/// mesh has bounds of its own (MeshOutside).
+/// Values at the control points of a cell; of a space that sways, at each of them once for every
+/// corner of its sway.
+struct CellValues {
+  std::array<double, 64> at;  ///< the first `count` of them
+  std::size_t count = 0;
+
+  double* begin() { return at.data(); }
+  double* end() { return at.data() + count; }
+  const double* begin() const { return at.data(); }
+  const double* end() const { return at.data() + count; }
+};
+
+/// Bounds of δ = min over i of d_i on a Bézier cell with control points P_k and middle m, and for
+/// every shift of what was swept that the space may sway by.
+/// Formulas and proofs: CERTIFICATE.md, sections 3 and 10. A body whose term exceeds the upper
+/// bound is nearest nowhere in the cell and is dropped, for this cell and all its parts. The outside
+/// of a mesh has bounds of its own (MeshOutside).
 class CellBounder {
  public:
   /// What is learnt of far passes may be shared with other searches of the same thread.
-  explicit CellBounder(const RemovedSpace& space, std::shared_ptr<FarPasses> far = nullptr)
-      : space_(space), far_(std::move(far)) {}
+  explicit CellBounder(const RemovedSpace& space, std::shared_ptr<FarPasses> far = nullptr);
 
   /// The bodies that can be nearest somewhere in `cell`, and no further than `limit_mm` there,
   /// found through the tree; `hint` as in RemovedSpace::nearest. None only where there are none so
-  /// near.
+  /// near. Of a space that does not sway.
   void find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates,
                        std::optional<BodyRef> hint = {},
                        double limit_mm = std::numeric_limits<double>::infinity());
   /// `candidates` must hold every body that can be nearest somewhere in the cell; those that cannot
   /// are removed. The upper bound is not improved any further once it is below `low_enough`, nor
-  /// the lower bound once it is above `high_enough`.
+  /// the lower bound once it is above `high_enough`. Of a space that does not sway.
   CellBounds bound(const Bezier& cell, std::vector<BodyRef>& candidates, double low_enough,
                    double high_enough = -std::numeric_limits<double>::infinity());
   /// Proof that δ ≥ `margin_mm` on all of the cell. False means "not proven". `first`, the
@@ -52,7 +64,6 @@ class CellBounder {
   bool surely_inside(const Bezier& cell, double margin_mm, BodyRef first);
 
  private:
-  using Values = std::array<double, 16>;
   struct Scored {
     BodyRef body;
     double value = 0, lower = 0, upper = 0;
@@ -61,6 +72,10 @@ class CellBounder {
   Scored score(const Bezier& cell, const model::Vec3& middle, BodyRef body,
                BodyDistance& distance) const;
   bool piece_unswept(const Bezier& cell, const model::Vec3& prism, double margin_mm);
+  CellValues values_of(const Bezier& cell, BodyRef body) const;
+  double swayed(BodyRef body, double lower, const model::Vec3& gradient) const;
+  double corner_lower(const Bezier& cell, const model::Vec3& middle, BodyRef body,
+                      const model::Vec3& gradient) const;
   double upper_of(const Bezier& cell, const model::Vec3& middle, BodyRef body);
   double improve_upper(const Bezier& cell, double upper, double low_enough);
   double mixed_lower(const Bezier& cell, const model::Vec3& middle, BodyRef body) const;
@@ -69,10 +84,14 @@ class CellBounder {
 
   const RemovedSpace& space_;
   std::shared_ptr<FarPasses> far_;
+  /// By which what was swept may be shifted, most of all: the corners of the sway, one where there
+  /// is none; how far they lie from its middle.
+  std::vector<model::Vec3> corners_;
+  double sway_mm_ = 0;
   double missed_by_mm_ = 0;
   std::vector<BodyRef> near_;
   std::vector<Scored> scored_;
-  std::vector<Values> values_;
+  std::vector<CellValues> values_;
 };
 
 }  // namespace limitgauge::verifier

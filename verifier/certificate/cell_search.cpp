@@ -79,7 +79,7 @@ class CellSearch {
              const model::RunControl& control)
       : task_(task),
         control_(control),
-        bounds_(task.cells, task.space, task.side, task.request.allowance_mm),
+        bounds_(task.cells, task.space, task.side, task.request.allowance_mm, task.draws),
         may_split_(before.cells < task.request.largest_cell_count) {
     out_.low = before.low, out_.high = before.high;
   }
@@ -121,8 +121,8 @@ class CellSearch {
         const SurfacePlace place = place_of(cell, offset.middle);
         out_of_reach = !task_.counts(cell, place, offset.normal);
         if (!out_of_reach) {
-          out_.see({place, run.length_mm, body_of(run, offset.middle), offset.normal});
-          climb(cell);
+          out_.see({place, run.length_mm, body_of(run, offset.middle), offset.normal, run.shift_x, run.shift_y});
+          climb(cell, run);
           if (bounds_.surely_within(offset, goal())) return out_.cover(goal());
         }
       }
@@ -132,6 +132,8 @@ class CellSearch {
       // need not be found.
       if (run.length_mm <= out_.low && surely_unreachable(cell, offset)) return;
     }
+    // Of a space that sways, a middle's run by a plane is a run but for its bend.
+    if (task_.draws && is_small_to_sway(offset) && surely_unreachable(cell, offset)) return;
     // A spot of a nanometre counts as its middle does: far below the contact tolerance.
     if (tiny && out_of_reach) return;
     if (tiny && bounds_.surely_within(as_spot(cell, offset), goal())) return out_.cover(goal());
@@ -143,6 +145,10 @@ class CellSearch {
     const auto halves = by_reach ? halves_by_reach(cell, offset) : halves_of(cell, offset);
     search(halves[0], depth + 1);
     search(halves[1], depth + 1);
+  }
+
+  bool is_small_to_sway(const OffsetCell& offset) const {
+    return control_radius(offset.shape, offset.middle) < length(task_.space.sway());
   }
 
   /// Behind a sharp edge a cell may stand at the goal with its middle only, and above it as a
@@ -200,44 +206,63 @@ class CellSearch {
     return task_.side == Side::uncut && task_.reach->ridge_surely_unreachable(offset, &memory_);
   }
 
+  /// A place of the whole cell, and of a space that sways the share of its shift there.
+  struct Stand {
+    double s = 0, t = 0, x = 0, y = 0;
+  };
+
   /// From the middle of a part of the whole cell to where its runs are longest, by a compass
   /// search: else a run that grows over it would be followed up one width of the interval at a
-  /// time.
-  void climb(const SurfaceCell& from) {
+  /// time. Of a space that sways the shift is searched as well.
+  void climb(const SurfaceCell& from, const TracedRun& run) {
     constexpr double kFirst = 0.25, kFinest = 1e-3;
-    // On its border a place may have further normals.
-    constexpr double kInside = 1.0 / 64;
     const SurfaceCell& whole = *whole_;
     // Next to an open end of S strips are left out, and beside an irregular vertex the normals of a
     // micrometre are rounding.
     if (is_at_rim(whole) || length(whole.vertex_normal) > 0) return;
-    double s = (from.u_at(0.5) - whole.u) / whole.size_u;
-    double t = (from.v_at(0.5) - whole.v) / whole.size_v;
-    for (double step = kFirst; step > kFinest;) {
-      bool better = false;
-      for (int k = 0; k < 8 && !better; ++k) {
-        constexpr int kU[] = {1, 0, -1, 0, 1, -1, -1, 1}, kV[] = {0, 1, 0, -1, 1, 1, -1, -1};
-        const double u = std::clamp(s + kU[k] * step, kInside, 1 - kInside);
-        const double v = std::clamp(t + kV[k] * step, kInside, 1 - kInside);
-        if (see_at(u, v)) s = u, t = v, better = true;
-      }
-      if (!better) step /= 2;
-    }
+    Stand at{(from.u_at(0.5) - whole.u) / whole.size_u, (from.v_at(0.5) - whole.v) / whole.size_v,
+             run.shift_x, run.shift_y};
+    for (double step = kFirst; step > kFinest;)
+      if (!steps_up(at, step)) step /= 2;
   }
-  void climb(const RidgeCell&) {}
+  void climb(const RidgeCell&, const TracedRun&) {}
 
-  /// Whether a longer run than any so far counts at a place of the whole cell.
-  bool see_at(double s, double t) {
-    const BezierJet at = jet(whole_->shape, s, t);
-    const Vec3 across = cross(at.du, at.dv);
+  /// One step to a longer run, if there is any.
+  bool steps_up(Stand& at, double step) {
+    // On its border a place may have further normals.
+    constexpr double kInside = 1.0 / 64;
+    constexpr int kU[] = {1, 0, -1, 0, 1, -1, -1, 1}, kV[] = {0, 1, 0, -1, 1, 1, -1, -1};
+    const int ways = task_.draws ? 16 : 8;
+    for (int k = 0; k < ways; ++k) {
+      Stand next = at;
+      const double by_u = kU[k % 8] * step, by_v = kV[k % 8] * step;
+      if (k < 8) {
+        next.s = std::clamp(at.s + by_u, kInside, 1 - kInside);
+        next.t = std::clamp(at.t + by_v, kInside, 1 - kInside);
+      } else {
+        next.x = std::clamp(at.x + 2 * by_u, -1.0, 1.0);
+        next.y = std::clamp(at.y + 2 * by_v, -1.0, 1.0);
+      }
+      if (!see_at(next)) continue;
+      at = next;
+      return true;
+    }
+    return false;
+  }
+
+  /// Whether a longer run than any so far counts there.
+  bool see_at(const Stand& at) {
+    const BezierJet jet = verifier::jet(whole_->shape, at.s, at.t);
+    const Vec3 across = cross(jet.du, jet.dv);
     if (!(length(across) > 0)) return false;
     const Vec3 n = normalized(across);
     // What is longer by less than can be told closes no cell.
     const double least = out_.low + kShare * (1 - kShare) * task_.request.resolution_mm;
-    const TracedRun run = bounds_.run(at.position, n, least);
-    const SurfacePlace place{whole_->patch, whole_->u_at(s), whole_->v_at(t), at.position};
+    const TracedRun run = task_.draws ? bounds_.run_shifted(jet.position, n, at.x, at.y, least)
+                                      : bounds_.run(jet.position, n, least);
+    const SurfacePlace place{whole_->patch, whole_->u_at(at.s), whole_->v_at(at.t), jet.position};
     if (run.length_mm <= least || !task_.counts(*whole_, place, n)) return false;
-    out_.see({place, run.length_mm, body_of(run, at.position), n});
+    out_.see({place, run.length_mm, body_of(run, jet.position), n, run.shift_x, run.shift_y});
     return true;
   }
 
@@ -271,7 +296,8 @@ class CellSearch {
 }  // namespace
 
 double CertificateTask::goal(double low_mm) const {
-  return low_mm + kShare * wanted_width_mm(request, low_mm, limit_mm(), errors_mm);
+  return low_mm + (draws ? draws->gap_mm : 0) +
+         kShare * wanted_width_mm(request, low_mm, limit_mm(), errors_mm);
 }
 
 CellOutcome search_cell(const CertificateTask& task, std::size_t index, const CellOutcome& before,

@@ -8,7 +8,7 @@
 #include "model/base/run_control.h"
 #include "verifier/cells/cell_bounds.h"
 #include "verifier/cells/surface_cells.h"
-#include "verifier/certificate/run_tracer.h"
+#include "verifier/certificate/run_bounds.h"
 #include "verifier/gate/deviation.h"
 #include "verifier/reach/reach_query.h"
 
@@ -33,6 +33,7 @@ struct Witness {
   double depth_mm = 0;
   BodyRef body;  ///< that a gouge was swept by, or that is nearest to a leftover's place
   model::Vec3 normal;
+  double shift_x = 0, shift_y = 0;  ///< of a space that sways: share of its draws' shift
 };
 
 /// What the search of one cell, or of many, has found.
@@ -60,6 +61,7 @@ struct CertificateTask {
   const ReachQuery* reach;
   const CertificateRequest& request;
   double errors_mm = 0;
+  const Draws* draws = nullptr;  ///< of a space that sways
 
   double limit_mm() const {
     return side == Side::uncut ? request.uncut_limit_mm : request.gouge_limit_mm;

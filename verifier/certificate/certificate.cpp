@@ -32,7 +32,7 @@ std::vector<double> looks_of(const CertificateTask& task, const model::RunContro
 /// The longest of those that count, traced to its end.
 void see_longest(const CertificateTask& task, const std::vector<double>& looks,
                  const std::vector<std::size_t>& order, CellOutcome& out) {
-  RunBounds bounds(task.cells, task.space, task.side, task.request.allowance_mm);
+  RunBounds bounds(task.cells, task.space, task.side, task.request.allowance_mm, task.draws);
   for (const std::size_t i : order) {
     if (looks[i] <= 0) return;
     const bool found = task.with_cell(i, [&](const auto& cell) {
@@ -41,7 +41,8 @@ void see_longest(const CertificateTask& task, const std::vector<double>& looks,
       if (!task.counts(cell, place, n)) return false;
       const TracedRun run = bounds.run(m, n);
       const bool by_run = task.side != Side::uncut && run.body;
-      out.see({place, run.length_mm, by_run ? *run.body : bounds.nearest_body(m), n});
+      out.see({place, run.length_mm, by_run ? *run.body : bounds.nearest_body(m), n, run.shift_x,
+               run.shift_y});
       return true;
     });
     if (found) return;
@@ -57,8 +58,8 @@ Interval interval_of(const CellOutcome& out, double errors_mm) {
 
 Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, Side side,
                     const ReachQuery* reach, const CertificateRequest& request,
-                    const model::RunControl& control) {
-  const CertificateTask task{cells, space, side, reach, request, kRounding_mm};
+                    const model::RunControl& control, const Draws* draws) {
+  const CertificateTask task{cells, space, side, reach, request, kRounding_mm, draws};
   const std::vector<double> looks = looks_of(task, control);
   std::vector<std::size_t> order(looks.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

@@ -25,8 +25,9 @@ struct Certificate {
 /// space of raw stock alone), over all of S, for which `reach` is not asked.
 /// Branch and bound over the cells, worst first. Batches of fixed size see the best values of the
 /// batches before them only, so the result is the same for any number of threads.
+/// Of a space that sways `high` holds for all its shifts, and `low` is looked for in `draws`.
 Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, Side side,
                     const ReachQuery* reach, const CertificateRequest& request,
-                    const model::RunControl& control);
+                    const model::RunControl& control, const Draws* draws = nullptr);
 
 }  // namespace limitgauge::verifier

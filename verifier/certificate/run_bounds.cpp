@@ -42,9 +42,10 @@ OffsetCell beside(OffsetCell cell, const Vec3& way) {
 }  // namespace
 
 RunBounds::RunBounds(const SurfaceCells& cells, const RemovedSpace& space, Side side,
-                     double allowance_mm)
+                     double allowance_mm, const Draws* draws)
     : cells_(cells),
       space_(space),
+      draws_(draws),
       far_(std::make_shared<FarPasses>()),
       tracer_(cells, space, far_),
       bounder_(space, far_),
@@ -226,7 +227,7 @@ bool RunBounds::surely_unswept(const OffsetCell& cell, double length_mm) {
 bool RunBounds::ends_within(const OffsetCell& cell, double length_mm) {
   const double t = side_ == Side::uncut ? allowance_mm_ + length_mm : allowance_mm_ - length_mm;
   const Nearest at = look(cell.moved_middle(t));
-  const double error = space_.chord_error_mm();
+  const double error = space_.chord_error_mm() + space_.swayed_by_mm(at);
   return side_ == Side::uncut ? at.distance.value <= -error : at.distance.value >= error;
 }
 
@@ -254,8 +255,36 @@ bool RunBounds::surely_within_thin(const OffsetCell& cell, const TracedRun& run,
 
 TracedRun RunBounds::run(const Vec3& s, const Vec3& n, double least_mm) {
   if (n == Vec3{}) return {};
-  if (side_ == Side::uncut) return tracer_.material(s, n, allowance_mm_, longest_mm_, least_mm);
-  return tracer_.removed(s, n, allowance_mm_, longest_mm_, least_mm, side_ == Side::missing_stock);
+  return draws_ ? drawn_run(s, n, least_mm) : run_in(tracer_, s, n, least_mm);
+}
+
+TracedRun RunBounds::run_in(const RunTracer& tracer, const Vec3& s, const Vec3& n,
+                            double least_mm) const {
+  if (side_ == Side::uncut) return tracer.material(s, n, allowance_mm_, longest_mm_, least_mm);
+  return tracer.removed(s, n, allowance_mm_, longest_mm_, least_mm, side_ == Side::missing_stock);
+}
+
+TracedRun RunBounds::run_shifted(const Vec3& s, const Vec3& n, double x, double y,
+                                 double least_mm) const {
+  const RemovedSpace drawn = draws_->space.shifted(draws_->shift(x, y) + draws_->off_path(side_, n));
+  TracedRun run = run_in(RunTracer(cells_, drawn, nullptr), s, n, least_mm);
+  run.shift_x = x, run.shift_y = y;
+  return run;
+}
+
+TracedRun RunBounds::drawn_run(const Vec3& s, const Vec3& n, double least_mm) const {
+  constexpr std::array<std::array<double, 2>, 5> kShares = {
+      {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+  const Vec3& half = draws_->half_mm;
+  TracedRun longest;
+  for (const auto& [x, y] : kShares) {
+    // Along an axis without a range all shares are one.
+    if ((half.x == 0 && x > 0) || (half.y == 0 && y > 0)) continue;
+    const TracedRun run = run_shifted(s, n, x, y, std::max(least_mm, longest.length_mm));
+    if (run.length_mm > longest.length_mm || !longest.body) longest = run;
+    if (half == Vec3{}) break;
+  }
+  return longest;
 }
 
 double RunBounds::quick_run(const Vec3& s, const Vec3& n, std::optional<BodyRef>& hint) {

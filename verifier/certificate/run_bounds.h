@@ -8,15 +8,40 @@
 
 namespace limitgauge::verifier {
 
+/// Where witnesses are looked for of a space that sways: the space at one corner of what is not
+/// known besides, the rectangle of shifts of all that was swept, and how far each move may lie off
+/// its path.
+struct Draws {
+  const RemovedSpace& space;
+  model::Vec3 middle_mm, half_mm;  ///< of the shifts; half widths in plan
+  double path_mm = 0;
+  /// By how much what is proven of errors that each move has for itself exceeds what one shift of
+  /// all moves shows: no interval is narrower.
+  double gap_mm = 0;
+
+  /// The middle of the shifts moved by a share of their half widths, −1 to 1 along each axis.
+  model::Vec3 shift(double x, double y) const {
+    return middle_mm + model::Vec3{x * half_mm.x, y * half_mm.y, 0};
+  }
+  /// The tips' way off their path that counts most at a witness with that normal: against it for
+  /// gouges, along it for what is left.
+  model::Vec3 off_path(Side side, const model::Vec3& normal) const {
+    return normal * (side == Side::uncut ? path_mm : -path_mm);
+  }
+};
+
 /// Proofs that no run of one kind, on any point of a cell, is longer than a length, and runs at
 /// single points (CERTIFICATE.md, sections 3 and 3b). `allowance_mm` is 0 for missing stock.
 class RunBounds {
  public:
-  RunBounds(const SurfaceCells& cells, const RemovedSpace& space, Side side, double allowance_mm);
+  /// Runs at single points are those in `draws` where it is given, the longest over the corners and
+  /// the middle of its shifts.
+  RunBounds(const SurfaceCells& cells, const RemovedSpace& space, Side side, double allowance_mm,
+            const Draws* draws = nullptr);
 
   /// Longer than any run can be: no gate allows it.
   double longest_mm() const { return longest_mm_; }
-  /// Whether the middle's run is proven to be no longer, by one query.
+  /// Whether the middle's run is no longer, by one query; of a space that sways but for its bend.
   bool ends_within(const OffsetCell& cell, double length_mm);
   /// Proof that no run of the cell is longer than `length_mm`. False means "not proven".
   bool surely_within(const OffsetCell& cell, double length_mm);
@@ -26,6 +51,9 @@ class RunBounds {
   /// The run at a point of S with one of its normals, as far as it is proven; `least_mm` as in
   /// RunTracer. None for a normal of no length, in the middle of normals that cancel.
   TracedRun run(const model::Vec3& s, const model::Vec3& n, double least_mm = 0);
+  /// The same at one shift of the draws.
+  TracedRun run_shifted(const model::Vec3& s, const model::Vec3& n, double x, double y,
+                        double least_mm) const;
   /// A lower bound of that run by one query.
   double quick_run(const model::Vec3& s, const model::Vec3& n, std::optional<BodyRef>& hint);
   /// The body nearest to s.
@@ -37,6 +65,9 @@ class RunBounds {
   model::Vec3 gradient_at(const OffsetCell& cell, double length_mm);
 
  private:
+  TracedRun run_in(const RunTracer& tracer, const model::Vec3& s, const model::Vec3& n,
+                   double least_mm) const;
+  TracedRun drawn_run(const model::Vec3& s, const model::Vec3& n, double least_mm) const;
   double margin_mm(const OffsetCell& cell, double t_mm) const;
   bool is_beside(const OffsetCell& cell, const Nearest& at) const;
   bool is_wedge_beside(const OffsetCell& cell, double length_mm);
@@ -53,6 +84,7 @@ class RunBounds {
 
   const SurfaceCells& cells_;
   const RemovedSpace& space_;
+  const Draws* draws_;
   std::shared_ptr<FarPasses> far_;  ///< of this search's own thread
   RunTracer tracer_;
   CellBounder bounder_;

@@ -19,6 +19,7 @@ struct TracedRun {
   std::optional<BodyRef>
       body;  ///< of material: what ends it; of removed space: what reaches furthest
   bool meets_surface = false;  ///< ended by a crossing of S
+  double shift_x = 0, shift_y = 0;  ///< of a space that sways: share of its draws' shift
 };
 
 /// Follows rays through what was removed and through what stands (definition 2). A run through

@@ -94,6 +94,19 @@ RemovedSpace RemovedSpace::with(std::span<const Sweep> more) const {
   return all;
 }
 
+RemovedSpace RemovedSpace::shifted(const Vec3& by) const {
+  RemovedSpace out = *this;
+  out.shift_ += by;
+  return out;
+}
+
+RemovedSpace RemovedSpace::swaying(const Vec3& half_mm, double error_mm) const {
+  if (half_mm.z != 0) throw std::invalid_argument("a sway lies in plan");
+  RemovedSpace out = *this;
+  out.sway_ += half_mm, out.chord_error_mm_ += error_mm;
+  return out;
+}
+
 void RemovedSpace::add_sweep(const Sweep& sweep) {
   const model::Toolpath& path = *sweep.path;
   const Vec3 lift{0, 0, sweep.lift_mm};
@@ -134,8 +147,9 @@ double RemovedSpace::PassBodies::bound(const model::BoxNode& node, const Vec3& p
   return std::max(by_box, tilted[place_of(node)].bound(profile, p, half));
 }
 
-void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& p, Nearest& best) const {
+void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best) const {
   const PassBodies& bodies = *passes_[pass];
+  const Vec3 p = at - shift_;
   model::nearest_first(
       bodies.nodes,
       [&](const model::BoxNode& node) {
@@ -191,9 +205,10 @@ std::optional<Nearest> RemovedSpace::nearest_swept(const Vec3& p) const {
   return best;
 }
 
-void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& p, const Vec3& ray,
+void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3& ray,
                                 const EndRule& rule, Meeting& first) const {
   constexpr int kLooks = 4;
+  const Vec3 p = from - shift_;
   const PassBodies& bodies = *passes_[pass];
   const double near = chord_error_mm_ + rule.beside_mm + kDistanceRounding_mm;
   const auto start_of = [&](const model::BoxNode& node) {
@@ -290,7 +305,8 @@ void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) cons
   }
 }
 
-void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
+void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>& out) const {
+  const Vec3 p = at - shift_;
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
     const PassBodies& bodies = *passes_[pass];
     visit_near(
@@ -301,14 +317,14 @@ void RemovedSpace::within(const Vec3& p, double limit_mm, std::vector<BodyRef>& 
             out.push_back({pass, bodies.index[k]});
         });
   }
-  stock_within(p, limit_mm, out);
+  stock_within(at, limit_mm, out);
 }
 
 void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>& out,
                           const FarPasses* far) const {
-  const Vec3 centre = box.centre(), half = box.size() / 2;
+  const Vec3 at = box.centre(), centre = at - shift_, half = box.size() / 2;
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
-    if (far && far->bound(pass, centre) - length(half) > limit_mm) continue;
+    if (far && far->bound(pass, at) - length(half) > limit_mm) continue;
     const PassBodies& bodies = *passes_[pass];
     visit_near(
         pass,
@@ -321,7 +337,7 @@ void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>
           if (bodies.bound(tips, centre, half) <= limit_mm) out.push_back({pass, bodies.index[k]});
         });
   }
-  stock_within(centre, limit_mm + length(half), out);
+  stock_within(at, limit_mm + length(half), out);
 }
 
 void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
@@ -334,13 +350,15 @@ void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<Body
 BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p) const {
   if (is_stock(body)) return mesh_ ? mesh_->distance(p) : stock_distance(body.index, p);
   const PassBodies& pass = *passes_[body.pass];
-  return body_distance(pass.profile, pass.of_move(body.index), p);
+  return body_distance(pass.profile, pass.of_move(body.index), p - shift_);
 }
 
 void RemovedSpace::values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const {
   if (!is_stock(body)) {
     const PassBodies& pass = *passes_[body.pass];
-    return body_values(pass.profile, pass.of_move(body.index), cell, out);
+    const SweptBody& swept = pass.of_move(body.index);
+    if (shift_ == Vec3{}) return body_values(pass.profile, swept, cell, out);
+    return body_values(pass.profile, swept, verifier::shifted(cell, -shift_), out);
   }
   if (mesh_) return mesh_->values(cell, out);
   for (int k = 0; k < 16; ++k) out[k] = stock_distance(body.index, cell.control(k)).value;

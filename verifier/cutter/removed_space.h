@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <memory>
@@ -61,6 +62,13 @@ class RemovedSpace {
   /// This space and further sweeps, of shanks and holders: BodyRef::pass counts them after the
   /// passes. What this one holds is not held twice.
   RemovedSpace with(std::span<const Sweep> more) const;
+  /// This space where all that was swept lies `by` further; the raw stock stays. Bodies are not held
+  /// twice.
+  RemovedSpace shifted(const model::Vec3& by) const;
+  /// This space as one of which `sway()` and a part of `chord_error_mm()` are not known: proofs on
+  /// cells (CellBounder) hold for all of it, distances at places are those of its middle. Throws
+  /// std::invalid_argument for a sway out of plan.
+  RemovedSpace swaying(const model::Vec3& half_mm, double error_mm) const;
 
   /// The nearest body; among equals the first. A `hint`, any body, saves time where it is near.
   Nearest nearest(const model::Vec3& p, std::optional<BodyRef> hint = {},
@@ -103,8 +111,16 @@ class RemovedSpace {
   /// Least distance to what lies outside the raw stock, its sign as that of δ; infinite where the
   /// stock is endless.
   double stock_distance_mm(const model::Vec3& p) const;
-  /// Largest distance between a programmed arc and the chords that stand for it, over all passes.
+  /// Largest distance between a programmed arc and the chords that stand for it, over all passes;
+  /// and what else tips may be off by, each move for itself.
   double chord_error_mm() const { return chord_error_mm_; }
+  /// Half widths, in plan, of the rectangle that all that was swept may be shifted in, as one.
+  const model::Vec3& sway() const { return sway_; }
+  /// By how much a shift may change a body's distance at a place, along the body's plane there.
+  double swayed_by_mm(const Nearest& at) const { return is_stock(at.body) ? 0 : swayed_by_mm(at.distance.gradient); }
+  double swayed_by_mm(const model::Vec3& gradient) const {
+    return std::abs(gradient.x) * sway_.x + std::abs(gradient.y) * sway_.y;
+  }
 
  private:
   struct PassBodies {
@@ -147,6 +163,7 @@ class RemovedSpace {
   std::shared_ptr<const MeshOutside> mesh_;
   std::vector<std::shared_ptr<const PassBodies>> passes_;  ///< spaces may have them in common
   double chord_error_mm_ = 0;
+  model::Vec3 shift_, sway_;
 };
 
 }  // namespace limitgauge::verifier

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,44 @@ struct DeviationField {
   std::vector<Grid> grids;                          ///< in the order of the samples
 };
 
+struct NamedLength {
+  std::string name;  ///< of a tolerance: "zero.x", "tool.ball3.radius"
+  double mm = 0;
+};
+
+/// By what factor the box of tolerances may grow until a gate's limit no longer holds.
+struct ToleranceMargin {
+  /// Largest that is proven to pass; none where not even the stated values alone are.
+  std::optional<double> proven;
+  /// Smallest that is proven to fail; none where that is not known of any that was tried.
+  std::optional<double> refuted;
+};
+
+/// One figure over every value of the tolerances.
+struct RobustFigure {
+  Interval figure_mm;  ///< some values reach `low` at some point of S, none exceed `high` at any
+  /// Where `low` is reached, and the values that reach it: measured with them alone, the run there
+  /// is as long. None of a figure of zero.
+  std::optional<SurfacePlace> place;
+  model::Vec3 normal;
+  std::vector<NamedLength> at;
+  /// Who made it there, as of a Finding.
+  std::size_t stage = 0, move = 0;
+  std::uint32_t line = 0;
+  bool raw_stock = false;
+  std::string body = "cutter";
+  /// How the run there grows with each value, mm per mm.
+  std::vector<NamedLength> sensitivity;
+  bool reached_resolution = true;
+  std::optional<ToleranceMargin> margin;  ///< only of a figure with a limit
+};
+
+/// Both figures over the box of tolerances. Reach is that of the stated cutters.
+struct RobustDeviation {
+  RobustFigure gouge, uncut;
+  double seconds = 0;
+};
+
 /// What one stage's verification found; all deviations are runs along the limit surface's normals,
 /// measured from the allowance surface (definition 2).
 struct StageDeviation {
@@ -128,6 +167,7 @@ struct StageDeviation {
   std::size_t cells = 0;           ///< cells examined by the branch and bound
   bool reached_resolution = true;  ///< both widths are within what was asked for
   double resolution_mm = 0;        ///< the width asked for
+  std::optional<RobustDeviation> robust;  ///< where tolerances are stated
   double seconds = 0;
   /// What it is made of, but for what is built once: cells of S and the space removed.
   struct Phases {

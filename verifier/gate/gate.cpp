@@ -73,11 +73,13 @@ class Decision {
     out_.reasons.push_back(sentence + (verdict == Verdict::pass ? "" : where));
     worsen(out_.verdict, verdict);
   }
+  void judge_run(const std::string& what, const Interval& stated, const RobustFigure* robust,
+                 double limit_mm, const std::vector<Finding>& findings);
   void judge_length(const std::string& what, const Interval& figure, double limit_mm,
-                    const std::string& where) {
+                    bool is_narrow, const std::string& where) {
     const Verdict verdict = judge(figure, limit_mm);
     add(what + " certified " + range_text(figure, limit_mm) + ", limit " +
-            length_text(limit_mm, limit_mm) + standing(verdict, d_.reached_resolution),
+            length_text(limit_mm, limit_mm) + standing(verdict, is_narrow),
         verdict, where);
   }
   void judge_unreachable();
@@ -90,11 +92,22 @@ class Decision {
 
 void Decision::judge_runs() {
   if (limits_.has_gouge)
-    judge_length(gouge_by(d_), d_.gouge_mm, limits_.gouge_mm,
-                 deepest_text(d_.gouges, stages_, limits_.gouge_mm));
+    judge_run(gouge_by(d_), d_.gouge_mm, d_.robust ? &d_.robust->gouge : nullptr, limits_.gouge_mm,
+              d_.gouges);
   if (limits_.has_uncut)
-    judge_length("uncut", d_.uncut_mm, limits_.uncut_mm,
-                 deepest_text(d_.uncuts, stages_, limits_.uncut_mm));
+    judge_run("uncut", d_.uncut_mm, d_.robust ? &d_.robust->uncut : nullptr, limits_.uncut_mm,
+              d_.uncuts);
+}
+
+/// Where tolerances are stated, what they may lead to decides.
+void Decision::judge_run(const std::string& what, const Interval& stated, const RobustFigure* robust,
+                         double limit_mm, const std::vector<Finding>& findings) {
+  const std::string deepest = deepest_text(findings, stages_, limit_mm);
+  if (!robust)
+    return judge_length(what, stated, limit_mm, d_.reached_resolution, deepest);
+  judge_length(what + tolerances_text(*robust, stated, limit_mm), robust->figure_mm, limit_mm,
+               robust->reached_resolution,
+               judge(stated, limit_mm) == Verdict::pass ? reached_text(*robust) : deepest);
 }
 
 void Decision::judge_coverage() {
@@ -131,7 +144,8 @@ void Decision::judge_reach() {
   if (limits_.has_unreachable) judge_unreachable();
   if (limits_.has_unavoidable)
     judge_length("unavoidable uncut", but_for(d_.unavoidable_uncut_mm, kNoLength_mm),
-                 limits_.unavoidable_mm, out_of_reach_text(d_.field, stages_));
+                 limits_.unavoidable_mm, d_.reached_resolution,
+                 out_of_reach_text(d_.field, stages_));
 }
 
 /// No program line is to blame, yet the part cannot come out of this stock: the limit is that of
@@ -208,6 +222,29 @@ double automatic_resolution_mm(const GateLimits& limits) {
   if (limits.has_unavoidable && limits.unavoidable_mm > 0)
     tightest = std::min(tightest, limits.unavoidable_mm);
   return std::isfinite(tightest) ? tightest / 10 : kUnlimited_mm;
+}
+
+const Interval& judged_gouge_mm(const StageDeviation& d) {
+  return d.robust ? d.robust->gouge.figure_mm : d.gouge_mm;
+}
+
+const Interval& judged_uncut_mm(const StageDeviation& d) {
+  return d.robust ? d.robust->uncut.figure_mm : d.uncut_mm;
+}
+
+Verdict judge_robust(const RobustDeviation& robust, const GateLimits& limits) {
+  Verdict verdict = Verdict::pass;
+  if (limits.has_gouge) worsen(verdict, judge(robust.gouge.figure_mm, limits.gouge_mm));
+  if (limits.has_uncut) worsen(verdict, judge(robust.uncut.figure_mm, limits.uncut_mm));
+  return verdict;
+}
+
+const RobustFigure* least_margin(const RobustDeviation& robust) {
+  const RobustFigure* least = nullptr;
+  const auto proven = [](const RobustFigure& f) { return f.margin->proven.value_or(-1); };
+  for (const RobustFigure* figure : {&robust.gouge, &robust.uncut})
+    if (figure->margin && (!least || proven(*figure) < proven(*least))) least = figure;
+  return least;
 }
 
 double whole_area_mm2(const StageDeviation& d) {

@@ -105,6 +105,32 @@ std::string deepest_text(const std::vector<Finding>& findings, std::span<const s
   return text + (f.raw_stock ? ", a face of the raw stock" : "");
 }
 
+std::string reached_text(const RobustFigure& figure) {
+  if (!figure.place) return {};
+  std::string text = "; reached " + place_text(figure.place->point);
+  const char* before = " with ";
+  for (const NamedLength& value : figure.at) {
+    if (value.mm == 0) continue;
+    text += before + value.name + (value.mm > 0 ? " +" : " ") + length_text(value.mm);
+    before = ", ";
+  }
+  return text;
+}
+
+std::string tolerances_text(const RobustFigure& figure, const Interval& stated_mm,
+                            double limit_mm) {
+  std::string text =
+      " for all values of the tolerances (as stated " + range_text(stated_mm, limit_mm);
+  if (figure.margin && figure.margin->proven) {
+    const double times = *figure.margin->proven;
+    text += "; proven up to " +
+            model::without_trailing_zeros(model::rounded_text(
+                times, model::significant_decimals(times, 4), model::Rounding::down)) +
+            " times the tolerances";
+  }
+  return text + ")";
+}
+
 std::string out_of_reach_text(const DeviationField& field, std::span<const std::string> stages) {
   const DeviationField::Sample* highest = nullptr;
   for (const DeviationField::Sample& s : field.samples)

@@ -34,6 +34,13 @@ std::string line_text(std::size_t stage, std::uint32_t line, std::span<const std
 /// Empty where there is none.
 std::string deepest_text(const std::vector<Finding>& findings, std::span<const std::string> stages,
                          const std::optional<double>& limit_mm = std::nullopt);
+/// Where a figure over tolerances is reached and at which values: "; at (1.000, 2.000, 3.000) mm
+/// with zero.z -3 µm, tool.ball3.radius +10 µm". Empty where it is not.
+std::string reached_text(const RobustFigure& figure);
+/// " for all values of the tolerances (as stated: between 1 µm and 2 µm; the tolerances may grow
+/// 1.372 times)": what is certified, and what stands beside it.
+std::string tolerances_text(const RobustFigure& figure, const Interval& stated_mm,
+                            double limit_mm);
 /// Of what stands highest among the samples out of reach, likewise; empty where none is.
 std::string out_of_reach_text(const DeviationField& field, std::span<const std::string> stages);
 

@@ -65,11 +65,11 @@ ReachOfCutters::ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> 
 
 StageScene::StageScene(const ReferenceSurface& surface, const model::Stock& raw_stock,
                        std::span<const Pass> passes, const StageCheck& check)
-    : cells(surface.tree(), first_cell_radius_mm(surface.tree())),
+    : highest_mm(surface.bounding_box().high.z + check.allowance_mm + kRounding_mm),
+      cells(surface.tree(), first_cell_radius_mm(surface.tree())),
       cut(raw_stock, passes),
       raw(raw_stock, {}),
-      parts(assembly_sweeps(passes,
-                            surface.bounding_box().high.z + check.allowance_mm + kRounding_mm)),
+      parts(assembly_sweeps(passes, highest_mm)),
       by(cells, passes, check.allowance_mm, surface.area_mm2()),
       request(request_of(check)) {
   if (!parts.empty()) with_parts_.emplace(cut.with(sweeps_of(parts)));

@@ -9,6 +9,7 @@
 
 #include "model/base/run_control.h"
 #include "model/part/stock.h"
+#include "model/part/tolerances.h"
 #include "model/part/toolpath.h"
 #include "verifier/gate/deviation.h"
 #include "verifier/surface/reference_surface.h"
@@ -44,6 +45,9 @@ struct StageCheck {
   double resolution_mm = 0;        ///< widest certified interval asked for; > 0
   double field_spacing_mm = 0.25;  ///< largest distance between samples of the deviation field
   std::size_t largest_cell_count = 5'000'000;  ///< where branch and bound gives up
+  /// What is not known of tools and zero; none: they are taken as stated.
+  std::optional<model::Tolerances> tolerances;
+  bool finds_margin = true;  ///< how far the tolerances could grow, beside what they lead to
 };
 
 /// Resolution "auto": a tenth of the tightest gate limit, 1 µm where nothing is limited.
@@ -78,6 +82,13 @@ struct ProcessFault {
   std::optional<Place> worst = std::nullopt;  ///< where it is deepest
 };
 
+/// What the gates of gouge and uncut judge: the figure over tolerances, where any are stated.
+const Interval& judged_gouge_mm(const StageDeviation& deviation);
+const Interval& judged_uncut_mm(const StageDeviation& deviation);
+/// The verdict of both figures over tolerances against the limits that there are.
+Verdict judge_robust(const RobustDeviation& robust, const GateLimits& limits);
+/// The figure whose tolerances may grow least; null where no margin was found of any.
+const RobustFigure* least_margin(const RobustDeviation& robust);
 /// Area of S that shares are of.
 double whole_area_mm2(const StageDeviation& deviation);
 /// Proven out of reach, and with what is undecided: what the gate `unreachable` judges. What is no

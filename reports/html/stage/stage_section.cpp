@@ -6,6 +6,7 @@
 
 #include "reports/html/charts.h"
 #include "reports/html/markup.h"
+#include "reports/html/stage/tolerance_parts.h"
 #include "reports/picture/png.h"
 #include "reports/text/text.h"
 
@@ -90,9 +91,10 @@ std::string stage_section(const RunResult& result, std::size_t index) {
   const StageResult& stage = result.stages[index];
   return fmt::format(
       "<section class=\"stage\" id=\"{}\" data-stage=\"{}\"><h2><span class=\"no\">Stage {}</span> "
-      "{} {}</h2>\n<p class=\"request\">{}</p>\n{}</section>\n",
+      "{} {}</h2>\n<p class=\"request\">{}</p>\n{}{}</section>\n",
       stage_anchor(index), index, index + 1, escape_markup(stage.name), badge(stage.verdict()),
-      request_line(stage), stage.ran ? measured_part(result, index) : std::string());
+      request_line(stage), tolerance_part(result, index),
+      stage.ran ? measured_part(result, index) : std::string());
 }
 
 }  // namespace limitgauge::reports::html

@@ -6,6 +6,7 @@
 #include "reports/html/charts.h"
 #include "reports/html/markup.h"
 #include "reports/html/stage/stage_parts.h"
+#include "reports/html/tolerance_line.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
 #include "reports/text/text.h"
@@ -128,9 +129,12 @@ std::string design_table(const RunResult& result) {
     cells.push_back(times.cell(result.stages[i]));
   }
   return table(
-      "Gouge and uncut are runs along the normals against the stage's own allowance surface, as "
-      "proven intervals: some point reaches the lower end, no point of the surface exceeds the "
-      "upper one.",
+      std::string(
+          "Gouge and uncut are runs along the normals against the stage's own allowance surface, "
+          "as "
+          "proven intervals: some point reaches the lower end, no point of the surface exceeds the "
+          "upper one.") +
+          toleranced_table_words(result),
       {{"Stage"},
        {"Verdict"},
        {"Tool, path"},

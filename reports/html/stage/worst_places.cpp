@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "reports/html/markup.h"
+#include "reports/html/stage/tolerance_parts.h"
 #include "reports/run/finding_list.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
@@ -109,6 +110,16 @@ std::string sample_card(const RunResult& result, std::size_t index, const Side& 
               depth_beside(side.sign * s->deviation_mm, figure), list, beside_limit(figure));
 }
 
+/// Of a figure that only other values of the tolerances than those stated bring beyond its limit;
+/// the findings are of those stated.
+std::string tolerance_card(const RunResult& result, const Side& side, const GateFigure& figure,
+                           const verifier::RobustFigure& robust) {
+  return card(std::string(side.title) + " over the tolerances", figure.measured,
+              {{"Where", place_text(result, *robust.place)},
+               {"With", witness_words(*result.tolerances, robust)}},
+              beside_limit(figure));
+}
+
 /// Whether the figure is one that keeps the stage from passing; too small a coverage speaks of what
 /// is not limited by itself.
 bool is_to_blame(const std::vector<GateFigure>& figures, const Side& side) {
@@ -117,12 +128,24 @@ bool is_to_blame(const std::vector<GateFigure>& figures, const Side& side) {
   return standing == Standing::no_limit && figures[2].standing == Standing::beyond;
 }
 
+/// Whether it takes tolerances to come to that.
+bool is_by_tolerances(const verifier::StageDeviation& d, const Side& side,
+                      const GateFigure& figure) {
+  if (!d.robust || !figure.length || !figure.length->limit_mm) return false;
+  const bool gouge = side.letter == 'G';
+  return (gouge ? d.robust->gouge : d.robust->uncut).place &&
+         standing_of(gouge ? d.gouge_mm : d.uncut_mm, *figure.length->limit_mm) != figure.standing;
+}
+
 std::string side_card(const RunResult& result, std::size_t index, const Side& side) {
   const std::vector<GateFigure> figures = gate_figures(result.stages[index]);
   if (!is_to_blame(figures, side)) return {};
   const verifier::StageDeviation& d = *result.stages[index].ran->deviation;
   const std::vector<verifier::Finding>& findings = side.letter == 'G' ? d.gouges : d.uncuts;
   const GateFigure& figure = figures[side.figure];
+  if (is_by_tolerances(d, side, figure))
+    return tolerance_card(result, side, figure,
+                          side.letter == 'G' ? d.robust->gouge : d.robust->uncut);
   return findings.empty() ? sample_card(result, index, side, figure)
                           : finding_card(result, index, side, figure, findings.front());
 }

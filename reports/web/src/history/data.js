@@ -27,9 +27,12 @@ export function scaleOf({ unit, metric, values }) {
 /** "finish gouge" */
 export const seriesTitle = ({ stage, label }) => (stage ? `${stage} ${label}` : label);
 
+/** Of these the lower end is promised: the more, the better. */
+const PROMISED_LOW = ['coverage', 'margin'];
+
 /** What a figure of the series is drawn at: of an interval the end that the gate is held against. */
 export const drawnAt = (series, value) =>
-  (series.metric === 'coverage' ? value.low : value.high) * series.scale.factor;
+  (PROMISED_LOW.includes(series.metric) ? value.low : value.high) * series.scale.factor;
 
 /**
  * How a figure itself stands against its limit: the mark of a run that failed stands at the figure that

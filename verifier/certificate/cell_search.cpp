@@ -80,7 +80,7 @@ class CellSearch {
       : task_(task),
         control_(control),
         bounds_(task.cells, task.space, task.side, task.request.allowance_mm, task.draws),
-        may_split_(before.cells < task.request.largest_cell_count) {
+        may_split_(before.cells < task.request.largest_cell_count && !is_open(before)) {
     out_.low = before.low, out_.high = before.high;
   }
 
@@ -96,8 +96,13 @@ class CellSearch {
 
  private:
   double goal() const { return task_.goal(out_.low); }
+  /// Of a search that only decides: whether some cell is proven neither way, so that no other
+  /// makes it pass.
+  bool is_open(const CellOutcome& found) const {
+    return task_.request.decides_only && found.high > task_.deciding_mm();
+  }
   bool spent() const {
-    if (!may_split_) return true;
+    if (!may_split_ || is_open(out_)) return true;
     if (task_.settled(out_.low)) return out_.cells > kOnceSettled;
     return static_cast<double>(out_.cells + kCellsOfReach * reach_searches_) >
            kShareOfCell * static_cast<double>(task_.request.largest_cell_count);
@@ -107,6 +112,7 @@ class CellSearch {
   void search(const Cell& cell, int depth) {
     // Where reach has no proof, a cell may take milliseconds.
     control_.check();
+    if (task_.request.decides_only && task_.settled(out_.low)) return;
     ++out_.cells;
     const OffsetCell offset = offset_of(cell);
     if (bounds_.surely_within(offset, goal())) return out_.cover(goal());
@@ -121,7 +127,8 @@ class CellSearch {
         const SurfacePlace place = place_of(cell, offset.middle);
         out_of_reach = !task_.counts(cell, place, offset.normal);
         if (!out_of_reach) {
-          out_.see({place, run.length_mm, body_of(run, offset.middle), offset.normal, run.shift_x, run.shift_y});
+          out_.see({place, run.length_mm, body_of(run, offset.middle), offset.normal, run.shift_x,
+                    run.shift_y});
           climb(cell, run);
           if (bounds_.surely_within(offset, goal())) return out_.cover(goal());
         }
@@ -273,6 +280,7 @@ class CellSearch {
 
   /// Without refinement: the first of ever longer runs that is proven.
   void give_up(const OffsetCell& offset) {
+    if (task_.request.decides_only) return out_.cover(std::numeric_limits<double>::infinity());
     const double longest = bounds_.longest_mm(), first = std::max(goal(), out_.high);
     if (first >= longest) return;
     double share = 0;
@@ -296,6 +304,7 @@ class CellSearch {
 }  // namespace
 
 double CertificateTask::goal(double low_mm) const {
+  if (request.decides_only) return deciding_mm();
   return low_mm + (draws ? draws->gap_mm : 0) +
          kShare * wanted_width_mm(request, low_mm, limit_mm(), errors_mm);
 }

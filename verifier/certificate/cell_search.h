@@ -25,6 +25,9 @@ struct CertificateRequest {
   /// further, down to a hundredth of it, until the verdict is settled.
   double resolution_mm = 0;
   std::size_t largest_cell_count = 0;  ///< where refinement ends all the same
+  /// Only whether the figure is within its limit is wanted: `low` is 0 but for a run beyond the
+  /// limit, and `high` is no more than the limit or infinite. No width is looked for.
+  bool decides_only = false;
 };
 
 /// A point of S that shows that an interval's low end is truly reached.
@@ -67,6 +70,8 @@ struct CertificateTask {
     return side == Side::uncut ? request.uncut_limit_mm : request.gouge_limit_mm;
   }
   bool settled(double low_mm) const { return low_mm > limit_mm() + errors_mm; }
+  /// What is proven to stay within this is within the limit, for a search that only decides.
+  double deciding_mm() const { return std::max(0.0, limit_mm() - errors_mm); }
   /// Up to where a bound need not be improved, by what is known to be reached.
   double goal(double low_mm) const;
   /// Of a place whose normal is `n`, on the cell or on a sharp edge.

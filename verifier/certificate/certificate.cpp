@@ -1,6 +1,7 @@
 #include "verifier/certificate/certificate.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "model/base/chunks.h"
 #include "verifier/certificate/run_bounds.h"
@@ -49,6 +50,11 @@ void see_longest(const CertificateTask& task, const std::vector<double>& looks,
   }
 }
 
+/// Whether what is left need not be looked at.
+bool is_decided(const CertificateTask& task, const CellOutcome& found) {
+  return task.request.decides_only && task.settled(found.low);
+}
+
 Interval interval_of(const CellOutcome& out, double errors_mm) {
   return {std::max(0.0, out.low - errors_mm),
           std::max({0.0, out.high + errors_mm, out.low - errors_mm})};
@@ -66,9 +72,10 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, Side s
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return looks[i] > looks[j]; });
   CellOutcome sum;
+  if (request.decides_only) sum.low = task.deciding_mm();
   see_longest(task, looks, order, sum);
   std::size_t batch = kFirstBatch;
-  for (std::size_t at = 0; at < order.size(); at += batch) {
+  for (std::size_t at = 0; at < order.size() && !is_decided(task, sum); at += batch) {
     batch = std::clamp(at / 4, kFirstBatch, kLargestBatch);
     control.check();
     control.report(static_cast<double>(at) / static_cast<double>(order.size()));
@@ -79,6 +86,8 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, Side s
     });
     for (const CellOutcome& o : found) sum.merge(o);
   }
+  if (is_decided(task, sum)) sum.cover(std::numeric_limits<double>::infinity());
+  if (request.decides_only && !sum.witness) sum.low = 0;
   Certificate out;
   out.figure_mm = interval_of(sum, task.errors_mm);
   out.witness = sum.witness;

@@ -18,7 +18,7 @@ struct TracedRun {
   double length_mm = 0;
   std::optional<BodyRef>
       body;  ///< of material: what ends it; of removed space: what reaches furthest
-  bool meets_surface = false;  ///< ended by a crossing of S
+  bool meets_surface = false;       ///< ended by a crossing of S
   double shift_x = 0, shift_y = 0;  ///< of a space that sways: share of its draws' shift
 };
 

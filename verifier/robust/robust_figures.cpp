@@ -6,6 +6,7 @@
 
 #include "model/base/clock.h"
 #include "verifier/robust/tolerance_margin.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -15,6 +16,12 @@ namespace {
 constexpr double kStep_mm = 1e-3;
 /// Beyond all passes: the raw stock.
 constexpr std::uint32_t kNoPass = std::numeric_limits<std::uint32_t>::max();
+
+using model::Vec3;
+
+ToleranceBox grown_box(const RobustScene& scene, double factor) {
+  return {model::scaled(*scene.check.tolerances, factor), scene.passes};
+}
 
 /// A figure and the values that its witness has.
 struct Found {
@@ -37,15 +44,15 @@ Found find(const RobustScene& scene, Side side, const ToleranceBox& box,
 /// The run at a place, at one set of values.
 double run_at(const RobustScene& scene, Side side, const ToleranceBox& box,
               const ToleranceValues& values, const Witness& witness) {
-  const RemovedSpace space = scene.raw.with(box.sweeps_at(values, side, scene.highest_mm))
-                                 .shifted(box.shift_at(values));
+  const RemovedSpace space =
+      scene.raw.with(box.sweeps_at(values, side, scene.highest_mm)).shifted(box.shift_at(values));
   RunBounds bounds(scene.cells, space, side, scene.request.allowance_mm);
   return bounds.run(witness.place.point, witness.normal).length_mm;
 }
 
 /// How the run at the witness changes with each value, by a step into its range.
-std::vector<NamedLength> sensitivities(const RobustScene& scene, Side side,
-                                       const ToleranceBox& box, const Found& found) {
+std::vector<NamedLength> sensitivities(const RobustScene& scene, Side side, const ToleranceBox& box,
+                                       const Found& found) {
   std::vector<NamedLength> out;
   const Witness& witness = *found.certificate.witness;
   const double whole = run_at(scene, side, box, *found.values, witness);
@@ -60,13 +67,40 @@ std::vector<NamedLength> sensitivities(const RobustScene& scene, Side side,
   return out;
 }
 
+/// The run, less its errors, of the same witness with the values at the same places of the box
+/// grown by another factor.
+double run_in_grown(const RobustScene& scene, Side side, const Witness& witness,
+                    const Vec3& off_path, double factor) {
+  const ToleranceBox box = grown_box(scene, factor);
+  const ToleranceValues values =
+      box.off_path(box.shifted(side, witness.shift_x, witness.shift_y), off_path * box.path_mm());
+  return run_at(scene, side, box, values, witness) - kRounding_mm;
+}
+
+BoxTrial trial_of(const RobustScene& scene, Side side, double limit_mm, double factor,
+                  const model::RunControl& control) {
+  const ToleranceBox box = grown_box(scene, factor);
+  const ToleratedSpaces spaces(box, scene.raw, side, scene.highest_mm);
+  CertificateRequest request = scene.request;
+  request.decides_only = true;
+  const Certificate found =
+      certify(scene.cells, spaces.whole, side, side == Side::uncut ? &scene.reach : nullptr,
+              request, control, &spaces.draws);
+  if (found.figure_mm.high <= limit_mm) return {BoxTrial::Is::within, {}};
+  if (!found.witness || found.figure_mm.low <= limit_mm) return {BoxTrial::Is::undecided, {}};
+  const Witness& w = *found.witness;
+  const double path = box.path_mm();
+  const Vec3 off = path > 0 ? spaces.draws.off_path(side, w.normal) / path : Vec3{};
+  return {BoxTrial::Is::beyond,
+          [&scene, side, w, off](double by) { return run_in_grown(scene, side, w, off, by); }};
+}
+
 ToleranceMargin margin_of(const RobustScene& scene, Side side, const Interval& nominal,
                           const Interval& whole, double limit_mm,
                           const model::RunControl& control) {
-  return find_margin(nominal, whole, limit_mm, [&](double factor) -> std::optional<Interval> {
+  return find_margin(nominal, whole, limit_mm, [&](double factor) -> std::optional<BoxTrial> {
     try {
-      const ToleranceBox box(model::scaled(*scene.check.tolerances, factor), scene.passes);
-      return find(scene, side, box, control).certificate.figure_mm;
+      return trial_of(scene, side, limit_mm, factor, control);
     } catch (const std::invalid_argument&) {
       return std::nullopt;
     }
@@ -88,8 +122,8 @@ void name_move(const RobustScene& scene, const ToleranceBox& box, const BodyRef&
 
 }  // namespace
 
-RobustFigure robust_figure(const RobustScene& scene, Side side,
-                           const model::Tolerances& tolerances, const model::RunControl& control) {
+RobustFigure robust_figure(const RobustScene& scene, Side side, const model::Tolerances& tolerances,
+                           const model::RunControl& control) {
   const ToleranceBox box(tolerances, scene.passes);
   const Found found = find(scene, side, box, control);
   RobustFigure out;

@@ -21,8 +21,8 @@ struct RobustScene {
 };
 
 /// One figure for every value of the stated tolerances. Throws as ToleranceBox does, Interrupted.
-RobustFigure robust_figure(const RobustScene& scene, Side side,
-                           const model::Tolerances& tolerances, const model::RunControl& control);
+RobustFigure robust_figure(const RobustScene& scene, Side side, const model::Tolerances& tolerances,
+                           const model::RunControl& control);
 
 /// The figures of a stage, each with the margin of its limit, where it has one and margins are
 /// asked for. `nominal` has the figures without tolerances.

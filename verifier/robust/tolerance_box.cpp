@@ -61,7 +61,8 @@ std::string Tolerance::name() const {
 void require_certifiable(const model::Tolerances& tolerances, const model::Cutter& cutter) {
   const std::string who = "tool \"" + cutter.id + "\": ";
   const auto stated = tolerances.tools.find(cutter.id);
-  model::ToolTolerance tool = stated == tolerances.tools.end() ? model::ToolTolerance{} : stated->second;
+  model::ToolTolerance tool =
+      stated == tolerances.tools.end() ? model::ToolTolerance{} : stated->second;
   const double heights =
       tool.length_mm.width() + tolerances.zero_mm[2].width() + 2 * tolerances.positioning_mm.z;
   const CutterProfile profile(cutter);
@@ -96,9 +97,8 @@ ToleranceBox::ToleranceBox(const model::Tolerances& tolerances, std::span<const 
 
 void ToleranceBox::add_tool(const model::Tolerances& tolerances, const Pass& pass) {
   const auto stated = tolerances.tools.find(pass.cutter.id);
-  const bool known = std::any_of(tolerances_.begin(), tolerances_.end(), [&](const Tolerance& t) {
-    return t.tool == pass.cutter.id;
-  });
+  const bool known = std::any_of(tolerances_.begin(), tolerances_.end(),
+                                 [&](const Tolerance& t) { return t.tool == pass.cutter.id; });
   if (stated == tolerances.tools.end() || known) return;
   const model::ToolTolerance& tool = stated->second;
   const auto add = [&](Of of, const Interval& range) {
@@ -173,8 +173,8 @@ std::vector<Pass> ToleranceBox::passes_at(const ToleranceValues& values) const {
     model::Toolpath path = *pass.path;
     path.start += shift;
     for (model::Move& move : path.moves) move.to += shift;
-    out.push_back({model::varied(pass.cutter, by),
-                   std::make_shared<const model::Toolpath>(std::move(path))});
+    out.push_back(
+        {model::varied(pass.cutter, by), std::make_shared<const model::Toolpath>(std::move(path))});
   }
   return out;
 }

@@ -6,105 +6,119 @@
 namespace limitgauge::verifier {
 namespace {
 
+using Is = BoxTrial::Is;
+
 /// How near proven and refuted factors are to come to each other, as a share of them.
 constexpr double kFineness = 1e-3;
-constexpr int kMostTries = 24;
-/// A factor that is guessed is tried a little beside, so that the limit soon lies between two.
-constexpr double kBeside = 0.4 * kFineness;
+/// How near to where a witness reaches the limit its factor is taken, as a share of it.
+constexpr double kWitnessFineness = 1e-5;
+/// Sizes tried at most: some three are what a figure takes, and more where witnesses lie apart.
+constexpr int kMostTries = 16;
+/// A box of this many times the size that passes is tried next at most.
+constexpr double kSteepest = 8;
+/// By how much more is stepped back from what is not decided, each time.
+constexpr double kStepBack = 4;
 
-/// A box that was tried.
-struct Tried {
-  double factor = 0, middle_mm = 0;
-};
-
-/// Narrows down where a growing figure crosses its limit.
+/// Closes in on the size at which a figure reaches its limit: each witness beyond the limit tells
+/// the smallest size at which it is one, and a size a little below that is tried next.
 class MarginSearch {
  public:
-  MarginSearch(double limit_mm, const std::function<std::optional<Interval>(double)>& figure)
-      : limit_mm_(limit_mm), figure_(figure) {}
+  MarginSearch(double limit_mm, const TryBox& try_box) : limit_mm_(limit_mm), try_box_(try_box) {}
 
-  void see(double factor, const Interval& figure) {
-    const Tried tried{factor, (figure.low + figure.high) / 2};
-    if (figure.high <= limit_mm_) {
-      if (!passes_ || factor > passes_->factor) passes_ = tried;
-    } else if (figure.low > limit_mm_) {
-      if (!fails_ || factor < fails_->factor) fails_ = tried;
-    } else {
-      undecided_.add(factor);
+  /// The stated box passes, with a middle of `at_whole_mm`; without one it is `at_none_mm`.
+  void grow(double at_none_mm, double at_whole_mm) {
+    proven_ = 1;
+    const double rise = at_whole_mm - at_none_mm;
+    double factor = rise > 0 ? 1 + (limit_mm_ - at_whole_mm) / rise : kLargestFactor;
+    while (tries_left() && !is_ended_ && is_apart(proven_, largest_)) {
+      factor = std::clamp(factor * (1 + kFineness), 1.1 * proven_, kSteepest * proven_);
+      if (factor >= largest_) factor = has_cutter_ ? largest_ : (proven_ + largest_) / 2;
+      if (see(factor) == Is::within) factor *= 2;
     }
   }
+  void see_beyond(double factor) { see(factor); }
 
   ToleranceMargin run() {
-    for (int k = 0; k < kMostTries && passes_; ++k) {
-      const std::optional<double> next = next_factor();
-      if (!next) break;
-      const std::optional<Interval> figure = figure_(*next);
-      if (!figure) {
-        largest_ = *next;
-        continue;
-      }
-      see(*next, *figure);
+    double back = kFineness / 2;
+    while (tries_left() && is_ended_) {
+      const double next = end_ * (1 - back);
+      if (next <= proven_ || !is_apart(proven_, end_)) break;
+      if (see(next) == Is::within) break;
+      // Of what is not decided smaller ones are tried, further and further back.
+      back = refuted_ && end_ == *refuted_ ? kFineness / 2 : back * kStepBack;
+      if (back >= 1) break;
     }
-    ToleranceMargin out;
-    if (passes_) out.proven = passes_->factor;
-    if (fails_) out.refuted = fails_->factor;
-    return out;
+    if (is_ended_ && !refuted_) seek_refuted();
+    return {proven_, refuted_};
   }
 
  private:
-  /// The next to try; none where nothing is left to be learnt.
-  std::optional<double> next_factor() const {
-    const double from = passes_->factor;
-    if (!fails_ && undecided_.empty()) return beyond(from);
-    const double to = std::min(fails_ ? fails_->factor : largest_,
-                               undecided_.empty() ? largest_ : undecided_.low);
-    if (is_apart(from, to)) return undecided_.empty() ? between() : (from + to) / 2;
-    if (undecided_.empty()) return std::nullopt;
-    const double end = fails_ ? fails_->factor : std::min(2 * undecided_.high, largest_);
-    if (is_apart(undecided_.high, end)) return (undecided_.high + end) / 2;
-    return std::nullopt;
+  /// Beyond what is decided neither way.
+  void seek_refuted() {
+    const double undecided = end_;
+    for (const double share : {1.1, 1.5, 2.5, 5.0})
+      if (!refuted_ && undecided * share < largest_) see(undecided * share);
   }
+  bool tries_left() { return tries_++ < kMostTries; }
   static bool is_apart(double low, double high) { return high - low > kFineness * high; }
 
-  /// Nothing that was tried fails yet: where the limit would be on the line through the last two.
-  std::optional<double> beyond(double from) const {
-    if (!is_apart(from, largest_)) return std::nullopt;
-    const double rise = passes_->middle_mm - first_mm();
-    const double step = rise > 0 ? from * (limit_mm_ - passes_->middle_mm) / rise : largest_;
-    const double next = from > 0 ? from + std::max(step * (1 + kBeside), 0.5 * from) : 1;
-    return std::min(next, (from + largest_) / (largest_ < kLargestFactor ? 2 : 1));
+  std::optional<Is> see(double factor) {
+    const std::optional<BoxTrial> trial = try_box_(factor);
+    if (!trial) {
+      largest_ = factor, has_cutter_ = false;
+      return std::nullopt;
+    }
+    if (trial->is == Is::within) proven_ = factor;
+    if (trial->is == Is::beyond) refuted_ = end_ = where_reached(*trial, factor);
+    if (trial->is == Is::undecided) end_ = factor;
+    if (trial->is != Is::within) is_ended_ = true;
+    return trial->is;
   }
-  double first_mm() const { return at_none_mm; }
-  /// On the line between what passes and what fails, a little to the side where the limit is
-  /// likelier to be left of.
-  double between() const {
-    const double width = fails_->factor - passes_->factor;
-    const double rise = fails_->middle_mm - passes_->middle_mm;
-    const double share = rise > 0 ? (limit_mm_ - passes_->middle_mm) / rise : 0.5;
-    const double guess = passes_->factor + std::clamp(share, 0.0, 1.0) * width;
-    const double inner = width * 0.02, step = std::max(kBeside * guess, 0.0);
-    const double next = share > 0.5 ? guess - step : guess + step;
-    return std::clamp(next, passes_->factor + inner, fails_->factor - inner);
+
+  /// The smallest factor, but for the fineness, at which the witness of `factor` exceeds the limit.
+  double where_reached(const BoxTrial& trial, double factor) const {
+    double low = proven_, high = factor;
+    double above_low = trial.witness_run_mm(low) - limit_mm_;
+    double above_high = trial.witness_run_mm(high) - limit_mm_;
+    // The proof stands, but not with the box's own values: nothing can be told of smaller ones.
+    if (!(above_high > 0)) return factor;
+    for (int k = 0; k < 40 && high - low > kWitnessFineness * high; ++k) {
+      // A little above and below where the line through both ends has it, so that it soon lies
+      // between the two; every third time halfway, should the line be bad.
+      const double line = low - above_low / (above_high - above_low) * (high - low);
+      const double beside = (k % 3 == 0 ? 0.4 : -0.4) * kWitnessFineness * high;
+      const double middle = k % 3 == 2 || !(line + beside > low && line + beside < high)
+                                ? (low + high) / 2
+                                : line + beside;
+      const double above = trial.witness_run_mm(middle) - limit_mm_;
+      (above > 0 ? high : low) = middle;
+      (above > 0 ? above_high : above_low) = above;
+    }
+    return high;
   }
 
   double limit_mm_;
-  const std::function<std::optional<Interval>(double)>& figure_;
-  std::optional<Tried> passes_, fails_;
-  Interval undecided_ = Interval::none();
+  const TryBox& try_box_;
+  double proven_ = 0;  ///< largest that passes
+  std::optional<double> refuted_;
+  double end_ = kLargestFactor;  ///< smallest that is tried and does not pass
+  bool is_ended_ = false;        ///< whether any is
   double largest_ = kLargestFactor;
-
- public:
-  double at_none_mm = 0;
+  bool has_cutter_ = true;  ///< in the largest
+  int tries_ = 0;
 };
 
 }  // namespace
 
 ToleranceMargin find_margin(const Interval& at_none, const Interval& at_whole, double limit_mm,
-                            const std::function<std::optional<Interval>(double)>& figure) {
-  MarginSearch search(limit_mm, figure);
-  search.at_none_mm = (at_none.low + at_none.high) / 2;
-  search.see(0, at_none);
-  search.see(1, at_whole);
+                            const TryBox& try_box) {
+  if (at_none.low > limit_mm) return {std::nullopt, 0};
+  if (at_none.high > limit_mm) return {std::nullopt, std::nullopt};
+  MarginSearch search(limit_mm, try_box);
+  if (at_whole.high <= limit_mm)
+    search.grow((at_none.low + at_none.high) / 2, (at_whole.low + at_whole.high) / 2);
+  else
+    search.see_beyond(1);
   return search.run();
 }
 

@@ -121,7 +121,7 @@ std::string KeySources::prefix_key(std::size_t stages) const {
   if (any(stages, is_planned)) key.add("model", model_key());
   // The job's name stands in the programs that are written.
   for (const char* table : {"name", "surface", "stock", "machine", "post", "program_frame",
-                            "fixture", "simulation", "verification"})
+                            "fixture", "simulation", "verification", "tolerances"})
     add_table(key, table);
   for (const char* role : {"cage", "mesh", "stock", "fixture", "tool table"}) add_files(key, role);
   add_tools(key, stages);

@@ -5,7 +5,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "app/study/study_figures.h"
 #include "model/base/error.h"
 #include "reports/record/record_reader.h"
 
@@ -27,7 +26,7 @@ std::vector<std::string> StudyCases::overrides_of(const study::Case& asked) cons
 
 /// Before anything is run: a key that no job has is said at once.
 void StudyCases::know(Asked& all) {
-  const std::size_t figures = study_figures(options_.stages).size();
+  const std::size_t figures = study_figures(options_.scope).size();
   std::optional<model::InputError> first_refusal;
   for (std::size_t i = 0; i < all.cases.size(); ++i) {
     if (options_.stop != nullptr && *options_.stop) throw model::Interrupted();
@@ -58,7 +57,7 @@ bool StudyCases::fill(study::Row& row) {
   if (!text) return false;
   try {
     std::istringstream in(*text);
-    fill_row(row, reports::record::read_result_json(in, "result.json"), options_.stages);
+    fill_row(row, reports::record::read_result_json(in, "result.json"), options_.scope);
   } catch (const model::InputError&) {
     return false;
   }

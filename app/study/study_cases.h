@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/study/case_keys.h"
+#include "app/study/study_figures.h"
 #include "study/execute/executor.h"
 #include "study/plan/plan.h"
 #include "study/store/store.h"
@@ -23,7 +24,8 @@ struct StudyProgress {
 /// What the cases of one study have in common.
 struct StudyCasesOptions {
   std::filesystem::path job;  ///< absolute: results name the file alone then
-  std::vector<std::string> overrides, keys, stages;
+  std::vector<std::string> overrides, keys;
+  FigureScope scope;
   const std::atomic<bool>* stop = nullptr;
   /// Every result that there is, once: the text of result.json.
   std::function<void(std::size_t index, const std::string& text)> result;

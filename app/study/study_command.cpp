@@ -53,6 +53,10 @@ class StudyRun {
   const OutputFolder& folder() const { return folder_; }
 
  private:
+  std::vector<std::string> keys() const;
+  std::vector<study::Figure> figures() const;
+  std::vector<study::Row> searched_rows(StudyCases& cases,
+                                        std::span<const study::Case> asked) const;
   StudyCasesOptions cases_options(ProgressLine& progress) const;
   void run_cases(StudyCases& cases, StudyOutcome& outcome) const;
   std::unique_ptr<study::Executor> engine_for(ProgressLine& progress) const;
@@ -66,16 +70,38 @@ class StudyRun {
   const fs::path job_;
   const study::Store store_;
   OutputFolder folder_;
-  std::vector<std::string> stages_;
+  FigureScope scope_;
   const fs::file_time_type began_ = fs::file_time_type::clock::now() - kClocks;
 };
+
+std::vector<std::string> StudyRun::keys() const {
+  std::vector<std::string> keys;
+  for (const study::Variable& variable : plan_.variables) keys.push_back(variable.key);
+  return keys;
+}
+
+/// With the setting that is to be large, where one is: a figure that no result has.
+std::vector<study::Figure> StudyRun::figures() const {
+  std::vector<study::Figure> all = study_figures(scope_);
+  if (const auto& key = plan_.search.largest)
+    all.push_back({study::kSearchedSetting, *key, "", false, true});
+  return all;
+}
+
+std::vector<study::Row> StudyRun::searched_rows(StudyCases& cases,
+                                                std::span<const study::Case> asked) const {
+  std::vector<study::Row> rows = cases.rows(asked);
+  if (plan_.search.largest)
+    for (study::Row& row : rows) row.figures.push_back(row.asked.settings.front().number);
+  return rows;
+}
 
 StudyCasesOptions StudyRun::cases_options(ProgressLine& progress) const {
   StudyCasesOptions options;
   options.job = job_;
   options.overrides = common_.overrides;
-  for (const study::Variable& variable : plan_.variables) options.keys.push_back(variable.key);
-  options.stages = stages_;
+  options.keys = keys();
+  options.scope = scope_;
   options.stop = console_.stop;
   options.result = [this](std::size_t index, const std::string& text) {
     write_case(index, text, folder_.working());
@@ -101,7 +127,8 @@ void StudyRun::run_cases(StudyCases& cases, StudyOutcome& outcome) const {
   }
   study::SearchResult found = study::search(
       plan_, outcome.table.figures,
-      [&cases](std::span<const study::Case> asked) { return cases.rows(asked); }, console_.stop);
+      [&](std::span<const study::Case> asked) { return searched_rows(cases, asked); },
+      console_.stop);
   if (found.how == study::SearchResult::Ending::stopped) throw model::Interrupted();
   outcome.table.rows = std::move(found.rows);
   outcome.analysis = analyse(plan_, outcome.table);
@@ -141,11 +168,9 @@ StudyOutcome StudyRun::work() {
   outcome.engine = command_.engine;
   outcome.table.name = plan_.name;
   outcome.table.job = plan_.job_as_stated;
-  for (const study::Variable& variable : plan_.variables)
-    outcome.table.keys.push_back(variable.key);
-  for (const JobStage& stage : read_job(job_, common_.overrides).stages)
-    stages_.push_back(stage.name);
-  outcome.table.figures = study_figures(stages_);
+  outcome.table.keys = keys();
+  scope_ = figure_scope(read_job(job_, common_.overrides), outcome.table.keys);
+  outcome.table.figures = figures();
   ProgressSurroundings around;
   around.columns = console_.errors_columns;
   ProgressLine progress(console_.errors, console_.progress && !common_.quiet, std::move(around));

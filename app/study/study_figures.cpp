@@ -11,6 +11,7 @@ namespace {
 
 using reports::record::Better;
 using reports::record::DeviationMeasures;
+using reports::record::is_over_tolerances;
 using reports::record::Metric;
 using reports::record::RunRecord;
 using reports::record::Source;
@@ -18,11 +19,18 @@ using reports::record::StageMeasures;
 using reports::record::StageRecord;
 using verifier::Verdict;
 
-std::vector<const Metric*> metrics() {
+std::vector<const Metric*> metrics(const FigureScope& scope) {
   std::vector<const Metric*> kept;
-  for (const Metric& metric : reports::record::stage_metrics())
-    if (metric.source != Source::effort) kept.push_back(&metric);
+  for (const Metric& metric : reports::record::stage_metrics()) {
+    const bool is_there = scope.over_tolerances || !is_over_tolerances(metric.id);
+    if (metric.source != Source::effort && is_there) kept.push_back(&metric);
+  }
   return kept;
+}
+
+/// The only certified figure that is to be large.
+bool is_margin(const Metric& metric) {
+  return metric.source == Source::certified && metric.better == Better::higher;
 }
 
 void add_figures(std::vector<study::Figure>& all, const std::string& stage, const Metric& metric) {
@@ -33,8 +41,10 @@ void add_figures(std::vector<study::Figure>& all, const std::string& stage, cons
     all.push_back({id, label, unit});
     return;
   }
-  all.push_back({id + ".low", label + ", reached", unit});
-  all.push_back({id + ".high", label + ", certified", unit});
+  const bool optional = is_over_tolerances(metric.id), margin = is_margin(metric);
+  all.push_back({id + ".low", label + (margin ? ", proven" : ", reached"), unit, optional, margin});
+  all.push_back(
+      {id + ".high", label + (margin ? ", refuted" : ", certified"), unit, optional, margin});
 }
 
 /// Excess in parts of the limit, or of `least` where that is more.
@@ -47,11 +57,11 @@ std::vector<double> excesses(const DeviationMeasures& measures,
                              const verifier::GateLimits& limits) {
   std::vector<double> all;
   if (limits.has_gouge && limits.gouge_mm > 0)
-    all.push_back(
-        (std::max(measures.gouge_mm.high, measures.missing_stock_mm.high) - limits.gouge_mm) /
-        limits.gouge_mm);
+    all.push_back((std::max(judged_gouge_mm(measures).high, measures.missing_stock_mm.high) -
+                   limits.gouge_mm) /
+                  limits.gouge_mm);
   if (limits.has_uncut && limits.uncut_mm > 0)
-    all.push_back((measures.uncut_mm.high - limits.uncut_mm) / limits.uncut_mm);
+    all.push_back((judged_uncut_mm(measures).high - limits.uncut_mm) / limits.uncut_mm);
   if (limits.has_coverage) {
     // Where all has to be covered, a thousandth of the area is one limit's worth.
     const double may_be_left = std::max(1 - limits.coverage, 1e-3);
@@ -105,10 +115,13 @@ void add_reach(const DeviationMeasures& measures, const verifier::GateLimits& li
 template <class Add>
 void add_limits(const DeviationMeasures& measures, const verifier::GateLimits& limits,
                 const Add& add) {
-  if (limits.has_gouge && measures.gouge_mm.high > limits.gouge_mm)
-    add(std::string("gouge") + judged(measures.gouge_mm, limits.gouge_mm));
-  if (limits.has_uncut && measures.uncut_mm.high > limits.uncut_mm)
-    add(std::string("uncut") + judged(measures.uncut_mm, limits.uncut_mm));
+  const std::string over = measures.robust ? " over tolerances" : "";
+  const verifier::Interval &gouge_mm = judged_gouge_mm(measures),
+                           &uncut_mm = judged_uncut_mm(measures);
+  if (limits.has_gouge && gouge_mm.high > limits.gouge_mm)
+    add("gouge" + over + judged(gouge_mm, limits.gouge_mm));
+  if (limits.has_uncut && uncut_mm.high > limits.uncut_mm)
+    add("uncut" + over + judged(uncut_mm, limits.uncut_mm));
   if (limits.has_gouge && measures.missing_stock_mm.high > limits.gouge_mm)
     add(std::string("missing stock") + judged(measures.missing_stock_mm, limits.gouge_mm));
   if (limits.has_coverage && measures.coverage < limits.coverage) add("coverage too small");
@@ -182,18 +195,30 @@ std::optional<double> whole_machining_time_s(const RunRecord& run) {
 
 }  // namespace
 
-std::vector<study::Figure> study_figures(std::span<const std::string> stages) {
+FigureScope figure_scope(const Job& job, std::span<const std::string> keys) {
+  FigureScope scope;
+  for (const JobStage& stage : job.stages) scope.stages.push_back(stage.name);
+  scope.over_tolerances =
+      job.tolerances || std::any_of(keys.begin(), keys.end(), [](const std::string& key) {
+        return key == "tolerances" || key.starts_with("tolerances.");
+      });
+  return scope;
+}
+
+std::vector<study::Figure> study_figures(const FigureScope& scope) {
   std::vector<study::Figure> all = {{"machining_time_s", "machining time", "s"},
                                     {"gate_excess", "largest excess over a limit", ""}};
-  for (const std::string& stage : stages)
-    for (const Metric* metric : metrics()) add_figures(all, stage, *metric);
+  for (const std::string& stage : scope.stages)
+    for (const Metric* metric : metrics(scope)) add_figures(all, stage, *metric);
   return all;
 }
 
-std::vector<std::string> objective_ids(std::span<const std::string> stages) {
+std::vector<std::string> objective_ids(const FigureScope& scope) {
   std::vector<std::string> ids = {"machining_time_s", "gate_excess"};
-  for (const std::string& stage : stages) {
-    for (const Metric* metric : metrics()) {
+  for (const std::string& stage : scope.stages) {
+    for (const Metric* metric : metrics(scope)) {
+      // What is refuted of a margin promises nothing.
+      if (is_margin(*metric)) ids.push_back(stage + "." + std::string(metric->id) + ".low");
       if (!can_be_objective(*metric)) continue;
       std::vector<study::Figure> figures;
       add_figures(figures, stage, *metric);
@@ -213,12 +238,13 @@ std::optional<double> gate_excess(const RunRecord& run) {
   return worst;
 }
 
-void fill_row(study::Row& row, const RunRecord& run, std::span<const std::string> stages) {
+void fill_row(study::Row& row, const RunRecord& run, const FigureScope& scope) {
   row.status = status_of(run.verdict);
   row.reason = row.status == study::Status::pass ? std::string() : reason_of(run);
   row.figures = {whole_machining_time_s(run), gate_excess(run)};
-  for (const std::string& name : stages)
-    for (const Metric* metric : metrics()) add_values(row.figures, stage_named(run, name), *metric);
+  for (const std::string& name : scope.stages)
+    for (const Metric* metric : metrics(scope))
+      add_values(row.figures, stage_named(run, name), *metric);
 }
 
 }  // namespace limitgauge::app

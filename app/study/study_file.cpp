@@ -135,18 +135,43 @@ void read_objectives(const TomlTable& root, StudyFile& file) {
     refuse(file.accuracy, "\"" + file.plan.cost + "\" is the cost", "other figures");
 }
 
+bool is_number(const study::Setting& setting) {
+  return setting.number.has_value();
+}
+
+/// The setting takes the place of whatever would be least.
+void read_largest(const TomlTable& root, const TomlTable& table, StudyFile& file) {
+  const std::string key = table.text("largest");
+  const auto refuse_it = [&](const std::string& wrong, const std::string& expected) {
+    refuse(table.place("largest"), wrong, expected);
+  };
+  const std::vector<study::Variable>& varied = file.plan.variables;
+  if (varied.size() != 1 || varied[0].key != key)
+    refuse_it("\"" + key + "\" is not the one key that is varied",
+              "\"" + varied[0].key + "\" alone");
+  if (!std::all_of(varied[0].values.begin(), varied[0].values.end(), is_number))
+    refuse_it("settings of \"" + key + "\" are no numbers",
+              "a key of which all settings are numbers");
+  const bool has_cost = root.has("objectives") && root.table("objectives").contains("cost");
+  if (table.has("cost") || has_cost)
+    refuse_it("a cost is stated beside \"largest\"", "one of the two");
+  file.plan.search.largest = key;
+  file.plan.cost = file.plan.search.cost = study::kSearchedSetting;
+}
+
 void read_search(const TomlTable& root, StudyFile& file) {
   study::Search& search = file.plan.search;
   search.cost = file.plan.cost;
   file.search_cost = file.cost;
   if (!root.has("search")) return;
   const TomlTable table(root.table("search"), "[search]",
-                        {"cost", "most_cases", "accuracy", "batch"});
+                        {"cost", "largest", "most_cases", "accuracy", "batch"});
   constexpr std::size_t kMostBatch = 64, kMostSearched = 10'000;
   if (table.has("cost")) search.cost = table.text("cost"), file.search_cost = table.place("cost");
   if (table.has("most_cases"))
     search.most_cases = whole_from(table, "most_cases", 2, kMostSearched);
   if (table.has("accuracy")) search.accuracy = table.between("accuracy", 1e-6, 0.5);
+  if (table.has("largest")) read_largest(root, table, file);
   if (table.has("batch")) search.batch = whole_from(table, "batch", 1, kMostBatch);
 }
 

@@ -100,10 +100,10 @@ void require_job_key(const BaseJob& job, std::size_t v) {
   }
 }
 
-/// A figure that is to be small: of those, a front makes sense.
-void require_objective(const std::string& id, const std::vector<std::string>& stages,
+/// A figure that is to be small, or a margin: of those, a front makes sense.
+void require_objective(const std::string& id, const FigureScope& scope,
                        const model::SourcePlace& place) {
-  const std::vector<std::string> ids = objective_ids(stages);
+  const std::vector<std::string> ids = objective_ids(scope);
   if (std::find(ids.begin(), ids.end(), id) != ids.end()) return;
   const std::vector<std::string_view> known(ids.begin(), ids.end());
   throw model::InputError(
@@ -121,11 +121,14 @@ void require_design(const Job& job, const StudyFile& file) {
 }
 
 void require_figures(const StudyFile& file, const Job& job) {
-  std::vector<std::string> stages;
-  for (const JobStage& stage : job.stages) stages.push_back(stage.name);
-  require_objective(file.plan.cost, stages, file.cost);
-  require_objective(file.plan.search.cost, stages, file.search_cost);
-  for (const std::string& id : file.plan.accuracy) require_objective(id, stages, file.accuracy);
+  std::vector<std::string> keys;
+  for (const study::Variable& variable : file.plan.variables) keys.push_back(variable.key);
+  const FigureScope scope = figure_scope(job, keys);
+  if (!file.plan.search.largest) {
+    require_objective(file.plan.cost, scope, file.cost);
+    require_objective(file.plan.search.cost, scope, file.search_cost);
+  }
+  for (const std::string& id : file.plan.accuracy) require_objective(id, scope, file.accuracy);
 }
 
 }  // namespace

@@ -60,7 +60,9 @@ enum class FindingStatus { fresh, gone, deeper, shallower, moved };
 
 /// A finding that only one run has, or that differs.
 struct FindingChange {
-  std::string kind;  ///< "gouge", "uncut", or a kind of process finding
+  /// "gouge", "uncut", "missing_stock", "robust_gouge", "robust_uncut" (over tolerances), or a kind
+  /// of process finding.
+  std::string kind;
   FindingStatus status = FindingStatus::fresh;
   Judgement judgement = Judgement::not_judged;
   std::optional<FoundPlace> base, now;  ///< one of them, or both

@@ -117,6 +117,8 @@ const char* name(const FindingChange& change) {
 
 std::string kind_text(const std::string& kind) {
   if (kind == "missing_stock") return "missing stock";
+  if (kind == "robust_gouge") return "gouge over tolerances";
+  if (kind == "robust_uncut") return "uncut over tolerances";
   for (const simulator::FindingKind known : kFindingKinds)
     if (kind == simulator::name(known)) return description(known);
   return kind;

@@ -136,11 +136,17 @@ std::optional<FoundPlace> deepest(const FigureChange& change,
   }));
 }
 
-/// Of a figure of the design; none where there is no design, and none of figures over tolerances:
-/// findings are those of the stated values.
+std::vector<record::Place> alone(const std::optional<record::Place>& place) {
+  return place ? std::vector{*place} : std::vector<record::Place>{};
+}
+
+/// Of a figure of the design; none where there is no design. Of a figure over tolerances the place
+/// that reaches it.
 std::vector<record::Place> places_of(const Metric& metric, const StageMeasures& stage) {
   if (!stage.deviation) return {};
   const DeviationMeasures& measures = *stage.deviation;
+  if (measures.robust && metric.id == "robust_gouge_mm") return alone(measures.robust->gouge);
+  if (measures.robust && metric.id == "robust_uncut_mm") return alone(measures.robust->uncut);
   if (metric.id == "gouge_mm") return measures.gouges;
   if (metric.id == "uncut_mm") return measures.uncuts;
   return metric.id == "missing_stock_mm" ? measures.missing_stock : std::vector<record::Place>{};

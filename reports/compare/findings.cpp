@@ -101,23 +101,53 @@ Side places_of(const std::vector<Place>& places, double threshold_mm, bool is_co
   return side;
 }
 
+double gouge_limit_mm(const record::StageRecord& stage) {
+  return stage.limits.has_gouge ? stage.limits.gouge_mm : kUnlimited;
+}
+
+double uncut_limit_mm(const record::StageRecord& stage) {
+  return stage.limits.has_uncut ? stage.limits.uncut_mm : kUnlimited;
+}
+
 Side gouges_of(const record::StageRecord& stage, double reach_mm) {
   const record::DeviationMeasures& m = *stage.measures->deviation;
-  const double limit = stage.limits.has_gouge ? stage.limits.gouge_mm : kUnlimited;
-  return places_of(m.gouges, m.gouge_threshold_mm, m.findings_complete, limit, reach_mm);
+  return places_of(m.gouges, m.gouge_threshold_mm, m.findings_complete, gouge_limit_mm(stage),
+                   reach_mm);
 }
 
 Side uncuts_of(const record::StageRecord& stage, double reach_mm) {
   const record::DeviationMeasures& m = *stage.measures->deviation;
-  const double limit = stage.limits.has_uncut ? stage.limits.uncut_mm : kUnlimited;
-  return places_of(m.uncuts, m.uncut_threshold_mm, m.findings_complete, limit, reach_mm);
+  return places_of(m.uncuts, m.uncut_threshold_mm, m.findings_complete, uncut_limit_mm(stage),
+                   reach_mm);
 }
 
 /// The gate's limit of gouges holds for the stock, too; what was found of it is in the list.
 Side missing_stock_of(const record::StageRecord& stage, double reach_mm) {
   const record::DeviationMeasures& m = *stage.measures->deviation;
-  const double limit = stage.limits.has_gouge ? stage.limits.gouge_mm : kUnlimited;
-  return places_of(m.missing_stock, m.gouge_threshold_mm, m.findings_complete, limit, reach_mm);
+  return places_of(m.missing_stock, m.gouge_threshold_mm, m.findings_complete,
+                   gouge_limit_mm(stage), reach_mm);
+}
+
+/// The one place that reaches a figure over tolerances, as far as it is a finding: with a limit,
+/// one beyond it. Nothing lies deeper than the figure's upper end.
+Side reached_of(const std::optional<Place>& place, const verifier::Interval& figure_mm,
+                double limit_mm, double reach_mm) {
+  Side side;
+  const bool is_limited = limit_mm < kUnlimited;
+  if (place && (!is_limited || place->depth_mm > limit_mm)) side.add(found_place(*place), reach_mm);
+  side.limit_mm = limit_mm;
+  side.listed_mm = is_limited ? std::max(figure_mm.high, limit_mm) : figure_mm.high;
+  return side;
+}
+
+Side robust_gouge_of(const record::StageRecord& stage, double reach_mm) {
+  const record::RobustMeasures& m = *stage.measures->deviation->robust;
+  return reached_of(m.gouge, m.gouge_mm, gouge_limit_mm(stage), reach_mm);
+}
+
+Side robust_uncut_of(const record::StageRecord& stage, double reach_mm) {
+  const record::RobustMeasures& m = *stage.measures->deviation->robust;
+  return reached_of(m.uncut, m.uncut_mm, uncut_limit_mm(stage), reach_mm);
 }
 
 /// Faults of one kind, part and obstacle, and whether they fail the stage.
@@ -169,13 +199,30 @@ void compare_deviation_findings(const record::StageRecord& base, const record::S
                 missing_stock_of(base, reach_mm), missing_stock_of(now, reach_mm), out);
 }
 
+/// Where figures over the same tolerances are reached: these decide then, and may fail a stage of
+/// which no stated place does.
+void compare_reached(const record::StageRecord& base, const record::StageRecord& now,
+                     double reach_mm, const Options& options, StageComparison& out) {
+  const double floor_mm = fineness_of(*base.measures, *now.measures).resolution_mm;
+  compare_sides({"robust_gouge", floor_mm, reach_mm, is_judged(options, "robust_gouge_mm")},
+                robust_gouge_of(base, reach_mm), robust_gouge_of(now, reach_mm), out);
+  compare_sides({"robust_uncut", floor_mm, reach_mm, is_judged(options, "robust_uncut_mm")},
+                robust_uncut_of(base, reach_mm), robust_uncut_of(now, reach_mm), out);
+}
+
+bool has_robust(const record::StageRecord& stage) {
+  return stage.measures->deviation && stage.measures->deviation->robust;
+}
+
 }  // namespace
 
 void compare_findings(const record::StageRecord& base, const record::StageRecord& now,
-                      double reach_mm, const Options& options, StageComparison& out) {
+                      const RunContext& run, StageComparison& out) {
   if (base.measures->deviation && now.measures->deviation)
-    compare_deviation_findings(base, now, reach_mm, options, out);
-  compare_process(base, now, reach_mm, options, out);
+    compare_deviation_findings(base, now, run.reach_mm, run.options, out);
+  if (run.same_tolerances && has_robust(base) && has_robust(now))
+    compare_reached(base, now, run.reach_mm, run.options, out);
+  compare_process(base, now, run.reach_mm, run.options, out);
   std::stable_sort(out.findings.begin(), out.findings.end(),
                    [](const FindingChange& a, const FindingChange& b) {
                      return std::pair(rank(a.judgement), -depth_mm(a)) <

@@ -66,13 +66,6 @@ std::optional<double> limit_of(const record::Metric& metric, const StageRecord& 
   return std::nullopt;
 }
 
-/// What stages are compared with, of the runs as a whole.
-struct RunContext {
-  double reach_mm = 0;
-  bool same_tolerances = true;
-  const Options& options;
-};
-
 void compare_stages(const StageRecord& base, const StageRecord& now, const RunContext& run,
                     StageComparison& out) {
   const Options& options = run.options;
@@ -91,7 +84,7 @@ void compare_stages(const StageRecord& base, const StageRecord& now, const RunCo
     figure.base_limit = limit_of(*figure.metric, base);
     figure.now_limit = limit_of(*figure.metric, now);
   }
-  compare_findings(base, now, run.reach_mm, options, out);
+  compare_findings(base, now, run, out);
 }
 
 StageComparison compare_pair(const StagePair& pair, const RunContext& run) {

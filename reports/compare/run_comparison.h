@@ -26,10 +26,17 @@ std::vector<FigureChange> compare_figures(const record::StageMeasures& base,
 std::vector<Remark> tell_lone_figures(const record::StageMeasures& base,
                                       const record::StageMeasures& now);
 
+/// What stages are compared with, of the runs as a whole.
+struct RunContext {
+  double reach_mm = 0;
+  bool same_tolerances = true;
+  const Options& options;
+};
 /// Findings of gouges, of leftovers and of the process into `out`: matched by place within
-/// `reach_mm`, or within half the diagonal of the larger one's box.
+/// `reach_mm`, or within half the diagonal of the larger one's box. Of both runs over the same
+/// tolerances also the places that reach the figures over them.
 void compare_findings(const record::StageRecord& base, const record::StageRecord& now,
-                      double reach_mm, const Options& options, StageComparison& out);
+                      const RunContext& run, StageComparison& out);
 
 /// "fail" after "pass": what became worse comes later in the order pass, indeterminate, fail, not
 /// run. Nothing where both are alike.

@@ -69,10 +69,6 @@ const char* verb_of(const Change& change) {
   return change.narrower ? "narrowed" : "widened";
 }
 
-bool is_robust(const record::Metric& metric) {
-  return metric.id.starts_with("robust_") || is_margin(metric);
-}
-
 bool same_limit(bool has_base, double base, bool has_now, double now) {
   return has_base == has_now && (!has_base || base == now);
 }
@@ -106,7 +102,7 @@ void leave_other_questions(const record::StageRecord& base, const record::StageR
                            bool same_tolerances, std::vector<FigureChange>& figures) {
   const bool limits_differ = !same_limits(base.limits, now.limits);
   for (FigureChange& figure : figures) {
-    if (!is_robust(*figure.metric)) continue;
+    if (!record::is_over_tolerances(figure.metric->id)) continue;
     const bool of_other_limit = limits_differ && is_margin(*figure.metric);
     if (same_tolerances && !of_other_limit) continue;
     figure.judgement = Judgement::not_judged;

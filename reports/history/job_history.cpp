@@ -18,13 +18,9 @@ bool holds(const Names& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Of the tolerances: where there are any, the gate judges these.
-bool is_robust(std::string_view metric) {
-  return metric.starts_with("robust_") || metric == "margin";
-}
-
 bool is_asked(const Choice& choice, const std::string& stage, const std::string& metric) {
-  const bool by_default = metric == "gouge_mm" || metric == "uncut_mm" || is_robust(metric) ||
+  const bool by_default = metric == "gouge_mm" || metric == "uncut_mm" ||
+                          record::is_over_tolerances(metric) ||
                           // Of all stages together, unless one is looked at.
                           (metric == "machining_time_s" && stage.empty() == choice.stages.empty());
   if (!choice.stages.empty() && !holds(choice.stages, stage)) return false;
@@ -138,7 +134,7 @@ bool same_limits(const Figures& before, const Figures& now, const std::string& s
 
 /// Figures over other tolerances, and margins of other limits, are not held against each other.
 bool is_same_question(const Column& column, const Figures& before, const Figures& now) {
-  if (!is_robust(column.metric)) return true;
+  if (!record::is_over_tolerances(column.metric)) return true;
   return same_tolerances(before, now) &&
          (column.metric != "margin" || same_limits(before, now, column.stage));
 }

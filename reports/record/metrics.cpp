@@ -112,6 +112,10 @@ double promised(const Metric& metric, const Interval& figure) {
   return metric.better == Better::higher ? figure.low : figure.high;
 }
 
+bool is_over_tolerances(std::string_view metric) {
+  return metric.starts_with("robust_") || metric == "margin";
+}
+
 Interval margin_interval(const verifier::ToleranceMargin& margin) {
   const double proven = margin.proven.value_or(0);
   return {proven, margin.refuted.value_or(std::max(proven, verifier::kLargestFactor))};

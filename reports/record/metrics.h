@@ -43,6 +43,9 @@ double promised(const Metric& metric, const verifier::Interval& figure);
 /// From the factor that is proven to the one that is refuted: the truth lies between. Where none is
 /// proven it begins at 0; where none is refuted it ends with the largest that is tried.
 verifier::Interval margin_interval(const verifier::ToleranceMargin& margin);
+/// Figures over every value of the tolerances, and their margin: only a run with tolerances has
+/// them.
+bool is_over_tolerances(std::string_view metric);
 /// Nothing where there is no such metric.
 const Metric* find_metric(std::string_view id);
 

@@ -28,19 +28,29 @@ double diagonal_of(const JsonValue& box) {
   return model::distance(corners[0].point(), corners[1].point());
 }
 
-Place read_place(const JsonValue& entry, const std::string& name, const LineTexts& texts) {
-  Place out;
-  out.at_mm = point_of(entry);
-  out.depth_mm = entry["depth_mm"].length();
-  out.area_mm2 = entry["area_mm2"].length();
-  out.patch = static_cast<int>(entry["patch"].count(std::numeric_limits<int>::max()));
-  out.u = entry["u"].share();
-  out.v = entry["v"].share();
+void read_surface_place(const JsonValue& place, Place& out) {
+  out.at_mm = point_of(place);
+  out.patch = static_cast<int>(place["patch"].count(std::numeric_limits<int>::max()));
+  out.u = place["u"].share();
+  out.v = place["v"].share();
+}
+
+/// Whose line it is, and by which body.
+void read_maker(const JsonValue& entry, const std::string& name, const LineTexts& texts,
+                Place& out) {
   out.line = line_of(entry);
   const std::optional<JsonValue> stage = entry.find("stage");
   out.stage = stage ? stage->text() : name;
   out.line_text = text_of(texts, out.stage, out.line);
   if (const std::optional<JsonValue> body = entry.find("body")) out.body = body->text();
+}
+
+Place read_place(const JsonValue& entry, const std::string& name, const LineTexts& texts) {
+  Place out;
+  read_surface_place(entry, out);
+  out.depth_mm = entry["depth_mm"].length();
+  out.area_mm2 = entry["area_mm2"].length();
+  read_maker(entry, name, texts, out);
   if (const std::optional<JsonValue> box = entry.find("extent_mm"))
     out.extent_mm = diagonal_of(*box);
   return out;
@@ -86,6 +96,18 @@ std::vector<Place> read_places(const std::vector<JsonValue>& findings, const std
   std::vector<Place> out;
   out.reserve(findings.size());
   for (const JsonValue& entry : findings) out.push_back(read_place(entry, name, texts));
+  return out;
+}
+
+std::optional<Place> read_reached(const JsonValue& figure, const std::string& name,
+                                  const LineTexts& texts) {
+  const std::optional<JsonValue> place = figure.find("place");
+  if (!place) return std::nullopt;
+  Place out;
+  read_surface_place(*place, out);
+  out.depth_mm = figure["low"].length();
+  out.stage = name;
+  if (figure.find("line")) read_maker(figure, name, texts, out);  // none where raw stock stands
   return out;
 }
 

@@ -107,7 +107,7 @@ DeviationMeasures read_deviation(const JsonValue& deviation, const std::string& 
   out.uncuts = read_places(deviation["uncuts"].items(), name, texts);
   if (schema > 1) read_reach(deviation, name, texts, out);
   if (const std::optional<JsonValue> robust = deviation.find("robust"))
-    out.robust = read_robust(*robust);
+    out.robust = read_robust(*robust, name, texts);
   return out;
 }
 

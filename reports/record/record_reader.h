@@ -30,14 +30,18 @@ StageRecord read_stage(const JsonValue& stage, const StageContext& run);
 /// `pass`, `fail`, `indeterminate` or `not_run`.
 verifier::Verdict read_verdict(const JsonValue& value);
 
-/// `robust` of a stage's `deviation`.
-RobustMeasures read_robust(const JsonValue& robust);
+/// `robust` of the `deviation` of the stage `name`.
+RobustMeasures read_robust(const JsonValue& robust, const std::string& name,
+                           const LineTexts& texts);
 /// `tolerances` of a run.
 model::Tolerances read_tolerances(const JsonValue& tolerances);
 
 /// The places of `gouges`, `uncuts` or `missing_stocks` of the stage `name`.
 std::vector<Place> read_places(const std::vector<JsonValue>& findings, const std::string& name,
                                const LineTexts& texts);
+/// Where a figure over tolerances is reached; nothing of a figure that names no place.
+std::optional<Place> read_reached(const JsonValue& figure, const std::string& name,
+                                  const LineTexts& texts);
 /// What is wrong with the process; of results that do not gather it, from the two lists of
 /// collisions.
 std::vector<ProcessFinding> read_process(const JsonValue& simulation, const std::string& name,

@@ -48,6 +48,8 @@ struct ProcessCount {
 struct RobustMeasures {
   verifier::Interval gouge_mm, uncut_mm;  ///< certified
   bool reached_resolution = true;         ///< of both
+  /// Where the lower ends are reached; empty for a figure of zero.
+  std::optional<Place> gouge, uncut;
   /// By what factor all tolerances may grow together; none where no gate limits either figure, or
   /// where it was not looked for.
   std::optional<verifier::ToleranceMargin> margin;

@@ -38,12 +38,15 @@ model::ToolTolerance read_tool(const JsonValue& tool) {
 
 }  // namespace
 
-RobustMeasures read_robust(const JsonValue& robust) {
+RobustMeasures read_robust(const JsonValue& robust, const std::string& name,
+                           const LineTexts& texts) {
   RobustMeasures out;
   const JsonValue gouge = robust["gouge_mm"], uncut = robust["uncut_mm"];
   out.gouge_mm = gouge.interval();
   out.uncut_mm = uncut.interval();
   out.reached_resolution = reached_resolution(gouge) && reached_resolution(uncut);
+  out.gouge = read_reached(gouge, name, texts);
+  out.uncut = read_reached(uncut, name, texts);
   if (const std::optional<JsonValue> margin = robust.find("margin"))
     out.margin = read_margin(*margin);
   return out;

@@ -57,10 +57,12 @@ Json figure_json(const study::Table& table, std::size_t figure) {
     const std::optional<double>& value = row.figures.at(figure);
     values.push_back(value ? Json(drawn(finite(what.id, *value))) : Json());
   }
-  return {{"id", clean_text(what.id)},
-          {"label", clean_text(what.label)},
-          {"unit", clean_text(what.unit)},
-          {"values", std::move(values)}};
+  Json out = {{"id", clean_text(what.id)},
+              {"label", clean_text(what.label)},
+              {"unit", clean_text(what.unit)},
+              {"values", std::move(values)}};
+  if (what.larger_is_better) out["better"] = "higher";
+  return out;
 }
 
 Json statuses_json(const study::Table& table) {

@@ -44,6 +44,7 @@ Json plan_json(const study::Plan& plan) {
                      {"most_cases", plan.search.most_cases},
                      {"accuracy", finite("search accuracy", plan.search.accuracy)},
                      {"batch", plan.search.batch}};
+  if (plan.search.largest) out["search"]["largest"] = clean_text(*plan.search.largest);
   out["cost"] = clean_text(plan.cost);
   out["accuracy"] = texts(plan.accuracy);
   return out;
@@ -51,10 +52,12 @@ Json plan_json(const study::Plan& plan) {
 
 Json figures_json(const study::Table& table) {
   Json out = Json::array();
-  for (const study::Figure& figure : table.figures)
-    out.push_back({{"id", clean_text(figure.id)},
-                   {"label", clean_text(figure.label)},
-                   {"unit", clean_text(figure.unit)}});
+  for (const study::Figure& figure : table.figures) {
+    Json& entry = out.emplace_back(Json{{"id", clean_text(figure.id)},
+                                        {"label", clean_text(figure.label)},
+                                        {"unit", clean_text(figure.unit)}});
+    if (figure.larger_is_better) entry["better"] = "higher";
+  }
   return out;
 }
 

@@ -75,8 +75,9 @@ std::vector<std::size_t> best_rows(const StudyView& view, std::size_t most) {
   const std::vector<study::Row>& rows = view.table.rows;
   const std::vector<std::size_t> figures = objectives(view);
   const auto rank = [&](std::size_t i) {
-    const std::optional<double> cost =
-        figures.empty() ? std::nullopt : rows[i].figures.at(figures.front());
+    std::optional<double> cost;
+    if (!figures.empty()) cost = rows[i].figures.at(figures.front());
+    if (cost) cost = to_be_small(view.table.figures[figures.front()], *cost);
     return std::tuple(place(rows[i].status), cost.value_or(std::numeric_limits<double>::infinity()),
                       i);
   };

@@ -29,7 +29,7 @@ std::vector<std::size_t> objectives(const StudyView& view);
 /// The row with the job's own settings.
 std::optional<std::size_t> own_row(const StudyView& view);
 /// At most `most` rows, those to look at first: passed, undecided, failed, error, lost, each by
-/// rising first objective and then by their numbers.
+/// first objective, the best first, and then by their numbers.
 std::vector<std::size_t> best_rows(const StudyView& view, std::size_t most);
 
 }  // namespace limitgauge::reports::study_report

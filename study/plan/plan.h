@@ -32,9 +32,16 @@ struct Variable {
   std::optional<Setting> base;  ///< the job's own setting, or what stands in for it; may be unknown
 };
 
-/// What a search is for: the least `cost` at which every gate of every stage passes.
+/// The figure that a search for the largest setting is for: the setting itself.
+inline constexpr const char* kSearchedSetting = "searched_setting";
+
+/// What a search is for: the least `cost` at which every gate of every stage passes, or the largest
+/// setting.
 struct Search {
   std::string cost = "machining_time_s";  ///< id of a figure
+  /// The one key that is varied, all of whose settings are numbers: its largest setting is sought,
+  /// and `cost` is kSearchedSetting.
+  std::optional<std::string> largest;
   std::size_t most_cases = 40;
   double accuracy = 0.01;  ///< share of a range at which a setting counts as found
   /// Cases that are run side by side. Part of the plan and not of the machine: it decides which

@@ -84,7 +84,7 @@ Front front_of(const Table& table, const std::vector<std::size_t>& figures) {
   std::vector<std::size_t> rows;
   std::vector<std::vector<double>> points;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    std::optional<std::vector<double>> point = figures_of(table.rows[i], figures);
+    std::optional<std::vector<double>> point = to_be_small(table, table.rows[i], figures);
     if (!point) continue;
     rows.push_back(i);
     points.push_back(std::move(*point));

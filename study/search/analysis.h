@@ -18,10 +18,10 @@ namespace limitgauge::study {
 std::vector<std::size_t> pareto_front(const std::vector<std::vector<double>>& points);
 
 /// Rows that no other one with these figures beats: none is at least as small in every objective
-/// and smaller in one. Whether a row passes plays no part.
+/// (as large where it is to be large) and smaller in one. Whether a row passes plays no part.
 struct Front {
   std::vector<std::string> objectives;  ///< ids of figures, the first is the one that is paid with
-  std::vector<std::size_t> rows;        ///< into Table::rows, by rising first objective
+  std::vector<std::size_t> rows;        ///< into Table::rows, from the best first objective on
 };
 
 /// How one figure answers to one key. Where the design has rows that differ in that key alone,

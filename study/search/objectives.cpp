@@ -36,6 +36,10 @@ std::optional<double> figure_of(const Row& row, std::size_t figure) {
   return figure < row.figures.size() ? row.figures[figure] : std::nullopt;
 }
 
+double to_be_small(const Figure& figure, double value) {
+  return figure.larger_is_better ? -value : value;
+}
+
 bool has_result(const Row& row) {
   return row.status == Status::pass || row.status == Status::fail ||
          row.status == Status::indeterminate;
@@ -50,6 +54,14 @@ std::optional<std::vector<double>> figures_of(const Row& row,
     if (!value) return std::nullopt;
     values.push_back(*value);
   }
+  return values;
+}
+
+std::optional<std::vector<double>> to_be_small(const Table& table, const Row& row,
+                                               const std::vector<std::size_t>& figures) {
+  std::optional<std::vector<double>> values = figures_of(row, figures);
+  for (std::size_t i = 0; values && i < figures.size(); ++i)
+    (*values)[i] = to_be_small(table.figures[figures[i]], (*values)[i]);
   return values;
 }
 

@@ -1,6 +1,7 @@
 #include "study/search/analysis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "study/search/phrases.h"
@@ -23,9 +24,17 @@ struct Told {
   const Table& table;
   const Objectives& objectives;
 
-  double cost(const Row& row) const { return *figure_of(row, *objectives.cost); }
+  const Figure& paid() const { return table.figures[*objectives.cost]; }
+  /// As it is to be small.
+  double cost(const Row& row) const {
+    return to_be_small(paid(), *figure_of(row, *objectives.cost));
+  }
   std::string cost_text(const Row& row) const {
-    return quantity(cost(row), table.figures[*objectives.cost].unit);
+    return quantity(*figure_of(row, *objectives.cost), paid().unit);
+  }
+  /// One word of a cost, the other of what is to be large.
+  const char* either(const char* of_cost, const char* of_gain) const {
+    return paid().larger_is_better ? of_gain : of_cost;
   }
   /// True where no stage of the row is missing, so that its cost is that of the whole job.
   bool is_whole(const Row& row) const {
@@ -58,7 +67,8 @@ std::string first_sentence(const Told& told, const Row& best) {
   const std::string which =
       passing == 1
           ? "the only one of " + counted(told.table.rows.size(), "case") + " that passes every gate"
-          : "the cheapest of the " + std::to_string(passing) + " cases that pass every gate, of " +
+          : std::string("the ") + told.either("cheapest", "best") + " of the " +
+                std::to_string(passing) + " cases that pass every gate, of " +
                 std::to_string(told.table.rows.size()) + " in all";
   return "Case " + std::to_string(best.asked.index) + " is " + which + ": " +
          told.table.figures[*told.objectives.cost].label + " " + told.cost_text(best) +
@@ -73,10 +83,10 @@ std::string against_own(const Told& told, const Row& best, const Row& own) {
                            : " With " + name + ") there is no result" + why(own) + ".";
   if (!figure_of(own, *told.objectives.cost)) return {};
   const double saved = told.cost(own) - told.cost(best);
-  const double share = told.cost(own) > 0 ? saved / told.cost(own) : 0;
-  return saved > 0
-             ? " That is " + percent(share) + " below " + name + ", " + told.cost_text(own) + ")."
-             : " That is as much as with " + name + ").";
+  const double whole = std::abs(told.cost(own)), share = whole > 0 ? saved / whole : 0;
+  return saved > 0 ? " That is " + percent(share) + told.either(" below ", " above ") + name +
+                         ", " + told.cost_text(own) + ")."
+                   : " That is as much as with " + name + ").";
 }
 
 /// The dearest of what is cheaper, as far as it went through all stages.
@@ -92,16 +102,19 @@ const Row* next_cheaper(const Told& told, const Row& best) {
 
 std::string against_cheaper(const Told& told, const Row& best) {
   const Row* next = next_cheaper(told, best);
-  if (next == nullptr) return " No case that went through all stages is cheaper.";
-  return " The next cheaper one, " + case_text(*next) + " (" + told.cost_text(*next) + "), " +
-         verb(*next) + why(*next) + accuracy_text(told, *next) + ".";
+  const std::string better = told.either("cheaper", "better");
+  if (next == nullptr) return " No case that went through all stages is " + better + ".";
+  return " The next " + better + " one, " + case_text(*next) + " (" + told.cost_text(*next) +
+         "), " + verb(*next) + why(*next) + accuracy_text(told, *next) + ".";
 }
 
-std::string waste_text(const Analysis& analysis) {
+std::string waste_text(const Told& told, const Analysis& analysis) {
   const std::size_t wasted = analysis.bought_for_nothing.size();
   if (wasted == 0) return {};
-  return " " + counted(wasted, "passing case") + (wasted == 1 ? " costs" : " cost") +
-         " more than another one that is at least as accurate.";
+  const std::string what = told.either(wasted == 1 ? " costs more" : " cost more",
+                                       wasted == 1 ? " has less" : " have less");
+  return " " + counted(wasted, "passing case") + what +
+         " than another one that is at least as accurate.";
 }
 
 std::string missing_text(const Table& table) {
@@ -141,12 +154,13 @@ std::string nothing_passes(const Table& table) {
 }  // namespace
 
 std::optional<std::size_t> cheapest_passing(const Table& table, const Objectives& objectives) {
+  if (!objectives.cost) return std::nullopt;
+  const Told told{table, objectives};
   std::optional<std::size_t> best;
-  if (!objectives.cost) return best;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const std::optional<double> cost = figure_of(table.rows[i], *objectives.cost);
-    if (table.rows[i].status != Status::pass || !cost) continue;
-    if (!best || *cost < *figure_of(table.rows[*best], *objectives.cost)) best = i;
+    const Row& row = table.rows[i];
+    if (row.status != Status::pass || !figure_of(row, *objectives.cost)) continue;
+    if (!best || told.cost(row) < told.cost(table.rows[*best])) best = i;
   }
   return best;
 }
@@ -159,7 +173,7 @@ std::vector<BoughtForNothing> bought_for_nothing(const Table& table, const Objec
   std::vector<std::size_t> rows;
   std::vector<std::vector<double>> points;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    std::optional<std::vector<double>> point = figures_of(table.rows[i], figures);
+    std::optional<std::vector<double>> point = to_be_small(table, table.rows[i], figures);
     if (table.rows[i].status != Status::pass || !point) continue;
     rows.push_back(i);
     points.push_back(std::move(*point));
@@ -187,7 +201,7 @@ Recommendation recommend(const Table& table, const Objectives& objectives,
   const Row& row = table.rows[*best];
   std::string reason = first_sentence(told, row);
   if (analysis.own) reason += against_own(told, row, table.rows[*analysis.own]);
-  reason += against_cheaper(told, row) + waste_text(analysis) + missing_text(table);
+  reason += against_cheaper(told, row) + waste_text(told, analysis) + missing_text(table);
   return {best, std::move(reason)};
 }
 

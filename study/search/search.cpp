@@ -23,14 +23,16 @@ SearchEnd run_search(Trials& trials, const Plan& plan) {
   }
 }
 
-std::string told(const SearchResult& result, const std::string& reason, std::size_t most) {
-  const std::string after =
-      " after " + counted(result.rows.size(), "case") + " of at most " + std::to_string(most);
+std::string told(const SearchResult& result, const std::string& reason, const Search& search) {
+  const std::string after = " after " + counted(result.rows.size(), "case") + " of at most " +
+                            std::to_string(search.most_cases);
   const char* how = result.how == Ending::converged ? "The search converged" : "The search ended";
   std::string text = how + after + ": " + reason;
   if (!result.best) text += " Nothing that was run passes every gate.";
   if (result.best && result.how != Ending::converged)
-    text += " The answer is the cheapest that passed until then; there may be a cheaper one.";
+    text += search.largest
+                ? " The answer is the largest that passed until then; there may be a larger one."
+                : " The answer is the cheapest that passed until then; there may be a cheaper one.";
   return text;
 }
 
@@ -40,6 +42,8 @@ SearchResult search(const Plan& plan, std::span<const Figure> figures, const Eva
                     const std::atomic<bool>* stop) {
   if (plan.variables.empty() || plan.search.batch == 0 || plan.search.most_cases == 0)
     throw std::invalid_argument("a search of nothing");
+  if (plan.search.largest && plan.variables.size() != 1)
+    throw std::invalid_argument("the largest setting of several keys");
   Trials trials(plan, figures, evaluate, stop);
   const SearchEnd end = run_search(trials, plan);
   const std::string against = contradiction(trials);
@@ -48,8 +52,9 @@ SearchResult search(const Plan& plan, std::span<const Figure> figures, const Eva
   result.contradicted = !against.empty();
   if (const std::optional<std::size_t> best = trials.best())
     if (trials.passes(*best)) result.best = best;
+  const std::string bounds = plan.search.largest ? " " + proven_bounds(trials) : std::string();
   result.rows = trials.take_rows();
-  result.ending = told(result, end.reason, plan.search.most_cases);
+  result.ending = told(result, end.reason, plan.search) + bounds;
   if (!against.empty()) result.ending += " " + against;
   return result;
 }

@@ -21,7 +21,8 @@ struct SearchResult {
   std::string ending;  ///< how it ended, whole sentences
 };
 
-/// The cheapest setting at which every gate passes. `figures` are those of the rows; of them the
+/// The cheapest setting at which every gate passes; where plan.search.largest is set, the largest,
+/// with what is proven to fail beyond it. `figures` are those of the rows; of them the
 /// search reads plan.search.cost and "gate_excess". The same plan and the same rows give the same
 /// search, whatever runs them.
 ///

@@ -1,6 +1,7 @@
 #include "study/search/section_search.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "study/search/least_squares.h"
 #include "study/tolerance.h"
@@ -88,34 +89,49 @@ void look_for_a_pass(Trials& trials, CostDescent& descent, std::size_t batch) {
   }
 }
 
-/// The last setting that passes, and the one after it.
+/// The last setting of which something holds, and the one after it.
 struct Bracket {
-  Place passing;
-  std::optional<Place> failing;  ///< empty where the cheap end passes
+  Place last;
+  std::optional<Place> beyond;  ///< empty where it holds of the cheap end
 };
 
-Bracket bracket_of(const Trials& trials, const std::vector<Place>& places) {
+template <class Holds>
+Bracket bracket_of(const std::vector<Place>& places, const Holds& holds) {
   Bracket bracket{places.front(), std::nullopt};
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!trials.passes(places[i].row)) continue;
-    bracket.passing = places[i];
-    bracket.failing = i + 1 < places.size() ? std::optional(places[i + 1]) : std::nullopt;
+    if (!holds(places[i].row)) continue;
+    bracket.last = places[i];
+    bracket.beyond = i + 1 < places.size() ? std::optional(places[i + 1]) : std::nullopt;
   }
   return bracket;
 }
 
-SearchEnd narrow(Trials& trials, CostDescent& descent, std::size_t batch) {
+/// Until nothing is left to be learnt between the two.
+template <class Holds>
+Bracket narrowed(Trials& trials, CostDescent& descent, std::size_t batch, const Holds& holds) {
   for (;;) {
-    const Bracket bracket = bracket_of(trials, descent.places());
-    if (!bracket.failing) return {{}, "the cheap end of the range passes."};
-    const double from = bracket.passing.cheapness, to = bracket.failing->cheapness;
+    const Bracket bracket = bracket_of(descent.places(), holds);
+    if (!bracket.beyond) return bracket;
+    const double from = bracket.last.cheapness, to = bracket.beyond->cheapness;
     const bool narrow_enough = to - from <= trials.axes()[0].finest() + kAlike;
-    if (narrow_enough || !descent.cut(from, to, batch + 1))
-      return {{},
-              named(trials, bracket.passing.row) + " passes, " +
-                  named(trials, bracket.failing->row) +
-                  " does not, and nothing is left to tell apart between them."};
+    if (narrow_enough || !descent.cut(from, to, batch + 1)) return bracket;
   }
+}
+
+SearchEnd narrow(Trials& trials, CostDescent& descent, std::size_t batch) {
+  const Bracket bracket =
+      narrowed(trials, descent, batch, [&](std::size_t row) { return trials.passes(row); });
+  if (!bracket.beyond)
+    return {{},
+            std::string("the ") + (trials.seeks_largest() ? "large" : "cheap") +
+                " end of the range passes."};
+  // Beyond what passes may lie what cannot be decided, and only then what is proven to fail.
+  if (trials.seeks_largest() && trials.rows()[bracket.beyond->row].status != Status::fail)
+    narrowed(trials, descent, batch,
+             [&](std::size_t row) { return trials.rows()[row].status != Status::fail; });
+  return {{},
+          named(trials, bracket.last.row) + " passes, " + named(trials, bracket.beyond->row) +
+              " does not, and nothing is left to tell apart between them."};
 }
 
 /// The first row that does not pass though a cheaper setting does.
@@ -130,11 +146,16 @@ std::string gap_in_passes(const Trials& trials, const std::vector<Place>& places
   return {};
 }
 
+/// The greatest cost that may be this one but for rounding.
+double dearest_alike(double cost) {
+  return cost + kAlike * std::abs(cost);
+}
+
 std::string rise_in_cost(const Trials& trials, const std::vector<Place>& places) {
   const Place* last = nullptr;
   for (const Place& place : places) {
     if (!trials.is_whole(place.row)) continue;
-    if (last != nullptr && trials.cost(place.row) > trials.cost(last->row) * (1 + kAlike))
+    if (last != nullptr && trials.cost(place.row) > dearest_alike(trials.cost(last->row)))
       return named(trials, place.row) + " costs more than " + named(trials, last->row) +
              ", against the trend";
     last = &place;
@@ -165,9 +186,27 @@ std::string contradiction(const Trials& trials) {
   std::string found = gap_in_passes(trials, places);
   if (found.empty()) found = rise_in_cost(trials, places);
   if (found.empty()) return found;
+  if (trials.seeks_largest())
+    return "That every setting up to some value passes, and none beyond it, does not hold: " +
+           found +
+           ". The answer is the largest that was run and passes; there may be a larger one.";
   return "That settings get cheaper in one direction, and fail from some setting on, does not "
          "hold: " +
          found + ". The answer is the cheapest of what was run; there may be a cheaper one.";
+}
+
+std::string proven_bounds(const Trials& trials) {
+  std::optional<std::size_t> pass, fail;
+  const auto number = [&](std::size_t row) { return *trials.rows()[row].asked.settings[0].number; };
+  for (std::size_t i = 0; i < trials.rows().size(); ++i) {
+    if (trials.passes(i) && (!pass || number(i) > number(*pass))) pass = i;
+    if (trials.rows()[i].status == Status::fail && (!fail || number(i) < number(*fail))) fail = i;
+  }
+  const auto told = [&](const std::optional<std::size_t>& row) {
+    return row ? named(trials, *row) : std::string("none");
+  };
+  return "Largest that is proven to pass: " + told(pass) +
+         "; smallest that is proven to fail: " + told(fail) + ".";
 }
 
 }  // namespace limitgauge::study

@@ -18,6 +18,10 @@ struct SearchEnd {
 /// what Trials::run throws.
 std::optional<SearchEnd> section_search(Trials& trials, std::size_t batch);
 
+/// Of a search for the largest setting: the two that bound it, as a whole sentence. What lies
+/// between them cannot be decided, or is nearer to them than the accuracy.
+std::string proven_bounds(const Trials& trials);
+
 /// What of that the rows contradict, as a whole sentence; empty where nothing does.
 std::string contradiction(const Trials& trials);
 

@@ -27,6 +27,8 @@ Trials::Trials(const Plan& plan, std::span<const Figure> figures, const Evaluate
       evaluate_(&evaluate),
       stop_(stop),
       most_(plan.search.most_cases),
+      seeks_largest_(plan.search.largest.has_value()),
+      figures_(figures.begin(), figures.end()),
       cost_(index_of(figures, plan.search.cost)),
       excess_(index_of(figures, "gate_excess")) {}
 
@@ -78,18 +80,22 @@ double Trials::excess(std::size_t row) const {
 }
 
 bool Trials::is_whole(std::size_t row) const {
-  const std::vector<std::optional<double>>& figures = rows_[row].figures;
-  return has_result(rows_[row]) && figure(row, cost_) &&
-         std::all_of(figures.begin(), figures.end(), [&](const auto& value) {
-           return value.has_value() || (excess_ && &value == &figures[*excess_]);
-         });
+  if (!has_result(rows_[row]) || !figure(row, cost_)) return false;
+  if (seeks_largest_) return true;
+  for (std::size_t i = 0; i < figures_.size(); ++i)
+    if (!figure(row, i) && !figures_[i].optional && excess_ != i) return false;
+  return true;
+}
+
+double Trials::own_cost(std::size_t row) const {
+  return to_be_small(figures_[*cost_], *figure(row, cost_));
 }
 
 double Trials::cost(std::size_t row) const {
-  if (is_whole(row)) return *figure(row, cost_);
+  if (is_whole(row)) return own_cost(row);
   double most = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (is_whole(i)) most = std::max(most, *figure(i, cost_));
+    if (is_whole(i)) most = std::max(most, own_cost(i));
   return most;
 }
 

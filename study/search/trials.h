@@ -43,10 +43,14 @@ class Trials {
 
   /// How far a row is from passing, above 0 unless it passes.
   double excess(std::size_t row) const;
-  /// The cost of the whole job; of a row that did not come to its end the greatest of all.
+  /// The cost of the whole job, as it is to be small; of a row that did not come to its end the
+  /// greatest of all.
   double cost(std::size_t row) const;
-  /// True where all figures are there, and so the cost is that of the whole job.
+  /// True where all figures are there, and so the cost is that of the whole job. A setting is known
+  /// whatever became of the stages.
   bool is_whole(std::size_t row) const;
+  /// The largest setting is sought, and no figure of the job.
+  bool seeks_largest() const { return seeks_largest_; }
   bool passes(std::size_t row) const { return rows_[row].status == Status::pass; }
   /// Passing before not passing, then the cheaper, or the one nearer to passing; then the earlier.
   bool better(std::size_t a, std::size_t b) const;
@@ -55,12 +59,16 @@ class Trials {
 
  private:
   std::optional<double> figure(std::size_t row, const std::optional<std::size_t>& index) const;
+  /// Of a row that has it.
+  double own_cost(std::size_t row) const;
 
   std::vector<Axis> axes_;
   const Evaluate* evaluate_;
   const std::atomic<bool>* stop_;
   std::size_t most_;
-  std::optional<std::size_t> cost_, excess_;  ///< into Row::figures
+  bool seeks_largest_;
+  std::vector<Figure> figures_;               ///< of the rows
+  std::optional<std::size_t> cost_, excess_;  ///< into figures_
   std::map<std::string, std::size_t> known_;  ///< by settings, into rows_
   std::vector<Row> rows_;
   std::optional<std::size_t> best_;

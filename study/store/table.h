@@ -27,11 +27,13 @@ struct Case {
 enum class Status { pass, fail, indeterminate, error, lost };
 const char* name(Status status);
 
-/// A figure that every finished case has: "finish.uncut_mm.high", "machining_time_s".
+/// A figure of finished cases: "finish.uncut_mm.high", "machining_time_s".
 struct Figure {
-  std::string id;     ///< unique; what CSV, JSON and study files call it
-  std::string label;  ///< for people, without the unit
-  std::string unit;   ///< "mm", "s", "mm³", "" for a plain number
+  std::string id;                 ///< unique; what CSV, JSON and study files call it
+  std::string label;              ///< for people, without the unit
+  std::string unit;               ///< "mm", "s", "mm³", "" for a plain number
+  bool optional = false;          ///< a case that came to its end may be without it
+  bool larger_is_better = false;  ///< of an objective that is to be large
 };
 
 /// One case as it came out.

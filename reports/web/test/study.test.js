@@ -152,6 +152,19 @@ test('parallel coordinates: a line a case and status, axes lie where it is narro
   assert.equal(parallelOption(board, colours, 1000).series[0].data.length, 0);
 });
 
+test('scatter: of a figure that is to be large the front joins the largest', () => {
+  const data = sampleData();
+  data.figures[1] = {
+    id: 'finish.margin.low', label: 'finish: tolerance margin, proven', unit: '', better: 'higher',
+    values: data.figures[0].values.map((time, row) => (time === null ? null : time / 100 - row % 4)),
+  };
+  const study = decodeStudy(data), [x, y] = study.figures;
+  const { series } = scatterOption(createBoard(study), { x, y }, colours, 800);
+  const front = series.find(({ name }) => name === 'front').data;
+  assert.deepEqual(front.map(([time]) => time), [150, 300, 600]);
+  assert.ok(front.every(([, margin], i) => i === 0 || margin > front[i - 1][1]));
+});
+
 test('scatter: what is filtered away stays as a shade, the front joins what is not beaten', () => {
   const board = createBoard(decodeStudy(sampleData())), { study } = board;
   const axes = { x: study.figures[0], y: study.figures[1] };

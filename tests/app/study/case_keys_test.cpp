@@ -117,7 +117,10 @@ TEST_CASE("a key tells every setting that its stages depend on", "[unit][study]"
         "tool.flat6.flute_length=30", "tool.flat6.shank={diameter=6,length=30}",
         // The engine's model is made for the greatest offset of all stages.
         "stage.semi.allowance=0.6", "stage.semi.tolerance=0.2", "stage.finish.allowance=1",
-        "simulation.voxel=auto"}) {
+        "simulation.voxel=auto",
+        // What is recorded of a stage has its figures over them, and the margin where it is sought.
+        "tolerances.tool.flat6.radius=0.01", "tolerances.zero=[0.01,0,0]",
+        "tolerances={runout=0.01,margin=false}"}) {
     CAPTURE(all);
     CHECK(job.kept(all) == 0);
   }
@@ -133,6 +136,18 @@ TEST_CASE("a key tells every setting that its stages depend on", "[unit][study]"
     CHECK(job.kept(last) == 2);
     CHECK(job.keys({last}).result != job.keys().result);
   }
+}
+
+TEST_CASE("stages measured over other tolerances are not shared", "[unit][study]") {
+  JobFiles job;
+  const auto prefix = [&](const std::string& tolerances) {
+    return job.keys({"tolerances=" + tolerances}).prefixes[0];
+  };
+  const std::set<std::string> different = {
+      job.keys().prefixes[0], prefix("{runout=0.01}"), prefix("{runout=0.02}"),
+      prefix("{runout=0.01,margin=true}"), prefix("{tool={flat6={radius=0.01}}}")};
+  CHECK(different.size() == 5);
+  CHECK(prefix("{runout=0.010}") == prefix("{runout=0.01}"));
 }
 
 TEST_CASE("a voxel that follows the tightest gate depends on all stages", "[unit][study]") {

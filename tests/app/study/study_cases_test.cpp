@@ -69,7 +69,7 @@ struct Bench {
     StudyCasesOptions options;
     options.job = tests::fixtures() / "jobs/quick-dome.toml";
     options.keys = {"stage.finish.step"};
-    options.stages = {"rough", "finish"};
+    options.scope.stages = {"rough", "finish"};
     options.result = [this](std::size_t, const std::string&) { ++results; };
     options.progress = [this](const StudyProgress& at) { progress = at; };
     return options;
@@ -89,7 +89,7 @@ TEST_CASE("a row for every case, and work for those that nobody ran yet", "[unit
   REQUIRE(rows.size() == 4);
   for (std::size_t i = 0; i < rows.size(); ++i) CHECK(rows[i].asked.index == i);
   CHECK(rows[0].status == study::Status::pass);
-  CHECK(rows[0].figures.size() == study_figures(bench.options().stages).size());
+  CHECK(rows[0].figures.size() == study_figures(bench.options().scope).size());
   CHECK(rows[1].status == study::Status::error);
   CHECK(rows[1].key.empty());
   CHECK_THAT(rows[1].reason, ContainsSubstring("step"));

@@ -13,7 +13,7 @@ using reports::record::StageMeasures;
 using reports::record::StageRecord;
 using verifier::Verdict;
 
-const std::vector<std::string> kStages = {"rough", "finish"};
+const FigureScope kStated = {{"rough", "finish"}, false}, kTolerant = {{"rough", "finish"}, true};
 
 StageRecord stage(const std::string& name, double gouge_high, double uncut_high) {
   StageRecord record;
@@ -37,8 +37,9 @@ RunRecord run_of(std::vector<StageRecord> stages, Verdict verdict) {
   return run;
 }
 
-std::optional<double> figure(const study::Row& row, const std::string& id) {
-  const std::vector<study::Figure> figures = study_figures(kStages);
+std::optional<double> figure(const study::Row& row, const std::string& id,
+                             const FigureScope& scope = kStated) {
+  const std::vector<study::Figure> figures = study_figures(scope);
   const auto found = std::find_if(figures.begin(), figures.end(),
                                   [&](const study::Figure& f) { return f.id == id; });
   REQUIRE(found != figures.end());
@@ -46,9 +47,9 @@ std::optional<double> figure(const study::Row& row, const std::string& id) {
   return row.figures[static_cast<std::size_t>(found - figures.begin())];
 }
 
-study::Row row_of(const RunRecord& run) {
+study::Row row_of(const RunRecord& run, const FigureScope& scope = kStated) {
   study::Row row;
-  fill_row(row, run, kStages);
+  fill_row(row, run, scope);
   return row;
 }
 
@@ -64,12 +65,12 @@ TEST_CASE("a row has the figures of the whole run and of each stage", "[unit][st
   CHECK(figure(row, "rough.gouge_mm.high") == 0.01);
   CHECK(figure(row, "finish.uncut_mm.low") == 0.01);
   CHECK(figure(row, "finish.machining_time_s") == 100);
-  const std::vector<study::Figure> figures = study_figures(kStages);
+  const std::vector<study::Figure> figures = study_figures(kStated);
   for (const study::Figure& one : figures) {
     CHECK(one.id.find("seconds") == std::string::npos);
     CHECK(one.id.find("bytes") == std::string::npos);
   }
-  const std::vector<std::string> ids = objective_ids(kStages);
+  const std::vector<std::string> ids = objective_ids(kStated);
   const auto has = [&](const std::string& id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
@@ -78,6 +79,70 @@ TEST_CASE("a row has the figures of the whole run and of each stage", "[unit][st
   CHECK_FALSE(has("finish.coverage"));
   CHECK_FALSE(has("finish.mean_mm"));
   for (const std::string& id : ids) CHECK(figure(row, id));
+}
+
+namespace {
+
+/// Its figures over tolerances stand above what is stated.
+StageRecord tolerant(StageRecord record, double gouge_high, double uncut_high) {
+  reports::record::RobustMeasures& robust = record.measures->deviation->robust.emplace();
+  robust.gouge_mm = {gouge_high / 2, gouge_high};
+  robust.uncut_mm = {uncut_high / 2, uncut_high};
+  return record;
+}
+
+}  // namespace
+
+TEST_CASE("where tolerances are stated, the figures over them decide", "[unit][study]") {
+  const StageRecord within = tolerant(stage("finish", 0.005, 0.02), 0.01, 0.03);
+  CHECK(gate_excess(run_of({within}, Verdict::pass)).value() == Approx(-0.25));  // 0.03 of 0.04
+  StageRecord beyond = tolerant(stage("finish", 0.005, 0.02), 0.05, 0.06);
+  beyond.verdict = Verdict::fail;
+  CHECK(gate_excess(run_of({beyond}, Verdict::fail)).value() == Approx(1.5));  // 0.05 of 0.02
+  CHECK(row_of(run_of({beyond}, Verdict::fail)).reason ==
+        "finish: gouge over tolerances beyond its limit, uncut over tolerances not decided at this "
+        "resolution");
+}
+
+TEST_CASE("figures over tolerances are there where a case may have some", "[unit][study]") {
+  const auto find = [](const FigureScope& scope, const std::string& id) {
+    const std::vector<study::Figure> all = study_figures(scope);
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const study::Figure& f) { return f.id == id; });
+    return found == all.end() ? std::nullopt : std::optional(*found);
+  };
+  for (const char* id :
+       {"finish.robust_gouge_mm.high", "finish.margin.low", "finish.margin.high"}) {
+    CAPTURE(id);
+    CHECK_FALSE(find(kStated, id));
+    REQUIRE(find(kTolerant, id));
+    CHECK(find(kTolerant, id)->optional);
+  }
+  CHECK(find(kTolerant, "finish.margin.low")->larger_is_better);
+  CHECK_FALSE(find(kTolerant, "finish.robust_gouge_mm.high")->larger_is_better);
+  CHECK_FALSE(find(kTolerant, "finish.gouge_mm.high")->optional);
+
+  StageRecord finish = tolerant(stage("finish", 0.005, 0.02), 0.01, 0.03);
+  finish.measures->deviation->robust->margin = verifier::ToleranceMargin{1.5, 1.6};
+  const study::Row row =
+      row_of(run_of({stage("rough", 0.01, 0.03), finish}, Verdict::pass), kTolerant);
+  CHECK(figure(row, "finish.margin.low", kTolerant) == 1.5);
+  CHECK(figure(row, "finish.robust_uncut_mm.high", kTolerant) == 0.03);
+  CHECK_FALSE(figure(row, "rough.margin.low", kTolerant));
+
+  const std::vector<std::string> ids = objective_ids(kTolerant);
+  const auto has = [&](const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  CHECK(has("finish.margin.low"));
+  CHECK(has("finish.robust_uncut_mm.high"));
+  CHECK_FALSE(has("finish.margin.high"));
+  Job job;
+  job.stages.resize(1);
+  CHECK_FALSE(figure_scope(job, std::vector<std::string>{"stage.a.step"}).over_tolerances);
+  CHECK(figure_scope(job, std::vector<std::string>{"tolerances.runout"}).over_tolerances);
+  job.tolerances.emplace();
+  CHECK(figure_scope(job, {}).over_tolerances);
 }
 
 TEST_CASE("a stage that was not run has no figures", "[unit][study]") {

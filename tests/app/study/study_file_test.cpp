@@ -254,4 +254,30 @@ TEST_CASE("a setting that the job refuses is a case's affair", "[unit][study]") 
             .variables.size() == 1);
 }
 
+TEST_CASE("a study may ask for the largest setting, and weigh a margin", "[unit][study]") {
+  const std::string search = kHead + "method = \"search\"\n[[vary]]\nkey = \"tolerances.runout\"\n";
+  const std::string asked = "[search]\nlargest = \"tolerances.runout\"\n";
+  const Plan plan = plan_of(search + "range = [0.001, 0.05]\n" + asked);
+  CHECK(plan.search.largest == "tolerances.runout");
+  CHECK(plan.search.cost == study::kSearchedSetting);
+  CHECK(plan.cost == study::kSearchedSetting);
+  for (const auto& [text, wrong] : std::vector<std::pair<std::string, std::string>>{
+           {search + "range = [0.001, 0.05]\n[search]\nlargest = \"tolerances.path\"",
+            "\"tolerances.path\" is not the one key that is varied"},
+           {search + "range = [0.001, 0.05]\n" + kVary + "range = [0.1, 1]\n" + asked,
+            "is not the one key that is varied"},
+           {search + "values = [0.001, \"wide\"]\n" + asked, "are no numbers"},
+           {search + "range = [0.001, 0.05]\n" + asked + "cost = \"machining_time_s\"",
+            "a cost is stated beside \"largest\""},
+           {search + "range = [0.001, 0.05]\n" + asked + "[objectives]\ncost = \"gate_excess\"",
+            "a cost is stated beside \"largest\""}}) {
+    CAPTURE(text);
+    CHECK_THAT(refusal(text), ContainsSubstring(wrong));
+  }
+  const std::string margin =
+      kHead + kVary + "values = [0.3]\n[objectives]\naccuracy = [\"finish.margin.low\"]\n";
+  CHECK_THAT(refusal(margin), ContainsSubstring("no figure \"finish.margin.low\""));
+  CHECK(plan_of(margin, {"tolerances={runout=0.01}"}).accuracy == Texts{"finish.margin.low"});
+}
+
 }  // namespace limitgauge::app

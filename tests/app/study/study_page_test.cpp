@@ -53,6 +53,16 @@ accuracy = 0.1
 batch = 2
 )";
 
+const std::string kLargest = R"(name = "a"
+job = "jobs/quick-dome.toml"
+method = "search"
+[[vary]]
+key = "stage.finish.step"
+values = [0.1, 0.2]
+[search]
+largest = "stage.finish.step"
+)";
+
 StudyFile read_related(const std::string& text) {
   StudyFile file = read_study_text(text, "study.toml", tests::fixtures());
   relate_to_job(file, model::read_text_file(file.plan.job), {});
@@ -112,7 +122,7 @@ TEST_CASE("keys of studies without a default must be stated, others need not", "
   for (const auto& [key, row] : documented_keys("study.md")) {
     INFO(key << ", default " << row.fallback);
     bool stated = false, missed = false;
-    for (const std::string& text : {kDrawn, kCounted, kSearched}) {
+    for (const std::string& text : {kDrawn, kCounted, kSearched, kLargest}) {
       REQUIRE(accepted(text));
       if (text.find("\n" + last_name(key) + " = ") == std::string::npos && key != "name") continue;
       stated = true;
@@ -141,6 +151,7 @@ TEST_CASE("defaults in docs/study.md are those of the reader", "[unit][study]") 
       {"vary.base", job.variables[1].base->toml == "0.3" ? "the job's own" : "other"},
       {"objectives.cost", plain.cost},
       {"search.cost", plain.search.cost == plain.cost ? "the cost of the objectives" : "other"},
+      {"search.largest", plain.search.largest.value_or("none")},
       {"search.most_cases", std::to_string(plain.search.most_cases)},
       {"search.accuracy", model::shortest(plain.search.accuracy)},
       {"search.batch", std::to_string(plain.search.batch)}};

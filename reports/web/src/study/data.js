@@ -56,12 +56,19 @@ function figureQuantity(figure, index) {
   return {
     kind: 'figure', index, id: `figure ${figure.id}`, title: shown.title, name: figure.label, numeric: true,
     categories: null, perUnit: shown.perUnit,
+    largerIsBetter: figure.better === 'higher',
     value: (row) => (figure.values[row] === null ? null : figure.values[row] * shown.perUnit),
     text: (row) => shown.text(figure.values[row]),
     cell: (row) => shown.cell(figure.values[row]),
     mark: (value) => shown.mark(value),
   };
 }
+
+/** What is to be small of a figure: here what is to be large changes its sign, and nowhere else. */
+export const toBeSmall = (figure) => (row) => {
+  const value = figure.value(row);
+  return value === null || !figure.largerIsBetter ? value : -value;
+};
 
 const LAST_WITH_RESULT = 2, LAST_DECIDED = 1;
 

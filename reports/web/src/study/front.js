@@ -1,8 +1,8 @@
 /**
  * The rows that no other one beats: of rows that cost more only those that are better than all before.
  * @param {number[]} rows
- * @param {(row: number) => number|null} x what is paid, to be small
- * @param {(row: number) => number|null} y what is bought, to be small
+ * @param {(row: number) => number|null} x what is paid, as it is to be small
+ * @param {(row: number) => number|null} y what is bought, as it is to be small
  * @returns {number[]} by rising x
  */
 export function paretoFront(rows, x, y) {

@@ -15,7 +15,7 @@ export function scatterFigure(board) {
   const draw = () => {
     caption.textContent = 'A mark is a case: circle passed, cross failed, triangle undecided. '
       + (hasFront(study, axes.x, axes.y)
-        ? 'The stair is the Pareto front: left of it and below nothing was found. ' : '')
+        ? `The stair is the Pareto front: ${betterSide(axes)} nothing was found. ` : '')
       + 'The ring is the recommended case, the diamond the job’s own.';
     chart?.redraw();
   };
@@ -39,6 +39,10 @@ export function scatterFigure(board) {
   draw();
   return { figure, plot, build };
 }
+
+/** Where of a front its figures would be better. */
+const betterSide = ({ x, y }) =>
+  `${x.largerIsBetter ? 'right' : 'left'} of it and ${y.largerIsBetter ? 'above' : 'below'}`;
 
 /** A choice among keys and figures. */
 export function quantityChoice(study, name, chosen, use, list = study.quantities.slice(0, -1)) {

@@ -1,6 +1,6 @@
 import { axisOption, commonOption, tooltipLines } from '../charts/theme.js';
 import { quantityAxis } from './axes.js';
-import { caseLines, isDecided } from './data.js';
+import { caseLines, isDecided, toBeSmall } from './data.js';
 import { paretoFront } from './front.js';
 import { LOOKS } from './looks.js';
 
@@ -8,7 +8,7 @@ const FEW = 300;
 
 /**
  * What ECharts draws of two quantities: a mark a case, verdict by shape and colour, what the filter leaves
- * out faintly; the front where both are figures that are to be small.
+ * out faintly; the front where both are figures of one.
  * @param board as createBoard gives it
  * @param {{x: object, y: object}} axes quantities
  */
@@ -67,7 +67,7 @@ function pointSeries(board, x, y, colours) {
   ];
 }
 
-/** Both are figures of a front: less of each is better. */
+/** Both are figures of a front: of each one way is better. */
 export function hasFront(study, x, y) {
   const small = new Set(study.fronts.flatMap(({ figures }) => figures));
   return x !== y && [x, y].every(({ kind, index }) => kind === 'figure' && small.has(index));
@@ -80,7 +80,7 @@ function frontSeries(study, x, y, colours) {
   return [{
     type: 'line', name: 'front', step: 'end', symbol: 'none', silent: true, z: 3,
     lineStyle: { color: colours.ink, width: 1.5 },
-    data: paretoFront(rows, x.value, y.value).map((row) => [x.value(row), y.value(row)]),
+    data: paretoFront(rows, toBeSmall(x), toBeSmall(y)).map((row) => [x.value(row), y.value(row)]),
   }];
 }
 

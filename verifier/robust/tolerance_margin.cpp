@@ -12,12 +12,12 @@ using Is = BoxTrial::Is;
 constexpr double kFineness = 1e-3;
 /// How near to where a witness reaches the limit its factor is taken, as a share of it.
 constexpr double kWitnessFineness = 1e-5;
-/// Sizes tried at most: some three are what a figure takes, and more where witnesses lie apart.
-constexpr int kMostTries = 16;
+/// Sizes tried at most: three where the first witness is the worst, else some ten.
+constexpr int kMostTries = 24;
 /// A box of this many times the size that passes is tried next at most.
 constexpr double kSteepest = 8;
-/// By how much more is stepped back from what is not decided, each time.
-constexpr double kStepBack = 4;
+/// Share of what is open by which is stepped back from where the second witness ends.
+constexpr double kFirstShare = 0.125;
 
 /// Closes in on the size at which a figure reaches its limit: each witness beyond the limit tells
 /// the smallest size at which it is one, and a size a little below that is tried next.
@@ -39,14 +39,12 @@ class MarginSearch {
   void see_beyond(double factor) { see(factor); }
 
   ToleranceMargin run() {
-    double back = kFineness / 2;
-    while (tries_left() && is_ended_) {
-      const double next = end_ * (1 - back);
-      if (next <= proven_ || !is_apart(proven_, end_)) break;
-      if (see(next) == Is::within) break;
-      // Of what is not decided smaller ones are tried, further and further back.
-      back = refuted_ && end_ == *refuted_ ? kFineness / 2 : back * kStepBack;
-      if (back >= 1) break;
+    double share = 0;
+    while (is_ended_ && is_apart(proven_, end_) && tries_left()) {
+      const double back = std::max(kFineness / 2 * end_, share * (end_ - proven_));
+      // The first witness beyond the limit need not be the worst: where a size just below where it
+      // ends does not pass either, the next is nearer and nearer to halfway.
+      if (see(end_ - back) != Is::within) share = std::clamp(2 * share, kFirstShare, 0.5);
     }
     if (is_ended_ && !refuted_) seek_refuted();
     return {proven_, refuted_};

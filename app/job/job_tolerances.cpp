@@ -24,17 +24,6 @@ model::Vec3 half_widths(const TomlTable& table, std::string_view key) {
   return out;
 }
 
-const model::Cutter& tool_named(std::span<const model::Cutter> tools, const std::string& id,
-                                const model::SourcePlace& place) {
-  const auto found =
-      std::find_if(tools.begin(), tools.end(), [&](const auto& t) { return t.id == id; });
-  if (found != tools.end()) return *found;
-  std::vector<std::string_view> known;
-  for (const model::Cutter& tool : tools) known.push_back(tool.id);
-  throw model::InputError(place, "[tolerances] has a tool \"" + id + "\", which the job has not",
-                          "\"" + model::nearest_word(id, known) + "\" or another tool of the job");
-}
-
 model::ToolTolerance read_tool(const toml::table& table, const std::string& id,
                                const model::Cutter& cutter) {
   const TomlTable keys(table, "\"tool." + id + "\" of [tolerances]",
@@ -62,12 +51,16 @@ void read_tolerances(const TomlTable& root, std::span<const model::Cutter> tools
   model::Tolerances out = job.tolerances.value_or(model::Tolerances{});
   if (table.has("zero")) out.zero_mm = table.tolerances_mm("zero");
   if (table.has("tool")) {
-    for (const auto& [key, value] : table.table("tool")) {
-      const std::string id(key.str());
-      const model::SourcePlace place = place_of(value.source());
-      const model::Cutter& cutter = tool_named(tools, id, place);
+    std::vector<const char*> ids;
+    for (const model::Cutter& cutter : tools) ids.push_back(cutter.id.c_str());
+    const TomlTable stated(table.table("tool"), "\"tool\" of [tolerances]", {}, ids);
+    for (const model::Cutter& cutter : tools) {
+      const std::string& id = cutter.id;
+      if (!stated.has(id)) continue;
+      const toml::node& value = *table.table("tool").get(id);
       if (!value.is_table())
-        throw model::InputError(place, "\"tool." + id + "\" of [tolerances] is no table",
+        throw model::InputError(place_of(value.source()),
+                                "\"tool." + id + "\" of [tolerances] is no table",
                                 "a table as { radius = 0.01, length = 0.005 }");
       out.tools[id] = read_tool(*value.as_table(), id, cutter);
     }

@@ -127,6 +127,14 @@ stock = "whole"
 name = "clamp"
 file = "findings/clamp.obj"
 translate = [60, 0, 0]
+[tolerances]
+zero = [0.005, [-0.002, 0.001], 0]
+tool.flat8 = { radius = 0.01, length = 0.005 }
+tool.bull8 = { corner_radius = [-0.01, 0], flat = 0.01 }
+path = 0.001
+runout = 0.002
+positioning = [0.001, 0.001, 0.002]
+margin = true
 )";
   const std::string foreign = R"(name = "foreign"
 surface = { cage = "foreign/plate.obj" }

@@ -38,9 +38,9 @@ toml::table& table_at(toml::table& job, const Path& path) {
 }
 
 std::string dotted(const std::string& prefix, const std::string& key) {
-  // The nine work offsets are one row.
-  const bool offset = prefix == "machine.work_offsets.";
-  return prefix + (offset ? "G54" : key);
+  // The nine work offsets are one row, and so are all tools that have tolerances.
+  if (prefix == "machine.work_offsets.") return prefix + "G54";
+  return prefix + (prefix == "tolerances.tool." ? "ID" : key);
 }
 
 using Catch::Matchers::EndsWith;
@@ -152,6 +152,12 @@ std::optional<Ends> ends_of(const std::string& range) {
       {"0 to 1, or an area",
        {{"0", "1", "\"0 mm2\"", "\"12.5mm²\""},
         {"-0.01", "1.01", "nan", "\"\"", "\"0.5\"", "\"-1 mm2\"", "\"2 cm2\"", "true"}}},
+      {"± or [low, high]",
+       {{"0.001", "0", "[-0.001, 0.002]", "[0.001, 0.001]"},
+        {"-0.001", "[0.002, 0.001]", "[0.1]", "nan", "\"0.01\""}}},
+      {"three of ± or [low, high]",
+       {{"[0, 0.001, 0.002]", "[[-0.001, 0], 0, 0]"}, {"0.001", "[0, 0]", "[0, 0, -1]"}}},
+      {"three numbers ≥ 0", {{"[0, 0.001, 0]"}, {"[0, -0.001, 0]", "0.001", "[[0, 0.1], 0, 0]"}}},
       {"text", {{}, {"\"\"", "1"}}},
       {"text, once", {{}, {"\"\"", "1"}}},
       {"an `id`", {{}, {"\"no-such-tool\""}}},
@@ -279,6 +285,7 @@ TEST_CASE("defaults in docs/job.md are those of the reader", "[unit][job]") {
       {"stage.gate.uncut", stage.limits.has_uncut ? "some" : "none"},
       {"simulation.voxel", job.voxel_mm ? "some" : "auto"},
       {"verification.resolution", job.resolution_mm ? "some" : "auto"},
+      {"tolerances.margin", job.finds_margin ? "true" : "false"},
       {"report.stock", job.stock_surface == reports::StockSurfaceFile::cut ? "cut" : "other"},
       {"report.pictures", job.pictures ? "true" : "false"}};
   const std::map<std::string, DocumentedKey> page = documented_keys();

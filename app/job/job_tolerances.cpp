@@ -4,7 +4,7 @@
 #include "app/job/job_parts.h"
 #include "app/toml/toml_table.h"
 #include "model/text/message_text.h"
-#include "verifier/robust/tolerance_box.h"
+#include "verifier/robust/certifiable.h"
 
 namespace limitgauge::app {
 namespace {

@@ -1,23 +1,32 @@
 #include "app/verify/tolerance_option.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "app/cli/usage_error.h"
 #include "app/job/machine_options.h"
 #include "model/base/coordinate_limit.h"
 #include "model/text/number_text.h"
-#include "verifier/robust/tolerance_box.h"
+#include "verifier/robust/certifiable.h"
 
 namespace limitgauge::app {
 namespace {
 
 constexpr const char* kExpected =
-    "; expected zero=X,Y,Z, N:radius=R,length=L, path=P, runout=R or positioning=X,Y,Z, half widths "
+    "; expected zero=X,Y,Z, N:radius=R,length=L, path=P, runout=R or positioning=X,Y,Z, half "
+    "widths "
     "in mm (0.005 is ±0.005)";
 
 [[noreturn]] void refuse(const std::string& option, const std::string& wrong) {
   throw UsageError("--tolerance " + option + ": " + wrong + kExpected);
+}
+
+/// What was stated before: a second value would leave one of both out.
+using Stated = std::set<std::string>;
+
+void note(const std::string& option, const std::string& figure, Stated& stated) {
+  if (!stated.insert(figure).second) refuse(option, "\"" + figure + "\" a second time");
 }
 
 double half_width(const std::string& option, const std::string& text) {
@@ -54,11 +63,12 @@ const JobTool& tool_meant(const std::string& option, std::string& figures,
   return *found;
 }
 
-void read_figure(const std::string& option, const std::string& figure,
-                 model::ToolTolerance& tool) {
+void read_figure(const std::string& option, const std::string& figure, model::ToolTolerance& tool,
+                 const std::string& of_tool, Stated& stated) {
   const std::size_t equals = figure.find('=');
   if (equals == std::string::npos) refuse(option, "\"" + figure + "\" has no value");
   const std::string name = figure.substr(0, equals);
+  note(option, of_tool + name, stated);
   const model::Interval range = about_stated(half_width(option, figure.substr(equals + 1)));
   if (name == "radius")
     tool.radius_mm = range;
@@ -72,19 +82,20 @@ void read_figure(const std::string& option, const std::string& figure,
     refuse(option, "there is no figure \"" + name + "\"");
 }
 
-void read_tool(const std::string& option, std::span<const JobTool> tools, model::Tolerances& out) {
+void read_tool(const std::string& option, std::span<const JobTool> tools, model::Tolerances& out,
+               Stated& stated) {
   std::string figures = option;
   const JobTool& tool = tool_meant(option, figures, tools);
   model::ToolTolerance& tolerance = out.tools[tool.cutter.id];
   for (std::size_t at = 0; at <= figures.size();) {
     const std::size_t end = std::min(figures.find(',', at), figures.size());
-    read_figure(option, figures.substr(at, end - at), tolerance);
+    read_figure(option, figures.substr(at, end - at), tolerance, tool.cutter.id + ".", stated);
     at = end + 1;
   }
 }
 
-void read_option(const std::string& option, std::span<const JobTool> tools,
-                 model::Tolerances& out) {
+void read_option(const std::string& option, std::span<const JobTool> tools, model::Tolerances& out,
+                 Stated& stated) {
   const std::size_t equals = option.find('=');
   const std::string name = option.substr(0, equals);
   if (equals == std::string::npos) refuse(option, "no value");
@@ -99,8 +110,9 @@ void read_option(const std::string& option, std::span<const JobTool> tools,
     const model::Vec3 half = half_widths(option, value);
     for (int axis = 0; axis < 3; ++axis) out.zero_mm[axis] = about_stated(half[axis]);
   } else {
-    read_tool(option, tools, out);
+    return read_tool(option, tools, out, stated);
   }
+  note(option, name, stated);
 }
 
 }  // namespace
@@ -108,7 +120,8 @@ void read_option(const std::string& option, std::span<const JobTool> tools,
 model::Tolerances tolerances_of(std::span<const std::string> options,
                                 std::span<const JobTool> tools) {
   model::Tolerances out;
-  for (const std::string& option : options) read_option(option, tools, out);
+  Stated stated;
+  for (const std::string& option : options) read_option(option, tools, out, stated);
   for (const JobTool& tool : tools) try {
       verifier::require_certifiable(out, tool.cutter);
     } catch (const std::invalid_argument& error) {

@@ -26,11 +26,6 @@ struct Tolerance {
 /// What one of them is off by, in the order of the box.
 using ToleranceValues = std::vector<double>;
 
-/// Throws std::invalid_argument for what model::require_valid refuses of a tool, for a range of
-/// heights with a cutter whose side leans inwards or that is longer than the flutes, and for a
-/// runout that leaves no cutter.
-void require_certifiable(const model::Tolerances& tolerances, const model::Cutter& cutter);
-
 /// All values that the figures of some passes' tools and their zero may have together
 /// (CERTIFICATE.md, section 10). What only makes a cutter reach further, or less far, is at one end
 /// for the deepest gouge and at the other for the longest leftover; shifts in plan are not.

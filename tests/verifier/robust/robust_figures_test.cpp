@@ -95,7 +95,8 @@ TEST_CASE("what a ball leaves of a plane and gouges, over its tolerances, in clo
   }
 }
 
-TEST_CASE("on a slope a shift of the zero counts along the normal, as one of all passes", "[unit]") {
+TEST_CASE("on a slope a shift of the zero counts along the normal, as one of all passes",
+          "[unit]") {
   const double slope = 0.75, cosine = 0.8, sine = 0.6, radius = 3, step = 0.25;
   const ReferenceSurface plane(plane_cage(5, slope, 0));
   const std::vector<Pass> passes{
@@ -201,12 +202,12 @@ TEST_CASE("what is drawn from the tolerances stays within what is certified of t
     CAPTURE(gouge.low, gouge.high, uncut.low, uncut.high, d.gouge_mm.high, d.uncut_mm.high);
     CHECK(gouge.width() <= kWidth_mm);
     // What each move is off by for itself no one draw shows whole.
-    CHECK(uncut.width() <= kWidth_mm + 2 * ToleranceBox(part.tolerances, part.passes).gap_mm(Side::uncut));
+    CHECK(uncut.width() <=
+          kWidth_mm + 2 * ToleranceBox(part.tolerances, part.passes).gap_mm(Side::uncut));
     check.tolerances.reset();
     const ToleranceBox box(part.tolerances, part.passes);
     for (int k = 0; k < by_effort(3, 40); ++k) {
-      const std::vector<Pass> passes =
-          box.passes_at(drawn(box, part.tolerances.path_mm, random));
+      const std::vector<Pass> passes = box.passes_at(drawn(box, part.tolerances.path_mm, random));
       const StageDeviation one = measured(surface, passes, check);
       CHECK(one.gouge_mm.low <= gouge.high);
       CHECK(one.uncut_mm.low <= uncut.high);

@@ -62,7 +62,7 @@ std::vector<NamedLength> sensitivities(const RobustScene& scene, Side side, cons
     const double step = t.range_mm.width() > 0 ? std::min(kStep_mm, t.range_mm.width()) : kStep_mm;
     beside[k] += beside[k] > (t.range_mm.low + t.range_mm.high) / 2 ? -step : step;
     const double moved = beside[k] - (*found.values)[k];
-    out.push_back({t.name(), (run_at(scene, side, box, beside, witness) - whole) / moved});
+    out.push_back({t.name(), (run_at(scene, side, box, beside, witness) - whole) / moved + 0.0});
   }
   return out;
 }

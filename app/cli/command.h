@@ -52,7 +52,7 @@ struct PlanCommand {
 struct CutCommand {
   std::filesystem::path program;
   std::string stock;
-  std::vector<std::string> tools;  ///< `SPEC`, or `N=SPEC` for each of several
+  std::vector<std::string> tools;       ///< `SPEC`, or `N=SPEC` for each of several
   std::vector<std::string> tolerances;  ///< `zero=X,Y,Z`, `N:radius=R,length=L`, ...
   MachineOptions machine;
   std::string program_offset;  ///< `X,Y,Z` of the programs' zero in the stock's frame

@@ -42,9 +42,8 @@ Job read_merged_job(const toml::table& table, JobContext context);
 
 /// The tables and keys that a job may have.
 inline constexpr const char* kJobKeys[] = {
-    "name",       "surface",      "stock",  "machine", "fixture",   "tool",         "stage",
-    "simulation", "verification", "report", "post",    "published", "program_frame",
-    "tolerances"};
+    "name",       "surface",      "stock",  "machine", "fixture",   "tool",          "stage",
+    "simulation", "verification", "report", "post",    "published", "program_frame", "tolerances"};
 /// The name, which must do as a folder's.
 std::string read_job_name(const TomlTable& root);
 /// `transform` of [surface], where it is stated.

@@ -137,8 +137,7 @@ constexpr double kContactTolerance_mm = 0.01;
 constexpr double kChordsPerContact = 0.05;
 
 double near_miss_mm(const Job& job) {
-  return std::max(job.near_miss_mm,
-                  job.tolerances ? model::farthest_off_mm(*job.tolerances) : 0.0);
+  return std::max(job.near_miss_mm, job.tolerances ? model::farthest_off_mm(*job.tolerances) : 0.0);
 }
 
 Settings choose_settings(const Job& job, const model::Box3& surface,
@@ -189,7 +188,8 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
   said.insert(said.end(), always.begin(), always.end());
   if (job.tolerances && job.design)
     said.push_back(
-        "tolerances: gouge and uncut are certified and judged for all their values together; reach, "
+        "tolerances: gouge and uncut are certified and judged for all their values together; "
+        "reach, "
         "coverage, maps and findings, and the simulated stock are of the stated tools and zero");
   const auto is_program = [](const JobStage& stage) { return !stage.plan.has_value(); };
   if (std::any_of(job.stages.begin(), job.stages.end(), is_program))

@@ -269,7 +269,8 @@ model::Vec3 TomlTable::shift_mm(std::string_view key) const {
 }
 
 model::Interval TomlTable::tolerance_mm(std::string_view key, const toml::node& found) const {
-  constexpr const char* kExpected = "a number that is not negative (0.005 is ±0.005), or [low, high]";
+  constexpr const char* kExpected =
+      "a number that is not negative (0.005 is ±0.005), or [low, high]";
   if (const auto half = finite_number(found)) {
     if (*half < 0 || !model::is_near(*half)) refuse(key, "has " + shown(*half) + " mm", kExpected);
     return {-*half, *half};

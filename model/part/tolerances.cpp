@@ -95,15 +95,18 @@ void require_valid(const ToolTolerance& tolerance, const Cutter& cutter) {
         (is_ball_tipped(cutter) ? "taper with a ball tip" : name(cutter.type)) +
         "; expected radius");
   if (tolerance.flat_mm && cutter.type == CutterType::apt)
-    throw std::invalid_argument("flat of an apt cutter follows from its other figures; expected "
-                                "radius or corner_radius");
+    throw std::invalid_argument(
+        "flat of an apt cutter follows from its other figures; expected "
+        "radius or corner_radius");
   if (tolerance.flat_mm && !is_none(tolerance.radius_mm))
     throw std::invalid_argument(
         "radius and flat of one tool are both stated; the radius is flat and corner radius");
   for (const bool grown : {true, false}) {
     const auto end = [&](const Interval& r, bool high) { return high ? r.high : r.low; };
-    CutterOffset by{end(tolerance.radius_mm, grown), 0,
-                    end(tolerance.corner_radius_mm, tolerance.flat_mm ? grown : !grown), {}};
+    CutterOffset by{end(tolerance.radius_mm, grown),
+                    0,
+                    end(tolerance.corner_radius_mm, tolerance.flat_mm ? grown : !grown),
+                    {}};
     if (tolerance.flat_mm) by.flat_mm = end(*tolerance.flat_mm, grown);
     (void)varied(cutter, by);
   }

@@ -126,11 +126,11 @@ void add_tolerated(const verifier::StageDeviation& d, const verifier::GateLimits
   if (!d.robust) return;
   const verifier::RobustFigure &gouge = d.robust->gouge, &uncut = d.robust->uncut;
   if (gouge.place)
-    out.push_back(listed({"gouge", 'G', d.gouges, gouge.figure_mm, l.has_gouge, l.gouge_mm}, gouge,
-                         stage));
+    out.push_back(
+        listed({"gouge", 'G', d.gouges, gouge.figure_mm, l.has_gouge, l.gouge_mm}, gouge, stage));
   if (uncut.place)
-    out.push_back(listed({"uncut", 'U', d.uncuts, uncut.figure_mm, l.has_uncut, l.uncut_mm}, uncut,
-                         stage));
+    out.push_back(
+        listed({"uncut", 'U', d.uncuts, uncut.figure_mm, l.has_uncut, l.uncut_mm}, uncut, stage));
 }
 
 void add_sides(const verifier::StageDeviation& d, const verifier::GateLimits& l, std::size_t stage,

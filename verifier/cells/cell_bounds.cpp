@@ -159,8 +159,7 @@ double CellBounder::improve_upper(const Bezier& cell, double upper, double low_e
                     });
   values_.clear();
   for (std::size_t i = 0; i < count; ++i)
-    if (!space_.is_concave(scored_[i].body))
-      values_.push_back(values_of(cell, scored_[i].body));
+    if (!space_.is_concave(scored_[i].body)) values_.push_back(values_of(cell, scored_[i].body));
   if (values_.size() < 2) return upper;
   const auto first =
       std::min_element(values_.begin(), values_.end(),
@@ -169,10 +168,9 @@ double CellBounder::improve_upper(const Bezier& cell, double upper, double low_e
   double best = largest(mean);
   for (int step = 0; step < kLineSearches && best > low_enough; ++step) {
     const std::size_t worst = std::max_element(mean.begin(), mean.end()) - mean.begin();
-    const auto towards =
-        std::min_element(values_.begin(), values_.end(), [&](const Values& a, const Values& b) {
-          return a.at[worst] < b.at[worst];
-        });
+    const auto towards = std::min_element(
+        values_.begin(), values_.end(),
+        [&](const Values& a, const Values& b) { return a.at[worst] < b.at[worst]; });
     mix(mean, *towards);
     const double now = largest(mean);
     const bool stuck = best - now < 1e-3 * std::abs(best - low_enough);
@@ -186,8 +184,8 @@ double CellBounder::mixed_lower(const Bezier& cell, const Vec3& middle, BodyRef 
   // The corners see the faces on both sides of an edge; from under S the edge itself is seen.
   const InnerChords chords = inner_chords(cell);
   const Vec3 under = middle - normalized(cross(chords.u, chords.v)) * control_radius(cell, middle);
-  std::array<Vec3, 10> points = {middle,          under,           cell.control(0),
-                                 cell.control(3), cell.control(12), cell.control(15)};
+  std::array<Vec3, 10> points = {
+      middle, under, cell.control(0), cell.control(3), cell.control(12), cell.control(15)};
   std::size_t count = 6;
   // So do the corners of the sway.
   if (corners_.size() > 1)
@@ -204,9 +202,9 @@ double CellBounder::mixed_lower(const Bezier& cell, const Vec3& middle, BodyRef 
         planes[n].at[planes[n].count++] =
             -(d.value + dot(d.gradient, cell.control(k) - corner - points[n]));
   }
-  Values mean =
-      *std::min_element(planes.begin(), end,
-                        [](const Values& a, const Values& b) { return largest(a) < largest(b); });
+  Values mean = *std::min_element(planes.begin(), end, [](const Values& a, const Values& b) {
+    return largest(a) < largest(b);
+  });
   for (int step = 0; step < kLineSearches; ++step) {
     const std::size_t worst = std::max_element(mean.begin(), mean.end()) - mean.begin();
     mix(mean, *std::min_element(planes.begin(), end, [&](const Values& a, const Values& b) {
@@ -284,7 +282,8 @@ bool CellBounder::surely_inside(const Bezier& cell, double margin_mm, BodyRef fi
   constexpr double kLeastWeight = 0.1;
   const double radius = control_radius(cell, centre), room = -margin_mm - lowest;
   near_.clear();
-  space_.within(centre, std::min(radius + sway_mm_ - margin_mm, lowest + room / kLeastWeight), near_);
+  space_.within(centre, std::min(radius + sway_mm_ - margin_mm, lowest + room / kLeastWeight),
+                near_);
   if (near_.size() < 2) return false;
   scored_.clear();
   for (const BodyRef body : near_)

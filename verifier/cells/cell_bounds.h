@@ -30,8 +30,8 @@ struct CellValues {
 /// Bounds of δ = min over i of d_i on a Bézier cell with control points P_k and middle m, and for
 /// every shift of what was swept that the space may sway by.
 /// Formulas and proofs: CERTIFICATE.md, sections 3 and 10. A body whose term exceeds the upper
-/// bound is nearest nowhere in the cell and is dropped, for this cell and all its parts. The outside
-/// of a mesh has bounds of its own (MeshOutside).
+/// bound is nearest nowhere in the cell and is dropped, for this cell and all its parts. The
+/// outside of a mesh has bounds of its own (MeshOutside).
 class CellBounder {
  public:
   /// What is learnt of far passes may be shared with other searches of the same thread.

@@ -62,8 +62,8 @@ class RemovedSpace {
   /// This space and further sweeps, of shanks and holders: BodyRef::pass counts them after the
   /// passes. What this one holds is not held twice.
   RemovedSpace with(std::span<const Sweep> more) const;
-  /// This space where all that was swept lies `by` further; the raw stock stays. Bodies are not held
-  /// twice.
+  /// This space where all that was swept lies `by` further; the raw stock stays. Bodies are not
+  /// held twice.
   RemovedSpace shifted(const model::Vec3& by) const;
   /// This space as one of which `sway()` and a part of `chord_error_mm()` are not known: proofs on
   /// cells (CellBounder) hold for all of it, distances at places are those of its middle. Throws
@@ -117,7 +117,9 @@ class RemovedSpace {
   /// Half widths, in plan, of the rectangle that all that was swept may be shifted in, as one.
   const model::Vec3& sway() const { return sway_; }
   /// By how much a shift may change a body's distance at a place, along the body's plane there.
-  double swayed_by_mm(const Nearest& at) const { return is_stock(at.body) ? 0 : swayed_by_mm(at.distance.gradient); }
+  double swayed_by_mm(const Nearest& at) const {
+    return is_stock(at.body) ? 0 : swayed_by_mm(at.distance.gradient);
+  }
   double swayed_by_mm(const model::Vec3& gradient) const {
     return std::abs(gradient.x) * sway_.x + std::abs(gradient.y) * sway_.y;
   }

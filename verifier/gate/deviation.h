@@ -164,9 +164,9 @@ struct StageDeviation {
   bool findings_complete = true;
   DeviationField field;
   std::vector<UncertaintyTerm> budget;
-  std::size_t cells = 0;           ///< cells examined by the branch and bound
-  bool reached_resolution = true;  ///< both widths are within what was asked for
-  double resolution_mm = 0;        ///< the width asked for
+  std::size_t cells = 0;                  ///< cells examined by the branch and bound
+  bool reached_resolution = true;         ///< both widths are within what was asked for
+  double resolution_mm = 0;               ///< the width asked for
   std::optional<RobustDeviation> robust;  ///< where tolerances are stated
   double seconds = 0;
   /// What it is made of, but for what is built once: cells of S and the space removed.

@@ -100,11 +100,11 @@ void Decision::judge_runs() {
 }
 
 /// Where tolerances are stated, what they may lead to decides.
-void Decision::judge_run(const std::string& what, const Interval& stated, const RobustFigure* robust,
-                         double limit_mm, const std::vector<Finding>& findings) {
+void Decision::judge_run(const std::string& what, const Interval& stated,
+                         const RobustFigure* robust, double limit_mm,
+                         const std::vector<Finding>& findings) {
   const std::string deepest = deepest_text(findings, stages_, limit_mm);
-  if (!robust)
-    return judge_length(what, stated, limit_mm, d_.reached_resolution, deepest);
+  if (!robust) return judge_length(what, stated, limit_mm, d_.reached_resolution, deepest);
   judge_length(what + tolerances_text(*robust, stated, limit_mm), robust->figure_mm, limit_mm,
                robust->reached_resolution,
                judge(stated, limit_mm) == Verdict::pass ? reached_text(*robust) : deepest);

@@ -39,8 +39,7 @@ std::string deepest_text(const std::vector<Finding>& findings, std::span<const s
 std::string reached_text(const RobustFigure& figure);
 /// " for all values of the tolerances (as stated: between 1 µm and 2 µm; the tolerances may grow
 /// 1.372 times)": what is certified, and what stands beside it.
-std::string tolerances_text(const RobustFigure& figure, const Interval& stated_mm,
-                            double limit_mm);
+std::string tolerances_text(const RobustFigure& figure, const Interval& stated_mm, double limit_mm);
 /// Of what stands highest among the samples out of reach, likewise; empty where none is.
 std::string out_of_reach_text(const DeviationField& field, std::span<const std::string> stages);
 

@@ -16,7 +16,7 @@ namespace {
 using namespace tests;
 using model::Vec3;
 
-const model::Stock kBlock = model::BoxStock{{-12, -12, -10}, {24, 24, 14}};
+const model::Stock kBowlBlock = model::BoxStock{{-12, -12, -10}, {24, 24, 14}};
 
 /// The stock as it is cut by the passes with the figure's own values.
 verifier::RayReading read_at_witness(const verifier::ReferenceSurface& bowl,
@@ -27,11 +27,11 @@ verifier::RayReading read_at_witness(const verifier::ReferenceSurface& bowl,
   const std::vector<verifier::Pass> passes = box.passes_at(values);
   constexpr std::size_t kMemory = std::size_t{1} << 30;
   constexpr double kVoxel_mm = 0.2, kFar_mm = 60;
-  simulator::StockModel stock(kBlock, kVoxel_mm, kMemory);
+  simulator::StockModel stock(kBowlBlock, kVoxel_mm, kMemory);
   for (const verifier::Pass& pass : passes) stock = stock.cut({pass.cutter, pass.path}, {2});
   const app::StockRayProbe probe(stock);
   const verifier::SurfaceCells cells(bowl.tree(), 0.3);
-  const verifier::RemovedSpace removed(kBlock, passes), outside(kBlock, {});
+  const verifier::RemovedSpace removed(kBowlBlock, passes), outside(kBowlBlock, {});
   return verifier::read_ray({cells, removed, outside, probe, kFar_mm}, figure.place->point,
                             figure.normal, 0);
 }
@@ -62,7 +62,7 @@ TEST_CASE("the simulated stock shows what tolerances lead to, at the values that
     check.resolution_mm = 0.001;
     check.field_spacing_mm = 1;
     check.tolerances = tolerances_of(cutter.id.c_str());
-    const verifier::StageDeviation d = measure_stage(bowl, kBlock, passes, nullptr, check, {2});
+    const verifier::StageDeviation d = measure_stage(bowl, kBowlBlock, passes, nullptr, check, {2});
     const verifier::ToleranceBox box(*check.tolerances, passes);
     CAPTURE(cutter.id);
     const verifier::RayReading deep = read_at_witness(bowl, box, d.robust->gouge);

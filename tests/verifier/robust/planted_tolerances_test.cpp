@@ -143,7 +143,8 @@ TEST_CASE("the margin of a planted plane is where its figure reaches the limit",
     CHECK(*figure.margin->proven <= factor * (1 + 1e-4));
     CHECK(*figure.margin->proven >= factor * (1 - 1.5e-3));
     CHECK(*figure.margin->refuted >= factor * (1 - 1e-4));
-    CHECK(*figure.margin->refuted <= factor * (1 + 1.5e-3));
+    // Of a cusp that is beyond by some nanometres no witness may be found.
+    CHECK(*figure.margin->refuted <= factor * (1 + 1e-2));
   }
 }
 

@@ -189,8 +189,8 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
   if (job.tolerances && job.design)
     said.push_back(
         "tolerances: gouge and uncut are certified and judged for all their values together; "
-        "reach, "
-        "coverage, maps and findings, and the simulated stock are of the stated tools and zero");
+        "reach, coverage, maps and findings, and the simulated stock are of the stated tools and "
+        "zero");
   const auto is_program = [](const JobStage& stage) { return !stage.plan.has_value(); };
   if (std::any_of(job.stages.begin(), job.stages.end(), is_program))
     said.push_back("programs are read by the habits of control " +

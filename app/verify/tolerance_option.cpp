@@ -15,8 +15,7 @@ namespace {
 
 constexpr const char* kExpected =
     "; expected zero=X,Y,Z, N:radius=R,length=L, path=P, runout=R or positioning=X,Y,Z, half "
-    "widths "
-    "in mm (0.005 is ±0.005)";
+    "widths in mm (0.005 is ±0.005)";
 
 [[noreturn]] void refuse(const std::string& option, const std::string& wrong) {
   throw UsageError("--tolerance " + option + ": " + wrong + kExpected);
@@ -43,10 +42,6 @@ model::Vec3 half_widths(const std::string& option, const std::string& text) {
   return half;
 }
 
-model::Interval about_stated(double half_mm) {
-  return {-half_mm, half_mm};
-}
-
 const JobTool& tool_meant(const std::string& option, std::string& figures,
                           std::span<const JobTool> tools) {
   const std::size_t colon = figures.find(':');
@@ -69,7 +64,7 @@ void read_figure(const std::string& option, const std::string& figure, model::To
   if (equals == std::string::npos) refuse(option, "\"" + figure + "\" has no value");
   const std::string name = figure.substr(0, equals);
   note(option, of_tool + name, stated);
-  const model::Interval range = about_stated(half_width(option, figure.substr(equals + 1)));
+  const model::Interval range = model::about_zero(half_width(option, figure.substr(equals + 1)));
   if (name == "radius")
     tool.radius_mm = range;
   else if (name == "length")
@@ -108,7 +103,7 @@ void read_option(const std::string& option, std::span<const JobTool> tools, mode
     out.positioning_mm = half_widths(option, value);
   } else if (name == "zero") {
     const model::Vec3 half = half_widths(option, value);
-    for (int axis = 0; axis < 3; ++axis) out.zero_mm[axis] = about_stated(half[axis]);
+    for (int axis = 0; axis < 3; ++axis) out.zero_mm[axis] = model::about_zero(half[axis]);
   } else {
     return read_tool(option, tools, out, stated);
   }

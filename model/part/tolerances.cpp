@@ -14,10 +14,6 @@ Interval scaled(const Interval& range, double factor) {
   return {about + factor * (range.low - about), about + factor * (range.high - about)};
 }
 
-bool is_none(const Interval& range) {
-  return range.low == 0 && range.high == 0;
-}
-
 bool has_corner(CutterType type) {
   return type != CutterType::ball && type != CutterType::drill;
 }
@@ -35,6 +31,14 @@ void require_range(const Interval& range, const char* what) {
 
 }  // namespace
 
+bool is_none(const Interval& range) {
+  return range.low == 0 && range.high == 0;
+}
+
+Interval about_zero(double half) {
+  return {-half, half};
+}
+
 Tolerances scaled(const Tolerances& tolerances, double factor) {
   Tolerances out = tolerances;
   for (Interval& range : out.zero_mm) range = scaled(range, factor);
@@ -46,17 +50,6 @@ Tolerances scaled(const Tolerances& tolerances, double factor) {
   out.path_mm *= factor, out.runout_mm *= factor;
   out.positioning_mm = out.positioning_mm * factor;
   return out;
-}
-
-bool is_none(const Tolerances& tolerances) {
-  for (const Interval& range : tolerances.zero_mm)
-    if (!is_none(range)) return false;
-  for (const auto& [id, tool] : tolerances.tools)
-    if (!is_none(tool.radius_mm) || !is_none(tool.length_mm) || !is_none(tool.corner_radius_mm) ||
-        (tool.flat_mm && !is_none(*tool.flat_mm)))
-      return false;
-  return tolerances.path_mm == 0 && tolerances.runout_mm == 0 &&
-         tolerances.positioning_mm == Vec3{};
 }
 
 double farthest_off_mm(const Tolerances& tolerances) {

@@ -32,11 +32,14 @@ struct Tolerances {
   Vec3 positioning_mm;   ///< of the tip along each axis
 };
 
+/// Whether nothing of the range may differ.
+bool is_none(const Interval& range);
+/// The range of a half width.
+Interval about_zero(double half);
+
 /// Each range grown by `factor`: about the stated value where the range holds it, about its middle
 /// where not. What a smaller factor allows, a larger one allows too.
 Tolerances scaled(const Tolerances& tolerances, double factor);
-/// Whether nothing may differ.
-bool is_none(const Tolerances& tolerances);
 
 /// No point of any of the tools lies further than this from where it is stated to be.
 double farthest_off_mm(const Tolerances& tolerances);

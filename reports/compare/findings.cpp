@@ -187,27 +187,31 @@ int rank(Judgement judgement) {
   }
 }
 
-/// Places on the design.
+/// Of one stage, or one that is compared with it.
+using PlacesOf = Side (*)(const record::StageRecord& stage, double reach_mm);
+
+/// Places of one kind on the design, which the metric of that name counts.
+void compare_places(const std::string& kind, PlacesOf places_of, const record::StageRecord& base,
+                    const record::StageRecord& now, double reach_mm, const Options& options,
+                    StageComparison& out) {
+  const double floor_mm = fineness_of(*base.measures, *now.measures).resolution_mm;
+  compare_sides({kind, floor_mm, reach_mm, is_judged(options, kind + "_mm")},
+                places_of(base, reach_mm), places_of(now, reach_mm), out);
+}
+
 void compare_deviation_findings(const record::StageRecord& base, const record::StageRecord& now,
                                 double reach_mm, const Options& options, StageComparison& out) {
-  const double floor_mm = fineness_of(*base.measures, *now.measures).resolution_mm;
-  compare_sides({"gouge", floor_mm, reach_mm, is_judged(options, "gouge_mm")},
-                gouges_of(base, reach_mm), gouges_of(now, reach_mm), out);
-  compare_sides({"uncut", floor_mm, reach_mm, is_judged(options, "uncut_mm")},
-                uncuts_of(base, reach_mm), uncuts_of(now, reach_mm), out);
-  compare_sides({"missing_stock", floor_mm, reach_mm, is_judged(options, "missing_stock_mm")},
-                missing_stock_of(base, reach_mm), missing_stock_of(now, reach_mm), out);
+  compare_places("gouge", gouges_of, base, now, reach_mm, options, out);
+  compare_places("uncut", uncuts_of, base, now, reach_mm, options, out);
+  compare_places("missing_stock", missing_stock_of, base, now, reach_mm, options, out);
 }
 
 /// Where figures over the same tolerances are reached: these decide then, and may fail a stage of
 /// which no stated place does.
 void compare_reached(const record::StageRecord& base, const record::StageRecord& now,
                      double reach_mm, const Options& options, StageComparison& out) {
-  const double floor_mm = fineness_of(*base.measures, *now.measures).resolution_mm;
-  compare_sides({"robust_gouge", floor_mm, reach_mm, is_judged(options, "robust_gouge_mm")},
-                robust_gouge_of(base, reach_mm), robust_gouge_of(now, reach_mm), out);
-  compare_sides({"robust_uncut", floor_mm, reach_mm, is_judged(options, "robust_uncut_mm")},
-                robust_uncut_of(base, reach_mm), robust_uncut_of(now, reach_mm), out);
+  compare_places("robust_gouge", robust_gouge_of, base, now, reach_mm, options, out);
+  compare_places("robust_uncut", robust_uncut_of, base, now, reach_mm, options, out);
 }
 
 bool has_robust(const record::StageRecord& stage) {

@@ -16,18 +16,14 @@ using AxisRanges = std::array<Interval, 3>;
 
 constexpr const char* kAxisLetters[] = {"X", "Y", "Z"};
 
-bool is_stated_range(const Interval& range) {
-  return range.low != 0 || range.high != 0;
-}
-
 std::string with_sign(double mm, const LengthUnit& unit) {
   if (mm == 0) return "0";
   return (mm < 0 ? "−" : "+") + stated_number(std::abs(mm), unit);
 }
 
-AxisRanges about_zero(const model::Vec3& half_mm) {
+AxisRanges axes_about_zero(const model::Vec3& half_mm) {
   AxisRanges out;
-  for (int axis = 0; axis < 3; ++axis) out[axis] = {-half_mm[axis], half_mm[axis]};
+  for (int axis = 0; axis < 3; ++axis) out[axis] = model::about_zero(half_mm[axis]);
   return out;
 }
 
@@ -38,11 +34,11 @@ std::string axes_words(const char* what, const AxisRanges& ranges) {
   };
   std::string out;
   if (std::all_of(ranges.begin(), ranges.end(), is_like_first))
-    return is_stated_range(ranges[0])
-               ? std::string(what) + " " + range_words(ranges[0]) + " an axis"
-               : out;
+    return model::is_none(ranges[0])
+               ? out
+               : std::string(what) + " " + range_words(ranges[0]) + " an axis";
   for (int axis = 0; axis < 3; ++axis)
-    if (is_stated_range(ranges[axis]))
+    if (!model::is_none(ranges[axis]))
       out += (out.empty() ? std::string(what) + " " : std::string(", ")) + kAxisLetters[axis] +
              " " + range_words(ranges[axis]);
   return out;
@@ -51,7 +47,7 @@ std::string axes_words(const char* what, const AxisRanges& ranges) {
 std::string tool_words(const std::string& id, const model::ToolTolerance& tool) {
   std::string out;
   const auto add = [&](const char* what, const Interval& range) {
-    if (is_stated_range(range))
+    if (!model::is_none(range))
       out += (out.empty() ? "" : ", ") + std::string(what) + " " + range_words(range);
   };
   add("radius", tool.radius_mm);
@@ -80,9 +76,9 @@ std::vector<verifier::Tolerance> stated_tolerances(const model::Tolerances& tole
   const double path = tolerances.path_mm;
   add_axes(Of::zero, tolerances.zero_mm);
   for (const auto& [id, tool] : tolerances.tools) add_tool(id, tool, out);
-  out.push_back({Of::runout, 0, {}, {-tolerances.runout_mm, tolerances.runout_mm}});
-  add_axes(Of::positioning, about_zero(tolerances.positioning_mm));
-  add_axes(Of::path, about_zero({path, path, path}));
+  out.push_back({Of::runout, 0, {}, model::about_zero(tolerances.runout_mm)});
+  add_axes(Of::positioning, axes_about_zero(tolerances.positioning_mm));
+  add_axes(Of::path, axes_about_zero({path, path, path}));
   return out;
 }
 
@@ -106,11 +102,12 @@ std::string tolerances_words(const model::Tolerances& tolerances) {
   std::vector<std::string> parts = {axes_words("zero", tolerances.zero_mm)};
   for (const auto& [id, tool] : tolerances.tools) parts.push_back(tool_words(id, tool));
   const auto add_half = [&](const char* what, double half_mm) {
-    if (half_mm != 0) parts.push_back(std::string(what) + " " + range_words({-half_mm, half_mm}));
+    if (half_mm != 0)
+      parts.push_back(std::string(what) + " " + range_words(model::about_zero(half_mm)));
   };
   add_half("path", tolerances.path_mm);
   add_half("runout", tolerances.runout_mm);
-  parts.push_back(axes_words("positioning", about_zero(tolerances.positioning_mm)));
+  parts.push_back(axes_words("positioning", axes_about_zero(tolerances.positioning_mm)));
   std::string out;
   for (const std::string& part : parts)
     if (!part.empty()) out += (out.empty() ? "" : "; ") + part;

@@ -47,15 +47,12 @@ Json range_part(const model::Interval& range) {
   return Json::array({finite("tolerances", range.low), finite("tolerances", range.high)});
 }
 
-bool is_stated(const model::Interval& range) {
-  return range.low != 0 || range.high != 0;
-}
-
 Json tool_part(const model::ToolTolerance& tool) {
   Json out = Json::object();
-  if (is_stated(tool.radius_mm)) out["radius_mm"] = range_part(tool.radius_mm);
-  if (is_stated(tool.length_mm)) out["length_mm"] = range_part(tool.length_mm);
-  if (is_stated(tool.corner_radius_mm)) out["corner_radius_mm"] = range_part(tool.corner_radius_mm);
+  if (!model::is_none(tool.radius_mm)) out["radius_mm"] = range_part(tool.radius_mm);
+  if (!model::is_none(tool.length_mm)) out["length_mm"] = range_part(tool.length_mm);
+  if (!model::is_none(tool.corner_radius_mm))
+    out["corner_radius_mm"] = range_part(tool.corner_radius_mm);
   if (tool.flat_mm) out["flat_mm"] = range_part(*tool.flat_mm);
   return out;
 }

@@ -7,12 +7,12 @@ using Ranges = ToleranceRanges;
 using model::Interval;
 
 void add(Ranges& out, const std::string& name, const Interval& range) {
-  if (range.low != 0 || range.high != 0) out[name] = range;
+  if (!model::is_none(range)) out[name] = range;
 }
 
 /// Of the half width.
 void add(Ranges& out, const std::string& name, double half_mm) {
-  add(out, name, Interval{-half_mm, half_mm});
+  add(out, name, model::about_zero(half_mm));
 }
 
 }  // namespace

@@ -267,7 +267,7 @@ TracedRun RunBounds::run_in(const RunTracer& tracer, const Vec3& s, const Vec3& 
 TracedRun RunBounds::run_shifted(const Vec3& s, const Vec3& n, double x, double y,
                                  double least_mm) const {
   const RemovedSpace drawn =
-      draws_->space.shifted(draws_->shift(x, y) + draws_->off_path(side_, n));
+      draws_->space.shifted(draws_->shift(x, y) + off_path(side_, n, draws_->path_mm));
   TracedRun run = run_in(RunTracer(cells_, drawn, nullptr), s, n, least_mm);
   run.shift_x = x, run.shift_y = y;
   return run;

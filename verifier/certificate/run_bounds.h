@@ -8,6 +8,12 @@
 
 namespace limitgauge::verifier {
 
+/// The tips' way off their path that counts most at a witness with that normal: against it for
+/// gouges, along it for what is left.
+inline model::Vec3 off_path(Side side, const model::Vec3& normal, double path_mm) {
+  return normal * (side == Side::uncut ? path_mm : -path_mm);
+}
+
 /// Where witnesses are looked for of a space that sways: the space at one corner of what is not
 /// known besides, the rectangle of shifts of all that was swept, and how far each move may lie off
 /// its path.
@@ -22,11 +28,6 @@ struct Draws {
   /// The middle of the shifts moved by a share of their half widths, −1 to 1 along each axis.
   model::Vec3 shift(double x, double y) const {
     return middle_mm + model::Vec3{x * half_mm.x, y * half_mm.y, 0};
-  }
-  /// The tips' way off their path that counts most at a witness with that normal: against it for
-  /// gouges, along it for what is left.
-  model::Vec3 off_path(Side side, const model::Vec3& normal) const {
-    return normal * (side == Side::uncut ? path_mm : -path_mm);
   }
 };
 

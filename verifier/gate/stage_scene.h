@@ -34,8 +34,8 @@ class StageScene {
 
   Spaces spaces() const { return {cut, with_parts_ ? *with_parts_ : cut}; }
 
-  const double
-      highest_mm;  ///< of S moved out by the allowance: what stays above does not come near
+  /// Of S moved out by the allowance: what stays above does not come near.
+  const double highest_mm;
   const SurfaceCells cells;
   const RemovedSpace cut, raw;
   const std::vector<AssemblySweep> parts;  ///< shanks and holders that come near

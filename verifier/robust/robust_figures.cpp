@@ -17,8 +17,6 @@ constexpr double kStep_mm = 1e-3;
 /// Beyond all passes: the raw stock.
 constexpr std::uint32_t kNoPass = std::numeric_limits<std::uint32_t>::max();
 
-using model::Vec3;
-
 ToleranceBox grown_box(const RobustScene& scene, double factor) {
   return {model::scaled(*scene.check.tolerances, factor), scene.passes};
 }
@@ -29,15 +27,24 @@ struct Found {
   std::optional<ToleranceValues> values;
 };
 
+/// The common values at which the box's draws have a witness.
+ToleranceValues values_at(const ToleranceBox& box, Side side, const Witness& witness) {
+  return box.off_path(box.shifted(side, witness.shift_x, witness.shift_y),
+                      off_path(side, witness.normal, box.path_mm()));
+}
+
+Certificate certified(const RobustScene& scene, Side side, const ToleranceBox& box,
+                      const CertificateRequest& request, const model::RunControl& control) {
+  const ToleratedSpaces spaces(box, scene.raw, side, scene.highest_mm);
+  return certify(scene.cells, spaces.whole, side, side == Side::uncut ? &scene.reach : nullptr,
+                 request, control, &spaces.draws);
+}
+
 Found find(const RobustScene& scene, Side side, const ToleranceBox& box,
            const model::RunControl& control) {
-  const ToleratedSpaces spaces(box, scene.raw, side, scene.highest_mm);
-  Found out{certify(scene.cells, spaces.whole, side, side == Side::uncut ? &scene.reach : nullptr,
-                    scene.request, control, &spaces.draws),
-            {}};
+  Found out{certified(scene, side, box, scene.request, control), {}};
   if (const auto& w = out.certificate.witness; w && out.certificate.figure_mm.low > 0)
-    out.values = box.off_path(box.shifted(side, w->shift_x, w->shift_y),
-                              spaces.draws.off_path(side, w->normal));
+    out.values = values_at(box, side, *w);
   return out;
 }
 
@@ -67,32 +74,17 @@ std::vector<NamedLength> sensitivities(const RobustScene& scene, Side side, cons
   return out;
 }
 
-/// The run, less its errors, of the same witness with the values at the same places of the box
-/// grown by another factor.
-double run_in_grown(const RobustScene& scene, Side side, const Witness& witness,
-                    const Vec3& off_path, double factor) {
-  const ToleranceBox box = grown_box(scene, factor);
-  const ToleranceValues values =
-      box.off_path(box.shifted(side, witness.shift_x, witness.shift_y), off_path * box.path_mm());
-  return run_at(scene, side, box, values, witness) - kRounding_mm;
-}
-
 BoxTrial trial_of(const RobustScene& scene, Side side, double limit_mm, double factor,
                   const model::RunControl& control) {
-  const ToleranceBox box = grown_box(scene, factor);
-  const ToleratedSpaces spaces(box, scene.raw, side, scene.highest_mm);
   CertificateRequest request = scene.request;
   request.decides_only = true;
-  const Certificate found =
-      certify(scene.cells, spaces.whole, side, side == Side::uncut ? &scene.reach : nullptr,
-              request, control, &spaces.draws);
+  const Certificate found = certified(scene, side, grown_box(scene, factor), request, control);
   if (found.figure_mm.high <= limit_mm) return {BoxTrial::Is::within, {}};
   if (!found.witness || found.figure_mm.low <= limit_mm) return {BoxTrial::Is::undecided, {}};
-  const Witness& w = *found.witness;
-  const double path = box.path_mm();
-  const Vec3 off = path > 0 ? spaces.draws.off_path(side, w.normal) / path : Vec3{};
-  return {BoxTrial::Is::beyond,
-          [&scene, side, w, off](double by) { return run_in_grown(scene, side, w, off, by); }};
+  return {BoxTrial::Is::beyond, [&scene, side, witness = *found.witness](double by) {
+            const ToleranceBox box = grown_box(scene, by);
+            return run_at(scene, side, box, values_at(box, side, witness), witness) - kRounding_mm;
+          }};
 }
 
 ToleranceMargin margin_of(const RobustScene& scene, Side side, const Interval& nominal,

@@ -37,10 +37,6 @@ const char* word_of(Of of) {
   return "path";
 }
 
-Interval about_zero(double half) {
-  return {-half, half};
-}
-
 bool is_shift(const Tolerance& t) {
   return t.of == Of::zero || t.of == Of::positioning;
 }
@@ -62,14 +58,14 @@ std::string Tolerance::name() const {
 ToleranceBox::ToleranceBox(const model::Tolerances& tolerances, std::span<const Pass> passes)
     : passes_(passes), path_mm_(tolerances.path_mm) {
   const auto add = [&](Of of, int axis, const Interval& range) {
-    if (range.low != 0 || range.high != 0) tolerances_.push_back({of, axis, {}, range});
+    if (!model::is_none(range)) tolerances_.push_back({of, axis, {}, range});
   };
   for (int axis = 0; axis < 3; ++axis) add(Of::zero, axis, tolerances.zero_mm[axis]);
   for (const Pass& pass : passes) add_tool(tolerances, pass);
-  add(Of::runout, 0, about_zero(tolerances.runout_mm));
+  add(Of::runout, 0, model::about_zero(tolerances.runout_mm));
   for (int axis = 0; axis < 3; ++axis)
-    add(Of::positioning, axis, about_zero(tolerances.positioning_mm[axis]));
-  for (int axis = 0; axis < 3; ++axis) add(Of::path, axis, about_zero(tolerances.path_mm));
+    add(Of::positioning, axis, model::about_zero(tolerances.positioning_mm[axis]));
+  for (int axis = 0; axis < 3; ++axis) add(Of::path, axis, model::about_zero(tolerances.path_mm));
   for (const Pass& pass : passes) require_certifiable(tolerances, pass.cutter);
 }
 
@@ -80,7 +76,7 @@ void ToleranceBox::add_tool(const model::Tolerances& tolerances, const Pass& pas
   if (stated == tolerances.tools.end() || known) return;
   const model::ToolTolerance& tool = stated->second;
   const auto add = [&](Of of, const Interval& range) {
-    if (range.low != 0 || range.high != 0) tolerances_.push_back({of, 0, stated->first, range});
+    if (!model::is_none(range)) tolerances_.push_back({of, 0, stated->first, range});
   };
   add(Of::radius, tool.radius_mm);
   add(Of::length, tool.length_mm);

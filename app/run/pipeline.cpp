@@ -119,7 +119,7 @@ void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   if (!inputs_.design) return;
   const verifier::StageCheck check = stage_check(job_, inputs_, index);
   const auto workers = options_.share ? options_.share(passes_) : nullptr;
-  const StockRayProbe probe(stock_->stock);
+  const StockRayProbe probe(stock_->stock, &job_.stock);
   ran.deviation = measure_stage(inputs_.design->surface, job_.stock, passes_, &probe, check,
                                 control(asked.name + ": measuring"), workers.get());
   ran.deviation->budget.push_back(budget_term(inputs_.design->witness));

@@ -33,6 +33,7 @@ Json figure_part(const RunResult& result, const verifier::RobustFigure& figure) 
                     {"u", finite("robust.u", figure.place->u)},
                     {"v", finite("robust.v", figure.place->v)}};
     out["sensitivity"] = lengths("robust.sensitivity", figure.sensitivity);
+    if (figure.voxel_mm) out["voxel_mm"] = finite("robust.voxel_mm", *figure.voxel_mm);
     if (!figure.raw_stock) {
       out["stage"] = stage_name(result, figure.stage);
       out["line"] = figure.line, out["move"] = figure.move;

@@ -6,9 +6,7 @@
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
-#include "verifier/gate/stock_rays.h"
-#include "verifier/robust/robust_figures.h"
-#include "verifier/surface/surface_tree.h"
+#include "verifier/gate/verify.h"
 
 namespace limitgauge {
 namespace {
@@ -17,24 +15,6 @@ using namespace tests;
 using model::Vec3;
 
 const model::Stock kBowlBlock = model::BoxStock{{-12, -12, -10}, {24, 24, 14}};
-
-/// The stock as it is cut by the passes with the figure's own values.
-verifier::RayReading read_at_witness(const verifier::ReferenceSurface& bowl,
-                                     const verifier::ToleranceBox& box,
-                                     const verifier::RobustFigure& figure) {
-  verifier::ToleranceValues values;
-  for (const verifier::NamedLength& value : figure.at) values.push_back(value.mm);
-  const std::vector<verifier::Pass> passes = box.passes_at(values);
-  constexpr std::size_t kMemory = std::size_t{1} << 30;
-  constexpr double kVoxel_mm = 0.2, kFar_mm = 60;
-  simulator::StockModel stock(kBowlBlock, kVoxel_mm, kMemory);
-  for (const verifier::Pass& pass : passes) stock = stock.cut({pass.cutter, pass.path}, {2});
-  const app::StockRayProbe probe(stock);
-  const verifier::SurfaceCells cells(bowl.tree(), 0.3);
-  const verifier::RemovedSpace removed(kBowlBlock, passes), outside(kBowlBlock, {});
-  return verifier::read_ray({cells, removed, outside, probe, kFar_mm}, figure.place->point,
-                            figure.normal, 0);
-}
 
 model::Tolerances tolerances_of(const char* tool) {
   const auto about = [](double half) { return model::Interval{-half, half}; };
@@ -62,16 +42,19 @@ TEST_CASE("the simulated stock shows what tolerances lead to, at the values that
     check.resolution_mm = 0.001;
     check.field_spacing_mm = 1;
     check.tolerances = tolerances_of(cutter.id.c_str());
-    const verifier::StageDeviation d = measure_stage(bowl, kBowlBlock, passes, nullptr, check, {2});
-    const verifier::ToleranceBox box(*check.tolerances, passes);
+    constexpr std::size_t kMemory = std::size_t{1} << 30;
+    constexpr double kVoxel_mm = 0.2;
+    simulator::StockModel stock(kBowlBlock, kVoxel_mm, kMemory);
+    const app::StockRayProbe probe(stock.cut({cutter, passes.front().path}, {2}), &kBowlBlock);
+    const verifier::StageDeviation d = measure_stage(bowl, kBowlBlock, passes, &probe, check, {2});
     CAPTURE(cutter.id);
-    const verifier::RayReading deep = read_at_witness(bowl, box, d.robust->gouge);
-    // A ray's own error bound, and what the certificate takes off for rounding.
-    CHECK(d.robust->gouge.figure_mm.low > 0.01);
-    CHECK(deep.gouge_mm == Approx(d.robust->gouge.figure_mm.low).margin(deep.error_mm + 1e-6));
-    const verifier::RayReading left = read_at_witness(bowl, box, d.robust->uncut);
-    CHECK(d.robust->uncut.figure_mm.low > 0.01);
-    CHECK(left.uncut_mm == Approx(d.robust->uncut.figure_mm.low).margin(left.error_mm + 1e-6));
+    // Rays end within their own error bound, of some nanometres; rounding is taken off `low`.
+    constexpr double kRay_mm = 1e-5;
+    for (const verifier::RobustFigure* figure : {&d.robust->gouge, &d.robust->uncut}) {
+      CHECK(figure->figure_mm.low > 0.01);
+      REQUIRE(figure->voxel_mm);
+      CHECK(*figure->voxel_mm == Approx(figure->figure_mm.low).margin(kRay_mm));
+    }
     // Measured as stated, neither is there.
     CHECK(d.robust->gouge.figure_mm.low > d.gouge_mm.high + 0.003);
     CHECK(d.robust->uncut.figure_mm.low > d.uncut_mm.high + 0.003);

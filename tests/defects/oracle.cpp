@@ -87,11 +87,12 @@ double greater(double a, double b) {
 }  // namespace
 
 RunOracle::RunOracle(const Target& target, const model::Stock& stock,
-                     std::span<const simulator::Pass> passes, double allowance_mm)
+                     std::span<const simulator::Pass> passes,
+                     std::span<const simulator::Pass> stated, double allowance_mm)
     : target_(target),
       raw_(stock),
       allowance_(allowance_mm),
-      reach_(target.samples, cutters_of(passes), allowance_mm) {
+      reach_(target.samples, cutters_of(stated), allowance_mm) {
   model::Box3 all = raw_.box();
   all.add(target.surface.bounding_box());
   longest_ = length(all.size());

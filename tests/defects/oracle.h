@@ -45,7 +45,12 @@ class RunOracle {
  public:
   /// `passes` are all so far; the cutters' shanks and holders sweep for gouges only.
   RunOracle(const Target& target, const model::Stock& stock,
-            std::span<const simulator::Pass> passes, double allowance_mm);
+            std::span<const simulator::Pass> passes, double allowance_mm)
+      : RunOracle(target, stock, passes, passes, allowance_mm) {}
+  /// What counts as in reach is what the cutters of `stated` can touch.
+  RunOracle(const Target& target, const model::Stock& stock,
+            std::span<const simulator::Pass> passes, std::span<const simulator::Pass> stated,
+            double allowance_mm);
 
   /// Material from s + a·n outwards, as far as the next crossing of S.
   Bracket uncut(const model::Vec3& point, const model::Vec3& normal) const {

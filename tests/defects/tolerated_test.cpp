@@ -141,12 +141,13 @@ class ToleratedJob {
     return bounds.run(found(side).place->point, found(side).normal).length_mm;
   }
 
-  /// The oracle for the paths and cutters that these values make.
+  /// The oracle for the paths and cutters that these values make. Reach is that of the stated ones.
   RunOracle oracle_at(const verifier::ToleranceValues& values) const {
     std::vector<simulator::Pass> passes;
     for (const verifier::Pass& pass : box.passes_at(values))
       passes.push_back({pass.cutter, pass.path});
-    return {job_.target, job_.stock, passes, 0};
+    const simulator::Pass stated{passes_.front().cutter, passes_.front().path};
+    return {job_.target, job_.stock, passes, {&stated, 1}, 0};
   }
 
   verifier::Verdict verdict(Side side, double limit_mm) const {

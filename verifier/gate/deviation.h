@@ -117,6 +117,8 @@ struct RobustFigure {
   std::optional<SurfacePlace> place;
   model::Vec3 normal;
   std::vector<NamedLength> at;
+  /// What the second instrument reads there, with these values; none where it was not asked.
+  std::optional<double> voxel_mm;
   /// Who made it there, as of a Finding.
   std::size_t stage = 0, move = 0;
   std::uint32_t line = 0;

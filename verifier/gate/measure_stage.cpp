@@ -12,7 +12,7 @@
 #include "verifier/reach/lowest_tip.h"
 #include "verifier/reach/reach_entries.h"
 #include "verifier/reach/reach_query.h"
-#include "verifier/robust/robust_figures.h"
+#include "verifier/robust/witness_rays.h"
 #include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
@@ -263,10 +263,12 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
 
   find_places(out, measured, scene.raw, certificates, control);
   out.phases.findings_s = laps.lap();
-  if (check.tolerances)
-    out.robust = robust_deviation(
-        {scene.cells, scene.raw, passes, reach, check, scene.request, scene.highest_mm}, out,
-        control);
+  if (check.tolerances) {
+    const RobustScene robust{scene.cells, scene.raw,     passes,          reach,
+                             check,       scene.request, scene.highest_mm};
+    out.robust = robust_deviation(robust, out, control);
+    if (probe) read_witnesses(*out.robust, robust, raw_stock, *probe, control);
+  }
   out.budget = budget_of(scene.cut, check, probe, rays);
   out.seconds = watch.seconds();
   return out;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -36,6 +37,11 @@ class StockProbe {
   virtual Run run(const model::Vec3& from, const model::Vec3& along, double limit_mm) const = 0;
   /// Spacing of its grid in mm, for the report.
   virtual double spacing_mm() const = 0;
+  /// The same raw stock cut by other passes, to be asked few rays; null where that cannot be had.
+  virtual std::unique_ptr<StockProbe> cut_by(std::span<const Pass>,
+                                             const model::RunControl&) const {
+    return nullptr;
+  }
 };
 
 /// What a stage is measured for.

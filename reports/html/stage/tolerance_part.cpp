@@ -52,15 +52,22 @@ std::string compared_table(const std::vector<Compared>& figures) {
       {{"Figure"}, {"As stated", true}, {"All tolerances", true}, {"Limit", true}}, rows);
 }
 
+/// What the simulated stock says of it.
+std::string reading_words(const verifier::RobustFigure& figure) {
+  if (!figure.voxel_mm) return {};
+  return " The simulated stock, cut with these values, reads " + measured_length(*figure.voxel_mm) +
+         " there.";
+}
+
 std::string witness_item(const model::Tolerances& tolerances, const Compared& c) {
   if (!c.robust.place)
     return fmt::format("<li><strong>{}:</strong> no values are known that lead to any.</li>\n",
                        c.title);
   const model::Vec3& p = c.robust.place->point;
   return fmt::format(
-      "<li><strong>Worst {}</strong> that is known, at X {}, Y {}, Z {} mm: with {}.</li>\n",
+      "<li><strong>Worst {}</strong> that is known, at X {}, Y {}, Z {} mm: with {}.{}</li>\n",
       c.name, typeset(fixed(p.x, 3)), typeset(fixed(p.y, 3)), typeset(fixed(p.z, 3)),
-      witness_words(tolerances, c.robust));
+      witness_words(tolerances, c.robust), reading_words(c.robust));
 }
 
 std::vector<NamedFigure> tightest_first(const std::vector<Compared>& figures,

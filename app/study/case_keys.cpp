@@ -55,6 +55,8 @@ class KeySources {
   void add_files(KeyText& key, const char* role) const;
   void add_stage_tables(KeyText& key, std::size_t stages) const;
   void add_tools(KeyText& key, std::size_t stages) const;
+  void add_tolerances(KeyText& key, std::size_t stages) const;
+  bool uses_tool(std::size_t stages, std::string_view id) const;
   void add_programs(KeyText& key) const;
   template <class Is>
   bool any(std::size_t stages, const Is& is) const;
@@ -87,13 +89,29 @@ void KeySources::add_stage_tables(KeyText& key, std::size_t stages) const {
 }
 
 /// Programs may ask for any tool.
+bool KeySources::uses_tool(std::size_t stages, std::string_view id) const {
+  return any(stages, is_program) ||
+         any(stages, [&](const JobStage& stage) { return stage.cutter.id == id; });
+}
+
 void KeySources::add_tools(KeyText& key, std::size_t stages) const {
-  const bool all = any(stages, is_program);
-  for (const toml::node& tool : *table_.get_as<toml::array>("tool")) {
-    const auto id = (*tool.as_table())["id"].value<std::string>();
-    const auto uses = [&](const JobStage& stage) { return stage.cutter.id == id; };
-    if (all || any(stages, uses)) key.add("tool", canonical(tool));
-  }
+  for (const toml::node& tool : *table_.get_as<toml::array>("tool"))
+    if (uses_tool(stages, (*tool.as_table())["id"].value_or<std::string_view>("")))
+      key.add("tool", canonical(tool));
+}
+
+/// Those of tools that only later stages use change nothing so far.
+void KeySources::add_tolerances(KeyText& key, std::size_t stages) const {
+  const toml::table* all = table_.get_as<toml::table>("tolerances");
+  key.add("tolerances", all == nullptr ? "none" : "stated");
+  if (all == nullptr) return;
+  for (const auto& [name, value] : *all)
+    if (name != "tool") key.add("tolerances." + std::string(name.str()), canonical(value));
+  const toml::table* tools = all->get_as<toml::table>("tool");
+  if (tools == nullptr) return;
+  for (const auto& [id, value] : *tools)
+    if (uses_tool(stages, id.str()))
+      key.add("tolerances.tool." + std::string(id.str()), canonical(value));
 }
 
 /// A part of a program ends where a later stage's begins.
@@ -121,8 +139,9 @@ std::string KeySources::prefix_key(std::size_t stages) const {
   if (any(stages, is_planned)) key.add("model", model_key());
   // The job's name stands in the programs that are written.
   for (const char* table : {"name", "surface", "stock", "machine", "post", "program_frame",
-                            "fixture", "simulation", "verification", "tolerances"})
+                            "fixture", "simulation", "verification"})
     add_table(key, table);
+  add_tolerances(key, stages);
   for (const char* role : {"cage", "mesh", "stock", "fixture", "tool table"}) add_files(key, role);
   add_tools(key, stages);
   add_stage_tables(key, stages);

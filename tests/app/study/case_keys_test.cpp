@@ -150,6 +150,15 @@ TEST_CASE("stages measured over other tolerances are not shared", "[unit][study]
   CHECK(prefix("{runout=0.010}") == prefix("{runout=0.01}"));
 }
 
+TEST_CASE("tolerances of a tool count from the stage on that uses it", "[unit][study]") {
+  JobFiles job("tolerances = { zero = [0.001, 0.001, 0.001], tool.ball6.radius = 0.01 }\n" +
+               std::string(kJob));
+  CHECK(job.kept("tolerances.tool.ball6.radius=0.02") == 1);
+  CHECK(job.kept("tolerances.tool.flat6.radius=0.02") == 0);
+  CHECK(job.kept("tolerances.zero=[0.001,0.001,0.002]") == 0);
+  CHECK(job.keys({"tolerances.tool.ball6.radius=0.02"}).result != job.keys().result);
+}
+
 TEST_CASE("a voxel that follows the tightest gate depends on all stages", "[unit][study]") {
   std::string text = kJob;
   text.replace(text.find("voxel = 0.5"), 11, "voxel = \"auto\"");

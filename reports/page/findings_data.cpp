@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/run/finding_list.h"
 #include "reports/run/process.h"
 #include "reports/run/program_lines.h"
 #include "reports/text/text.h"
@@ -61,6 +62,32 @@ Json findings_list(const std::vector<verifier::Finding>& findings,
   return out;
 }
 
+/// The worst place of a figure over tolerances, and the values that lead to it.
+Json tolerated_json(const verifier::RobustFigure& f, const MeshDesign* mesh, const char* name) {
+  Json out = {{"id", name},
+              {"point_mm", point_json(f.place->point)},
+              {"normal", point_json(f.normal)},
+              {"depth_mm", f.figure_mm.low},
+              {"patch", f.place->patch},
+              {"u", f.place->u},
+              {"v", f.place->v},
+              {"stage", f.stage},
+              {"line", f.line},
+              {"move", f.move},
+              {"raw_stock", f.raw_stock},
+              {"body", clean_text(f.body)},
+              {"with", clean_text(values_text(f.at))}};
+  if (mesh != nullptr) out["triangle"] = mesh->triangle_of(f.place->patch);
+  return out;
+}
+
+Json tolerated_list(const verifier::RobustDeviation& robust, const MeshDesign* mesh) {
+  Json out = Json::array();
+  if (robust.gouge.place) out.push_back(tolerated_json(robust.gouge, mesh, "GT"));
+  if (robust.uncut.place) out.push_back(tolerated_json(robust.uncut, mesh, "UT"));
+  return out;
+}
+
 Json process_list(const std::vector<simulator::FindingGroup>& groups) {
   Json out = Json::array();
   for (std::size_t i = 0; i < std::min(groups.size(), kMostFindings); ++i) {
@@ -106,6 +133,7 @@ Json findings_data(const StageResult::Ran& ran, const MeshDesign* mesh) {
   out["gouges_total"] = d.gouges.size();
   out["uncuts"] = findings_list(d.uncuts, d.field, mesh, 'U');
   out["uncuts_total"] = d.uncuts.size();
+  if (d.robust) out["tolerated"] = tolerated_list(*d.robust, mesh);
   return out;
 }
 

@@ -38,16 +38,6 @@ Significance significance_of(const Side& side, std::size_t i) {
   }
 }
 
-/// " with zero.z -0.005 mm, tool.ball3.radius +0.01 mm".
-std::string values_text(const std::vector<verifier::NamedLength>& values) {
-  std::string text;
-  for (const verifier::NamedLength& value : values)
-    if (value.mm != 0)
-      text += (text.empty() ? " with " : ", ") + value.name + (value.mm > 0 ? " +" : " ") +
-              model::six_digits(value.mm) + " mm";
-  return text;
-}
-
 std::string words_of(const Side& side, const verifier::Finding& f) {
   if (side.letter == 'M') return "raw stock does not cover the surface";
   if (side.letter == 'G') return "gouge by the " + f.body;
@@ -85,8 +75,9 @@ ListedFinding listed(const Side& side, const verifier::RobustFigure& figure, std
   out.line = figure.line, out.move = figure.move;
   out.depth_mm = figure.figure_mm.low, out.body = figure.body;
   out.place = figure.place, out.point = out.about = figure.place->point;
+  const std::string with = values_text(figure.at);
   out.words = (side.letter == 'G' ? "gouge by the " + figure.body : "material left standing") +
-              values_text(figure.at);
+              (with.empty() ? "" : " with " + with);
   return out;
 }
 
@@ -154,6 +145,15 @@ std::vector<ListedFinding> list_findings(const RunResult& result, std::size_t in
   for (std::size_t i = 0; i < groups.size(); ++i)
     out.push_back(listed(groups[i], i, index, *stage.ran));
   return out;
+}
+
+std::string values_text(const std::vector<verifier::NamedLength>& values) {
+  std::string text;
+  for (const verifier::NamedLength& value : values)
+    if (value.mm != 0)
+      text += (text.empty() ? "" : ", ") + value.name + (value.mm > 0 ? " +" : " ") +
+              model::six_digits(value.mm) + " mm";
+  return text;
 }
 
 std::string program_file(const StageResult& stage) {

@@ -43,6 +43,10 @@ struct ListedFinding {
   model::Vec3 about;
 };
 
+/// Those of a figure over tolerances that are not as stated: "zero.z -0.005 mm, tool.ball3.radius
+/// +0.01 mm".
+std::string values_text(const std::vector<verifier::NamedLength>& values);
+
 /// All findings of stage `index`: gouges, leftovers, missing stock, process findings, each as the
 /// page numbers them. Empty where the stage was not run.
 std::vector<ListedFinding> list_findings(const RunResult& result, std::size_t index);

@@ -43,6 +43,12 @@ void add_findings(const std::vector<verifier::Finding>& findings, char letter, s
       named.push_back({letter + std::to_string(i + 1), findings[i].stage, findings[i].line});
 }
 
+/// Of a figure over tolerances: the line that made its worst place.
+void add_tolerated(const verifier::RobustFigure& figure, const char* name,
+                   std::vector<NamedLine>& named) {
+  if (figure.place && figure.line > 0) named.push_back({name, figure.stage, figure.line});
+}
+
 /// Faults first, each by depth.
 bool worse(const simulator::FindingGroup& a, const simulator::FindingGroup& b) {
   if (fails(a.kind) != fails(b.kind)) return fails(a.kind);
@@ -78,6 +84,10 @@ std::vector<NamedLine> named_lines(const RunResult& result, std::size_t index, s
   if (!result.stages[index].ran) return named;
   const StageResult::Ran& ran = *result.stages[index].ran;
   if (ran.deviation) {
+    if (const auto& robust = ran.deviation->robust) {
+      add_tolerated(robust->gouge, "GT", named);
+      add_tolerated(robust->uncut, "UT", named);
+    }
     add_findings(ran.deviation->gouges, 'G', most, named);
     add_findings(ran.deviation->uncuts, 'U', most, named);
   }

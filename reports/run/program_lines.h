@@ -23,7 +23,7 @@ std::vector<ProgramLine> program_lines(std::string_view program,
 
 /// A place in the program of a stage that something was found at.
 struct NamedLine {
-  std::string name;  ///< "G1", "U3", "P2": gouge, leftover, process finding
+  std::string name;  ///< "G1", "U3", "P2", "GT": gouge, leftover, process finding, over tolerances
   std::size_t stage = 0;
   std::uint32_t line = 0;
 };

@@ -6,7 +6,7 @@ import { openBrowser, withReport } from './support/browser.mjs';
 
 const browser = await openBrowser();
 
-const reports = ['passed', 'failed', 'undecided', 'dome', 'gouging', 'cut', 'mesh', 'hostile']
+const reports = ['passed', 'failed', 'undecided', 'dome', 'gouging', 'cut', 'mesh', 'tolerated', 'hostile']
   .map((name) => [name, 'report.html']);
 const studies = ['sixty', 'failed', 'single', 'hostile'].map((name) => [`studies/${name}`, 'study.html']);
 const histories = ['one', 'two-jobs', 'forty', 'hostile'].map((name) => [`histories/${name}`, 'report.html']);

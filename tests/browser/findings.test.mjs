@@ -44,6 +44,18 @@ test('every finding of a failed stage is flown to from the list in the view', ()
       }
   }));
 
+test('what tolerances lead to is flown to, with the values that do', () =>
+  withReport(browser, 'tolerated', { reducedMotion: 'reduce' }, async (page) => {
+    const { gouge_mm: gouge, uncut_mm: uncut } = resultOf('tolerated').stages[0].deviation.robust;
+    for (const [id, figure] of [['GT', gouge], ['UT', uncut]]) {
+      await page.locator(`[data-testid="view-findings"] [data-finding-id="${id}"]`).click();
+      await expectChosen(page, 0, id, { ...figure.place, depth_mm: figure.low, line: figure.line ?? 0 });
+      assert.match(await part(page, 'view-finding').innerText(), /over the tolerances/);
+      for (const [name, mm] of Object.entries(figure.at))
+        if (mm !== 0) assert.ok((await part(page, 'view-finding').innerText()).includes(name), name);
+    }
+  }));
+
 for (const reducedMotion of ['no-preference', 'reduce'])
   test(`${reducedMotion}: the camera ${reducedMotion === 'reduce' ? 'is at once' : 'flies'} there`, () =>
     withReport(browser, 'failed', { reducedMotion }, async (page) => {

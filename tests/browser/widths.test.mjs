@@ -7,7 +7,7 @@ import { settle } from './support/view.mjs';
 
 const browser = await openBrowser();
 
-for (const name of ['passed', 'failed', 'undecided', 'dome', 'gouging', 'cut', 'hostile'])
+for (const name of ['passed', 'failed', 'undecided', 'dome', 'gouging', 'cut', 'tolerated', 'hostile'])
   test(`${name} fits at 1280, 400 and again 1280 px`, () =>
     withReport(browser, name, { width: 1280 }, async (page) => {
       await page.evaluate(() => document.querySelectorAll('details').forEach((d) => (d.open = true)));

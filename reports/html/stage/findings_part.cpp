@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "reports/html/markup.h"
+#include "reports/html/stage/tolerance_parts.h"
 #include "reports/text/interval_text.h"
 
 namespace limitgauge::reports::html {
@@ -128,6 +129,41 @@ std::string findings_table(const RunResult& result, std::size_t index,
   return out + more_note(findings.size());
 }
 
+Row tolerated_row(const RunResult& result, std::size_t index, const char* name,
+                  const std::optional<double>& limit_mm, const LengthUnit& unit,
+                  const verifier::RobustFigure& f) {
+  verifier::Finding by;
+  by.stage = f.stage, by.move = f.move, by.line = f.line;
+  return {{name, measured_number(f.figure_mm.low, unit, limit_mm), coordinates(f.place->point),
+           patch_text(result, *f.place), line_cell(result, index, by),
+           f.raw_stock ? "raw stock" : escape_markup(f.body), witness_words(*result.tolerances, f)},
+          finding_attributes(index, name)};
+}
+
+/// Where the figures over tolerances are worst, and with which values.
+std::string tolerated_table(const RunResult& result, std::size_t index,
+                            const std::optional<double>& gouge_mm,
+                            const std::optional<double>& uncut_mm) {
+  const auto& robust = result.stages[index].ran->deviation->robust;
+  if (!robust || !result.tolerances || (!robust->gouge.place && !robust->uncut.place)) return {};
+  const LengthUnit unit =
+      unit_for(std::max(robust->gouge.figure_mm.low, robust->uncut.figure_mm.low));
+  std::vector<Row> rows;
+  if (robust->gouge.place)
+    rows.push_back(tolerated_row(result, index, "GT", gouge_mm, unit, robust->gouge));
+  if (robust->uncut.place)
+    rows.push_back(tolerated_row(result, index, "UT", uncut_mm, unit, robust->uncut));
+  return table("Worst over the tolerances: gouge (GT), material left standing (UT)",
+               {{"No."},
+                {std::string("Depth, ") + unit.symbol, true},
+                {"X, Y, Z, mm", true},
+                {result.mesh_design() ? "Triangle" : "Patch, u, v", true},
+                {"Line", true},
+                {"By"},
+                {"With"}},
+               rows);
+}
+
 /// From which depth on places are listed.
 std::string threshold_note(const verifier::StageDeviation& d) {
   if (d.gouges.empty() && d.uncuts.empty())
@@ -147,7 +183,7 @@ std::string findings_part(const RunResult& result, std::size_t index) {
   const auto stated = [](bool has, double mm) { return has ? std::optional(mm) : std::nullopt; };
   const std::optional<double> gouge_mm = stated(limits.has_gouge, limits.gouge_mm),
                               uncut_mm = stated(limits.has_uncut, limits.uncut_mm);
-  return threshold_note(d) +
+  return tolerated_table(result, index, gouge_mm, uncut_mm) + threshold_note(d) +
          findings_table(result, index, d.gouges, {"Gouges, deepest first", 'G', gouge_mm}) +
          findings_table(result, index, d.uncuts,
                         {"Material left standing, highest first", 'U', uncut_mm}) +

@@ -30,7 +30,7 @@ std::vector<Compared> compared(const StageResult& stage) {
 std::string standing_cell(const verifier::Interval& interval_mm, const Compared& c,
                           const LengthUnit& unit) {
   const Standing standing = c.limit_mm ? standing_of(interval_mm, *c.limit_mm) : Standing::no_limit;
-  return interval_numbers(interval_mm, unit, c.limit_mm) + " " + unit.symbol + "<small>" +
+  return interval_numbers(interval_mm, unit, c.limit_mm) + "\u00a0" + unit.symbol + "<small>" +
          badge(standing) + "</small>";
 }
 
@@ -101,7 +101,8 @@ std::string tolerance_part(const RunResult& result, std::size_t index) {
   if (!result.tolerances || !stage.ran || !stage.ran->deviation || !stage.ran->deviation->robust)
     return {};
   const std::vector<Compared> figures = compared(stage);
-  std::string out = "<h3>Tolerances</h3>\n" + compared_table(figures) + "<ul>";
+  std::string out =
+      "<h3>Tolerances</h3>\n<div class=\"compared\">" + compared_table(figures) + "</div>\n<ul>";
   for (const Compared& c : figures) out += witness_item(*result.tolerances, c);
   const std::vector<NamedFigure> ordered = tightest_first(figures, *stage.ran->deviation->robust);
   return out + "</ul>\n" + margin_chart(ordered) + eaters(*result.tolerances, ordered);

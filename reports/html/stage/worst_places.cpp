@@ -112,12 +112,16 @@ std::string sample_card(const RunResult& result, std::size_t index, const Side& 
 
 /// Of a figure that only other values of the tolerances than those stated bring beyond its limit;
 /// the findings are of those stated.
-std::string tolerance_card(const RunResult& result, const Side& side, const GateFigure& figure,
-                           const verifier::RobustFigure& robust) {
-  return card(std::string(side.title) + " over the tolerances", figure.measured,
-              {{"Where", place_text(result, *robust.place)},
-               {"With", witness_words(*result.tolerances, robust)}},
-              beside_limit(figure));
+std::string tolerance_card(const RunResult& result, std::size_t index, const Side& side,
+                           const GateFigure& figure, const verifier::RobustFigure& robust) {
+  const std::string id = side.letter + std::string("T");
+  return card(
+      std::string(side.title) + " over the tolerances", figure.measured,
+      {{"Where", place_text(result, *robust.place)},
+       {"With", witness_words(*result.tolerances, robust)},
+       {"More",
+        finding_link(index, id, id + " of stage " + escape_markup(result.stages[index].name))}},
+      beside_limit(figure));
 }
 
 /// Whether the figure is one that keeps the stage from passing; too small a coverage speaks of what
@@ -144,7 +148,7 @@ std::string side_card(const RunResult& result, std::size_t index, const Side& si
   const std::vector<verifier::Finding>& findings = side.letter == 'G' ? d.gouges : d.uncuts;
   const GateFigure& figure = figures[side.figure];
   if (is_by_tolerances(d, side, figure))
-    return tolerance_card(result, side, figure,
+    return tolerance_card(result, index, side, figure,
                           side.letter == 'G' ? d.robust->gouge : d.robust->uncut);
   return findings.empty() ? sample_card(result, index, side, figure)
                           : finding_card(result, index, side, figure, findings.front());

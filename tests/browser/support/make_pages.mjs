@@ -71,6 +71,16 @@ function meshTarget() {
     '--tool', 'flat:D=6,L=20,shank=6:20', '--program', join(out, 'pocket.ngc'), '--gouge', '0.1'];
 }
 
+/** Three rows over the middle of the plate, too wide apart for what is not known of zero and cutter. */
+function toleratedProgram() {
+  const file = join(out, 'rows.ngc');
+  const rows = [-6.5, 0, 6.5].flatMap((y) => ['G0 Z2', `X-30 Y${y}`, 'G1 Z0 F400', 'X30 F1000']);
+  writeFileSync(file, ['G21 G90 G17 G94', 'T1 M6', 'S8000 M3', 'G0 Z20', ...rows, 'G0 Z20', 'M30', ''].join('\n'));
+  return ['verify', '--cage', join(fixtures, 'plate.obj'), '--stock', 'box:44,44,6@-22,-22,-5',
+    '--tool', '1=flat:D=8,L=20', '--program', file, '--gouge', '0.005', '--uncut', '2',
+    '--tolerance', 'zero=0.002,0.002,0.004', '--tolerance', '1:radius=0.01,length=0.003'];
+}
+
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 execFileSync(writeSamples, [out, 'passed', 'failed', 'undecided', 'hostile', 'large']);
@@ -79,4 +89,5 @@ run(['run', join(fixtures, '../jobs/quick-dome.toml')], 'dome', 0);
 run(['run', gougingJob()], 'gouging', 1);
 run(cutProgram(), 'cut', 1);
 run(meshTarget(), 'mesh', 1);
+run(toleratedProgram(), 'tolerated', 1);
 run(['compare', join(out, 'passed'), join(out, 'failed')], 'compared', 1);

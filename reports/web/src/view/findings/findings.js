@@ -17,8 +17,11 @@ export function leftOut(stage) {
     sum + Math.max(0, (stage[`${kind}_total`] ?? 0) - (stage[kind]?.length ?? 0)), 0);
 }
 
-function worstFirst({ gouges = [], uncuts = [], process = [], limits }) {
+function worstFirst({ gouges = [], uncuts = [], tolerated = [], process = [], limits }) {
   const all = [
+    ...tolerated.map((finding) => (finding.id.startsWith('G')
+      ? { ...finding, kind: 'gouge', limit_mm: limits?.gouge_mm }
+      : { ...finding, kind: 'uncut', limit_mm: limits?.uncut_mm })),
     ...gouges.map((finding) => ({ ...finding, kind: 'gouge', limit_mm: limits?.gouge_mm })),
     ...uncuts.map((finding) => ({ ...finding, kind: 'uncut', limit_mm: limits?.uncut_mm })),
     ...process.map((finding) => ({ ...finding, kind: 'process', process: finding.kind,
@@ -40,8 +43,9 @@ function severity(finding) {
 
 /** The same in a sentence's words: "49.9 µm too deep". */
 export function headline(finding) {
-  if (finding.kind === 'gouge') return `${measuredLength(finding.depth_mm)} too deep`;
-  if (finding.kind === 'uncut') return `${measuredLength(finding.depth_mm)} left standing`;
+  const over = finding.with === undefined ? '' : ' over the tolerances';
+  if (finding.kind === 'gouge') return `${measuredLength(finding.depth_mm)} too deep${over}`;
+  if (finding.kind === 'uncut') return `${measuredLength(finding.depth_mm)} left standing${over}`;
   const depth = finding.depth_mm;
   if (!depth) return finding.words;
   return finding.process === 'near_miss'

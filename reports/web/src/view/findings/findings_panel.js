@@ -71,7 +71,7 @@ function scrollWithin(list, entry) {
 
 function details(report, stageIndex, finding) {
   const figures = [['Place', placeOf(finding)], [finding.triangle ? 'Triangle' : 'Patch', patchOf(finding)], ['Size', sizeOf(finding)],
-    ['Program', lineOf(report, stageIndex, finding)]];
+    ['With', finding.with], ['Program', lineOf(report, stageIndex, finding)]];
   return [
     make('h4', {}, [
       make('b', { class: `view-id ${finding.kind}`, text: finding.id }), ' ', sentence(finding),

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The tables of docs/tuning.md, from the figures of its two studies.
+"""The tables of docs/tuning.md and docs/tolerances.md, from the figures of their studies.
 
     tables.py cut STUDY.csv OUT.csv   keeps the columns that the page needs
     tables.py print                   the tables, by name
-    tables.py check PAGE.md           ends with 1 where one of them is not in the page as it is
+    tables.py check PAGE.md           ends with 1 where one of the page's is not in it as it is
 """
 import csv
 import pathlib
@@ -11,7 +11,9 @@ import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-KEPT = ('machining_time_s', 'finish.uncut_mm.low', 'finish.uncut_mm.high', 'finish.gouge_mm.high')
+KEPT = ('machining_time_s', 'finish.uncut_mm.low', 'finish.uncut_mm.high', 'finish.gouge_mm.high',
+        'finish.robust_gouge_mm.low', 'finish.robust_gouge_mm.high', 'finish.robust_uncut_mm.low',
+        'finish.robust_uncut_mm.high')
 ALLOWANCE, STEP, TOLERANCE = ('stage.semi-finish.allowance', 'stage.finish.step',
                               'stage.finish.tolerance')
 PAPER = {ALLOWANCE: '0.2', STEP: '0.1', TOLERANCE: '0.005'}
@@ -25,7 +27,7 @@ def rows(name):
 def cut(study, out):
     with open(study, newline='', encoding='utf-8') as file:
         table = list(csv.DictReader(file))
-    keys = [key for key in table[0] if re.match(r'(stage|simulation|verification)\.', key)]
+    keys = [key for key in table[0] if re.match(r'(stage|simulation|verification|tolerances)\.', key)]
     names = ['case', 'status', 'reason', *keys, *(name for name in KEPT if name in table[0])]
     with open(out, 'w', newline='', encoding='utf-8') as file:
         writer = csv.DictWriter(file, names, extrasaction='ignore', lineterminator='\n')
@@ -144,12 +146,39 @@ def instruments():
                     body)
 
 
-TABLES = {f.__name__: f for f in (counts, grid, front, standing, instruments)}
+def over_tolerances(row, figure, limit_mm):
+    """What the gate sees of a figure: proven within its limit, or proven beyond."""
+    low, high = (float(row[f'finish.robust_{figure}_mm.{end}']) for end in ('low', 'high'))
+    if low > limit_mm:
+        return f'✗ ≥ {down(low)}'
+    return f'{"✓" if high <= limit_mm else "?"} {up(high)}'
+
+
+def bears():
+    """Gouge and uncut of the finish over every zero and radius, µm."""
+    table = rows('tolerances.csv')
+    zeros = list(dict.fromkeys(row['tolerances.zero'] for row in table))
+    radii = sorted({row['tolerances.tool.ball3.radius'] for row in table}, key=float)
+    body = []
+    for zero in zeros:
+        of_zero = {row['tolerances.tool.ball3.radius']: row for row in table
+                   if row['tolerances.zero'] == zero}
+        x, y, z = (float(value) for value in zero.strip('[]').split(','))
+        assert x == y == z
+        body.append([f'±{1000 * x:g} µm', *(over_tolerances(of_zero[r], 'gouge', 0.01) + ' · ' +
+                                            over_tolerances(of_zero[r], 'uncut', 0.01) for r in radii)])
+    return markdown(['zero, each axis', *(f'radius ±{1000 * float(r):g} µm' for r in radii)], body)
+
+
+TABLES = {f.__name__: f for f in (counts, grid, front, standing, instruments, bears)}
+OF_PAGE = {'tolerances.md': ('bears',)}
 
 
 def check(page):
     text = pathlib.Path(page).read_text(encoding='utf-8')
-    missing = [name for name, table in TABLES.items() if f'\n\n{table()}\n\n' not in text]
+    elsewhere = {name for names in OF_PAGE.values() for name in names}
+    wanted = OF_PAGE.get(pathlib.Path(page).name, TABLES.keys() - elsewhere)
+    missing = [name for name in TABLES if name in wanted and f'\n\n{TABLES[name]()}\n\n' not in text]
     for name in missing:
         print(f'{page}: the table {name} of the studies is not there:\n{TABLES[name]()}')
     return 1 if missing else 0

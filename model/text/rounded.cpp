@@ -68,4 +68,10 @@ std::string without_trailing_zeros(std::string number) {
   return number;
 }
 
+std::string factor_text(double factor, Rounding rounding) {
+  constexpr int kDigits = 4;
+  return without_trailing_zeros(
+      rounded_text(factor, significant_decimals(factor, kDigits), rounding));
+}
+
 }  // namespace limitgauge::model

@@ -26,4 +26,7 @@ double without_dust(double value);
 /// "12.500" as "12.5", "3.000" as "3".
 std::string without_trailing_zeros(std::string number);
 
+/// A factor in four significant digits, rounded to the side on which less is said: "1.427".
+std::string factor_text(double factor, Rounding rounding);
+
 }  // namespace limitgauge::model

@@ -2,6 +2,7 @@
 #include <set>
 #include <sstream>
 
+#include "model/text/rounded.h"
 #include "reports/run/finding_list.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
@@ -145,6 +146,19 @@ std::string why_not(const RunResult& result, std::size_t index, std::size_t widt
   return out;
 }
 
+/// Of a stage that passes: how far its tolerances could grow, and what ends that first.
+std::string margin_line(const StageResult& stage, std::size_t width) {
+  if (stage.verdict() != verifier::Verdict::pass || !stage.ran || !stage.ran->deviation) return {};
+  const auto& robust = stage.ran->deviation->robust;
+  const verifier::RobustFigure* least = robust ? verifier::least_margin(*robust) : nullptr;
+  if (!least || !least->margin->proven) return {};
+  const double factor = *least->margin->proven;
+  const std::string times = model::factor_text(factor, model::Rounding::down);
+  return wrapped(clean_text(stage.name) + ": passes with tolerances up to " + times +
+                     " times as wide (" + (least == &robust->gouge ? "gouge" : "uncut") + ")",
+                 4, width);
+}
+
 /// "machining time 5 min 10 s (rough 3 min, finish 2 min 10 s)".
 std::string time_text(const RunResult& result, const char* name,
                       double (*seconds)(const StageResult&)) {
@@ -188,6 +202,7 @@ std::string verdict_table(const RunResult& result, bool colour, std::size_t widt
   for (const StageResult& stage : result.stages)
     for (const std::string& note : stage_notes(stage))
       out += wrapped(clean_text(stage.name) + ": " + note, 4, width);
+  for (const StageResult& stage : result.stages) out += margin_line(stage, width);
   for (std::size_t i = 0; i < result.stages.size(); ++i) out += why_not(result, i, width);
   out += times_of(result, width);
   if (!result.surface) out += wrapped("nothing was measured against a design", 0, width);

@@ -122,10 +122,7 @@ std::string tolerances_text(const RobustFigure& figure, const Interval& stated_m
   std::string text =
       " for all values of the tolerances (as stated " + range_text(stated_mm, limit_mm);
   if (figure.margin && figure.margin->proven) {
-    const double times = *figure.margin->proven;
-    text += "; proven up to " +
-            model::without_trailing_zeros(model::rounded_text(
-                times, model::significant_decimals(times, 4), model::Rounding::down)) +
+    text += "; proven up to " + model::factor_text(*figure.margin->proven, model::Rounding::down) +
             " times the tolerances";
   }
   return text + ")";

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "model/text/rounded.h"
 #include "reports/html/stage/tolerance_parts.h"
 #include "reports/text/text.h"
 #include "verifier/robust/tolerance_margin.h"
@@ -15,12 +16,6 @@ using verifier::ToleranceMargin;
 /// Where a factor lies, in percent of the scale: 1 in the middle, as far from 2 as from a half.
 double place_of(double factor) {
   return 100 * factor / (1 + factor);
-}
-
-/// A factor in four digits, rounded to the side on which less is said.
-std::string times_text(double factor, model::Rounding rounding) {
-  return model::without_trailing_zeros(
-      model::rounded_text(factor, model::significant_decimals(factor, 4), rounding));
 }
 
 std::string span(std::string_view css, double from, double to, double height) {
@@ -59,7 +54,7 @@ std::string scale() {
 
 std::string refuted_words(const ToleranceMargin& margin) {
   if (!margin.refuted) return "; that they fail is proven for no larger factor that was tried";
-  return "; from " + times_text(*margin.refuted, model::Rounding::up) +
+  return "; from " + model::factor_text(*margin.refuted, model::Rounding::up) +
          " times on they are proven to fail";
 }
 
@@ -75,7 +70,7 @@ std::string margin_words(const ToleranceMargin& margin) {
   if (*margin.proven == 0)
     return "the stated values alone are proven to pass" + refuted_words(margin);
   return fmt::format("the tolerances are proven to pass up to {} times",
-                     times_text(*margin.proven, model::Rounding::down)) +
+                     model::factor_text(*margin.proven, model::Rounding::down)) +
          refuted_words(margin);
 }
 

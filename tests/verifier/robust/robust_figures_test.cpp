@@ -128,6 +128,34 @@ TEST_CASE("without a width a range is a measured value", "[unit]") {
   CHECK(d.robust->gouge.figure_mm.high == Approx(0.02).margin(kWidth_mm));
 }
 
+TEST_CASE("figures over tolerances and margins are the same for any number of threads", "[unit]") {
+  const ReferenceSurface bowl(paraboloid_cage(3, 0.08));
+  const std::vector<Pass> passes{
+      {ball_cutter(2), shared(raster(3, 0.5, 0.5, [](double x, double y) {
+         return 0.08 * (x * x + y * y) + 0.02;
+       }))}};
+  StageCheck check = check_of(radius_length_zero("ball", 0.01, 0.005, 0.005));
+  check.limits.has_gouge = check.limits.has_uncut = true;
+  check.limits.gouge_mm = check.limits.uncut_mm = 0.03;
+  const auto by = [&](unsigned threads) {
+    return *measure_stage(bowl, kDeepBlock, passes, nullptr, check, {threads}).robust;
+  };
+  const RobustDeviation one = by(1), four = by(4);
+  for (const auto figure : {&RobustDeviation::gouge, &RobustDeviation::uncut}) {
+    const RobustFigure &a = one.*figure, &b = four.*figure;
+    CHECK(a.figure_mm.low == b.figure_mm.low);
+    CHECK(a.figure_mm.high == b.figure_mm.high);
+    REQUIRE((a.margin && b.margin));
+    CHECK(a.margin->proven == b.margin->proven);
+    CHECK(a.margin->refuted == b.margin->refuted);
+    REQUIRE(a.at.size() == b.at.size());
+    for (std::size_t k = 0; k < a.at.size(); ++k) {
+      CHECK(a.at[k].mm == b.at[k].mm);
+      CHECK(a.sensitivity[k].mm == b.sensitivity[k].mm);
+    }
+  }
+}
+
 namespace {
 
 /// A part and the passes over it that the draws are taken of.

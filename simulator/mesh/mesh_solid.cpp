@@ -15,13 +15,30 @@ namespace {
 using model::Vec3;
 using Triangle = MeshTree::Triangle;
 
-// Where the vertical meets the triangle's plane, kept to the triangle's heights: of one that is all
-// but vertical the quotient may be anything.
+double turn_in_plan(const Vec3& a, const Vec3& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Where a vertical that passes through the triangle meets it: the height of its longest side in
+/// plan there, and the share of what the third corner lies beside that. So of a sliver, whose plane
+/// rounding may turn anyhow, it is no further off than the sliver is wide; of one that is all but
+/// vertical it is a height that the triangle has there.
 double height_at(const Triangle& t, double x, double y) {
-  const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
-  const double slope = n.x * (x - t[0].x) + n.y * (y - t[0].y);
-  const auto [low, high] = std::minmax({t[0].z, t[1].z, t[2].z});
-  return n.z == 0 ? low : std::clamp(t[0].z - slope / n.z, low, high);
+  const auto in_plan = [&](int k) { return level_distance(t[k], t[(k + 1) % 3]); };
+  int longest = 0;
+  for (int k = 1; k < 3; ++k)
+    if (in_plan(k) > in_plan(longest)) longest = k;
+  const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+  const auto [low, high] = std::minmax({a.z, b.z, c.z});
+  const Vec3 side = b - a, to{x - a.x, y - a.y, 0}, third = c - a;
+  const double squared = side.x * side.x + side.y * side.y;
+  if (squared == 0) return low;
+  const auto on_side = [&](const Vec3& v) {
+    return a.z + (v.x * side.x + v.y * side.y) / squared * side.z;
+  };
+  const double wide = turn_in_plan(side, third);
+  const double share = wide == 0 ? 0 : std::clamp(turn_in_plan(side, to) / wide, 0.0, 1.0);
+  return std::clamp(on_side(to) + share * (c.z - on_side(third)), low, high);
 }
 
 struct Crossing {

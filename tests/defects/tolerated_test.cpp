@@ -28,9 +28,9 @@ constexpr double kResolution_mm = 0.001;
 constexpr double kNanometre_mm = 1e-6;
 /// Marches of the oracle end within it.
 constexpr double kMarch_mm = 1e-5;
-/// A climb of the oracle's ends that near to the top of a cusp, where what is sure is less than
-/// what there is.
-constexpr double kClimb_mm = 5e-4;
+/// A climb of the oracle ends within 2e-4 mm of the top of a cusp; and what is sure of it is so
+/// three quarters of a micrometre beside it too, down a flank of up to 45°.
+constexpr double kClimb_mm = 1e-3;
 /// Where a search for a contradiction gives up: an interval is as wide as it may be there.
 constexpr std::size_t kCellsOfADraw = 20'000;
 constexpr verifier::GateLimits kFarLimits = {true, true, false, 1000, 1000, 0};

@@ -274,6 +274,43 @@ TEST_CASE("slivers have exact distances", "[property][mesh]") {
   }
 }
 
+namespace {
+
+/// A block of 2 x 2 mm whose top rises along x, z = 2 + x, with a sliver along the top's diagonal:
+/// the corner of +x and +y is there twice, the last bit of y (or of x) apart.
+TriangleMesh slanted_block_with_sliver(bool apart_in_y) {
+  const double less = std::nextafter(1.0, 0.0);
+  const Vec3 twin = apart_in_y ? Vec3{1, less, 3} : Vec3{less, 1, 2 + less};
+  TriangleMesh mesh;
+  mesh.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},  {-1, 1, 0}, {-1, -1, 1},
+                   {1, -1, 3},  {1, 1, 3},  {-1, 1, 1}, twin};
+  mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {0, 4, 7}, {0, 7, 3}};
+  if (apart_in_y)
+    mesh.triangles.insert(
+        mesh.triangles.end(),
+        {{4, 5, 8}, {4, 8, 6}, {4, 6, 7}, {1, 2, 6}, {1, 6, 8}, {1, 8, 5}, {2, 3, 7}, {2, 7, 6}});
+  else
+    mesh.triangles.insert(
+        mesh.triangles.end(),
+        {{4, 5, 6}, {4, 6, 8}, {4, 8, 7}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 8}, {2, 8, 6}});
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("a vertical along a sliver leaves the solid where the sliver is", "[unit][mesh]") {
+  for (const bool apart_in_y : {true, false}) {
+    const MeshSolid solid = solid_of(slanted_block_with_sliver(apart_in_y));
+    for (const double at : {-0.9, -0.5, -0.3, 0.0, 0.1, 0.5, 0.7}) {
+      CAPTURE(apart_in_y, at);
+      const std::vector<double> heights = solid.crossings(at, at);
+      REQUIRE(heights.size() == 2);
+      CHECK(heights[0] == 0);
+      CHECK(heights[1] == Approx(2 + at).margin(1e-12));
+    }
+  }
+}
+
 TEST_CASE("triangles without area bound nothing", "[unit][mesh]") {
   // A corner in the middle of an edge, a whisker and a triangle that is a point.
   TriangleMesh mesh = block_between({0, 0, 0}, {4, 4, 4});

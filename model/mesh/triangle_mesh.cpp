@@ -34,4 +34,9 @@ TriangleMesh placed(TriangleMesh mesh, double scale, const Vec3& translate_mm) {
   return mesh;
 }
 
+TriangleMesh turned(TriangleMesh mesh, const Pose& pose) {
+  for (Vec3& p : mesh.vertices) p = pose.point(p);
+  return mesh;
+}
+
 }  // namespace limitgauge::model

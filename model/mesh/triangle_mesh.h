@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/geometry/vec3.h"
+#include "model/geometry/pose.h"
 
 namespace limitgauge::model {
 
@@ -24,5 +24,7 @@ double area_mm2(const TriangleMesh& mesh);
 double volume_mm3(const TriangleMesh& mesh);
 /// Every vertex times `scale`, then moved.
 TriangleMesh placed(TriangleMesh mesh, double scale, const Vec3& translate_mm);
+/// Every vertex moved by `pose`.
+TriangleMesh turned(TriangleMesh mesh, const Pose& pose);
 
 }  // namespace limitgauge::model

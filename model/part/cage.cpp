@@ -208,4 +208,9 @@ std::string describe(const CageDefect& defect) {
   return face;
 }
 
+Cage turned(Cage cage, const Pose& pose) {
+  for (Vec3& p : cage.vertices) p = pose.point(p);
+  return cage;
+}
+
 }  // namespace limitgauge::model

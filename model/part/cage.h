@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/geometry/vec3.h"
+#include "model/geometry/pose.h"
 
 namespace limitgauge::model {
 
@@ -62,6 +62,8 @@ struct Placement {
 };
 /// The cage moved by `placement`; a rotation by a multiple of 90° is exact.
 Cage placed(const Cage& cage, const Placement& placement);
+/// The cage moved by `pose`: its limit surface moves with it.
+Cage turned(Cage cage, const Pose& pose);
 
 /// Topology figures of a cage, as `inspect` and result.json show them. Vertices that no face has do
 /// not count. `patches` is the number of quads after n-gons have been split: one for a quad, n for

@@ -84,7 +84,52 @@ Vec3 read_corner(SpecText& spec) {
   return corner_mm;
 }
 
+/// A block's twelve triangles, seen from outside counter-clockwise.
+TriangleMesh block_mesh(const Box3& box) {
+  TriangleMesh mesh;
+  for (int corner = 0; corner < 8; ++corner)
+    mesh.vertices.push_back({corner & 1 ? box.high.x : box.low.x,
+                             corner & 2 ? box.high.y : box.low.y,
+                             corner & 4 ? box.high.z : box.low.z});
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+struct Turner {
+  const Pose& pose;
+
+  Stock operator()(const BoxStock& block) const {
+    const Box3 box{block.corner_mm, block.corner_mm + block.size_mm};
+    if (!pose.keeps_axes())
+      return MeshStock{std::make_shared<const TriangleMesh>(turned(block_mesh(box), pose)),
+                       "the block, turned", 0};
+    const Box3 moved = pose.box(box);
+    const Vec3 size = pose.half(block.size_mm);
+    return BoxStock{moved.low, size};
+  }
+  Stock operator()(const CylinderStock& bar) const {
+    const Vec3 axis = pose.direction({0, 0, 1});
+    if (std::hypot(axis.x, axis.y) != 0)
+      throw std::invalid_argument(
+          "a round bar would lean or lie in this setup, and is only known upright");
+    CylinderStock out = bar;
+    out.base_mm = pose.point(axis.z > 0 ? bar.base_mm : bar.base_mm + Vec3{0, 0, bar.height_mm});
+    return out;
+  }
+  Stock operator()(const MeshStock& stock) const {
+    MeshStock out = stock;
+    out.mesh = std::make_shared<const TriangleMesh>(turned(*stock.mesh, pose));
+    return out;
+  }
+};
+
 }  // namespace
+
+Stock turned(const Stock& stock, const Pose& pose) {
+  if (pose == Pose{}) return stock;
+  return std::visit(Turner{pose}, stock);
+}
 
 Box3 bounding_box(const Stock& stock) {
   return std::visit(Bounds{}, stock);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <variant>
 
-#include "model/geometry/vec3.h"
+#include "model/geometry/pose.h"
 #include "model/mesh/triangle_mesh.h"
 
 namespace limitgauge::model {
@@ -38,6 +38,10 @@ Box3 bounding_box(const Stock& stock);
 /// Throws std::invalid_argument for a zero, negative or non-finite size and for a mesh that bounds
 /// no solid (mesh_defect.h).
 void require_valid(const Stock& stock);
+/// The stock moved by `pose`. A block stays one where its sides stay along the axes and becomes a
+/// mesh of twelve triangles otherwise; a bar stays one where its axis stays along Z. Throws
+/// std::invalid_argument for a bar that would lean.
+Stock turned(const Stock& stock, const Pose& pose);
 /// `box:LX,LY,LZ@X,Y,Z`: size @ lower corner. Throws InputError with the column in `text`.
 Stock parse_stock(std::string_view text);
 

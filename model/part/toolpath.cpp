@@ -15,4 +15,11 @@ ToolpathLengths lengths(const Toolpath& path, double rapid_mm_min) {
   return sum;
 }
 
+Toolpath turned(const Toolpath& path, const Pose& pose) {
+  Toolpath out = path;
+  out.start = pose.point(path.start);
+  for (Move& move : out.moves) move.to = pose.point(move.to);
+  return out;
+}
+
 }  // namespace limitgauge::model

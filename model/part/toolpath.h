@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/geometry/vec3.h"
+#include "model/geometry/pose.h"
 #include "model/part/cutter.h"
 
 namespace limitgauge::model {
@@ -45,10 +45,16 @@ inline const Vec3& move_from(const Toolpath& path, std::size_t i) {
   return i == 0 ? path.start : path.moves[i - 1].to;
 }
 
-/// One pass of one cutter over the part.
+/// Every place moved by `pose`; feeds, lines and kinds stay.
+Toolpath turned(const Toolpath& path, const Pose& pose);
+
+/// One pass of one cutter over the part. The cutter stands along +Z of the frame that its path is
+/// in; `pose` is how that frame lies in the one that the pass is asked in, which differ where a
+/// part was turned over between the setup of the pass and the one at work.
 struct Pass {
   Cutter cutter;
   std::shared_ptr<const Toolpath> path;
+  Pose pose = {};
 };
 
 struct ToolpathLengths {

@@ -11,6 +11,7 @@
 #include "model/gcode/program_path.h"
 #include "model/part/cage.h"
 #include "model/part/machine_setup.h"
+#include "model/part/setup.h"
 #include "model/part/tolerances.h"
 #include "reports/page/path_view.h"
 #include "reports/page/stock_view.h"
@@ -69,6 +70,9 @@ struct SurfaceResult {
 /// One stage as asked for and as it came out. A stage that was not run has only its request part.
 struct StageResult {
   std::string name, tool;
+  /// Where the stage was cut. `ran->path`, the program and `ran->stock` are in its frame; findings
+  /// and the deviation field are in the part's.
+  model::Setup setup;
   model::Cutter cutter;
   std::string strategy;  ///< empty when `program` names a file
   std::string program;
@@ -137,6 +141,7 @@ struct RunResult {
   std::optional<model::ProgramStart> program_start;  ///< where a stage is a program
   /// What is not known of tools and zero; empty: they are taken as stated.
   std::optional<model::Tolerances> tolerances;
+  std::vector<model::Setup> setups;  ///< as the job states them; empty: the part is never turned
   std::vector<StageResult> stages;
   std::vector<std::string>
       assumptions;  ///< stated in the report: straight rapids, start unknown, ...

@@ -8,6 +8,7 @@
 #include "app/inputs/mesh_target.h"
 #include "app/inputs/part_fit.h"
 #include "app/inputs/run_forecast.h"
+#include "app/inputs/setup_view.h"
 #include "app/inputs/surface_witness.h"
 #include "app/tolerance.h"
 #include "model/base/coordinate_limit.h"
@@ -131,11 +132,13 @@ JobSurface load_surface(const Job& job, const model::RunControl& control) {
 }
 
 RunInputs load_inputs(const Job& job, const RunTerms& terms, const model::RunControl& control) {
-  return load_inputs(job, terms,
-                     job.design ? std::optional(load_surface(job, control)) : std::nullopt);
+  auto design = job.design ? std::optional(load_surface(job, control)) : std::nullopt;
+  if (has_setups(job)) return load_in_setups(job, terms, std::move(design), control);
+  return load_inputs(job, terms, std::move(design));
 }
 
 RunInputs load_inputs(const Job& job, const RunTerms& terms, std::optional<JobSurface> design) {
+  if (has_setups(job) && !job.at_setup) return load_in_setups(job, terms, std::move(design), {});
   // The surface may come from another job of the same cage.
   require_fit(job, design ? &design->cage : nullptr);
   const model::Box3 box = design ? design->surface.bounding_box() : model::Box3();

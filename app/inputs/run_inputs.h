@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ struct JobSurface {
   std::optional<reports::MeshDesign> mesh;  ///< where the design is one
 };
 
+struct SetupView;
+
 /// Everything a job reads, read and checked before anything is computed or written.
 struct RunInputs {
   std::optional<JobSurface> design;  ///< empty for a job without one
@@ -35,6 +38,8 @@ struct RunInputs {
   std::vector<model::Fixture> fixtures;
   std::vector<std::optional<ForeignPath>> programs;  ///< a stage; empty for those planned here
   std::vector<reports::InputFile> files;             ///< what all of this was read from
+  /// The same as each setup has it; empty where the job states none.
+  std::vector<std::shared_ptr<const SetupView>> setups = {};
 };
 
 /// Of a job with a design. Throws InputError for a cage that cannot be used,

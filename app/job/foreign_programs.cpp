@@ -17,7 +17,7 @@ using Group = std::vector<std::size_t>;
 std::vector<Group> groups_of(const Job& job) {
   std::vector<Group> groups;
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
-    if (job.stages[i].plan) continue;
+    if (job.stages[i].plan || (job.at_setup && job.stages[i].setup != *job.at_setup)) continue;
     const auto same = [&](const Group& group) {
       const JobStage &first = job.stages[group.front()], &second = job.stages[i];
       return first.program == second.program && !(first.part.whole() && second.part.whole());

@@ -62,6 +62,13 @@ struct JobStage {
   verifier::GateLimits limits;
 };
 
+/// A setup of the job.
+struct JobSetup {
+  model::Setup setup;
+  /// The machine with this setup's work offsets; empty: as [machine] has it.
+  std::optional<model::MachineSetup> machine;
+};
+
 /// A mesh that nothing of the tool may touch.
 struct JobFixture {
   std::string name;
@@ -119,9 +126,12 @@ struct Job {
   std::optional<double> acceleration_mm_s2;  ///< empty: speeds change at once
   double junction_deviation_mm = 0.01;       ///< how far a corner may be rounded off
   Post post;
-  model::MachineSetup machine;              ///< what programs take from the machine
-  model::RigidPlacement program_frame;      ///< the programs' work frame (G54) in the cage's frame
-  std::vector<model::Setup> setups = {{}};  ///< one without a name where the job states none
+  model::MachineSetup machine;          ///< what programs take from the machine
+  model::RigidPlacement program_frame;  ///< the programs' work frame (G54) in the cage's frame
+  std::vector<JobSetup> setups = {{}};  ///< one without a name where the job states none
+  /// Of a view of the job (inputs/setup_view.h): the setup in whose frame everything lies and whose
+  /// stages alone count. Empty: the part's frame.
+  std::optional<std::size_t> at_setup;
   std::vector<JobStage> stages;
   std::optional<double> voxel_mm;       ///< empty: "auto"
   std::optional<double> resolution_mm;  ///< empty: "auto"
@@ -142,6 +152,11 @@ struct Job {
   /// Values that the job left to a default, in words, for the report's assumptions.
   std::vector<std::string> defaulted;
 };
+
+/// Whether the job says how the part lies for each stage.
+inline bool has_setups(const Job& job) {
+  return !job.setups.front().setup.name.empty();
+}
 
 /// Share of the feed at which the cutter plunges where the job says nothing.
 inline constexpr double kDefaultPlungeShare = 1.0 / 3.0;

@@ -104,7 +104,7 @@ void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   }
   read_acceleration(machine, job, context);
   if (machine.has("travel")) job.travel_mm = read_travel(machine);
-  read_setup(root, machine, job);
+  read_program_machine(root, machine, job);
   read_control(machine, job, context);
   if (machine.has("clearance")) {
     job.clearance_mm = machine.length_mm("clearance");
@@ -145,25 +145,25 @@ std::string extended_name(int number) {
   return "G54.1P" + std::to_string(number);
 }
 
-void read_offsets(const TomlTable& machine, model::MachineSetup& setup) {
+}  // namespace
+
+void read_offsets(const TomlTable& table, model::MachineSetup& machine) {
   constexpr int kMostExtended = 300;
   std::vector<std::string> extended;
   for (int number = 1; number <= kMostExtended; ++number) extended.push_back(extended_name(number));
   std::vector<const char*> names(std::begin(kNames), std::end(kNames));
   for (const std::string& name : extended) names.push_back(name.c_str());
-  const TomlTable offsets(machine.table("work_offsets"), "\"work_offsets\" of [machine]", {},
+  const TomlTable offsets(table.table("work_offsets"), "\"work_offsets\" of " + table.where(), {},
                           names);
   for (std::size_t i = 0; i < std::size(kNames); ++i)
-    if (offsets.has(kNames[i])) setup.work_offsets[i] = read_offset(offsets, kNames[i]);
+    if (offsets.has(kNames[i])) machine.work_offsets[i] = read_offset(offsets, kNames[i]);
   for (int number = 1; number <= kMostExtended; ++number) {
     const std::string name = extended_name(number);
-    if (offsets.has(name)) setup.extended_offsets[number] = read_offset(offsets, name);
+    if (offsets.has(name)) machine.extended_offsets[number] = read_offset(offsets, name);
   }
 }
 
-}  // namespace
-
-void read_setup(const TomlTable& root, const TomlTable& machine, Job& job) {
+void read_program_machine(const TomlTable& root, const TomlTable& machine, Job& job) {
   if (machine.has("work_offsets")) read_offsets(machine, job.machine);
   if (machine.has("home")) job.machine.home_mm = machine.position("home");
   if (machine.has("second_home")) job.machine.second_home_mm = machine.position("second_home");
@@ -183,8 +183,9 @@ std::vector<model::ToolEntry> tool_table(const std::vector<JobTool>& tools) {
 
 namespace {
 
-JobFixture read_fixture(const toml::table& table, const JobContext& context) {
-  const TomlTable fixture(table, "[[fixture]]", {"name", "file", "translate"});
+JobFixture read_fixture(const toml::table& table, const std::vector<JobSetup>& setups,
+                        const JobContext& context) {
+  const TomlTable fixture(table, "[[fixture]]", {"name", "file", "translate", "setup"});
   JobFixture read;
   read.name = fixture.text("name");
   read.file_as_stated = fixture.text("file");
@@ -194,6 +195,7 @@ JobFixture read_fixture(const toml::table& table, const JobContext& context) {
                             "a closed mesh as STL, OBJ or PLY");
   }
   if (fixture.has("translate")) read.translate_mm = fixture.position("translate");
+  read.setup = read_setup_name(fixture, setups);
   return read;
 }
 
@@ -202,7 +204,7 @@ JobFixture read_fixture(const toml::table& table, const JobContext& context) {
 void read_fixtures(const TomlTable& root, Job& job, const JobContext& context) {
   if (!root.has("fixture")) return;
   for (const toml::table* table : root.tables("fixture")) {
-    JobFixture fixture = read_fixture(*table, context);
+    JobFixture fixture = read_fixture(*table, job.setups, context);
     for (const JobFixture& other : job.fixtures) {
       if (other.name != fixture.name) continue;
       throw model::InputError(place_of(table->get("name")->source()),

@@ -41,9 +41,10 @@ toml::table merged_job(const std::string& text, const std::string& name_in_error
 Job read_merged_job(const toml::table& table, JobContext context);
 
 /// The tables and keys that a job may have.
-inline constexpr const char* kJobKeys[] = {
-    "name",       "surface",      "stock",  "machine", "fixture",   "tool",          "stage",
-    "simulation", "verification", "report", "post",    "published", "program_frame", "tolerances"};
+inline constexpr const char* kJobKeys[] = {"name",          "surface",    "stock", "machine",
+                                           "fixture",       "tool",       "stage", "simulation",
+                                           "verification",  "report",     "post",  "published",
+                                           "program_frame", "tolerances", "setup"};
 /// The name, which must do as a folder's.
 std::string read_job_name(const TomlTable& root);
 /// `transform` of [surface], where it is stated.
@@ -65,9 +66,11 @@ model::Stock read_stock(const toml::table& stock, JobContext& context);
 std::vector<JobTool> read_tools(const std::vector<const toml::table*>& tools, JobContext& context);
 /// Figures of a publication to stand beside the run's own.
 reports::PublishedFigures read_published(const TomlTable& root);
-/// The stages in order; two of one name, or a tool that is not among `tools`, are an error.
+/// The stages in order; two of one name, a tool that is not among `tools`, or a setup that is not
+/// among `setups`, are an error.
 std::vector<JobStage> read_stages(const std::vector<const toml::table*>& stages,
-                                  const std::vector<JobTool>& tools, JobContext& context);
+                                  const std::vector<JobTool>& tools,
+                                  const std::vector<JobSetup>& setups, JobContext& context);
 
 /// Keys of a stage that say how it is cut, whatever the strategy.
 inline constexpr const char* kCutKeys[] = {"step",          "scallop",   "tolerance",   "feed",
@@ -79,8 +82,19 @@ inline constexpr const char* kCutKeys[] = {"step",          "scallop",   "tolera
 /// the strategy does not use is an error: it would change nothing.
 StagePlan read_plan(const TomlTable& stage, const std::string& name, JobContext& context);
 
-/// The fixtures of `[[fixture]]`: name, file, translate. Throws InputError for a file that is not
-/// there and for a second fixture of one name.
+/// The [[setup]]s: how the part lies in each, and its work offsets; after [machine] was read.
+/// Without any, one in which it is not turned. Throws InputError for one that is no rotation, for a
+/// second one of a name, and for what says the same otherwise ([program_frame], [tolerances]).
+void read_setups(const TomlTable& root, Job& job);
+/// `work_offsets` of a table, "[machine]" or a setup.
+void read_offsets(const TomlTable& table, model::MachineSetup& machine);
+/// Which setup `setup` of a stage or a fixture names; the first where the job states none, and none
+/// where it states some and the table says nothing.
+std::optional<std::size_t> read_setup_name(const TomlTable& table,
+                                           const std::vector<JobSetup>& setups);
+
+/// The fixtures of `[[fixture]]`: name, file, translate, setup. Throws InputError for a file that
+/// is not there and for a second fixture of one name.
 void read_fixtures(const TomlTable& root, Job& job, const JobContext& context);
 /// `travel = { x = [low, high], ... }` of [machine]: an axis that is not named has no limit.
 model::Box3 read_travel(const TomlTable& machine);
@@ -93,7 +107,7 @@ void read_post(const TomlTable& root, Job& job, JobContext& context);
 
 /// What programs take from the machine and where they lie: `work_offsets`, `home` and `second_home`
 /// of [machine], [program_frame], and the tools that have numbers.
-void read_setup(const TomlTable& root, const TomlTable& machine, Job& job);
+void read_program_machine(const TomlTable& root, const TomlTable& machine, Job& job);
 /// The tools that have a number, as the machine's tool table.
 std::vector<model::ToolEntry> tool_table(const std::vector<JobTool>& tools);
 

@@ -79,10 +79,11 @@ Job read_root(const toml::table& table, JobContext& context) {
   if (root.has("surface")) job.design = read_surface(root.table("surface"), context);
   job.stock = read_stock(root.table("stock"), context);
   read_machine(root, job, context);
+  read_setups(root, job);
   read_fixtures(root, job, context);
   const std::vector<JobTool> tools = read_tools(root.tables("tool"), context);
   job.machine.tools = tool_table(tools);
-  job.stages = read_stages(root.tables("stage"), tools, context);
+  job.stages = read_stages(root.tables("stage"), tools, job.setups, context);
   refuse_planning(job, root);
   read_post(root, job, context);
   read_settings(root, job);

@@ -116,16 +116,22 @@ std::string read_name(const TomlTable& stage, const std::vector<JobStage>& befor
 }
 
 JobStage read_stage(const toml::table& table, const std::vector<JobStage>& before,
-                    const std::vector<JobTool>& tools, JobContext& context) {
+                    const std::vector<JobTool>& tools, const std::vector<JobSetup>& setups,
+                    JobContext& context) {
   const TomlTable stage(table, "[[stage]]",
                         {"name", "tool", "strategy", "program", "program_tool", "program_section",
-                         "program_comment", "allowance", "gate"},
+                         "program_comment", "allowance", "gate", "setup"},
                         kCutKeys);
   JobStage result;
   result.name = read_name(stage, before);
   const JobTool& tool = find_tool(stage, tools);
   result.cutter = tool.cutter;
   result.tool_number = tool.number;
+  const auto setup = read_setup_name(stage, setups);
+  if (!setup)
+    throw model::InputError(stage.place(), "stage \"" + result.name + "\" names no setup",
+                            "setup = \"" + setups.front().setup.name + "\" or another [[setup]]");
+  result.setup = *setup;
   read_source(stage, before.empty(), result, context);
   read_part(stage, result);
   if (stage.has("allowance")) {
@@ -174,9 +180,11 @@ verifier::GateLimits read_gate(const TomlTable& stage, std::vector<PartLength>& 
 }
 
 std::vector<JobStage> read_stages(const std::vector<const toml::table*>& stages,
-                                  const std::vector<JobTool>& tools, JobContext& context) {
+                                  const std::vector<JobTool>& tools,
+                                  const std::vector<JobSetup>& setups, JobContext& context) {
   std::vector<JobStage> all;
-  for (const toml::table* table : stages) all.push_back(read_stage(*table, all, tools, context));
+  for (const toml::table* table : stages)
+    all.push_back(read_stage(*table, all, tools, setups, context));
   return all;
 }
 

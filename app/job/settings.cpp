@@ -35,6 +35,12 @@ std::string point_words(const model::Vec3& p) {
 }
 
 std::string frame_words(const Job& job) {
+  if (has_setups(job))
+    return std::string(job.design ? "cage and stock share the part's frame"
+                                  : "the stock is in the part's frame") +
+           " in millimetres; programs, fixtures, floors and travel are in the frame of their "
+           "setup, "
+           "in which the part lies as the setup says; no alignment is made";
   if (job.program_frame == model::RigidPlacement())
     return std::string(job.design ? "cage, stock and programs" : "stock and programs") +
            " share one frame in millimetres; no alignment is made";

@@ -41,11 +41,11 @@ void say_forecast(const JobStage& asked, const simulator::CutForecast& forecast,
 }
 
 /// Two stock models that contradict each other are a bug in one of them: no verdict rests on that.
-const simulator::StockAgreement& agreed(const JobStage& asked,
+const simulator::StockAgreement& agreed(const std::string& when,
                                         const simulator::StockAgreement& found) {
   if (std::max(found.worst_end_mm, found.worst_side_mm) <= simulator::kAgreement_mm) return found;
   std::ostringstream what;
-  what << asked.name << ": the two stock models differ by "
+  what << when << ": the two stock models differ by "
        << std::max(found.worst_end_mm, found.worst_side_mm) << " mm at (" << found.worst_at.x
        << ", " << found.worst_at.y << ", " << found.worst_at.z << "); please report this";
   throw verifier::InstrumentDisagreement(what.str());
@@ -69,6 +69,18 @@ CutStock cut_again(CutStock before, std::span<const model::Pass> passes, const S
   return before;
 }
 
+CutStock turned_over(const Job& job, const Settings& settings, const CutStock& before,
+                     const StockTurn& turn, const StageWatch& watch) {
+  const auto control = watch.control("turning the stock over");
+  simulator::StockModel stock(job.stock, settings.voxel_mm, settings.stock_limit_bytes, control);
+  for (const model::Pass& pass : turn.passes) stock = std::move(stock).cut(pass, control);
+  const double volume_mm3 = stock.volume_mm3(control);
+  agreed("turning the stock over",
+         compare_stocks(before.lines, stock, kComparedLines, control, volume_mm3, turn.turn));
+  simulator::DexelStock lines(stock, settings.line_spacing_mm, control);
+  return {std::move(stock), volume_mm3, std::move(lines)};
+}
+
 CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
                    const StageWatch& watch, reports::StageResult::Ran& ran) {
   const simulator::Pass pass{asked.cutter, ran.path};
@@ -80,8 +92,8 @@ CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& aske
   const double volume_mm3 = now.stock.volume_mm3(control(": adding up"));
   ran.removed_volume_mm3 = now.volume_mm3 - volume_mm3;
   now.volume_mm3 = volume_mm3;
-  ran.agreement = agreed(asked, compare_stocks(now.lines, now.stock, kComparedLines,
-                                               control(": comparing the models"), volume_mm3));
+  ran.agreement = agreed(asked.name, compare_stocks(now.lines, now.stock, kComparedLines,
+                                                    control(": comparing the models"), volume_mm3));
   ran.voxel_mm = now.stock.voxel_mm();
   ran.tiles = now.stock.tiles();
   ran.stock = now.stock;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "app/inputs/run_inputs.h"
 #include "app/job/job.h"
@@ -25,6 +26,19 @@ CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch&
 /// `before` after `passes`, of which nothing else is wanted: the same to the last bit as they left
 /// it when they were first cut.
 CutStock cut_again(CutStock before, std::span<const model::Pass> passes, const StageWatch& watch);
+
+/// How a stock comes to lie otherwise: all passes so far in the new frame, and how the old frame
+/// lies in it.
+struct StockTurn {
+  std::vector<model::Pass> passes;
+  model::Pose turn;
+};
+/// `before` as it lies in another setup, whose view of the job is `job`: the level set is cut again
+/// there by the turned passes and held against the lines of the old setup before it is believed;
+/// the lines of the new one are then taken from it. Throws InstrumentDisagreement where the two
+/// stock models contradict each other, ResourceError, Interrupted.
+CutStock turned_over(const Job& job, const Settings& settings, const CutStock& before,
+                     const StockTurn& turn, const StageWatch& watch);
 
 /// Cuts the path of `ran`, whose figures of the cut and of the process it fills in. A stock that
 /// nobody shares is cut where it stands. Throws InstrumentDisagreement where the two stock models

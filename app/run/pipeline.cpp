@@ -2,13 +2,14 @@
 
 #include <new>
 #include <sstream>
+#include <utility>
 
 #include "app/inputs/run_forecast.h"
 #include "app/inputs/surface_witness.h"
 #include "app/run/cut_stock.h"
 #include "app/run/result_parts.h"
+#include "app/run/run_setups.h"
 #include "app/run/stage_check.h"
-#include "app/run/stage_planner.h"
 #include "app/run/stage_prefix.h"
 #include "app/run/stage_program.h"
 #include "app/run/stock_probe.h"
@@ -36,7 +37,7 @@ class Bench {
         options_(options),
         resumption_(resumption),
         from_(resumption.from ? *resumption.from : StagePrefix()),
-        planner_(job, inputs, from_.model) {}
+        setups_(job, inputs, from_.model) {}
 
   reports::RunResult run();
 
@@ -47,12 +48,13 @@ class Bench {
   void say_forecast();
   void run_stage(std::size_t index, reports::StageResult& stage);
   void make_path(std::size_t index, reports::StageResult::Ran& ran);
-  void cut(const JobStage& asked, reports::StageResult::Ran& ran);
+  void cut(std::size_t index, reports::StageResult::Ran& ran);
   void measure(std::size_t index, reports::StageResult::Ran& ran);
   std::vector<std::string> names_up_to(std::size_t index) const;
-  void write_files(reports::StageResult& stage) const;
+  void write_files(std::size_t index, reports::StageResult& stage) const;
   void hand_over(const reports::RunResult& result) const;
   std::optional<engine::surface::ModelFigures> figures() const;
+  void enter_setup(std::size_t index);
 
   const Job& job_;
   const RunInputs& inputs_;
@@ -60,16 +62,25 @@ class Bench {
   const RunOptions& options_;
   const Resumption& resumption_;
   StagePrefix from_;
-  StagePlanner planner_;
+  RunSetups setups_;
   std::size_t stage_ = 0;  ///< the one at work, counted from 1
   std::optional<CutStock> stock_;
-  std::vector<verifier::Pass> passes_;
+  std::size_t stock_of_ = 0;  ///< a stage in whose setup's frame the stock is
 };
+
+/// The stock as it lies in the machine for a stage.
+void Bench::enter_setup(std::size_t index) {
+  const std::size_t before = std::exchange(stock_of_, index);
+  if (setups_.setup_of(before) == setups_.setup_of(index)) return;
+  stock_ = turned_over(setups_.job_at(index), setups_.inputs_at(index).settings, *stock_,
+                       {setups_.passes_at(index), setups_.turn(before, index)}, watch());
+}
 
 void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
   const model::Stopwatch watch;
-  StageToCut ready = planner_.plan(index, passes_, control(asked.name + ": planning"));
+  StageToCut ready = setups_.planner_at(index).plan(index, setups_.passes_at(index),
+                                                    control(asked.name + ": planning"));
   if (options_.stage_files) {
     model::make_folder(folder_ / asked.name);
     write_program_files(ready, folder_ / asked.name);
@@ -91,11 +102,13 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
       *ran.path, {job_.rapid_mm_min, job_.acceleration_mm_s2, job_.junction_deviation_mm});
 }
 
-void Bench::cut(const JobStage& asked, reports::StageResult::Ran& ran) {
+void Bench::cut(std::size_t index, reports::StageResult::Ran& ran) {
   const model::Stopwatch stopwatch;
+  enter_setup(index);
   CutStock before = std::move(*stock_);
   stock_.reset();
-  stock_ = cut_stage(job_, inputs_, asked, std::move(before), watch(), ran);
+  stock_ = cut_stage(setups_.job_at(index), setups_.inputs_at(index), job_.stages[index],
+                     std::move(before), watch(), ran);
   ran.simulation_seconds = stopwatch.seconds();
   ran.peak_memory_bytes = model::process_peak_bytes();
 }
@@ -115,14 +128,17 @@ std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Fi
 
 void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
-  passes_.push_back({asked.cutter, ran.path});
-  if (!inputs_.design) return;
-  const verifier::StageCheck check = stage_check(job_, inputs_, index);
-  const auto workers = options_.share ? options_.share(passes_) : nullptr;
-  const StockRayProbe probe(stock_->stock, &job_.stock);
-  ran.deviation = measure_stage(inputs_.design->surface, job_.stock, passes_, &probe, check,
+  setups_.add(ran.path);
+  const RunInputs& inputs = setups_.inputs_at(index);
+  if (!inputs.design) return;
+  const model::Stock& raw_stock = setups_.job_at(index).stock;
+  const std::vector<verifier::Pass> passes = setups_.passes_at(index);
+  const verifier::StageCheck check = stage_check(job_, inputs, index);
+  const auto workers = options_.share ? options_.share(passes) : nullptr;
+  const StockRayProbe probe(stock_->stock, &raw_stock);
+  ran.deviation = measure_stage(inputs.design->surface, raw_stock, passes, &probe, check,
                                 control(asked.name + ": measuring"), workers.get());
-  ran.deviation->budget.push_back(budget_term(inputs_.design->witness));
+  ran.deviation->budget.push_back(budget_term(inputs.design->witness));
 }
 
 /// For lines of the programs of earlier stages.
@@ -132,10 +148,11 @@ std::vector<std::string> Bench::names_up_to(std::size_t index) const {
   return names;
 }
 
-void Bench::write_files(reports::StageResult& stage) const {
+void Bench::write_files(std::size_t index, reports::StageResult& stage) const {
+  const std::vector<verifier::Pass> passes = setups_.passes_at(index);
   reports::StageFiles files = write_stage_files(stage, folder_,
                                                 {job_.pictures, control(stage.name + ": writing"),
-                                                 job_.rapid_mm_min, job_.stock_surface, passes_});
+                                                 job_.rapid_mm_min, job_.stock_surface, passes});
   stage.ran->surface = files.surface;
   stage.ran->path_view = std::move(files.path_view);
   stage.ran->stock_view = std::move(files.stock_view);
@@ -148,15 +165,16 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   reports::StageResult::Ran& ran = stage.ran.emplace();
   make_path(index, ran);
   model::return_freed_memory();
-  cut(job_.stages[index], ran);
+  cut(index, ran);
   model::return_freed_memory();
   measure(index, ran);
+  to_part_frame(ran, stage.setup.from_part.inverse());
   model::return_freed_memory();
   const std::vector<verifier::ProcessFault> faults = process_faults(ran.process);
   stage.decision = ran.deviation ? decide(*ran.deviation, stage.limits, faults, names_up_to(index))
                                  : verifier::decide(faults);
   if (options_.stage_files) {
-    write_files(stage);
+    write_files(index, stage);
   } else if (ran.deviation) {
     ran.deviation->field = {};
   }
@@ -173,7 +191,8 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
 }
 
 std::optional<engine::surface::ModelFigures> Bench::figures() const {
-  return planner_.model() ? std::optional(planner_.model()->figures()) : from_.figures;
+  const auto built = setups_.figures();
+  return built ? built : from_.figures;
 }
 
 /// The stages that are there, and what stands after them.
@@ -181,17 +200,19 @@ void Bench::begin(reports::RunResult& result) {
   for (std::size_t i = 0; i < from_.stages.size(); ++i) {
     take_up(from_.stages[i], result.stages[i]);
     result.verdict = from_.stages[i].verdict;
-    passes_.push_back({job_.stages[i].cutter, from_.stages[i].path});
+    setups_.add(from_.stages[i].path);
+    stock_of_ = i;
   }
   if (result.verdict != Verdict::pass) return;
-  stock_ =
-      from_.stages.empty() ? uncut_stock(job_, inputs_.settings, watch()) : std::move(from_.stock);
+  stock_ = from_.stages.empty()
+               ? uncut_stock(setups_.job_at(0), setups_.inputs_at(0).settings, watch())
+               : std::move(from_.stock);
   say_forecast();
 }
 
 /// Of the whole process, before anything is planned or cut.
 void Bench::say_forecast() {
-  const auto& built = planner_.expected_model(control("model of the surface"));
+  const auto& built = setups_.planner_at(0).expected_model(control("model of the surface"));
   const RunScale scale = scale_of(job_, inputs_, built, stock_->stock);
   options_.watch.note("the run is forecast to take " + model::in_mib(forecast_bytes(scale)) +
                       " at its peak; allowed are " +
@@ -200,7 +221,7 @@ void Bench::say_forecast() {
 
 void Bench::hand_over(const reports::RunResult& result) const {
   if (resumption_.after_stage)
-    resumption_.after_stage({recorded_stages(result), figures(), planner_.model(), stock_});
+    resumption_.after_stage({recorded_stages(result), figures(), setups_.first_model(), stock_});
 }
 
 reports::RunResult Bench::run() {
@@ -245,18 +266,18 @@ reports::RunResult run_job(const Job& job, const RunInputs& inputs,
 
 void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::path& folder,
               const RunOptions& options) {
-  StagePlanner planner(job, inputs);
-  std::vector<verifier::Pass> passes;
+  RunSetups setups(job, inputs);
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     const std::string& name = job.stages[i].name;
     options.watch.phase({name + ": planning", i + 1, job.stages.size()});
-    const StageToCut ready =
-        planner.plan(i, passes, {options.threads, options.stop, options.watch.progress});
+    const StageToCut ready = setups.planner_at(i).plan(
+        i, setups.passes_at(i), {options.threads, options.stop, options.watch.progress});
     model::make_folder(folder / name);
     write_program_files(ready, folder / name);
-    reports::write_toolpath_vtp(*ready.path, folder / name / "toolpath.vtp");
+    const model::Pose to_part = job.setups[setups.setup_of(i)].setup.from_part.inverse();
+    reports::write_toolpath_vtp(turned(*ready.path, to_part), folder / name / "toolpath.vtp");
     options.watch.note(name + ": " + std::to_string(ready.path->moves.size()) + " moves");
-    passes.push_back({job.stages[i].cutter, ready.path});
+    setups.add(ready.path);
   }
 }
 

@@ -134,8 +134,12 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
   result.machine = job.machine;
   result.published = job.published;
   result.inputs = inputs.files;
-  for (const JobStage& asked : job.stages)
+  if (has_setups(job))
+    for (const JobSetup& at : job.setups) result.setups.push_back(at.setup);
+  for (const JobStage& asked : job.stages) {
     result.stages.push_back(stage_as_asked(asked, job.design.has_value()));
+    result.stages.back().setup = job.setups[asked.setup].setup;
+  }
   return result;
 }
 

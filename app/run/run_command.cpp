@@ -193,6 +193,9 @@ void require_shareable(const Job& job, const EngineOptions& engine) {
     throw UsageError(
         "--engine slurm shares out what is measured against a surface, and the "
         "job has no [surface]; expected the run without it");
+  if (engine.engine == "slurm" && has_setups(job))
+    throw UsageError(
+        "--engine slurm does not share out jobs with [[setup]]; expected the run without it");
 }
 
 ShareOut share_out(const RunCommand& command, const CommonOptions& common, const Console& console) {

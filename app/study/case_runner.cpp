@@ -131,8 +131,11 @@ std::string CaseRunner::Kept::run(const std::filesystem::path& file,
   const ReadCase asked = read_case(file, overrides, files);
   keys = asked.keys;
   const RunInputs inputs = read_inputs(asked, file, overrides);
-  const Resumption resumption{with_model(longest(asked, inputs), asked),
-                              [&](const StagePrefix& state) { take(asked, state); }};
+  Resumption resumption;
+  // What stands after a stage of a setup is kept for none: it would lie otherwise in the next.
+  if (!has_setups(asked.job))
+    resumption = {with_model(longest(asked, inputs), asked),
+                  [&](const StagePrefix& state) { take(asked, state); }};
   std::ostringstream out;
   RunOptions now = options;
   if (now.created.empty()) now.created = model::now_utc();

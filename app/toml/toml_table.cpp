@@ -235,18 +235,32 @@ bool TomlTable::boolean(std::string_view key) const {
 }
 
 model::Vec3 TomlTable::vec3(std::string_view key) const {
+  return vec3(key, node(key), "an array of three numbers");
+}
+
+std::array<model::Vec3, 3> TomlTable::vec3_rows(std::string_view key) const {
+  constexpr const char* kExpected = "three arrays of three numbers each";
   const toml::node& found = node(key);
   const toml::array* list = found.as_array();
-  if (list == nullptr) refuse(key, "is " + typed(found), "an array of three numbers");
-  if (list->size() != 3) {
-    refuse(key, "has " + std::to_string(list->size()) + " entries", "an array of three numbers");
-  }
+  if (list == nullptr) refuse(key, "is " + typed(found), kExpected);
+  if (list->size() != 3) refuse(key, "has " + std::to_string(list->size()) + " entries", kExpected);
+  std::array<model::Vec3, 3> rows;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    rows[row] = vec3(key, *list->get(row), kExpected);
+  return rows;
+}
+
+model::Vec3 TomlTable::vec3(std::string_view key, const toml::node& found,
+                            const char* expected) const {
+  const toml::array* list = found.as_array();
+  if (list == nullptr) refuse(key, "is " + typed(found), expected);
+  if (list->size() != 3) refuse(key, "has " + std::to_string(list->size()) + " entries", expected);
   model::Vec3 value;
   for (int axis = 0; axis < 3; ++axis) {
     const std::optional<double> entry = finite_number(*list->get(axis));
     if (!entry) {
       refuse(key, "has an entry that is no finite number: " + shown_value(*list->get(axis)),
-             "an array of three numbers");
+             expected);
     }
     value[axis] = *entry;
   }

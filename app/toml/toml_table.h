@@ -69,6 +69,7 @@ class TomlTable {
   std::pair<int, int> whole_pair(std::string_view key) const;              ///< ascending
   bool boolean(std::string_view key) const;
   model::Vec3 vec3(std::string_view key) const;
+  std::array<model::Vec3, 3> vec3_rows(std::string_view key) const;  ///< three of three numbers
   model::Vec3 position(std::string_view key) const;  ///< within model::kFarthestMm of zero
   /// How far something is moved: by 1 km at most, since it may have lain as far off.
   model::Vec3 shift_mm(std::string_view key) const;
@@ -82,6 +83,7 @@ class TomlTable {
 
  private:
   const toml::node& node(std::string_view key) const;
+  model::Vec3 vec3(std::string_view key, const toml::node& found, const char* expected) const;
   model::Interval tolerance_mm(std::string_view key, const toml::node& found) const;
   [[noreturn]] void refuse(std::string_view key, const std::string& wrong,
                            const std::string& expected) const;

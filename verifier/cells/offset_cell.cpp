@@ -178,4 +178,18 @@ OffsetCell offset_cell(const Bezier& cell, const Vec3& vertex_normal) {
   return turned.remainder < out.remainder ? turned : out;
 }
 
+OffsetCell turned(OffsetCell cell, const model::Pose& pose) {
+  cell.shape = turned(cell.shape, pose);
+  cell.middle = pose.point(cell.middle);
+  cell.normal = pose.direction(cell.normal);
+  cell.fan = pose.direction(cell.fan);
+  // R·A·Rᵀ: the columns of A·Rᵀ, turned.
+  const std::array<model::Vec3, 3> a = cell.turning;
+  for (int k = 0; k < 3; ++k) {
+    const model::Vec3& back = pose.rows[k];
+    cell.turning[k] = pose.direction(a[0] * back.x + a[1] * back.y + a[2] * back.z);
+  }
+  return cell;
+}
+
 }  // namespace limitgauge::verifier

@@ -39,6 +39,8 @@ struct OffsetCell {
   Bezier moved(double t_mm) const;
   model::Vec3 moved_middle(double t_mm) const { return middle + normal * t_mm; }
 };
+/// The cell as another frame has it: what is proven of one holds of the other, but for rounding.
+OffsetCell turned(OffsetCell cell, const model::Pose& pose);
 
 /// Of a cell of S with the normals S_u × S_v, of which some may vanish; a `vertex_normal` that is
 /// not zero stands for all of them.

@@ -322,4 +322,11 @@ std::vector<RidgeCell> ridge_cells(const SurfaceTree& tree, double radius_mm) {
   return out;
 }
 
+RidgeCell turned(RidgeCell cell, const model::Pose& pose) {
+  cell.shape = turned(cell.shape, pose);
+  for (auto& polynomial : cell.normals)
+    for (Vec3& n : polynomial) n = pose.direction(n);
+  return cell;
+}
+
 }  // namespace limitgauge::verifier

@@ -28,6 +28,9 @@ struct RidgeCell {
   bool is_tiny() const;
 };
 
+/// The edge as another frame has it.
+RidgeCell turned(RidgeCell cell, const model::Pose& pose);
+
 /// All sharp edges and vertices of S but those where S is proven to be concave, and those without a
 /// jump of the normal. Edges are cut to `radius_mm`.
 std::vector<RidgeCell> ridge_cells(const SurfaceTree& tree, double radius_mm);

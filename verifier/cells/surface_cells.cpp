@@ -119,6 +119,28 @@ SurfaceCells::SurfaceCells(const SurfaceTree& tree, double radius_mm)
   nodes_ = std::move(tree_of_cells.nodes);
 }
 
+SurfaceCells SurfaceCells::turned(const model::Pose& pose) const {
+  SurfaceCells out;
+  out.features_ = features_;
+  out.cells_ = cells_;
+  for (SurfaceCell& cell : out.cells_) {
+    cell.shape = verifier::turned(cell.shape, pose);
+    cell.vertex_normal = pose.direction(cell.vertex_normal);
+  }
+  for (const RidgeCell& ridge : ridges_) out.ridges_.push_back(verifier::turned(ridge, pose));
+  out.nodes_ = nodes_;
+  // Children lie behind their parents: from the back, both are there before they are needed.
+  for (std::size_t n = out.nodes_.size(); n-- > 0;) {
+    model::BoxNode& node = out.nodes_[n];
+    node.box = {};
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
+      node.box.add(control_box(out.cells_[k].shape));
+    if (node.count == 0)
+      node.box.add(out.nodes_[n + 1].box), node.box.add(out.nodes_[node.right].box);
+  }
+  return out;
+}
+
 CellPart SurfaceCells::whole(std::uint32_t index) const {
   const SurfaceCell& cell = cells_[index];
   return {index, cell.u, cell.v, cell.size_u, cell.size_v};

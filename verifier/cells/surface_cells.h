@@ -56,6 +56,10 @@ class SurfaceCells {
   /// Cells are split until their control points lie within `radius_mm` of their middle.
   SurfaceCells(const SurfaceTree& tree, double radius_mm);
 
+  /// The same cells, one by one, as another frame has them, for what is asked of cells and their
+  /// boxes: closest points, which reach does not ask for, are not held.
+  SurfaceCells turned(const model::Pose& pose) const;
+
   const std::vector<SurfaceCell>& cells() const { return cells_; }
   CellPart whole(std::uint32_t index) const;
   SurfaceCell cell_of(const CellPart& part) const;
@@ -73,6 +77,8 @@ class SurfaceCells {
   const SurfaceFeatures& features() const { return features_; }
 
  private:
+  SurfaceCells() = default;
+
   std::vector<SurfaceCell> cells_;
   std::vector<RidgeCell> ridges_;
   std::vector<model::BoxNode> nodes_;

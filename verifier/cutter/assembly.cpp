@@ -40,16 +40,26 @@ std::vector<StackedPart> parts_above_flutes(const model::Cutter& cutter) {
 
 }  // namespace
 
-std::vector<AssemblySweep> assembly_sweeps(std::span<const Pass> passes, double highest_mm) {
+std::vector<AssemblySweep> assembly_sweeps(std::span<const Pass> passes,
+                                           const model::Box3& region) {
   std::vector<AssemblySweep> out;
   for (std::size_t stage = 0; stage < passes.size(); ++stage) {
     const Pass& pass = passes[stage];
     const double lowest_mm = lowest_tip_mm(*pass.path);
+    const double highest_mm =
+        pass.pose == model::Pose{} ? region.high.z : pass.pose.inverse().box(region).high.z;
     for (const StackedPart& part : parts_above_flutes(pass.cutter))
       if (lowest_mm + part.lift_mm <= highest_mm)
-        out.push_back({stage, part.body, {CutterProfile(part.part), part.lift_mm, pass.path}});
+        out.push_back(
+            {stage, part.body, {CutterProfile(part.part), part.lift_mm, pass.path, pass.pose}});
   }
   return out;
+}
+
+std::vector<AssemblySweep> assembly_sweeps(std::span<const Pass> passes, double highest_mm) {
+  model::Box3 region;
+  region.high.z = highest_mm;
+  return assembly_sweeps(passes, region);
 }
 
 }  // namespace limitgauge::verifier

@@ -18,8 +18,11 @@ struct AssemblySweep {
   Sweep sweep;
 };
 
-/// Of all passes, the parts that come lower than `highest_mm`, from the tip up. Parts of one kind
-/// and diameter that follow each other are one cylinder.
+/// Of all passes, the parts that come lower than the highest of `region`, as it lies before the
+/// pass's cutter, from the tip up. Parts of one kind and diameter that follow each other are one
+/// cylinder.
+std::vector<AssemblySweep> assembly_sweeps(std::span<const Pass> passes, const model::Box3& region);
+/// The same of a region of which only `highest_mm` is known, for passes that are not turned.
 std::vector<AssemblySweep> assembly_sweeps(std::span<const Pass> passes, double highest_mm);
 
 }  // namespace limitgauge::verifier

@@ -77,11 +77,11 @@ RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> pass
     mesh_ = std::make_shared<const MeshOutside>(*mesh->mesh);
   }
   stock_box_ = model::bounding_box(stock);
-  for (const Pass& pass : passes) add_sweep({CutterProfile(pass.cutter), 0, pass.path});
+  for (const Pass& pass : passes) add_sweep({CutterProfile(pass.cutter), 0, pass.path, pass.pose});
 }
 
 RemovedSpace::RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions) {
-  passes_.push_back(index_bodies(CutterProfile(cutter), std::move(positions)));
+  passes_.push_back({index_bodies(CutterProfile(cutter), std::move(positions))});
 }
 
 RemovedSpace::RemovedSpace(std::span<const Sweep> sweeps) {
@@ -107,6 +107,11 @@ RemovedSpace RemovedSpace::swaying(const Vec3& half_mm, double error_mm) const {
   return out;
 }
 
+BodyDistance RemovedSpace::PlacedPass::back(BodyDistance own) const {
+  if (turned) own.gradient = to_own.direction_back(own.gradient);
+  return own;
+}
+
 void RemovedSpace::add_sweep(const Sweep& sweep) {
   const model::Toolpath& path = *sweep.path;
   const Vec3 lift{0, 0, sweep.lift_mm};
@@ -114,7 +119,10 @@ void RemovedSpace::add_sweep(const Sweep& sweep) {
   bodies.reserve(path.moves.size());
   for (std::size_t i = 0; i < path.moves.size(); ++i)
     bodies.emplace_back(model::move_from(path, i) + lift, path.moves[i].to + lift);
-  passes_.push_back(index_bodies(sweep.profile, std::move(bodies)));
+  PlacedPass placed{index_bodies(sweep.profile, std::move(bodies))};
+  placed.turned = sweep.pose != model::Pose{};
+  if (placed.turned) placed.to_own = sweep.pose.inverse();
+  passes_.push_back(std::move(placed));
   chord_error_mm_ = std::max(chord_error_mm_, path.chord_error_mm);
 }
 
@@ -149,7 +157,7 @@ double RemovedSpace::PassBodies::bound(const model::BoxNode& node, const Vec3& p
 
 void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best) const {
   const PassBodies& bodies = *passes_[pass];
-  const Vec3 p = at - shift_;
+  const Vec3 p = passes_[pass].place(at - shift_);
   model::nearest_first(
       bodies.nodes,
       [&](const model::BoxNode& node) {
@@ -205,10 +213,11 @@ std::optional<Nearest> RemovedSpace::nearest_swept(const Vec3& p) const {
   return best;
 }
 
-void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3& ray,
+void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3& along,
                                 const EndRule& rule, Meeting& first) const {
   constexpr int kLooks = 4;
-  const Vec3 p = from - shift_;
+  const Vec3 p = passes_[pass].place(from - shift_);
+  const Vec3 ray = passes_[pass].direction(along);
   const PassBodies& bodies = *passes_[pass];
   const double near = chord_error_mm_ + rule.beside_mm + kDistanceRounding_mm;
   const auto start_of = [&](const model::BoxNode& node) {
@@ -306,9 +315,9 @@ void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) cons
 }
 
 void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>& out) const {
-  const Vec3 p = at - shift_;
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
     const PassBodies& bodies = *passes_[pass];
+    const Vec3 p = passes_[pass].place(at - shift_);
     visit_near(
         pass,
         [&](const model::BoxNode& node) { return bodies.bound(node, p, limit_mm) <= limit_mm; },
@@ -322,10 +331,11 @@ void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>&
 
 void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>& out,
                           const FarPasses* far) const {
-  const Vec3 at = box.centre(), centre = at - shift_, half = box.size() / 2;
+  const Vec3 at = box.centre(), radii = box.size() / 2;
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
-    if (far && far->bound(pass, at) - length(half) > limit_mm) continue;
+    if (far && far->bound(pass, at) - length(radii) > limit_mm) continue;
     const PassBodies& bodies = *passes_[pass];
+    const Vec3 centre = passes_[pass].place(at - shift_), half = passes_[pass].half(radii);
     visit_near(
         pass,
         [&](const model::BoxNode& node) {
@@ -337,7 +347,7 @@ void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>
           if (bodies.bound(tips, centre, half) <= limit_mm) out.push_back({pass, bodies.index[k]});
         });
   }
-  stock_within(at, limit_mm + length(half), out);
+  stock_within(at, limit_mm + length(radii), out);
 }
 
 void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
@@ -349,16 +359,19 @@ void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<Body
 
 BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p) const {
   if (is_stock(body)) return mesh_ ? mesh_->distance(p) : stock_distance(body.index, p);
-  const PassBodies& pass = *passes_[body.pass];
-  return body_distance(pass.profile, pass.of_move(body.index), p - shift_);
+  const PlacedPass& pass = passes_[body.pass];
+  return pass.back(body_distance(pass->profile, pass->of_move(body.index), pass.place(p - shift_)));
 }
 
 void RemovedSpace::values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const {
   if (!is_stock(body)) {
-    const PassBodies& pass = *passes_[body.pass];
-    const SweptBody& swept = pass.of_move(body.index);
-    if (shift_ == Vec3{}) return body_values(pass.profile, swept, cell, out);
-    return body_values(pass.profile, swept, verifier::shifted(cell, -shift_), out);
+    const PlacedPass& pass = passes_[body.pass];
+    const SweptBody& swept = pass->of_move(body.index);
+    if (pass.turned)
+      return body_values(pass->profile, swept,
+                         verifier::turned(verifier::shifted(cell, -shift_), pass.to_own), out);
+    if (shift_ == Vec3{}) return body_values(pass->profile, swept, cell, out);
+    return body_values(pass->profile, swept, verifier::shifted(cell, -shift_), out);
   }
   if (mesh_) return mesh_->values(cell, out);
   for (int k = 0; k < 16; ++k) out[k] = stock_distance(body.index, cell.control(k)).value;

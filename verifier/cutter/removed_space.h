@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/geometry/box_tree.h"
+#include "model/geometry/pose.h"
 #include "model/part/stock.h"
 #include "verifier/cutter/far_passes.h"
 #include "verifier/cutter/mesh_outside.h"
@@ -24,6 +25,7 @@ struct Sweep {
   CutterProfile profile;
   double lift_mm = 0;
   std::shared_ptr<const model::Toolpath> path;
+  model::Pose pose = {};  ///< how the path's frame lies in the frame of the space
 };
 
 /// One of the bodies whose union is the removed space: a move of a pass, or what lies outside one
@@ -142,6 +144,22 @@ class RemovedSpace {
     const SweptBody& of_move(std::uint32_t move) const { return bodies[place[move]]; }
   };
 
+  /// A pass and how the frame that is asked in lies in its own, in which its cutter is upright:
+  /// what is asked is turned there and back, so that proofs are those of upright cutters. Turning
+  /// is exact but for rounding, which kDistanceRounding_mm covers.
+  struct PlacedPass {
+    std::shared_ptr<const PassBodies> bodies;
+    model::Pose to_own = {};
+    bool turned = false;
+
+    const PassBodies* operator->() const { return bodies.get(); }
+    const PassBodies& operator*() const { return *bodies; }
+    model::Vec3 place(const model::Vec3& p) const { return turned ? to_own.point(p) : p; }
+    model::Vec3 direction(const model::Vec3& v) const { return turned ? to_own.direction(v) : v; }
+    model::Vec3 half(const model::Vec3& half) const { return turned ? to_own.half(half) : half; }
+    BodyDistance back(BodyDistance own) const;
+  };
+
   void add_sweep(const Sweep& sweep);
   static std::shared_ptr<const PassBodies> index_bodies(const CutterProfile& profile,
                                                         std::vector<SweptBody> bodies);
@@ -152,7 +170,7 @@ class RemovedSpace {
   void nearest_if_near(std::uint32_t pass, const model::Vec3& p, Nearest& best,
                        FarPasses& far) const;
   void nearest_of_stock(const model::Vec3& p, Nearest& best) const;
-  void first_met_in(std::uint32_t pass, const model::Vec3& p, const model::Vec3& ray,
+  void first_met_in(std::uint32_t pass, const model::Vec3& from, const model::Vec3& along,
                     const EndRule& rule, Meeting& first) const;
   void first_met_of_stock(const model::Vec3& p, const model::Vec3& ray, const EndRule& rule,
                           Meeting& first) const;
@@ -163,7 +181,7 @@ class RemovedSpace {
   std::optional<model::Stock> stock_;
   std::optional<model::Box3> stock_box_;
   std::shared_ptr<const MeshOutside> mesh_;
-  std::vector<std::shared_ptr<const PassBodies>> passes_;  ///< spaces may have them in common
+  std::vector<PlacedPass> passes_;  ///< spaces may have their bodies in common
   double chord_error_mm_ = 0;
   model::Vec3 shift_, sway_;
 };

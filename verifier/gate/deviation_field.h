@@ -13,11 +13,13 @@ namespace limitgauge::verifier {
 /// Deviations are not filled in yet.
 DeviationField sample_surface(const ReferenceSurface& surface, double spacing_mm);
 
-/// What runs are measured in: flutes and raw stock for material, and shanks and holders besides for
-/// what was removed; the same space where these come nowhere near.
+/// What runs are measured in: flutes and raw stock for material; for what was removed, flutes of
+/// passes whose gouges count, and shanks and holders besides. One space where these come nowhere
+/// near and all passes count.
 struct Spaces {
   const RemovedSpace& cut;
   const RemovedSpace& swept;
+  const RemovedSpace& fluted;
 };
 
 /// Fills in the runs, reachability and the nearest pass of every sample. Returns the position that

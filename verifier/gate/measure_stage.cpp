@@ -56,8 +56,12 @@ RayFigures ask_stock(const ReferenceSurface& surface, const model::Stock& raw_st
   if (!probe) return {};
   model::Box3 box = model::bounding_box(raw_stock);
   box.add(surface.bounding_box());
-  const RayScene scene{m.cells, m.spaces.cut, raw, *probe,
-                       length(box.size()) + m.check.allowance_mm};
+  const RayScene scene{m.cells,
+                       m.spaces.cut,
+                       raw,
+                       *probe,
+                       length(box.size()) + m.check.allowance_mm,
+                       m.check.finer_passes};
   RayRequest request;
   request.allowance_mm = m.check.allowance_mm;
   return read_rays(scene, field, request, control);
@@ -120,7 +124,7 @@ void measure_bodies(StageDeviation& out, const Measured& m, const Certificate& a
   const auto figure = [&](const RemovedSpace& space) {
     return certify(m.cells, space, Side::gouge, nullptr, request, control).figure_mm;
   };
-  out.bodies.push_back({0, "cutter", figure(m.spaces.cut)});
+  out.bodies.push_back({0, "cutter", figure(m.spaces.fluted)});
   for (std::size_t stage = 0; stage < m.passes.size(); ++stage) {
     std::vector<Sweep> sweeps;
     std::string name;
@@ -149,8 +153,11 @@ Unavoidable unavoidable_of(const Measured& m, const ReachMap& proven, const Reac
   if (profile.is_pointed() || profile.undercuts())
     options.largest_cell_count = 20'000, options.largest_point_count = 100,
     options.largest_square_count = 10'000;
-  return unavoidable_uncut(m.cells, proven, by.searches[k], free_tips, by.cutters[k], options,
-                           control, k);
+  const Reachability& search = by.searches[k];
+  Unavoidable found = unavoidable_uncut(search.cells(), proven, search, free_tips, by.cutters[k],
+                                        options, control, k);
+  if (found.place) found.place->point = search.to_own().point_back(found.place->point);
+  return found;
 }
 
 /// The worst place's best cutter: no more than the least `high`, and no less than what every cutter
@@ -173,8 +180,9 @@ Interval unavoidable_of_all(const Measured& m, const ReachMap& proven, const Rea
     if (k == of) continue;
     constexpr std::size_t kSquares = 20'000;
     const double goal = a + best.uncut_mm.low;
-    const double low =
-        LowestTip(m.cells, by.searches[k]).prove(best.place->point, goal, kSquares).low_mm - a;
+    const Reachability& search = by.searches[k];
+    const model::Vec3 point = search.to_own().point(best.place->point);
+    const double low = LowestTip(search.cells(), search).prove(point, goal, kSquares).low_mm - a;
     best.uncut_mm.low = std::clamp(low, 0.0, best.uncut_mm.low);
   }
   return best.uncut_mm;

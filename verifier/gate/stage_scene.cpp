@@ -1,7 +1,9 @@
 #include "verifier/gate/stage_scene.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "verifier/surface/surface_tree.h"
 #include "verifier/tolerance.h"
@@ -31,18 +33,46 @@ CertificateRequest request_of(const StageCheck& check) {
           check.largest_cell_count};
 }
 
-/// The cutters used so far, each of its kind once: that of the last pass first.
-std::vector<model::Cutter> distinct_cutters(std::span<const Pass> passes) {
-  std::vector<model::Cutter> out;
+/// A cutter, and how the frame at work lies in the one in which it stood along +Z.
+struct StandingCutter {
+  model::Cutter cutter;
+  std::string text;  ///< all of it but its name
+  model::Pose to_own;
+
+  /// Where a frame lies decides nothing of reach.
+  bool is_like(const StandingCutter& other) const {
+    return text == other.text && to_own.rows == other.to_own.rows;
+  }
+};
+
+/// The cutters used so far, each of its kind and way once: that of the last pass first.
+std::vector<StandingCutter> distinct_cutters(std::span<const Pass> passes) {
+  std::vector<StandingCutter> out;
   for (std::size_t k = passes.size(); k-- > 0;) {
-    model::Cutter cutter = passes[k].cutter;
-    cutter.id.clear();
-    const std::string text = to_text(cutter);
+    StandingCutter cutter{passes[k].cutter, {}, passes[k].pose.inverse()};
+    cutter.cutter.id.clear();
+    cutter.text = to_text(cutter.cutter);
     const bool known = std::any_of(
-        out.begin(), out.end(), [&](const model::Cutter& other) { return to_text(other) == text; });
+        out.begin(), out.end(), [&](const StandingCutter& other) { return other.is_like(cutter); });
     if (!known) out.push_back(std::move(cutter));
   }
   return out;
+}
+
+/// Passes as they gouge: of those that are left out no move, so that all keep their places.
+std::vector<Pass> gouging(std::span<const Pass> passes, std::span<const std::size_t> left_out) {
+  std::vector<Pass> out(passes.begin(), passes.end());
+  for (const std::size_t k : left_out) {
+    model::Toolpath none;
+    none.start = out[k].path->start;
+    none.start.z = std::numeric_limits<double>::max();
+    out[k].path = std::make_shared<const model::Toolpath>(std::move(none));
+  }
+  return out;
+}
+
+model::Box3 region_of(const ReferenceSurface& surface, double allowance_mm) {
+  return surface.bounding_box().grown(std::max(0.0, allowance_mm) + kRounding_mm);
 }
 
 std::vector<Sweep> sweeps_of(std::span<const AssemblySweep> parts) {
@@ -54,12 +84,22 @@ std::vector<Sweep> sweeps_of(std::span<const AssemblySweep> parts) {
 }  // namespace
 
 ReachOfCutters::ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> passes,
-                               double allowance_mm, double area_mm2)
-    : cutters(distinct_cutters(passes)) {
-  for (const model::Cutter& cutter : cutters) {
-    const CutterProfile profile(cutter);
+                               double allowance_mm, double area_mm2) {
+  std::vector<model::Pose> ways;  // beside turned_
+  for (const StandingCutter& standing : distinct_cutters(passes)) {
+    const model::Cutter& cutter = cutters.emplace_back(standing.cutter);
     searches.emplace_back(cells, cutter, allowance_mm, kContact_mm);
-    efforts.push_back(reach_effort(profile, area_mm2));
+    efforts.push_back(reach_effort(CutterProfile(cutter), area_mm2));
+    if (!standing.to_own.turns()) continue;
+    const auto same = std::find_if(ways.begin(), ways.end(), [&](const model::Pose& way) {
+      return way.rows == standing.to_own.rows;
+    });
+    const auto at = static_cast<std::size_t>(same - ways.begin());
+    if (same == ways.end()) {
+      ways.push_back(standing.to_own);
+      turned_.push_back(std::make_unique<const SurfaceCells>(cells.turned(standing.to_own)));
+    }
+    searches.back() = searches.back().from(*turned_[at], ways[at]);
   }
 }
 
@@ -69,10 +109,12 @@ StageScene::StageScene(const ReferenceSurface& surface, const model::Stock& raw_
       cells(surface.tree(), first_cell_radius_mm(surface.tree())),
       cut(raw_stock, passes),
       raw(raw_stock, {}),
-      parts(assembly_sweeps(passes, highest_mm)),
+      parts(assembly_sweeps(gouging(passes, check.finer_passes),
+                            region_of(surface, check.allowance_mm))),
       by(cells, passes, check.allowance_mm, surface.area_mm2()),
       request(request_of(check)) {
-  if (!parts.empty()) with_parts_.emplace(cut.with(sweeps_of(parts)));
+  if (!check.finer_passes.empty()) fluted_.emplace(raw_stock, gouging(passes, check.finer_passes));
+  if (!parts.empty()) swept_.emplace((fluted_ ? *fluted_ : cut).with(sweeps_of(parts)));
 }
 
 }  // namespace limitgauge::verifier

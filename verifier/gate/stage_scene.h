@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,8 +13,8 @@
 
 namespace limitgauge::verifier {
 
-/// All that reach is judged by: the cutters used so far, each of its kind once, that of the last
-/// pass first.
+/// All that reach is judged by: the cutters used so far, each of its kind and each way it stood in
+/// once, that of the last pass first.
 struct ReachOfCutters {
   std::vector<model::Cutter> cutters;
   std::vector<Reachability> searches;
@@ -21,6 +22,12 @@ struct ReachOfCutters {
 
   ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> passes, double allowance_mm,
                  double area_mm2);
+  ReachOfCutters(const ReachOfCutters&) = delete;
+  ReachOfCutters& operator=(const ReachOfCutters&) = delete;
+
+ private:
+  /// S as it lies before cutters that stood in other ways: one each.
+  std::vector<std::unique_ptr<const SurfaceCells>> turned_;
 };
 
 /// What a stage is measured in: built of the surface, the raw stock and the passes so far. Whoever
@@ -32,18 +39,22 @@ class StageScene {
   StageScene(const StageScene&) = delete;
   StageScene& operator=(const StageScene&) = delete;
 
-  Spaces spaces() const { return {cut, with_parts_ ? *with_parts_ : cut}; }
+  Spaces spaces() const {
+    const RemovedSpace& fluted = fluted_ ? *fluted_ : cut;
+    return {cut, swept_ ? *swept_ : fluted, fluted};
+  }
 
   /// Of S moved out by the allowance: what stays above does not come near.
   const double highest_mm;
   const SurfaceCells cells;
   const RemovedSpace cut, raw;
-  const std::vector<AssemblySweep> parts;  ///< shanks and holders that come near
+  /// Shanks and holders that come near, of passes whose gouges count.
+  const std::vector<AssemblySweep> parts;
   const ReachOfCutters by;
   const CertificateRequest request;
 
  private:
-  std::optional<RemovedSpace> with_parts_;
+  std::optional<RemovedSpace> fluted_, swept_;  ///< where they are not `cut`
 };
 
 }  // namespace limitgauge::verifier

@@ -107,6 +107,14 @@ double inwards_mm(const RayScene& scene, const CheckedRun& run, const Vec3& poin
   return found ? allowance_mm + *found : length;
 }
 
+/// Whether the run ends at what a pass cut whose gouges do not count.
+bool ends_at_finer(const RayScene& scene, const CheckedRun& run) {
+  if (scene.finer_passes.empty()) return false;
+  const auto body = scene.removed.nearest(run.from + run.along * run.length_mm).body;
+  return std::find(scene.finer_passes.begin(), scene.finer_passes.end(), body.pass) !=
+         scene.finer_passes.end();
+}
+
 /// The figure of all rays, with the place of the longest run.
 struct Longest {
   double length_mm = 0;
@@ -155,7 +163,8 @@ RayReading reading_of(const RayScene& scene, const Vec3& point, const Vec3& norm
   run = scene.probe.run(start, -normal, scene.limit_mm);
   if (run.material) return {};  // the start is on the cut surface, on either side of it
   const CheckedRun way = checked(scene.removed, start, -normal, run, hint);
-  return {0, inwards_mm(scene, way, point, allowance_mm), run.error_mm};
+  const double gouge = ends_at_finer(scene, way) ? 0 : inwards_mm(scene, way, point, allowance_mm);
+  return {0, gouge, run.error_mm};
 }
 
 }  // namespace

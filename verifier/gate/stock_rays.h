@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "model/base/run_control.h"
 #include "verifier/cells/surface_cells.h"
@@ -32,6 +33,8 @@ struct RayScene {
   const RemovedSpace& raw;
   const StockProbe& probe;
   double limit_mm = 0;  ///< no run is followed further
+  /// Passes whose cuts are held against the certificate and are no gouge (StageCheck).
+  std::span<const std::size_t> finer_passes = {};
 };
 
 /// From s + a·n: outwards where there is material, else inwards. Ends where S is crossed again.

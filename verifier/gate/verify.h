@@ -54,6 +54,9 @@ struct StageCheck {
   /// What is not known of tools and zero; none: they are taken as stated.
   std::optional<model::Tolerances> tolerances;
   bool finds_margin = true;  ///< how far the tolerances could grow, beside what they lead to
+  /// Passes of other setups, by their index, that had less to leave than this stage and were judged
+  /// by that: what they took is gone, but no gouge of this stage.
+  std::vector<std::size_t> finer_passes = {};
 };
 
 /// Resolution "auto": a tenth of the tightest gate limit, 1 µm where nothing is limited.

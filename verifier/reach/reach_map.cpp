@@ -113,10 +113,11 @@ std::optional<Decided> recorded(const Shared& shared, std::uint32_t depth, OpenC
 }
 
 /// Halves cells until each is proven for one cutter, or the effort is spent.
-Entries classify_cells(const SurfaceCells& cells, OpenCells level, const Reachability& reachability,
+Entries classify_cells(OpenCells level, const Reachability& reachability,
                        const ReachOptions& options, const Shared& shared,
                        const model::RunControl& control) {
-  const CellClassifier classifier(cells, reachability);
+  const SurfaceCells& own = reachability.cells();
+  const CellClassifier classifier(own, reachability);
   Entries done;
   std::size_t seen = shared.elsewhere;
   std::uint32_t depth = 0;
@@ -127,10 +128,10 @@ Entries classify_cells(const SurfaceCells& cells, OpenCells level, const Reachab
     constexpr std::size_t kChunk = 64;
     model::parallel_chunks(level.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const auto known = recorded(shared, depth, level[i], cells, last);
-        decided[i] =
-            known ? *known
-                  : decide(classifier, level[i], cells.cell_of(level[i].cell), options, last);
+        const auto known = recorded(shared, depth, level[i], own, last);
+        decided[i] = known
+                         ? *known
+                         : decide(classifier, level[i], own.cell_of(level[i].cell), options, last);
       }
     });
     if (shared.with.record)
@@ -172,8 +173,7 @@ ReachMap classify_reach(const SurfaceCells& cells, std::span<const Reachability>
       // How many are left to later cutters elsewhere is not known here: none, which is no more.
       const Shared shared{sharing, static_cast<std::uint32_t>(k),
                           k == 0 && before == Reach::unreachable ? elsewhere : 0};
-      Entries found =
-          classify_cells(cells, std::move(level), cutters[k], options[k], shared, control);
+      Entries found = classify_cells(std::move(level), cutters[k], options[k], shared, control);
       for (; !found.empty(); found.pop_front()) {
         ReachMap::Entry& e = found.front();
         e.cutter = static_cast<std::uint32_t>(k);

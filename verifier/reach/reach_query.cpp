@@ -6,6 +6,26 @@ namespace limitgauge::verifier {
 
 using model::Vec3;
 
+namespace {
+
+std::optional<Vec3> touching_tip(const Reachability& search, const Vec3& p, const Vec3& normal) {
+  const model::Pose& own = search.to_own();
+  return search.touching_tip(own.point(p), own.direction(normal));
+}
+
+std::optional<Vec3> contact_tip(const Reachability& search, const Vec3& p, const Vec3& normal) {
+  const model::Pose& own = search.to_own();
+  return search.contact_tip(own.point(p), own.direction(normal));
+}
+
+bool surely_unreachable_by(const Reachability& search, const OffsetCell& cell,
+                           ContactMemory* memory) {
+  if (search.to_own() == model::Pose{}) return search.surely_unreachable(cell, memory);
+  return search.surely_unreachable(turned(cell, search.to_own()), memory);
+}
+
+}  // namespace
+
 bool ReachQuery::can_be_touched(const SurfacePlace& place, const Vec3& normal) const {
   switch (proven_.at(place.patch, place.u, place.v)) {
     case Reach::reachable:
@@ -20,7 +40,7 @@ bool ReachQuery::can_be_touched(const SurfacePlace& place, const Vec3& normal) c
 
 bool ReachQuery::ridge_can_be_touched(const Vec3& p, const Vec3& normal) const {
   return std::any_of(searches_.begin(), searches_.end(), [&](const Reachability& search) {
-    return search.touching_tip(p, normal).has_value();
+    return touching_tip(search, p, normal).has_value();
   });
 }
 
@@ -29,10 +49,10 @@ std::optional<ReachQuery::Touch> ReachQuery::touch(const SurfacePlace& place,
   const auto entry = proven_.entry_at(place.patch, place.u, place.v);
   if (entry && entry->reach == Reach::unreachable) return std::nullopt;
   if (entry && entry->reach == Reach::reachable)
-    if (const auto tip = searches_[entry->cutter].contact_tip(place.point, normal))
+    if (const auto tip = contact_tip(searches_[entry->cutter], place.point, normal))
       return Touch{entry->cutter, *tip};
   for (std::size_t k = 0; k < searches_.size(); ++k)
-    if (const auto tip = searches_[k].touching_tip(place.point, normal)) return Touch{k, *tip};
+    if (const auto tip = touching_tip(searches_[k], place.point, normal)) return Touch{k, *tip};
   return std::nullopt;
 }
 
@@ -52,7 +72,7 @@ bool ReachQuery::surely_unreachable(const SurfaceCell& cell, const OffsetCell& o
 bool ReachQuery::ridge_surely_unreachable(const OffsetCell& cell, ReachMemory* memory) const {
   if (memory) memory->resize(searches_.size());
   for (std::size_t k = 0; k < searches_.size(); ++k)
-    if (!searches_[k].surely_unreachable(cell, memory ? &(*memory)[k] : nullptr)) return false;
+    if (!surely_unreachable_by(searches_[k], cell, memory ? &(*memory)[k] : nullptr)) return false;
   return true;
 }
 

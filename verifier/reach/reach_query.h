@@ -8,7 +8,8 @@ namespace limitgauge::verifier {
 /// What a search over neighbouring cells keeps from one proof to the next, by cutter.
 using ReachMemory = std::vector<ContactMemory>;
 
-/// Whether places and cells of S can be touched by any of several cutters: as the map has proven of
+/// Whether places and cells of S can be touched by any of several cutters, each of which stands
+/// upright in a frame of its own (Reachability::to_own): as the map has proven of
 /// the cells that hold them, else by a search for each. All with the same allowance and contact
 /// tolerance; sharp edges, whose points have many normals, are always searched.
 class ReachQuery {
@@ -20,7 +21,7 @@ class ReachQuery {
   bool can_be_touched(const SurfacePlace& place, const model::Vec3& normal) const;
   /// The same of a point of a sharp edge with one of its normals.
   bool ridge_can_be_touched(const model::Vec3& p, const model::Vec3& normal) const;
-  /// That position, and whose it is.
+  /// That position, in the cutter's own frame, and whose it is.
   struct Touch {
     std::size_t cutter = 0;
     model::Vec3 tip;

@@ -76,7 +76,7 @@ double standing_bound(const CutterProfile& profile, const Vec3& tip, const model
 
 Reachability::Reachability(const SurfaceCells& cells, const CutterProfile& profile,
                            double allowance_mm, double contact_mm)
-    : cells_(cells),
+    : cells_(&cells),
       profile_(profile),
       allowance_mm_(allowance_mm),
       contact_mm_(contact_mm),
@@ -103,19 +103,25 @@ Reachability::Reachability(const SurfaceCells& cells, const model::Cutter& cutte
   if (neck_) parts_ = std::move(parts);
 }
 
+Reachability Reachability::from(const SurfaceCells& cells, const model::Pose& to_own) const {
+  Reachability out = *this;
+  out.cells_ = &cells, out.to_own_ = to_own;
+  return out;
+}
+
 Reachability::Below Reachability::comes_below(std::span<const StandingPart> parts, const Vec3& tip,
                                               double limit_mm) const {
   Below worst = Below::none;
   for (const StandingPart& part : parts) {
     const Vec3 base = tip + Vec3{0, 0, part.lift_mm};
     model::nearest_first(
-        cells_.nodes(),
+        cells_->nodes(),
         [&](const model::BoxNode& node) { return part_bound_mm(part, tip, node.box); },
         [&](double bound) { return bound >= limit_mm || worst == Below::found; },
         [&](const model::BoxNode& leaf) {
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
             int effort = kMostLooks;
-            const auto below = any_below(part, cells_.cells()[k].shape, base, limit_mm, 0, effort);
+            const auto below = any_below(part, cells_->cells()[k].shape, base, limit_mm, 0, effort);
             if (!below) worst = Below::undecided;
             if (below && *below) {
               worst = Below::found;
@@ -158,7 +164,7 @@ std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) con
   if (profile_.is_pointed() || profile_.undercuts() || !level_flat) return std::nullopt;
   Bezier place;
   for (int k = 0; k < 16; ++k) place.set(k, p);
-  const ContactBlock block(cells_, parts_, limit);
+  const ContactBlock block(*cells_, parts_, limit);
   for (const ContactRegion& region : contact_regions(offset_cell(place, n, 0)))
     if (const auto tip = block.free_tip(region))
       if (comes_below(parts_, *tip, limit) == Below::none) return tip;
@@ -236,7 +242,7 @@ bool Reachability::surely_unreachable(const OffsetCell& cell, ContactMemory* mem
   if (!neck_ && !is_plane(cell))
     return surely_unreachable_by_hull(cell, memory) ||
            (profile_.flat_mm > 0 && surely_unreachable_round(cell));
-  const ContactBlock block(cells_, parts_, allowance_mm_ - contact_mm_);
+  const ContactBlock block(*cells_, parts_, allowance_mm_ - contact_mm_);
   const auto regions = contact_regions(cell);
   return std::all_of(regions.begin(), regions.end(),
                      [&](const ContactRegion& region) { return block.blocks(region, memory); });
@@ -250,7 +256,7 @@ bool Reachability::surely_unreachable_by_hull(const OffsetCell& cell, ContactMem
   if (memory && !memory->empty() && hull->always_below(profile_, memory->back().point, limit))
     return true;
   // What bars all of the hull bars its middle by more than the stray.
-  const auto met = ContactBlock(cells_, parts_, limit - hull->stray_mm).deepest(hull->middle);
+  const auto met = ContactBlock(*cells_, parts_, limit - hull->stray_mm).deepest(hull->middle);
   if (!met) return false;
   if (memory) memory->assign(1, *met);
   return hull->always_below(profile_, met->point, limit);

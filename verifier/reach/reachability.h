@@ -48,6 +48,13 @@ class Reachability {
   /// that has less above its flutes than that.
   bool is_endless() const { return !narrower_above_; }
 
+  /// The same search as one for a cutter that stands along +Z of the frame that `cells` is in, the
+  /// cells of S one by one: `to_own` is how the frame of the caller lies in it. What is asked here
+  /// is asked in that frame of the cutter's own.
+  Reachability from(const SurfaceCells& cells, const model::Pose& to_own) const;
+  const model::Pose& to_own() const { return to_own_; }
+  const SurfaceCells& cells() const { return *cells_; }
+
   const CutterProfile& profile() const { return profile_; }
   double allowance_mm() const { return allowance_mm_; }
   double contact_mm() const { return contact_mm_; }
@@ -69,7 +76,8 @@ class Reachability {
   Below comes_below(std::span<const StandingPart> parts, const model::Vec3& tip,
                     double limit_mm) const;
 
-  const SurfaceCells& cells_;
+  const SurfaceCells* cells_;
+  model::Pose to_own_ = {};
   CutterProfile profile_;
   double allowance_mm_, contact_mm_;
   /// What the cutter is taken to be made of: the endless flutes, or flutes and parts as stated.

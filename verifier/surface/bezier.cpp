@@ -210,6 +210,11 @@ double area_mm2(const Bezier& b) {
   return sum;
 }
 
+Bezier turned(Bezier b, const model::Pose& pose) {
+  for (int k = 0; k < 16; ++k) b.set(k, pose.point(b.control(k)));
+  return b;
+}
+
 Bezier shifted(Bezier b, const Vec3& by) {
   for (int k = 0; k < 16; ++k) b.x[k] += by.x, b.y[k] += by.y, b.z[k] += by.z;
   return b;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "model/geometry/pose.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::verifier {
@@ -56,6 +57,8 @@ double area_mm2(const Bezier& b);
 model::Box3 control_box(const Bezier& b);
 /// The patch moved.
 Bezier shifted(Bezier b, const model::Vec3& by);
+/// The patch as another frame has it.
+Bezier turned(Bezier b, const model::Pose& pose);
 /// Greatest distance from `centre` to a control point: every point of the patch is within it.
 double control_radius(const Bezier& b, const model::Vec3& centre);
 

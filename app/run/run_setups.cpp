@@ -1,0 +1,57 @@
+#include "app/run/run_setups.h"
+
+namespace limitgauge::app {
+namespace {
+
+void turn(verifier::Finding& finding, const model::Pose& to_part) {
+  finding.place.point = to_part.point(finding.place.point);
+  finding.extent_mm = to_part.box(finding.extent_mm);
+}
+
+void turn(verifier::StageDeviation& deviation, const model::Pose& to_part) {
+  for (auto* list : {&deviation.gouges, &deviation.uncuts, &deviation.missing_stock})
+    for (verifier::Finding& finding : *list) turn(finding, to_part);
+  for (verifier::DeviationField::Sample& sample : deviation.field.samples) {
+    sample.place.point = to_part.point(sample.place.point);
+    sample.normal = to_part.direction(sample.normal);
+  }
+}
+
+}  // namespace
+
+RunSetups::RunSetups(const Job& job, const RunInputs& inputs,
+                     std::optional<engine::surface::FinishModel> model)
+    : job_(job), inputs_(inputs) {
+  if (inputs.setups.empty()) planners_.emplace_back(job, inputs, std::move(model));
+  for (const auto& at : inputs.setups) planners_.emplace_back(at->job, at->inputs);
+}
+
+model::Pose RunSetups::turn(std::size_t from_stage, std::size_t to_stage) const {
+  const std::size_t from = setup_of(from_stage), to = setup_of(to_stage);
+  if (from == to) return {};
+  return job_.setups[to].setup.from_part * job_.setups[from].setup.from_part.inverse();
+}
+
+void RunSetups::add(std::shared_ptr<const model::Toolpath> path) {
+  passes_.push_back({job_.stages[passes_.size()].cutter, std::move(path)});
+}
+
+std::vector<verifier::Pass> RunSetups::passes_at(std::size_t stage) const {
+  std::vector<verifier::Pass> passes = passes_;
+  for (std::size_t i = 0; i < passes.size(); ++i) passes[i].pose = turn(i, stage);
+  return passes;
+}
+
+std::optional<engine::surface::ModelFigures> RunSetups::figures() const {
+  for (const StagePlanner& planner : planners_)
+    if (planner.model()) return planner.model()->figures();
+  return std::nullopt;
+}
+
+void to_part_frame(reports::StageResult::Ran& ran, const model::Pose& to_part) {
+  if (to_part == model::Pose{}) return;
+  for (simulator::Finding& finding : ran.process) finding.point = to_part.point(finding.point);
+  if (ran.deviation) turn(*ran.deviation, to_part);
+}
+
+}  // namespace limitgauge::app

@@ -72,10 +72,11 @@ struct JobSetup {
 /// A mesh that nothing of the tool may touch.
 struct JobFixture {
   std::string name;
-  std::optional<std::size_t> setup;  ///< where it stands, in that setup's frame; empty: in all
   std::filesystem::path file;
   std::string file_as_stated;
   model::Vec3 translate_mm;
+  /// Where it stands, in that setup's frame; empty: in all.
+  std::optional<std::size_t> setup = std::nullopt;
 };
 
 /// How programs of planned stages are written.

@@ -62,7 +62,8 @@ void BlockCutter::cut_cube(int depth, const Index3& corner, int edge, LeafSink& 
 void BlockCutter::gather(const NearestMove& nearest, const Index3& corner, int edge) {
   const Vec3 middle = lattice_.middle(corner, edge);
   slots_.clear();
-  if (pass_.profile().is_ball() && top_of(corner, edge) <= pass_.below_tops_mm()) {
+  if (pass_.profile().is_ball() && !pass_.turned() &&
+      top_of(corner, edge) <= pass_.below_tops_mm()) {
     const double to_foot = nearest.at.distance + pass_.profile().corner_radius();
     pass_.gather_rivals({middle, lattice_.half_edge(edge), nearest.at.gradient * to_foot}, slots_);
   } else {
@@ -72,7 +73,8 @@ void BlockCutter::gather(const NearestMove& nearest, const Index3& corner, int e
 }
 
 bool BlockCutter::balls_below_tops(const MoveBatch& moves, double highest) const {
-  return pass_.profile().is_ball() && highest <= moves.below_tops_mm(pass_.profile());
+  return pass_.profile().is_ball() && !pass_.turned() &&
+         highest <= moves.below_tops_mm(pass_.profile());
 }
 
 // A move that is farther than the nearest one by a diagonal cannot matter and is not worked out;
@@ -86,8 +88,8 @@ void BlockCutter::sample(Level& level, const Vec3& p, double half_diagonal) cons
   double least = kFar;
   for (std::size_t i = 0; i < n && least >= -(half_diagonal + band_); ++i) {
     const std::uint32_t slot = level.moves.slot[i];
-    const bool far = cannot_be_below(pass_.profile(), pass_.move(slot), p,
-                                     least + 2 * half_diagonal + 2 * kDistanceRounding_mm);
+    const bool far =
+        pass_.cannot_be_below(slot, p, least + 2 * half_diagonal + 2 * kDistanceRounding_mm);
     const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass_.distance(slot, p);
     least = std::min(least, s.distance);
     level.samples.distance[i] = s.distance;
@@ -109,7 +111,7 @@ std::size_t BlockCutter::reference_move(const Level& level, const Vec3& middle, 
     if (d[i] > *least) continue;
     const std::uint32_t slot = level.moves.slot[i];
     const SweptSample at = pass_.distance(slot, middle);
-    const double e = curvature_bound(pass_.profile(), pass_.move(slot), middle, at, reach) +
+    const double e = pass_.curvature_bound(slot, middle, at, reach) +
                      reach * distance(at.gradient, level.samples.gradient(i));
     if (e < bound) bound = e, best = i;
   }

@@ -40,13 +40,22 @@ struct LineFigures {
   }
 };
 
-LineFigures look_at(const DexelStock& dexels, const StockModel& stock, std::size_t line) {
+/// How the lines' frame lies in the level set's, and the stock's box in it.
+struct Placed {
+  model::Pose pose;
+  model::Box3 box;
+};
+
+LineFigures look_at(const DexelStock& dexels, const StockModel& stock, const Placed& placed,
+                    std::size_t line) {
   const auto columns = static_cast<std::size_t>(dexels.nx());
   const int i = static_cast<int>(line % columns), j = static_cast<int>(line / columns);
   const Vec3 foot = dexels.line_at(i, j);
-  const model::Box3& box = stock.material().raw().box();
+  const model::Box3& box = placed.box;
   LineFigures figures;
-  const auto phi = [&](double z) { return stock.exact_value({foot.x, foot.y, z}); };
+  const auto phi = [&](double z) {
+    return stock.exact_value(placed.pose.point({foot.x, foot.y, z}));
+  };
   const auto gap = [&](double low, double high) {
     if (high - low < kThin_mm) return;
     const double z = (low + high) / 2;
@@ -73,14 +82,16 @@ bool StockAgreement::agree() const {
 
 StockAgreement compare_stocks(const DexelStock& dexels, const StockModel& level_set,
                               std::size_t lines, const model::RunControl& control,
-                              std::optional<double> level_set_volume_mm3) {
+                              std::optional<double> level_set_volume_mm3, const model::Pose& pose) {
+  const model::Box3& box = level_set.material().raw().box();
+  const Placed placed{pose, pose == model::Pose{} ? box : pose.inverse().box(box)};
   const std::size_t all =
       static_cast<std::size_t>(dexels.nx()) * static_cast<std::size_t>(dexels.ny());
   const std::size_t count = std::min(lines, all);
   std::vector<LineFigures> parts(model::chunk_count(count, kLinesAtOnce));
   model::parallel_chunks(count, kLinesAtOnce, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
-      parts[begin / kLinesAtOnce].merge(look_at(dexels, level_set, k * all / count));
+      parts[begin / kLinesAtOnce].merge(look_at(dexels, level_set, placed, k * all / count));
   });
   LineFigures sum;
   for (const LineFigures& part : parts) sum.merge(part);

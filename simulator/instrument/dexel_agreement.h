@@ -30,9 +30,12 @@ struct StockAgreement {
 
 /// Compares on at most `lines` lines, spread evenly over all; volumes as a whole. The same for any
 /// number of threads. `level_set_volume_mm3` is the level set's volume, where it is known already:
-/// on coarse grids adding it up takes as long as all the rest.
+/// on coarse grids adding it up takes as long as all the rest. `pose` is how the frame of the lines
+/// lies in that of the level set: where a part was turned over, the lines that cut it upright are
+/// held against the level set that was cut by turned passes.
 StockAgreement compare_stocks(const DexelStock& dexels, const StockModel& level_set,
                               std::size_t lines, const model::RunControl& control,
-                              std::optional<double> level_set_volume_mm3 = {});
+                              std::optional<double> level_set_volume_mm3 = {},
+                              const model::Pose& pose = {});
 
 }  // namespace limitgauge::simulator

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "model/base/chunks.h"
 #include "simulator/instrument/dexel_cut.h"
 
 namespace limitgauge::simulator {
@@ -31,6 +32,26 @@ DexelStock::DexelStock(const model::Stock& stock, double spacing_mm) {
   const RawStock raw(stock);
   const DexelLattice lattice = lattice_of(raw, spacing_mm);
   state_ = std::make_shared<const State>(State{lattice, raw_tiles(raw, lattice)});
+}
+
+DexelStock::DexelStock(const model::Stock& stock, double spacing_mm, const LineMaterial& material,
+                       const model::RunControl& control) {
+  const DexelLattice lattice = lattice_of(RawStock(stock), spacing_mm);
+  DexelTiles tiles(lattice.tiles());
+  model::parallel_for(tiles.size(), control.threads, [&](std::size_t k) {
+    control.check();
+    const auto across = static_cast<std::size_t>(lattice.tiles_x);
+    const int first_i = static_cast<int>(k % across) * kEdge;
+    const int first_j = static_cast<int>(k / across) * kEdge;
+    auto tile = std::make_shared<DexelTile>();
+    for (int j = first_j; j < std::min(first_j + kEdge, lattice.ny); ++j)
+      for (int i = first_i; i < std::min(first_i + kEdge, lattice.nx); ++i) {
+        const model::Vec3 p = lattice.line_at(i, j);
+        tile->set_material(DexelTile::line(i - first_i, j - first_j), material(p.x, p.y));
+      }
+    tiles[k] = std::move(tile);
+  });
+  state_ = std::make_shared<const State>(State{lattice, std::move(tiles)});
 }
 
 DexelStock::DexelStock(std::shared_ptr<const State> state) : state_(std::move(state)) {}

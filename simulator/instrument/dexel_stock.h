@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,12 @@ class DexelStock {
   /// Lines at most `spacing_mm` apart in x and y, the first half a spacing inside the stock's box.
   /// Throws std::invalid_argument for a spacing or a stock that cannot be.
   DexelStock(const model::Stock& raw, double spacing_mm);
+  /// The material on a line as somebody else knows it: heights, ascending, apart.
+  using LineMaterial = std::function<std::vector<model::Interval>(double x, double y)>;
+  /// The same lines over the box of `raw`, with material that was cut before; `material` is called
+  /// from several threads at once.
+  DexelStock(const model::Stock& raw, double spacing_mm, const LineMaterial& material,
+             const model::RunControl& control);
 
   struct Cut;
   /// The stock after `pass`, and what each move took. Throws Interrupted.

@@ -14,7 +14,7 @@ using model::Vec3;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 bool lies_below_tops(const SweepIndex& pass, const MoveBatch& moves, const Cube& cube) {
-  return pass.profile().is_ball() &&
+  return pass.profile().is_ball() && !pass.turned() &&
          cube.middle.z + cube.half_edge_mm <= moves.below_tops_mm(pass.profile());
 }
 
@@ -26,7 +26,8 @@ double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit)
   too_many_ = false;
   const auto found = pass.nearest(cube.middle, limit);
   if (!found) return kFar;
-  if (pass.profile().is_ball() && cube.middle.z + cube.half_edge_mm <= pass.below_tops_mm()) {
+  if (pass.profile().is_ball() && !pass.turned() &&
+      cube.middle.z + cube.half_edge_mm <= pass.below_tops_mm()) {
     const double to_foot = found->at.distance + pass.profile().corner_radius();
     pass.gather_rivals({cube.middle, cube.half_edge_mm, found->at.gradient * to_foot}, kept_);
   } else {
@@ -67,9 +68,8 @@ void NearMoves::sample(const SweepIndex& pass, const MoveBatch& from, const Cube
   samples_.resize(n);
   double least = kFar;
   for (std::size_t i = 0; i < n; ++i) {
-    const SweptMove& move = pass.move(from.slot[i]);
-    const bool far = cannot_be_below(pass.profile(), move, cube.middle,
-                                     least + 2 * cube.half_diagonal() + 2 * kDistanceRounding_mm);
+    const bool far = pass.cannot_be_below(
+        from.slot[i], cube.middle, least + 2 * cube.half_diagonal() + 2 * kDistanceRounding_mm);
     const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass.distance(from.slot[i], cube.middle);
     least = std::min(least, s.distance);
     samples_.distance[i] = s.distance;
@@ -89,7 +89,7 @@ std::size_t NearMoves::straightest(const SweepIndex& pass, const MoveBatch& from
     if (d[i] > *least) continue;
     const std::uint32_t slot = from.slot[i];
     const SweptSample at{d[i], samples_.gradient(i), pass.distance(slot, cube.middle).t};
-    const double e = curvature_bound(pass.profile(), pass.move(slot), cube.middle, at, r);
+    const double e = pass.curvature_bound(slot, cube.middle, at, r);
     if (e < bend) bend = e, best = i;
   }
   return best;
@@ -123,7 +123,7 @@ std::optional<NearestMove> NearMoves::nearest(const SweepIndex& pass, const Vec3
   };
   if (!below_tops_) {
     for (const std::uint32_t slot : moves_.slot)
-      if (!cannot_be_below(pass.profile(), pass.move(slot), p, bound)) look_at(slot);
+      if (!pass.cannot_be_below(slot, p, bound)) look_at(slot);
     return best;
   }
   if (empty()) return best;

@@ -34,7 +34,9 @@ void require_path(const Pass& pass) {
   if (!finite) throw std::invalid_argument("a path with a coordinate that is not finite");
 }
 
-SweepIndex::SweepIndex(const Pass& pass, const model::RunControl& control) : profile_(pass.cutter) {
+SweepIndex::SweepIndex(const Pass& pass, const model::RunControl& control)
+    : profile_(pass.cutter), turned_(pass.pose != model::Pose{}) {
+  if (turned_) to_own_ = pass.pose.inverse();
   require_path(pass);
   const SweepOrder order = order_moves(*pass.path, control);
   moves_.resize(order.moves.size());
@@ -76,6 +78,14 @@ double SweepIndex::lower_bound(const Node& node, const Vec3& p) const {
 
 std::optional<NearestMove> SweepIndex::nearest(const Vec3& p, double bound,
                                                std::uint32_t end) const {
+  if (!turned_) return nearest_to_own(p, bound, end);
+  auto found = nearest_to_own(to_own_.point(p), bound, end);
+  if (found) found->at = back(found->at);
+  return found;
+}
+
+std::optional<NearestMove> SweepIndex::nearest_to_own(const Vec3& p, double bound,
+                                                      std::uint32_t end) const {
   std::optional<NearestMove> best;
   if (nodes_.empty()) return best;
   std::array<std::pair<double, std::uint32_t>, kDeepest> stack;
@@ -87,8 +97,8 @@ std::optional<NearestMove> SweepIndex::nearest(const Vec3& p, double bound,
     if (low >= bound || node.least_index >= end) continue;
     for (std::uint32_t s = node.first; s < node.first + node.count; ++s) {
       if (moves_[s].index >= end) continue;
-      if (cannot_be_below(profile_, moves_[s], p, bound)) continue;
-      const SweptSample d = distance(s, p);
+      if (simulator::cannot_be_below(profile_, moves_[s], p, bound)) continue;
+      const SweptSample d = swept_distance(profile_, moves_[s], p);
       if (d.distance < bound) bound = d.distance, best = NearestMove{s, d};
     }
     if (node.count > 0) continue;
@@ -118,7 +128,24 @@ void SweepIndex::gather_unless(const Skip& skip, std::vector<std::uint32_t>& slo
 }
 
 void SweepIndex::gather(const Vec3& p, double limit, std::vector<std::uint32_t>& slots) const {
-  gather_unless([&](const Node& node) { return lower_bound(node, p) > limit; }, slots);
+  const Vec3 q = own(p);
+  gather_unless([&](const Node& node) { return lower_bound(node, q) > limit; }, slots);
+}
+
+double SweepIndex::curvature_bound(std::uint32_t slot, const Vec3& p, const SweptSample& at,
+                                   double reach) const {
+  SweptSample there = at;
+  if (turned_) there.gradient = to_own_.direction(at.gradient);
+  return simulator::curvature_bound(profile_, moves_[slot], own(p), there, reach);
+}
+
+// Of the box round the turned box, which holds it.
+double SweepIndex::outside_bound(std::uint32_t slot, const Vec3& p, const SweptSample& at,
+                                 const Vec3& half) const {
+  if (!turned_) return simulator::outside_bound(profile_, moves_[slot], p, at, half);
+  SweptSample there = at;
+  there.gradient = to_own_.direction(at.gradient);
+  return simulator::outside_bound(profile_, moves_[slot], own(p), there, to_own_.half(half));
 }
 
 // All that a node's balls reach lies in the box of their centres' ways and above it, grown by the

@@ -34,7 +34,10 @@ struct NearestCapsule {
 };
 
 /// All moves of a pass in a bounding-box tree over their tip positions. Moves are addressed by
-/// slot, their place in the tree's order.
+/// slot, their place in the tree's order. A pass may be turned: it is held in its own frame, in
+/// which the cutter is upright, and what is asked is turned there and back (exact but for rounding,
+/// 1e-13 mm on parts of a metre); bounds on distances are those of the own frame, whose distances
+/// are the same.
 class SweepIndex {
  public:
   /// Throws std::invalid_argument for a cutter that cannot be and as `require_path` does,
@@ -50,15 +53,27 @@ class SweepIndex {
   void gather(const model::Vec3& p, double limit, std::vector<std::uint32_t>& slots) const;
 
   /// Appends the slots of all ball moves that may be nearest somewhere in a cube below all tops;
-  /// some of those that are not are left out.
+  /// some of those that are not are left out. Only of a pass that is not turned.
   void gather_rivals(const NearestCapsule& nearest, std::vector<std::uint32_t>& slots) const;
-  /// Below this height a ball's top does not matter for any move.
+  /// Below this height a ball's top does not matter for any move. Only of a pass that is not
+  /// turned.
   double below_tops_mm() const;
 
   SweptSample distance(std::uint32_t slot, const model::Vec3& p) const {
+    if (turned_) return back(swept_distance(profile_, moves_[slot], to_own_.point(p)));
     return swept_distance(profile_, moves_[slot], p);
   }
+  /// As the functions of these names (swept_distance.h) say of one move.
+  bool cannot_be_below(std::uint32_t slot, const model::Vec3& p, double bound) const {
+    return simulator::cannot_be_below(profile_, moves_[slot], own(p), bound);
+  }
+  double curvature_bound(std::uint32_t slot, const model::Vec3& p, const SweptSample& at,
+                         double reach) const;
+  double outside_bound(std::uint32_t slot, const model::Vec3& p, const SweptSample& at,
+                       const model::Vec3& half) const;
+  bool turned() const { return turned_; }
   const CutterProfile& profile() const { return profile_; }
+  /// In the own frame of the pass.
   const SweptMove& move(std::uint32_t slot) const { return moves_[slot]; }
   std::size_t size() const { return moves_.size(); }
   std::size_t memory_bytes() const;
@@ -75,8 +90,17 @@ class SweepIndex {
   template <class Skip>
   void gather_unless(const Skip& skip, std::vector<std::uint32_t>& slots) const;
   double lower_bound(const Node& node, const model::Vec3& p) const;
+  std::optional<NearestMove> nearest_to_own(const model::Vec3& own, double bound,
+                                            std::uint32_t end) const;
+  model::Vec3 own(const model::Vec3& p) const { return turned_ ? to_own_.point(p) : p; }
+  SweptSample back(SweptSample own) const {
+    own.gradient = to_own_.direction_back(own.gradient);
+    return own;
+  }
 
   CutterProfile profile_;
+  model::Pose to_own_;
+  bool turned_ = false;
   std::vector<SweptMove> moves_;
   std::vector<Node> nodes_;
 };

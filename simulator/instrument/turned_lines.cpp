@@ -18,18 +18,6 @@ constexpr Vec3 kUp{0, 0, 1};
 /// it can tell.
 constexpr double kAlongSurface_mm = 1e-3;
 
-/// Where the exact material changes sides between two heights of a line, of which one is in it.
-double change(const StockModel& stock, double x, double y, double low, double high) {
-  const bool begins_inside = stock.exact_value({x, y, low}) < 0;
-  while (high - low > kDexelRounding_mm / 2) {
-    const double middle = (low + high) / 2;
-    if (middle <= low || middle >= high) break;
-    const bool inside = stock.exact_value({x, y, middle}) < 0;
-    (inside == begins_inside ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-
 /// Material on one line, as rays come upon it.
 class Line {
  public:
@@ -51,9 +39,8 @@ class Line {
 };
 
 /// From below the stock's box to above it.
-std::vector<model::Interval> material_on(const StockModel& stock, const StockRays& rays, double x,
+std::vector<model::Interval> material_on(const StockRays& rays, const model::Box3& box, double x,
                                          double y) {
-  const model::Box3& box = stock.material().raw().box();
   constexpr double kStep_mm = 2 * kLeastFeature_mm;
   const double end = box.high.z + kStep_mm;
   Line line;
@@ -62,7 +49,7 @@ std::vector<model::Interval> material_on(const StockModel& stock, const StockRay
     // It changed where the ray followed a surface.
     if (run.material != line.in_material()) line.change_at(z);
     const double reached = z + run.length_mm;
-    if (run.ends) line.change_at(change(stock, x, y, reached, reached + kStep_mm));
+    if (run.ends) line.change_at(reached + kLeastFeature_mm / 2);
     z = reached + (run.ends ? kStep_mm : kAlongSurface_mm);
   }
   if (line.in_material()) line.change_at(box.high.z);
@@ -74,8 +61,9 @@ std::vector<model::Interval> material_on(const StockModel& stock, const StockRay
 DexelStock turned_lines(const StockModel& stock, double spacing_mm,
                         const model::RunControl& control) {
   const StockRays rays(stock);
+  const model::Box3& box = stock.material().raw().box();
   return {stock.material().raw().stock(), spacing_mm,
-          [&](double x, double y) { return material_on(stock, rays, x, y); }, control};
+          [&](double x, double y) { return material_on(rays, box, x, y); }, control};
 }
 
 }  // namespace limitgauge::simulator

@@ -8,8 +8,7 @@ namespace limitgauge::simulator {
 
 /// The second stock model where a part has just been turned over: vertical lines of the new frame
 /// through the level set `stock`, at most `spacing_mm` apart, their ends where the exact material
-/// begins and ends, good to kDexelRounding_mm. Gaps and slices thinner than kLeastFeature_mm are
-/// passed over.
+/// begins and ends, good to kLeastFeature_mm. Thinner gaps and slices are passed over.
 ///
 /// Lines know only of upright cutters, so they cannot cut what other setups cut; the level set can.
 /// Two models stay two all the same: every pass is cut by lines of its own setup, where its cutter

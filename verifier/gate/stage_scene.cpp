@@ -81,6 +81,16 @@ std::vector<Sweep> sweeps_of(std::span<const AssemblySweep> parts) {
   return sweeps;
 }
 
+/// Where one side's reach ends and the next one's begins, a cell is in reach as a whole of neither:
+/// of balls, whose proofs are cheap there, the seam is resolved more finely.
+ReachOptions seam_effort(ReachOptions effort) {
+  constexpr double kSeam_mm = 0.012;
+  constexpr std::size_t kMore = 4;
+  effort.smallest_radius_mm = std::min(effort.smallest_radius_mm, kSeam_mm);
+  if (effort.largest_cell_count > 1) effort.largest_cell_count *= kMore;
+  return effort;
+}
+
 }  // namespace
 
 ReachOfCutters::ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> passes,
@@ -101,6 +111,8 @@ ReachOfCutters::ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> 
     }
     searches.back() = searches.back().from(*turned_[at], ways[at]);
   }
+  for (std::size_t k = 0; k < efforts.size() && !turned_.empty(); ++k)
+    if (searches[k].profile().flat_mm <= 0) efforts[k] = seam_effort(efforts[k]);
 }
 
 StageScene::StageScene(const ReferenceSurface& surface, const model::Stock& raw_stock,

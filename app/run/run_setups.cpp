@@ -1,23 +1,6 @@
 #include "app/run/run_setups.h"
 
 namespace limitgauge::app {
-namespace {
-
-void turn(verifier::Finding& finding, const model::Pose& to_part) {
-  finding.place.point = to_part.point(finding.place.point);
-  finding.extent_mm = to_part.box(finding.extent_mm);
-}
-
-void turn(verifier::StageDeviation& deviation, const model::Pose& to_part) {
-  for (auto* list : {&deviation.gouges, &deviation.uncuts, &deviation.missing_stock})
-    for (verifier::Finding& finding : *list) turn(finding, to_part);
-  for (verifier::DeviationField::Sample& sample : deviation.field.samples) {
-    sample.place.point = to_part.point(sample.place.point);
-    sample.normal = to_part.direction(sample.normal);
-  }
-}
-
-}  // namespace
 
 RunSetups::RunSetups(const Job& job, const RunInputs& inputs,
                      std::optional<engine::surface::FinishModel> model)
@@ -51,7 +34,7 @@ std::optional<engine::surface::ModelFigures> RunSetups::figures() const {
 void to_part_frame(reports::StageResult::Ran& ran, const model::Pose& to_part) {
   if (to_part == model::Pose{}) return;
   for (simulator::Finding& finding : ran.process) finding.point = to_part.point(finding.point);
-  if (ran.deviation) turn(*ran.deviation, to_part);
+  if (ran.deviation) verifier::turn(*ran.deviation, to_part);
 }
 
 }  // namespace limitgauge::app

@@ -1,6 +1,7 @@
 #include "model/geometry/pose.h"
 
 #include <algorithm>
+#include <numbers>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -81,6 +82,16 @@ Pose turn_about(const Vec3& axis, double angle_deg) {
   const Eigen::AngleAxisd turn(radians(std::remainder(angle_deg, 360.0)),
                                Eigen::Vector3d(unit.x, unit.y, unit.z));
   return exact_where_axes_stay(pose_of(turn.toRotationMatrix()));
+}
+
+Turn turn_of(const Pose& pose) {
+  if (!pose.turns()) return {{0, 0, 1}, 0};
+  Eigen::Matrix3d m;
+  for (int row = 0; row < 3; ++row)
+    m.row(row) << pose.rows[row].x, pose.rows[row].y, pose.rows[row].z;
+  const Eigen::AngleAxisd turn(m);
+  return {{turn.axis().x(), turn.axis().y(), turn.axis().z()},
+          turn.angle() * 180 / std::numbers::pi};
 }
 
 Pose rotation_of(const std::array<Vec3, 3>& rows, double tolerance) {

@@ -45,6 +45,14 @@ Pose operator*(const Pose& then, const Pose& first);
 /// a number that is not finite.
 Pose turn_about(const Vec3& axis, double angle_deg);
 
+/// The one turn that a rotation is: right-handed by 0 to 180 degrees about a unit vector; about Z
+/// by 0 where nothing turns.
+struct Turn {
+  Vec3 axis;
+  double angle_deg = 0;
+};
+Turn turn_of(const Pose& pose);
+
 /// The pose whose rotation is `rows`, made orthogonal where it is so within `tolerance`. Throws
 /// std::invalid_argument where it is none within that, or mirrors.
 Pose rotation_of(const std::array<Vec3, 3>& rows, double tolerance);

@@ -14,4 +14,9 @@ struct Setup {
   Pose from_part;  ///< the part's frame to the setup's
 };
 
+/// From a cutter's tip to its holder, a unit vector in the part's frame.
+inline Vec3 tool_axis(const Setup& setup) {
+  return setup.from_part.direction_back({0, 0, 1});
+}
+
 }  // namespace limitgauge::model

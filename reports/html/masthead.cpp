@@ -54,6 +54,7 @@ std::string contents(const RunResult& result) {
         entry(stage_anchor(i), fmt::format("{}. {}", i + 1, escape_markup(result.stages[i].name)));
   if (result.surface) list += entry("surface", "Design surface");
   if (has_engine_section(result)) list += entry("toolpaths", "Toolpaths");
+  if (!result.setups.empty()) list += entry("setups", "Setups");
   list += entry("tools", "Tools") + entry("inputs", "Job and inputs") +
           entry("decision", "How it was decided");
   if (!result.assumptions.empty()) list += entry("assumptions", "Assumptions");

@@ -42,8 +42,9 @@ void write_html(const RunResult& result, std::ostream& out) {
       << stage_table(result) << (result.surface ? kView : kStockView);
   for (std::size_t i = 0; i < result.stages.size(); ++i) out << stage_section(result, i);
   if (result.surface) out << surface_section(*result.surface);
-  out << engine_section(result) << tools_section(result) << inputs_section(result)
-      << decision_section(result.surface.has_value()) << assumptions_section(result.assumptions)
+  out << engine_section(result) << setups_section(result) << tools_section(result)
+      << inputs_section(result) << decision_section(result.surface.has_value())
+      << assumptions_section(result.assumptions)
       << "</main>\n<footer><p>All lengths in mm or µm as stated. The same figures, digit for "
          "digit, are in "
          "result.json beside this page.</p></footer>\n</div>\n";

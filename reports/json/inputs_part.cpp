@@ -66,6 +66,20 @@ Json mesh_stock_part(const model::MeshStock& stock) {
 
 }  // namespace
 
+Json setups_part(const std::vector<model::Setup>& setups) {
+  Json out = Json::array();
+  for (const model::Setup& setup : setups) {
+    const model::Pose& pose = setup.from_part;
+    Json rows = Json::array();
+    for (const model::Vec3& row : pose.rows) rows.push_back(point("setups.rotation", row));
+    out.push_back({{"name", clean_text(setup.name)},
+                   {"rotation", std::move(rows)},
+                   {"origin_mm", point("setups.origin_mm", pose.shift_mm)},
+                   {"tool_axis", point("setups.tool_axis", tool_axis(setup))}});
+  }
+  return out;
+}
+
 Json stock_part(const model::Stock& stock) {
   if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) return mesh_stock_part(*mesh);
   if (const auto* box = std::get_if<model::BoxStock>(&stock))

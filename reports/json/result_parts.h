@@ -11,6 +11,9 @@ Json inputs_part(const std::vector<InputFile>& inputs);
 /// What programs were told of the machine, and where their frame lies: "programs".
 Json programs_part(const RunResult& result);
 
+/// How the part lies in each setup: "setups".
+Json setups_part(const std::vector<model::Setup>& setups);
+
 /// The raw stock: "stock".
 Json stock_part(const model::Stock& stock);
 

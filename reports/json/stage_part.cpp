@@ -58,6 +58,7 @@ Json stage_part(const RunResult& result, std::size_t index) {
   const StageResult& s = result.stages[index];
   if (s.recorded) return recorded_part(result, index);
   Json out = {{"name", clean_text(s.name)}, {"tool", clean_text(s.tool)}};
+  if (!s.setup.name.empty()) out["setup"] = clean_text(s.setup.name);
   out["cutter"] = cutter_part(s.cutter);
   if (s.program.empty()) {
     out["strategy"] = clean_text(s.strategy);

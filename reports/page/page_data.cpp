@@ -104,6 +104,12 @@ Json stage_json(const StageResult& stage, std::size_t index) {
               {"field", nullptr},
               {"path", nullptr}};
   if (stage.allowance_mm) out["allowance_mm"] = *stage.allowance_mm;
+  // How the tool stands: rows of the rotation from the part's frame to the one it is upright in.
+  if (!stage.setup.name.empty()) {
+    Json rows = Json::array();
+    for (const model::Vec3& row : stage.setup.from_part.rows) rows.push_back(point_json(row));
+    out["setup"] = {{"name", clean_text(stage.setup.name)}, {"rotation", std::move(rows)}};
+  }
   return out;
 }
 

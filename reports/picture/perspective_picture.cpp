@@ -9,6 +9,7 @@
 #include "reports/picture/lettering.h"
 #include "reports/picture/marker.h"
 #include "reports/picture/perspective_map.h"
+#include "reports/picture/tool_side.h"
 #include "reports/run/gate_figures.h"
 #include "reports/text/text.h"
 
@@ -108,7 +109,8 @@ void draw_legend(Image& image, const DeviationScale& scale, int body, bool hatch
 }  // namespace
 
 Image draw_perspective_picture(const StageResult& stage) {
-  const verifier::StageDeviation& d = *stage.ran->deviation;
+  const ToolSide side(stage);
+  const verifier::StageDeviation& d = side.deviation();
   const DeviationScale scale = DeviationScale::for_gate(d, stage.limits);
   const std::vector<Mark> marks = marks_of(d);
   const PerspectiveView view = best_view(d.field, marks);
@@ -119,7 +121,9 @@ Image draw_perspective_picture(const StageResult& stage) {
   image.draw(map.image, kMargin, kMargin + kHeader);
   draw_header(image, stage);
   const double foot = kMargin + kHeader + body + 44.0;
-  draw_axes(image, view.right(), view.up(), {kMargin + 60.0, kHeader + kMargin + body - 40.0});
+  const model::Pose& pose = stage.setup.from_part;
+  draw_axes(image, pose.direction_back(view.right()), pose.direction_back(view.up()),
+            {kMargin + 60.0, kHeader + kMargin + body - 40.0});
   draw_marks(image, marks, view, map, foot);
   draw_legend(image, scale, body, d.unreachable_area_mm2 > 0);
   return image;

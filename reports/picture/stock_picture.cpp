@@ -121,7 +121,8 @@ Image lit(const simulator::StockMesh& mesh, const std::vector<Small>& points,
 
 }  // namespace
 
-Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width) {
+Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width,
+                         const model::Pose& from_part) {
   View view;
   const int fine_width = largest_width * kOversampling;
   const int fine_height = fit(view, mesh, fine_width) / 2 * 2;
@@ -132,7 +133,8 @@ Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width) {
     DepthBuffer depth(fine_width, rows, first_row);
     image.put_rows(lit(mesh, points, normals, lights, depth).halved(), first_row / kOversampling);
   });
-  draw_axes(image, view.right, view.up, {kMargin + 34.0, image.height() - kMargin - 26.0});
+  draw_axes(image, from_part.direction_back(view.right), from_part.direction_back(view.up),
+            {kMargin + 34.0, image.height() - kMargin - 26.0});
   return image;
 }
 

@@ -18,6 +18,7 @@ void write_result_json(const RunResult& result, std::ostream& out) {
   root["stock"] = json::stock_part(result.raw_stock);
   if (result.surface) root["surface"] = json::surface_part(*result.surface);
   root["programs"] = json::programs_part(result);
+  if (!result.setups.empty()) root["setups"] = json::setups_part(result.setups);
   if (result.tolerances) root["tolerances"] = json::tolerances_part(*result.tolerances);
   root["stages"] = json::Json::array();
   for (std::size_t i = 0; i < result.stages.size(); ++i)

@@ -8,6 +8,7 @@
 #include "reports/picture/perspective_picture.h"
 #include "reports/picture/png.h"
 #include "reports/picture/stock_picture.h"
+#include "reports/picture/tool_side.h"
 #include "reports/run/report.h"
 #include "reports/vtk/vtp.h"
 
@@ -35,7 +36,8 @@ bool has_field(const StageResult& stage) {
 
 std::string deviation_png(const StageResult& stage) {
   if (!has_field(stage)) return {};
-  return png_bytes(draw_deviation_picture(*stage.ran->deviation, stage.limits));
+  const ToolSide side(stage);
+  return png_bytes(draw_deviation_picture(side.deviation(), stage.limits));
 }
 
 std::string perspective_png(const StageResult& stage) {
@@ -43,9 +45,9 @@ std::string perspective_png(const StageResult& stage) {
   return png_bytes(draw_perspective_picture(stage));
 }
 
-std::string stock_png(const simulator::StockMesh& mesh) {
+std::string stock_png(const simulator::StockMesh& mesh, const model::Setup& setup) {
   if (mesh.triangles.empty()) return {};
-  return png_bytes(draw_stock_picture(mesh, kStockPictureWidth));
+  return png_bytes(draw_stock_picture(mesh, kStockPictureWidth, setup.from_part));
 }
 
 }  // namespace
@@ -53,7 +55,8 @@ std::string stock_png(const simulator::StockMesh& mesh) {
 StagePictures draw_pictures(const StageResult& stage, const model::RunControl& control) {
   if (!stage.ran) return {};
   StagePictures pictures{deviation_png(stage), perspective_png(stage), {}};
-  if (stage.ran->stock) pictures.stock_png = stock_png(stage.ran->stock->surface(control).mesh);
+  if (stage.ran->stock)
+    pictures.stock_png = stock_png(stage.ran->stock->surface(control).mesh, stage.setup);
   return pictures;
 }
 
@@ -69,14 +72,36 @@ void carry_out(const std::vector<Job>& jobs, const model::RunControl& control) {
   });
 }
 
-void write_surface(const StageResult::Ran& ran, const simulator::StockMesh& mesh,
+/// The stock's surface as it lies in the setup, and how that lies in the part's frame, which the
+/// files are in.
+struct PlacedSurface {
+  const simulator::StockMesh& mesh;
+  model::Pose to_part;
+};
+
+void write_surface(const StageResult::Ran& ran, const PlacedSurface& surface,
                    const std::filesystem::path& file, const StageFileOptions& options,
                    std::span<const Fact> facts) {
+  const auto write = [&](const simulator::StockMesh& mesh) {
+    if (surface.to_part == model::Pose{}) return write_stock_vtp(mesh, file, facts);
+    write_stock_vtp(turned(mesh, surface.to_part), file, facts);
+  };
   if (options.stock == StockSurfaceFile::none) return;
-  if (options.stock == StockSurfaceFile::whole) return write_stock_vtp(mesh, file, facts);
-  const simulator::StockMesh cut = ran.stock->cut_part_of(mesh, options.control);
+  if (options.stock == StockSurfaceFile::whole) return write(surface.mesh);
   // Nothing was cut: a file without a triangle says so.
-  write_stock_vtp(cut, file, facts);
+  write(ran.stock->cut_part_of(surface.mesh, options.control));
+}
+
+/// The path where the files and the page have it: in the part's frame.
+std::shared_ptr<const model::Toolpath> path_of(const StageResult::Ran& ran,
+                                               const model::Pose& to_part) {
+  if (to_part == model::Pose{}) return ran.path;
+  return std::make_shared<const model::Toolpath>(turned(*ran.path, to_part));
+}
+
+page::StockView placed(page::StockView view, const model::Pose& to_part) {
+  if (to_part != model::Pose{}) view.mesh = turned(std::move(view.mesh), to_part);
+  return view;
 }
 
 }  // namespace
@@ -88,6 +113,7 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
   const std::filesystem::path into = folder / plain_name(stage.name);
   model::make_folder(into);
   const std::vector<Fact> facts = stage_facts(stage);
+  const model::Pose to_part = stage.setup.from_part.inverse();
   StageFiles files;
   StagePictures& pictures = files.pictures;
   simulator::StockSurface surface;
@@ -102,27 +128,32 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
     jobs.push_back([&] { pictures.perspective_png = perspective_png(stage); });
     jobs.push_back([&] {
       pictures.deviation_png = deviation_png(stage);
-      if (ran.stock) pictures.stock_png = stock_png(surface.mesh);
+      if (ran.stock) pictures.stock_png = stock_png(surface.mesh, stage.setup);
     });
   }
   if (ran.stock) {
-    jobs.push_back([&] { write_surface(ran, surface.mesh, into / "stock.vtp", options, facts); });
-    jobs.push_back([&] { ran.stock->write_vdb(into / "stock.vdb"); });
+    jobs.push_back([&] {
+      write_surface(ran, {surface.mesh, to_part}, into / "stock.vtp", options, facts);
+    });
+    jobs.push_back([&] { ran.stock->write_vdb(into / "stock.vdb", to_part); });
   }
   // Beside a design the page shows the surface, and what stands on it.
   if (ran.stock && !ran.deviation)
     jobs.push_back([&] {
-      files.stock_view = page::stock_view(*ran.stock, surface.mesh, options.passes,
-                                          {options.control.threads, options.control.stop, {}});
+      files.stock_view =
+          placed(page::stock_view(*ran.stock, surface.mesh, options.passes,
+                                  {options.control.threads, options.control.stop, {}}),
+                 to_part);
     });
   if (ran.deviation)
     jobs.push_back(
         [&] { write_deviation_vtp(ran.deviation->field, into / "deviation.vtp", facts); });
   if (ran.path) {
     jobs.push_back([&] {
-      write_toolpath_vtp(*ran.path, into / "toolpath.vtp", ran.removal.moves, facts);
-      files.path_view = page::path_view(*ran.path, ran.removal.moves,
-                                        {options.rapid_mm_min, ran.machining_time_s});
+      const auto path = path_of(ran, to_part);
+      write_toolpath_vtp(*path, into / "toolpath.vtp", ran.removal.moves, facts);
+      files.path_view =
+          page::path_view(*path, ran.removal.moves, {options.rapid_mm_min, ran.machining_time_s});
     });
   }
   carry_out(jobs, options.control);

@@ -53,6 +53,22 @@ void start_openvdb() {
   static_cast<void>(started);
 }
 
+openvdb::FloatGrid::ConstPtr turned(const openvdb::FloatGrid& grid, const model::Pose& pose) {
+  const auto place = [&](double i, double j, double k) {
+    const openvdb::Vec3d p = grid.transform().indexToWorld(openvdb::Vec3d(i, j, k));
+    return pose.point({p.x(), p.y(), p.z()});
+  };
+  // A row of OpenVDB's matrix is where a step along one index leads, the last is the origin.
+  const model::Vec3 origin = place(0, 0, 0);
+  openvdb::Mat4R matrix = openvdb::Mat4R::identity();
+  const model::Vec3 steps[] = {place(1, 0, 0) - origin, place(0, 1, 0) - origin,
+                               place(0, 0, 1) - origin, origin};
+  for (int row = 0; row < 4; ++row)
+    for (int axis = 0; axis < 3; ++axis) matrix(row, axis) = steps[row][axis];
+  return openvdb::gridConstPtrCast<openvdb::FloatGrid>(
+      grid.copyGridReplacingTransform(openvdb::math::Transform::createLinearTransform(matrix)));
+}
+
 void write_grid(const openvdb::FloatGrid& grid, const std::filesystem::path& file) {
   try {
     // Writing a grid notes statistics in its metadata: give it a shallow copy of its own.

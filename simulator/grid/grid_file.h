@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "model/geometry/pose.h"
+
 #include "simulator/grid/vdb_tree.h"
 
 namespace limitgauge::simulator::vdb {
@@ -10,5 +12,8 @@ namespace limitgauge::simulator::vdb {
 void start_openvdb();
 /// The same grid gives the same bytes. Throws ResourceError when the file cannot be written.
 void write_grid(const openvdb::FloatGrid& grid, const std::filesystem::path& file);
+/// The same values where places of the grid's frame lie in another: a grid beside `grid` that
+/// shares its tree.
+openvdb::FloatGrid::ConstPtr turned(const openvdb::FloatGrid& grid, const model::Pose& pose);
 
 }  // namespace limitgauge::simulator::vdb

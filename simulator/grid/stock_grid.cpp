@@ -213,8 +213,9 @@ NetSize StockGrid::mesh_size(const RunControl& control) const {
                           control);
 }
 
-void StockGrid::write(const std::filesystem::path& file) const {
-  write_grid(*impl_->grid, file);
+void StockGrid::write(const std::filesystem::path& file, const model::Pose& pose) const {
+  if (pose == model::Pose{}) return write_grid(*impl_->grid, file);
+  write_grid(*vdb::turned(*impl_->grid, pose), file);
 }
 
 struct GridLeaves::Impl {

@@ -79,7 +79,7 @@ class StockGrid {
   model::TriangleMesh mesh(const MakePlacer& placers, const model::RunControl& control) const;
   NetSize mesh_size(const model::RunControl& control) const;
   /// Throws ResourceError when the file cannot be written.
-  void write(const std::filesystem::path& file) const;
+  void write(const std::filesystem::path& file, const model::Pose& pose) const;
 
  private:
   friend class GridLeaves;

@@ -247,8 +247,8 @@ StockMesh StockModel::surface_mesh(const RunControl& control) const {
   return state_->grid.mesh(middle_placers(), control);
 }
 
-void StockModel::write_vdb(const std::filesystem::path& file) const {
-  state_->grid.write(file);
+void StockModel::write_vdb(const std::filesystem::path& file, const model::Pose& pose) const {
+  state_->grid.write(file, pose);
 }
 
 }  // namespace limitgauge::simulator

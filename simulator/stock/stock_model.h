@@ -110,8 +110,8 @@ class StockModel {
   /// The same net of grid() with its vertices left between the voxels, within about half a voxel
   /// of the surface: quick, for pictures.
   StockMesh surface_mesh(const model::RunControl& control = {}) const;
-  /// grid() as OpenVDB writes it. Throws ResourceError.
-  void write_vdb(const std::filesystem::path& file) const;
+  /// grid() as OpenVDB writes it, its places moved by `pose`. Throws ResourceError.
+  void write_vdb(const std::filesystem::path& file, const model::Pose& pose = {}) const;
 
  private:
   struct State;

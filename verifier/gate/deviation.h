@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/geometry/interval.h"
+#include "model/geometry/pose.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::verifier {
@@ -198,5 +199,9 @@ struct GateDecision {
   Verdict verdict = Verdict::not_run;
   std::vector<std::string> reasons;
 };
+
+/// The same findings and samples where another frame has them; figures stay. Those over tolerances
+/// have places only in jobs that are not turned.
+void turn(StageDeviation& deviation, const model::Pose& pose);
 
 }  // namespace limitgauge::verifier

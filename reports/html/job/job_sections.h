@@ -22,6 +22,8 @@ bool has_engine_section(const RunResult& result);
 std::string stock_text(const model::Stock& stock);
 /// Every tool that a stage uses, in all its measures.
 std::string tools_section(const RunResult& result);
+/// How the part lies in each setup; empty where the job states none.
+std::string setups_section(const RunResult& result);
 /// The job's own data, and all files that were read with their checksums.
 std::string inputs_section(const RunResult& result);
 

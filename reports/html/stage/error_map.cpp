@@ -8,6 +8,7 @@
 #include "reports/html/markup.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/png.h"
+#include "reports/picture/tool_side.h"
 #include "reports/run/patch_figures.h"
 #include "reports/text/interval_text.h"
 #include "reports/tolerance.h"
@@ -35,18 +36,29 @@ std::string markers(const std::vector<verifier::Finding>& findings, char letter,
   return out;
 }
 
+/// What a map is seen from, and what is to be said of the way it lies.
+struct MapSide {
+  std::string from, lies;
+};
+
+MapSide map_side(const model::Setup& setup) {
+  if (setup.from_part == model::Pose{}) return {"+Z", "X to the right, Y up"};
+  return {tool_side_words(setup), "as it lies in setup " + escape_markup(setup.name)};
+}
+
 std::string map_figure(const verifier::StageDeviation& d, const DeviationScale& scale,
-                       std::string_view caption) {
+                       const MapSide& side, std::string_view caption) {
   const MapFrame frame = map_frame(d.field, kMapWidth, kMapHeight);
   const std::string image = png_uri(palette_png(draw_map(d.field, scale, frame)));
   const std::string hatched =
       d.unreachable_area_mm2 > 0 ? " Hatched: the cutter cannot reach there." : "";
   return fmt::format(
-      "<figure class=\"map\"><figcaption>{}{} Fine lines: patch borders.</figcaption>"
+      "<figure class=\"map\"><figcaption>Deviation seen from {}{}{} Fine lines: patch "
+      "borders.</figcaption>"
       "<div class=\"frame\"><img src=\"{}\" width=\"{}\" height=\"{}\" "
-      "alt=\"Map of deviation seen from +Z, X to the right, Y up\"/>{}{}</div>{}</figure>\n",
-      caption, hatched, image, frame.width, frame.height, markers(d.gouges, 'G', frame),
-      markers(d.uncuts, 'U', frame), colour_legend(scale));
+      "alt=\"Map of deviation seen from {}, {}\"/>{}{}</div>{}</figure>\n",
+      side.from, caption, hatched, image, frame.width, frame.height, side.from, side.lies,
+      markers(d.gouges, 'G', frame), markers(d.uncuts, 'U', frame), colour_legend(scale));
 }
 
 bool is_faint(const verifier::StageDeviation& d, const verifier::GateLimits& l) {
@@ -57,15 +69,17 @@ bool is_faint(const verifier::StageDeviation& d, const verifier::GateLimits& l) 
 }  // namespace
 
 std::string error_map(const StageResult& stage) {
-  const verifier::StageDeviation& d = *stage.ran->deviation;
-  if (d.field.quads.empty()) return {};
+  if (stage.ran->deviation->field.quads.empty()) return {};
+  const ToolSide tool(stage);
+  const verifier::StageDeviation& d = tool.deviation();
+  const MapSide side = map_side(stage.setup);
   if (is_faint(d, stage.limits))
-    return map_figure(d, DeviationScale::magnified(d),
-                      "Deviation seen from +Z. All of it is far inside the limits: the colours are "
-                      "scaled by what was measured.");
-  return map_figure(d, DeviationScale::for_gate(d, stage.limits),
-                    "Deviation seen from +Z, colours scaled by the gate limits: pale is in "
-                    "tolerance, dark is beyond a limit.");
+    return map_figure(d, DeviationScale::magnified(d), side,
+                      ". All of it is far inside the limits: the colours are scaled by what was "
+                      "measured.");
+  return map_figure(d, DeviationScale::for_gate(d, stage.limits), side,
+                    ", colours scaled by the gate limits: pale is in tolerance, dark is beyond a "
+                    "limit.");
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include "reports/html/markup.h"
 #include "reports/html/stage/tolerance_parts.h"
 #include "reports/picture/png.h"
+#include "reports/picture/tool_side.h"
 #include "reports/text/text.h"
 
 namespace limitgauge::reports::html {
@@ -64,6 +65,9 @@ std::string measured_part(const RunResult& result, std::size_t index) {
 std::string request_line(const StageResult& stage) {
   std::vector<std::string> parts = {escape_markup(stage.tool) + ", " + cutter_text(stage.cutter),
                                     path_source(stage)};
+  if (!stage.setup.name.empty())
+    parts.push_back("setup " + escape_markup(stage.setup.name) + ", the tool comes from " +
+                    tool_side_words(stage.setup));
   if (stage.step_mm > 0) parts.push_back("path interval " + stated_length(stage.step_mm));
   if (stage.allowance_mm) parts.push_back("allowance " + stated_length(*stage.allowance_mm));
   if (stage.tolerance_mm > 0)

@@ -53,3 +53,15 @@ export function wireBody(outline, { around = 32, meridians = 8, circles = 6 } = 
   for (let k = 0; k < meridians; ++k) wire(outline.map(([radius, z]) => at(radius, z, k / meridians)));
   return { points: Float32Array.from(points), lines: Uint32Array.from(lines) };
 }
+
+/**
+ * Points [x, y, z, x, ...] of an upright body as they lie in the part's frame: `rotation` has the rows of
+ * the turn from the part's frame to the one in which the tool stands along Z.
+ */
+export function standing(points, rotation) {
+  const out = new Float32Array(points.length);
+  for (let i = 0; i < points.length; i += 3)
+    for (let axis = 0; axis < 3; axis += 1)
+      out[i + axis] = rotation.reduce((sum, row, k) => sum + row[axis] * points[i + k], 0);
+  return out;
+}

@@ -129,10 +129,10 @@ class PathLayer {
     if (!this.drawn.has(this.stage)) {
       const [low, high] = this.report.bounds_mm;
       const size = Math.hypot(...high.map((c, i) => c - low[i]));
-      const { cutter } = this.report.stages[this.stage];
+      const { cutter, setup } = this.report.stages[this.stage];
       this.drawn.set(this.stage, {
         lines: createPathActor(this.path(), () => this.scene.element.clientHeight),
-        tool: createToolMarker(cutter, size / 40),
+        tool: createToolMarker(cutter, setup, size / 40),
         painted: '',
       });
     }

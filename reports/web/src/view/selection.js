@@ -2,6 +2,7 @@ import { applyColours } from './appearance.js';
 import { scaleFor } from './colour/colour_scale.js';
 import { exceeds, findingsOf } from './findings/findings.js';
 import { read } from './probe.js';
+import { firstView } from './scene/camera.js';
 
 /** The failing stage with its worst finding chosen, or else the last stage that ran; all of the part seen. */
 export function open(viewer) {
@@ -12,13 +13,14 @@ export function open(viewer) {
   chooseStage(viewer, index);
   const [worst] = findingsOf(stages[index]);
   if (worst && exceeds(worst)) markFinding(viewer, worst);
-  viewer.scene.lookHome();
+  viewer.scene.lookHome(firstView(stages[index]));
 }
 
 export function chooseStage(viewer, index) {
   const { report, state, layers } = viewer;
   if (state.stage === index) return;
-  const stage = report.stages[index];
+  const stage = report.stages[index], before = report.stages[state.stage];
+  if (before && firstView(before) !== firstView(stage)) viewer.scene.home(firstView(stage));
   state.stage = index;
   viewer.tabs.show(index);
   layers.surface.show(report.surfaces[stage.field.surface], stage.field);

@@ -8,9 +8,14 @@ const VIEWS = [
   ['right', 'Right', 'right', 'From the right, along X'],
 ];
 
-/** Buttons that look at the part from a side, and switches of what is drawn. */
-export function createToolbar({ look, toggles }) {
-  const buttons = VIEWS.map(([id, text, view, title]) => make('button', {
+const BOTTOM = ['bottom', 'Bottom', 'bottom', 'From below, against Z'];
+
+/**
+ * Buttons that look at the part from a side, from below too where a tool comes from there, and switches of
+ * what is drawn.
+ */
+export function createToolbar({ look, toggles, below = false }) {
+  const buttons = (below ? [...VIEWS, BOTTOM] : VIEWS).map(([id, text, view, title]) => make('button', {
     type: 'button', title, data: { testid: `view-${id}` }, on: { click: () => look(view) },
   }, [text]));
   const checks = toggles.map(({ id, text, checked, change }) => {

@@ -67,6 +67,7 @@ function buildElements(viewer, borders) {
   frame.append(make('i', { class: 'view-crosshair', 'aria-hidden': 'true' }), viewer.hint);
   const toolbar = createToolbar({
     look: (view) => viewer.scene.home(view),
+    below: report.stages.some(({ setup }) => setup),
     toggles: [
       { id: 'view-map', text: 'Error map', checked: true, change: (on) => applyLook(viewer, { map: on }) },
       { id: 'view-path', text: 'Toolpath', checked: false, change: (on) => showPath(viewer, on) },

@@ -10,7 +10,12 @@ export const VIEWS = {
   front: { azimuth: -90, elevation: 0, perspective: false },
   right: { azimuth: 0, elevation: 0, perspective: false },
   perspective: { azimuth: -62, elevation: 38, perspective: true },
+  below: { azimuth: -62, elevation: -38, perspective: true },
+  bottom: { azimuth: -90, elevation: -90, perspective: false },
 };
+
+/** The first look at a stage: from above, or from below where the tool comes from there. */
+export const firstView = ({ setup }) => (setup && setup.rotation[2][2] < -0.3 ? 'below' : 'perspective');
 
 export const HALF_ANGLE_DEG = 12;
 const radians = (degrees) => (degrees * Math.PI) / 180;

@@ -103,7 +103,7 @@ export function createScene(container, report) {
     /** The whole part, from a named view or from where it is seen now. */
     home: (view) => flight.start(fitted(VIEWS[view] ?? camera, whole, size())),
     /** The same at once, as the page opens. */
-    lookHome: () => setCamera(fitted(VIEWS.perspective, whole, size()), false),
+    lookHome: (view = 'perspective') => setCamera(fitted(VIEWS[view], whole, size()), false),
     /** Places that "whole part" must show beside the part itself. */
     setInterest: (points_mm) => { whole = [...outline, ...points_mm]; },
     project: (point_mm) => project(camera, size(), point_mm),

@@ -109,7 +109,10 @@ model::Pass read_pass(const StageCut& stage, ResultFolder& folder) {
                                 "says " + std::to_string(stage.moves),
                             "the files of one result");
   path.chord_error_mm = stage.chord_error_mm;
-  return {stage.cutter, std::make_shared<const model::Toolpath>(std::move(path))};
+  // The file has places of the part's frame.
+  if (stage.from_part != model::Pose{}) path = turned(path, stage.from_part);
+  return {stage.cutter, std::make_shared<const model::Toolpath>(std::move(path)),
+          stage.from_part.inverse()};
 }
 
 /// What the result says of the file's contents, where it says it.

@@ -133,8 +133,10 @@ Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width,
     DepthBuffer depth(fine_width, rows, first_row);
     image.put_rows(lit(mesh, points, normals, lights, depth).halved(), first_row / kOversampling);
   });
+  // An axis of a part that was turned may lead down.
+  const double room = from_part.turns() ? 2.0 * kMargin : 0;
   draw_axes(image, from_part.direction_back(view.right), from_part.direction_back(view.up),
-            {kMargin + 34.0, image.height() - kMargin - 26.0});
+            {kMargin + 34.0, image.height() - kMargin - 26.0 - room});
   return image;
 }
 

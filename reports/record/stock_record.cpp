@@ -49,9 +49,34 @@ model::Cutter read_cutter(const JsonValue& value) {
   return cutter;
 }
 
-StageCut read_stage_cut(const JsonValue& stage) {
+model::Pose read_pose(const JsonValue& setup) {
+  // Of seventeen digits.
+  constexpr double kWritten = 1e-12;
+  const std::vector<JsonValue> rows = setup["rotation"].items();
+  if (rows.size() != 3) setup["rotation"].refuse("has not three rows", "three rows of a rotation");
+  try {
+    model::Pose pose =
+        model::rotation_of({rows[0].point(), rows[1].point(), rows[2].point()}, kWritten);
+    pose.shift_mm = setup["origin_mm"].point();
+    return pose;
+  } catch (const std::invalid_argument& error) {
+    setup["rotation"].refuse(error.what(), "three rows of a rotation");
+  }
+}
+
+/// Of the setup that the stage names.
+model::Pose pose_of(const JsonValue& stage, const std::vector<JsonValue>& setups) {
+  const std::optional<JsonValue> named = stage.find("setup");
+  if (!named) return {};
+  for (const JsonValue& setup : setups)
+    if (setup["name"].text() == named->text()) return read_pose(setup);
+  named->refuse("is none of \"setups\"", "a result as limitgauge writes it");
+}
+
+StageCut read_stage_cut(const JsonValue& stage, const std::vector<JsonValue>& setups) {
   StageCut out;
   out.name = stage["name"].text();
+  out.from_part = pose_of(stage, setups);
   out.verdict = read_verdict(stage["verdict"]);
   const std::optional<JsonValue> path = stage.find("toolpath");
   out.ran = path.has_value();
@@ -107,7 +132,9 @@ StockRecord read_stock_record(std::istream& in, const std::string& shown) {
   for (const JsonValue& input : root.items("inputs"))
     out.inputs.push_back({input["role"].text(), input["file"].text(), input["sha256"].text()});
   read_raw_stock(root["stock"], out);
-  for (const JsonValue& stage : root["stages"].items()) out.stages.push_back(read_stage_cut(stage));
+  const std::vector<JsonValue> setups = root.items("setups");
+  for (const JsonValue& stage : root["stages"].items())
+    out.stages.push_back(read_stage_cut(stage, setups));
   return out;
 }
 

@@ -28,6 +28,7 @@ struct StageCut {
   model::Cutter cutter;  ///< the fluted part alone
   std::size_t moves = 0;
   double chord_error_mm = 0;
+  model::Pose from_part;  ///< how the part lay, its cutter along +Z
 };
 
 /// All that result.json says of the stock that was simulated.

@@ -73,11 +73,16 @@ std::string coverage_cell(const GateFigure& figure) {
   return out + standing_badge(figure);
 }
 
+std::string setup_words(const StageResult& stage) {
+  return stage.setup.name.empty() ? std::string() : ", setup " + escape_markup(stage.setup.name);
+}
+
 /// What stands in a row whether there is a design or not.
 std::vector<std::string> first_cells(const StageResult& stage, std::size_t index) {
-  return {fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),
-          badge(stage.verdict()),
-          escape_markup(stage.tool) + "<small>" + path_source(stage) + "</small>"};
+  return {
+      fmt::format("<a href=\"#{}\">{}</a>", stage_anchor(index), escape_markup(stage.name)),
+      badge(stage.verdict()),
+      escape_markup(stage.tool) + "<small>" + path_source(stage) + setup_words(stage) + "</small>"};
 }
 
 std::string process_faults_cell(const StageResult& stage) {

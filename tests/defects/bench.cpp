@@ -94,7 +94,11 @@ class PairBench {
       : plan_(plan),
         target_(plan.cage, kSpacing_mm),
         stock_(block_around(target_.surface.bounding_box())),
-        name_(plan.surface_name + ", " + plan.cutter.id) {}
+        name_(plan.surface_name + ", " + plan.cutter.id) {
+    if (!plan.lying) return;
+    lying_surface_.emplace(model::turned(plan.cage, *plan.lying));
+    lying_stock_ = model::turned(stock_, *plan.lying);
+  }
 
   PairResult run() {
     std::optional<Twin> plain, allowing;
@@ -211,16 +215,26 @@ class PairBench {
     const auto path = std::make_shared<const model::Toolpath>(run.path);
     std::optional<app::StockRayProbe> probe;
     if (voxels) probe.emplace(cut_stock(run, path));
-    const verifier::Pass pass{run.cutter, path};
-    return measure_stage(target_.surface, stock_, {&pass, 1}, probe ? &*probe : nullptr, check,
-                         {1, nullptr, {}});
+    const verifier::Pass pass = pass_of(run, path);
+    const verifier::StockProbe* asked = probe ? &*probe : nullptr;
+    if (!plan_.lying)
+      return measure_stage(target_.surface, stock_, {&pass, 1}, asked, check, {1, nullptr, {}});
+    StageDeviation d =
+        measure_stage(*lying_surface_, lying_stock_, {&pass, 1}, asked, check, {1, nullptr, {}});
+    turn(d, plan_.lying->inverse());
+    return d;
+  }
+
+  verifier::Pass pass_of(const Run& run, const std::shared_ptr<const model::Toolpath>& path) const {
+    return {run.cutter, path, plan_.lying.value_or(model::Pose())};
   }
 
   simulator::StockModel cut_stock(const Run& run,
                                   const std::shared_ptr<const model::Toolpath>& path) const {
     constexpr std::size_t kMemory = std::size_t{4} << 30;
     const model::RunControl control{1, nullptr, {}};
-    return simulator::StockModel(stock_, kVoxel_mm, kMemory).cut({run.cutter, path}, control);
+    const model::Stock raw = plan_.lying ? lying_stock_ : model::Stock(stock_);
+    return simulator::StockModel(raw, kVoxel_mm, kMemory).cut(pass_of(run, path), control);
   }
 
   static std::vector<Place> places_of(const std::vector<Finding>& findings) {
@@ -311,6 +325,8 @@ class PairBench {
   const PairPlan& plan_;
   Target target_;
   model::BoxStock stock_;
+  std::optional<verifier::ReferenceSurface> lying_surface_;
+  model::Stock lying_stock_;
   std::string name_;
   PairResult out_;
 };

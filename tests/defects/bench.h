@@ -62,6 +62,8 @@ struct PairPlan {
   double resolution_mm = 0;
   std::size_t voxels_every = 0;  ///< every so many cases the simulator runs too; 0: never
   std::size_t turn = 0;          ///< shifts which cases those are
+  /// How the pass lies in the frame that it is measured in, the part with it; nothing: upright.
+  std::optional<model::Pose> lying = {};
 };
 
 PairResult run_pair(const PairPlan& plan);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <random>
 #include <string_view>
 
 #include "model/base/run_control.h"
@@ -35,6 +36,7 @@ struct Options {
   std::string surface, cutter;  ///< only these
   std::string cases_file;
   double minutes = std::numeric_limits<double>::infinity();  ///< no pair is begun after these
+  unsigned orientations = 0;  ///< above 0: passes lie turned, each pair in a way of its own; a seed
 };
 
 /// Mishaps on one surface with one cutter in the full run.
@@ -98,15 +100,16 @@ bool read_options(int count, char** words, Options& options) {
     const auto number = [&](auto& to) {
       return std::from_chars(value.data(), value.data() + value.size(), to).ec == std::errc{};
     };
-    const bool good = key == "--sample"    ? number(options.sample)
-                      : key == "--scenes"  ? number(options.scenes)
-                      : key == "--triples" ? number(options.triples)
-                      : key == "--threads" ? number(options.threads)
-                      : key == "--surface" ? (options.surface = value, true)
-                      : key == "--cutter"  ? (options.cutter = value, true)
-                      : key == "--minutes" ? number(options.minutes)
-                      : key == "--cases"   ? (options.cases_file = value, true)
-                                           : false;
+    const bool good = key == "--sample"         ? number(options.sample)
+                      : key == "--scenes"       ? number(options.scenes)
+                      : key == "--triples"      ? number(options.triples)
+                      : key == "--threads"      ? number(options.threads)
+                      : key == "--surface"      ? (options.surface = value, true)
+                      : key == "--cutter"       ? (options.cutter = value, true)
+                      : key == "--minutes"      ? number(options.minutes)
+                      : key == "--orientations" ? number(options.orientations)
+                      : key == "--cases"        ? (options.cases_file = value, true)
+                                                : false;
     if (!good) return false;
   }
   return count % 2 == 1;
@@ -167,9 +170,30 @@ bool run_triples(const Options& options) {
   return wrong == 0;
 }
 
+/// Turned over, on a side, or in any way, by turns.
+model::Pose any_pose(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> part(-1, 1);
+  model::Pose pose;
+  switch (random() % 3) {
+    case 0:
+      pose = model::turn_about({1, 0, 0}, 180);
+      break;
+    case 1:
+      pose = model::turn_about({0, 1, 0}, random() % 2 == 0 ? 90 : -90);
+      break;
+    default:
+      pose = model::turn_about({part(random), part(random), part(random)}, 180 * part(random));
+  }
+  pose.shift_mm = {10 * part(random), 10 * part(random), 10 * part(random)};
+  return pose;
+}
+
 int run(const Options& options) {
   std::vector<PairPlan> plans = full_plan(options);
   if (options.sample > 0) plans = sample_of(plans, options.sample);
+  std::mt19937_64 random(options.orientations);
+  if (options.orientations > 0)
+    for (PairPlan& plan : plans) plan.lying = any_pose(random);
   const std::vector<PairResult> results = run_pairs(plans, options);
   write_tables(std::cout, results);
   write_failures(std::cerr, results);
@@ -197,7 +221,7 @@ int main(int count, char** words) {
     std::fprintf(stderr,
                  "usage: limitgauge_defects [--sample CASES] [--scenes COUNT] [--triples COUNT] "
                  "[--threads N] [--surface NAME] "
-                 "[--cutter ID] [--cases FILE.tsv] [--minutes M]\n");
+                 "[--cutter ID] [--cases FILE.tsv] [--minutes M] [--orientations SEED]\n");
     return 2;
   }
   return run(options);

@@ -94,7 +94,7 @@ ReachOptions seam_effort(ReachOptions effort) {
 }  // namespace
 
 ReachOfCutters::ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> passes,
-                               double allowance_mm, double area_mm2) {
+                               double allowance_mm, double area_mm2, bool resolves_seams) {
   std::vector<model::Pose> ways;  // beside turned_
   for (const StandingCutter& standing : distinct_cutters(passes)) {
     const model::Cutter& cutter = cutters.emplace_back(standing.cutter);
@@ -111,7 +111,7 @@ ReachOfCutters::ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> 
     }
     searches.back() = searches.back().from(*turned_[at], ways[at]);
   }
-  for (std::size_t k = 0; k < efforts.size() && !turned_.empty(); ++k)
+  for (std::size_t k = 0; resolves_seams && k < efforts.size() && !turned_.empty(); ++k)
     if (searches[k].profile().flat_mm <= 0) efforts[k] = seam_effort(efforts[k]);
 }
 
@@ -123,7 +123,7 @@ StageScene::StageScene(const ReferenceSurface& surface, const model::Stock& raw_
       raw(raw_stock, {}),
       parts(assembly_sweeps(gouging(passes, check.finer_passes),
                             region_of(surface, check.allowance_mm))),
-      by(cells, passes, check.allowance_mm, surface.area_mm2()),
+      by(cells, passes, check.allowance_mm, surface.area_mm2(), check.limits.has_unreachable),
       request(request_of(check)) {
   if (!check.finer_passes.empty()) fluted_.emplace(raw_stock, gouging(passes, check.finer_passes));
   if (!parts.empty()) swept_.emplace((fluted_ ? *fluted_ : cut).with(sweeps_of(parts)));

@@ -20,8 +20,10 @@ struct ReachOfCutters {
   std::vector<Reachability> searches;
   std::vector<ReachOptions> efforts;
 
+  /// `resolves_seams`: where the reach of cutters that stood otherwise meets, it is followed more
+  /// finely, which a limit on the unreachable is decided by.
   ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> passes, double allowance_mm,
-                 double area_mm2);
+                 double area_mm2, bool resolves_seams);
   ReachOfCutters(const ReachOfCutters&) = delete;
   ReachOfCutters& operator=(const ReachOfCutters&) = delete;
 

@@ -229,7 +229,44 @@ name = "a"
 tool = "flat6"
 program = "foreign/plate.ngc"
 )";
-  return {first + planned, foreign, bar + planned, mesh};
+  const std::string sides = R"(name = "sides"
+surface = { cage = "cages/quick-dome.obj" }
+stock = { shape = "box", size = [60, 60, 60], corner = [-30, -30, -30] }
+[[setup]]
+name = "front"
+origin = [1, 2, 3]
+rotate = [{ axis = [0, 0, 1], angle = 90 }]
+[setup.work_offsets]
+G54 = [1, 2, 3]
+G55 = { origin = [0, 0, 0], rotate_z = 90 }
+G56 = [0, 0, 0]
+G57 = [0, 0, 0]
+G58 = [0, 0, 0]
+G59 = [0, 0, 0]
+"G59.1" = [0, 0, 0]
+"G59.2" = [0, 0, 0]
+"G59.3" = [0, 0, 0]
+[[setup]]
+name = "back"
+flip = "x"
+[[setup]]
+name = "side"
+matrix = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]
+[[fixture]]
+name = "clamp"
+file = "findings/clamp.obj"
+setup = "back"
+[[tool]]
+id = "flat6"
+type = "flat"
+diameter = 6
+[[stage]]
+name = "a"
+setup = "back"
+tool = "flat6"
+program = "foreign/plate.ngc"
+)";
+  return {first + planned, foreign, bar + planned, mesh, sides};
 }
 
 }  // namespace limitgauge::app

@@ -39,7 +39,7 @@ toml::table& table_at(toml::table& job, const Path& path) {
 
 std::string dotted(const std::string& prefix, const std::string& key) {
   // The nine work offsets are one row, and so are all tools that have tolerances.
-  if (prefix == "machine.work_offsets.") return prefix + "G54";
+  if (prefix.ends_with(".work_offsets.")) return prefix + "G54";
   return prefix + (prefix == "tolerances.tool." ? "ID" : key);
 }
 
@@ -96,7 +96,7 @@ class Jobs {
   /// A work offset is a value or a table.
   void note(const toml::node& node, const std::string& name, Occurrence at) {
     if (holds_tables(node)) tables_.insert(name);
-    if (!holds_tables(node) || name == "machine.work_offsets.G54")
+    if (!holds_tables(node) || name.ends_with(".work_offsets.G54"))
       keys_[name].push_back(std::move(at));
   }
 
@@ -161,6 +161,10 @@ std::optional<Ends> ends_of(const std::string& range) {
       {"text", {{}, {"\"\"", "1"}}},
       {"text, once", {{}, {"\"\"", "1"}}},
       {"an `id`", {{}, {"\"no-such-tool\""}}},
+      {"a setup's name", {{}, {"\"no-such-setup\"", "1"}}},
+      {"three rows of a rotation",
+       {{"[[0, -1, 0], [1, 0, 0], [0, 0, 1]]"},
+        {"[1, 2, 3]", "[[1, 0, 0], [0, 1, 0], [0, 0, -1]]", "[[1, 0, 0], [0, 1, 0], [0, 0, 2]]"}}},
       {"as the job's, once", {{}, {"\"a/b\"", "\".a\""}}},
       {"letters, digits, `.`, `_`, `-`; 100 at most, the first neither `.` nor `-`",
        {{"\"a.B_9-\""}, {"\"a b\"", "\".a\"", "\"-a\"", "\"a/b\""}}}};

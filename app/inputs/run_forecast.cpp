@@ -111,11 +111,15 @@ RunScale scale_of(const Job& job, const verifier::ReferenceSurface* surface,
   RunScale scale;
   scale.pictures = job.pictures;
   scale.terms = terms;
-  if (surface != nullptr) scale.cells_bytes = surface_bytes(*surface);
+  // Each setup has its own.
+  if (surface != nullptr)
+    scale.cells_bytes = static_cast<double>(job.setups.size()) * surface_bytes(*surface);
   const double height_mm = model::bounding_box(job.stock).size().z;
   const std::string* text = nullptr;
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     const JobStage& stage = job.stages[i];
+    // Of another setup: load_in_setups counts them all.
+    if (!programs[i] && !stage.plan) continue;
     const double moves = programs[i] ? static_cast<double>(programs[i]->path->moves.size())
                                      : expected_moves(stage, surface->area_mm2());
     scale.moves += moves;

@@ -5,6 +5,7 @@
 
 #include "app/inputs/input_checksums.h"
 #include "app/inputs/part_fit.h"
+#include "app/inputs/run_forecast.h"
 #include "app/inputs/surface_witness.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
@@ -85,6 +86,7 @@ RunInputs load_in_setups(const Job& job, const RunTerms& terms, std::optional<Jo
   all.settings = choose_settings(job, design ? design->surface.bounding_box() : model::Box3(),
                                  terms.memory_limit_bytes);
   all.programs.resize(job.stages.size());
+  std::vector<std::shared_ptr<SetupView>> views;
   for (std::size_t k = 0; k < job.setups.size(); ++k) {
     control.check();
     Job at = in_setup(job, k);
@@ -98,9 +100,13 @@ RunInputs load_in_setups(const Job& job, const RunTerms& terms, std::optional<Jo
       all.programs[i] = inputs.programs[i];
       all.settings.floor_z_mm[i] = inputs.settings.floor_z_mm[i];
     }
-    all.setups.push_back(
-        std::make_shared<const SetupView>(SetupView{std::move(at), std::move(inputs)}));
+    views.push_back(std::make_shared<SetupView>(SetupView{std::move(at), std::move(inputs)}));
   }
+  all.settings.stock_limit_bytes =
+      stock_limit_bytes(scale_of(job, design ? &design->surface : nullptr, all.programs, terms));
+  for (const auto& view : views)
+    view->inputs.settings.stock_limit_bytes = all.settings.stock_limit_bytes;
+  all.setups.assign(views.begin(), views.end());
   all.design = std::move(design);
   all.files = input_checksums(job);
   return all;

@@ -205,4 +205,23 @@ TEST_CASE("a stage that leaves more does not answer for a finer one of another s
   CHECK(measure_stage(seen, there, passes, nullptr, check, {2}).gouge_mm.low > 0.19);
 }
 
+TEST_CASE("cutters that stood otherwise give the same figures for any number of threads",
+          "[unit]") {
+  const ReferenceSurface part(round_part());
+  const model::Stock block = model::BoxStock{{-6, -6, -6}, {12, 12, 12}};
+  const auto low = shared(rows([](double x, double y) { return 6 - 0.05 * (x * x + y * y); }));
+  const std::vector<Pass> both = {{kBall, low, model::turn_about({1, 0, 0}, 180)}, {kBall, low}};
+  const StageDeviation one = measure_stage(part, block, both, nullptr, check_of(), {1});
+  const StageDeviation two = measure_stage(part, block, both, nullptr, check_of(), {2});
+  CHECK(one.gouge_mm.low == two.gouge_mm.low);
+  CHECK(one.gouge_mm.high == two.gouge_mm.high);
+  CHECK(one.uncut_mm.low == two.uncut_mm.low);
+  CHECK(one.uncut_mm.high == two.uncut_mm.high);
+  CHECK(one.unavoidable_uncut_mm.low == two.unavoidable_uncut_mm.low);
+  CHECK(one.unavoidable_uncut_mm.high == two.unavoidable_uncut_mm.high);
+  CHECK(one.proven_reach.undecided_mm2 == two.proven_reach.undecided_mm2);
+  CHECK(one.proven_reach.reachable_mm2 == two.proven_reach.reachable_mm2);
+  CHECK(one.cells == two.cells);
+}
+
 }  // namespace limitgauge::verifier

@@ -27,7 +27,7 @@ Depth depth_under(const MaterialAtMove& m, const Cover& cover, const Vec3& p, co
   if (!cover.of_pass && cover.maker.pass == 0) return depth_in_raw(m, cover, p, half);
   const SweepIndex& pass = cover.of_pass ? *m.pass : *m.before->passes()[cover.maker.pass - 1];
   const SweptSample at = pass.distance(cover.maker.slot, p);
-  const double bend = outside_bound(pass.profile(), pass.move(cover.maker.slot), p, at, half);
+  const double bend = pass.outside_bound(cover.maker.slot, p, at, half);
   return {at.distance, at.gradient, bend, cover};
 }
 

@@ -13,7 +13,7 @@ using model::Vec3;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-bool lies_below_tops(const SweepIndex& pass, const MoveBatch& moves, const Cube& cube) {
+bool lies_below_tops(const SweepTree& pass, const MoveBatch& moves, const Cube& cube) {
   return pass.profile().is_ball() &&
          cube.middle.z + cube.half_edge_mm <= moves.below_tops_mm(pass.profile());
 }
@@ -21,6 +21,10 @@ bool lies_below_tops(const SweepIndex& pass, const MoveBatch& moves, const Cube&
 }  // namespace
 
 double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit) {
+  return gather_own(pass.own(), pass.to_own(cube), limit);
+}
+
+double NearMoves::gather_own(const SweepTree& pass, const Cube& cube, double limit) {
   kept_.clear();
   moves_.assign(pass, kept_);
   too_many_ = false;
@@ -40,9 +44,11 @@ double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit)
   return found->at.distance;
 }
 
-double NearMoves::narrow(const SweepIndex& pass, const NearMoves& wider, const Cube& cube,
+double NearMoves::narrow(const SweepIndex& index, const NearMoves& wider, const Cube& asked,
                          double limit) {
-  if (wider.too_many_) return gather(pass, cube, limit);
+  if (wider.too_many_) return gather(index, asked, limit);
+  const SweepTree& pass = index.own();
+  const Cube cube = index.to_own(asked);
   kept_.clear();
   moves_.assign(pass, kept_);
   too_many_ = false;
@@ -55,14 +61,14 @@ double NearMoves::narrow(const SweepIndex& pass, const NearMoves& wider, const C
   return least;
 }
 
-double NearMoves::keep_balls(const SweepIndex& pass, const MoveBatch& from, const Cube& cube) {
+double NearMoves::keep_balls(const SweepTree& pass, const MoveBatch& from, const Cube& cube) {
   const double least = capsules_.nearest(from, cube.middle, cube.half_edge_mm);
   capsules_.keep(from, kept_);
   return std::sqrt(least) - pass.profile().corner_radius();
 }
 
 // A move that is farther than the nearest one by a diagonal cannot matter and is not worked out.
-void NearMoves::sample(const SweepIndex& pass, const MoveBatch& from, const Cube& cube) {
+void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const Cube& cube) {
   const std::size_t n = from.size();
   samples_.resize(n);
   double least = kFar;
@@ -78,7 +84,7 @@ void NearMoves::sample(const SweepIndex& pass, const MoveBatch& from, const Cube
 }
 
 // Of the nearest moves, often several on a flat floor, the one whose distance bends least.
-std::size_t NearMoves::straightest(const SweepIndex& pass, const MoveBatch& from, const Cube& cube,
+std::size_t NearMoves::straightest(const SweepTree& pass, const MoveBatch& from, const Cube& cube,
                                    double& bend) const {
   const auto& d = samples_.distance;
   const auto least = std::min_element(d.begin(), d.end());
@@ -96,7 +102,7 @@ std::size_t NearMoves::straightest(const SweepIndex& pass, const MoveBatch& from
 }
 
 // d is convex: move i stays above its tangent, the nearest one below a paraboloid.
-double NearMoves::keep_others(const SweepIndex& pass, const MoveBatch& from, const Cube& cube) {
+double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, const Cube& cube) {
   sample(pass, from, cube);
   double bend = 0;
   const std::size_t j = straightest(pass, from, cube, bend);
@@ -115,6 +121,13 @@ double NearMoves::keep_others(const SweepIndex& pass, const MoveBatch& from, con
 
 std::optional<NearestMove> NearMoves::nearest(const SweepIndex& pass, const Vec3& p,
                                               double bound) const {
+  std::optional<NearestMove> found = nearest_own(pass.own(), pass.to_own(p), bound);
+  if (found) found->at = pass.from_own(found->at);
+  return found;
+}
+
+std::optional<NearestMove> NearMoves::nearest_own(const SweepTree& pass, const Vec3& p,
+                                                  double bound) const {
   if (too_many_) return pass.nearest(p, bound);
   std::optional<NearestMove> best;
   const auto look_at = [&](std::uint32_t slot) {

@@ -33,9 +33,19 @@ DexelStock::DexelStock(const model::Stock& stock, double spacing_mm) {
   state_ = std::make_shared<const State>(State{lattice, raw_tiles(raw, lattice)});
 }
 
+DexelStock::DexelStock(
+    const model::Stock& stock, double spacing_mm,
+    const std::function<std::vector<model::Interval>(double x, double y)>& standing,
+    const model::RunControl& control) {
+  const DexelLattice lattice = lattice_of(RawStock(stock), spacing_mm);
+  state_ = std::make_shared<const State>(State{lattice, tiles_of(standing, lattice, control)});
+}
+
 DexelStock::DexelStock(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
 DexelStock::Cut DexelStock::cut(const Pass& pass, const model::RunControl& control) const {
+  if (pass.pose != model::Pose{})
+    throw std::invalid_argument("a pass of another setup is to be cut in that setup's lines");
   DexelTiles tiles = state_->tiles;
   std::vector<MoveRemoval> moves = cut_tiles(state_->lattice, tiles, pass, control);
   const RemovalTotals totals = removal_totals(*pass.path, moves, spacing_mm());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,8 +23,16 @@ class DexelStock {
   /// Throws std::invalid_argument for a spacing or a stock that cannot be.
   DexelStock(const model::Stock& raw, double spacing_mm);
 
+  /// The same lines with what `standing` says of each, ascending and apart: it is asked from
+  /// several threads at once. For a stock that is taken over from somewhere else
+  /// (dexels_from.h). Throws Interrupted as well.
+  DexelStock(const model::Stock& raw, double spacing_mm,
+             const std::function<std::vector<model::Interval>(double x, double y)>& standing,
+             const model::RunControl& control);
+
   struct Cut;
-  /// The stock after `pass`, and what each move took. Throws Interrupted.
+  /// The stock after `pass`, and what each move took. Throws std::invalid_argument for a pass that
+  /// lies turned in this stock's frame: lines know upright cutters only. Throws Interrupted.
   Cut cut(const Pass& pass, const model::RunControl& control) const;
 
   double spacing_mm() const;  ///< the wider of the spacings in x and y

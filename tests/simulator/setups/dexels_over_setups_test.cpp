@@ -27,7 +27,7 @@ using simulator::StockModel;
 using namespace simulator::test;
 
 constexpr std::size_t kAllLines = 1000000;
-constexpr double kSetupVoxel = 0.3, kSetupSpacing = 0.23;
+constexpr double kSetupVoxel = 0.6, kSetupSpacing = 0.37;
 
 std::string told(const StockAgreement& a) {
   std::ostringstream text;
@@ -52,52 +52,86 @@ Pass second_pass(const model::Cutter& c, const StockModel& stock, unsigned seed)
 
 }  // namespace
 
+namespace {
+
+void hold_against_turned(const TurnedCase& t) {
+  const Pose& pose = t.to.pose;
+  const Pass top = moves_of_all_kinds(t.cutter, t.seed);
+  const DexelStock before = DexelStock(setup_block(), kSetupSpacing).cut(top, {2}).stock;
+  const StockModel after =
+      StockModel(turned(setup_block(), pose), kSetupVoxel, kSetupBytes).cut(placed(top, pose), {2});
+  const auto held = compare_stocks(before, after, kAllLines, {2}, {}, pose);
+  INFO(t.to.name << ", " << model::to_text(t.cutter) << ": " << told(held));
+  CHECK(held.ends > 2000);
+  CHECK(held.worst_end_mm < 1e-8);
+  CHECK(held.agree());
+  // A pose that is off by a hundredth, and one that was forgotten.
+  for (const Vec3& off : {Vec3{0.01, 0, 0}, Vec3{0, 0.01, 0}, Vec3{0, 0, -0.01}}) {
+    Pose wrong = pose;
+    wrong.shift_mm += off;
+    const auto found = compare_stocks(before, after, 2000, {2}, held.level_set_volume_mm3, wrong);
+    CHECK_FALSE(found.agree());
+    CHECK(found.worst_end_mm > 1e-3);
+  }
+  CHECK_FALSE(compare_stocks(before, after, 2000, {2}, held.level_set_volume_mm3).agree());
+}
+
+void take_over_and_cut_on(const TurnedCase& t) {
+  const StockModel taken = StockModel(turned(setup_block(), t.to.pose), kSetupVoxel, kSetupBytes)
+                               .cut(placed(moves_of_all_kinds(t.cutter, t.seed), t.to.pose), {2});
+  const DexelStock lines = dexels_from(taken, kSetupSpacing, {2});
+  const auto at_change = compare_stocks(lines, taken, kAllLines, {2});
+  INFO(t.to.name << ", " << model::to_text(t.cutter) << ": " << told(at_change));
+  CHECK(at_change.ends > 2000);
+  CHECK(at_change.worst_end_mm <= simulator::kTakenOver_mm);
+  CHECK(at_change.agree());
+  const Pass second = second_pass(t.cutter, taken, t.seed + 50);
+  const auto at_end =
+      compare_stocks(lines.cut(second, {2}).stock, taken.cut(second, {2}), kAllLines, {2});
+  INFO("at the end: " << told(at_end));
+  CHECK(at_end.level_set_volume_mm3 < at_change.level_set_volume_mm3 - 10);
+  CHECK(at_end.agree());
+}
+
+}  // namespace
+
 TEST_CASE("the lines of a setup are those of the turned level set", "[property][setups]") {
-  unsigned seed = 0;
-  for (const NamedPose& to : setup_poses())
-    for (const model::Cutter& c : setup_cutters()) {
-      const Pass top = moves_of_all_kinds(c, ++seed);
-      const DexelStock before = DexelStock(setup_block(), kSetupSpacing).cut(top, {2}).stock;
-      const StockModel after = StockModel(turned(setup_block(), to.pose), kSetupVoxel, kSetupBytes)
-                                   .cut(placed(top, to.pose), {2});
-      const auto held = compare_stocks(before, after, kAllLines, {2}, {}, to.pose);
-      INFO(to.name << ", " << model::to_text(c) << ": " << told(held));
-      CHECK(held.ends > 4000);
-      CHECK(held.worst_end_mm < 1e-8);
-      CHECK(held.agree());
-      // A pose that is off by a hundredth, and one that was forgotten.
-      for (const Vec3& off : {Vec3{0.01, 0, 0}, Vec3{0, 0.01, 0}, Vec3{0, 0, -0.01}}) {
-        Pose wrong = to.pose;
-        wrong.shift_mm += off;
-        const auto found =
-            compare_stocks(before, after, 2000, {2}, held.level_set_volume_mm3, wrong);
-        CHECK_FALSE(found.agree());
-        CHECK(found.worst_end_mm > 1e-3);
-      }
-      CHECK_FALSE(compare_stocks(before, after, 2000, {2}, held.level_set_volume_mm3).agree());
-    }
+  for (const TurnedCase& t : few_turned_cases()) hold_against_turned(t);
 }
 
 TEST_CASE("lines taken from a level set agree with it, and go on being cut by themselves",
           "[property][setups]") {
-  unsigned seed = 50;
-  for (const NamedPose& to : setup_poses())
-    for (const model::Cutter& c : setup_cutters()) {
-      const StockModel taken = StockModel(turned(setup_block(), to.pose), kSetupVoxel, kSetupBytes)
-                                   .cut(placed(moves_of_all_kinds(c, ++seed), to.pose), {2});
-      const DexelStock lines = dexels_from(taken, kSetupSpacing, {2});
-      const auto at_change = compare_stocks(lines, taken, kAllLines, {2});
-      INFO(to.name << ", " << model::to_text(c) << ": " << told(at_change));
-      CHECK(at_change.ends > 4000);
-      CHECK(at_change.worst_end_mm <= simulator::kTakenOver_mm);
-      CHECK(at_change.agree());
-      const Pass second = second_pass(c, taken, seed);
-      const auto at_end =
-          compare_stocks(lines.cut(second, {2}).stock, taken.cut(second, {2}), kAllLines, {2});
-      INFO("at the end: " << told(at_end));
-      CHECK(at_end.level_set_volume_mm3 < at_change.level_set_volume_mm3 - 10);
-      CHECK(at_end.agree());
-    }
+  for (const TurnedCase& t : few_turned_cases()) take_over_and_cut_on(t);
+}
+
+TEST_CASE("every cutter's lines are right over every change of setup", "[slow][setups]") {
+  for (const TurnedCase& t : turned_cases()) {
+    hold_against_turned(t);
+    take_over_and_cut_on(t);
+  }
+}
+
+TEST_CASE("three setups: the passes of both earlier ones lie turned", "[property][setups]") {
+  const Pose first = setup_poses()[0].pose, second = setup_poses()[2].pose;
+  const Pass a = moves_of_all_kinds(setup_cutters()[1], 31);
+  const model::Stock turned_once = turned(setup_block(), first);
+  const StockModel two =
+      StockModel(turned_once, kSetupVoxel, kSetupBytes).cut(placed(a, first), {2});
+  const Pass b = second_pass(setup_cutters()[2], two, 32);
+  const DexelStock lines = dexels_from(two, kSetupSpacing, {2}).cut(b, {2}).stock;
+  const StockModel three = StockModel(turned(turned_once, second), kSetupVoxel, kSetupBytes)
+                               .cut(placed(a, second * first), {2})
+                               .cut(placed(b, second), {2});
+  const auto held = compare_stocks(lines, three, kAllLines, {2}, {}, second);
+  INFO(told(held));
+  CHECK(held.agree());
+  // Where the turns are put together the wrong way round, or one is left out.
+  for (const Pose& wrong : {first * second, second}) {
+    const StockModel other = StockModel(turned(turned_once, second), kSetupVoxel, kSetupBytes)
+                                 .cut(placed(a, wrong), {2})
+                                 .cut(placed(b, second), {2});
+    CHECK_FALSE(compare_stocks(lines, other, 2000, {2}, held.level_set_volume_mm3, second).agree());
+  }
 }
 
 TEST_CASE("lines along walls that were floors are taken over", "[property][setups]") {

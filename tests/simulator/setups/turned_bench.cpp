@@ -31,6 +31,19 @@ std::vector<model::Cutter> setup_cutters() {
           cutter(CutterType::bull, 5, 9, 1), cutter(CutterType::taper, 2, 9, 0.5, 12)};
 }
 
+std::vector<TurnedCase> turned_cases() {
+  std::vector<TurnedCase> all;
+  for (const NamedPose& to : setup_poses())
+    for (const model::Cutter& c : setup_cutters())
+      all.push_back({to, c, static_cast<unsigned>(all.size() + 1)});
+  return all;
+}
+
+std::vector<TurnedCase> few_turned_cases() {
+  const auto all = turned_cases();
+  return {all[0], all[5], all[10], all[15]};
+}
+
 Pass moves_of_all_kinds(const model::Cutter& c, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<> x(-13, 13), y(-10, 10), z(-6, 2), step(-1, 1);

@@ -24,6 +24,15 @@ model::BoxStock setup_block();
 /// Flat, ball, bull and taper.
 std::vector<model::Cutter> setup_cutters();
 
+/// Every pose with every cutter, or each with one of its own where all would take long.
+struct TurnedCase {
+  NamedPose to;
+  model::Cutter cutter;
+  unsigned seed = 0;
+};
+std::vector<TurnedCase> turned_cases();
+std::vector<TurnedCase> few_turned_cases();
+
 /// Level, ramping and upright moves, short ones and none at all, feeds and rapids, in the block and
 /// above it.
 Pass moves_of_all_kinds(const model::Cutter& c, unsigned seed);

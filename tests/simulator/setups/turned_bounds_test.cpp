@@ -41,20 +41,6 @@ Box3 near_pass(const Pass& pass) {
   return pass.pose.box({{-12, -9, -7}, {12, 9, 4}});
 }
 
-/// Every pose with every cutter.
-struct TurnedCase {
-  NamedPose to;
-  model::Cutter cutter;
-  unsigned seed;
-};
-std::vector<TurnedCase> turned_cases() {
-  std::vector<TurnedCase> all;
-  for (const NamedPose& to : setup_poses())
-    for (const model::Cutter& c : setup_cutters())
-      all.push_back({to, c, static_cast<unsigned>(all.size() + 1)});
-  return all;
-}
-
 }  // namespace
 
 TEST_CASE("moves kept for a cube are all that matter in it, of turned passes too",

@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kEdge = DexelTile::kEdge;
 
-DexelLattice lattice_of(const RawStock& raw, double spacing_mm) {
+DexelLattice lattice_of(const model::Box3& box, double spacing_mm) {
   if (!(spacing_mm > 0) || !std::isfinite(spacing_mm))
     throw std::invalid_argument("the spacing of lines must be a positive number");
-  return {raw.box(), spacing_mm};
+  return {box, spacing_mm};
 }
 
 }  // namespace
@@ -29,15 +29,15 @@ struct DexelStock::State {
 
 DexelStock::DexelStock(const model::Stock& stock, double spacing_mm) {
   const RawStock raw(stock);
-  const DexelLattice lattice = lattice_of(raw, spacing_mm);
+  const DexelLattice lattice = lattice_of(raw.box(), spacing_mm);
   state_ = std::make_shared<const State>(State{lattice, raw_tiles(raw, lattice)});
 }
 
 DexelStock::DexelStock(
-    const model::Stock& stock, double spacing_mm,
+    const model::Box3& box, double spacing_mm,
     const std::function<std::vector<model::Interval>(double x, double y)>& standing,
     const model::RunControl& control) {
-  const DexelLattice lattice = lattice_of(RawStock(stock), spacing_mm);
+  const DexelLattice lattice = lattice_of(box, spacing_mm);
   state_ = std::make_shared<const State>(State{lattice, tiles_of(standing, lattice, control)});
 }
 

@@ -23,10 +23,10 @@ class DexelStock {
   /// Throws std::invalid_argument for a spacing or a stock that cannot be.
   DexelStock(const model::Stock& raw, double spacing_mm);
 
-  /// The same lines with what `standing` says of each, ascending and apart: it is asked from
-  /// several threads at once. For a stock that is taken over from somewhere else
-  /// (dexels_from.h). Throws Interrupted as well.
-  DexelStock(const model::Stock& raw, double spacing_mm,
+  /// Lines in a stock's box with what `standing` says of each, heights ascending and apart: it is
+  /// asked from several threads at once. For a stock that is taken over from somewhere else
+  /// (dexels_from.h). Throws std::invalid_argument for a spacing that cannot be, Interrupted.
+  DexelStock(const model::Box3& box, double spacing_mm,
              const std::function<std::vector<model::Interval>(double x, double y)>& standing,
              const model::RunControl& control);
 

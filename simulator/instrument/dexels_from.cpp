@@ -52,7 +52,7 @@ DexelStock dexels_from(const StockModel& stock, double spacing_mm,
     for (const Interval& piece : raw_on_line(raw, x, y)) walk(rays, x, y, piece, material);
     return material;
   };
-  return {raw.stock(), spacing_mm, standing, control};
+  return {raw.box(), spacing_mm, standing, control};
 }
 
 }  // namespace limitgauge::simulator

@@ -18,4 +18,11 @@ struct Cube {
   }
 };
 
+/// A cube as it lies in another frame, where it may lean.
+struct HeldCube {
+  model::Vec3 middle;
+  double half_edge_mm = 0;      ///< of the cube along the axes of that frame that holds it
+  double half_diagonal_mm = 0;  ///< its own
+};
+
 }  // namespace limitgauge::simulator

@@ -13,7 +13,7 @@ using model::Vec3;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-bool lies_below_tops(const SweepTree& pass, const MoveBatch& moves, const Cube& cube) {
+bool lies_below_tops(const SweepTree& pass, const MoveBatch& moves, const HeldCube& cube) {
   return pass.profile().is_ball() &&
          cube.middle.z + cube.half_edge_mm <= moves.below_tops_mm(pass.profile());
 }
@@ -24,7 +24,7 @@ double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit)
   return gather_own(pass.own(), pass.to_own(cube), limit);
 }
 
-double NearMoves::gather_own(const SweepTree& pass, const Cube& cube, double limit) {
+double NearMoves::gather_own(const SweepTree& pass, const HeldCube& cube, double limit) {
   kept_.clear();
   moves_.assign(pass, kept_);
   too_many_ = false;
@@ -34,7 +34,7 @@ double NearMoves::gather_own(const SweepTree& pass, const Cube& cube, double lim
     const double to_foot = found->at.distance + pass.profile().corner_radius();
     pass.gather_rivals({cube.middle, cube.half_edge_mm, found->at.gradient * to_foot}, kept_);
   } else {
-    const double reach = found->at.distance + 2 * cube.half_diagonal() + kDistanceRounding_mm;
+    const double reach = found->at.distance + 2 * cube.half_diagonal_mm + kDistanceRounding_mm;
     pass.gather(cube.middle, std::min(limit, reach), kept_);
   }
   too_many_ = kept_.size() > kMostHandedDown;
@@ -48,7 +48,7 @@ double NearMoves::narrow(const SweepIndex& index, const NearMoves& wider, const 
                          double limit) {
   if (wider.too_many_) return gather(index, asked, limit);
   const SweepTree& pass = index.own();
-  const Cube cube = index.to_own(asked);
+  const HeldCube cube = index.to_own(asked);
   kept_.clear();
   moves_.assign(pass, kept_);
   too_many_ = false;
@@ -61,21 +61,21 @@ double NearMoves::narrow(const SweepIndex& index, const NearMoves& wider, const 
   return least;
 }
 
-double NearMoves::keep_balls(const SweepTree& pass, const MoveBatch& from, const Cube& cube) {
+double NearMoves::keep_balls(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
   const double least = capsules_.nearest(from, cube.middle, cube.half_edge_mm);
   capsules_.keep(from, kept_);
   return std::sqrt(least) - pass.profile().corner_radius();
 }
 
 // A move that is farther than the nearest one by a diagonal cannot matter and is not worked out.
-void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const Cube& cube) {
+void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
   const std::size_t n = from.size();
   samples_.resize(n);
   double least = kFar;
   for (std::size_t i = 0; i < n; ++i) {
     const SweptMove& move = pass.move(from.slot[i]);
     const bool far = cannot_be_below(pass.profile(), move, cube.middle,
-                                     least + 2 * cube.half_diagonal() + 2 * kDistanceRounding_mm);
+                                     least + 2 * cube.half_diagonal_mm + 2 * kDistanceRounding_mm);
     const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass.distance(from.slot[i], cube.middle);
     least = std::min(least, s.distance);
     samples_.distance[i] = s.distance;
@@ -84,12 +84,12 @@ void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const Cube&
 }
 
 // Of the nearest moves, often several on a flat floor, the one whose distance bends least.
-std::size_t NearMoves::straightest(const SweepTree& pass, const MoveBatch& from, const Cube& cube,
-                                   double& bend) const {
+std::size_t NearMoves::straightest(const SweepTree& pass, const MoveBatch& from,
+                                   const HeldCube& cube, double& bend) const {
   const auto& d = samples_.distance;
   const auto least = std::min_element(d.begin(), d.end());
   std::size_t best = least - d.begin();
-  const double r = cube.half_diagonal();
+  const double r = cube.half_diagonal_mm;
   bend = 2 * r;
   for (std::size_t i = best; i < d.size() && bend > 0; ++i) {
     if (d[i] > *least) continue;
@@ -102,7 +102,7 @@ std::size_t NearMoves::straightest(const SweepTree& pass, const MoveBatch& from,
 }
 
 // d is convex: move i stays above its tangent, the nearest one below a paraboloid.
-double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, const Cube& cube) {
+double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
   sample(pass, from, cube);
   double bend = 0;
   const std::size_t j = straightest(pass, from, cube, bend);
@@ -112,7 +112,7 @@ double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, cons
     const double behind = samples_.distance[i] - samples_.distance[j];
     const double turn = norm1(samples_.gradient(i) - g);
     const bool twin = behind == 0 && turn == 0 && bend == 0;
-    const double most = std::min(2 * cube.half_diagonal(), cube.half_edge_mm * turn + bend);
+    const double most = std::min(2 * cube.half_diagonal_mm, cube.half_edge_mm * turn + bend);
     if (i == j || (!twin && behind <= most + kDistanceRounding_mm))
       kept_.push_back(static_cast<std::uint32_t>(i));
   }

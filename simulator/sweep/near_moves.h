@@ -28,13 +28,13 @@ class NearMoves {
 
  private:
   // All of these in the pass's own frame.
-  double gather_own(const SweepTree& pass, const Cube& cube, double limit);
+  double gather_own(const SweepTree& pass, const HeldCube& cube, double limit);
   std::optional<NearestMove> nearest_own(const SweepTree& pass, const model::Vec3& p,
                                          double bound) const;
-  double keep_balls(const SweepTree& pass, const MoveBatch& from, const Cube& cube);
-  double keep_others(const SweepTree& pass, const MoveBatch& from, const Cube& cube);
-  void sample(const SweepTree& pass, const MoveBatch& from, const Cube& cube);
-  std::size_t straightest(const SweepTree& pass, const MoveBatch& from, const Cube& cube,
+  double keep_balls(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube);
+  double keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube);
+  void sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube);
+  std::size_t straightest(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
                           double& bend) const;
 
   MoveBatch moves_;

@@ -40,10 +40,9 @@ class SweepIndex {
   bool turned() const { return turned_; }
   const model::Pose& pose() const { return pose_; }  ///< the path's frame to the stock's
   model::Vec3 to_own(const model::Vec3& p) const { return turned_ ? pose_.point_back(p) : p; }
-  /// A cube along the axes of the path's frame that holds all of `cube`: the same where the pose
-  /// keeps axes, wider by up to √3 elsewhere.
-  Cube to_own(const Cube& cube) const {
-    return turned_ ? Cube{to_own(cube.middle), cube.half_edge_mm * widening_} : cube;
+  /// The half edge stays where the pose keeps axes, and grows by up to √3 elsewhere.
+  HeldCube to_own(const Cube& cube) const {
+    return {to_own(cube.middle), cube.half_edge_mm * widening_, cube.half_diagonal()};
   }
   /// The same distance with its gradient in the stock's frame.
   SweptSample from_own(SweptSample at) const {

@@ -44,6 +44,16 @@ std::vector<TurnedCase> few_turned_cases() {
   return {all[0], all[5], all[10], all[15]};
 }
 
+std::vector<TurnedCase> many_turned_cases() {
+  std::vector<TurnedCase> all = turned_cases();
+  PlaceDraw draw({{-1, -1, -1}, {1, 1, 1}}, 17);
+  for (int i = 0; i < 24; ++i) {
+    const Pose pose = shifted(model::turn_about(draw(), draw.between(-180, 180)), draw() * 20.0);
+    all.push_back({{"drawn", pose}, setup_cutters()[i % 4], static_cast<unsigned>(100 + i)});
+  }
+  return all;
+}
+
 Pass moves_of_all_kinds(const model::Cutter& c, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<> x(-13, 13), y(-10, 10), z(-6, 2), step(-1, 1);

@@ -32,6 +32,8 @@ struct TurnedCase {
 };
 std::vector<TurnedCase> turned_cases();
 std::vector<TurnedCase> few_turned_cases();
+/// The former, and turns drawn from all there are.
+std::vector<TurnedCase> many_turned_cases();
 
 /// Level, ramping and upright moves, short ones and none at all, feeds and rapids, in the block and
 /// above it.

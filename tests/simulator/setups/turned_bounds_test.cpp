@@ -45,7 +45,7 @@ Box3 near_pass(const Pass& pass) {
 
 TEST_CASE("moves kept for a cube are all that matter in it, of turned passes too",
           "[property][setups]") {
-  for (const TurnedCase& t : turned_cases()) {
+  for (const TurnedCase& t : many_turned_cases()) {
     INFO(t.to.name << ", " << model::to_text(t.cutter));
     const Pass pass = placed(moves_of_all_kinds(t.cutter, t.seed), t.to.pose);
     const SweepIndex index(pass);
@@ -78,7 +78,7 @@ TEST_CASE("moves kept for a cube are all that matter in it, of turned passes too
 }
 
 TEST_CASE("a turned move's distance stays below its bound all over a block", "[property][setups]") {
-  for (const TurnedCase& t : turned_cases()) {
+  for (const TurnedCase& t : many_turned_cases()) {
     INFO(t.to.name << ", " << model::to_text(t.cutter));
     const Pass pass = placed(moves_of_all_kinds(t.cutter, t.seed), t.to.pose);
     const SweepIndex index(pass);
@@ -104,7 +104,7 @@ TEST_CASE("a turned move's distance stays below its bound all over a block", "[p
 
 TEST_CASE("no place of a body in a block is deeper than the bound, beside turned passes",
           "[property][setups]") {
-  for (const TurnedCase& t : turned_cases()) {
+  for (const TurnedCase& t : many_turned_cases()) {
     INFO(t.to.name << ", " << model::to_text(t.cutter));
     const Pass before = placed(moves_of_all_kinds(t.cutter, t.seed), t.to.pose);
     const simulator::Material material =
@@ -139,7 +139,7 @@ TEST_CASE("no place of a body in a block is deeper than the bound, beside turned
 }
 
 TEST_CASE("a turned pass reaches where it is said to", "[property][setups]") {
-  for (const TurnedCase& t : turned_cases()) {
+  for (const TurnedCase& t : many_turned_cases()) {
     INFO(t.to.name << ", " << model::to_text(t.cutter));
     const Pass pass = placed(moves_of_all_kinds(t.cutter, t.seed), t.to.pose);
     const SweepIndex index(pass);

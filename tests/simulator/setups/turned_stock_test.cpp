@@ -31,6 +31,12 @@ StockModel cut_in_other(const Pass& pass, const Pose& pose, double voxel = kTurn
   return StockModel(turned(setup_block(), pose), voxel, bytes).cut(placed(pass, pose), {2});
 }
 
+Vec3 nearest_voxel(const simulator::Lattice& lattice, const Vec3& p) {
+  const Vec3 at = (p - lattice.origin_mm) / lattice.voxel_mm;
+  return lattice.point({static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)),
+                        static_cast<int>(std::lround(at.z))});
+}
+
 Box3 about_block() {
   const model::BoxStock block = setup_block();
   return Box3{block.corner_mm, block.corner_mm + block.size_mm}.grown(2);
@@ -39,50 +45,43 @@ Box3 about_block() {
 }  // namespace
 
 TEST_CASE("the exact material turns along with its frame", "[property][setups]") {
-  unsigned seed = 0;
-  for (const NamedPose& to : setup_poses())
-    for (const model::Cutter& c : setup_cutters()) {
-      INFO(to.name << ", " << model::to_text(c));
-      const Pass pass = moves_of_all_kinds(c, ++seed);
-      const StockModel own = cut_in_own(pass, 1), other = cut_in_other(pass, to.pose, 1);
-      PlaceDraw draw(about_block(), seed);
-      double worst = 0;
-      int turned_along = 0, removed = 0;
-      constexpr int kPlaces = 4000;
-      for (int i = 0; i < kPlaces; ++i) {
-        const Vec3 p = draw(), q = to.pose.point(p);
-        const auto here = own.material().sample(p), there = other.material().sample(q);
-        worst = std::max(worst, std::abs(here.value - there.value));
-        removed += here.maker.pass > 0;
-        // Two of equal distance may change places, and a kink has many gradients.
-        turned_along += distance(to.pose.direction(here.gradient), there.gradient) < 1e-6;
-      }
-      CHECK(worst < 1e-9);
-      CHECK(removed > kPlaces / 5);
-      CHECK(turned_along > 0.99 * kPlaces);
+  for (const TurnedCase& t : many_turned_cases()) {
+    INFO(t.to.name << ", " << model::to_text(t.cutter));
+    const Pose& pose = t.to.pose;
+    const Pass pass = moves_of_all_kinds(t.cutter, t.seed);
+    const StockModel own = cut_in_own(pass, 1), other = cut_in_other(pass, pose, 1);
+    PlaceDraw draw(about_block(), t.seed);
+    double worst = 0;
+    int turned_along = 0, removed = 0;
+    constexpr int kPlaces = 4000;
+    for (int i = 0; i < kPlaces; ++i) {
+      const Vec3 p = draw(), q = pose.point(p);
+      const auto here = own.material().sample(p), there = other.material().sample(q);
+      worst = std::max(worst, std::abs(here.value - there.value));
+      removed += here.maker.pass > 0;
+      // Two of equal distance may change places, and a kink has many gradients.
+      turned_along += distance(pose.direction(here.gradient), there.gradient) < 1e-6;
     }
+    CHECK(worst < 1e-9);
+    CHECK(removed > kPlaces / 6);
+    CHECK(turned_along > 0.99 * kPlaces);
+  }
 }
 
 TEST_CASE("the level set of a turned pass holds the exact distances", "[property][setups]") {
-  unsigned seed = 20;
-  for (const NamedPose& to : setup_poses())
-    for (const model::Cutter& c : setup_cutters()) {
-      INFO(to.name << ", " << model::to_text(c));
-      const StockModel stock = cut_in_other(moves_of_all_kinds(c, ++seed), to.pose);
-      const simulator::Lattice& lattice = stock.grid().lattice();
-      const Box3 box = to.pose.box(about_block());
-      PlaceDraw draw(box, seed);
-      double worst = 0;
-      for (int i = 0; i < 8000; ++i) {
-        const Vec3 at = (draw() - lattice.origin_mm) / lattice.voxel_mm;
-        const Vec3 p =
-            lattice.point({static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)),
-                           static_cast<int>(std::lround(at.z))});
-        const double exact = std::clamp(stock.exact_value(p), -stock.band_mm(), stock.band_mm());
-        worst = std::max(worst, std::abs(stock.value(p) - exact));
-      }
-      CHECK(worst < 2 * simulator::kSinglePrecision_voxels * lattice.voxel_mm);
+  for (const TurnedCase& t : many_turned_cases()) {
+    INFO(t.to.name << ", " << model::to_text(t.cutter));
+    const StockModel stock = cut_in_other(moves_of_all_kinds(t.cutter, t.seed), t.to.pose);
+    const simulator::Lattice& lattice = stock.grid().lattice();
+    PlaceDraw draw(t.to.pose.box(about_block()), t.seed);
+    double worst = 0;
+    for (int i = 0; i < 8000; ++i) {
+      const Vec3 p = nearest_voxel(lattice, draw());
+      const double exact = std::clamp(stock.exact_value(p), -stock.band_mm(), stock.band_mm());
+      worst = std::max(worst, std::abs(stock.value(p) - exact));
     }
+    CHECK(worst < 2 * simulator::kSinglePrecision_voxels * lattice.voxel_mm);
+  }
 }
 
 TEST_CASE("a turned stock has the volume of the stock", "[slow][setups]") {
@@ -135,14 +134,11 @@ TEST_CASE("rows of fine voxels are right in a turned block, whole leaves at once
       cutter(model::CutterType::ball, 5, 9), 6, 0.7, 0.5,
       [](double x, double y) { return -3.0 + 0.6 * std::sin(0.7 * x) + 0.4 * std::cos(0.9 * y); });
   const StockModel own = cut_in_own(rows, kFine), other = cut_in_other(rows, to.pose, kFine);
-  const simulator::Lattice& lattice = other.grid().lattice();
+  const simulator::Lattice lattice = other.grid().lattice();
   double worst = 0;
   const auto points = own.surface_points({2});
   for (std::size_t i = 0; i < points.size(); i += 7) {
-    const Vec3 at = (to.pose.point(points[i].position) - lattice.origin_mm) / kFine;
-    const Vec3 p =
-        lattice.point({static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)),
-                       static_cast<int>(std::lround(at.z))});
+    const Vec3 p = nearest_voxel(lattice, to.pose.point(points[i].position));
     worst = std::max(worst, std::abs(other.value(p) - own.exact_value(to.pose.point_back(p))));
   }
   CHECK(points.size() > 50000);

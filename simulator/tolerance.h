@@ -41,6 +41,8 @@ inline constexpr double kAgreement_mm = 1e-6;
 inline constexpr double kLeastFeature_mm = 1e-7;
 /// Share of a voxel that single precision may be off in a level set.
 inline constexpr double kSinglePrecision_voxels = 1e-5;
+/// How far from the surface an end of dexels may lie that were taken from a level set.
+inline constexpr double kTakenOver_mm = 5e-7;
 /// A level set read from a file has axes along the frame's within this share of a voxel.
 inline constexpr double kStraightAxes = 1e-12;
 

@@ -29,7 +29,7 @@ constexpr double kFacetBytes = 9500;
 /// side.
 constexpr double kFilesBytes = 20 * kMib, kPicturesBytes = 48 * kMib;
 
-/// Of a move: itself, in the sweep's tree (simulator/sweep/sweep_index.h), and what it removed.
+/// Of a move: itself, in the sweep's tree (simulator/sweep/sweep_tree.h), and what it removed.
 constexpr double kMoveBytes = 32, kTreeBytes = 144, kRemovalBytes = 32;
 /// Of a move of a body that the verifier follows, and more while its tree is built
 /// (verifier/cutter/removed_space.h).

@@ -6,7 +6,7 @@
 
 #include "model/base/memory.h"
 #include "simulator/instrument/dexel_agreement.h"
-#include "simulator/instrument/turned_lines.h"
+#include "simulator/instrument/dexels_from.h"
 #include "simulator/process/process_check.h"
 
 namespace limitgauge::app {
@@ -78,7 +78,7 @@ CutStock turned_over(const Job& job, const Settings& settings, const CutStock& b
   const double volume_mm3 = stock.volume_mm3(control);
   agreed("turning the stock over",
          compare_stocks(before.lines, stock, kComparedLines, control, volume_mm3, turn.turn));
-  simulator::DexelStock lines = turned_lines(stock, settings.line_spacing_mm, control);
+  simulator::DexelStock lines = dexels_from(stock, settings.line_spacing_mm, control);
   return {std::move(stock), volume_mm3, std::move(lines)};
 }
 

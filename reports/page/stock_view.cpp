@@ -43,7 +43,7 @@ StockView::Maker maker_at(const simulator::Material& material, const Vec3& p,
                           std::span<const model::Pass> passes) {
   const simulator::SurfaceMaker found = material.sample(p).maker;
   if (found.pass == 0 || found.pass > passes.size()) return {};
-  const std::uint32_t move = material.passes()[found.pass - 1]->move(found.slot).index;
+  const std::uint32_t move = material.passes()[found.pass - 1]->own().move(found.slot).index;
   const auto& moves = passes[found.pass - 1].path->moves;
   return {found.pass, move, move < moves.size() ? moves[move].line : 0};
 }

@@ -18,6 +18,37 @@ Index3 child_corner(const Index3& corner, int half, int child) {
           corner[2] + (child & 1) * half};
 }
 
+/// Takes what is worked out over the voxels of a pass's own frame to the level set's.
+class RenamedSink : public LeafSink {
+ public:
+  RenamedSink(const PassLattice& lattice, LeafSink& sink) : lattice_(lattice), sink_(sink) {
+    std::size_t n = 0;
+    for (int x = 0; x < kLeafEdge; ++x)
+      for (int y = 0; y < kLeafEdge; ++y)
+        for (int z = 0; z < kLeafEdge; ++z) {
+          const Index3 own = lattice.own_in_cube({x, y, z}, kLeafEdge);
+          place_[n++] = (own[0] * kLeafEdge + own[1]) * kLeafEdge + own[2];
+        }
+  }
+
+  bool wanted(const Index3& corner) const override {
+    return sink_.wanted(lattice_.asked_corner(corner, kLeafEdge));
+  }
+  void removed(const Index3& corner, int edge) override {
+    sink_.removed(lattice_.asked_corner(corner, edge), edge);
+  }
+  void reached(const Index3& corner, const LeafDistances& distances) override {
+    LeafDistances asked;
+    for (std::size_t n = 0; n < asked.size(); ++n) asked[n] = distances[place_[n]];
+    sink_.reached(lattice_.asked_corner(corner, kLeafEdge), asked);
+  }
+
+ private:
+  const PassLattice& lattice_;
+  LeafSink& sink_;
+  std::array<int, kLeafEdge * kLeafEdge * kLeafEdge> place_;
+};
+
 BlockCutter::Reach reach_of(double least, double reach) {
   if (least > reach) return BlockCutter::Reach::none;
   return least < -reach ? BlockCutter::Reach::wholly : BlockCutter::Reach::partly;
@@ -26,7 +57,7 @@ BlockCutter::Reach reach_of(double least, double reach) {
 }  // namespace
 
 BlockCutter::BlockCutter(const SweepIndex& pass, const Lattice& lattice, double band_mm)
-    : pass_(pass), lattice_(lattice), band_(band_mm) {
+    : pass_(pass.own()), lattice_(lattice, pass), band_(band_mm) {
   std::size_t halvings = 1;
   for (int edge = kBlockEdge; edge >= 2; edge /= 2) ++halvings;
   levels_.resize(halvings);
@@ -40,7 +71,9 @@ BlockCutter::Reach BlockCutter::reach(const SweepIndex& pass, const Lattice& lat
 }
 
 void BlockCutter::cut(const Index3& corner, LeafSink& sink) {
-  cut_cube(0, corner, kBlockEdge, sink);
+  if (!lattice_.renamed()) return cut_cube(0, corner, kBlockEdge, sink);
+  RenamedSink renamed(lattice_, sink);
+  cut_cube(0, lattice_.own_corner(corner, kBlockEdge), kBlockEdge, renamed);
 }
 
 void BlockCutter::cut_cube(int depth, const Index3& corner, int edge, LeafSink& sink) {
@@ -62,8 +95,7 @@ void BlockCutter::cut_cube(int depth, const Index3& corner, int edge, LeafSink& 
 void BlockCutter::gather(const NearestMove& nearest, const Index3& corner, int edge) {
   const Vec3 middle = lattice_.middle(corner, edge);
   slots_.clear();
-  if (pass_.profile().is_ball() && !pass_.turned() &&
-      top_of(corner, edge) <= pass_.below_tops_mm()) {
+  if (pass_.profile().is_ball() && lattice_.top_mm(corner, edge) <= pass_.below_tops_mm()) {
     const double to_foot = nearest.at.distance + pass_.profile().corner_radius();
     pass_.gather_rivals({middle, lattice_.half_edge(edge), nearest.at.gradient * to_foot}, slots_);
   } else {
@@ -73,8 +105,7 @@ void BlockCutter::gather(const NearestMove& nearest, const Index3& corner, int e
 }
 
 bool BlockCutter::balls_below_tops(const MoveBatch& moves, double highest) const {
-  return pass_.profile().is_ball() && !pass_.turned() &&
-         highest <= moves.below_tops_mm(pass_.profile());
+  return pass_.profile().is_ball() && highest <= moves.below_tops_mm(pass_.profile());
 }
 
 // A move that is farther than the nearest one by a diagonal cannot matter and is not worked out;
@@ -88,8 +119,8 @@ void BlockCutter::sample(Level& level, const Vec3& p, double half_diagonal) cons
   double least = kFar;
   for (std::size_t i = 0; i < n && least >= -(half_diagonal + band_); ++i) {
     const std::uint32_t slot = level.moves.slot[i];
-    const bool far =
-        pass_.cannot_be_below(slot, p, least + 2 * half_diagonal + 2 * kDistanceRounding_mm);
+    const bool far = cannot_be_below(pass_.profile(), pass_.move(slot), p,
+                                     least + 2 * half_diagonal + 2 * kDistanceRounding_mm);
     const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass_.distance(slot, p);
     least = std::min(least, s.distance);
     level.samples.distance[i] = s.distance;
@@ -111,7 +142,7 @@ std::size_t BlockCutter::reference_move(const Level& level, const Vec3& middle, 
     if (d[i] > *least) continue;
     const std::uint32_t slot = level.moves.slot[i];
     const SweptSample at = pass_.distance(slot, middle);
-    const double e = pass_.curvature_bound(slot, middle, at, reach) +
+    const double e = curvature_bound(pass_.profile(), pass_.move(slot), middle, at, reach) +
                      reach * distance(at.gradient, level.samples.gradient(i));
     if (e < bound) bound = e, best = i;
   }
@@ -136,7 +167,8 @@ void BlockCutter::keep_that_matter(Level& level, const Vec3& middle, int edge) c
 
 BlockCutter::Reach BlockCutter::narrow(Level& level, const Index3& corner, int edge) {
   if (level.moves.size() == 0) return Reach::none;
-  if (balls_below_tops(level.moves, top_of(corner, edge))) return narrow_balls(level, corner, edge);
+  if (balls_below_tops(level.moves, lattice_.top_mm(corner, edge)))
+    return narrow_balls(level, corner, edge);
   const Vec3 middle = lattice_.middle(corner, edge);
   sample(level, middle, lattice_.half_diagonal(edge));
   const double least =
@@ -153,10 +185,6 @@ BlockCutter::Reach BlockCutter::narrow_balls(Level& level, const Index3& corner,
                                lattice_.half_diagonal(edge) + band_);
   if (reach == Reach::partly) capsules_.keep(level.moves, level.kept);
   return reach;
-}
-
-double BlockCutter::top_of(const Index3& corner, int edge) const {
-  return lattice_.point({corner[0], corner[1], corner[2] + edge - 1}).z;
 }
 
 void BlockCutter::descend(int depth, const Index3& corner, int edge, LeafSink& sink) {
@@ -177,10 +205,11 @@ void BlockCutter::descend(int depth, const Index3& corner, int edge, LeafSink& s
 // All voxels against all moves, in single precision: with few moves left that takes less time than
 // telling parts of the leaf apart.
 bool BlockCutter::fill_leaf_at_once(const Level& level, const Index3& corner) {
-  const LeafVoxels leaf{lattice_.middle(corner, kLeafEdge), lattice_.voxel_mm};
+  const LeafVoxels leaf{lattice_.middle(corner, kLeafEdge), lattice_.voxel_mm()};
   const double radius = pass_.profile().corner_radius();
-  if (level.kept.size() > kMovesOfLeaf || !CapsuleLeaf::fine_enough(leaf, radius) ||
-      !balls_below_tops(level.moves, top_of(corner, kLeafEdge)) ||
+  if (!lattice_.straight() || level.kept.size() > kMovesOfLeaf ||
+      !CapsuleLeaf::fine_enough(leaf, radius) ||
+      !balls_below_tops(level.moves, lattice_.top_mm(corner, kLeafEdge)) ||
       !capsule_leaf_.take(level.moves, level.kept, leaf, radius))
     return false;
   capsule_leaf_.distances(band_, leaf_);
@@ -209,8 +238,8 @@ void BlockCutter::fill(int depth, const Index3& corner, int edge) {
 
 // With few moves left, all voxels against all moves take less time than telling cubes apart.
 bool BlockCutter::worth_no_split(const Level& level, const Index3& corner, int edge) const {
-  return edge == kCubeEdge && level.kept.size() <= kFewMoves &&
-         balls_below_tops(level.moves, top_of(corner, edge));
+  return lattice_.straight() && edge == kCubeEdge && level.kept.size() <= kFewMoves &&
+         balls_below_tops(level.moves, lattice_.top_mm(corner, edge));
 }
 
 void BlockCutter::fill_with_balls(const Level& level, const Index3& corner) {
@@ -235,7 +264,7 @@ void BlockCutter::fill_voxels(int depth, const Index3& corner) {
   std::array<Vec3, 8> points;
   for (int k = 0; k < 8; ++k) points[k] = lattice_.point(child_corner(corner, 1, k));
   std::array<double, 8> least;
-  if (balls_below_tops(moves, points[7].z)) {
+  if (balls_below_tops(moves, lattice_.top_mm(corner, 2))) {
     least = least_ball_distances(moves, pass_.profile().corner_radius(), points);
   } else {
     least.fill(std::numeric_limits<double>::infinity());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simulator/grid/lattice.h"
+#include "simulator/grid/pass_lattice.h"
 #include "simulator/sweep/capsule_batch.h"
 #include "simulator/sweep/capsule_leaf.h"
 #include "simulator/sweep/move_batch.h"
@@ -33,7 +34,8 @@ class LeafSink {
 /// Works out min_i d_i block by block. Candidate moves are handed down from block to sub-block:
 /// d_i is convex and 1-Lipschitz, and the nearest move's d_j lies below a paraboloid about the
 /// middle, so move i cannot matter in a block of half edge h and half diagonal r where
-/// d_i − d_j > min(2r, h·|g_i − g_j|₁ + e_j).
+/// d_i − d_j > min(2r, h·|g_i − g_j|₁ + e_j). All of it goes on in the frame of the pass's own path
+/// (PassLattice), where a leaning cube has the h of the cube along the axes that holds it.
 class BlockCutter {
  public:
   enum class Reach { none, partly, wholly };
@@ -63,7 +65,6 @@ class BlockCutter {
   bool fill_leaf_at_once(const Level& level, const Index3& corner);
   void fill(int depth, const Index3& corner, int edge);
   Reach narrow_balls(Level& level, const Index3& corner, int edge);
-  double top_of(const Index3& corner, int edge) const;
   bool worth_no_split(const Level& level, const Index3& corner, int edge) const;
   void fill_with_balls(const Level& level, const Index3& corner);
   void fill_voxels(int depth, const Index3& corner);
@@ -71,8 +72,8 @@ class BlockCutter {
   float& leaf_at(const Index3& i);
   bool balls_below_tops(const MoveBatch& moves, double highest) const;
 
-  const SweepIndex& pass_;
-  Lattice lattice_;
+  const SweepTree& pass_;
+  PassLattice lattice_;
   double band_;
   std::vector<Level> levels_;  // one for each halving of a block
   std::vector<std::uint32_t> slots_;

@@ -40,22 +40,37 @@ struct LineFigures {
   }
 };
 
-/// How the lines' frame lies in the level set's, and the stock's box in it.
-struct Placed {
-  model::Pose pose;
-  model::Box3 box;
+/// A level set as it is seen from the frame of the dexels.
+class SeenStock {
+ public:
+  SeenStock(const StockModel& stock, const model::Pose& pose)
+      : stock_(stock),
+        pose_(pose),
+        stays_(pose == model::Pose{}),
+        box_(seen_box(stock.material().raw().box())) {}
+
+  double phi(const Vec3& p) const { return stock_.exact_value(stays_ ? p : pose_.point(p)); }
+  /// All of the raw stock is in it, and no more than that where the pose keeps axes.
+  const model::Box3& box() const { return box_; }
+
+ private:
+  model::Box3 seen_box(const model::Box3& box) const {
+    return stays_ ? box : pose_.inverse().box(box);
+  }
+
+  const StockModel& stock_;
+  model::Pose pose_;
+  bool stays_;
+  model::Box3 box_;
 };
 
-LineFigures look_at(const DexelStock& dexels, const StockModel& stock, const Placed& placed,
-                    std::size_t line) {
+LineFigures look_at(const DexelStock& dexels, const SeenStock& stock, std::size_t line) {
   const auto columns = static_cast<std::size_t>(dexels.nx());
   const int i = static_cast<int>(line % columns), j = static_cast<int>(line / columns);
   const Vec3 foot = dexels.line_at(i, j);
-  const model::Box3& box = placed.box;
+  const model::Box3& box = stock.box();
   LineFigures figures;
-  const auto phi = [&](double z) {
-    return stock.exact_value(placed.pose.point({foot.x, foot.y, z}));
-  };
+  const auto phi = [&](double z) { return stock.phi({foot.x, foot.y, z}); };
   const auto gap = [&](double low, double high) {
     if (high - low < kThin_mm) return;
     const double z = (low + high) / 2;
@@ -83,15 +98,14 @@ bool StockAgreement::agree() const {
 StockAgreement compare_stocks(const DexelStock& dexels, const StockModel& level_set,
                               std::size_t lines, const model::RunControl& control,
                               std::optional<double> level_set_volume_mm3, const model::Pose& pose) {
-  const model::Box3& box = level_set.material().raw().box();
-  const Placed placed{pose, pose == model::Pose{} ? box : pose.inverse().box(box)};
+  const SeenStock seen(level_set, pose);
   const std::size_t all =
       static_cast<std::size_t>(dexels.nx()) * static_cast<std::size_t>(dexels.ny());
   const std::size_t count = std::min(lines, all);
   std::vector<LineFigures> parts(model::chunk_count(count, kLinesAtOnce));
   model::parallel_chunks(count, kLinesAtOnce, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
-      parts[begin / kLinesAtOnce].merge(look_at(dexels, level_set, placed, k * all / count));
+      parts[begin / kLinesAtOnce].merge(look_at(dexels, seen, k * all / count));
   });
   LineFigures sum;
   for (const LineFigures& part : parts) sum.merge(part);

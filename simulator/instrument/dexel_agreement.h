@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "model/base/run_control.h"
+#include "model/geometry/pose.h"
 #include "simulator/instrument/dexel_stock.h"
 #include "simulator/stock/stock_model.h"
 #include "simulator/tolerance.h"
@@ -19,7 +20,7 @@ struct StockAgreement {
   double worst_end_mm = 0;
   /// Largest |φ| of the wrong sign in the middle of an interval or of a gap.
   double worst_side_mm = 0;
-  model::Vec3 worst_at;  ///< of the larger of the two
+  model::Vec3 worst_at;  ///< of the larger of the two, in the dexels' frame
   double dexel_volume_mm3 = 0, dexel_error_mm3 = 0;
   double level_set_volume_mm3 = 0, level_set_error_mm3 = 0;
 
@@ -30,9 +31,9 @@ struct StockAgreement {
 
 /// Compares on at most `lines` lines, spread evenly over all; volumes as a whole. The same for any
 /// number of threads. `level_set_volume_mm3` is the level set's volume, where it is known already:
-/// on coarse grids adding it up takes as long as all the rest. `pose` is how the frame of the lines
-/// lies in that of the level set: where a part was turned over, the lines that cut it upright are
-/// held against the level set that was cut by turned passes.
+/// on coarse grids adding it up takes as long as all the rest. `pose` is how the dexels' frame lies
+/// in the level set's: another than the identity at a change of setup, where the level set that is
+/// cut again in the next setup's frame is held against the dexels of the setup before.
 StockAgreement compare_stocks(const DexelStock& dexels, const StockModel& level_set,
                               std::size_t lines, const model::RunControl& control,
                               std::optional<double> level_set_volume_mm3 = {},

@@ -1,6 +1,7 @@
 #include "simulator/instrument/dexel_grid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "simulator/tolerance.h"
@@ -39,7 +40,7 @@ int divisions(double size, double spacing) {
   return std::max(1, static_cast<int>(std::ceil(size / spacing - kWholeSpacing)));
 }
 
-int tiles_of(int lines) {
+int tiles_along(int lines) {
   return (lines + DexelTile::kEdge - 1) / DexelTile::kEdge;
 }
 
@@ -49,8 +50,8 @@ DexelLattice::DexelLattice(const model::Box3& box, double spacing_mm)
     : corner(box.low),
       nx(divisions(box.size().x, spacing_mm)),
       ny(divisions(box.size().y, spacing_mm)),
-      tiles_x(tiles_of(nx)),
-      tiles_y(tiles_of(ny)) {
+      tiles_x(tiles_along(nx)),
+      tiles_y(tiles_along(ny)) {
   dx = box.size().x / nx, dy = box.size().y / ny;
 }
 
@@ -63,18 +64,34 @@ DexelFrame DexelLattice::frame(int tile_x, int tile_y) const {
   return {first.x, first.y, dx, dy};
 }
 
+std::vector<model::Interval> raw_on_line(const RawStock& raw, double x, double y) {
+  return std::visit(RawLine{x, y, raw.solid()}, raw.stock());
+}
+
 DexelTiles raw_tiles(const RawStock& raw, const DexelLattice& lattice) {
-  std::vector<std::shared_ptr<DexelTile>> tiles(lattice.tiles());
-  for (auto& tile : tiles) tile = std::make_shared<DexelTile>();
-  for (int j = 0; j < lattice.ny; ++j)
-    for (int i = 0; i < lattice.nx; ++i) {
-      constexpr int kEdge = DexelTile::kEdge;
-      const model::Vec3 p = lattice.line_at(i, j);
-      tiles[lattice.tile(i / kEdge, j / kEdge)]->set_material(
-          DexelTile::line(i % kEdge, j % kEdge),
-          std::visit(RawLine{p.x, p.y, raw.solid()}, raw.stock()));
+  return tiles_of([&](double x, double y) { return raw_on_line(raw, x, y); }, lattice, {1});
+}
+
+DexelTiles tiles_of(const LineMaterial& standing, const DexelLattice& lattice,
+                    const model::RunControl& control) {
+  constexpr int kEdge = DexelTile::kEdge;
+  DexelTiles tiles(lattice.tiles());
+  std::atomic<std::size_t> done = 0;
+  model::parallel_for(tiles.size(), control.threads, [&](std::size_t t) {
+    const int first_i = static_cast<int>(t % static_cast<std::size_t>(lattice.tiles_x)) * kEdge;
+    const int first_j = static_cast<int>(t / static_cast<std::size_t>(lattice.tiles_x)) * kEdge;
+    auto tile = std::make_shared<DexelTile>();
+    for (int j = first_j; j < std::min(first_j + kEdge, lattice.ny); ++j) {
+      control.check();
+      for (int i = first_i; i < std::min(first_i + kEdge, lattice.nx); ++i) {
+        const model::Vec3 p = lattice.line_at(i, j);
+        tile->set_material(DexelTile::line(i - first_i, j - first_j), standing(p.x, p.y));
+      }
     }
-  return {tiles.begin(), tiles.end()};
+    tiles[t] = std::move(tile);
+    control.report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
+  });
+  return tiles;
 }
 
 }  // namespace limitgauge::simulator

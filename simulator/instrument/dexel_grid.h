@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
+#include "model/base/run_control.h"
 #include "simulator/instrument/dexel_tile.h"
 #include "simulator/stock/raw_stock.h"
 
@@ -29,7 +31,13 @@ struct DexelLattice {
 
 using DexelTiles = std::vector<std::shared_ptr<const DexelTile>>;
 
+/// The raw stock on one line.
+std::vector<model::Interval> raw_on_line(const RawStock& raw, double x, double y);
 /// The raw stock on the lines of `lattice`.
 DexelTiles raw_tiles(const RawStock& raw, const DexelLattice& lattice);
+/// What `standing` says of the line at (x, y); asked from several threads at once.
+using LineMaterial = std::function<std::vector<model::Interval>(double x, double y)>;
+DexelTiles tiles_of(const LineMaterial& standing, const DexelLattice& lattice,
+                    const model::RunControl& control);
 
 }  // namespace limitgauge::simulator

@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "model/base/chunks.h"
 #include "simulator/instrument/dexel_cut.h"
 
 namespace limitgauge::simulator {
@@ -13,10 +12,10 @@ namespace {
 
 constexpr int kEdge = DexelTile::kEdge;
 
-DexelLattice lattice_of(const RawStock& raw, double spacing_mm) {
+DexelLattice lattice_of(const model::Box3& box, double spacing_mm) {
   if (!(spacing_mm > 0) || !std::isfinite(spacing_mm))
     throw std::invalid_argument("the spacing of lines must be a positive number");
-  return {raw.box(), spacing_mm};
+  return {box, spacing_mm};
 }
 
 }  // namespace
@@ -30,33 +29,23 @@ struct DexelStock::State {
 
 DexelStock::DexelStock(const model::Stock& stock, double spacing_mm) {
   const RawStock raw(stock);
-  const DexelLattice lattice = lattice_of(raw, spacing_mm);
+  const DexelLattice lattice = lattice_of(raw.box(), spacing_mm);
   state_ = std::make_shared<const State>(State{lattice, raw_tiles(raw, lattice)});
 }
 
-DexelStock::DexelStock(const model::Stock& stock, double spacing_mm, const LineMaterial& material,
-                       const model::RunControl& control) {
-  const DexelLattice lattice = lattice_of(RawStock(stock), spacing_mm);
-  DexelTiles tiles(lattice.tiles());
-  model::parallel_for(tiles.size(), control.threads, [&](std::size_t k) {
-    control.check();
-    const auto across = static_cast<std::size_t>(lattice.tiles_x);
-    const int first_i = static_cast<int>(k % across) * kEdge;
-    const int first_j = static_cast<int>(k / across) * kEdge;
-    auto tile = std::make_shared<DexelTile>();
-    for (int j = first_j; j < std::min(first_j + kEdge, lattice.ny); ++j)
-      for (int i = first_i; i < std::min(first_i + kEdge, lattice.nx); ++i) {
-        const model::Vec3 p = lattice.line_at(i, j);
-        tile->set_material(DexelTile::line(i - first_i, j - first_j), material(p.x, p.y));
-      }
-    tiles[k] = std::move(tile);
-  });
-  state_ = std::make_shared<const State>(State{lattice, std::move(tiles)});
+DexelStock::DexelStock(
+    const model::Box3& box, double spacing_mm,
+    const std::function<std::vector<model::Interval>(double x, double y)>& standing,
+    const model::RunControl& control) {
+  const DexelLattice lattice = lattice_of(box, spacing_mm);
+  state_ = std::make_shared<const State>(State{lattice, tiles_of(standing, lattice, control)});
 }
 
 DexelStock::DexelStock(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
 DexelStock::Cut DexelStock::cut(const Pass& pass, const model::RunControl& control) const {
+  if (pass.pose != model::Pose{})
+    throw std::invalid_argument("a pass of another setup is to be cut in that setup's lines");
   DexelTiles tiles = state_->tiles;
   std::vector<MoveRemoval> moves = cut_tiles(state_->lattice, tiles, pass, control);
   const RemovalTotals totals = removal_totals(*pass.path, moves, spacing_mm());

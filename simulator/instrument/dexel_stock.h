@@ -22,15 +22,17 @@ class DexelStock {
   /// Lines at most `spacing_mm` apart in x and y, the first half a spacing inside the stock's box.
   /// Throws std::invalid_argument for a spacing or a stock that cannot be.
   DexelStock(const model::Stock& raw, double spacing_mm);
-  /// The material on a line as somebody else knows it: heights, ascending, apart.
-  using LineMaterial = std::function<std::vector<model::Interval>(double x, double y)>;
-  /// The same lines over the box of `raw`, with material that was cut before; `material` is called
-  /// from several threads at once.
-  DexelStock(const model::Stock& raw, double spacing_mm, const LineMaterial& material,
+
+  /// Lines in a stock's box with what `standing` says of each, heights ascending and apart: it is
+  /// asked from several threads at once. For a stock that is taken over from somewhere else
+  /// (dexels_from.h). Throws std::invalid_argument for a spacing that cannot be, Interrupted.
+  DexelStock(const model::Box3& box, double spacing_mm,
+             const std::function<std::vector<model::Interval>(double x, double y)>& standing,
              const model::RunControl& control);
 
   struct Cut;
-  /// The stock after `pass`, and what each move took. Throws Interrupted.
+  /// The stock after `pass`, and what each move took. Throws std::invalid_argument for a pass that
+  /// lies turned in this stock's frame: lines know upright cutters only. Throws Interrupted.
   Cut cut(const Pass& pass, const model::RunControl& control) const;
 
   double spacing_mm() const;  ///< the wider of the spacings in x and y

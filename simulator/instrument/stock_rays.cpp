@@ -28,12 +28,13 @@ struct Along {
 
 class Walk {
  public:
-  Walk(const StockModel& stock, const Vec3& from, const Vec3& along, double limit_mm)
+  Walk(const StockModel& stock, const Vec3& from, const Vec3& along, double limit_mm, bool in_raw)
       : material_(stock.material()),
         grid_(stock.grid()),
         from_(from),
         along_(along),
-        limit_mm_(limit_mm) {}
+        limit_mm_(limit_mm),
+        in_raw_(in_raw) {}
 
   StockRays::Run go();
 
@@ -45,11 +46,13 @@ class Walk {
   double proven_step(const MaterialSample& s);
   double way_out(SurfaceMaker body) const;
   double first_entry() const;
+  double raw_left() const;
 
   const Material& material_;
   const StockGrid& grid_;
   Vec3 from_, along_;
   double limit_mm_;
+  bool in_raw_;                 ///< all of the way is: only what was cut counts
   double t_ = 0;                ///< all before it is proven
   std::optional<bool> inside_;  ///< in the material
   SurfaceMaker hint_;
@@ -69,7 +72,7 @@ bool Walk::lead_by_grid() {
 
 /// As Material::sample, the last pass first, which is most often the nearest.
 MaterialSample Walk::sample(const Vec3& p) const {
-  MaterialSample best = material_.sample_of({}, p);
+  MaterialSample best = in_raw_ ? MaterialSample{-limit_mm_, {}, {}} : material_.sample_of({}, p);
   if (hint_.pass > 0) {
     const MaterialSample guessed = material_.sample_of(hint_, p);
     if (guessed.value > best.value) best = guessed;
@@ -142,10 +145,13 @@ double Walk::proven_step(const MaterialSample& s) {
   const double step = -s.value;
   short_steps_ = step < kShort_mm ? short_steps_ + 1 : 0;
   if (short_steps_ <= kShortSteps) return step;
-  // The raw stock may end before a move begins.
-  const double raw =
-      material_.raw().convex() ? way_out({}) - t_ : -material_.sample_of({}, at(t_)).value;
-  return std::max(step, std::min(raw, first_entry() - t_));
+  return std::max(step, std::min(raw_left(), first_entry() - t_));
+}
+
+/// From t_, in the material: a way on which the raw stock does not end.
+double Walk::raw_left() const {
+  if (in_raw_) return limit_mm_ - t_;
+  return material_.raw().convex() ? way_out({}) - t_ : -material_.sample_of({}, at(t_)).value;
 }
 
 StockRays::Run Walk::go() {
@@ -167,7 +173,12 @@ StockRays::Run Walk::go() {
 
 StockRays::Run StockRays::run(const Vec3& from, const Vec3& along, double limit_mm) const {
   if (!(limit_mm > 0)) return {stock_.exact_value(from) < 0, 0, false, 0};
-  return Walk(stock_, from, along, limit_mm).go();
+  return Walk(stock_, from, along, limit_mm, false).go();
+}
+
+StockRays::Run StockRays::run_in_raw(const Vec3& from, const Vec3& along, double limit_mm) const {
+  if (!(limit_mm > 0)) return {stock_.exact_value(from) < 0, 0, false, 0};
+  return Walk(stock_, from, along, limit_mm, true).go();
 }
 
 }  // namespace limitgauge::simulator

@@ -32,6 +32,10 @@ class StockRays {
 
   /// `along` is a unit vector. A start within rounding of a surface is on either side of it.
   Run run(const model::Vec3& from, const model::Vec3& along, double limit_mm) const;
+  /// The same on a way that lies in the raw stock from end to end, as its crossings with the ray
+  /// say: only what was cut off it is looked for. So a ray along a side of the raw stock is no
+  /// ray beside a surface.
+  Run run_in_raw(const model::Vec3& from, const model::Vec3& along, double limit_mm) const;
   double voxel_mm() const { return stock_.voxel_mm(); }
 
  private:

@@ -107,6 +107,8 @@ std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
                                    const ProcessLimits& limits, const model::RunControl& control) {
   require_limits(limits);
   require_path(pass);
+  if (pass.pose != model::Pose{})
+    throw std::invalid_argument("a process is checked in its own setup, where cutters are upright");
   const Toolpath& path = *pass.path;
   const ToolBodies bodies(pass.cutter, height_of_material(before, path));
   const StockLimits depths{limits.tolerance_mm, limits.near_miss_mm};

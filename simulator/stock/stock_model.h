@@ -58,7 +58,8 @@ class StockModel {
   StockModel(StockModel&&) noexcept;
   StockModel& operator=(StockModel&&) noexcept;
 
-  /// This stock after `pass`. Only feed and rapid moves' fluted part removes material. An rvalue
+  /// This stock after `pass`, which lies in this stock's frame as its pose says. Only feed and
+  /// rapid moves' fluted part removes material. An rvalue
   /// whose level set nobody shares is cut where it stands, with no second copy of it; where that
   /// throws, it is spent: only to be destroyed or assigned to. Throws std::invalid_argument for a
   /// pass that cannot be, ResourceError, Interrupted.

@@ -72,7 +72,7 @@ BallColumns MoveBatch::columns() const {
       norm1.data()};
 }
 
-void MoveBatch::assign(const SweepIndex& pass, const std::vector<std::uint32_t>& slots) {
+void MoveBatch::assign(const SweepTree& pass, const std::vector<std::uint32_t>& slots) {
   slot = slots;
   lowest_tip = std::numeric_limits<double>::infinity();
   for (const std::uint32_t s : slot) {
@@ -82,7 +82,7 @@ void MoveBatch::assign(const SweepIndex& pass, const std::vector<std::uint32_t>&
   if (pass.profile().is_ball()) assign_balls(pass);
 }
 
-void MoveBatch::assign_balls(const SweepIndex& pass) {
+void MoveBatch::assign_balls(const SweepTree& pass) {
   const std::size_t n = padded_size();
   const double radius = pass.profile().corner_radius();
   for (auto* column : {&x, &y, &z, &along_x, &along_y, &run, &rise, &inverse_run, &inverse_length2,

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "simulator/sweep/sweep_index.h"
+#include "simulator/sweep/sweep_tree.h"
 #include "simulator/sweep/vector_loops.h"
 
 namespace limitgauge::simulator {
@@ -46,7 +46,7 @@ class MoveBatch {
  public:
   static constexpr std::size_t kPad = 8;
   /// Makes this the moves of `slots`.
-  void assign(const SweepIndex& pass, const std::vector<std::uint32_t>& slots);
+  void assign(const SweepTree& pass, const std::vector<std::uint32_t>& slots);
   /// Makes this the moves of `from` named by their places in it.
   void take(const MoveBatch& from, const std::vector<std::uint32_t>& places);
   std::size_t size() const { return slot.size(); }
@@ -67,7 +67,7 @@ class MoveBatch {
   double lowest_tip = 0;
 
  private:
-  void assign_balls(const SweepIndex& pass);
+  void assign_balls(const SweepTree& pass);
 };
 
 /// Distances and gradients of a batch at one point.

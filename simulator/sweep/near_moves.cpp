@@ -13,25 +13,28 @@ using model::Vec3;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-bool lies_below_tops(const SweepIndex& pass, const MoveBatch& moves, const Cube& cube) {
-  return pass.profile().is_ball() && !pass.turned() &&
+bool lies_below_tops(const SweepTree& pass, const MoveBatch& moves, const HeldCube& cube) {
+  return pass.profile().is_ball() &&
          cube.middle.z + cube.half_edge_mm <= moves.below_tops_mm(pass.profile());
 }
 
 }  // namespace
 
 double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit) {
+  return gather_own(pass.own(), pass.to_own(cube), limit);
+}
+
+double NearMoves::gather_own(const SweepTree& pass, const HeldCube& cube, double limit) {
   kept_.clear();
   moves_.assign(pass, kept_);
   too_many_ = false;
   const auto found = pass.nearest(cube.middle, limit);
   if (!found) return kFar;
-  if (pass.profile().is_ball() && !pass.turned() &&
-      cube.middle.z + cube.half_edge_mm <= pass.below_tops_mm()) {
+  if (pass.profile().is_ball() && cube.middle.z + cube.half_edge_mm <= pass.below_tops_mm()) {
     const double to_foot = found->at.distance + pass.profile().corner_radius();
     pass.gather_rivals({cube.middle, cube.half_edge_mm, found->at.gradient * to_foot}, kept_);
   } else {
-    const double reach = found->at.distance + 2 * cube.half_diagonal() + kDistanceRounding_mm;
+    const double reach = found->at.distance + 2 * cube.half_diagonal_mm + kDistanceRounding_mm;
     pass.gather(cube.middle, std::min(limit, reach), kept_);
   }
   too_many_ = kept_.size() > kMostHandedDown;
@@ -41,9 +44,11 @@ double NearMoves::gather(const SweepIndex& pass, const Cube& cube, double limit)
   return found->at.distance;
 }
 
-double NearMoves::narrow(const SweepIndex& pass, const NearMoves& wider, const Cube& cube,
+double NearMoves::narrow(const SweepIndex& index, const NearMoves& wider, const Cube& asked,
                          double limit) {
-  if (wider.too_many_) return gather(pass, cube, limit);
+  if (wider.too_many_) return gather(index, asked, limit);
+  const SweepTree& pass = index.own();
+  const HeldCube cube = index.to_own(asked);
   kept_.clear();
   moves_.assign(pass, kept_);
   too_many_ = false;
@@ -56,20 +61,21 @@ double NearMoves::narrow(const SweepIndex& pass, const NearMoves& wider, const C
   return least;
 }
 
-double NearMoves::keep_balls(const SweepIndex& pass, const MoveBatch& from, const Cube& cube) {
+double NearMoves::keep_balls(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
   const double least = capsules_.nearest(from, cube.middle, cube.half_edge_mm);
   capsules_.keep(from, kept_);
   return std::sqrt(least) - pass.profile().corner_radius();
 }
 
 // A move that is farther than the nearest one by a diagonal cannot matter and is not worked out.
-void NearMoves::sample(const SweepIndex& pass, const MoveBatch& from, const Cube& cube) {
+void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
   const std::size_t n = from.size();
   samples_.resize(n);
   double least = kFar;
   for (std::size_t i = 0; i < n; ++i) {
-    const bool far = pass.cannot_be_below(
-        from.slot[i], cube.middle, least + 2 * cube.half_diagonal() + 2 * kDistanceRounding_mm);
+    const SweptMove& move = pass.move(from.slot[i]);
+    const bool far = cannot_be_below(pass.profile(), move, cube.middle,
+                                     least + 2 * cube.half_diagonal_mm + 2 * kDistanceRounding_mm);
     const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass.distance(from.slot[i], cube.middle);
     least = std::min(least, s.distance);
     samples_.distance[i] = s.distance;
@@ -78,25 +84,25 @@ void NearMoves::sample(const SweepIndex& pass, const MoveBatch& from, const Cube
 }
 
 // Of the nearest moves, often several on a flat floor, the one whose distance bends least.
-std::size_t NearMoves::straightest(const SweepIndex& pass, const MoveBatch& from, const Cube& cube,
-                                   double& bend) const {
+std::size_t NearMoves::straightest(const SweepTree& pass, const MoveBatch& from,
+                                   const HeldCube& cube, double& bend) const {
   const auto& d = samples_.distance;
   const auto least = std::min_element(d.begin(), d.end());
   std::size_t best = least - d.begin();
-  const double r = cube.half_diagonal();
+  const double r = cube.half_diagonal_mm;
   bend = 2 * r;
   for (std::size_t i = best; i < d.size() && bend > 0; ++i) {
     if (d[i] > *least) continue;
     const std::uint32_t slot = from.slot[i];
     const SweptSample at{d[i], samples_.gradient(i), pass.distance(slot, cube.middle).t};
-    const double e = pass.curvature_bound(slot, cube.middle, at, r);
+    const double e = curvature_bound(pass.profile(), pass.move(slot), cube.middle, at, r);
     if (e < bend) bend = e, best = i;
   }
   return best;
 }
 
 // d is convex: move i stays above its tangent, the nearest one below a paraboloid.
-double NearMoves::keep_others(const SweepIndex& pass, const MoveBatch& from, const Cube& cube) {
+double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
   sample(pass, from, cube);
   double bend = 0;
   const std::size_t j = straightest(pass, from, cube, bend);
@@ -106,7 +112,7 @@ double NearMoves::keep_others(const SweepIndex& pass, const MoveBatch& from, con
     const double behind = samples_.distance[i] - samples_.distance[j];
     const double turn = norm1(samples_.gradient(i) - g);
     const bool twin = behind == 0 && turn == 0 && bend == 0;
-    const double most = std::min(2 * cube.half_diagonal(), cube.half_edge_mm * turn + bend);
+    const double most = std::min(2 * cube.half_diagonal_mm, cube.half_edge_mm * turn + bend);
     if (i == j || (!twin && behind <= most + kDistanceRounding_mm))
       kept_.push_back(static_cast<std::uint32_t>(i));
   }
@@ -115,6 +121,13 @@ double NearMoves::keep_others(const SweepIndex& pass, const MoveBatch& from, con
 
 std::optional<NearestMove> NearMoves::nearest(const SweepIndex& pass, const Vec3& p,
                                               double bound) const {
+  std::optional<NearestMove> found = nearest_own(pass.own(), pass.to_own(p), bound);
+  if (found) found->at = pass.from_own(found->at);
+  return found;
+}
+
+std::optional<NearestMove> NearMoves::nearest_own(const SweepTree& pass, const Vec3& p,
+                                                  double bound) const {
   if (too_many_) return pass.nearest(p, bound);
   std::optional<NearestMove> best;
   const auto look_at = [&](std::uint32_t slot) {
@@ -123,7 +136,7 @@ std::optional<NearestMove> NearMoves::nearest(const SweepIndex& pass, const Vec3
   };
   if (!below_tops_) {
     for (const std::uint32_t slot : moves_.slot)
-      if (!pass.cannot_be_below(slot, p, bound)) look_at(slot);
+      if (!cannot_be_below(pass.profile(), pass.move(slot), p, bound)) look_at(slot);
     return best;
   }
   if (empty()) return best;

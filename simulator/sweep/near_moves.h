@@ -1,27 +1,17 @@
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "simulator/sweep/capsule_batch.h"
+#include "simulator/sweep/cube.h"
 #include "simulator/sweep/move_batch.h"
+#include "simulator/sweep/sweep_index.h"
 
 namespace limitgauge::simulator {
 
-/// A cube of places, by its middle and half an edge.
-struct Cube {
-  model::Vec3 middle;
-  double half_edge_mm = 0;
-
-  double half_diagonal() const { return std::sqrt(3.0) * half_edge_mm; }
-  bool contains(const model::Vec3& p) const {
-    return std::abs(p.x - middle.x) <= half_edge_mm && std::abs(p.y - middle.y) <= half_edge_mm &&
-           std::abs(p.z - middle.z) <= half_edge_mm;
-  }
-};
-
-/// The moves of one pass that can be nearest somewhere in a cube.
+/// The moves of one pass that can be nearest somewhere in a cube. Cubes and places are in the frame
+/// that the pass is asked in; the moves are held in the pass's own.
 class NearMoves {
  public:
   /// Out of all moves of the pass; more than kMostHandedDown are not held. None where the nearest
@@ -37,10 +27,14 @@ class NearMoves {
   bool empty() const { return moves_.size() == 0 && !too_many_; }
 
  private:
-  double keep_balls(const SweepIndex& pass, const MoveBatch& from, const Cube& cube);
-  double keep_others(const SweepIndex& pass, const MoveBatch& from, const Cube& cube);
-  void sample(const SweepIndex& pass, const MoveBatch& from, const Cube& cube);
-  std::size_t straightest(const SweepIndex& pass, const MoveBatch& from, const Cube& cube,
+  // All of these in the pass's own frame.
+  double gather_own(const SweepTree& pass, const HeldCube& cube, double limit);
+  std::optional<NearestMove> nearest_own(const SweepTree& pass, const model::Vec3& p,
+                                         double bound) const;
+  double keep_balls(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube);
+  double keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube);
+  void sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube);
+  std::size_t straightest(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
                           double& bend) const;
 
   MoveBatch moves_;

@@ -3,106 +3,61 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "model/base/run_control.h"
-#include "model/part/toolpath.h"
-#include "simulator/sweep/sweep_order.h"
-#include "simulator/sweep/swept_distance.h"
+#include "simulator/sweep/cube.h"
+#include "simulator/sweep/sweep_tree.h"
 
 namespace limitgauge::simulator {
 
-using model::Pass;
-
-/// Throws std::invalid_argument for a pass that cannot be: no path, a coordinate that is not
-/// finite, 2^32 moves and more.
-void require_path(const Pass& pass);
-
-/// The move nearest to a point and the swept distance to it.
-struct NearestMove {
-  std::uint32_t slot = 0;
-  SweptSample at;
-};
-
-/// A ball's move that is nearest to the middle of a cube, and where all others are to lose against
-/// it: CapsuleNarrowing says how.
-struct NearestCapsule {
-  model::Vec3 middle;
-  double half_edge = 0;
-  model::Vec3 from_foot;  ///< mm, from the way of the ball's centre to the middle
-};
-
-/// All moves of a pass in a bounding-box tree over their tip positions. Moves are addressed by
-/// slot, their place in the tree's order. A pass may be turned: it is held in its own frame, in
-/// which the cutter is upright, and what is asked is turned there and back (exact but for rounding,
-/// 1e-13 mm on parts of a metre); bounds on distances are those of the own frame, whose distances
-/// are the same.
+/// What a pass sweeps, asked in the frame of the stock that it is cut into. Its moves stand in the
+/// frame of its own path, where the cutter is upright; a place is brought there, and what is found
+/// is brought back. A pass of the setup at work lies as it is asked, and costs nothing more.
+///
+/// Proof of what is said of turned cubes: simulator/PROOFS.md, P7.
 class SweepIndex {
  public:
-  /// Throws std::invalid_argument for a cutter that cannot be and as `require_path` does,
-  /// Interrupted when told to stop. Takes 144 bytes a move, 36 more while it works.
+  /// Throws as SweepTree does.
   explicit SweepIndex(const Pass& pass, const model::RunControl& control = {});
 
-  /// The move of least swept distance at `p` among those with path index below `end`, if that
-  /// distance is below `bound`. Of several equal ones the first found, whose order is fixed.
+  /// As SweepTree::nearest, at a place of the stock's frame and with the gradient in it.
   std::optional<NearestMove> nearest(
       const model::Vec3& p, double bound,
       std::uint32_t end = std::numeric_limits<std::uint32_t>::max()) const;
-  /// Appends the slots of all moves that may come within `limit` of `p`.
-  void gather(const model::Vec3& p, double limit, std::vector<std::uint32_t>& slots) const;
-
-  /// Appends the slots of all ball moves that may be nearest somewhere in a cube below all tops;
-  /// some of those that are not are left out. Only of a pass that is not turned.
-  void gather_rivals(const NearestCapsule& nearest, std::vector<std::uint32_t>& slots) const;
-  /// Below this height a ball's top does not matter for any move. Only of a pass that is not
-  /// turned.
-  double below_tops_mm() const;
-
+  /// As SweepTree::gather.
+  void gather(const model::Vec3& p, double limit, std::vector<std::uint32_t>& slots) const {
+    own_.gather(to_own(p), limit, slots);
+  }
   SweptSample distance(std::uint32_t slot, const model::Vec3& p) const {
-    if (turned_) return back(swept_distance(profile_, moves_[slot], to_own_.point(p)));
-    return swept_distance(profile_, moves_[slot], p);
+    return from_own(own_.distance(slot, to_own(p)));
   }
-  /// As the functions of these names (swept_distance.h) say of one move.
-  bool cannot_be_below(std::uint32_t slot, const model::Vec3& p, double bound) const {
-    return simulator::cannot_be_below(profile_, moves_[slot], own(p), bound);
-  }
-  double curvature_bound(std::uint32_t slot, const model::Vec3& p, const SweptSample& at,
-                         double reach) const;
+  /// As simulator::outside_bound for one move, where `at` is distance(slot, p).
   double outside_bound(std::uint32_t slot, const model::Vec3& p, const SweptSample& at,
                        const model::Vec3& half) const;
-  bool turned() const { return turned_; }
-  const CutterProfile& profile() const { return profile_; }
-  /// In the own frame of the pass.
-  const SweptMove& move(std::uint32_t slot) const { return moves_[slot]; }
-  std::size_t size() const { return moves_.size(); }
-  std::size_t memory_bytes() const;
 
- private:
-  struct Node {
-    model::Box3 tips;
-    std::uint32_t first = 0;  // first slot of a leaf, or the first of two child nodes
-    std::uint32_t count = 0;  // moves of a leaf, 0 for an inner node
-    std::uint32_t least_index = 0;
-  };
-  void set_leaf(Node& node, const SweepOrder::Node& from) const;
-  void add_children(Node& node) const;
-  template <class Skip>
-  void gather_unless(const Skip& skip, std::vector<std::uint32_t>& slots) const;
-  double lower_bound(const Node& node, const model::Vec3& p) const;
-  std::optional<NearestMove> nearest_to_own(const model::Vec3& own, double bound,
-                                            std::uint32_t end) const;
-  model::Vec3 own(const model::Vec3& p) const { return turned_ ? to_own_.point(p) : p; }
-  SweptSample back(SweptSample own) const {
-    own.gradient = to_own_.direction_back(own.gradient);
-    return own;
+  /// The moves in the frame of the path, and the way there and back.
+  const SweepTree& own() const { return own_; }
+  bool turned() const { return turned_; }
+  const model::Pose& pose() const { return pose_; }  ///< the path's frame to the stock's
+  model::Vec3 to_own(const model::Vec3& p) const { return turned_ ? pose_.point_back(p) : p; }
+  /// The half edge stays where the pose keeps axes, and grows by up to √3 elsewhere.
+  HeldCube to_own(const Cube& cube) const {
+    return {to_own(cube.middle), cube.half_edge_mm * widening_, cube.half_diagonal()};
+  }
+  /// The same distance with its gradient in the stock's frame.
+  SweptSample from_own(SweptSample at) const {
+    if (turned_) at.gradient = pose_.direction(at.gradient);
+    return at;
   }
 
-  CutterProfile profile_;
-  model::Pose to_own_;
+  std::size_t size() const { return own_.size(); }
+  std::size_t memory_bytes() const { return own_.memory_bytes(); }
+
+ private:
+  SweepTree own_;
+  model::Pose pose_, inverse_;
   bool turned_ = false;
-  std::vector<SweptMove> moves_;
-  std::vector<Node> nodes_;
+  double widening_ = 1;
 };
 
 }  // namespace limitgauge::simulator

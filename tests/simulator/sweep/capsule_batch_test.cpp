@@ -38,7 +38,7 @@ Pass moves_about_origin(Random& random, bool rows) {
   return path.pass(test::cutter(model::CutterType::ball, 2 * kRadius, 20));
 }
 
-MoveBatch all_moves(const SweepIndex& index) {
+MoveBatch all_moves(const SweepTree& index) {
   std::vector<std::uint32_t> slots(index.size());
   std::iota(slots.begin(), slots.end(), 0U);
   MoveBatch batch;
@@ -46,7 +46,7 @@ MoveBatch all_moves(const SweepIndex& index) {
   return batch;
 }
 
-double least_distance(const SweepIndex& index, const std::vector<std::uint32_t>& slots,
+double least_distance(const SweepTree& index, const std::vector<std::uint32_t>& slots,
                       const Vec3& p) {
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t s : slots) least = std::min(least, index.distance(s, p).distance);
@@ -61,7 +61,7 @@ TEST_CASE("what a cube keeps holds the nearest move of each of its places",
   Random random(rows ? 11 : 12);
   std::size_t kept_of_all = 0, all = 0;
   for (int trial = 0; trial < 150; ++trial) {
-    const SweepIndex index(moves_about_origin(random, rows));
+    const SweepTree index(moves_about_origin(random, rows));
     const MoveBatch batch = all_moves(index);
     // Below, beside and above the centres' ways, which are about kRadius high.
     const Vec3 middle{uniform(random, -4, 4), uniform(random, -4, 4), uniform(random, -1, 6)};
@@ -86,7 +86,7 @@ TEST_CASE("what a cube keeps holds the nearest move of each of its places",
 
 TEST_CASE("a cube's distances are those of its voxels", "[unit][capsule_batch]") {
   Random random(13);
-  const SweepIndex index(moves_about_origin(random, true));
+  const SweepTree index(moves_about_origin(random, true));
   const MoveBatch batch = all_moves(index);
   CubeAxes axes;
   for (int k = 0; k < kCubeEdge; ++k)
@@ -102,7 +102,7 @@ TEST_CASE("a cube's distances are those of its voxels", "[unit][capsule_batch]")
 TEST_CASE("a block gathers the nearest move of each of its places", "[property][capsule_batch]") {
   Random random(14);
   for (int trial = 0; trial < 60; ++trial) {
-    const SweepIndex index(moves_about_origin(random, trial % 2 == 0));
+    const SweepTree index(moves_about_origin(random, trial % 2 == 0));
     const Vec3 middle{uniform(random, -4, 4), uniform(random, -4, 4), uniform(random, -2, 4)};
     const double h = uniform(random, 0.05, 2);
     const auto nearest = index.nearest(middle, 100);

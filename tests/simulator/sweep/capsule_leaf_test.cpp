@@ -48,7 +48,7 @@ struct Leaves {
   }
 };
 
-double exact_at(const SweepIndex& index, const std::vector<std::uint32_t>& slots, const Vec3& p) {
+double exact_at(const SweepTree& index, const std::vector<std::uint32_t>& slots, const Vec3& p) {
   double least = 1e9;
   for (const std::uint32_t s : slots) least = std::min(least, index.distance(s, p).distance);
   return least;
@@ -57,7 +57,7 @@ double exact_at(const SweepIndex& index, const std::vector<std::uint32_t>& slots
 /// The worst error in voxels, of what the leaf keeps of the pass against all of it; none where the
 /// leaf is not taken.
 std::optional<double> worst_error(Leaves& leaves, double voxel) {
-  const SweepIndex index(leaves.rows(voxel));
+  const SweepTree index(leaves.rows(voxel));
   const LeafVoxels leaf = leaves.leaf(voxel);
   std::vector<std::uint32_t> slots(index.size()), kept;
   std::iota(slots.begin(), slots.end(), 0U);
@@ -100,7 +100,7 @@ TEST_CASE("a leaf's distances in single precision are as near as they are said t
 
 TEST_CASE("a leaf beside a ball, whose feet leave its way, is not taken", "[unit][capsule_leaf]") {
   test::PathBuilder path({0, 0, 0});
-  const SweepIndex index(
+  const SweepTree index(
       path.feed({1, 0, 0}).pass(test::cutter(model::CutterType::ball, 2 * kBall_mm, 20)));
   MoveBatch batch;
   batch.assign(index, {0});

@@ -61,6 +61,14 @@ void state_stage(const Job& job, const Settings& settings, std::size_t index,
     said.push_back(head + "resolution " + model::shortest(settings.resolution_mm[index]) +
                    " mm (auto: a tenth of the tightest gate limit)");
   }
+  std::string finer;
+  for (const std::size_t i : finer_stages(job, index))
+    finer += (finer.empty() ? "" : ", ") + job.stages[i].name;
+  if (job.design && !finer.empty())
+    said.push_back(head +
+                   "no gouge of it is what finer stages of other setups took, which their own "
+                   "gates judged: " +
+                   finer);
   if (stage.plan && !stage.plan->floor_z_mm) {
     said.push_back(head + "lowest tip height z " + model::shortest(floor_z_mm) +
                    " mm (default: lowest point of the surface less the cutter's corner radius)");
@@ -141,6 +149,18 @@ constexpr double kContactTolerance_mm = 0.01;
 /// Without a design arcs are as exact as the findings need them: contacts of a tenth of the
 /// tolerance are listed.
 constexpr double kChordsPerContact = 0.05;
+
+std::vector<std::size_t> finer_stages(const Job& job, std::size_t index) {
+  const JobStage& stage = job.stages[index];
+  std::vector<std::size_t> finer;
+  for (std::size_t i = 0; i < index; ++i) {
+    const JobStage& before = job.stages[i];
+    if (before.setup != stage.setup && before.allowance_mm < stage.allowance_mm &&
+        before.limits.has_gouge)
+      finer.push_back(i);
+  }
+  return finer;
+}
 
 double near_miss_mm(const Job& job) {
   return std::max(job.near_miss_mm, job.tolerances ? model::farthest_off_mm(*job.tolerances) : 0.0);

@@ -38,6 +38,10 @@ double chord_error_mm(double resolution_mm);
 /// uncut limit where it has one, else its tolerance.
 double rest_threshold_mm(const JobStage& stage);
 
+/// Stages before this one, of other setups, that had less to leave than it and whose own gate
+/// limited gouge by that: what they took is no gouge of this stage.
+std::vector<std::size_t> finer_stages(const Job& job, std::size_t index);
+
 /// Within what near misses are looked for: as stated, and no less than tolerances may move a tool.
 double near_miss_mm(const Job& job);
 

@@ -15,10 +15,7 @@ inline verifier::StageCheck stage_check(const Job& job, const RunInputs& inputs,
   check.resolution_mm = inputs.settings.resolution_mm[index];
   check.tolerances = job.tolerances;
   check.finds_margin = job.finds_margin;
-  for (std::size_t i = 0; i < index; ++i)
-    if (job.stages[i].setup != job.stages[index].setup &&
-        job.stages[i].allowance_mm < check.allowance_mm)
-      check.finer_passes.push_back(i);
+  check.finer_passes = finer_stages(job, index);
   return check;
 }
 

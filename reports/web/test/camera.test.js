@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { axes, between, corners, fitted, project, ray, VIEWS, zoomed } from '../src/view/scene/camera.js';
+import {
+  axes, between, corners, firstView, fitted, project, ray, VIEWS, zoomed,
+} from '../src/view/scene/camera.js';
 import { dot, length, subtract } from '../src/base/vector.js';
 
 const size = { width: 800, height: 500 };
@@ -52,4 +54,12 @@ test('between two cameras angles go the short way', () => {
   const from = { ...fitted(VIEWS.top, box, size), azimuth: 170 };
   const middle = between(from, { ...from, azimuth: -170 }, 0.5);
   assert.equal(middle.azimuth, 180);
+});
+
+test('a stage is first seen from where its tool comes', () => {
+  assert.equal(firstView({}), 'perspective');
+  assert.equal(firstView({ setup: { rotation: [[1, 0, 0], [0, -1, 0], [0, 0, -1]] } }), 'below');
+  assert.equal(firstView({ setup: { rotation: [[1, 0, 0], [0, 0, -1], [0, 1, 0]] } }), 'perspective');
+  assert.ok(axes(VIEWS.below).back[2] < -0.5);
+  assert.ok(Math.abs(axes(VIEWS.bottom).back[2] + 1) < 1e-12);
 });

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { cutterOutline, wireBody } from '../src/path/cutter.js';
+import { cutterOutline, standing, wireBody } from '../src/path/cutter.js';
 import { pathGeometry, TRAIT_COMPONENTS, vertexColours } from '../src/path/geometry.js';
 import { createPlayer } from '../src/path/player.js';
 import {
@@ -194,4 +194,13 @@ test('the player advances by wall clock times speed and stops when told', () => 
   assert.equal(player.playing(), true);
   player.stop();
   assert.deepEqual([player.playing(), frames.length], [false, 0]);
+});
+
+test('a tool stands in the part as its setup has it', () => {
+  const upright = Float32Array.from([1, 2, 3, 0, 0, 10]);
+  const over = [[1, 0, 0], [0, -1, 0], [0, 0, -1]];
+  assert.deepEqual([...standing(upright, over)], [1, -2, -3, 0, 0, -10]);
+  // The part is turned by a quarter about X into the machine: the tool comes along its Y.
+  const side = [[1, 0, 0], [0, 0, -1], [0, 1, 0]];
+  assert.deepEqual([...standing(upright, side)], [1, 3, -2, 0, 10, 0]);
 });

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 
 #include "app/inputs/setup_view.h"
+#include "app/job/settings.h"
 #include "model/base/error.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
@@ -120,6 +122,33 @@ TEST_CASE("a bar does not lie down", "[unit][job]") {
   CHECK_THROWS_AS(in_setup(job, 0), model::InputError);
   const Job over = read(with(bar, "axis = [0, 1, 0], angle = 90", "axis = [0, 1, 0], angle = 180"));
   CHECK(std::get<model::CylinderStock>(in_setup(over, 0).stock).base_mm == Vec3{0, 0, -5});
+}
+
+TEST_CASE("finer stages of other setups that were judged are no gouge of a coarser one",
+          "[unit][job]") {
+  const auto stage = [](const std::string& name, const std::string& setup, double allowance,
+                        bool gate) {
+    return "[[stage]]\nname = \"" + name + "\"\nsetup = \"" + setup +
+           "\"\ntool = \"ball3\"\nstrategy = \"zigzag\"\nstep = 0.1\ntolerance = 0.01\nfeed = "
+           "1500\n" +
+           "allowance = " + std::to_string(allowance) + "\n" +
+           (gate ? "[stage.gate]\ngouge = 0.01\n" : "");
+  };
+  const std::string text =
+      in_setups("[[setup]]\nname = \"front\"\n" + back("flip = \"x\""), "front") +
+      stage("kept", "front", 0, false) + stage("coarse", "front", 0.3, true) +
+      stage("rough", "back", 0.3, true) + stage("last", "back", 0, true);
+  const Job job = read(text);
+  // "finish" has a gate, "kept" has none and counts, "coarse" had as much to leave.
+  CHECK(finer_stages(job, 3) == std::vector<std::size_t>{0});
+  CHECK(finer_stages(job, 4).empty());
+  CHECK(finer_stages(job, 2).empty());
+  const Settings settings = choose_settings(job, {{-10, -10, -1}, {10, 10, 4}}, kMemory);
+  const auto said = assumptions(job, settings);
+  CHECK(std::count_if(said.begin(), said.end(), [](const std::string& line) {
+          return line.find("stage rough: no gouge of it") == 0 &&
+                 line.find("judged: finish") != std::string::npos;
+        }) == 1);
 }
 
 }  // namespace limitgauge::app

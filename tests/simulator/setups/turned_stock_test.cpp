@@ -68,7 +68,7 @@ TEST_CASE("the exact material turns along with its frame", "[property][setups]")
   }
 }
 
-TEST_CASE("the level set of a turned pass holds the exact distances", "[property][setups]") {
+TEST_CASE("the level set of a turned pass holds the exact distances", "[property][setups][slow]") {
   for (const TurnedCase& t : many_turned_cases()) {
     INFO(t.to.name << ", " << model::to_text(t.cutter));
     const StockModel stock = cut_in_other(moves_of_all_kinds(t.cutter, t.seed), t.to.pose);
@@ -125,7 +125,7 @@ TEST_CASE("points of a turned stock's surface lie on it, and its mesh on them",
 }
 
 TEST_CASE("rows of fine voxels are right in a turned block, whole leaves at once",
-          "[property][setups]") {
+          "[property][setups][slow]") {
   const auto to = GENERATE(from_range(setup_poses()));
   INFO(to.name);
   // Small for the ball: its leaves are worked out in single precision where they are straight.

@@ -138,7 +138,7 @@ TEST_CASE("all bodies within a box are found of turned passes", "[property]") {
   }
 }
 
-TEST_CASE("a verdict is the same in every frame", "[property]") {
+TEST_CASE("a verdict is the same in every frame", "[property][slow]") {
   const model::Cage dome = paraboloid_cage(8, -0.05);
   const auto tip = [](double x, double y) { return -0.05 * (x * x + y * y) - 0.01; };
   const auto path = shared(rows(tip));
@@ -166,7 +166,7 @@ TEST_CASE("a verdict is the same in every frame", "[property]") {
   }
 }
 
-TEST_CASE("what one setup cannot reach is reached from another", "[unit]") {
+TEST_CASE("what one setup cannot reach is reached from another", "[unit][slow]") {
   const ReferenceSurface part(round_part());
   const model::Stock block = model::BoxStock{{-6, -6, -6}, {12, 12, 12}};
   const auto above = shared(rows([](double, double) { return 15.0; }));
@@ -206,7 +206,7 @@ TEST_CASE("a stage that leaves more does not answer for a finer one of another s
 }
 
 TEST_CASE("cutters that stood otherwise give the same figures for any number of threads",
-          "[unit]") {
+          "[unit][slow]") {
   const ReferenceSurface part(round_part());
   const model::Stock block = model::BoxStock{{-6, -6, -6}, {12, 12, 12}};
   const auto low = shared(rows([](double x, double y) { return 6 - 0.05 * (x * x + y * y); }));

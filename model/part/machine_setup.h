@@ -9,6 +9,7 @@
 
 #include "model/geometry/vec3.h"
 #include "model/part/control.h"
+#include "model/part/kinematics.h"
 
 namespace limitgauge::model {
 
@@ -51,6 +52,11 @@ struct MachineSetup {
   /// Nobody stated `start_mm`: it is where the tip is taken to stand, and an axis stays unknown
   /// until the program names it.
   bool start_is_assumed = false;
+  /// Its rotary axes; empty: it has none that programs may turn.
+  std::optional<Kinematics> kinematics;
+  /// Whether programmed places are the tip's in the workpiece before a code says so (LinuxCNC's
+  /// kinematics of type 0 may be either); empty: nobody said, and they are taken to be joints.
+  std::optional<bool> starts_tool_centred;
   /// As LinuxCNC with an empty parameter file: offsets and reference points not stated lie at the
   /// machine's zero. Each that the program uses is listed in Program::assumed.
   bool assume_fresh_machine = false;

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "model/geometry/pose.h"
+
+namespace limitgauge::model {
+
+/// Where the rotary axes A, B and C stand, in degrees; those that a machine lacks stand at 0.
+using RotaryAngles = std::array<double, 3>;
+
+/// A rotary axis of a machine.
+struct RotaryAxis {
+  char word = 'A';  ///< A, B or C
+  /// Of a right-handed turn of what the axis carries, workpiece or tool, as its word grows; a unit
+  /// vector in the machine's frame, all axes at zero.
+  Vec3 direction{1, 0, 0};
+  /// On the axis, in the machine's frame. Of a head: as it lies with X, Y and Z at zero, which
+  /// makes it the way from the spindle's gauge point to the axis.
+  Vec3 point_mm;
+  double low_deg = -std::numeric_limits<double>::infinity();
+  double high_deg = std::numeric_limits<double>::infinity();
+
+  std::size_t index() const { return static_cast<std::size_t>(word - 'A'); }
+};
+
+enum class MachineKind { table_table, head_table, head_head };
+const char* name(MachineKind kind);  ///< as in a job: "table-table", ...
+
+/// Where a tool stands in the workpiece as it lies with all rotary axes at zero.
+struct ToolStand {
+  Vec3 tip_mm;
+  Vec3 axis;  ///< from the tip to the spindle, of length 1
+};
+
+/// The rotary axes of a machine whose tool stands along +Z where they are all at zero, and whose X,
+/// Y and Z move the spindle. "The workpiece" below is its frame on the table, which is the
+/// machine's where all rotary axes stand at zero.
+///
+/// A gauge point at j, with a tool of length L, and angles θ put the tip at
+/// T(θ)⁻¹ (j + H(θ) (0, 0, -L)), along T⁻¹H ẑ: T is the turn of the tables, the one that carries
+/// the other last, and H that of the heads about their axes, seen from the gauge point. That is
+/// what the kinematics modules of LinuxCNC compute for such machines (xyzac-trt, xyzbc-trt,
+/// xyzab-tdr, 5axiskins).
+struct Kinematics {
+  MachineKind kind = MachineKind::table_table;
+  /// One or two. Of two tables, and of two heads, the first carries the other; a head comes before
+  /// a table.
+  std::vector<RotaryAxis> axes;
+
+  /// Whether axis `i` turns the tool, not the workpiece.
+  bool is_head(std::size_t i) const;
+  bool has_head() const { return kind != MachineKind::table_table; }
+  /// T: the workpiece's frame to the machine's.
+  Pose table(const RotaryAngles& angles_deg) const;
+  /// H: of a place that moves with the tool, seen from the gauge point, as it is at zero.
+  Pose head(const RotaryAngles& angles_deg) const;
+  /// How far the turns of the axes that carry `word` and of itself move something that is mounted
+  /// on it: the machine's frame at zero to the machine's frame. For nothing: what stands still.
+  Pose carried_by(std::optional<char> word, const RotaryAngles& angles_deg) const;
+  ToolStand stand(const Vec3& gauge_mm, const RotaryAngles& angles_deg,
+                  double tool_length_mm) const;
+  /// The workpiece's frame to one in which the tool stands along +Z: the machine's own where only
+  /// tables turn, and for heads turned back with them about the machine's zero.
+  Pose upright(const RotaryAngles& angles_deg) const;
+  /// Nothing where the machine has no such axis.
+  const RotaryAxis* axis(char word) const;
+
+  /// The angles that put the tool along `axis` of the workpiece: those within the limits that are
+  /// nearest to `from_deg`, by the longest way that an axis goes. An axis whose angle does not
+  /// matter stays. Nothing where no angles do, within 1e-9.
+  std::optional<RotaryAngles> angles_for(const Vec3& axis, const RotaryAngles& from_deg) const;
+};
+
+/// What a control makes of programmed places while rotary axes are not at zero.
+enum class TipControl {
+  joints,       ///< they move X, Y and Z, whatever that does to the tip
+  tool_centre,  ///< they are the tip's in the workpiece: G43.4, G234, LinuxCNC's kinematics, G68.2
+  dynamic_offset  ///< the tip's along the machine's axes, from where the work's zero has gone: G254
+};
+
+/// How the places that motions name lie in the workpiece.
+struct MotionFrame {
+  TipControl control = TipControl::joints;
+  double tool_length_mm = 0;  ///< of joints, on a machine with a head
+  Vec3 work_zero_mm;          ///< of dynamic_offset, in the machine's frame
+  Pose plane;                 ///< of tool_centre: a tilted working plane in the workpiece
+
+  /// From motions to the workpiece.
+  Pose in_workpiece(const Kinematics& machine, const RotaryAngles& angles_deg) const;
+
+  friend bool operator==(const MotionFrame&, const MotionFrame&) = default;
+};
+
+/// A motion during which rotary axes turn: what it names goes evenly from `from_mm` to `to_mm`, the
+/// angles likewise.
+struct TurningMotion {
+  MotionFrame frame;
+  Vec3 from_mm, to_mm;
+  RotaryAngles from_deg{}, to_deg{};
+
+  RotaryAngles angles_at(double t) const;  ///< 0 ≤ t ≤ 1
+  /// The frame of the tool, tip at its zero and spindle along +Z, in the workpiece.
+  Pose tool_at(const Kinematics& machine, double t) const;
+  /// Bounds over all of it: on how fast the tip goes in the workpiece, and on how fast the tool
+  /// turns there; by t.
+  double tip_speed_mm(const Kinematics& machine) const;
+  double turn_rad() const;
+};
+
+}  // namespace limitgauge::model

@@ -103,7 +103,8 @@ verifier::ReferenceSurface make_surface(const JobDesign& design, const model::Ca
 
 model::Fixture load_fixture(const JobFixture& asked) {
   model::TriangleMesh mesh = model::read_triangle_mesh(asked.file);
-  for (model::Vec3& vertex : mesh.vertices) vertex += asked.translate_mm;
+  for (model::Vec3& vertex : mesh.vertices)
+    vertex = asked.turned.point(vertex + asked.translate_mm);
   if (const model::Box3 box = bounding_box(mesh); !model::is_near(box))
     throw model::InputError({asked.file.string(), 0, 0},
                             "the fixture reaches to " + model::farthest_words(box),

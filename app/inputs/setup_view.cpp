@@ -7,6 +7,7 @@
 #include "app/inputs/part_fit.h"
 #include "app/inputs/run_forecast.h"
 #include "app/inputs/surface_witness.h"
+#include "app/job/oriented_job.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
 
@@ -38,13 +39,14 @@ Job in_setup(const Job& job, std::size_t setup) {
   Job out = job;
   out.at_setup = setup;
   out.stock = turned_stock(job, at.setup);
+  const std::size_t stated = at.turned ? at.turned->of : setup;
   std::erase_if(out.fixtures, [&](const JobFixture& fixture) {
-    return fixture.setup && *fixture.setup != setup;
+    return fixture.setup && *fixture.setup != stated;
   });
-  if (at.machine) {
-    out.machine.work_offsets = at.machine->work_offsets;
-    out.machine.extended_offsets = at.machine->extended_offsets;
-  }
+  out.machine = machine_in_setup(job, setup);
+  if (!at.turned) return out;
+  for (JobFixture& fixture : out.fixtures)
+    fixture.turned = turned_body(out, fixture.mount, at.turned->angles_deg);
   return out;
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <deque>
 
+#include "app/job/oriented_job.h"
 #include "app/job/program_parts.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
+#include "model/base/memory.h"
 #include "model/gcode/text/program_text.h"
 
 namespace limitgauge::app {
@@ -20,7 +22,10 @@ std::vector<Group> groups_of(const Job& job) {
     if (job.stages[i].plan || (job.at_setup && job.stages[i].setup != *job.at_setup)) continue;
     const auto same = [&](const Group& group) {
       const JobStage &first = job.stages[group.front()], &second = job.stages[i];
-      return first.program == second.program && !(first.part.whole() && second.part.whole());
+      // Stretches of one program are its parts, whatever they belong to.
+      const bool alone = first.part.whole() && second.part.whole() && !first.piece;
+      return first.program == second.program &&
+             first.piece.has_value() == second.piece.has_value() && !alone;
     };
     const auto known = std::find_if(groups.begin(), groups.end(), same);
     if (known == groups.end()) {
@@ -43,16 +48,21 @@ class GroupReader {
  public:
   GroupReader(const Job& job, const Settings& settings, const Group& group);
   const Group& group() const { return group_; }
+  const model::Program& program() const { return program_; }
+  const std::vector<MotionRange>& ranges() const { return ranges_; }
   double highest_mm() const { return highest_z_mm(program_, options_.machine_in_part); }
   void place(const Surroundings& surroundings);
   ForeignPath path_of(std::size_t index) const;
 
  private:
   void read(const std::optional<model::Vec3>& assumed_start_mm);
+  std::vector<MotionRange> ranges_of_parts() const;
+  std::vector<MotionRange> ranges_of_pieces() const;
   bool leans_on_start() const;
   model::Vec3 start_of(const model::ProgramStart& start) const;
   model::ProgramStart start_told() const;
   double start_shift_mm(std::size_t first) const;
+  void stand_still(std::size_t index, model::Toolpath& path) const;
   void require_near(const model::Vec3& tip_mm, std::uint32_t line) const;
   void list_assumed(ForeignPath& foreign, std::size_t index) const;
   const JobStage& stage(std::size_t index) const { return job_.stages[group_[index]]; }
@@ -71,8 +81,8 @@ class GroupReader {
 GroupReader::GroupReader(const Job& job, const Settings& settings, const Group& group)
     : job_(job), settings_(settings), group_(group), file_(stage(0).program.string()) {
   text_ = std::make_shared<const std::string>(model::read_program_text(stage(0).program));
-  options_.machine_in_part = model::machine_in_part(
-      job.program_frame, job.machine.work_offsets.front().value_or(model::WorkOffset()));
+  options_.machine_in_part = machine_in_setup_frame(job);
+  options_.kinematics = job.machine.kinematics;
   // What is made of a path takes several times its own room (app/inputs/run_forecast.cpp).
   constexpr double kRoom = 10;
   options_.most_moves =
@@ -86,9 +96,22 @@ void GroupReader::read(const std::optional<model::Vec3>& assumed_start_mm) {
   machine.start_is_assumed = !machine.start_mm;
   if (machine.start_is_assumed) machine.start_mm = assumed_start_mm;
   program_ = model::read_program_or_name_control(std::string_view(*text_), file_, machine);
+  ranges_ = stage(0).piece ? ranges_of_pieces() : ranges_of_parts();
+}
+
+std::vector<MotionRange> GroupReader::ranges_of_parts() const {
   std::vector<const JobStage*> stages;
   for (const std::size_t i : group_) stages.push_back(&job_.stages[i]);
-  ranges_ = assign_parts(program_, file_, stages);
+  return assign_parts(program_, file_, stages);
+}
+
+std::vector<MotionRange> GroupReader::ranges_of_pieces() const {
+  std::vector<MotionRange> ranges;
+  for (const std::size_t i : group_) {
+    const model::SteadyRange& range = job_.stages[i].piece->range;
+    ranges.push_back({range.first, range.last});
+  }
+  return ranges;
 }
 
 /// Whether some motion ends at a place that depends on where the tip stood before the first line.
@@ -150,6 +173,13 @@ void GroupReader::require_near(const model::Vec3& tip_mm, std::uint32_t line) co
                           model::kFarthestExpected);
 }
 
+/// A program that ends with turns of its axes leaves the tool where they have brought it.
+void GroupReader::stand_still(std::size_t index, model::Toolpath& path) const {
+  const auto& piece = stage(index).piece;
+  if (!path.moves.empty() || !piece || piece->range.turns.empty()) return;
+  path.moves.emplace_back(path.start, 0.0F, piece->range.turns.back().line, model::MoveKind::rapid);
+}
+
 ForeignPath GroupReader::path_of(std::size_t index) const {
   model::PathOptions options = options_;
   options.chord_error_mm = settings_.chord_error_mm[group_[index]];
@@ -157,9 +187,11 @@ ForeignPath GroupReader::path_of(std::size_t index) const {
   options.start_shift_z_mm = start_shift_mm(options.first);
   ForeignPath foreign;
   // Ends first: an arc to somewhere far away would have more chords than there is room for.
-  for (std::size_t i = options.first; i < options.last; ++i)
+  for (std::size_t i = options.first; i < options.last && program_.frames.empty(); ++i)
     require_near(options.machine_in_part(program_.motions[i].to), program_.motions[i].line);
-  foreign.path = std::make_shared<const model::Toolpath>(to_toolpath(program_, options));
+  model::Toolpath path = to_toolpath(program_, options);
+  stand_still(index, path);
+  foreign.path = std::make_shared<const model::Toolpath>(std::move(path));
   for (const model::Move& move : foreign.path->moves) require_near(move.to, move.line);
   if (foreign.path->moves.empty())
     throw model::InputError(
@@ -190,6 +222,14 @@ void GroupReader::list_assumed(ForeignPath& foreign, std::size_t index) const {
                               "to stand where the program starts");
 }
 
+/// What a program is read with while nothing is made of it yet.
+Settings settings_for_reading(const Job& job) {
+  Settings settings;
+  settings.chord_error_mm.assign(job.stages.size(), 0);
+  settings.memory_limit_bytes = model::memory_limit_bytes();
+  return settings;
+}
+
 /// Above stock, part, fixtures and everything that the programs reach and start at, by the job's
 /// clearance; no higher than the machine can go.
 double above_everything_mm(const Job& job, const std::vector<model::Fixture>& fixtures,
@@ -210,6 +250,17 @@ model::ProgramStart start_of(const Job& job, double above_all_mm) {
 }
 
 }  // namespace
+
+std::vector<StagePrograms> read_stage_programs(const Job& job) {
+  const Settings settings = settings_for_reading(job);
+  std::vector<StagePrograms> read;
+  const std::vector<Group> groups = groups_of(job);
+  for (const Group& group : groups) {
+    const GroupReader reader(job, settings, group);
+    read.push_back({group, reader.program(), reader.ranges()});
+  }
+  return read;
+}
 
 model::MachineSetup machine_for(const Job& job, const model::Cutter& cutter) {
   model::MachineSetup machine = job.machine;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/job/job.h"
+#include "app/job/program_parts.h"
 #include "app/job/settings.h"
 #include "model/part/fixture.h"
 
@@ -29,6 +30,15 @@ struct ForeignPath {
 std::vector<std::optional<ForeignPath>> load_programs(const Job& job, const Settings& settings,
                                                       const std::vector<model::Fixture>& fixtures,
                                                       const model::Box3& part);
+/// A program, and which of its motions each of its stages takes.
+struct StagePrograms {
+  std::vector<std::size_t> stages;
+  model::Program program;
+  std::vector<MotionRange> ranges;
+};
+/// The programs of the job's stages as they stand, read from an assumed start. Throws InputError as
+/// load_programs does.
+std::vector<StagePrograms> read_stage_programs(const Job& job);
 /// What programs take from the machine when `cutter` stands in its spindle.
 model::MachineSetup machine_for(const Job& job, const model::Cutter& cutter);
 

@@ -48,6 +48,14 @@ struct ProgramPart {
 /// "T2", "section 3", "from (FINISH)"; empty for the whole program.
 std::string to_text(const ProgramPart& part);
 
+/// The part of a stage's program that a stage takes while the rotary axes stand still: which of its
+/// parts it is, and what leads to it.
+struct StagePiece {
+  std::string stage;  ///< the one that the job states
+  model::SteadyRange range;
+  std::size_t number = 1, count = 1;
+};
+
 /// One stage of a job: either planned here (`plan`) or read from a program.
 struct JobStage {
   std::string name;
@@ -56,9 +64,10 @@ struct JobStage {
   std::filesystem::path program;  ///< where `plan` is empty
   std::string program_as_stated;  ///< as the job or the command line names it
   ProgramPart part;
-  std::size_t setup = 0;           ///< index among the job's setups
-  std::optional<int> tool_number;  ///< T of `cutter`; empty: whatever number the program says
-  double allowance_mm = 0;         ///< material the stage must leave, along the surface normal
+  std::optional<StagePiece> piece;  ///< of a program that turns rotary axes
+  std::size_t setup = 0;            ///< index among the job's setups
+  std::optional<int> tool_number;   ///< T of `cutter`; empty: whatever number the program says
+  double allowance_mm = 0;          ///< material the stage must leave, along the surface normal
   verifier::GateLimits limits;
 };
 
@@ -67,6 +76,19 @@ struct JobSetup {
   model::Setup setup;
   /// The machine with this setup's work offsets; empty: as [machine] has it.
   std::optional<model::MachineSetup> machine;
+  /// Of a setup that rotary axes make of another one of the job: which, and where they stand.
+  struct Turned {
+    std::size_t of = 0;
+    model::RotaryAngles angles_deg{};
+  };
+  std::optional<Turned> turned;
+};
+
+/// What turns a fixture with it on a machine with rotary axes.
+struct FixtureMount {
+  enum class Kind { part, axis, machine };
+  Kind kind = Kind::part;    ///< all tables, one of them with what carries it, or nothing
+  std::optional<char> axis;  ///< of `axis`
 };
 
 /// A mesh that nothing of the tool may touch.
@@ -77,6 +99,8 @@ struct JobFixture {
   model::Vec3 translate_mm;
   /// Where it stands, in that setup's frame; empty: in all.
   std::optional<std::size_t> setup = std::nullopt;
+  FixtureMount mount = {};
+  model::Pose turned = {};  ///< of a view: how it stands there, after the shift
 };
 
 /// How programs of planned stages are written.

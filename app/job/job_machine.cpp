@@ -95,7 +95,7 @@ void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   const TomlTable machine(
       table_or_none(root, "machine"), "[machine]",
       {"rapid", "clearance", "acceleration", "junction_deviation", "travel", "work_offsets", "home",
-       "second_home", "start", "control", "subprograms"});
+       "second_home", "start", "control", "subprograms", "kinematics", "axis", "tool_centred"});
   if (machine.has("rapid")) {
     job.rapid_mm_min = machine.rate_mm_min("rapid");
   } else {
@@ -106,6 +106,7 @@ void read_machine(const TomlTable& root, Job& job, JobContext& context) {
   if (machine.has("travel")) job.travel_mm = read_travel(machine);
   read_program_machine(root, machine, job);
   read_control(machine, job, context);
+  read_kinematics(machine, job);
   if (machine.has("clearance")) {
     job.clearance_mm = machine.length_mm("clearance");
   } else {
@@ -183,9 +184,26 @@ std::vector<model::ToolEntry> tool_table(const std::vector<JobTool>& tools) {
 
 namespace {
 
-JobFixture read_fixture(const toml::table& table, const std::vector<JobSetup>& setups,
-                        const JobContext& context) {
-  const TomlTable fixture(table, "[[fixture]]", {"name", "file", "translate", "setup"});
+/// What a body is mounted on: a rotary axis of a table, or nothing that turns.
+FixtureMount read_mount(const TomlTable& fixture, const Job& job) {
+  if (!fixture.has("axis")) return {};
+  const std::string word = fixture.text("axis");
+  if (!job.machine.kinematics)
+    throw model::InputError(fixture.place("axis"),
+                            "\"axis\" of a fixture, and the machine has no rotary axes",
+                            "[machine] kinematics, or a fixture without \"axis\"");
+  if (word == "none") return {FixtureMount::Kind::machine, std::nullopt};
+  const auto& axes = job.machine.kinematics->axes;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (word == std::string(1, axes[i].word) && !job.machine.kinematics->is_head(i))
+      return {FixtureMount::Kind::axis, axes[i].word};
+  throw model::InputError(fixture.place("axis"),
+                          "\"" + word + "\" is no axis of a table of the machine",
+                          "the word of a [[machine.axis]] that turns the workpiece, or \"none\"");
+}
+
+JobFixture read_fixture(const toml::table& table, const Job& job, const JobContext& context) {
+  const TomlTable fixture(table, "[[fixture]]", {"name", "file", "translate", "setup", "axis"});
   JobFixture read;
   read.name = fixture.text("name");
   read.file_as_stated = fixture.text("file");
@@ -195,7 +213,8 @@ JobFixture read_fixture(const toml::table& table, const std::vector<JobSetup>& s
                             "a closed mesh as STL, OBJ or PLY");
   }
   if (fixture.has("translate")) read.translate_mm = fixture.position("translate");
-  read.setup = read_setup_name(fixture, setups);
+  read.setup = read_setup_name(fixture, job.setups);
+  read.mount = read_mount(fixture, job);
   return read;
 }
 
@@ -204,7 +223,7 @@ JobFixture read_fixture(const toml::table& table, const std::vector<JobSetup>& s
 void read_fixtures(const TomlTable& root, Job& job, const JobContext& context) {
   if (!root.has("fixture")) return;
   for (const toml::table* table : root.tables("fixture")) {
-    JobFixture fixture = read_fixture(*table, job.setups, context);
+    JobFixture fixture = read_fixture(*table, job, context);
     for (const JobFixture& other : job.fixtures) {
       if (other.name != fixture.name) continue;
       throw model::InputError(place_of(table->get("name")->source()),

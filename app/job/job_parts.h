@@ -101,6 +101,9 @@ model::Box3 read_travel(const TomlTable& machine);
 
 /// [machine]: rates and clearance. What is left to a default is said in `context`.
 void read_machine(const TomlTable& root, Job& job, JobContext& context);
+/// `kinematics`, `axis` and `tool_centred` of [machine]: its rotary axes. Throws InputError for
+/// axes that are none, or not as many as the machine has.
+void read_kinematics(const TomlTable& machine, Job& job);
 /// [post]: how programs of planned stages are written. To be read after the stages: without a
 /// planned one, no default is worth saying.
 void read_post(const TomlTable& root, Job& job, JobContext& context);

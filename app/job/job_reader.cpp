@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/job/job_parts.h"
+#include "app/job/oriented_job.h"
 #include "app/toml/toml_table.h"
 #include "app/toml/toml_text.h"
 #include "model/base/text_file.h"
@@ -182,7 +183,7 @@ Job read_job(const std::filesystem::path& file, std::span<const std::string> ove
   Job job =
       read_job_text(model::read_text_file(file), file.string(), file.parent_path(), overrides);
   job.sources.push_back({JobFile::Role::job, file, file.string()});
-  return job;
+  return oriented(std::move(job));
 }
 
 }  // namespace limitgauge::app

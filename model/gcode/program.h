@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/gcode/dialect.h"
+#include "model/part/kinematics.h"
 #include "model/part/machine_setup.h"
 #include "model/part/toolpath.h"
 
@@ -68,6 +69,24 @@ struct ToolChange {
   int tool = 0;
 };
 
+/// From motion `motion` on the rotary axes stand at `angles_deg`, and the places that motions name
+/// lie in the workpiece as `frame` says.
+struct FrameChange {
+  std::size_t motion = 0;
+  RotaryAngles angles_deg{};
+  MotionFrame frame;
+};
+
+/// Motion `motion` turns rotary axes. Where it leads is said by `turn`; its own place is in the
+/// frame of the motion before it.
+struct AxisTurn {
+  std::size_t motion = 0;
+  std::uint32_t line = 0;
+  bool rapid = true, spindle_stopped = false;
+  bool parked = false;  ///< Z stands above everything
+  TurningMotion turn;
+};
+
 /// A comment that stands before motion `motion`: a name for what follows, perhaps.
 struct ProgramComment {
   std::uint32_t line = 0;
@@ -82,6 +101,8 @@ struct Program {
   std::vector<IgnoredWord> ignored;
   std::vector<ToolChange> tool_changes;
   std::vector<ProgramComment> comments;  ///< of lines that hold nothing else
+  std::vector<FrameChange> frames;  ///< of a machine with rotary axes, by rising motion; else none
+  std::vector<AxisTurn> turns;      ///< by rising motion
   /// What was taken for granted, in words with the line: an offset of a fresh machine, a park
   /// position, a length offset that is taken to be the tool's own.
   std::vector<std::string> assumed;

@@ -95,14 +95,20 @@ class PathMaker {
 
   /// Where `motion` ends.
   void begin_behind(const Motion& motion);
+  /// Where a turn of rotary axes has left the tool.
+  void begin_behind(const AxisTurn& turn);
+  /// The motions from here on lie as `frame` says.
+  void enter(const FrameChange& frame);
   void begin_at(const Vec3& machine_mm);
   void add(const Motion& motion);
   Toolpath take() { return std::move(path_); }
 
  private:
   Vec3 placed(const Vec3& machine_mm) const {
+    if (pose_) return pose_->point(machine_mm);
     return as_it_is_ ? machine_mm : options_.machine_in_part(machine_mm);
   }
+  Vec3 here() const { return path_.moves.empty() ? path_.start : path_.moves.back().to; }
   Vec3 at_park_height(const Vec3& machine_mm) const {
     const Vec3 p = placed(machine_mm);
     return {p.x, p.y, options_.park_z_mm};
@@ -114,8 +120,9 @@ class PathMaker {
 
   const PathOptions& options_;
   bool as_it_is_;
+  std::optional<Pose> pose_;  ///< of motions in the path's frame, on a machine with rotary axes
   Toolpath path_;
-  Vec3 at_mm_;  ///< machine frame
+  Vec3 at_mm_;  ///< in the frame of motions
   bool started_ = false, parked_ = false;
 };
 
@@ -123,6 +130,20 @@ void PathMaker::begin_behind(const Motion& motion) {
   begin_at(motion.to);
   parked_ = motion.parked;
   if (parked_) path_.start = at_park_height(at_mm_);
+}
+
+void PathMaker::begin_behind(const AxisTurn& turn) {
+  const Kinematics& machine = options_.kinematics.value();
+  pose_ = pose_of(options_.machine_in_part) * turn.turn.frame.upright(machine, turn.turn.to_deg);
+  begin_at(turn.turn.to_mm);
+  parked_ = turn.parked;
+  if (parked_) path_.start = at_park_height(at_mm_);
+}
+
+void PathMaker::enter(const FrameChange& frame) {
+  pose_ = pose_of(options_.machine_in_part) *
+          frame.frame.upright(options_.kinematics.value(), frame.angles_deg);
+  if (started_) at_mm_ = pose_->point_back(here());
 }
 
 void PathMaker::begin_at(const Vec3& machine_mm) {
@@ -195,20 +216,88 @@ RigidPlacement machine_in_part(const RigidPlacement& program_frame, const WorkOf
   return placement;
 }
 
+Pose pose_of(const RigidPlacement& placement) {
+  Pose pose = turn_about({0, 0, 1}, placement.rotate_z_deg);
+  pose.shift_mm = placement.translate_mm;
+  return pose;
+}
+
+Pose turned_part(const Kinematics& machine, const RigidPlacement& machine_in_part,
+                 const RotaryAngles& angles_deg) {
+  const Pose placed = pose_of(machine_in_part);
+  return placed * machine.upright(angles_deg) * placed.inverse();
+}
+
+namespace {
+
+/// The frames of motions from `first` on, as a path comes to them.
+class FrameWalk {
+ public:
+  explicit FrameWalk(const Program& program) : frames_(program.frames) {}
+
+  /// Calls `enter` with the frame that motion `motion` is in, where it is another than before.
+  template <typename Enter>
+  void go_to(std::size_t motion, const Enter& enter) {
+    const std::size_t before = next_;
+    while (next_ < frames_.size() && frames_[next_].motion <= motion) ++next_;
+    if (next_ != before) enter(frames_[next_ - 1]);
+  }
+
+ private:
+  const std::vector<FrameChange>& frames_;
+  std::size_t next_ = 0;
+};
+
+const AxisTurn* turn_at(const Program& program, std::size_t motion) {
+  const auto found =
+      std::lower_bound(program.turns.begin(), program.turns.end(), motion,
+                       [](const AxisTurn& turn, std::size_t at) { return turn.motion < at; });
+  return found != program.turns.end() && found->motion == motion ? &*found : nullptr;
+}
+
+}  // namespace
+
 Toolpath to_toolpath(const Program& program, const PathOptions& options) {
   if (!(std::isfinite(options.chord_error_mm) && options.chord_error_mm > 0))
     throw std::invalid_argument("chord error must be greater than 0");
   const std::size_t last = std::min(options.last, program.motions.size());
   const std::size_t first = std::min(options.first, last);
   PathMaker maker(options, last - first);
+  FrameWalk frames(program);
+  const auto enter = [&](const FrameChange& frame) { maker.enter(frame); };
   if (first == 0 && options.start_mm) maker.begin_at(*options.start_mm);
-  if (first > 0) {
+  if (const AxisTurn* turn = first > 0 ? turn_at(program, first - 1) : nullptr) {
+    maker.begin_behind(*turn);
+  } else if (first > 0) {
+    if (options.kinematics) frames.go_to(first - 1, enter);
     Motion before = program.motions[first - 1];
     before.to.z += options.start_shift_z_mm;
     maker.begin_behind(before);
   }
-  for (std::size_t i = first; i < last; ++i) maker.add(program.motions[i]);
+  for (std::size_t i = first; i < last; ++i) {
+    if (options.kinematics) frames.go_to(i, enter);
+    maker.add(program.motions[i]);
+  }
   return maker.take();
+}
+
+std::vector<SteadyRange> steady_ranges(const Program& program, std::size_t first,
+                                       std::size_t last) {
+  std::vector<SteadyRange> ranges(1);
+  ranges.back().first = first;
+  for (const AxisTurn& turn : program.turns) {
+    if (turn.motion < first) ranges.back().angles_deg = turn.turn.to_deg;
+    if (turn.motion < first || turn.motion >= last) continue;
+    SteadyRange& open = ranges.back();
+    open.last = turn.motion;
+    // What moves nothing between two turns is no range.
+    if (open.last > open.first) ranges.emplace_back();
+    ranges.back().turns.push_back(turn);
+    ranges.back().angles_deg = turn.turn.to_deg;
+    ranges.back().first = turn.motion + 1;
+  }
+  ranges.back().last = last;
+  return ranges;
 }
 
 Toolpath to_toolpath(const Program& program, double chord_error_mm) {

@@ -38,7 +38,29 @@ struct PathOptions {
   double most_moves = 4e8;
   /// The motions that are taken: [first, last).
   std::size_t first = 0, last = std::numeric_limits<std::size_t>::max();
+  /// Of a program with rotary axes: the machine. The path is in the part's frame as it is turned
+  /// while they stand as they do at `first`, so that the tool is along +Z; the motions taken must
+  /// not turn them.
+  std::optional<Kinematics> kinematics = std::nullopt;
 };
+
+/// `placement` as a pose.
+Pose pose_of(const RigidPlacement& placement);
+/// How the part's frame lies while rotary axes stand at `angles_deg`, turned so that the tool is
+/// along +Z: as Kinematics::upright has it, about the machine's zero.
+Pose turned_part(const Kinematics& machine, const RigidPlacement& machine_in_part,
+                 const RotaryAngles& angles_deg);
+
+/// Motions [first, last) of a program, while which its rotary axes stand still.
+struct SteadyRange {
+  std::size_t first = 0, last = 0;
+  RotaryAngles angles_deg{};
+  /// That lead to it, one after the other, from the range before or the start.
+  std::vector<AxisTurn> turns;
+};
+/// The ranges that [first, last) of `program` falls into, in order. The last one may hold no motion
+/// where the program ends with turns.
+std::vector<SteadyRange> steady_ranges(const Program& program, std::size_t first, std::size_t last);
 
 /// Straight moves in the part's frame for motions of `program`, arcs as chords of at most a quarter
 /// turn whose ends lie on the arc and which stay within `chord_error_mm` of it; the largest error

@@ -207,13 +207,24 @@ std::optional<RotaryAngles> Kinematics::angles_for(const Vec3& axis,
 }
 
 Pose MotionFrame::in_workpiece(const Kinematics& machine, const RotaryAngles& angles_deg) const {
-  if (control == TipControl::tool_centre) return plane;
+  if (control == TipControl::tool_centre)
+    return length_error_mm == 0
+               ? plane
+               : shift(machine.stand({}, angles_deg, 0).axis * length_error_mm) * plane;
   const Pose from_machine = machine.table(angles_deg).inverse();
   if (control == TipControl::joints) {
     const Vec3 tool{0, 0, -tool_length_mm};
     return from_machine * shift(machine.head(angles_deg).point(tool) - tool);
   }
   return shift(work_zero_mm) * rotation(from_machine) * shift(Vec3{} - work_zero_mm);
+}
+
+/// Where tables alone turn and motions are along the machine's axes, they are so to the last bit.
+Pose MotionFrame::upright(const Kinematics& machine, const RotaryAngles& angles_deg) const {
+  if (!machine.has_head() && control == TipControl::joints) return {};
+  if (!machine.has_head() && control == TipControl::dynamic_offset)
+    return shift(machine.table(angles_deg).point(work_zero_mm) - work_zero_mm);
+  return machine.upright(angles_deg) * in_workpiece(machine, angles_deg);
 }
 
 RotaryAngles TurningMotion::angles_at(double t) const {
@@ -242,7 +253,8 @@ double TurningMotion::turn_rad() const {
 /// both lie from each other.
 double TurningMotion::tip_speed_mm(const Kinematics& machine) const {
   const double straight_mm = length(to_mm - from_mm);
-  if (frame.control == TipControl::tool_centre) return straight_mm;
+  if (frame.control == TipControl::tool_centre)
+    return straight_mm + turn_rad() * std::abs(frame.length_error_mm);
   const auto farthest = [&](const Vec3& from) {
     return std::max(length(from_mm - from), length(to_mm - from));
   };

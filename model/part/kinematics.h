@@ -88,9 +88,14 @@ struct MotionFrame {
   double tool_length_mm = 0;  ///< of joints, on a machine with a head
   Vec3 work_zero_mm;          ///< of dynamic_offset, in the machine's frame
   Pose plane;                 ///< of tool_centre: a tilted working plane in the workpiece
+  /// Of tool_centre: by how much the control takes the tool for longer than it is, so that the tip
+  /// stands so far back along it.
+  double length_error_mm = 0;
 
   /// From motions to the workpiece.
   Pose in_workpiece(const Kinematics& machine, const RotaryAngles& angles_deg) const;
+  /// From motions to the workpiece as `machine.upright` has it: the tool along +Z.
+  Pose upright(const Kinematics& machine, const RotaryAngles& angles_deg) const;
 
   friend bool operator==(const MotionFrame&, const MotionFrame&) = default;
 };

@@ -22,8 +22,9 @@ bool lacks_feed(const Move& m) {
   return m.kind == MoveKind::feed && !(m.feed_mm_min > 0);
 }
 
-bool over_each_other(const Vec3& a, const Vec3& b) {
-  return a.x == b.x && a.y == b.y;
+/// Within `slack_mm`: a program whose tool leans rounds what is upright to it.
+bool over_each_other(const Vec3& a, const Vec3& b, double slack_mm) {
+  return level_distance(a, b) <= slack_mm;
 }
 
 }  // namespace
@@ -158,14 +159,15 @@ bool StockCheck::descends_too_steeply(std::size_t i) const {
 }
 
 // Straight up from where the move before the line ended: the flutes stood there, and all that they
-// sweep anew is above their top.
+// sweep anew is above their top, but for as much as they drift aside, which is no contact.
 bool StockCheck::backs_out(std::size_t i) const {
   const std::size_t begin = lines_.begin(i);
   if (begin == 0) return false;
   const Vec3 &from = move_from(path_, begin), &to = path_.moves[i].to;
-  return over_each_other(from, move_from(path_, i)) && over_each_other(from, to) &&
-         to.z >= move_from(path_, i).z && bodies_.widest_at_top() &&
-         from.z + bodies_.flutes.profile.length() >= map_.highest();
+  const double slack_mm = limits_.slightest_mm();
+  return over_each_other(from, move_from(path_, i), slack_mm) &&
+         over_each_other(from, to, slack_mm) && to.z >= move_from(path_, i).z &&
+         bodies_.widest_at_top() && from.z + bodies_.flutes.profile.length() >= map_.highest();
 }
 
 // Up from where a feed move ended or down to where one begins, with flutes that are widest at their
@@ -173,7 +175,7 @@ bool StockCheck::backs_out(std::size_t i) const {
 bool StockCheck::keeps_to_its_hole(std::size_t i) const {
   const std::size_t begin = lines_.begin(i), end = lines_.end(i);
   const Vec3 &from = move_from(path_, begin), &to = path_.moves[end - 1].to;
-  if (!over_each_other(from, to) || !bodies_.widest_at_top()) return false;
+  if (!over_each_other(from, to, limits_.slightest_mm()) || !bodies_.widest_at_top()) return false;
   const bool up = to.z >= from.z;
   const bool beside_feed = up ? begin > 0 && path_.moves[begin - 1].kind == MoveKind::feed
                               : end < path_.moves.size() && path_.moves[end].kind == MoveKind::feed;

@@ -21,7 +21,7 @@ constexpr std::string_view kLines = "G0 to G3";
 constexpr std::string_view kOff = "a program that states its moves as they are";
 constexpr std::string_view kTurned = "it turns, scales or mirrors what follows";
 constexpr std::string_view kOriented =
-    "it turns the tool's axis: orientations are not supported yet";
+    "it is about the tool's axis, and the machine has no rotary axes ([machine] kinematics)";
 constexpr std::string_view kProbe = "it ends where a probe touches, which no program states";
 constexpr std::string_view kPallet = "it moves a part of the machine that is not known here";
 constexpr std::string_view kNotRead = "a code of this control";
@@ -60,7 +60,9 @@ constexpr std::array kIsoG = {
     aside(611, 630),  // automatic corner override, tapping mode
     refused(660, 669, "a macro at every move is not carried out", "G65 where it is to run"),
     aside(670, 670),  // modal macro off
-    refused(680, 689, kTurned, kOff),
+    refused(680, 681, kTurned, kOff),
+    refused(682, 682, kOriented, kOff),
+    refused(683, 689, kTurned, kOff),
     aside(690, 690),  // rotation off
     aside(691, 691),
     refused(700, 729, "patterns of holes are not carried out", "each hole's X and Y"),
@@ -188,6 +190,33 @@ const CodeRule* g_rule(Control control, int tenths) {
       break;
   }
   return nullptr;
+}
+
+std::optional<RotaryCode> rotary_code(Control control, int tenths) {
+  constexpr RotaryCode kTipCentred{GGroup::length_offset, 434};
+  const bool iso = control == Control::fanuc || control == Control::haas;
+  if (!iso && control != Control::linuxcnc) return std::nullopt;
+  switch (tenths) {
+    case 434:
+      return iso ? std::optional(kTipCentred) : std::nullopt;
+    case 531:
+      return RotaryCode{GGroup::non_modal, tenths};
+    case 682:
+    case 690:
+      return RotaryCode{GGroup::working_plane, tenths};
+    case 2340:
+      return control == Control::haas ? std::optional(kTipCentred) : std::nullopt;
+    case 2540:
+    case 2550:
+      return control == Control::haas ? std::optional(RotaryCode{GGroup::dynamic_offset, tenths})
+                                      : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_kinematics_switch(Control control, int number) {
+  return control == Control::linuxcnc && number >= 428 && number <= 430;
 }
 
 const CodeRule* m_rule(Control control, int number) {

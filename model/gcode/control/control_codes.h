@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
+#include "model/gcode/text/codes.h"
 #include "model/part/control.h"
 
 namespace limitgauge::model::gcode {
@@ -25,5 +27,18 @@ struct CodeRule {
 /// Null where the control reads the code as RS274/NGC does, or not at all.
 const CodeRule* g_rule(Control control, int tenths);
 const CodeRule* m_rule(Control control, int number);
+
+/// A code that says what programmed places mean while rotary axes are turned, by the number that it
+/// is carried out as.
+struct RotaryCode {
+  GGroup group = GGroup::length_offset;
+  int tenths = 0;
+};
+/// G43.4, G68.2, G53.1 and G69 of Fanuc, of Haas G234 (as G43.4), G254 and G255 too; of LinuxCNC
+/// those of Fanuc's that its configurations with a tilted working plane remap: G68.2, G53.1, G69.
+/// On a machine with rotary axes only.
+std::optional<RotaryCode> rotary_code(Control control, int tenths);
+/// LinuxCNC's M428 to M430, as its configurations with switchable kinematics remap them.
+bool is_kinematics_switch(Control control, int number);
 
 }  // namespace limitgauge::model::gcode

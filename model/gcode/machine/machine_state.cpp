@@ -25,6 +25,9 @@ MachineState::MachineState(const MachineSetup& machine)
   if (rules_of(machine.control).begins_in_g0) modal.motion = modal.beside_cycles = 0;
   modal.motion_is_taken = modal.motion.has_value();
   modal.return_to_r = !rules_of(machine.control).begins_in_g98;
+  orientation.machine = machine.kinematics;
+  orientation.tool_centred = machine.starts_tool_centred.value_or(false);
+  orientation.control_is_assumed = !machine.starts_tool_centred.has_value();
   refresh();
   if (!machine.start_mm) return;
   has_start = true;
@@ -44,6 +47,49 @@ void MachineState::take_place(int axis, double value_mm) {
 void MachineState::refresh() {
   frame = systems.frame(systems.active());
   frame.length_offset_mm = tools.shift_mm();
+  // Along the tool then, wherever it points (MotionFrame::length_error_mm).
+  if (orientation.tool_centred) frame.length_offset_mm = 0;
+}
+
+MotionFrame MachineState::motion_frame() const {
+  MotionFrame out;
+  if (orientation.plane) {
+    out.control = TipControl::tool_centre;
+    Pose work = turn_about({0, 0, 1}, frame.rotation_deg);
+    const Vec3 length_mm{0, 0, frame.length_offset_mm};
+    work.shift_mm = frame.to_machine({}) - length_mm;
+    Pose along_tool;
+    along_tool.shift_mm = length_mm;
+    out.plane = work * *orientation.plane * along_tool;
+  } else if (orientation.tool_centred) {
+    out.control = TipControl::tool_centre;
+    out.length_error_mm = tools.shift_mm();
+  } else if (orientation.dynamic_offset) {
+    out.control = TipControl::dynamic_offset;
+    out.work_zero_mm = frame.to_machine({}) - Vec3{0, 0, frame.length_offset_mm};
+  } else if (orientation.machine && orientation.machine->has_head()) {
+    out.tool_length_mm = tools.true_length().value_or(0);
+  }
+  return out;
+}
+
+Vec3 MachineState::in_workpiece() const {
+  const Vec3 place_mm = orientation.plane ? position_mm : frame.to_machine(position_mm);
+  return motion_frame()
+      .in_workpiece(orientation.machine.value(), orientation.angles_deg)
+      .point(place_mm);
+}
+
+void MachineState::stand_at(const Vec3& tip_mm, const MotionFrame& before) {
+  const Kinematics& machine = orientation.machine.value();
+  const MotionFrame now = motion_frame();
+  const Pose from_motion = now.in_workpiece(machine, orientation.angles_deg);
+  const Vec3 place_mm = from_motion.point_back(tip_mm);
+  position_mm = orientation.plane ? place_mm : frame.to_work(place_mm);
+  const Pose change = from_motion.inverse() * before.in_workpiece(machine, orientation.angles_deg);
+  if (!change.turns()) return;
+  if (!(known[0] && known[1] && known[2])) known = {};
+  if (is_adrift()) adrift.fill(true);
 }
 
 void MachineState::stay_at(const Frame& before) {

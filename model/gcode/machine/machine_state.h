@@ -5,6 +5,7 @@
 
 #include "model/base/tolerance.h"
 #include "model/gcode/machine/coordinate_systems.h"
+#include "model/gcode/machine/orientation.h"
 #include "model/gcode/machine/tool_table.h"
 #include "model/gcode/program.h"
 #include "model/gcode/text/statement.h"
@@ -66,6 +67,7 @@ struct MachineState {
   Coolant coolant;
   CoordinateSystems systems;
   ToolTable tools;
+  Orientation orientation;
   std::array<ReferencePoint, 2> reference;  ///< of G28 and G30
   bool fresh = false;                       ///< MachineSetup::assume_fresh_machine
   std::optional<int> selected_tool;         ///< by T
@@ -95,11 +97,27 @@ struct MachineState {
   /// The work coordinate of an unknown axis turns out to be `value_mm`: so was it at the start, as
   /// far away as the program has moved since.
   void take_place(int axis, double value_mm);
+  /// How the places of motions lie in the workpiece now. Motions' places are in the machine's
+  /// frame, or in the tilted working plane.
+  MotionFrame motion_frame() const;
+  /// The tip in the workpiece. Only on a machine with rotary axes.
+  Vec3 in_workpiece() const;
+  /// Carries out a change of `orientation` that leaves the tool where it is. Where an axis is not
+  /// known and becomes a mixture with others, none is.
+  template <typename Change>
+  void keeping_tool(const Change& change) {
+    const Vec3 tip_mm = in_workpiece();
+    const MotionFrame before = motion_frame();
+    change();
+    refresh();
+    stand_at(tip_mm, before);
+  }
   bool is_compensated() const { return modal.compensation != 400; }
   bool is_adrift() const { return adrift[0] || adrift[1] || adrift[2]; }
 
  private:
   void stay_at(const Frame& before);
+  void stand_at(const Vec3& tip_mm, const MotionFrame& before);
 };
 
 /// Throws InputError at `word` while cutter compensation is on.

@@ -8,6 +8,7 @@
 #include "model/gcode/read/auxiliaries.h"
 #include "model/gcode/read/motion_codes.h"
 #include "model/gcode/read/offset_codes.h"
+#include "model/gcode/read/orientation_codes.h"
 #include "model/gcode/read/tool_codes.h"
 #include "model/gcode/text/system_parameters.h"
 #include "model/gcode/text/word_use.h"
@@ -62,6 +63,7 @@ bool Interpreter::execute(const Statement& statement) {
   const std::optional<int> motion =
       motion_of(statement, state_.modal.motion, state_.modal.beside_cycles);
   check_word_use(statement, motion);
+  check_turn(statement, motion);
   set_spindle_mode(statement);
   set_feed(statement, state_);
   if (state_.modal.feed_mode == FeedMode::inverse_time && motion.value_or(0) == 0)
@@ -98,7 +100,8 @@ void Interpreter::move_plainly(const Statement& statement) {
 }
 
 void Interpreter::carry_out_m(const Statement& statement) {
-  change_tool(statement, state_, program_);
+  in_joints_if(statement.m_word(MGroup::tool_change) != nullptr,
+               [&] { change_tool(statement, state_, program_); });
   turn_spindle(statement);
   saved_.carry_out(statement);
   set_coolant(statement);
@@ -110,6 +113,7 @@ void Interpreter::carry_out_g(const Statement& statement, std::optional<int> mot
   take_offset_numbers(statement, state_);
   set_radius_offset(statement, state_, compensation_);
   set_length_offset(statement, state_, assumed_);
+  set_tip_control(statement);
   if (statement.g_word(GGroup::coordinate_system)) select_system(statement, state_, assumed_);
   set_late_modes(statement);
   carry_out_non_modal(statement);
@@ -213,6 +217,9 @@ void Interpreter::carry_out_non_modal(const Statement& statement) {
     case 520:
     case 920:
       return set_axis_offsets(statement, state_, program_, assumed_);
+    case 531:
+      forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state_);
+      return turn_in_joints(statement, plane_angles(statement, state_, assumed_), true);
     case 530:
       if (!statement.has_axes() && !statement.has_rotary() && !statement.g_word(GGroup::motion))
         statement.fail(*statement.g_word(GGroup::non_modal), "G53 without a motion",
@@ -227,6 +234,11 @@ void Interpreter::carry_out_non_modal(const Statement& statement) {
 void Interpreter::go_home(const Statement& statement) {
   forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state_);
   check_system(statement, state_);
+  in_joints([&] { move_home(statement); });
+  turn_home(statement);
+}
+
+void Interpreter::move_home(const Statement& statement) {
   Motion motion;
   motion.plane = state_.modal.plane;
   if (statement.has_rotary() && !statement.has_axes()) {
@@ -238,6 +250,7 @@ void Interpreter::go_home(const Statement& statement) {
   motion.to = state_.position_mm = waypoint_of(statement, state_);
   emit(statement, motion);
   motion.to = state_.position_mm = reference_end(statement, state_, assumed_);
+  check_park(statement);
   emit(statement, motion);
 }
 
@@ -253,11 +266,20 @@ void Interpreter::move(const Statement& statement, int code) {
   if (statement.g(GGroup::non_modal) == 530 && code != 0 && code != 10)
     statement.fail(*statement.g_word(GGroup::non_modal), "G53 beside a motion that is not straight",
                    "G0 or G1");
-  if (code == 0 || code == 10)
-    return emit(statement, straight_motion(statement, state_, code == 0, assumed_));
+  if (code == 0 || code == 10) return move_straight(statement, code);
   if (is_canned_cycle(code)) return tap(statement, code);
   list_idle_centre(statement, state_.modal.plane, program_);
   emit(statement, arc_motion(statement, state_, code == 30));
+}
+
+void Interpreter::move_straight(const Statement& statement, int code) {
+  const auto carry_out = [&] {
+    if (turns(statement)) return turn(statement, code);
+    const Motion motion = straight_motion(statement, state_, code == 0, assumed_);
+    check_park(statement);
+    emit(statement, motion);
+  };
+  in_joints_if(statement.g(GGroup::non_modal) == 530, carry_out);
 }
 
 SpindleState Interpreter::spindle_state() const {
@@ -324,6 +346,15 @@ void Interpreter::emit(const Statement& statement, Motion motion) {
 /// From the active work frame to the machine's. Nothing changes the frame while cutter compensation
 /// holds motions.
 void Interpreter::put(Motion motion) {
+  note_frame();
+  if (!state_.orientation.plane) to_machine(motion);
+  // Waited for the compensation while the program's first M3 or M4 came.
+  if (program_.starts_spindle && program_.motions.size() < motions_before_spindle_)
+    motion.spindle_stopped = true;
+  program_.motions.push_back(motion);
+}
+
+void Interpreter::to_machine(Motion& motion) const {
   const Frame& frame = state_.frame;
   if (motion.kind == MotionKind::arc) {
     const auto [first, second, normal] = axes_of(motion.plane);
@@ -335,10 +366,6 @@ void Interpreter::put(Motion motion) {
     motion.centre2 = centre_mm[second];
   }
   motion.to = frame.to_machine(motion.to);
-  // Waited for the compensation while the program's first M3 or M4 came.
-  if (program_.starts_spindle && program_.motions.size() < motions_before_spindle_)
-    motion.spindle_stopped = true;
-  program_.motions.push_back(motion);
 }
 
 }  // namespace limitgauge::model::gcode

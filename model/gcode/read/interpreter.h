@@ -52,13 +52,47 @@ class Interpreter {
   void set_late_modes(const Statement& statement);
   void carry_out_non_modal(const Statement& statement);
   void go_home(const Statement& statement);
+  void move_home(const Statement& statement);
   void move(const Statement& statement, int code);
+  void move_straight(const Statement& statement, int code);
   void cycle(const Statement& statement, int code);
   void tap(const Statement& statement, int code);
   SpindleState spindle_state() const;
 
+  bool turns(const Statement& statement) const;
+  void check_turn(const Statement& statement, std::optional<int> motion) const;
+  void note_frame();
+  void list_turn(const Statement& statement, const Motion& motion, const TurningMotion& turn);
+  void turn(const Statement& statement, int code);
+  void turn_in_joints(const Statement& statement, const RotaryAngles& to_deg, bool rapid);
+  void set_tip_control(const Statement& statement);
+  void turn_home(const Statement& statement);
+  void check_park(const Statement& statement) const;
+  /// Does `work` while places move X, Y and Z of the machine, whatever the control makes of them.
+  template <typename Work>
+  void in_joints(const Work& work) {
+    if (!state_.orientation.transforms()) return work();
+    const Orientation modes = state_.orientation;
+    state_.keeping_tool([&] {
+      state_.orientation.tool_centred = state_.orientation.dynamic_offset = false;
+      state_.orientation.plane.reset();
+    });
+    work();
+    state_.keeping_tool([&] {
+      state_.orientation.tool_centred = modes.tool_centred;
+      state_.orientation.dynamic_offset = modes.dynamic_offset;
+      state_.orientation.plane = modes.plane;
+    });
+  }
+  template <typename Work>
+  void in_joints_if(bool joints, const Work& work) {
+    if (joints) return in_joints(work);
+    work();
+  }
+
   void emit(const Statement& statement, Motion motion);
   void put(Motion motion);
+  void to_machine(Motion& motion) const;
   void check_count(const Statement& statement) const;
   std::size_t motions_so_far() const { return program_.motions.size() + compensation_.waiting(); }
 

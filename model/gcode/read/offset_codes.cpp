@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/base/tolerance.h"
+#include "model/gcode/read/orientation_codes.h"
 #include "model/text/message_text.h"
 #include "model/text/number_text.h"
 
@@ -254,6 +255,7 @@ void set_fanuc_data(const Statement& statement, MachineState& state, const Word&
 
 void select_system(const Statement& statement, MachineState& state, Assumptions& assumed) {
   forbid_compensation(statement, *statement.g_word(GGroup::coordinate_system), state);
+  check_frame_is_free(statement, *statement.g_word(GGroup::coordinate_system), state);
   const Word& word = *statement.g_word(GGroup::coordinate_system);
   const int code = *statement.g(GGroup::coordinate_system);
   const auto index = code == 541
@@ -268,6 +270,7 @@ void set_data(const Statement& statement, MachineState& state, Program& program,
               Assumptions& assumed) {
   const char* const expected = "L2 or L20 for a coordinate system, L1 for a tool";
   const Word& l = required(statement, 'L', expected);
+  check_frame_is_free(statement, *statement.g_word(GGroup::non_modal), state);
   if (statement.rules().fanuc_offsets) return set_fanuc_data(statement, state, l, assumed);
   const int kind = whole(l.value).value_or(-1);
   if (kind == 2) return set_origin(statement, state, system_of(statement, state), assumed);
@@ -287,6 +290,7 @@ void set_data(const Statement& statement, MachineState& state, Program& program,
 void set_axis_offsets(const Statement& statement, MachineState& state, Program& program,
                       Assumptions& assumed) {
   forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state);
+  check_frame_is_free(statement, *statement.g_word(GGroup::non_modal), state);
   const bool shifts = statement.g(GGroup::non_modal) == 520;
   if (!statement.has_axes() && statement.has_rotary()) return;
   check_one_shift(statement, state);
@@ -319,6 +323,7 @@ void set_axis_offsets(const Statement& statement, MachineState& state, Program& 
 
 void apply_axis_offsets(const Statement& statement, MachineState& state) {
   forbid_compensation(statement, *statement.g_word(GGroup::axis_offset), state);
+  check_frame_is_free(statement, *statement.g_word(GGroup::axis_offset), state);
   const int code = *statement.g(GGroup::axis_offset);
   if (code == 923 && !state.systems.g92_was_set() && !state.fresh)
     statement.fail(*statement.g_word(GGroup::axis_offset),

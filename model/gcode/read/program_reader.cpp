@@ -29,6 +29,9 @@ Program read_plain(std::string_view text, const std::string& name, const Machine
   program.motions.reserve(std::min(lines, text.size() / kShortestMoveBytes) + 1);
   gcode::Parameters parameters;
   gcode::Lexer lexer(text, name, parameters, gcode::rules_of(machine.control));
+  if (machine.kinematics)
+    for (const RotaryAxis& axis : machine.kinematics->axes)
+      lexer.set_rotary(lexer.rotary() | gcode::letter_bit(axis.word));
   gcode::Flow flow(lexer, parameters, {}, gcode::subprograms_in(machine.subprograms));
   gcode::Interpreter interpreter(program, machine, lexer, parameters, lines + kExpandedMotions);
   gcode::Block block;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "model/base/tolerance.h"
+#include "model/gcode/read/orientation_codes.h"
 #include "model/text/message_text.h"
 #include "model/text/number_text.h"
 
@@ -181,7 +182,12 @@ void set_length_offset(const Statement& statement, MachineState& state, Assumpti
     return use_modal_offset(statement, state, assumed);
   if (!code) return;
   forbid_compensation(statement, *statement.g_word(GGroup::length_offset), state);
-  state.modal.length_offset = *code;
+  state.modal.length_offset = *code == 434 ? 430 : *code;
+  if (*code == 490 || *code == 434) leave_tool_centre(statement, state);
+  if (*code == 434) {
+    use_offset(statement, state, assumed);
+    return enter_tool_centre(statement, state, assumed);
+  }
   if (*code == 490) return state.keeping_tip([&] { state.tools.clear_offset(); });
   if (*code == 430) return use_offset(statement, state, assumed);
   if (*code == 431) return use_dynamic(statement, state, assumed);

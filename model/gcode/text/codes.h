@@ -22,6 +22,8 @@ enum class GGroup : std::uint8_t {
   coordinate_system,  ///< G54 to G59, G59.1 to G59.3; of Fanuc and Haas G54.1
   path_control,       ///< G61 G61.1 G64
   spindle_mode,       ///< G96 G97
+  working_plane,      ///< G68.2 G69, on machines with rotary axes
+  dynamic_offset,     ///< G254 G255, likewise
   count
 };
 
@@ -34,6 +36,7 @@ enum class MGroup : std::uint8_t {
   coolant,       ///< M7 M8 M9
   overrides,     ///< M48 to M53
   stopping,      ///< M0 M1 M2 M30 M60
+  kinematics,    ///< M428 M429, on machines with rotary axes
   count
 };
 

@@ -142,6 +142,10 @@ class Lexer {
   bool skip_to_mark(Mark& mark);
 
   const ControlRules& rules() const { return rules_; }
+  /// The machine has rotary axes, whose letters these are: their words and the codes that say what
+  /// places mean while they are turned are carried out.
+  void set_rotary(std::uint32_t letters) { rotary_ = letters; }
+  std::uint32_t rotary() const { return rotary_; }
 
   SourcePlace place(std::uint32_t line, std::uint32_t column) const;
   [[noreturn]] void fail_at(std::uint32_t line, std::uint32_t column, const std::string& wrong,
@@ -214,6 +218,7 @@ class Lexer {
 
   std::vector<Text> texts_;
   const ControlRules& rules_;
+  std::uint32_t rotary_ = 0;
   const Parameters& parameters_;
   Fail fail_;
   Cursor cursor_;            // the line that is read

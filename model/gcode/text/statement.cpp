@@ -10,7 +10,6 @@ namespace {
 
 constexpr int kG80 = 800;
 constexpr std::uint32_t kUsed = letter_bits("DEFHIJKLPQRSTXYZ@^");
-constexpr std::uint32_t kRotaryAxes = letter_bits("ABC");
 constexpr std::uint32_t kOtherAxes = letter_bits("ABCUVW");
 
 }  // namespace
@@ -47,6 +46,15 @@ Statement::Statement(const Block& block, const Lexer& lexer) : block_(block), le
   take_dwell();
 }
 
+void Statement::refuse_axis(const Word& word) const {
+  if ((kRotaryLetters & letter_bit(word.letter)) == 0)
+    fail(word, "axis word " + in_quotes(word.text) + " of an axis that is not carried out",
+         "X, Y and Z only");
+  fail(word, "axis word " + in_quotes(word.text) + " of a rotary axis that the machine lacks",
+       "[machine] kinematics and a [[machine.axis]] with word = \"" + std::string(1, word.letter) +
+           "\" in the job, or axes that stay at 0");
+}
+
 /// Words that belong to a setting go with it.
 void Statement::set_aside(std::string_view letters) {
   for (const char letter : letters) {
@@ -66,6 +74,9 @@ void Statement::take_dwell() {
 
 void Statement::add_g(const Word& word, Index index) {
   std::optional<int> tenths = whole(word.value * 10);
+  if (const auto code =
+          lexer_.rotary() != 0 && tenths ? rotary_code(rules().control, *tenths) : std::nullopt)
+    return put(g_[static_cast<int>(code->group)], code->tenths, word, index);
   if (const CodeRule* rule = tenths ? g_rule(rules().control, *tenths) : nullptr) {
     if (rule->use != CodeUse::same_as) return add(*rule, word, index);
     tenths = rule->other;
@@ -82,6 +93,8 @@ void Statement::add_g(const Word& word, Index index) {
 
 void Statement::add_m(const Word& word, Index index) {
   std::optional<int> number = whole(word.value);
+  if (lexer_.rotary() != 0 && number && is_kinematics_switch(rules().control, *number))
+    return put(m_[static_cast<int>(MGroup::kinematics)], *number, word, index);
   if (const CodeRule* rule = number ? m_rule(rules().control, *number) : nullptr) {
     if (rule->use != CodeUse::same_as) return add(*rule, word, index);
     number = rule->other;
@@ -108,16 +121,14 @@ void Statement::put(Code& code, int number, const Word& word, Index index) {
 
 void Statement::add_other(const Word& word, Index index) {
   const std::uint32_t bit = letter_bit(word.letter);
-  if ((kRotaryAxes & bit) != 0 && rules().rotary_zero && word.value == 0) {
+  const bool turns = (lexer_.rotary() & bit) != 0;
+  if (turns) has_rotary_ = true;
+  if (!turns && (kRotaryLetters & bit) != 0 && rules().rotary_zero && word.value == 0) {
     has_rotary_ = true;
     return aside_.set(index - 1U), void();
   }
-  if ((kOtherAxes & bit) != 0)
-    fail(word,
-         "axis word " + in_quotes(word.text) + " of an axis that is not carried out" +
-             ((kRotaryAxes & bit) != 0 ? ": orientations are not supported yet" : ""),
-         (kRotaryAxes & bit) != 0 ? "X, Y and Z, rotary axes that stay at 0" : "X, Y and Z only");
-  if ((kUsed & bit) == 0)
+  if (!turns && (kOtherAxes & bit) != 0) refuse_axis(word);
+  if (!turns && (kUsed & bit) == 0)
     fail(word, in_quotes(word.text) + " belongs to no code that is carried out",
          "a word of RS274/NGC");
   if ((present_ & bit) != 0)

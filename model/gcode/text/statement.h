@@ -26,6 +26,7 @@ constexpr std::uint32_t letter_bits(std::string_view letters) {
   return bits;
 }
 inline constexpr std::uint32_t kAxisLetters = letter_bits("XYZ");
+inline constexpr std::uint32_t kRotaryLetters = letter_bits("ABC");
 inline constexpr std::uint32_t kPolarLetters = letter_bits("@^");
 
 /// A block whose words have been sorted by what they are: at most one code of each modal group and
@@ -43,7 +44,7 @@ class Statement {
   bool has_axes() const { return (present_ & kAxisLetters) != 0; }
   /// `@` or `^`.
   bool is_polar() const { return (present_ & kPolarLetters) != 0; }
-  /// A word of a rotary axis that stays where it is.
+  /// A word of a rotary axis: one that the machine has, or one that stays where it is.
   bool has_rotary() const { return has_rotary_; }
   /// Settings of the control that move nothing, and words that belong to them or to no axis here.
   bool is_set_aside(const Word& word) const { return aside_[index_of(word)]; }
@@ -88,6 +89,7 @@ class Statement {
     return static_cast<std::size_t>(&word - block_.words.data());
   }
   [[noreturn]] void refuse(const Word& word, const Refusal& refusal) const;
+  [[noreturn]] void refuse_axis(const Word& word) const;
 
   const Block& block_;
   const Lexer& lexer_;

@@ -10,7 +10,7 @@
 namespace limitgauge::model::gcode {
 namespace {
 
-constexpr std::uint32_t kFreeLetters = letter_bits("FGMSTXYZ@^");
+constexpr std::uint32_t kFreeLetters = letter_bits("ABCFGMSTXYZ@^");
 constexpr std::uint32_t kCentreLetters = letter_bits("IJK");
 constexpr int kCancelCycle = 800;  // G80, in tenths
 
@@ -21,7 +21,16 @@ bool takes_axes(int non_modal) {
 }
 
 const Word& axis_of(const Statement& statement) {
-  return *statement.first_of({'X', 'Y', 'Z', '@', '^'});
+  return *statement.first_of({'X', 'Y', 'Z', '@', '^', 'A', 'B', 'C'});
+}
+
+bool states_plane(const Statement& statement) {
+  return statement.g(GGroup::working_plane) == 682;
+}
+
+/// The code that takes the axis words for itself, where axes_are_taken().
+const Word& taker_of(const Statement& statement) {
+  return *statement.g_word(states_plane(statement) ? GGroup::working_plane : GGroup::non_modal);
 }
 
 /// One sort of code that may use a letter.
@@ -55,6 +64,7 @@ class Users {
   bool modal() const { return statement_.rules().modal_offset_words; }
   bool cycle(char letter) const { return cycle_takes(motion_, letter); }
   User arcs() const { return {arc(), "an arc"}; }
+  User plane() const { return {states_plane(statement_), "G68.2"}; }
   User setting() const { return {non_modal(100), "G10"}; }
   User blending() const { return {g(GGroup::path_control, 640), "G64"}; }
   User orienting() const { return {m(MGroup::spindle, 19, 19), "M19"}; }
@@ -100,9 +110,9 @@ std::array<User, 6> Users::users_of(char letter) const {
       return {User{g(GGroup::length_offset, 430) || g(GGroup::length_offset, 432), "G43"}};
     case 'I':
     case 'J':
-      return {arcs(), User{cycle(letter), "G87"}, setting()};
+      return {arcs(), User{cycle(letter), "G87"}, setting(), plane()};
     case 'K':
-      return {arcs(), User{cycle(letter), "G87"},
+      return {arcs(), User{cycle(letter), "G87"}, plane(),
               User{any_cycle() && statement_.rules().repeats_by_k, "a canned cycle"}};
     case 'L':
       return {User{cycle('L'), "a canned cycle"}, setting(), input()};
@@ -214,16 +224,17 @@ std::optional<int> stated_motion(const Statement& statement, int code,
   const auto non_modal = statement.g(GGroup::non_modal);
   const bool taken = axes_are_taken(statement);
   if (code == kCancelCycle) {
-    if (!statement.has_axes() || taken) return std::nullopt;
+    const bool turns = statement.has_rotary() && statement.first_of({'A', 'B', 'C'});
+    if ((!statement.has_axes() && !(turns && beside_cycles)) || taken) return std::nullopt;
     if (beside_cycles) return beside_cycles;
     statement.fail(axis_of(statement), "an axis word beside G80", "G0, G1, G2 or G3");
   }
   const bool by_reference = non_modal == 280 || non_modal == 300;
   if (by_reference && code <= 10 && statement.rules().motion_beside_reference) return std::nullopt;
   if (taken)
-    statement.fail(*statement.g_word(GGroup::non_modal),
-                   in_quotes(statement.g_word(GGroup::non_modal)->text) + " and " +
-                       in_quotes(word.text) + " would both use axis words",
+    statement.fail(taker_of(statement),
+                   in_quotes(taker_of(statement).text) + " and " + in_quotes(word.text) +
+                       " would both use axis words",
                    "one of them in a block of its own");
   if (statement.g(GGroup::length_offset) == 431)
     statement.fail(*statement.g_word(GGroup::length_offset),
@@ -240,7 +251,7 @@ std::optional<int> stated_motion(const Statement& statement, int code,
 
 bool axes_are_taken(const Statement& statement) {
   const auto code = statement.g(GGroup::non_modal);
-  return code && takes_axes(*code);
+  return (code && takes_axes(*code)) || states_plane(statement);
 }
 
 std::optional<int> motion_of(const Statement& statement, std::optional<int> modal_motion,
@@ -254,7 +265,8 @@ std::optional<int> motion_of(const Statement& statement, std::optional<int> moda
     return 0;
   // As LinuxCNC, a rotary word that turns nothing is a motion of no length.
   const bool stays = statement.has_rotary() && (modal_motion == 0 || modal_motion == 10);
-  if (statement.has_axes() || statement.is_polar() || stays) {
+  const bool turns = (statement.letters() & kRotaryLetters) != 0;
+  if (statement.has_axes() || statement.is_polar() || stays || turns) {
     if (statement.g(GGroup::length_offset) == 431) return std::nullopt;
     if (!modal_motion)
       statement.fail(axis_of(statement), "an axis word without a motion mode", "G0, G1, G2 or G3");

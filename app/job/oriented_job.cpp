@@ -1,0 +1,180 @@
+#include "app/job/oriented_job.h"
+
+#include <algorithm>
+
+#include "app/job/foreign_programs.h"
+#include "model/base/error.h"
+#include "model/text/number_text.h"
+
+namespace limitgauge::app {
+namespace {
+
+using model::RotaryAngles;
+
+/// "A90C-45".
+std::string angle_words(const model::Kinematics& machine, const RotaryAngles& angles_deg) {
+  std::string words;
+  for (const model::RotaryAxis& axis : machine.axes)
+    words += std::string(1, axis.word) + model::six_digits(angles_deg[axis.index()] + 0.0);
+  return words;
+}
+
+/// The job with its stages taken apart.
+class Orienter {
+ public:
+  explicit Orienter(Job job) : job_(std::move(job)), pieces_(job_.stages.size()) {}
+
+  Job oriented();
+
+ private:
+  void take_apart(std::size_t setup);
+  void put_pieces(const StagePrograms& read, std::size_t index);
+  void refuse_tolerances(const JobStage& stage) const;
+  void add_pieces(const JobStage& stage, const std::vector<model::SteadyRange>& ranges,
+                  std::vector<JobStage>& stages);
+  std::size_t setup_at(std::size_t stated, const RotaryAngles& angles_deg);
+  void name_first_setup();
+
+  Job job_;
+  std::vector<std::vector<model::SteadyRange>> pieces_;  ///< by stage; one or none: it stays whole
+};
+
+void Orienter::put_pieces(const StagePrograms& read, std::size_t index) {
+  const MotionRange& range = read.ranges[index];
+  std::vector<model::SteadyRange> ranges = steady_ranges(read.program, range.first, range.last);
+  const JobStage& stage = job_.stages[read.stages[index]];
+  if (ranges.size() > kMostPieces)
+    throw model::InputError(
+        {stage.program.string(), static_cast<int>(ranges.back().turns.back().line), 0},
+        "the rotary axes turn between more than " + std::to_string(kMostPieces) +
+            " stretches of motions",
+        "a program that positions them and then cuts: cutting while they turn "
+        "is not carried out");
+  const bool steady = ranges.size() == 1 && ranges.front().turns.empty() &&
+                      ranges.front().angles_deg == RotaryAngles{};
+  if (steady) return;
+  refuse_tolerances(stage);
+  pieces_[read.stages[index]] = std::move(ranges);
+}
+
+void Orienter::refuse_tolerances(const JobStage& stage) const {
+  if (!job_.tolerances) return;
+  throw model::InputError(
+      {stage.program.string(), 0, 0},
+      "the program turns rotary axes, and the job has [tolerances]: figures over "
+      "tolerances are proven for parts that are not turned",
+      "a job without [tolerances]");
+}
+
+void Orienter::take_apart(std::size_t setup) {
+  Job view = job_;
+  view.at_setup = setup;
+  view.machine = machine_in_setup(job_, setup);
+  for (const StagePrograms& read : read_stage_programs(view))
+    for (std::size_t i = 0; i < read.stages.size(); ++i) put_pieces(read, i);
+}
+
+/// A setup without a name is the only one, of a job that states none.
+void Orienter::name_first_setup() {
+  if (has_setups(job_)) return;
+  job_.setups.front().setup.name = angle_words(*job_.machine.kinematics, {});
+}
+
+std::size_t Orienter::setup_at(std::size_t stated, const RotaryAngles& angles_deg) {
+  if (angles_deg == RotaryAngles{}) return stated;
+  for (std::size_t k = 0; k < job_.setups.size(); ++k)
+    if (const auto& turned = job_.setups[k].turned;
+        turned && turned->of == stated && turned->angles_deg == angles_deg)
+      return k;
+  JobSetup setup = job_.setups[stated];
+  const std::string words = angle_words(*job_.machine.kinematics, angles_deg);
+  const bool named = setup.setup.name != angle_words(*job_.machine.kinematics, {});
+  setup.setup.name = named ? setup.setup.name + "." + words : words;
+  Job view = job_;
+  view.machine = machine_in_setup(job_, stated);
+  setup.setup.from_part =
+      turned_part(*job_.machine.kinematics, machine_in_setup_frame(view), angles_deg) *
+      setup.setup.from_part;
+  setup.turned = {stated, angles_deg};
+  job_.setups.push_back(std::move(setup));
+  return job_.setups.size() - 1;
+}
+
+void Orienter::add_pieces(const JobStage& stage, const std::vector<model::SteadyRange>& ranges,
+                          std::vector<JobStage>& stages) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    JobStage piece = stage;
+    piece.piece = {stage.name, ranges[i], i + 1, ranges.size()};
+    piece.setup = setup_at(stage.setup, ranges[i].angles_deg);
+    if (i + 1 < ranges.size()) {
+      piece.name += "." + std::to_string(i + 1);
+      piece.limits = {};
+      piece.limits.gouge_mm = stage.limits.gouge_mm;
+    }
+    stages.push_back(std::move(piece));
+  }
+}
+
+void require_names(const std::vector<JobStage>& stages) {
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (stages[i].name == stages[k].name)
+        throw model::InputError({},
+                                "two stages are called \"" + stages[i].name +
+                                    "\": one of them is a stretch of \"" +
+                                    (stages[k].piece ? stages[k] : stages[i]).piece->stage +
+                                    "\", whose program turns rotary axes",
+                                "another name");
+}
+
+Job Orienter::oriented() {
+  for (std::size_t k = 0, stated = job_.setups.size(); k < stated; ++k) take_apart(k);
+  const auto whole = [](const auto& ranges) { return ranges.empty(); };
+  if (std::all_of(pieces_.begin(), pieces_.end(), whole)) return std::move(job_);
+  name_first_setup();
+  std::vector<JobStage> stages;
+  for (std::size_t i = 0; i < job_.stages.size(); ++i) {
+    if (pieces_[i].empty()) {
+      stages.push_back(job_.stages[i]);
+    } else {
+      add_pieces(job_.stages[i], pieces_[i], stages);
+    }
+  }
+  require_names(stages);
+  job_.stages = std::move(stages);
+  return std::move(job_);
+}
+
+}  // namespace
+
+Job oriented(Job job) {
+  if (!job.machine.kinematics) return job;
+  return Orienter(std::move(job)).oriented();
+}
+
+model::MachineSetup machine_in_setup(const Job& job, std::size_t setup) {
+  model::MachineSetup machine = job.machine;
+  const auto& own = job.setups[setup].machine;
+  if (!own) return machine;
+  machine.work_offsets = own->work_offsets;
+  machine.extended_offsets = own->extended_offsets;
+  return machine;
+}
+
+model::RigidPlacement machine_in_setup_frame(const Job& at_setup) {
+  return model::machine_in_part(
+      at_setup.program_frame, at_setup.machine.work_offsets.front().value_or(model::WorkOffset()));
+}
+
+model::Pose turned_body(const Job& at_setup, const FixtureMount& mount,
+                        const RotaryAngles& angles_deg) {
+  const model::Kinematics& machine = at_setup.machine.kinematics.value();
+  const model::Pose placed = pose_of(machine_in_setup_frame(at_setup));
+  const model::Pose upright = machine.upright(angles_deg) * machine.table(angles_deg).inverse();
+  model::Pose carried = machine.table(angles_deg);
+  if (mount.kind == FixtureMount::Kind::machine) carried = {};
+  if (mount.kind == FixtureMount::Kind::axis) carried = machine.carried_by(mount.axis, angles_deg);
+  return placed * upright * carried * placed.inverse();
+}
+
+}  // namespace limitgauge::app

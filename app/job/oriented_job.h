@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/job/job.h"
+
+namespace limitgauge::app {
+
+/// The job with a stage for each stretch of a program during which its rotary axes stand still, and
+/// a setup for each way in which they do: what is not turned stays as it was. The last stretch
+/// keeps the stage's name, setup and limits; those before are called NAME.1, NAME.2 and so on and
+/// are gated on gouge alone, since what they leave the next may take. Reads the programs. Throws
+/// InputError as reading them does, for a program with more stretches than kMostPieces, and for
+/// what does not go with turned parts.
+Job oriented(Job job);
+
+/// A program that turns its axes more often turns them while it cuts.
+inline constexpr std::size_t kMostPieces = 200;
+
+/// The machine with the work offsets of a setup.
+model::MachineSetup machine_in_setup(const Job& job, std::size_t setup);
+/// The machine's frame in the setup's as it lies with the rotary axes at zero.
+model::RigidPlacement machine_in_setup_frame(const Job& at_setup);
+/// How a body that is mounted so stands in the setup's frame turned upright, while the rotary axes
+/// of `at_setup`'s machine stand at `angles_deg`: from where it stands with them at zero.
+model::Pose turned_body(const Job& at_setup, const FixtureMount& mount,
+                        const model::RotaryAngles& angles_deg);
+
+}  // namespace limitgauge::app

@@ -1,0 +1,137 @@
+// The interpreter's part for rotary axes.
+#include "model/gcode/read/interpreter.h"
+#include "model/gcode/read/motion_codes.h"
+#include "model/gcode/read/orientation_codes.h"
+#include "model/gcode/text/word_use.h"
+#include "model/text/message_text.h"
+
+namespace limitgauge::model::gcode {
+
+/// Whether a rotary word of the block says more than where its axis stands already.
+bool Interpreter::turns(const Statement& statement) const {
+  return (statement.letters() & kRotaryLetters) != 0 &&
+         rotary_end(statement, state_) != state_.orientation.angles_deg;
+}
+
+void Interpreter::check_turn(const Statement& statement, std::optional<int> motion) const {
+  if ((statement.letters() & kRotaryLetters) == 0) return;
+  const Word& word = *statement.first_of({'A', 'B', 'C'});
+  const auto non_modal = statement.g(GGroup::non_modal);
+  if (!motion && non_modal != 280 && non_modal != 300 && non_modal != 100 && non_modal != 520 &&
+      non_modal != 920)
+    statement.fail(word, in_quotes(word.text) + " beside no motion", "G0 or G1");
+  if (!motion || !turns(statement)) return;
+  forbid_compensation(statement, word, state_);
+  if (*motion != 0 && *motion != 10)
+    statement.fail(word, in_quotes(word.text) + " turns an axis on an arc or in a canned cycle",
+                   "G0 or G1 before it");
+  const Orientation& orientation = state_.orientation;
+  if (orientation.dynamic_offset)
+    statement.fail(word, in_quotes(word.text) + " turns an axis under a dynamic offset (G254)",
+                   "G255 before it");
+  if (orientation.plane && statement.has_axes())
+    statement.fail(
+        word, in_quotes(word.text) + " beside X, Y or Z while a working plane is tilted (G68.2)",
+        "a block of its own, or G53.1");
+  require_length(statement, word, state_);
+}
+
+/// Which places motions name from here on, where that has changed.
+void Interpreter::note_frame() {
+  if (!state_.orientation.machine) return;
+  FrameChange now{program_.motions.size(), state_.orientation.angles_deg, state_.motion_frame()};
+  if (!program_.frames.empty()) {
+    FrameChange& last = program_.frames.back();
+    if (last.angles_deg == now.angles_deg && last.frame == now.frame) return;
+    if (last.motion == now.motion) return void(last = now);
+  }
+  program_.frames.push_back(now);
+}
+
+void Interpreter::list_turn(const Statement& statement, const Motion& motion,
+                            const TurningMotion& turn) {
+  Orientation& orientation = state_.orientation;
+  if (program_.turns.empty())
+    assumed_.add(statement.line(),
+                 "the rotary axes are taken to have stood at 0 before the first line");
+  if (orientation.control_is_assumed && statement.rules().control == Control::linuxcnc)
+    assumed_.add(statement.line(),
+                 "X, Y and Z are taken to be joints while axes turn (identity kinematics): neither "
+                 "M428, M429 nor [machine] tool_centred says which");
+  if (motion.parked)
+    assumed_.add(statement.line(),
+                 "an axis turns while Z stands above everything: nothing is "
+                 "taken to be within its reach");
+  orientation.control_is_assumed = false;
+  program_.turns.push_back({program_.motions.size() - 1, statement.line(),
+                            motion.kind == MotionKind::rapid, motion.spindle_stopped, motion.parked,
+                            turn});
+  orientation.angles_deg = turn.to_deg;
+}
+
+/// G0 or G1 with a rotary word that turns: what X, Y and Z name goes evenly with the angles.
+void Interpreter::turn(const Statement& statement, int code) {
+  if (state_.orientation.plane)
+    return turn_in_joints(statement, rotary_end(statement, state_), code == 0);
+  TurningMotion turn;
+  turn.frame = state_.motion_frame();
+  turn.from_mm = state_.frame.to_machine(state_.position_mm);
+  turn.from_deg = state_.orientation.angles_deg;
+  turn.to_deg = rotary_end(statement, state_);
+  emit(statement, straight_motion(statement, state_, code == 0, assumed_));
+  turn.to_mm = state_.frame.to_machine(state_.position_mm);
+  list_turn(statement, program_.motions.back(), turn);
+}
+
+/// The rotary axes alone, while X, Y and Z stand still on the machine whatever the control counts.
+void Interpreter::turn_in_joints(const Statement& statement, const RotaryAngles& to_deg,
+                                 bool rapid) {
+  if (to_deg == state_.orientation.angles_deg) return;
+  in_joints([&] {
+    TurningMotion turn;
+    turn.frame = state_.motion_frame();
+    turn.from_mm = turn.to_mm = state_.frame.to_machine(state_.position_mm);
+    turn.from_deg = state_.orientation.angles_deg;
+    turn.to_deg = to_deg;
+    Motion motion;
+    motion.kind = rapid ? MotionKind::rapid : MotionKind::feed;
+    motion.plane = state_.modal.plane;
+    motion.to = state_.position_mm;
+    emit(statement, motion);
+    list_turn(statement, program_.motions.back(), turn);
+  });
+}
+
+void Interpreter::set_tip_control(const Statement& statement) {
+  if (!state_.orientation.machine) return;
+  switch_kinematics(statement, state_);
+  set_working_plane(statement, state_, assumed_);
+  set_dynamic_offset(statement, state_);
+}
+
+/// G28 and G30 send the rotary axes that they name, or all where they name none, to 0.
+void Interpreter::turn_home(const Statement& statement) {
+  const Orientation& orientation = state_.orientation;
+  if (!orientation.machine) return;
+  const bool all = !statement.has_axes() && !statement.has_rotary();
+  RotaryAngles by = rotary_end(statement, state_), home = by;
+  for (const RotaryAxis& axis : orientation.machine->axes)
+    if (all || statement.word(axis.word)) home[axis.index()] = 0;
+  const bool moves = by != orientation.angles_deg || home != by;
+  if (moves) require_length(statement, *statement.g_word(GGroup::non_modal), state_);
+  turn_in_joints(statement, by, true);
+  turn_in_joints(statement, home, true);
+  if (moves)
+    assumed_.add(statement.line(), "the reference points of the rotary axes are taken to be at 0");
+}
+
+/// Nothing states how far up the spindle's axis "above everything" is once a head is turned.
+void Interpreter::check_park(const Statement& statement) const {
+  const Orientation& orientation = state_.orientation;
+  if (!state_.adrift[2] || !orientation.machine || !orientation.is_turned()) return;
+  if (!orientation.machine->has_head()) return;
+  statement.fail(statement.blamed(),
+                 "Z is sent to a place that nothing states while a head is turned", kOffsetRemedy);
+}
+
+}  // namespace limitgauge::model::gcode

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "model/gcode/machine/machine_state.h"
+#include "model/gcode/read/assumptions.h"
+#include "model/gcode/text/statement.h"
+
+namespace limitgauge::model::gcode {
+
+/// Where the rotary words of the block lead, G90 or G91. Throws InputError for an angle that no
+/// control counts.
+RotaryAngles rotary_end(const Statement& statement, const MachineState& state);
+
+/// G49 ends what G43.4 began, where the control has it; before the length offset is let go.
+void leave_tool_centre(const Statement& statement, MachineState& state);
+/// G43.4 and G234, once their length offset is in use.
+void enter_tool_centre(const Statement& statement, MachineState& state, Assumptions& assumed);
+/// LinuxCNC's M428 (kinematics: places are the tip's) and M429 (identity: they are joints).
+void switch_kinematics(const Statement& statement, MachineState& state);
+/// G68.2 X Y Z I J K, a tilted working plane by Euler's angles about Z, X and Z again as they go
+/// along, and G69, its end.
+void set_working_plane(const Statement& statement, MachineState& state, Assumptions& assumed);
+/// G254 and G255: Haas's dynamic work offset.
+void set_dynamic_offset(const Statement& statement, MachineState& state);
+/// Where G53.1 turns the axes: the tool along Z of the tilted plane. Throws InputError where the
+/// machine cannot.
+RotaryAngles plane_angles(const Statement& statement, const MachineState& state,
+                          Assumptions& assumed);
+
+/// Throws InputError at what would move the frame that a working plane or a dynamic offset hangs
+/// on, and at rotary words of codes that set offsets.
+void check_frame_is_free(const Statement& statement, const Word& word, const MachineState& state);
+/// The length that turning a head needs. Throws InputError where nothing states it.
+void require_length(const Statement& statement, const Word& word, const MachineState& state);
+
+}  // namespace limitgauge::model::gcode

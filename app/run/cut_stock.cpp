@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/run/axis_turns.h"
 #include "model/base/memory.h"
 #include "simulator/instrument/dexel_agreement.h"
 #include "simulator/instrument/dexels_from.h"
@@ -24,8 +25,10 @@ void follow_process(const Job& job, const RunInputs& inputs, const JobStage& ask
   limits.near_miss_mm = near_miss_mm(job);
   limits.travel_mm = job.travel_mm;
   limits.fixtures = inputs.fixtures;
-  ran.process = check_process(stock.stock, pass, limits,
-                              watch.control(asked.name + ": checking the process"));
+  const auto control = watch.control(asked.name + ": checking the process");
+  ran.process = turn_findings(job, asked, stock.stock, limits, control);
+  const auto moves = check_process(stock.stock, pass, limits, control);
+  ran.process.insert(ran.process.end(), moves.begin(), moves.end());
   simulator::DexelStock::Cut after =
       stock.lines.cut(pass, watch.control(asked.name + ": following the removal"));
   stock.lines = std::move(after.stock);

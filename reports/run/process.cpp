@@ -41,6 +41,8 @@ const char* description(FindingKind kind) {
       return "cut deeper than the flutes";
     case FindingKind::steep_descent:
       return "descent too steep for the cutter";
+    case FindingKind::cut_while_turning:
+      return "cut while rotary axes turn";
     case FindingKind::beyond_travel:
       return "beyond the travel limits";
     case FindingKind::slight_contact:

@@ -18,6 +18,7 @@ inline constexpr std::array kFindingKinds = {simulator::FindingKind::rapid_throu
                                              simulator::FindingKind::feed_missing,
                                              simulator::FindingKind::below_flutes,
                                              simulator::FindingKind::steep_descent,
+                                             simulator::FindingKind::cut_while_turning,
                                              simulator::FindingKind::beyond_travel,
                                              simulator::FindingKind::slight_contact,
                                              simulator::FindingKind::near_miss};

@@ -37,6 +37,8 @@ const char* name(FindingKind kind) {
       return "below_flutes";
     case FindingKind::steep_descent:
       return "steep_descent";
+    case FindingKind::cut_while_turning:
+      return "cut_while_turning";
     case FindingKind::beyond_travel:
       return "beyond_travel";
     case FindingKind::slight_contact:

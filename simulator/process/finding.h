@@ -15,14 +15,15 @@ enum class FindingKind {
   rapid_through_stock,  ///< a rapid's cutter met standing material
   shank_in_stock,       ///< shank met material that stood then
   holder_in_stock,
-  fixture_touched,  ///< any part of the assembly, on any move
-  spindle_stopped,  ///< material removed while the program has the spindle at rest
-  feed_missing,     ///< a feed move without a feed rate
-  below_flutes,     ///< material stands above the flutes within the cutter's own radius
-  steep_descent,    ///< goes down into material more steeply than the cutter can
-  beyond_travel,    ///< outside the stated travel limits
-  slight_contact,   ///< a contact of one of the kinds above, no deeper than the stated tolerance
-  near_miss         ///< passes material or a fixture within the stated clearance, not touching
+  fixture_touched,    ///< any part of the assembly, on any move
+  spindle_stopped,    ///< material removed while the program has the spindle at rest
+  feed_missing,       ///< a feed move without a feed rate
+  below_flutes,       ///< material stands above the flutes within the cutter's own radius
+  steep_descent,      ///< goes down into material more steeply than the cutter can
+  cut_while_turning,  ///< rotary axes turn at a feed rate with the flutes in material
+  beyond_travel,      ///< outside the stated travel limits
+  slight_contact,     ///< a contact of one of the kinds above, no deeper than the stated tolerance
+  near_miss           ///< passes material or a fixture within the stated clearance, not touching
 };
 const char* name(FindingKind kind);  ///< as in result.json: "rapid_through_stock", ...
 /// All but near misses and contacts within the tolerance fail a stage.

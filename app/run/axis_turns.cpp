@@ -1,0 +1,99 @@
+#include "app/run/axis_turns.h"
+
+#include <functional>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "app/job/oriented_job.h"
+#include "model/text/number_text.h"
+#include "simulator/process/turn_check.h"
+
+namespace limitgauge::app {
+namespace {
+
+using model::Kinematics;
+using model::Pose;
+using model::TurningMotion;
+
+/// Poses of a tool, in the frame of a stage's setup, during the turns that lead to it.
+class TurnPoses {
+ public:
+  TurnPoses(const Job& at_setup, const JobStage& stage, const TurningMotion& turn)
+      : machine_(at_setup.machine.kinematics.value()),
+        angles_deg_(stage.piece->range.angles_deg),
+        turn_(turn) {
+    const Pose placed = pose_of(machine_in_setup_frame(at_setup));
+    from_workpiece_ = placed * machine_.upright(angles_deg_);
+    from_machine_ = from_workpiece_ * machine_.table(angles_deg_).inverse();
+  }
+
+  simulator::TurningPose in_stock() const {
+    return posed([*this](double t) { return from_workpiece_ * turn_.tool_at(machine_, t); });
+  }
+  /// Among what is mounted so, in the frame that its mesh is in: where it stands after the turns.
+  simulator::TurningPose among(const FixtureMount& mount) const {
+    if (mount.kind == FixtureMount::Kind::part) return in_stock();
+    return posed([*this, mount](double t) {
+      const model::RotaryAngles now = turn_.angles_at(t);
+      return from_machine_ * carried(mount, angles_deg_) * carried(mount, now).inverse() *
+             machine_.table(now) * turn_.tool_at(machine_, t);
+    });
+  }
+
+ private:
+  Pose carried(const FixtureMount& mount, const model::RotaryAngles& angles_deg) const {
+    return mount.kind == FixtureMount::Kind::axis ? machine_.carried_by(mount.axis, angles_deg)
+                                                  : Pose{};
+  }
+  simulator::TurningPose posed(std::function<Pose(double)> at) const {
+    return {std::move(at), turn_.tip_speed_mm(machine_), turn_.turn_rad()};
+  }
+
+  Kinematics machine_;
+  model::RotaryAngles angles_deg_;
+  TurningMotion turn_;
+  Pose from_workpiece_, from_machine_;
+};
+
+void look_at_limits(const Job& job, const model::AxisTurn& turn,
+                    std::vector<simulator::Finding>& findings) {
+  constexpr double kRounding_deg = 1e-9;
+  for (const model::RotaryAxis& axis : job.machine.kinematics->axes) {
+    const double at_deg = turn.turn.to_deg[axis.index()];
+    const bool below = at_deg < axis.low_deg - kRounding_deg;
+    if (!below && at_deg <= axis.high_deg + kRounding_deg) continue;
+    simulator::Finding finding;
+    finding.kind = simulator::FindingKind::beyond_travel;
+    finding.line = turn.line;
+    finding.point = turn.turn.tool_at(*job.machine.kinematics, 1).shift_mm;
+    finding.part = name(simulator::ToolPart::cutter);
+    finding.against = std::string(1, axis.word) + (below ? "- (" : "+ (") +
+                      model::six_digits(at_deg) + " of " +
+                      model::six_digits(below ? axis.low_deg : axis.high_deg) + " degrees)";
+    findings.push_back(std::move(finding));
+  }
+}
+
+}  // namespace
+
+std::vector<simulator::Finding> turn_findings(const Job& at_setup, const JobStage& stage,
+                                              const simulator::StockModel& stock,
+                                              const simulator::ProcessLimits& limits,
+                                              const model::RunControl& control) {
+  std::vector<simulator::Finding> findings;
+  if (!stage.piece) return findings;
+  for (const model::AxisTurn& turn : stage.piece->range.turns) {
+    look_at_limits(at_setup, turn, findings);
+    if (turn.parked) continue;
+    const TurnPoses poses(at_setup, stage, turn.turn);
+    simulator::TurningTool motion{turn.line, turn.rapid, poses.in_stock(), {}};
+    for (const JobFixture& fixture : at_setup.fixtures)
+      motion.in_fixtures.push_back(poses.among(fixture.mount));
+    std::vector<simulator::Finding> met = check_turn(stock, stage.cutter, motion, limits, control);
+    std::move(met.begin(), met.end(), std::back_inserter(findings));
+  }
+  return findings;
+}
+
+}  // namespace limitgauge::app

@@ -104,11 +104,17 @@ void Orienter::add_pieces(const JobStage& stage, const std::vector<model::Steady
                           std::vector<JobStage>& stages) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     JobStage piece = stage;
-    piece.piece = {stage.name, ranges[i], i + 1, ranges.size()};
+    piece.piece = {stage.name,
+                   ranges[i],
+                   i + 1,
+                   ranges.size(),
+                   angle_words(*job_.machine.kinematics, ranges[i].angles_deg),
+                   stage.limits};
     piece.setup = setup_at(stage.setup, ranges[i].angles_deg);
     if (i + 1 < ranges.size()) {
       piece.name += "." + std::to_string(i + 1);
       piece.limits = {};
+      piece.limits.has_gouge = stage.limits.has_gouge;
       piece.limits.gouge_mm = stage.limits.gouge_mm;
     }
     stages.push_back(std::move(piece));

@@ -114,12 +114,14 @@ void Bench::cut(std::size_t index, reports::StageResult::Ran& ran) {
   ran.peak_memory_bytes = model::process_peak_bytes();
 }
 
-/// Whether a stretch of a stage's program only brings its tool to where the next one begins: what
-/// it leaves is what it found.
-bool only_positions(const JobStage& stage, const model::Toolpath& path) {
-  if (!stage.piece || stage.piece->number == stage.piece->count) return false;
-  return std::all_of(path.moves.begin(), path.moves.end(),
-                     [](const model::Move& move) { return move.kind == model::MoveKind::rapid; });
+/// Whether what a stretch of a stage's program leaves is measured: not where it only brings its
+/// tool to where the next one begins, nor where no limit would be asked of it. What it gouges shows
+/// in the stretches after it as well.
+bool is_measured(const JobStage& stage, const model::Toolpath& path) {
+  if (!stage.piece || stage.piece->number == stage.piece->count) return true;
+  return stage.limits.has_gouge &&
+         std::any_of(path.moves.begin(), path.moves.end(),
+                     [](const model::Move& move) { return move.kind == model::MoveKind::feed; });
 }
 
 std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Finding> findings) {
@@ -139,7 +141,7 @@ void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
   setups_.add(ran.path);
   const RunInputs& inputs = setups_.inputs_at(index);
-  if (!inputs.design || only_positions(asked, *ran.path)) return;
+  if (!inputs.design || !is_measured(asked, *ran.path)) return;
   const model::Stock& raw_stock = setups_.job_at(index).stock;
   const std::vector<verifier::Pass> passes = setups_.passes_at(index);
   const verifier::StageCheck check = stage_check(job_, inputs, index);

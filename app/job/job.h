@@ -54,6 +54,7 @@ struct StagePiece {
   std::string stage;  ///< the one that the job states
   model::SteadyRange range;
   std::size_t number = 1, count = 1;
+  bool cuts = true;             ///< some motion of it is no rapid
   std::string angles;           ///< "A90C45"
   verifier::GateLimits limits;  ///< of the stage
 };

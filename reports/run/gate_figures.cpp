@@ -185,7 +185,7 @@ std::vector<std::string> stage_notes(const StageResult& stage) {
   if (!stage.ran) return {};
   // A stretch of a program that turns rotary axes: only its last one needs to be.
   if (!stage.ran->deviation && stage.allowance_mm)
-    return {"not measured: the stretches of its program that follow are"};
+    return {"not measured: it is a stretch of a program that only positions, or has no limit"};
   if (!stage.ran->deviation) return cut_notes(*stage.ran);
   const verifier::StageDeviation& d = *stage.ran->deviation;
   std::vector<std::string> out = path_notes(stage);

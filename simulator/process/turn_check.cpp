@@ -69,7 +69,7 @@ std::vector<Finding> check_turn(const StockModel& stock, const model::Cutter& cu
     const Obstacle& obstacle = obstacles[i / parts.size()];
     const ToolBody& body = parts[i % parts.size()];
     const auto deepest =
-        deepest_turn(obstacle.solid, body, *obstacle.pose, least_mm, limits.tolerance_mm / 4);
+        deepest_turn(obstacle.solid, body, *obstacle.pose, least_mm, limits.tolerance_mm);
     if (!deepest) return;
     const auto kind = kind_of(*deepest, contact_kind(obstacle, body, motion.rapid), limits);
     if (!kind) return;

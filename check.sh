@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # Everything that must hold before a change goes in: the build without a warning, benchmarks included,
-# all tests, the unit and property tests again under the address and undefined behaviour sanitizers,
-# and a short run of the fuzz tests and of the torture test. With --full random tests take all their cases, and collections are gone through whole, not
-# by a share of them (tests/support/effort.h). Further arguments go to cmake.
+# all tests, the unit tests again under the address and undefined behaviour sanitizers, and a short run of
+# the fuzz tests and of the torture test. With --full random tests take all their cases, collections are
+# gone through whole, not by a share of them (tests/support/effort.h), and property tests run under the
+# sanitizers too. Further arguments go to cmake.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
+sanitized=unit
 if [ "${1:-}" = --full ]; then
   export LIMITGAUGE_THOROUGH=1
+  sanitized='unit|property'
   shift
 fi
 ./setup.sh all
@@ -25,7 +28,7 @@ cmake --preset sanitize "${common[@]}" >/dev/null
 # each other have had their turn above, and nothing in them is left to build.
 parts=(model engine simulator verifier study history reports app)
 cmake --build --preset sanitize --target "${parts[@]/#/test_}"
-ctest --test-dir build/sanitize -L 'unit|property' -LE slow -R "^($(IFS='|'; echo "${parts[*]}")):" \
+ctest --test-dir build/sanitize -L "$sanitized" -LE slow -R "^($(IFS='|'; echo "${parts[*]}")):" \
   --output-on-failure -j "$jobs"
 
 FUZZ_JOBS=$jobs tests/fuzz/run.sh 10

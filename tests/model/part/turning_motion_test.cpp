@@ -112,7 +112,7 @@ TEST_CASE("a motion's ends and what is between stand where matrices put them", "
   }
 }
 
-TEST_CASE("neither tip nor tool goes faster than the bounds of its motion", "[property]") {
+TEST_CASE("neither tip nor tool goes faster than the bounds of its motion", "[property][slow]") {
   std::mt19937_64 random(32);
   for (int n = 0; n < 3000; ++n) {
     const Kinematics machine = random_machine(random);

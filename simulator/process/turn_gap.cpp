@@ -10,7 +10,7 @@ namespace {
 using model::Vec3;
 
 // Narrowing down a gap that is already proven stops here; the header promises an upper bound.
-constexpr std::size_t kMostNearerLooks = 8000;
+constexpr std::size_t kMostNearerLooks = 20'000;
 // Looks between two questions whether to stop: some milliseconds.
 constexpr std::size_t kGapLooksBetweenStops = 4096;
 

@@ -10,7 +10,7 @@ namespace {
 using model::Vec3;
 
 // Refining a contact that is already proven stops here; the header promises a lower bound.
-constexpr std::size_t kMostDeeperLooks = 8000;
+constexpr std::size_t kMostDeeperLooks = 20'000;
 // Looks between two questions whether to stop: some milliseconds.
 constexpr std::size_t kLooksBetweenStops = 4096;
 

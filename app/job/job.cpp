@@ -22,4 +22,9 @@ std::string to_text(const ProgramPart& part) {
   return part.comment.empty() ? std::string() : "from (" + part.comment + ")";
 }
 
+std::string to_text(const StagePiece& piece) {
+  return "stretch " + std::to_string(piece.number) + " of " + std::to_string(piece.count) + ", " +
+         piece.angles;
+}
+
 }  // namespace limitgauge::app

@@ -54,7 +54,12 @@ struct StagePiece {
   std::string stage;  ///< the one that the job states
   model::SteadyRange range;
   std::size_t number = 1, count = 1;
+  bool cuts = true;             ///< some motion of it is no rapid
+  std::string angles;           ///< "A90C45"
+  verifier::GateLimits limits;  ///< of the stage
 };
+/// "stretch 2 of 3, A90C45".
+std::string to_text(const StagePiece& piece);
 
 /// One stage of a job: either planned here (`plan`) or read from a program.
 struct JobStage {

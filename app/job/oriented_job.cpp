@@ -1,6 +1,7 @@
 #include "app/job/oriented_job.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "app/job/foreign_programs.h"
 #include "model/base/error.h"
@@ -19,6 +20,32 @@ std::string angle_words(const model::Kinematics& machine, const RotaryAngles& an
   return words;
 }
 
+/// A part of a program while whose motions the rotary axes stand still.
+struct Stretch {
+  model::SteadyRange range;
+  bool cuts = false;  ///< some motion is no rapid
+};
+
+std::vector<Stretch> stretches_of(const model::Program& program, const MotionRange& range) {
+  std::vector<Stretch> stretches;
+  for (model::SteadyRange& steady : steady_ranges(program, range.first, range.last)) {
+    const auto begin = program.motions.begin();
+    const bool cuts = std::any_of(
+        begin + static_cast<std::ptrdiff_t>(steady.first),
+        begin + static_cast<std::ptrdiff_t>(steady.last),
+        [](const model::Motion& motion) { return motion.kind != model::MotionKind::rapid; });
+    stretches.push_back({std::move(steady), cuts});
+  }
+  return stretches;
+}
+
+/// The one that the stage's limits are asked of: the last that cuts, or of all.
+std::size_t last_cut(const std::vector<Stretch>& stretches) {
+  for (std::size_t i = stretches.size(); i-- > 0;)
+    if (stretches[i].cuts) return i;
+  return stretches.size() - 1;
+}
+
 /// The job with its stages taken apart.
 class Orienter {
  public:
@@ -30,28 +57,28 @@ class Orienter {
   void take_apart(std::size_t setup);
   void put_pieces(const StagePrograms& read, std::size_t index);
   void refuse_tolerances(const JobStage& stage) const;
-  void add_pieces(const JobStage& stage, const std::vector<model::SteadyRange>& ranges,
+  void add_pieces(const JobStage& stage, const std::vector<Stretch>& stretches,
                   std::vector<JobStage>& stages);
   std::size_t setup_at(std::size_t stated, const RotaryAngles& angles_deg);
   void name_first_setup();
 
   Job job_;
-  std::vector<std::vector<model::SteadyRange>> pieces_;  ///< by stage; one or none: it stays whole
+  std::vector<std::vector<Stretch>> pieces_;  ///< by stage; none: it stays whole
 };
 
 void Orienter::put_pieces(const StagePrograms& read, std::size_t index) {
   const MotionRange& range = read.ranges[index];
-  std::vector<model::SteadyRange> ranges = steady_ranges(read.program, range.first, range.last);
+  std::vector<Stretch> ranges = stretches_of(read.program, range);
   const JobStage& stage = job_.stages[read.stages[index]];
   if (ranges.size() > kMostPieces)
     throw model::InputError(
-        {stage.program.string(), static_cast<int>(ranges.back().turns.back().line), 0},
+        {stage.program.string(), static_cast<int>(ranges.back().range.turns.back().line), 0},
         "the rotary axes turn between more than " + std::to_string(kMostPieces) +
             " stretches of motions",
         "a program that positions them and then cuts: cutting while they turn "
         "is not carried out");
-  const bool steady = ranges.size() == 1 && ranges.front().turns.empty() &&
-                      ranges.front().angles_deg == RotaryAngles{};
+  const bool steady = ranges.size() == 1 && ranges.front().range.turns.empty() &&
+                      ranges.front().range.angles_deg == RotaryAngles{};
   if (steady) return;
   refuse_tolerances(stage);
   pieces_[read.stages[index]] = std::move(ranges);
@@ -100,15 +127,24 @@ std::size_t Orienter::setup_at(std::size_t stated, const RotaryAngles& angles_de
   return job_.setups.size() - 1;
 }
 
-void Orienter::add_pieces(const JobStage& stage, const std::vector<model::SteadyRange>& ranges,
+void Orienter::add_pieces(const JobStage& stage, const std::vector<Stretch>& stretches,
                           std::vector<JobStage>& stages) {
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
+  const std::size_t last = last_cut(stretches);
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const model::SteadyRange& range = stretches[i].range;
     JobStage piece = stage;
-    piece.piece = {stage.name, ranges[i], i + 1, ranges.size()};
-    piece.setup = setup_at(stage.setup, ranges[i].angles_deg);
-    if (i + 1 < ranges.size()) {
+    piece.piece = {stage.name,
+                   range,
+                   i + 1,
+                   stretches.size(),
+                   stretches[i].cuts,
+                   angle_words(*job_.machine.kinematics, range.angles_deg),
+                   stage.limits};
+    piece.setup = setup_at(stage.setup, range.angles_deg);
+    if (i != last) {
       piece.name += "." + std::to_string(i + 1);
       piece.limits = {};
+      piece.limits.has_gouge = stage.limits.has_gouge && stretches[i].cuts;
       piece.limits.gouge_mm = stage.limits.gouge_mm;
     }
     stages.push_back(std::move(piece));

@@ -6,10 +6,10 @@ namespace limitgauge::app {
 
 /// The job with a stage for each stretch of a program during which its rotary axes stand still, and
 /// a setup for each way in which they do: what is not turned stays as it was. The last stretch
-/// keeps the stage's name, setup and limits; those before are called NAME.1, NAME.2 and so on and
-/// are gated on gouge alone, since what they leave the next may take. Reads the programs. Throws
-/// InputError as reading them does, for a program with more stretches than kMostPieces, and for
-/// what does not go with turned parts.
+/// that cuts keeps the stage's name and limits; the others are called NAME.1, NAME.2 and so on by
+/// their place and are gated on gouge alone, where they cut: what they leave the next may take.
+/// Reads the programs. Throws InputError as reading them does, for a program with more stretches
+/// than kMostPieces, and for what does not go with turned parts.
 Job oriented(Job job);
 
 /// A program that turns its axes more often turns them while it cuts.

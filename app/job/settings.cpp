@@ -175,8 +175,8 @@ Settings choose_settings(const Job& job, const model::Box3& surface,
   settings.line_spacing_mm = simulator::removal_spacing_mm(settings.voxel_mm, job.stock, {});
   for (const JobStage& stage : job.stages) {
     if (job.design)
-      settings.resolution_mm.push_back(
-          job.resolution_mm.value_or(verifier::automatic_resolution_mm(stage.limits)));
+      settings.resolution_mm.push_back(job.resolution_mm.value_or(
+          verifier::automatic_resolution_mm(stage.piece ? stage.piece->limits : stage.limits)));
     settings.chord_error_mm.push_back(job.design
                                           ? chord_error_mm(settings.resolution_mm.back())
                                           : kChordsPerContact * settings.contact_tolerance_mm);

@@ -1,6 +1,5 @@
 #include "app/run/pipeline.h"
 
-#include <algorithm>
 #include <new>
 #include <sstream>
 #include <utility>
@@ -114,12 +113,11 @@ void Bench::cut(std::size_t index, reports::StageResult::Ran& ran) {
   ran.peak_memory_bytes = model::process_peak_bytes();
 }
 
-/// Whether a stretch of a stage's program only brings its tool to where the next one begins: what
-/// it leaves is what it found.
-bool only_positions(const JobStage& stage, const model::Toolpath& path) {
-  if (!stage.piece || stage.piece->number == stage.piece->count) return false;
-  return std::all_of(path.moves.begin(), path.moves.end(),
-                     [](const model::Move& move) { return move.kind == model::MoveKind::rapid; });
+/// Whether what a stretch of a stage's program leaves is measured: the one that has the stage's
+/// name, and of the others those that cut and have a limit. One that only brings its tool to where
+/// the next begins leaves what it found, or has a fault in its process.
+bool is_measured(const JobStage& stage) {
+  return !stage.piece || stage.name == stage.piece->stage || stage.limits.has_gouge;
 }
 
 std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Finding> findings) {
@@ -139,7 +137,7 @@ void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
   setups_.add(ran.path);
   const RunInputs& inputs = setups_.inputs_at(index);
-  if (!inputs.design || only_positions(asked, *ran.path)) return;
+  if (!inputs.design || !is_measured(asked)) return;
   const model::Stock& raw_stock = setups_.job_at(index).stock;
   const std::vector<verifier::Pass> passes = setups_.passes_at(index);
   const verifier::StageCheck check = stage_check(job_, inputs, index);

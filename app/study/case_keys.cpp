@@ -5,6 +5,7 @@
 
 #include "app/inputs/input_checksums.h"
 #include "app/job/job_parts.h"
+#include "app/job/oriented_job.h"
 #include "app/run/stage_planner.h"
 #include "app/toml/toml_text.h"
 #include "model/base/text_file.h"
@@ -175,6 +176,8 @@ ReadCase read_case(const std::filesystem::path& file, std::span<const std::strin
   for (std::size_t i = 1; i < read.job.stages.size(); ++i)
     read.keys.prefixes.push_back(sources.prefix_key(i));
   read.keys.prefix = read.keys.prefixes.empty() ? sources.prefix_key(0) : read.keys.prefixes.back();
+  // Its stretches are what its program says: the keys have the program.
+  read.job = oriented(std::move(read.job));
   return read;
 }
 

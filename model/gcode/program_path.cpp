@@ -109,10 +109,12 @@ class PathMaker {
     return as_it_is_ ? machine_mm : options_.machine_in_part(machine_mm);
   }
   Vec3 here() const { return path_.moves.empty() ? path_.start : path_.moves.back().to; }
+  /// As high as that by a motion of the machine's Z, which leans where a head is turned.
   Vec3 at_park_height(const Vec3& machine_mm) const {
     const Vec3 p = placed(machine_mm);
-    return {p.x, p.y, options_.park_z_mm};
+    return p + up_ * ((options_.park_z_mm - p.z) / up_.z);
   }
+  void turn_up(const RotaryAngles& angles_deg);
   void approach(const Motion& rapid);
   void add_move(const Motion& motion, const Vec3& part_mm, bool rapid);
   void add_arc(const Motion& arc);
@@ -121,6 +123,7 @@ class PathMaker {
   const PathOptions& options_;
   bool as_it_is_;
   std::optional<Pose> pose_;  ///< of motions in the path's frame, on a machine with rotary axes
+  Vec3 up_{0, 0, 1};          ///< the machine's +Z in the path's frame
   Toolpath path_;
   Vec3 at_mm_;  ///< in the frame of motions
   bool started_ = false, parked_ = false;
@@ -135,12 +138,19 @@ void PathMaker::begin_behind(const Motion& motion) {
 void PathMaker::begin_behind(const AxisTurn& turn) {
   const Kinematics& machine = options_.kinematics.value();
   pose_ = pose_of(options_.machine_in_part) * turn.turn.frame.upright(machine, turn.turn.to_deg);
+  turn_up(turn.turn.to_deg);
   begin_at(turn.turn.to_mm);
   parked_ = turn.parked;
   if (parked_) path_.start = at_park_height(at_mm_);
 }
 
+void PathMaker::turn_up(const RotaryAngles& angles_deg) {
+  const Vec3 of_tool = options_.kinematics.value().head(angles_deg).direction_back({0, 0, 1});
+  up_ = pose_of(options_.machine_in_part).direction(of_tool);
+}
+
 void PathMaker::enter(const FrameChange& frame) {
+  turn_up(frame.angles_deg);
   pose_ = pose_of(options_.machine_in_part) *
           frame.frame.upright(options_.kinematics.value(), frame.angles_deg);
   if (started_) at_mm_ = pose_->point_back(here());

@@ -14,18 +14,6 @@ constexpr Vec3 kUp{0, 0, 1};
 /// axis about which turning it does nothing.
 constexpr double kSameDirection = 1e-9;
 
-Pose shift(const Vec3& by_mm) {
-  Pose pose;
-  pose.shift_mm = by_mm;
-  return pose;
-}
-
-Pose turn_about_axis(const RotaryAxis& axis, double angle_deg) {
-  Pose pose = turn_about(axis.direction, angle_deg);
-  pose.shift_mm = axis.point_mm - pose.direction(axis.point_mm);
-  return pose;
-}
-
 Pose rotation(const Pose& pose) {
   Pose turn = pose;
   turn.shift_mm = {};
@@ -89,6 +77,12 @@ const char* name(MachineKind kind) {
   return "head-head";
 }
 
+Pose RotaryAxis::turn(double angle_deg) const {
+  Pose pose = turn_about(direction, angle_deg);
+  pose.shift_mm = point_mm - pose.direction(point_mm);
+  return pose;
+}
+
 bool Kinematics::is_head(std::size_t i) const {
   return kind == MachineKind::head_head || (kind == MachineKind::head_table && i == 0);
 }
@@ -96,14 +90,14 @@ bool Kinematics::is_head(std::size_t i) const {
 Pose Kinematics::table(const RotaryAngles& angles_deg) const {
   Pose pose;
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (!is_head(i)) pose = pose * turn_about_axis(axes[i], angles_deg[axes[i].index()]);
+    if (!is_head(i)) pose = pose * axes[i].turn(angles_deg[axes[i].index()]);
   return pose;
 }
 
 Pose Kinematics::head(const RotaryAngles& angles_deg) const {
   Pose pose;
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (is_head(i)) pose = pose * turn_about_axis(axes[i], angles_deg[axes[i].index()]);
+    if (is_head(i)) pose = pose * axes[i].turn(angles_deg[axes[i].index()]);
   return pose;
 }
 
@@ -111,7 +105,7 @@ Pose Kinematics::carried_by(std::optional<char> word, const RotaryAngles& angles
   Pose pose;
   if (!word) return pose;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (!is_head(i)) pose = pose * turn_about_axis(axes[i], angles_deg[axes[i].index()]);
+    if (!is_head(i)) pose = pose * axes[i].turn(angles_deg[axes[i].index()]);
     if (axes[i].word == *word) break;
   }
   return pose;
@@ -204,75 +198,6 @@ std::optional<RotaryAngles> Kinematics::angles_for(const Vec3& axis,
       best = inside;
   }
   return best;
-}
-
-Pose MotionFrame::in_workpiece(const Kinematics& machine, const RotaryAngles& angles_deg) const {
-  if (control == TipControl::tool_centre)
-    return length_error_mm == 0
-               ? plane
-               : shift(machine.stand({}, angles_deg, 0).axis * length_error_mm) * plane;
-  const Pose from_machine = machine.table(angles_deg).inverse();
-  if (control == TipControl::joints) {
-    const Vec3 tool{0, 0, -tool_length_mm};
-    return from_machine * shift(machine.head(angles_deg).point(tool) - tool);
-  }
-  return shift(work_zero_mm) * rotation(from_machine) * shift(Vec3{} - work_zero_mm);
-}
-
-/// Where tables alone turn and motions are along the machine's axes, they are so to the last bit.
-Pose MotionFrame::upright(const Kinematics& machine, const RotaryAngles& angles_deg) const {
-  if (!machine.has_head() && control == TipControl::joints) return {};
-  if (!machine.has_head() && control == TipControl::dynamic_offset)
-    return shift(machine.table(angles_deg).point(work_zero_mm) - work_zero_mm);
-  return machine.upright(angles_deg) * in_workpiece(machine, angles_deg);
-}
-
-RotaryAngles TurningMotion::angles_at(double t) const {
-  RotaryAngles angles{};
-  for (std::size_t i = 0; i < angles.size(); ++i)
-    angles[i] = from_deg[i] + t * (to_deg[i] - from_deg[i]);
-  return angles;
-}
-
-Pose TurningMotion::tool_at(const Kinematics& machine, double t) const {
-  const RotaryAngles angles = angles_at(t);
-  Pose tool = rotation(machine.upright(angles)).inverse();
-  tool.shift_mm = frame.in_workpiece(machine, angles).point(from_mm + (to_mm - from_mm) * t);
-  return tool;
-}
-
-double TurningMotion::turn_rad() const {
-  double sum = 0;
-  for (std::size_t i = 0; i < from_deg.size(); ++i)
-    sum += radians(std::abs(to_deg[i] - from_deg[i]));
-  return sum;
-}
-
-/// Of joints: the tip seen from the machine is never farther from an axis's point than X, Y and Z
-/// and the tool's own length make it, and what carries an axis moves its point at most as far as
-/// both lie from each other.
-double TurningMotion::tip_speed_mm(const Kinematics& machine) const {
-  const double straight_mm = length(to_mm - from_mm);
-  if (frame.control == TipControl::tool_centre)
-    return straight_mm + turn_rad() * std::abs(frame.length_error_mm);
-  const auto farthest = [&](const Vec3& from) {
-    return std::max(length(from_mm - from), length(to_mm - from));
-  };
-  if (frame.control == TipControl::dynamic_offset)
-    return straight_mm + turn_rad() * farthest(frame.work_zero_mm);
-  double arm_mm = 0, between_mm = 0;
-  for (std::size_t i = 0; i < machine.axes.size(); ++i) {
-    const Vec3& point = machine.axes[i].point_mm;
-    between_mm = std::max(between_mm, length(point - machine.axes.front().point_mm));
-    // The tool with its head swings by twice its arm at most from where `to` is.
-    const double head_mm = frame.tool_length_mm + length(point);
-    arm_mm = std::max(arm_mm, machine.is_head(i) ? head_mm : farthest(point));
-  }
-  double swing_mm = 0;
-  for (std::size_t i = 0; i < machine.axes.size(); ++i)
-    if (machine.is_head(i))
-      swing_mm += 2 * (frame.tool_length_mm + length(machine.axes[i].point_mm));
-  return straight_mm + turn_rad() * (arm_mm + between_mm + swing_mm);
 }
 
 }  // namespace limitgauge::model

@@ -25,6 +25,8 @@ struct RotaryAxis {
   double high_deg = std::numeric_limits<double>::infinity();
 
   std::size_t index() const { return static_cast<std::size_t>(word - 'A'); }
+  /// How it moves what it carries from where that is at 0.
+  Pose turn(double angle_deg) const;
 };
 
 enum class MachineKind { table_table, head_table, head_head };
@@ -73,47 +75,6 @@ struct Kinematics {
   /// nearest to `from_deg`, by the longest way that an axis goes. An axis whose angle does not
   /// matter stays. Nothing where no angles do, within 1e-9.
   std::optional<RotaryAngles> angles_for(const Vec3& axis, const RotaryAngles& from_deg) const;
-};
-
-/// What a control makes of programmed places while rotary axes are not at zero.
-enum class TipControl {
-  joints,       ///< they move X, Y and Z, whatever that does to the tip
-  tool_centre,  ///< they are the tip's in the workpiece: G43.4, G234, LinuxCNC's kinematics, G68.2
-  dynamic_offset  ///< the tip's along the machine's axes, from where the work's zero has gone: G254
-};
-
-/// How the places that motions name lie in the workpiece.
-struct MotionFrame {
-  TipControl control = TipControl::joints;
-  double tool_length_mm = 0;  ///< of joints, on a machine with a head
-  Vec3 work_zero_mm;          ///< of dynamic_offset, in the machine's frame
-  Pose plane;                 ///< of tool_centre: a tilted working plane in the workpiece
-  /// Of tool_centre: by how much the control takes the tool for longer than it is, so that the tip
-  /// stands so far back along it.
-  double length_error_mm = 0;
-
-  /// From motions to the workpiece.
-  Pose in_workpiece(const Kinematics& machine, const RotaryAngles& angles_deg) const;
-  /// From motions to the workpiece as `machine.upright` has it: the tool along +Z.
-  Pose upright(const Kinematics& machine, const RotaryAngles& angles_deg) const;
-
-  friend bool operator==(const MotionFrame&, const MotionFrame&) = default;
-};
-
-/// A motion during which rotary axes turn: what it names goes evenly from `from_mm` to `to_mm`, the
-/// angles likewise.
-struct TurningMotion {
-  MotionFrame frame;
-  Vec3 from_mm, to_mm;
-  RotaryAngles from_deg{}, to_deg{};
-
-  RotaryAngles angles_at(double t) const;  ///< 0 ≤ t ≤ 1
-  /// The frame of the tool, tip at its zero and spindle along +Z, in the workpiece.
-  Pose tool_at(const Kinematics& machine, double t) const;
-  /// Bounds over all of it: on how fast the tip goes in the workpiece, and on how fast the tool
-  /// turns there; by t.
-  double tip_speed_mm(const Kinematics& machine) const;
-  double turn_rad() const;
 };
 
 }  // namespace limitgauge::model

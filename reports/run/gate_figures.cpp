@@ -164,7 +164,12 @@ double accuracy_ratio(const verifier::Interval& interval_mm, double limit_mm) {
 std::vector<GateFigure> gate_figures(const StageResult& stage) {
   if (!stage.ran) return figures_not_run(stage);
   std::vector<GateFigure> out;
-  if (stage.ran->deviation) add_deviation(*stage.ran->deviation, stage.limits, out);
+  if (stage.ran->deviation) {
+    add_deviation(*stage.ran->deviation, stage.limits, out);
+  } else if (stage.allowance_mm) {
+    for (const char* what : {"gouge", "uncut", "coverage", "unreachable"})
+      out.push_back({what, Standing::not_run, "–", {}});
+  }
   const std::span<const simulator::Finding> process = stage.ran->process;
   const std::size_t rapid = count(process, {simulator::FindingKind::rapid_through_stock});
   const auto holder = static_cast<std::size_t>(
@@ -178,6 +183,9 @@ std::vector<GateFigure> gate_figures(const StageResult& stage) {
 
 std::vector<std::string> stage_notes(const StageResult& stage) {
   if (!stage.ran) return {};
+  // A stretch of a program that turns rotary axes: only its last one needs to be.
+  if (!stage.ran->deviation && stage.allowance_mm)
+    return {"not measured: it is a stretch of a program that only positions, or has no limit"};
   if (!stage.ran->deviation) return cut_notes(*stage.ran);
   const verifier::StageDeviation& d = *stage.ran->deviation;
   std::vector<std::string> out = path_notes(stage);

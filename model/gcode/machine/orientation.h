@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "model/part/kinematics.h"
+#include "model/part/turning_motion.h"
 
 namespace limitgauge::model::gcode {
 

@@ -125,13 +125,16 @@ void Interpreter::turn_home(const Statement& statement) {
     assumed_.add(statement.line(), "the reference points of the rotary axes are taken to be at 0");
 }
 
-/// Nothing states how far up the spindle's axis "above everything" is once a head is turned.
+/// A head that is turned takes Z aside as it goes up; lying down, it takes the tool nowhere above.
 void Interpreter::check_park(const Statement& statement) const {
   const Orientation& orientation = state_.orientation;
-  if (!state_.adrift[2] || !orientation.machine || !orientation.is_turned()) return;
-  if (!orientation.machine->has_head()) return;
+  if (!state_.adrift[2] || !orientation.machine) return;
+  constexpr double kLeast = 0.1;  // of the way goes up along the tool: 84 degrees
+  if (orientation.machine->head(orientation.angles_deg).direction({0, 0, 1}).z >= kLeast) return;
   statement.fail(statement.blamed(),
-                 "Z is sent to a place that nothing states while a head is turned", kOffsetRemedy);
+                 "Z is sent to a place that nothing states while the head lies down",
+                 "the reference point ([machine] home) and the work offset in the job, or the head "
+                 "upright before it");
 }
 
 }  // namespace limitgauge::model::gcode

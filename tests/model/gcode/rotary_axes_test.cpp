@@ -1,0 +1,192 @@
+#include "model/gcode/program_path.h"
+#include "tests/model/gcode/read_text.h"
+#include "tests/support/catch.h"
+
+using namespace limitgauge::model;
+using namespace limitgauge::model::test;
+
+namespace {
+
+constexpr double kStandRounding_mm = 1e-9;
+
+/// A trunnion: C on A, both off the machine's zero.
+MachineSetup trunnion(Control control = Control::fanuc) {
+  MachineSetup machine;
+  machine.control = control;
+  machine.tools = {{1, 80, 6}};
+  machine.loaded_tool = 1;
+  machine.work_offsets[0] = WorkOffset{{10, 20, -30}, 0};
+  machine.start_mm = Vec3{0, 0, 200};
+  machine.kinematics = Kinematics{
+      MachineKind::table_table,
+      {{'A', {1, 0, 0}, {3, -7, -60}, -120, 120}, {'C', {0, 0, 1}, {5, 2, -30}, -720, 720}}};
+  return machine;
+}
+
+MachineSetup swivel_head() {
+  MachineSetup machine = trunnion();
+  machine.kinematics = Kinematics{
+      MachineKind::head_head,
+      {{'C', {0, 0, 1}, {0, 0, 200}, -360, 360}, {'B', {0, 1, 0}, {0, 1, 150}, -110, 110}}};
+  return machine;
+}
+
+/// Where the program's last motion leaves the tip, in the workpiece as it lies with all axes at 0,
+/// in the machine's frame.
+ToolStand stand_at_end(const std::string& text, const MachineSetup& machine) {
+  const Program program = read_text(text, machine);
+  const Kinematics& kinematics = *machine.kinematics;
+  if (!program.turns.empty() && program.turns.back().motion + 1 == program.motions.size()) {
+    const Pose tool = program.turns.back().turn.tool_at(kinematics, 1);
+    return {tool.shift_mm, tool.direction({0, 0, 1})};
+  }
+  const FrameChange& last = program.frames.back();
+  return {last.frame.in_workpiece(kinematics, last.angles_deg).point(program.motions.back().to),
+          kinematics.stand({}, last.angles_deg, 0).axis};
+}
+
+void check_tool(const ToolStand& stand, const Vec3& tip_mm, const Vec3& axis) {
+  CAPTURE(stand.tip_mm.x, stand.tip_mm.y, stand.tip_mm.z, stand.axis.x, stand.axis.y, stand.axis.z);
+  CHECK(distance(stand.tip_mm, tip_mm) < kStandRounding_mm);
+  CHECK(distance(stand.axis, axis) < kStandRounding_mm);
+}
+
+const std::string kBegin = "G21 G90 G43 H1\nG0 X0 Y0 Z100\n";
+
+}  // namespace
+
+TEST_CASE("X, Y and Z are joints until something says otherwise", "[unit][gcode]") {
+  const MachineSetup machine = trunnion();
+  // The tip stays at (11, 22, 73) of the machine; about A, and then back about it.
+  const ToolStand stand = stand_at_end(kBegin + "G0 X1 Y2 Z103 A90\n", machine);
+  const Vec3 seen = Vec3{11, 22, 73} - Vec3{3, -7, -60};
+  check_tool(stand, Vec3{3, -7, -60} + Vec3{seen.x, seen.z, -seen.y}, {0, 1, 0});
+}
+
+TEST_CASE("with tool-centre control places are the tip's in the workpiece", "[unit][gcode]") {
+  for (const char* turn : {"A30 C70", "A-90 C0", "A0 C180"}) {
+    const std::string text = kBegin + "G0 " + turn + "\nG43.4 H1\nG0 X1 Y2 Z3\n";
+    const ToolStand stand = stand_at_end(text, trunnion());
+    CHECK(distance(stand.tip_mm, {11, 22, -27}) < kStandRounding_mm);
+    // A turn keeps the tip in its place then.
+    CHECK(distance(stand_at_end(text + "G1 F100 A10 C5\n", trunnion()).tip_mm, {11, 22, -27}) <
+          kStandRounding_mm);
+  }
+  const std::string haas = kBegin + "G0 A30 C70\nG234 H1\nG0 X1 Y2 Z3\n";
+  CHECK(distance(stand_at_end(haas, trunnion(Control::haas)).tip_mm, {11, 22, -27}) <
+        kStandRounding_mm);
+  const std::string linuxcnc = "G21 G90 G43\nG0 A30 C70\nM428\nG0 X1 Y2 Z3\n";
+  CHECK(distance(stand_at_end(linuxcnc, trunnion(Control::linuxcnc)).tip_mm, {11, 22, -27}) <
+        kStandRounding_mm);
+}
+
+TEST_CASE("the ends of all modes leave the tool where it stands", "[unit][gcode]") {
+  for (const char* modes :
+       {"G43.4 H1\nG0 X1 Y2 Z3\nG49\n", "G68.2 X1 Y2 Z3 I10 J20 K30\nG0 X1 Y2 Z3\nG69\n"}) {
+    const std::string text = kBegin + "G0 A30 C70\n" + modes;
+    const ToolStand within = stand_at_end(text, trunnion());
+    const ToolStand after = stand_at_end(text + "G43 H1\nG91 G0 X0\n", trunnion());
+    check_tool(after, within.tip_mm, within.axis);
+  }
+  const std::string haas = kBegin + "G0 A30 C70\nG254\nG0 X1 Y2 Z3\n";
+  const ToolStand within = stand_at_end(haas, trunnion(Control::haas));
+  check_tool(stand_at_end(haas + "G255\nG91 G0 X0\n", trunnion(Control::haas)), within.tip_mm,
+             within.axis);
+}
+
+TEST_CASE("a dynamic offset counts along the machine's axes from where the zero has gone",
+          "[unit][gcode]") {
+  const MachineSetup machine = trunnion(Control::haas);
+  const ToolStand stand = stand_at_end(kBegin + "G0 C90\nG254\nG0 X1 Y2 Z3\n", machine);
+  // Along the workpiece's axes, which a quarter about C has turned, by (2, -1, 3).
+  check_tool(stand, Vec3{10, 20, -30} + Vec3{2, -1, 3}, {0, 0, 1});
+}
+
+TEST_CASE("a tilted plane has its own zero and axes, and G53.1 puts the tool along Z of it",
+          "[unit][gcode]") {
+  const std::string plane = kBegin + "G68.2 X1 Y2 Z3 I0 J-90 K0\nG53.1\n";
+  for (const MachineSetup& machine : {trunnion(), swivel_head()}) {
+    // Turned by -90 about X, Y points down and Z along Y.
+    check_tool(stand_at_end(plane + "G0 X4 Y5 Z6\n", machine),
+               Vec3{10, 20, -30} + Vec3{1 + 4, 2 + 6, 3 - 5}, {0, 1, 0});
+  }
+  const Program program = read_text(plane, trunnion());
+  REQUIRE(program.turns.size() == 1);
+  CHECK(program.turns[0].turn.to_deg == RotaryAngles{90, 0, 0});
+  CHECK(assumes(program, "line 4: G53.1 is taken to turn to A90 C0"));
+  // G53.1 leaves X, Y and Z of the machine alone.
+  CHECK(program.turns[0].turn.from_mm == program.turns[0].turn.to_mm);
+}
+
+TEST_CASE("a head takes the tip with it by the tool's length", "[unit][gcode]") {
+  // At 100 above the work's zero the gauge point is at 70 + 80; the axis 150 above it and 1 aside.
+  const ToolStand stand = stand_at_end(kBegin + "G0 B90\n", swivel_head());
+  check_tool(stand, {10 - 150 - 80, 20, 150 + 150}, {1, 0, 0});
+  MachineSetup unknown = swivel_head();
+  unknown.tools = {{1, std::nullopt, 6}};
+  CHECK(error_of("G21 G90\nG0 X0 Y0 Z100\nB90\n", unknown).find("is not stated") !=
+        std::string::npos);
+}
+
+TEST_CASE("reference points of rotary axes are at 0", "[unit][gcode]") {
+  const std::string text = kBegin + "G0 A30 C70\n";
+  const Program program = read_text(text + "G91 G28 Z0\nG28 A0 C0\n", trunnion());
+  CHECK(program.turns.back().turn.to_deg == RotaryAngles{});
+  CHECK(program.turns.back().parked);
+  CHECK(assumes(program, "the reference points of the rotary axes are taken to be at 0"));
+  const Program all = read_text(text + "G28\n", trunnion());
+  CHECK(all.turns.back().turn.to_deg == RotaryAngles{});
+  CHECK(read_text(text + "G28 Z300\n", trunnion()).turns.size() == 1);
+}
+
+TEST_CASE("stretches between turns take every motion once", "[unit][gcode]") {
+  const Program program = read_text(kBegin + "G0 A30\nC70\nX1\nX2\nA0\nX3\nA90 C0\n", trunnion());
+  const auto ranges = steady_ranges(program, 0, program.motions.size());
+  REQUIRE(ranges.size() == 4);
+  CHECK(ranges[0].turns.empty());
+  CHECK(ranges[1].turns.size() == 2);
+  CHECK(ranges[1].angles_deg == RotaryAngles{30, 0, 70});
+  CHECK(ranges[1].last - ranges[1].first == 2);
+  CHECK(ranges[2].angles_deg == RotaryAngles{0, 0, 70});
+  CHECK(ranges[3].first == ranges[3].last);
+  CHECK(ranges[3].turns.size() == 1);
+}
+
+TEST_CASE("what is not carried out with rotary axes is said at its word", "[unit][gcode]") {
+  const auto error = [](const std::string& text, Control control = Control::fanuc) {
+    return error_of(kBegin + text, trunnion(control));
+  };
+  const auto holds = [](const std::string& text, const std::string& part) {
+    CAPTURE(text);
+    return text.find(part) != std::string::npos;
+  };
+  CHECK(holds(error("G2 X1 I1 A90\n"), "error: 'A90' turns an axis on an arc"));
+  CHECK(holds(error("G81 X1 Z-1 R2 F100 A90\n"), "canned cycle"));
+  CHECK(holds(error("B90\n"), "of a rotary axis that the machine lacks"));
+  CHECK(holds(error("G53.1\n"), "G53.1 without a tilted working plane"));
+  CHECK(holds(error("G68.2 I0 J170 K0\nG53.1\n"), "no angles of the rotary axes within their"));
+  CHECK(holds(error("G68.2 J30\nG54\n"), "G69 before it"));
+  CHECK(holds(error("G68.2 J30\nG0 X1 A30\n"), "beside X, Y or Z while a working plane"));
+  CHECK(holds(error("G92 A5\n"), "an offset of a rotary axis"));
+  CHECK(holds(error("G254\nG0 A5\n", Control::haas), "G255 before it"));
+  CHECK(holds(error("M430\n", Control::linuxcnc), "M430 switches to kinematics"));
+  CHECK(holds(error("G0 A2000000\n", Control::linuxcnc), "turns an axis"));
+  CHECK(holds(error_of(kBegin + "G43.4 H1\n",
+                       [] {
+                         MachineSetup machine = trunnion();
+                         machine.kinematics.reset();
+                         return machine;
+                       }()),
+              "has no rotary axes"));
+}
+
+TEST_CASE("what stands at 0 moves nothing, whatever the machine", "[unit][gcode]") {
+  const std::string text = kBegin + "G1 X1 F100\nG2 X3 I1\nG0 A0 Z5\nG43.4 H1\nG1 X7\nG49\n";
+  const Program turning = read_text(text, trunnion());
+  CHECK(turning.turns.empty());
+  PathOptions options;
+  options.kinematics = trunnion().kinematics;
+  options.machine_in_part = machine_in_part({}, *trunnion().work_offsets[0]);
+  const Toolpath path = to_toolpath(turning, options);
+  CHECK(path.moves.back().to == Vec3{7, 0, 5});
+}

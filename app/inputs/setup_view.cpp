@@ -7,7 +7,7 @@
 #include "app/inputs/part_fit.h"
 #include "app/inputs/run_forecast.h"
 #include "app/inputs/surface_witness.h"
-#include "app/job/oriented_job.h"
+#include "app/job/setup_frame.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
 

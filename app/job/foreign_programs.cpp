@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <deque>
 
-#include "app/job/oriented_job.h"
 #include "app/job/program_parts.h"
+#include "app/job/setup_frame.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
 #include "model/base/memory.h"

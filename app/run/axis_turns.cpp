@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/job/oriented_job.h"
+#include "app/job/setup_frame.h"
 #include "model/text/number_text.h"
 #include "simulator/process/turn_check.h"
 

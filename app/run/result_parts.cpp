@@ -17,6 +17,9 @@ reports::StageResult stage_as_asked(const JobStage& asked, bool has_design) {
   stage.program = asked.program_as_stated;
   stage.program_part = to_text(asked.part);
   if (asked.piece)
+    stage.stretch = {asked.piece->stage, asked.piece->number, asked.piece->count,
+                     asked.piece->angles};
+  if (asked.piece)
     stage.program_part += (stage.program_part.empty() ? "" : ", ") + to_text(*asked.piece);
   if (has_design) stage.allowance_mm = asked.allowance_mm;
   stage.limits = asked.limits;

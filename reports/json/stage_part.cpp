@@ -65,6 +65,11 @@ Json stage_part(const RunResult& result, std::size_t index) {
   } else {
     out["program"] = clean_text(s.program);
     if (!s.program_part.empty()) out["program_part"] = clean_text(s.program_part);
+    if (s.stretch)
+      out["stretch"] = {{"stage", clean_text(s.stretch->stage)},
+                        {"number", s.stretch->number},
+                        {"count", s.stretch->count},
+                        {"axes", s.stretch->axes}};
   }
   if (s.allowance_mm) {
     out["allowance_mm"] = finite("stage.allowance_mm", *s.allowance_mm);

@@ -118,7 +118,9 @@ StageMeasures read_measures(const JsonValue& stage, const std::string& name,
   read_toolpath(stage["toolpath"], out);
   const JsonValue simulation = stage["simulation"];
   read_simulation(simulation, out);
-  if (run.has_design)
+  // Of a stretch of a program that turns rotary axes, only the last that cuts is sure to have one.
+  const bool is_measured = !stage.find("stretch") || stage.find("deviation");
+  if (run.has_design && is_measured)
     out.deviation = read_deviation(stage["deviation"], name, run.schema, run.texts);
   out.process_findings = read_process(simulation, name, run.texts);
   out.process = count_process(out.process_findings);

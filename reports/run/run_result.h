@@ -77,6 +77,13 @@ struct StageResult {
   std::string strategy;  ///< empty when `program` names a file
   std::string program;
   std::string program_part;  ///< "T2", "section 3", "from (FINISH)"; empty: the whole program
+  /// Of a program that turns rotary axes: the stretch of it that was cut while they stood still.
+  struct Stretch {
+    std::string stage;  ///< the job's
+    std::size_t number = 1, count = 1;
+    std::string axes;  ///< where they stood: "A90C45"
+  };
+  std::optional<Stretch> stretch;
   std::optional<double> allowance_mm;  ///< empty where there is no design
   double step_mm = 0, tolerance_mm = 0;
   verifier::GateLimits limits;

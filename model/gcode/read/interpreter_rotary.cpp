@@ -58,13 +58,15 @@ void Interpreter::list_turn(const Statement& statement, const Motion& motion,
     assumed_.add(statement.line(),
                  "X, Y and Z are taken to be joints while axes turn (identity kinematics): neither "
                  "M428, M429 nor [machine] tool_centred says which");
-  if (motion.parked)
+  // Before Z is named, it stands where the start is taken to be.
+  const bool is_above = motion.parked || !motion.height_known;
+  if (is_above)
     assumed_.add(statement.line(),
-                 "an axis turns while Z stands above everything: nothing is "
-                 "taken to be within its reach");
+                 "an axis turns while Z is taken to stand above everything: nothing is within the "
+                 "tool's reach");
   orientation.control_is_assumed = false;
   program_.turns.push_back({program_.motions.size() - 1, statement.line(),
-                            motion.kind == MotionKind::rapid, motion.spindle_stopped, motion.parked,
+                            motion.kind == MotionKind::rapid, motion.spindle_stopped, is_above,
                             turn});
   orientation.angles_deg = turn.to_deg;
 }

@@ -3,6 +3,7 @@
 #include "app/inputs/setup_view.h"
 #include "app/job/job_reader.h"
 #include "app/job/oriented_job.h"
+#include "app/job/setup_frame.h"
 #include "model/base/error.h"
 #include "model/base/text_file.h"
 #include "tests/app/job_text.h"
@@ -98,7 +99,7 @@ TEST_CASE("a program that turns its axes falls into stretches, each in a setup o
 }
 
 TEST_CASE("a program that turns nothing stays one stage", "[unit][job]") {
-  const tests::TemporaryFolder folder("rotary");
+  const tests::TemporaryFolder folder;
   std::string job = model::read_text_file(tests::fixtures() / "rotary/trunnion.toml");
   job = with(job, "../cages", (tests::fixtures() / "cages").string());
   std::ofstream(folder.path() / "trunnion.nc")

@@ -139,6 +139,18 @@ TEST_CASE("reference points of rotary axes are at 0", "[unit][gcode]") {
   CHECK(read_text(text + "G28 Z300\n", trunnion()).turns.size() == 1);
 }
 
+TEST_CASE("before Z is named it is taken to stand above everything while axes turn",
+          "[unit][gcode]") {
+  MachineSetup machine = trunnion();
+  machine.start_is_assumed = true;
+  const Program program = read_text("G21 G90\nG0 A30\nX0 Y0 Z50\nA0\n", machine);
+  REQUIRE(program.turns.size() == 2);
+  CHECK(program.turns[0].parked);
+  CHECK_FALSE(program.turns[1].parked);
+  CHECK(assumes(program, "line 2: an axis turns while Z is taken to stand above everything"));
+  CHECK_FALSE(read_text("G21 G90\nG0 A30\n", trunnion()).turns[0].parked);
+}
+
 TEST_CASE("stretches between turns take every motion once", "[unit][gcode]") {
   const Program program = read_text(kBegin + "G0 A30\nC70\nX1\nX2\nA0\nX3\nA90 C0\n", trunnion());
   const auto ranges = steady_ranges(program, 0, program.motions.size());

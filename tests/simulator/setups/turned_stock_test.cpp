@@ -9,6 +9,7 @@
 #include "simulator/tolerance.h"
 #include "tests/simulator/setups/turned_bench.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 
 namespace {
 
@@ -147,6 +148,8 @@ TEST_CASE("rows of fine voxels are right in a turned block, whole leaves at once
 
 TEST_CASE("a turned stock in tiles is the whole one", "[slow][setups]") {
   const std::size_t to = GENERATE(0, 2), cutter = GENERATE(1, 2);
+  // Each pose and each cutter once; all pairs take two minutes.
+  if (!tests::thorough() && (to == 0) != (cutter == 1)) return;
   const Pose pose = setup_poses()[to].pose;
   INFO(setup_poses()[to].name << ", " << model::to_text(setup_cutters()[cutter]));
   constexpr double kFine = 0.06;

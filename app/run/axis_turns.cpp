@@ -1,6 +1,6 @@
 #include "app/run/axis_turns.h"
 
-#include <functional>
+#include <algorithm>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -29,16 +29,19 @@ class TurnPoses {
   }
 
   simulator::TurningPose in_stock() const {
-    return posed([*this](double t) { return from_workpiece_ * turn_.tool_at(machine_, t); });
+    return simulator::TurningPose::even(
+        [*this](double t) { return from_workpiece_ * turn_.tool_at(machine_, t); },
+        turn_.tip_speed_mm(machine_), turn_.turn_rad());
   }
   /// Among what is mounted so, in the frame that its mesh is in: where it stands after the turns.
   simulator::TurningPose among(const FixtureMount& mount) const {
     if (mount.kind == FixtureMount::Kind::part) return in_stock();
-    return posed([*this, mount](double t) {
+    const auto at = [*this, mount](double t) {
       const model::RotaryAngles now = turn_.angles_at(t);
       return from_machine_ * carried(mount, angles_deg_) * carried(mount, now).inverse() *
              machine_.table(now) * turn_.tool_at(machine_, t);
-    });
+    };
+    return simulator::TurningPose::even(at, machine_tip_speed_mm(), turn_.turn_rad());
   }
 
  private:
@@ -46,8 +49,19 @@ class TurnPoses {
     return mount.kind == FixtureMount::Kind::axis ? machine_.carried_by(mount.axis, angles_deg)
                                                   : Pose{};
   }
-  simulator::TurningPose posed(std::function<Pose(double)> at) const {
-    return {std::move(at), turn_.tip_speed_mm(machine_), turn_.turn_rad()};
+  /// Of the tip as the machine sees it, or what only some tables carry: on top of its speed in the
+  /// workpiece, the tables take it with them. From the axes it is never farther than they are from
+  /// where it is half-way, it is from there, and they are from each other.
+  double machine_tip_speed_mm() const {
+    constexpr double kHalfWay = 0.5;
+    const double speed_mm = turn_.tip_speed_mm(machine_);
+    const model::Vec3 tip = turn_.tool_at(machine_, kHalfWay).shift_mm;
+    double arm_mm = 0, between_mm = 0;
+    for (const model::RotaryAxis& axis : machine_.axes) {
+      arm_mm = std::max(arm_mm, distance(tip, axis.point_mm));
+      between_mm = std::max(between_mm, distance(axis.point_mm, machine_.axes.front().point_mm));
+    }
+    return speed_mm + turn_.turn_rad() * (arm_mm + speed_mm * kHalfWay + between_mm);
   }
 
   Kinematics machine_;
@@ -82,7 +96,8 @@ std::vector<simulator::Finding> turn_findings(const Job& at_setup, const JobStag
                                               const simulator::ProcessLimits& limits,
                                               const model::RunControl& control) {
   std::vector<simulator::Finding> findings;
-  if (!stage.piece) return findings;
+  if (!stage.piece || stage.piece->range.turns.empty()) return findings;
+  const simulator::TurnCheck check(stock, stage.cutter, limits);
   for (const model::AxisTurn& turn : stage.piece->range.turns) {
     look_at_limits(at_setup, turn, findings);
     if (turn.parked) continue;
@@ -90,7 +105,7 @@ std::vector<simulator::Finding> turn_findings(const Job& at_setup, const JobStag
     simulator::TurningTool motion{turn.line, turn.rapid, poses.in_stock(), {}};
     for (const JobFixture& fixture : at_setup.fixtures)
       motion.in_fixtures.push_back(poses.among(fixture.mount));
-    std::vector<simulator::Finding> met = check_turn(stock, stage.cutter, motion, limits, control);
+    std::vector<simulator::Finding> met = check.look_at(motion, control);
     std::move(met.begin(), met.end(), std::back_inserter(findings));
   }
   return findings;

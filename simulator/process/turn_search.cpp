@@ -1,8 +1,6 @@
 #include "simulator/process/turn_search.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <queue>
 #include <vector>
 
@@ -11,128 +9,127 @@ namespace {
 
 using model::Vec3;
 
-/// Some ten seconds. A turn that comes no nearer than a tool's width takes some thousands.
-constexpr std::size_t kMostLooks = 4'000'000;
+// Refining a contact that is already proven stops here; the header promises a lower bound.
+constexpr std::size_t kMostDeeperLooks = 20'000;
+// Looks between two questions whether to stop: some milliseconds.
+constexpr std::size_t kLooksBetweenStops = 4096;
 
-/// A part of the body, in the tool's frame, over a stretch of the turn.
-struct TurnBlock {
-  Vec3 middle, half;
-  double t = 0, half_t = 0;
-  double bound = 0;
-  SurfaceMaker guess;
+struct LessTurnBound {
+  bool operator()(const TurnBlock& a, const TurnBlock& b) const {
+    return a.place.bound < b.place.bound;
+  }
 };
 
-struct LessDeep {
-  bool operator()(const TurnBlock& a, const TurnBlock& b) const { return a.bound < b.bound; }
-};
-
-class TurnSearch {
+/// ContactSearch with time as a fourth dimension.
+class TurnContactSearch {
  public:
-  TurnSearch(const Material& solid, const ToolBody& body, const TurningPose& pose, double least_mm,
-             double precision_mm)
-      : solid_(solid), body_(body), pose_(pose), least_mm_(least_mm), precision_mm_(precision_mm) {}
+  TurnContactSearch(const TurnSearch& search, double tolerance, const model::RunControl& control)
+      : solid_{search.solid, nullptr, 0},
+        body_(*search.body, *search.pose),
+        tolerance_(tolerance),
+        most_looks_(search.most_looks),
+        control_(control) {}
 
-  std::optional<DeepestTurn> run();
+  TurnAnswer run(double from, double to);
 
  private:
-  double enough() const { return (best_ ? best_->depth_mm : least_mm_) + precision_mm_; }
-  MeridianSample body_at(const Vec3& p) const {
-    return body_.profile.sample(std::hypot(p.x, p.y), p.z - body_.base_mm);
-  }
-  /// How far a place of the block goes in half its stretch of time, at most.
-  double way(const TurnBlock& block) const {
-    const double farthest = length(block.middle) + length(block.half);
-    return (pose_.tip_speed_mm + pose_.turn_rad * farthest) * block.half_t;
+  double least() const { return answer_.place ? answer_.place->mm : tolerance_; }
+  double enough() const { return answer_.place ? least() + tolerance_ : tolerance_; }
+  TurnDepth depth_in(const TurnBlock& block, const TurnSample& distance) const {
+    const Block& b = block.place;
+    return depth_over(depth_under(solid_, b.cover, b.middle, b.half), body_, block, distance, 0);
   }
   void look_at(TurnBlock block);
-  void offer(const TurnBlock& block, const model::Pose& pose, double outside_mm);
-  std::array<TurnBlock, 2> halves(const TurnBlock& block) const;
+  void offer(const TurnBlock& block, const SweptSample& middle);
+  void climb(double t, Vec3 p, Cover cover);
+  bool gives_up();
 
-  const Material& solid_;
-  const ToolBody& body_;
-  const TurningPose& pose_;
-  double least_mm_, precision_mm_;
-  std::size_t looks_ = 0;
-  std::optional<DeepestTurn> best_;
-  std::priority_queue<TurnBlock, std::vector<TurnBlock>, LessDeep> queue_;
+  MaterialAtMove solid_;
+  TurningBody body_;
+  double tolerance_;
+  std::size_t most_looks_;
+  const model::RunControl& control_;
+  TurnAnswer answer_;
+  std::size_t first_found_ = 0;  // looks when something was
+  std::priority_queue<TurnBlock, std::vector<TurnBlock>, LessTurnBound> queue_;
 };
 
-void TurnSearch::look_at(TurnBlock block) {
-  ++looks_;
-  const double reach = length(block.half), outside = body_at(block.middle).distance;
-  if (outside > reach) return;
-  const model::Pose pose = pose_.at(block.t);
-  const MaterialSample here = solid_.sample(pose.point(block.middle), block.guess);
-  block.guess = here.maker;
-  const double way_mm = way(block);
-  block.bound = reach + way_mm - here.value;
-  if (block.bound <= enough()) return;
-  if (-here.value + std::abs(outside) > (best_ ? best_->depth_mm : least_mm_))
-    offer(block, pose, outside);
-  // Smaller blocks than this cannot hide what is deeper by the precision than their middle.
-  if (reach + way_mm > precision_mm_ / 2) queue_.push(block);
-}
-
-/// The middle, or the body's nearest place where it is outside, and deeper from there by steps that
-/// stay in the body since its distance is 1-Lipschitz.
-void TurnSearch::offer(const TurnBlock& block, const model::Pose& pose, double outside_mm) {
-  constexpr int kMostSteps = 6;
-  Vec3 p = block.middle;
-  if (outside_mm > 0) {
-    const MeridianSample at = body_at(p);
-    const double rho = std::hypot(p.x, p.y);
-    const Vec3 out = rho > 0 ? Vec3{p.x / rho, p.y / rho, 0} : Vec3{1, 0, 0};
-    p = p - (out * at.g_rho + Vec3{0, 0, at.g_z}) * outside_mm;
-  }
-  for (int step = 0; step < kMostSteps; ++step) {
-    const double room = -body_at(p).distance;
-    if (room < -precision_mm_ / 8) return;
-    const MaterialSample here = solid_.sample(pose.point(p), block.guess);
-    if (-here.value > (best_ ? best_->depth_mm : least_mm_))
-      best_ = DeepestTurn{block.t, p, -here.value, true};
-    if (room <= precision_mm_ / 8) return;
-    p = p - pose.direction_back(here.gradient) * room;
-  }
-}
-
-std::array<TurnBlock, 2> TurnSearch::halves(const TurnBlock& block) const {
-  TurnBlock low = block, high = block;
-  if (way(block) > length(block.half)) {
-    low.half_t = high.half_t = block.half_t / 2;
-    low.t -= low.half_t, high.t += high.half_t;
-    return {low, high};
-  }
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (block.half[k] > block.half[axis]) axis = k;
-  low.half[axis] = high.half[axis] = block.half[axis] / 2;
-  low.middle[axis] -= low.half[axis], high.middle[axis] += high.half[axis];
-  return {low, high};
-}
-
-std::optional<DeepestTurn> TurnSearch::run() {
-  const double r = body_.profile.largest_radius(), half = body_.profile.length() / 2;
-  look_at({{0, 0, body_.base_mm + half}, {r, r, half}, 0.5, 0.5, 0, {}});
+TurnAnswer TurnContactSearch::run(double from, double to) {
+  TurnBlock all{{}, (from + to) / 2, (to - from) / 2};
+  const model::Box3 where =
+      common(body_.box(all.t, all.half_t, 0), bounding_box(solid_.before->raw()));
+  if (where.empty()) return answer_;
+  all.place.middle = where.centre(), all.place.half = where.size() * 0.5;
+  look_at(all);
   while (!queue_.empty()) {
     const TurnBlock block = queue_.top();
     queue_.pop();
-    if (block.bound <= enough()) break;
-    if (looks_ > kMostLooks) {
-      if (!best_) best_ = DeepestTurn{block.t, block.middle, least_mm_, false};
-      best_->proven = false;
-      break;
-    }
-    for (const TurnBlock& part : halves(block)) look_at(part);
+    if (block.place.bound <= enough() || gives_up()) break;
+    for (const TurnBlock& half : halves(block)) look_at(half);
   }
-  return best_;
+  return answer_;
+}
+
+bool TurnContactSearch::gives_up() {
+  if (answer_.place) return answer_.looks - first_found_ > kMostDeeperLooks;
+  answer_.proven = answer_.looks <= most_looks_;
+  return !answer_.proven;
+}
+
+void TurnContactSearch::look_at(TurnBlock block) {
+  if (answer_.looks++ % kLooksBetweenStops == 0) control_.check();
+  Block& place = block.place;
+  const TurnSample s = body_.about(block);
+  if (s.under.distance > support(place.half, s.under.gradient)) return;
+  // What covers the block around this one mostly covers it too, and saves the search.
+  if (depth_in(block, s).bound_mm <= enough()) return;
+  place.cover.maker = solid_.before->sample(place.middle, place.cover.maker).maker;
+  const TurnDepth depth = depth_in(block, s);
+  place.bound = depth.bound_mm;
+  if (place.bound <= enough()) return;
+  offer(block, {s.under.distance + s.change_mm, s.under.gradient, 0});
+  block.across_time = cut_across_time(block, s, depth, enough());
+  // Smaller blocks than this cannot hide a contact of 1.5 tolerances from their middle.
+  if (length(place.half) + body_.way_mm(block) > tolerance_ / 4) queue_.push(block);
+}
+
+/// The middle itself, or the body's nearest place where the middle is outside, and where one comes
+/// to from there.
+void TurnContactSearch::offer(const TurnBlock& block, const SweptSample& middle) {
+  const Block& place = block.place;
+  const double outside = std::max(0.0, middle.distance);
+  const double depth = depth_under(solid_, place.cover, place.middle, {}).value;
+  if (depth + std::abs(middle.distance) <= least()) return;
+  climb(block.t, place.middle - middle.gradient * outside, place.cover);
+}
+
+/// Deeper into the solid, by steps that stay in the body since its distance is 1-Lipschitz.
+void TurnContactSearch::climb(double t, Vec3 p, Cover cover) {
+  constexpr int kMostSteps = 8;
+  const auto depth_at = [&](const Vec3& place) {
+    cover.maker = solid_.before->sample(place, cover.maker).maker;
+    return depth_under(solid_, cover, place, {});
+  };
+  Depth d = depth_at(p);
+  for (int step = 0; step < kMostSteps; ++step) {
+    if (d.value > least()) {
+      if (!answer_.place) first_found_ = answer_.looks;
+      answer_.place = TurnPlace{t, p, d.value};
+    }
+    const double room = -body_.at(t, p).distance;
+    if (room <= tolerance_ / 8) return;
+    const Vec3 next = p + d.gradient * room;
+    const Depth there = depth_at(next);
+    if (there.value <= d.value) return;
+    p = next, d = there;
+  }
 }
 
 }  // namespace
 
-std::optional<DeepestTurn> deepest_turn(const Material& solid, const ToolBody& body,
-                                        const TurningPose& pose, double least_mm,
-                                        double precision_mm) {
-  return TurnSearch(solid, body, pose, least_mm, precision_mm).run();
+TurnAnswer deepest_turn_contact(const TurnSearch& search, double tolerance_mm,
+                                const model::RunControl& control) {
+  return TurnContactSearch(search, tolerance_mm, control).run(search.from, search.to);
 }
 
 }  // namespace limitgauge::simulator

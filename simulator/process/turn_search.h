@@ -1,41 +1,54 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 
-#include "model/geometry/pose.h"
-#include "simulator/process/tool_bodies.h"
+#include "model/base/run_control.h"
+#include "simulator/process/turning_body.h"
 #include "simulator/stock/material.h"
 
 namespace limitgauge::simulator {
 
-/// How a tool moves among something else over t in [0, 1].
-struct TurningPose {
-  /// The tool's frame, tip at its zero and +Z up its axis, in the other's. May be asked from
-  /// several threads at once.
-  std::function<model::Pose(double t)> at;
-  double tip_speed_mm = 0;  ///< the tip never goes faster than this, by t
-  double turn_rad = 0;      ///< the tool never turns faster than this, by t
+/// A search that takes more is given up, after some seconds. A turn that comes near nothing takes
+/// dozens, one that slides along a face some hundreds.
+inline constexpr std::size_t kMostTurnLooks = 1'000'000;
+
+/// What a turn's searches look through: `body` among `solid`, which stands still in the frame that
+/// `pose` leads to, from t = `from` to `to`.
+struct TurnSearch {
+  const Material* solid = nullptr;
+  const ToolBody* body = nullptr;
+  const TurningPose* pose = nullptr;
+  double from = 0, to = 1;  ///< may be the same
+  std::size_t most_looks = kMostTurnLooks;
 };
 
-/// The place of a body that comes deepest into a solid, and when.
-struct DeepestTurn {
+/// A place that a search found, in the solid's frame, and when.
+struct TurnPlace {
   double t = 0;
-  model::Vec3 in_tool;  ///< in the tool's frame
-  double depth_mm = 0;  ///< there; minus the distance where nothing touches
-  bool proven = true;   ///< false: the search was given up, and it may be deeper anywhere
+  model::Vec3 point;
+  double mm = 0;  ///< depth in the solid, or what is left between
 };
 
-/// The deepest place of `body` in `solid` while it moves as `pose` says, if it is deeper than
-/// `least_mm` (negative: nearer than that). What is deeper than `least_mm` by `precision_mm` is
-/// never missed, and the place found is as deep as the deepest but for `precision_mm`.
-///
-/// Branch and bound over blocks of the body's own frame and stretches of time: the depth in the
-/// solid is 1-Lipschitz, and a place at distance r from the tip goes no faster than tip_speed_mm +
-/// turn_rad r. Where that takes more looks than a few million it is given up.
-std::optional<DeepestTurn> deepest_turn(const Material& solid, const ToolBody& body,
-                                        const TurningPose& pose, double least_mm,
-                                        double precision_mm);
+struct TurnAnswer {
+  std::optional<TurnPlace> place;
+  std::size_t looks = 0;  ///< blocks that were looked at
+  /// False: given up after most_looks. Then what was not found may be there.
+  bool proven = true;
+};
+
+/// The deepest place of the body in the solid; none if it is nowhere deeper than `tolerance_mm`.
+/// Branch and bound over blocks of space and stretches of time. The promises are those of
+/// deepest_contact (contact_search.h): what is deeper than 1.5 tolerances is never missed, and the
+/// depth is a lower bound. Throws Interrupted.
+TurnAnswer deepest_turn_contact(const TurnSearch& search, double tolerance_mm,
+                                const model::RunControl& control);
+
+/// The least distance between the body and the solid, if it is below `within_mm`. The promises are
+/// those of least_gap (gap_search.h): of the solid counts what has room for a ball of half a
+/// tolerance's radius; the distance is never too small, and at most a tolerance too large next to
+/// faces and right-angled edges. Throws Interrupted.
+TurnAnswer least_turn_gap(const TurnSearch& search, double within_mm, double tolerance_mm,
+                          const model::RunControl& control);
 
 }  // namespace limitgauge::simulator

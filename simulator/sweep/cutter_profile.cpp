@@ -97,6 +97,19 @@ bool CutterProfile::upright_between(double z_low, double z_high) const {
          z_high <= length_ + kDistanceRounding_mm;
 }
 
+// The hull of its tip, the rim of its top, and the arc, of which the ends, or the place whose
+// normal is n, reach farthest.
+double CutterProfile::extent(double n_rho, double n_z) const {
+  const double n = std::sqrt(n_rho * n_rho + n_z * n_z);
+  const bool above_bottom = n_rho * bottom_cos_ + n_z * bottom_sin_ >= 0;
+  const bool below_side = n_rho * sin_ + n_z * cos_ <= 0;
+  const double centre = n_rho * disc_ + n_z * corner_z_;
+  const double at_ends =
+      std::max(n_rho * bottom_sin_ - n_z * bottom_cos_, n_rho * cos_ - n_z * sin_);
+  const double arc = centre + corner_ * (above_bottom && below_side ? n : at_ends);
+  return std::max({0.0, n_z * length_, n_rho * top_radius_ + n_z * length_, arc});
+}
+
 double CutterProfile::nose_height(double rho) const {
   if (rho > largest_radius_) return std::numeric_limits<double>::infinity();
   if (rho <= disc_ + corner_ * bottom_sin_) return rho * bottom_sin_ / bottom_cos_;

@@ -44,6 +44,9 @@ class CutterProfile {
     return std::max({nose - corner_, bottom, z_low - length_});
   }
 
+  /// How far the profile reaches in the direction (n_rho >= 0, n_z): the greatest n·(ρ, z) in it.
+  double extent(double n_rho, double n_z) const;
+
   /// Height of the lowest point of the profile at radius `rho`; infinite beyond the largest radius.
   double nose_height(double rho) const;
 

@@ -73,7 +73,7 @@ TEST_CASE("every kind has a name of its own, and near misses and slight contacts
     CHECK(fails(kind) == (kind != FindingKind::near_miss && kind != FindingKind::slight_contact));
     names.emplace_back(name(kind));
   }
-  CHECK(names.size() == 11);
+  CHECK(names.size() == 12);
   CHECK(names.front() == "rapid_through_stock");
   CHECK(names.back() == "near_miss");
   std::sort(names.begin(), names.end());

@@ -213,6 +213,25 @@ TEST_CASE("the profile's largest radius is the cutter's", "[unit][swept_distance
           Approx(model::largest_radius_mm(cutter)).margin(1e-12));
 }
 
+TEST_CASE("the profile reaches as far as its outline in every direction",
+          "[property][swept_distance]") {
+  Draw draw{std::mt19937_64(17)};
+  constexpr int kPoints = 4000;
+  for (const Cutter& c : cutters()) {
+    const CutterProfile profile(c);
+    const auto outline = simulator::test::ProfileOracle(c).outline(kPoints);
+    for (int i = 0; i < 40; ++i) {
+      const double angle = draw.in(-1.5708, 1.5708), rho = std::cos(angle), z = std::sin(angle);
+      double reach = 0;
+      for (const auto& p : outline) reach = std::max(reach, rho * p.rho + z * p.z);
+      // Between points of the arc it is farther by a share of 1 − cos of half their angle.
+      CHECK(profile.extent(rho, z) >= reach - kExact);
+      CHECK(profile.extent(rho, z) <= reach + 1e-6);
+      CHECK(profile.extent(3 * rho, 3 * z) == Approx(3 * profile.extent(rho, z)).margin(1e-12));
+    }
+  }
+}
+
 TEST_CASE("a quick look never rejects a move that is nearer than the bound",
           "[property][swept_distance]") {
   Draw draw{std::mt19937_64(20266)};

@@ -1,5 +1,7 @@
 #include "tests/agreement/linuxcnc/known_modules.h"
 
+#include <string>
+
 #include "tests/agreement/linuxcnc/hal.h"
 
 namespace limitgauge::linuxcnc {

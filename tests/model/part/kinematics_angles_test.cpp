@@ -186,12 +186,13 @@ TEST_CASE("where the tool stands along the axis, or it does not matter, axes sta
         machine.axis('A') ? RotaryAngles{30, 0, 77} : RotaryAngles{0, 30, 77};
     CHECK(machine.angles_for(axis_by_matrices(machine, there), there) == there);
     // Upright, whatever C is; a tool that is turned on the spot tells no more after rounding.
-    for (const double tilt : {0.0, 1e-14, 3e-10}) {
-      const auto angles = machine.angles_for(tilted(tilt, 1), there);
-      REQUIRE(angles);
-      CHECK((*angles)[2] == 77);
-      CHECK(std::abs((*angles)[0] + (*angles)[1]) < 1e-7);
-    }
+    for (const double tilt : {0.0, 1e-14, 3e-10})
+      for (const double azimuth : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0}) {
+        const auto angles = machine.angles_for(tilted(tilt, azimuth), there);
+        REQUIRE(angles);
+        CHECK((*angles)[2] == 77);
+        CHECK(std::abs((*angles)[0] + (*angles)[1]) < 1e-7);
+      }
   }
 }
 

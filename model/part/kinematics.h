@@ -71,9 +71,10 @@ struct Kinematics {
   /// Nothing where the machine has no such axis.
   const RotaryAxis* axis(char word) const;
 
-  /// The angles that put the tool along `axis` of the workpiece: those within the limits that are
-  /// nearest to `from_deg`, by the longest way that an axis goes. An axis whose angle does not
-  /// matter stays. Nothing where no angles do, within 1e-9.
+  /// The angles that put the tool along `axis` of the workpiece, of length 1: those within the
+  /// limits that are nearest to `from_deg`, by the longest way that an axis goes; ways are told
+  /// apart to 1e-6 degrees. An axis whose angle does not matter stays, or goes to its limit where
+  /// it is outside. Nothing where no angles do, within 1e-9.
   std::optional<RotaryAngles> angles_for(const Vec3& axis, const RotaryAngles& from_deg) const;
 };
 

@@ -266,7 +266,31 @@ setup = "back"
 tool = "flat6"
 program = "foreign/plate.ngc"
 )";
-  return {first + planned, foreign, bar + planned, mesh, sides};
+  const std::string turning = R"(name = "turning"
+surface = { cage = "cages/quick-dome.obj" }
+stock = { shape = "box", size = [26, 26, 9], corner = [-13, -13, -4] }
+[machine]
+kinematics = "table-table"
+tool_centred = true
+[[machine.axis]]
+word = "A"
+direction = [1, 0, 0]
+point = [0, 0, -50]
+limits = [-120, 30]
+[[fixture]]
+name = "clamp"
+file = "findings/clamp.obj"
+axis = "A"
+[[tool]]
+id = "flat6"
+type = "flat"
+diameter = 6
+[[stage]]
+name = "a"
+tool = "flat6"
+program = "foreign/plate.ngc"
+)";
+  return {first + planned, foreign, bar + planned, mesh, sides, turning};
 }
 
 }  // namespace limitgauge::app

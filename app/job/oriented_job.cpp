@@ -6,20 +6,11 @@
 #include "app/job/foreign_programs.h"
 #include "app/job/setup_frame.h"
 #include "model/base/error.h"
-#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {
 
 using model::RotaryAngles;
-
-/// "A90C-45".
-std::string angle_words(const model::Kinematics& machine, const RotaryAngles& angles_deg) {
-  std::string words;
-  for (const model::RotaryAxis& axis : machine.axes)
-    words += std::string(1, axis.word) + model::six_digits(angles_deg[axis.index()] + 0.0);
-  return words;
-}
 
 /// A part of a program while whose motions the rotary axes stand still.
 struct Stretch {
@@ -105,7 +96,7 @@ void Orienter::take_apart(std::size_t setup) {
 /// A setup without a name is the only one, of a job that states none.
 void Orienter::name_first_setup() {
   if (has_setups(job_)) return;
-  job_.setups.front().setup.name = angle_words(*job_.machine.kinematics, {});
+  job_.setups.front().setup.name = job_.machine.kinematics->to_text({});
 }
 
 std::size_t Orienter::setup_at(std::size_t stated, const RotaryAngles& angles_deg) {
@@ -115,8 +106,8 @@ std::size_t Orienter::setup_at(std::size_t stated, const RotaryAngles& angles_de
         turned && turned->of == stated && turned->angles_deg == angles_deg)
       return k;
   JobSetup setup = job_.setups[stated];
-  const std::string words = angle_words(*job_.machine.kinematics, angles_deg);
-  const bool named = setup.setup.name != angle_words(*job_.machine.kinematics, {});
+  const std::string words = job_.machine.kinematics->to_text(angles_deg);
+  const bool named = setup.setup.name != job_.machine.kinematics->to_text({});
   setup.setup.name = named ? setup.setup.name + "." + words : words;
   Job view = job_;
   view.machine = machine_in_setup(job_, stated);
@@ -139,7 +130,7 @@ void Orienter::add_pieces(const JobStage& stage, const std::vector<Stretch>& str
                    i + 1,
                    stretches.size(),
                    stretches[i].cuts,
-                   angle_words(*job_.machine.kinematics, range.angles_deg),
+                   job_.machine.kinematics->to_text(range.angles_deg),
                    stage.limits};
     piece.setup = setup_at(stage.setup, range.angles_deg);
     if (i != last) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/text/number_text.h"
+
 namespace limitgauge::model {
 namespace {
 
@@ -70,6 +72,15 @@ ToolStand Kinematics::stand(const Vec3& gauge_mm, const RotaryAngles& angles_deg
 
 Pose Kinematics::upright(const RotaryAngles& angles_deg) const {
   return rotation(head(angles_deg)).inverse() * table(angles_deg);
+}
+
+std::string Kinematics::to_text(const RotaryAngles& angles_deg, const char* between) const {
+  std::string text;
+  for (const RotaryAxis& axis : axes) {
+    if (!text.empty()) text += between;
+    text += axis.word + six_digits(angles_deg[axis.index()] + 0.0);  // no negative zero
+  }
+  return text;
 }
 
 const RotaryAxis* Kinematics::axis(char word) const {

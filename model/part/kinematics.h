@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "model/geometry/pose.h"
@@ -68,6 +69,8 @@ struct Kinematics {
   /// The workpiece's frame to one in which the tool stands along +Z: the machine's own where only
   /// tables turn, and for heads turned back with them about the machine's zero.
   Pose upright(const RotaryAngles& angles_deg) const;
+  /// "A90C-45": where its axes stand, in their order; `between` stands between them.
+  std::string to_text(const RotaryAngles& angles_deg, const char* between = "") const;
   /// Nothing where the machine has no such axis.
   const RotaryAxis* axis(char word) const;
 

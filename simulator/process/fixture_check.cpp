@@ -34,8 +34,7 @@ Box3 tips_near(const Box3& target, const std::vector<ToolBody>& bodies, double n
 
 FixtureCheck::FixtureCheck(const std::vector<model::Fixture>& fixtures, const Pass& pass,
                            const ToolBodies& bodies, const StockLimits& limits)
-    : path_(*pass.path), assembly_(bodies), bodies_{bodies.flutes}, limits_(limits) {
-  bodies_.insert(bodies_.end(), bodies.above.begin(), bodies.above.end());
+    : path_(*pass.path), assembly_(bodies), bodies_(bodies.parts()), limits_(limits) {
   Box3 all;
   if (!path_.moves.empty()) all.add(path_.start);
   for (const model::Move& m : path_.moves) all.add(m.to);

@@ -24,10 +24,7 @@ using model::Vec3;
 constexpr std::size_t kChunk = 64;
 
 void require_limits(const ProcessLimits& limits) {
-  if (!(limits.tolerance_mm > 0) || !std::isfinite(limits.tolerance_mm))
-    throw std::invalid_argument("the tolerance of contacts must be a positive number");
-  if (!(limits.near_miss_mm >= 0) || !std::isfinite(limits.near_miss_mm))
-    throw std::invalid_argument("the clearance of near misses must be a number from 0 up");
+  require_contact_limits(limits);
   for (int a = 0; limits.travel_mm && a < 3; ++a)
     if (!(limits.travel_mm->low[a] <= limits.travel_mm->high[a]))
       throw std::invalid_argument("the travel of an axis ends below where it begins");
@@ -102,6 +99,13 @@ std::vector<Finding> joined(std::vector<std::vector<Finding>> chunks) {
 }
 
 }  // namespace
+
+void require_contact_limits(const ProcessLimits& limits) {
+  if (!(limits.tolerance_mm > 0) || !std::isfinite(limits.tolerance_mm))
+    throw std::invalid_argument("the tolerance of contacts must be a positive number");
+  if (!(limits.near_miss_mm >= 0) || !std::isfinite(limits.near_miss_mm))
+    throw std::invalid_argument("the clearance of near misses must be a number from 0 up");
+}
 
 std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
                                    const ProcessLimits& limits, const model::RunControl& control) {

@@ -20,6 +20,10 @@ struct ProcessLimits {
   std::vector<model::Fixture> fixtures;
 };
 
+/// Throws std::invalid_argument unless contacts have a tolerance above 0 and near misses a
+/// clearance from 0 up.
+void require_contact_limits(const ProcessLimits& limits);
+
 /// Checks `pass` against the stock as it stands at each move: `before` is the stock at the start of
 /// the stage. Findings are in the order of moves, then of kinds, then of parts; one a move, kind
 /// and part, for its worst place. The same for any number of threads. Throws std::invalid_argument

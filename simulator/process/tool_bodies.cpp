@@ -102,6 +102,12 @@ void ToolBodies::join_parts(const model::Cutter& cutter) {
   joined.push_back({ToolPart::cutter, CutterProfile(longer), 0});
 }
 
+std::vector<ToolBody> ToolBodies::parts() const {
+  std::vector<ToolBody> all{flutes};
+  all.insert(all.end(), above.begin(), above.end());
+  return all;
+}
+
 ToolPart ToolBodies::part_at(double height_mm) const {
   if (above.empty() || height_mm <= flutes.profile.length()) return ToolPart::cutter;
   const auto part = std::find_if(above.begin(), above.end(),

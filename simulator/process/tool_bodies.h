@@ -52,6 +52,8 @@ struct ToolBodies {
   /// cutter's own radius. A part as wide as the flutes' top or wider speaks for itself.
   std::vector<ToolBody> over_flutes;
 
+  /// The flutes, then what is above them.
+  std::vector<ToolBody> parts() const;
   /// Whether a part above the flutes is as wide as their top or wider.
   bool is_wide(const ToolBody& body) const;
   /// Whether the flutes are nowhere wider than at their top.

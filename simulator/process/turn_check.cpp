@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 
 #include "model/base/chunks.h"
@@ -18,20 +17,6 @@ constexpr int kTimesToLeave = 64;
 // For what fails nothing.
 constexpr std::size_t kMostSlightLooks = kMostTurnLooks / 10;
 constexpr std::array kToolParts{ToolPart::cutter, ToolPart::shank, ToolPart::holder};
-
-void require_turn_limits(const ProcessLimits& limits) {
-  if (!(limits.tolerance_mm > 0) || !std::isfinite(limits.tolerance_mm))
-    throw std::invalid_argument("the tolerance of contacts must be a positive number");
-  if (!(limits.near_miss_mm >= 0) || !std::isfinite(limits.near_miss_mm))
-    throw std::invalid_argument("the clearance of near misses must be a number from 0 up");
-}
-
-std::vector<ToolBody> parts_of(const model::Cutter& cutter) {
-  const ToolBodies bodies(cutter, 0);
-  std::vector<ToolBody> parts{bodies.flutes};
-  parts.insert(parts.end(), bodies.above.begin(), bodies.above.end());
-  return parts;
-}
 
 }  // namespace
 
@@ -70,8 +55,8 @@ TurnCheck::TurnCheck(const StockModel& stock, const model::Cutter& cutter,
                      const ProcessLimits& limits)
     : tolerance_mm_(limits.tolerance_mm),
       near_miss_mm_(limits.near_miss_mm),
-      parts_(parts_of(cutter)) {
-  require_turn_limits(limits);
+      parts_(ToolBodies(cutter, 0).parts()) {
+  require_contact_limits(limits);
   obstacles_.push_back({"stock", stock.material(), true});
   for (const model::Fixture& fixture : limits.fixtures)
     obstacles_.push_back(

@@ -9,11 +9,6 @@ namespace {
 
 using model::Vec3;
 
-// Narrowing down a gap that is already proven stops here; the header promises an upper bound.
-constexpr std::size_t kMostNearerLooks = 20'000;
-// Looks between two questions whether to stop: some milliseconds.
-constexpr std::size_t kGapLooksBetweenStops = 4096;
-
 struct TurnNearestFirst {
   bool operator()(const TurnBlock& a, const TurnBlock& b) const {
     return a.place.bound > b.place.bound;
@@ -30,8 +25,7 @@ class TurnGapSearch {
         tolerance_(tolerance),
         depth_(tolerance / 2),
         limit_(within + depth_),
-        most_looks_(search.most_looks),
-        control_(control) {}
+        effort_(search.most_looks, control) {}
 
   TurnAnswer run(double from, double to);
 
@@ -39,18 +33,17 @@ class TurnGapSearch {
   void look_at(TurnBlock block);
   TurnDepth depth_in(const TurnBlock& block, const TurnSample& distance) const;
   void offer(const TurnBlock& block, const SweptSample& middle);
-  bool gives_up();
-  bool touches() const { return answer_.place && answer_.place->mm == 0; }
+  bool touches() const {
+    const std::optional<TurnPlace>& found = effort_.answer().place;
+    return found && found->mm == 0;
+  }
 
   const Material& solid_;
   TurningBody body_;
   double tolerance_;
   double depth_;  // of the places that count
   double limit_;  // distance below which a place of that depth is news
-  std::size_t most_looks_;
-  const model::RunControl& control_;
-  TurnAnswer answer_;
-  std::size_t first_found_ = 0;  // looks when something was
+  TurnEffort effort_;
   std::priority_queue<TurnBlock, std::vector<TurnBlock>, TurnNearestFirst> queue_;
 };
 
@@ -58,26 +51,20 @@ TurnAnswer TurnGapSearch::run(double from, double to) {
   TurnBlock all{{}, (from + to) / 2, (to - from) / 2};
   const model::Box3 where =
       common(body_.box(all.t, all.half_t, limit_), bounding_box(solid_.raw()));
-  if (where.empty()) return answer_;
+  if (where.empty()) return effort_.answer();
   all.place.middle = where.centre(), all.place.half = where.size() * 0.5;
   look_at(all);
   while (!queue_.empty() && !touches()) {
     const TurnBlock block = queue_.top();
     queue_.pop();
-    if (block.place.bound >= limit_ || gives_up()) break;
+    if (block.place.bound >= limit_ || effort_.gives_up()) break;
     for (const TurnBlock& half : halves(block)) look_at(half);
   }
-  return answer_;
-}
-
-bool TurnGapSearch::gives_up() {
-  if (answer_.place) return answer_.looks - first_found_ > kMostNearerLooks;
-  answer_.proven = answer_.looks <= most_looks_;
-  return !answer_.proven;
+  return effort_.answer();
 }
 
 void TurnGapSearch::look_at(TurnBlock block) {
-  if (answer_.looks++ % kGapLooksBetweenStops == 0) control_.check();
+  effort_.look();
   Block& place = block.place;
   const TurnSample s = body_.about(block);
   place.bound = s.under.distance - support(place.half, s.under.gradient);
@@ -108,10 +95,9 @@ void TurnGapSearch::offer(const TurnBlock& block, const SweptSample& middle) {
   const Vec3 p = place.middle - middle.gradient * std::min(spare, std::max(0.0, middle.distance));
   const SweptSample at = body_.at(block.t, p);
   if (at.distance >= limit_) return;
-  if (!answer_.place) first_found_ = answer_.looks;
   // The ball of that depth around p is solid: its place nearest to the body counts.
-  answer_.place = TurnPlace{block.t, p - at.gradient * std::min(depth_, std::max(0.0, at.distance)),
-                            std::max(0.0, at.distance - depth_)};
+  effort_.find({block.t, p - at.gradient * std::min(depth_, std::max(0.0, at.distance)),
+                std::max(0.0, at.distance - depth_)});
   limit_ = at.distance - tolerance_ / 4;
 }
 

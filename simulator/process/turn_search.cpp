@@ -9,11 +9,6 @@ namespace {
 
 using model::Vec3;
 
-// Refining a contact that is already proven stops here; the header promises a lower bound.
-constexpr std::size_t kMostDeeperLooks = 20'000;
-// Looks between two questions whether to stop: some milliseconds.
-constexpr std::size_t kLooksBetweenStops = 4096;
-
 struct LessTurnBound {
   bool operator()(const TurnBlock& a, const TurnBlock& b) const {
     return a.place.bound < b.place.bound;
@@ -27,14 +22,14 @@ class TurnContactSearch {
       : solid_{search.solid, nullptr, 0},
         body_(*search.body, *search.pose),
         tolerance_(tolerance),
-        most_looks_(search.most_looks),
-        control_(control) {}
+        effort_(search.most_looks, control) {}
 
   TurnAnswer run(double from, double to);
 
  private:
-  double least() const { return answer_.place ? answer_.place->mm : tolerance_; }
-  double enough() const { return answer_.place ? least() + tolerance_ : tolerance_; }
+  const std::optional<TurnPlace>& found() const { return effort_.answer().place; }
+  double least() const { return found() ? found()->mm : tolerance_; }
+  double enough() const { return found() ? least() + tolerance_ : tolerance_; }
   TurnDepth depth_in(const TurnBlock& block, const TurnSample& distance) const {
     const Block& b = block.place;
     return depth_over(depth_under(solid_, b.cover, b.middle, b.half), body_, block, distance, 0);
@@ -42,15 +37,11 @@ class TurnContactSearch {
   void look_at(TurnBlock block);
   void offer(const TurnBlock& block, const SweptSample& middle);
   void climb(double t, Vec3 p, Cover cover);
-  bool gives_up();
 
   MaterialAtMove solid_;
   TurningBody body_;
   double tolerance_;
-  std::size_t most_looks_;
-  const model::RunControl& control_;
-  TurnAnswer answer_;
-  std::size_t first_found_ = 0;  // looks when something was
+  TurnEffort effort_;
   std::priority_queue<TurnBlock, std::vector<TurnBlock>, LessTurnBound> queue_;
 };
 
@@ -58,26 +49,20 @@ TurnAnswer TurnContactSearch::run(double from, double to) {
   TurnBlock all{{}, (from + to) / 2, (to - from) / 2};
   const model::Box3 where =
       common(body_.box(all.t, all.half_t, 0), bounding_box(solid_.before->raw()));
-  if (where.empty()) return answer_;
+  if (where.empty()) return effort_.answer();
   all.place.middle = where.centre(), all.place.half = where.size() * 0.5;
   look_at(all);
   while (!queue_.empty()) {
     const TurnBlock block = queue_.top();
     queue_.pop();
-    if (block.place.bound <= enough() || gives_up()) break;
+    if (block.place.bound <= enough() || effort_.gives_up()) break;
     for (const TurnBlock& half : halves(block)) look_at(half);
   }
-  return answer_;
-}
-
-bool TurnContactSearch::gives_up() {
-  if (answer_.place) return answer_.looks - first_found_ > kMostDeeperLooks;
-  answer_.proven = answer_.looks <= most_looks_;
-  return !answer_.proven;
+  return effort_.answer();
 }
 
 void TurnContactSearch::look_at(TurnBlock block) {
-  if (answer_.looks++ % kLooksBetweenStops == 0) control_.check();
+  effort_.look();
   Block& place = block.place;
   const TurnSample s = body_.about(block);
   if (s.under.distance > support(place.half, s.under.gradient)) return;
@@ -112,10 +97,7 @@ void TurnContactSearch::climb(double t, Vec3 p, Cover cover) {
   };
   Depth d = depth_at(p);
   for (int step = 0; step < kMostSteps; ++step) {
-    if (d.value > least()) {
-      if (!answer_.place) first_found_ = answer_.looks;
-      answer_.place = TurnPlace{t, p, d.value};
-    }
+    if (d.value > least()) effort_.find({t, p, d.value});
     const double room = -body_.at(t, p).distance;
     if (room <= tolerance_ / 8) return;
     const Vec3 next = p + d.gradient * room;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 
 #include "model/base/run_control.h"
+#include "simulator/process/turn_effort.h"
 #include "simulator/process/turning_body.h"
 #include "simulator/stock/material.h"
 
@@ -21,20 +21,6 @@ struct TurnSearch {
   const TurningPose* pose = nullptr;
   double from = 0, to = 1;  ///< may be the same
   std::size_t most_looks = kMostTurnLooks;
-};
-
-/// A place that a search found, in the solid's frame, and when.
-struct TurnPlace {
-  double t = 0;
-  model::Vec3 point;
-  double mm = 0;  ///< depth in the solid, or what is left between
-};
-
-struct TurnAnswer {
-  std::optional<TurnPlace> place;
-  std::size_t looks = 0;  ///< blocks that were looked at
-  /// False: given up after most_looks. Then what was not found may be there.
-  bool proven = true;
 };
 
 /// The deepest place of the body in the solid; none if it is nowhere deeper than `tolerance_mm`.

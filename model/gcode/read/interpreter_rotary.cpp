@@ -16,9 +16,9 @@ bool Interpreter::turns(const Statement& statement) const {
 void Interpreter::check_turn(const Statement& statement, std::optional<int> motion) const {
   if ((statement.letters() & kRotaryLetters) == 0) return;
   const Word& word = *statement.first_of({'A', 'B', 'C'});
-  const auto non_modal = statement.g(GGroup::non_modal);
-  if (!motion && non_modal != 280 && non_modal != 300 && non_modal != 100 && non_modal != 520 &&
-      non_modal != 920)
+  // G68.2 takes the axis words of a place, which rotary ones are not.
+  const bool is_taken = axes_are_taken(statement) && statement.g(GGroup::working_plane) != 682;
+  if (!motion && !is_taken)
     statement.fail(word, in_quotes(word.text) + " beside no motion", "G0 or G1");
   if (!motion || !turns(statement)) return;
   forbid_compensation(statement, word, state_);

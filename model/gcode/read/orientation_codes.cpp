@@ -22,15 +22,6 @@ void refuse_while(const Statement& statement, const Word& word, bool active, con
   if (active) statement.fail(word, in_quotes(word.text) + " while " + mode, expected);
 }
 
-/// "A90 C-45".
-std::string to_words(const Kinematics& machine, const RotaryAngles& angles_deg) {
-  std::string words;
-  for (const RotaryAxis& axis : machine.axes)
-    words += (words.empty() ? "" : " ") + std::string(1, axis.word) +
-             six_digits(angles_deg[axis.index()]);
-  return words;
-}
-
 }  // namespace
 
 RotaryAngles rotary_end(const Statement& statement, const MachineState& state) {
@@ -155,7 +146,7 @@ RotaryAngles plane_angles(const Statement& statement, const MachineState& state,
                        ") of the workpiece",
                    "a plane that the machine reaches");
   assumed.add(statement.line(), "G53.1 is taken to turn to " +
-                                    to_words(*orientation.machine, *angles) +
+                                    orientation.machine->to_text(*angles, " ") +
                                     ", of the ways within the limits the nearest");
   return *angles;
 }

@@ -90,6 +90,9 @@ TEST_CASE("what a control's parameters decide is listed as assumed", "[unit][pro
   CHECK(!says(read_text("G0 X10\n", of(Control::mach3)), "without a decimal point"));
   CHECK(says(read_text("G81 X0. Z-1. R1. F9\n", of(Control::haas)), "begun in G98"));
   CHECK(!says(read_text("G98 G81 X0. Z-1. R1. F9\n", of(Control::haas)), "begun in"));
+  CHECK(says(read_text("X1.\n", of(Control::haas)), "begun in G0"));
+  CHECK(says(read_text("G21\nX1.\n", of(Control::haas)), "begun in G0"));
+  CHECK(!says(read_text("G21\nG0 X1.\nX2.\n", of(Control::haas)), "begun in G0"));
   CHECK(says(read_text("G99 G73 X0. Z-9. R1. Q2. F9\n", of(Control::haas)), "0.254 mm"));
   CHECK(says(read_text("G10 L12 P1 R3.\n", of(Control::fanuc)), "state radii"));
   CHECK(says(read_text("G10 L12 P1 R3.\n", of(Control::haas)), "state diameters"));

@@ -1,6 +1,9 @@
 #include "model/base/memory.h"
 
 #include <malloc.h>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 #include <algorithm>
 #include <cstdio>
@@ -132,6 +135,16 @@ void return_freed_memory() {
 void spare_addresses() {
 #ifdef __GLIBC__
   if (number_after("/proc/self/limits", kAddressLimit)) mallopt(M_ARENA_MAX, 1);
+#endif
+}
+
+void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+  constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21;
+  const auto from = reinterpret_cast<std::uintptr_t>(begin);
+  const std::uintptr_t low = (from + kPage - 1) / kPage * kPage,
+                       high = (from + bytes) / kPage * kPage;
+  if (low < high) madvise(reinterpret_cast<void*>(low), high - low, MADV_HUGEPAGE);
 #endif
 }
 

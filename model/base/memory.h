@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -30,6 +31,10 @@ void return_freed_memory();
 /// one heap: glibc reserves 64 MiB of addresses for each that has its own, and libraries end the
 /// program where none are left. To be called before threads begin.
 void spare_addresses();
+
+/// Asks for large pages for an array that is about to be filled: the kernel then clears and hands
+/// out 2 MiB at a time where it would 4 KiB. A hint; what the array holds stays.
+void prefer_large_pages(void* begin, std::size_t bytes);
 
 /// From now on the peak counts anew, where the kernel lets us say so.
 void reset_process_peak();

@@ -77,6 +77,9 @@ class Flow {
   /// can be listed. Throws InputError with the place for labels that do not match, calls without
   /// their subroutine, values that are missing, and limits that are exceeded.
   bool next(Block& block);
+  /// Within no loop and no call, and behind no jump: a line that asks for none of these comes next
+  /// as it stands in the text, and nothing is counted.
+  bool goes_straight() const { return !pending_ && !jump_ && frames_.empty(); }
 
  private:
   /// Something that has been begun and not ended.

@@ -25,7 +25,7 @@ Interpreter::Interpreter(Program& program, const MachineSetup& machine, const Le
     : program_(program),
       assumed_(program.assumed),
       state_(machine),
-      compensation_([this](const Motion& motion) { put(motion); },
+      compensation_([this](Motion motion) { put(motion); },
                     [&lexer](std::uint32_t line) { return lexer.place(line, 1); }),
       saved_(state_, compensation_, parameters),
       most_motions_(most_motions),
@@ -74,29 +74,6 @@ bool Interpreter::execute(const Statement& statement) {
   carry_out_g(statement, motion);
   plain_ = may_be_plain();
   return stop(statement);
-}
-
-/// Most blocks of a long program are axis words alone.
-bool Interpreter::is_plain(const Statement& statement) const {
-  return (statement.letters() & ~kAxisLetters) == 0 && statement.has_axes() &&
-         statement.block().comments.empty() && !statement.block().block_delete &&
-         !statement.any_set_aside() && statement.block().set_aside.empty();
-}
-
-bool Interpreter::may_be_plain() const {
-  return (state_.modal.motion == 0 || state_.modal.motion == 10) && !state_.modal.motion_is_taken &&
-         state_.modal.feed_mode == FeedMode::per_minute && compensation_.idle() && saved_.empty() &&
-         !state_.is_adrift() && !state_.tools.is_uncertain() && state_.systems.system().is_usable();
-}
-
-void Interpreter::move_plainly(const Statement& statement) {
-  Motion motion;
-  const bool rapid = state_.modal.motion == 0;
-  motion.kind = rapid ? MotionKind::rapid : MotionKind::feed;
-  motion.plane = state_.modal.plane;
-  if (!rapid) motion.feed_mm_min = static_cast<float>(state_.modal.feed_mm);
-  motion.to = state_.position_mm = end_of(statement, state_);
-  emit(statement, motion);
 }
 
 void Interpreter::carry_out_m(const Statement& statement) {
@@ -325,12 +302,17 @@ void Interpreter::check_count(const Statement& statement) const {
 /// `motion` is in the active work frame.
 void Interpreter::emit(const Statement& statement, Motion motion) {
   check_count(statement);
-  motion.line = statement.line();
+  send(statement.line(), motion);
+}
+
+/// `motion`, which may be made, stands in `line` of the main program.
+void Interpreter::send(std::uint32_t line, Motion& motion) {
+  motion.line = line;
   const Spindle& spindle = state_.spindle;
   if (spindle.on && (!*spindle.on || spindle.rpm == 0)) motion.spindle_stopped = true;
   if (motion.spindle_stopped && motion.kind != MotionKind::rapid && spindle.changed_line != 0)
-    assumed_.add(statement.line(), "feeds with the spindle at rest: the M6 of line " +
-                                       std::to_string(spindle.changed_line) + " has stopped it");
+    assumed_.add(line, "feeds with the spindle at rest: the M6 of line " +
+                           std::to_string(spindle.changed_line) + " has stopped it");
   motion.position_known = state_.known[0] && state_.known[1] && state_.known[2];
   motion.height_known = state_.known[2];
   state_.has_moved = true;
@@ -345,7 +327,7 @@ void Interpreter::emit(const Statement& statement, Motion motion) {
 
 /// From the active work frame to the machine's. Nothing changes the frame while cutter compensation
 /// holds motions.
-void Interpreter::put(Motion motion) {
+void Interpreter::put(Motion& motion) {
   note_frame();
   if (!state_.orientation.plane) to_machine(motion);
   // Waited for the compensation while the program's first M3 or M4 came.

@@ -9,6 +9,7 @@
 #include "model/gcode/program.h"
 #include "model/gcode/read/assumptions.h"
 #include "model/gcode/text/parameters.h"
+#include "model/gcode/text/plain_line.h"
 #include "model/gcode/text/statement.h"
 
 namespace limitgauge::model::gcode {
@@ -27,6 +28,11 @@ class Interpreter {
 
   /// Returns false when the block ends the program (M2, M30).
   bool execute(const Statement& statement);
+  /// Carries out a line of the main program that calls, loops and jumps have nothing to do with.
+  /// False where more of it must be known than where it leads; nothing has been done then.
+  bool move_plainly(const PlainLine& line);
+  /// Whether move_plainly may take the next line.
+  bool goes_plainly() const { return plain_; }
   /// At the end of the program: lets out the motions that cutter compensation still holds.
   void finish() { compensation_.flush(); }
 
@@ -34,6 +40,9 @@ class Interpreter {
   void set_system_parameters(Parameters& parameters, const ControlRules& rules);
   bool is_plain(const Statement& statement) const;
   bool may_be_plain() const;
+  bool keeps_modes(const PlainLine& line) const;
+  std::optional<Vec3> plain_end(const PlainLine& line) const;
+  Motion plain_motion(const Vec3& to_mm);
   bool listen(const Statement& statement);
   void note_doubtful_lengths(const Statement& statement);
   void cancel_cycle(const Statement& statement);
@@ -91,7 +100,8 @@ class Interpreter {
   }
 
   void emit(const Statement& statement, Motion motion);
-  void put(Motion motion);
+  void send(std::uint32_t line, Motion& motion);
+  void put(Motion& motion);
   void to_machine(Motion& motion) const;
   void check_count(const Statement& statement) const;
   std::size_t motions_so_far() const { return program_.motions.size() + compensation_.waiting(); }

@@ -2,6 +2,7 @@
 #include <set>
 #include <sstream>
 
+#include "model/base/memory.h"
 #include "model/base/text_file.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/flow/flow.h"
@@ -21,12 +22,19 @@ constexpr std::size_t kShortestMoveBytes = 8;
 /// Motions beyond one a line, for loops and cycles; more would be a program that does not end.
 constexpr std::size_t kExpandedMotions = 5'000'000 / gcode::kFlowShare;
 
+/// Goes over the plain lines that come next and carries them out.
+void take_plain_lines(gcode::Lexer& lexer, gcode::Interpreter& interpreter) {
+  gcode::PlainLine line;
+  while (lexer.see_plain(line) && interpreter.move_plainly(line)) lexer.pass_plain();
+}
+
 /// The program of a text in plain characters.
 Program read_plain(std::string_view text, const std::string& name, const MachineSetup& machine) {
   Program program;
   program.name = std::filesystem::path(name).stem().string();
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   program.motions.reserve(std::min(lines, text.size() / kShortestMoveBytes) + 1);
+  prefer_large_pages(program.motions.data(), program.motions.capacity() * sizeof(Motion));
   gcode::Parameters parameters;
   gcode::Lexer lexer(text, name, parameters, gcode::rules_of(machine.control));
   if (machine.kinematics)
@@ -36,7 +44,11 @@ Program read_plain(std::string_view text, const std::string& name, const Machine
   gcode::Interpreter interpreter(program, machine, lexer, parameters, lines + kExpandedMotions);
   gcode::Block block;
   bool goes_on = true;
-  while (goes_on && flow.next(block)) goes_on = interpreter.execute(gcode::Statement(block, lexer));
+  while (goes_on && flow.next(block)) {
+    goes_on = interpreter.execute(gcode::Statement(block, lexer));
+    if (goes_on && interpreter.goes_plainly() && flow.goes_straight())
+      take_plain_lines(lexer, interpreter);
+  }
   // What begins with '%' ends with it: the lexer has seen to that.
   program.has_end = !goes_on || lexer.begins_with_percent() || lexer.ended_by_percent();
   program.ends_in_line = text.ends_with('\n');

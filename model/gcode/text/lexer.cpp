@@ -140,6 +140,20 @@ bool Lexer::next(Block& block) {
   return found != Percent::closing;
 }
 
+bool Lexer::see_plain(PlainLine& line) {
+  const Text& text = text_at(next_.at);
+  const std::size_t at = next_.at - text.begin;
+  if (at >= text.text.size()) return false;
+  const char* const begin = text.text.data() + at;
+  const char* const end = read_plain_line(begin, text.text.data() + text.text.size(), line);
+  if (end == nullptr) return false;
+  const auto bytes = static_cast<std::size_t>(end - begin);
+  if (bytes > kMostLineBytes) return false;
+  line.line = next_.line;
+  behind_plain_ = {next_.at + bytes + 1, next_.line + 1};
+  return true;
+}
+
 void Lexer::read_line(Block& block) {
   if (cursor_.line.size() > kMostLineBytes)
     fail(kMostLineBytes, "a line of more than 10000 bytes", "a line that ends sooner");

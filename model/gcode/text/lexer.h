@@ -10,6 +10,7 @@
 #include "model/base/error.h"
 #include "model/gcode/control/control_rules.h"
 #include "model/gcode/text/expression.h"
+#include "model/gcode/text/plain_line.h"
 
 namespace limitgauge::model::gcode {
 
@@ -102,6 +103,10 @@ class Lexer {
   /// Reads the next line into `block`; false at the end of the program. Settings of parameters are
   /// the caller's to carry out. The values of an O line are not calculated.
   bool next(Block& block);
+  /// Reads the line that next() would read where it is a plain one, and leaves it to be read.
+  bool see_plain(PlainLine& line);
+  /// Goes over the line that see_plain() has read.
+  void pass_plain() { next_ = behind_plain_; }
   /// Goes over lines to the next that begins with an O word, behind `/` and a line number at most;
   /// false at the end of the text or program. The lines between are not read and need not be right;
   /// an O without a label or keyword is one of them, and so is a calculated O word, a call.
@@ -226,7 +231,7 @@ class Lexer {
   std::size_t line_at_ = 0;  // where it begins
   std::size_t in_text_ = 0;  // of texts_, the one that it stands in
   bool ended_by_percent_ = false;
-  Bookmark next_;
+  Bookmark next_, behind_plain_;
 };
 
 }  // namespace limitgauge::model::gcode

@@ -182,6 +182,17 @@ bool is_high(char c) {
   return static_cast<unsigned char>(c) >= 0x80;
 }
 
+/// Many bytes at once: nearly every program is ASCII to its end.
+bool holds_high(std::string_view text) {
+  constexpr std::size_t kAtOnce = 4096;
+  for (; !text.empty(); text.remove_prefix(std::min(kAtOnce, text.size()))) {
+    unsigned char all = 0;
+    for (const char c : text.substr(0, kAtOnce)) all |= static_cast<unsigned char>(c);
+    if (all >= 0x80) return true;
+  }
+  return false;
+}
+
 /// The first words of the program that are no comment, in upper case; at most a line.
 std::string first_line(std::string_view text, std::uint32_t& line) {
   for (line = 1; !text.empty(); ++line) {
@@ -198,7 +209,7 @@ std::string first_line(std::string_view text, std::uint32_t& line) {
 }  // namespace
 
 std::string mended(std::string_view text, std::vector<MendedCharacter>& found) {
-  if (std::none_of(text.begin(), text.end(), is_high)) return {};
+  if (!holds_high(text)) return {};
   std::uint32_t line = 1;
   std::string copy(text);
   for (std::size_t begin = 0; begin < copy.size(); ++line) {

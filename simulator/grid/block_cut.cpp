@@ -31,8 +31,8 @@ class RenamedSink : public LeafSink {
         }
   }
 
-  bool wanted(const Index3& corner) const override {
-    return sink_.wanted(lattice_.asked_corner(corner, kLeafEdge));
+  bool wanted(const Index3& corner, int edge) const override {
+    return sink_.wanted(lattice_.asked_corner(corner, edge), edge);
   }
   void removed(const Index3& corner, int edge) override {
     sink_.removed(lattice_.asked_corner(corner, edge), edge);
@@ -49,11 +49,6 @@ class RenamedSink : public LeafSink {
   std::array<int, kLeafEdge * kLeafEdge * kLeafEdge> place_;
 };
 
-BlockCutter::Reach reach_of(double least, double reach) {
-  if (least > reach) return BlockCutter::Reach::none;
-  return least < -reach ? BlockCutter::Reach::wholly : BlockCutter::Reach::partly;
-}
-
 }  // namespace
 
 BlockCutter::BlockCutter(const SweepIndex& pass, const Lattice& lattice, double band_mm)
@@ -63,28 +58,38 @@ BlockCutter::BlockCutter(const SweepIndex& pass, const Lattice& lattice, double 
   levels_.resize(halvings);
 }
 
-BlockCutter::Reach BlockCutter::reach(const SweepIndex& pass, const Lattice& lattice,
-                                      double band_mm, const Index3& corner) {
-  const double reach = lattice.half_diagonal(kBlockEdge) + band_mm;
-  const auto found = pass.nearest(lattice.middle(corner, kBlockEdge), reach);
-  return found ? reach_of(found->at.distance, reach) : Reach::none;
+BlockCutter::Reach BlockCutter::reach_of(double least, double reach) {
+  if (least > reach) return Reach::none;
+  return least < -reach ? Reach::wholly : Reach::partly;
 }
 
-void BlockCutter::cut(const Index3& corner, LeafSink& sink) {
-  if (!lattice_.renamed()) return cut_cube(0, corner, kBlockEdge, sink);
+std::optional<NearestMove> BlockCutter::nearest(const Index3& corner, int edge) const {
+  return pass_.nearest(lattice_.middle(corner, edge), lattice_.half_diagonal(edge) + band_);
+}
+
+void BlockCutter::cut(const Index3& corner, LeafSink& sink,
+                      const std::optional<NearestMove>& known) {
+  if (!lattice_.renamed()) {
+    const auto found = known ? known : nearest(corner, kBlockEdge);
+    if (found) cut_cube(0, corner, kBlockEdge, *found, sink);
+    return;
+  }
   RenamedSink renamed(lattice_, sink);
-  cut_cube(0, lattice_.own_corner(corner, kBlockEdge), kBlockEdge, renamed);
+  const Index3 own = lattice_.own_corner(corner, kBlockEdge);
+  if (const auto found = nearest(own, kBlockEdge)) cut_cube(0, own, kBlockEdge, *found, renamed);
 }
 
-void BlockCutter::cut_cube(int depth, const Index3& corner, int edge, LeafSink& sink) {
-  const double reach = lattice_.half_diagonal(edge) + band_;
-  const auto found = pass_.nearest(lattice_.middle(corner, edge), reach);
-  if (!found) return;
-  gather(*found, corner, edge);
+void BlockCutter::cut_cube(int depth, const Index3& corner, int edge, const NearestMove& found,
+                           LeafSink& sink) {
+  gather(found, corner, edge);
   if (slots_.size() > kMostHandedDown && edge > kLeafEdge) {
-    if (reach_of(found->at.distance, reach) == Reach::wholly) return sink.removed(corner, edge);
-    for (int child = 0; child < 8; ++child)
-      cut_cube(depth + 1, child_corner(corner, edge / 2, child), edge / 2, sink);
+    const double reach = lattice_.half_diagonal(edge) + band_;
+    if (reach_of(found.at.distance, reach) == Reach::wholly) return sink.removed(corner, edge);
+    for (int child = 0; child < 8; ++child) {
+      const Index3 part = child_corner(corner, edge / 2, child);
+      if (const auto in_part = nearest(part, edge / 2))
+        cut_cube(depth + 1, part, edge / 2, *in_part, sink);
+    }
     return;
   }
   levels_[depth].moves.assign(pass_, slots_);
@@ -188,7 +193,7 @@ BlockCutter::Reach BlockCutter::narrow_balls(Level& level, const Index3& corner,
 }
 
 void BlockCutter::descend(int depth, const Index3& corner, int edge, LeafSink& sink) {
-  if (edge == kLeafEdge && !sink.wanted(corner)) return;
+  if (!sink.wanted(corner, edge)) return;
   Level& level = levels_[depth];
   const Reach reach = narrow(level, corner, edge);
   if (reach == Reach::none) return;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "simulator/grid/lattice.h"
@@ -24,8 +25,8 @@ using LeafDistances = std::array<float, kLeafEdge * kLeafEdge * kLeafEdge>;
 class LeafSink {
  public:
   virtual ~LeafSink() = default;
-  /// False where nothing stands, so that the leaf need not be worked out.
-  virtual bool wanted(const Index3& corner) const = 0;
+  /// False where nothing stands in the cube, so that it need not be worked out.
+  virtual bool wanted(const Index3& corner, int edge) const = 0;
   /// All voxels of the cube are deeper than the band inside the swept space.
   virtual void removed(const Index3& corner, int edge) = 0;
   virtual void reached(const Index3& corner, const LeafDistances& distances) = 0;
@@ -42,10 +43,12 @@ class BlockCutter {
 
   BlockCutter(const SweepIndex& pass, const Lattice& lattice, double band_mm);
 
-  /// Does the pass reach into the block, or swallow it whole with its band?
-  static Reach reach(const SweepIndex& pass, const Lattice& lattice, double band_mm,
-                     const Index3& corner);
-  void cut(const Index3& corner, LeafSink& sink);
+  /// Does the pass reach into a cube, or swallow it whole with its band? `least` is the distance at
+  /// its middle, `reach` half its diagonal and the band.
+  static Reach reach_of(double least, double reach);
+  /// `nearest` is the move nearest to the block's middle, where it is known, in the path's frame.
+  void cut(const Index3& corner, LeafSink& sink,
+           const std::optional<NearestMove>& nearest = std::nullopt);
 
  private:
   struct Level {
@@ -53,7 +56,9 @@ class BlockCutter {
     BatchSamples samples;
     std::vector<std::uint32_t> kept;
   };
-  void cut_cube(int depth, const Index3& corner, int edge, LeafSink& sink);
+  std::optional<NearestMove> nearest(const Index3& corner, int edge) const;
+  void cut_cube(int depth, const Index3& corner, int edge, const NearestMove& nearest,
+                LeafSink& sink);
   void gather(const NearestMove& nearest, const Index3& corner, int edge);
   Reach narrow(Level& level, const Index3& corner, int edge);
   void sample(Level& level, const model::Vec3& p, double half_diagonal) const;

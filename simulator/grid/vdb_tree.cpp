@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 
 #include "model/base/chunks.h"
 #include "simulator/grid/leaf_values.h"
@@ -105,19 +106,49 @@ void add_raw(Tree& tree, const RawStock& raw, const Lattice& lattice, const Inde
 
 namespace {
 
-bool stands(const Tree& tree, const Coord& leaf) {
-  return tree.probeConstLeaf(leaf) != nullptr || tree.getValue(leaf) < 0;
-}
+// In which leaves of a block something stands. A block that is worked out stays as it is but for
+// the values of its leaves, so that these need to be looked up once.
+class StandingLeaves {
+ public:
+  StandingLeaves(const Tree& tree, const Index3& block) : block_(block) {
+    const openvdb::tree::ValueAccessor<const Tree, false> near(tree);
+    each_cube(cube_at(block, kBlockEdge), kLeafEdge, [&](const Index3& c) {
+      const bool stands = near.probeConstLeaf(coord(c)) != nullptr || near.getValue(coord(c)) < 0;
+      bits_ |= std::uint64_t{stands} << place(c);
+    });
+  }
+
+  bool any() const { return bits_ != 0; }
+  bool any(const Index3& corner, int edge) const {
+    if (edge == kLeafEdge) return (bits_ >> place(corner) & 1U) != 0;
+    bool found = false;
+    each_cube(cube_at(corner, edge), kLeafEdge,
+              [&](const Index3& c) { found = found || any(c, kLeafEdge); });
+    return found;
+  }
+
+ private:
+  static constexpr int kLeaves = kBlockEdge / kLeafEdge;  // along an edge
+  int place(const Index3& leaf) const {
+    const auto along = [&](int axis) { return (leaf[axis] - block_[axis]) / kLeafEdge; };
+    return (along(0) * kLeaves + along(1)) * kLeaves + along(2);
+  }
+
+  Index3 block_;
+  std::uint64_t bits_ = 0;
+};
+static_assert(kBlockEdge / kLeafEdge == 4);
 
 // Leaves that stand already are written in place, the rest is noted.
 class Cut : public LeafSink {
  public:
-  explicit Cut(Tree& tree) : tree_(tree) {}
+  Cut(Tree& tree, const Index3& block) : tree_(tree), standing_(tree, block) {}
 
-  bool wanted(const Index3& corner) const override { return stands(tree_, coord(corner)); }
+  bool any() const { return standing_.any(); }
+  bool wanted(const Index3& corner, int edge) const override { return standing_.any(corner, edge); }
   void removed(const Index3& corner, int edge) override {
     each_cube(cube_at(corner, edge), kLeafEdge, [&](const Index3& c) {
-      if (wanted(c)) changes_.emptied.push_back(coord(c));
+      if (wanted(c, kLeafEdge)) changes_.emptied.push_back(coord(c));
     });
   }
   void reached(const Index3& corner, const LeafDistances& distances) override {
@@ -144,15 +175,39 @@ class Cut : public LeafSink {
   }
 
   Tree& tree_;
+  StandingLeaves standing_;
   BlockChanges changes_;
 };
 
-bool stands_in_block(const Tree& tree, const Index3& corner) {
-  bool any = false;
-  each_cube(cube_at(corner, kBlockEdge), kLeafEdge,
-            [&](const Index3& c) { any = any || stands(tree, coord(c)); });
-  return any;
-}
+// Cutters that are not at work: each keeps the room that it has taken.
+class Cutters {
+ public:
+  Cutters(const SweepIndex& pass, const Lattice& lattice, double band_mm)
+      : pass_(pass), lattice_(lattice), band_(band_mm) {}
+
+  /// One for as long as it is held.
+  std::shared_ptr<BlockCutter> take() {
+    const std::scoped_lock lock(guard_);
+    std::unique_ptr<BlockCutter> one;
+    if (idle_.empty()) {
+      one = std::make_unique<BlockCutter>(pass_, lattice_, band_);
+    } else {
+      one = std::move(idle_.back());
+      idle_.pop_back();
+    }
+    return {one.release(), [this](BlockCutter* used) {
+              const std::scoped_lock giving(guard_);
+              idle_.emplace_back(used);
+            }};
+  }
+
+ private:
+  const SweepIndex& pass_;
+  const Lattice& lattice_;
+  double band_;
+  std::mutex guard_;
+  std::vector<std::unique_ptr<BlockCutter>> idle_;
+};
 
 }  // namespace
 
@@ -161,16 +216,20 @@ void cut_tree(Tree& tree, const SweepIndex& pass, const Lattice& lattice, const 
   for (const Index3& node : reach.swallowed_nodes)
     tree.addTile(2, coord(node), tree.background(), false);
   for (const Index3& block : reach.swallowed_blocks) {
-    Cut cut(tree);
+    Cut cut(tree, block);
     cut.removed(block, kBlockEdge);
     cut.take().put_into(tree);
   }
   const double band = tree.background();
+  Cutters cutters(pass, lattice, band);
+  // A turned pass is cut in a frame of its own, and what it was asked is in the stock's.
+  const auto known = [&](std::size_t i) {
+    return pass.turned() ? std::nullopt : std::optional(reach.nearest[i]);
+  };
   change_blocks(tree, reach.partly.size(), control, [&] {
-    auto cutter = std::make_shared<BlockCutter>(pass, lattice, band);
-    return [&, cutter](std::size_t i) {
-      Cut cut(tree);
-      if (stands_in_block(tree, reach.partly[i])) cutter->cut(reach.partly[i], cut);
+    return [&, cutter = cutters.take()](std::size_t i) {
+      Cut cut(tree, reach.partly[i]);
+      if (cut.any()) cutter->cut(reach.partly[i], cut, known(i));
       return cut.take();
     };
   });

@@ -1,18 +1,61 @@
 #include "simulator/sweep/pass_reach.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "simulator/grid/block_cut.h"
+#include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
 
 using Reach = BlockCutter::Reach;
 
-Reach node_reach(const SweepIndex& pass, const Lattice& lattice, double band_mm,
-                 const Index3& corner) {
-  const double reach = lattice.half_diagonal(kNodeEdge) + band_mm;
-  const auto found = pass.nearest(lattice.middle(corner, kNodeEdge), reach);
-  if (!found) return Reach::none;
-  return found->at.distance < -reach ? Reach::wholly : Reach::partly;
+/// Cubes that lie beside each other, asked for one by one: the move nearest to one is near to the
+/// next, and whatever is farther need not be looked at.
+class Neighbours {
+ public:
+  Neighbours(const SweepIndex& pass, const Lattice& lattice, double band_mm)
+      : pass_(pass), lattice_(lattice), band_(band_mm) {}
+
+  Reach reach(const Index3& corner, int edge) {
+    const double reach = lattice_.half_diagonal(edge) + band_;
+    const model::Vec3 middle = lattice_.middle(corner, edge);
+    double bound = reach;
+    if (last_)
+      bound = std::min(bound, pass_.distance(last_->slot, middle).distance + kDistanceRounding_mm);
+    const auto found = pass_.nearest(middle, bound);
+    if (!found) return Reach::none;
+    last_ = found;
+    return BlockCutter::reach_of(found->at.distance, reach);
+  }
+  /// The move that reach() has found.
+  const NearestMove& nearest() const { return *last_; }
+
+ private:
+  const SweepIndex& pass_;
+  const Lattice& lattice_;
+  double band_;
+  std::optional<NearestMove> last_;
+};
+
+PassReach reach_in_node(Neighbours cubes, const Index3& corner, const IndexBox& box) {
+  PassReach found;
+  const IndexBox node = cube_at(corner, kNodeEdge);
+  const Reach whole = cubes.reach(corner, kNodeEdge);
+  if (whole == Reach::none) return found;
+  if (whole == Reach::wholly && box.contains(node)) {
+    found.swallowed_nodes.push_back(corner);
+    return found;
+  }
+  each_cube(node.common(box), kBlockEdge, [&](const Index3& block) {
+    const Reach reach = cubes.reach(block, kBlockEdge);
+    if (reach == Reach::wholly) found.swallowed_blocks.push_back(block);
+    if (reach != Reach::partly) return;
+    found.partly.push_back(block);
+    found.nearest.push_back(cubes.nearest());
+  });
+  return found;
 }
 
 }  // namespace
@@ -24,23 +67,15 @@ PassReach pass_reach(const SweepIndex& pass, const Lattice& lattice, double band
   std::vector<PassReach> found(nodes.size());
   model::parallel_for(nodes.size(), control.threads, [&](std::size_t i) {
     control.check();
-    const IndexBox node = cube_at(nodes[i], kNodeEdge);
-    const Reach whole = node_reach(pass, lattice, band_mm, nodes[i]);
-    if (whole == Reach::none) return;
-    if (whole == Reach::wholly && box.contains(node))
-      return found[i].swallowed_nodes.push_back(nodes[i]);
-    each_cube(node.common(box), kBlockEdge, [&](const Index3& block) {
-      const Reach reach = BlockCutter::reach(pass, lattice, band_mm, block);
-      if (reach == Reach::partly) found[i].partly.push_back(block);
-      if (reach == Reach::wholly) found[i].swallowed_blocks.push_back(block);
-    });
+    found[i] = reach_in_node(Neighbours(pass, lattice, band_mm), nodes[i], box);
   });
   PassReach all;
-  const auto append = [](std::vector<Index3>& to, const std::vector<Index3>& from) {
+  const auto append = [](auto& to, const auto& from) {
     to.insert(to.end(), from.begin(), from.end());
   };
   for (const PassReach& node : found) {
     append(all.partly, node.partly);
+    append(all.nearest, node.nearest);
     append(all.swallowed_blocks, node.swallowed_blocks);
     append(all.swallowed_nodes, node.swallowed_nodes);
   }

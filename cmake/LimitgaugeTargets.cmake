@@ -42,35 +42,54 @@ if(LIMITGAUGE_FUZZ)
   target_link_options(limitgauge_options INTERFACE ${fuzz_checks})
 endif()
 
-# limitgauge_unity(TARGET SOURCES file... [APART folder...])
+# limitgauge_unity(TARGET SOURCES file... [GROUPS count] [APART folder...])
 #
 # With LIMITGAUGE_UNITY the sources of one folder are compiled as one file, which reads the headers that they
 # share once: names in their anonymous namespaces must differ within a folder. Files that lie nowhere in the
-# source tree (texts made at build time) and those of folders named APART stay by themselves.
+# source tree (texts made at build time) and those of folders named APART stay by themselves. With GROUPS the
+# folders are put together to that many files: where each would read and make the same templates again (JSON
+# above all), which takes twice the time. Names must differ within a group then.
 function(limitgauge_unity target)
-  cmake_parse_arguments(U "" "" "SOURCES;APART" ${ARGN})
+  cmake_parse_arguments(U "" "GROUPS" "SOURCES;APART" ${ARGN})
   if(NOT LIMITGAUGE_UNITY)
     return()
   endif()
+  set(folders)
+  foreach(source ${U_SOURCES})
+    get_filename_component(folder ${source} DIRECTORY)
+    list(APPEND folders "in ${folder}")
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  list(LENGTH folders count)
   foreach(source ${U_SOURCES})
     cmake_path(IS_ABSOLUTE source absolute)
     get_filename_component(folder ${source} DIRECTORY)
     if(NOT absolute AND NOT folder IN_LIST U_APART)
-      string(MAKE_C_IDENTIFIER "${folder}" group)
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP "in_${group}")
+      string(MAKE_C_IDENTIFIER "in_${folder}" group)
+      if(U_GROUPS)
+        list(FIND folders "in ${folder}" place)
+        math(EXPR number "${place} * ${U_GROUPS} / ${count}")
+        set(group "part_${number}")
+      endif()
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${group}")
     endif()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# limitgauge_library(NAME FOLDERS dir... SOURCES file... PUBLIC target... PRIVATE lib...
-#   [APART folder...])
+# limitgauge_library(NAME [LIGHT] FOLDERS dir... SOURCES file... PUBLIC target... PRIVATE lib...
+#   [GROUPS count] [APART folder...])
 #
+# LIGHT libraries compute next to nothing by themselves: with sanitizers they are compiled for a quick build,
+# in half the time.
 # A library of one house. Its headers are reached through a view of the source tree that holds
 # this library's folders (or single headers) and nothing else, so an include against the arrows does not compile.
 function(limitgauge_library name)
-  cmake_parse_arguments(LIB "" "" "FOLDERS;SOURCES;PUBLIC;PRIVATE;APART" ${ARGN})
+  cmake_parse_arguments(LIB "LIGHT" "GROUPS" "FOLDERS;SOURCES;PUBLIC;PRIVATE;APART" ${ARGN})
   add_library(limitgauge_${name} STATIC ${LIB_SOURCES})
+  if(LIB_LIGHT AND LIMITGAUGE_SANITIZE)
+    target_compile_options(limitgauge_${name} PRIVATE -O0)
+  endif()
   add_library(limitgauge::${name} ALIAS limitgauge_${name})
   set(view ${CMAKE_BINARY_DIR}/include/${name})
   foreach(folder ${LIB_FOLDERS})
@@ -89,5 +108,5 @@ function(limitgauge_library name)
     PUBLIC ${LIB_PUBLIC} PRIVATE limitgauge_options ${LIB_PRIVATE})
   set_target_properties(limitgauge_${name} PROPERTIES LIMITGAUGE_FOLDERS "${LIB_FOLDERS}")
   cmake_language(EVAL CODE "cmake_language(DEFER CALL limitgauge_seal limitgauge_${name})")
-  limitgauge_unity(limitgauge_${name} SOURCES ${LIB_SOURCES} APART ${LIB_APART})
+  limitgauge_unity(limitgauge_${name} SOURCES ${LIB_SOURCES} GROUPS ${LIB_GROUPS} APART ${LIB_APART})
 endfunction()

@@ -21,7 +21,7 @@ model::Stock turned_stock(const Job& job, const model::Setup& setup) {
     return stock;
   } catch (const std::invalid_argument& error) {
     throw model::InputError({}, "setup \"" + setup.name + "\": " + error.what(),
-                            "a stock given as a mesh, or a setup that keeps it upright");
+                            "a stock that can be cut");
   }
 }
 

@@ -60,7 +60,9 @@ StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& a
 }
 
 model::Stock planned_stock(const model::Stock& stock) {
-  if (!std::holds_alternative<model::MeshStock>(stock)) return stock;
+  if (std::holds_alternative<model::BoxStock>(stock) ||
+      std::holds_alternative<model::CylinderStock>(stock))
+    return stock;
   const model::Box3 box = bounding_box(stock);
   return model::BoxStock{box.low, box.size()};
 }

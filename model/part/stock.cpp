@@ -1,5 +1,6 @@
 #include "model/part/stock.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -41,6 +42,7 @@ struct Checker {
     if (!std::isfinite(stock.voxel_mm) || stock.voxel_mm < 0)
       throw std::invalid_argument("the voxel of the stock must not be negative");
   }
+  void operator()(const LeaningStock& stock) const { std::visit(*this, stock.upright); }
 };
 
 struct Bounds {
@@ -52,6 +54,23 @@ struct Bounds {
     return {bar.base_mm - Vec3{r_mm, r_mm, 0}, bar.base_mm + Vec3{r_mm, r_mm, bar.height_mm}};
   }
   Box3 operator()(const MeshStock& stock) const { return bounding_box(*stock.mesh); }
+  Box3 operator()(const LeaningStock& stock) const {
+    if (const auto* bar = std::get_if<CylinderStock>(&stock.upright))
+      return leaning(*bar, stock.pose);
+    return stock.pose.box((*this)(std::get<BoxStock>(stock.upright)));
+  }
+
+  /// Along a unit axis u a bar of axis a reaches h/2 |u·a| and the rim of its ends r √(1 - (u·a)²).
+  static Box3 leaning(const CylinderStock& bar, const Pose& pose) {
+    const double r_mm = bar.diameter_mm / 2, half_mm = bar.height_mm / 2;
+    const Vec3 axis = pose.direction({0, 0, 1});
+    const Vec3 middle = pose.point(bar.base_mm + Vec3{0, 0, half_mm});
+    Vec3 half;
+    for (const int a : {0, 1, 2})
+      half[a] =
+          half_mm * std::abs(axis[a]) + r_mm * std::sqrt(std::max(0.0, 1 - axis[a] * axis[a]));
+    return {middle - half, middle + half};
+  }
 };
 
 void read_shape(SpecText& spec) {
@@ -84,35 +103,19 @@ Vec3 read_corner(SpecText& spec) {
   return corner_mm;
 }
 
-/// A block's twelve triangles, seen from outside counter-clockwise.
-TriangleMesh block_mesh(const Box3& box) {
-  TriangleMesh mesh;
-  for (int corner = 0; corner < 8; ++corner)
-    mesh.vertices.push_back({corner & 1 ? box.high.x : box.low.x,
-                             corner & 2 ? box.high.y : box.low.y,
-                             corner & 4 ? box.high.z : box.low.z});
-  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return mesh;
-}
-
 struct Turner {
   const Pose& pose;
 
   Stock operator()(const BoxStock& block) const {
     const Box3 box{block.corner_mm, block.corner_mm + block.size_mm};
-    if (!pose.keeps_axes())
-      return MeshStock{std::make_shared<const TriangleMesh>(turned(block_mesh(box), pose)),
-                       "the block, turned", 0};
+    if (!pose.keeps_axes()) return LeaningStock{block, pose};
     const Box3 moved = pose.box(box);
     const Vec3 size = pose.half(block.size_mm);
     return BoxStock{moved.low, size};
   }
   Stock operator()(const CylinderStock& bar) const {
     const Vec3 axis = pose.direction({0, 0, 1});
-    if (std::hypot(axis.x, axis.y) != 0)
-      throw std::invalid_argument(
-          "a round bar would lean or lie in this setup, and is only known upright");
+    if (std::hypot(axis.x, axis.y) != 0) return LeaningStock{bar, pose};
     CylinderStock out = bar;
     out.base_mm = pose.point(axis.z > 0 ? bar.base_mm : bar.base_mm + Vec3{0, 0, bar.height_mm});
     return out;
@@ -121,6 +124,9 @@ struct Turner {
     MeshStock out = stock;
     out.mesh = std::make_shared<const TriangleMesh>(turned(*stock.mesh, pose));
     return out;
+  }
+  Stock operator()(const LeaningStock& stock) const {
+    return std::visit(Turner{pose * stock.pose}, stock.upright);
   }
 };
 

@@ -31,16 +31,21 @@ struct MeshStock {
   double voxel_mm = 0;  ///< 0: `file` is a mesh; else the voxel of the `.vdb` it was taken from
 };
 
-using Stock = std::variant<BoxStock, CylinderStock, MeshStock>;
+/// Raw stock: a block or a bar that does not stand along the axes.
+struct LeaningStock {
+  std::variant<BoxStock, CylinderStock> upright;  ///< in a frame of its own
+  Pose pose;                                      ///< of that frame in the job's
+};
+
+using Stock = std::variant<BoxStock, CylinderStock, MeshStock, LeaningStock>;
 
 /// Of a mesh, one look at every triangle: keep it where it is asked for often.
 Box3 bounding_box(const Stock& stock);
 /// Throws std::invalid_argument for a zero, negative or non-finite size and for a mesh that bounds
 /// no solid (mesh_defect.h).
 void require_valid(const Stock& stock);
-/// The stock moved by `pose`. A block stays one where its sides stay along the axes and becomes a
-/// mesh of twelve triangles otherwise; a bar stays one where its axis stays along Z. Throws
-/// std::invalid_argument for a bar that would lean.
+/// The stock moved by `pose`. A block whose sides stay along the axes stays one, and so does a bar
+/// whose axis stays along Z; otherwise they lean.
 Stock turned(const Stock& stock, const Pose& pose);
 /// `box:LX,LY,LZ@X,Y,Z`: size @ lower corner. Throws InputError with the column in `text`.
 Stock parse_stock(std::string_view text);

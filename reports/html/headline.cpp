@@ -31,12 +31,6 @@ class StageList {
   std::string lines_;
 };
 
-std::string joined(const std::vector<std::string>& parts, std::string_view between) {
-  std::string out;
-  for (const std::string& part : parts) out.append(out.empty() ? "" : between).append(part);
-  return out;
-}
-
 /// Without a design: what it does not say comes first.
 std::string design_words(const RunResult& result) {
   if (!result.surface) return "<strong>Nothing was measured against a design.</strong> ";

@@ -30,13 +30,9 @@ void set_counts(pugi::xml_node node, const Counts& counts) {
   node.append_attribute("skipped").set_value(counts.skipped);
 }
 
-std::string joined(const std::vector<std::string>& lines) {
-  std::string all;
-  for (const std::string& line : lines) {
-    if (!all.empty()) all += '\n';
-    all += clean_text(line);
-  }
-  return all;
+std::string clean_lines(std::vector<std::string> lines) {
+  for (std::string& line : lines) line = clean_text(line);
+  return joined(lines, "\n");
 }
 
 void add_outcome(pugi::xml_node test, const char* element, const char* type,
@@ -94,7 +90,7 @@ double seconds_of(const std::string& figure, const StageResult& stage) {
 }
 
 void add_figure(pugi::xml_node test, const GateFigure& figure, const Suite& suite, Counts& counts) {
-  const std::string reasons = joined(suite.stage.decision.reasons);
+  const std::string reasons = clean_lines(suite.stage.decision.reasons);
   switch (figure.standing) {
     case Standing::within:
       test.append_child("system-out").text().set(message_for(figure, suite).c_str());
@@ -138,7 +134,7 @@ void add_verdict(pugi::xml_node suite, const StageResult& stage, Counts& counts)
   ++(fails ? counts.failures : counts.errors);
   add_outcome(add_case(suite, stage.name, "verdict", 0), fails ? "failure" : "error",
               fails ? "beyond the limit" : "indeterminate", verifier::name(verdict),
-              joined(stage.decision.reasons));
+              clean_lines(stage.decision.reasons));
 }
 
 /// What the stage was asked for, and where its program is.

@@ -29,7 +29,7 @@ const char* relation(Standing standing) {
 }
 
 /// "[0.076, 0.41] ≤ 10 µm": what is proven, how it stands, and the limit.
-std::string against_limit(const GateFigure& figure) {
+std::string with_its_limit(const GateFigure& figure) {
   if (figure.standing == Standing::not_run) return "–";
   if (figure.limit.empty()) return figure.measured;
   const std::string numbers = figure.measured.substr(0, figure.measured.rfind(' '));
@@ -56,8 +56,8 @@ std::vector<TerminalTable::Cell> row_of(const StageResult& stage) {
           {stage.tool},
           {stage.program.empty() ? stage.strategy : stage.program},
           {verdict_text(stage.verdict()), tone_of(stage.verdict())},
-          {against_limit(figures[0])},
-          {against_limit(figures[1])},
+          {with_its_limit(figures[0])},
+          {with_its_limit(figures[1])},
           {stage.ran ? figures[2].measured : "–"}};
 }
 
@@ -197,7 +197,7 @@ std::string verdict_table(const RunResult& result, bool colour, std::size_t widt
     out += table.line(i + 1, colour);
     if (!narrow || !result.stages[i].ran) continue;
     const std::vector<GateFigure> figures = gate_figures(result.stages[i]);
-    out += "  gouge " + against_limit(figures[0]) + "   uncut " + against_limit(figures[1]) + '\n';
+    out += "  gouge " + with_its_limit(figures[0]) + "   uncut " + with_its_limit(figures[1]) + '\n';
   }
   for (const StageResult& stage : result.stages)
     for (const std::string& note : stage_notes(stage))

@@ -17,12 +17,6 @@ using verifier::Verdict;
 constexpr const char* kSchema =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
 
-std::string joined(const std::vector<std::string>& reasons) {
-  std::string all;
-  for (const std::string& reason : reasons) all += (all.empty() ? "" : "; ") + reason;
-  return all;
-}
-
 bool coverage_fails(const StageResult& stage) {
   return stage.limits.has_coverage && stage.ran->deviation &&
          stage.ran->deviation->coverage < stage.limits.coverage;
@@ -62,7 +56,7 @@ void add_unplaced(Json& results, const RunResult& result, std::size_t index,
   if (fails || open)
     results.push_back(sarif::stage_entry(result, index, sarif::kVerdictRule,
                                          fails ? "error" : "warning",
-                                         joined(stage.decision.reasons), places));
+                                         joined(stage.decision.reasons, "; "), places));
 }
 
 Json results_of(const RunResult& result, const std::vector<std::vector<ListedFinding>>& findings,

@@ -142,6 +142,15 @@ bool may_be_formula(std::string_view text) {
 
 }  // namespace
 
+std::string joined(const std::vector<std::string>& parts, std::string_view between) {
+  std::string out;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (k > 0) out += between;
+    out += parts[k];
+  }
+  return out;
+}
+
 std::string csv_text_cell(std::string_view text) {
   const std::string clean = clean_text(text);
   std::string out = may_be_formula(clean) ? "\"'" : "\"";

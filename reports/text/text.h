@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/text/clean_text.h"
 #include "model/text/rounded.h"
@@ -14,6 +15,8 @@ namespace limitgauge::reports {
 using model::clean_text;
 /// `text` cleaned, with the five characters that mean something to HTML and XML as entities.
 std::string escape_markup(std::string_view text);
+/// The parts with `between` between them.
+std::string joined(const std::vector<std::string>& parts, std::string_view between);
 /// Number of code points: what a terminal shows of `text` where no character is wide.
 std::size_t code_points(std::string_view text);
 /// `text` cut to `width` code points, the last one an ellipsis where something is lost.

@@ -3,11 +3,55 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
 namespace {
+
+/// The part of a line p + t·d that lies between two planes across an axis.
+void clip(model::Interval& t, double p, double d, double low, double high) {
+  if (d == 0) {
+    if (p < low || p > high) t.high = t.low;
+    return;
+  }
+  const double at_low = (low - p) / d, at_high = (high - p) / d;
+  t = {std::max(t.low, std::min(at_low, at_high)), std::min(t.high, std::max(at_low, at_high))};
+}
+
+std::vector<model::Interval> unless_empty(const model::Interval& t) {
+  if (t.high - t.low < kDexelRounding_mm) return {};
+  return {t};
+}
+
+constexpr model::Interval kWholeLine{-std::numeric_limits<double>::infinity(),
+                                     std::numeric_limits<double>::infinity()};
+
+/// Of a block on a line, d a unit vector.
+std::vector<model::Interval> on_line(const model::BoxStock& box, const model::Vec3& p,
+                                     const model::Vec3& d) {
+  model::Interval t = kWholeLine;
+  for (const int a : {0, 1, 2})
+    clip(t, p[a], d[a], box.corner_mm[a], box.corner_mm[a] + box.size_mm[a]);
+  return unless_empty(t);
+}
+
+/// Of an upright bar on a line, d a unit vector: where |q + t·e| ≤ r in plan, and between its ends.
+std::vector<model::Interval> on_line(const model::CylinderStock& bar, const model::Vec3& p,
+                                     const model::Vec3& d) {
+  model::Interval t = kWholeLine;
+  clip(t, p.z, d.z, bar.base_mm.z, bar.base_mm.z + bar.height_mm);
+  const double r = bar.diameter_mm / 2, x = p.x - bar.base_mm.x, y = p.y - bar.base_mm.y;
+  const double level = std::hypot(d.x, d.y);
+  if (level == 0) return std::hypot(x, y) > r ? std::vector<model::Interval>{} : unless_empty(t);
+  // Along the line in plan: the place nearest to the axis, and half the chord about it.
+  const double beside = (x * d.y - y * d.x) / level;
+  if (std::abs(beside) >= r) return {};
+  const double middle = -(x * d.x + y * d.y) / (level * level);
+  const double half = std::sqrt((r - beside) * (r + beside)) / level;
+  return unless_empty({std::max(t.low, middle - half), std::min(t.high, middle + half)});
+}
 
 /// The raw stock on one line.
 struct RawLine {
@@ -20,6 +64,12 @@ struct RawLine {
   std::vector<model::Interval> operator()(const model::CylinderStock& bar) const {
     if (std::hypot(x - bar.base_mm.x, y - bar.base_mm.y) > bar.diameter_mm / 2) return {};
     return {{bar.base_mm.z, bar.base_mm.z + bar.height_mm}};
+  }
+  std::vector<model::Interval> operator()(const model::LeaningStock& stock) const {
+    const model::Vec3 from = stock.pose.point_back({x, y, 0});
+    const model::Vec3 along = stock.pose.direction_back({0, 0, 1});
+    return std::visit([&](const auto& shape) { return on_line(shape, from, along); },
+                      stock.upright);
   }
   std::vector<model::Interval> operator()(const model::MeshStock&) const {
     std::vector<model::Interval> intervals;

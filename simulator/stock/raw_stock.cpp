@@ -9,7 +9,7 @@ namespace {
 
 using model::Vec3;
 
-RawSample box_distance(const model::BoxStock& box, const Vec3& p) {
+RawSample shape_distance(const model::BoxStock& box, const Vec3& p) {
   const Vec3 half = box.size_mm * 0.5, q = p - (box.corner_mm + half);
   Vec3 over, away;
   int nearest_face = 0;
@@ -28,7 +28,7 @@ RawSample box_distance(const model::BoxStock& box, const Vec3& p) {
   return {d, g};
 }
 
-RawSample bar_distance(const model::CylinderStock& bar, const Vec3& p) {
+RawSample shape_distance(const model::CylinderStock& bar, const Vec3& p) {
   const double half = bar.height_mm / 2, x = p.x - bar.base_mm.x, y = p.y - bar.base_mm.y;
   const double z = p.z - bar.base_mm.z - half, rho = std::sqrt(x * x + y * y);
   const double side = rho - bar.diameter_mm / 2, end = std::abs(z) - half;
@@ -41,6 +41,24 @@ RawSample bar_distance(const model::CylinderStock& bar, const Vec3& p) {
   return {d, {level * x, level * y, std::copysign(g_z, z)}};
 }
 
+RawSample leaning_distance(const model::LeaningStock& stock, const Vec3& p) {
+  const Vec3 own = stock.pose.point_back(p);
+  const RawSample s =
+      std::visit([&](const auto& shape) { return shape_distance(shape, own); }, stock.upright);
+  return {s.distance, stock.pose.direction(s.gradient)};
+}
+
+double area_mm2(const model::BoxStock& box) {
+  const Vec3& s = box.size_mm;
+  return 2 * (s.x * s.y + s.y * s.z + s.z * s.x);
+}
+double area_mm2(const model::CylinderStock& bar) {
+  return std::numbers::pi * bar.diameter_mm * (bar.diameter_mm / 2 + bar.height_mm);
+}
+double area_mm2(const model::LeaningStock& stock) {
+  return std::visit([](const auto& shape) { return area_mm2(shape); }, stock.upright);
+}
+
 }  // namespace
 
 RawStock::RawStock(const model::Stock& stock) : stock_(stock) {
@@ -50,8 +68,10 @@ RawStock::RawStock(const model::Stock& stock) : stock_(stock) {
 }
 
 RawSample RawStock::distance(const Vec3& p) const {
-  if (const auto* box = std::get_if<model::BoxStock>(&stock_)) return box_distance(*box, p);
-  if (const auto* bar = std::get_if<model::CylinderStock>(&stock_)) return bar_distance(*bar, p);
+  if (const auto* box = std::get_if<model::BoxStock>(&stock_)) return shape_distance(*box, p);
+  if (const auto* bar = std::get_if<model::CylinderStock>(&stock_)) return shape_distance(*bar, p);
+  if (const auto* leaning = std::get_if<model::LeaningStock>(&stock_))
+    return leaning_distance(*leaning, p);
   const SolidSample s = solid_->sample(p);
   return {s.distance, s.gradient};
 }
@@ -63,13 +83,10 @@ void RawStock::distances_up(const Vec3& p, double step_mm, std::span<double> out
 }
 
 double RawStock::surface_area_mm2() const {
-  if (const auto* box = std::get_if<model::BoxStock>(&stock_)) {
-    const Vec3& s = box->size_mm;
-    return 2 * (s.x * s.y + s.y * s.z + s.z * s.x);
-  }
   if (solid_) return solid_->area_mm2();
-  const auto& bar = std::get<model::CylinderStock>(stock_);
-  return std::numbers::pi * bar.diameter_mm * (bar.diameter_mm / 2 + bar.height_mm);
+  if (const auto* box = std::get_if<model::BoxStock>(&stock_)) return area_mm2(*box);
+  if (const auto* bar = std::get_if<model::CylinderStock>(&stock_)) return area_mm2(*bar);
+  return area_mm2(std::get<model::LeaningStock>(stock_));
 }
 
 }  // namespace limitgauge::simulator

@@ -22,7 +22,7 @@ using model::CutterType;
 using model::Vec3;
 using namespace tests;
 
-const int kPairs = by_effort(16, 40);
+const int kPairs = by_effort(10, 40);
 /// The map of a stage has samples 0.25 mm apart: a tenth of that along and across.
 constexpr double kSpacing_mm = 0.025;
 /// Two implementations of a distance, each good to 1e-9 mm.
@@ -38,7 +38,7 @@ const Cutter kCutters[] = {{"ball", CutterType::ball, 2, 1, 0, 30, {}, {}},
                            {"bull", CutterType::bull, 3, 0.5, 0, 30, {}, {}},
                            {"taper", CutterType::taper, 1.2, 0.4, 8, 30, {}, {}}};
 
-const int kPointedPairs = by_effort(8, 15);
+const int kPointedPairs = by_effort(5, 15);
 const Cutter kPointedCutters[] = {model::parse_cutter("drill:D=2,angle=118,L=30"),
                                   model::parse_cutter("apt:D=3,r=0.5,a=8,b=4,L=30"),
                                   model::parse_cutter("apt:D=2,r=0.2,b=-20,L=2"),

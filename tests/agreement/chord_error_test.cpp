@@ -11,6 +11,7 @@
 #include "model/part/cage_obj.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/feature_cages.h"
 #include "tests/support/folders.h"
 #include "verifier/cells/surface_cells.h"
@@ -208,11 +209,11 @@ Measured measure(const PatchModel& model, const Cage& cage,
 }
 
 std::vector<Cage> test_cages() {
-  // Every eighth: between them they hold all rules, and all of them take minutes.
-  constexpr std::size_t kStride = 8;
+  // Every eighth holds all rules between them, and takes minutes.
+  const auto stride = static_cast<std::size_t>(tests::by_effort(24, 8));
   std::vector<Cage> all;
   std::vector<Cage> features = tests::feature_cages();
-  for (std::size_t i = 0; i < features.size(); i += kStride) all.push_back(std::move(features[i]));
+  for (std::size_t i = 0; i < features.size(); i += stride) all.push_back(std::move(features[i]));
   for (const char* name : {"aircraft.obj", "quick-dome.obj"})
     all.push_back(model::read_cage_obj(tests::fixtures() / "cages" / name));
   if (const char* folder = std::getenv("LIMITGAUGE_CAGES"))

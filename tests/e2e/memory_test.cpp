@@ -22,9 +22,9 @@ void run_as_forecast(const std::vector<std::string>& command) {
   check_forecast(outcome);
 }
 
-/// Rows of a ball over the dome, a million moves in all.
+/// Rows of a ball over the dome, a million moves when there is time.
 void write_rows(const std::filesystem::path& file) {
-  constexpr int kRows = 1000, kMovesOfRow = 1000;
+  const int kRows = tests::by_effort(200, 1000), kMovesOfRow = 1000;
   std::ofstream out(file);
   out << "G21 G90 G17 G40 G49\nM3 S8000\nG0 Z15\nG0 X-12 Y-12\nG1 Z5 F1500\n";
   const auto place = [](int i, int of) { return -12 + 24.0 * i / (of - 1); };
@@ -83,18 +83,18 @@ void run_folder_as_forecast(const char* folder, std::size_t nth) {
 // A folder each: all in one would take longer than a test may on a busy machine. The tests of whole
 // jobs (aircraft, strategies, torture) look at the forecast as well, so a share will do here.
 TEST_CASE("the usual jobs take what they were forecast to take", "[slow][memory]") {
-  run_folder_as_forecast("jobs", tests::by_effort(3, 1));
+  run_folder_as_forecast("jobs", tests::by_effort(8, 1));
 }
 
 TEST_CASE("the jobs of planted findings take what they were forecast to take", "[slow][memory]") {
-  run_folder_as_forecast("findings", tests::by_effort(9, 1));
+  run_folder_as_forecast("findings", tests::by_effort(18, 1));
 }
 
 TEST_CASE("the jobs of hard shapes take what they were forecast to take", "[slow][memory]") {
   run_folder_as_forecast("torture", tests::by_effort(9, 1));
 }
 
-TEST_CASE("a million lines take what they were forecast to take", "[slow][memory]") {
+TEST_CASE("long programs take what they were forecast to take", "[slow][memory]") {
   const Scratch programs;
   write_rows(programs / "rows.ngc");
   run_as_forecast(verify_rows(programs / "rows.ngc", "ball:D=6,L=20,shank=6:30"));
@@ -119,7 +119,7 @@ TEST_CASE("a run that the process's limit leaves no room for is refused", "[e2e]
 
 TEST_CASE("whatever address space a run has, it ends with a reason", "[slow][memory]") {
   // With less, libraries end the program before it begins (log4cplus starts a thread).
-  for (std::size_t mib = 180; mib <= 600; mib += 30) {
+  for (std::size_t mib = 180; mib <= 600; mib += tests::by_effort(60, 30)) {
     const Scratch scratch;
     Conditions conditions;
     conditions.most_memory_bytes = mib << 20;

@@ -16,7 +16,6 @@ using model::Vec3;
 namespace {
 
 constexpr std::uint32_t kLeafBodies = 6;
-constexpr std::uint32_t kCylinderSide = 2;
 
 /// A stack on the heap of the thread, kept between queries: a tree over millions of moves is deep.
 std::vector<std::uint32_t>& query_stack() {
@@ -71,7 +70,7 @@ bool EndRule::is_met(double distance_mm, const Vec3& gradient, const Vec3& ray) 
 }
 
 RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes)
-    : stock_(stock) {
+    : faces_(StockFaces::of(stock)) {
   if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) {
     if (!mesh->mesh) throw std::invalid_argument("a mesh stock without a mesh");
     mesh_ = std::make_shared<const MeshOutside>(*mesh->mesh);
@@ -286,7 +285,7 @@ void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
     return;
   }
   for (std::uint32_t face = 0; face < stock_faces(); ++face) {
-    const BodyDistance d = stock_distance(face, p);
+    const BodyDistance d = faces_->distance(face, p);
     if (d.value < best.distance.value) best = {{outside, face}, d};
     if (d.value == best.distance.value && best.body.pass == outside && face <= best.body.index)
       best = {{outside, face}, d};
@@ -353,12 +352,12 @@ void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>
 void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {
   const auto outside = static_cast<std::uint32_t>(passes_.size());
   for (std::uint32_t face = 0; face < stock_faces(); ++face)
-    if (stock_distance(face, p).value <= limit_mm) out.push_back({outside, face});
+    if (faces_->distance(face, p).value <= limit_mm) out.push_back({outside, face});
   if (mesh_ && mesh_->distance_up_to(p, limit_mm)) out.push_back({outside, 0});
 }
 
 BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p) const {
-  if (is_stock(body)) return mesh_ ? mesh_->distance(p) : stock_distance(body.index, p);
+  if (is_stock(body)) return mesh_ ? mesh_->distance(p) : faces_->distance(body.index, p);
   const PlacedPass& pass = passes_[body.pass];
   return pass.back(body_distance(pass->profile, pass->of_move(body.index), pass.place(p - shift_)));
 }
@@ -374,34 +373,15 @@ void RemovedSpace::values(BodyRef body, const Bezier& cell, std::array<double, 1
     return body_values(pass->profile, swept, verifier::shifted(cell, -shift_), out);
   }
   if (mesh_) return mesh_->values(cell, out);
-  for (int k = 0; k < 16; ++k) out[k] = stock_distance(body.index, cell.control(k)).value;
+  for (int k = 0; k < 16; ++k) out[k] = faces_->distance(body.index, cell.control(k)).value;
 }
 
 bool RemovedSpace::is_concave(BodyRef body) const {
-  return is_stock(body) && stock_ && std::holds_alternative<model::CylinderStock>(*stock_) &&
-         body.index == kCylinderSide;
+  return is_stock(body) && faces_ && faces_->is_concave(body.index);
 }
 
 std::uint32_t RemovedSpace::stock_faces() const {
-  if (!stock_ || mesh_) return 0;
-  return std::holds_alternative<model::BoxStock>(*stock_) ? 6 : 3;
-}
-
-/// Distance inwards from one face of the raw stock, negative outside it.
-BodyDistance RemovedSpace::stock_distance(std::uint32_t face, const Vec3& p) const {
-  const Box3& box = *stock_box_;
-  if (std::holds_alternative<model::BoxStock>(*stock_)) {
-    const int axis = static_cast<int>(face / 2);
-    Vec3 inwards;
-    inwards[axis] = face % 2 == 0 ? 1 : -1;
-    return {face % 2 == 0 ? p[axis] - box.low[axis] : box.high[axis] - p[axis], inwards, 0};
-  }
-  if (face != kCylinderSide)
-    return {face == 0 ? p.z - box.low.z : box.high.z - p.z, {0, 0, face == 0 ? 1.0 : -1.0}, 0};
-  const auto& bar = std::get<model::CylinderStock>(*stock_);
-  const double dx = p.x - bar.base_mm.x, dy = p.y - bar.base_mm.y, rho = std::hypot(dx, dy);
-  const double scale = rho > 0 ? -1 / rho : 0;
-  return {bar.diameter_mm / 2 - rho, {dx * scale, dy * scale, 0}, 0};
+  return faces_ ? faces_->count() : 0;
 }
 
 }  // namespace limitgauge::verifier

@@ -13,6 +13,7 @@
 #include "model/part/stock.h"
 #include "verifier/cutter/far_passes.h"
 #include "verifier/cutter/mesh_outside.h"
+#include "verifier/cutter/stock_faces.h"
 #include "verifier/cutter/swept_body.h"
 #include "verifier/cutter/tilted_box.h"
 #include "verifier/gate/verify.h"
@@ -176,9 +177,8 @@ class RemovedSpace {
                           Meeting& first) const;
   /// Half spaces and the side of a bar; a mesh has none.
   std::uint32_t stock_faces() const;
-  BodyDistance stock_distance(std::uint32_t face, const model::Vec3& p) const;
 
-  std::optional<model::Stock> stock_;
+  std::optional<StockFaces> faces_;  ///< of a block or a bar
   std::optional<model::Box3> stock_box_;
   std::shared_ptr<const MeshOutside> mesh_;
   std::vector<PlacedPass> passes_;  ///< spaces may have their bodies in common

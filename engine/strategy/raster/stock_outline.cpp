@@ -16,7 +16,9 @@ std::array<double, 4> beyond(const model::BoxStock& box, const FlatPoint& p) {
 }  // namespace
 
 StockOutline::StockOutline(const model::Stock& stock) : stock_(stock) {
-  if (!std::holds_alternative<model::MeshStock>(stock)) return;
+  if (std::holds_alternative<model::BoxStock>(stock) ||
+      std::holds_alternative<model::CylinderStock>(stock))
+    return;
   const model::Box3 box = bounding_box(stock);
   stock_ = model::BoxStock{box.low, box.size()};
 }

@@ -5,8 +5,8 @@
 
 namespace limitgauge::engine::strategy {
 
-/// The raw stock seen from above; of a mesh, the box about it: a path that clears the box clears
-/// the mesh.
+/// The raw stock seen from above; of a mesh or what leans, the box about it: a path that clears the
+/// box clears the stock.
 class StockOutline {
  public:
   explicit StockOutline(const model::Stock& stock);

@@ -79,14 +79,18 @@ TEST_CASE("the job as a setup has it", "[unit][job]") {
   CHECK_FALSE(in_setup(job, 0).machine.work_offsets[0]);
 }
 
-TEST_CASE("a block that is turned by no quarter becomes its twelve triangles", "[unit][job]") {
+TEST_CASE("a block that is turned by no quarter leans", "[unit][job]") {
   const Job job =
       read(in_setups(back("rotate = [{ axis = [0, 1, 0], angle = 30 }]\norigin = [0, 0, 1]")));
   const model::Stock there = in_setup(job, 0).stock;
-  const auto& mesh = *std::get<model::MeshStock>(there).mesh;
-  CHECK(mesh.triangles.size() == 12);
-  CHECK(std::abs(volume_mm3(mesh) - 26.0 * 26 * 9) < 1e-9);
+  const auto& block = std::get<model::BoxStock>(std::get<model::LeaningStock>(there).upright);
+  CHECK(block.size_mm == Vec3{26, 26, 9});
   model::require_valid(there);
+  // Its box: 26 cos 30° + 9 sin 30° wide, and as high as 26 sin 30° + 9 cos 30°.
+  const Vec3 size = bounding_box(there).size();
+  CHECK(size.x == Approx(13 * std::sqrt(3.0) + 4.5));
+  CHECK(size.y == Approx(26));
+  CHECK(size.z == Approx(13 + 4.5 * std::sqrt(3.0)));
 }
 
 TEST_CASE("what is wrong with a setup is told with its place", "[unit][job]") {
@@ -113,13 +117,15 @@ TEST_CASE("a stage names a setup that there is", "[unit][job]") {
              Catch::Contains("states no setup"));
 }
 
-TEST_CASE("a bar does not lie down", "[unit][job]") {
+TEST_CASE("a bar lies down, or stays one end for end", "[unit][job]") {
   const std::string bar =
       with(in_setups(back("rotate = [{ axis = [0, 1, 0], angle = 90 }]")),
            "shape = \"box\"\nsize = [26, 26, 9]\ncorner = [-13, -13, -4]",
            "shape = \"cylinder\"\ndiameter = 40\nheight = 9\nbase = [0, 0, -4]");
   const Job job = read(bar);
-  CHECK_THROWS_AS(in_setup(job, 0), model::InputError);
+  const model::Stock lying = in_setup(job, 0).stock;
+  CHECK(std::holds_alternative<model::CylinderStock>(std::get<model::LeaningStock>(lying).upright));
+  CHECK(distance(bounding_box(lying).size(), {9, 40, 40}) < 1e-12);
   const Job over = read(with(bar, "axis = [0, 1, 0], angle = 90", "axis = [0, 1, 0], angle = 180"));
   CHECK(std::get<model::CylinderStock>(in_setup(over, 0).stock).base_mm == Vec3{0, 0, -5});
 }

@@ -9,6 +9,7 @@
 #include "simulator/stock/material.h"
 #include "tests/simulator/process/turn_bench.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 
 namespace {
 
@@ -187,7 +188,7 @@ TEST_CASE("turns among cut stock agree with dense sampling", "[property][turn]")
 }
 
 TEST_CASE("many turns among cut stock agree with dense sampling", "[slow][property][turn]") {
-  for (const unsigned seed : {12u, 13u, 14u, 15u}) check_motions(seed, 40);
+  for (const unsigned seed : {12u, 13u, 14u, 15u}) check_motions(seed, tests::by_effort(10, 40));
 }
 
 TEST_CASE("the plane under a turning body is under it", "[property][turn]") {

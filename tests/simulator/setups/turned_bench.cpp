@@ -1,5 +1,7 @@
 #include "tests/simulator/setups/turned_bench.h"
 
+#include "tests/support/effort.h"
+
 namespace limitgauge::simulator::test {
 
 using model::CutterType;
@@ -47,7 +49,7 @@ std::vector<TurnedCase> few_turned_cases() {
 std::vector<TurnedCase> many_turned_cases() {
   std::vector<TurnedCase> all = turned_cases();
   PlaceDraw draw({{-1, -1, -1}, {1, 1, 1}}, 17);
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < tests::by_effort(4, 24); ++i) {
     const Pose pose = shifted(model::turn_about(draw(), draw.between(-180, 180)), draw() * 20.0);
     all.push_back({{"drawn", pose}, setup_cutters()[i % 4], static_cast<unsigned>(100 + i)});
   }

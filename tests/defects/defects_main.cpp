@@ -14,7 +14,9 @@
 #include <string_view>
 
 #include "model/base/run_control.h"
+#include "tests/defects/orientations/lying_bench.h"
 #include "tests/defects/orientations/lying_suite.h"
+#include "tests/defects/orientations/lying_table.h"
 #include "tests/defects/scenes.h"
 #include "tests/defects/surfaces.h"
 #include "tests/defects/table.h"
@@ -198,7 +200,11 @@ model::Pose any_pose(std::mt19937_64& random) {
 /// Parts that lie turned, as jobs: 0 where nothing went wrong.
 int run_jobs(const Options& options) {
   const std::size_t twins = options.twins > 0 ? options.twins : (3 * options.jobs + 9) / 10;
-  const std::vector<LyingPlan> plans = lying_plans(options.orientations, options.jobs, twins);
+  std::vector<LyingPlan> plans = lying_plans(options.orientations, options.jobs, twins);
+  std::erase_if(plans, [&](const LyingPlan& plan) {
+    return (!options.surface.empty() && options.surface != plan.surface_name) ||
+           (!options.cutter.empty() && options.cutter != plan.cutter.id);
+  });
   std::vector<std::vector<LyingResult>> found(plans.size());
   model::parallel_for(plans.size(), options.threads, [&](std::size_t k) {
     found[k] = run_lying(plans[k], options.keep);

@@ -17,7 +17,7 @@ using model::Vec3;
 using nlohmann::json;
 
 /// Grid of the simulated stock: coarse, since the certificate does not go by it.
-constexpr double kVoxel_mm = 0.3;
+constexpr double kVoxel_mm = 0.4;
 
 template <class... Values>
 std::string formed(const char* pattern, Values... values) {
@@ -58,8 +58,7 @@ std::string tool_text(const JobText& job) {
                      formed("flute_length = %.17g\nplunge = true\n", c.flute_length_mm);
   if (c.type == model::CutterType::bull || c.type == model::CutterType::taper)
     text += formed("corner_radius = %.17g\n", c.corner_radius_mm);
-  if (c.type == model::CutterType::taper)
-    text += formed("taper_angle = %.17g\n", c.taper_angle_deg);
+  if (c.type == model::CutterType::taper) text += formed("angle = %.17g\n", c.taper_angle_deg);
   if (job.machine) text += formed("number = 1\nlength = %.17g\n", job.machine->length_mm);
   return text;
 }

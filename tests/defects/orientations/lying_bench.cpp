@@ -115,7 +115,7 @@ class LyingBench {
   void judge_twin(LyingResult& result) {
     JobSaid said = ask(twin_, "twin", result);
     for (const bool again : {false, true}) {
-      if (!said.stage || said.verdict != "fail" || !raise_gate(*said.stage, again)) break;
+      if (!said.stage || said.verdict == "pass" || !raise_gate(*said.stage, again)) break;
       result.gate_raised = true;
       said = ask(twin_, again ? "twin-third" : "twin-again", result);
     }
@@ -125,16 +125,18 @@ class LyingBench {
   /// Where contact within the stated tolerance counts as reach, more may be uncut than what the
   /// oracle is sure of. The gate of such a plan is set above what the oracle holds possible at the
   /// places named, nothing else being wrong; where that grows from place to place (a wall that the
-  /// tool can just touch and the rows do not go to), above the certified figure, as the gates of
-  /// three axes are.
+  /// tool can just touch and the rows do not go to) or stays undecided, above the certified figure,
+  /// as the gates of three axes are.
   bool raise_gate(const StageSaid& stage, bool again) {
     double most = 0;
     for (const NamedPlace& n : stage.uncuts)
       most = std::max(most, truth_->possibly_uncut_mm(n.place));
-    if (!stage.process.empty() || most <= gate_.uncut_mm || stage.gouge.low > gate_.gouge_mm)
-      return false;
-    gate_.uncut_mm =
-        (again ? std::max(most, stage.uncut.high) : most) + kMargin_mm + kLyingResolution_mm;
+    // Of what is certified to be there the oracle must hold as much possible.
+    const bool confirmed = most >= stage.uncut.low || stage.uncut.low <= gate_.uncut_mm;
+    if (!stage.process.empty() || !confirmed || stage.gouge.high > gate_.gouge_mm) return false;
+    const double above = again ? std::max(most, stage.uncut.high) : most;
+    if (above <= gate_.uncut_mm && !again) return false;
+    gate_.uncut_mm = above + kMargin_mm + kLyingResolution_mm;
     return true;
   }
 

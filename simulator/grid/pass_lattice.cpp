@@ -1,5 +1,7 @@
 #include "simulator/grid/pass_lattice.h"
 
+#include <cmath>
+
 namespace limitgauge::simulator {
 
 using model::Pose;
@@ -17,14 +19,15 @@ PassLattice::PassLattice(const Lattice& lattice, const SweepIndex& pass)
   }
 }
 
-// Along an axis that runs the other way, voxel i is voxel −1 − i here: cubes whose corners are
-// multiples of their edge stay such cubes.
+// A product of turns that keeps axes may have 1e-16 where there would be 0: the axis is that of the
+// component that is 1. Along an axis that runs the other way, voxel i is voxel −1 − i here: cubes
+// whose corners are multiples of their edge stay such cubes.
 void PassLattice::rename(const Pose& to_own) {
   renamed_ = true;
   lattice_.origin_mm = to_own.point(lattice_.origin_mm);
   for (int a = 0; a < 3; ++a) {
     for (int b = 0; b < 3; ++b)
-      if (to_own.rows[a][b] != 0) from_[a] = b, back_[a] = to_own.rows[a][b] < 0;
+      if (std::abs(to_own.rows[a][b]) > 0.5) from_[a] = b, back_[a] = to_own.rows[a][b] < 0;
     if (back_[a]) lattice_.origin_mm[a] += lattice_.voxel_mm;
   }
 }

@@ -14,6 +14,9 @@
 #include <string_view>
 
 #include "model/base/run_control.h"
+#include "tests/defects/orientations/lying_bench.h"
+#include "tests/defects/orientations/lying_suite.h"
+#include "tests/defects/orientations/lying_table.h"
 #include "tests/defects/scenes.h"
 #include "tests/defects/surfaces.h"
 #include "tests/defects/table.h"
@@ -37,6 +40,9 @@ struct Options {
   std::string cases_file;
   double minutes = std::numeric_limits<double>::infinity();  ///< no pair is begun after these
   unsigned orientations = 0;  ///< above 0: passes lie turned, each pair in a way of its own; a seed
+  std::size_t jobs = 0;       ///< above 0: nothing but so many defects where parts lie turned
+  std::size_t twins = 0;      ///< of them; 0: three to ten defects
+  std::string keep;           ///< folder for the files of those jobs
 };
 
 /// Mishaps on one surface with one cutter in the full run.
@@ -108,6 +114,9 @@ bool read_options(int count, char** words, Options& options) {
                       : key == "--cutter"       ? (options.cutter = value, true)
                       : key == "--minutes"      ? number(options.minutes)
                       : key == "--orientations" ? number(options.orientations)
+                      : key == "--jobs"         ? number(options.jobs)
+                      : key == "--twins"        ? number(options.twins)
+                      : key == "--keep"         ? (options.keep = value, true)
                       : key == "--cases"        ? (options.cases_file = value, true)
                                                 : false;
     if (!good) return false;
@@ -188,7 +197,36 @@ model::Pose any_pose(std::mt19937_64& random) {
   return pose;
 }
 
+/// Parts that lie turned, as jobs: 0 where nothing went wrong.
+int run_jobs(const Options& options) {
+  const std::size_t twins = options.twins > 0 ? options.twins : (3 * options.jobs + 9) / 10;
+  std::vector<LyingPlan> plans = lying_plans(options.orientations, options.jobs, twins);
+  std::erase_if(plans, [&](const LyingPlan& plan) {
+    return (!options.surface.empty() && options.surface != plan.surface_name) ||
+           (!options.cutter.empty() && options.cutter != plan.cutter.id);
+  });
+  std::vector<std::vector<LyingResult>> found(plans.size());
+  model::parallel_for(plans.size(), options.threads, [&](std::size_t k) {
+    found[k] = run_lying(plans[k], options.keep);
+    double seconds = 0;
+    for (const LyingResult& r : found[k]) seconds += r.seconds;
+    std::fprintf(stderr, "%s: %zu jobs, %.1f s\n", found[k].front().label.c_str(), found[k].size(),
+                 seconds);
+  });
+  std::vector<LyingResult> results;
+  for (const auto& some : found) results.insert(results.end(), some.begin(), some.end());
+  write_lying_tables(std::cout, results);
+  write_lying_failures(std::cerr, results);
+  if (!options.cases_file.empty()) {
+    std::ofstream cases(options.cases_file);
+    write_lying_cases(cases, results);
+  }
+  return std::all_of(results.begin(), results.end(), [](const auto& r) { return r.good(); }) ? 0
+                                                                                             : 1;
+}
+
 int run(const Options& options) {
+  if (options.jobs > 0) return run_jobs(options);
   std::vector<PairPlan> plans = full_plan(options);
   if (options.sample > 0) plans = sample_of(plans, options.sample);
   std::mt19937_64 random(options.orientations);
@@ -221,7 +259,8 @@ int main(int count, char** words) {
     std::fprintf(stderr,
                  "usage: limitgauge_defects [--sample CASES] [--scenes COUNT] [--triples COUNT] "
                  "[--threads N] [--surface NAME] "
-                 "[--cutter ID] [--cases FILE.tsv] [--minutes M] [--orientations SEED]\n");
+                 "[--cutter ID] [--cases FILE.tsv] [--minutes M] [--orientations SEED] "
+                 "[--jobs DEFECTS] [--twins COUNT] [--keep FOLDER]\n");
     return 2;
   }
   return run(options);

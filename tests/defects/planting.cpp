@@ -167,7 +167,7 @@ const char* name(Kind kind) {
 Planted plant(const Sound& sound, const Mishap& mishap) {
   Random random(mishap.seed);
   NcText program = sound.program;
-  Planted out{{}, sound.cutter, sound.allowance_mm};
+  Planted out{{}, {}, sound.cutter, sound.allowance_mm};
   const double size = mishap.size_mm;
   const double sideways = std::min(kSideways * size, kLargestShift_mm);
   switch (mishap.kind) {
@@ -211,6 +211,7 @@ Planted plant(const Sound& sound, const Mishap& mishap) {
       break;
   }
   out.text = program.text();
+  out.program = std::move(program);
   return out;
 }
 

@@ -37,7 +37,8 @@ struct Mishap {
 /// What is run after the mishap: another program, another cutter in the spindle, another allowance
 /// in the job than the one the program was made for.
 struct Planted {
-  std::string text;
+  NcText program;
+  std::string text;  ///< of that
   model::Cutter cutter;
   double allowance_mm = 0;
 };

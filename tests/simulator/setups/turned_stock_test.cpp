@@ -85,6 +85,26 @@ TEST_CASE("the level set of a turned pass holds the exact distances", "[property
   }
 }
 
+TEST_CASE("a half turn that rounding left an atom beside the axes cuts where it lies",
+          "[unit][setups]") {
+  // As the turns of two rotary axes multiply: the sum of a row is 1 to the last bit.
+  constexpr double kAtom = 1.1102230246251565e-16;
+  Pose pose;
+  pose.rows = {Vec3{-1, -kAtom, kAtom / 4}, Vec3{kAtom, -1, 0}, Vec3{kAtom / 4, 0, 1}};
+  pose.shift_mm = {3, -2, 5};
+  REQUIRE(pose.keeps_axes());
+  const StockModel stock = cut_in_other(moves_of_all_kinds(setup_cutters()[1], 7), pose, 1);
+  const simulator::Lattice& lattice = stock.grid().lattice();
+  PlaceDraw draw(pose.box(about_block()), 7);
+  double worst = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p = nearest_voxel(lattice, draw());
+    const double exact = std::clamp(stock.exact_value(p), -stock.band_mm(), stock.band_mm());
+    worst = std::max(worst, std::abs(stock.value(p) - exact));
+  }
+  CHECK(worst < 2 * simulator::kSinglePrecision_voxels * lattice.voxel_mm);
+}
+
 TEST_CASE("a turned stock has the volume of the stock", "[slow][setups]") {
   // Every third meets each cutter and each change of setup.
   const auto cases = turned_cases();

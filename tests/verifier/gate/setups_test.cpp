@@ -182,6 +182,24 @@ TEST_CASE("what one setup cannot reach is reached from another", "[unit][slow]")
   CHECK(two.reachable_mm2 > 0.9 * area);
 }
 
+TEST_CASE("how a tool stands while it only positions is no way to reach", "[unit]") {
+  // The plane seen from below, which nothing touches that stands in this frame.
+  Pose over = model::turn_about({1, 0, 0}, 180);
+  const ReferenceSurface seen(turned(plane_cage(8, 0, 0), over));
+  const model::Stock block = model::BoxStock{{-12, -12, -20}, {24, 24, 40}};
+  const model::Toolpath cuts = rows([](double, double) { return 15.0; });
+  model::Toolpath positions = cuts;
+  for (model::Move& m : positions.moves) m.kind = model::MoveKind::rapid;
+  const auto reach = [&](const model::Toolpath& first, const model::Toolpath& second) {
+    const std::vector<Pass> passes = {{kBall, shared(first), over}, {kBall, shared(second)}};
+    return measure_stage(seen, block, passes, nullptr, check_of(), {2}).proven_reach;
+  };
+  CHECK(reach(cuts, cuts).unreachable_mm2 == 0);
+  CHECK(reach(positions, cuts).reachable_mm2 == 0);
+  // Where nothing cuts at all, all that stood somewhere counts.
+  CHECK(reach(positions, positions).unreachable_mm2 == 0);
+}
+
 TEST_CASE("a stage that leaves more does not answer for a finer one of another setup", "[unit]") {
   const ReferenceSurface plane(plane_cage(8, 0, 0));
   const model::Stock block = model::BoxStock{{-12, -12, -20}, {24, 24, 40}};

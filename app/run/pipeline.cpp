@@ -157,9 +157,10 @@ std::vector<std::string> Bench::names_up_to(std::size_t index) const {
 
 void Bench::write_files(std::size_t index, reports::StageResult& stage) const {
   const std::vector<verifier::Pass> passes = setups_.passes_at(index);
-  reports::StageFiles files = write_stage_files(stage, folder_,
-                                                {job_.pictures, control(stage.name + ": writing"),
-                                                 job_.rapid_mm_min, job_.stock_surface, passes});
+  reports::StageFiles files =
+      write_stage_files(stage, folder_,
+                        {job_.pictures, control(stage.name + ": writing"), job_.rapid_mm_min,
+                         job_.stock_surface, passes, setups_.inputs_at(index).design.has_value()});
   stage.ran->surface = files.surface;
   stage.ran->path_view = std::move(files.path_view);
   stage.ran->stock_view = std::move(files.stock_view);

@@ -40,6 +40,7 @@ struct StageFileOptions {
   double rapid_mm_min = 0;  ///< of the machine, for times along the path
   StockSurfaceFile stock = StockSurfaceFile::cut;
   std::span<const model::Pass> passes = {};  ///< all that cut the stock, this stage's last
+  bool design = false;  ///< the page shows a design, and no stock of stages that are not measured
 };
 /// What writing a stage's files gives to its result.
 struct StageFiles {

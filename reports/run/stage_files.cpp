@@ -138,7 +138,7 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
     jobs.push_back([&] { ran.stock->write_vdb(into / "stock.vdb", to_part); });
   }
   // Beside a design the page shows the surface, and what stands on it.
-  if (ran.stock && !ran.deviation)
+  if (ran.stock && !ran.deviation && !options.design)
     jobs.push_back([&] {
       files.stock_view =
           placed(page::stock_view(*ran.stock, surface.mesh, options.passes,

@@ -197,7 +197,8 @@ std::string verdict_table(const RunResult& result, bool colour, std::size_t widt
     out += table.line(i + 1, colour);
     if (!narrow || !result.stages[i].ran) continue;
     const std::vector<GateFigure> figures = gate_figures(result.stages[i]);
-    out += "  gouge " + with_its_limit(figures[0]) + "   uncut " + with_its_limit(figures[1]) + '\n';
+    out +=
+        "  gouge " + with_its_limit(figures[0]) + "   uncut " + with_its_limit(figures[1]) + '\n';
   }
   for (const StageResult& stage : result.stages)
     for (const std::string& note : stage_notes(stage))

@@ -59,12 +59,4 @@ StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& a
   return near_stock(file, std::move(loaded));
 }
 
-model::Stock planned_stock(const model::Stock& stock) {
-  if (std::holds_alternative<model::BoxStock>(stock) ||
-      std::holds_alternative<model::CylinderStock>(stock))
-    return stock;
-  const model::Box3 box = bounding_box(stock);
-  return model::BoxStock{box.low, box.size()};
-}
-
 }  // namespace limitgauge::app

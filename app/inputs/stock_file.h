@@ -37,7 +37,4 @@ struct StockReaders {
       load_vdb_stock;
 };
 
-/// The stock that toolpaths are planned for: of a mesh, the box about it.
-model::Stock planned_stock(const model::Stock& stock);
-
 }  // namespace limitgauge::app

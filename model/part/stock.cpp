@@ -137,6 +137,13 @@ Stock turned(const Stock& stock, const Pose& pose) {
   return std::visit(Turner{pose}, stock);
 }
 
+Stock planned_stock(const Stock& stock) {
+  if (std::holds_alternative<BoxStock>(stock) || std::holds_alternative<CylinderStock>(stock))
+    return stock;
+  const Box3 box = bounding_box(stock);
+  return BoxStock{box.low, box.size()};
+}
+
 Box3 bounding_box(const Stock& stock) {
   return std::visit(Bounds{}, stock);
 }

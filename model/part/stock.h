@@ -47,6 +47,9 @@ void require_valid(const Stock& stock);
 /// The stock moved by `pose`. A block whose sides stay along the axes stays one, and so does a bar
 /// whose axis stays along Z; otherwise they lean.
 Stock turned(const Stock& stock, const Pose& pose);
+/// What toolpaths are planned for: a block or bar as it stands, and of a mesh or what leans the box
+/// about it. A path that clears the box clears the stock.
+Stock planned_stock(const Stock& stock);
 /// `box:LX,LY,LZ@X,Y,Z`: size @ lower corner. Throws InputError with the column in `text`.
 Stock parse_stock(std::string_view text);
 

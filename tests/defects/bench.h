@@ -6,6 +6,7 @@
 
 #include "tests/defects/oracle.h"
 #include "tests/defects/planting.h"
+#include "tests/support/printed.h"
 #include "verifier/gate/verify.h"
 
 namespace limitgauge::tests::defects {
@@ -21,6 +22,16 @@ struct SideResult {
   bool named = false;     ///< that finding names a move that cut there and the mishap touched
   bool contained = true;  ///< the interval holds what the oracle found
 };
+
+/// A line that says all of a side.
+inline std::string told(const char* what, const SideResult& s) {
+  return printed(
+      "  %s: truth %.6f, certified [%.6f, %.6f], gate %.6f mm; due %d failed %d located %d named "
+      "%d "
+      "holds %d\n",
+      what, s.truth_mm, s.certified.low, s.certified.high, s.gate_mm, s.due, s.failed, s.located,
+      s.named, s.contained);
+}
 
 struct CaseResult {
   std::string pair;

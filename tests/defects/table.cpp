@@ -2,25 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <set>
+
+#include "tests/support/printed.h"
 
 namespace limitgauge::tests::defects {
 namespace {
 
 using verifier::Verdict;
 
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[240];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
 std::string micrometres(double mm) {
   const double um = mm * 1000;
-  return um < 10 ? format("%.3f", um) : um < 1000 ? format("%.1f", um) : format("%.0f", um);
+  return um < 10 ? printed("%.3f", um) : um < 1000 ? printed("%.1f", um) : printed("%.0f", um);
 }
 
 struct Band {
@@ -111,7 +105,7 @@ void write_kinds(std::ostream& out, const std::vector<PairResult>& results,
     for (const Entry& e : all)
       if (e.made_by->mishap.kind == kind) here.push_back(e);
     if (here.empty()) continue;
-    write_row(out, format("%s | %zu | %zu", name(kind), planted, harmless), here, false);
+    write_row(out, printed("%s | %zu | %zu", name(kind), planted, harmless), here, false);
   }
 }
 
@@ -182,13 +176,6 @@ void write_tables(std::ostream& out, const std::vector<PairResult>& results) {
 }
 
 void write_failures(std::ostream& out, const std::vector<PairResult>& results) {
-  const auto say = [&](const char* what, const SideResult& s) {
-    out << format(
-        "  %s: truth %.6f, certified [%.6f, %.6f], gate %.6f mm; due %d failed %d located "
-        "%d named %d holds %d\n",
-        what, s.truth_mm, s.certified.low, s.certified.high, s.gate_mm, s.due, s.failed, s.located,
-        s.named, s.contained);
-  };
   for (const PairResult& pair : results) {
     for (const TwinResult& t : pair.twins) {
       const bool good =
@@ -197,8 +184,7 @@ void write_failures(std::ostream& out, const std::vector<PairResult>& results) {
       out << "twin " << t.pair << ", allowance " << t.allowance_mm << ": "
           << verifier::name(t.verdict) << (t.reached_resolution ? "" : ", resolution not reached")
           << " " << t.broken << "\n";
-      say("gouge", t.gouge);
-      say("uncut", t.uncut);
+      out << told("gouge", t.gouge) << told("uncut", t.uncut);
     }
     for (const CaseResult& c : pair.cases) {
       const auto bad = [](const SideResult& s, bool gouge) {
@@ -206,11 +192,10 @@ void write_failures(std::ostream& out, const std::vector<PairResult>& results) {
       };
       if (c.broken.empty() && !bad(c.gouge, true) && !bad(c.uncut, false)) continue;
       out << "case " << c.pair << ", " << name(c.mishap.kind)
-          << format(", size %.6g mm, seed %u%s ", c.mishap.size_mm, c.mishap.seed,
-                    c.gated ? ", gated" : "")
+          << printed(", size %.6g mm, seed %u%s ", c.mishap.size_mm, c.mishap.seed,
+                     c.gated ? ", gated" : "")
           << c.broken << "\n";
-      say("gouge", c.gouge);
-      say("uncut", c.uncut);
+      out << told("gouge", c.gouge) << told("uncut", c.uncut);
     }
   }
 }
@@ -221,16 +206,16 @@ void write_cases(std::ostream& out, const std::vector<PairResult>& results) {
   for (const PairResult& pair : results) {
     for (const TwinResult& t : pair.twins)
       out << t.pair << "\ttwin\t" << t.allowance_mm << "\t0\t"
-          << format("%.7f\t%.7f\t%.7f\t0\t%.7f\t%.7f\t%.7f\t0\t0\t%.2f\n", t.gouge.truth_mm,
-                    t.gouge.certified.low, t.gouge.certified.high, t.uncut.truth_mm,
-                    t.uncut.certified.low, t.uncut.certified.high, t.seconds);
+          << printed("%.7f\t%.7f\t%.7f\t0\t%.7f\t%.7f\t%.7f\t0\t0\t%.2f\n", t.gouge.truth_mm,
+                     t.gouge.certified.low, t.gouge.certified.high, t.uncut.truth_mm,
+                     t.uncut.certified.low, t.uncut.certified.high, t.seconds);
     for (const CaseResult& c : pair.cases)
       out << c.pair << "\t" << name(c.mishap.kind)
-          << format("\t%.6g\t%u\t%.7f\t%.7f\t%.7f\t%.7f\t", c.mishap.size_mm, c.mishap.seed,
-                    c.gouge.truth_mm, c.gouge.certified.low, c.gouge.certified.high,
-                    c.gouge.gate_mm)
-          << format("%.7f\t%.7f\t%.7f\t%.7f\t%zu\t%.2f\n", c.uncut.truth_mm, c.uncut.certified.low,
-                    c.uncut.certified.high, c.uncut.gate_mm, c.cells, c.seconds);
+          << printed("\t%.6g\t%u\t%.7f\t%.7f\t%.7f\t%.7f\t", c.mishap.size_mm, c.mishap.seed,
+                     c.gouge.truth_mm, c.gouge.certified.low, c.gouge.certified.high,
+                     c.gouge.gate_mm)
+          << printed("%.7f\t%.7f\t%.7f\t%.7f\t%zu\t%.2f\n", c.uncut.truth_mm, c.uncut.certified.low,
+                     c.uncut.certified.high, c.uncut.gate_mm, c.cells, c.seconds);
   }
 }
 
@@ -250,7 +235,7 @@ void write_scene_row(std::ostream& out, const char* name, const std::vector<Scen
   }
   out << "| " << name << " | " << planted << " | " << found << " | " << planted - found << " | "
       << located << " | " << contained << " | " << twins << " | " << alarms << " | " << open
-      << " | " << format("%.1f", seconds) << " |\n";
+      << " | " << printed("%.1f", seconds) << " |\n";
 }
 
 }  // namespace
@@ -269,8 +254,8 @@ void write_scene_failures(std::ostream& out, const std::vector<SceneResult>& res
     if (r.good()) continue;
     out << (r.harmed ? "scene " : "twin scene ") << name(r.kind) << ", " << r.label << ": "
         << verifier::name(r.verdict)
-        << format(", truth %.6f, certified [%.6f, %.6f]; located %d holds %d, %.1f s ", r.depth_mm,
-                  r.certified.low, r.certified.high, r.located, r.contained, r.seconds)
+        << printed(", truth %.6f, certified [%.6f, %.6f]; located %d holds %d, %.1f s ", r.depth_mm,
+                   r.certified.low, r.certified.high, r.located, r.contained, r.seconds)
         << r.broken << "\n";
   }
 }

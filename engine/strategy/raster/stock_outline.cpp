@@ -15,13 +15,7 @@ std::array<double, 4> beyond(const model::BoxStock& box, const FlatPoint& p) {
 
 }  // namespace
 
-StockOutline::StockOutline(const model::Stock& stock) : stock_(stock) {
-  if (std::holds_alternative<model::BoxStock>(stock) ||
-      std::holds_alternative<model::CylinderStock>(stock))
-    return;
-  const model::Box3 box = bounding_box(stock);
-  stock_ = model::BoxStock{box.low, box.size()};
-}
+StockOutline::StockOutline(const model::Stock& stock) : stock_(planned_stock(stock)) {}
 
 double StockOutline::distance_mm(const FlatPoint& p) const {
   if (const auto* bar = std::get_if<model::CylinderStock>(&stock_))

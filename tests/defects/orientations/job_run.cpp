@@ -1,6 +1,5 @@
 #include "tests/defects/orientations/job_run.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -8,6 +7,7 @@
 
 #include "model/part/cage_obj.h"
 #include "tests/e2e/program.h"
+#include "tests/support/printed.h"
 
 namespace limitgauge::tests::defects {
 namespace {
@@ -19,20 +19,10 @@ using nlohmann::json;
 /// Grid of the simulated stock: coarse, since the certificate does not go by it.
 constexpr double kVoxel_mm = 0.4;
 
-template <class... Values>
-std::string formed(const char* pattern, Values... values) {
-  char text[300];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-std::string triple(const Vec3& v) {
-  return formed("[%.17g, %.17g, %.17g]", v.x, v.y, v.z);
-}
-
 /// The corners of a block as triangles' corners, outward: two of each side.
 void write_block(const fs::path& file, const std::vector<Vec3>& corners) {
   std::ofstream out(file);
-  for (const Vec3& p : corners) out << formed("v %.17g %.17g %.17g\n", p.x, p.y, p.z);
+  for (const Vec3& p : corners) out << printed("v %.17g %.17g %.17g\n", p.x, p.y, p.z);
   for (const char* face : {"1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"})
     out << "f " << face << "\n";
 }
@@ -40,26 +30,26 @@ void write_block(const fs::path& file, const std::vector<Vec3>& corners) {
 std::string machine_text(const JobText& job) {
   if (!job.machine) return {};
   const Machine& m = *job.machine;
-  std::string text = formed("[machine]\nkinematics = \"%s\"\ncontrol = \"%s\"\n", name(m.chain),
-                            job.control.c_str()) +
-                     "work_offsets = { G54 = " + triple(m.zero_mm) + " }\n";
+  std::string text = printed("[machine]\nkinematics = \"%s\"\ncontrol = \"%s\"\n", name(m.chain),
+                             job.control.c_str()) +
+                     "work_offsets = { G54 = " + toml_numbers(m.zero_mm) + " }\n";
   for (const Rotary& axis : m.axes)
-    text += formed("[[machine.axis]]\nword = \"%c\"\n", axis.word) +
-            "direction = " + triple(axis.direction) + "\npoint = " + triple(axis.point_mm) +
-            "\nlimits = [-720, 720]\n";
+    text += printed("[[machine.axis]]\nword = \"%c\"\n", axis.word) +
+            "direction = " + toml_numbers(axis.direction) +
+            "\npoint = " + toml_numbers(axis.point_mm) + "\nlimits = [-720, 720]\n";
   return text;
 }
 
 std::string tool_text(const JobText& job) {
   const model::Cutter& c = job.cutter;
   constexpr const char* kTypes[] = {"flat", "ball", "bull", "taper"};
-  std::string text = formed("[[tool]]\nid = \"%s\"\ntype = \"%s\"\ndiameter = %.17g\n",
-                            c.id.c_str(), kTypes[static_cast<int>(c.type)], c.diameter_mm) +
-                     formed("flute_length = %.17g\nplunge = true\n", c.flute_length_mm);
+  std::string text = printed("[[tool]]\nid = \"%s\"\ntype = \"%s\"\ndiameter = %.17g\n",
+                             c.id.c_str(), kTypes[static_cast<int>(c.type)], c.diameter_mm) +
+                     printed("flute_length = %.17g\nplunge = true\n", c.flute_length_mm);
   if (c.type == model::CutterType::bull || c.type == model::CutterType::taper)
-    text += formed("corner_radius = %.17g\n", c.corner_radius_mm);
-  if (c.type == model::CutterType::taper) text += formed("angle = %.17g\n", c.taper_angle_deg);
-  if (job.machine) text += formed("number = 1\nlength = %.17g\n", job.machine->length_mm);
+    text += printed("corner_radius = %.17g\n", c.corner_radius_mm);
+  if (c.type == model::CutterType::taper) text += printed("angle = %.17g\n", c.taper_angle_deg);
+  if (job.machine) text += printed("number = 1\nlength = %.17g\n", job.machine->length_mm);
   return text;
 }
 
@@ -67,12 +57,12 @@ std::string text_of(const JobText& job) {
   return "name = \"lying\"\n[surface]\ncage = \"part.obj\"\n[stock]\nshape = \"mesh\"\nfile = "
          "\"block.obj\"\n" +
          machine_text(job) + job.setup.text() + tool_text(job) +
-         formed("[[stage]]\nname = \"cut\"\ntool = \"%s\"\nsetup = \"vice\"\n",
-                job.cutter.id.c_str()) +
-         formed("program = \"part.nc\"\nallowance = %.17g\n[stage.gate]\n", job.allowance_mm) +
-         formed("gouge = %.17g\nuncut = %.17g\n", job.gouge_mm, job.uncut_mm) +
-         formed("[simulation]\nvoxel = %.17g\n[verification]\nresolution = %.17g\n", kVoxel_mm,
-                job.resolution_mm);
+         printed("[[stage]]\nname = \"cut\"\ntool = \"%s\"\nsetup = \"vice\"\n",
+                 job.cutter.id.c_str()) +
+         printed("program = \"part.nc\"\nallowance = %.17g\n[stage.gate]\n", job.allowance_mm) +
+         printed("gouge = %.17g\nuncut = %.17g\n", job.gouge_mm, job.uncut_mm) +
+         printed("[simulation]\nvoxel = %.17g\n[verification]\nresolution = %.17g\n", kVoxel_mm,
+                 job.resolution_mm);
 }
 
 verifier::Interval interval(const json& said) {
@@ -99,7 +89,7 @@ StageSaid stage_said(const json& stage) {
   out.gouges = places(d["gouges"]), out.uncuts = places(d["uncuts"]);
   for (const json& f : stage["simulation"]["findings"])
     out.process.push_back(f["kind"].get<std::string>() +
-                          formed(" at line %ld", f.value("line", 0L)));
+                          printed(" at line %ld", f.value("line", 0L)));
   return out;
 }
 

@@ -1,18 +1,12 @@
 #include "tests/defects/orientations/lying_table.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
+
+#include "tests/support/printed.h"
 
 namespace limitgauge::tests::defects {
 namespace {
-
-template <class... Values>
-std::string printed(const char* pattern, Values... values) {
-  char text[300];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
 
 void write_lying_row(std::ostream& out, const std::string& name,
                      const std::vector<LyingResult>& results,
@@ -58,20 +52,12 @@ void write_lying_tables(std::ostream& out, const std::vector<LyingResult>& resul
 }
 
 void write_lying_failures(std::ostream& out, const std::vector<LyingResult>& results) {
-  const auto side = [&](const char* what, const SideResult& s) {
-    out << printed(
-        "  %s: truth %.6f, certified [%.6f, %.6f], gate %.6f mm; due %d failed %d "
-        "located %d named %d holds %d\n",
-        what, s.truth_mm, s.certified.low, s.certified.high, s.gate_mm, s.due, s.failed, s.located,
-        s.named, s.contained);
-  };
   for (const LyingResult& r : results) {
     if (r.good()) continue;
     out << (r.harmed ? name(r.kind) : "twin") << ", " << r.label
         << printed(", size %.4g, seed %u: ", r.size, r.seed) << r.verdict << " " << r.process
         << r.broken << "\n";
-    side("gouge", r.gouge);
-    side("uncut", r.uncut);
+    out << told("gouge", r.gouge) << told("uncut", r.uncut);
   }
 }
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+
+#include "tests/support/printed.h"
 
 namespace limitgauge::tests::defects {
 namespace {
@@ -14,20 +15,13 @@ using model::Vec3;
 constexpr double kBegin_mm = 200;   ///< Z over the work's zero at which a program begins
 constexpr double kParked_mm = 300;  ///< stands for wherever G28 takes Z
 
-template <class... Values>
-std::string words(const char* pattern, Values... values) {
-  char text[200];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
 /// What six decimals leave of a place.
 Vec3 as_written(const Vec3& p) {
   const auto rounded = [](double v) { return std::round(v * 1e6) / 1e6; };
   return {rounded(p.x), rounded(p.y), rounded(p.z)};
 }
 std::string axis_words(const Vec3& p) {
-  return words(" X%.6f Y%.6f Z%.6f", p.x, p.y, p.z);
+  return printed(" X%.6f Y%.6f Z%.6f", p.x, p.y, p.z);
 }
 
 /// Angles about Z, X and Z again that make a rotation, in degrees.
@@ -95,13 +89,13 @@ class Post {
     line("T1 M6");
     line("S8000 M3");
     line(believed_.control == "linuxcnc" ? "G43" : "G43 H1");
-    line(words("G0 Z%.0f", kBegin_mm));
+    line(printed("G0 Z%.0f", kBegin_mm));
   }
 
   std::string rotary_words(const Angles& angles) const {
     std::string text = "G0";
     for (std::size_t i = 0; i < angles.size(); ++i)
-      if (lost_ != i) text += words(" %c%.9g", believed_.machine.axes[i].word, angles[i]);
+      if (lost_ != i) text += printed(" %c%.9g", believed_.machine.axes[i].word, angles[i]);
     return text;
   }
 
@@ -133,7 +127,7 @@ class Post {
     Pose plane = euler_turn(stated);
     plane.shift_mm = as_written(believed_.lying.shift_mm);
     line("G68.2" + axis_words(plane.shift_mm) +
-         words(" I%.12g J%.12g K%.12g", stated[0], stated[1], stated[2]));
+         printed(" I%.12g J%.12g K%.12g", stated[0], stated[1], stated[2]));
     line("G53.1");
     // From far above: by which angles the axes get there is the control's choice.
     out_.stretches.back().lying = plane.inverse() * truly_;
@@ -171,8 +165,8 @@ class Post {
   /// After a turn, with Z parked: over the place where the tool was, then down.
   void go_back_to(std::size_t block) {
     const Vec3 p = as_written(said(program_.blocks[block].to));
-    line(words("G0 X%.6f Y%.6f", p.x, p.y));
-    line(words("G0 Z%.6f", p.z));
+    line(printed("G0 X%.6f Y%.6f", p.x, p.y));
+    line(printed("G0 Z%.6f", p.z));
     Stretch& stretch = out_.stretches.back();
     stretch.start = done(p) + Vec3{0, 0, kParked_mm};
     stretch.moves.push_back({true, done(p), lines_, block});

@@ -1,29 +1,23 @@
 #include "tests/defects/orientations/stated_setup.h"
 
-#include <cstdio>
-
 #include "tests/defects/orientations/machine.h"
+#include "tests/support/printed.h"
 
 namespace limitgauge::tests::defects {
 namespace {
 
-std::string numbers(const model::Vec3& v) {
-  char text[120];
-  std::snprintf(text, sizeof text, "[%.17g, %.17g, %.17g]", v.x, v.y, v.z);
-  return text;
-}
-
 std::string turns_text(const StatedSetup& setup) {
   std::string text = "rotate = [";
-  for (const auto& [axis, angle] : setup.turns) {
-    char end[60];
-    std::snprintf(end, sizeof end, ", angle = %.17g }, ", angle);
-    text += "{ axis = " + numbers(axis) + end;
-  }
+  for (const auto& [axis, angle] : setup.turns)
+    text += "{ axis = " + toml_numbers(axis) + printed(", angle = %.17g }, ", angle);
   return text + "]\n";
 }
 
 }  // namespace
+
+std::string toml_numbers(const model::Vec3& v) {
+  return printed("[%.17g, %.17g, %.17g]", v.x, v.y, v.z);
+}
 
 model::Pose StatedSetup::pose() const {
   model::Pose pose;
@@ -42,10 +36,10 @@ std::string StatedSetup::text() const {
   if (style == Style::turns) text += turns_text(*this);
   if (style == Style::matrix) {
     const auto rows = pose().rows;
-    text +=
-        "matrix = [" + numbers(rows[0]) + ", " + numbers(rows[1]) + ", " + numbers(rows[2]) + "]\n";
+    text += "matrix = [" + toml_numbers(rows[0]) + ", " + toml_numbers(rows[1]) + ", " +
+            toml_numbers(rows[2]) + "]\n";
   }
-  return text + "origin = " + numbers(origin_mm) + "\n";
+  return text + "origin = " + toml_numbers(origin_mm) + "\n";
 }
 
 }  // namespace limitgauge::tests::defects

@@ -8,6 +8,9 @@
 
 namespace limitgauge::tests::defects {
 
+/// "[1, 0, -0.5]", as a job states them.
+std::string toml_numbers(const model::Vec3& v);
+
 /// A [[setup]] as a job states it: half a turn about X or Y, turns in their order, or the matrix
 /// that these turns make.
 struct StatedSetup {

@@ -27,4 +27,8 @@ std::string to_text(const StagePiece& piece) {
          piece.angles;
 }
 
+bool only_positions(const JobStage& stage) {
+  return stage.piece && !stage.piece->cuts && stage.name != stage.piece->stage;
+}
+
 }  // namespace limitgauge::app

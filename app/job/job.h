@@ -75,6 +75,9 @@ struct JobStage {
   double allowance_mm = 0;          ///< material the stage must leave, along the surface normal
   verifier::GateLimits limits;
 };
+/// Whether a stage is a stretch that only brings its tool to where another stretch of its program
+/// begins. Of a program that never cuts, the one that has the stage's name is none.
+bool only_positions(const JobStage& stage);
 
 /// A setup of the job.
 struct JobSetup {

@@ -16,7 +16,8 @@ model::Pose RunSetups::turn(std::size_t from_stage, std::size_t to_stage) const 
 }
 
 void RunSetups::add(std::shared_ptr<const model::Toolpath> path) {
-  passes_.push_back({job_.stages[passes_.size()].cutter, std::move(path)});
+  const JobStage& stage = job_.stages[passes_.size()];
+  passes_.push_back({stage.cutter, std::move(path), {}, only_positions(stage)});
 }
 
 std::vector<verifier::Pass> RunSetups::passes_at(std::size_t stage) const {

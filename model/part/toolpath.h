@@ -55,6 +55,9 @@ struct Pass {
   Cutter cutter;
   std::shared_ptr<const Toolpath> path;
   Pose pose = {};
+  /// A stretch of a program that only brings its tool to where a later one cuts: how it stands
+  /// there is no use of the cutter.
+  bool only_positions = false;
 };
 
 struct ToolpathLengths {

@@ -45,20 +45,12 @@ struct StandingCutter {
   }
 };
 
-/// A pass that only positions, such as a program's way to its first turn, is not where a cutter is
-/// used: what could be touched as it stands there is asked of nobody.
-bool feeds(const Pass& pass) {
-  const auto& moves = pass.path->moves;
-  return std::any_of(moves.begin(), moves.end(),
-                     [](const model::Move& m) { return m.kind == model::MoveKind::feed; });
-}
-
-/// The cutters used so far, each of its kind and way once: that of the last pass first.
+/// The cutters used so far, each of its kind and way once: that of the last pass first. A stage
+/// that moves nothing at a feed has a cutter too: what it ought to have reached is asked of it.
 std::vector<StandingCutter> distinct_cutters(std::span<const Pass> passes) {
   std::vector<StandingCutter> out;
-  const bool some_cut = std::any_of(passes.begin(), passes.end(), feeds);
   for (std::size_t k = passes.size(); k-- > 0;) {
-    if (some_cut && !feeds(passes[k])) continue;
+    if (passes[k].only_positions && k + 1 < passes.size()) continue;
     StandingCutter cutter{passes[k].cutter, {}, passes[k].pose.inverse()};
     cutter.cutter.id.clear();
     cutter.text = to_text(cutter.cutter);

@@ -188,16 +188,17 @@ TEST_CASE("how a tool stands while it only positions is no way to reach", "[unit
   const ReferenceSurface seen(turned(plane_cage(8, 0, 0), over));
   const model::Stock block = model::BoxStock{{-12, -12, -20}, {24, 24, 40}};
   const model::Toolpath cuts = rows([](double, double) { return 15.0; });
-  model::Toolpath positions = cuts;
-  for (model::Move& m : positions.moves) m.kind = model::MoveKind::rapid;
-  const auto reach = [&](const model::Toolpath& first, const model::Toolpath& second) {
-    const std::vector<Pass> passes = {{kBall, shared(first), over}, {kBall, shared(second)}};
+  model::Toolpath rapids = cuts;
+  for (model::Move& m : rapids.moves) m.kind = model::MoveKind::rapid;
+  const auto reach = [&](const model::Toolpath& first, bool only_positions) {
+    const std::vector<Pass> passes = {{kBall, shared(first), over, only_positions},
+                                      {kBall, shared(cuts)}};
     return measure_stage(seen, block, passes, nullptr, check_of(), {2}).proven_reach;
   };
-  CHECK(reach(cuts, cuts).unreachable_mm2 == 0);
-  CHECK(reach(positions, cuts).reachable_mm2 == 0);
-  // Where nothing cuts at all, all that stood somewhere counts.
-  CHECK(reach(positions, positions).unreachable_mm2 == 0);
+  CHECK(reach(cuts, false).unreachable_mm2 == 0);
+  CHECK(reach(rapids, true).reachable_mm2 == 0);
+  // A stage that forgot to cut answers for what its cutter ought to have reached.
+  CHECK(reach(rapids, false).unreachable_mm2 == 0);
 }
 
 TEST_CASE("a stage that leaves more does not answer for a finer one of another setup", "[unit]") {

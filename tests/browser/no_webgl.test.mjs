@@ -5,12 +5,33 @@ import { openBrowser, withReport } from './support/browser.mjs';
 import { misfits } from './support/layout.mjs';
 import { part } from './support/view.mjs';
 
-const refusals = [['--disable-3d-apis'], ['--disable-gpu', '--disable-software-rasterizer']];
+/** In the page, before its script: no canvas gives a WebGL context; then, asking for one is an error. */
+const noContext = () => {
+  const given = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...others) {
+    return kind.startsWith('webgl') ? null : given.call(this, kind, ...others);
+  };
+};
+const contextThrows = () => {
+  const given = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...others) {
+    if (kind.startsWith('webgl')) throw new Error('blocked by an extension');
+    return given.call(this, kind, ...others);
+  };
+};
 
-for (const options of refusals) {
+// A Chromium that has neither a graphics card nor its own substitute ends now and then before it opens a page:
+// what a page sees of such a one is a canvas without a context.
+const refusals = [
+  { name: '--disable-3d-apis', options: ['--disable-3d-apis'] },
+  { name: 'a canvas without a context', early: noContext },
+  { name: 'a canvas that refuses with an error', early: contextThrows },
+];
+
+for (const { name, options, early } of refusals) {
   const browser = await openBrowser(options);
-  test(`${options.join(' ')}: a sentence instead of the view, pictures and tables as ever`, () =>
-    withReport(browser, 'failed', { width: 400 }, async (page) => {
+  test(`${name}: a sentence instead of the view, pictures and tables as ever`, () =>
+    withReport(browser, 'failed', { width: 400, early }, async (page) => {
       await page.locator('.stage > details').evaluateAll((all) => all.forEach((details) => (details.open = true)));
       const missing = part(page, 'view-missing');
       assert.ok(await missing.isVisible());

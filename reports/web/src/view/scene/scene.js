@@ -139,6 +139,15 @@ function outlinePoints({ surfaces, bounds_mm }) {
 /** What vtk.js itself asks for. */
 const CONTEXT = { depth: true, alpha: true, powerPreference: 'high-performance' };
 
+/** Null where there is none; what blocks the asking for one, as extensions do, is as good as none. */
+function contextOf(canvas) {
+  try {
+    return canvas.getContext('webgl2', CONTEXT);
+  } catch {
+    return null;
+  }
+}
+
 function createWindow(container) {
   const renderWindow = vtkRenderWindow.newInstance();
   const renderer = vtkRenderer.newInstance();
@@ -146,7 +155,7 @@ function createWindow(container) {
   const view = vtkOpenGLRenderWindow.newInstance();
   renderWindow.addView(view);
   // Asked for here first, since vtk.js takes it for granted; a canvas has but one.
-  const context = view.getCanvas().getContext('webgl2', CONTEXT);
+  const context = contextOf(view.getCanvas());
   if (!context) return null;
   view.setContainer(container);
   const [canvas] = container.getElementsByTagName('canvas');

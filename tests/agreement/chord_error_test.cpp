@@ -210,7 +210,7 @@ Measured measure(const PatchModel& model, const Cage& cage,
 
 std::vector<Cage> test_cages() {
   // Every eighth holds all rules between them, and takes minutes.
-  const auto stride = static_cast<std::size_t>(tests::by_effort(24, 8));
+  const auto stride = static_cast<std::size_t>(tests::by_effort(16, 8));
   std::vector<Cage> all;
   std::vector<Cage> features = tests::feature_cages();
   for (std::size_t i = 0; i < features.size(); i += stride) all.push_back(std::move(features[i]));

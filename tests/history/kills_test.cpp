@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <random>
 #include <set>
@@ -214,7 +215,9 @@ TEST_CASE("a history whose writers and readers are killed loses and doubles noth
 void kill_first_append(const std::function<void(const fs::path&)>& prepare, int kills,
                        const std::function<void(const fs::path&)>& check) {
   std::mt19937 random(23);
-  constexpr unsigned kLongest_us = 30'000;
+  // As many moments before a tenth of a millisecond as after three: however fast or busy the
+  // machine is, some children have not begun, some are done and some are in between.
+  std::uniform_real_distribution<double> moment(0, std::log(30'000));
   for (int n = 0; n < kills; ++n) {
     const TemporaryFolder folder(quick_folder());
     const fs::path file = folder.path() / "runs.sqlite";
@@ -224,7 +227,8 @@ void kill_first_append(const std::function<void(const fs::path&)>& prepare, int 
       pause();
       return 0;
     });
-    std::this_thread::sleep_for(std::chrono::microseconds(random() % kLongest_us));
+    std::this_thread::sleep_for(
+        std::chrono::duration<double, std::micro>(std::exp(moment(random))));
     ::kill(child, SIGKILL);
     REQUIRE(tests::wait_for(child) == -SIGKILL);
     check(file);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "app/run/axis_turns.h"
 #include "model/base/memory.h"
@@ -33,6 +34,13 @@ void follow_process(const Job& job, const RunInputs& inputs, const JobStage& ask
       stock.lines.cut(pass, watch.control(asked.name + ": following the removal"));
   stock.lines = std::move(after.stock);
   ran.removal = std::move(after.removal);
+}
+
+/// A stretch that only positions takes nothing, but for what lines that end on the surface that it
+/// leaves are rounded to.
+bool removes_nothing(const JobStage& asked, const simulator::RemovalTotals& removal) {
+  constexpr double kRounding_mm3 = 1e-6;
+  return only_positions(asked) && removal.volume_mm3 <= kRounding_mm3;
 }
 
 void say_forecast(const JobStage& asked, const simulator::CutForecast& forecast,
@@ -70,6 +78,7 @@ CutStock cut_again(CutStock before, std::span<const model::Pass> passes, const S
     before.lines = before.lines.cut(pass, watch.control("cutting again")).stock;
   }
   before.volume_mm3 = before.stock.volume_mm3(watch.control("adding up"));
+  before.volume_is_older = false;
   return before;
 }
 
@@ -78,11 +87,10 @@ CutStock turned_over(const Job& job, const Settings& settings, const CutStock& b
   const auto control = watch.control("turning the stock over");
   simulator::StockModel stock(job.stock, settings.voxel_mm, settings.stock_limit_bytes, control);
   for (const model::Pass& pass : turn.passes) stock = std::move(stock).cut(pass, control);
-  const double volume_mm3 = stock.volume_mm3(control);
-  agreed("turning the stock over",
-         compare_stocks(before.lines, stock, kComparedLines, control, volume_mm3, turn.turn));
+  agreed("turning the stock over", compare_stocks(before.lines, stock, kComparedLines, control,
+                                                  before.volume_mm3, turn.turn));
   simulator::DexelStock lines = dexels_from(stock, settings.line_spacing_mm, control);
-  return {std::move(stock), volume_mm3, std::move(lines)};
+  return {std::move(stock), before.volume_mm3, std::move(lines), true};
 }
 
 CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
@@ -91,13 +99,20 @@ CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& aske
   const auto control = [&](const char* what) { return watch.control(asked.name + what); };
   CutStock now = std::move(before);
   follow_process(job, inputs, asked, pass, now, watch, ran);
-  say_forecast(asked, now.stock.forecast(pass, control(": forecasting")), watch);
-  now.stock = std::move(now.stock).cut(pass, control(": cutting"));
-  const double volume_mm3 = now.stock.volume_mm3(control(": adding up"));
-  ran.removed_volume_mm3 = now.volume_mm3 - volume_mm3;
-  now.volume_mm3 = volume_mm3;
-  ran.agreement = agreed(asked.name, compare_stocks(now.lines, now.stock, kComparedLines,
-                                                    control(": comparing the models"), volume_mm3));
+  if (removes_nothing(asked, ran.removal.totals)) {
+    now.stock = std::move(now.stock).cut(pass, control(": cutting"));
+  } else {
+    say_forecast(asked, now.stock.forecast(pass, control(": forecasting")), watch);
+    if (now.volume_is_older) now.volume_mm3 = now.stock.volume_mm3(control(": adding up"));
+    now.stock = std::move(now.stock).cut(pass, control(": cutting"));
+    const double before_mm3 =
+        std::exchange(now.volume_mm3, now.stock.volume_mm3(control(": adding up")));
+    now.volume_is_older = false;
+    ran.removed_volume_mm3 = before_mm3 - now.volume_mm3;
+  }
+  ran.agreement =
+      agreed(asked.name, compare_stocks(now.lines, now.stock, kComparedLines,
+                                        control(": comparing the models"), now.volume_mm3));
   ran.voxel_mm = now.stock.voxel_mm();
   ran.tiles = now.stock.tiles();
   ran.stock = now.stock;

@@ -18,6 +18,9 @@ struct CutStock {
   simulator::StockModel stock;
   double volume_mm3 = 0;  ///< of `stock`
   simulator::DexelStock lines;
+  /// The volume is of this stock as it lay in a setup before: an estimate of the same, but not one
+  /// to take another from.
+  bool volume_is_older = false;
 };
 
 /// Before the first stage.
@@ -40,9 +43,10 @@ struct StockTurn {
 CutStock turned_over(const Job& job, const Settings& settings, const CutStock& before,
                      const StockTurn& turn, const StageWatch& watch);
 
-/// Cuts the path of `ran`, whose figures of the cut and of the process it fills in. A stock that
-/// nobody shares is cut where it stands. Throws InstrumentDisagreement where the two stock models
-/// contradict each other, ResourceError, Interrupted.
+/// Cuts the path of `ran`, whose figures of the cut and of the process it fills in. The volume is
+/// added up again only where a path removes something: a stretch that positions leaves it. A stock
+/// that nobody shares is cut where it stands. Throws InstrumentDisagreement where the two stock
+/// models contradict each other, ResourceError, Interrupted.
 CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
                    const StageWatch& watch, reports::StageResult::Ran& ran);
 

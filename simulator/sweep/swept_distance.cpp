@@ -60,11 +60,9 @@ double next_parameter(const AlongMove& a, const AlongMove& b, const TangentMeeti
   return t > a.t && t < b.t ? t : a.t + 0.5 * width;
 }
 
-SweptSample minimise(const CutterProfile& profile, const SweptMove& m, const Vec3& p) {
-  AlongMove a = at_parameter(profile, m, p, 0);
-  if (a.slope >= 0) return as_sample(a);
-  AlongMove b = at_parameter(profile, m, p, 1);
-  if (b.slope <= 0) return as_sample(b);
+// The least between two places towards which it falls from both sides.
+SweptSample least_between(const CutterProfile& profile, const SweptMove& m, const Vec3& p,
+                          AlongMove a, AlongMove b) {
   for (int step = 0; step < kMostSteps; ++step) {
     const TangentMeeting meeting = meet(a, b);
     if (std::min(a.value, b.value) - meeting.value <= kLeastAlongMove_mm) break;
@@ -75,6 +73,34 @@ SweptSample minimise(const CutterProfile& profile, const SweptMove& m, const Vec
     (c.slope < 0 ? a : b) = c;
   }
   return settle(a, b);
+}
+
+// Twice as far towards the least as it would lie if the level distance to the axis were all that
+// bends: where it is, as beside moves that are all but level, that is just beyond the least.
+double beyond_least(const SweptMove& m, const Vec3& p, const AlongMove& a) {
+  const double end = a.slope < 0 ? 1 : 0;
+  const Vec3 q = p - (m.start + m.delta * a.t);
+  const double rho = std::sqrt(q.x * q.x + q.y * q.y);
+  const double steep = std::sqrt(a.gradient.x * a.gradient.x + a.gradient.y * a.gradient.y);
+  const double t = a.t - 2 * a.slope * rho / (steep * m.run * m.run);
+  return t > 0 && t < 1 ? t : end;
+}
+
+// The distance is convex along the move. Sought from where a level move's least would be: most
+// leasts are near that, or at the end that it falls towards.
+SweptSample minimise(const CutterProfile& profile, const SweptMove& m, const Vec3& p) {
+  AlongMove from = at_parameter(profile, m, p, nearest_level_parameter(m, p));
+  const double end = from.slope < 0 ? 1 : 0;
+  for (const double t : {beyond_least(m, p, from), end}) {
+    if (from.slope == 0 || from.t == end) break;
+    const AlongMove next = at_parameter(profile, m, p, t);
+    if (next.slope == 0) return as_sample(next);
+    if ((next.slope < 0) != (from.slope < 0))
+      return end > 0 ? least_between(profile, m, p, from, next)
+                     : least_between(profile, m, p, next, from);
+    from = next;
+  }
+  return as_sample(from);
 }
 
 // A flat's distance depends on |z − middle|: take the position whose middle is nearest.

@@ -27,9 +27,9 @@ inline constexpr double kSingular = 1e-12;
 
 /// One less the cosine of two directions that are one.
 inline constexpr double kSameDirection = 1e-12;
-/// The place along a move at which it comes nearest is found to this: at a minimum the distance is
-/// then good to rounding.
-inline constexpr double kAlongMove_mm = 1e-10;
+/// The least distance along a sloping move is found to this, between the distance at a place of it
+/// and where the tangents of two places meet.
+inline constexpr double kAlongMove_mm = 1e-11;
 
 // The limit surface.
 

@@ -1,7 +1,6 @@
 #include "app/inputs/setup_view.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "app/inputs/input_checksums.h"
 #include "app/inputs/part_fit.h"
@@ -14,22 +13,18 @@
 namespace limitgauge::app {
 namespace {
 
-model::Stock turned_stock(const Job& job, const model::Setup& setup) {
-  try {
-    model::Stock stock = model::turned(job.stock, setup.from_part);
-    require_valid(stock);
-    return stock;
-  } catch (const std::invalid_argument& error) {
-    throw model::InputError({}, "setup \"" + setup.name + "\": " + error.what(),
-                            "a stock that can be cut");
-  }
+void require_near(const char* what, const model::Box3& box, const model::Setup& setup) {
+  if (!model::is_near(box))
+    throw model::InputError(
+        {},
+        "setup \"" + setup.name + "\" has the " + what + " reach to " + model::farthest_words(box),
+        model::kFarthestExpected);
 }
 
-void require_near(const JobSurface& surface, const model::Setup& setup) {
-  if (const model::Box3 box = surface.surface.bounding_box(); !model::is_near(box))
-    throw model::InputError(
-        {}, "setup \"" + setup.name + "\" has the part reach to " + model::farthest_words(box),
-        model::kFarthestExpected);
+model::Stock turned_stock(const Job& job, const model::Setup& setup) {
+  model::Stock stock = model::turned(job.stock, setup.from_part);
+  require_near("stock", model::bounding_box(stock), setup);
+  return stock;
 }
 
 }  // namespace
@@ -95,7 +90,7 @@ RunInputs load_in_setups(const Job& job, const RunTerms& terms, std::optional<Jo
     const model::Setup& setup = job.setups[k].setup;
     std::optional<JobSurface> surface;
     if (design) surface = turned(*design, setup.from_part, control);
-    if (surface) require_near(*surface, setup);
+    if (surface) require_near("part", surface->surface.bounding_box(), setup);
     RunInputs inputs = load_inputs(at, terms, std::move(surface));
     for (std::size_t i = 0; i < job.stages.size(); ++i) {
       if (job.stages[i].setup != k) continue;

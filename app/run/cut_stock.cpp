@@ -17,23 +17,39 @@ namespace {
 /// Lines on which the two stock models are compared after each stage.
 constexpr std::size_t kComparedLines = 4000;
 
-/// What the shape that is left does not show: collisions and the like, and what each move took.
-void follow_process(const Job& job, const RunInputs& inputs, const JobStage& asked,
-                    const simulator::Pass& pass, CutStock& stock, const StageWatch& watch,
-                    reports::StageResult::Ran& ran) {
+/// What the shape that is left does not show: collisions and the like.
+std::vector<simulator::Finding> process_findings(const Job& job, const RunInputs& inputs,
+                                                 const JobStage& asked,
+                                                 const simulator::StockModel& stock,
+                                                 const simulator::Pass& pass,
+                                                 const StageWatch& watch) {
   simulator::ProcessLimits limits;
   limits.tolerance_mm = inputs.settings.contact_tolerance_mm;
   limits.near_miss_mm = near_miss_mm(job);
   limits.travel_mm = job.travel_mm;
   limits.fixtures = inputs.fixtures;
   const auto control = watch.control(asked.name + ": checking the process");
-  ran.process = turn_findings(job, asked, stock.stock, limits, control);
-  const auto moves = check_process(stock.stock, pass, limits, control);
-  ran.process.insert(ran.process.end(), moves.begin(), moves.end());
+  std::vector<simulator::Finding> found = turn_findings(job, asked, stock, limits, control);
+  const auto moves = check_process(stock, pass, limits, control);
+  found.insert(found.end(), moves.begin(), moves.end());
+  return found;
+}
+
+/// The process, and what each move took.
+void follow_process(const Job& job, const RunInputs& inputs, const JobStage& asked,
+                    const simulator::Pass& pass, CutStock& stock, const StageWatch& watch,
+                    reports::StageResult::Ran& ran) {
+  ran.process = process_findings(job, inputs, asked, stock.stock, pass, watch);
   simulator::DexelStock::Cut after =
       stock.lines.cut(pass, watch.control(asked.name + ": following the removal"));
   stock.lines = std::move(after.stock);
   ran.removal = std::move(after.removal);
+}
+
+/// Whether it is about a place of the stock, or might be.
+bool may_be_of_stock(const simulator::Finding& finding) {
+  return finding.kind != simulator::FindingKind::fixture_touched &&
+         finding.kind != simulator::FindingKind::beyond_travel;
 }
 
 /// A stretch that only positions takes nothing, but for what lines that end on the surface that it
@@ -53,14 +69,31 @@ void say_forecast(const JobStage& asked, const simulator::CutForecast& forecast,
 }
 
 /// Two stock models that contradict each other are a bug in one of them: no verdict rests on that.
-const simulator::StockAgreement& agreed(const std::string& when,
-                                        const simulator::StockAgreement& found) {
-  if (std::max(found.worst_end_mm, found.worst_side_mm) <= simulator::kAgreement_mm) return found;
+/// `to_part` is how the dexels' frame lies in the part's.
+void require_agreement(const std::string& when, const model::Pose& to_part,
+                       const simulator::StockAgreement& found) {
+  if (std::max(found.worst_end_mm, found.worst_side_mm) <= simulator::kAgreement_mm) return;
+  const model::Vec3 at = to_part.point(found.worst_at);
   std::ostringstream what;
   what << when << ": the two stock models differ by "
-       << std::max(found.worst_end_mm, found.worst_side_mm) << " mm at (" << found.worst_at.x
-       << ", " << found.worst_at.y << ", " << found.worst_at.z << "); please report this";
+       << std::max(found.worst_end_mm, found.worst_side_mm) << " mm at (" << at.x << ", " << at.y
+       << ", " << at.z << "); please report this";
   throw verifier::InstrumentDisagreement(what.str());
+}
+
+/// What is said of the stock after a stage.
+void fill_in(const JobStage& asked, const CutStock& now, const StageWatch& watch,
+             reports::StageResult::Ran& ran) {
+  const auto control = watch.control(asked.name + ": comparing the models");
+  ran.agreement = compare_stocks(now.lines, now.stock, kComparedLines, control, now.volume_mm3);
+  ran.voxel_mm = now.stock.voxel_mm();
+  ran.tiles = now.stock.tiles();
+  ran.stock = now.stock;
+}
+
+/// From the frame of the setup that `job` is a view of.
+model::Pose to_part(const Job& job) {
+  return job.at_setup ? job.setups[*job.at_setup].setup.from_part.inverse() : model::Pose{};
 }
 
 }  // namespace
@@ -87,8 +120,9 @@ CutStock turned_over(const Job& job, const Settings& settings, const CutStock& b
   const auto control = watch.control("turning the stock over");
   simulator::StockModel stock(job.stock, settings.voxel_mm, settings.stock_limit_bytes, control);
   for (const model::Pass& pass : turn.passes) stock = std::move(stock).cut(pass, control);
-  agreed("turning the stock over", compare_stocks(before.lines, stock, kComparedLines, control,
-                                                  before.volume_mm3, turn.turn));
+  require_agreement(
+      "turning the stock over", to_part(job) * turn.turn,
+      compare_stocks(before.lines, stock, kComparedLines, control, before.volume_mm3, turn.turn));
   simulator::DexelStock lines = dexels_from(stock, settings.line_spacing_mm, control);
   return {std::move(stock), before.volume_mm3, std::move(lines), true};
 }
@@ -110,13 +144,25 @@ CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& aske
     now.volume_is_older = false;
     ran.removed_volume_mm3 = before_mm3 - now.volume_mm3;
   }
-  ran.agreement =
-      agreed(asked.name, compare_stocks(now.lines, now.stock, kComparedLines,
-                                        control(": comparing the models"), now.volume_mm3));
-  ran.voxel_mm = now.stock.voxel_mm();
-  ran.tiles = now.stock.tiles();
-  ran.stock = now.stock;
+  fill_in(asked, now, watch, ran);
+  require_agreement(asked.name, to_part(job), ran.agreement);
   return now;
+}
+
+bool passes_by(const Job& job, const RunInputs& inputs, const JobStage& asked,
+               const CutStock& stock, const StageWatch& watch, reports::StageResult::Ran& ran) {
+  if (!only_positions(asked)) return false;
+  // What stands is part of the block: what meets nothing of the block meets nothing.
+  const Settings& settings = inputs.settings;
+  const simulator::StockModel block(job.stock, settings.voxel_mm, settings.stock_limit_bytes,
+                                    watch.control(asked.name + ": checking the process"));
+  auto found = process_findings(job, inputs, asked, block, {asked.cutter, ran.path}, watch);
+  if (std::any_of(found.begin(), found.end(), may_be_of_stock)) return false;
+  ran.process = std::move(found);
+  ran.removal.moves.resize(ran.path->moves.size());
+  ran.removal.totals = removal_totals(*ran.path, ran.removal.moves, stock.lines.spacing_mm());
+  fill_in(asked, stock, watch, ran);
+  return true;
 }
 
 }  // namespace limitgauge::app

@@ -48,6 +48,7 @@ class Bench {
   void say_forecast();
   void run_stage(std::size_t index, reports::StageResult& stage);
   void make_path(std::size_t index, reports::StageResult::Ran& ran);
+  bool stays(std::size_t index, reports::StageResult::Ran& ran) const;
   void cut(std::size_t index, reports::StageResult::Ran& ran);
   void measure(std::size_t index, reports::StageResult::Ran& ran);
   std::vector<std::string> names_up_to(std::size_t index) const;
@@ -102,13 +103,26 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
       *ran.path, {job_.rapid_mm_min, job_.acceleration_mm_s2, job_.junction_deviation_mm});
 }
 
+/// Where a stretch that only positions passes the stock by, the stock stays as it lay: most
+/// programs go home between two orientations. Not without a design, whose page shows it in each
+/// stretch.
+bool Bench::stays(std::size_t index, reports::StageResult::Ran& ran) const {
+  return setups_.setup_of(stock_of_) != setups_.setup_of(index) &&
+         setups_.inputs_at(index).design &&
+         passes_by(setups_.job_at(index), setups_.inputs_at(index), job_.stages[index], *stock_,
+                   watch(), ran);
+}
+
 void Bench::cut(std::size_t index, reports::StageResult::Ran& ran) {
   const model::Stopwatch stopwatch;
-  enter_setup(index);
-  CutStock before = std::move(*stock_);
-  stock_.reset();
-  stock_ = cut_stage(setups_.job_at(index), setups_.inputs_at(index), job_.stages[index],
-                     std::move(before), watch(), ran);
+  if (!stays(index, ran)) {
+    enter_setup(index);
+    CutStock before = std::move(*stock_);
+    stock_.reset();
+    stock_ = cut_stage(setups_.job_at(index), setups_.inputs_at(index), job_.stages[index],
+                       std::move(before), watch(), ran);
+  }
+  ran.stock_to_part = job_.setups[setups_.setup_of(stock_of_)].setup.from_part.inverse();
   ran.simulation_seconds = stopwatch.seconds();
   ran.peak_memory_bytes = model::process_peak_bytes();
 }

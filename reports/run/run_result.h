@@ -70,8 +70,8 @@ struct SurfaceResult {
 /// One stage as asked for and as it came out. A stage that was not run has only its request part.
 struct StageResult {
   std::string name, tool;
-  /// Where the stage was cut. `ran->path`, the program and `ran->stock` are in its frame; findings
-  /// and the deviation field are in the part's.
+  /// Where the stage was cut. `ran->path` and the program are in its frame; findings and the
+  /// deviation field are in the part's.
   model::Setup setup;
   model::Cutter cutter;
   std::string strategy;  ///< empty when `program` names a file
@@ -105,11 +105,14 @@ struct StageResult {
     std::size_t peak_memory_bytes = 0;
     std::optional<StockSurfaceFigures> surface;  ///< once the stage's files are written
     std::optional<simulator::StockModel> stock;  ///< let go once its files are written
-    std::vector<simulator::Finding> process;     ///< in the order of moves
-    simulator::StockAgreement agreement;         ///< of the two stock models
-    simulator::Removal removal;                  ///< its moves are let go with the stock
-    std::optional<page::PathView> path_view;     ///< once the stage's files are written
-    std::optional<page::StockView> stock_view;   ///< likewise, of a run without a design
+    /// How the frame that `stock` lies in lies in the part's: that of the stage's setup, or of one
+    /// before it where a stage passed the stock by.
+    model::Pose stock_to_part;
+    std::vector<simulator::Finding> process;    ///< in the order of moves
+    simulator::StockAgreement agreement;        ///< of the two stock models
+    simulator::Removal removal;                 ///< its moves are let go with the stock
+    std::optional<page::PathView> path_view;    ///< once the stage's files are written
+    std::optional<page::StockView> stock_view;  ///< likewise, of a run without a design
 
     /// Empty where nothing is measured against a design.
     std::optional<verifier::StageDeviation> deviation;

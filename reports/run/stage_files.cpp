@@ -45,9 +45,14 @@ std::string perspective_png(const StageResult& stage) {
   return png_bytes(draw_perspective_picture(stage));
 }
 
-std::string stock_png(const simulator::StockMesh& mesh, const model::Setup& setup) {
+/// As it lies in the stage's setup.
+std::string stock_png(const simulator::StockMesh& mesh, const StageResult& stage) {
   if (mesh.triangles.empty()) return {};
-  return png_bytes(draw_stock_picture(mesh, kStockPictureWidth, setup.from_part));
+  const model::Pose &from_part = stage.setup.from_part, &to_part = stage.ran->stock_to_part;
+  if (from_part.inverse() == to_part)
+    return png_bytes(draw_stock_picture(mesh, kStockPictureWidth, from_part));
+  return png_bytes(
+      draw_stock_picture(turned(mesh, from_part * to_part), kStockPictureWidth, from_part));
 }
 
 }  // namespace
@@ -56,7 +61,7 @@ StagePictures draw_pictures(const StageResult& stage, const model::RunControl& c
   if (!stage.ran) return {};
   StagePictures pictures{deviation_png(stage), perspective_png(stage), {}};
   if (stage.ran->stock)
-    pictures.stock_png = stock_png(stage.ran->stock->surface(control).mesh, stage.setup);
+    pictures.stock_png = stock_png(stage.ran->stock->surface(control).mesh, stage);
   return pictures;
 }
 
@@ -72,7 +77,7 @@ void carry_out(const std::vector<Job>& jobs, const model::RunControl& control) {
   });
 }
 
-/// The stock's surface as it lies in the setup, and how that lies in the part's frame, which the
+/// The stock's surface as it lies in a setup, and how that lies in the part's frame, which the
 /// files are in.
 struct PlacedSurface {
   const simulator::StockMesh& mesh;
@@ -128,14 +133,14 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
     jobs.push_back([&] { pictures.perspective_png = perspective_png(stage); });
     jobs.push_back([&] {
       pictures.deviation_png = deviation_png(stage);
-      if (ran.stock) pictures.stock_png = stock_png(surface.mesh, stage.setup);
+      if (ran.stock) pictures.stock_png = stock_png(surface.mesh, stage);
     });
   }
   if (ran.stock) {
     jobs.push_back([&] {
-      write_surface(ran, {surface.mesh, to_part}, into / "stock.vtp", options, facts);
+      write_surface(ran, {surface.mesh, ran.stock_to_part}, into / "stock.vtp", options, facts);
     });
-    jobs.push_back([&] { ran.stock->write_vdb(into / "stock.vdb", to_part); });
+    jobs.push_back([&] { ran.stock->write_vdb(into / "stock.vdb", ran.stock_to_part); });
   }
   // Beside a design the page shows the surface, and what stands on it.
   if (ran.stock && !ran.deviation && !options.design)
@@ -143,7 +148,7 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
       files.stock_view =
           placed(page::stock_view(*ran.stock, surface.mesh, options.passes,
                                   {options.control.threads, options.control.stop, {}}),
-                 to_part);
+                 ran.stock_to_part);
     });
   if (ran.deviation)
     jobs.push_back(

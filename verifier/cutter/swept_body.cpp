@@ -42,38 +42,81 @@ double level_parameter(const SweptBody& body, const Vec3& p) {
   return std::clamp(((p.x - body.from.x) * d.x + (p.y - body.from.y) * d.y) / level, 0.0, 1.0);
 }
 
-/// The least of a convex function of t, given with its gradient in p, by secant steps and bisection
-/// on the sign of its slope along the move `d`.
-template <class At>
-BodyDistance least_along(const Vec3& d, At&& at) {
-  const auto slope_at = [&](const BodyDistance& here) { return -dot(here.gradient, d); };
-  const BodyDistance first = at(0), last = at(1);
-  if (slope_at(first) >= 0) return first;
-  if (slope_at(last) <= 0) return last;
-  // Secant steps, halved in between where they stay on one side; ends within kAlongMove_mm of the
-  // place.
-  double low = 0, high = 1;
-  BodyDistance falling = first, rising = last;
-  const double span = length(d);
-  for (int n = 0; n < 120 && (high - low) * span > kAlongMove_mm; ++n) {
-    const double f = slope_at(falling), r = slope_at(rising);
-    const double secant = low - f * (high - low) / (r - f);
-    const double inner = (high - low) * 1e-3;
-    const double t = n % 2 == 0 ? std::clamp(secant, low + inner, high - inner) : (low + high) / 2;
-    if (t <= low || t >= high) break;
-    const BodyDistance here = at(t);
-    if (slope_at(here) < 0)
-      low = t, falling = here;
-    else
-      high = t, rising = here;
+/// The cutter standing at one place of a move: its distance to p, and how fast that grows with t.
+struct OnMove {
+  double t = 0;
+  BodyDistance here;
+  double slope = 0;
+};
+
+/// How low the tangents at two places leave room for the least between them, and where they meet.
+OnMove tangents_meet(const OnMove& falling, const OnMove& rising) {
+  OnMove out;
+  out.t = (rising.here.value - falling.here.value + falling.slope * falling.t -
+           rising.slope * rising.t) /
+          (falling.slope - rising.slope);
+  out.here.value = falling.here.value + falling.slope * (out.t - falling.t);
+  return out;
+}
+
+/// The least between a place from which the distance falls and one from which it rises. By turns
+/// where the tangents meet, where the slope would vanish were it linear, and half-way; ends where
+/// the least is known to kAlongMove_mm. No single position need have a level slope (at a kink none
+/// has), but a mean of the two planes does: with the tangents' meeting it supports d, so that the
+/// slack is proven.
+template <class Look>
+BodyDistance least_between(OnMove falling, OnMove rising, const Look& look) {
+  OnMove lowest = tangents_meet(falling, rising);
+  const auto least = [&] { return std::min(falling.here.value, rising.here.value); };
+  for (int n = 0; n < 120 && least() - lowest.here.value > kAlongMove_mm; ++n) {
+    const double middle = (falling.t + rising.t) / 2, width = rising.t - falling.t;
+    double t = middle;
+    if (n % 3 == 0) t = lowest.t;
+    if (n % 3 == 1) t = falling.t - falling.slope * width / (rising.slope - falling.slope);
+    if (!(t > falling.t && t < rising.t)) t = middle;
+    if (!(t > falling.t && t < rising.t)) break;
+    const OnMove here = look(t);
+    (here.slope < 0 ? falling : rising) = here;
+    if (rising.slope == 0) return rising.here;
+    lowest = tangents_meet(falling, rising);
   }
-  // At a kink no single position has a level slope, but a mean of the two sides' planes does.
-  const double f = slope_at(falling), r = slope_at(rising);
-  const double weight = r - f > 0 ? r / (r - f) : 0.5;
-  const double value = std::min(falling.value, rising.value);
-  const double spread = std::abs(falling.value - rising.value);
-  const double slack = spread + span * (high - low) * 4;
-  return {value, falling.gradient * weight + rising.gradient * (1 - weight), slack};
+  const double weight = rising.slope / (rising.slope - falling.slope);
+  return {least(), falling.here.gradient * weight + rising.here.gradient * (1 - weight),
+          std::max(0.0, least() - lowest.here.value)};
+}
+
+/// From a place of the move, about twice as far as the least would lie if nothing bent but the
+/// level distance to the axis; 0 or 1 where that is not on the move.
+double beyond_least(const SweptBody& body, const Vec3& p, const OnMove& from) {
+  const Vec3 d = body.to - body.from, tip = lerp(body.from, body.to, from.t);
+  const Vec3 g = from.here.gradient;
+  const double bend = std::sqrt(g.x * g.x + g.y * g.y) * (d.x * d.x + d.y * d.y);
+  const double rho = std::sqrt((p.x - tip.x) * (p.x - tip.x) + (p.y - tip.y) * (p.y - tip.y));
+  const double t = from.t - 2 * from.slope * rho / bend;
+  return t > 0 && t < 1 ? t : (from.slope < 0 ? 1.0 : 0.0);
+}
+
+/// The least along the move of a distance that is convex jointly in p and in where the cutter
+/// stands, given with its gradient in p. Sought from where a level move has it: moves that are all
+/// but level, as rounded coordinates make them, have it there but for little.
+template <class At>
+BodyDistance least_along(const SweptBody& body, const Vec3& p, const At& at) {
+  const Vec3 d = body.to - body.from;
+  const auto look = [&](double t) {
+    OnMove out{t, at(t), 0};
+    out.slope = -dot(out.here.gradient, d);
+    return out;
+  };
+  OnMove from = look(level_parameter(body, p));
+  const double end = from.slope < 0 ? 1 : 0;
+  for (const double t : {beyond_least(body, p, from), end}) {
+    if (from.slope == 0 || from.t == end) break;
+    const OnMove next = look(t);
+    if (next.slope != 0 && (next.slope < 0) != (from.slope < 0))
+      return end > 0 ? least_between(from, next, look) : least_between(next, from, look);
+    from = next;
+  }
+  return from.here;
 }
 
 bool is_level(const SweptBody& body) {
@@ -91,17 +134,16 @@ BodyDistance open_body_distance(const CutterProfile& profile, const SweptBody& b
   if (is_vertical(body)) return standing_distance(profile, body.from, p);
   if (is_level(body))
     return standing_distance(profile, lerp(body.from, body.to, level_parameter(body, p)), p);
-  return least_along(body.to - body.from, [&](double t) {
+  return least_along(body, p, [&](double t) {
     return standing_distance(profile, lerp(body.from, body.to, t), p);
   });
 }
 
 BodyDistance closed_body_distance(const CutterProfile& profile, const SweptBody& body,
                                   const Vec3& p) {
-  const Vec3 d = body.to - body.from;
   if (is_level(body))
     return closed_standing_distance(profile, lerp(body.from, body.to, level_parameter(body, p)), p);
-  return least_along(d, [&](double t) {
+  return least_along(body, p, [&](double t) {
     return closed_standing_distance(profile, lerp(body.from, body.to, t), p);
   });
 }

@@ -117,6 +117,13 @@ TEST_CASE("a stage names a setup that there is", "[unit][job]") {
              Catch::Contains("states no setup"));
 }
 
+TEST_CASE("a setup that takes the stock beyond what can be measured is told by its name",
+          "[unit][job]") {
+  const Job job = read(in_setups(back("origin = [0, 0, 9999]")));
+  CHECK_THROWS_WITH(in_setup(job, 0), Catch::Contains("setup \"back\" has the stock reach to z = "
+                                                      "10004 mm; expected at most 10000 mm"));
+}
+
 TEST_CASE("a bar lies down, or stays one end for end", "[unit][job]") {
   const std::string bar =
       with(in_setups(back("rotate = [{ axis = [0, 1, 0], angle = 90 }]")),

@@ -28,6 +28,8 @@ RunResult in_two_setups() {
   result.setups = {{"front", {}}, turned_over()};
   for (StageResult& stage : result.stages) stage.setup = result.setups[0];
   result.stages.back().setup = result.setups[1];
+  for (StageResult& stage : result.stages)
+    if (stage.ran) stage.ran->stock_to_part = stage.setup.from_part.inverse();
   return result;
 }
 

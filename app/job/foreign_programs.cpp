@@ -24,8 +24,8 @@ std::vector<Group> groups_of(const Job& job) {
       const JobStage &first = job.stages[group.front()], &second = job.stages[i];
       // Stretches of one program are its parts, whatever they belong to.
       const bool alone = first.part.whole() && second.part.whole() && !first.piece;
-      return first.program == second.program &&
-             first.piece.has_value() == second.piece.has_value() && !alone;
+      return same_program(first, second) && first.piece.has_value() == second.piece.has_value() &&
+             !alone;
     };
     const auto known = std::find_if(groups.begin(), groups.end(), same);
     if (known == groups.end()) {
@@ -100,9 +100,21 @@ void GroupReader::read(const std::optional<model::Vec3>& assumed_start_mm) {
 }
 
 std::vector<MotionRange> GroupReader::ranges_of_parts() const {
+  // Stages of other setups take their parts too.
   std::vector<const JobStage*> stages;
-  for (const std::size_t i : group_) stages.push_back(&job_.stages[i]);
-  return assign_parts(program_, file_, stages);
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < job_.stages.size(); ++i) {
+    const JobStage& other = job_.stages[i];
+    const bool is_own = std::find(group_.begin(), group_.end(), i) != group_.end();
+    const bool alone = other.part.whole() && stage(0).part.whole();
+    if (!is_own && (other.plan || other.piece || alone || !same_program(other, stage(0)))) continue;
+    if (is_own) own.push_back(stages.size());
+    stages.push_back(&other);
+  }
+  const std::vector<MotionRange> all = assign_parts(program_, file_, stages);
+  std::vector<MotionRange> ranges;
+  for (const std::size_t i : own) ranges.push_back(all[i]);
+  return ranges;
 }
 
 std::vector<MotionRange> GroupReader::ranges_of_pieces() const {

@@ -28,7 +28,7 @@ std::string to_text(const StagePiece& piece) {
 }
 
 bool only_positions(const JobStage& stage) {
-  return stage.piece && !stage.piece->cuts && stage.name != stage.piece->stage;
+  return stage.piece && !stage.piece->cuts && stage.piece->stage_cuts;
 }
 
 }  // namespace limitgauge::app

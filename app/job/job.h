@@ -55,6 +55,7 @@ struct StagePiece {
   model::SteadyRange range;
   std::size_t number = 1, count = 1;
   bool cuts = true;             ///< some motion of it is no rapid
+  bool stage_cuts = true;       ///< likewise of the stage's other stretches
   std::string angles;           ///< "A90C45"
   verifier::GateLimits limits;  ///< of the stage
 };
@@ -76,7 +77,7 @@ struct JobStage {
   verifier::GateLimits limits;
 };
 /// Whether a stage is a stretch that only brings its tool to where another stretch of its program
-/// begins. Of a program that never cuts, the one that has the stage's name is none.
+/// begins. Of a program that never cuts none is: it answers for every way in which its tool stood.
 bool only_positions(const JobStage& stage);
 
 /// A setup of the job.

@@ -1,9 +1,11 @@
 #include "app/job/oriented_job.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "app/job/foreign_programs.h"
+#include "app/job/program_parts.h"
 #include "app/job/setup_frame.h"
 #include "model/base/error.h"
 
@@ -47,7 +49,9 @@ class Orienter {
 
  private:
   void take_apart(std::size_t setup);
-  void put_pieces(const StagePrograms& read, std::size_t index);
+  std::vector<Stretch> pieces_of(const StagePrograms& read, std::size_t index) const;
+  void put_pieces(const StagePrograms& read);
+  void require_turned_back() const;
   void refuse_tolerances(const JobStage& stage) const;
   void add_pieces(const JobStage& stage, const std::vector<Stretch>& stretches,
                   std::vector<JobStage>& stages);
@@ -58,9 +62,8 @@ class Orienter {
   std::vector<std::vector<Stretch>> pieces_;  ///< by stage; none: it stays whole
 };
 
-void Orienter::put_pieces(const StagePrograms& read, std::size_t index) {
-  const MotionRange& range = read.ranges[index];
-  std::vector<Stretch> ranges = stretches_of(read.program, range);
+std::vector<Stretch> Orienter::pieces_of(const StagePrograms& read, std::size_t index) const {
+  std::vector<Stretch> ranges = stretches_of(read.program, read.ranges[index]);
   const JobStage& stage = job_.stages[read.stages[index]];
   if (ranges.size() > kMostPieces)
     throw model::InputError(
@@ -69,11 +72,53 @@ void Orienter::put_pieces(const StagePrograms& read, std::size_t index) {
             " stretches of motions",
         "a program that positions them and then cuts: cutting while they turn "
         "is not carried out");
-  const bool steady = ranges.size() == 1 && ranges.front().range.turns.empty() &&
-                      ranges.front().range.angles_deg == RotaryAngles{};
-  if (steady) return;
-  refuse_tolerances(stage);
-  pieces_[read.stages[index]] = std::move(ranges);
+  return ranges;
+}
+
+bool is_steady(const std::vector<Stretch>& ranges) {
+  return ranges.size() == 1 && ranges.front().range.turns.empty() &&
+         ranges.front().range.angles_deg == RotaryAngles{};
+}
+
+/// Where one stage of a program turns an axis, the others take stretches of it too: which motions
+/// are whose is then settled for all of them, in whatever setup they are.
+void Orienter::put_pieces(const StagePrograms& read) {
+  std::vector<std::vector<Stretch>> ranges;
+  bool in_parts = false, turns = false;
+  for (std::size_t i = 0; i < read.stages.size(); ++i) {
+    ranges.push_back(pieces_of(read, i));
+    in_parts = in_parts || !job_.stages[read.stages[i]].part.whole();
+    turns = turns || !is_steady(ranges.back());
+  }
+  if (!turns && (!in_parts || read.program.turns.empty())) return;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    refuse_tolerances(job_.stages[read.stages[i]]);
+    pieces_[read.stages[i]] = std::move(ranges[i]);
+  }
+}
+
+/// A program that is begun after another one finds the axes where that left them, and is read as if
+/// they stood at 0.
+void Orienter::require_turned_back() const {
+  const JobStage* before = nullptr;  // left an axis turned
+  for (std::size_t i = 0; i < job_.stages.size(); ++i) {
+    const JobStage& stage = job_.stages[i];
+    const std::vector<Stretch>& pieces = pieces_[i];
+    const bool goes_on = before && !stage.part.whole() && same_program(*before, stage);
+    const bool turns_first = !pieces.empty() && !pieces.front().range.turns.empty();
+    if (before && !goes_on && !turns_first)
+      throw model::InputError(
+          {before->program.string(), 0, 0},
+          "the program of stage \"" + before->name +
+              "\" ends with a rotary axis turned, and stage \"" + stage.name +
+              "\" begins as if all stood at 0",
+          "a program that turns its axes back before it ends, or a next one that turns them before "
+          "it moves");
+    const auto is_turned = [](double angle_deg) { return std::remainder(angle_deg, 360) != 0; };
+    before = nullptr;
+    if (!pieces.empty() && std::ranges::any_of(pieces.back().range.angles_deg, is_turned))
+      before = &stage;
+  }
 }
 
 void Orienter::refuse_tolerances(const JobStage& stage) const {
@@ -89,8 +134,7 @@ void Orienter::take_apart(std::size_t setup) {
   Job view = job_;
   view.at_setup = setup;
   view.machine = machine_in_setup(job_, setup);
-  for (const StagePrograms& read : read_stage_programs(view))
-    for (std::size_t i = 0; i < read.stages.size(); ++i) put_pieces(read, i);
+  for (const StagePrograms& read : read_stage_programs(view)) put_pieces(read);
 }
 
 /// A setup without a name is the only one, of a job that states none.
@@ -122,6 +166,7 @@ std::size_t Orienter::setup_at(std::size_t stated, const RotaryAngles& angles_de
 void Orienter::add_pieces(const JobStage& stage, const std::vector<Stretch>& stretches,
                           std::vector<JobStage>& stages) {
   const std::size_t last = last_cut(stretches);
+  const bool cuts = std::ranges::any_of(stretches, &Stretch::cuts);
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const model::SteadyRange& range = stretches[i].range;
     JobStage piece = stage;
@@ -130,13 +175,14 @@ void Orienter::add_pieces(const JobStage& stage, const std::vector<Stretch>& str
                    i + 1,
                    stretches.size(),
                    stretches[i].cuts,
+                   cuts,
                    job_.machine.kinematics->to_text(range.angles_deg),
                    stage.limits};
     piece.setup = setup_at(stage.setup, range.angles_deg);
     if (i != last) {
       piece.name += "." + std::to_string(i + 1);
       piece.limits = {};
-      piece.limits.has_gouge = stage.limits.has_gouge && stretches[i].cuts;
+      piece.limits.has_gouge = stage.limits.has_gouge;
       piece.limits.gouge_mm = stage.limits.gouge_mm;
     }
     stages.push_back(std::move(piece));
@@ -159,6 +205,7 @@ Job Orienter::oriented() {
   for (std::size_t k = 0, stated = job_.setups.size(); k < stated; ++k) take_apart(k);
   const auto whole = [](const auto& ranges) { return ranges.empty(); };
   if (std::all_of(pieces_.begin(), pieces_.end(), whole)) return std::move(job_);
+  require_turned_back();
   name_first_setup();
   std::vector<JobStage> stages;
   for (std::size_t i = 0; i < job_.stages.size(); ++i) {

@@ -1,7 +1,9 @@
 #include "app/job/program_parts.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "model/base/error.h"
 
@@ -109,6 +111,15 @@ void check_tools(const std::vector<ToolChange>& changes, const std::string& file
 }
 
 }  // namespace
+
+bool same_program(const JobStage& a, const JobStage& b) {
+  const auto file = [](const JobStage& stage) {
+    std::error_code failed;
+    const auto plain = std::filesystem::weakly_canonical(stage.program, failed);
+    return failed ? stage.program : plain;
+  };
+  return a.program == b.program || (!a.plan && !b.plan && file(a) == file(b));
+}
 
 std::vector<ToolChange> loadings(const Program& program) {
   std::vector<ToolChange> all;

@@ -12,6 +12,9 @@ namespace limitgauge::app {
 /// cuts nothing and belongs to the part before.
 std::vector<model::ToolChange> loadings(const model::Program& program);
 
+/// Whether two stages that are not planned name one file, in whatever words.
+bool same_program(const JobStage& a, const JobStage& b);
+
 /// The motions [first, last) of a program that one stage takes.
 struct MotionRange {
   std::size_t first = 0, last = 0;

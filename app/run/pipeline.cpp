@@ -66,6 +66,7 @@ class Bench {
   RunSetups setups_;
   std::size_t stage_ = 0;  ///< the one at work, counted from 1
   std::optional<CutStock> stock_;
+  bool passed_by_ = false;    ///< by the stage at work
   std::size_t stock_of_ = 0;  ///< a stage in whose setup's frame the stock is
 };
 
@@ -107,15 +108,15 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
 /// programs go home between two orientations. Not without a design, whose page shows it in each
 /// stretch.
 bool Bench::stays(std::size_t index, reports::StageResult::Ran& ran) const {
-  return setups_.setup_of(stock_of_) != setups_.setup_of(index) &&
-         setups_.inputs_at(index).design &&
+  return setups_.inputs_at(index).design &&
          passes_by(setups_.job_at(index), setups_.inputs_at(index), job_.stages[index], *stock_,
                    watch(), ran);
 }
 
 void Bench::cut(std::size_t index, reports::StageResult::Ran& ran) {
   const model::Stopwatch stopwatch;
-  if (!stays(index, ran)) {
+  passed_by_ = stays(index, ran);
+  if (!passed_by_) {
     enter_setup(index);
     CutStock before = std::move(*stock_);
     stock_.reset();
@@ -128,8 +129,8 @@ void Bench::cut(std::size_t index, reports::StageResult::Ran& ran) {
 }
 
 /// Whether what a stretch of a stage's program leaves is measured: the one that has the stage's
-/// name, and of the others those that cut and have a limit. One that only brings its tool to where
-/// the next begins leaves what it found, or has a fault in its process.
+/// name, and of the others those that have a limit. One that passes the stock by leaves what it
+/// found.
 bool is_measured(const JobStage& stage) {
   return !stage.piece || stage.name == stage.piece->stage || stage.limits.has_gouge;
 }
@@ -151,7 +152,7 @@ void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
   setups_.add(ran.path);
   const RunInputs& inputs = setups_.inputs_at(index);
-  if (!inputs.design || !is_measured(asked)) return;
+  if (!inputs.design || passed_by_ || !is_measured(asked)) return;
   const model::Stock& raw_stock = setups_.job_at(index).stock;
   const std::vector<verifier::Pass> passes = setups_.passes_at(index);
   const verifier::StageCheck check = stage_check(job_, inputs, index);
@@ -190,6 +191,7 @@ void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   cut(index, ran);
   model::return_freed_memory();
   measure(index, ran);
+  if (passed_by_) stage.limits = {};
   to_part_frame(ran, stage.setup.from_part.inverse());
   model::return_freed_memory();
   const std::vector<verifier::ProcessFault> faults = process_faults(ran.process);

@@ -132,7 +132,7 @@ void store_reference(const Statement& statement, MachineState& state) {
   Vec3 at_mm = state.frame.to_machine(state.position_mm);
   at_mm.z += state.tools.true_length().value_or(0);
   ReferencePoint& point = state.reference[first ? 0 : 1];
-  point = {at_mm, state.known, true};
+  point = {at_mm, state.known, true, state.orientation.angles_deg};
   for (int axis = 0; axis < 3; ++axis) {
     if (state.fresh) point.known[axis] = true;
     if (state.adrift[axis]) point.known[axis] = false;

@@ -56,6 +56,7 @@ struct ReferencePoint {
   Vec3 at_mm;
   std::array<bool, 3> known{};
   bool from_program = false;
+  RotaryAngles angles_deg{};
 };
 
 /// The machine while a program runs: modal state, offsets, tools, and where the tool stands.

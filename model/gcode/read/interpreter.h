@@ -71,6 +71,7 @@ class Interpreter {
   bool turns(const Statement& statement) const;
   void check_turn(const Statement& statement, std::optional<int> motion) const;
   void note_frame();
+  bool keeps_height(double z_mm) const;
   void list_turn(const Statement& statement, const Motion& motion, const TurningMotion& turn);
   void turn(const Statement& statement, int code);
   void turn_in_joints(const Statement& statement, const RotaryAngles& to_deg, bool rapid);

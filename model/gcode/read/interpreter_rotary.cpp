@@ -1,5 +1,8 @@
 // The interpreter's part for rotary axes.
 #include "model/gcode/read/interpreter.h"
+
+#include <algorithm>
+
 #include "model/gcode/read/motion_codes.h"
 #include "model/gcode/read/orientation_codes.h"
 #include "model/gcode/text/word_use.h"
@@ -48,6 +51,12 @@ void Interpreter::note_frame() {
   program_.frames.push_back(now);
 }
 
+/// Whether all motions so far have ended at that height.
+bool Interpreter::keeps_height(double z_mm) const {
+  return std::all_of(program_.motions.begin(), program_.motions.end(),
+                     [z_mm](const Motion& motion) { return motion.to.z == z_mm; });
+}
+
 void Interpreter::list_turn(const Statement& statement, const Motion& motion,
                             const TurningMotion& turn) {
   Orientation& orientation = state_.orientation;
@@ -58,8 +67,8 @@ void Interpreter::list_turn(const Statement& statement, const Motion& motion,
     assumed_.add(statement.line(),
                  "X, Y and Z are taken to be joints while axes turn (identity kinematics): neither "
                  "M428, M429 nor [machine] tool_centred says which");
-  // Before Z is named, it stands where the start is taken to be.
-  const bool is_above = motion.parked || !motion.height_known;
+  // Before Z is named, it stands where the start is taken to be, unless it was moved from there.
+  const bool is_above = motion.parked || (!motion.height_known && keeps_height(motion.to.z));
   if (is_above)
     assumed_.add(statement.line(),
                  "an axis turns while Z is taken to stand above everything: nothing is within the "
@@ -111,19 +120,21 @@ void Interpreter::set_tip_control(const Statement& statement) {
   set_dynamic_offset(statement, state_);
 }
 
-/// G28 and G30 send the rotary axes that they name, or all where they name none, to 0.
+/// G28 and G30 send the rotary axes that they name, or all where they name none, to where G28.1 and
+/// G30.1 found them, or to 0.
 void Interpreter::turn_home(const Statement& statement) {
   const Orientation& orientation = state_.orientation;
   if (!orientation.machine) return;
   const bool all = !statement.has_axes() && !statement.has_rotary();
+  const ReferencePoint& point = state_.reference[statement.g(GGroup::non_modal) == 280 ? 0 : 1];
   RotaryAngles by = rotary_end(statement, state_), home = by;
   for (const RotaryAxis& axis : orientation.machine->axes)
-    if (all || statement.word(axis.word)) home[axis.index()] = 0;
+    if (all || statement.word(axis.word)) home[axis.index()] = point.angles_deg[axis.index()];
   const bool moves = by != orientation.angles_deg || home != by;
   if (moves) require_length(statement, *statement.g_word(GGroup::non_modal), state_);
   turn_in_joints(statement, by, true);
   turn_in_joints(statement, home, true);
-  if (moves)
+  if (moves && !point.from_program)
     assumed_.add(statement.line(), "the reference points of the rotary axes are taken to be at 0");
 }
 

@@ -8,12 +8,18 @@ namespace {
 
 using Value = std::optional<double>;
 
-/// LinuxCNC numbers nine axes; those that are not carried out stand at 0.
-constexpr int kNumberedAxes = 9;
+/// LinuxCNC numbers nine axes: X, Y, Z, A, B, C and three more. Those that are not carried out
+/// stand at 0.
+constexpr int kNumberedAxes = 9, kFirstRotary = 3, kLastRotary = 5;
 constexpr int kFirstSystem = 5221, kNextSystem = 20, kRotation = 9;
 
+double angle(const RotaryAngles& angles_deg, int axis) {
+  if (axis > kLastRotary) return 0;
+  return angles_deg[static_cast<std::size_t>(axis - kFirstRotary)];
+}
+
 Value position(const MachineState& state, int axis) {
-  if (axis > 2) return 0;
+  if (axis > 2) return angle(state.orientation.angles_deg, axis);
   if (state.adrift[axis] || state.is_compensated()) return std::nullopt;
   if (!state.known[axis] && !state.fresh) return std::nullopt;
   return state.position_mm[axis] / state.modal.unit_mm;
@@ -21,7 +27,7 @@ Value position(const MachineState& state, int axis) {
 
 /// Of the spindle on the machine.
 Value machine_position(const MachineState& state, int axis) {
-  if (axis > 2) return 0;
+  if (axis > 2) return angle(state.orientation.angles_deg, axis);
   const CoordinateSystem& system = state.systems.system();
   const bool mixed = axis < 2 && system.rotation_deg != 0;
   if (!position(state, axis) || (mixed && !position(state, 1 - axis))) return std::nullopt;
@@ -32,7 +38,7 @@ Value machine_position(const MachineState& state, int axis) {
 }
 
 Value reference(const ReferencePoint& point, int axis) {
-  if (axis > 2) return 0;
+  if (axis > 2) return angle(point.angles_deg, axis);
   return point.known[axis] ? Value(point.at_mm[axis]) : std::nullopt;
 }
 
@@ -101,10 +107,10 @@ Value one(const MachineState&) {
 
 /// Sorted by name.
 constexpr auto kNamed = std::to_array<Named>(
-    {{"_a", zero},
-     {"_abs_a", zero},
-     {"_abs_b", zero},
-     {"_abs_c", zero},
+    {{"_a", work_axis<3>},
+     {"_abs_a", machine_axis<3>},
+     {"_abs_b", machine_axis<4>},
+     {"_abs_c", machine_axis<5>},
      {"_abs_u", zero},
      {"_abs_v", zero},
      {"_abs_w", zero},
@@ -112,8 +118,8 @@ constexpr auto kNamed = std::to_array<Named>(
      {"_abs_y", machine_axis<1>},
      {"_abs_z", machine_axis<2>},
      {"_absolute", modal_flag_not<&ModalState::incremental>},
-     {"_b", zero},
-     {"_c", zero},
+     {"_b", work_axis<4>},
+     {"_c", work_axis<5>},
      {"_ccomp", [](const MachineState& state) -> Value { return state.modal.compensation; }},
      {"_coord_system", [](const MachineState& state) -> Value { return system_code(state); }},
      {"_current_tool", [](const MachineState& state) -> Value { return state.tools.loaded(); }},

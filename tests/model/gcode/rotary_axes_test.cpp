@@ -151,6 +151,46 @@ TEST_CASE("before Z is named it is taken to stand above everything while axes tu
   CHECK_FALSE(read_text("G21 G90\nG0 A30\n", trunnion()).turns[0].parked);
 }
 
+TEST_CASE("Z that was moved before it was named stands where it was moved to while axes turn",
+          "[unit][gcode]") {
+  MachineSetup machine = trunnion();
+  machine.start_is_assumed = true;
+  const std::string down = "G21 G91\nG0 Z-50\nG1 Z-5 F100\n";
+  CHECK_FALSE(read_text(down + "G90 G0 A30\n", machine).turns[0].parked);
+  CHECK(read_text("G21 G91\nG0 X5\nG90 A30\n", machine).turns[0].parked);
+}
+
+TEST_CASE("LinuxCNC's parameters say where the rotary axes stand", "[unit][gcode]") {
+  // X is the parameter's value.
+  const auto value = [](const std::string& parameter) {
+    const Program program =
+        read_text(kBegin + "M429\nG0 A-30 C70\nG28.1\nG0 A10\nX[" + parameter + "]\n",
+                  trunnion(Control::linuxcnc));
+    return program.motions.back().to.x - trunnion().work_offsets[0]->origin_mm.x;
+  };
+  const double none = value("0");
+  for (const char* a : {"#5423", "#5024", "#<_a>", "#<_abs_a>"}) {
+    CAPTURE(a);
+    CHECK(value(a) - none == Approx(10));
+  }
+  for (const char* c : {"#5425", "#5026", "#<_c>", "#<_abs_c>"}) {
+    CAPTURE(c);
+    CHECK(value(c) - none == Approx(70));
+  }
+  CHECK(value("#5164") - none == Approx(-30));
+  CHECK(value("#5424") == none);
+}
+
+TEST_CASE("G28 turns to where G28.1 found the rotary axes", "[unit][gcode]") {
+  for (const std::string number : {"28", "30"}) {
+    const Program program =
+        read_text(kBegin + "G0 A30 C20\nG" + number + ".1\nG0 A0 C0\nG" + number + "\n",
+                  trunnion(Control::linuxcnc));
+    CHECK(program.turns.back().turn.to_deg == RotaryAngles{30, 0, 20});
+    CHECK_FALSE(assumes(program, "the reference points of the rotary axes are taken to be at 0"));
+  }
+}
+
 TEST_CASE("stretches between turns take every motion once", "[unit][gcode]") {
   const Program program = read_text(kBegin + "G0 A30\nC70\nX1\nX2\nA0\nX3\nA90 C0\n", trunnion());
   const auto ranges = steady_ranges(program, 0, program.motions.size());

@@ -55,7 +55,7 @@ struct StagePiece {
   model::SteadyRange range;
   std::size_t number = 1, count = 1;
   bool cuts = true;             ///< some motion of it is no rapid
-  bool stage_cuts = true;       ///< likewise of the stage's other stretches
+  bool stage_cuts = true;       ///< some stretch of the stage does
   std::string angles;           ///< "A90C45"
   verifier::GateLimits limits;  ///< of the stage
 };

@@ -153,6 +153,8 @@ std::size_t Orienter::setup_at(std::size_t stated, const RotaryAngles& angles_de
   const std::string words = job_.machine.kinematics->to_text(angles_deg);
   const bool named = setup.setup.name != job_.machine.kinematics->to_text({});
   setup.setup.name = named ? setup.setup.name + "." + words : words;
+  const auto is_taken = [&](const JobSetup& other) { return other.setup.name == setup.setup.name; };
+  while (std::ranges::any_of(job_.setups, is_taken)) setup.setup.name += "+";
   Job view = job_;
   view.machine = machine_in_setup(job_, stated);
   setup.setup.from_part =
@@ -189,16 +191,21 @@ void Orienter::add_pieces(const JobStage& stage, const std::vector<Stretch>& str
   }
 }
 
+/// Names of stages of a job differ: where two are alike now, a stretch has one of them, and begins
+/// with a turn of its program unless it is the first.
 void require_names(const std::vector<JobStage>& stages) {
   for (std::size_t i = 0; i < stages.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (stages[i].name == stages[k].name)
-        throw model::InputError({},
-                                "two stages are called \"" + stages[i].name +
-                                    "\": one of them is a stretch of \"" +
-                                    (stages[k].piece ? stages[k] : stages[i]).piece->stage +
-                                    "\", whose program turns rotary axes",
-                                "another name");
+    for (std::size_t k = 0; k < i; ++k) {
+      if (stages[i].name != stages[k].name) continue;
+      const JobStage& stretch = stages[k].piece ? stages[k] : stages[i];
+      const std::vector<model::AxisTurn>& turns = stretch.piece->range.turns;
+      const int line = turns.empty() ? 0 : static_cast<int>(turns.back().line);
+      throw model::InputError({stretch.program.string(), line, 0},
+                              "two stages are called \"" + stages[i].name +
+                                  "\": one of them is a stretch of \"" + stretch.piece->stage +
+                                  "\", whose program turns rotary axes",
+                              "another name of the other in the job");
+    }
 }
 
 Job Orienter::oriented() {

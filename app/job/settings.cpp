@@ -217,6 +217,13 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
         "tolerances: gouge and uncut are certified and judged for all their values together; "
         "reach, coverage, maps and findings, and the simulated stock are of the stated tools and "
         "zero");
+  const auto turns = [](const JobStage& stage) {
+    return stage.piece && !stage.piece->range.turns.empty();
+  };
+  if (std::any_of(job.stages.begin(), job.stages.end(), turns))
+    said.push_back("turns of rotary axes: the tool is proven to come no deeper than " +
+                   model::shortest(1.5e3 * settings.contact_tolerance_mm) +
+                   " µm into stock and part while they turn; what it takes there is in no figure");
   const auto is_program = [](const JobStage& stage) { return !stage.plan.has_value(); };
   if (std::any_of(job.stages.begin(), job.stages.end(), is_program))
     said.push_back("programs are read by the habits of control " +

@@ -21,7 +21,8 @@ constexpr std::string_view kLines = "G0 to G3";
 constexpr std::string_view kOff = "a program that states its moves as they are";
 constexpr std::string_view kTurned = "it turns, scales or mirrors what follows";
 constexpr std::string_view kOriented =
-    "it is about the tool's axis, and the machine has no rotary axes ([machine] kinematics)";
+    "it is about the tool's axis, and the machine has no rotary axes ([machine] kinematics), or "
+    "this control no such code that is carried out";
 constexpr std::string_view kProbe = "it ends where a probe touches, which no program states";
 constexpr std::string_view kPallet = "it moves a part of the machine that is not known here";
 constexpr std::string_view kNotRead = "a code of this control";

@@ -63,6 +63,12 @@ void Interpreter::list_turn(const Statement& statement, const Motion& motion,
   if (program_.turns.empty())
     assumed_.add(statement.line(),
                  "the rotary axes are taken to have stood at 0 before the first line");
+  const Control control = statement.rules().control;
+  if (program_.turns.empty() && (control == Control::fanuc || control == Control::haas))
+    assumed_.add(statement.line(),
+                 "A, B and C are taken to be degrees with and without a decimal point, and axes to "
+                 "go to the angle that is named, not by a shorter way round (parameters of the "
+                 "control say otherwise)");
   if (orientation.control_is_assumed && statement.rules().control == Control::linuxcnc)
     assumed_.add(statement.line(),
                  "X, Y and Z are taken to be joints while axes turn (identity kinematics): neither "

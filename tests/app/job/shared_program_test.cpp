@@ -59,6 +59,28 @@ class SharedFolder {
   tests::TemporaryFolder folder_;
 };
 
+TEST_CASE("a stretch that has the name of another stage is told with its line", "[unit][job]") {
+  SharedFolder folder;
+  folder.write("a.nc", kSharedBegin + kSharedCut + kSharedTurn + kSharedCut + kSharedBack +
+                           kSharedCut + kSharedEnd);
+  folder.write("b.nc", kSharedBegin + kSharedCut + kSharedEnd);
+  const std::string error =
+      folder.error(shared_stage("s", "a.nc", "") + shared_stage("s.2", "b.nc", ""));
+  CHECK_THAT(error, tests::ContainsSubstring("a.nc:11:") &&
+                        tests::ContainsSubstring("two stages are called \"s.2\""));
+}
+
+TEST_CASE("setups that turns make are called by names that no other has", "[unit][job]") {
+  SharedFolder folder;
+  folder.write("a.nc", kSharedBegin + kSharedCut + kSharedTurn + kSharedCut + kSharedBack +
+                           kSharedCut + kSharedEnd);
+  const std::string setup = "[[setup]]\nname = \"";
+  const Job job = folder.job(setup + "v\"\n" + setup + "v.C180\"\n" +
+                             shared_stage("s", "a.nc", "", "setup = \"v\"\n"));
+  REQUIRE(job.setups.size() == 3);
+  CHECK(job.setups.back().setup.name == "v.C180+");
+}
+
 }  // namespace
 
 TEST_CASE("stages of two setups share out one program", "[unit][job]") {

@@ -30,6 +30,9 @@ inline constexpr double kSameDirection = 1e-12;
 /// The least distance along a sloping move is found to this, between the distance at a place of it
 /// and where the tangents of two places meet.
 inline constexpr double kAlongMove_mm = 1e-11;
+/// The least distance along a move that turns its tool is found to this: what the last bits of the
+/// poses in between leave to be found, a tenth of kDistanceRounding_mm.
+inline constexpr double kAlongTurn_mm = 1e-10;
 
 // The limit surface.
 

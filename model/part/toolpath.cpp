@@ -1,6 +1,29 @@
 #include "model/part/toolpath.h"
 
+#include <cmath>
+#include <stdexcept>
+
 namespace limitgauge::model {
+namespace {
+
+void require_unit(const Vec3& axis) {
+  constexpr double kUnit = 1e-9;
+  if (!(std::abs(length(axis) - 1) <= kUnit))
+    throw std::invalid_argument("an axis of a tool is a unit vector");
+}
+
+}  // namespace
+
+void require_axes(const Toolpath& path, const ToolAxes& axes) {
+  if (axes.to.size() != path.moves.size())
+    throw std::invalid_argument("a path that turns its tool has an axis for each move");
+  require_unit(axes.start);
+  for (std::size_t i = 0; i < axes.to.size(); ++i) {
+    require_unit(axes.to[i]);
+    if (!(dot(axis_from(axes, i), axes.to[i]) >= 0))
+      throw std::invalid_argument("a move turns its tool by more than 90 degrees");
+  }
+}
 
 ToolpathLengths lengths(const Toolpath& path, double rapid_mm_min) {
   ToolpathLengths sum;

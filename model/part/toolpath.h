@@ -45,12 +45,30 @@ inline const Vec3& move_from(const Toolpath& path, std::size_t i) {
   return i == 0 ? path.start : path.moves[i - 1].to;
 }
 
+/// How a tool stands along a path that turns it as it goes: unit vectors from its tip to the
+/// spindle, in the frame of the path. During a move the tip goes straight, as the path has it, and
+/// the axis evenly with it along the shorter great circle between its two ends. A tool is a body of
+/// revolution, so that this says all of where it is.
+struct ToolAxes {
+  Vec3 start{0, 0, 1};   ///< where the path begins
+  std::vector<Vec3> to;  ///< where each move ends
+};
+
+/// The axis where move `i` begins.
+inline const Vec3& axis_from(const ToolAxes& axes, std::size_t i) {
+  return i == 0 ? axes.start : axes.to[i - 1];
+}
+
+/// Throws std::invalid_argument where there is not one axis for each move, one is not of length 1
+/// (within 1e-9), or a move turns by more than 90 degrees, which leaves open which way.
+void require_axes(const Toolpath& path, const ToolAxes& axes);
+
 /// Every place moved by `pose`; feeds, lines and kinds stay.
 Toolpath turned(const Toolpath& path, const Pose& pose);
 
 /// One pass of one cutter over the part. The cutter stands along +Z of the frame that its path is
-/// in; `pose` is how that frame lies in the one that the pass is asked in, which differ where a
-/// part was turned over between the setup of the pass and the one at work.
+/// in, or as `axes` has it; `pose` is how that frame lies in the one that the pass is asked in,
+/// which differ where a part was turned over between the setup of the pass and the one at work.
 struct Pass {
   Cutter cutter;
   std::shared_ptr<const Toolpath> path;
@@ -58,6 +76,8 @@ struct Pass {
   /// A stretch of a program that only brings its tool to where a later one cuts: how it stands
   /// there is no use of the cutter.
   bool only_positions = false;
+  /// Of a path that turns its tool as it goes; null: the tool stands along +Z.
+  std::shared_ptr<const ToolAxes> axes = {};
 };
 
 struct ToolpathLengths {

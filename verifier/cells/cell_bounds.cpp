@@ -33,6 +33,12 @@ model::Interval plane_range(const Bezier& cell, const Vec3& m, const BodyDistanc
   return range;
 }
 
+std::array<Vec3, 16> controls(const Bezier& cell) {
+  std::array<Vec3, 16> out;
+  for (int k = 0; k < 16; ++k) out[k] = cell.control(k);
+  return out;
+}
+
 double largest(const Values& v) {
   return *std::max_element(v.begin(), v.end());
 }
@@ -116,9 +122,12 @@ double CellBounder::corner_lower(const Bezier& cell, const Vec3& middle, BodyRef
          space_.swayed_by_mm(d.gradient);
 }
 
+/// A lower bound that is `enough_mm` need not be better.
 CellBounder::Scored CellBounder::score(const Bezier& cell, const Vec3& middle, BodyRef body,
-                                       BodyDistance& distance) const {
+                                       BodyDistance& distance, double enough_mm) const {
   distance = space_.distance(body, middle);
+  if (space_.turns(body))
+    return {body, distance.value, space_.lower(body, controls(cell), middle, enough_mm), 0};
   if (const MeshOutside* mesh = space_.mesh_of(body))
     return {body, distance.value, mesh->lower(cell, middle, distance), 0};
   if (!space_.is_concave(body)) {
@@ -215,7 +224,8 @@ double CellBounder::mixed_lower(const Bezier& cell, const Vec3& middle, BodyRef 
 }
 
 bool CellBounder::sharp(BodyRef body, double radius_mm) const {
-  return !space_.is_stock(body) && space_.rounding_mm(body) < kSharp * radius_mm;
+  return !space_.is_stock(body) && !space_.turns(body) &&
+         space_.rounding_mm(body) < kSharp * radius_mm;
 }
 
 bool CellBounder::surely_outside(const Bezier& cell, double margin_mm,
@@ -225,13 +235,14 @@ bool CellBounder::surely_outside(const Bezier& cell, double margin_mm,
   const bool sways = corners_.size() > 1;
   const auto clear = [&](BodyRef body) {
     BodyDistance distance;
-    double lower = score(cell, centre, body, distance).lower;
+    double lower = score(cell, centre, body, distance, margin_mm).lower;
     if (lower >= margin_mm) return true;
     if (sways && !space_.is_stock(body))
       lower = std::max(lower, corner_lower(cell, centre, body, distance.gradient));
     if (lower >= margin_mm) return true;
     const bool by_edge = sharp(body, radius);
-    missed_by_mm_ = by_edge || space_.mesh_of(body) ? 0 : margin_mm - lower;
+    const bool unsure = by_edge || space_.mesh_of(body) || space_.turns(body);
+    missed_by_mm_ = unsure ? 0 : margin_mm - lower;
     return by_edge && mixed_lower(cell, centre, body) >= margin_mm;
   };
   if (first && !clear(*first)) return false;
@@ -256,6 +267,14 @@ bool CellBounder::surely_unswept(const Bezier& cell, const Vec3& prism, double m
   return true;
 }
 
+/// The same of one body that turns as it goes.
+bool CellBounder::turning_unswept(const Bezier& cell, const Vec3& prism, double margin_mm,
+                                  BodyRef body) const {
+  std::array<Vec3, 32> ends;
+  for (int k = 0; k < 16; ++k) ends[k] = cell.control(k), ends[16 + k] = cell.control(k) + prism;
+  return space_.lower(body, ends, middle(cell) + prism / 2, margin_mm) >= margin_mm;
+}
+
 bool CellBounder::piece_unswept(const Bezier& cell, const Vec3& prism, double margin_mm) {
   const Vec3 centre = middle(cell) + prism / 2;
   model::Box3 box = control_box(cell);
@@ -265,6 +284,7 @@ bool CellBounder::piece_unswept(const Bezier& cell, const Vec3& prism, double ma
   space_.within(box, margin_mm + sway_mm_, near_, far_.get());
   return std::all_of(near_.begin(), near_.end(), [&](BodyRef body) {
     if (space_.is_stock(body)) return true;
+    if (space_.turns(body)) return turning_unswept(cell, prism, margin_mm, body);
     const BodyDistance d = space_.distance(body, centre);
     // Convex hull of both ends: the plane is least at a control point of one of them.
     const double along = std::min(0.0, dot(d.gradient, prism));

@@ -69,9 +69,11 @@ class CellBounder {
     double value = 0, lower = 0, upper = 0;
   };
 
-  Scored score(const Bezier& cell, const model::Vec3& middle, BodyRef body,
-               BodyDistance& distance) const;
+  Scored score(const Bezier& cell, const model::Vec3& middle, BodyRef body, BodyDistance& distance,
+               double enough_mm = std::numeric_limits<double>::infinity()) const;
   bool piece_unswept(const Bezier& cell, const model::Vec3& prism, double margin_mm);
+  bool turning_unswept(const Bezier& cell, const model::Vec3& prism, double margin_mm,
+                       BodyRef body) const;
   CellValues values_of(const Bezier& cell, BodyRef body) const;
   double swayed(BodyRef body, double lower, const model::Vec3& gradient) const;
   double corner_lower(const Bezier& cell, const model::Vec3& middle, BodyRef body,

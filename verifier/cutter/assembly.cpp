@@ -49,9 +49,10 @@ std::vector<AssemblySweep> assembly_sweeps(std::span<const Pass> passes,
     const double highest_mm =
         pass.pose == model::Pose{} ? region.high.z : pass.pose.inverse().box(region).high.z;
     for (const StackedPart& part : parts_above_flutes(pass.cutter))
-      if (lowest_mm + part.lift_mm <= highest_mm)
-        out.push_back(
-            {stage, part.body, {CutterProfile(part.part), part.lift_mm, pass.path, pass.pose}});
+      if (pass.axes || lowest_mm + part.lift_mm <= highest_mm)
+        out.push_back({stage,
+                       part.body,
+                       {CutterProfile(part.part), part.lift_mm, pass.path, pass.pose, pass.axes}});
   }
   return out;
 }

@@ -19,8 +19,8 @@ struct AssemblySweep {
 };
 
 /// Of all passes, the parts that come lower than the highest of `region`, as it lies before the
-/// pass's cutter, from the tip up. Parts of one kind and diameter that follow each other are one
-/// cylinder.
+/// pass's cutter, from the tip up; all of a pass that turns its tool as it goes. Parts of one kind
+/// and diameter that follow each other are one cylinder.
 std::vector<AssemblySweep> assembly_sweeps(std::span<const Pass> passes, const model::Box3& region);
 /// The same of a region of which only `highest_mm` is known, for passes that are not turned.
 std::vector<AssemblySweep> assembly_sweeps(std::span<const Pass> passes, double highest_mm);

@@ -15,30 +15,11 @@ using model::Vec3;
 
 namespace {
 
-constexpr std::uint32_t kLeafBodies = 6;
-
 /// A stack on the heap of the thread, kept between queries: a tree over millions of moves is deep.
 std::vector<std::uint32_t>& query_stack() {
   thread_local std::vector<std::uint32_t> stack;
   stack.clear();
   return stack;
-}
-
-/// How much more heights count than places in plan where moves are divided: of a flat as wide as a
-/// node's box it is the height that tells which moves are near.
-constexpr double kHeightsOfFlat = 4;
-
-/// A tree over the boxes of the moves' tips.
-model::BoxTree tip_tree(const CutterProfile& profile, const std::vector<SweptBody>& bodies) {
-  const double scale = profile.flat_mm > 0 ? kHeightsOfFlat : 1;
-  std::vector<Box3> tips(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    tips[i].add(bodies[i].from), tips[i].add(bodies[i].to);
-    tips[i].low.z *= scale, tips[i].high.z *= scale;
-  }
-  model::BoxTree tree = model::box_tree(tips, kLeafBodies);
-  for (model::BoxNode& node : tree.nodes) node.box.low.z /= scale, node.box.high.z /= scale;
-  return tree;
 }
 
 /// Steps to where a ray meets one body: far more than a tangent that touches takes.
@@ -76,11 +57,12 @@ RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> pass
     mesh_ = std::make_shared<const MeshOutside>(*mesh->mesh);
   }
   stock_box_ = model::bounding_box(stock);
-  for (const Pass& pass : passes) add_sweep({CutterProfile(pass.cutter), 0, pass.path, pass.pose});
+  for (const Pass& pass : passes)
+    add_sweep({CutterProfile(pass.cutter), 0, pass.path, pass.pose, pass.axes});
 }
 
 RemovedSpace::RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions) {
-  passes_.push_back({index_bodies(CutterProfile(cutter), std::move(positions))});
+  passes_.push_back({std::make_shared<const PassBodies>(CutterProfile(cutter), positions)});
 }
 
 RemovedSpace::RemovedSpace(std::span<const Sweep> sweeps) {
@@ -101,6 +83,8 @@ RemovedSpace RemovedSpace::shifted(const Vec3& by) const {
 
 RemovedSpace RemovedSpace::swaying(const Vec3& half_mm, double error_mm) const {
   if (half_mm.z != 0) throw std::invalid_argument("a sway lies in plan");
+  for (const PlacedPass& pass : passes_)
+    if (pass->turn()) throw std::invalid_argument("a pass that turns its tool does not sway");
   RemovedSpace out = *this;
   out.sway_ += half_mm, out.chord_error_mm_ += error_mm;
   return out;
@@ -111,54 +95,42 @@ BodyDistance RemovedSpace::PlacedPass::back(BodyDistance own) const {
   return own;
 }
 
-void RemovedSpace::add_sweep(const Sweep& sweep) {
+namespace {
+
+std::shared_ptr<const PassBodies> bodies_of(const Sweep& sweep) {
   const model::Toolpath& path = *sweep.path;
+  if (sweep.axes) {
+    model::require_axes(path, *sweep.axes);
+    std::vector<TurningBody> bodies;
+    bodies.reserve(path.moves.size());
+    for (std::size_t i = 0; i < path.moves.size(); ++i)
+      bodies.emplace_back(model::move_from(path, i), path.moves[i].to,
+                          model::axis_from(*sweep.axes, i), sweep.axes->to[i], sweep.lift_mm);
+    return std::make_shared<const PassBodies>(sweep.profile, bodies);
+  }
   const Vec3 lift{0, 0, sweep.lift_mm};
   std::vector<SweptBody> bodies;
   bodies.reserve(path.moves.size());
   for (std::size_t i = 0; i < path.moves.size(); ++i)
     bodies.emplace_back(model::move_from(path, i) + lift, path.moves[i].to + lift);
-  PlacedPass placed{index_bodies(sweep.profile, std::move(bodies))};
+  return std::make_shared<const PassBodies>(sweep.profile, bodies);
+}
+
+}  // namespace
+
+void RemovedSpace::add_sweep(const Sweep& sweep) {
+  PlacedPass placed{bodies_of(sweep)};
   placed.turned = sweep.pose != model::Pose{};
   if (placed.turned) placed.to_own = sweep.pose.inverse();
   passes_.push_back(std::move(placed));
-  chord_error_mm_ = std::max(chord_error_mm_, path.chord_error_mm);
-}
-
-std::shared_ptr<const RemovedSpace::PassBodies> RemovedSpace::index_bodies(
-    const CutterProfile& profile, std::vector<SweptBody> bodies) {
-  model::BoxTree tree = tip_tree(profile, bodies);
-  auto p = std::make_shared<PassBodies>(
-      PassBodies{profile, {}, std::move(tree.order), {}, std::move(tree.nodes), {}});
-  p->place.resize(bodies.size());
-  p->bodies.reserve(bodies.size());
-  for (std::uint32_t k = 0; k < p->index.size(); ++k) {
-    p->bodies.push_back(bodies[p->index[k]]);
-    p->place[p->index[k]] = k;
-  }
-  if (TiltedBox::serves(profile)) p->tilted = tilted_boxes(p->nodes, p->bodies);
-  return p;
-}
-
-/// A lower bound of d over some tips' moves from all points no further from p along each axis than
-/// `half`: as from p to tips that may be as much further apart.
-double RemovedSpace::PassBodies::bound(const Box3& tips, const Vec3& p, const Vec3& half) const {
-  return box_bound(profile, {tips.low - half, tips.high + half}, p);
-}
-
-/// The same over a node's moves: the dearer one where the cheaper is not beyond `limit_mm`.
-double RemovedSpace::PassBodies::bound(const model::BoxNode& node, const Vec3& p, double limit_mm,
-                                       const Vec3& half) const {
-  const double by_box = bound(node.box, p, half);
-  if (by_box > limit_mm || tilted.empty()) return by_box;
-  return std::max(by_box, tilted[place_of(node)].bound(profile, p, half));
+  chord_error_mm_ = std::max(chord_error_mm_, sweep.path->chord_error_mm);
 }
 
 void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best) const {
   const PassBodies& bodies = *passes_[pass];
   const Vec3 p = passes_[pass].place(at - shift_);
   model::nearest_first(
-      bodies.nodes,
+      bodies.nodes(),
       [&](const model::BoxNode& node) {
         return bodies.bound(node, p, best.distance.value + kSameDistance_mm);
       },
@@ -167,9 +139,9 @@ void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best)
       [&](double bound) { return bound > best.distance.value + kSameDistance_mm; },
       [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const double d = body_value(bodies.profile, bodies.bodies[k], p);
+          const double d = bodies.value_at(k, p, best.distance.value + kSameDistance_mm);
           // Among equals the first move is the one named.
-          const BodyRef body{pass, bodies.index[k]};
+          const BodyRef body{pass, bodies.move_at(k)};
           if (d < best.distance.value || (d == best.distance.value && body < best.body))
             best = {body, {d, {}, 0}};
         }
@@ -229,16 +201,16 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3
     return t;
   };
   model::nearest_first(
-      bodies.nodes, start_of, [&](double start) { return start >= first.t_mm; },
+      bodies.nodes(), start_of, [&](double start) { return start >= first.t_mm; },
       [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
           const auto distance = [&](double t) {
-            BodyDistance d = body_distance(bodies.profile, bodies.bodies[k], p + ray * t);
+            BodyDistance d = bodies.distance_at(k, p + ray * t);
             d.value -= chord_error_mm_;
             return d;
           };
-          const double t = first_meeting(distance, ray, true, first.t_mm, rule);
-          if (t < first.t_mm) first = {t, BodyRef{pass, bodies.index[k]}};
+          const double t = first_meeting(distance, ray, !bodies.turn(), first.t_mm, rule);
+          if (t < first.t_mm) first = {t, BodyRef{pass, bodies.move_at(k)}};
         }
       });
 }
@@ -296,13 +268,13 @@ void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
 template <class Near, class Take>
 void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) const {
   const PassBodies& bodies = *passes_[pass];
-  if (bodies.nodes.empty()) return;
+  if (bodies.nodes().empty()) return;
   auto& stack = query_stack();
   stack.assign(1, 0);
   while (!stack.empty()) {
     const std::uint32_t at = stack.back();
     stack.pop_back();
-    const model::BoxNode& node = bodies.nodes[at];
+    const model::BoxNode& node = bodies.nodes()[at];
     if (!near(node)) continue;
     if (node.count == 0) {
       stack.push_back(node.right);
@@ -321,8 +293,7 @@ void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>&
         pass,
         [&](const model::BoxNode& node) { return bodies.bound(node, p, limit_mm) <= limit_mm; },
         [&](std::uint32_t k) {
-          if (body_value(bodies.profile, bodies.bodies[k], p) <= limit_mm)
-            out.push_back({pass, bodies.index[k]});
+          if (bodies.value_at(k, p, limit_mm) <= limit_mm) out.push_back({pass, bodies.move_at(k)});
         });
   }
   stock_within(at, limit_mm, out);
@@ -341,9 +312,8 @@ void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>
           return bodies.bound(node, centre, limit_mm, half) <= limit_mm;
         },
         [&](std::uint32_t k) {
-          Box3 tips;
-          tips.add(bodies.bodies[k].from), tips.add(bodies.bodies[k].to);
-          if (bodies.bound(tips, centre, half) <= limit_mm) out.push_back({pass, bodies.index[k]});
+          if (bodies.bound_at(k, centre, half) <= limit_mm)
+            out.push_back({pass, bodies.move_at(k)});
         });
   }
   stock_within(at, limit_mm + length(radii), out);
@@ -359,18 +329,26 @@ void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<Body
 BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p) const {
   if (is_stock(body)) return mesh_ ? mesh_->distance(p) : faces_->distance(body.index, p);
   const PlacedPass& pass = passes_[body.pass];
-  return pass.back(body_distance(pass->profile, pass->of_move(body.index), pass.place(p - shift_)));
+  return pass.back(pass->distance_at(pass->place_of(body.index), pass.place(p - shift_)));
+}
+
+double RemovedSpace::lower(BodyRef body, std::span<const Vec3> points, const Vec3& middle,
+                           double enough_mm) const {
+  const PlacedPass& pass = passes_[body.pass];
+  std::vector<Vec3> own(points.begin(), points.end());
+  for (Vec3& p : own) p = pass.place(p - shift_);
+  return pass->lower_at(pass->place_of(body.index), own, pass.place(middle - shift_), enough_mm);
 }
 
 void RemovedSpace::values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const {
   if (!is_stock(body)) {
     const PlacedPass& pass = passes_[body.pass];
-    const SweptBody& swept = pass->of_move(body.index);
+    const std::uint32_t place = pass->place_of(body.index);
     if (pass.turned)
-      return body_values(pass->profile, swept,
-                         verifier::turned(verifier::shifted(cell, -shift_), pass.to_own), out);
-    if (shift_ == Vec3{}) return body_values(pass->profile, swept, cell, out);
-    return body_values(pass->profile, swept, verifier::shifted(cell, -shift_), out);
+      return pass->values_at(place, verifier::turned(verifier::shifted(cell, -shift_), pass.to_own),
+                             out);
+    if (shift_ == Vec3{}) return pass->values_at(place, cell, out);
+    return pass->values_at(place, verifier::shifted(cell, -shift_), out);
   }
   if (mesh_) return mesh_->values(cell, out);
   for (int k = 0; k < 16; ++k) out[k] = faces_->distance(body.index, cell.control(k)).value;

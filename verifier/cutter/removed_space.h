@@ -8,14 +8,12 @@
 #include <span>
 #include <vector>
 
-#include "model/geometry/box_tree.h"
 #include "model/geometry/pose.h"
 #include "model/part/stock.h"
 #include "verifier/cutter/far_passes.h"
 #include "verifier/cutter/mesh_outside.h"
+#include "verifier/cutter/pass_bodies.h"
 #include "verifier/cutter/stock_faces.h"
-#include "verifier/cutter/swept_body.h"
-#include "verifier/cutter/tilted_box.h"
 #include "verifier/gate/verify.h"
 
 namespace limitgauge::verifier {
@@ -27,6 +25,7 @@ struct Sweep {
   double lift_mm = 0;
   std::shared_ptr<const model::Toolpath> path;
   model::Pose pose = {};  ///< how the path's frame lies in the frame of the space
+  std::shared_ptr<const model::ToolAxes> axes = {};  ///< as those of a pass
 };
 
 /// One of the bodies whose union is the removed space: a move of a pass, or what lies outside one
@@ -55,7 +54,8 @@ struct EndRule {
 /// inside, the depth into one body (a union's true depth can be larger).
 class RemovedSpace {
  public:
-  /// Throws std::invalid_argument for a mesh without triangles or with numbers out of range.
+  /// Throws std::invalid_argument for a mesh without triangles or with numbers out of range, and
+  /// for axes that do not fit their path (model::require_axes).
   RemovedSpace(const model::Stock& stock, std::span<const Pass> passes);
   /// The union of single positions of one cutter in endless stock.
   RemovedSpace(const model::Cutter& cutter, std::vector<SweptBody> positions);
@@ -70,7 +70,7 @@ class RemovedSpace {
   RemovedSpace shifted(const model::Vec3& by) const;
   /// This space as one of which `sway()` and a part of `chord_error_mm()` are not known: proofs on
   /// cells (CellBounder) hold for all of it, distances at places are those of its middle. Throws
-  /// std::invalid_argument for a sway out of plan.
+  /// std::invalid_argument for a sway out of plan, and where a pass turns its tool as it goes.
   RemovedSpace swaying(const model::Vec3& half_mm, double error_mm) const;
 
   /// The nearest body; among equals the first. A `hint`, any body, saves time where it is near.
@@ -100,13 +100,20 @@ class RemovedSpace {
   void values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const;
   /// The side of a round bar: its distance is concave, not convex.
   bool is_concave(BodyRef body) const;
+  /// What a move sweeps that turns its tool as it goes: d is not convex, its plane at a place none
+  /// under it, and `values` are those of a convex function nowhere below it.
+  bool turns(BodyRef body) const { return !is_stock(body) && passes_[body.pass]->turn(); }
+  /// A lower bound of d of such a body over the hull of `points`, by planes at `middle`; not
+  /// improved where it is `enough_mm`, or cannot be.
+  double lower(BodyRef body, std::span<const model::Vec3> points, const model::Vec3& middle,
+               double enough_mm) const;
   /// The outside of a mesh, whose distance is neither: it has bounds of its own, and `values` are
   /// those of a convex function nowhere below it. None for any other body.
   const MeshOutside* mesh_of(BodyRef body) const { return is_stock(body) ? mesh_.get() : nullptr; }
   /// Radius of the smallest rounding of a body's edges, in mm; none of a face of the stock.
   double rounding_mm(BodyRef body) const {
-    if (is_stock(body) || passes_[body.pass]->profile.is_pointed()) return 0;
-    return passes_[body.pass]->profile.rounding_mm;
+    if (is_stock(body) || passes_[body.pass]->profile().is_pointed()) return 0;
+    return passes_[body.pass]->profile().rounding_mm;
   }
   bool is_stock(BodyRef body) const { return body.pass == passes_.size(); }
   /// Of the raw stock; none where it is endless.
@@ -128,25 +135,8 @@ class RemovedSpace {
   }
 
  private:
-  struct PassBodies {
-    CutterProfile profile;
-    std::vector<SweptBody> bodies;     ///< in the order of the leaves, so that a leaf lies together
-    std::vector<std::uint32_t> index;  ///< beside bodies: of the move
-    std::vector<std::uint32_t> place;  ///< by move: where its body is
-    std::vector<model::BoxNode> nodes;  ///< over the boxes of the bodies' tips
-    std::vector<TiltedBox> tilted;      ///< beside nodes, where they serve for the cutter
-
-    std::size_t place_of(const model::BoxNode& node) const {
-      return static_cast<std::size_t>(&node - nodes.data());
-    }
-    double bound(const model::Box3& tips, const model::Vec3& p, const model::Vec3& half) const;
-    double bound(const model::BoxNode& node, const model::Vec3& p, double limit_mm,
-                 const model::Vec3& half = {}) const;
-    const SweptBody& of_move(std::uint32_t move) const { return bodies[place[move]]; }
-  };
-
-  /// A pass and how the frame that is asked in lies in its own, in which its cutter is upright:
-  /// what is asked is turned there and back, so that proofs are those of upright cutters. Turning
+  /// A pass and how the frame that is asked in lies in its own: what is asked is turned there and
+  /// back, so that proofs are those of upright cutters. Turning
   /// is exact but for rounding, which kDistanceRounding_mm covers.
   struct PlacedPass {
     std::shared_ptr<const PassBodies> bodies;
@@ -162,8 +152,6 @@ class RemovedSpace {
   };
 
   void add_sweep(const Sweep& sweep);
-  static std::shared_ptr<const PassBodies> index_bodies(const CutterProfile& profile,
-                                                        std::vector<SweptBody> bodies);
   template <class Near, class Take>
   void visit_near(std::uint32_t pass, Near&& near, Take&& take) const;
   void stock_within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;

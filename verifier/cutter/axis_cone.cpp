@@ -1,0 +1,83 @@
+#include "verifier/cutter/axis_cone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "verifier/tolerance.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Box3;
+using model::Vec3;
+
+/// No place of the profile is further from its core.
+double farthest_mm(const CutterProfile& profile) {
+  const double up = std::max(profile.top_mm - profile.core_mm, profile.core_mm - profile.tip_mm());
+  return std::hypot(profile.largest_radius_mm(), up);
+}
+
+/// The longest way across `axis` to a corner of the box about zero.
+double across_mm(const Vec3& half, const Vec3& axis) {
+  double most = 0;
+  for (const double x : {-half.x, half.x})
+    for (const double y : {-half.y, half.y}) {
+      const Vec3 corner{x, y, half.z};
+      most = std::max(most, length(corner - axis * dot(corner, axis)));
+    }
+  return most;
+}
+
+}  // namespace
+
+AxisCone::AxisCone(const TurningBody& body)
+    : axis_(body.axis(0.5)), spread_rad_(body.turn_rad() / 2) {}
+
+AxisCone::AxisCone(std::span<const TurningBody> bodies) {
+  Vec3 sum;
+  for (const TurningBody& body : bodies) sum += body.axis(0.5);
+  if (length(sum) < kCancels) return;
+  axis_ = model::normalized(sum);
+  for (const TurningBody& body : bodies)
+    spread_rad_ =
+        std::max(spread_rad_, model::angle_between(axis_, body.axis(0.5)) + body.turn_rad() / 2);
+  if (spread_rad_ >= std::numbers::pi / 2) axis_ = {};
+}
+
+/// A profile that is turned about its core by an angle moves a place that is r from there by no
+/// more than r times the angle.
+double AxisCone::bound(const CutterProfile& profile, const Box3& cores, const Vec3& p,
+                       const Vec3& half) const {
+  const Vec3 room = cores.size() / 2 + half, from = p - cores.centre();
+  const double radius = length(room), far = length(from);
+  const double by_size = far - radius - farthest_mm(profile);
+  if (axis_ == Vec3{}) return by_size - kDistanceRounding_mm;
+  const double along = dot(from, axis_);
+  const double up =
+      std::abs(axis_.x) * room.x + std::abs(axis_.y) * room.y + std::abs(axis_.z) * room.z;
+  const double rho = std::max(0.0, length(from - axis_ * along) - across_mm(room, axis_));
+  const double height = along + profile.core_mm;
+  const double open = open_distance(profile, rho, height + up).value;
+  const double standing = std::max(open, height - up - profile.top_mm);
+  return std::max(by_size, standing - spread_rad_ * (far + radius)) - kDistanceRounding_mm;
+}
+
+std::vector<AxisCone> axis_cones(const std::vector<model::BoxNode>& nodes,
+                                 std::span<const TurningBody> bodies) {
+  std::vector<AxisCone> cones(nodes.size());
+  // Children come after their parents: the bodies of a node lie between those of its outer leaves.
+  std::vector<std::pair<std::size_t, std::size_t>> ranges(nodes.size());
+  for (std::size_t at = nodes.size(); at-- > 0;) {
+    const model::BoxNode& node = nodes[at];
+    ranges[at] = node.count > 0
+                     ? std::pair<std::size_t, std::size_t>{node.first, node.first + node.count}
+                     : std::pair{ranges[at + 1].first, ranges[node.right].second};
+    const auto [first, last] = ranges[at];
+    cones[at] = AxisCone(bodies.subspan(first, last - first));
+  }
+  return cones;
+}
+
+}  // namespace limitgauge::verifier

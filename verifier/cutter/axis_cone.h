@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/geometry/box_tree.h"
+#include "verifier/cutter/cutter_profile.h"
+#include "verifier/cutter/turning_body.h"
+
+namespace limitgauge::verifier {
+
+/// A cone that holds the axes of some turning bodies at all times: as the box round their cores
+/// says where they are, it says how they stand.
+class AxisCone {
+ public:
+  /// Holds every axis.
+  AxisCone() = default;
+  explicit AxisCone(const TurningBody& body);
+  explicit AxisCone(std::span<const TurningBody> bodies);
+
+  /// A lower bound of d over all bodies whose axes are in the cone and whose cores are in `cores`,
+  /// and all points no further from `p` along each axis than `half`; rounding is taken off.
+  double bound(const CutterProfile& profile, const model::Box3& cores, const model::Vec3& p,
+               const model::Vec3& half) const;
+
+ private:
+  model::Vec3 axis_;
+  double spread_rad_ = 0;  ///< of no length: every axis
+};
+
+/// For the nodes of a tree over turning bodies.
+std::vector<AxisCone> axis_cones(const std::vector<model::BoxNode>& nodes,
+                                 std::span<const TurningBody> bodies);
+
+}  // namespace limitgauge::verifier

@@ -1,0 +1,109 @@
+#include "verifier/cutter/pass_bodies.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "verifier/tolerance.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Box3;
+using model::Vec3;
+
+constexpr std::uint32_t kLeafBodies = 6;
+/// How much more heights count than places in plan where moves are divided: of a flat as wide as a
+/// node's box it is the height that tells which moves are near.
+constexpr double kHeightsOfFlat = 4;
+
+Box3 tips_of(const SweptBody& body) {
+  Box3 tips;
+  tips.add(body.from), tips.add(body.to);
+  return tips;
+}
+
+/// A tree over the boxes of the moves' tips.
+model::BoxTree tip_tree(const CutterProfile& profile, const std::vector<SweptBody>& bodies) {
+  const double scale = profile.flat_mm > 0 ? kHeightsOfFlat : 1;
+  std::vector<Box3> tips(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    tips[i] = tips_of(bodies[i]);
+    tips[i].low.z *= scale, tips[i].high.z *= scale;
+  }
+  model::BoxTree tree = model::box_tree(tips, kLeafBodies);
+  for (model::BoxNode& node : tree.nodes) node.box.low.z /= scale, node.box.high.z /= scale;
+  return tree;
+}
+
+model::BoxTree core_tree(const CutterProfile& profile, const std::vector<TurningBody>& bodies) {
+  std::vector<Box3> cores(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) cores[i] = bodies[i].cores(profile);
+  return model::box_tree(cores, kLeafBodies);
+}
+
+}  // namespace
+
+void PassBodies::take_order(model::BoxTree tree) {
+  index_ = std::move(tree.order), nodes_ = std::move(tree.nodes);
+  place_.resize(index_.size());
+  for (std::uint32_t k = 0; k < index_.size(); ++k) place_[index_[k]] = k;
+}
+
+PassBodies::PassBodies(const CutterProfile& profile, const std::vector<SweptBody>& bodies)
+    : profile_(profile) {
+  take_order(tip_tree(profile, bodies));
+  upright_.reserve(bodies.size());
+  for (const std::uint32_t move : index_) upright_.push_back(bodies[move]);
+  if (TiltedBox::serves(profile)) tilted_ = tilted_boxes(nodes_, upright_);
+}
+
+PassBodies::PassBodies(const CutterProfile& profile, const std::vector<TurningBody>& bodies)
+    : profile_(profile) {
+  take_order(core_tree(profile, bodies));
+  turning_.reserve(bodies.size());
+  for (const std::uint32_t move : index_) turning_.push_back(bodies[move]);
+  cones_ = axis_cones(nodes_, turning_);
+}
+
+double PassBodies::bound(const model::BoxNode& node, const Vec3& p, double limit_mm,
+                         const Vec3& half) const {
+  const auto at = static_cast<std::size_t>(&node - nodes_.data());
+  if (turn()) return cones_[at].bound(profile_, node.box, p, half);
+  // As from p to tips that may be as much further apart.
+  const double by_box = box_bound(profile_, {node.box.low - half, node.box.high + half}, p);
+  if (by_box > limit_mm || tilted_.empty()) return by_box;
+  return std::max(by_box, tilted_[at].bound(profile_, p, half));
+}
+
+double PassBodies::bound_at(std::uint32_t place, const Vec3& p, const Vec3& half) const {
+  if (turn()) {
+    const TurningBody& body = turning_[place];
+    return AxisCone(body).bound(profile_, body.cores(profile_), p, half);
+  }
+  const Box3 tips = tips_of(upright_[place]);
+  return box_bound(profile_, {tips.low - half, tips.high + half}, p);
+}
+
+double PassBodies::value_at(std::uint32_t place, const Vec3& p, double beyond_mm) const {
+  if (!turn()) return body_value(profile_, upright_[place], p);
+  const double bound = bound_at(place, p, {});
+  return bound > beyond_mm ? bound : turning_[place].least(profile_, p, beyond_mm).distance.value;
+}
+
+BodyDistance PassBodies::distance_at(std::uint32_t place, const Vec3& p) const {
+  return turn() ? turning_[place].least(profile_, p).distance
+                : body_distance(profile_, upright_[place], p);
+}
+
+void PassBodies::values_at(std::uint32_t place, const Bezier& cell,
+                           std::array<double, 16>& out) const {
+  if (turn()) return turning_[place].values(profile_, cell, out);
+  body_values(profile_, upright_[place], cell, out);
+}
+
+double PassBodies::lower_at(std::uint32_t place, std::span<const Vec3> points, const Vec3& middle,
+                            double enough_mm) const {
+  return turning_[place].lower(profile_, points, middle, enough_mm);
+}
+
+}  // namespace limitgauge::verifier

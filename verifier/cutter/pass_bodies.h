@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "model/geometry/box_tree.h"
+#include "verifier/cutter/axis_cone.h"
+#include "verifier/cutter/cutter_profile.h"
+#include "verifier/cutter/swept_body.h"
+#include "verifier/cutter/tilted_box.h"
+#include "verifier/cutter/turning_body.h"
+
+namespace limitgauge::verifier {
+
+/// What one profile sweeps in one pass, in the frame of the pass: a body for each move, upright or
+/// turning as it goes, with a tree over them. Bodies are numbered as their moves, and held in the
+/// order of the leaves, so that a leaf lies together; "place" is one in that order.
+class PassBodies {
+ public:
+  PassBodies(const CutterProfile& profile, const std::vector<SweptBody>& bodies);
+  PassBodies(const CutterProfile& profile, const std::vector<TurningBody>& bodies);
+
+  const CutterProfile& profile() const { return profile_; }
+  const std::vector<model::BoxNode>& nodes() const { return nodes_; }
+  std::uint32_t move_at(std::uint32_t place) const { return index_[place]; }
+  std::uint32_t place_of(std::uint32_t move) const { return place_[move]; }
+  /// The distance to a turning one is not convex.
+  bool turn() const { return !turning_.empty(); }
+
+  /// A lower bound of d over a node's bodies and all points no further from p along each axis than
+  /// `half`: the dearer one where the cheaper is not beyond `limit_mm`.
+  double bound(const model::BoxNode& node, const model::Vec3& p, double limit_mm,
+               const model::Vec3& half = {}) const;
+  /// The same of the body at a place.
+  double bound_at(std::uint32_t place, const model::Vec3& p, const model::Vec3& half) const;
+
+  /// Where d is above `beyond_mm` it may be any value that is so too.
+  double value_at(std::uint32_t place, const model::Vec3& p,
+                  double beyond_mm = std::numeric_limits<double>::infinity()) const;
+  /// Of a turning body the plane is one at the time when it is nearest.
+  BodyDistance distance_at(std::uint32_t place, const model::Vec3& p) const;
+  /// At the control points a convex function nowhere below d: d itself of an upright one.
+  void values_at(std::uint32_t place, const Bezier& cell, std::array<double, 16>& out) const;
+  /// Of a turning body, see TurningBody::lower.
+  double lower_at(std::uint32_t place, std::span<const model::Vec3> points,
+                  const model::Vec3& middle, double enough_mm) const;
+
+ private:
+  void take_order(model::BoxTree tree);
+
+  CutterProfile profile_;
+  std::vector<SweptBody> upright_;
+  std::vector<TurningBody> turning_;
+  std::vector<std::uint32_t> index_, place_;
+  std::vector<model::BoxNode> nodes_;  ///< over the tips, of turning bodies over the cores
+  std::vector<TiltedBox> tilted_;      ///< beside nodes of upright ones, where they serve
+  std::vector<AxisCone> cones_;        ///< beside nodes of turning ones
+};
+
+}  // namespace limitgauge::verifier

@@ -13,21 +13,16 @@ namespace {
 using model::Box3;
 using model::Vec3;
 
-/// No place of the profile is further from its core.
-double farthest_mm(const CutterProfile& profile) {
-  const double up = std::max(profile.top_mm - profile.core_mm, profile.core_mm - profile.tip_mm());
-  return std::hypot(profile.largest_radius_mm(), up);
-}
-
 /// The longest way across `axis` to a corner of the box about zero.
 double across_mm(const Vec3& half, const Vec3& axis) {
-  double most = 0;
+  const double square = model::length_squared(half);
+  double least = square;  // of the squares along the axis
   for (const double x : {-half.x, half.x})
     for (const double y : {-half.y, half.y}) {
-      const Vec3 corner{x, y, half.z};
-      most = std::max(most, length(corner - axis * dot(corner, axis)));
+      const double along = x * axis.x + y * axis.y + half.z * axis.z;
+      least = std::min(least, along * along);
     }
-  return most;
+  return std::sqrt(square - least);
 }
 
 }  // namespace
@@ -48,12 +43,12 @@ AxisCone::AxisCone(std::span<const TurningBody> bodies) {
 
 /// A profile that is turned about its core by an angle moves a place that is r from there by no
 /// more than r times the angle.
-double AxisCone::bound(const CutterProfile& profile, const Box3& cores, const Vec3& p,
-                       const Vec3& half) const {
+double AxisCone::bound(const CutterProfile& profile, double size_mm, const Box3& cores,
+                       const Vec3& p, const Vec3& half, double enough_mm) const {
   const Vec3 room = cores.size() / 2 + half, from = p - cores.centre();
   const double radius = length(room), far = length(from);
-  const double by_size = far - radius - farthest_mm(profile);
-  if (axis_ == Vec3{}) return by_size - kDistanceRounding_mm;
+  const double by_size = far - radius - size_mm - kDistanceRounding_mm;
+  if (axis_ == Vec3{} || by_size >= enough_mm) return by_size;
   const double along = dot(from, axis_);
   const double up =
       std::abs(axis_.x) * room.x + std::abs(axis_.y) * room.y + std::abs(axis_.z) * room.z;
@@ -61,7 +56,12 @@ double AxisCone::bound(const CutterProfile& profile, const Box3& cores, const Ve
   const double height = along + profile.core_mm;
   const double open = open_distance(profile, rho, height + up).value;
   const double standing = std::max(open, height - up - profile.top_mm);
-  return std::max(by_size, standing - spread_rad_ * (far + radius)) - kDistanceRounding_mm;
+  return std::max(by_size, standing - spread_rad_ * (far + radius) - kDistanceRounding_mm);
+}
+
+double farthest_from_core_mm(const CutterProfile& profile) {
+  const double up = std::max(profile.top_mm - profile.core_mm, profile.core_mm - profile.tip_mm());
+  return std::hypot(profile.largest_radius_mm(), up);
 }
 
 std::vector<AxisCone> axis_cones(const std::vector<model::BoxNode>& nodes,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,13 +21,18 @@ class AxisCone {
 
   /// A lower bound of d over all bodies whose axes are in the cone and whose cores are in `cores`,
   /// and all points no further from `p` along each axis than `half`; rounding is taken off.
-  double bound(const CutterProfile& profile, const model::Box3& cores, const model::Vec3& p,
-               const model::Vec3& half) const;
+  /// `size_mm` is that of `farthest_from_core_mm`; nothing better than `enough_mm` is looked for.
+  double bound(const CutterProfile& profile, double size_mm, const model::Box3& cores,
+               const model::Vec3& p, const model::Vec3& half,
+               double enough_mm = std::numeric_limits<double>::infinity()) const;
 
  private:
   model::Vec3 axis_;
   double spread_rad_ = 0;  ///< of no length: every axis
 };
+
+/// No place of a profile is further from its core.
+double farthest_from_core_mm(const CutterProfile& profile);
 
 /// For the nodes of a tree over turning bodies.
 std::vector<AxisCone> axis_cones(const std::vector<model::BoxNode>& nodes,

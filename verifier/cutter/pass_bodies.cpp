@@ -62,31 +62,35 @@ PassBodies::PassBodies(const CutterProfile& profile, const std::vector<TurningBo
   take_order(core_tree(profile, bodies));
   turning_.reserve(bodies.size());
   for (const std::uint32_t move : index_) turning_.push_back(bodies[move]);
+  size_mm_ = farthest_from_core_mm(profile);
   cones_ = axis_cones(nodes_, turning_);
+  for (const TurningBody& body : turning_) {
+    own_cones_.emplace_back(body);
+    own_cores_.push_back(body.cores(profile));
+  }
 }
 
 double PassBodies::bound(const model::BoxNode& node, const Vec3& p, double limit_mm,
                          const Vec3& half) const {
   const auto at = static_cast<std::size_t>(&node - nodes_.data());
-  if (turn()) return cones_[at].bound(profile_, node.box, p, half);
+  if (turn()) return cones_[at].bound(profile_, size_mm_, node.box, p, half, limit_mm);
   // As from p to tips that may be as much further apart.
   const double by_box = box_bound(profile_, {node.box.low - half, node.box.high + half}, p);
   if (by_box > limit_mm || tilted_.empty()) return by_box;
   return std::max(by_box, tilted_[at].bound(profile_, p, half));
 }
 
-double PassBodies::bound_at(std::uint32_t place, const Vec3& p, const Vec3& half) const {
-  if (turn()) {
-    const TurningBody& body = turning_[place];
-    return AxisCone(body).bound(profile_, body.cores(profile_), p, half);
-  }
+double PassBodies::bound_at(std::uint32_t place, const Vec3& p, double limit_mm,
+                            const Vec3& half) const {
+  if (turn())
+    return own_cones_[place].bound(profile_, size_mm_, own_cores_[place], p, half, limit_mm);
   const Box3 tips = tips_of(upright_[place]);
   return box_bound(profile_, {tips.low - half, tips.high + half}, p);
 }
 
 double PassBodies::value_at(std::uint32_t place, const Vec3& p, double beyond_mm) const {
   if (!turn()) return body_value(profile_, upright_[place], p);
-  const double bound = bound_at(place, p, {});
+  const double bound = bound_at(place, p, beyond_mm);
   return bound > beyond_mm ? bound : turning_[place].least(profile_, p, beyond_mm).distance.value;
 }
 

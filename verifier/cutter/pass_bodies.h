@@ -36,7 +36,8 @@ class PassBodies {
   double bound(const model::BoxNode& node, const model::Vec3& p, double limit_mm,
                const model::Vec3& half = {}) const;
   /// The same of the body at a place.
-  double bound_at(std::uint32_t place, const model::Vec3& p, const model::Vec3& half) const;
+  double bound_at(std::uint32_t place, const model::Vec3& p, double limit_mm,
+                  const model::Vec3& half = {}) const;
 
   /// Where d is above `beyond_mm` it may be any value that is so too.
   double value_at(std::uint32_t place, const model::Vec3& p,
@@ -58,7 +59,10 @@ class PassBodies {
   std::vector<std::uint32_t> index_, place_;
   std::vector<model::BoxNode> nodes_;  ///< over the tips, of turning bodies over the cores
   std::vector<TiltedBox> tilted_;      ///< beside nodes of upright ones, where they serve
+  double size_mm_ = 0;                 ///< of a turning profile from its core
   std::vector<AxisCone> cones_;        ///< beside nodes of turning ones
+  std::vector<AxisCone> own_cones_;    ///< of each of them, by place
+  std::vector<model::Box3> own_cores_;
 };
 
 }  // namespace limitgauge::verifier

@@ -43,6 +43,24 @@ double first_meeting(Distance&& distance, const Vec3& ray, bool is_convex, doubl
   return std::min(t, limit_mm);
 }
 
+/// The same of one whose distance is not convex, where `clear(from, to)` proves that it is not met
+/// between: in steps that grow while that is proven, and no longer than the place is far where not.
+template <class Distance, class Clear>
+double first_meeting_by_steps(Distance&& distance, Clear&& clear, const Vec3& ray, double limit_mm,
+                              const EndRule& rule) {
+  double t = 0, step = 0;
+  for (int n = 0; n < kMostSteps && t < limit_mm; ++n) {
+    const BodyDistance d = distance(t);
+    if (rule.is_met(d.value, d.gradient, ray)) return t;
+    const double wanted = d.value > rule.beside_mm + kDistanceRounding_mm ? rule.beside_mm : 0;
+    const double sure = std::max(d.value - d.slack_mm - wanted, kDistanceRounding_mm / 2);
+    for (step *= 2; step > sure && !clear(t, t + step);) step /= 4;
+    step = std::max(step, sure);
+    t += step;
+  }
+  return std::min(t, limit_mm);
+}
+
 }  // namespace
 
 bool EndRule::is_met(double distance_mm, const Vec3& gradient, const Vec3& ray) const {
@@ -190,7 +208,8 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3
   const Vec3 p = passes_[pass].place(from - shift_);
   const Vec3 ray = passes_[pass].direction(along);
   const PassBodies& bodies = *passes_[pass];
-  const double near = chord_error_mm_ + rule.beside_mm + kDistanceRounding_mm;
+  const double near =
+      chord_error_mm_ + std::max(rule.beside_mm, rule.skin_mm) + kDistanceRounding_mm;
   const auto start_of = [&](const model::BoxNode& node) {
     double t = 0;
     for (int k = 0; k < kLooks && t < first.t_mm; ++k) {
@@ -209,7 +228,13 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3
             d.value -= chord_error_mm_;
             return d;
           };
-          const double t = first_meeting(distance, ray, !bodies.turn(), first.t_mm, rule);
+          const auto clear = [&](double a, double b) {
+            const std::array ends{p + ray * a, p + ray * b};
+            return bodies.lower_at(k, ends, p + ray * ((a + b) / 2), near) >= near;
+          };
+          const double t = bodies.turn()
+                               ? first_meeting_by_steps(distance, clear, ray, first.t_mm, rule)
+                               : first_meeting(distance, ray, true, first.t_mm, rule);
           if (t < first.t_mm) first = {t, BodyRef{pass, bodies.move_at(k)}};
         }
       });
@@ -312,7 +337,7 @@ void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>
           return bodies.bound(node, centre, limit_mm, half) <= limit_mm;
         },
         [&](std::uint32_t k) {
-          if (bodies.bound_at(k, centre, half) <= limit_mm)
+          if (bodies.bound_at(k, centre, limit_mm, half) <= limit_mm)
             out.push_back({pass, bodies.move_at(k)});
         });
   }

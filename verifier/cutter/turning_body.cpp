@@ -33,6 +33,24 @@ double least_between(double fa, double sa, double fb, double sb, double width, d
   return (fa * up - fb * down + width * down * up) / (up - down);
 }
 
+/// Its flutes hold all of the ball, so that below the core nothing else is nearer.
+bool is_whole_ball(const CutterProfile& profile) {
+  return profile.is_ball() && profile.top_mm >= profile.core_mm + profile.rounding_mm;
+}
+
+struct SineCosine {
+  double sine = 0, cosine = 1;
+};
+
+/// Of small angles, as those of most moves are, by their series to the last bit.
+SineCosine sine_cosine(double angle) {
+  constexpr double kSmall = 0.1;
+  if (std::abs(angle) > kSmall) return {std::sin(angle), std::cos(angle)};
+  const double q = angle * angle;
+  return {angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72)))),
+          1 - q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90))))};
+}
+
 /// A unit vector across another one.
 Vec3 across_any(const Vec3& axis) {
   return model::normalized(cross(axis, std::abs(axis.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
@@ -49,6 +67,7 @@ struct TurningBody::Look {
   double t = 0;
   BodyDistance here;
   double slope = 0;
+  double over_core_mm = 0;  ///< how far up the axis the place is from the core
 };
 
 /// Between two looks, with the least that may be in it.
@@ -105,8 +124,8 @@ TurningBody::TurningBody(const Vec3& from, const Vec3& to, const Vec3& axis_from
 }
 
 Vec3 TurningBody::axis(double t) const {
-  const double angle = turn_rad_ * t;
-  return axis_ * std::cos(angle) + side_ * std::sin(angle);
+  const SineCosine at = sine_cosine(turn_rad_ * t);
+  return axis_ * at.cosine + side_ * at.sine;
 }
 
 Vec3 TurningBody::core(const CutterProfile& profile, double t) const {
@@ -122,7 +141,7 @@ model::Box3 TurningBody::cores(const CutterProfile& profile) const {
 
 Vec3 TurningBody::turned(const Vec3& v, double by) const {
   const Vec3 about = cross(axis_, side_);
-  const double angle = turn_rad_ * by, c = std::cos(angle), s = std::sin(angle);
+  const auto [s, c] = sine_cosine(turn_rad_ * by);
   return v * c + cross(about, v) * s + about * (dot(about, v) * (1 - c));
 }
 
@@ -150,9 +169,10 @@ BodyDistance TurningBody::standing(const CutterProfile& profile, const Vec3& p, 
 }
 
 TurningBody::Look TurningBody::look(const CutterProfile& profile, const Vec3& p, double t) const {
-  Look out{t, standing(profile, p, t), 0};
+  Look out{t, standing(profile, p, t), 0, 0};
   const Vec3 about = cross(axis_, side_) * turn_rad_;
   out.slope = -dot(out.here.gradient, delta_ + cross(about, p - tip(t)));
+  if (profile.is_ball()) out.over_core_mm = dot(p - tip(t), axis(t)) - lift_mm_ - profile.core_mm;
   return out;
 }
 
@@ -174,11 +194,16 @@ double TurningBody::next_look(const Stretch& s, bool by_tangents) {
 TurningBody::Least TurningBody::least(const CutterProfile& profile, const Vec3& p,
                                       double beyond_mm) const {
   const double bend = bend_mm(profile, distance(p, core(profile, 0.5)));
+  const double core_bend = turn_rad_ * turn_rad_ * std::abs(lift_mm_ + profile.core_mm);
   double dropped = std::numeric_limits<double>::infinity();
   StretchHeap heap;
   const auto add = [&](const Look& a, const Look& b) {
-    const double bound =
-        least_between(a.here.value, a.slope, b.here.value, b.slope, b.t - a.t, bend);
+    const double width = b.t - a.t;
+    // Below the core of a ball at all times, it is the way to its centre that counts.
+    const bool by_core =
+        profile.is_ball() && std::max(a.over_core_mm, b.over_core_mm) < -bend * width * width / 8;
+    const double bound = least_between(a.here.value, a.slope, b.here.value, b.slope, width,
+                                       by_core ? core_bend : bend);
     if (bound > beyond_mm)
       dropped = beyond_mm;
     else
@@ -321,8 +346,6 @@ void TurningBody::values(const CutterProfile& profile, const Bezier& cell,
     out = other, best = largest(out);
   };
   std::array<double, 16> other{};
-  const bool is_whole_ball =
-      profile.is_ball() && profile.top_mm >= profile.core_mm + profile.rounding_mm;
   const Vec3 about = cross(axis_, side_) * turn_rad_;
   const Vec3 velocity = delta_ + cross(about, centre - tip(at.t));
   const double speed = length(velocity);
@@ -330,7 +353,7 @@ void TurningBody::values(const CutterProfile& profile, const Bezier& cell,
   for (const double share : {1.0, 0.5}) {
     const double half = share * radius / speed;
     const double a = std::max(0.0, at.t - half), b = std::min(1.0, at.t + half);
-    if (is_whole_ball)
+    if (is_whole_ball(profile))
       rolling(profile, cell, a, b, other);
     else
       following(profile, cell, at, {a, b, velocity, radius, distance(centre, core(profile, at.t))},

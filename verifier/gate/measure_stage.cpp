@@ -174,6 +174,9 @@ Interval unavoidable_of_all(const Measured& m, const ReachMap& proven, const Rea
     // Nobody asks by which cutter less than the width is left.
     if (best.uncut_mm.high <= 2 * std::max(kUnavoidable_mm, m.check.resolution_mm)) break;
   }
+  // In a way that is not looked at a cutter may leave less.
+  for (const Reachability& search : by.searches)
+    if (search.is_among_others()) best.uncut_mm.low = 0;
   if (!best.place) return best.uncut_mm;
   const double a = m.check.allowance_mm;
   for (std::size_t k = 0; k < by.searches.size() && best.uncut_mm.low > 0; ++k) {
@@ -213,6 +216,9 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
                              PieceWorkers* workers) {
   if (passes.empty()) throw std::invalid_argument("a stage needs the pass it is measured for");
   if (!(check.resolution_mm > 0)) throw std::invalid_argument("the resolution must be positive");
+  const auto turns = [](const Pass& pass) { return pass.axes != nullptr; };
+  if (check.tolerances && std::any_of(passes.begin(), passes.end(), turns))
+    throw std::invalid_argument("no figures over tolerances where a pass turns its tool");
   const model::Stopwatch watch;
   const StageScene scene(surface, raw_stock, passes, check);
   const Spaces spaces = scene.spaces();

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "model/base/angle.h"
 #include "verifier/surface/surface_tree.h"
 #include "verifier/tolerance.h"
 
@@ -33,17 +34,51 @@ CertificateRequest request_of(const StageCheck& check) {
           check.largest_cell_count};
 }
 
+/// Cells that are looked at for one of many ways in which a cutter stood.
+constexpr std::size_t kCellsOfWay = 5000;
+
 /// A cutter, and how the frame at work lies in the one in which it stood along +Z.
 struct StandingCutter {
   model::Cutter cutter;
   std::string text;  ///< all of it but its name
   model::Pose to_own;
+  bool among_others = false;  ///< the pass turns it as it goes: one of the ways in which it stood
 
   /// Where a frame lies decides nothing of reach.
   bool is_like(const StandingCutter& other) const {
-    return text == other.text && to_own.rows == other.to_own.rows;
+    return text == other.text && to_own.rows == other.to_own.rows &&
+           among_others == other.among_others;
   }
 };
+
+/// How the frame of a pass lies in one in which a cutter along `axis` is upright.
+model::Pose upright_from(const model::Vec3& axis) {
+  const model::Vec3 up{0, 0, 1}, about = cross(axis, up);
+  if (!(length(about) > kUnitRounding))
+    return axis.z > 0 ? model::Pose{} : model::turn_about({1, 0, 0}, 180);
+  return model::turn_about(about, model::angle_between(axis, up) / model::radians(1));
+}
+
+/// Some of the ways in which a pass that turns its cutter has it stand at a feed, far from each
+/// other: each the farthest from those before, until none is far.
+std::vector<model::Vec3> ways_of(const Pass& pass) {
+  constexpr std::size_t kMostWays = 12;
+  constexpr double kNear_rad = 0.25;
+  std::vector<model::Vec3> ways, all;
+  for (std::size_t i = 0; i < pass.path->moves.size(); ++i)
+    if (pass.path->moves[i].kind == model::MoveKind::feed) all.push_back(pass.axes->to[i]);
+  if (all.empty()) all.push_back(pass.axes->start);
+  std::vector<double> apart_rad(all.size(), std::numeric_limits<double>::infinity());
+  std::size_t next = 0;
+  do {
+    ways.push_back(all[next]);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      apart_rad[i] = std::min(apart_rad[i], model::angle_between(ways.back(), all[i]));
+    next = static_cast<std::size_t>(std::max_element(apart_rad.begin(), apart_rad.end()) -
+                                    apart_rad.begin());
+  } while (ways.size() < kMostWays && apart_rad[next] > kNear_rad);
+  return ways;
+}
 
 /// The cutters used so far, each of its kind and way once: that of the last pass first. A stage
 /// that moves nothing at a feed has a cutter too: what it ought to have reached is asked of it.
@@ -54,9 +89,22 @@ std::vector<StandingCutter> distinct_cutters(std::span<const Pass> passes) {
     StandingCutter cutter{passes[k].cutter, {}, passes[k].pose.inverse()};
     cutter.cutter.id.clear();
     cutter.text = to_text(cutter.cutter);
-    const bool known = std::any_of(
-        out.begin(), out.end(), [&](const StandingCutter& other) { return other.is_like(cutter); });
-    if (!known) out.push_back(std::move(cutter));
+    const auto add = [&] {
+      const bool known = std::any_of(out.begin(), out.end(), [&](const StandingCutter& other) {
+        return other.is_like(cutter);
+      });
+      if (!known) out.push_back(cutter);
+    };
+    if (!passes[k].axes) {
+      add();
+      continue;
+    }
+    cutter.among_others = true;
+    const model::Pose to_pass = cutter.to_own;
+    for (const model::Vec3& way : ways_of(passes[k])) {
+      cutter.to_own = upright_from(way) * to_pass;
+      add();
+    }
   }
   return out;
 }
@@ -68,6 +116,7 @@ std::vector<Pass> gouging(std::span<const Pass> passes, std::span<const std::siz
     model::Toolpath none;
     none.start = out[k].path->start;
     none.start.z = std::numeric_limits<double>::max();
+    out[k].axes.reset();
     out[k].path = std::make_shared<const model::Toolpath>(std::move(none));
   }
   return out;
@@ -102,6 +151,10 @@ ReachOfCutters::ReachOfCutters(const SurfaceCells& cells, std::span<const Pass> 
     const model::Cutter& cutter = cutters.emplace_back(standing.cutter);
     searches.emplace_back(cells, cutter, allowance_mm, kContact_mm);
     efforts.push_back(reach_effort(CutterProfile(cutter), area_mm2));
+    if (standing.among_others) {
+      searches.back() = searches.back().among_others();
+      efforts.back().largest_cell_count = std::min(efforts.back().largest_cell_count, kCellsOfWay);
+    }
     if (!standing.to_own.turns()) continue;
     const auto same = std::find_if(ways.begin(), ways.end(), [&](const model::Pose& way) {
       return way.rows == standing.to_own.rows;

@@ -67,7 +67,9 @@ class PieceWorkers;  // see stage_pieces.h
 /// Measures the stage whose pass is the last of `passes`. `probe` asks the simulated stock, none
 /// leaves the second instrument out; the two instruments are compared, and a disagreement beyond
 /// their bounds throws InstrumentDisagreement. The result is the same for any number of threads,
-/// and with `workers`, who do parts of it elsewhere.
+/// and with `workers`, who do parts of it elsewhere. Where passes turn their tool as they go
+/// (model::Pass::axes), what one of some ways in which it stood can touch is in reach, and nothing
+/// is proven out of reach; tolerances throw std::invalid_argument.
 StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock& raw_stock,
                              std::span<const Pass> passes, const StockProbe* probe,
                              const StageCheck& check, const model::RunControl& control,

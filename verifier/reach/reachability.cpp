@@ -109,6 +109,12 @@ Reachability Reachability::from(const SurfaceCells& cells, const model::Pose& to
   return out;
 }
 
+Reachability Reachability::among_others() const {
+  Reachability out = *this;
+  out.among_others_ = true;
+  return out;
+}
+
 Reachability::Below Reachability::comes_below(std::span<const StandingPart> parts, const Vec3& tip,
                                               double limit_mm) const {
   Below worst = Below::none;
@@ -226,7 +232,7 @@ bool Reachability::surely_unreachable_by_tip(const OffsetCell& cell) const {
 }
 
 bool Reachability::surely_unreachable(const OffsetCell& cell, ContactMemory* memory) const {
-  if (profile_.flat_mm < 0 || !(length(cell.normal) > 0)) return false;
+  if (among_others_ || profile_.flat_mm < 0 || !(length(cell.normal) > 0)) return false;
   const double tilt = tilt_of(cell), spread = cell.spread_rad;
   // What leans inwards, or has a neck over a side that leans outwards, may touch with its side too.
   if (profile_.undercuts() || (neck_ && profile_.slope != 0)) return false;

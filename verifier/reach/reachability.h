@@ -46,13 +46,17 @@ class Reachability {
   bool surely_unreachable(const OffsetCell& cell, ContactMemory* memory = nullptr) const;
   /// Whether proofs by the endless wall alone say that a place is out of reach: not of a cutter
   /// that has less above its flutes than that.
-  bool is_endless() const { return !narrower_above_; }
+  bool is_endless() const { return !narrower_above_ && !among_others_; }
 
   /// The same search as one for a cutter that stands along +Z of the frame that `cells` is in, the
   /// cells of S one by one: `to_own` is how the frame of the caller lies in it. What is asked here
   /// is asked in that frame of the cutter's own.
   Reachability from(const SurfaceCells& cells, const model::Pose& to_own) const;
   const model::Pose& to_own() const { return to_own_; }
+  /// The same search for a cutter that stood in other ways too, which are not all looked at: that
+  /// nothing touches a place is never proven by it.
+  Reachability among_others() const;
+  bool is_among_others() const { return among_others_; }
   const SurfaceCells& cells() const { return *cells_; }
 
   const CutterProfile& profile() const { return profile_; }
@@ -78,6 +82,7 @@ class Reachability {
 
   const SurfaceCells* cells_;
   model::Pose to_own_ = {};
+  bool among_others_ = false;
   CutterProfile profile_;
   double allowance_mm_, contact_mm_;
   /// What the cutter is taken to be made of: the endless flutes, or flutes and parts as stated.

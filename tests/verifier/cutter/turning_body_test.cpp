@@ -223,7 +223,8 @@ TEST_CASE("a cone of axes bounds the distance to all that stand in it", "[proper
       move.to = move.from + dice.within(1);
       move.axis_to = model::normalized(move.axis_from + dice.within(0.1));
     }
-    const double bound = AxisCone(bodies).bound(profile, cores, p, half);
+    const double bound =
+        AxisCone(bodies).bound(profile, farthest_from_core_mm(profile), cores, p, half);
     CAPTURE(n, bound);
     for (int k = 0; k < 40; ++k) {
       const Vec3 q =

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "simulator/instrument/dexel_cut.h"
+#include "simulator/sweep/sweep_tree.h"
 
 namespace limitgauge::simulator {
 namespace {
@@ -46,6 +47,7 @@ DexelStock::DexelStock(std::shared_ptr<const State> state) : state_(std::move(st
 DexelStock::Cut DexelStock::cut(const Pass& pass, const model::RunControl& control) const {
   if (pass.pose != model::Pose{})
     throw std::invalid_argument("a pass of another setup is to be cut in that setup's lines");
+  require_path(pass);
   DexelTiles tiles = state_->tiles;
   std::vector<MoveRemoval> moves = cut_tiles(state_->lattice, tiles, pass, control);
   const RemovalTotals totals = removal_totals(*pass.path, moves, spacing_mm());

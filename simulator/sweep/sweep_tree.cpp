@@ -25,6 +25,7 @@ SweptMove swept_move(const model::Toolpath& path, std::uint32_t i) {
 
 void require_path(const Pass& pass) {
   if (!pass.path) throw std::invalid_argument("a pass without a path");
+  if (pass.axes) throw std::invalid_argument("a pass that turns its tool as it goes is not cut");
   const model::Toolpath& path = *pass.path;
   if (path.moves.size() >= std::numeric_limits<std::uint32_t>::max())
     throw std::invalid_argument("a path of 2^32 moves or more");

@@ -16,7 +16,7 @@ namespace limitgauge::simulator {
 using model::Pass;
 
 /// Throws std::invalid_argument for a pass that cannot be: no path, a coordinate that is not
-/// finite, 2^32 moves and more.
+/// finite, 2^32 moves and more; and for one that turns its tool as it goes, which is not simulated.
 void require_path(const Pass& pass);
 
 /// The move nearest to a point and the swept distance to it.

@@ -66,8 +66,8 @@ TEST_CASE("a stretch that has the name of another stage is told with its line", 
   folder.write("b.nc", kSharedBegin + kSharedCut + kSharedEnd);
   const std::string error =
       folder.error(shared_stage("s", "a.nc", "") + shared_stage("s.2", "b.nc", ""));
-  CHECK_THAT(error, tests::ContainsSubstring("a.nc:11:") &&
-                        tests::ContainsSubstring("two stages are called \"s.2\""));
+  CHECK_THAT(error,
+             ContainsSubstring("a.nc:11:") && ContainsSubstring("two stages are called \"s.2\""));
 }
 
 TEST_CASE("setups that turns make are called by names that no other has", "[unit][job]") {

@@ -168,7 +168,7 @@ TEST_CASE("an axis that leans and does not turn is a pass that leans", "[propert
 
 TEST_CASE("what a ball leaves and takes does not depend on how it stands", "[unit][slow]") {
   const model::Cutter ball = ball_cutter(2);
-  const ReferenceSurface dome(paraboloid_cage(6, -0.05));
+  const ReferenceSurface dome(paraboloid_cage(3, -0.05));
   const model::Stock block = model::BoxStock{{-10, -10, -12}, {20, 20, 14}};
   const auto stand = [](double x, double y) {
     return model::normalized({0.2 + 0.15 * std::sin(x), 0.3 * std::cos(0.7 * y), 1});
@@ -177,8 +177,8 @@ TEST_CASE("what a ball leaves and takes does not depend on how it stands", "[uni
   const auto touch = [&](double x, double y, const Vec3& axis) {
     return touching_tip(ball, {x, y, dome_height(x, y)}, dome_normal(x, y), axis, 0.01);
   };
-  const TurningPath leaning = dome_rows(7, 0.25, 0.25, stand, touch);
-  const TurningPath upright = dome_rows(7, 0.25, 0.25, up, touch);
+  const TurningPath leaning = dome_rows(4, 0.25, 0.25, stand, touch);
+  const TurningPath upright = dome_rows(4, 0.25, 0.25, up, touch);
   const Pass turning = leaning.pass(ball), standing{ball, shared(upright.path)};
   const StageCheck check = turning_check(0.0005);
   const StageDeviation a = measure_passes(dome, block, {&turning, 1}, check, 2);
@@ -225,7 +225,7 @@ TEST_CASE("a wrong axis is found at its line, as deep as it is", "[property][slo
   const auto dice = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  const int planted = by_effort(12, 200);
+  const int planted = by_effort(6, 200);
   int found = 0;
   for (int n = 0; n < planted; ++n) {
     DomeStage stage(n % 2 == 0);

@@ -257,9 +257,11 @@ TEST_CASE("a wrong axis is found at its line, as deep as it is", "[property][slo
     CHECK(d.gouge_mm.high >= deep_mm);
     if (deep_mm < 0.03) continue;
     ++found;
-    // Samples 0.1 mm apart miss little of how deep a cutter of these radii is.
-    CHECK(d.gouge_mm.low <= deep_mm + 0.02);
     REQUIRE_FALSE(d.gouges.empty());
+    // Samples 0.1 mm apart may miss the deepest place; there the poses show what is certified, but
+    // for what lies between two of them.
+    const Vec3& deepest = d.gouges.front().place.point;
+    CHECK(poses.run(deepest, -dome_normal(deepest.x, deepest.y), true, 2) > d.gouge_mm.low - 0.002);
     const std::uint32_t line = d.gouges.front().line,
                         planted_line = stage.path.path.moves[wrong].line;
     CHECK((line == planted_line || line == planted_line + 1));

@@ -200,8 +200,8 @@ TurningBody::Least TurningBody::least(const CutterProfile& profile, const Vec3& 
   const auto add = [&](const Look& a, const Look& b) {
     const double width = b.t - a.t;
     // Below the core of a ball at all times, it is the way to its centre that counts.
-    const bool by_core =
-        profile.is_ball() && std::max(a.over_core_mm, b.over_core_mm) < -bend * width * width / 8;
+    const bool by_core = is_whole_ball(profile) &&
+                         std::max(a.over_core_mm, b.over_core_mm) < -bend * width * width / 8;
     const double bound = least_between(a.here.value, a.slope, b.here.value, b.slope, width,
                                        by_core ? core_bend : bend);
     if (bound > beyond_mm)

@@ -41,4 +41,15 @@ std::size_t halve_by_centres(std::span<std::uint32_t> part, const std::vector<Bo
       part, [&](std::uint32_t k) { return boxes[k].centre(); }, [](std::uint32_t k) { return k; });
 }
 
+std::vector<std::pair<std::size_t, std::size_t>> element_ranges(const std::vector<BoxNode>& nodes) {
+  std::vector<std::pair<std::size_t, std::size_t>> ranges(nodes.size());
+  for (std::size_t at = nodes.size(); at-- > 0;) {
+    const BoxNode& node = nodes[at];
+    ranges[at] = node.count > 0
+                     ? std::pair<std::size_t, std::size_t>{node.first, node.first + node.count}
+                     : std::pair{ranges[at + 1].first, ranges[node.right].second};
+  }
+  return ranges;
+}
+
 }  // namespace limitgauge::model

@@ -51,6 +51,11 @@ struct BoxTree {
   std::vector<std::uint32_t> order;  ///< the elements in the order of the leaves
 };
 
+/// Of each node, the places of its elements in the order of the leaves: from the first up to the
+/// second. Children come after their parents, and a node's elements lie between those of its outer
+/// leaves.
+std::vector<std::pair<std::size_t, std::size_t>> element_ranges(const std::vector<BoxNode>& nodes);
+
 /// Halves by the middle of the elements until no leaf has more than `leaf_size`.
 BoxTree box_tree(const std::vector<Box3>& boxes, std::uint32_t leaf_size);
 

@@ -23,24 +23,18 @@ constexpr double kHalf_mm = 10, kDomeBend = 0.02, kRow_mm = 0.3, kAlong_mm = 0.1
 verifier::Pass turning_rows(const model::Cutter& cutter, double lean) {
   model::Toolpath path;
   model::ToolAxes axes;
-  const double reach = kHalf_mm + 1;
-  const int rows = static_cast<int>(std::lround(2 * reach / kRow_mm));
-  const int points = static_cast<int>(std::lround(2 * reach / kAlong_mm));
-  for (int row = 0; row <= rows; ++row)
-    for (int i = 0; i <= points; ++i) {
-      const double x = -reach + row * kRow_mm;
-      const double y = -reach + kAlong_mm * (row % 2 == 0 ? i : points - i);
-      const Vec3 n = model::normalized({2 * kDomeBend * x, 2 * kDomeBend * y, 1});
-      const Vec3 sway{0.1 + 0.02 * std::sin(2.5 * y), 0.02 * std::cos(x), 0};
-      const Vec3 axis = lean > 0 ? model::normalized(n + sway * lean) : Vec3{0, 0, 1};
-      const double corner = cutter.corner_radius_mm, flat = cutter.radius_mm() - corner;
-      const Vec3 across = model::normalized(n - axis * dot(n, axis));
-      const Vec3 tip =
-          Vec3{x, y, -kDomeBend * (x * x + y * y)} + n * corner + across * flat - axis * corner;
-      if (path.moves.empty()) path.start = tip, axes.start = axis;
-      tests::feed_to(path, tip);
-      axes.to.push_back(axis);
-    }
+  tests::along_rows(kHalf_mm + 1, kRow_mm, kAlong_mm, [&](double x, double y) {
+    const Vec3 n = model::normalized({2 * kDomeBend * x, 2 * kDomeBend * y, 1});
+    const Vec3 sway{0.1 + 0.02 * std::sin(2.5 * y), 0.02 * std::cos(x), 0};
+    const Vec3 axis = lean > 0 ? model::normalized(n + sway * lean) : Vec3{0, 0, 1};
+    const double corner = cutter.corner_radius_mm, flat = cutter.radius_mm() - corner;
+    const Vec3 across = model::normalized(n - axis * dot(n, axis));
+    const Vec3 tip =
+        Vec3{x, y, -kDomeBend * (x * x + y * y)} + n * corner + across * flat - axis * corner;
+    if (path.moves.empty()) path.start = tip, axes.start = axis;
+    tests::feed_to(path, tip);
+    axes.to.push_back(axis);
+  });
   verifier::Pass pass{cutter, tests::shared(std::move(path))};
   if (lean > 0) pass.axes = std::make_shared<const model::ToolAxes>(std::move(axes));
   return pass;

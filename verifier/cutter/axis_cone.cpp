@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "verifier/tolerance.h"
 
@@ -67,13 +66,8 @@ double farthest_from_core_mm(const CutterProfile& profile) {
 std::vector<AxisCone> axis_cones(const std::vector<model::BoxNode>& nodes,
                                  std::span<const TurningBody> bodies) {
   std::vector<AxisCone> cones(nodes.size());
-  // Children come after their parents: the bodies of a node lie between those of its outer leaves.
-  std::vector<std::pair<std::size_t, std::size_t>> ranges(nodes.size());
-  for (std::size_t at = nodes.size(); at-- > 0;) {
-    const model::BoxNode& node = nodes[at];
-    ranges[at] = node.count > 0
-                     ? std::pair<std::size_t, std::size_t>{node.first, node.first + node.count}
-                     : std::pair{ranges[at + 1].first, ranges[node.right].second};
+  const auto ranges = model::element_ranges(nodes);
+  for (std::size_t at = 0; at < nodes.size(); ++at) {
     const auto [first, last] = ranges[at];
     cones[at] = AxisCone(bodies.subspan(first, last - first));
   }

@@ -80,13 +80,8 @@ double TiltedBox::bound(const CutterProfile& profile, const Vec3& p, const Vec3&
 std::vector<TiltedBox> tilted_boxes(const std::vector<model::BoxNode>& nodes,
                                     std::span<const SweptBody> bodies) {
   std::vector<TiltedBox> boxes(nodes.size());
-  // Children come after their parents: the moves of a node lie between those of its outer leaves.
-  std::vector<std::pair<std::size_t, std::size_t>> ranges(nodes.size());
-  for (std::size_t at = nodes.size(); at-- > 0;) {
-    const model::BoxNode& node = nodes[at];
-    ranges[at] = node.count > 0
-                     ? std::pair<std::size_t, std::size_t>{node.first, node.first + node.count}
-                     : std::pair{ranges[at + 1].first, ranges[node.right].second};
+  const auto ranges = model::element_ranges(nodes);
+  for (std::size_t at = 0; at < nodes.size(); ++at) {
     const auto [first, last] = ranges[at];
     if (last - first <= kMostBodies) boxes[at] = TiltedBox(bodies.subspan(first, last - first));
   }

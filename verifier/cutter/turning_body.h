@@ -26,7 +26,6 @@ class TurningBody {
   model::Vec3 tip(double t) const { return from_ + delta_ * t; }
   model::Vec3 axis(double t) const;
   double turn_rad() const { return turn_rad_; }
-  double lift_mm() const { return lift_mm_; }
   /// Of the profile's core, about which it is looked at: the centre of a ball. And a box round
   /// where it is at all times.
   model::Vec3 core(const CutterProfile& profile, double t) const;

@@ -60,15 +60,10 @@ template <class Stand, class Touch>
 TurningPath dome_rows(double half_mm, double step_mm, double along_mm, const Stand& stand,
                       const Touch& touch) {
   TurningPath out;
-  const int rows = static_cast<int>(std::lround(2 * half_mm / step_mm));
-  const int points = static_cast<int>(std::lround(2 * half_mm / along_mm));
-  for (int row = 0; row <= rows; ++row)
-    for (int k = 0; k <= points; ++k) {
-      const double x = -half_mm + row * step_mm;
-      const double y = -half_mm + along_mm * (row % 2 == 0 ? k : points - k);
-      const Vec3 axis = stand(x, y);
-      out.feed(touch(x, y, axis), axis);
-    }
+  along_rows(half_mm, step_mm, along_mm, [&](double x, double y) {
+    const Vec3 axis = stand(x, y);
+    out.feed(touch(x, y, axis), axis);
+  });
   return out;
 }
 

@@ -9,6 +9,7 @@
 
 #include "model/base/chunks.h"
 #include "simulator/instrument/stock_check.h"
+#include "simulator/process/carried_check.h"
 #include "simulator/process/fixture_check.h"
 #include "simulator/process/tool_bodies.h"
 #include "simulator/stock/material.h"
@@ -98,6 +99,15 @@ std::vector<Finding> joined(std::vector<std::vector<Finding>> chunks) {
   return all;
 }
 
+/// Both are in the order of moves; the tool's own findings of a move come first.
+std::vector<Finding> with_carried(std::vector<Finding> findings, std::vector<Finding> carried) {
+  if (carried.empty()) return findings;
+  std::vector<Finding> all;
+  std::ranges::merge(std::move(findings), std::move(carried), std::back_inserter(all), {},
+                     &Finding::move, &Finding::move);
+  return all;
+}
+
 }  // namespace
 
 void require_contact_limits(const ProcessLimits& limits) {
@@ -134,7 +144,8 @@ std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
     }
     control.report(static_cast<double>(++done) / static_cast<double>(chunks));
   });
-  return joined(std::move(found));
+  return with_carried(joined(std::move(found)),
+                      CarriedCheck(before, pass, limits).findings(control));
 }
 
 }  // namespace limitgauge::simulator

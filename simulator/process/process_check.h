@@ -3,11 +3,21 @@
 #include <optional>
 #include <vector>
 
+#include "model/geometry/pose.h"
 #include "model/part/fixture.h"
 #include "simulator/process/finding.h"
 #include "simulator/stock/stock_model.h"
 
 namespace limitgauge::simulator {
+
+/// A body of the machine that goes with the spindle or with a part of its head: nothing may touch
+/// it, in whatever way the tool stands.
+struct CarriedBody {
+  model::Fixture body;
+  /// From the frame that its mesh is in to the path's, the tip being at zero; of turns, whose poses
+  /// say it themselves, without meaning.
+  model::Pose from_tip;
+};
 
 /// What a process is checked against.
 struct ProcessLimits {
@@ -18,6 +28,7 @@ struct ProcessLimits {
                             ///< for
   std::optional<model::Box3> travel_mm;  ///< of the tip, infinite where an axis has no limit
   std::vector<model::Fixture> fixtures;
+  std::vector<CarriedBody> carried;
 };
 
 /// Throws std::invalid_argument unless contacts have a tolerance above 0 and near misses a
@@ -26,9 +37,9 @@ void require_contact_limits(const ProcessLimits& limits);
 
 /// Checks `pass` against the stock as it stands at each move: `before` is the stock at the start of
 /// the stage. Findings are in the order of moves, then of kinds, then of parts; one a move, kind
-/// and part, for its worst place. The same for any number of threads. Throws std::invalid_argument
-/// for limits, a cutter or a path that cannot be, and for a pass of
-/// another setup, Interrupted.
+/// and part, for its worst place; those of carried bodies follow, one a body and thing. The same
+/// for any number of threads. Throws std::invalid_argument for limits, a cutter or a path that
+/// cannot be, and for a pass of another setup, Interrupted.
 ///
 /// What stands at a move is `before` less all that the moves before it swept. So that a program
 /// cannot hide a crash by having it in small pieces, the flutes' contacts are judged against the
@@ -48,6 +59,9 @@ void require_contact_limits(const ProcessLimits& limits);
 ///   1/√2 of it where the diameter changes), to a fraction of the tolerance; of a part wholly
 ///   inside the fixture, how deep its middle is in the part plus the least distance from the part
 ///   to the fixture's surface. Named is the part that is at the place.
+/// A carried body in the stock, after the move's own flutes have cut, is a holder_in_stock, and one
+/// in a fixture a fixture_touched; its name stands for the part.
+///
 /// - spindle_stopped: a move with the spindle at rest whose flutes meet material.
 /// - feed_missing: any feed move without a feed rate; depth 0 where it meets nothing, and then
 ///   placed where the move begins.

@@ -14,28 +14,13 @@ namespace {
 constexpr int kStretches = 8;
 // How finely it is looked when a part has left the stock, or begins to arrive.
 constexpr int kTimesToLeave = 64;
-// For what fails nothing.
-constexpr std::size_t kMostSlightLooks = kMostTurnLooks / 10;
 constexpr std::array kToolParts{ToolPart::cutter, ToolPart::shank, ToolPart::holder};
 
 }  // namespace
 
-/// Of a part with a thing: the deepest contact or the least distance, and when.
-struct TurnCheck::Meeting {
-  Touch touch = Touch::none;
-  std::optional<TurnPlace> place;  // none of a contact that was not excluded
-
-  /// Whether it is worse than what was before: of equal ones the first stays.
-  bool worse_than(const Meeting& other) const {
-    if (touch != other.touch) return touch > other.touch;
-    if (!place || !other.place) return place && !other.place;
-    return touch == Touch::none ? place->mm < other.place->mm : place->mm > other.place->mm;
-  }
-};
-
 /// Of a part's turn among a thing.
 struct TurnCheck::Stretch {
-  std::size_t obstacle = 0, body = 0;
+  std::size_t obstacle = 0, mover = 0;
   TurnSearch search;
   double near_mm = 0;  // distances below count
 
@@ -61,41 +46,44 @@ TurnCheck::TurnCheck(const StockModel& stock, const model::Cutter& cutter,
   for (const model::Fixture& fixture : limits.fixtures)
     obstacles_.push_back(
         {fixture.name, Material(RawStock(model::MeshStock{fixture.mesh, fixture.file, 0})), false});
+  for (const ToolPart part : kToolParts) part_names_.emplace_back(name(part));
+  for (const CarriedBody& carried : limits.carried) {
+    carried_.emplace_back(carried.body.mesh);
+    part_names_.push_back(carried.body.name);
+  }
 }
 
-const TurningPose& TurnCheck::pose_in(const TurningTool& motion, std::size_t obstacle) {
-  return obstacle == 0 ? motion.in_stock : motion.in_fixtures[obstacle - 1];
+MovingShape TurnCheck::shape(std::size_t mover) const {
+  if (mover < parts_.size()) return &parts_[mover];
+  return &carried_[mover - parts_.size()];
+}
+
+std::size_t TurnCheck::part_of(std::size_t mover) const {
+  if (mover < parts_.size()) return static_cast<std::size_t>(parts_[mover].part);
+  return kToolParts.size() + mover - parts_.size();
+}
+
+const TurningPose& TurnCheck::pose_in(const TurningTool& motion, std::size_t obstacle,
+                                      std::size_t mover) const {
+  if (mover < parts_.size())
+    return obstacle == 0 ? motion.in_stock : motion.in_fixtures[obstacle - 1];
+  const TurningTool::Carried& carried = motion.carried[mover - parts_.size()];
+  return obstacle == 0 ? carried.in_stock : carried.in_fixtures[obstacle - 1];
 }
 
 std::vector<TurnCheck::Stretch> TurnCheck::stretches(const TurningTool& motion) const {
   std::vector<Stretch> all;
   for (std::size_t k = 0; k < obstacles_.size(); ++k)
-    for (std::size_t b = 0; b < parts_.size(); ++b)
-      all.push_back({k, b, {&obstacles_[k].solid, &parts_[b], &pose_in(motion, k)}, near_miss_mm_});
+    for (std::size_t m = 0; m < movers(); ++m)
+      all.push_back(
+          {k, m, {&obstacles_[k].solid, shape(m), &pose_in(motion, k, m)}, near_miss_mm_});
   return all;
-}
-
-/// The first look is only sure of what is half as deep again as its tolerance.
-TurnCheck::Meeting TurnCheck::contact(const Stretch& stretch,
-                                      const model::RunControl& control) const {
-  TurnSearch search = stretch.search;
-  const TurnAnswer sure = deepest_turn_contact(search, tolerance_mm_, control);
-  if (sure.place || !sure.proven) return {Touch::contact, sure.place};
-  search.most_looks = kMostSlightLooks;
-  const TurnAnswer slight = deepest_turn_contact(search, tolerance_mm_ / 10, control);
-  if (!slight.place) return {};
-  return {slight.place->mm > tolerance_mm_ ? Touch::contact : Touch::slight, slight.place};
-}
-
-TurnCheck::Meeting TurnCheck::gap(const Stretch& stretch, const model::RunControl& control) const {
-  TurnSearch search = stretch.search;
-  search.most_looks = kMostSlightLooks;
-  return {Touch::none, least_turn_gap(search, stretch.near_mm, tolerance_mm_, control).place};
 }
 
 /// What is left at one time, no less than that; where nothing is near, as much as counts.
 double TurnCheck::gap_at(const Stretch& stretch, double t, const model::RunControl& control) const {
-  const Meeting there = gap(stretch.between(t, t), control);
+  const TurnMeeting there =
+      gap_during(stretch.between(t, t).search, stretch.near_mm, tolerance_mm_, control);
   return there.place ? there.place->mm : stretch.near_mm;
 }
 
@@ -136,75 +124,85 @@ std::vector<TurnCheck::Stretch> TurnCheck::near_stretches(const TurningTool& mot
 
 /// Of each pair of thing and part, those of the holder being one.
 template <class Look>
-std::vector<TurnCheck::Meeting> TurnCheck::worst_of(const std::vector<Stretch>& stretches,
-                                                    const Look& look,
-                                                    const model::RunControl& control) const {
-  std::vector<Meeting> found(stretches.size());
+std::vector<TurnMeeting> TurnCheck::worst_of(const std::vector<Stretch>& stretches,
+                                             const Look& look,
+                                             const model::RunControl& control) const {
+  std::vector<TurnMeeting> found(stretches.size());
   model::parallel_chunks(found.size(), 1, control,
                          [&](std::size_t i, std::size_t) { found[i] = look(stretches[i]); });
-  std::vector<Meeting> worst(obstacles_.size() * kToolParts.size());
+  std::vector<TurnMeeting> worst(obstacles_.size() * part_names_.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const auto part = static_cast<std::size_t>(parts_[stretches[i].body].part);
-    Meeting& known = worst[stretches[i].obstacle * kToolParts.size() + part];
+    const std::size_t part = part_of(stretches[i].mover);
+    TurnMeeting& known = worst[stretches[i].obstacle * part_names_.size() + part];
     if (found[i].worse_than(known)) known = found[i];
   }
   return worst;
 }
 
 FindingKind TurnCheck::contact_kind(std::size_t pair, bool rapid) const {
-  if (!obstacles_[pair / kToolParts.size()].is_stock) return FindingKind::fixture_touched;
-  switch (kToolParts[pair % kToolParts.size()]) {
-    case ToolPart::shank:
-      return FindingKind::shank_in_stock;
-    case ToolPart::holder:
-      return FindingKind::holder_in_stock;
-    case ToolPart::cutter:
-      break;
-  }
+  if (!obstacles_[pair / part_names_.size()].is_stock) return FindingKind::fixture_touched;
+  const std::size_t part = pair % part_names_.size();
+  if (part == static_cast<std::size_t>(ToolPart::shank)) return FindingKind::shank_in_stock;
+  if (part != static_cast<std::size_t>(ToolPart::cutter)) return FindingKind::holder_in_stock;
   return rapid ? FindingKind::rapid_through_stock : FindingKind::cut_while_turning;
 }
 
 /// A place of a fixture goes by the tool into the stock's frame as that stands then.
-Finding TurnCheck::finding(FindingKind kind, const TurningTool& motion, const Meeting& meeting,
+model::Vec3 TurnCheck::place_in_stock(const TurningTool& motion, const TurnPlace& place,
+                                      std::size_t obstacle) const {
+  if (obstacles_[obstacle].is_stock) return place.point;
+  return motion.in_stock.at(place.t).point(
+      motion.in_fixtures[obstacle - 1].at(place.t).point_back(place.point));
+}
+
+Finding TurnCheck::finding(FindingKind kind, const TurningTool& motion, const TurnMeeting& meeting,
                            std::size_t pair) const {
-  const std::size_t k = pair / kToolParts.size();
+  const std::size_t k = pair / part_names_.size();
   const double t = meeting.place ? meeting.place->t : 0.5;
   Finding f{kind,
             0,
             motion.line,
             motion.in_stock.at(t).shift_mm,
             0,
-            name(kToolParts[pair % kToolParts.size()]),
+            part_names_[pair % part_names_.size()],
             obstacles_[k].name};
   if (!meeting.place) return f;
   f.depth_mm = kind == FindingKind::near_miss ? -meeting.place->mm : meeting.place->mm;
-  f.point =
-      obstacles_[k].is_stock
-          ? meeting.place->point
-          : motion.in_stock.at(t).point(pose_in(motion, k).at(t).point_back(meeting.place->point));
+  f.point = place_in_stock(motion, *meeting.place, k);
   return f;
+}
+
+void TurnCheck::require_poses(const TurningTool& motion) const {
+  bool has_all = motion.in_fixtures.size() + 1 == obstacles_.size() &&
+                 motion.carried.size() == carried_.size();
+  for (const TurningTool::Carried& carried : motion.carried)
+    has_all = has_all && carried.in_fixtures.size() + 1 == obstacles_.size();
+  if (!has_all)
+    throw std::invalid_argument("a turn has a pose for each carried body and each fixture");
+  for (const Stretch& stretch : stretches(motion)) require_bounds(*stretch.search.pose);
 }
 
 std::vector<Finding> TurnCheck::look_at(const TurningTool& motion,
                                         const model::RunControl& control) const {
-  if (motion.in_fixtures.size() + 1 != obstacles_.size())
-    throw std::invalid_argument("a turn has a pose for each fixture");
-  for (std::size_t k = 0; k < obstacles_.size(); ++k) require_bounds(pose_in(motion, k));
+  require_poses(motion);
   std::vector<Stretch> all;
   for (const Stretch& whole : stretches(motion)) whole.add_parts(all);
-  const std::vector<Meeting> worst = worst_of(
-      all, [&](const Stretch& s) { return contact(s, control); }, control);
+  const std::vector<TurnMeeting> worst = worst_of(
+      all, [&](const Stretch& s) { return contact_during(s.search, tolerance_mm_, control); },
+      control);
   std::vector<Touch> touched(obstacles_.size(), Touch::none);
   for (std::size_t pair = 0; pair < worst.size(); ++pair) {
-    Touch& touch = touched[pair / kToolParts.size()];
+    Touch& touch = touched[pair / part_names_.size()];
     touch = std::max(touch, worst[pair].touch);
   }
   all = near_miss_mm_ > 0 ? near_stretches(motion, touched, control) : std::vector<Stretch>();
-  const std::vector<Meeting> nearest = worst_of(
-      all, [&](const Stretch& s) { return gap(s, control); }, control);
+  const auto gap = [&](const Stretch& s) {
+    return gap_during(s.search, s.near_mm, tolerance_mm_, control);
+  };
+  const std::vector<TurnMeeting> nearest = worst_of(all, gap, control);
   std::vector<Finding> findings;
   for (std::size_t pair = 0; pair < worst.size(); ++pair) {
-    const Touch touch = touched[pair / kToolParts.size()];
+    const Touch touch = touched[pair / part_names_.size()];
     if (touch == Touch::none && nearest[pair].place)
       findings.push_back(finding(FindingKind::near_miss, motion, nearest[pair], pair));
     if (touch == Touch::none || worst[pair].touch != touch) continue;

@@ -5,7 +5,7 @@
 
 #include "model/part/cutter.h"
 #include "simulator/process/process_check.h"
-#include "simulator/process/turn_search.h"
+#include "simulator/process/turn_meeting.h"
 
 namespace limitgauge::simulator {
 
@@ -16,6 +16,12 @@ struct TurningTool {
   bool rapid = true;
   TurningPose in_stock;                  ///< in the stock's frame
   std::vector<TurningPose> in_fixtures;  ///< one a fixture, in the frame that its mesh is in
+  /// Of a body that the spindle or a head carries: its mesh's frame takes the tool's place.
+  struct Carried {
+    TurningPose in_stock;
+    std::vector<TurningPose> in_fixtures;
+  };
+  std::vector<Carried> carried = {};  ///< one a carried body
 };
 
 /// Checks what a tool touches during turns while one stock stands. Stock and fixtures are prepared
@@ -25,7 +31,8 @@ struct TurningTool {
 /// simulated. Of one turn there is one finding a part and thing, the worst:
 ///
 /// - rapid_through_stock, at a feed rate cut_while_turning: the flutes in the stock.
-/// - shank_in_stock, holder_in_stock, and fixture_touched for any part. The depth, of all of these,
+/// - shank_in_stock, holder_in_stock, and fixture_touched for any part. A carried body in the stock
+///   is a holder_in_stock, under its own name. The depth, of all of these,
 ///   is how deep the body's place lies in the stock or the fixture.
 /// - slight_contact: a contact shallower than the tolerance but not than a tenth of it, where no
 ///   part touches that thing more deeply. So a tool that stands where it has just cut, and leaves
@@ -56,29 +63,35 @@ class TurnCheck {
     Material solid;
     bool is_stock = false;
   };
-  struct Meeting;
   struct Stretch;
-  enum class Touch { none, slight, contact };
 
-  static const TurningPose& pose_in(const TurningTool& motion, std::size_t obstacle);
+  void require_poses(const TurningTool& motion) const;
+  // What moves, by number: the parts of the tool, then what is carried.
+  std::size_t movers() const { return parts_.size() + carried_.size(); }
+  MovingShape shape(std::size_t mover) const;
+  std::size_t part_of(std::size_t mover) const;  // of part_names_
+  const TurningPose& pose_in(const TurningTool& motion, std::size_t obstacle,
+                             std::size_t mover) const;
   std::vector<Stretch> stretches(const TurningTool& motion) const;
   std::vector<Stretch> near_stretches(const TurningTool& motion, const std::vector<Touch>& touched,
                                       const model::RunControl& control) const;
   void leave_and_arrive(std::vector<Stretch>& all, const Stretch& whole,
                         const model::RunControl& control) const;
   double gap_at(const Stretch& stretch, double t, const model::RunControl& control) const;
-  Meeting contact(const Stretch& stretch, const model::RunControl& control) const;
-  Meeting gap(const Stretch& stretch, const model::RunControl& control) const;
   template <class Look>
-  std::vector<Meeting> worst_of(const std::vector<Stretch>& stretches, const Look& look,
-                                const model::RunControl& control) const;
-  Finding finding(FindingKind kind, const TurningTool& motion, const Meeting& meeting,
+  std::vector<TurnMeeting> worst_of(const std::vector<Stretch>& stretches, const Look& look,
+                                    const model::RunControl& control) const;
+  Finding finding(FindingKind kind, const TurningTool& motion, const TurnMeeting& meeting,
                   std::size_t pair) const;
+  model::Vec3 place_in_stock(const TurningTool& motion, const TurnPlace& place,
+                             std::size_t obstacle) const;
   FindingKind contact_kind(std::size_t pair, bool rapid) const;
 
   double tolerance_mm_, near_miss_mm_;
   std::vector<ToolBody> parts_;
-  std::vector<Obstacle> obstacles_;  // the stock, then the fixtures
+  std::vector<MeshSolid> carried_;
+  std::vector<std::string> part_names_;  // cutter, shank, holder, then what is carried
+  std::vector<Obstacle> obstacles_;      // the stock, then the fixtures
 };
 
 /// The same for a single turn.

@@ -17,10 +17,15 @@ inline constexpr std::size_t kMostTurnLooks = 1'000'000;
 /// `pose` leads to, from t = `from` to `to`.
 struct TurnSearch {
   const Material* solid = nullptr;
-  const ToolBody* body = nullptr;
+  MovingShape body;
   const TurningPose* pose = nullptr;
   double from = 0, to = 1;  ///< may be the same
   std::size_t most_looks = kMostTurnLooks;
+  /// Of a solid that moves of a pass, those below `cut_to`, have cut since; null: it is whole.
+  const SweepIndex* cut_by = nullptr;
+  std::uint32_t cut_to = 0;
+
+  MaterialAtMove material() const { return {solid, cut_by, cut_to}; }
 };
 
 /// The deepest place of the body in the solid; none if it is nowhere deeper than `tolerance_mm`.

@@ -36,6 +36,27 @@ bool keeps_to_bounds(const TurningPose& pose, const std::array<Pose, 3>& three) 
   });
 }
 
+double farthest_mm(const MovingShape& shape) {
+  if (shape.tool)
+    return std::hypot(shape.tool->profile.largest_radius(),
+                      shape.tool->base_mm + shape.tool->profile.length());
+  const Box3& box = shape.mesh->box();
+  Vec3 corner;
+  for (int a = 0; a < 3; ++a) corner[a] = std::max(std::abs(box.low[a]), std::abs(box.high[a]));
+  return length(corner);
+}
+
+/// Of a box, turned and moved: the box around it.
+Box3 moved_box(const Box3& box, const Pose& pose) {
+  const Vec3 half = box.size() * 0.5;
+  Box3 moved;
+  moved.add(pose.point(box.centre()));
+  Vec3 reach;
+  for (int a = 0; a < 3; ++a) reach[a] = support(half, pose.direction_back(kUnits[a]));
+  moved.low -= reach, moved.high += reach;
+  return moved;
+}
+
 }  // namespace
 
 TurningPose TurningPose::even(std::function<Pose(double t)> at, double tip_speed_mm,
@@ -57,11 +78,8 @@ void require_bounds(const TurningPose& pose) {
   }
 }
 
-TurningBody::TurningBody(const ToolBody& body, const TurningPose& pose)
-    : body_(body),
-      turning_(pose),
-      farthest_mm_(
-          std::hypot(body.profile.largest_radius(), body.base_mm + body.profile.length())) {}
+TurningBody::TurningBody(const MovingShape& shape, const TurningPose& pose)
+    : shape_(shape), turning_(pose), farthest_mm_(farthest_mm(shape)) {}
 
 const Pose& TurningBody::pose(double t) const {
   const auto known = poses_.find(t);
@@ -69,8 +87,12 @@ const Pose& TurningBody::pose(double t) const {
 }
 
 SweptSample TurningBody::sample(const Pose& pose, const Vec3& own) const {
+  if (shape_.mesh) {
+    const SolidSample s = shape_.mesh->sample(own);
+    return {s.distance, pose.direction(s.gradient), 0};
+  }
   const double rho = std::hypot(own.x, own.y);
-  const MeridianSample s = body_.profile.sample(rho, own.z - body_.base_mm);
+  const MeridianSample s = shape_.tool->profile.sample(rho, own.z - shape_.tool->base_mm);
   const Vec3 outward = rho > 0 ? Vec3{own.x / rho, own.y / rho, 0} : Vec3{1, 0, 0};
   return {s.distance, pose.direction(outward * s.g_rho + Vec3{0, 0, s.g_z}), 0};
 }
@@ -109,11 +131,13 @@ double TurningBody::drop_mm(const TurnBlock& block, const Vec3& own, const Vec3&
 TurnSample TurningBody::about(const TurnBlock& block) const {
   const Pose& now = pose(block.t);
   const Vec3 own = now.point_back(block.place.middle);
-  SweptSample s = sample(now, own);
-  double drop = way_mm(block, length(own) + length(block.place.half));
+  const SweptSample s = sample(now, own);
+  const double spread_mm = length(block.place.half);
+  double drop = way_mm(block, length(own) + spread_mm);
+  // A mesh has no planes under its distance but level ones.
+  if (shape_.mesh) return {s, {s.distance - spread_mm - drop, {}, 0}, drop};
   if (bends_known()) drop = std::min(drop, drop_mm(block, own, now.direction_back(s.gradient)));
-  s.distance -= drop;
-  return {s, drop};
+  return {s, {s.distance - drop, s.gradient, 0}, drop};
 }
 
 bool TurningBody::bends_known() const {
@@ -122,8 +146,13 @@ bool TurningBody::bends_known() const {
 
 double TurningBody::extent_mm(double t, const Vec3& direction) const {
   const Vec3 own = pose(t).direction_back(direction);
-  return dot(direction, pose(t).shift_mm) + own.z * body_.base_mm +
-         body_.profile.extent(std::hypot(own.x, own.y), own.z);
+  const double tip = dot(direction, pose(t).shift_mm);
+  if (shape_.mesh) {
+    const Box3& box = shape_.mesh->box();
+    return tip + dot(own, box.centre()) + support(box.size() * 0.5, own);
+  }
+  return tip + own.z * shape_.tool->base_mm +
+         shape_.tool->profile.extent(std::hypot(own.x, own.y), own.z);
 }
 
 // A place of the body keeps within its bend, times half the square of half the stretch, of the
@@ -140,21 +169,24 @@ double TurningBody::extent_mm(double t, double half_t, const Vec3& direction) co
 }
 
 Box3 TurningBody::box(double t, double half_t, double margin_mm) const {
+  const double way = turning_.tip_speed_mm * half_t;
+  if (shape_.mesh)
+    return moved_box(shape_.mesh->box(), pose(t))
+        .grown(way + turning_.turn_rad * farthest_mm_ * half_t + margin_mm);
   Box3 box;
   box.add(pose(t).shift_mm);
-  return box.grown(turning_.tip_speed_mm * half_t + farthest_mm_ + margin_mm);
+  return box.grown(way + farthest_mm_ + margin_mm);
 }
 
 TurnDepth depth_over(const Depth& d, const TurningBody& body, const TurnBlock& block,
                      const TurnSample& distance, double grown_mm) {
-  const auto bound = [&](double change_mm, double half_t) {
-    const SweptSample s{distance.under.distance + distance.change_mm - change_mm - grown_mm,
-                        distance.under.gradient, 0};
+  const auto bound = [&](double higher_mm, double half_t) {
+    const SweptSample s{distance.under.distance + higher_mm - grown_mm, distance.under.gradient, 0};
     const double reaching = body.extent_mm(block.t, half_t, d.gradient) +
                             grown_mm * length(d.gradient) - dot(d.gradient, block.place.middle);
     return std::min(depth_bound(d, s, block.place.half), d.value + reaching + d.bend);
   };
-  return {bound(distance.change_mm, block.half_t), bound(0, 0)};
+  return {bound(0, block.half_t), bound(distance.change_mm, 0)};
 }
 
 bool cut_across_time(const TurnBlock& block, const TurnSample& distance, const TurnDepth& depth,

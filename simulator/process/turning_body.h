@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "model/geometry/pose.h"
+#include "simulator/mesh/mesh_solid.h"
 #include "simulator/process/tool_bodies.h"
 #include "simulator/sweep/depth_bound.h"
 
@@ -36,6 +37,16 @@ struct TurningPose {
 /// some dozens of times, breaks them.
 void require_bounds(const TurningPose& pose);
 
+/// A body that moves: a convex one of a tool, or a closed mesh that the spindle or a head carries,
+/// whose frame then takes the place of the tool's. A view, which keeps nothing alive.
+struct MovingShape {
+  const ToolBody* tool = nullptr;
+  const MeshSolid* mesh = nullptr;
+
+  MovingShape(const ToolBody* body) : tool(body) {}
+  MovingShape(const MeshSolid* solid) : mesh(solid) {}
+};
+
 /// A block of a search in the other thing's frame, over a stretch of the turn.
 struct TurnBlock {
   Block place;
@@ -45,17 +56,18 @@ struct TurnBlock {
 
 /// The distance to a turning body about the middle of a block.
 struct TurnSample {
+  SweptSample middle;  ///< there, half-way through the stretch
   /// A plane that nowhere in the block, and at no time of its stretch, is above the distance
   /// (simulator/PROOFS.md, P8).
   SweptSample under;
-  double change_mm = 0;  ///< the distance in the middle, and of its time, less that of the plane
+  double change_mm = 0;  ///< how much higher the plane lies where it need hold at one time alone
 };
 
-/// A body of a tool during a turn, asked in the frame that its pose leads to. Keeps the poses that
+/// A body during a turn, asked in the frame that its pose leads to. Keeps the poses that
 /// it was asked for: one for each search.
 class TurningBody {
  public:
-  TurningBody(const ToolBody& body, const TurningPose& pose);
+  TurningBody(const MovingShape& shape, const TurningPose& pose);
 
   /// The signed distance to the body as it stands at `t`, exact.
   SweptSample at(double t, const model::Vec3& p) const;
@@ -76,9 +88,9 @@ class TurningBody {
   double way_mm(const TurnBlock& block, double from_tip_mm) const;
   double drop_mm(const TurnBlock& block, const model::Vec3& own, const model::Vec3& gradient) const;
 
-  const ToolBody& body_;
+  MovingShape shape_;
   const TurningPose& turning_;
-  double farthest_mm_;  // of the body's places from the tip
+  double farthest_mm_;  // of the body's places from the tip, the zero of its frame
   mutable std::unordered_map<double, model::Pose> poses_;
 };
 

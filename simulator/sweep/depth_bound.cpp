@@ -33,7 +33,7 @@ Depth depth_under(const MaterialAtMove& m, const Cover& cover, const Vec3& p, co
 
 Cover cover_at(const MaterialAtMove& m, const Vec3& p, const Cover& guess) {
   const MaterialSample before = m.before->sample(p, guess.of_pass ? SurfaceMaker{} : guess.maker);
-  const auto swept = m.pass->nearest(p, -before.value, m.end);
+  const auto swept = m.pass ? m.pass->nearest(p, -before.value, m.end) : std::nullopt;
   return swept ? Cover{true, {0, swept->slot}} : Cover{false, before.maker};
 }
 

@@ -11,7 +11,7 @@ namespace limitgauge::simulator {
 /// below `end` swept.
 struct MaterialAtMove {
   const Material* before = nullptr;
-  const SweepIndex* pass = nullptr;
+  const SweepIndex* pass = nullptr;  ///< null: nothing has cut it
   std::uint32_t end = 0;
 };
 

@@ -169,7 +169,7 @@ void check_motions(unsigned seed, int count) {
     const TurningPose pose = draw.motion().pose();
     CHECK_NOTHROW(require_bounds(pose));
     INFO("motion " << i << " of seed " << seed);
-    const TurningBody turning(body, pose);
+    const TurningBody turning(&body, pose);
     const Sampled seen = sampled(places, turning);
     const TurnAnswer contact = deepest(solid, body, pose);
     check_contact(solid, turning, seen, contact);
@@ -197,7 +197,7 @@ TEST_CASE("the plane under a turning body is under it", "[property][turn]") {
     const ToolBody body = bodies_to_try()[static_cast<std::size_t>(i) % 4];
     TurningPose pose = draw.motion().pose();
     if (i % 3 == 0) pose.tip_bend_mm = std::numeric_limits<double>::infinity();
-    const TurningBody turning(body, pose);
+    const TurningBody turning(&body, pose);
     simulator::TurnBlock block;
     block.place.middle = draw.within(25);
     const double size = std::pow(10, draw.between(-3, 1));

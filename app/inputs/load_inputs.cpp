@@ -113,9 +113,11 @@ model::Fixture load_fixture(const JobFixture& asked) {
           std::make_shared<const model::TriangleMesh>(std::move(mesh))};
 }
 
-std::vector<model::Fixture> load_fixtures(const Job& job) {
+/// Those that go with the tool, or those that do not.
+std::vector<model::Fixture> load_fixtures(const Job& job, bool with_tool) {
   std::vector<model::Fixture> fixtures;
-  for (const JobFixture& asked : job.fixtures) fixtures.push_back(load_fixture(asked));
+  for (const JobFixture& asked : job.fixtures)
+    if (asked.mount.with_tool() == with_tool) fixtures.push_back(load_fixture(asked));
   return fixtures;
 }
 
@@ -144,12 +146,13 @@ RunInputs load_inputs(const Job& job, const RunTerms& terms, std::optional<JobSu
   require_fit(job, design ? &design->cage : nullptr);
   const model::Box3 box = design ? design->surface.bounding_box() : model::Box3();
   Settings settings = choose_settings(job, box, terms.memory_limit_bytes);
-  std::vector<model::Fixture> fixtures = load_fixtures(job);
+  std::vector<model::Fixture> fixtures = load_fixtures(job, false);
   auto programs = load_programs(job, settings, fixtures, box);
   settings.stock_limit_bytes =
       stock_limit_bytes(scale_of(job, design ? &design->surface : nullptr, programs, terms));
-  return {std::move(design),   std::move(settings), terms,
-          std::move(fixtures), std::move(programs), input_checksums(job)};
+  return {std::move(design),   std::move(settings),      terms,
+          std::move(fixtures), load_fixtures(job, true), std::move(programs),
+          input_checksums(job)};
 }
 
 }  // namespace limitgauge::app

@@ -35,7 +35,8 @@ struct RunInputs {
   std::optional<JobSurface> design;  ///< empty for a job without one
   Settings settings;
   RunTerms terms;
-  std::vector<model::Fixture> fixtures;
+  std::vector<model::Fixture> fixtures;  ///< those that stay where the job puts them
+  std::vector<model::Fixture> carried;  ///< those that go with the tool, in the gauge point's frame
   std::vector<std::optional<ForeignPath>> programs;  ///< a stage; empty for those planned here
   std::vector<reports::InputFile> files;             ///< what all of this was read from
   /// The same as each setup has it; empty where the job states none.

@@ -41,7 +41,8 @@ Job in_setup(const Job& job, std::size_t setup) {
   out.machine = machine_in_setup(job, setup);
   if (!at.turned) return out;
   for (JobFixture& fixture : out.fixtures)
-    fixture.turned = turned_body(out, fixture.mount, at.turned->angles_deg);
+    if (!fixture.mount.with_tool())
+      fixture.turned = turned_body(out, fixture.mount, at.turned->angles_deg);
   return out;
 }
 

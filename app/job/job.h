@@ -70,10 +70,11 @@ struct JobStage {
   std::filesystem::path program;  ///< where `plan` is empty
   std::string program_as_stated;  ///< as the job or the command line names it
   ProgramPart part;
-  std::optional<StagePiece> piece;  ///< of a program that turns rotary axes
-  std::size_t setup = 0;            ///< index among the job's setups
-  std::optional<int> tool_number;   ///< T of `cutter`; empty: whatever number the program says
-  double allowance_mm = 0;          ///< material the stage must leave, along the surface normal
+  std::optional<StagePiece> piece;       ///< of a program that turns rotary axes
+  std::size_t setup = 0;                 ///< index among the job's setups
+  std::optional<int> tool_number;        ///< T of `cutter`; empty: whatever number the program says
+  std::optional<double> tool_length_mm;  ///< from the gauge line to the tip, where it is stated
+  double allowance_mm = 0;  ///< material the stage must leave, along the surface normal
   verifier::GateLimits limits;
 };
 /// Whether a stage is a stretch that only brings its tool to where another stretch of its program
@@ -93,11 +94,16 @@ struct JobSetup {
   std::optional<Turned> turned;
 };
 
-/// What turns a fixture with it on a machine with rotary axes.
+/// What turns a fixture with it on a machine with rotary axes, or carries it with the tool.
 struct FixtureMount {
-  enum class Kind { part, axis, machine };
-  Kind kind = Kind::part;    ///< all tables, one of them with what carries it, or nothing
-  std::optional<char> axis;  ///< of `axis`
+  enum class Kind { part, axis, machine, spindle, head };
+  /// All tables, one of them with what carries it, nothing; the spindle, or an axis of the head
+  /// with what carries it.
+  Kind kind = Kind::part;
+  std::optional<char> axis;  ///< of `axis` and `head`
+
+  /// Whether it goes with the tool: its mesh's zero is then the spindle's gauge point.
+  bool with_tool() const { return kind == Kind::spindle || kind == Kind::head; }
 };
 
 /// A mesh that nothing of the tool may touch.

@@ -184,22 +184,24 @@ std::vector<model::ToolEntry> tool_table(const std::vector<JobTool>& tools) {
 
 namespace {
 
-/// What a body is mounted on: a rotary axis of a table, or nothing that turns.
+/// What a body is mounted on: a rotary axis, the spindle, or nothing that moves.
 FixtureMount read_mount(const TomlTable& fixture, const Job& job) {
   if (!fixture.has("axis")) return {};
   const std::string word = fixture.text("axis");
+  if (word == "spindle") return {FixtureMount::Kind::spindle, std::nullopt};
   if (!job.machine.kinematics)
     throw model::InputError(fixture.place("axis"),
                             "\"axis\" of a fixture, and the machine has no rotary axes",
-                            "[machine] kinematics, or a fixture without \"axis\"");
+                            "[machine] kinematics, \"spindle\", or a fixture without \"axis\"");
   if (word == "none") return {FixtureMount::Kind::machine, std::nullopt};
   const auto& axes = job.machine.kinematics->axes;
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (word == std::string(1, axes[i].word) && !job.machine.kinematics->is_head(i))
-      return {FixtureMount::Kind::axis, axes[i].word};
-  throw model::InputError(fixture.place("axis"),
-                          "\"" + word + "\" is no axis of a table of the machine",
-                          "the word of a [[machine.axis]] that turns the workpiece, or \"none\"");
+    if (word == std::string(1, axes[i].word))
+      return {
+          job.machine.kinematics->is_head(i) ? FixtureMount::Kind::head : FixtureMount::Kind::axis,
+          axes[i].word};
+  throw model::InputError(fixture.place("axis"), "\"" + word + "\" is no axis of the machine",
+                          "the word of a [[machine.axis]], \"spindle\" or \"none\"");
 }
 
 JobFixture read_fixture(const toml::table& table, const Job& job, const JobContext& context) {
@@ -230,6 +232,21 @@ void read_fixtures(const TomlTable& root, Job& job, const JobContext& context) {
                               "a second fixture \"" + fixture.name + "\"", "names that differ");
     }
     job.fixtures.push_back(std::move(fixture));
+  }
+}
+
+void require_tool_lengths(const TomlTable& root, const Job& job) {
+  const auto with_tool = [](const JobFixture& f) { return f.mount.with_tool(); };
+  const auto carried = std::ranges::find_if(job.fixtures, with_tool);
+  if (carried == job.fixtures.end()) return;
+  const std::vector<const toml::table*> stages = root.tables("stage");
+  for (std::size_t i = 0; i < job.stages.size(); ++i) {
+    if (job.stages[i].tool_length_mm) continue;
+    throw model::InputError(place_of(stages[i]->get("tool")->source()),
+                            "fixture \"" + carried->name +
+                                "\" goes with the spindle, and where that is above the tip of \"" +
+                                job.stages[i].cutter.id + "\" is not stated",
+                            "\"number\" and \"length\" of the tool");
   }
 }
 

@@ -93,9 +93,12 @@ void read_offsets(const TomlTable& table, model::MachineSetup& machine);
 std::optional<std::size_t> read_setup_name(const TomlTable& table,
                                            const std::vector<JobSetup>& setups);
 
-/// The fixtures of `[[fixture]]`: name, file, translate, setup. Throws InputError for a file that
-/// is not there and for a second fixture of one name.
+/// The fixtures of `[[fixture]]`: name, file, translate, setup, axis. Throws InputError for a file
+/// that is not there and for a second fixture of one name.
 void read_fixtures(const TomlTable& root, Job& job, const JobContext& context);
+/// Throws InputError where a body goes with the spindle and the length of a stage's tool, which
+/// says where that is, is not stated. To be asked when the stages were read.
+void require_tool_lengths(const TomlTable& root, const Job& job);
 /// `travel = { x = [low, high], ... }` of [machine]: an axis that is not named has no limit.
 model::Box3 read_travel(const TomlTable& machine);
 

@@ -85,6 +85,7 @@ Job read_root(const toml::table& table, JobContext& context) {
   const std::vector<JobTool> tools = read_tools(root.tables("tool"), context);
   job.machine.tools = tool_table(tools);
   job.stages = read_stages(root.tables("stage"), tools, job.setups, context);
+  require_tool_lengths(root, job);
   refuse_planning(job, root);
   read_post(root, job, context);
   read_settings(root, job);

@@ -127,6 +127,7 @@ JobStage read_stage(const toml::table& table, const std::vector<JobStage>& befor
   const JobTool& tool = find_tool(stage, tools);
   result.cutter = tool.cutter;
   result.tool_number = tool.number;
+  result.tool_length_mm = tool.length_mm;
   const auto setup = read_setup_name(stage, setups);
   if (!setup)
     throw model::InputError(stage.place(), "stage \"" + result.name + "\" names no setup",

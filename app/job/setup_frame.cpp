@@ -27,4 +27,14 @@ model::Pose turned_body(const Job& at_setup, const FixtureMount& mount,
   return placed * upright * carried * placed.inverse();
 }
 
+model::Pose body_in_tool(const std::optional<model::Kinematics>& machine, const FixtureMount& mount,
+                         const model::RotaryAngles& angles_deg, double tool_length_mm) {
+  model::Pose from_gauge;
+  from_gauge.shift_mm.z = tool_length_mm;
+  if (mount.kind == FixtureMount::Kind::spindle) return from_gauge;
+  const model::Kinematics& heads = machine.value();
+  return from_gauge * heads.head(angles_deg).inverse() *
+         heads.head_carrying(mount.axis.value(), angles_deg);
+}
+
 }  // namespace limitgauge::app

@@ -13,4 +13,11 @@ model::RigidPlacement machine_in_setup_frame(const Job& at_setup);
 model::Pose turned_body(const Job& at_setup, const FixtureMount& mount,
                         const model::RotaryAngles& angles_deg);
 
+/// How a body that goes with the tool lies in the tool's frame (tip at zero, spindle along +Z)
+/// while the rotary axes stand at `angles_deg`, the tip being `tool_length_mm` from the gauge line:
+/// from its mesh, whose zero is the gauge point with all axes at zero. A machine without rotary
+/// axes has none of a head.
+model::Pose body_in_tool(const std::optional<model::Kinematics>& machine, const FixtureMount& mount,
+                         const model::RotaryAngles& angles_deg, double tool_length_mm);
+
 }  // namespace limitgauge::app

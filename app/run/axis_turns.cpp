@@ -28,14 +28,13 @@ class TurnPoses {
     from_machine_ = from_workpiece_ * machine_.table(angles_deg_).inverse();
   }
 
-  simulator::TurningPose in_stock() const {
-    return simulator::TurningPose::even(
-        [*this](double t) { return from_workpiece_ * turn_.tool_at(machine_, t); },
-        turn_.tip_speed_mm(machine_), turn_.turn_rad());
-  }
+  simulator::TurningPose in_stock() const { return among({}); }
   /// Among what is mounted so, in the frame that its mesh is in: where it stands after the turns.
   simulator::TurningPose among(const FixtureMount& mount) const {
-    if (mount.kind == FixtureMount::Kind::part) return in_stock();
+    if (mount.kind == FixtureMount::Kind::part)
+      return simulator::TurningPose::even(
+          [*this](double t) { return from_workpiece_ * turn_.tool_at(machine_, t); },
+          turn_.tip_speed_mm(machine_), turn_.turn_rad());
     const auto at = [*this, mount](double t) {
       const model::RotaryAngles now = turn_.angles_at(t);
       return from_machine_ * carried(mount, angles_deg_) * carried(mount, now).inverse() *
@@ -44,7 +43,27 @@ class TurnPoses {
     return simulator::TurningPose::even(at, machine_tip_speed_mm(), turn_.turn_rad());
   }
 
+  /// Of a body that goes with the tool, which moves as `tool` says, in the other's place.
+  simulator::TurningPose with_tool(const simulator::TurningPose& tool, const FixtureMount& mount,
+                                   double tool_length_mm) const {
+    const auto at = [*this, at = tool.at, mount, tool_length_mm](double t) {
+      return at(t) * body_in_tool(machine_, mount, turn_.angles_at(t), tool_length_mm);
+    };
+    return simulator::TurningPose::even(
+        at, tool.tip_speed_mm + turn_.turn_rad() * farthest_gauge_mm(tool_length_mm),
+        turn_.turn_rad());
+  }
+
  private:
+  /// No less than the way from the tip to where a head that stands at other angles would have the
+  /// gauge point, and than the arms of the heads' turns together: each turn about a point takes
+  /// the gauge point by twice its distance at most, once for the tool and once for the body.
+  double farthest_gauge_mm(double tool_length_mm) const {
+    double mm = tool_length_mm;
+    for (std::size_t i = 0; i < machine_.axes.size(); ++i)
+      if (machine_.is_head(i)) mm += 4 * length(machine_.axes[i].point_mm);
+    return mm;
+  }
   Pose carried(const FixtureMount& mount, const model::RotaryAngles& angles_deg) const {
     return mount.kind == FixtureMount::Kind::axis ? machine_.carried_by(mount.axis, angles_deg)
                                                   : Pose{};
@@ -70,6 +89,24 @@ class TurnPoses {
   Pose from_workpiece_, from_machine_;
 };
 
+simulator::TurningTool turning_tool(const Job& at_setup, const JobStage& stage,
+                                    const model::AxisTurn& turn, const TurnPoses& poses) {
+  simulator::TurningTool motion{turn.line, turn.rapid, poses.in_stock(), {}};
+  for (const JobFixture& fixture : at_setup.fixtures)
+    if (!fixture.mount.with_tool()) motion.in_fixtures.push_back(poses.among(fixture.mount));
+  for (const JobFixture& fixture : at_setup.fixtures) {
+    if (!fixture.mount.with_tool()) continue;
+    const auto with = [&](const simulator::TurningPose& tool) {
+      return poses.with_tool(tool, fixture.mount, stage.tool_length_mm.value());
+    };
+    simulator::TurningTool::Carried& own = motion.carried.emplace_back();
+    own.in_stock = with(motion.in_stock);
+    for (const simulator::TurningPose& tool : motion.in_fixtures)
+      own.in_fixtures.push_back(with(tool));
+  }
+  return motion;
+}
+
 void look_at_limits(const Job& job, const model::AxisTurn& turn,
                     std::vector<simulator::Finding>& findings) {
   constexpr double kRounding_deg = 1e-9;
@@ -91,6 +128,22 @@ void look_at_limits(const Job& job, const model::AxisTurn& turn,
 
 }  // namespace
 
+std::vector<simulator::CarriedBody> carried_bodies(const Job& at_setup, const JobStage& stage,
+                                                   std::span<const model::Fixture> bodies) {
+  const model::RotaryAngles angles_deg =
+      stage.piece ? stage.piece->range.angles_deg : model::RotaryAngles{};
+  Pose along = pose_of(machine_in_setup_frame(at_setup));
+  along.shift_mm = {};
+  std::vector<simulator::CarriedBody> carried;
+  for (const JobFixture& fixture : at_setup.fixtures) {
+    if (!fixture.mount.with_tool()) continue;
+    carried.push_back(
+        {bodies[carried.size()], along * body_in_tool(at_setup.machine.kinematics, fixture.mount,
+                                                      angles_deg, stage.tool_length_mm.value())});
+  }
+  return carried;
+}
+
 std::vector<simulator::Finding> turn_findings(const Job& at_setup, const JobStage& stage,
                                               const simulator::StockModel& stock,
                                               const simulator::ProcessLimits& limits,
@@ -102,10 +155,8 @@ std::vector<simulator::Finding> turn_findings(const Job& at_setup, const JobStag
     look_at_limits(at_setup, turn, findings);
     if (turn.parked) continue;
     const TurnPoses poses(at_setup, stage, turn.turn);
-    simulator::TurningTool motion{turn.line, turn.rapid, poses.in_stock(), {}};
-    for (const JobFixture& fixture : at_setup.fixtures)
-      motion.in_fixtures.push_back(poses.among(fixture.mount));
-    std::vector<simulator::Finding> met = check.look_at(motion, control);
+    std::vector<simulator::Finding> met =
+        check.look_at(turning_tool(at_setup, stage, turn, poses), control);
     std::move(met.begin(), met.end(), std::back_inserter(findings));
   }
   return findings;

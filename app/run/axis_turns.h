@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "app/job/job.h"
@@ -17,5 +18,10 @@ std::vector<simulator::Finding> turn_findings(const Job& at_setup, const JobStag
                                               const simulator::StockModel& stock,
                                               const simulator::ProcessLimits& limits,
                                               const model::RunControl& control);
+
+/// The job's bodies that go with the tool (`bodies`, in the job's order) as they stand in the
+/// view's setup during the moves of a stage.
+std::vector<simulator::CarriedBody> carried_bodies(const Job& at_setup, const JobStage& stage,
+                                                   std::span<const model::Fixture> bodies);
 
 }  // namespace limitgauge::app

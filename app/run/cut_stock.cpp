@@ -28,6 +28,7 @@ std::vector<simulator::Finding> process_findings(const Job& job, const RunInputs
   limits.near_miss_mm = near_miss_mm(job);
   limits.travel_mm = job.travel_mm;
   limits.fixtures = inputs.fixtures;
+  limits.carried = carried_bodies(job, asked, inputs.carried);
   const auto control = watch.control(asked.name + ": checking the process");
   std::vector<simulator::Finding> found = turn_findings(job, asked, stock, limits, control);
   const auto moves = check_process(stock, pass, limits, control);

@@ -53,6 +53,15 @@ Pose Kinematics::head(const RotaryAngles& angles_deg) const {
   return pose;
 }
 
+Pose Kinematics::head_carrying(char word, const RotaryAngles& angles_deg) const {
+  Pose pose;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (is_head(i)) pose = pose * axes[i].turn(angles_deg[axes[i].index()]);
+    if (axes[i].word == word) break;
+  }
+  return pose;
+}
+
 Pose Kinematics::carried_by(std::optional<char> word, const RotaryAngles& angles_deg) const {
   Pose pose;
   if (!word) return pose;

@@ -64,6 +64,9 @@ struct Kinematics {
   /// How far the turns of the axes that carry `word` and of itself move something that is mounted
   /// on it: the machine's frame at zero to the machine's frame. For nothing: what stands still.
   Pose carried_by(std::optional<char> word, const RotaryAngles& angles_deg) const;
+  /// H of the heads that carry head `word` and of itself alone: of something that is mounted on it,
+  /// seen from the gauge point, as it is at zero.
+  Pose head_carrying(char word, const RotaryAngles& angles_deg) const;
   ToolStand stand(const Vec3& gauge_mm, const RotaryAngles& angles_deg,
                   double tool_length_mm) const;
   /// The workpiece's frame to one in which the tool stands along +Z: the machine's own where only

@@ -41,7 +41,7 @@ struct Finding {
   /// the travel, the material that a move with stopped spindle, missing feed or steep descent runs
   /// into. Of a near miss: minus the distance that is left.
   double depth_mm = 0;
-  std::string part;     ///< "cutter", "shank" or "holder"
+  std::string part;     ///< "cutter", "shank", "holder", or a carried body's name
   std::string against;  ///< "stock", the fixture's name, or the axis of a travel limit ("x-", "z+")
 };
 

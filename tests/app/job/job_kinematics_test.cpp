@@ -129,7 +129,42 @@ TEST_CASE("fixtures stand as what carries them", "[unit][job]") {
       "[[fixture]]\nname = \"vice\"\nfile = \"cages/quick-dome.obj\"\naxis = \"";
   CHECK_THAT(error_of(good_job() + clamp + "A\"\n"), Contains("the machine has no rotary axes"));
   CHECK_THAT(error_of(on_machine("kinematics = \"table-table\"") + clamp + "B\"\n"),
-             Contains("\"B\" is no axis of a table"));
+             Contains("\"B\" is no axis of the machine"));
+}
+
+TEST_CASE("bodies that go with the tool stand as the machine has it", "[unit][job]") {
+  const std::optional<model::Kinematics> machine = *fixture_job("swivel-head").machine.kinematics;
+  const model::RotaryAngles angles{0, 35, -70};
+  constexpr double kLength_mm = 80;
+  const Vec3 gauge{5, -3, 100}, p{1, 2, 3};
+  // The tool's frame in the machine's, as model::Kinematics has it.
+  model::Pose tool = machine->head(angles);
+  tool.shift_mm = gauge + tool.point({0, 0, -kLength_mm});
+  CHECK(distance(tool.shift_mm, machine->stand(gauge, angles, kLength_mm).tip_mm) < 1e-12);
+  const auto stands = [&](const FixtureMount& mount) {
+    return tool.point(body_in_tool(machine, mount, angles, kLength_mm).point(p));
+  };
+  // Of two heads the first alone turns what is mounted on it.
+  const Vec3 on_spindle =
+      gauge + machine->axes[0].turn(-70).point(machine->axes[1].turn(35).point(p));
+  CHECK(distance(stands({FixtureMount::Kind::spindle, {}}), on_spindle) < 1e-12);
+  CHECK(distance(stands({FixtureMount::Kind::head, 'B'}), on_spindle) < 1e-12);
+  CHECK(distance(stands({FixtureMount::Kind::head, 'C'}),
+                 gauge + machine->axes[0].turn(-70).point(p)) < 1e-12);
+  const model::Pose upright = body_in_tool({}, {FixtureMount::Kind::spindle, {}}, {}, kLength_mm);
+  CHECK(upright.point(p) == p + Vec3{0, 0, kLength_mm});
+}
+
+TEST_CASE("a body that goes with the tool needs the length of each stage's tool", "[unit][job]") {
+  const std::string nose =
+      "[[fixture]]\nname = \"nose\"\nfile = \"cages/quick-dome.obj\"\naxis = \"spindle\"\n";
+  using Catch::Contains;
+  CHECK_THAT(error_of(good_job() + nose),
+             Contains("\"nose\" goes with the spindle") && Contains("\"length\" of the tool"));
+  const Job job =
+      read(with(good_job(), "diameter = 6\n", "diameter = 6\nnumber = 1\nlength = 75\n") + nose);
+  CHECK(job.fixtures.at(0).mount.with_tool());
+  CHECK(job.stages.at(0).tool_length_mm == 75);
 }
 
 }  // namespace limitgauge::app

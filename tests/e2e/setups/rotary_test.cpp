@@ -116,6 +116,35 @@ TEST_CASE("a turn that sweeps the tool through the part is a collision, a clear 
   CHECK(found);
 }
 
+TEST_CASE("bodies of the head are held against the stock as the axes have them", "[e2e][setups]") {
+  const Scratch scratch;
+  std::string job = read_text(machine_job("swivel-head"));
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"../cages", fixture("cages")},
+                                 {"swivel-head.nc", fixture("rotary/swivel-head.nc")}})
+    job.replace(job.find(from), from.size(), to);
+  // A pyramid on the head: the gauge point is 80 mm above the tip.
+  const auto plate = [&](double low_mm) {
+    const std::string z = std::to_string(low_mm);
+    write_text(scratch / "plate.obj",
+               "v -40 -40 " + z + "\nv 40 -40 " + z + "\nv 40 40 " + z + "\nv -40 40 " + z +
+                   "\nv 0 0 40\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  };
+  write_text(scratch / "job.toml",
+             job + "[[fixture]]\nname = \"plate\"\nfile = \"plate.obj\"\naxis = \"B\"\n");
+  plate(-40);
+  const Outcome clear = run(scratch, "job.toml", "clear");
+  INFO(clear.errors);
+  CHECK(clear.exit_code == 0);
+  plate(-78);
+  REQUIRE(run(scratch, "job.toml", "low").exit_code == 1);
+  const json result = result_of(scratch, "low");
+  const json& failed = stage_of(result, "rough.2");
+  CHECK(failed["verdict"] == "fail");
+  const json& hit = failed["simulation"]["holder_collisions"][0];
+  CHECK(hit["part"] == "plate");
+  CHECK(hit["line"] > 0);
+}
+
 TEST_CASE("an axis beyond its limits fails at its line", "[e2e][setups]") {
   const Scratch scratch;
   const std::string job = with_program(scratch, "G0 A0 C0\nM5", "G0 A0 C-400\nM5");

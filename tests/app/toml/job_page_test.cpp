@@ -161,7 +161,7 @@ std::optional<Ends> ends_of(const std::string& range) {
       {"text", {{}, {"\"\"", "1"}}},
       {"text, once", {{}, {"\"\"", "1"}}},
       {"an `id`", {{}, {"\"no-such-tool\""}}},
-      {"a table's axis, `none`", {{"\"none\"", "\"A\""}, {"\"Z\"", "1"}}},
+      {"a machine's axis, `spindle`, `none`", {{"\"none\"", "\"A\""}, {"\"Z\"", "1"}}},
       {"a setup's name", {{}, {"\"no-such-setup\"", "1"}}},
       {"three rows of a rotation",
        {{"[[0, -1, 0], [1, 0, 0], [0, 0, 1]]"},

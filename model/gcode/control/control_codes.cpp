@@ -37,7 +37,10 @@ constexpr std::array kIsoG = {
     refused(60, 63, "it interpolates along another curve", kLines),
     aside(80, 80, "P"),  // look-ahead
     aside(90, 90),       // exact stop in this block
-    refused(120, 130, "pockets by one word are not carried out", kLines),
+    refused(120, 120, "pockets by one word are not carried out", kLines),
+    refused(121, 121, "it makes Y an angle: polar coordinate interpolation is not carried out",
+            kLines),
+    refused(130, 130, "pockets by one word are not carried out", kLines),
     aside(131, 131),  // polar interpolation off
     aside(150, 150),  // polar coordinates off
     refused(160, 160, "it makes X and Y a radius and an angle", kOff),
@@ -83,6 +86,12 @@ constexpr std::array kIsoG = {
     refused(2340, 2340, kOriented, "G43 H"),
     refused(2540, 2540, kOriented, "G54"),
     aside(2550, 2550)};  // Haas: dynamic work offset off
+
+/// Fanuc's words about the tool's axis that Haas has others for (96-8210, "G-Codes").
+constexpr std::array kHaasG = {
+    refused(434, 435, "it is Fanuc's, and Haas has another word for it", "G234 H"),
+    refused(531, 531, "it is Fanuc's, and Haas has another word for it", "A, B or C themselves"),
+    refused(682, 689, "it is Fanuc's, and Haas has other words for it", "G254")};
 
 constexpr std::array kIsoM = {
     aside(10, 11),       // clamps of rotary axes
@@ -177,8 +186,10 @@ const CodeRule* unless_has(std::span<const int> known, int number, const CodeRul
 
 const CodeRule* g_rule(Control control, int tenths) {
   switch (control) {
-    case Control::fanuc:
     case Control::haas:
+      if (const CodeRule* rule = rule_in(kHaasG, tenths)) return rule;
+      return rule_in(kIsoG, tenths);
+    case Control::fanuc:
       return rule_in(kIsoG, tenths);
     case Control::mach3:
       return rule_in(kMach3G, tenths);
@@ -195,16 +206,17 @@ const CodeRule* g_rule(Control control, int tenths) {
 
 std::optional<RotaryCode> rotary_code(Control control, int tenths) {
   constexpr RotaryCode kTipCentred{GGroup::length_offset, 434};
-  const bool iso = control == Control::fanuc || control == Control::haas;
-  if (!iso && control != Control::linuxcnc) return std::nullopt;
+  // Fanuc's words, and those that LinuxCNC's remapping configurations took over from it; Haas has
+  // others for the same (96-8210: G234, G254, G268).
+  const bool has_plane = control == Control::fanuc || control == Control::linuxcnc;
   switch (tenths) {
     case 434:
-      return iso ? std::optional(kTipCentred) : std::nullopt;
+      return control == Control::fanuc ? std::optional(kTipCentred) : std::nullopt;
     case 531:
-      return RotaryCode{GGroup::non_modal, tenths};
+      return has_plane ? std::optional(RotaryCode{GGroup::non_modal, tenths}) : std::nullopt;
     case 682:
     case 690:
-      return RotaryCode{GGroup::working_plane, tenths};
+      return has_plane ? std::optional(RotaryCode{GGroup::working_plane, tenths}) : std::nullopt;
     case 2340:
       return control == Control::haas ? std::optional(kTipCentred) : std::nullopt;
     case 2540:

@@ -97,11 +97,19 @@ constexpr std::string_view kWithout = "a program without it";
 constexpr std::string_view kMill = "a program for a mill";
 constexpr std::string_view kLines = "G1, G2 or G3";
 constexpr std::string_view kFile = "a program that needs no file or device of the machine";
+constexpr std::string_view kPocket = "pockets by one word are another control's cycle";
+/// Other controls interpolate in polar coordinates by it, and some builds of LinuxCNC's choose
+/// among kinematics; its own switch them by remapped M codes ("Switchable Kinematics").
+constexpr std::string_view kSwitch =
+    "LinuxCNC has no such code; machines whose kinematics are switched have M428 and M429 for it";
 constexpr std::array kRefusedG = {
     Refused{50, 53, {"a spline's points depend on the control's own chords", kLines}},
     Refused{60, 63, {"a spline's points depend on the control's own chords", kLines}},
     Refused{70, 80, {"diameters and radii are a lathe's", kMill}},
-    Refused{120, 130, {"pockets by one word are another control's cycle", kLines}},
+    Refused{120, 120, {kPocket, kLines}},
+    Refused{121, 121, {kSwitch, "M428 or M429"}},
+    Refused{130, 130, {kPocket, kLines}},
+    Refused{131, 131, {kSwitch, "M428 or M429"}},
     Refused{171, 171, {"its plane is that of the axes U, V and W", "G17, G18 or G19"}},
     Refused{181, 181, {"its plane is that of the axes U, V and W", "G17, G18 or G19"}},
     Refused{191, 191, {"its plane is that of the axes U, V and W", "G17, G18 or G19"}},

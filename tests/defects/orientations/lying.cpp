@@ -80,7 +80,7 @@ struct Manner {
 };
 Manner random_manner(Holding holding, Random& random) {
   constexpr Manner kTables[] = {{Places::joints, "haas"},  {Places::offset, "haas"},
-                                {Places::tip, "fanuc"},    {Places::plane, "haas"},
+                                {Places::tip, "fanuc"},    {Places::plane, "fanuc"},
                                 {Places::tip, "linuxcnc"}, {Places::joints, "fanuc"}};
   constexpr Manner kHeads[] = {{Places::joints, "fanuc"},
                                {Places::tip, "linuxcnc"},

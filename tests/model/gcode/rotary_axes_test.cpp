@@ -221,6 +221,10 @@ TEST_CASE("what is not carried out with rotary axes is said at its word", "[unit
   CHECK(holds(error("G68.2 J30\nG0 X1 A30\n"), "beside X, Y or Z while a working plane"));
   CHECK(holds(error("G92 A5\n"), "an offset of a rotary axis"));
   CHECK(holds(error("G254\nG0 A5\n", Control::haas), "G255 before it"));
+  for (const char* code : {"G43.4 H1\n", "G68.2 J30\n", "G53.1\n"})
+    CHECK(holds(error(code, Control::haas), "is Fanuc's, and Haas has"));
+  CHECK(holds(error("G12.1 P1\n", Control::linuxcnc), "M428 and M429"));
+  CHECK(holds(error("G12.1\n", Control::fanuc), "polar coordinate interpolation"));
   CHECK(holds(error("M430\n", Control::linuxcnc), "M430 switches to kinematics"));
   CHECK(holds(error("G0 A2000000\n", Control::linuxcnc), "turns an axis"));
   CHECK(holds(error_of(kBegin + "G43.4 H1\n",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 /// The verifier's tolerances: value, unit and reason of each. The mathematics that they go into is
@@ -33,6 +34,11 @@ inline constexpr double kAlongMove_mm = 1e-11;
 /// The least distance along a move that turns its tool is found to this: what the last bits of the
 /// poses in between leave to be found, a tenth of kDistanceRounding_mm.
 inline constexpr double kAlongTurn_mm = 1e-10;
+/// Over a cell any time serves: to this it is found there, of second order as the bounds are.
+inline double turning_precision_mm(double radius_mm) {
+  constexpr double kShare = 0.02;
+  return std::max(kAlongTurn_mm, kShare * radius_mm * std::min(1.0, radius_mm));
+}
 
 // The limit surface.
 

@@ -125,8 +125,11 @@ double CellBounder::corner_lower(const Bezier& cell, const Vec3& middle, BodyRef
 /// A lower bound that is `enough_mm` need not be better.
 CellBounder::Scored CellBounder::score(const Bezier& cell, const Vec3& middle, BodyRef body,
                                        BodyDistance& distance, double enough_mm) const {
-  distance = space_.distance(body, middle);
-  if (space_.turns(body))
+  // A plane of a turning body is none under its distance: a bound that may be good enough is all
+  // that is asked of it then.
+  const bool turns = space_.turns(body);
+  if (!turns || !std::isfinite(enough_mm)) distance = space_.distance(body, middle);
+  if (turns)
     return {body, distance.value, space_.lower(body, controls(cell), middle, enough_mm), 0};
   if (const MeshOutside* mesh = space_.mesh_of(body))
     return {body, distance.value, mesh->lower(cell, middle, distance), 0};
@@ -295,19 +298,22 @@ bool CellBounder::piece_unswept(const Bezier& cell, const Vec3& prism, double ma
 
 bool CellBounder::surely_inside(const Bezier& cell, double margin_mm, BodyRef first) {
   const Vec3 centre = middle(cell);
-  const double lowest = space_.distance(first, centre).value;
+  const double radius = control_radius(cell, centre);
+  const double precision = turning_precision_mm(radius);
+  const double lowest = space_.distance(first, centre, precision).value;
   if (lowest > -margin_mm) return false;
   if (upper_of(cell, centre, first) <= -margin_mm) return true;
   // A mean that gives a body a tenth or more is low enough at the middle only if that body is.
   constexpr double kLeastWeight = 0.1;
-  const double radius = control_radius(cell, centre), room = -margin_mm - lowest;
+  const double room = -margin_mm - lowest;
   near_.clear();
   space_.within(centre, std::min(radius + sway_mm_ - margin_mm, lowest + room / kLeastWeight),
                 near_);
   if (near_.size() < 2) return false;
   scored_.clear();
   for (const BodyRef body : near_)
-    if (!space_.is_concave(body)) scored_.push_back({body, space_.distance(body, centre).value});
+    if (!space_.is_concave(body))
+      scored_.push_back({body, space_.distance(body, centre, precision).value});
   return improve_upper(cell, std::numeric_limits<double>::infinity(), -margin_mm) <= -margin_mm;
 }
 

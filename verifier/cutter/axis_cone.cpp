@@ -12,16 +12,13 @@ namespace {
 using model::Box3;
 using model::Vec3;
 
-/// The longest way across `axis` to a corner of the box about zero.
-double across_mm(const Vec3& half, const Vec3& axis) {
-  const double square = model::length_squared(half);
-  double least = square;  // of the squares along the axis
-  for (const double x : {-half.x, half.x})
-    for (const double y : {-half.y, half.y}) {
-      const double along = x * axis.x + y * axis.y + half.z * axis.z;
-      least = std::min(least, along * along);
-    }
-  return std::sqrt(square - least);
+/// No less than the longest way across an axis to a corner of a box about zero whose half diagonal
+/// is `radius_mm`, `along` being what each edge has along the axis: the corners have at least what
+/// the longest one leaves of the others.
+double across_mm(double radius_mm, const Vec3& along) {
+  const double all = along.x + along.y + along.z;
+  const double least = 2 * std::max({along.x, along.y, along.z}) - all;
+  return least > 0 ? std::sqrt(std::max(0.0, radius_mm * radius_mm - least * least)) : radius_mm;
 }
 
 }  // namespace
@@ -49,9 +46,10 @@ double AxisCone::bound(const CutterProfile& profile, double size_mm, const Box3&
   const double by_size = far - radius - size_mm - kDistanceRounding_mm;
   if (axis_ == Vec3{} || by_size >= enough_mm) return by_size;
   const double along = dot(from, axis_);
-  const double up =
-      std::abs(axis_.x) * room.x + std::abs(axis_.y) * room.y + std::abs(axis_.z) * room.z;
-  const double rho = std::max(0.0, length(from - axis_ * along) - across_mm(room, axis_));
+  const Vec3 edges{std::abs(axis_.x) * room.x, std::abs(axis_.y) * room.y,
+                   std::abs(axis_.z) * room.z};
+  const double up = edges.x + edges.y + edges.z;
+  const double rho = std::max(0.0, length(from - axis_ * along) - across_mm(radius, edges));
   const double height = along + profile.core_mm;
   const double open = open_distance(profile, rho, height + up).value;
   const double standing = std::max(open, height - up - profile.top_mm);

@@ -94,9 +94,20 @@ double PassBodies::value_at(std::uint32_t place, const Vec3& p, double beyond_mm
   return bound > beyond_mm ? bound : turning_[place].least(profile_, p, beyond_mm).distance.value;
 }
 
-BodyDistance PassBodies::distance_at(std::uint32_t place, const Vec3& p) const {
-  return turn() ? turning_[place].least(profile_, p).distance
-                : body_distance(profile_, upright_[place], p);
+/// What is above the limit is never looked at for d itself, so that the looks, and what they find,
+/// are the same for any limit.
+std::optional<BodyDistance> PassBodies::distance_up_to(std::uint32_t place, const Vec3& p,
+                                                       double beyond_mm) const {
+  if (bound_at(place, p, beyond_mm) > beyond_mm) return std::nullopt;
+  const BodyDistance d = turning_[place].least(profile_, p, beyond_mm).distance;
+  return d.value > beyond_mm ? std::nullopt : std::optional(d);
+}
+
+BodyDistance PassBodies::distance_at(std::uint32_t place, const Vec3& p,
+                                     double precision_mm) const {
+  if (!turn()) return body_distance(profile_, upright_[place], p);
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  return turning_[place].least(profile_, p, kAny, precision_mm).distance;
 }
 
 void PassBodies::values_at(std::uint32_t place, const Bezier& cell,

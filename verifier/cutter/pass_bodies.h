@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,8 +43,12 @@ class PassBodies {
   /// Where d is above `beyond_mm` it may be any value that is so too.
   double value_at(std::uint32_t place, const model::Vec3& p,
                   double beyond_mm = std::numeric_limits<double>::infinity()) const;
-  /// Of a turning body the plane is one at the time when it is nearest.
-  BodyDistance distance_at(std::uint32_t place, const model::Vec3& p) const;
+  /// Of a turning one: nothing where d is above `beyond_mm`, else distance_at().
+  std::optional<BodyDistance> distance_up_to(std::uint32_t place, const model::Vec3& p,
+                                             double beyond_mm) const;
+  /// Of a turning body the plane is one at the time when it is nearest, to `precision_mm`.
+  BodyDistance distance_at(std::uint32_t place, const model::Vec3& p,
+                           double precision_mm = kAlongTurn_mm) const;
   /// At the control points a convex function nowhere below d: d itself of an upright one.
   void values_at(std::uint32_t place, const Bezier& cell, std::array<double, 16>& out) const;
   /// Of a turning body, see TurningBody::lower.

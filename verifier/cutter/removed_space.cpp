@@ -46,9 +46,9 @@ double first_meeting(Distance&& distance, const Vec3& ray, bool is_convex, doubl
 /// The same of one whose distance is not convex, where `clear(from, to)` proves that it is not met
 /// between: in steps that grow while that is proven, and no longer than the place is far where not.
 template <class Distance, class Clear>
-double first_meeting_by_steps(Distance&& distance, Clear&& clear, const Vec3& ray, double limit_mm,
-                              const EndRule& rule) {
-  double t = 0, step = 0;
+double first_meeting_by_steps(Distance&& distance, Clear&& clear, const Vec3& ray, double from_mm,
+                              double limit_mm, const EndRule& rule) {
+  double t = from_mm, step = 0;
   for (int n = 0; n < kMostSteps && t < limit_mm; ++n) {
     const BodyDistance d = distance(t);
     if (rule.is_met(d.value, d.gradient, ray)) return t;
@@ -59,6 +59,18 @@ double first_meeting_by_steps(Distance&& distance, Clear&& clear, const Vec3& ra
     t += step;
   }
   return std::min(t, limit_mm);
+}
+
+/// Of a turning body the exact distance only where it is near: afar a step that is a little shorter
+/// than it might be costs less.
+BodyDistance distance_from_afar(const PassBodies& bodies, std::uint32_t place, const Vec3& p,
+                                double near_mm) {
+  constexpr double kAfar_mm = 1e-3, kRoughly_mm = 1e-4;
+  if (bodies.turn()) {
+    const BodyDistance d = bodies.distance_at(place, p, kRoughly_mm);
+    if (d.value - d.slack_mm > near_mm + kAfar_mm) return d;
+  }
+  return bodies.distance_at(place, p);
 }
 
 }  // namespace
@@ -157,11 +169,19 @@ void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best)
       [&](double bound) { return bound > best.distance.value + kSameDistance_mm; },
       [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const double d = bodies.value_at(k, p, best.distance.value + kSameDistance_mm);
-          // Among equals the first move is the one named.
           const BodyRef body{pass, bodies.move_at(k)};
-          if (d < best.distance.value || (d == best.distance.value && body < best.body))
-            best = {body, {d, {}, 0}};
+          const double beyond = best.distance.value + kSameDistance_mm;
+          const auto offer = [&](const BodyDistance& d) {
+            // Among equals the first move is the one named.
+            if (d.value < best.distance.value ||
+                (d.value == best.distance.value && body < best.body))
+              best = {body, d};
+          };
+          if (!bodies.turn()) {
+            offer({bodies.value_at(k, p, beyond), {}, 0});
+          } else if (body != best.body) {
+            if (const auto d = bodies.distance_up_to(k, p, beyond)) offer(passes_[pass].back(*d));
+          }
         }
       });
 }
@@ -190,7 +210,8 @@ Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint, FarPas
     far ? nearest_if_near(k, p, best, *far) : nearest_in(k, p, best);
   // A mesh comes last: most points lie deeper in it than the nearest move is away.
   if (mesh_ && !is_stock(best.body)) nearest_of_stock(p, best);
-  if (!is_stock(best.body)) best.distance = distance(best.body, p);
+  // Of a turning body all of it is known.
+  if (!is_stock(best.body) && !turns(best.body)) best.distance = distance(best.body, p);
   return best;
 }
 
@@ -198,7 +219,7 @@ std::optional<Nearest> RemovedSpace::nearest_swept(const Vec3& p) const {
   Nearest best{{0, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
   for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;) nearest_in(k, p, best);
   if (!std::isfinite(best.distance.value)) return std::nullopt;
-  best.distance = distance(best.body, p);
+  if (!turns(best.body)) best.distance = distance(best.body, p);
   return best;
 }
 
@@ -210,21 +231,24 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3
   const PassBodies& bodies = *passes_[pass];
   const double near =
       chord_error_mm_ + std::max(rule.beside_mm, rule.skin_mm) + kDistanceRounding_mm;
-  const auto start_of = [&](const model::BoxNode& node) {
+  const auto clear_up_to = [&](const auto& bound) {
     double t = 0;
     for (int k = 0; k < kLooks && t < first.t_mm; ++k) {
-      const double room = bodies.bound(node, p + ray * t, near) - near + kDistanceRounding_mm;
+      const double room = bound(p + ray * t) - near + kDistanceRounding_mm;
       if (room <= kDistanceRounding_mm) break;
       t += room;
     }
     return t;
+  };
+  const auto start_of = [&](const model::BoxNode& node) {
+    return clear_up_to([&](const Vec3& at) { return bodies.bound(node, at, near); });
   };
   model::nearest_first(
       bodies.nodes(), start_of, [&](double start) { return start >= first.t_mm; },
       [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
           const auto distance = [&](double t) {
-            BodyDistance d = bodies.distance_at(k, p + ray * t);
+            BodyDistance d = distance_from_afar(bodies, k, p + ray * t, near);
             d.value -= chord_error_mm_;
             return d;
           };
@@ -232,9 +256,13 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3
             const std::array ends{p + ray * a, p + ray * b};
             return bodies.lower_at(k, ends, p + ray * ((a + b) / 2), near) >= near;
           };
-          const double t = bodies.turn()
-                               ? first_meeting_by_steps(distance, clear, ray, first.t_mm, rule)
-                               : first_meeting(distance, ray, true, first.t_mm, rule);
+          const auto by_steps = [&] {
+            const double start =
+                clear_up_to([&](const Vec3& at) { return bodies.bound_at(k, at, near); });
+            return first_meeting_by_steps(distance, clear, ray, start, first.t_mm, rule);
+          };
+          const double t =
+              bodies.turn() ? by_steps() : first_meeting(distance, ray, true, first.t_mm, rule);
           if (t < first.t_mm) first = {t, BodyRef{pass, bodies.move_at(k)}};
         }
       });
@@ -351,10 +379,11 @@ void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<Body
   if (mesh_ && mesh_->distance_up_to(p, limit_mm)) out.push_back({outside, 0});
 }
 
-BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p) const {
+BodyDistance RemovedSpace::distance(BodyRef body, const Vec3& p, double precision_mm) const {
   if (is_stock(body)) return mesh_ ? mesh_->distance(p) : faces_->distance(body.index, p);
   const PlacedPass& pass = passes_[body.pass];
-  return pass.back(pass->distance_at(pass->place_of(body.index), pass.place(p - shift_)));
+  return pass.back(
+      pass->distance_at(pass->place_of(body.index), pass.place(p - shift_), precision_mm));
 }
 
 double RemovedSpace::lower(BodyRef body, std::span<const Vec3> points, const Vec3& middle,

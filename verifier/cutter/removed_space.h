@@ -95,7 +95,9 @@ class RemovedSpace {
   Meeting first_met(const model::Vec3& p, const model::Vec3& ray, double limit_mm,
                     const EndRule& rule, const FarPasses* far = nullptr) const;
 
-  BodyDistance distance(BodyRef body, const model::Vec3& p) const;
+  /// Of a move that turns its tool, no further above d than `precision_mm`, as its slack says.
+  BodyDistance distance(BodyRef body, const model::Vec3& p,
+                        double precision_mm = kAlongTurn_mm) const;
   /// d at the sixteen control points of `cell` (for a mesh, see mesh_of).
   void values(BodyRef body, const Bezier& cell, std::array<double, 16>& out) const;
   /// The side of a round bar: its distance is concave, not convex.

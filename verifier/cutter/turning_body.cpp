@@ -121,6 +121,8 @@ TurningBody::TurningBody(const Vec3& from, const Vec3& to, const Vec3& axis_from
     side_ = model::normalized(across);
     turn_rad_ = model::angle_between(axis_, axis_to);
   }
+  end_axis_ = axis(1);
+  spin_rad_ = cross(axis_, side_) * turn_rad_;
 }
 
 Vec3 TurningBody::axis(double t) const {
@@ -170,8 +172,7 @@ BodyDistance TurningBody::standing(const CutterProfile& profile, const Vec3& p, 
 
 TurningBody::Look TurningBody::look(const CutterProfile& profile, const Vec3& p, double t) const {
   Look out{t, standing(profile, p, t), 0, 0};
-  const Vec3 about = cross(axis_, side_) * turn_rad_;
-  out.slope = -dot(out.here.gradient, delta_ + cross(about, p - tip(t)));
+  out.slope = -dot(out.here.gradient, delta_ + cross(spin_rad_, p - tip(t)));
   if (profile.is_ball()) out.over_core_mm = dot(p - tip(t), axis(t)) - lift_mm_ - profile.core_mm;
   return out;
 }
@@ -191,9 +192,35 @@ double TurningBody::next_look(const Stretch& s, bool by_tangents) {
   return falls ? s.b.t - kNearEnd * width : s.a.t + (rises ? kNearEnd : 0.5) * width;
 }
 
-TurningBody::Least TurningBody::least(const CutterProfile& profile, const Vec3& p,
-                                      double beyond_mm) const {
+/// Of a whole ball that has its core above all the points at all times: a lower bound of d over
+/// their hull, by the chord of the core's way. No bound of other profiles and places.
+double TurningBody::bound_by_chord(const CutterProfile& profile, std::span<const Vec3> points,
+                                   const Vec3& middle, double bend) const {
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  if (!is_whole_ball(profile)) return kNone;
+  const double up = lift_mm_ + profile.core_mm;
+  const Vec3 from = from_ + axis_ * up, along = from_ + delta_ + end_axis_ * up - from;
+  const double square = model::length_squared(along);
+  const double t = square > 0 ? std::clamp(dot(middle - from, along) / square, 0.0, 1.0) : 0;
+  const Vec3 away = model::normalized(middle - from - along * t);
+  const double ahead = std::max(0.0, dot(along, away));
+  double highest = kNone, least = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : points) {
+    const Vec3 q = p - from;
+    highest = std::max({highest, dot(q, axis_), dot(q - along, end_axis_)});
+    least = std::min(least, dot(q, away) - ahead);
+  }
+  if (highest >= -bend / 8) return kNone;
+  return least - turn_rad_ * turn_rad_ * std::abs(up) / 8 - profile.rounding_mm -
+         kDistanceRounding_mm;
+}
+
+TurningBody::Least TurningBody::least(const CutterProfile& profile, const Vec3& p, double beyond_mm,
+                                      double precision_mm) const {
   const double bend = bend_mm(profile, distance(p, core(profile, 0.5)));
+  if (std::isfinite(beyond_mm))
+    if (const double bound = bound_by_chord(profile, {&p, 1}, p, bend); bound > beyond_mm)
+      return {{bound, {}, 0}, 0};
   const double core_bend = turn_rad_ * turn_rad_ * std::abs(lift_mm_ + profile.core_mm);
   double dropped = std::numeric_limits<double>::infinity();
   StretchHeap heap;
@@ -212,7 +239,7 @@ TurningBody::Least TurningBody::least(const CutterProfile& profile, const Vec3& 
   const Look begin = look(profile, p, 0), end = look(profile, p, 1);
   Look best = end.here.value < begin.here.value ? end : begin;
   add(begin, end);
-  for (int n = 0; n < kMostLooks && heap.lowest() < best.here.value - kAlongTurn_mm; ++n) {
+  for (int n = 0; n < kMostLooks && heap.lowest() < best.here.value - precision_mm; ++n) {
     const Stretch s = heap.pop();
     const double t = next_look(s, n % 2 == 1);
     if (!(t > s.a.t && t < s.b.t)) {  // no number between its ends
@@ -276,13 +303,16 @@ struct TurningBody::LowerSearch {
 
 double TurningBody::lower(const CutterProfile& profile, std::span<const Vec3> points,
                           const Vec3& middle, double enough_mm) const {
-  const Least at = least(profile, middle);
   double radius = 0;
   for (const Vec3& p : points) radius = std::max(radius, distance(p, middle));
+  const double bend = bend_mm(profile, radius + distance(middle, core(profile, 0.5)));
+  const double by_chord = bound_by_chord(profile, points, middle, bend);
+  if (by_chord >= enough_mm) return by_chord;
+  const Least at = least(profile, middle, enough_mm + radius + kDistanceRounding_mm,
+                         turning_precision_mm(radius));
   const double value = at.distance.value - at.distance.slack_mm, coarse = value - radius;
   if (coarse >= enough_mm || (std::isfinite(enough_mm) && value < enough_mm)) return coarse;
-  LowerSearch search{*this, profile, points, middle,
-                     bend_mm(profile, radius + distance(middle, core(profile, 0.5)))};
+  LowerSearch search{*this, profile, points, middle, bend};
   StretchHeap heap;
   const auto add = [&](const Look& a, const Look& b) {
     if (b.t > a.t) heap.push({a, b, search.bound(a, b)});
@@ -299,7 +329,7 @@ double TurningBody::lower(const CutterProfile& profile, std::span<const Vec3> po
     const Look here = look(profile, middle, s.a.t + share * width);
     add(s.a, here), add(here, s.b);
   }
-  return std::max(coarse, heap.lowest());
+  return std::max({by_chord, coarse, heap.lowest()});
 }
 
 /// Of a ball: what its centre passes by, on the chord of a part of its path.
@@ -338,16 +368,16 @@ void TurningBody::following(const CutterProfile& profile, const Bezier& cell, co
 void TurningBody::values(const CutterProfile& profile, const Bezier& cell,
                          std::array<double, 16>& out) const {
   const Vec3 centre = verifier::middle(cell);
-  const Least at = least(profile, centre);
   const double radius = control_radius(cell, centre);
+  const Least at =
+      least(profile, centre, std::numeric_limits<double>::infinity(), turning_precision_mm(radius));
   for (int k = 0; k < 16; ++k) out[k] = standing(profile, cell.control(k), at.t).value;
   auto offer = [&, best = largest(out)](const std::array<double, 16>& other) mutable {
     if (largest(other) >= best) return;
     out = other, best = largest(out);
   };
   std::array<double, 16> other{};
-  const Vec3 about = cross(axis_, side_) * turn_rad_;
-  const Vec3 velocity = delta_ + cross(about, centre - tip(at.t));
+  const Vec3 velocity = delta_ + cross(spin_rad_, centre - tip(at.t));
   const double speed = length(velocity);
   if (!(speed > 0)) return;
   for (const double share : {1.0, 0.5}) {

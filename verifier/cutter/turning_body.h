@@ -7,6 +7,7 @@
 #include "verifier/cutter/cutter_profile.h"
 #include "verifier/cutter/swept_body.h"
 #include "verifier/surface/bezier.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 
@@ -31,15 +32,16 @@ class TurningBody {
   model::Vec3 core(const CutterProfile& profile, double t) const;
   model::Box3 cores(const CutterProfile& profile) const;
 
-  /// A value of D at one time, no further above d than `slack_mm`, and its gradient: a plane under
-  /// D at that time, not under d.
+  /// A value of D at one time, no further above d than `slack_mm`, which is `precision_mm` at most
+  /// as a rule, and its gradient: a plane under D at that time, not under d.
   struct Least {
     BodyDistance distance;
     double t = 0;
   };
   /// Where d is above `beyond_mm` the value is so too, and else says no more.
   Least least(const CutterProfile& profile, const model::Vec3& p,
-              double beyond_mm = std::numeric_limits<double>::infinity()) const;
+              double beyond_mm = std::numeric_limits<double>::infinity(),
+              double precision_mm = kAlongTurn_mm) const;
   /// A lower bound of d over the hull of `points`, by planes at `middle`, which lies in it; not
   /// improved where it is `enough_mm`, or cannot be.
   double lower(const CutterProfile& profile, std::span<const model::Vec3> points,
@@ -55,6 +57,8 @@ class TurningBody {
   struct Around;
   struct LowerSearch;
 
+  double bound_by_chord(const CutterProfile& profile, std::span<const model::Vec3> points,
+                        const model::Vec3& middle, double bend) const;
   BodyDistance standing(const CutterProfile& profile, const model::Vec3& p, double t) const;
   Look look(const CutterProfile& profile, const model::Vec3& p, double t) const;
   static double next_look(const Stretch& stretch, bool by_tangents);
@@ -72,6 +76,8 @@ class TurningBody {
 
   model::Vec3 from_, delta_;
   model::Vec3 axis_, side_;  ///< where the move begins, and across it the way that it turns
+  model::Vec3 end_axis_;     ///< where it ends
+  model::Vec3 spin_rad_;     ///< the turn, about what it turns about
   double turn_rad_ = 0, lift_mm_ = 0;
 };
 

@@ -13,6 +13,8 @@ namespace limitgauge::model {
 namespace {
 
 constexpr Vec3 kSpindle{0, 0, 1};
+/// Within rounding of places turned back and forth.
+constexpr double kSamePlace_mm = 1e-9;
 
 const AxisTurn* turn_of_motion(const Program& program, std::size_t motion) {
   const auto found = std::ranges::lower_bound(program.turns, motion, {}, &AxisTurn::motion);
@@ -145,10 +147,9 @@ void TurningPathMaker::add_arc(const Motion& arc) {
 
 /// Up first, then across, along the machine's Z.
 void TurningPathMaker::park(const Motion& motion) {
-  constexpr double kRounding_mm = 1e-9;
   if (!parked_) add_straight(motion, raised(), true);
   const Vec3 to_mm = parked_place(on_machine(motion.to));
-  if (distance(here(), to_mm) > kRounding_mm) add_straight(motion, to_mm, true);
+  if (distance(here(), to_mm) > kSamePlace_mm) add_straight(motion, to_mm, true);
 }
 
 void TurningPathMaker::add(const Motion& motion) {
@@ -228,10 +229,10 @@ void TurningPathMaker::turn(const AxisTurn& turn, const Motion& motion) {
     turn_arc(turn, motion);
   } else {
     TurningMotion turning = turn.turn;
-    // From where a parked tool is taken to stand.
-    if (parked_)
-      turning.from_mm =
-          turning.frame.in_workpiece(machine_, turning.from_deg).point_back(here_in_workpiece());
+    // A parked tool, or one that another length has put elsewhere, goes on from where it stands.
+    const Vec3 from_mm =
+        turning.frame.in_workpiece(machine_, turning.from_deg).point_back(here_in_workpiece());
+    if (distance(from_mm, turning.from_mm) > kSamePlace_mm) turning.from_mm = from_mm;
     note_error(add_turn({motion, turning, turn.minutes, options_.chord_error_mm}));
   }
   stand(turn.turn.to_deg);

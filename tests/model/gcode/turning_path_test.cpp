@@ -173,6 +173,36 @@ TEST_CASE("a turn alone feeds by degrees a minute", "[unit][gcode]") {
   CHECK(sum == Approx(0.5).epsilon(1e-5));
 }
 
+TEST_CASE("where axes stand still the path is that of the stretch, turned back", "[unit][gcode]") {
+  const std::string text =
+      kApproach +
+      "G1 X5 F100\nG3 X-5 I-5\nG0 %s30 C70\nX1 Y2 Z50\nG1 X5\nG2 X9 I2\nG43.4 H1\nG0 X1 Y2 Z3\n"
+      "G1 X4 Z2\nG49\nG0 Z100\n%s0 C0\nG68.2 X1 Y2 Z3 I10 J30 K20\nG53.1\nG0 X0 Y0 Z5\n"
+      "G1 X4\nG18 G2 X8 I2\nG17 G69\nG0 Z90\n%s0 C0\nX0 Y0 Z100\nM30\n";
+  for (const auto& [machine, word] :
+       {std::pair{turning_trunnion(), "A"}, {turning_heads(), "B"}, {turning_head_table(), "B"}}) {
+    std::string own = text;
+    while (own.find("%s") != std::string::npos) own.replace(own.find("%s"), 2, word);
+    const Program program = read_text(own, machine);
+    PathOptions options = turning_options(machine);
+    const auto ranges = steady_ranges(program, 0, program.motions.size());
+    CHECK(ranges.size() > 3);
+    for (const SteadyRange& range : ranges) {
+      options.first = range.first, options.last = range.last;
+      const TurningPath turning = to_turning_path(program, options);
+      const Pose back =
+          turned_part(*machine.kinematics, options.machine_in_part, range.angles_deg).inverse();
+      const Toolpath steady = turned(to_toolpath(program, options), back);
+      CHECK(distance(turning.path.start, steady.start) < kPoseRounding_mm);
+      REQUIRE(turning.path.moves.size() == steady.moves.size());
+      for (std::size_t i = 0; i < steady.moves.size(); ++i) {
+        CHECK(distance(turning.path.moves[i].to, steady.moves[i].to) < kPoseRounding_mm);
+        CHECK(distance(turning.axes.to[i], back.direction({0, 0, 1})) < 1e-12);
+      }
+    }
+  }
+}
+
 TEST_CASE("a parked tool turns above everything, whatever lies under it", "[unit][gcode]") {
   MachineSetup machine = turning_trunnion();
   const std::string text =

@@ -1,6 +1,6 @@
 #include "model/gcode/turning/turn_bend.h"
 
-#include "tests/model/gcode/turning_poses.h"
+#include "tests/model/gcode/turning/turning_poses.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::model {

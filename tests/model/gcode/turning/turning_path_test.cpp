@@ -1,61 +1,17 @@
 #include "model/gcode/turning/turning_path.h"
 
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 
 #include "model/gcode/arc_chords.h"
 #include "tests/model/gcode/read_text.h"
-#include "tests/model/gcode/turning_poses.h"
+#include "tests/model/gcode/turning/turning_machines.h"
+#include "tests/model/gcode/turning/turning_poses.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::model {
 namespace {
 
 using namespace test;
-
-constexpr double kReach_mm = 70;
-
-/// C on A, both off the machine's zero.
-MachineSetup turning_trunnion(Control control = Control::fanuc) {
-  MachineSetup machine;
-  machine.control = control;
-  machine.tools = {{1, 80, 6}};
-  machine.loaded_tool = 1;
-  machine.work_offsets[0] = WorkOffset{{10, 20, -30}, 0};
-  machine.start_mm = Vec3{0, 0, 200};
-  machine.kinematics =
-      Kinematics{MachineKind::table_table,
-                 {{'A', {1, 0, 0}, {3, -7, -60}, -120, 120}, {'C', {0, 0, 1}, {5, 2, -30}}}};
-  return machine;
-}
-
-MachineSetup turning_heads() {
-  MachineSetup machine = turning_trunnion();
-  machine.kinematics =
-      Kinematics{MachineKind::head_head,
-                 {{'C', {0, 0, 1}, {0, 0, 200}}, {'B', {0, 1, 0}, {0, 1, 150}, -110, 110}}};
-  return machine;
-}
-
-MachineSetup turning_head_table() {
-  MachineSetup machine = turning_trunnion();
-  machine.kinematics =
-      Kinematics{MachineKind::head_table,
-                 {{'B', {0, 1, 0}, {0, 1, 150}, -110, 110}, {'C', {0, 0, 1}, {5, 2, -30}}}};
-  return machine;
-}
-
-PathOptions turning_options(const MachineSetup& machine, double chord_error_mm = 0.001) {
-  PathOptions options;
-  options.chord_error_mm = chord_error_mm;
-  options.machine_in_part = {90, {7, 8, 9}};
-  options.start_mm = Vec3{10, 20, 170};
-  options.kinematics = machine.kinematics;
-  options.reach_mm = kReach_mm;
-  options.around_mm = {{-50, -50, -50}, {50, 50, 50}};
-  return options;
-}
 
 /// Where the machine has the tool during motion `turn`, in the part's frame: worked out here from
 /// the arc or the straight line that the motion names.
@@ -66,13 +22,6 @@ Pose tool_in_part(const Program& program, const PathOptions& options, const Axis
   if (motion.kind == MotionKind::arc)
     at.from_mm = at.to_mm = ArcSweep(motion, turn.turn.from_mm).point_at(t);
   return pose_of(options.machine_in_part) * at.tool_at(*options.kinematics, t);
-}
-
-std::vector<std::size_t> moves_of(const TurningPath& made, std::uint32_t line) {
-  std::vector<std::size_t> moves;
-  for (std::size_t i = 0; i < made.path.moves.size(); ++i)
-    if (made.path.moves[i].line == line) moves.push_back(i);
-  return moves;
 }
 
 /// The distance of the tool from a move, a share of the way along it.
@@ -98,49 +47,6 @@ void check_turns(const Program& program, const PathOptions& options, const Turni
       }
     }
   }
-}
-
-const std::string kApproach = "G21 G90 G94 G43 H1\nG0 X0 Y0 Z100\n";
-const std::string kCentred = "G21 G90 G94\nG43.4 H1\nG0 X0 Y0 Z100\n";
-
-/// What nine decimals of places and angles leave.
-constexpr double kDigits_mm = 1e-7;
-
-struct PostedPath {
-  std::string cl_data, program;
-  std::vector<std::uint32_t> lines;  ///< of the program, one a GOTO
-};
-
-std::string figure(double value) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(9) << value;
-  return text.str();
-}
-
-/// Forty places near each other with axes that lean by up to thirty degrees, as CL data and as a
-/// program under tip control.
-PostedPath posted_path(const MachineSetup& machine, std::mt19937_64& random) {
-  PostedPath posted{"FEDRAT/500\n", kCentred, {}};
-  RotaryAngles angles{};
-  for (std::uint32_t i = 0; i < 40; ++i) {
-    const Vec3 at = random_place(random, 40);
-    const Vec3 leaning = normalized(Vec3{0, 0, 1} + random_place(random, 0.3));
-    angles = machine.kinematics->angles_for(leaning, angles).value();
-    posted.cl_data += "GOTO/";
-    posted.program += "G1 F500";
-    for (int k = 0; k < 3; ++k) {
-      posted.cl_data += figure(at[k]) + ",";
-      posted.program += std::string(" ") + "XYZ"[k] + figure(at[k]);
-    }
-    posted.cl_data +=
-        figure(leaning.x) + "," + figure(leaning.y) + ",$\n" + figure(leaning.z) + "\n";
-    for (const RotaryAxis& axis : machine.kinematics->axes)
-      posted.program += std::string(" ") + axis.word + figure(angles[axis.index()]);
-    posted.program += "\n";
-    posted.lines.push_back(4 + i);
-  }
-  posted.cl_data += "FINI\n";
-  return posted;
 }
 
 TurningPath checked(const std::string& text, const MachineSetup& machine) {
@@ -241,25 +147,6 @@ TEST_CASE("where axes stand still the path is that of the stretch, turned back",
         CHECK(distance(turning.path.moves[i].to, steady.moves[i].to) < kPoseRounding_mm);
         CHECK(distance(turning.axes.to[i], back.direction({0, 0, 1})) < 1e-12);
       }
-    }
-  }
-}
-
-TEST_CASE("CL data and their posting for a machine lead the tool through the same places",
-          "[property][gcode]") {
-  std::mt19937_64 random(92);
-  for (const auto& machine : {turning_trunnion(), turning_heads(), turning_head_table()}) {
-    const PostedPath posted = posted_path(machine, random);
-    std::istringstream cl(posted.cl_data);
-    const Program located = read_program(cl, "five.apt", machine);
-    const PathOptions options = turning_options(machine);
-    const TurningPath stated = to_turning_path(located, options);
-    const TurningPath made = to_turning_path(read_text(posted.program, machine), options);
-    REQUIRE(made.path.moves.size() > stated.path.moves.size());
-    for (std::size_t i = 0; i < stated.path.moves.size(); ++i) {
-      const std::size_t last = moves_of(made, posted.lines[i]).back();
-      CHECK(distance(made.path.moves[last].to, stated.path.moves[i].to) < kDigits_mm);
-      CHECK(distance(made.axes.to[last], stated.axes.to[i]) < kDigits_mm);
     }
   }
 }

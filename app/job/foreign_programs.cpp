@@ -5,10 +5,12 @@
 
 #include "app/job/program_parts.h"
 #include "app/job/setup_frame.h"
+#include "app/job/turning_stage.h"
 #include "model/base/coordinate_limit.h"
 #include "model/base/error.h"
 #include "model/base/memory.h"
 #include "model/gcode/text/program_text.h"
+#include "model/gcode/turning/turning_path.h"
 
 namespace limitgauge::app {
 namespace {
@@ -40,6 +42,7 @@ std::vector<Group> groups_of(const Job& job) {
 /// What a job's programs share beyond their machine.
 struct Surroundings {
   double above_all_mm = 0;  ///< where parked tools stand, in the cage's frame
+  model::Box3 around_mm;    ///< stock, part and fixtures
   model::ProgramStart start;
 };
 
@@ -63,6 +66,7 @@ class GroupReader {
   model::ProgramStart start_told() const;
   double start_shift_mm(std::size_t first) const;
   void stand_still(std::size_t index, model::Toolpath& path) const;
+  void make_path(std::size_t index, model::PathOptions options, ForeignPath& foreign) const;
   void require_near(const model::Vec3& tip_mm, std::uint32_t line) const;
   void list_assumed(ForeignPath& foreign, std::size_t index) const;
   const JobStage& stage(std::size_t index) const { return job_.stages[group_[index]]; }
@@ -156,6 +160,7 @@ void GroupReader::place(const Surroundings& surroundings) {
   const model::WorkOffset g54 = job_.machine.work_offsets.front().value_or(model::WorkOffset());
   options_.start_mm = model::RigidPlacement{g54.rotation_deg, g54.origin_mm}(start_mm);
   options_.park_z_mm = surroundings.above_all_mm;
+  options_.around_mm = surroundings.around_mm;
 }
 
 /// A tool change moves nothing: the tip of a longer tool comes to stand lower. Without lengths each
@@ -192,6 +197,23 @@ void GroupReader::stand_still(std::size_t index, model::Toolpath& path) const {
   path.moves.emplace_back(path.start, 0.0F, piece->range.turns.back().line, model::MoveKind::rapid);
 }
 
+/// The path, and how the tool stands along it where it turns.
+void GroupReader::make_path(std::size_t index, model::PathOptions options,
+                            ForeignPath& foreign) const {
+  const auto& piece = stage(index).piece;
+  if (program_.axes || (piece && piece->turns_while_cutting())) {
+    require_turning_tool(job_, stage(index));
+    options.reach_mm = reach_mm(stage(index).cutter);
+    model::TurningPath made = to_turning_path(program_, options);
+    foreign.path = std::make_shared<const model::Toolpath>(std::move(made.path));
+    foreign.axes = std::make_shared<const model::ToolAxes>(std::move(made.axes));
+    return;
+  }
+  model::Toolpath path = to_toolpath(program_, options);
+  stand_still(index, path);
+  foreign.path = std::make_shared<const model::Toolpath>(std::move(path));
+}
+
 ForeignPath GroupReader::path_of(std::size_t index) const {
   model::PathOptions options = options_;
   options.chord_error_mm = settings_.chord_error_mm[group_[index]];
@@ -201,9 +223,7 @@ ForeignPath GroupReader::path_of(std::size_t index) const {
   // Ends first: an arc to somewhere far away would have more chords than there is room for.
   for (std::size_t i = options.first; i < options.last && program_.frames.empty(); ++i)
     require_near(options.machine_in_part(program_.motions[i].to), program_.motions[i].line);
-  model::Toolpath path = to_toolpath(program_, options);
-  stand_still(index, path);
-  foreign.path = std::make_shared<const model::Toolpath>(std::move(path));
+  make_path(index, options, foreign);
   for (const model::Move& move : foreign.path->moves) require_near(move.to, move.line);
   if (foreign.path->moves.empty())
     throw model::InputError(
@@ -224,6 +244,7 @@ ForeignPath GroupReader::path_of(std::size_t index) const {
 void GroupReader::list_assumed(ForeignPath& foreign, std::size_t index) const {
   const std::string head = stage(index).program_as_stated + ", ";
   for (const std::string& said : program_.assumed) foreign.assumed.push_back(head + said);
+  if (foreign.axes) foreign.assumed.push_back(head + kTurnsInPlace);
   const auto leaning = std::find_if(
       program_.motions.begin(), program_.motions.end(), [](const model::Motion& motion) {
         return !motion.position_known && motion.kind != model::MotionKind::rapid;
@@ -242,13 +263,19 @@ Settings settings_for_reading(const Job& job) {
   return settings;
 }
 
+model::Box3 box_around(const Job& job, const std::vector<model::Fixture>& fixtures,
+                       const model::Box3& part) {
+  model::Box3 box = model::bounding_box(job.stock);
+  box.add(part);
+  for (const model::Fixture& fixture : fixtures) box.add(bounding_box(*fixture.mesh));
+  return box;
+}
+
 /// Above stock, part, fixtures and everything that the programs reach and start at, by the job's
 /// clearance; no higher than the machine can go.
 double above_everything_mm(const Job& job, const std::vector<model::Fixture>& fixtures,
                            const model::Box3& part, const std::deque<GroupReader>& readers) {
-  double top = std::max(model::bounding_box(job.stock).high.z, part.high.z);
-  for (const model::Fixture& fixture : fixtures)
-    for (const model::Vec3& vertex : fixture.mesh->vertices) top = std::max(top, vertex.z);
+  double top = box_around(job, fixtures, part).high.z;
   for (const GroupReader& reader : readers) top = std::max(top, reader.highest_mm());
   if (job.machine.start_mm)
     top = std::max(top, job.machine.start_mm->z + job.program_frame.translate_mm.z);
@@ -291,7 +318,7 @@ std::vector<std::optional<ForeignPath>> load_programs(const Job& job, const Sett
   // Motions take twice what moves do: those of a program are let go once its paths are there.
   for (; !readers.empty(); readers.pop_front()) {
     GroupReader& reader = readers.front();
-    reader.place({above_all_mm, start_of(job, above_all_mm)});
+    reader.place({above_all_mm, box_around(job, fixtures, part), start_of(job, above_all_mm)});
     for (std::size_t i = 0; i < reader.group().size(); ++i)
       programs[reader.group()[i]] = reader.path_of(i);
   }

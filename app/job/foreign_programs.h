@@ -15,10 +15,11 @@ namespace limitgauge::app {
 /// A program, or a part of one, as a stage's path.
 struct ForeignPath {
   std::shared_ptr<const model::Toolpath> path;
-  model::ProgramStart start;                ///< the same for all programs of a job
-  std::vector<std::string> ignored_words;   ///< "line: word" that moves nothing
-  std::vector<std::string> assumed;         ///< what the reader took for granted
-  std::shared_ptr<const std::string> text;  ///< the whole program
+  std::shared_ptr<const model::ToolAxes> axes;  ///< of one that turns its tool; else null
+  model::ProgramStart start;                    ///< the same for all programs of a job
+  std::vector<std::string> ignored_words;       ///< "line: word" that moves nothing
+  std::vector<std::string> assumed;             ///< what the reader took for granted
+  std::shared_ptr<const std::string> text;      ///< the whole program
   std::string unended;  ///< what is to be said of a program without an end; else empty
 };
 

@@ -49,7 +49,7 @@ struct ProgramPart {
 std::string to_text(const ProgramPart& part);
 
 /// The part of a stage's program that a stage takes while the rotary axes stand still: which of its
-/// parts it is, and what leads to it.
+/// parts it is, and what leads to it. Or all of it, where it cuts while they turn.
 struct StagePiece {
   std::string stage;  ///< the one that the job states
   model::SteadyRange range;
@@ -58,6 +58,11 @@ struct StagePiece {
   bool stage_cuts = true;       ///< some stretch of the stage does
   std::string angles;           ///< "A90C45"
   verifier::GateLimits limits;  ///< of the stage
+  /// Of a stage that cuts while its axes turn: every turn of it. It is the whole stage then, in the
+  /// setup that the job states, and `range` has no turns.
+  std::vector<model::AxisTurn> turning = {};
+
+  bool turns_while_cutting() const { return !turning.empty(); }
 };
 /// "stretch 2 of 3, A90C45".
 std::string to_text(const StagePiece& piece);

@@ -8,6 +8,7 @@
 #include "app/job/program_parts.h"
 #include "app/job/setup_frame.h"
 #include "model/base/error.h"
+#include "model/gcode/turning/turning_path.h"
 
 namespace limitgauge::app {
 namespace {
@@ -18,19 +19,34 @@ using model::RotaryAngles;
 struct Stretch {
   model::SteadyRange range;
   bool cuts = false;  ///< some motion is no rapid
+  /// Where this is a whole stage that cuts while they turn: its turns.
+  std::vector<model::AxisTurn> turning = {};
 };
+
+bool cuts_in(const model::Program& program, const MotionRange& range) {
+  const auto begin = program.motions.begin();
+  return std::any_of(
+      begin + static_cast<std::ptrdiff_t>(range.first),
+      begin + static_cast<std::ptrdiff_t>(range.last),
+      [](const model::Motion& motion) { return motion.kind != model::MotionKind::rapid; });
+}
 
 std::vector<Stretch> stretches_of(const model::Program& program, const MotionRange& range) {
   std::vector<Stretch> stretches;
   for (model::SteadyRange& steady : steady_ranges(program, range.first, range.last)) {
-    const auto begin = program.motions.begin();
-    const bool cuts = std::any_of(
-        begin + static_cast<std::ptrdiff_t>(steady.first),
-        begin + static_cast<std::ptrdiff_t>(steady.last),
-        [](const model::Motion& motion) { return motion.kind != model::MotionKind::rapid; });
+    const bool cuts = cuts_in(program, {steady.first, steady.last});
     stretches.push_back({std::move(steady), cuts});
   }
   return stretches;
+}
+
+/// The whole of it, with all its turns; its angles are those at its end.
+Stretch turning_stage(const model::Program& program, const MotionRange& range,
+                      const RotaryAngles& end_deg) {
+  Stretch whole{{range.first, range.last, end_deg, {}}, cuts_in(program, range)};
+  for (const model::AxisTurn& turn : program.turns)
+    if (turn.motion >= range.first && turn.motion < range.last) whole.turning.push_back(turn);
+  return whole;
 }
 
 /// The one that the stage's limits are asked of: the last that cuts, or of all.
@@ -63,21 +79,29 @@ class Orienter {
 };
 
 std::vector<Stretch> Orienter::pieces_of(const StagePrograms& read, std::size_t index) const {
-  std::vector<Stretch> ranges = stretches_of(read.program, read.ranges[index]);
-  const JobStage& stage = job_.stages[read.stages[index]];
-  if (ranges.size() > kMostPieces)
-    throw model::InputError(
-        {stage.program.string(), static_cast<int>(ranges.back().range.turns.back().line), 0},
-        "the rotary axes turn between more than " + std::to_string(kMostPieces) +
-            " stretches of motions",
-        "a program that positions them and then cuts: cutting while they turn "
-        "is not carried out");
-  return ranges;
+  const MotionRange& range = read.ranges[index];
+  std::vector<Stretch> ranges = stretches_of(read.program, range);
+  if (ranges.size() <= kMostPieces &&
+      !cuts_while_turning(read.program, job_.machine.kinematics.value(), range.first, range.last))
+    return ranges;
+  return {turning_stage(read.program, range, ranges.back().range.angles_deg)};
+}
+
+bool is_turning(const std::vector<Stretch>& ranges) {
+  return ranges.size() == 1 && !ranges.front().turning.empty();
 }
 
 bool is_steady(const std::vector<Stretch>& ranges) {
-  return ranges.size() == 1 && ranges.front().range.turns.empty() &&
+  return ranges.size() == 1 && ranges.front().range.turns.empty() && !is_turning(ranges) &&
          ranges.front().range.angles_deg == RotaryAngles{};
+}
+
+/// Whether it begins by turning its axes.
+bool turns_at_first(const std::vector<Stretch>& ranges) {
+  if (ranges.empty()) return false;
+  const model::SteadyRange& first = ranges.front().range;
+  return is_turning(ranges) ? ranges.front().turning.front().motion == first.first
+                            : !first.turns.empty();
 }
 
 /// Where one stage of a program turns an axis, the others take stretches of it too: which motions
@@ -105,8 +129,7 @@ void Orienter::require_turned_back() const {
     const JobStage& stage = job_.stages[i];
     const std::vector<Stretch>& pieces = pieces_[i];
     const bool goes_on = before && !stage.part.whole() && same_program(*before, stage);
-    const bool turns_first = !pieces.empty() && !pieces.front().range.turns.empty();
-    if (before && !goes_on && !turns_first)
+    if (before && !goes_on && !turns_at_first(pieces))
       throw model::InputError(
           {before->program.string(), 0, 0},
           "the program of stage \"" + before->name +
@@ -180,7 +203,9 @@ void Orienter::add_pieces(const JobStage& stage, const std::vector<Stretch>& str
                    cuts,
                    job_.machine.kinematics->to_text(range.angles_deg),
                    stage.limits};
-    piece.setup = setup_at(stage.setup, range.angles_deg);
+    piece.piece->turning = stretches[i].turning;
+    // A stage whose tool turns is cut as the part lies with the axes at zero.
+    if (!is_turning(stretches)) piece.setup = setup_at(stage.setup, range.angles_deg);
     if (i != last) {
       piece.name += "." + std::to_string(i + 1);
       piece.limits = {};
@@ -213,7 +238,10 @@ Job Orienter::oriented() {
   const auto whole = [](const auto& ranges) { return ranges.empty(); };
   if (std::all_of(pieces_.begin(), pieces_.end(), whole)) return std::move(job_);
   require_turned_back();
-  name_first_setup();
+  const auto stays_in_setup = [&](const auto& ranges) {
+    return whole(ranges) || is_turning(ranges);
+  };
+  if (!std::all_of(pieces_.begin(), pieces_.end(), stays_in_setup)) name_first_setup();
   std::vector<JobStage> stages;
   for (std::size_t i = 0; i < job_.stages.size(); ++i) {
     if (pieces_[i].empty()) {

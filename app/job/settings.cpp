@@ -85,7 +85,17 @@ void state_stage(const Job& job, const Settings& settings, std::size_t index,
                    (stage.limits.has_uncut ? "half of its uncut limit" : "its tolerance") + ")");
   }
   if (!stage.plan) {
+    const bool turns = stage.piece && stage.piece->turns_while_cutting();
     said.push_back(head + "arcs as chords within " + chords);
+    if (turns)
+      said.push_back(
+          head +
+          "rotary axes are taken to turn evenly while X, Y and Z go; each such motion is "
+          "moves whose tip goes straight and whose axis goes evenly along a great "
+          "circle, no place of the tool further off than " +
+          chords +
+          "; feeds a minute are taken to be of X, Y and Z, and degrees a minute where "
+          "those stand still");
     said.push_back(head + "the tool is taken to be " + model::to_text(stage.cutter) +
                    (stage.tool_number ? ", T" + std::to_string(*stage.tool_number)
                                       : std::string(", whatever number the program gives it")));

@@ -102,7 +102,7 @@ void require_in_order(const StockRecord& record, std::size_t count, const fs::pa
 model::Pass read_pass(const StageCut& stage, ResultFolder& folder) {
   const fs::path file = folder.file(fs::path(stage.name) / kMovesFile,
                                     "it has the moves of stage " + model::in_quotes(stage.name));
-  model::Toolpath path = reports::read_toolpath_vtp(file);
+  auto [path, axes] = reports::read_toolpath_vtp(file);
   if (path.moves.size() != stage.moves)
     throw model::InputError({file.string(), 0, 0},
                             "has " + std::to_string(path.moves.size()) + " moves and result.json " +
@@ -110,9 +110,14 @@ model::Pass read_pass(const StageCut& stage, ResultFolder& folder) {
                             "the files of one result");
   path.chord_error_mm = stage.chord_error_mm;
   // The file has places of the part's frame.
-  if (stage.from_part != model::Pose{}) path = turned(path, stage.from_part);
-  return {stage.cutter, std::make_shared<const model::Toolpath>(std::move(path)),
-          stage.from_part.inverse()};
+  if (stage.from_part != model::Pose{}) {
+    path = turned(path, stage.from_part);
+    if (axes) axes = turned(*axes, stage.from_part);
+  }
+  model::Pass pass{stage.cutter, std::make_shared<const model::Toolpath>(std::move(path)),
+                   stage.from_part.inverse()};
+  if (axes) pass.axes = std::make_shared<const model::ToolAxes>(std::move(*axes));
+  return pass;
 }
 
 /// What the result says of the file's contents, where it says it.

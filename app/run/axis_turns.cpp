@@ -149,7 +149,10 @@ std::vector<simulator::Finding> turn_findings(const Job& at_setup, const JobStag
                                               const simulator::ProcessLimits& limits,
                                               const model::RunControl& control) {
   std::vector<simulator::Finding> findings;
-  if (!stage.piece || stage.piece->range.turns.empty()) return findings;
+  if (!stage.piece) return findings;
+  // These are moves of the stage's own path.
+  for (const model::AxisTurn& turn : stage.piece->turning) look_at_limits(at_setup, turn, findings);
+  if (stage.piece->range.turns.empty()) return findings;
   const simulator::TurnCheck check(stock, stage.cutter, limits);
   for (const model::AxisTurn& turn : stage.piece->range.turns) {
     look_at_limits(at_setup, turn, findings);

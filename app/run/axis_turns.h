@@ -12,8 +12,9 @@ namespace limitgauge::app {
 /// What the turns of rotary axes that lead to a stage run into, on the stock as it stands before
 /// it: collisions of the tool (simulator::check_turn), and axes beyond their limits
 /// (beyond_travel). `at_setup` is the view of the job in the stage's setup, `limits` are those of
-/// the stage's process there. A turn while Z stands above everything touches nothing, which its
-/// program's assumptions say.
+/// the stage's process there. Of a stage that cuts while its axes turn, the turns are moves of its
+/// path, and are held against the axes' limits alone here. A turn while Z stands above everything
+/// touches nothing, which its program's assumptions say.
 std::vector<simulator::Finding> turn_findings(const Job& at_setup, const JobStage& stage,
                                               const simulator::StockModel& stock,
                                               const simulator::ProcessLimits& limits,

@@ -130,7 +130,7 @@ CutStock turned_over(const Job& job, const Settings& settings, const CutStock& b
 
 CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
                    const StageWatch& watch, reports::StageResult::Ran& ran) {
-  const simulator::Pass pass{asked.cutter, ran.path};
+  const simulator::Pass pass{asked.cutter, ran.path, {}, false, ran.axes};
   const auto control = [&](const char* what) { return watch.control(asked.name + what); };
   CutStock now = std::move(before);
   follow_process(job, inputs, asked, pass, now, watch, ran);
@@ -157,7 +157,8 @@ bool passes_by(const Job& job, const RunInputs& inputs, const JobStage& asked,
   const Settings& settings = inputs.settings;
   const simulator::StockModel block(job.stock, settings.voxel_mm, settings.stock_limit_bytes,
                                     watch.control(asked.name + ": checking the process"));
-  auto found = process_findings(job, inputs, asked, block, {asked.cutter, ran.path}, watch);
+  auto found = process_findings(job, inputs, asked, block,
+                                {asked.cutter, ran.path, {}, false, ran.axes}, watch);
   if (std::any_of(found.begin(), found.end(), may_be_of_stock)) return false;
   ran.process = std::move(found);
   ran.removal.moves.resize(ran.path->moves.size());

@@ -1,6 +1,7 @@
 #include "app/run/packed_path.h"
 
 #include <cmath>
+#include <stdexcept>
 #include <type_traits>
 
 namespace limitgauge::app {
@@ -25,6 +26,36 @@ model::Toolpath unpack_path(model::Unpacker& in) {
   for (const model::Move& move : path.moves)
     if (!std::isfinite(move.to.x + move.to.y + move.to.z)) in.refuse();
   return path;
+}
+
+/// The start comes first; of a tool that stands upright there is nothing.
+void pack_axes(model::Packer& out, const model::ToolAxes* axes) {
+  const std::size_t count = axes ? axes->to.size() + 1 : 0;
+  out.number(std::uint64_t{count});
+  for (std::size_t i = 0; i < count; ++i)
+    for (int k = 0; k < 3; ++k) out.number(axis_from(*axes, i)[k]);
+}
+
+std::shared_ptr<const model::ToolAxes> unpack_axes(model::Unpacker& in,
+                                                   const model::Toolpath& path) {
+  const std::size_t count = in.count(3 * sizeof(double));
+  if (count == 0) return nullptr;
+  auto axes = std::make_shared<model::ToolAxes>();
+  for (std::size_t i = 0; i < count; ++i) {
+    model::Vec3 axis;
+    for (int k = 0; k < 3; ++k) axis[k] = in.number<double>();
+    if (i == 0) {
+      axes->start = axis;
+    } else {
+      axes->to.push_back(axis);
+    }
+  }
+  try {
+    require_axes(path, *axes);
+  } catch (const std::invalid_argument&) {
+    in.refuse();
+  }
+  return axes;
 }
 
 }  // namespace limitgauge::app

@@ -97,6 +97,7 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   ran.ignored_words = std::move(ready.ignored_words);
   ran.program_text = std::move(ready.program);
   ran.path = std::move(ready.path);
+  ran.axes = std::move(ready.axes);
   const model::ToolpathLengths sums = lengths(*ran.path, job_.rapid_mm_min);
   ran.cut_length_mm = sums.cut_mm;
   ran.rapid_length_mm = sums.rapid_mm;
@@ -150,7 +151,7 @@ std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Fi
 
 void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
-  setups_.add(ran.path);
+  setups_.add(ran.path, ran.axes);
   const RunInputs& inputs = setups_.inputs_at(index);
   if (!inputs.design || passed_by_ || !is_measured(asked)) return;
   const model::Stock& raw_stock = setups_.job_at(index).stock;
@@ -224,7 +225,7 @@ void Bench::begin(reports::RunResult& result) {
   for (std::size_t i = 0; i < from_.stages.size(); ++i) {
     take_up(from_.stages[i], result.stages[i]);
     result.verdict = from_.stages[i].verdict;
-    setups_.add(from_.stages[i].path);
+    setups_.add(from_.stages[i].path, from_.stages[i].axes);
     stock_of_ = i;
   }
   if (result.verdict != Verdict::pass) return;
@@ -299,9 +300,12 @@ void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::pa
     model::make_folder(folder / name);
     write_program_files(ready, folder / name);
     const model::Pose to_part = job.setups[setups.setup_of(i)].setup.from_part.inverse();
-    reports::write_toolpath_vtp(turned(*ready.path, to_part), folder / name / "toolpath.vtp");
+    const std::optional<model::ToolAxes> axes =
+        ready.axes ? std::optional(turned(*ready.axes, to_part)) : std::nullopt;
+    reports::write_toolpath_vtp(turned(*ready.path, to_part), folder / name / "toolpath.vtp", {},
+                                {}, axes ? &*axes : nullptr);
     options.watch.note(name + ": " + std::to_string(ready.path->moves.size()) + " moves");
-    setups.add(ready.path);
+    setups.add(ready.path, ready.axes);
   }
 }
 

@@ -16,10 +16,11 @@ reports::StageResult stage_as_asked(const JobStage& asked, bool has_design) {
   stage.cutter = asked.cutter;
   stage.program = asked.program_as_stated;
   stage.program_part = to_text(asked.part);
-  if (asked.piece)
+  const bool is_stretch = asked.piece && !asked.piece->turns_while_cutting();
+  if (is_stretch)
     stage.stretch = {asked.piece->stage, asked.piece->number, asked.piece->count,
                      asked.piece->angles};
-  if (asked.piece)
+  if (is_stretch)
     stage.program_part += (stage.program_part.empty() ? "" : ", ") + to_text(*asked.piece);
   if (has_design) stage.allowance_mm = asked.allowance_mm;
   stage.limits = asked.limits;
@@ -153,6 +154,7 @@ void take_up(const RecordedStage& recorded, reports::StageResult& stage) {
   stage.decision.verdict = recorded.verdict;
   reports::StageResult::Ran& ran = stage.ran.emplace();
   ran.path = recorded.path;
+  ran.axes = recorded.axes;
   ran.program_text = recorded.program_text;
   ran.sampling_interval_min = recorded.sampling_interval_min;
   ran.sampling_interval_max = recorded.sampling_interval_max;
@@ -164,7 +166,7 @@ std::vector<RecordedStage> recorded_stages(const reports::RunResult& result) {
     const reports::StageResult::Ran& ran = *result.stages[i].ran;
     stages.push_back({std::make_shared<const std::string>(reports::recorded_stage(result, i)),
                       ran.path, ran.program_text, ran.sampling_interval_min,
-                      ran.sampling_interval_max, result.stages[i].decision.verdict});
+                      ran.sampling_interval_max, result.stages[i].decision.verdict, ran.axes});
   }
   return stages;
 }

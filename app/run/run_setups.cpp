@@ -15,9 +15,10 @@ model::Pose RunSetups::turn(std::size_t from_stage, std::size_t to_stage) const 
   return job_.setups[to].setup.from_part * job_.setups[from].setup.from_part.inverse();
 }
 
-void RunSetups::add(std::shared_ptr<const model::Toolpath> path) {
+void RunSetups::add(std::shared_ptr<const model::Toolpath> path,
+                    std::shared_ptr<const model::ToolAxes> axes) {
   const JobStage& stage = job_.stages[passes_.size()];
-  passes_.push_back({stage.cutter, std::move(path), {}, only_positions(stage)});
+  passes_.push_back({stage.cutter, std::move(path), {}, only_positions(stage), std::move(axes)});
 }
 
 std::vector<verifier::Pass> RunSetups::passes_at(std::size_t stage) const {

@@ -29,8 +29,10 @@ class RunSetups {
   /// From the frame of one stage to that of another.
   model::Pose turn(std::size_t from_stage, std::size_t to_stage) const;
 
-  /// Takes the path of the next stage, in the frame of its setup.
-  void add(std::shared_ptr<const model::Toolpath> path);
+  /// Takes the path of the next stage, in the frame of its setup, and how its tool stands along it
+  /// where it turns.
+  void add(std::shared_ptr<const model::Toolpath> path,
+           std::shared_ptr<const model::ToolAxes> axes);
   std::vector<verifier::Pass> passes_at(std::size_t stage) const;
 
   /// Of the first setup whose surface was modelled; empty as long as none was.

@@ -95,8 +95,9 @@ StageToCut StagePlanner::plan_own(std::size_t stage, std::span<const verifier::P
 
 StageToCut StagePlanner::take_program(std::size_t stage) const {
   const ForeignPath& foreign = *inputs_.programs[stage];
-  StageToCut ready{foreign.path, foreign.text, {}, foreign.ignored_words, {}};
-  ready.figures.memory_bytes = foreign.path->moves.size() * sizeof(model::Move);
+  StageToCut ready{foreign.path, foreign.text, {}, foreign.ignored_words, {}, foreign.axes};
+  const std::size_t of_move = sizeof(model::Move) + (foreign.axes ? sizeof(model::Vec3) : 0);
+  ready.figures.memory_bytes = foreign.path->moves.size() * of_move;
   return ready;
 }
 

@@ -10,13 +10,14 @@ std::size_t StagePrefix::memory_bytes() const {
   if (stock) sum += stock->stock.memory_bytes() + stock->lines.memory_bytes();
   for (const RecordedStage& stage : stages)
     sum += stage.json->size() + stage.program_text->size() +
-           stage.path->moves.size() * sizeof(model::Move);
+           stage.path->moves.size() * sizeof(model::Move) +
+           (stage.axes ? stage.axes->to.size() * sizeof(model::Vec3) : 0);
   return sum;
 }
 
 namespace {
 
-constexpr std::string_view kBegin = "limitgauge stages 1\n", kEnd = "end\n";
+constexpr std::string_view kBegin = "limitgauge stages 2\n", kEnd = "end\n";
 
 using Writer = model::Packer;
 using Reader = model::Unpacker;
@@ -25,6 +26,7 @@ void write_stage(Writer& out, const RecordedStage& stage) {
   out.text(*stage.json);
   out.text(*stage.program_text);
   pack_path(out, *stage.path);
+  pack_axes(out, stage.axes.get());
   out.number(std::int32_t{stage.sampling_interval_min});
   out.number(std::int32_t{stage.sampling_interval_max});
   out.number(static_cast<std::int32_t>(stage.verdict));
@@ -35,6 +37,7 @@ RecordedStage read_stage(Reader& in) {
   stage.json = std::make_shared<const std::string>(in.text());
   stage.program_text = std::make_shared<const std::string>(in.text());
   stage.path = std::make_shared<const model::Toolpath>(unpack_path(in));
+  stage.axes = unpack_axes(in, *stage.path);
   stage.sampling_interval_min = in.number<std::int32_t>();
   stage.sampling_interval_max = in.number<std::int32_t>();
   stage.verdict = static_cast<verifier::Verdict>(in.number<std::int32_t>());

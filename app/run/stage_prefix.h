@@ -19,6 +19,7 @@ struct RecordedStage {
   std::shared_ptr<const std::string> program_text;
   int sampling_interval_min = 1, sampling_interval_max = 1;
   verifier::Verdict verdict = verifier::Verdict::not_run;
+  std::shared_ptr<const model::ToolAxes> axes = {};  ///< of a path that turns its tool
 };
 
 /// The state of a job after its first stages: what any job that begins with the same ones can go on

@@ -24,7 +24,8 @@ struct StageToCut {
   std::shared_ptr<const std::string> program;  ///< the text that stands in toolpath.ngc
   std::string cl_data;                         ///< as in PlannedStage
   std::vector<std::string> ignored_words;
-  engine::strategy::StagePath figures;  ///< of the planning; its own path is empty
+  engine::strategy::StagePath figures;               ///< of the planning; its own path is empty
+  std::shared_ptr<const model::ToolAxes> axes = {};  ///< of a program that turns its tool
 };
 
 /// Writes the path of planned stage `stage` as the job's [post] asks: into `planned.program`, and

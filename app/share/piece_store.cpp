@@ -6,11 +6,11 @@
 namespace limitgauge::app {
 namespace {
 
-constexpr std::string_view kSharedBegin = "limitgauge shared stage 1\n";
+constexpr std::string_view kSharedBegin = "limitgauge shared stage 2\n";
 constexpr std::size_t kWords = 3;
 constexpr const char* kNone = "-";
-/// A path without moves: start, chord error, and how many.
-constexpr std::size_t kPathBytes = 40;
+/// A path without moves: start, chord error, how many, and how many axes.
+constexpr std::size_t kPathBytes = 48;
 
 }  // namespace
 
@@ -20,7 +20,10 @@ std::string to_bytes(const SharedStage& shared) {
   out.text(shared.job_key);
   out.number(std::uint64_t{shared.stage});
   out.number(std::uint64_t{shared.paths.size()});
-  for (const auto& path : shared.paths) pack_path(out, *path);
+  for (std::size_t i = 0; i < shared.paths.size(); ++i) {
+    pack_path(out, *shared.paths[i]);
+    pack_axes(out, shared.axes[i].get());
+  }
   return out.take();
 }
 
@@ -30,8 +33,10 @@ std::optional<SharedStage> shared_stage_of(std::string_view bytes) {
   SharedStage shared;
   shared.job_key = in.text();
   shared.stage = in.number<std::uint64_t>();
-  for (std::size_t left = in.count(kPathBytes); left > 0 && in.good(); --left)
+  for (std::size_t left = in.count(kPathBytes); left > 0 && in.good(); --left) {
     shared.paths.push_back(std::make_shared<const model::Toolpath>(unpack_path(in)));
+    shared.axes.push_back(unpack_axes(in, *shared.paths.back()));
+  }
   if (!in.done() || shared.paths.size() != shared.stage + 1) return std::nullopt;
   return shared;
 }

@@ -17,6 +17,7 @@ struct SharedStage {
   std::string job_key;  ///< CaseKeys::result of the job: its text, its files, the program
   std::size_t stage = 0;
   std::vector<std::shared_ptr<const model::Toolpath>> paths;  ///< of all stages up to it
+  std::vector<std::shared_ptr<const model::ToolAxes>> axes;   ///< one a path; null: upright
 };
 std::string to_bytes(const SharedStage& shared);
 /// Nothing for bytes that are not what to_bytes() makes.

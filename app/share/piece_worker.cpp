@@ -56,7 +56,7 @@ std::vector<model::Pass> PieceWorker::passes_of(const SharedStage& shared) const
         "the job, a file that it names or the program has changed since the run began");
   std::vector<model::Pass> passes;
   for (std::size_t i = 0; i < shared.paths.size(); ++i)
-    passes.push_back({job_.stages[i].cutter, shared.paths[i]});
+    passes.push_back({job_.stages[i].cutter, shared.paths[i], {}, false, shared.axes[i]});
   return passes;
 }
 

@@ -32,8 +32,11 @@ std::vector<std::string> worker_words(const SharedPiecesOptions& options,
 class SharedPieces::OfStage : public verifier::PieceWorkers {
  public:
   OfStage(SharedPieces& all, std::span<const model::Pass> passes) : all_(all) {
-    SharedStage shared{all.job_key_, passes.size() - 1, {}};
-    for (const model::Pass& pass : passes) shared.paths.push_back(pass.path);
+    SharedStage shared{all.job_key_, passes.size() - 1, {}, {}};
+    for (const model::Pass& pass : passes) {
+      shared.paths.push_back(pass.path);
+      shared.axes.push_back(pass.axes);
+    }
     stage_key_ = put(kStageKind, to_bytes(shared));
   }
 

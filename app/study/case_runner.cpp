@@ -25,7 +25,8 @@ RunOptions without_files(RunOptions options) {
 std::vector<verifier::Pass> passes_of(const StagePrefix& prefix, const Job& job) {
   std::vector<verifier::Pass> passes;
   for (std::size_t i = 0; i < prefix.stages.size(); ++i)
-    passes.push_back({job.stages[i].cutter, prefix.stages[i].path});
+    passes.push_back(
+        {job.stages[i].cutter, prefix.stages[i].path, {}, false, prefix.stages[i].axes});
   return passes;
 }
 

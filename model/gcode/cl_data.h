@@ -15,7 +15,7 @@
 
 namespace limitgauge::model {
 
-/// A part program of cutter locations: straight moves of the tip of one tool.
+/// A part program of cutter locations: straight moves of the tip of one tool, whose axis may turn.
 struct ClData {
   std::string part;  ///< the text of PARTNO
   /// Of CUTTER; height 0 in its short forms.
@@ -29,7 +29,14 @@ struct ClData {
   std::optional<Vec3> from;
   std::string from_as_stated;  ///< "FROM/0,0,50"; empty without one
   std::uint32_t from_line = 0;
-  std::vector<Move> moves;  ///< every GOTO, the first one as well
+  std::optional<Vec3> from_axis;  ///< how the tool stands there, a unit vector
+  std::vector<Move> moves;        ///< every GOTO, the first one as well
+  /// The tool's axis at the end of each move, unit vectors; empty where it stands along 0,0,1 at
+  /// FROM and throughout.
+  std::vector<Vec3> axes;
+  std::uint32_t turning_line = 0;  ///< the first move that turns the tool; 0: none
+  std::uint32_t kept_axis_line =
+      0;  ///< the first GOTO of three figures with a tool tilted; 0: none
 };
 
 /// What stands above the moves.
@@ -51,9 +58,12 @@ void write_cl_data(const Toolpath& path, const Cutter& cutter, const ClOptions& 
 /// Reads CL data of this vocabulary: PARTNO, PPRINT and REMARK (text up to the line's end), UNITS
 /// (MM or INCHES), CUTTER (one, two or all seven figures, of a cutter that can be made), LOADTL,
 /// SPINDL and COOLNT (not acted on), FROM, RAPID, FEDRAT (a number with MMPM or IPM, on either
-/// side, or alone: in the units that hold), GOTO with three coordinates or six whose tool axis is
-/// 0, 0, 1, FINI; statements continued by `$`, remarks behind `$$`, blanks and either case. RAPID
-/// holds for the next GOTO only. Every GOTO is a motion, the first one too, with or without a FROM.
+/// side, or alone: in the units that hold), GOTO with three coordinates or six, MULTAX (ON or OFF),
+/// FINI; statements continued by `$`, remarks behind `$$`, blanks and either case. RAPID holds for
+/// the next GOTO only. Every GOTO is a motion, the first one too, with or without a FROM. The last
+/// three of six figures are the tool's axis, from its tip to the spindle, of length 1 within 1e-3;
+/// with three figures it stays as it was, 0,0,1 at first. A GOTO that turns it by more than 90
+/// degrees is an error, and one that turns it at all behind MULTAX/OFF.
 /// Nothing behind FINI is read, and it must be there. What is not understood is an InputError with
 /// line and column, never skipped.
 ClData read_cl_data(const std::filesystem::path& path);
@@ -65,8 +75,9 @@ bool is_cl_data(std::string_view text, const std::string& name);
 
 /// CL data as a program. The coordinates are those of the frame of G54, lengths of tools are none
 /// of their business: they are of the tip. The tool stands at FROM before the first motion,
-/// unless `machine` states its start: then a FROM elsewhere is listed as not acted on. What CUTTER
-/// says is listed as assumed.
+/// unless `machine` states its start: then a FROM elsewhere is listed as not acted on. Without FROM
+/// its axis is that of the first motion from the start on. What CUTTER says is listed as assumed,
+/// and how a tool turns.
 Program to_program(const ClData& data, const std::string& name, const MachineSetup& machine);
 
 }  // namespace limitgauge::model

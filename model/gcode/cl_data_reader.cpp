@@ -6,6 +6,7 @@
 #include "model/base/tolerance.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/cl_lexer.h"
+#include "model/gcode/cl_tool_axis.h"
 #include "model/text/message_text.h"
 #include "model/text/number_text.h"
 
@@ -27,7 +28,10 @@ class ClReader {
   void require_cutter(const ClStatement& statement, const SevenFigures& figures) const;
   void set_feed(const ClStatement& statement);
   void go_to(const ClStatement& statement);
+  void start_from(const ClStatement& statement);
   Vec3 point(const ClStatement& statement) const;
+  std::vector<double> place_figures(const ClStatement& statement) const;
+  void note_axis(const Vec3& axis);
   double number(const ClWord& word) const;
   double length(const ClWord& word) const;
   void require_count(const ClStatement& statement, std::size_t least, std::size_t most) const;
@@ -38,6 +42,7 @@ class ClReader {
   double unit_mm_ = 1;
   double feed_mm_min_ = 0;
   bool rapid_ = false;
+  ClToolAxis axis_;
 };
 
 /// "CUTTER/6,3".
@@ -139,20 +144,47 @@ Vec3 ClReader::point(const ClStatement& statement) const {
     lexer_.fail(statement.major,
                 statement.major.text + " with " + std::to_string(figures.size()) + " figures",
                 "3, or 6 with a tool axis");
-  if (figures.size() == 6 &&
-      !(number(figures[3]) == 0 && number(figures[4]) == 0 && number(figures[5]) == 1))
-    lexer_.fail(figures[3], "a tilted tool axis is not supported in this release", "0,0,1");
   return {length(figures[0]), length(figures[1]), length(figures[2])};
+}
+
+std::vector<double> ClReader::place_figures(const ClStatement& statement) const {
+  std::vector<double> figures;
+  for (const ClWord& word : statement.figures) figures.push_back(number(word));
+  return figures;
+}
+
+/// Of the motion that was read last. Paths whose tool never turns have none.
+void ClReader::note_axis(const Vec3& axis) {
+  constexpr Vec3 kUpright{0, 0, 1};
+  if (data_.axes.empty() && axis == kUpright && data_.from_axis.value_or(kUpright) == kUpright)
+    return;
+  data_.axes.resize(data_.moves.size(), kUpright);
+  data_.axes.back() = axis;
+  const bool turns = data_.axes.size() > 1
+                         ? !(data_.axes[data_.axes.size() - 2] == axis)
+                         : data_.from_axis.has_value() && !(*data_.from_axis == axis);
+  if (turns && data_.turning_line == 0) data_.turning_line = data_.moves.back().line;
 }
 
 void ClReader::go_to(const ClStatement& statement) {
   const Vec3 to = point(statement);
+  const Vec3 axis = axis_.go_to(statement, place_figures(statement), lexer_);
   const bool rapid = rapid_;
   rapid_ = false;
   if (!rapid && feed_mm_min_ == 0)
     lexer_.fail(statement.major, "a feed move without a feed rate", "FEDRAT or RAPID before it");
   data_.moves.emplace_back(to, rapid ? 0.0F : static_cast<float>(feed_mm_min_),
                            statement.major.line, rapid ? MoveKind::rapid : MoveKind::feed);
+  note_axis(axis);
+}
+
+void ClReader::start_from(const ClStatement& statement) {
+  if (data_.from || !data_.moves.empty())
+    lexer_.fail(statement.major, "FROM behind a motion or another one", "it first");
+  data_.from = point(statement);
+  data_.from_axis = axis_.start_at(statement, place_figures(statement), lexer_);
+  data_.from_as_stated = as_stated(statement);
+  data_.from_line = statement.major.line;
 }
 
 /// Statements that say what the program is for.
@@ -184,20 +216,16 @@ bool ClReader::move(const ClStatement& statement) {
   if (major == "RAPID") return require_count(statement, 0, 0), rapid_ = true;
   if (major == "FEDRAT") return set_feed(statement), true;
   if (major == "GOTO") return go_to(statement), true;
-  if (major != "FROM") return false;
-  if (data_.from || !data_.moves.empty())
-    lexer_.fail(statement.major, "FROM behind a motion or another one", "it first");
-  data_.from = point(statement);
-  data_.from_as_stated = as_stated(statement);
-  data_.from_line = statement.major.line;
-  return true;
+  if (major == "FROM") return start_from(statement), true;
+  if (major == "MULTAX") return axis_.set_mode(statement, lexer_), true;
+  return false;
 }
 
 void ClReader::execute(const ClStatement& statement) {
   if (describe(statement) || move(statement)) return;
-  constexpr std::array<std::string_view, 13> kKnown = {
+  constexpr std::array<std::string_view, 14> kKnown = {
       "PARTNO", "PPRINT", "REMARK", "UNITS",  "CUTTER", "LOADTL", "SPINDL",
-      "COOLNT", "FROM",   "RAPID",  "FEDRAT", "GOTO",   "FINI"};
+      "COOLNT", "FROM",   "RAPID",  "FEDRAT", "GOTO",   "MULTAX", "FINI"};
   const std::string near = meant_word(statement.major.text, kKnown);
   lexer_.fail(statement.major,
               in_quotes(statement.major.text) + " is not supported in this release",
@@ -209,6 +237,7 @@ ClData ClReader::read() {
   while (lexer_.next(statement)) {
     if (statement.major.text == "FINI") {
       require_count(statement, 0, 0);
+      data_.kept_axis_line = axis_.kept_line();
       return std::move(data_);
     }
     execute(statement);

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "model/base/angle.h"
 #include "model/base/text_file.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/program_path.h"
@@ -14,8 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kEndings = {".apt", ".cl", ".cls", ".ncl"};
 /// What a program in CL data may begin with; no program in G-code has a slash there.
-constexpr std::array<std::string_view, 8> kFirstWords = {"UNITS", "CUTTER", "LOADTL", "FROM",
-                                                         "GOTO",  "FEDRAT", "SPINDL", "COOLNT"};
+constexpr std::array<std::string_view, 9> kFirstWords = {
+    "UNITS", "CUTTER", "LOADTL", "FROM", "GOTO", "FEDRAT", "SPINDL", "COOLNT", "MULTAX"};
 constexpr std::array<std::string_view, 3> kFirstTexts = {"PARTNO", "PPRINT", "REMARK"};
 constexpr std::string_view kBlanks = " \t\r\n";
 
@@ -48,6 +49,29 @@ void take_start(const ClData& data, const MachineSetup& machine, Program& progra
   }
 }
 
+std::string at_line(std::uint32_t line) {
+  return "line " + std::to_string(line) + ": ";
+}
+
+/// How the tool stands, in the machine's frame, and what is taken for granted of that.
+void take_axes(const ClData& data, double frame_turn_deg, Program& program) {
+  if (data.axes.empty()) return;
+  const auto along = [&](const Vec3& axis) { return turned(axis, frame_turn_deg); };
+  ToolAxes axes{along(data.from_axis.value_or(data.axes.front())), {}};
+  for (const Vec3& axis : data.axes) axes.to.push_back(along(axis));
+  program.axes = std::move(axes);
+  if (!data.from)
+    program.assumed.push_back(at_line(data.moves.front().line) +
+                              "the tool is taken to stand before the first GOTO as it does then");
+  if (data.turning_line != 0)
+    program.assumed.push_back(at_line(data.turning_line) +
+                              "while the tip goes straight, the tool's axis is taken to go evenly "
+                              "along the great circle between its ends");
+  if (data.kept_axis_line != 0)
+    program.assumed.push_back(at_line(data.kept_axis_line) +
+                              "three figures are taken to leave the tool's axis as it was");
+}
+
 }  // namespace
 
 bool is_cl_data(std::string_view text, const std::string& name) {
@@ -68,6 +92,7 @@ Program to_program(const ClData& data, const std::string& name, const MachineSet
   const WorkOffset g54 = machine.work_offsets.front().value_or(WorkOffset());
   const RigidPlacement to_machine{g54.rotation_deg, g54.origin_mm};
   take_start(data, machine, program);
+  take_axes(data, g54.rotation_deg, program);
   program.motions.reserve(data.moves.size());
   for (const Move& move : data.moves) {
     Motion& motion = program.motions.emplace_back();

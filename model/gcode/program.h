@@ -84,7 +84,8 @@ struct AxisTurn {
   std::uint32_t line = 0;
   bool rapid = true, spindle_stopped = false;
   bool parked = false;  ///< Z stands above everything
-  TurningMotion turn;
+  TurningMotion turn;   ///< of an arc, from its start straight to its end
+  double minutes = 0;   ///< that it takes, of a feed; 0: nothing says
 };
 
 /// A comment that stands before motion `motion`: a name for what follows, perhaps.
@@ -103,6 +104,9 @@ struct Program {
   std::vector<ProgramComment> comments;  ///< of lines that hold nothing else
   std::vector<FrameChange> frames;  ///< of a machine with rotary axes, by rising motion; else none
   std::vector<AxisTurn> turns;      ///< by rising motion
+  /// Of CL data whose tool does not stand along +Z throughout: how it stands at the end of each
+  /// motion, in the machine's frame.
+  std::optional<ToolAxes> axes;
   /// What was taken for granted, in words with the line: an offset of a fresh machine, a park
   /// position, a length offset that is taken to be the tool's own.
   std::vector<std::string> assumed;

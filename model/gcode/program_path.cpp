@@ -1,89 +1,16 @@
 #include "model/gcode/program_path.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "model/base/angle.h"
 #include "model/base/error.h"
-#include "model/base/tolerance.h"
+#include "model/gcode/arc_chords.h"
 #include "model/text/number_text.h"
 
 namespace limitgauge::model {
 namespace {
-
-/// Wider chords would not follow an arc's direction, however wide the tolerance.
-constexpr double kWidestChord = std::numbers::pi / 2;
-/// Counted in doubles so far beyond what anyone cuts, chords are no whole numbers any more.
-constexpr double kMostChords = 1e15;
-
-/// An arc from `start` in cylinder coordinates about its centre; the radius may drift a little
-/// along it, as the reader's tolerance allows.
-struct Sweep {
-  std::array<int, 3> axes{};
-  double angle = 0, swept = 0;  ///< radians, signed: positive is counter-clockwise
-  double radius_mm = 0, radius_growth_mm = 0;
-  double height_mm = 0, rise_mm = 0;
-};
-
-Sweep sweep_of(const Motion& arc, const Vec3& start) {
-  Sweep sweep;
-  sweep.axes = axes_of(arc.plane);
-  const auto [first, second, normal] = sweep.axes;
-  const double x1 = start[first] - arc.centre1, y1 = start[second] - arc.centre2;
-  const double x2 = arc.to[first] - arc.centre1, y2 = arc.to[second] - arc.centre2;
-  const double direction = arc.turns < 0 ? -1 : 1;
-  sweep.angle = std::atan2(y1, x1);
-  double forward = direction * (std::atan2(y2, x2) - sweep.angle);
-  while (forward < kFullTurn_rad) forward += 2 * std::numbers::pi;
-  forward += 2 * std::numbers::pi * (std::max(1.0, std::abs(arc.turns)) - 1);
-  sweep.swept = direction * forward;
-  sweep.radius_mm = std::hypot(x1, y1);
-  sweep.radius_growth_mm = std::hypot(x2, y2) - sweep.radius_mm;
-  sweep.height_mm = start[normal];
-  sweep.rise_mm = arc.to[normal] - start[normal];
-  return sweep;
-}
-
-/// Largest distance between the arc and `chords` equal chords. Exact for a circle and a helix
-/// (r - r cos(h/2)); for a spiral the bound h²/8 · |p''| of linear interpolation.
-double chord_error_mm(const Sweep& sweep, double chords) {
-  const double h = std::abs(sweep.swept) / chords;
-  if (sweep.radius_growth_mm == 0) {
-    const double s = std::sin(h / 4);
-    return 2 * sweep.radius_mm * s * s;
-  }
-  const double widest_mm = sweep.radius_mm + std::max(0.0, sweep.radius_growth_mm);
-  return h * h / 8 * std::hypot(widest_mm, 2 * sweep.radius_growth_mm / sweep.swept);
-}
-
-/// The widest chord, in radians, that keeps the error within the limit.
-double widest_chord(const Sweep& sweep, double limit_mm) {
-  if (sweep.radius_growth_mm == 0)
-    return 4 * std::asin(std::sqrt(std::min(1.0, limit_mm / (2 * sweep.radius_mm))));
-  const double at_one_radian_mm = chord_error_mm(sweep, std::abs(sweep.swept));
-  return std::sqrt(limit_mm / at_one_radian_mm);
-}
-
-double chords_within(const Sweep& sweep, double limit_mm) {
-  const double widest = std::min(kWidestChord, widest_chord(sweep, limit_mm));
-  double chords = std::ceil(std::abs(sweep.swept) / widest);
-  if (!(chords < kMostChords)) return kMostChords;
-  while (chord_error_mm(sweep, chords) > limit_mm) ++chords;
-  return chords;
-}
-
-Vec3 point_at(const Sweep& sweep, const Motion& arc, double fraction) {
-  const double angle = sweep.angle + fraction * sweep.swept;
-  const double radius_mm = sweep.radius_mm + fraction * sweep.radius_growth_mm;
-  Vec3 point;
-  point[sweep.axes[0]] = arc.centre1 + radius_mm * std::cos(angle);
-  point[sweep.axes[1]] = arc.centre2 + radius_mm * std::sin(angle);
-  point[sweep.axes[2]] = sweep.height_mm + fraction * sweep.rise_mm;
-  return point;
-}
 
 /// Lays the motions of a program into the part's frame, one after the other.
 class PathMaker {
@@ -176,17 +103,17 @@ void PathMaker::add_move(const Motion& motion, const Vec3& part_mm, bool rapid) 
 }
 
 void PathMaker::add_arc(const Motion& arc) {
-  const Sweep sweep = sweep_of(arc, at_mm_);
-  const double chords = chords_within(sweep, options_.chord_error_mm);
+  const ArcSweep sweep(arc, at_mm_);
+  const double chords = sweep.chords_within(options_.chord_error_mm);
   const auto count = static_cast<std::size_t>(chords);
   if (static_cast<double>(path_.moves.size()) + chords > options_.most_moves)
     throw ResourceError("line " + std::to_string(arc.line) + " of the program: more than " +
                         std::to_string(std::llround(options_.most_moves / 1e6)) +
                         " million moves at a chord error of " + shortest(options_.chord_error_mm) +
                         " mm; a wider verification.resolution needs fewer");
-  path_.chord_error_mm = std::max(path_.chord_error_mm, chord_error_mm(sweep, chords));
+  path_.chord_error_mm = std::max(path_.chord_error_mm, sweep.error_mm(chords));
   for (std::size_t i = 1; i < count; ++i)
-    add_move(arc, placed(point_at(sweep, arc, static_cast<double>(i) / chords)), false);
+    add_move(arc, placed(sweep.point_at(static_cast<double>(i) / chords)), false);
   add_move(arc, placed(arc.to), false);
 }
 
@@ -268,6 +195,12 @@ const AxisTurn* turn_at(const Program& program, std::size_t motion) {
 }  // namespace
 
 Toolpath to_toolpath(const Program& program, const PathOptions& options) {
+  if (program.axes)
+    throw std::invalid_argument("the program turns its tool: its path has axes (to_turning_path)");
+  return tip_path(program, options);
+}
+
+Toolpath tip_path(const Program& program, const PathOptions& options) {
   if (!(std::isfinite(options.chord_error_mm) && options.chord_error_mm > 0))
     throw std::invalid_argument("chord error must be greater than 0");
   const std::size_t last = std::min(options.last, program.motions.size());

@@ -42,6 +42,11 @@ struct PathOptions {
   /// while they stand as they do at `first`, so that the tool is along +Z; the motions taken must
   /// not turn them.
   std::optional<Kinematics> kinematics = std::nullopt;
+  /// Of paths that turn their tool (to_turning_path): how far the tool reaches from its tip, which
+  /// what an axis is off is multiplied by.
+  double reach_mm = 0;
+  /// Of those: what a parked tool is above, however the tables stand; in the part's frame.
+  Box3 around_mm = {};
 };
 
 /// `placement` as a pose.
@@ -68,8 +73,11 @@ std::vector<SteadyRange> steady_ranges(const Program& program, std::size_t first
 /// turn. Every motion gives its moves, from `start_mm` on. A tool that parks goes straight up to
 /// the park height, crosses there, and comes down by the straight move that the program states: the
 /// real one starts higher and stays above it. Throws std::invalid_argument unless 0 <
-/// chord_error_mm < infinity, ResourceError for more than `most_moves` moves.
+/// chord_error_mm < infinity and for a program that states its tool's axis (Program::axes),
+/// ResourceError for more than `most_moves` moves.
 Toolpath to_toolpath(const Program& program, const PathOptions& options);
+/// Where the tip goes, of a program that states its tool's axis too.
+Toolpath tip_path(const Program& program, const PathOptions& options);
 /// The whole program on a machine whose frame is the part's, where nothing parks and no start is
 /// stated.
 Toolpath to_toolpath(const Program& program, double chord_error_mm);

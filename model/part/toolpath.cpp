@@ -38,6 +38,13 @@ ToolpathLengths lengths(const Toolpath& path, double rapid_mm_min) {
   return sum;
 }
 
+ToolAxes turned(const ToolAxes& axes, const Pose& pose) {
+  ToolAxes out = axes;
+  out.start = pose.direction(axes.start);
+  for (Vec3& axis : out.to) axis = pose.direction(axis);
+  return out;
+}
+
 Toolpath turned(const Toolpath& path, const Pose& pose) {
   Toolpath out = path;
   out.start = pose.point(path.start);

@@ -65,6 +65,7 @@ void require_axes(const Toolpath& path, const ToolAxes& axes);
 
 /// Every place moved by `pose`; feeds, lines and kinds stay.
 Toolpath turned(const Toolpath& path, const Pose& pose);
+ToolAxes turned(const ToolAxes& axes, const Pose& pose);
 
 /// One pass of one cutter over the part. The cutter stands along +Z of the frame that its path is
 /// in, or as `axes` has it; `pose` is how that frame lies in the one that the pass is asked in,

@@ -36,6 +36,19 @@ Json rates_block(const PathView& view, Blob& blob) {
 }
 
 /// "path" of a stage.
+/// Unit vectors to a 4000th: a page draws them.
+Json axes_block(const PathView& view, Blob& blob) {
+  constexpr int kBits = 12;
+  Json out = Json::object();
+  for (int k = 0; k < 3; ++k) {
+    std::vector<float> part;
+    for (const model::Vec3& axis : view.axes)
+      part.push_back(with_bits(static_cast<float>(axis[k]), kBits));
+    out[std::string(1, "xyz"[k])] = blob.add(part);
+  }
+  return out;
+}
+
 Json path_data(const PathView& view, Blob& blob) {
   std::vector<model::Vec3> tips;
   std::vector<std::uint8_t> kind;
@@ -47,16 +60,18 @@ Json path_data(const PathView& view, Blob& blob) {
     feed.push_back(s.feed_mm_min);
     line.push_back(s.line), move.push_back(s.move);
   }
-  return {{"moves", view.moves},
-          {"within_mm", view.within_mm},
-          {"start_mm", point_json(view.start)},
-          {"position", points_block(on_grid(tips), blob)},
-          {"kind", blob.add(kind)},
-          {"feed_mm_min", blob.add(feed)},
-          {"rate_mm3_min", rates_block(view, blob)},
-          {"line", blob.add(line)},
-          {"move", blob.add(move)},
-          {"end_s", times_block(view, blob)}};
+  Json out = {{"moves", view.moves},
+              {"within_mm", view.within_mm},
+              {"start_mm", point_json(view.start)},
+              {"position", points_block(on_grid(tips), blob)},
+              {"kind", blob.add(kind)},
+              {"feed_mm_min", blob.add(feed)},
+              {"rate_mm3_min", rates_block(view, blob)},
+              {"line", blob.add(line)},
+              {"move", blob.add(move)},
+              {"end_s", times_block(view, blob)}};
+  if (!view.axes.empty()) out["axis"] = axes_block(view, blob);
+  return out;
 }
 
 Json interval_json(const verifier::Interval& interval) {

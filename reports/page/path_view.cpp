@@ -177,6 +177,7 @@ PathView path_view(const Toolpath& path, std::span<const simulator::MoveRemoval>
                options.rapid_mm_min);
       if (view.has_rates) sums.volume_mm3 += removal[i].volume_mm3;
     }
+    if (options.axes) view.axes.push_back(options.axes->to[last]);
     view.segments.push_back(segment_of(path, last, sums, scale));
     view.segments.back().end_s = time_s += sums.time_s * scale;
   }

@@ -25,6 +25,8 @@ struct PathView {
   };
   model::Vec3 start;
   std::vector<Segment> segments;
+  /// How the tool stands where each segment ends; empty of a tool that stands along +Z.
+  std::vector<model::Vec3> axes;
   std::size_t moves = 0;   ///< of the path
   double within_mm = 0;    ///< no tip of a move is further from its segment
   bool has_rates = false;  ///< what the moves removed is known
@@ -36,6 +38,7 @@ struct PathViewOptions {
   /// they add up to it; 0: as programmed.
   double machining_time_s = 0;
   std::size_t most_segments = kMostSegments;
+  const model::ToolAxes* axes = nullptr;  ///< of a path that turns its tool
 };
 
 /// `path` in at most `most_segments` (no less than 1). Moves of one kind and feed are joined where

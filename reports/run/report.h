@@ -57,10 +57,11 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
                              const StageFileOptions& options);
 /// toolpath.vtp alone: a line a move with its program line, feed, kind and index, and what it
 /// removed where `removal` has an entry for every move: the active scalars, or else the feed.
-/// `facts` become field data.
+/// `facts` become field data, and `axes`, of a path that turns its tool, data of its places: unit
+/// vectors from the tip to the spindle.
 void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,
                         std::span<const simulator::MoveRemoval> removal = {},
-                        std::span<const Fact> facts = {});
+                        std::span<const Fact> facts = {}, const model::ToolAxes* axes = nullptr);
 /// stages.vtm in `folder`: a block a stage, by its name, that names those of deviation.vtp,
 /// stock.vtp and toolpath.vtp that are there. Writes nothing where no stage has any. Throws
 /// ResourceError when the file cannot be written.

@@ -91,6 +91,7 @@ struct StageResult {
 
   struct Ran {
     std::shared_ptr<const model::Toolpath> path;
+    std::shared_ptr<const model::ToolAxes> axes;  ///< of a path that turns its tool; else null
     int planes = 0;
     int sampling_interval_min = 1, sampling_interval_max = 1;
     std::vector<int> sampling_intervals;  ///< one a patch

@@ -104,6 +104,10 @@ std::shared_ptr<const model::Toolpath> path_of(const StageResult::Ran& ran,
   return std::make_shared<const model::Toolpath>(turned(*ran.path, to_part));
 }
 
+std::optional<model::ToolAxes> axes_of(const StageResult::Ran& ran, const model::Pose& to_part) {
+  return ran.axes ? std::optional(turned(*ran.axes, to_part)) : std::nullopt;
+}
+
 page::StockView placed(page::StockView view, const model::Pose& to_part) {
   if (to_part != model::Pose{}) view.mesh = turned(std::move(view.mesh), to_part);
   return view;
@@ -156,9 +160,12 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
   if (ran.path) {
     jobs.push_back([&] {
       const auto path = path_of(ran, to_part);
-      write_toolpath_vtp(*path, into / "toolpath.vtp", ran.removal.moves, facts);
-      files.path_view =
-          page::path_view(*path, ran.removal.moves, {options.rapid_mm_min, ran.machining_time_s});
+      const auto axes = axes_of(ran, to_part);
+      write_toolpath_vtp(*path, into / "toolpath.vtp", ran.removal.moves, facts,
+                         axes ? &*axes : nullptr);
+      page::PathViewOptions view{options.rapid_mm_min, ran.machining_time_s};
+      if (axes) view.axes = &*axes;
+      files.path_view = page::path_view(*path, ran.removal.moves, view);
     });
   }
   carry_out(jobs, options.control);

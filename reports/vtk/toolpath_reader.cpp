@@ -1,8 +1,12 @@
 #include "reports/vtk/toolpath_reader.h"
 
+#include <array>
+#include <stdexcept>
+
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
@@ -46,9 +50,35 @@ model::Vec3 place(vtkPoints& points, vtkIdType i, const std::filesystem::path& f
   return at;
 }
 
+/// One at each place, where the file has them.
+std::optional<model::ToolAxes> axes_of(vtkPolyData& data, const model::Toolpath& path,
+                                       const std::filesystem::path& file) {
+  if (!data.GetPointData()->HasArray(kAxisColumns[0])) return std::nullopt;
+  std::array<vtkDataArray*, 3> columns{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    columns[k] = data.GetPointData()->GetArray(kAxisColumns[k]);
+    if (columns[k] == nullptr || columns[k]->GetNumberOfComponents() != 1 ||
+        columns[k]->GetNumberOfTuples() != data.GetNumberOfPoints())
+      refuse(file, std::string("has no \"") + kAxisColumns[k] + "\" at each place");
+  }
+  model::ToolAxes axes;
+  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
+    const model::Vec3 axis{columns[0]->GetTuple1(i), columns[1]->GetTuple1(i),
+                           columns[2]->GetTuple1(i)};
+    if (i == 0) axes.start = axis;
+    if (i > 0) axes.to.push_back(axis);
+  }
+  try {
+    require_axes(path, axes);
+  } catch (const std::invalid_argument& wrong) {
+    refuse(file, wrong.what());
+  }
+  return axes;
+}
+
 }  // namespace
 
-model::Toolpath read_toolpath_vtp(const std::filesystem::path& file) {
+ToolpathRead read_toolpath_vtp(const std::filesystem::path& file) {
   model::require_file(file);
   const QuietVtk quiet;
   const vtkNew<vtkXMLPolyDataReader> reader;
@@ -69,7 +99,8 @@ model::Toolpath read_toolpath_vtp(const std::filesystem::path& file) {
     path.moves.emplace_back(place(points, i + 1, file), static_cast<float>(feeds.GetTuple1(i)),
                             static_cast<std::uint32_t>(lines.GetTuple1(i)), kind);
   }
-  return path;
+  auto axes = axes_of(*data, path, file);
+  return {std::move(path), std::move(axes)};
 }
 
 }  // namespace limitgauge::reports

@@ -28,6 +28,9 @@ class QuietVtk {
   int before_;
 };
 
+/// Point data of a toolpath.vtp whose tool turns: the unit vector from the tip to the spindle.
+inline constexpr const char* kAxisColumns[] = {"axis_x", "axis_y", "axis_z"};
+
 void add_facts(vtkFieldData& data, std::span<const Fact> facts);
 
 /// Writes `file` with `writer`, whose input is set: little-endian, compressed. Throws

@@ -6,6 +6,7 @@
 
 #include "model/base/error.h"
 #include "reports/run/report.h"
+#include "reports/vtk/vtk_support.h"
 #include "reports/vtk/vtp_file.h"
 
 namespace limitgauge::reports {
@@ -81,11 +82,20 @@ bool add_removal(VtpFile& vtp, std::span<const simulator::MoveRemoval> removal, 
   return true;
 }
 
+/// In double precision: probe reads them back.
+void add_axes(VtpFile& vtp, const model::ToolAxes& axes) {
+  for (int k = 0; k < 3; ++k) {
+    std::vector<double> part = {axes.start[k]};
+    for (const model::Vec3& axis : axes.to) part.push_back(axis[k]);
+    vtp.add_point_data(kAxisColumns[k], view(part));
+  }
+}
+
 }  // namespace
 
 void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path& file,
                         std::span<const simulator::MoveRemoval> removal,
-                        std::span<const Fact> facts) {
+                        std::span<const Fact> facts, const model::ToolAxes* axes) {
   const std::size_t n = path.moves.size();
   require_32_bit(2 * n, file);
   using model::Move;
@@ -100,6 +110,7 @@ void write_toolpath_vtp(const model::Toolpath& path, const std::filesystem::path
   vtp.add_cell_data("kind",
                     view(column<std::uint8_t>(path.moves, [](const Move& m) { return m.kind; })));
   vtp.add_cell_data("move", view(numbers_up_to(n)));
+  if (axes) add_axes(vtp, *axes);
   const bool has_removal = add_removal(vtp, removal, n);
   vtp.colour_cells_by(has_removal ? "removal_rate_mm3_min" : "feed_mm_min");
   vtp.set_facts(facts);

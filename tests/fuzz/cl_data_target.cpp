@@ -1,3 +1,4 @@
+#include <cmath>
 #include <sstream>
 
 #include "model/gcode/cl_data.h"
@@ -12,5 +13,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(!data.from || is_finite(*data.from), "a path starts at a finite place");
     for (const model::Move& move : data.moves)
       fuzz::require(is_finite(move.to), "every move ends at a finite place");
+    fuzz::require(data.axes.empty() || data.axes.size() == data.moves.size(),
+                  "a path that turns its tool has an axis for each move");
+    for (const model::Vec3& axis : data.axes)
+      fuzz::require(std::abs(length(axis) - 1) < 1e-9, "an axis is a unit vector");
   });
 }

@@ -141,7 +141,7 @@ TEST_CASE("CL data that cannot be used are refused with their place", "[unit][cl
   CHECK_THAT(refusal_of("GOTTO/1,2,3\n" + end),
              ContainsSubstring("cl.apt:1:1: ") && ContainsSubstring("'GOTO'"));
   CHECK_THAT(refusal_of("GODLTA/1,2,3\n" + end), ContainsSubstring("not supported"));
-  CHECK_THAT(refusal_of("GOTO/1,2,3,0,1,0\n" + end), ContainsSubstring("1:12: error: a tilted"));
+  CHECK_THAT(refusal_of("GOTO/1,2,3,0,2,0\n" + end), ContainsSubstring("1:12: error: a tool axis"));
   CHECK_THAT(refusal_of("GOTO/1,2,\n" + end), ContainsSubstring("1:10: error: the statement ends"));
   CHECK_THAT(refusal_of("GOTO/1,2,3 4\n" + end), ContainsSubstring("1:12: error: '4' after"));
   CHECK_THAT(refusal_of("GOTO/1,2,1e20\n" + end), ContainsSubstring("beyond any machine"));
@@ -200,7 +200,8 @@ TEST_CASE("random paths are the same after writing and reading CL data", "[prope
 TEST_CASE("CL data with any bytes changed give a path or an InputError", "[property][cl]") {
   const std::string whole =
       "PARTNO part\nUNITS/MM\nCUTTER/6,3\nLOADTL/1\nFROM/0,0,10\nRAPID\nGOTO/1,2,10 $$ x\n"
-      "FEDRAT/300,MMPM\nGOTO/1,$\n2,-0.5\nGOTO/1,2.5,-0.5,0,0,1\nFINI\n";
+      "FEDRAT/300,MMPM\nGOTO/1,$\n2,-0.5\nGOTO/1,2.5,-0.5,0,0,1\nMULTAX/ON\n"
+      "GOTO/1,2.5,-0.5,.6,0,.8\nFINI\n";
   std::mt19937 random(22);
   const std::string alphabet = "GOTFEDRAPIMN0123456789.-+,/$ \n\r\t(\xFF";
   for (int round = 0; round < 6000; ++round) {

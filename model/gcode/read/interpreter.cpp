@@ -246,6 +246,7 @@ void Interpreter::move(const Statement& statement, int code) {
   if (code == 0 || code == 10) return move_straight(statement, code);
   if (is_canned_cycle(code)) return tap(statement, code);
   list_idle_centre(statement, state_.modal.plane, program_);
+  if (turns(statement)) return turn(statement, code);
   emit(statement, arc_motion(statement, state_, code == 30));
 }
 

@@ -74,6 +74,8 @@ class Interpreter {
   bool keeps_height(double z_mm) const;
   void list_turn(const Statement& statement, const Motion& motion, const TurningMotion& turn);
   void turn(const Statement& statement, int code);
+  double minutes_of(const Statement& statement, const Motion& motion, double way_mm,
+                    const TurningMotion& turn) const;
   void turn_in_joints(const Statement& statement, const RotaryAngles& to_deg, bool rapid);
   void set_tip_control(const Statement& statement);
   void turn_home(const Statement& statement);

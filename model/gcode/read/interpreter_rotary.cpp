@@ -2,7 +2,9 @@
 #include "model/gcode/read/interpreter.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "model/gcode/cycles/canned_cycle_parameters.h"
 #include "model/gcode/read/motion_codes.h"
 #include "model/gcode/read/orientation_codes.h"
 #include "model/gcode/text/word_use.h"
@@ -25,13 +27,19 @@ void Interpreter::check_turn(const Statement& statement, std::optional<int> moti
     statement.fail(word, in_quotes(word.text) + " beside no motion", "G0 or G1");
   if (!motion || !turns(statement)) return;
   forbid_compensation(statement, word, state_);
-  if (*motion != 0 && *motion != 10)
-    statement.fail(word, in_quotes(word.text) + " turns an axis on an arc or in a canned cycle",
+  if (is_canned_cycle(*motion))
+    statement.fail(word, in_quotes(word.text) + " turns an axis in a canned cycle",
                    "G0 or G1 before it");
   const Orientation& orientation = state_.orientation;
+  const bool on_arc = *motion != 0 && *motion != 10;
   if (orientation.dynamic_offset)
     statement.fail(word, in_quotes(word.text) + " turns an axis under a dynamic offset (G254)",
                    "G255 before it");
+  if (orientation.plane && on_arc)
+    statement.fail(
+        word,
+        in_quotes(word.text) + " turns an axis on an arc while a working plane is tilted (G68.2)",
+        "G0 or G1 before it");
   if (orientation.plane && statement.has_axes())
     statement.fail(
         word, in_quotes(word.text) + " beside X, Y or Z while a working plane is tilted (G68.2)",
@@ -86,18 +94,37 @@ void Interpreter::list_turn(const Statement& statement, const Motion& motion,
   orientation.angles_deg = turn.to_deg;
 }
 
-/// G0 or G1 with a rotary word that turns: what X, Y and Z name goes evenly with the angles.
+/// LinuxCNC's: a feed is of X, Y and Z, and where they stand still, degrees a minute.
+double Interpreter::minutes_of(const Statement& statement, const Motion& motion, double way_mm,
+                               const TurningMotion& turn) const {
+  if (motion.kind == MotionKind::rapid || motion.feed_mm_min == 0) return 0;
+  if (state_.modal.feed_mode == FeedMode::inverse_time) return 1 / statement.word('F')->value;
+  const double feed_mm_min = static_cast<double>(motion.feed_mm_min);
+  if (way_mm > 0) return way_mm / feed_mm_min;
+  double squares = 0;
+  for (std::size_t i = 0; i < turn.to_deg.size(); ++i)
+    squares += (turn.to_deg[i] - turn.from_deg[i]) * (turn.to_deg[i] - turn.from_deg[i]);
+  return std::sqrt(squares) * state_.modal.unit_mm / feed_mm_min;
+}
+
+/// G0 to G3 with a rotary word that turns: what X, Y and Z name goes evenly with the angles.
 void Interpreter::turn(const Statement& statement, int code) {
   if (state_.orientation.plane)
     return turn_in_joints(statement, rotary_end(statement, state_), code == 0);
   TurningMotion turn;
   turn.frame = state_.motion_frame();
-  turn.from_mm = state_.frame.to_machine(state_.position_mm);
+  const Vec3 from_mm = state_.position_mm;
+  turn.from_mm = state_.frame.to_machine(from_mm);
   turn.from_deg = state_.orientation.angles_deg;
   turn.to_deg = rotary_end(statement, state_);
-  emit(statement, straight_motion(statement, state_, code == 0, assumed_));
+  const bool straight = code == 0 || code == 10;
+  const Motion motion = straight ? straight_motion(statement, state_, code == 0, assumed_)
+                                 : arc_motion(statement, state_, code == 30);
+  emit(statement, motion);
   turn.to_mm = state_.frame.to_machine(state_.position_mm);
   list_turn(statement, program_.motions.back(), turn);
+  program_.turns.back().minutes =
+      minutes_of(statement, motion, motion_length_mm(motion, from_mm), turn);
 }
 
 /// The rotary axes alone, while X, Y and Z stand still on the machine whatever the control counts.

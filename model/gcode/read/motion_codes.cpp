@@ -128,13 +128,13 @@ ArcCentre find_centre(const Statement& statement, const MachineState& state, Vec
 }
 
 /// Length of an arc from `start`, for G93: a helix along its normal axis.
-double arc_length(const Motion& arc, const Vec3& start, bool counter_clockwise) {
+double arc_length(const Motion& arc, const Vec3& start) {
   const auto [first, second, normal] = axes_of(arc.plane);
   const double x1 = start[first] - arc.centre1, y1 = start[second] - arc.centre2;
   const double x2 = arc.to[first] - arc.centre1, y2 = arc.to[second] - arc.centre2;
   const double turn = 2 * std::numbers::pi;
   double angle = std::atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2);
-  if (!counter_clockwise) angle = -angle;
+  if (arc.turns < 0) angle = -angle;
   if (angle <= 0) angle += turn;
   angle += (std::abs(arc.turns) - 1) * turn;
   return std::hypot(std::hypot(x1, y1) * angle, arc.to[normal] - start[normal]);
@@ -203,10 +203,15 @@ Motion arc_motion(const Statement& statement, MachineState& state, bool counter_
   motion.centre1 = found.centre[0];
   motion.centre2 = found.centre[1];
   motion.turns = counter_clockwise ? turns_of(statement) : -turns_of(statement);
-  motion.feed_mm_min = static_cast<float>(
-      feed_of(statement, state, arc_length(motion, state.position_mm, counter_clockwise)));
+  motion.feed_mm_min =
+      static_cast<float>(feed_of(statement, state, arc_length(motion, state.position_mm)));
   state.position_mm = motion.to;
   return motion;
+}
+
+double motion_length_mm(const Motion& motion, const Vec3& from_mm) {
+  return motion.kind == MotionKind::arc ? arc_length(motion, from_mm)
+                                        : distance(from_mm, motion.to);
 }
 
 void check_system(const Statement& statement, const MachineState& state) {

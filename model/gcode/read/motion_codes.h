@@ -22,6 +22,9 @@ Motion straight_motion(const Statement& statement, MachineState& state, bool rap
 /// G2 and G3.
 Motion arc_motion(const Statement& statement, MachineState& state, bool counter_clockwise);
 
+/// The way of a motion from `from_mm`, both in one frame: of an arc along it.
+double motion_length_mm(const Motion& motion, const Vec3& from_mm);
+
 /// Throws InputError where the active coordinate system is one that nothing states.
 void check_system(const Statement& statement, const MachineState& state);
 

@@ -212,7 +212,7 @@ TEST_CASE("what is not carried out with rotary axes is said at its word", "[unit
     CAPTURE(text);
     return text.find(part) != std::string::npos;
   };
-  CHECK(holds(error("G2 X1 I1 A90\n"), "error: 'A90' turns an axis on an arc"));
+  CHECK(holds(error("G68.2 J30\nG2 X1 I1 F9 A90\n"), "turns an axis on an arc while a working"));
   CHECK(holds(error("G81 X1 Z-1 R2 F100 A90\n"), "canned cycle"));
   CHECK(holds(error("B90\n"), "of a rotary axis that the machine lacks"));
   CHECK(holds(error("G53.1\n"), "G53.1 without a tilted working plane"));

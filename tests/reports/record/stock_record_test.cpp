@@ -106,7 +106,7 @@ TEST_CASE("moves are read back to the last bit", "[unit][stock_record]") {
   path.moves.emplace_back(model::Vec3{-0.30000000000000004, 1e-300, 5}, 333.3F, 12,
                           model::MoveKind::feed);
   write_toolpath_vtp(path, file);
-  const model::Toolpath read = read_toolpath_vtp(file);
+  const model::Toolpath read = read_toolpath_vtp(file).path;
   CHECK(read.start == path.start);
   REQUIRE(read.moves.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -115,6 +115,25 @@ TEST_CASE("moves are read back to the last bit", "[unit][stock_record]") {
     CHECK(read.moves[i].kind == path.moves[i].kind);
     CHECK(read.moves[i].feed_mm_min == path.moves[i].feed_mm_min);
   }
+}
+
+TEST_CASE("a toolpath.vtp of a tool that turns says how it stands", "[unit][stock_record]") {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "toolpath.vtp";
+  model::Toolpath path;
+  path.moves.resize(2);
+  path.moves[1].to = {1, 2, 3};
+  const model::ToolAxes axes{{0.6, 0, 0.8}, {{0, 0.6, 0.8}, {1.0 / 3, 2.0 / 3, 2.0 / 3}}};
+  write_toolpath_vtp(path, file, {}, {}, &axes);
+  const ToolpathRead read = read_toolpath_vtp(file);
+  REQUIRE(read.axes.has_value());
+  CHECK(read.axes->start == axes.start);
+  CHECK(read.axes->to == axes.to);
+  write_toolpath_vtp(path, file);
+  CHECK_FALSE(read_toolpath_vtp(file).axes.has_value());
+  const model::ToolAxes wrong{{0, 0, 1}, {{0, 0, 2}, {0, 0, 1}}};
+  write_toolpath_vtp(path, file, {}, {}, &wrong);
+  CHECK_THROWS_AS(read_toolpath_vtp(file), model::InputError);
 }
 
 TEST_CASE("what is no toolpath is refused", "[unit][stock_record]") {

@@ -80,7 +80,7 @@ TEST_CASE("a turned stage's path and stock are written where they are in the par
                                   std::size_t(1) << 30);
   stage.ran->stock = raw;
   const StageFiles files = write_stage_files(stage, folder.path(), {.pictures = false});
-  const model::Toolpath path = read_toolpath_vtp(folder.path() / stage.name / "toolpath.vtp");
+  const model::Toolpath path = read_toolpath_vtp(folder.path() / stage.name / "toolpath.vtp").path;
   REQUIRE(path.moves.size() == stage.ran->path->moves.size());
   CHECK(path.start == to_part.point(stage.ran->path->start));
   CHECK(path.moves.back().to == to_part.point(stage.ran->path->moves.back().to));

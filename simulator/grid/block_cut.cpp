@@ -124,14 +124,13 @@ void BlockCutter::sample(Level& level, const Vec3& p, double half_diagonal) cons
   double least = kFar;
   for (std::size_t i = 0; i < n && least >= -(half_diagonal + band_); ++i) {
     const std::uint32_t slot = level.moves.slot[i];
-    const bool far = cannot_be_below(pass_.profile(), pass_.move(slot), p,
-                                     least + 2 * half_diagonal + 2 * kDistanceRounding_mm);
-    const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass_.distance(slot, p);
+    const double most = least + 2 * half_diagonal + 2 * kDistanceRounding_mm;
+    const bool far = pass_.cannot_be_below(slot, p, most);
+    const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass_.distance_below(slot, p, most);
     least = std::min(least, s.distance);
     level.samples.distance[i] = s.distance;
-    level.samples.gx[i] = s.gradient.x;
-    level.samples.gy[i] = s.gradient.y;
-    level.samples.gz[i] = s.gradient.z;
+    level.samples.set_gradient(i, s.gradient);
+    level.samples.sag[i] = s.distance < kFar ? pass_.sag(slot, p, s, half_diagonal) : 0;
     if (least < -(half_diagonal + band_)) level.samples.resize(i + 1);
   }
 }
@@ -147,7 +146,7 @@ std::size_t BlockCutter::reference_move(const Level& level, const Vec3& middle, 
     if (d[i] > *least) continue;
     const std::uint32_t slot = level.moves.slot[i];
     const SweptSample at = pass_.distance(slot, middle);
-    const double e = curvature_bound(pass_.profile(), pass_.move(slot), middle, at, reach) +
+    const double e = pass_.curvature_bound(slot, middle, at, reach) +
                      reach * distance(at.gradient, level.samples.gradient(i));
     if (e < bound) bound = e, best = i;
   }
@@ -164,8 +163,9 @@ void BlockCutter::keep_that_matter(Level& level, const Vec3& middle, int edge) c
   for (std::size_t i = 0; i < s.distance.size(); ++i) {
     const double behind = s.distance[i] - s.distance[j];
     const double turn = norm1(s.gradient(i) - g);
-    const bool twin = behind == 0 && turn == 0 && bend == 0;
-    if (i == j || (!twin && behind <= std::min(2 * r, h * turn + bend) + kDistanceRounding_mm))
+    const double bends = bend + s.sag[i];
+    const bool twin = behind == 0 && turn == 0 && bends == 0;
+    if (i == j || (!twin && behind <= std::min(2 * r, h * turn + bends) + kDistanceRounding_mm))
       level.kept.push_back(static_cast<std::uint32_t>(i));
   }
 }
@@ -273,9 +273,11 @@ void BlockCutter::fill_voxels(int depth, const Index3& corner) {
     least = least_ball_distances(moves, pass_.profile().corner_radius(), points);
   } else {
     least.fill(std::numeric_limits<double>::infinity());
+    const double within = kTurnInVoxels * lattice_.voxel_mm();
     for (const std::uint32_t slot : moves.slot)
       for (int k = 0; k < 8; ++k)
-        least[k] = std::min(least[k], pass_.distance(slot, points[k]).distance);
+        least[k] =
+            std::min(least[k], pass_.distance_below(slot, points[k], least[k], within).distance);
   }
   for (int k = 0; k < 8; ++k)
     leaf_at(child_corner(corner, 1, k)) = static_cast<float>(std::clamp(least[k], -band_, band_));

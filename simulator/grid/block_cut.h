@@ -35,8 +35,9 @@ class LeafSink {
 /// Works out min_i d_i block by block. Candidate moves are handed down from block to sub-block:
 /// d_i is convex and 1-Lipschitz, and the nearest move's d_j lies below a paraboloid about the
 /// middle, so move i cannot matter in a block of half edge h and half diagonal r where
-/// d_i − d_j > min(2r, h·|g_i − g_j|₁ + e_j). All of it goes on in the frame of the pass's own path
-/// (PassLattice), where a leaning cube has the h of the cube along the axes that holds it.
+/// d_i − d_j > min(2r, h·|g_i − g_j|₁ + e_j). Of a tool that turns, d_i is convex but for its sag,
+/// which is added there (simulator/PROOFS.md, P10). All of it goes on in the frame of the pass's
+/// own path (PassLattice), where a leaning cube has the h of the cube along the axes that holds it.
 class BlockCutter {
  public:
   enum class Reach { none, partly, wholly };

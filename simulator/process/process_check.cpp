@@ -110,6 +110,8 @@ void require_contact_limits(const ProcessLimits& limits) {
 std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
                                    const ProcessLimits& limits, const model::RunControl& control) {
   require_limits(limits);
+  if (pass.axes)
+    throw std::invalid_argument("a process that turns its tool as it goes is not checked");
   require_path(pass);
   if (pass.pose != model::Pose{})
     throw std::invalid_argument("a process is checked in its own setup, where cutters are upright");

@@ -70,11 +70,13 @@ class MoveBatch {
   void assign_balls(const SweepTree& pass);
 };
 
-/// Distances and gradients of a batch at one point.
+/// Distances and gradients of a batch at one point, and by how much the planes of these may be
+/// above the distances somewhere in a cube about it (SweepTree::sag).
 struct BatchSamples {
-  std::vector<double> distance, gx, gy, gz;
+  std::vector<double> distance, gx, gy, gz, sag;
   void resize(std::size_t n);
   model::Vec3 gradient(std::size_t i) const { return {gx[i], gy[i], gz[i]}; }
+  void set_gradient(std::size_t i, const model::Vec3& g) { gx[i] = g.x, gy[i] = g.y, gz[i] = g.z; }
 };
 
 /// Samples of all moves of a batch of ball moves, valid where the tops do not matter.

@@ -73,13 +73,15 @@ void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const HeldC
   samples_.resize(n);
   double least = kFar;
   for (std::size_t i = 0; i < n; ++i) {
-    const SweptMove& move = pass.move(from.slot[i]);
-    const bool far = cannot_be_below(pass.profile(), move, cube.middle,
-                                     least + 2 * cube.half_diagonal_mm + 2 * kDistanceRounding_mm);
-    const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass.distance(from.slot[i], cube.middle);
+    const std::uint32_t slot = from.slot[i];
+    const double most = least + 2 * cube.half_diagonal_mm + 2 * kDistanceRounding_mm;
+    const bool far = pass.cannot_be_below(slot, cube.middle, most);
+    const SweptSample s =
+        far ? SweptSample{kFar, {}, 0} : pass.distance_below(slot, cube.middle, most);
     least = std::min(least, s.distance);
     samples_.distance[i] = s.distance;
-    samples_.gx[i] = s.gradient.x, samples_.gy[i] = s.gradient.y, samples_.gz[i] = s.gradient.z;
+    samples_.set_gradient(i, s.gradient);
+    samples_.sag[i] = s.distance < kFar ? pass.sag(slot, cube.middle, s, cube.half_diagonal_mm) : 0;
   }
 }
 
@@ -95,13 +97,14 @@ std::size_t NearMoves::straightest(const SweepTree& pass, const MoveBatch& from,
     if (d[i] > *least) continue;
     const std::uint32_t slot = from.slot[i];
     const SweptSample at{d[i], samples_.gradient(i), pass.distance(slot, cube.middle).t};
-    const double e = curvature_bound(pass.profile(), pass.move(slot), cube.middle, at, r);
+    const double e = pass.curvature_bound(slot, cube.middle, at, r);
     if (e < bend) bend = e, best = i;
   }
   return best;
 }
 
-// d is convex: move i stays above its tangent, the nearest one below a paraboloid.
+// d is convex, or is so but for its sag: move i stays above its tangent, the nearest one below a
+// paraboloid.
 double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
   sample(pass, from, cube);
   double bend = 0;
@@ -111,8 +114,9 @@ double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, cons
   for (std::size_t i = 0; i < from.size(); ++i) {
     const double behind = samples_.distance[i] - samples_.distance[j];
     const double turn = norm1(samples_.gradient(i) - g);
-    const bool twin = behind == 0 && turn == 0 && bend == 0;
-    const double most = std::min(2 * cube.half_diagonal_mm, cube.half_edge_mm * turn + bend);
+    const double bends = bend + samples_.sag[i];
+    const bool twin = behind == 0 && turn == 0 && bends == 0;
+    const double most = std::min(2 * cube.half_diagonal_mm, cube.half_edge_mm * turn + bends);
     if (i == j || (!twin && behind <= most + kDistanceRounding_mm))
       kept_.push_back(static_cast<std::uint32_t>(i));
   }
@@ -131,12 +135,12 @@ std::optional<NearestMove> NearMoves::nearest_own(const SweepTree& pass, const V
   if (too_many_) return pass.nearest(p, bound);
   std::optional<NearestMove> best;
   const auto look_at = [&](std::uint32_t slot) {
-    const SweptSample d = pass.distance(slot, p);
+    const SweptSample d = pass.distance_below(slot, p, bound);
     if (d.distance < bound) bound = d.distance, best = NearestMove{slot, d};
   };
   if (!below_tops_) {
     for (const std::uint32_t slot : moves_.slot)
-      if (!cannot_be_below(pass.profile(), pass.move(slot), p, bound)) look_at(slot);
+      if (!pass.cannot_be_below(slot, p, bound)) look_at(slot);
     return best;
   }
   if (empty()) return best;

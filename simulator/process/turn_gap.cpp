@@ -20,7 +20,7 @@ class TurnGapSearch {
  public:
   TurnGapSearch(const TurnSearch& search, double within, double tolerance,
                 const model::RunControl& control)
-      : solid_(*search.solid),
+      : solid_(search.material()),
         body_(*search.body, *search.pose),
         tolerance_(tolerance),
         depth_(tolerance / 2),
@@ -38,7 +38,7 @@ class TurnGapSearch {
     return found && found->mm == 0;
   }
 
-  const Material& solid_;
+  MaterialAtMove solid_;
   TurningBody body_;
   double tolerance_;
   double depth_;  // of the places that count
@@ -50,7 +50,7 @@ class TurnGapSearch {
 TurnAnswer TurnGapSearch::run(double from, double to) {
   TurnBlock all{{}, (from + to) / 2, (to - from) / 2};
   const model::Box3 where =
-      common(body_.box(all.t, all.half_t, limit_), bounding_box(solid_.raw()));
+      common(body_.box(all.t, all.half_t, limit_), bounding_box(solid_.before->raw()));
   if (where.empty()) return effort_.answer();
   all.place.middle = where.centre(), all.place.half = where.size() * 0.5;
   look_at(all);
@@ -69,7 +69,7 @@ void TurnGapSearch::look_at(TurnBlock block) {
   const TurnSample s = body_.about(block);
   place.bound = s.under.distance - support(place.half, s.under.gradient);
   if (place.bound >= limit_ || depth_in(block, s).bound_mm < depth_) return;
-  place.cover.maker = solid_.sample(place.middle, place.cover.maker).maker;
+  place.cover = cover_in(solid_, place.middle, place.cover);
   const TurnDepth depth = depth_in(block, s);
   if (depth.bound_mm < depth_) return;
   offer(block, {s.under.distance + s.change_mm, s.under.gradient, 0});
@@ -82,15 +82,13 @@ void TurnGapSearch::look_at(TurnBlock block) {
 /// How deep places of the block may be that are within the limit.
 TurnDepth TurnGapSearch::depth_in(const TurnBlock& block, const TurnSample& distance) const {
   const Block& b = block.place;
-  const MaterialAtMove solid{&solid_, nullptr, 0};
-  return depth_over(depth_under(solid, b.cover, b.middle, b.half), body_, block, distance, limit_);
+  return depth_over(depth_under(solid_, b.cover, b.middle, b.half), body_, block, distance, limit_);
 }
 
 /// The middle, moved towards the body as far as the depth there surely lets it.
 void TurnGapSearch::offer(const TurnBlock& block, const SweptSample& middle) {
   const Block& place = block.place;
-  const MaterialAtMove solid{&solid_, nullptr, 0};
-  const double spare = depth_under(solid, place.cover, place.middle, {}).value - depth_;
+  const double spare = depth_under(solid_, place.cover, place.middle, {}).value - depth_;
   if (spare < 0 || middle.distance - spare >= limit_) return;
   const Vec3 p = place.middle - middle.gradient * std::min(spare, std::max(0.0, middle.distance));
   const SweptSample at = body_.at(block.t, p);

@@ -19,7 +19,7 @@ struct LessTurnBound {
 class TurnContactSearch {
  public:
   TurnContactSearch(const TurnSearch& search, double tolerance, const model::RunControl& control)
-      : solid_{search.solid, nullptr, 0},
+      : solid_(search.material()),
         body_(*search.body, *search.pose),
         tolerance_(tolerance),
         effort_(search.most_looks, control) {}
@@ -68,7 +68,7 @@ void TurnContactSearch::look_at(TurnBlock block) {
   if (s.under.distance > support(place.half, s.under.gradient)) return;
   // What covers the block around this one mostly covers it too, and saves the search.
   if (depth_in(block, s).bound_mm <= enough()) return;
-  place.cover.maker = solid_.before->sample(place.middle, place.cover.maker).maker;
+  place.cover = cover_in(solid_, place.middle, place.cover);
   const TurnDepth depth = depth_in(block, s);
   place.bound = depth.bound_mm;
   if (place.bound <= enough()) return;
@@ -92,7 +92,7 @@ void TurnContactSearch::offer(const TurnBlock& block, const SweptSample& middle)
 void TurnContactSearch::climb(double t, Vec3 p, Cover cover) {
   constexpr int kMostSteps = 8;
   const auto depth_at = [&](const Vec3& place) {
-    cover.maker = solid_.before->sample(place, cover.maker).maker;
+    cover = cover_in(solid_, place, cover);
     return depth_under(solid_, cover, place, {});
   };
   Depth d = depth_at(p);

@@ -14,14 +14,25 @@ namespace limitgauge::simulator {
 inline constexpr std::size_t kMostTurnLooks = 1'000'000;
 
 /// What a turn's searches look through: `body` among `solid`, which stands still in the frame that
-/// `pose` leads to, from t = `from` to `to`.
+/// `pose` leads to, from t = `from` to `to`. Of the solid is gone what the moves of `pass` below
+/// `end` sweep, where there is one.
 struct TurnSearch {
   const Material* solid = nullptr;
   const ToolBody* body = nullptr;
   const TurningPose* pose = nullptr;
   double from = 0, to = 1;  ///< may be the same
   std::size_t most_looks = kMostTurnLooks;
+  const SweepIndex* pass = nullptr;
+  std::uint32_t end = 0;
+
+  MaterialAtMove material() const { return {solid, pass, end}; }
 };
+
+/// What gives the depth at p, looking first at `guess`.
+inline Cover cover_in(const MaterialAtMove& solid, const model::Vec3& p, const Cover& guess) {
+  if (solid.pass) return cover_at(solid, p, guess);
+  return {false, solid.before->sample(p, guess.maker).maker};
+}
 
 /// The deepest place of the body in the solid; none if it is nowhere deeper than `tolerance_mm`.
 /// Branch and bound over blocks of space and stretches of time. The promises are those of

@@ -125,7 +125,17 @@ double MoveBatch::below_tops_mm(const CutterProfile& profile) const {
 }
 
 void BatchSamples::resize(std::size_t n) {
-  distance.resize(n), gx.resize(n), gy.resize(n), gz.resize(n), sag.assign(n, 0);
+  distance.resize(n), gx.resize(n), gy.resize(n), gz.resize(n);
+}
+
+void BatchSamples::set(std::size_t i, const SweptSample& s, const SweepTree& pass,
+                       std::uint32_t slot, const Vec3& p, double reach) {
+  distance[i] = s.distance;
+  gx[i] = s.gradient.x, gy[i] = s.gradient.y, gz[i] = s.gradient.z;
+  if (!pass.turns()) return;
+  if (sag.size() < distance.size()) sag.resize(distance.size()), t.resize(distance.size());
+  sag[i] = std::isfinite(s.distance) ? pass.sag(slot, p, s, reach) : 0;
+  t[i] = s.t;
 }
 
 void sample_balls(const MoveBatch& batch, double radius, const Vec3& p, BatchSamples& out) {

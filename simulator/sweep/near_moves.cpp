@@ -40,6 +40,7 @@ double NearMoves::gather_own(const SweepTree& pass, const HeldCube& cube, double
   too_many_ = kept_.size() > kMostHandedDown;
   if (too_many_) kept_.clear();
   moves_.assign(pass, kept_);
+  last_.reset();
   below_tops_ = lies_below_tops(pass, moves_, cube);
   return found->at.distance;
 }
@@ -58,6 +59,7 @@ double NearMoves::narrow(const SweepIndex& index, const NearMoves& wider, const 
       below_tops_ ? keep_balls(pass, wider.moves_, cube) : keep_others(pass, wider.moves_, cube);
   if (least > limit) return kFar;
   moves_.take(wider.moves_, kept_);
+  last_.reset();
   return least;
 }
 
@@ -79,9 +81,7 @@ void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const HeldC
     const SweptSample s =
         far ? SweptSample{kFar, {}, 0} : pass.distance_below(slot, cube.middle, most);
     least = std::min(least, s.distance);
-    samples_.distance[i] = s.distance;
-    samples_.set_gradient(i, s.gradient);
-    samples_.sag[i] = s.distance < kFar ? pass.sag(slot, cube.middle, s, cube.half_diagonal_mm) : 0;
+    samples_.set(i, s, pass, slot, cube.middle, cube.half_diagonal_mm);
   }
 }
 
@@ -103,10 +103,15 @@ std::size_t NearMoves::straightest(const SweepTree& pass, const MoveBatch& from,
   return best;
 }
 
-// d is convex, or is so but for its sag: move i stays above its tangent, the nearest one below a
-// paraboloid.
+// d is convex: move i stays above its tangent, the nearest one below a paraboloid. Of turning moves
+// it is not.
 double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
   sample(pass, from, cube);
+  if (pass.turns()) {
+    rivals_.keep(pass, from, samples_, cube.middle, cube.half_edge_mm, cube.half_diagonal_mm,
+                 kept_);
+    return *std::min_element(samples_.distance.begin(), samples_.distance.end());
+  }
   double bend = 0;
   const std::size_t j = straightest(pass, from, cube, bend);
   const Vec3 g = samples_.gradient(j);
@@ -114,9 +119,8 @@ double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, cons
   for (std::size_t i = 0; i < from.size(); ++i) {
     const double behind = samples_.distance[i] - samples_.distance[j];
     const double turn = norm1(samples_.gradient(i) - g);
-    const double bends = bend + samples_.sag[i];
-    const bool twin = behind == 0 && turn == 0 && bends == 0;
-    const double most = std::min(2 * cube.half_diagonal_mm, cube.half_edge_mm * turn + bends);
+    const bool twin = behind == 0 && turn == 0 && bend == 0;
+    const double most = std::min(2 * cube.half_diagonal_mm, cube.half_edge_mm * turn + bend);
     if (i == j || (!twin && behind <= most + kDistanceRounding_mm))
       kept_.push_back(static_cast<std::uint32_t>(i));
   }
@@ -139,8 +143,13 @@ std::optional<NearestMove> NearMoves::nearest_own(const SweepTree& pass, const V
     if (d.distance < bound) bound = d.distance, best = NearestMove{slot, d};
   };
   if (!below_tops_) {
+    // Of turning moves each look is dear: where the last place's move is not above its own distance
+    // here, most of the others need none. The first of equal ones is still the one found.
+    if (pass.turns() && last_)
+      bound = std::min(bound, std::nextafter(pass.distance(*last_, p).distance, kFar));
     for (const std::uint32_t slot : moves_.slot)
       if (!pass.cannot_be_below(slot, p, bound)) look_at(slot);
+    if (best) last_ = best->slot;
     return best;
   }
   if (empty()) return best;

@@ -20,7 +20,7 @@ struct TurnedBy {
 };
 
 /// Most moves turn by little, where a few terms of the series are exact to the last bit.
-TurnedBy turned_by(double angle) {
+inline TurnedBy turned_by(double angle) {
   if (std::abs(angle) > 0.05) return {std::sin(angle), std::cos(angle)};
   const double q = angle * angle;
   return {angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42))),
@@ -217,15 +217,18 @@ TurningMove::TurningMove(const Vec3& from, const Vec3& to, const Vec3& axis_from
     side = model::normalized(across);
     turn_rad = std::atan2(length(across), dot(axis, axis_to));
   }
-  const TurnedBy half = turned_by(turn_rad / 2);
-  core_half_way = this->core(0.5);
+  const TurnedBy half = turned_by(turn_rad / 2), whole = turned_by(turn_rad);
+  axis_half_way = axis * half.cosine + side * half.sine;
+  axis_end = axis * whole.cosine + side * whole.sine;
+  core_half_way = tip(0.5) + axis_half_way * core_mm;
   const Vec3 sideways = side * half.cosine - axis * half.sine;
   core_speed_mm =
       length(delta + sideways * (core_mm * turn_rad)) + std::abs(core_mm) * turn_rad * turn_rad / 2;
 }
 
 Vec3 TurningMove::up(double t) const {
-  if (turn_rad == 0) return axis;
+  if (turn_rad == 0 || t == 0) return axis;
+  if (t == 1) return axis_end;
   const TurnedBy by = turned_by(turn_rad * t);
   return axis * by.cosine + side * by.sine;
 }
@@ -245,7 +248,7 @@ SweptSample standing_distance(const CutterProfile& profile, const TurningMove& m
 // than its core and what the turn adds.
 bool cannot_be_below(const CutterProfile& profile, const TurningMove& m, const Vec3& p,
                      double bound) {
-  const Vec3 up = m.up(0.5), from_tip = p - m.tip(0.5);
+  const Vec3 &up = m.axis_half_way, from_tip = p - m.tip(0.5);
   const double height = dot(from_tip, up);
   const double rho = length(from_tip - up * height);
   const double far = distance(p, m.core_half_way) + m.half_way_mm();

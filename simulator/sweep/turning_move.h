@@ -24,7 +24,7 @@ struct TurningMove {
 
   model::Vec3 start, delta;  ///< of the tip, mm
   model::Vec3 axis, side;    ///< at the start, and across it the way that it turns
-  model::Vec3 core_half_way;
+  model::Vec3 axis_half_way, axis_end, core_half_way;
   double turn_rad = 0;
   double core_mm = 0;
   double core_speed_mm = 0;  ///< the core is never faster, by t

@@ -87,7 +87,7 @@ TEST_CASE("the material left by turning moves is that of many poses", "[property
   }
 }
 
-TEST_CASE("the level set of turning moves holds the exact distances", "[property][turning]") {
+TEST_CASE("the level set of turning moves holds the exact distances", "[slow][turning]") {
   for (unsigned seed = 0; seed < turning_cutters().size(); ++seed) {
     const StockModel stock = turning_stock(turning_pass(turning_cutters()[seed], seed));
     INFO(model::to_text(turning_cutters()[seed]));
@@ -99,7 +99,7 @@ TEST_CASE("the level set of turning moves holds the exact distances", "[property
 
 TEST_CASE("turning moves cut the same on any number of threads", "[property][turning]") {
   for (unsigned seed = 0; seed < 3; ++seed) {
-    const Pass pass = turning_pass(turning_cutters()[seed], seed);
+    const Pass pass = turning_pass(turning_cutters()[seed], seed, 12);
     const StockModel one = turning_stock(pass, 1), two = turning_stock(pass, 2);
     CHECK(one.grid().changed_voxels(two.grid()).empty());
     CHECK(one.volume_mm3({1}) == two.volume_mm3({2}));
@@ -107,9 +107,9 @@ TEST_CASE("turning moves cut the same on any number of threads", "[property][tur
 }
 
 TEST_CASE("the order of turning moves and where they are cut in two do not matter",
-          "[property][turning]") {
+          "[slow][turning]") {
   for (unsigned seed = 0; seed < 4; ++seed) {
-    const Pass pass = turning_pass(turning_cutters()[seed], seed);
+    const Pass pass = turning_pass(turning_cutters()[seed], seed, 20);
     const StockModel stock = turning_stock(pass), back = turning_stock(reordered(pass)),
                      fine = turning_stock(halved(pass));
     TurningDraw draw(seed);
@@ -119,7 +119,8 @@ TEST_CASE("the order of turning moves and where they are cut in two do not matte
       CHECK(fine.exact_value(p) == Approx(stock.exact_value(p)).margin(1e-9));
       CHECK(fine.value(p) == Approx(stock.value(p)).margin(2e-6));
     }
-    CHECK(fine.volume_mm3() == Approx(stock.volume_mm3()).epsilon(1e-6));
+    // Which cells are bent may change with a millionth of a voxel, and with it their sample.
+    CHECK(fine.volume_mm3() == Approx(stock.volume_mm3()).epsilon(1e-4));
   }
 }
 

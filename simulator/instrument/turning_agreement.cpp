@@ -24,8 +24,9 @@ constexpr int kMostTens = 6;
 struct PosedMove {
   Vec3 from, to, axis_from, axis_to;
   double angle = 0, sine = 0;
-  Vec3 middle;  ///< of a ball that holds the flutes at all times
-  double radius_mm = 0;
+  /// Half-way, and how far about its axis there the flutes are at all times.
+  Vec3 middle, axis_in_middle;
+  double length_mm = 0, about_mm = 0;
 
   PosedMove(const model::Toolpath& path, const model::ToolAxes& axes, std::size_t i,
             const DexelProfile& profile)
@@ -35,9 +36,15 @@ struct PosedMove {
         axis_to(axes.to[i]),
         angle(std::atan2(length(cross(axis_from, axis_to)), dot(axis_from, axis_to))),
         sine(std::sin(angle)) {
-    const double half = profile.length() / 2;
-    middle = (from + to) * 0.5 + axis_from * half;
-    radius_mm = std::hypot(profile.largest_radius(), half) + distance(from, to) / 2 + half * angle;
+    middle = (from + to) * 0.5, axis_in_middle = axis(0.5);
+    length_mm = profile.length();
+    about_mm = profile.largest_radius() + distance(from, to) / 2 + length_mm * angle / 2;
+  }
+  /// May the flutes come to the place?
+  bool may_hold(const Vec3& p) const {
+    const Vec3 q = p - middle;
+    const double up = std::clamp(dot(q, axis_in_middle), 0.0, length_mm);
+    return length_squared(q - axis_in_middle * up) <= about_mm * about_mm;
   }
   Vec3 axis(double t) const {
     constexpr double kStraight = 1e-9;
@@ -65,9 +72,8 @@ class PosedCutter {
   /// Does the cutter come to the place?
   bool comes_to(const Vec3& place) const {
     const Vec3 p = pose_.point_back(place);
-    return std::any_of(moves_.begin(), moves_.end(), [&](const PosedMove& m) {
-      return length_squared(p - m.middle) <= m.radius_mm * m.radius_mm && holds(m, p);
-    });
+    return std::any_of(moves_.begin(), moves_.end(),
+                       [&](const PosedMove& m) { return m.may_hold(p) && holds(m, p); });
   }
 
  private:

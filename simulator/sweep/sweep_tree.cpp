@@ -132,6 +132,29 @@ std::optional<NearestMove> SweepTree::nearest(const Vec3& p, double bound,
   return best;
 }
 
+std::optional<std::uint32_t> SweepTree::first_below(const Vec3& p, double bound) const {
+  if (nodes_.empty()) return std::nullopt;
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t first = kNone;
+  std::array<std::uint32_t, kDeepest> stack;
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const Node& node = nodes_[stack[--depth]];
+    if (node.least_index >= first || lower_bound(node, p) >= bound) continue;
+    for (std::uint32_t s = node.first; s < node.first + node.count; ++s)
+      if (moves_[s].index < first && !cannot_be_below(s, p, bound) &&
+          distance_below(s, p, bound).distance < bound)
+        first = moves_[s].index;
+    if (node.count > 0) continue;
+    // The child of earlier moves first.
+    const bool earlier = nodes_[node.first].least_index <= nodes_[node.first + 1].least_index;
+    stack[depth++] = node.first + (earlier ? 1 : 0);
+    stack[depth++] = node.first + (earlier ? 0 : 1);
+  }
+  return first == kNone ? std::nullopt : std::optional(first);
+}
+
 template <class Skip>
 void SweepTree::gather_unless(const Skip& skip, std::vector<std::uint32_t>& slots) const {
   if (nodes_.empty()) return;

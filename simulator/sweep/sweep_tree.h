@@ -54,6 +54,8 @@ class SweepTree {
   std::optional<NearestMove> nearest(
       const model::Vec3& p, double bound,
       std::uint32_t end = std::numeric_limits<std::uint32_t>::max()) const;
+  /// The least path index of the moves whose swept distance at `p` is below `bound`.
+  std::optional<std::uint32_t> first_below(const model::Vec3& p, double bound) const;
   /// Appends the slots of all moves that may come within `limit` of `p`.
   void gather(const model::Vec3& p, double limit, std::vector<std::uint32_t>& slots) const;
 

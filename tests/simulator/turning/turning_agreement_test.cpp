@@ -1,7 +1,10 @@
 // The second instrument of turning passes: it agrees with the level set, and sees what is wrong.
 #include "simulator/instrument/turning_agreement.h"
 
+#include <cmath>
+
 #include "simulator/instrument/dexels_from.h"
+#include "simulator/instrument/turning_removal.h"
 #include "tests/simulator/paths.h"
 #include "tests/simulator/turning/turning_bench.h"
 #include "tests/support/catch.h"
@@ -73,4 +76,42 @@ TEST_CASE("passes without axes and lines that differ are refused there", "[unit]
   CHECK_THROWS_AS(
       compare_turning(DexelStock(turning_block(), 1), stage.lines, stage.after, pass, 9, {1}),
       std::invalid_argument);
+}
+
+TEST_CASE("what turning moves take adds up and goes to the first that comes there",
+          "[property][turning]") {
+  const Pass pass = turning_pass(turning_cutters()[1], 6, 12);
+  const TurningStage stage(pass);
+  const auto found = turning_removal(stage.before, stage.lines, pass, {2});
+  const auto alone = turning_removal(stage.before, stage.lines, pass, {1});
+  double sum = 0;
+  for (std::size_t i = 0; i < found.moves.size(); ++i) {
+    sum += found.moves[i].volume_mm3;
+    CHECK(found.moves[i].volume_mm3 == alone.moves[i].volume_mm3);
+    CHECK(found.moves[i].radial_mm <= 10);
+  }
+  const double gone = stage.before.volume_mm3() - stage.lines.volume_mm3();
+  CHECK(sum == Approx(gone).epsilon(1e-6));
+  CHECK(found.totals.volume_mm3 == Approx(sum));
+  // The first half of the pass alone takes what its moves take in all of it.
+  model::Toolpath path = *pass.path;
+  model::ToolAxes axes = *pass.axes;
+  path.moves.resize(6), axes.to.resize(6);
+  const Pass half{pass.cutter,
+                  std::make_shared<const model::Toolpath>(path),
+                  {},
+                  false,
+                  std::make_shared<const model::ToolAxes>(axes)};
+  const TurningStage first(half);
+  const auto part = turning_removal(first.before, first.lines, half, {2});
+  for (std::size_t i = 0; i < part.moves.size(); ++i)
+    CHECK(part.moves[i].volume_mm3 ==
+          Approx(found.moves[i].volume_mm3).epsilon(0.05).margin(0.02 * gone));
+  // A single dive.
+  const TurnedMove dive{{0, 0, 5}, {0, 0, -3}, {0, 0, 1}, {0.28, 0, 0.96}};
+  const Pass one = with_axes(turning_cutters()[0], {dive});
+  const TurningStage dived(one);
+  const auto all = turning_removal(dived.before, dived.lines, one, {2});
+  CHECK(all.moves[0].axial_mm == Approx(3).margin(0.3));
+  CHECK(all.moves[0].rate_mm3_min == Approx(all.moves[0].volume_mm3 * 1000 / 8));
 }

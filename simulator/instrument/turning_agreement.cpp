@@ -24,28 +24,13 @@ constexpr int kMostTens = 6;
 struct PosedMove {
   Vec3 from, to, axis_from, axis_to;
   double angle = 0, sine = 0;
-  /// Half-way, and how far about its axis there the flutes are at all times.
-  Vec3 middle, axis_in_middle;
-  double length_mm = 0, about_mm = 0;
-
-  PosedMove(const model::Toolpath& path, const model::ToolAxes& axes, std::size_t i,
-            const DexelProfile& profile)
+  PosedMove(const model::Toolpath& path, const model::ToolAxes& axes, std::size_t i)
       : from(move_from(path, i)),
         to(path.moves[i].to),
         axis_from(model::axis_from(axes, i)),
         axis_to(axes.to[i]),
         angle(std::atan2(length(cross(axis_from, axis_to)), dot(axis_from, axis_to))),
-        sine(std::sin(angle)) {
-    middle = (from + to) * 0.5, axis_in_middle = axis(0.5);
-    length_mm = profile.length();
-    about_mm = profile.largest_radius() + distance(from, to) / 2 + length_mm * angle / 2;
-  }
-  /// May the flutes come to the place?
-  bool may_hold(const Vec3& p) const {
-    const Vec3 q = p - middle;
-    const double up = std::clamp(dot(q, axis_in_middle), 0.0, length_mm);
-    return length_squared(q - axis_in_middle * up) <= about_mm * about_mm;
-  }
+        sine(std::sin(angle)) {}
   Vec3 axis(double t) const {
     constexpr double kStraight = 1e-9;
     if (angle < kStraight) return axis_from;
@@ -63,17 +48,56 @@ double within(const DexelProfile& profile, const PosedMove& m, const Vec3& p, do
       {over, height - profile.lower().height(rho), -profile.minus_upper().height(rho) - height});
 }
 
+/// Golden section for a place where `depth` is not below 0: to a millionth of a move, at which
+/// what is left of a smooth greatest depth is far below rounding.
+template <class DepthAt>
+bool section(const DepthAt& depth, double a, double b) {
+  constexpr double kGolden = 0.6180339887498949;
+  constexpr int kSections = 26;
+  double s = b - kGolden * (b - a), t = a + kGolden * (b - a);
+  double at_s = depth(s), at_t = depth(t);
+  for (int n = 0; n < kSections && at_s < 0 && at_t < 0; ++n) {
+    if (at_s > at_t) {
+      b = t, t = s, at_t = at_s;
+      at_s = depth(s = b - kGolden * (b - a));
+    } else {
+      a = s, s = t, at_s = at_t;
+      at_t = depth(t = a + kGolden * (b - a));
+    }
+  }
+  return at_s >= 0 || at_t >= 0;
+}
+
+/// What a move's flutes keep within at all times: so far from their axis half-way.
+struct PosedReach {
+  PosedReach(const PosedMove& m, const DexelProfile& profile)
+      : tip((m.from + m.to) * 0.5),
+        axis(m.axis(0.5)),
+        length_mm(profile.length()),
+        about_mm(profile.largest_radius() + distance(m.from, m.to) / 2 + length_mm * m.angle / 2) {}
+  bool holds(const Vec3& p) const {
+    const Vec3 q = p - tip;
+    const double up = std::clamp(dot(q, axis), 0.0, length_mm);
+    return length_squared(q - axis * up) <= about_mm * about_mm;
+  }
+
+  Vec3 tip, axis;
+  double length_mm, about_mm;
+};
+
 class PosedCutter {
  public:
   explicit PosedCutter(const Pass& pass) : profile_(pass.cutter), pose_(pass.pose) {
     for (std::size_t i = 0; i < pass.path->moves.size(); ++i)
-      moves_.emplace_back(*pass.path, *pass.axes, i, profile_);
+      moves_.emplace_back(*pass.path, *pass.axes, i),
+          reaches_.emplace_back(moves_.back(), profile_);
   }
   /// Does the cutter come to the place?
   bool comes_to(const Vec3& place) const {
     const Vec3 p = pose_.point_back(place);
-    return std::any_of(moves_.begin(), moves_.end(),
-                       [&](const PosedMove& m) { return m.may_hold(p) && holds(m, p); });
+    for (std::size_t i = 0; i < moves_.size(); ++i)
+      if (reaches_[i].holds(p) && holds(moves_[i], p)) return true;
+    return false;
   }
 
  private:
@@ -82,26 +106,23 @@ class PosedCutter {
   DexelProfile profile_;
   model::Pose pose_;
   std::vector<PosedMove> moves_;
+  std::vector<PosedReach> reaches_;  // of each
 };
 
 bool PosedCutter::holds(const PosedMove& m, const Vec3& p) const {
   const auto at = [&](double t) { return within(profile_, m, p, t); };
-  std::array<double, kPosesOfMove + 1> depth;
-  for (int k = 0; k <= kPosesOfMove; ++k)
-    if ((depth[k] = at(static_cast<double>(k) / kPosesOfMove)) >= 0) return true;
-  constexpr double kGolden = 0.6180339887498949;
-  constexpr int kSections = 50;
-  for (int k = 0; k <= kPosesOfMove; ++k) {
-    if ((k > 0 && depth[k - 1] > depth[k]) || (k < kPosesOfMove && depth[k + 1] > depth[k]))
-      continue;
-    double a = std::max(0, k - 1), b = std::min(kPosesOfMove, k + 1);
-    a /= kPosesOfMove, b /= kPosesOfMove;
-    for (int n = 0; n < kSections; ++n) {
-      const double s = b - kGolden * (b - a), t = a + kGolden * (b - a);
-      const double at_s = at(s), at_t = at(t);
-      if (at_s >= 0 || at_t >= 0) return true;
-      (at_s > at_t ? b : a) = at_s > at_t ? t : s;
-    }
+  constexpr int kLast = kPosesOfMove;
+  std::array<double, kLast + 1> depth;
+  for (int k = 0; k <= kLast; ++k)
+    if ((depth[k] = at(static_cast<double>(k) / kLast)) >= 0) return true;
+  for (int k = 0; k <= kLast; ++k) {
+    const double before = k > 0 ? depth[k] - depth[k - 1] : 0,
+                 after = k < kLast ? depth[k] - depth[k + 1] : 0;
+    // All but concave: beyond a pose it gains no more than it did before it, with room for a bend.
+    constexpr double kBend_mm = 1e-4;
+    if (before < 0 || after < 0 || depth[k] + 2 * std::max(before, after) + kBend_mm < 0) continue;
+    if (section(at, std::max(0.0, k - 1.0) / kLast, std::min(1.0 * kLast, k + 1.0) / kLast))
+      return true;
   }
   return false;
 }

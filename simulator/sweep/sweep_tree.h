@@ -45,8 +45,8 @@ struct NearestCapsule {
 class SweepTree {
  public:
   /// Throws std::invalid_argument for a cutter that cannot be and as `require_path` does,
-  /// Interrupted when told to stop. Takes 152 bytes a move, 360 where the tool turns, 36
-  /// more while it works.
+  /// Interrupted when told to stop. Takes 144 bytes a move, 36 more while it works; where
+  /// the tool turns some 400 for each part of a move, and 100 more.
   explicit SweepTree(const Pass& pass, const model::RunControl& control = {});
 
   /// The move of least swept distance at `p` among those with path index below `end`, if that

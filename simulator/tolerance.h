@@ -17,6 +17,11 @@ inline constexpr double kSameDistance_mm = 1e-12;
 inline constexpr double kSettled = 1e-12;
 /// The least distance along a move is found to this; the promise is kDistanceRounding_mm.
 inline constexpr double kLeastAlongMove_mm = 1e-10;
+/// A turn of a tool that is no more than rounding, rad: a tenth of a picometre on 100 mm.
+inline constexpr double kSameTurn_rad = 1e-12;
+/// Share of a voxel to which the least along a turning move is found for the level set, which holds
+/// it in single precision.
+inline constexpr double kTurnInVoxels = 1e-6;
 
 // Dexels.
 

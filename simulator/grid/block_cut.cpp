@@ -124,14 +124,11 @@ void BlockCutter::sample(Level& level, const Vec3& p, double half_diagonal) cons
   double least = kFar;
   for (std::size_t i = 0; i < n && least >= -(half_diagonal + band_); ++i) {
     const std::uint32_t slot = level.moves.slot[i];
-    const bool far = cannot_be_below(pass_.profile(), pass_.move(slot), p,
-                                     least + 2 * half_diagonal + 2 * kDistanceRounding_mm);
-    const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass_.distance(slot, p);
+    const double most = least + 2 * half_diagonal + 2 * kDistanceRounding_mm;
+    const bool far = pass_.cannot_be_below(slot, p, most);
+    const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass_.distance_below(slot, p, most);
     least = std::min(least, s.distance);
-    level.samples.distance[i] = s.distance;
-    level.samples.gx[i] = s.gradient.x;
-    level.samples.gy[i] = s.gradient.y;
-    level.samples.gz[i] = s.gradient.z;
+    level.samples.set(i, s, pass_, slot, p, half_diagonal);
     if (least < -(half_diagonal + band_)) level.samples.resize(i + 1);
   }
 }
@@ -147,16 +144,17 @@ std::size_t BlockCutter::reference_move(const Level& level, const Vec3& middle, 
     if (d[i] > *least) continue;
     const std::uint32_t slot = level.moves.slot[i];
     const SweptSample at = pass_.distance(slot, middle);
-    const double e = curvature_bound(pass_.profile(), pass_.move(slot), middle, at, reach) +
+    const double e = pass_.curvature_bound(slot, middle, at, reach) +
                      reach * distance(at.gradient, level.samples.gradient(i));
     if (e < bound) bound = e, best = i;
   }
   return best;
 }
 
-void BlockCutter::keep_that_matter(Level& level, const Vec3& middle, int edge) const {
+void BlockCutter::keep_that_matter(Level& level, const Vec3& middle, int edge) {
   const double h = lattice_.half_edge(edge), r = lattice_.half_diagonal(edge);
   const BatchSamples& s = level.samples;
+  if (pass_.turns()) return rivals_.keep(pass_, level.moves, s, middle, h, r, level.kept);
   double bend = 0;
   const std::size_t j = reference_move(level, middle, r, bend);
   const Vec3 g = s.gradient(j);
@@ -235,6 +233,7 @@ void BlockCutter::fill(int depth, const Index3& corner, int edge) {
   if (reach == Reach::none) return set_cube(corner, edge, band);
   if (reach == Reach::wholly) return set_cube(corner, edge, -band);
   if (worth_no_split(level, corner, edge)) return fill_with_balls(level, corner);
+  if (edge == 2 && pass_.turns()) return fill_turning_voxels(level, corner);
   levels_[depth + 1].moves.take(level.moves, level.kept);
   if (edge == 2) return fill_voxels(depth + 1, corner);
   for (int child = 0; child < 8; ++child)
@@ -279,6 +278,28 @@ void BlockCutter::fill_voxels(int depth, const Index3& corner) {
   }
   for (int k = 0; k < 8; ++k)
     leaf_at(child_corner(corner, 1, k)) = static_cast<float>(std::clamp(least[k], -band_, band_));
+}
+
+// A move is worked out at a voxel only where its plane from the cube's middle is not above what was
+// found; the lowest plane first.
+void BlockCutter::fill_turning_voxels(const Level& level, const Index3& corner) {
+  const BatchSamples& s = level.samples;
+  const Vec3 middle = lattice_.middle(corner, 2);
+  const double within = kTurnInVoxels * lattice_.voxel_mm();
+  for (int k = 0; k < 8; ++k) {
+    const Index3 voxel = child_corner(corner, 1, k);
+    const Vec3 p = lattice_.point(voxel), step = p - middle;
+    planes_.clear();
+    for (const std::uint32_t i : level.kept)
+      planes_.push_back({s.distance[i] - s.sag[i] + dot(s.gradient(i), step), level.moves.slot[i]});
+    std::sort(planes_.begin(), planes_.end());
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [plane, slot] : planes_) {
+      if (plane - kDistanceRounding_mm > least) break;
+      least = std::min(least, pass_.distance_below(slot, p, least, within).distance);
+    }
+    leaf_at(voxel) = static_cast<float>(std::clamp(least, -band_, band_));
+  }
 }
 
 float& BlockCutter::leaf_at(const Index3& i) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "simulator/grid/lattice.h"
@@ -11,6 +12,7 @@
 #include "simulator/sweep/capsule_leaf.h"
 #include "simulator/sweep/move_batch.h"
 #include "simulator/sweep/sweep_index.h"
+#include "simulator/sweep/turning_rivals.h"
 
 namespace limitgauge::simulator {
 
@@ -35,8 +37,9 @@ class LeafSink {
 /// Works out min_i d_i block by block. Candidate moves are handed down from block to sub-block:
 /// d_i is convex and 1-Lipschitz, and the nearest move's d_j lies below a paraboloid about the
 /// middle, so move i cannot matter in a block of half edge h and half diagonal r where
-/// d_i − d_j > min(2r, h·|g_i − g_j|₁ + e_j). All of it goes on in the frame of the pass's own path
-/// (PassLattice), where a leaning cube has the h of the cube along the axes that holds it.
+/// d_i − d_j > min(2r, h·|g_i − g_j|₁ + e_j); of tools that turn TurningRivals tells. All of it
+/// goes on in the frame of the pass's own path (PassLattice), where a leaning cube has the h of the
+/// cube along the axes that holds it.
 class BlockCutter {
  public:
   enum class Reach { none, partly, wholly };
@@ -62,7 +65,7 @@ class BlockCutter {
   void gather(const NearestMove& nearest, const Index3& corner, int edge);
   Reach narrow(Level& level, const Index3& corner, int edge);
   void sample(Level& level, const model::Vec3& p, double half_diagonal) const;
-  void keep_that_matter(Level& level, const model::Vec3& middle, int edge) const;
+  void keep_that_matter(Level& level, const model::Vec3& middle, int edge);
   std::size_t reference_move(const Level& level, const model::Vec3& middle, double reach,
                              double& bound) const;
   void descend(int depth, const Index3& corner, int edge, LeafSink& sink);
@@ -73,6 +76,7 @@ class BlockCutter {
   bool worth_no_split(const Level& level, const Index3& corner, int edge) const;
   void fill_with_balls(const Level& level, const Index3& corner);
   void fill_voxels(int depth, const Index3& corner);
+  void fill_turning_voxels(const Level& level, const Index3& corner);
   void set_cube(const Index3& corner, int edge, float value);
   float& leaf_at(const Index3& i);
   bool balls_below_tops(const MoveBatch& moves, double highest) const;
@@ -84,6 +88,8 @@ class BlockCutter {
   std::vector<std::uint32_t> slots_;
   CapsuleNarrowing capsules_;
   CapsuleLeaf capsule_leaf_;
+  TurningRivals rivals_;
+  std::vector<std::pair<double, std::uint32_t>> planes_;  // of slots at one voxel
   LeafDistances leaf_{};
 };
 

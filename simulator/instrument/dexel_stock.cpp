@@ -47,6 +47,8 @@ DexelStock::DexelStock(std::shared_ptr<const State> state) : state_(std::move(st
 DexelStock::Cut DexelStock::cut(const Pass& pass, const model::RunControl& control) const {
   if (pass.pose != model::Pose{})
     throw std::invalid_argument("a pass of another setup is to be cut in that setup's lines");
+  if (pass.axes)
+    throw std::invalid_argument("lines are not cut by a pass that turns its tool as it goes");
   require_path(pass);
   DexelTiles tiles = state_->tiles;
   std::vector<MoveRemoval> moves = cut_tiles(state_->lattice, tiles, pass, control);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "simulator/grid/stock_grid.h"
@@ -46,6 +47,8 @@ class Walk {
   double proven_step(const MaterialSample& s);
   double way_out(SurfaceMaker body) const;
   double first_entry() const;
+  double clear_ahead(const SweepIndex& pass, std::uint32_t slot, const Vec3& p,
+                     const SweptSample& d, double end_mm) const;
   double raw_left() const;
 
   const Material& material_;
@@ -90,10 +93,17 @@ MaterialSample Walk::sample(const Vec3& p) const {
 /// by no more than a fraction of kLeastFeature_mm. The body's distance is convex along the ray, so
 /// that a chord lies above it and a tangent below.
 double Walk::way_out(SurfaceMaker body) const {
-  const double inwards = body.pass > 0 ? -1 : 1;  // φ of a move is minus its distance
+  // Of a move that turns its tool, the tool as it stands where it holds the start.
+  const SweepIndex* pass = body.pass > 0 ? material_.passes()[body.pass - 1].get() : nullptr;
+  const bool turns = pass && pass->own().turns();
+  const SweptSample start = turns ? pass->distance(body.slot, at(t_)) : SweptSample{};
   const auto distance = [&](double t) {
+    if (pass) {
+      const SweptSample s = pass->convex_part(body.slot, start, at(t));
+      return Along{s.distance, dot(s.gradient, along_)};
+    }
     const MaterialSample s = material_.sample_of(body, at(t));
-    return Along{inwards * s.value, inwards * dot(s.gradient, along_)};
+    return Along{s.value, dot(s.gradient, along_)};
   };
   double a = t_, b = limit_mm_;
   Along low = distance(a), high = distance(b);
@@ -113,6 +123,19 @@ double Walk::way_out(SurfaceMaker body) const {
   return a;
 }
 
+/// How far along the ray the move is proven not to be, `end_mm` at most: by a plane under its
+/// distance, and where the tool turns by the distance itself, which changes by no more than the
+/// way.
+double Walk::clear_ahead(const SweepIndex& pass, std::uint32_t slot, const Vec3& p,
+                         const SweptSample& d, double end_mm) const {
+  constexpr double kOn = std::numeric_limits<double>::infinity();
+  const double slope = dot(d.gradient, along_);
+  if (!pass.own().turns()) return slope >= 0 ? kOn : -d.distance / slope;
+  const double above = d.distance - pass.sag(slot, p, d, end_mm);
+  if (above < 0) return d.distance;
+  return slope >= 0 ? kOn : std::max(d.distance, -above / slope);
+}
+
 /// From t_, in the material: a way ahead without any move, and shorter than kAhead_mm only where
 /// one is entered.
 double Walk::first_entry() const {
@@ -127,11 +150,7 @@ double Walk::first_entry() const {
       for (int k = 0; k < 60 && t < first; ++k) {
         const SweptSample d = pass->distance(slot, at(t));
         if (d.distance <= 0.1 * kLeastFeature_mm) break;
-        const double slope = dot(d.gradient, along_);
-        if (slope >= 0)
-          t = end;
-        else
-          t = std::min(end, t - d.distance / slope);
+        t = std::min(end, t + clear_ahead(*pass, slot, at(t), d, end - t));
       }
       first = std::min(first, t);
     }

@@ -92,8 +92,7 @@ void CarriedCheck::look_at(const Suspect& suspect, const SweepIndex* cut_by,
   const TurningPose pose = along_move(from, move.to, from_tip);
   TurnSearch search{&things_[suspect.thing].solid, &solid, &pose};
   const bool is_stock = suspect.thing == 0;
-  if (is_stock)
-    search.cut_by = cut_by, search.cut_to = static_cast<std::uint32_t>(suspect.move + 1);
+  if (is_stock) search.pass = cut_by, search.end = static_cast<std::uint32_t>(suspect.move + 1);
   TurnMeeting met = contact_during(search, tolerance_mm_, control);
   if (met.touch == Touch::none && near_miss_mm_ > 0)
     met = gap_during(search, near_miss_mm_, tolerance_mm_, control);

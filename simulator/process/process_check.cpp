@@ -9,6 +9,7 @@
 
 #include "model/base/chunks.h"
 #include "simulator/instrument/stock_check.h"
+#include "simulator/process/axes_check.h"
 #include "simulator/process/carried_check.h"
 #include "simulator/process/fixture_check.h"
 #include "simulator/process/tool_bodies.h"
@@ -117,17 +118,12 @@ void require_contact_limits(const ProcessLimits& limits) {
     throw std::invalid_argument("the clearance of near misses must be a number from 0 up");
 }
 
-std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
-                                   const ProcessLimits& limits, const model::RunControl& control) {
-  require_limits(limits);
-  require_path(pass);
-  if (pass.pose != model::Pose{})
-    throw std::invalid_argument("a process is checked in its own setup, where cutters are upright");
-  const Toolpath& path = *pass.path;
-  const ToolBodies bodies(pass.cutter, height_of_material(before, path));
-  const StockLimits depths{limits.tolerance_mm, limits.near_miss_mm};
-  const StockCheck stock(before, pass, bodies, depths);
-  const FixtureCheck fixtures(limits.fixtures, pass, bodies, depths);
+namespace {
+
+/// All moves, each by `look(i, findings)`.
+template <class Look>
+std::vector<Finding> each_move(const Toolpath& path, const ProcessLimits& limits, const Look& look,
+                               const model::RunControl& control) {
   const std::size_t moves = path.moves.size(), chunks = model::chunk_count(moves, kChunk);
   std::vector<std::vector<Finding>> found(chunks);
   std::atomic<std::size_t> done = 0;
@@ -136,15 +132,43 @@ std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
     std::vector<Finding> of_move;
     for (std::size_t i = begin; i < end; ++i) {
       of_move.clear();
-      stock.look_at(i, of_move);
-      fixtures.look_at(i, of_move);
+      look(i, of_move);
       if (limits.travel_mm) look_at_travel(*limits.travel_mm, path, i, of_move);
       tidy(of_move);
       std::move(of_move.begin(), of_move.end(), std::back_inserter(all));
     }
     control.report(static_cast<double>(++done) / static_cast<double>(chunks));
   });
-  return with_carried(joined(std::move(found)),
+  return joined(std::move(found));
+}
+
+}  // namespace
+
+std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
+                                   const ProcessLimits& limits, const model::RunControl& control) {
+  require_limits(limits);
+  require_path(pass);
+  if (pass.pose != model::Pose{})
+    throw std::invalid_argument("a process is checked in its own setup, where cutters are upright");
+  const Toolpath& path = *pass.path;
+  if (pass.axes && !limits.carried.empty())
+    throw std::invalid_argument("carried bodies are not looked at while a tool turns as it goes");
+  if (pass.axes) {
+    const AxesCheck axes(before, pass, limits, control);
+    const auto look = [&](std::size_t i, std::vector<Finding>& findings) {
+      axes.look_at(i, control, findings);
+    };
+    return each_move(path, limits, look, control);
+  }
+  const ToolBodies bodies(pass.cutter, height_of_material(before, path));
+  const StockLimits depths{limits.tolerance_mm, limits.near_miss_mm};
+  const StockCheck stock(before, pass, bodies, depths);
+  const FixtureCheck fixtures(limits.fixtures, pass, bodies, depths);
+  const auto look = [&](std::size_t i, std::vector<Finding>& findings) {
+    stock.look_at(i, findings);
+    fixtures.look_at(i, findings);
+  };
+  return with_carried(each_move(path, limits, look, control),
                       CarriedCheck(before, pass, limits).findings(control));
 }
 

@@ -82,6 +82,15 @@ void require_contact_limits(const ProcessLimits& limits);
 ///   near miss is a rapid straight up out of where the move before it ended, as above, nor a rapid
 ///   that slides along material, within a tolerance: it follows what a cutter has left. Material
 ///   too thin for a ball of half a tolerance's radius does not count.
+///
+/// Of a pass that turns its tool as it goes all of this is told by the searches of turns
+/// (turn_search.h), against the stock as it stands at each move as above, and with these
+/// differences. Straight lines of rapids are series of neighbouring rapids, and steep_descent is
+/// judged by a move's own two axes. A rapid that backs out has no rule of its own: what was cut
+/// holds it. fixture_touched and slight contacts have the depth at which a part's place lies in the
+/// fixture. Near misses of rapids' flutes do not count from the series' first move's start until
+/// they are farther away, nor so before its last move's end. A contact deeper than one and a half
+/// tolerances is never missed: where a search is given up it is a finding of depth 0 at the tip.
 std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
                                    const ProcessLimits& limits, const model::RunControl& control);
 

@@ -14,18 +14,18 @@ namespace limitgauge::simulator {
 inline constexpr std::size_t kMostTurnLooks = 1'000'000;
 
 /// What a turn's searches look through: `body` among `solid`, which stands still in the frame that
-/// `pose` leads to, from t = `from` to `to`.
+/// `pose` leads to, from t = `from` to `to`. Of the solid is gone what the moves of `pass` below
+/// `end` sweep, where there is one.
 struct TurnSearch {
   const Material* solid = nullptr;
   MovingShape body;
   const TurningPose* pose = nullptr;
   double from = 0, to = 1;  ///< may be the same
   std::size_t most_looks = kMostTurnLooks;
-  /// Of a solid that moves of a pass, those below `cut_to`, have cut since; null: it is whole.
-  const SweepIndex* cut_by = nullptr;
-  std::uint32_t cut_to = 0;
+  const SweepIndex* pass = nullptr;
+  std::uint32_t end = 0;
 
-  MaterialAtMove material() const { return {solid, cut_by, cut_to}; }
+  MaterialAtMove material() const { return {solid, pass, end}; }
 };
 
 /// The deepest place of the body in the solid; none if it is nowhere deeper than `tolerance_mm`.

@@ -55,6 +55,9 @@ class CutterProfile {
   double disc_radius() const { return disc_; }
   double corner_radius() const { return corner_; }
   double length() const { return length_; }
+  /// A place on the axis about which a turn moves what cuts least: the height of the corner arc's
+  /// centre, of a ball its own.
+  double core_height() const { return std::clamp(corner_z_, 0.0, length_); }
   double largest_radius() const { return largest_radius_; }
   /// A hemisphere and a cylinder.
   bool is_ball() const { return disc_ == 0 && sin_ == 0 && bottom_sin_ == 0; }

@@ -79,7 +79,9 @@ void MoveBatch::assign(const SweepTree& pass, const std::vector<std::uint32_t>& 
     const SweptMove& m = pass.move(s);
     lowest_tip = std::min({lowest_tip, m.start.z, m.start.z + m.delta.z});
   }
-  if (pass.profile().is_ball()) assign_balls(pass);
+  // Nothing that goes by upright balls holds then.
+  if (pass.turns()) lowest_tip = -std::numeric_limits<double>::infinity();
+  if (pass.profile().is_ball() && !pass.turns()) assign_balls(pass);
 }
 
 void MoveBatch::assign_balls(const SweepTree& pass) {
@@ -124,6 +126,16 @@ double MoveBatch::below_tops_mm(const CutterProfile& profile) const {
 
 void BatchSamples::resize(std::size_t n) {
   distance.resize(n), gx.resize(n), gy.resize(n), gz.resize(n);
+}
+
+void BatchSamples::set(std::size_t i, const SweptSample& s, const SweepTree& pass,
+                       std::uint32_t slot, const Vec3& p, double reach) {
+  distance[i] = s.distance;
+  gx[i] = s.gradient.x, gy[i] = s.gradient.y, gz[i] = s.gradient.z;
+  if (!pass.turns()) return;
+  if (sag.size() < distance.size()) sag.resize(distance.size()), t.resize(distance.size());
+  sag[i] = std::isfinite(s.distance) ? pass.sag(slot, p, s, reach) : 0;
+  t[i] = s.t;
 }
 
 void sample_balls(const MoveBatch& batch, double radius, const Vec3& p, BatchSamples& out) {

@@ -70,11 +70,16 @@ class MoveBatch {
   void assign_balls(const SweepTree& pass);
 };
 
-/// Distances and gradients of a batch at one point.
+/// Distances and gradients of a batch at one point, and by how much the planes of these may be
+/// above the distances somewhere in a cube about it (SweepTree::sag).
 struct BatchSamples {
   std::vector<double> distance, gx, gy, gz;
+  std::vector<double> sag, t;  // of moves that turn their tool
   void resize(std::size_t n);
   model::Vec3 gradient(std::size_t i) const { return {gx[i], gy[i], gz[i]}; }
+  /// `reach` is how far the planes are to hold; a sample that is infinitely far has none.
+  void set(std::size_t i, const SweptSample& s, const SweepTree& pass, std::uint32_t slot,
+           const model::Vec3& p, double reach);
 };
 
 /// Samples of all moves of a batch of ball moves, valid where the tops do not matter.

@@ -40,6 +40,7 @@ double NearMoves::gather_own(const SweepTree& pass, const HeldCube& cube, double
   too_many_ = kept_.size() > kMostHandedDown;
   if (too_many_) kept_.clear();
   moves_.assign(pass, kept_);
+  last_.reset();
   below_tops_ = lies_below_tops(pass, moves_, cube);
   return found->at.distance;
 }
@@ -58,6 +59,7 @@ double NearMoves::narrow(const SweepIndex& index, const NearMoves& wider, const 
       below_tops_ ? keep_balls(pass, wider.moves_, cube) : keep_others(pass, wider.moves_, cube);
   if (least > limit) return kFar;
   moves_.take(wider.moves_, kept_);
+  last_.reset();
   return least;
 }
 
@@ -73,13 +75,13 @@ void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const HeldC
   samples_.resize(n);
   double least = kFar;
   for (std::size_t i = 0; i < n; ++i) {
-    const SweptMove& move = pass.move(from.slot[i]);
-    const bool far = cannot_be_below(pass.profile(), move, cube.middle,
-                                     least + 2 * cube.half_diagonal_mm + 2 * kDistanceRounding_mm);
-    const SweptSample s = far ? SweptSample{kFar, {}, 0} : pass.distance(from.slot[i], cube.middle);
+    const std::uint32_t slot = from.slot[i];
+    const double most = least + 2 * cube.half_diagonal_mm + 2 * kDistanceRounding_mm;
+    const bool far = pass.cannot_be_below(slot, cube.middle, most);
+    const SweptSample s =
+        far ? SweptSample{kFar, {}, 0} : pass.distance_below(slot, cube.middle, most);
     least = std::min(least, s.distance);
-    samples_.distance[i] = s.distance;
-    samples_.gx[i] = s.gradient.x, samples_.gy[i] = s.gradient.y, samples_.gz[i] = s.gradient.z;
+    samples_.set(i, s, pass, slot, cube.middle, cube.half_diagonal_mm);
   }
 }
 
@@ -95,15 +97,21 @@ std::size_t NearMoves::straightest(const SweepTree& pass, const MoveBatch& from,
     if (d[i] > *least) continue;
     const std::uint32_t slot = from.slot[i];
     const SweptSample at{d[i], samples_.gradient(i), pass.distance(slot, cube.middle).t};
-    const double e = curvature_bound(pass.profile(), pass.move(slot), cube.middle, at, r);
+    const double e = pass.curvature_bound(slot, cube.middle, at, r);
     if (e < bend) bend = e, best = i;
   }
   return best;
 }
 
-// d is convex: move i stays above its tangent, the nearest one below a paraboloid.
+// d is convex: move i stays above its tangent, the nearest one below a paraboloid. Of turning moves
+// it is not.
 double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
   sample(pass, from, cube);
+  if (pass.turns()) {
+    rivals_.keep(pass, from, samples_, cube.middle, cube.half_edge_mm, cube.half_diagonal_mm,
+                 kept_);
+    return *std::min_element(samples_.distance.begin(), samples_.distance.end());
+  }
   double bend = 0;
   const std::size_t j = straightest(pass, from, cube, bend);
   const Vec3 g = samples_.gradient(j);
@@ -131,12 +139,17 @@ std::optional<NearestMove> NearMoves::nearest_own(const SweepTree& pass, const V
   if (too_many_) return pass.nearest(p, bound);
   std::optional<NearestMove> best;
   const auto look_at = [&](std::uint32_t slot) {
-    const SweptSample d = pass.distance(slot, p);
+    const SweptSample d = pass.distance_below(slot, p, bound);
     if (d.distance < bound) bound = d.distance, best = NearestMove{slot, d};
   };
   if (!below_tops_) {
+    // Of turning moves each look is dear: where the last place's move is not above its own distance
+    // here, most of the others need none. The first of equal ones is still the one found.
+    if (pass.turns() && last_)
+      bound = std::min(bound, std::nextafter(pass.distance(*last_, p).distance, kFar));
     for (const std::uint32_t slot : moves_.slot)
-      if (!cannot_be_below(pass.profile(), pass.move(slot), p, bound)) look_at(slot);
+      if (!pass.cannot_be_below(slot, p, bound)) look_at(slot);
+    if (best) last_ = best->slot;
     return best;
   }
   if (empty()) return best;

@@ -7,6 +7,7 @@
 #include "simulator/sweep/cube.h"
 #include "simulator/sweep/move_batch.h"
 #include "simulator/sweep/sweep_index.h"
+#include "simulator/sweep/turning_rivals.h"
 
 namespace limitgauge::simulator {
 
@@ -41,8 +42,10 @@ class NearMoves {
   bool too_many_ = false;    // to be held: those of the whole pass are asked
   bool below_tops_ = false;  // all of the cube is, of balls
   CapsuleNarrowing capsules_;
+  TurningRivals rivals_;
   BatchSamples samples_;
   mutable std::vector<double> squares_;
+  mutable std::optional<std::uint32_t> last_;  // that was nearest: one of moves_
   std::vector<std::uint32_t> kept_;
 };
 

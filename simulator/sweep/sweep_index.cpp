@@ -24,12 +24,11 @@ std::optional<NearestMove> SweepIndex::nearest(const Vec3& p, double bound,
 // the ball about the block may then be the tighter of the two.
 double SweepIndex::outside_bound(std::uint32_t slot, const Vec3& p, const SweptSample& at,
                                  const Vec3& half) const {
-  const SweptMove& move = own_.move(slot);
-  if (!turned_) return simulator::outside_bound(own_.profile(), move, p, at, half);
+  if (!turned_) return own_.outside_bound(slot, p, at, half);
   const Vec3 own = to_own(p);
   const SweptSample there{at.distance, pose_.direction_back(at.gradient), at.t};
-  return std::min(simulator::outside_bound(own_.profile(), move, own, there, inverse_.half(half)),
-                  curvature_bound(own_.profile(), move, own, there, length(half)));
+  return std::min(own_.outside_bound(slot, own, there, inverse_.half(half)),
+                  own_.curvature_bound(slot, own, there, length(half)));
 }
 
 }  // namespace limitgauge::simulator

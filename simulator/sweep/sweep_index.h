@@ -31,6 +31,13 @@ class SweepIndex {
   SweptSample distance(std::uint32_t slot, const model::Vec3& p) const {
     return from_own(own_.distance(slot, to_own(p)));
   }
+  /// As SweepTree::sag and convex_part.
+  double sag(std::uint32_t slot, const model::Vec3& p, const SweptSample& at, double reach) const {
+    return own_.turns() ? own_.sag(slot, to_own(p), at, reach) : 0.0;
+  }
+  SweptSample convex_part(std::uint32_t slot, const SweptSample& at, const model::Vec3& p) const {
+    return from_own(own_.convex_part(slot, at, to_own(p)));
+  }
   /// As simulator::outside_bound for one move, where `at` is distance(slot, p).
   double outside_bound(std::uint32_t slot, const model::Vec3& p, const SweptSample& at,
                        const model::Vec3& half) const;

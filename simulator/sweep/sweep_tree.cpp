@@ -25,7 +25,6 @@ SweptMove swept_move(const model::Toolpath& path, std::uint32_t i) {
 
 void require_path(const Pass& pass) {
   if (!pass.path) throw std::invalid_argument("a pass without a path");
-  if (pass.axes) throw std::invalid_argument("a pass that turns its tool as it goes is not cut");
   const model::Toolpath& path = *pass.path;
   if (path.moves.size() >= std::numeric_limits<std::uint32_t>::max())
     throw std::invalid_argument("a path of 2^32 moves or more");
@@ -33,20 +32,48 @@ void require_path(const Pass& pass) {
       is_finite(path.start) && std::all_of(path.moves.begin(), path.moves.end(),
                                            [](const model::Move& m) { return is_finite(m.to); });
   if (!finite) throw std::invalid_argument("a path with a coordinate that is not finite");
+  if (pass.axes) model::require_axes(path, *pass.axes);
 }
 
 SweepTree::SweepTree(const Pass& pass, const model::RunControl& control) : profile_(pass.cutter) {
   require_path(pass);
-  const SweepOrder order = order_moves(*pass.path, control);
+  if (!pass.axes) {
+    build(*pass.path, {}, order_moves(*pass.path, control), control);
+    return;
+  }
+  const TurningParts parts(pass);
+  const SweepOrder order = order_moves(parts.path, control);
+  build(parts.path, parts.of_move, order, control);
+  add_turning(parts, order, control);
+}
+
+// Parts of a move keep its place in the path, and are found by it.
+void SweepTree::build(const model::Toolpath& path, std::span<const std::uint32_t> of_move,
+                      const SweepOrder& order, const model::RunControl& control) {
   moves_.resize(order.moves.size());
   model::parallel_chunks(moves_.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t s = begin; s < end; ++s) moves_[s] = swept_move(*pass.path, order.moves[s]);
+    for (std::size_t s = begin; s < end; ++s) {
+      moves_[s] = swept_move(path, order.moves[s]);
+      if (!of_move.empty()) moves_[s].index = of_move[order.moves[s]];
+    }
   });
   nodes_.resize(order.nodes.size());
   model::parallel_chunks(nodes_.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) set_leaf(nodes_[n], order.nodes[n]);
   });
   for (std::size_t n = nodes_.size(); n-- > 0;) add_children(nodes_[n]);
+}
+
+void SweepTree::add_turning(const TurningParts& parts, const SweepOrder& order,
+                            const model::RunControl& control) {
+  turns_.emplace(parts, profile_, order.moves, control);
+  turning_nodes_.resize(nodes_.size());
+  for (std::size_t n = nodes_.size(); n-- > 0;) {
+    const Node& node = nodes_[n];
+    turning_nodes_[n] = node.count > 0 ? turns_->leaf(node.first, node.count)
+                                       : TurningMoves::both(turning_nodes_[node.first],
+                                                            turning_nodes_[node.first + 1]);
+  }
 }
 
 void SweepTree::set_leaf(Node& node, const SweepOrder::Node& from) const {
@@ -69,6 +96,9 @@ void SweepTree::add_children(Node& node) const {
 }
 
 double SweepTree::lower_bound(const Node& node, const Vec3& p) const {
+  if (turns_)
+    return turns_->lower_bound(profile_,
+                               turning_nodes_[static_cast<std::size_t>(&node - nodes_.data())], p);
   const double dx = std::max({node.tips.low.x - p.x, 0.0, p.x - node.tips.high.x});
   const double dy = std::max({node.tips.low.y - p.y, 0.0, p.y - node.tips.high.y});
   return profile_.lower_bound(std::sqrt(dx * dx + dy * dy), p.z - node.tips.high.z,
@@ -88,8 +118,8 @@ std::optional<NearestMove> SweepTree::nearest(const Vec3& p, double bound,
     if (low >= bound || node.least_index >= end) continue;
     for (std::uint32_t s = node.first; s < node.first + node.count; ++s) {
       if (moves_[s].index >= end) continue;
-      if (cannot_be_below(profile_, moves_[s], p, bound)) continue;
-      const SweptSample d = distance(s, p);
+      if (cannot_be_below(s, p, bound)) continue;
+      const SweptSample d = distance_below(s, p, bound);
       if (d.distance < bound) bound = d.distance, best = NearestMove{s, d};
     }
     if (node.count > 0) continue;
@@ -100,6 +130,29 @@ std::optional<NearestMove> SweepTree::nearest(const Vec3& p, double bound,
     stack[depth++] = near;
   }
   return best;
+}
+
+std::optional<std::uint32_t> SweepTree::first_below(const Vec3& p, double bound) const {
+  if (nodes_.empty()) return std::nullopt;
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t first = kNone;
+  std::array<std::uint32_t, kDeepest> stack;
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const Node& node = nodes_[stack[--depth]];
+    if (node.least_index >= first || lower_bound(node, p) >= bound) continue;
+    for (std::uint32_t s = node.first; s < node.first + node.count; ++s)
+      if (moves_[s].index < first && !cannot_be_below(s, p, bound) &&
+          distance_below(s, p, bound).distance < bound)
+        first = moves_[s].index;
+    if (node.count > 0) continue;
+    // The child of earlier moves first.
+    const bool earlier = nodes_[node.first].least_index <= nodes_[node.first + 1].least_index;
+    stack[depth++] = node.first + (earlier ? 1 : 0);
+    stack[depth++] = node.first + (earlier ? 0 : 1);
+  }
+  return first == kNone ? std::nullopt : std::optional(first);
 }
 
 template <class Skip>
@@ -138,13 +191,36 @@ void SweepTree::gather_rivals(const NearestCapsule& n, std::vector<std::uint32_t
   gather_unless(lost, slots);
 }
 
+// What is said of balls' tops is said of upright ones.
 double SweepTree::below_tops_mm() const {
+  if (turns_) return -std::numeric_limits<double>::infinity();
   const double lowest = nodes_.empty() ? 0.0 : nodes_[0].tips.low.z;
   return lowest + profile_.length() - profile_.corner_radius();
 }
 
 std::size_t SweepTree::memory_bytes() const {
-  return moves_.capacity() * sizeof(SweptMove) + nodes_.capacity() * sizeof(Node);
+  return moves_.capacity() * sizeof(SweptMove) + nodes_.capacity() * sizeof(Node) +
+         (turns_ ? turns_->memory_bytes() : 0) +
+         turning_nodes_.capacity() * sizeof(TurningMoves::Node);
+}
+
+SweptSample SweepTree::distance_below(std::uint32_t slot, const Vec3& p, double bound,
+                                      double within_mm) const {
+  if (!turns_) return swept_distance(profile_, moves_[slot], p);
+  const auto found = turning_distance(profile_, turns_->move(slot), p, bound, within_mm);
+  return found.value_or(SweptSample{std::numeric_limits<double>::infinity(), {}, 0});
+}
+
+double SweepTree::curvature_bound(std::uint32_t slot, const Vec3& p, const SweptSample& at,
+                                  double reach) const {
+  return turns_ ? simulator::curvature_bound(profile_, turns_->move(slot), p, at, reach)
+                : simulator::curvature_bound(profile_, moves_[slot], p, at, reach);
+}
+
+double SweepTree::outside_bound(std::uint32_t slot, const Vec3& p, const SweptSample& at,
+                                const Vec3& half) const {
+  return turns_ ? simulator::outside_bound(profile_, turns_->move(slot), p, at, half)
+                : simulator::outside_bound(profile_, moves_[slot], p, at, half);
 }
 
 }  // namespace limitgauge::simulator

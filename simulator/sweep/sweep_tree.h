@@ -10,13 +10,14 @@
 #include "model/part/toolpath.h"
 #include "simulator/sweep/sweep_order.h"
 #include "simulator/sweep/swept_distance.h"
+#include "simulator/sweep/turning_moves.h"
 
 namespace limitgauge::simulator {
 
 using model::Pass;
 
 /// Throws std::invalid_argument for a pass that cannot be: no path, a coordinate that is not
-/// finite, 2^32 moves and more; and for one that turns its tool as it goes, which is not simulated.
+/// finite, 2^32 moves and more, axes that are none (model::require_axes).
 void require_path(const Pass& pass);
 
 /// The move nearest to a point and the swept distance to it.
@@ -35,11 +36,17 @@ struct NearestCapsule {
 
 /// All moves of a pass in a bounding-box tree over their tip positions. Moves are addressed by
 /// slot, their place in the tree's order. All places are in the frame of the pass's own path, in
-/// which its cutter stands along +Z: the pass's pose is SweepIndex's.
+/// which its cutter stands along +Z, or as the pass's axes have it: the pass's pose is
+/// SweepIndex's.
+///
+/// The distance to a move that turns its tool is not convex: what is worked out from planes under
+/// it lowers them by sag(), which is 0 of all other moves. A slot may then be a part of a move, and
+/// there may be more of them than moves.
 class SweepTree {
  public:
   /// Throws std::invalid_argument for a cutter that cannot be and as `require_path` does,
-  /// Interrupted when told to stop. Takes 144 bytes a move, 36 more while it works.
+  /// Interrupted when told to stop. Takes 144 bytes a move, 36 more while it works; where
+  /// the tool turns some 400 for each part of a move, and 100 more.
   explicit SweepTree(const Pass& pass, const model::RunControl& control = {});
 
   /// The move of least swept distance at `p` among those with path index below `end`, if that
@@ -47,6 +54,8 @@ class SweepTree {
   std::optional<NearestMove> nearest(
       const model::Vec3& p, double bound,
       std::uint32_t end = std::numeric_limits<std::uint32_t>::max()) const;
+  /// The least path index of the moves whose swept distance at `p` is below `bound`.
+  std::optional<std::uint32_t> first_below(const model::Vec3& p, double bound) const;
   /// Appends the slots of all moves that may come within `limit` of `p`.
   void gather(const model::Vec3& p, double limit, std::vector<std::uint32_t>& slots) const;
 
@@ -57,8 +66,33 @@ class SweepTree {
   double below_tops_mm() const;
 
   SweptSample distance(std::uint32_t slot, const model::Vec3& p) const {
-    return swept_distance(profile_, moves_[slot], p);
+    return turns_ ? *turning_distance(profile_, turns_->move(slot), p)
+                  : swept_distance(profile_, moves_[slot], p);
   }
+  /// The same where it is below `bound`, else something that is not. Of turning moves it may be
+  /// `within_mm` too large.
+  SweptSample distance_below(std::uint32_t slot, const model::Vec3& p, double bound,
+                             double within_mm = 0) const;
+  /// True where a quick look shows that the distance is not below `bound`.
+  bool cannot_be_below(std::uint32_t slot, const model::Vec3& p, double bound) const {
+    return turns_ ? simulator::cannot_be_below(profile_, turns_->move(slot), p, bound)
+                  : simulator::cannot_be_below(profile_, moves_[slot], p, bound);
+  }
+  /// As those of swept_distance.h and turning_move.h, `at` being distance(slot, p).
+  double sag(std::uint32_t slot, const model::Vec3& p, const SweptSample& at, double reach) const {
+    return turns_ ? turning_sag(profile_, turns_->move(slot), p, at, reach) : 0.0;
+  }
+  double curvature_bound(std::uint32_t slot, const model::Vec3& p, const SweptSample& at,
+                         double reach) const;
+  double outside_bound(std::uint32_t slot, const model::Vec3& p, const SweptSample& at,
+                       const model::Vec3& half) const;
+  /// The distance to a convex body that the move fills and that is as near to p as it: the whole
+  /// move, or the cutter as it stands at the time of `at`. At another place.
+  SweptSample convex_part(std::uint32_t slot, const SweptSample& at, const model::Vec3& p) const {
+    return turns_ ? standing_distance(profile_, turns_->move(slot), p, at.t) : distance(slot, p);
+  }
+  /// Whether the pass turns its tool as it goes.
+  bool turns() const { return turns_.has_value(); }
   const CutterProfile& profile() const { return profile_; }
   const SweptMove& move(std::uint32_t slot) const { return moves_[slot]; }
   std::size_t size() const { return moves_.size(); }
@@ -76,10 +110,16 @@ class SweepTree {
   template <class Skip>
   void gather_unless(const Skip& skip, std::vector<std::uint32_t>& slots) const;
   double lower_bound(const Node& node, const model::Vec3& p) const;
+  void build(const model::Toolpath& path, std::span<const std::uint32_t> of_move,
+             const SweepOrder& order, const model::RunControl& control);
+  void add_turning(const TurningParts& parts, const SweepOrder& order,
+                   const model::RunControl& control);
 
   CutterProfile profile_;
   std::vector<SweptMove> moves_;
   std::vector<Node> nodes_;
+  std::optional<TurningMoves> turns_;
+  std::vector<TurningMoves::Node> turning_nodes_;  // of turning moves, one for each node
 };
 
 }  // namespace limitgauge::simulator

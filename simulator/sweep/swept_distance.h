@@ -13,6 +13,9 @@ struct SweptSample {
   double distance = 0;   ///< mm, negative inside
   model::Vec3 gradient;  ///< a subgradient: distance(q) >= distance + gradient·(q − p)
   double t = 0;          ///< position along the move, 0 at its start and 1 at its end
+  /// Of a move that turns its tool: how far below the distance the plane of the gradient is at p
+  /// that is to be under it (turning_sag). Else the plane goes through it.
+  double slack_mm = 0;
 };
 
 /// A straight move of a cutter's tip with what the distance needs, worked out once.

@@ -179,13 +179,10 @@ TEST_CASE("lines refuse a pass that lies turned", "[unit][setups]") {
   CHECK_THROWS_AS(DexelStock(setup_block(), 1).cut(pass, {1}), std::invalid_argument);
 }
 
-TEST_CASE("neither stock is cut by a pass that turns its tool as it goes", "[unit][setups]") {
+TEST_CASE("lines refuse a pass that turns its tool as it goes", "[unit][setups]") {
   Pass pass{setup_cutters()[0], placed(moves_of_all_kinds(setup_cutters()[0], 7), {}).path};
   model::ToolAxes axes;
   axes.to.assign(pass.path->moves.size(), axes.start);
   pass.axes = std::make_shared<const model::ToolAxes>(axes);
   CHECK_THROWS_AS(DexelStock(setup_block(), 1).cut(pass, {1}), std::invalid_argument);
-  const StockModel block(setup_block(), 1, kSetupBytes);
-  CHECK_THROWS_AS(block.cut(pass, {1}), std::invalid_argument);
-  CHECK_THROWS_AS(check_process(block, pass, {}, {1}), std::invalid_argument);
 }

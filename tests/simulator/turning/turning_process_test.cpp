@@ -1,0 +1,144 @@
+// What a tool touches that turns as it goes.
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/process/process_check.h"
+#include "tests/simulator/paths.h"
+#include "tests/simulator/turning/turning_bench.h"
+#include "tests/support/catch.h"
+
+namespace {
+
+using namespace limitgauge;
+using model::Pass;
+using model::Vec3;
+using simulator::Finding;
+using simulator::FindingKind;
+using simulator::StockModel;
+using namespace simulator::test;
+
+model::Cutter shanked() {
+  model::Cutter c = model::parse_cutter("ball:D=6,L=10");
+  c.shank.push_back({6, 20});
+  c.holder.push_back({20, 30});
+  return c;
+}
+
+StockModel block_as_it_is() {
+  return {turning_block(), 0.5, std::size_t{1} << 30};
+}
+
+simulator::ProcessLimits limits(double near_mm = 0) {
+  simulator::ProcessLimits l;
+  l.tolerance_mm = 0.05, l.near_miss_mm = near_mm;
+  return l;
+}
+
+std::vector<Finding> of(const Pass& pass, const simulator::ProcessLimits& l, unsigned threads = 2) {
+  return check_process(block_as_it_is(), pass, l, {threads});
+}
+
+bool any(const std::vector<Finding>& all, FindingKind kind) {
+  return std::any_of(all.begin(), all.end(), [&](const Finding& f) { return f.kind == kind; });
+}
+
+Pass rapids(const Pass& pass) {
+  model::Toolpath path = *pass.path;
+  for (model::Move& m : path.moves) m.kind = model::MoveKind::rapid;
+  Pass out = pass;
+  out.path = std::make_shared<const model::Toolpath>(path);
+  return out;
+}
+
+/// The tip stands and the axis turns, 5 mm above the block's top.
+TurnedMove turn_above(double lean) {
+  return {{0, 0, 5}, {0, 0, 5}, {0, 0, 1}, {std::sin(lean), 0, std::cos(lean)}};
+}
+
+}  // namespace
+
+TEST_CASE("a tool that turns above the block touches nothing", "[unit][turning]") {
+  CHECK(of(with_axes(shanked(), {turn_above(0.5)}), limits()).empty());
+  CHECK(of(rapids(with_axes(shanked(), {turn_above(0.5)})), limits()).empty());
+}
+
+TEST_CASE("a holder that leans into the block is found where it does", "[unit][turning]") {
+  // At 80 degrees the holder, 30 mm up and 10 mm in radius, hangs beside the tip below the top.
+  const auto found = of(with_axes(shanked(), {turn_above(1.4)}), limits());
+  CHECK_FALSE(any(found, FindingKind::holder_in_stock));
+  TurnedMove low = turn_above(1.4);
+  low.from = low.to = {-25, 0, 2};
+  const auto deep = of(with_axes(shanked(), {low}), limits());
+  REQUIRE(any(deep, FindingKind::holder_in_stock));
+  for (const Finding& f : deep)
+    if (f.kind == FindingKind::holder_in_stock) {
+      CHECK(f.depth_mm > 0.05);
+      CHECK(f.point.z <= 0);
+      CHECK(f.move == 0);
+    }
+}
+
+TEST_CASE("a rapid that turns into the block is found, a feed move is not", "[unit][turning]") {
+  const TurnedMove dive{{0, 0, 5}, {2, 0, -2}, {0, 0, 1}, {0.6, 0, 0.8}};
+  const TurnedMove back{{2, 0, -2}, {2, 0, 8}, {0.6, 0, 0.8}, {0.6, 0, 0.8}};
+  CHECK_FALSE(any(of(with_axes(shanked(), {dive}), limits()), FindingKind::rapid_through_stock));
+  const auto found = of(rapids(with_axes(shanked(), {dive})), limits());
+  REQUIRE(any(found, FindingKind::rapid_through_stock));
+  // The ball's centre ends 0.4 mm above the top.
+  CHECK(found.front().depth_mm > 2.5);
+  CHECK(found.front().depth_mm < 2.61);
+  // Out along its axis, where it was cut.
+  TurnedMove out{{2, 0, -2}, {8, 0, 6}, {0.6, 0, 0.8}, {0.6, 0, 0.8}};
+  model::Toolpath path = *with_axes(shanked(), {dive, out}).path;
+  path.moves[1].kind = model::MoveKind::rapid;
+  Pass pass = with_axes(shanked(), {dive, out});
+  pass.path = std::make_shared<const model::Toolpath>(path);
+  CHECK_FALSE(any(of(pass, limits(0.5)), FindingKind::rapid_through_stock));
+  CHECK_FALSE(any(of(pass, limits(0.5)), FindingKind::near_miss));
+}
+
+TEST_CASE("a turning rapid that passes near the block is a near miss", "[unit][turning]") {
+  const TurnedMove over{{-30, 0, 0.3}, {30, 0, 0.3}, {0, 0, 1}, {0, 0.1, std::sqrt(0.99)}};
+  const auto found = of(rapids(with_axes(shanked(), {over})), limits(0.5));
+  REQUIRE(any(found, FindingKind::near_miss));
+  CHECK(found.front().depth_mm == Approx(-0.3).margin(0.06));
+  CHECK(of(rapids(with_axes(shanked(), {over})), limits(0.1)).empty());
+}
+
+TEST_CASE("feeds, spindles, travel and descents are told of turning moves too", "[unit][turning]") {
+  const TurnedMove dive{{0, 0, 5}, {0, 0, -2}, {0, 0, 1}, {0.28, 0, 0.96}};
+  Pass pass = with_axes(shanked(), {dive});
+  model::Toolpath path = *pass.path;
+  path.moves[0].feed_mm_min = 0, path.moves[0].spindle_stopped = true;
+  pass.path = std::make_shared<const model::Toolpath>(path);
+  pass.cutter.steepest_descent_deg = 10;
+  auto l = limits();
+  l.travel_mm = model::Box3{{-9, -9, 0}, {9, 9, 9}};
+  const auto found = of(pass, l);
+  for (const FindingKind kind : {FindingKind::feed_missing, FindingKind::spindle_stopped,
+                                 FindingKind::steep_descent, FindingKind::beyond_travel})
+    CHECK(any(found, kind));
+}
+
+TEST_CASE("findings of turning moves are the same on any number of threads",
+          "[property][turning]") {
+  const Pass pass = rapids(turning_pass(shanked(), 3, 30));
+  const auto one = of(pass, limits(0.3), 1), two = of(pass, limits(0.3), 2);
+  REQUIRE(one.size() == two.size());
+  REQUIRE_FALSE(one.empty());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    CHECK(one[k].kind == two[k].kind);
+    CHECK(one[k].depth_mm == two[k].depth_mm);
+  }
+}
+
+TEST_CASE("what earlier moves of the pass have cut is gone for later ones", "[unit][turning]") {
+  // The second dive, a rapid, follows a first one that fed the same way.
+  const TurnedMove dive{{0, 0, 5}, {0, 0, -2}, {0, 0, 1}, {0.28, 0, 0.96}};
+  const TurnedMove up{{0, 0, -2}, {0, 0, 5}, {0.28, 0, 0.96}, {0, 0, 1}};
+  Pass pass = with_axes(shanked(), {dive, up, dive});
+  model::Toolpath path = *pass.path;
+  path.moves[2].kind = model::MoveKind::rapid;
+  pass.path = std::make_shared<const model::Toolpath>(path);
+  CHECK_FALSE(any(of(pass, limits()), FindingKind::rapid_through_stock));
+}

@@ -9,6 +9,8 @@
 #include "model/base/memory.h"
 #include "simulator/instrument/dexel_agreement.h"
 #include "simulator/instrument/dexels_from.h"
+#include "simulator/instrument/turning_agreement.h"
+#include "simulator/instrument/turning_removal.h"
 #include "simulator/process/process_check.h"
 
 namespace limitgauge::app {
@@ -36,11 +38,9 @@ std::vector<simulator::Finding> process_findings(const Job& job, const RunInputs
   return found;
 }
 
-/// The process, and what each move took.
-void follow_process(const Job& job, const RunInputs& inputs, const JobStage& asked,
-                    const simulator::Pass& pass, CutStock& stock, const StageWatch& watch,
-                    reports::StageResult::Ran& ran) {
-  ran.process = process_findings(job, inputs, asked, stock.stock, pass, watch);
+/// What each move took.
+void follow_removal(const JobStage& asked, const simulator::Pass& pass, CutStock& stock,
+                    const StageWatch& watch, reports::StageResult::Ran& ran) {
   simulator::DexelStock::Cut after =
       stock.lines.cut(pass, watch.control(asked.name + ": following the removal"));
   stock.lines = std::move(after.stock);
@@ -82,14 +82,42 @@ void require_agreement(const std::string& when, const model::Pose& to_part,
   throw verifier::InstrumentDisagreement(what.str());
 }
 
-/// What is said of the stock after a stage.
-void fill_in(const JobStage& asked, const CutStock& now, const StageWatch& watch,
-             reports::StageResult::Ran& ran) {
+/// Cuts the level set, with its volume before and after.
+void cut_level_set(const JobStage& asked, const simulator::Pass& pass, CutStock& now,
+                   const StageWatch& watch, reports::StageResult::Ran& ran) {
+  const auto control = [&](const char* what) { return watch.control(asked.name + what); };
+  say_forecast(asked, now.stock.forecast(pass, control(": forecasting")), watch);
+  if (now.volume_is_older) now.volume_mm3 = now.stock.volume_mm3(control(": adding up"));
+  now.stock = std::move(now.stock).cut(pass, control(": cutting"));
+  const double before_mm3 =
+      std::exchange(now.volume_mm3, now.stock.volume_mm3(control(": adding up")));
+  now.volume_is_older = false;
+  ran.removed_volume_mm3 = before_mm3 - now.volume_mm3;
+}
+
+/// No lines are cut by a tool that turns as it goes: they are taken from the level set, which an
+/// evaluator of poses is held against.
+void follow_turning(const JobStage& asked, const Settings& settings, const simulator::Pass& pass,
+                    CutStock& now, const StageWatch& watch, reports::StageResult::Ran& ran) {
   const auto control = watch.control(asked.name + ": comparing the models");
-  ran.agreement = compare_stocks(now.lines, now.stock, kComparedLines, control, now.volume_mm3);
+  simulator::DexelStock after = dexels_from(now.stock, settings.line_spacing_mm, control);
+  ran.agreement =
+      compare_turning(now.lines, after, now.stock, pass, kComparedLines, control, now.volume_mm3);
+  ran.removal = turning_removal(now.lines, after, pass, control);
+  now.lines = std::move(after);
+}
+
+/// What is said of the stock after a stage.
+void fill_in(const CutStock& now, reports::StageResult::Ran& ran) {
   ran.voxel_mm = now.stock.voxel_mm();
   ran.tiles = now.stock.tiles();
   ran.stock = now.stock;
+}
+
+void compare(const JobStage& asked, const CutStock& now, const StageWatch& watch,
+             reports::StageResult::Ran& ran) {
+  const auto control = watch.control(asked.name + ": comparing the models");
+  ran.agreement = compare_stocks(now.lines, now.stock, kComparedLines, control, now.volume_mm3);
 }
 
 /// From the frame of the setup that `job` is a view of.
@@ -106,10 +134,13 @@ CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch&
   return {std::move(stock), volume_mm3, simulator::DexelStock(job.stock, settings.line_spacing_mm)};
 }
 
-CutStock cut_again(CutStock before, std::span<const model::Pass> passes, const StageWatch& watch) {
+CutStock cut_again(CutStock before, std::span<const model::Pass> passes, const Settings& settings,
+                   const StageWatch& watch) {
+  const auto control = watch.control("cutting again");
   for (const model::Pass& pass : passes) {
-    before.stock = std::move(before.stock).cut(pass, watch.control("cutting again"));
-    before.lines = before.lines.cut(pass, watch.control("cutting again")).stock;
+    before.stock = std::move(before.stock).cut(pass, control);
+    before.lines = pass.axes ? dexels_from(before.stock, settings.line_spacing_mm, control)
+                             : before.lines.cut(pass, control).stock;
   }
   before.volume_mm3 = before.stock.volume_mm3(watch.control("adding up"));
   before.volume_is_older = false;
@@ -133,19 +164,19 @@ CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& aske
   const simulator::Pass pass{asked.cutter, ran.path, {}, false, ran.axes};
   const auto control = [&](const char* what) { return watch.control(asked.name + what); };
   CutStock now = std::move(before);
-  follow_process(job, inputs, asked, pass, now, watch, ran);
-  if (removes_nothing(asked, ran.removal.totals)) {
+  ran.process = process_findings(job, inputs, asked, now.stock, pass, watch);
+  if (!pass.axes) follow_removal(asked, pass, now, watch, ran);
+  if (!pass.axes && removes_nothing(asked, ran.removal.totals)) {
     now.stock = std::move(now.stock).cut(pass, control(": cutting"));
   } else {
-    say_forecast(asked, now.stock.forecast(pass, control(": forecasting")), watch);
-    if (now.volume_is_older) now.volume_mm3 = now.stock.volume_mm3(control(": adding up"));
-    now.stock = std::move(now.stock).cut(pass, control(": cutting"));
-    const double before_mm3 =
-        std::exchange(now.volume_mm3, now.stock.volume_mm3(control(": adding up")));
-    now.volume_is_older = false;
-    ran.removed_volume_mm3 = before_mm3 - now.volume_mm3;
+    cut_level_set(asked, pass, now, watch, ran);
   }
-  fill_in(asked, now, watch, ran);
+  if (pass.axes) {
+    follow_turning(asked, inputs.settings, pass, now, watch, ran);
+  } else {
+    compare(asked, now, watch, ran);
+  }
+  fill_in(now, ran);
   require_agreement(asked.name, to_part(job), ran.agreement);
   return now;
 }
@@ -163,7 +194,8 @@ bool passes_by(const Job& job, const RunInputs& inputs, const JobStage& asked,
   ran.process = std::move(found);
   ran.removal.moves.resize(ran.path->moves.size());
   ran.removal.totals = removal_totals(*ran.path, ran.removal.moves, stock.lines.spacing_mm());
-  fill_in(asked, stock, watch, ran);
+  compare(asked, stock, watch, ran);
+  fill_in(stock, ran);
   return true;
 }
 

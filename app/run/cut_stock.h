@@ -28,7 +28,8 @@ CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch&
 
 /// `before` after `passes`, of which nothing else is wanted: the same to the last bit as they left
 /// it when they were first cut.
-CutStock cut_again(CutStock before, std::span<const model::Pass> passes, const StageWatch& watch);
+CutStock cut_again(CutStock before, std::span<const model::Pass> passes, const Settings& settings,
+                   const StageWatch& watch);
 
 /// How a stock comes to lie otherwise: all passes so far in the new frame, and how the old frame
 /// lies in it.

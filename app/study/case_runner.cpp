@@ -84,8 +84,8 @@ std::shared_ptr<const StagePrefix> CaseRunner::Kept::from_store(const std::strin
   if (!prefix || prefix->stages.size() != stages) return nullptr;
   const StageWatch watch{options, stages, job.stages.size()};
   if (!prefix->over())
-    prefix->stock =
-        cut_again(uncut_stock(job, inputs.settings, watch), passes_of(*prefix, job), watch);
+    prefix->stock = cut_again(uncut_stock(job, inputs.settings, watch), passes_of(*prefix, job),
+                              inputs.settings, watch);
   return std::make_shared<const StagePrefix>(std::move(*prefix));
 }
 

@@ -39,13 +39,16 @@ struct PosedMove {
 };
 
 /// How far within the flutes' two sides, at its radius, a place is: not below 0 where they hold it.
+/// Along a move it rises to one greatest value and falls again, but for a bend of second order:
+/// beyond their radius the sides go on more steeply than anywhere, which keeps them convex.
 double within(const DexelProfile& profile, const PosedMove& m, const Vec3& p, double t) {
+  constexpr double kSteep = 1e6;
   const Vec3 axis = m.axis(t), q = p - (m.from * (1 - t) + m.to * t);
   const double height = dot(q, axis), rho = length(q - axis * height);
   const double over = profile.largest_radius() - rho;
-  if (over < 0) return over;
-  return std::min(
-      {over, height - profile.lower().height(rho), -profile.minus_upper().height(rho) - height});
+  const double at = std::min(rho, profile.largest_radius()), beyond = kSteep * std::max(0.0, -over);
+  return std::min({over, height - profile.lower().height(at) - beyond,
+                   -profile.minus_upper().height(at) - height - beyond});
 }
 
 /// Golden section for a place where `depth` is not below 0: to a millionth of a move, at which
@@ -116,11 +119,16 @@ bool PosedCutter::holds(const PosedMove& m, const Vec3& p) const {
   for (int k = 0; k <= kLast; ++k)
     if ((depth[k] = at(static_cast<double>(k) / kLast)) >= 0) return true;
   for (int k = 0; k <= kLast; ++k) {
-    const double before = k > 0 ? depth[k] - depth[k - 1] : 0,
-                 after = k < kLast ? depth[k] - depth[k + 1] : 0;
-    // All but concave: beyond a pose it gains no more than it did before it, with room for a bend.
+    const auto fall = [&](int from, int to) {
+      return from >= 0 && from <= kLast && to >= 0 && to <= kLast ? depth[from] - depth[to] : 0.0;
+    };
+    if (fall(k, k - 1) < 0 || fall(k, k + 1) < 0) continue;
+    // All but concave: between two poses it gains no more than it falls by over the step before or
+    // behind them, with room for a bend.
     constexpr double kBend_mm = 1e-4;
-    if (before < 0 || after < 0 || depth[k] + 2 * std::max(before, after) + kBend_mm < 0) continue;
+    const double steepest =
+        std::max({fall(k, k - 1), fall(k, k + 1), fall(k - 1, k - 2), fall(k + 1, k + 2)});
+    if (depth[k] + 2 * steepest + kBend_mm < 0) continue;
     if (section(at, std::max(0.0, k - 1.0) / kLast, std::min(1.0 * kLast, k + 1.0) / kLast))
       return true;
   }

@@ -35,11 +35,10 @@ Json rates_block(const PathView& view, Blob& blob) {
   return blob.add(rates);
 }
 
-/// "path" of a stage.
-/// Unit vectors to a 4000th: a page draws them.
+/// Unit vectors of which a page shows four digits.
 Json axes_block(const PathView& view, Blob& blob) {
-  constexpr int kBits = 12;
-  Json out = Json::object();
+  constexpr int kBits = 16;
+  Json out = {{"start", point_json(view.start_axis)}, {"within_deg", view.axis_within_deg}};
   for (int k = 0; k < 3; ++k) {
     std::vector<float> part;
     for (const model::Vec3& axis : view.axes)
@@ -49,6 +48,7 @@ Json axes_block(const PathView& view, Blob& blob) {
   return out;
 }
 
+/// "path" of a stage.
 Json path_data(const PathView& view, Blob& blob) {
   std::vector<model::Vec3> tips;
   std::vector<std::uint8_t> kind;
@@ -86,13 +86,22 @@ Json limits_json(const verifier::GateLimits& limits) {
   return out;
 }
 
+Json parts_json(const std::vector<model::CylinderPart>& parts) {
+  Json out = Json::array();
+  for (const model::CylinderPart& part : parts)
+    out.push_back({{"diameter_mm", part.diameter_mm}, {"length_mm", part.length_mm}});
+  return out;
+}
+
 Json cutter_json(const model::Cutter& cutter) {
   return {{"type", model::name(cutter.type)},
           {"diameter_mm", cutter.diameter_mm},
           {"corner_radius_mm", cutter.corner_radius_mm},
           {"taper_angle_deg", cutter.taper_angle_deg},
           {"tip_angle_deg", cutter.tip_angle_deg},
-          {"flute_length_mm", cutter.flute_length_mm}};
+          {"flute_length_mm", cutter.flute_length_mm},
+          {"shank", parts_json(cutter.shank)},
+          {"holder", parts_json(cutter.holder)}};
 }
 
 std::string source_text(const StageResult& stage) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "model/geometry/polyline.h"
 #include "model/geometry/segment.h"
@@ -10,15 +11,33 @@ namespace limitgauge::reports::page {
 namespace {
 
 using model::MoveKind;
+using model::ToolAxes;
 using model::Toolpath;
 using model::Vec3;
 
 /// Indices of the moves that segments end with, ascending.
 using Ends = std::vector<std::uint32_t>;
 
+double angle_rad(const Vec3& a, const Vec3& b) {
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
+/// From `axis` to the nearest place of the arc of a great circle from `a` to `b`; of opposite ones,
+/// between which there are many, to the nearer end.
+double angle_to_arc_rad(const Vec3& axis, const Vec3& a, const Vec3& b) {
+  constexpr double kNoTurn = 1e-9;
+  const double to_end = std::min(angle_rad(axis, a), angle_rad(axis, b));
+  const Vec3 across = cross(a, b);
+  const double sine = length(across);
+  if (sine < kNoTurn) return to_end;
+  const Vec3 normal = across / sine;
+  const bool beside = dot(cross(a, axis), normal) >= 0 && dot(cross(axis, b), normal) >= 0;
+  return beside ? std::asin(std::min(1.0, std::abs(dot(axis, normal)))) : to_end;
+}
+
 /// What may be joined.
 struct Rule {
-  double within_mm = 0;
+  double within_mm = 0, within_rad = 0;
   bool feeds = false, kinds = false;  ///< different ones may be joined
 
   bool joins(const model::Move& a, const model::Move& b) const {
@@ -30,7 +49,8 @@ struct Rule {
 /// Joins moves by one rule.
 class Joiner {
  public:
-  Joiner(const Toolpath& path, const Rule& rule) : path_(path), rule_(rule) {}
+  Joiner(const Toolpath& path, const ToolAxes* axes, const Rule& rule)
+      : path_(path), axes_(axes), rule_(rule) {}
 
   Ends joined() const {
     const auto kept = model::reduce_chords(
@@ -53,10 +73,18 @@ class Joiner {
       if (!rule_.joins(path_.moves[i], path_.moves[i + 1]) ||
           squared_distance_to_segment(path_.moves[i].to, from, to) > squared)
         return false;
+    return !axes_ || turns(first, last);
+  }
+
+  bool turns(std::size_t first, std::size_t last) const {
+    const Vec3& from = axis_from(*axes_, first);
+    for (std::size_t i = first; i < last; ++i)
+      if (angle_to_arc_rad(axes_->to[i], from, axes_->to[last]) > rule_.within_rad) return false;
     return true;
   }
 
   const Toolpath& path_;
+  const ToolAxes* axes_;
   const Rule& rule_;
 };
 
@@ -68,28 +96,29 @@ double extent_mm(const Toolpath& path) {
 }
 
 /// Distances grow by a fourth root of 2 a level, from a 65536th of the path's extent to all of it,
-/// where everything is one segment.
+/// where everything is one segment; angles likewise, from a 65536th of half a turn.
 constexpr int kLevels = 65;
 
 Rule rule_at(int level, double extent) {
   // Of a path that stays where it is, too, everything must come to be joined.
   const double within = std::max(extent, 1e-3) * std::exp2(0.25 * level - 16);
-  return {within, within > extent / 500, within > extent / 50};
+  const double within_rad = std::numbers::pi * std::exp2(0.25 * level - 16);
+  return {within, within_rad, within > extent / 500, within > extent / 50};
 }
 
-Ends joined_at(int level, const Toolpath& path, double extent) {
+Ends joined_at(int level, const Toolpath& path, const ToolAxes* axes, double extent) {
   const Rule rule = rule_at(level, extent);
-  return Joiner(path, rule).joined();
+  return Joiner(path, axes, rule).joined();
 }
 
 /// By the least level that is found to fit.
-Ends fitting(const Toolpath& path, std::size_t most) {
+Ends fitting(const Toolpath& path, const ToolAxes* axes, std::size_t most) {
   const double extent = extent_mm(path);
   int too_low = -1, fits = kLevels;
-  Ends ends = joined_at(fits, path, extent);
+  Ends ends = joined_at(fits, path, axes, extent);
   while (fits - too_low > 1) {
     const int level = (too_low + fits) / 2;
-    Ends joined = joined_at(level, path, extent);
+    Ends joined = joined_at(level, path, axes, extent);
     if (joined.size() > most) {
       too_low = level;
     } else {
@@ -118,6 +147,18 @@ double farthest_mm(const Toolpath& path, const Ends& ends) {
     first = last + std::size_t(1);
   }
   return std::sqrt(most);
+}
+
+/// Largest angle of an axis from the arc of the segment that its move belongs to.
+double farthest_deg(const ToolAxes& axes, const Ends& ends) {
+  double most = 0;
+  std::size_t first = 0;
+  for (const std::uint32_t last : ends) {
+    for (std::size_t i = first; i < last; ++i)
+      most = std::max(most, angle_to_arc_rad(axes.to[i], axis_from(axes, first), axes.to[last]));
+    first = last + std::size_t(1);
+  }
+  return most * 180 / std::numbers::pi;
 }
 
 /// What the moves of a segment add up to.
@@ -163,8 +204,10 @@ PathView path_view(const Toolpath& path, std::span<const simulator::MoveRemoval>
   view.start = path.start, view.moves = path.moves.size();
   view.has_rates = !removal.empty() && removal.size() == path.moves.size();
   const std::size_t most = std::max<std::size_t>(options.most_segments, 1);
-  const Ends ends = view.moves > most ? fitting(path, most) : all_moves(path);
+  const Ends ends = view.moves > most ? fitting(path, options.axes, most) : all_moves(path);
   view.within_mm = farthest_mm(path, ends);
+  if (options.axes)
+    view.start_axis = options.axes->start, view.axis_within_deg = farthest_deg(*options.axes, ends);
   const double programmed_s = model::lengths(path, options.rapid_mm_min).time_s;
   const bool scaled = options.machining_time_s > 0 && programmed_s > 0;
   const double scale = scaled ? options.machining_time_s / programmed_s : 1;

@@ -25,11 +25,14 @@ struct PathView {
   };
   model::Vec3 start;
   std::vector<Segment> segments;
-  /// How the tool stands where each segment ends; empty of a tool that stands along +Z.
+  /// How the tool stands where each segment ends, in between along the great circle; empty of a
+  /// tool that stands along +Z.
   std::vector<model::Vec3> axes;
-  std::size_t moves = 0;   ///< of the path
-  double within_mm = 0;    ///< no tip of a move is further from its segment
-  bool has_rates = false;  ///< what the moves removed is known
+  model::Vec3 start_axis{0, 0, 1};
+  std::size_t moves = 0;       ///< of the path
+  double within_mm = 0;        ///< no tip of a move is further from its segment
+  double axis_within_deg = 0;  ///< where a move ends, no axis is further from its segment's arc
+  bool has_rates = false;      ///< what the moves removed is known
 };
 
 struct PathViewOptions {
@@ -43,9 +46,9 @@ struct PathViewOptions {
 
 /// `path` in at most `most_segments` (no less than 1). Moves of one kind and feed are joined where
 /// the tips stay within a distance of the segment that joins them; the distance grows until they
-/// fit. Beyond a 500th of the path's extent moves of different feeds are joined as well, beyond a
-/// 50th rapids with feeds. Takes a few passes over the moves, each linear but for the logarithm of
-/// a segment's moves.
+/// fit; of a path that turns its tool, within an angle that grows along. Beyond a 500th of the
+/// path's extent moves of different feeds are joined as well, beyond a 50th rapids with feeds.
+/// Takes a few passes over the moves, each linear but for the logarithm of a segment's moves.
 PathView path_view(const model::Toolpath& path, std::span<const simulator::MoveRemoval> removal,
                    const PathViewOptions& options);
 

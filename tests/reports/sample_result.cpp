@@ -340,6 +340,22 @@ RunResult foreign_result(int samples_per_edge) {
   return r;
 }
 
+RunResult turning_result(int samples_per_edge) {
+  RunResult r = sample_result(Outcome::passed, samples_per_edge);
+  StageResult& stage = r.stages[1];
+  stage.cutter.shank = {{10, 20}}, stage.cutter.holder = {{30, 25}, {44, 15}};
+  model::ToolAxes axes;
+  const auto radians = [](double degrees) { return degrees * std::numbers::pi / 180; };
+  const double lean = radians(20);
+  for (std::size_t i = 0; i < stage.ran->path->moves.size(); ++i) {
+    const double about = radians(static_cast<double>(i));
+    axes.to.push_back(
+        {std::sin(lean) * std::cos(about), std::sin(lean) * std::sin(about), std::cos(lean)});
+  }
+  stage.ran->axes = std::make_shared<const model::ToolAxes>(std::move(axes));
+  return r;
+}
+
 RunResult cut_result() {
   RunResult r = foreign_result(3);
   r.surface.reset();

@@ -17,6 +17,11 @@ RunResult sample_result(Outcome outcome, int samples_per_edge = 9);
 /// share one, and names try to be formulas, markup, links and placeholders.
 RunResult foreign_result(int samples_per_edge = 41);
 
+/// The passed job, its second stage with a shank, a holder and a tool that turns as it goes: at
+/// each move's end it leans from +Z by 20 degrees towards where the move's index, in degrees, is
+/// about +Z. It begins upright.
+RunResult turning_result(int samples_per_edge = 41);
+
 /// The failed job's programs cut without a design: its second stage fails by its process.
 RunResult cut_result();
 

@@ -1,7 +1,7 @@
 // write_samples FOLDER [--no-pictures] [NAME...]: the reports of sample jobs, each in its folder,
 // for checks by readers that are not ours: passed, failed, undecided, foreign and cut, a program
 // without a design (without names these), for browsers hostile (markup in every text) and large
-// (200,000 cells a stage), and thinned, whose field is too large to be shown whole.
+// (200,000 cells a stage), turning (the tool of one stage), and thinned, whose field is too large to be shown whole.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -40,6 +40,7 @@ const std::map<std::string, Sample> kSamples = {
     {"undecided", {[] { return sample_result(Outcome::indeterminate, kSamplesPerEdge); }}},
     {"foreign", {[] { return foreign_result(kSamplesPerEdge); }}},
     {"cut", {[] { return cut_result(); }}},
+    {"turning", {[] { return turning_result(kSamplesPerEdge); }}},
     {"hostile", {[] { return hostile_result(); }, false}},
     {"large", {[] { return sample_result(Outcome::passed, kLargeSamplesPerEdge); }}},
     {"thinned", {thinned_result}},

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "reports/html/job/job_sections.h"
 #include "reports/html/markup.h"
 #include "reports/picture/tool_side.h"
@@ -27,6 +29,17 @@ std::string stages_in(const RunResult& result, const std::string& setup) {
   return list.empty() ? "none" : list;
 }
 
+/// Whether a stage of the setup turns its tool as it goes.
+bool turns_tool(const RunResult& result, const std::string& setup) {
+  return std::ranges::any_of(result.stages, [&](const StageResult& stage) {
+    return stage.setup.name == setup && stage.ran && stage.ran->axes;
+  });
+}
+
+std::string tool_from(const RunResult& result, const model::Setup& setup) {
+  return tool_side_words(setup) + (turns_tool(result, setup.name) ? ", or as it turns" : "");
+}
+
 }  // namespace
 
 std::string setups_section(const RunResult& result) {
@@ -34,7 +47,7 @@ std::string setups_section(const RunResult& result) {
   std::vector<std::vector<std::string>> rows;
   for (const model::Setup& setup : result.setups)
     rows.push_back({escape_markup(setup.name), turn_text(setup.from_part),
-                    place_text(setup.from_part.shift_mm), tool_side_words(setup),
+                    place_text(setup.from_part.shift_mm), tool_from(result, setup),
                     stages_in(result, setup.name)});
   return "<section id=\"setups\"><h2>Setups</h2>\n" +
          table(

@@ -65,9 +65,11 @@ std::string measured_part(const RunResult& result, std::size_t index) {
 std::string request_line(const StageResult& stage) {
   std::vector<std::string> parts = {escape_markup(stage.tool) + ", " + cutter_text(stage.cutter),
                                     path_source(stage)};
+  const bool turns = stage.ran && stage.ran->axes;
   if (!stage.setup.name.empty())
-    parts.push_back("setup " + escape_markup(stage.setup.name) + ", the tool comes from " +
-                    tool_side_words(stage.setup));
+    parts.push_back("setup " + escape_markup(stage.setup.name) +
+                    (turns ? "" : ", the tool comes from " + tool_side_words(stage.setup)));
+  if (turns) parts.push_back("the tool turns as it goes");
   if (stage.step_mm > 0) parts.push_back("path interval " + stated_length(stage.step_mm));
   if (stage.allowance_mm) parts.push_back("allowance " + stated_length(*stage.allowance_mm));
   if (stage.tolerance_mm > 0)

@@ -117,7 +117,7 @@ function pageOf(report, bytes) {
   };
 }
 
-function smallPage() {
+function smallPage({ axes } = {}) {
   const packer = new Packer();
   const position = { block: packer.add([0, 0, 0, 4, 0, 0, 0, 4, 0, 4, 4, 0], 'i32', 1, 3), step_mm: 0.25 };
   const surfaces = [{ patches: [{ patch: 0, columns: 2, rows: 2 }], stride: 1, position }];
@@ -137,6 +137,10 @@ function smallPage() {
       end_s: { block: packer.add([10, 30], 'u32'), step_s: 0.5 },
     },
   };
+  if (axes) {
+    const [x, y, z] = axes.map((part) => packer.floats(part));
+    stage.path.axis = { start: [0, 0, 1], x, y, z };
+  }
   const unrun = { name: 't', ran: false, field: null, path: null,
     text: { line: packer.add([], 'u32'), utf8: packer.add([], 'u8') } };
   const report = { format: 'limitgauge.page/1', job: 'j', surfaces, stages: [stage, unrun],
@@ -161,6 +165,14 @@ test('a whole page is unpacked', async () => {
   assert.equal(report.stages[1].field, null);
   // Worked out once.
   assert.equal(field.deviation_mm, report.stages[0].field.deviation_mm);
+});
+
+test('the axes of a path that turns its tool are unpacked, one a segment', async () => {
+  const { path } = (await decodeReport(smallPage({ axes: [[0, 1], [0.5, 0], [0.75, 0]] }))).stages[0];
+  assert.deepEqual(path.axis.start, [0, 0, 1]);
+  assert.deepEqual(['x', 'y', 'z'].map((k) => [...path.axis[k]]), [[0, 1], [0.5, 0], [0.75, 0]]);
+  assert.equal((await decodeReport(smallPage())).stages[0].path.axis, undefined);
+  await assert.rejects(decodeReport(smallPage({ axes: [[0], [0], [1]] })), /number of tool axes/);
 });
 
 test('a page that was cut short or is not ours says so', async () => {

@@ -83,7 +83,7 @@ function toleratedProgram() {
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
-execFileSync(writeSamples, [out, 'passed', 'failed', 'undecided', 'hostile', 'large']);
+execFileSync(writeSamples, [out, 'passed', 'failed', 'undecided', 'hostile', 'large', 'turning']);
 execFileSync(writeStudies, [join(out, 'studies')]);
 run(['run', join(fixtures, '../jobs/quick-dome.toml')], 'dome', 0);
 run(['run', gougingJob()], 'gouging', 1);

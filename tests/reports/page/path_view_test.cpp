@@ -155,6 +155,31 @@ TEST_CASE("feeds that change with every move are joined where they must be", "[u
   CHECK(feed_s > 0);
 }
 
+TEST_CASE("moves whose tool turns are joined where the axes lie near the arc", "[unit][page]") {
+  // Straight on, while the tool leans over by half a degree a move, and back from move 100 on.
+  model::Toolpath path;
+  model::ToolAxes axes;
+  for (int i = 1; i <= 200; ++i) {
+    go(path, {double(i), 0, 0}, 600);
+    const double lean = (100 - std::abs(100 - i)) * 0.5 * std::numbers::pi / 180;
+    axes.to.push_back({std::sin(lean), 0, std::cos(lean)});
+  }
+  reports::page::PathViewOptions options{5000, 0, 2};
+  options.axes = &axes;
+  const PathView two = path_view(path, {}, options);
+  REQUIRE(two.segments.size() == 2);
+  CHECK(two.segments[0].move == 99);
+  CHECK(two.start_axis == Vec3{0, 0, 1});
+  CHECK(two.axes[0] == axes.to[99]);
+  CHECK(two.axis_within_deg < 1e-6);
+  // As one segment it would not lean at all: 50 degrees off at its middle.
+  options.most_segments = 1;
+  const PathView one = path_view(path, {}, options);
+  REQUIRE(one.segments.size() == 1);
+  CHECK(one.axis_within_deg == Approx(50));
+  CHECK(one.within_mm == Approx(0).margin(1e-12));
+}
+
 TEST_CASE("no path is too odd to be reduced", "[unit][page]") {
   model::Toolpath pecks, still;
   for (int i = 0; i < 300; ++i) {

@@ -55,17 +55,26 @@ function decodeField(field, surfaces, blob) {
 }
 
 function decodePath(path, blob) {
-  const { position, kind, feed_mm_min, rate_mm3_min, line, move, end_s, ...rest } = path;
+  const { position, kind, feed_mm_min, rate_mm3_min, line, move, end_s, axis, ...rest } = path;
   const blocks = { kind, feed_mm_min, line, move };
   if (rate_mm3_min) blocks.rate_mm3_min = rate_mm3_min;
   else rest.rate_mm3_min = null;
   for (const block of [position.block, end_s.block, ...Object.values(blocks)]) blob.check(block);
   rest.step_mm = position.step_mm;
+  if (axis) rest.axis = decodeAxis(axis, kind.count, blob);
   return lazily(rest, {
     ...arrays(blocks, blob),
     positions: () => blob.multiples(position.block, position.step_mm),
     end_s: () => blob.multiples(end_s.block, end_s.step_s),
   });
+}
+
+/** How the tool stands where each segment ends, and at the path's beginning. */
+function decodeAxis({ start, x, y, z, ...rest }, segments, blob) {
+  for (const block of [x, y, z])
+    if (blob.check(block).count !== segments)
+      throw new Error('the page’s data have another number of tool axes than of path segments');
+  return lazily({ ...rest, start }, arrays({ x, y, z }, blob));
 }
 
 function arrays(blocks, blob) {

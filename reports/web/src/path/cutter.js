@@ -24,6 +24,19 @@ export function cutterOutline(cutter, arcSteps = 12) {
 
 const tangent = (degrees) => Math.tan(((degrees ?? 0) * Math.PI) / 180);
 
+/**
+ * The outlines of what holds the cutter, shank and holder, each part a cylinder on the one below; the lowest
+ * stands on the cutter's outline.
+ */
+export function shaftOutlines(cutter) {
+  let [, z] = cutterOutline(cutter)?.at(-1) ?? [0, 0];
+  return [...(cutter?.shank ?? []), ...(cutter?.holder ?? [])].map(({ diameter_mm, length_mm }) => {
+    const low = z, radius = diameter_mm / 2;
+    z += length_mm;
+    return [[0, low], [radius, low], [radius, z], [0, z]];
+  });
+}
+
 /** `outline` with its side, which gains `lean` of radius for each mm of height, and its upper face. */
 function ending(outline, lean, height) {
   const [radius, z] = outline[outline.length - 1];
@@ -51,6 +64,18 @@ export function wireBody(outline, { around = 32, meridians = 8, circles = 6 } = 
   rings.filter((_, i) => (rings.length - 1 - i) % every === 0).forEach(([radius, z]) =>
     wire(Array.from({ length: around + 1 }, (_, k) => at(radius, z, k / around))));
   for (let k = 0; k < meridians; ++k) wire(outline.map(([radius, z]) => at(radius, z, k / meridians)));
+  return { points: Float32Array.from(points), lines: Uint32Array.from(lines) };
+}
+
+/** Several bodies of wires as one. */
+export function joined(bodies) {
+  const points = [], lines = [];
+  for (const body of bodies) {
+    const first = points.length / 3;
+    for (let at = 0; at < body.lines.length; at += body.lines[at] + 1)
+      lines.push(body.lines[at], ...body.lines.slice(at + 1, at + 1 + body.lines[at]).map((k) => first + k));
+    points.push(...body.points);
+  }
   return { points: Float32Array.from(points), lines: Uint32Array.from(lines) };
 }
 

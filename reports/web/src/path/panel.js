@@ -1,7 +1,8 @@
 import { make } from '../base/dom.js';
-import { coordinate } from '../base/format.js';
+import { coordinate, fixed } from '../base/format.js';
 import { createLegend } from './legend.js';
 import { clockMark, clockText, feedText, grouped, rateText } from '../base/figure_text.js';
+import { leanDegrees } from './pose.js';
 
 export const SPEEDS = [1, 5, 20, 60, 200, 600, 2000];
 const WINDOWS_S = [0, 1, 5, 20, 60, 300, 1200];
@@ -122,6 +123,9 @@ function showTime(parts, now, total_s, decimals, text) {
     ['Removal rate', now.rate_mm3_min === null ? 'not measured' : rateText(now.rate_mm3_min)],
     ['Tool tip (X, Y, Z)', `${now.point_mm.map(coordinate).join(', ')} mm`],
   ];
+  if (now.axis)
+    figures.push(['Tool axis (I, J, K)', now.axis.map((c) => fixed(c, 4)).join(', ')],
+      ['Lean from +Z', `${fixed(leanDegrees(now.axis), 2)}°`]);
   const items = figures.map(([name, value]) =>
     make('div', {}, [make('dt', { text: name }), make('dd', { data: { figure: name }, text: value })]));
   if (text)

@@ -129,10 +129,9 @@ class PathLayer {
     if (!this.drawn.has(this.stage)) {
       const [low, high] = this.report.bounds_mm;
       const size = Math.hypot(...high.map((c, i) => c - low[i]));
-      const { cutter, setup } = this.report.stages[this.stage];
       this.drawn.set(this.stage, {
         lines: createPathActor(this.path(), () => this.scene.element.clientHeight),
-        tool: createToolMarker(cutter, setup, size / 40),
+        tool: createToolMarker(this.report.stages[this.stage], size / 40),
         painted: '',
       });
     }
@@ -209,7 +208,7 @@ class PathLayer {
     const drawn = this.drawn.get(this.stage);
     if (!drawn) return;
     drawn.lines.setShown(this.shownPart());
-    drawn.tool.moveTo(this.now.point_mm);
+    drawn.tool.place(this.now);
     // With the whole path in sight the tool would only hide some of it.
     drawn.tool.actor.setVisibility(this.time_s < this.total_s || this.view.window_s > 0);
     this.scene.render();
@@ -267,6 +266,7 @@ class PathLayer {
       playing: this.player.playing(),
       speed: this.player.speed(),
       segments: path ? path.end_s.length : 0,
+      tool_matrix: drawn ? drawn.tool.matrix() : null,
       uploads: drawn ? drawn.lines.uploads() : 0,
     };
   }

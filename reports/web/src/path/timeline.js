@@ -1,3 +1,5 @@
+import { endAxis, turnedAxis } from './pose.js';
+
 /**
  * The toolpath against machining time. A path is what `decodeReport` gives: segment i runs from the end
  * of segment i - 1 (from `start_mm` where i is 0) to its own, and ends at `end_s[i]` seconds.
@@ -68,7 +70,7 @@ export function endPoint(path, index) {
 /**
  * What the machine does at `time_s`.
  * @returns {{segment, time_s, point_mm, kind: 'rapid'|'feed', feed_mm_min, rate_mm3_min: number|null,
- *   line, move}}
+ *   line, move, axis: [i, j, k]|null}} `axis`: the tool's, of a path that turns it
  */
 export function instant(path, time_s) {
   const time = Math.min(Math.max(time_s, 0), duration(path));
@@ -85,15 +87,19 @@ export function instant(path, time_s) {
     rate_mm3_min: path.rate_mm3_min ? path.rate_mm3_min[segment] : null,
     line: path.line[segment],
     move: path.move[segment],
+    axis: path.axis ? turnedAxis(endAxis(path, segment - 1), endAxis(path, segment), share) : null,
   };
 }
 
-/** The end of the segment after (`direction` 1) or before (-1) what stands at `time_s`, s. */
+/**
+ * The end of the segment after (`direction` 1) or before (-1) what stands at `time_s`, s. A segment that
+ * takes no time, as where the tool turns about its tip, is passed together with the next one.
+ */
 export function stepTime(path, time_s, direction) {
-  const here = segmentAt(path, time_s);
+  let here = segmentAt(path, time_s);
   if (direction < 0) return beginning(path, here);
-  const ended = path.end_s[here] <= time_s;
-  return path.end_s[Math.min(here + (ended ? 1 : 0), path.end_s.length - 1)];
+  while (here < path.end_s.length - 1 && path.end_s[here] <= time_s) here += 1;
+  return path.end_s[here];
 }
 
 /**

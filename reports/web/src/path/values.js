@@ -89,13 +89,17 @@ export function legendTicks(choice, count) {
 /** How much of the program is drawn and how exactly, in words. */
 export function exactness(path) {
   const moves = grouped(path.moves);
-  if (!(path.within_mm > 0)) return `All ${moves} moves of the program are drawn.`;
+  if (!(path.within_mm > 0) && !(path.axis?.within_deg > 0)) return `All ${moves} moves of the program are drawn.`;
   return `${grouped(path.end_s.length)} lines are drawn for the ${moves} moves of the program: ` +
-    `every move lies within ${statedLength(roundedUp(path.within_mm))} of what is drawn.`;
+    `every move lies within ${statedLength(roundedUp(path.within_mm))} of what is drawn${axisWords(path)}.`;
+}
+
+function axisWords({ axis }) {
+  return axis?.within_deg > 0 ? `, its tool’s axis within ${roundedUp(axis.within_deg)}°` : '';
 }
 
 /** To two digits, upwards: what is said stays true. */
-function roundedUp(mm) {
-  const unit = 10 ** (Math.floor(Math.log10(mm)) - 1);
-  return Math.ceil(mm / unit - 1e-9) * unit;
+function roundedUp(value) {
+  const unit = 10 ** (Math.floor(Math.log10(value)) - 1);
+  return Number((Math.ceil(value / unit - 1e-9) * unit).toPrecision(12));
 }

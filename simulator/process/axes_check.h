@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "simulator/instrument/stock_check.h"
-#include "simulator/process/process_check.h"
+#include "simulator/process/finding.h"
+#include "simulator/process/process_limits.h"
 #include "simulator/process/tool_bodies.h"
 #include "simulator/process/turn_search.h"
+#include "simulator/stock/stock_model.h"
 #include "simulator/sweep/move_runs.h"
 
 namespace limitgauge::simulator {

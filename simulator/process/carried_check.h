@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "simulator/process/process_check.h"
+#include "simulator/process/finding.h"
+#include "simulator/process/process_limits.h"
 #include "simulator/process/turn_meeting.h"
+#include "simulator/stock/stock_model.h"
 
 namespace limitgauge::simulator {
 

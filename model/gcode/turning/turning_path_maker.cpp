@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "model/base/error.h"
 #include "model/base/tolerance.h"
@@ -30,6 +31,28 @@ Vec3 aside_mm(const Kinematics& machine, const MotionFrame& frame, const RotaryA
 float tip_feed(double way_mm, double minutes, float stated_mm_min) {
   if (way_mm == 0 || minutes == 0) return stated_mm_min;
   return static_cast<float>(std::clamp(way_mm / minutes, kLeastFeed_mm_min, kLargestFeed_mm_min));
+}
+
+void require_turning_options(const PathOptions& options) {
+  if (!(std::isfinite(options.chord_error_mm) && options.chord_error_mm > 0))
+    throw std::invalid_argument("chord error must be greater than 0");
+  if (!(std::isfinite(options.reach_mm) && options.reach_mm >= 0))
+    throw std::invalid_argument("a tool's reach is finite and not negative");
+  if (options.first == 0 && !options.start_mm)
+    throw std::invalid_argument("a path that turns its tool begins at a stated start");
+}
+
+/// CL data name the tool's axis with each place.
+TurningPath stated_path(const Program& program, const PathOptions& options) {
+  const std::size_t last = std::min(options.last, program.motions.size());
+  const std::size_t first = std::min(options.first, last);
+  PathOptions upright = options;
+  upright.kinematics.reset();
+  TurningPath out{tip_path(program, upright), {}};
+  const RigidPlacement turn{options.machine_in_part.rotate_z_deg, {}};
+  out.axes.start = turn(axis_from(*program.axes, first));
+  for (std::size_t i = first; i < last; ++i) out.axes.to.push_back(turn(program.axes->to[i]));
+  return out;
 }
 
 }  // namespace
@@ -255,6 +278,14 @@ TurningPath TurningPathMaker::make() {
     }
   }
   return {std::move(path_), std::move(axes_)};
+}
+
+TurningPath to_turning_path(const Program& program, const PathOptions& options) {
+  require_turning_options(options);
+  TurningPath made =
+      program.axes ? stated_path(program, options) : TurningPathMaker(program, options).make();
+  require_axes(made.path, made.axes);
+  return made;
 }
 
 }  // namespace limitgauge::model

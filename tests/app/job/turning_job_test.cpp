@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kTurningMemory = std::size_t{1} << 33;
 
-const std::string kTurningBegin = "G21 G90 G94\nT1 M6\nS1 M3\nG43.4 H1\nG0 X0 Y0 Z60\n";
+const std::string kTurningBegin = "G21 G90 G94\nT1 M6\nS1 M3\nG234 H1\nG0 X0 Y0 Z60\n";
 const std::string kSimultaneous =
     kTurningBegin + "G1 Z30 F500\nX10 Z25 A20 C10\nY5 A25\nG0 Z60\nA0 C0\nG49\nM30\n";
 

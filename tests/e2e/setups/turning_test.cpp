@@ -1,0 +1,87 @@
+// Programs whose tool turns as it cuts, made by fixtures/turning/post.py, whose surfaces and
+// kinematics are its own: of each kind one that is right, and its twin with one rotary word wrong.
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/e2e/program.h"
+#include "tests/e2e/shell.h"
+#include "tests/support/catch.h"
+#include "tests/support/effort.h"
+
+namespace limitgauge::e2e {
+using nlohmann::json;
+namespace {
+
+/// Places twice as far apart as a finish has them, and gates four times as wide: a quarter of the
+/// time.
+std::string post(const Scratch& scratch, const std::string& name, const std::string& wrong) {
+  const ShellOutcome outcome = bash("python3 '" + fixture("turning/post.py") + "' " + name + " '" +
+                                    scratch.path().string() + "' --every 2" + wrong);
+  INFO(outcome.out);
+  REQUIRE(outcome.exit_code == 0);
+  return outcome.out;
+}
+
+Outcome run(const Scratch& scratch, const std::string& name) {
+  return limitgauge(scratch,
+                    {"run", name + ".toml", "-o", "out", "--force", "--no-pictures", "--quiet"});
+}
+
+json finish_of(const Scratch& scratch) {
+  return json::parse(read_text(scratch / "out/result.json"))["stages"][0];
+}
+
+void passes(const std::string& name) {
+  const Scratch scratch;
+  post(scratch, name, "");
+  const Outcome outcome = run(scratch, name);
+  INFO(outcome.errors);
+  CHECK(outcome.exit_code == 0);
+  const json finish = finish_of(scratch);
+  CHECK(finish["verdict"] == "pass");
+  // What rows so far apart must leave over: a ball's scallop, of 1 mm rows 40 um and more.
+  CHECK(finish["deviation"]["uncut_mm"]["low"] > 0.04);
+  CHECK(finish["simulation"]["findings"].empty());
+}
+
+/// The script says by how much more the ball goes in there: with the chords of a path as coarse as
+/// this one that is what is found, within a tenth.
+void fails_at_its_line(const std::string& name, int place) {
+  const Scratch scratch;
+  std::istringstream said(post(scratch, name, " --wrong " + std::to_string(place)));
+  int line = 0;
+  double depth_mm = 0;
+  REQUIRE(said >> line >> depth_mm);
+  REQUIRE(depth_mm > 0.3);
+  REQUIRE(run(scratch, name).exit_code == 1);
+  const json finish = finish_of(scratch);
+  CHECK(finish["verdict"] == "fail");
+  const json& worst = finish["deviation"]["gouges"].at(0);
+  CHECK(worst["line"] == line);
+  CHECK(worst["depth_mm"].get<double>() == Approx(depth_mm).epsilon(0.1));
+  // One bad word, one place: no other line goes anywhere near as deep.
+  for (const json& gouge : finish["deviation"]["gouges"])
+    if (gouge["depth_mm"] > 0.1) CHECK(std::abs(gouge["line"].get<int>() - line) <= 1);
+}
+
+}  // namespace
+
+TEST_CASE("a blade whose tables turn as its flank is cut, and with one A word wrong",
+          "[e2e][setups]") {
+  passes("blade");
+  fails_at_its_line("blade", 100);
+}
+
+TEST_CASE("a bowl with an undercut that only a leaning tool reaches, and one axis wrong",
+          "[e2e][setups]") {
+  if (tests::thorough()) passes("bowl");
+  fails_at_its_line("bowl", 100);
+}
+
+TEST_CASE("a deep cavity that a short tool reaches leaning, and with one B word wrong",
+          "[e2e][setups]") {
+  if (tests::thorough()) passes("cavity");
+  fails_at_its_line("cavity", 100);
+}
+
+}  // namespace limitgauge::e2e

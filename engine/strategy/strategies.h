@@ -32,7 +32,8 @@ StagePath plan_contour(const surface::FinishModel& model, const StageRequest& re
                        const model::RunControl& control);
 
 /// Iso-planar rows over the whole part, zigzag or one-way, at any angle. Tolerances are
-/// those of the rows; links keep clear of the part.
+/// those of the rows; links keep clear of the part. With `cut.lean` the rows of a ball that is to
+/// lean, as it stands upright, shank and holder not looked at (LeaningRows); plan_stage leans it.
 StagePath plan_zigzag(const surface::FinishModel& model, const StageRequest& request,
                       const model::RunControl& control);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/strategy/axes/leaning_path.h"
 #include "engine/strategy/linking/cut_pass.h"
 #include "engine/strategy/rows/ball_rows.h"
 #include "engine/strategy/rows/boundary_pass.h"
@@ -10,6 +11,11 @@
 
 namespace limitgauge::engine::strategy {
 namespace {
+
+/// Rows that lean take half of what leaving out points may else, for what the centre is off its way
+/// while the axis turns: half of that in lean_path(), half at the control.
+constexpr RowShares kLeaningShares = {0.1, 2 * kBowShare};
+static_assert(kLeaningShares.reduction + kLeaningShares.bow <= kRowReductionShare);
 
 /// All rows as one group, cut in any order; one-way rows that are to be climb or conventional
 /// milled as a group each: what is still to be cut then lies on the right of each row, or on its
@@ -33,7 +39,8 @@ StagePath plan_zigzag(const surface::FinishModel& model, const StageRequest& req
                       const model::RunControl& control) {
   const bool ball = request.cutter.type == model::CutterType::ball;
   const LimitLocations limit = limit_locations(model.patches(), request);
-  DriveRows made = ball ? make_ball_rows(model.patches(), request, control)
+  const RowShares shares = request.cut.lean ? kLeaningShares : RowShares();
+  DriveRows made = ball ? make_ball_rows(model.patches(), request, control, shares)
                         : make_sampled_rows(limit, request, control);
   StagePath stage;
   stage.planes = static_cast<int>(made.rows.size());

@@ -31,7 +31,8 @@ class TurningProgramWriter {
         rule_(rules(writer.text.dialect)),
         text_(out, writer.text.line_numbers) {}
 
-  void write();
+  /// The line of the first place.
+  std::uint32_t write();
 
  private:
   FixedNumber number(double value) const {
@@ -54,7 +55,7 @@ class TurningProgramWriter {
   float feed_mm_min_ = 0;
 };
 
-void TurningProgramWriter::write() {
+std::uint32_t TurningProgramWriter::write() {
   const TipWords words = tip_words(writer_.control);
   text_.write_head(writer_.text);
   write_start();
@@ -63,9 +64,11 @@ void TurningProgramWriter::write() {
   } else {
     text_.line(words.on);
   }
+  const std::uint32_t first = text_.line_number();
   for (const RotaryPlace& place : path_.to) write_place(place);
   text_.line(words.off);
   text_.write_end(rule_);
+  return first;
 }
 
 /// The axes first, then the tool to its height, then over the place.
@@ -149,11 +152,12 @@ Dialect dialect_for(Control control) {
   return control == Control::linuxcnc ? Dialect::linuxcnc : Dialect::fanuc;
 }
 
-void write_turning_program(const RotaryPath& path, const TurningWriter& writer, std::ostream& out) {
+std::uint32_t write_turning_program(const RotaryPath& path, const TurningWriter& writer,
+                                    std::ostream& out) {
   if (!has_tip_control(writer.control) || writer.text.dialect != dialect_for(writer.control))
     throw std::invalid_argument("the control's dialect has no words for a tip under control");
   require_writable(tip_path_of(path), writer.text);
-  TurningProgramWriter(path, writer, out).write();
+  return TurningProgramWriter(path, writer, out).write();
 }
 
 }  // namespace limitgauge::model

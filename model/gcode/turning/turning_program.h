@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <ostream>
 
 #include "model/gcode/program.h"
@@ -24,8 +25,10 @@ struct TurningWriter {
 /// Writes `path` as G-code: the axes go to 0, the tool's length comes on and the tip goes to the
 /// start's height and then over the start; then the tip is under control, places and angles are
 /// named, and the control's own words end it. Feed rates are rounded where the dialect's are.
-/// Throws std::invalid_argument before anything is written for what the dialect cannot express and
+/// Returns the line of the first place behind the start. Throws std::invalid_argument before
+/// anything is written for what the dialect cannot express and
 /// for a control without such words; ResourceError where `out` fails.
-void write_turning_program(const RotaryPath& path, const TurningWriter& writer, std::ostream& out);
+std::uint32_t write_turning_program(const RotaryPath& path, const TurningWriter& writer,
+                                    std::ostream& out);
 
 }  // namespace limitgauge::model

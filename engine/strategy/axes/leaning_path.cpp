@@ -91,6 +91,7 @@ class Leaner {
   };
   void add(std::size_t move);
   void add_between(const Place& a, const Place& b, const model::Move& like, int halvings);
+  void turn_in_place(const Place& a, const Place& b, const model::Move& like);
   void push(const Vec3& centre, const Vec3& axis, model::Move like);
   void turn_in_air(const Vec3& axis);
 
@@ -170,10 +171,21 @@ void Leaner::turn_in_air(const Vec3& axis) {
          {{}, 0, 0, model::MoveKind::rapid});
 }
 
+/// Where the surface's normal jumps, beyond the rim.
+void Leaner::turn_in_place(const Place& a, const Place& b, const model::Move& like) {
+  const double angle = model::angle_between(a.axis, b.axis);
+  const int parts = std::max(1, static_cast<int>(std::ceil(angle / most_turn_rad_)));
+  for (int i = 1; i <= parts; ++i) {
+    const double t = static_cast<double>(i) / parts;
+    push(lerp(a.centre, b.centre, t), between(a.axis, b.axis, t), like);
+  }
+}
+
 void Leaner::add_between(const Place& a, const Place& b, const model::Move& like, int halvings) {
   const bool near = !rule_.normal || level_distance(a.centre, b.centre) <= rule_.spacing_mm;
-  if (halvings == 0 || (near && model::angle_between(a.axis, b.axis) <= most_turn_rad_))
-    return push(b.centre, b.axis, like);
+  const double angle = model::angle_between(a.axis, b.axis);
+  if (near && angle <= most_turn_rad_) return push(b.centre, b.axis, like);
+  if (halvings == 0) return turn_in_place(a, b, like);
   Place middle{(a.centre + b.centre) / 2, {}, (a.heading + b.heading) / 2};
   middle.axis = axis_at(middle.centre, middle.heading);
   add_between(a, middle, like, halvings - 1);

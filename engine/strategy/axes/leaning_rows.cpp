@@ -7,7 +7,7 @@
 
 #include "engine/strategy/axes/leaning_path.h"
 #include "engine/strategy/rows/drive_rows.h"
-#include "engine/strategy/strategies.h"
+#include "engine/strategy/rows/zigzag.h"
 #include "model/base/clock.h"
 
 namespace limitgauge::engine::strategy {

@@ -1,4 +1,4 @@
-#include "engine/strategy/strategies.h"
+#include "engine/strategy/rows/zigzag.h"
 
 #include <algorithm>
 #include <utility>

@@ -42,12 +42,10 @@ StageRequest ball_alone(StageRequest request) {
 
 LeaningRows::LeaningRows(const surface::FinishModel& model, const StageRequest& request,
                          const model::RunControl& control)
-    : request_(request) {
+    : model_(model), control_(control), request_(request) {
   require_leaning(request);
-  const StageRequest ball = ball_alone(request);
-  upright_ = plan_zigzag(model, ball, control);
   if (request.cut.lean->from == LeanFrom::surface)
-    surface_ = limit_locations(model.patches(), ball).surface;
+    surface_ = limit_locations(model.patches(), ball_alone(request)).surface;
 }
 
 double LeaningRows::centre_height_mm(double x, double y) const {
@@ -74,11 +72,13 @@ StagePath LeaningRows::leaning(double tilt_deg) const {
     rule.spacing_mm = kNormalWidth * request_.cutter.radius_mm();
   }
   const model::Stopwatch watch;
-  LeaningPath made = lean_path(upright_.path, request_.cutter, rule);
-  StagePath stage = upright_;
+  StageRequest ball = ball_alone(request_);
+  ball.cut.lean->tilt_deg = tilt_deg;
+  StagePath stage = plan_zigzag(model_, ball, control_);
+  LeaningPath made = lean_path(stage.path, request_.cutter, rule);
   stage.path = std::move(made.path);
   stage.axes = std::move(made.axes);
-  stage.seconds += watch.seconds();
+  stage.seconds = watch.seconds();
   stage.memory_bytes = stage.path.moves.size() * (sizeof(model::Move) + sizeof(Vec3));
   return stage;
 }

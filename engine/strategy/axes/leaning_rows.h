@@ -13,12 +13,13 @@ namespace limitgauge::engine::strategy {
 /// where a ball rolls over a rim, it is taken to lean by that.
 inline constexpr double kSteepestNormal_deg = 45;
 
-/// The rows of a zigzag whose ball leans, planned once for any tilt: a ball's centre goes where it
-/// goes however the tool stands.
+/// The rows of a zigzag whose ball leans. Its centre goes where it would go upright, but that rows
+/// go the less far over rims, the more it leans.
 class LeaningRows {
  public:
   /// `request.cut.lean` says what the axis leans from, and its lead. Throws std::invalid_argument
-  /// without it, for another strategy or cutter, and for a boundary pass.
+  /// without it, for another strategy or cutter, and for a boundary pass. `model` and `control`
+  /// must outlive this.
   LeaningRows(const surface::FinishModel& model, const StageRequest& request,
               const model::RunControl& control);
 
@@ -30,8 +31,9 @@ class LeaningRows {
   model::Vec3 normal_at(double x, double y) const;
   double centre_height_mm(double x, double y) const;
 
+  const surface::FinishModel& model_;
+  const model::RunControl& control_;
   StageRequest request_;
-  StagePath upright_;
   std::optional<CutterLocations> surface_;  ///< where axes lean from the surface
 };
 

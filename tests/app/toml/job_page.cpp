@@ -317,6 +317,14 @@ feed = 1000
 tilt = 20
 lead = 5
 lean_from = "surface"
+[[stage]]
+name = "again"
+tool = "ball6"
+strategy = "zigzag"
+step = 1
+tolerance = 0.02
+feed = 1000
+tilt = "auto"
 )";
   return {first + planned, foreign, bar + planned, mesh, sides, turning, leaning};
 }

@@ -2,6 +2,16 @@
 
 namespace limitgauge::app {
 
+std::vector<double> tilt_grid() {
+  constexpr int kStep_deg = 5, kMost_deg = 60;
+  std::vector<double> tilts = {0};
+  for (int tilt = kStep_deg; tilt <= kMost_deg; tilt += kStep_deg) {
+    tilts.push_back(tilt);
+    tilts.push_back(-tilt);
+  }
+  return tilts;
+}
+
 const char* strategy_name(engine::strategy::Strategy strategy) {
   switch (strategy) {
     case engine::strategy::Strategy::contour:

@@ -27,7 +27,12 @@ const char* strategy_name(engine::strategy::Strategy strategy);
 struct StagePlan {
   engine::strategy::CutOptions cut;
   std::optional<double> floor_z_mm;  ///< empty: chosen from the surface and the cutter
+  /// Of cut.lean: its tilt is the least of tilt_grid() that is proven free of collisions.
+  bool tilt_is_auto = false;
+  model::SourcePlace tilt_place = {};  ///< where the job states it
 };
+/// The tilts that "auto" tries, in degrees, in this order.
+std::vector<double> tilt_grid();
 
 /// A cutter of the job, as the machine's tool table has it.
 struct JobTool {

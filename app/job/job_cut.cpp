@@ -30,7 +30,11 @@ std::vector<Uses> uses(const CutOptions& cut) {
   const std::vector<Strategy> loops = {Strategy::contour, Strategy::steep_shallow, Strategy::rest};
   const std::vector<Strategy> all = {Strategy::contour, Strategy::zigzag, Strategy::steep_shallow,
                                      Strategy::rest};
-  return {{"scallop", rows, ""},
+  const std::vector<Strategy> zigzag = {Strategy::zigzag};
+  return {{"tilt", zigzag, ""},
+          {"lead", zigzag, cut.lean ? model::shortest(cut.lean->lead_deg) : ""},
+          {"lean_from", zigzag, cut.lean ? "vertical" : ""},
+          {"scallop", rows, ""},
           {"angle", rows, model::shortest(cut.angle_deg)},
           {"pattern", rows, "zigzag"},
           {"boundary_pass", rows, "false"},
@@ -85,6 +89,39 @@ void read_entry(const TomlTable& stage, CutOptions& cut) {
   if (stage.has("ramp_angle")) cut.ramp_angle_deg = stage.between("ramp_angle", 0, 90);
 }
 
+constexpr double kMostLean_deg = 60;
+constexpr const char* kLeanExpected = "an angle from -60 to 60 degrees";
+
+void read_tilt(const TomlTable& stage, StagePlan& plan) {
+  plan.tilt_place = stage.place("tilt");
+  plan.tilt_is_auto = stage.is_text("tilt");
+  if (plan.tilt_is_auto && stage.text("tilt") != "auto")
+    throw model::InputError(plan.tilt_place, "\"tilt\" is \"" + stage.text("tilt") + "\"",
+                            std::string(kLeanExpected) + ", or \"auto\"");
+  if (plan.tilt_is_auto) return;
+  plan.cut.lean->tilt_deg = stage.within("tilt", -kMostLean_deg, kMostLean_deg, kLeanExpected);
+}
+
+/// How the tool leans along its rows: none of it without `tilt`.
+void read_lean(const TomlTable& stage, StagePlan& plan) {
+  for (const char* key : {"lead", "lean_from"})
+    if (stage.has(key) && !stage.has("tilt"))
+      throw model::InputError(stage.place(key), "\"" + std::string(key) + "\" without \"tilt\"",
+                              "tilt = \"auto\", or an angle from -60 to 60 degrees, 0 too");
+  if (!stage.has("tilt")) return;
+  ToolLean& lean = plan.cut.lean.emplace();
+  read_tilt(stage, plan);
+  if (stage.has("lead"))
+    lean.lead_deg = stage.within("lead", -kMostLean_deg, kMostLean_deg, kLeanExpected);
+  if (stage.has("lean_from"))
+    lean.from = stage.one_of("lean_from", {"vertical", "surface"}) == "surface"
+                    ? LeanFrom::surface
+                    : LeanFrom::vertical;
+  if (plan.cut.boundary_pass)
+    throw model::InputError(stage.place("boundary_pass"), "\"boundary_pass\" beside \"tilt\"",
+                            "rows alone, which is what leans");
+}
+
 void read_feeds(const TomlTable& stage, CutOptions& cut) {
   cut.feed_mm_min = stage.rate_mm_min("feed");
   cut.plunge_feed_mm_min = stage.has("plunge_feed") ? stage.rate_mm_min("plunge_feed")
@@ -104,6 +141,7 @@ StagePlan read_plan(const TomlTable& stage, const std::string& name, JobContext&
   read_shape(stage, plan.cut, context);
   read_entry(stage, plan.cut);
   read_feeds(stage, plan.cut);
+  read_lean(stage, plan);
   check_uses(stage, name, plan.cut, context);
   if (stage.has("floor")) plan.floor_z_mm = stage.coordinate_mm("floor");
   return plan;

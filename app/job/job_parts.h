@@ -73,10 +73,10 @@ std::vector<JobStage> read_stages(const std::vector<const toml::table*>& stages,
                                   const std::vector<JobSetup>& setups, JobContext& context);
 
 /// Keys of a stage that say how it is cut, whatever the strategy.
-inline constexpr const char* kCutKeys[] = {"step",          "scallop",   "tolerance",   "feed",
-                                           "plunge_feed",   "link_feed", "floor",       "angle",
-                                           "pattern",       "direction", "steep_angle", "overlap",
-                                           "boundary_pass", "entry",     "ramp_angle"};
+inline constexpr const char* kCutKeys[] = {
+    "step",          "scallop", "tolerance",  "feed",      "plunge_feed", "link_feed",
+    "floor",         "angle",   "pattern",    "direction", "steep_angle", "overlap",
+    "boundary_pass", "entry",   "ramp_angle", "tilt",      "lead",        "lean_from"};
 
 /// How the stage `name` is to be cut. What is left to a default is said in `context`; a key that
 /// the strategy does not use is an error: it would change nothing.

@@ -4,6 +4,7 @@
 
 #include "app/job/job_parts.h"
 #include "app/job/oriented_job.h"
+#include "app/job/turning_stage.h"
 #include "app/toml/toml_table.h"
 #include "app/toml/toml_text.h"
 #include "model/base/text_file.h"
@@ -92,6 +93,7 @@ Job read_root(const toml::table& table, JobContext& context) {
   std::vector<model::Cutter> cutters;
   for (const JobTool& tool : tools) cutters.push_back(tool.cutter);
   read_tolerances(root, cutters, job);
+  require_leaning_stages(job);
   if (root.has("published")) job.published = read_published(root);
   job.defaulted = std::move(context.defaulted);
   job.sources = std::move(context.sources);

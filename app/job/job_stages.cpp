@@ -27,6 +27,15 @@ void require_plannable(const TomlTable& stage, const model::Cutter& cutter) {
                           "flat, ball, bull or taper; a program takes any tool");
 }
 
+/// A ball's centre goes where it goes however the tool leans; no other cutter has such a place.
+void require_leaning_ball(const TomlTable& stage, const JobStage& result) {
+  if (!result.plan->cut.lean || result.cutter.type == model::CutterType::ball) return;
+  throw model::InputError(stage.place("tilt"),
+                          std::string("\"tilt\" of the ") + model::name(result.cutter.type) +
+                              " cutter \"" + result.cutter.id + "\"",
+                          "a ball, whose rows alone lean");
+}
+
 void read_source(const TomlTable& stage, bool first, JobStage& result, JobContext& context) {
   const bool planned = stage.has("strategy");
   if (planned == stage.has("program")) {
@@ -39,6 +48,7 @@ void read_source(const TomlTable& stage, bool first, JobStage& result, JobContex
   if (planned) {
     require_plannable(stage, result.cutter);
     result.plan = read_plan(stage, result.name, context);
+    require_leaning_ball(stage, result);
     if (first && result.plan->cut.strategy == engine::strategy::Strategy::rest)
       throw model::InputError(stage.place("strategy"),
                               "a rest stage is the first: nothing was cut before it",

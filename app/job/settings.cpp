@@ -51,6 +51,19 @@ std::string frame_words(const Job& job) {
          " degrees; no alignment is made";
 }
 
+void state_lean(const JobStage& stage, const std::string& chords, std::vector<std::string>& said) {
+  const std::string head = "stage " + stage.name + ": ";
+  said.push_back(head +
+                 "the program is measured as it is written and read again: rotary axes turn evenly "
+                 "while the tip goes straight, no place of the tool further off than " +
+                 chords + "; it has no arcs");
+  if (stage.plan->tilt_is_auto)
+    said.push_back(head +
+                   "tilt auto: of 0, 5, -5, 10, -10, ... 60, -60 degrees the first for which "
+                   "flutes, shank and holder are proven free of the part and the process of the "
+                   "stock as it stands");
+}
+
 void state_stage(const Job& job, const Settings& settings, std::size_t index,
                  std::vector<std::string>& said) {
   const JobStage& stage = job.stages[index];
@@ -73,7 +86,8 @@ void state_stage(const Job& job, const Settings& settings, std::size_t index,
     said.push_back(head + "lowest tip height z " + model::shortest(floor_z_mm) +
                    " mm (default: lowest point of the surface less the cutter's corner radius)");
   }
-  if (stage.plan && job.post.arc_tolerance_mm) {
+  if (stage.plan && stage.plan->cut.lean) state_lean(stage, chords, said);
+  if (stage.plan && job.post.arc_tolerance_mm && !stage.plan->cut.lean) {
     said.push_back(head + "arcs stand for runs of planned moves within " +
                    model::shortest(*job.post.arc_tolerance_mm) +
                    " mm; the program is measured as it is written, arcs as chords within " +

@@ -12,4 +12,8 @@ inline constexpr const char* kTurnsInPlace =
 /// cuts: tolerances, limits of travel, fixtures that do not turn with the part.
 void require_turning_tool(const Job& job, const JobStage& stage);
 
+/// The same for planned stages whose tool is to lean, and what is needed to post them: rotary axes,
+/// a control that has the tip under control, its dialect, the length of a tool in a head.
+void require_leaning_stages(const Job& job);
+
 }  // namespace limitgauge::app

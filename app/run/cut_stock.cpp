@@ -19,25 +19,6 @@ namespace {
 /// Lines on which the two stock models are compared after each stage.
 constexpr std::size_t kComparedLines = 4000;
 
-/// What the shape that is left does not show: collisions and the like.
-std::vector<simulator::Finding> process_findings(const Job& job, const RunInputs& inputs,
-                                                 const JobStage& asked,
-                                                 const simulator::StockModel& stock,
-                                                 const simulator::Pass& pass,
-                                                 const StageWatch& watch) {
-  simulator::ProcessLimits limits;
-  limits.tolerance_mm = inputs.settings.contact_tolerance_mm;
-  limits.near_miss_mm = near_miss_mm(job);
-  limits.travel_mm = job.travel_mm;
-  limits.fixtures = inputs.fixtures;
-  limits.carried = carried_bodies(job, asked, inputs.carried);
-  const auto control = watch.control(asked.name + ": checking the process");
-  std::vector<simulator::Finding> found = turn_findings(job, asked, stock, limits, control);
-  const auto moves = check_process(stock, pass, limits, control);
-  found.insert(found.end(), moves.begin(), moves.end());
-  return found;
-}
-
 /// What each move took.
 void follow_removal(const JobStage& asked, const simulator::Pass& pass, CutStock& stock,
                     const StageWatch& watch, reports::StageResult::Ran& ran) {
@@ -126,6 +107,24 @@ model::Pose to_part(const Job& job) {
 }
 
 }  // namespace
+
+std::vector<simulator::Finding> process_findings(const Job& job, const RunInputs& inputs,
+                                                 const JobStage& asked,
+                                                 const simulator::StockModel& stock,
+                                                 const simulator::Pass& pass,
+                                                 const StageWatch& watch) {
+  simulator::ProcessLimits limits;
+  limits.tolerance_mm = inputs.settings.contact_tolerance_mm;
+  limits.near_miss_mm = near_miss_mm(job);
+  limits.travel_mm = job.travel_mm;
+  limits.fixtures = inputs.fixtures;
+  limits.carried = carried_bodies(job, asked, inputs.carried);
+  const auto control = watch.control(asked.name + ": checking the process");
+  std::vector<simulator::Finding> found = turn_findings(job, asked, stock, limits, control);
+  const auto moves = check_process(stock, pass, limits, control);
+  found.insert(found.end(), moves.begin(), moves.end());
+  return found;
+}
 
 CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch& watch) {
   simulator::StockModel stock(job.stock, settings.voxel_mm, settings.stock_limit_bytes,

@@ -23,6 +23,14 @@ struct CutStock {
   bool volume_is_older = false;
 };
 
+/// What the shape that is left does not show: collisions and the like of `pass`, `asked`'s, on the
+/// stock as it stands before.
+std::vector<simulator::Finding> process_findings(const Job& job, const RunInputs& inputs,
+                                                 const JobStage& asked,
+                                                 const simulator::StockModel& stock,
+                                                 const simulator::Pass& pass,
+                                                 const StageWatch& watch);
+
 /// Before the first stage.
 CutStock uncut_stock(const Job& job, const Settings& settings, const StageWatch& watch);
 

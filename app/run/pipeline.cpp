@@ -13,11 +13,13 @@
 #include "app/run/stage_prefix.h"
 #include "app/run/stage_program.h"
 #include "app/run/stock_probe.h"
+#include "app/run/tilt_proof.h"
 #include "model/base/clock.h"
 #include "model/base/error.h"
 #include "model/base/memory.h"
 #include "model/base/output_file.h"
 #include "model/part/machining_time.h"
+#include "model/text/number_text.h"
 #include "reports/run/process.h"
 #include "reports/run/report.h"
 
@@ -47,6 +49,7 @@ class Bench {
   void begin(reports::RunResult& result);
   void say_forecast();
   void run_stage(std::size_t index, reports::StageResult& stage);
+  StageToCut planned(std::size_t index);
   void make_path(std::size_t index, reports::StageResult::Ran& ran);
   bool stays(std::size_t index, reports::StageResult::Ran& ran) const;
   void cut(std::size_t index, reports::StageResult::Ran& ran);
@@ -70,6 +73,10 @@ class Bench {
   std::size_t stock_of_ = 0;  ///< a stage in whose setup's frame the stock is
 };
 
+bool has_auto_tilt(const JobStage& stage) {
+  return stage.plan && stage.plan->cut.lean && stage.plan->tilt_is_auto;
+}
+
 /// The stock as it lies in the machine for a stage.
 void Bench::enter_setup(std::size_t index) {
   const std::size_t before = std::exchange(stock_of_, index);
@@ -78,11 +85,24 @@ void Bench::enter_setup(std::size_t index) {
                        {setups_.passes_at(index), setups_.turn(before, index)}, watch());
 }
 
+/// A tilt "auto" is proven on the stock as it lies in the stage's setup.
+StageToCut Bench::planned(std::size_t index) {
+  const JobStage& asked = job_.stages[index];
+  std::optional<TiltProof> proof;
+  CollisionProof asks;
+  if (has_auto_tilt(asked)) {
+    enter_setup(index);
+    proof.emplace(setups_.job_at(index), setups_.inputs_at(index), index, stock_->stock, watch());
+    asks = [&proof](const StageToCut& ready) { return proof->against(ready); };
+  }
+  return setups_.planner_at(index).plan(index, setups_.passes_at(index),
+                                        control(asked.name + ": planning"), asks);
+}
+
 void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   const JobStage& asked = job_.stages[index];
   const model::Stopwatch watch;
-  StageToCut ready = setups_.planner_at(index).plan(index, setups_.passes_at(index),
-                                                    control(asked.name + ": planning"));
+  StageToCut ready = planned(index);
   if (options_.stage_files) {
     model::make_folder(folder_ / asked.name);
     write_program_files(ready, folder_ / asked.name);
@@ -98,6 +118,9 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
   ran.program_text = std::move(ready.program);
   ran.path = std::move(ready.path);
   ran.axes = std::move(ready.axes);
+  if (ready.lean)
+    ran.lean = {ready.lean->lead_deg, ready.lean->tilt_deg,
+                ready.lean->from == engine::strategy::LeanFrom::surface};
   const model::ToolpathLengths sums = lengths(*ran.path, job_.rapid_mm_min);
   ran.cut_length_mm = sums.cut_mm;
   ran.rapid_length_mm = sums.rapid_mm;
@@ -289,14 +312,33 @@ reports::RunResult run_job(const Job& job, const RunInputs& inputs,
   return within_memory([&] { return Bench(job, inputs, folder, options, resumption).run(); });
 }
 
+namespace {
+
+/// Of a tilt "auto": the stock that it is proven on is cut by all stages before it.
+StageToCut planned_stage(RunSetups& setups, std::size_t index, const RunOptions& options) {
+  const Job& job = setups.job_at(index);
+  const RunInputs& inputs = setups.inputs_at(index);
+  const std::vector<model::Pass> before = setups.passes_at(index);
+  const model::RunControl control{options.threads, options.stop, options.watch.progress};
+  if (!has_auto_tilt(job.stages[index]))
+    return setups.planner_at(index).plan(index, before, control);
+  const StageWatch watch{options, index + 1, job.stages.size()};
+  const CutStock stock =
+      cut_again(uncut_stock(job, inputs.settings, watch), before, inputs.settings, watch);
+  const TiltProof proof(job, inputs, index, stock.stock, watch);
+  return setups.planner_at(index).plan(
+      index, before, control, [&](const StageToCut& ready) { return proof.against(ready); });
+}
+
+}  // namespace
+
 void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::path& folder,
               const RunOptions& options) {
   RunSetups setups(job, inputs);
   for (std::size_t i = 0; i < job.stages.size(); ++i) {
     const std::string& name = job.stages[i].name;
     options.watch.phase({name + ": planning", i + 1, job.stages.size()});
-    const StageToCut ready = setups.planner_at(i).plan(
-        i, setups.passes_at(i), {options.threads, options.stop, options.watch.progress});
+    const StageToCut ready = planned_stage(setups, i, options);
     model::make_folder(folder / name);
     write_program_files(ready, folder / name);
     const model::Pose to_part = job.setups[setups.setup_of(i)].setup.from_part.inverse();
@@ -304,7 +346,8 @@ void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::pa
         ready.axes ? std::optional(turned(*ready.axes, to_part)) : std::nullopt;
     reports::write_toolpath_vtp(turned(*ready.path, to_part), folder / name / "toolpath.vtp", {},
                                 {}, axes ? &*axes : nullptr);
-    options.watch.note(name + ": " + std::to_string(ready.path->moves.size()) + " moves");
+    options.watch.note(name + ": " + std::to_string(ready.path->moves.size()) + " moves" +
+                       (ready.lean ? ", tilt " + model::shortest(ready.lean->tilt_deg) : ""));
     setups.add(ready.path, ready.axes);
   }
 }

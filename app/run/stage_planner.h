@@ -1,11 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "app/inputs/run_inputs.h"
 #include "app/job/job.h"
 #include "app/run/stage_program.h"
+#include "engine/strategy/axes/leaning_rows.h"
 #include "engine/surface/finish_model.h"
 #include "verifier/gate/verify.h"
 
@@ -13,6 +16,10 @@ namespace limitgauge::app {
 
 /// What the engine's model of the surface is built for: all stages of the job share one.
 engine::surface::ModelRequest model_request(const Job& job);
+
+/// What speaks against a stage as it was planned, in words; nothing where it is proven free of
+/// collisions.
+using CollisionProof = std::function<std::optional<std::string>(const StageToCut&)>;
 
 /// Makes the paths of a job's stages. The engine's model is built at the first stage that needs
 /// it, once for all.
@@ -24,9 +31,10 @@ class StagePlanner {
       : job_(job), inputs_(inputs), model_(std::move(model)), is_used_(model_.has_value()) {}
 
   /// `before` are the passes of the stages before: a rest stage asks the verifier what they have
-  /// left. Throws InputError where the stage asks for something that no path can serve.
+  /// left. Throws InputError where the stage asks for something that no path can serve, and where
+  /// of a tilt "auto" none of tilt_grid() does for `proof`, which is asked for nothing else.
   StageToCut plan(std::size_t stage, std::span<const verifier::Pass> before,
-                  const model::RunControl& control);
+                  const model::RunControl& control, const CollisionProof& proof = {});
   /// Empty as long as no stage needed it.
   const std::optional<engine::surface::FinishModel>& model() const {
     static const std::optional<engine::surface::FinishModel> kNone;
@@ -44,6 +52,12 @@ class StagePlanner {
                                    const model::RunControl& control) const;
   StageToCut plan_own(std::size_t stage, std::span<const verifier::Pass> before,
                       const model::RunControl& control);
+  StageToCut plan_leaning(std::size_t stage, const model::RunControl& control,
+                          const CollisionProof& proof);
+  StageToCut leaning(std::size_t stage, const engine::strategy::LeaningRows& rows,
+                     double tilt_deg) const;
+  StageToCut least_tilt(std::size_t stage, const engine::strategy::LeaningRows& rows,
+                        const CollisionProof& proof) const;
   StageToCut take_program(std::size_t stage) const;
 
   const Job& job_;

@@ -1,12 +1,18 @@
 #include "app/run/stage_program.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
+#include "app/job/foreign_programs.h"
+#include "app/job/setup_frame.h"
+#include "engine/strategy/axes/leaning_path.h"
 #include "model/base/error.h"
 #include "model/base/output_file.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/program_path.h"
+#include "model/gcode/turning/turning_path.h"
+#include "model/gcode/turning/turning_program.h"
 
 namespace limitgauge::app {
 namespace {
@@ -23,10 +29,11 @@ model::WriterOptions writer_options(const Job& job, std::size_t stage) {
   return options;
 }
 
-std::string cl_data(const model::Toolpath& path, const model::Cutter& cutter,
+std::string cl_data(const engine::strategy::StagePath& planned, const model::Cutter& cutter,
                     const model::WriterOptions& options) {
   std::ostringstream out;
-  write_cl_data(path, cutter, {options.program_name, options.tool_number, options.decimals}, out);
+  write_cl_data(planned.path, cutter, {options.program_name, options.tool_number, options.decimals},
+                out, planned.axes ? &*planned.axes : nullptr);
   return std::move(out).str();
 }
 
@@ -41,7 +48,7 @@ void write(const Job& job, std::size_t stage, double chord_error_mm, PlannedStag
   std::ostringstream out;
   write_program(path, options, out);
   planned.program = std::move(out).str();
-  if (job.post.cl_data) planned.cl_data = cl_data(path, job.stages[stage].cutter, options);
+  if (job.post.cl_data) planned.cl_data = cl_data(planned.path, job.stages[stage].cutter, options);
   if (!job.post.arc_tolerance_mm) return;
   path = read_back(planned.program, job.stages[stage].name + "/toolpath.ngc", chord_error_mm);
   planned.path.memory_bytes = path.moves.size() * sizeof(model::Move);
@@ -58,6 +65,60 @@ void write_stage_program(const Job& job, std::size_t stage, double chord_error_m
         {}, "stage \"" + job.stages[stage].name + "\": " + error.what(),
         "a path that dialect " + std::string(name(job.post.dialect)) + " can express");
   }
+}
+
+namespace {
+
+/// In words of the job's machine.
+model::TurningWriter turning_writer(const Job& job, std::size_t stage) {
+  model::WriterOptions options = writer_options(job, stage);
+  options.tool_number = job.stages[stage].tool_number.value_or(options.tool_number);
+  options.arc_tolerance_mm.reset();
+  return {std::move(options), job.machine.control, *job.machine.kinematics};
+}
+
+model::RotaryPath posted(const Job& job, std::size_t stage,
+                         const engine::strategy::StagePath& planned) {
+  const JobStage& asked = job.stages[stage];
+  const model::Pose machine = pose_of(machine_in_setup_frame(job)).inverse();
+  const double bend_mm = engine::strategy::kBowShare * asked.plan->cut.tolerance_mm;
+  return rotary_path(planned.path, planned.axes.value(),
+                     {*job.machine.kinematics, pose_of(job.program_frame).inverse(), machine,
+                      asked.cutter.radius_mm(), bend_mm, job.post.decimals});
+}
+
+/// As a program of somebody else's, from where its path begins.
+model::TurningPath read_turning(const Job& job, std::size_t stage, const std::string& text,
+                                std::uint32_t first_line, double chord_error_mm) {
+  const JobStage& asked = job.stages[stage];
+  const model::Program program = model::read_program(
+      std::string_view(text), asked.name + "/toolpath.ngc", machine_for(job, asked.cutter));
+  const auto first =
+      std::ranges::find_if(program.motions, [&](const auto& m) { return m.line >= first_line; });
+  model::PathOptions options;
+  options.chord_error_mm = chord_error_mm;
+  options.machine_in_part = machine_in_setup_frame(job);
+  options.kinematics = job.machine.kinematics;
+  options.reach_mm = reach_mm(asked.cutter);
+  options.first = static_cast<std::size_t>(first - program.motions.begin());
+  return to_turning_path(program, options);
+}
+
+}  // namespace
+
+void write_leaning_program(const Job& job, std::size_t stage, double chord_error_mm,
+                           PlannedStage& planned) {
+  const model::TurningWriter writer = turning_writer(job, stage);
+  if (job.post.cl_data)
+    planned.cl_data = cl_data(planned.path, job.stages[stage].cutter, writer.text);
+  std::ostringstream out;
+  const std::uint32_t first = write_turning_program(posted(job, stage, planned.path), writer, out);
+  planned.program = std::move(out).str();
+  model::TurningPath made = read_turning(job, stage, planned.program, first, chord_error_mm);
+  planned.path.path = std::move(made.path);
+  planned.path.axes = std::move(made.axes);
+  planned.path.memory_bytes =
+      planned.path.path.moves.size() * (sizeof(model::Move) + sizeof(model::Vec3));
 }
 
 void write_program_files(const StageToCut& stage, const std::filesystem::path& folder) {

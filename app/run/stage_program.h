@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct StageToCut {
   std::vector<std::string> ignored_words;
   engine::strategy::StagePath figures;               ///< of the planning; its own path is empty
   std::shared_ptr<const model::ToolAxes> axes = {};  ///< of a program that turns its tool
+  std::optional<engine::strategy::ToolLean> lean = std::nullopt;  ///< of a planned one that leans
 };
 
 /// Writes the path of planned stage `stage` as the job's [post] asks: into `planned.program`, and
@@ -35,6 +37,13 @@ struct StageToCut {
 /// planned points. Throws InputError where the dialect cannot express the path.
 void write_stage_program(const Job& job, std::size_t stage, double chord_error_mm,
                          PlannedStage& planned);
+
+/// The same of a stage whose tool leans, for the job's machine: `planned.path` is what the program
+/// moves, read back as a program of somebody else's, and its axes. The CL data keep the planned
+/// points and axes. Throws std::invalid_argument where the machine's axes cannot follow or the
+/// dialect cannot express the path.
+void write_leaning_program(const Job& job, std::size_t stage, double chord_error_mm,
+                           PlannedStage& planned);
 
 /// toolpath.ngc, and toolpath.apt where there are CL data, into the stage's folder.
 void write_program_files(const StageToCut& stage, const std::filesystem::path& folder);

@@ -21,6 +21,16 @@ enum class CutDirection { either, climb, conventional };
 /// How a cutter gets down into standing material.
 enum class Entry { plunge, ramp, helix };
 
+/// What a leaning axis leans from: the setup's Z, or the normal of the surface.
+enum class LeanFrom { vertical, surface };
+
+/// How a ball's axis leans along its rows (leaning_axis).
+struct ToolLean {
+  double lead_deg = 0;  ///< along the feed: positive leans the way that the tool goes
+  double tilt_deg = 0;  ///< across the rows: positive to the left of the rows' direction
+  LeanFrom from = LeanFrom::vertical;
+};
+
 /// How one stage is to be cut; lengths mm, angles degrees, feeds mm/min.
 struct CutOptions {
   Strategy strategy = Strategy::zigzag;
@@ -44,6 +54,8 @@ struct CutOptions {
   double feed_mm_min = 0, plunge_feed_mm_min = 0, link_feed_mm_min = 0;
   Entry entry = Entry::ramp;
   double ramp_angle_deg = 3;  ///< of ramps and helices, from the horizontal
+  /// Zigzag of a ball: its axis leans, as plan_leaning() has it. Empty: the tool stands along +Z.
+  std::optional<ToolLean> lean = std::nullopt;
 };
 
 /// One stage as asked for; lengths mm.
@@ -67,6 +79,8 @@ struct StagePath {
   std::vector<int> sampling_intervals;                       ///< the same, one a patch
   double seconds = 0;
   std::size_t memory_bytes = 0;  ///< of the toolpath
+  /// Of a tool that leans: how it stands along the path; empty: along +Z.
+  std::optional<model::ToolAxes> axes = std::nullopt;
 };
 
 /// The intervals of all patches and their extremes.

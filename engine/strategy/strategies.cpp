@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/strategy/axes/leaning_rows.h"
 #include "model/base/clock.h"
 
 namespace limitgauge::engine::strategy {
@@ -42,6 +43,8 @@ StagePath plan(const surface::FinishModel& model, const StageRequest& request,
     case Strategy::contour:
       return plan_contour(model, request, control);
     case Strategy::zigzag:
+      if (request.cut.lean)
+        return LeaningRows(model, request, control).leaning(request.cut.lean->tilt_deg);
       return plan_zigzag(model, request, control);
     case Strategy::steep_shallow:
       return plan_steep_shallow(model, request, control);
@@ -58,7 +61,8 @@ StagePath plan_stage(const surface::FinishModel& model, const StageRequest& requ
   require_valid(request);
   const model::Stopwatch watch;
   StagePath stage = plan(model, request, control);
-  stage.memory_bytes = stage.path.moves.size() * sizeof(model::Move);
+  const std::size_t of_move = sizeof(model::Move) + (stage.axes ? sizeof(model::Vec3) : 0);
+  stage.memory_bytes = stage.path.moves.size() * of_move;
   stage.seconds = watch.seconds();
   return stage;
 }

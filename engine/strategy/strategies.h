@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/strategy/rows/zigzag.h"
 #include "engine/strategy/stage_path.h"
 #include "engine/surface/finish_model.h"
 #include "model/base/run_control.h"
@@ -30,11 +31,6 @@ StagePath plan_stage(const surface::FinishModel& model, const StageRequest& requ
 /// between 0 and 90 degrees.
 StagePath plan_contour(const surface::FinishModel& model, const StageRequest& request,
                        const model::RunControl& control);
-
-/// Iso-planar rows over the whole part, zigzag or one-way, at any angle. Tolerances are
-/// those of the rows; links keep clear of the part.
-StagePath plan_zigzag(const surface::FinishModel& model, const StageRequest& request,
-                      const model::RunControl& control);
 
 /// First the steep, from the top down: so no row has to plunge along a wall that still carries
 /// material; then the shallow, whose rows wipe out the marks of the contours' entries on it; last

@@ -52,8 +52,12 @@ struct ClOptions {
 /// than 72 columns. Coordinates are rounded to `decimals`; feed rates are exact. Throws
 /// std::invalid_argument for points beyond ±1e9 mm, feed moves without a feed rate and options out
 /// of range; ResourceError where `out` fails.
+///
+/// With `axes`, which must fit the path (require_axes), MULTAX/ON stands before FROM, and FROM and
+/// GOTO have the tool's axis to nine decimals behind the place: what read_cl_data() makes moves
+/// with axes of.
 void write_cl_data(const Toolpath& path, const Cutter& cutter, const ClOptions& options,
-                   std::ostream& out);
+                   std::ostream& out, const ToolAxes* axes = nullptr);
 
 /// Reads CL data of this vocabulary: PARTNO, PPRINT and REMARK (text up to the line's end), UNITS
 /// (MM or INCHES), CUTTER (one, two or all seven figures, of a cutter that can be made), LOADTL,

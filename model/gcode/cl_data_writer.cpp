@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostDecimals = 9;
 constexpr std::size_t kColumns = 72;
 
-void require_writable(const Toolpath& path, const ClOptions& options) {
+void require_cl_writable(const Toolpath& path, const ClOptions& options) {
   if (options.decimals < 0 || options.decimals > kMostDecimals)
     throw std::invalid_argument("CL data are written with 0 to 9 decimals");
   if (options.tool_number < 0) throw std::invalid_argument("tool number must not be negative");
@@ -69,11 +69,22 @@ std::string part_line(const std::string& part) {
   return line;
 }
 
-void write_point(const char* word, const Vec3& point, int decimals, TextBlocks& text) {
-  text.append(word);
+void write_figures(const Vec3& figures, int decimals, TextBlocks& text) {
   for (const int axis : {0, 1, 2}) {
     if (axis > 0) text.append(",");
-    text.append(fixed(point[axis], decimals).text());
+    text.append(fixed(figures[axis], decimals).text());
+  }
+}
+
+/// An axis stands in a line of its own.
+void write_point(const char* word, const Vec3& point, const Vec3* axis, int decimals,
+                 TextBlocks& text) {
+  text.append(word);
+  write_figures(point, decimals, text);
+  if (axis) {
+    text.line(",$");
+    text.append(" ");
+    write_figures(*axis, kMostDecimals, text);
   }
   text.end_line();
 }
@@ -81,23 +92,26 @@ void write_point(const char* word, const Vec3& point, int decimals, TextBlocks& 
 }  // namespace
 
 void write_cl_data(const Toolpath& path, const Cutter& cutter, const ClOptions& options,
-                   std::ostream& out) {
-  require_writable(path, options);
+                   std::ostream& out, const ToolAxes* axes) {
+  require_cl_writable(path, options);
+  if (axes) require_axes(path, *axes);
   TextBlocks text(out);
   if (!options.part.empty()) text.line(part_line(options.part));
   text.line("UNITS/MM");
   write_statement("CUTTER", cutter_figures(cutter), text);
   write_statement("LOADTL", {std::to_string(options.tool_number)}, text);
-  write_point("FROM/", path.start, options.decimals, text);
+  if (axes) text.line("MULTAX/ON");
+  write_point("FROM/", path.start, axes ? &axes->start : nullptr, options.decimals, text);
   float feed_mm_min = 0;
-  for (const Move& move : path.moves) {
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
     if (move.kind == MoveKind::rapid) {
       text.line("RAPID");
     } else if (move.feed_mm_min != feed_mm_min) {
       feed_mm_min = move.feed_mm_min;
       text.line("FEDRAT/" + feed_text(feed_mm_min) + ",MMPM");
     }
-    write_point("GOTO/", move.to, options.decimals, text);
+    write_point("GOTO/", move.to, axes ? &axes->to[i] : nullptr, options.decimals, text);
   }
   text.line("FINI");
   text.flush();

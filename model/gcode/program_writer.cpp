@@ -7,94 +7,14 @@
 #include "model/base/tolerance.h"
 #include "model/gcode/arc_fit.h"
 #include "model/gcode/program.h"
+#include "model/gcode/program_words.h"
 #include "model/text/fixed_number.h"
-#include "model/text/text_blocks.h"
 
 namespace limitgauge::model {
 namespace {
 
-constexpr int kSpindleDecimals = 3;
-constexpr int kMostToolNumber = 9999;
-/// RS274/NGC's and Fanuc's; Grbl takes more.
-constexpr int kLastLineNumber = 99999;
 constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
 constexpr std::array<char, 3> kCentres = {'I', 'J', 'K'};
-
-/// Words with blanks between them; N words where they are asked for.
-class ProgramText {
- public:
-  ProgramText(std::ostream& out, bool line_numbers) : text_(out), line_numbers_(line_numbers) {}
-
-  void word(char letter, std::string_view number) {
-    begin_word();
-    text_.append({&letter, 1});
-    text_.append(number);
-  }
-  void words(std::string_view words) {
-    begin_word();
-    text_.append(words);
-  }
-  void end_line() { text_.end_line(); }
-  /// A comment, `%` or a program's number.
-  void plain_line(std::string_view line) { text_.line(line); }
-  void flush() { text_.flush(); }
-  std::uint32_t line_number() const { return text_.line_number(); }
-
- private:
-  void begin_word() {
-    if (!text_.at_line_begin()) return text_.append(" ");
-    if (!line_numbers_) return;
-    number_ = number_ % kLastLineNumber + 1;
-    text_.append("N" + std::to_string(number_) + " ");
-  }
-
-  TextBlocks text_;
-  bool line_numbers_;
-  int number_ = 0;
-};
-
-/// Largest size of a number that the dialect takes with so many decimals.
-double largest_number(const DialectRules& rule, int decimals) {
-  return std::min(kLargestCoordinateMm, std::pow(10.0, rule.most_digits - decimals) - 1);
-}
-
-void require_point(const Vec3& point, double largest_mm) {
-  for (const int axis : {0, 1, 2}) {
-    if (!(std::abs(point[axis]) <= largest_mm))
-      throw std::invalid_argument("a toolpath point is not finite or beyond any machine");
-  }
-}
-
-void require_feed(const Move& move, const DialectRules& rule) {
-  const double slowest =
-      rule.feed_decimals ? std::pow(10.0, -*rule.feed_decimals) : kLeastFeed_mm_min;
-  const double fastest =
-      rule.feed_decimals ? largest_number(rule, *rule.feed_decimals) : kLargestFeed_mm_min;
-  if (move.kind == MoveKind::feed && !(move.feed_mm_min >= static_cast<float>(slowest) &&
-                                       move.feed_mm_min <= static_cast<float>(fastest)))
-    throw std::invalid_argument("a feed move's feed rate is 0, or beyond what the dialect takes");
-}
-
-void require_options(const WriterOptions& options, const DialectRules& rule) {
-  if (options.decimals < 0 || options.decimals > rule.most_decimals)
-    throw std::invalid_argument("a program is written with 0 to " +
-                                std::to_string(rule.most_decimals) + " decimals");
-  if (options.tool_number < 0 || options.tool_number > kMostToolNumber)
-    throw std::invalid_argument("tool number must lie between 0 and 9999");
-  if (!(options.spindle_rpm >= 0 && options.spindle_rpm <= 1e9))
-    throw std::invalid_argument("spindle speed must lie between 0 and 1e9");
-  if (options.arc_tolerance_mm &&
-      !(*options.arc_tolerance_mm > 0 && std::isfinite(*options.arc_tolerance_mm)))
-    throw std::invalid_argument("the tolerance of arcs must be greater than 0");
-}
-
-void require_writable(const Toolpath& path, const WriterOptions& options) {
-  const DialectRules& rule = rules(options.dialect);
-  require_options(options, rule);
-  const double largest_mm = largest_number(rule, options.decimals);
-  require_point(path.start, largest_mm);
-  for (const Move& move : path.moves) require_point(move.to, largest_mm), require_feed(move, rule);
-}
 
 /// What the controller holds from earlier lines.
 struct ModalState {
@@ -118,9 +38,6 @@ class Writer {
   FixedNumber number(double value) const {
     return fixed(value, options_.decimals, rule_.point_always);
   }
-  void write_header();
-  void write_comments();
-  void write_spindle();
   void write_start();
   void write_moves_and_arcs();
   void write_move(Move& move);
@@ -130,60 +47,23 @@ class Writer {
   void write_feed(float feed_mm_min);
   float rounded_feed(float feed_mm_min) const;
   void round_path();
-  void write_footer();
 
   Toolpath& path_;
   const WriterOptions& options_;
   const DialectRules& rule_;
-  ProgramText text_;
+  ProgramWords text_;
   ModalState state_;
 };
 
 void Writer::write() {
-  write_header();
+  text_.write_head(options_);
   write_start();
   if (options_.arc_tolerance_mm) {
     write_moves_and_arcs();
   } else {
     for (Move& move : path_.moves) write_move(move);
   }
-  write_footer();
-}
-
-void Writer::write_header() {
-  if (rule_.percents) {
-    text_.plain_line("%");
-    const std::string digits = std::to_string(std::max(1, options_.tool_number));
-    text_.plain_line("O" + std::string(4 - digits.size(), '0') + digits);
-  }
-  write_comments();
-  for (std::string_view rest = rule_.modes; !rest.empty();) {
-    const std::size_t end = rest.find('\n');
-    text_.words(rest.substr(0, end));
-    text_.end_line();
-    rest.remove_prefix(end + 1);
-  }
-  if (options_.arc_tolerance_mm && rule_.arc_mode) text_.words("G91.1"), text_.end_line();
-  write_spindle();
-}
-
-void Writer::write_comments() {
-  for (const std::string& text : {options_.program_name, options_.comment}) {
-    for (const std::string& line : comment_lines(options_.dialect, text)) text_.plain_line(line);
-  }
-}
-
-void Writer::write_spindle() {
-  if (rule_.tool_change) {
-    text_.word('T', std::to_string(options_.tool_number));
-    text_.words("M6");
-    text_.end_line();
-  }
-  if (options_.spindle_rpm == 0) return;
-  const int decimals = rule_.feed_decimals ? 0 : kSpindleDecimals;
-  text_.word('M', "3");
-  text_.word('S', fixed(options_.spindle_rpm, decimals).text());
-  text_.end_line();
+  text_.write_end(rule_);
 }
 
 /// The tool goes to its height first, then over the place.
@@ -196,15 +76,6 @@ void Writer::write_start() {
   text_.word('Y', number(path_.start.y).text());
   text_.end_line();
   state_.at = path_.start;
-}
-
-void Writer::write_footer() {
-  text_.words("M5");
-  text_.end_line();
-  text_.words("M30");
-  text_.end_line();
-  if (rule_.percents) text_.plain_line("%");
-  text_.flush();
 }
 
 /// Arcs go through the points as they are written.

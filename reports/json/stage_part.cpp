@@ -52,6 +52,12 @@ Json recorded_part(const RunResult& result, std::size_t index) {
   return out;
 }
 
+Json lean_part(const StageResult::Ran::Lean& lean) {
+  return {{"from", lean.from_surface ? "surface" : "vertical"},
+          {"lead_deg", finite("lean.lead_deg", lean.lead_deg)},
+          {"tilt_deg", finite("lean.tilt_deg", lean.tilt_deg)}};
+}
+
 }  // namespace
 
 Json stage_part(const RunResult& result, std::size_t index) {
@@ -81,6 +87,7 @@ Json stage_part(const RunResult& result, std::size_t index) {
   out["reasons"] = texts(s.decision.reasons);
   if (s.ran) {
     out["toolpath"] = toolpath_part(*s.ran);
+    if (s.ran->lean) out["toolpath"]["lean"] = lean_part(*s.ran->lean);
     out["program_lines"] = named_program_lines(result, index, {});
     out["simulation"] = simulation_part(*s.ran);
     if (s.ran->deviation) out["deviation"] = deviation_part(result, *s.ran->deviation, s.limits);

@@ -92,6 +92,12 @@ struct StageResult {
   struct Ran {
     std::shared_ptr<const model::Toolpath> path;
     std::shared_ptr<const model::ToolAxes> axes;  ///< of a path that turns its tool; else null
+    /// How a planned tool leans along its rows: a tilt that was left to the program too.
+    struct Lean {
+      double lead_deg = 0, tilt_deg = 0;
+      bool from_surface = false;
+    };
+    std::optional<Lean> lean;
     int planes = 0;
     int sampling_interval_min = 1, sampling_interval_max = 1;
     std::vector<int> sampling_intervals;  ///< one a patch

@@ -96,7 +96,7 @@ void add_rows(const surface::PatchModel& model, const LimitLocations& limit,
               const SteepRegions& regions, const StageRequest& request,
               const model::RunControl& control, SteepShallowPasses& made) {
   DriveRows rows = touches_with_ball_alone(limit, request)
-                       ? make_ball_rows(model, request, control, kRowsReductionShare)
+                       ? make_ball_rows(model, request, control, {kRowsReductionShare})
                        : make_sampled_rows(limit, request, control);
   made.sampling_intervals = std::move(rows.sampling_intervals);
   const SteepClip steep{model::radians(request.cut.steep_angle_deg),

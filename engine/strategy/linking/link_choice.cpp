@@ -63,7 +63,9 @@ std::optional<double> LinkChooser::raise(const Vec3& from, const Vec3& to) const
 Link LinkChooser::choose_from_above(const Vec3& from, const Vec3& to,
                                     std::optional<double> stands_to_mm) const {
   const Link retract{LinkKind::retract, retract_seconds(from, to, stands_to_mm), 0, clear_z_mm_};
-  if (link_seconds(level_distance(from, to)) >= retract.seconds) return retract;
+  // What stands between is asked for the ball alone: a leaning tool goes above everything.
+  if (rule_.request.cut.lean || link_seconds(level_distance(from, to)) >= retract.seconds)
+    return retract;
   const auto over = height_over(from, to, stands_to_mm);
   if (!over) return retract;
   const double seconds = link_seconds(*over - from.z + level_distance(from, to)) +

@@ -169,10 +169,11 @@ DriveRow tip_row(const CentreRow& row, const StageRequest& request, const DriveF
 }  // namespace
 
 DriveRows make_ball_rows(const surface::PatchModel& model, const StageRequest& request,
-                         const model::RunControl& control, double reduction_share) {
+                         const model::RunControl& control, const RowShares& shares) {
   const DriveFrame frame(request.cut.angle_deg);
-  const double reduction_mm = reduction_share * request.cut.tolerance_mm;
-  const BallSections sections(model, request, frame, reduction_mm, control);
+  const double reduction_mm = shares.reduction * request.cut.tolerance_mm;
+  const double bow_mm = shares.bow * request.cut.tolerance_mm;
+  const BallSections sections(model, request, frame, reduction_mm + bow_mm, control);
   const std::vector<CentreRow> rows = centre_rows(sections, request.cut, control);
   DriveRows result{std::vector<DriveRow>(rows.size()), sections.sampling_intervals()};
   model::parallel_chunks(rows.size(), kBallRowsAChunk, control,

@@ -53,9 +53,12 @@ double cusp_between(const CentreRow& left, const CentreRow& middle, const Centre
 /// can reach it leaves by at most t more than its rows' distance does. Where the finish model is no
 /// finer than t / 4 it leaves more, by what that lacks.
 ///
-/// `reduction_share`: what leaving out points may move a row by, another share than a fifth.
+/// `shares`: what leaving out points may move a row by, another share than a fifth; and what the
+/// centre may be moved by afterwards, which it keeps away from the surface too.
+struct RowShares {
+  double reduction = kRowReductionShare, bow = 0;
+};
 DriveRows make_ball_rows(const surface::PatchModel& model, const StageRequest& request,
-                         const model::RunControl& control,
-                         double reduction_share = kRowReductionShare);
+                         const model::RunControl& control, const RowShares& shares = {});
 
 }  // namespace limitgauge::engine::strategy

@@ -290,7 +290,43 @@ name = "a"
 tool = "flat6"
 program = "foreign/plate.ngc"
 )";
-  return {first + planned, foreign, bar + planned, mesh, sides, turning};
+  const std::string leaning = R"(name = "leaning"
+surface = { cage = "cages/quick-dome.obj" }
+[stock]
+shape = "box"
+size = [50, 50, 20]
+corner = [-25, -25, -5]
+[machine]
+kinematics = "table-table"
+[[machine.axis]]
+word = "A"
+direction = [1, 0, 0]
+point = [0, 0, -50]
+limits = [-120, 30]
+[[tool]]
+id = "ball6"
+type = "ball"
+diameter = 6
+[[stage]]
+name = "finish"
+tool = "ball6"
+strategy = "zigzag"
+step = 1
+tolerance = 0.02
+feed = 1000
+tilt = 20
+lead = 5
+lean_from = "surface"
+[[stage]]
+name = "again"
+tool = "ball6"
+strategy = "zigzag"
+step = 1
+tolerance = 0.02
+feed = 1000
+tilt = "auto"
+)";
+  return {first + planned, foreign, bar + planned, mesh, sides, turning, leaning};
 }
 
 }  // namespace limitgauge::app

@@ -130,6 +130,9 @@ struct Ends {
 std::optional<Ends> ends_of(const std::string& range) {
   static const std::vector<std::pair<std::string, Ends>> kRanges = {
       {"> 0, or `auto`", {{"\"auto\""}, {"0", "-1", "\"fine\""}}},
+      {"-60 to 60, or `auto`",
+       {{"-60", "60", "\"auto\""}, {"-60.01", "60.01", "\"least\"", "nan"}}},
+      {"-60 to 60", {{"-60", "60"}, {"-60.01", "60.01", "\"auto\""}}},
       {"> 0, < 90", {{"1", "89"}, {"0", "90"}}},
       {"> 0, < 180", {{"60", "179"}, {"0", "180"}}},
       {"> 0 for a bull, ≥ 0 else", {{}, {"-1"}}},

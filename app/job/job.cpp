@@ -1,11 +1,13 @@
 #include "app/job/job.h"
 
+#include "engine/strategy/axes/leaning_axis.h"
+
 namespace limitgauge::app {
 
 std::vector<double> tilt_grid() {
-  constexpr int kStep_deg = 5, kMost_deg = 60;
+  constexpr double kStep_deg = 5;
   std::vector<double> tilts = {0};
-  for (int tilt = kStep_deg; tilt <= kMost_deg; tilt += kStep_deg) {
+  for (double tilt = kStep_deg; tilt <= engine::strategy::kMostLean_deg; tilt += kStep_deg) {
     tilts.push_back(tilt);
     tilts.push_back(-tilt);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/strategy/axes/leaning_axis.h"
 #include "model/text/number_text.h"
 
 namespace limitgauge::app {
@@ -89,7 +90,6 @@ void read_entry(const TomlTable& stage, CutOptions& cut) {
   if (stage.has("ramp_angle")) cut.ramp_angle_deg = stage.between("ramp_angle", 0, 90);
 }
 
-constexpr double kMostLean_deg = 60;
 constexpr const char* kLeanExpected = "an angle from -60 to 60 degrees";
 
 void read_tilt(const TomlTable& stage, StagePlan& plan) {

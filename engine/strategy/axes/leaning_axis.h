@@ -7,6 +7,9 @@
 
 namespace limitgauge::engine::strategy {
 
+/// Leads and tilts are no more, either way: a tool along the surface cuts nothing.
+inline constexpr double kMostLean_deg = 60;
+
 /// The axis of a tool, of length 1, that leans from `up` (a unit vector) where rows run along
 /// `along`: with l the unit vector to the left of the rows, across `up` and `along`, and a the one
 /// across l and `up`, ahead, the axis is along up + heading·tan(lead)·a + tan(tilt)·l. Seen along

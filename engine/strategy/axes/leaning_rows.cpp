@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/strategy/axes/leaning_axis.h"
 #include "engine/strategy/axes/leaning_path.h"
 #include "engine/strategy/rows/drive_rows.h"
 #include "engine/strategy/rows/zigzag.h"
@@ -18,8 +19,6 @@ using model::Vec3;
 /// Of a ball's radius: the normal is that of the ball's heights so far to either side, so that it
 /// turns evenly over creases.
 constexpr double kNormalWidth = 0.5;
-/// Leads and tilts are less; a tool along the surface cuts nothing.
-constexpr double kMostLean_deg = 60;
 
 void require_leaning(const StageRequest& request) {
   const CutOptions& cut = request.cut;

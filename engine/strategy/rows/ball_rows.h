@@ -42,6 +42,12 @@ std::vector<CentreRow> scallop_rows(const BallSections& sections, const CutOptio
 double cusp_between(const CentreRow& left, const CentreRow& middle, const CentreRow& right,
                     double reach_mm);
 
+/// Of the tolerance: what leaving out points may move a row by, and what its centre may be moved by
+/// afterwards.
+struct RowShares {
+  double reduction = kRowReductionShare, bow = 0;
+};
+
 /// Rows of a ball cutter: in each drive plane the upper envelope of the sections of the offset
 /// surface and of what the ball rolls over at rims.
 ///
@@ -55,9 +61,6 @@ double cusp_between(const CentreRow& left, const CentreRow& middle, const Centre
 ///
 /// `shares`: what leaving out points may move a row by, another share than a fifth; and what the
 /// centre may be moved by afterwards, which it keeps away from the surface too.
-struct RowShares {
-  double reduction = kRowReductionShare, bow = 0;
-};
 DriveRows make_ball_rows(const surface::PatchModel& model, const StageRequest& request,
                          const model::RunControl& control, const RowShares& shares = {});
 

@@ -68,6 +68,11 @@ void ProgramWords::begin_word() {
   text_.append("N" + std::to_string(number_) + " ");
 }
 
+void ProgramWords::feed(float feed_mm_min, const DialectRules& rule) {
+  if (!rule.feed_decimals) return word('F', feed_text(feed_mm_min));
+  word('F', fixed(feed_mm_min, *rule.feed_decimals, rule.point_always).text());
+}
+
 void ProgramWords::write_head(const WriterOptions& options) {
   const DialectRules& rule = rules(options.dialect);
   if (rule.percents) {

@@ -27,6 +27,8 @@ class ProgramWords {
     begin_word();
     text_.append(words);
   }
+  /// An F word, with the decimals that the dialect has for it.
+  void feed(float feed_mm_min, const DialectRules& rule);
   void end_line() { text_.end_line(); }
   /// A line of words alone.
   void line(std::string_view words) {

@@ -152,8 +152,7 @@ float Writer::rounded_feed(float feed_mm_min) const {
 void Writer::write_feed(float feed_mm_min) {
   if (feed_mm_min == state_.feed_mm_min) return;
   state_.feed_mm_min = feed_mm_min;
-  if (!rule_.feed_decimals) return text_.word('F', feed_text(feed_mm_min));
-  text_.word('F', fixed(feed_mm_min, *rule_.feed_decimals, rule_.point_always).text());
+  text_.feed(feed_mm_min, rule_);
 }
 
 }  // namespace

@@ -130,8 +130,7 @@ bool TurningProgramWriter::write_angles(const RotaryAngles& angles_deg) {
 void TurningProgramWriter::write_feed(float feed_mm_min) {
   if (feed_mm_min == feed_mm_min_) return;
   feed_mm_min_ = feed_mm_min;
-  if (!rule_.feed_decimals) return text_.word('F', feed_text(feed_mm_min));
-  text_.word('F', fixed(feed_mm_min, *rule_.feed_decimals, rule_.point_always).text());
+  text_.feed(feed_mm_min, rule_);
 }
 
 Toolpath tip_path_of(const RotaryPath& path) {

@@ -21,6 +21,12 @@ double across_mm(double radius_mm, const Vec3& along) {
   return least > 0 ? std::sqrt(std::max(0.0, radius_mm * radius_mm - least * least)) : radius_mm;
 }
 
+/// How far a place is from a box about zero.
+double beside_box_mm(const Vec3& half, const Vec3& p) {
+  return length(Vec3{std::max(0.0, std::abs(p.x) - half.x), std::max(0.0, std::abs(p.y) - half.y),
+                     std::max(0.0, std::abs(p.z) - half.z)});
+}
+
 }  // namespace
 
 AxisCone::AxisCone(const TurningBody& body)
@@ -37,18 +43,30 @@ AxisCone::AxisCone(std::span<const TurningBody> bodies) {
   if (spread_rad_ >= std::numbers::pi / 2) axis_ = {};
 }
 
+/// Whether all places so near to `p` are below the cores, as every axis of the cone has it:
+/// `height` is the highest of them over a core along the cone's own axis, and an axis that leans
+/// from it by an angle has that higher by the angle times the way between them at most. Without
+/// roots: the square of a sum is no more than twice that of the squares.
+bool AxisCone::is_below(double height, double far_square, double radius_square) const {
+  return height < 0 &&
+         height * height > 2 * spread_rad_ * spread_rad_ * (far_square + radius_square);
+}
+
 /// A profile that is turned about its core by an angle moves a place that is r from there by no
 /// more than r times the angle.
 double AxisCone::bound(const CutterProfile& profile, double size_mm, const Box3& cores,
                        const Vec3& p, const Vec3& half, double enough_mm) const {
   const Vec3 room = cores.size() / 2 + half, from = p - cores.centre();
-  const double radius = length(room), far = length(from);
-  const double by_size = far - radius - size_mm - kDistanceRounding_mm;
-  if (axis_ == Vec3{} || by_size >= enough_mm) return by_size;
   const double along = dot(from, axis_);
   const Vec3 edges{std::abs(axis_.x) * room.x, std::abs(axis_.y) * room.y,
                    std::abs(axis_.z) * room.z};
   const double up = edges.x + edges.y + edges.z;
+  const double far_square = length_squared(from), radius_square = length_squared(room);
+  if (profile.is_whole_ball() && is_below(along + up, far_square, radius_square))
+    return beside_box_mm(room, from) - profile.rounding_mm - kDistanceRounding_mm;
+  const double radius = std::sqrt(radius_square), far = std::sqrt(far_square);
+  const double by_size = far - radius - size_mm - kDistanceRounding_mm;
+  if (axis_ == Vec3{} || by_size >= enough_mm) return by_size;
   const double rho = std::max(0.0, length(from - axis_ * along) - across_mm(radius, edges));
   const double height = along + profile.core_mm;
   const double open = open_distance(profile, rho, height + up).value;

@@ -27,6 +27,8 @@ class AxisCone {
                double enough_mm = std::numeric_limits<double>::infinity()) const;
 
  private:
+  bool is_below(double height, double far_square, double radius_square) const;
+
   model::Vec3 axis_;
   double spread_rad_ = 0;  ///< of no length: every axis
 };

@@ -27,6 +27,8 @@ struct CutterProfile {
   explicit CutterProfile(const model::CylinderPart& part);
 
   bool is_ball() const { return flat_mm <= 0 && slope == 0 && rise == 0; }
+  /// A ball whose flutes hold all of it: below the core nothing else is nearer.
+  bool is_whole_ball() const { return is_ball() && top_mm >= core_mm + rounding_mm; }
   /// The bottom rises from a sharp tip.
   bool is_pointed() const { return rise > 0; }
   /// The side leans inwards: the cutter can stand under a place of S.

@@ -35,9 +35,9 @@ model::BoxTree tip_tree(const CutterProfile& profile, const std::vector<SweptBod
   return tree;
 }
 
-model::BoxTree core_tree(const CutterProfile& profile, const std::vector<TurningBody>& bodies) {
+model::BoxTree core_tree(const std::vector<TurningBody>& bodies) {
   std::vector<Box3> cores(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) cores[i] = bodies[i].cores(profile);
+  for (std::size_t i = 0; i < bodies.size(); ++i) cores[i] = bodies[i].cores();
   return model::box_tree(cores, kLeafBodies);
 }
 
@@ -59,14 +59,14 @@ PassBodies::PassBodies(const CutterProfile& profile, const std::vector<SweptBody
 
 PassBodies::PassBodies(const CutterProfile& profile, const std::vector<TurningBody>& bodies)
     : profile_(profile) {
-  take_order(core_tree(profile, bodies));
+  take_order(core_tree(bodies));
   turning_.reserve(bodies.size());
   for (const std::uint32_t move : index_) turning_.push_back(bodies[move]);
   size_mm_ = farthest_from_core_mm(profile);
   cones_ = axis_cones(nodes_, turning_);
   for (const TurningBody& body : turning_) {
     own_cones_.emplace_back(body);
-    own_cores_.push_back(body.cores(profile));
+    own_cores_.push_back(body.cores());
   }
 }
 

@@ -48,17 +48,33 @@ double first_meeting(Distance&& distance, const Vec3& ray, bool is_convex, doubl
 template <class Distance, class Clear>
 double first_meeting_by_steps(Distance&& distance, Clear&& clear, const Vec3& ray, double from_mm,
                               double limit_mm, const EndRule& rule) {
+  constexpr double kShort_mm = 1e-2;  // to be done with in one step
   double t = from_mm, step = 0;
   for (int n = 0; n < kMostSteps && t < limit_mm; ++n) {
     const BodyDistance d = distance(t);
     if (rule.is_met(d.value, d.gradient, ray)) return t;
     const double wanted = d.value > rule.beside_mm + kDistanceRounding_mm ? rule.beside_mm : 0;
     const double sure = std::max(d.value - d.slack_mm - wanted, kDistanceRounding_mm / 2);
-    for (step *= 2; step > sure && !clear(t, t + step);) step /= 4;
+    step = std::max(2 * step, std::min(limit_mm - t, kShort_mm));
+    while (step > sure && !clear(t, t + step)) step /= 4;
     step = std::max(step, sure);
     t += step;
   }
   return std::min(t, limit_mm);
+}
+
+/// The first t in [0, limit_mm] up to which steps are proven to meet nothing, `room(t)` being how
+/// far from t that is: a few of them, which is what bounds are good for.
+template <class Room>
+double clear_up_to(Room&& room, double limit_mm) {
+  constexpr int kSteps = 4;
+  double t = 0;
+  for (int k = 0; k < kSteps && t < limit_mm; ++k) {
+    const double step = room(t);
+    if (step <= 0) break;
+    t += step;
+  }
+  return t;
 }
 
 /// Of a turning body the exact distance only where it is near: afar a step that is a little shorter
@@ -134,7 +150,7 @@ std::shared_ptr<const PassBodies> bodies_of(const Sweep& sweep) {
     std::vector<TurningBody> bodies;
     bodies.reserve(path.moves.size());
     for (std::size_t i = 0; i < path.moves.size(); ++i)
-      bodies.emplace_back(model::move_from(path, i), path.moves[i].to,
+      bodies.emplace_back(sweep.profile, model::move_from(path, i), path.moves[i].to,
                           model::axis_from(*sweep.axes, i), sweep.axes->to[i], sweep.lift_mm);
     return std::make_shared<const PassBodies>(sweep.profile, bodies);
   }
@@ -152,6 +168,7 @@ void RemovedSpace::add_sweep(const Sweep& sweep) {
   PlacedPass placed{bodies_of(sweep)};
   placed.turned = sweep.pose != model::Pose{};
   if (placed.turned) placed.to_own = sweep.pose.inverse();
+  turns_ = turns_ || placed->turn();
   passes_.push_back(std::move(placed));
   chord_error_mm_ = std::max(chord_error_mm_, sweep.path->chord_error_mm);
 }
@@ -223,49 +240,58 @@ std::optional<Nearest> RemovedSpace::nearest_swept(const Vec3& p) const {
   return best;
 }
 
+/// Where a ray of a pass's own frame meets the body at `place`, before `limit_mm`.
+double RemovedSpace::meeting_with(const PassBodies& bodies, std::uint32_t place, const Vec3& p,
+                                  const Vec3& ray, double limit_mm, const EndRule& rule) const {
+  const double near = near_mm(rule) + kDistanceRounding_mm;
+  const auto distance = [&](double t) {
+    BodyDistance d = distance_from_afar(bodies, place, p + ray * t, near);
+    d.value -= chord_error_mm_;
+    return d;
+  };
+  if (!bodies.turn()) return first_meeting(distance, ray, true, limit_mm, rule);
+  const auto clear = [&](double a, double b) {
+    const std::array ends{p + ray * a, p + ray * b};
+    return bodies.lower_at(place, ends, p + ray * ((a + b) / 2), near) >= near;
+  };
+  const double start = clear_up_to(
+      [&](double t) { return bodies.bound_at(place, p + ray * t, near) - near; }, limit_mm);
+  return first_meeting_by_steps(distance, clear, ray, start, limit_mm, rule);
+}
+
 void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3& along,
                                 const EndRule& rule, Meeting& first) const {
-  constexpr int kLooks = 4;
   const Vec3 p = passes_[pass].place(from - shift_);
   const Vec3 ray = passes_[pass].direction(along);
   const PassBodies& bodies = *passes_[pass];
-  const double near =
-      chord_error_mm_ + std::max(rule.beside_mm, rule.skin_mm) + kDistanceRounding_mm;
-  const auto clear_up_to = [&](const auto& bound) {
-    double t = 0;
-    for (int k = 0; k < kLooks && t < first.t_mm; ++k) {
-      const double room = bound(p + ray * t) - near + kDistanceRounding_mm;
-      if (room <= kDistanceRounding_mm) break;
-      t += room;
-    }
-    return t;
-  };
-  const auto start_of = [&](const model::BoxNode& node) {
-    return clear_up_to([&](const Vec3& at) { return bodies.bound(node, at, near); });
-  };
+  const double near = near_mm(rule) + kDistanceRounding_mm;
   model::nearest_first(
-      bodies.nodes(), start_of, [&](double start) { return start >= first.t_mm; },
+      bodies.nodes(),
+      [&](const model::BoxNode& node) {
+        return clear_up_to([&](double t) { return bodies.bound(node, p + ray * t, near) - near; },
+                           first.t_mm);
+      },
+      [&](double start) { return start >= first.t_mm; },
       [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const auto distance = [&](double t) {
-            BodyDistance d = distance_from_afar(bodies, k, p + ray * t, near);
-            d.value -= chord_error_mm_;
-            return d;
-          };
-          const auto clear = [&](double a, double b) {
-            const std::array ends{p + ray * a, p + ray * b};
-            return bodies.lower_at(k, ends, p + ray * ((a + b) / 2), near) >= near;
-          };
-          const auto by_steps = [&] {
-            const double start =
-                clear_up_to([&](const Vec3& at) { return bodies.bound_at(k, at, near); });
-            return first_meeting_by_steps(distance, clear, ray, start, first.t_mm, rule);
-          };
-          const double t =
-              bodies.turn() ? by_steps() : first_meeting(distance, ray, true, first.t_mm, rule);
-          if (t < first.t_mm) first = {t, BodyRef{pass, bodies.move_at(k)}};
+          const BodyRef body{pass, bodies.move_at(k)};
+          if (body == first.body) continue;
+          const double t = meeting_with(bodies, k, p, ray, first.t_mm, rule);
+          if (t < first.t_mm) first = {t, body};
         }
       });
+}
+
+/// The body that is nearest where the ray begins is most often the one that it meets, and what it
+/// leaves to be looked through is short.
+void RemovedSpace::first_met_of_nearest(const Vec3& p, const Vec3& ray, const EndRule& rule,
+                                        Meeting& first, FarPasses* far) const {
+  const BodyRef body = nearest(p, {}, far).body;
+  if (is_stock(body)) return;
+  const PlacedPass& pass = passes_[body.pass];
+  const double t = meeting_with(*pass, pass->place_of(body.index), pass.place(p - shift_),
+                                pass.direction(ray), first.t_mm, rule);
+  if (t < first.t_mm) first = {t, body};
 }
 
 void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndRule& rule,
@@ -285,10 +311,11 @@ void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndR
 }
 
 RemovedSpace::Meeting RemovedSpace::first_met(const Vec3& p, const Vec3& ray, double limit_mm,
-                                              const EndRule& rule, const FarPasses* far) const {
+                                              const EndRule& rule, FarPasses* far) const {
   Meeting first{limit_mm, {}};
   if (!mesh_) first_met_of_stock(p, ray, rule, first);
-  const double near = chord_error_mm_ + std::max(rule.beside_mm, rule.skin_mm);
+  if (turns_) first_met_of_nearest(p, ray, rule, first, far);
+  const double near = near_mm(rule);
   for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;)
     if (!far || far->bound(k, p) - first.t_mm <= near) first_met_in(k, p, ray, rule, first);
   if (mesh_) first_met_of_stock(p, ray, rule, first);

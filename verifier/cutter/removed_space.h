@@ -93,7 +93,7 @@ class RemovedSpace {
     std::optional<BodyRef> body;
   };
   Meeting first_met(const model::Vec3& p, const model::Vec3& ray, double limit_mm,
-                    const EndRule& rule, const FarPasses* far = nullptr) const;
+                    const EndRule& rule, FarPasses* far = nullptr) const;
 
   /// Of a move that turns its tool, no further above d than `precision_mm`, as its slack says.
   BodyDistance distance(BodyRef body, const model::Vec3& p,
@@ -161,6 +161,14 @@ class RemovedSpace {
   void nearest_if_near(std::uint32_t pass, const model::Vec3& p, Nearest& best,
                        FarPasses& far) const;
   void nearest_of_stock(const model::Vec3& p, Nearest& best) const;
+  /// How near a body has to come to a ray to be looked at, errors of its path included.
+  double near_mm(const EndRule& rule) const {
+    return chord_error_mm_ + std::max(rule.beside_mm, rule.skin_mm);
+  }
+  double meeting_with(const PassBodies& bodies, std::uint32_t place, const model::Vec3& p,
+                      const model::Vec3& ray, double limit_mm, const EndRule& rule) const;
+  void first_met_of_nearest(const model::Vec3& p, const model::Vec3& ray, const EndRule& rule,
+                            Meeting& first, FarPasses* far) const;
   void first_met_in(std::uint32_t pass, const model::Vec3& from, const model::Vec3& along,
                     const EndRule& rule, Meeting& first) const;
   void first_met_of_stock(const model::Vec3& p, const model::Vec3& ray, const EndRule& rule,
@@ -172,6 +180,7 @@ class RemovedSpace {
   std::optional<model::Box3> stock_box_;
   std::shared_ptr<const MeshOutside> mesh_;
   std::vector<PlacedPass> passes_;  ///< spaces may have their bodies in common
+  bool turns_ = false;              ///< one of them, its tool
   double chord_error_mm_ = 0;
   model::Vec3 shift_, sway_;
 };

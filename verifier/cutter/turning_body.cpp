@@ -33,11 +33,6 @@ double least_between(double fa, double sa, double fb, double sb, double width, d
   return (fa * up - fb * down + width * down * up) / (up - down);
 }
 
-/// Its flutes hold all of the ball, so that below the core nothing else is nearer.
-bool is_whole_ball(const CutterProfile& profile) {
-  return profile.is_ball() && profile.top_mm >= profile.core_mm + profile.rounding_mm;
-}
-
 struct SineCosine {
   double sine = 0, cosine = 1;
 };
@@ -109,9 +104,13 @@ struct TurningBody::Around {
   double radius_mm = 0, far_mm = 0;  ///< of the cell, and from the core to its middle
 };
 
-TurningBody::TurningBody(const Vec3& from, const Vec3& to, const Vec3& axis_from,
-                         const Vec3& axis_to, double lift_mm)
-    : from_(from), delta_(to - from), axis_(model::normalized(axis_from)), lift_mm_(lift_mm) {
+TurningBody::TurningBody(const CutterProfile& profile, const Vec3& from, const Vec3& to,
+                         const Vec3& axis_from, const Vec3& axis_to, double lift_mm)
+    : from_(from),
+      delta_(to - from),
+      axis_(model::normalized(axis_from)),
+      lift_mm_(lift_mm),
+      up_mm_(lift_mm + profile.core_mm) {
   Vec3 across = axis_to - axis_ * dot(axis_, axis_to);
   // Once more: of a small turn most of it is rounding along the axis.
   across -= axis_ * dot(axis_, across);
@@ -123,6 +122,20 @@ TurningBody::TurningBody(const Vec3& from, const Vec3& to, const Vec3& axis_from
   }
   end_axis_ = axis(1);
   spin_rad_ = cross(axis_, side_) * turn_rad_;
+  know_core();
+}
+
+void TurningBody::know_core() {
+  core_from_ = core(0), core_chord_ = core(1) - core_from_, core_ = core(0.5);
+  const double turn = turn_rad_, half = turn / 2, lift = std::abs(up_mm_);
+  const Vec3 side_half_way = side_ * std::cos(half) - axis_ * std::sin(half);
+  const double speed = length(delta_ + side_half_way * (up_mm_ * turn)), off = lift * turn * half;
+  core_speed_mm_ = speed + off, least_speed_mm_ = std::max(0.0, speed - off);
+  core_bend_mm_ = turn * turn * lift;
+  const double tip_speed = length(delta_);
+  // About the core, and about the tip.
+  bend_mm_ = std::min(turn * turn * (core_speed_mm_ / 2 + lift) + 2 * turn * core_speed_mm_,
+                      turn * turn * (lift + tip_speed / 2) + 2 * turn * tip_speed);
 }
 
 Vec3 TurningBody::axis(double t) const {
@@ -130,35 +143,17 @@ Vec3 TurningBody::axis(double t) const {
   return axis_ * at.cosine + side_ * at.sine;
 }
 
-Vec3 TurningBody::core(const CutterProfile& profile, double t) const {
-  return tip(t) + axis(t) * (lift_mm_ + profile.core_mm);
-}
-
-model::Box3 TurningBody::cores(const CutterProfile& profile) const {
+model::Box3 TurningBody::cores() const {
   model::Box3 box;
-  box.add(core(profile, 0)), box.add(core(profile, 1));
+  box.add(core_from_), box.add(core_from_ + core_chord_);
   // The core keeps to its chord but for this.
-  return box.grown(turn_rad_ * turn_rad_ * std::abs(lift_mm_ + profile.core_mm) / 8);
+  return box.grown(core_bend_mm_ / 8);
 }
 
 Vec3 TurningBody::turned(const Vec3& v, double by) const {
   const Vec3 about = cross(axis_, side_);
   const auto [s, c] = sine_cosine(turn_rad_ * by);
   return v * c + cross(about, v) * s + about * (dot(about, v) * (1 - c));
-}
-
-double TurningBody::core_speed_mm(double core_mm) const {
-  const double up = lift_mm_ + core_mm, half = turn_rad_ / 2;
-  const Vec3 side_half_way = side_ * std::cos(half) - axis_ * std::sin(half);
-  return length(delta_ + side_half_way * (up * turn_rad_)) + std::abs(up) * turn_rad_ * half;
-}
-
-double TurningBody::bend_mm(const CutterProfile& profile, double from_core_mm) const {
-  const double turn = turn_rad_, speed = core_speed_mm(profile.core_mm);
-  const double lift = std::abs(lift_mm_ + profile.core_mm), tip_speed = length(delta_);
-  // About the core, and about the tip.
-  return std::min(turn * turn * (from_core_mm + speed / 2 + lift) + 2 * turn * speed,
-                  turn * turn * (from_core_mm + lift + tip_speed / 2) + 2 * turn * tip_speed);
 }
 
 BodyDistance TurningBody::standing(const CutterProfile& profile, const Vec3& p, double t) const {
@@ -173,7 +168,7 @@ BodyDistance TurningBody::standing(const CutterProfile& profile, const Vec3& p, 
 TurningBody::Look TurningBody::look(const CutterProfile& profile, const Vec3& p, double t) const {
   Look out{t, standing(profile, p, t), 0, 0};
   out.slope = -dot(out.here.gradient, delta_ + cross(spin_rad_, p - tip(t)));
-  if (profile.is_ball()) out.over_core_mm = dot(p - tip(t), axis(t)) - lift_mm_ - profile.core_mm;
+  if (profile.is_ball()) out.over_core_mm = dot(p - tip(t), axis(t)) - up_mm_;
   return out;
 }
 
@@ -192,16 +187,20 @@ double TurningBody::next_look(const Stretch& s, bool by_tangents) {
   return falls ? s.b.t - kNearEnd * width : s.a.t + (rises ? kNearEnd : 0.5) * width;
 }
 
+/// Where on the chord of the core's way a place is nearest to it.
+double TurningBody::nearest_on_chord(const Vec3& p) const {
+  const double square = model::length_squared(core_chord_);
+  return square > 0 ? std::clamp(dot(p - core_from_, core_chord_) / square, 0.0, 1.0) : 0;
+}
+
 /// Of a whole ball that has its core above all the points at all times: a lower bound of d over
 /// their hull, by the chord of the core's way. No bound of other profiles and places.
 double TurningBody::bound_by_chord(const CutterProfile& profile, std::span<const Vec3> points,
                                    const Vec3& middle, double bend) const {
   constexpr double kNone = -std::numeric_limits<double>::infinity();
-  if (!is_whole_ball(profile)) return kNone;
-  const double up = lift_mm_ + profile.core_mm;
-  const Vec3 from = from_ + axis_ * up, along = from_ + delta_ + end_axis_ * up - from;
-  const double square = model::length_squared(along);
-  const double t = square > 0 ? std::clamp(dot(middle - from, along) / square, 0.0, 1.0) : 0;
+  if (!profile.is_whole_ball()) return kNone;
+  const Vec3 &from = core_from_, &along = core_chord_;
+  const double t = nearest_on_chord(middle);
   const Vec3 away = model::normalized(middle - from - along * t);
   const double ahead = std::max(0.0, dot(along, away));
   double highest = kNone, least = std::numeric_limits<double>::infinity();
@@ -211,26 +210,64 @@ double TurningBody::bound_by_chord(const CutterProfile& profile, std::span<const
     least = std::min(least, dot(q, away) - ahead);
   }
   if (highest >= -bend / 8) return kNone;
-  return least - turn_rad_ * turn_rad_ * std::abs(up) / 8 - profile.rounding_mm -
-         kDistanceRounding_mm;
+  return least - core_bend_mm_ / 8 - profile.rounding_mm - kDistanceRounding_mm;
+}
+
+/// Of a whole ball that has its core above the place at all times it is the way to the core that
+/// counts. Half its square, F, has F' = q·q' and F'' = |q'|² + q·q'' with q from the place to the
+/// core: where that is positive at all times, m at least, F is convex and Newton's steps lead to
+/// its least, below which F(t) is by F'(t)²/2m at most. Nothing of other places and moves, and
+/// where that does not end.
+std::optional<TurningBody::Least> TurningBody::least_of_ball(const CutterProfile& profile,
+                                                             const Vec3& p, double bend,
+                                                             double beyond_mm,
+                                                             double precision_mm) const {
+  constexpr int kMostSteps = 8;
+  const Vec3 from = p - core_from_;
+  if (!profile.is_whole_ball() ||
+      std::max(dot(from, axis_), dot(from - core_chord_, end_axis_)) >= -bend / 8)
+    return std::nullopt;
+  double t = nearest_on_chord(p);
+  const double to_chord = length(from - core_chord_ * t);
+  const double bound = to_chord - core_bend_mm_ / 8 - profile.rounding_mm - kDistanceRounding_mm;
+  if (bound > beyond_mm) return Least{{bound, {}, 0}, 0};
+  const double farthest = to_chord + length(core_chord_) + core_bend_mm_ / 8;
+  const double bends = least_speed_mm_ * least_speed_mm_ - farthest * core_bend_mm_;
+  if (!(bends > 0)) return std::nullopt;
+  for (int n = 0; n < kMostSteps; ++n) {
+    const SineCosine at = sine_cosine(turn_rad_ * t);
+    const Vec3 up = axis_ * at.cosine + side_ * at.sine,
+               aside = side_ * at.cosine - axis_ * at.sine;
+    const Vec3 q = from_ + delta_ * t + up * up_mm_ - p;
+    const Vec3 way = delta_ + aside * (up_mm_ * turn_rad_);
+    const double slope = dot(q, way), far = length(q);
+    const bool at_end = (t <= 0 && slope >= 0) || (t >= 1 && slope <= 0);
+    // far − √(far² − s²/m), by which the way may be shorter.
+    const double left = at_end ? 0 : slope * slope / bends;
+    const double rest = far * far - left;
+    const double slack = rest > 0 ? left / (far + std::sqrt(rest)) : far;
+    if (slack <= precision_mm && far > 0)
+      return Least{{far - profile.rounding_mm, q / -far, slack}, t};
+    const double bend_here = dot(way, way) - turn_rad_ * turn_rad_ * up_mm_ * dot(q, up);
+    t = std::clamp(t - slope / std::max(bend_here, bends), 0.0, 1.0);
+  }
+  return std::nullopt;
 }
 
 TurningBody::Least TurningBody::least(const CutterProfile& profile, const Vec3& p, double beyond_mm,
                                       double precision_mm) const {
-  const double bend = bend_mm(profile, distance(p, core(profile, 0.5)));
-  if (std::isfinite(beyond_mm))
-    if (const double bound = bound_by_chord(profile, {&p, 1}, p, bend); bound > beyond_mm)
-      return {{bound, {}, 0}, 0};
-  const double core_bend = turn_rad_ * turn_rad_ * std::abs(lift_mm_ + profile.core_mm);
+  const double bend = bend_mm(distance(p, core_));
+  if (const auto by_core = least_of_ball(profile, p, bend, beyond_mm, precision_mm))
+    return *by_core;
   double dropped = std::numeric_limits<double>::infinity();
   StretchHeap heap;
   const auto add = [&](const Look& a, const Look& b) {
     const double width = b.t - a.t;
     // Below the core of a ball at all times, it is the way to its centre that counts.
-    const bool by_core = is_whole_ball(profile) &&
+    const bool by_core = profile.is_whole_ball() &&
                          std::max(a.over_core_mm, b.over_core_mm) < -bend * width * width / 8;
     const double bound = least_between(a.here.value, a.slope, b.here.value, b.slope, width,
-                                       by_core ? core_bend : bend);
+                                       by_core ? core_bend_mm_ : bend);
     if (bound > beyond_mm)
       dropped = beyond_mm;
     else
@@ -305,7 +342,7 @@ double TurningBody::lower(const CutterProfile& profile, std::span<const Vec3> po
                           const Vec3& middle, double enough_mm) const {
   double radius = 0;
   for (const Vec3& p : points) radius = std::max(radius, distance(p, middle));
-  const double bend = bend_mm(profile, radius + distance(middle, core(profile, 0.5)));
+  const double bend = bend_mm(radius + distance(middle, core_));
   const double by_chord = bound_by_chord(profile, points, middle, bend);
   if (by_chord >= enough_mm) return by_chord;
   const Least at = least(profile, middle, enough_mm + radius + kDistanceRounding_mm,
@@ -335,9 +372,9 @@ double TurningBody::lower(const CutterProfile& profile, std::span<const Vec3> po
 /// Of a ball: what its centre passes by, on the chord of a part of its path.
 void TurningBody::rolling(const CutterProfile& profile, const Bezier& cell, double a, double b,
                           std::array<double, 16>& out) const {
-  const Vec3 from = core(profile, a), along = core(profile, b) - from;
+  const Vec3 from = core(a), along = core(b) - from;
   const double square = model::length_squared(along), turn = turn_rad_ * (b - a);
-  const double bow = turn * turn * std::abs(lift_mm_ + profile.core_mm) / 8;
+  const double bow = turn * turn * std::abs(up_mm_) / 8;
   for (int k = 0; k < 16; ++k) {
     const Vec3 w = cell.control(k) - from;
     const double t = square > 0 ? std::clamp(dot(w, along) / square, 0.0, 1.0) : 0;
@@ -359,7 +396,7 @@ void TurningBody::following(const CutterProfile& profile, const Bezier& cell, co
   const Vec3 way = in_tool(around.velocity);
   body_values(profile, SweptBody(way * (around.from - t), way * (around.to - t)), own, out);
   const double span = std::max(t - around.from, around.to - t), turn = turn_rad_ * span;
-  const double speed = core_speed_mm(profile.core_mm), lift = std::abs(lift_mm_ + profile.core_mm);
+  const double speed = core_speed_mm_, lift = std::abs(up_mm_);
   const double far = around.far_mm + around.radius_mm + speed * span;
   const double aside_mm = turn * (around.radius_mm + speed * span) + turn * turn * (far + lift) / 2;
   for (double& value : out) value += aside_mm;
@@ -383,11 +420,10 @@ void TurningBody::values(const CutterProfile& profile, const Bezier& cell,
   for (const double share : {1.0, 0.5}) {
     const double half = share * radius / speed;
     const double a = std::max(0.0, at.t - half), b = std::min(1.0, at.t + half);
-    if (is_whole_ball(profile))
+    if (profile.is_whole_ball())
       rolling(profile, cell, a, b, other);
     else
-      following(profile, cell, at, {a, b, velocity, radius, distance(centre, core(profile, at.t))},
-                other);
+      following(profile, cell, at, {a, b, velocity, radius, distance(centre, core(at.t))}, other);
     offer(other);
   }
 }

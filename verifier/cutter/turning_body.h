@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "verifier/cutter/cutter_profile.h"
@@ -20,17 +21,18 @@ namespace limitgauge::verifier {
 /// turn and in the size of the cell; CERTIFICATE.md, section 12, has the proofs.
 class TurningBody {
  public:
-  /// Unit vectors less than 180 degrees apart; the profile's base is `lift_mm` above the tip.
-  TurningBody(const model::Vec3& from, const model::Vec3& to, const model::Vec3& axis_from,
-              const model::Vec3& axis_to, double lift_mm);
+  /// Unit vectors less than 180 degrees apart; the base of `profile`, which is the one that all
+  /// questions have to be asked with, is `lift_mm` above the tip.
+  TurningBody(const CutterProfile& profile, const model::Vec3& from, const model::Vec3& to,
+              const model::Vec3& axis_from, const model::Vec3& axis_to, double lift_mm);
 
   model::Vec3 tip(double t) const { return from_ + delta_ * t; }
   model::Vec3 axis(double t) const;
   double turn_rad() const { return turn_rad_; }
   /// Of the profile's core, about which it is looked at: the centre of a ball. And a box round
   /// where it is at all times.
-  model::Vec3 core(const CutterProfile& profile, double t) const;
-  model::Box3 cores(const CutterProfile& profile) const;
+  model::Vec3 core(double t) const { return tip(t) + axis(t) * up_mm_; }
+  model::Box3 cores() const;
 
   /// A value of D at one time, no further above d than `slack_mm`, which is `precision_mm` at most
   /// as a rule, and its gradient: a plane under D at that time, not under d.
@@ -57,18 +59,22 @@ class TurningBody {
   struct Around;
   struct LowerSearch;
 
+  double nearest_on_chord(const model::Vec3& p) const;
   double bound_by_chord(const CutterProfile& profile, std::span<const model::Vec3> points,
                         const model::Vec3& middle, double bend) const;
+  std::optional<Least> least_of_ball(const CutterProfile& profile, const model::Vec3& p,
+                                     double bend, double beyond_mm, double precision_mm) const;
   BodyDistance standing(const CutterProfile& profile, const model::Vec3& p, double t) const;
   Look look(const CutterProfile& profile, const model::Vec3& p, double t) const;
   static double next_look(const Stretch& stretch, bool by_tangents);
   /// A direction that turns with the tool, `by` of the move later.
   model::Vec3 turned(const model::Vec3& v, double by) const;
-  /// No less than the core's speed, by t.
-  double core_speed_mm(double core_mm) const;
   /// No less than the second derivative by t of where the tool has a place that is so far from the
   /// core half-way.
-  double bend_mm(const CutterProfile& profile, double from_core_mm) const;
+  double bend_mm(double from_core_mm) const {
+    return turn_rad_ * turn_rad_ * from_core_mm + bend_mm_;
+  }
+  void know_core();
   void following(const CutterProfile& profile, const Bezier& cell, const Least& at,
                  const Around& around, std::array<double, 16>& out) const;
   void rolling(const CutterProfile& profile, const Bezier& cell, double a, double b,
@@ -79,6 +85,13 @@ class TurningBody {
   model::Vec3 end_axis_;     ///< where it ends
   model::Vec3 spin_rad_;     ///< the turn, about what it turns about
   double turn_rad_ = 0, lift_mm_ = 0;
+
+  double up_mm_ = 0;  ///< of the core over the tip
+  model::Vec3 core_from_, core_chord_,
+      core_;  ///< where it begins, its way, and where it is half-way
+  double core_speed_mm_ = 0, least_speed_mm_ = 0;  ///< no less than its speed by t, and no more
+  double core_bend_mm_ = 0;                        ///< its second derivative by t
+  double bend_mm_ = 0;                             ///< see bend_mm()
 };
 
 }  // namespace limitgauge::verifier

@@ -30,7 +30,9 @@ struct TurnedMove {
   Vec3 from, to, axis_from, axis_to;
   double lift_mm = 0;
 
-  TurningBody body() const { return {from, to, axis_from, axis_to, lift_mm}; }
+  TurningBody body(const CutterProfile& profile) const {
+    return {profile, from, to, axis_from, axis_to, lift_mm};
+  }
   Vec3 axis(double t) const {
     const double angle = std::acos(std::clamp(dot(axis_from, axis_to), -1.0, 1.0));
     if (angle < 1e-12) return axis_from;
@@ -116,8 +118,8 @@ TEST_CASE("the least distance along a turning move is that over many poses", "[p
   const int cases = tests::by_effort(4000, 100000);
   for (int n = 0; n < cases; ++n) {
     const TurnedMove move = dice.move();
-    const TurningBody body = move.body();
     const CutterProfile& profile = turned_profiles()[dice.one_of(turned_profiles().size())];
+    const TurningBody body = move.body(profile);
     const Vec3 p = dice.place(move);
     const TurningBody::Least found = body.least(profile, p);
     CAPTURE(n, found.t, found.distance.value, found.distance.slack_mm);
@@ -141,8 +143,8 @@ TEST_CASE("bounds of turning moves over a cell hold at its places and all times"
   const int cases = tests::by_effort(2000, 60000);
   for (int n = 0; n < cases; ++n) {
     const TurnedMove move = dice.move();
-    const TurningBody body = move.body();
     const CutterProfile& profile = turned_profiles()[dice.one_of(turned_profiles().size())];
+    const TurningBody body = move.body(profile);
     const Bezier cell = some_cell(dice, dice.place(move), std::pow(10, dice.from(-3, 0.7)));
     const Vec3 centre = middle(cell);
     std::array<Vec3, 16> points;
@@ -175,8 +177,8 @@ TEST_CASE("bounds of turning moves close with the square of a cell's size", "[un
   for (const CutterProfile& profile : {ball, bull}) {
     // A move of 0.25 mm with a turn of 0.9 degrees, and cells that lie in its tangent plane.
     const double turn = 0.9 * std::acos(-1.0) / 180;
-    const TurningBody body({0, 0, 0}, {0.25, 0, 0}, {0, 0, 1}, {std::sin(turn), 0, std::cos(turn)},
-                           0);
+    const TurningBody body(profile, {0, 0, 0}, {0.25, 0, 0}, {0, 0, 1},
+                           {std::sin(turn), 0, std::cos(turn)}, 0);
     double before = 0;
     for (const double size : {0.1, 0.05, 0.025, 0.0125}) {
       const TurningBody::Least at = body.least(profile, {0.11, 1.2, 0.3});
@@ -214,8 +216,8 @@ TEST_CASE("a cone of axes bounds the distance to all that stand in it", "[proper
     TurnedMove move = dice.move();
     const Vec3 p = dice.place(move), half{dice.from(0, 1), dice.from(0, 1), dice.from(0, 1)};
     for (int k = 0; k < 5; ++k) {
-      bodies.push_back(move.body());
-      cores.add(bodies.back().cores(profile));
+      bodies.push_back(move.body(profile));
+      cores.add(bodies.back().cores());
       const double lift = move.lift_mm;
       const Vec3 to = move.to, axis = move.axis_to;
       move = dice.move();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "verifier/cutter/tilted_box.h"
 #include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
@@ -11,15 +12,6 @@ namespace {
 
 using model::Box3;
 using model::Vec3;
-
-/// No less than the longest way across an axis to a corner of a box about zero whose half diagonal
-/// is `radius_mm`, `along` being what each edge has along the axis: the corners have at least what
-/// the longest one leaves of the others.
-double across_mm(double radius_mm, const Vec3& along) {
-  const double all = along.x + along.y + along.z;
-  const double least = 2 * std::max({along.x, along.y, along.z}) - all;
-  return least > 0 ? std::sqrt(std::max(0.0, radius_mm * radius_mm - least * least)) : radius_mm;
-}
 
 /// How far a place is from a box about zero.
 double beside_box_mm(const Vec3& half, const Vec3& p) {
@@ -52,26 +44,37 @@ bool AxisCone::is_below(double height, double far_square, double radius_square) 
          height * height > 2 * spread_rad_ * spread_rad_ * (far_square + radius_square);
 }
 
+/// A lower bound of the distance to a profile that stands along the cone's axis, its core anywhere
+/// in a box about the one that `from` leads to the place from: by the plane at its middle, which
+/// loses little over a small one, and by how low and far out the place is over all of it.
+double AxisCone::standing_bound(const CutterProfile& profile, const Vec3& room, const Vec3& from,
+                                double enough_mm) const {
+  const double along = dot(from, axis_), height = along + profile.core_mm;
+  const Vec3 out = from - axis_ * along;
+  const double rho = length(out);
+  const ProfileDistance d = closed_distance(profile, rho, height);
+  const Vec3 gradient = out * (rho > 0 ? d.by_rho / rho : 0) + axis_ * d.by_height;
+  const double by_plane = d.value - reach_of(gradient, room);
+  if (by_plane > enough_mm) return by_plane;
+  const double up = reach_of(axis_, room), least = rho > 0 ? rho - reach_of(out, room) / rho : 0;
+  const double open = open_distance(profile, std::max(0.0, least), height + up).value;
+  return std::max({by_plane, open, height - up - profile.top_mm});
+}
+
 /// A profile that is turned about its core by an angle moves a place that is r from there by no
 /// more than r times the angle.
 double AxisCone::bound(const CutterProfile& profile, double size_mm, const Box3& cores,
                        const Vec3& p, const Vec3& half, double enough_mm) const {
   const Vec3 room = cores.size() / 2 + half, from = p - cores.centre();
-  const double along = dot(from, axis_);
-  const Vec3 edges{std::abs(axis_.x) * room.x, std::abs(axis_.y) * room.y,
-                   std::abs(axis_.z) * room.z};
-  const double up = edges.x + edges.y + edges.z;
   const double far_square = length_squared(from), radius_square = length_squared(room);
-  if (profile.is_whole_ball() && is_below(along + up, far_square, radius_square))
+  if (profile.is_whole_ball() &&
+      is_below(dot(from, axis_) + reach_of(axis_, room), far_square, radius_square))
     return beside_box_mm(room, from) - profile.rounding_mm - kDistanceRounding_mm;
-  const double radius = std::sqrt(radius_square), far = std::sqrt(far_square);
-  const double by_size = far - radius - size_mm - kDistanceRounding_mm;
+  const double away = std::sqrt(far_square), radius = std::sqrt(radius_square);
+  const double by_size = away - radius - size_mm - kDistanceRounding_mm;
   if (axis_ == Vec3{} || by_size >= enough_mm) return by_size;
-  const double rho = std::max(0.0, length(from - axis_ * along) - across_mm(radius, edges));
-  const double height = along + profile.core_mm;
-  const double open = open_distance(profile, rho, height + up).value;
-  const double standing = std::max(open, height - up - profile.top_mm);
-  return std::max(by_size, standing - spread_rad_ * (far + radius) - kDistanceRounding_mm);
+  const double turning = spread_rad_ * (away + radius) + kDistanceRounding_mm;
+  return std::max(by_size, standing_bound(profile, room, from, enough_mm + turning) - turning);
 }
 
 double farthest_from_core_mm(const CutterProfile& profile) {

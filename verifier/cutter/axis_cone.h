@@ -27,6 +27,8 @@ class AxisCone {
                double enough_mm = std::numeric_limits<double>::infinity()) const;
 
  private:
+  double standing_bound(const CutterProfile& profile, const model::Vec3& room,
+                        const model::Vec3& from, double enough_mm) const;
   bool is_below(double height, double far_square, double radius_square) const;
 
   model::Vec3 axis_;

@@ -82,8 +82,12 @@ double PassBodies::bound(const model::BoxNode& node, const Vec3& p, double limit
 
 double PassBodies::bound_at(std::uint32_t place, const Vec3& p, double limit_mm,
                             const Vec3& half) const {
-  if (turn())
-    return own_cones_[place].bound(profile_, size_mm_, own_cores_[place], p, half, limit_mm);
+  if (turn()) {
+    const double by_cone =
+        own_cones_[place].bound(profile_, size_mm_, own_cores_[place], p, half, limit_mm);
+    if (by_cone > limit_mm || profile_.is_whole_ball()) return by_cone;
+    return std::max(by_cone, turning_[place].bound(profile_, p, half));
+  }
   const Box3 tips = tips_of(upright_[place]);
   return box_bound(profile_, {tips.low - half, tips.high + half}, p);
 }

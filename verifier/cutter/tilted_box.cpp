@@ -33,11 +33,11 @@ Vec3 normal_of(std::span<const SweptBody> bodies) {
   return normalized(Vec3{-(xz * yy - yz * xy) / whole, -(yz * xx - xz * xy) / whole, 1});
 }
 
-double reach_of(const Vec3& axis, const Vec3& half) {
-  return std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
-}
-
 }  // namespace
+
+double reach_of(const Vec3& way, const Vec3& half) {
+  return std::abs(way.x) * half.x + std::abs(way.y) * half.y + std::abs(way.z) * half.z;
+}
 
 TiltedBox::TiltedBox(std::span<const SweptBody> bodies) : normal_(normal_of(bodies)) {
   const double level = std::hypot(normal_.x, normal_.y);

@@ -10,6 +10,10 @@
 
 namespace limitgauge::verifier {
 
+/// How far a box about zero, of half edges `half`, reaches in the direction of a vector, times the
+/// vector's length.
+double reach_of(const model::Vec3& way, const model::Vec3& half);
+
 /// A box round the tips of some moves, tilted as the plane that lies nearest to them: where passes
 /// follow a slope, one along the axes is many times as high as the sheet that the tips lie in, and
 /// tells none of its moves from the others.

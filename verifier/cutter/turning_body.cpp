@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "verifier/cutter/tilted_box.h"
 #include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
@@ -252,6 +253,14 @@ std::optional<TurningBody::Least> TurningBody::least_of_ball(const CutterProfile
     t = std::clamp(t - slope / std::max(bend_here, bends), 0.0, 1.0);
   }
   return std::nullopt;
+}
+
+double TurningBody::bound(const CutterProfile& profile, const Vec3& p, const Vec3& half) const {
+  const double radius = length(half);
+  const Look at = look(profile, p, 0.5);
+  return at.here.value - reach_of(at.here.gradient, half) -
+         (std::abs(at.slope) + turn_rad_ * radius) / 2 - bend_mm(distance(p, core_) + radius) / 8 -
+         kDistanceRounding_mm;
 }
 
 TurningBody::Least TurningBody::least(const CutterProfile& profile, const Vec3& p, double beyond_mm,

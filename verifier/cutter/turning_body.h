@@ -44,6 +44,9 @@ class TurningBody {
   Least least(const CutterProfile& profile, const model::Vec3& p,
               double beyond_mm = std::numeric_limits<double>::infinity(),
               double precision_mm = kAlongTurn_mm) const;
+  /// A lower bound of d over all points no further from `p` along each axis than `half`, by one
+  /// look at the middle of the move.
+  double bound(const CutterProfile& profile, const model::Vec3& p, const model::Vec3& half) const;
   /// A lower bound of d over the hull of `points`, by planes at `middle`, which lies in it; not
   /// improved where it is `enough_mm`, or cannot be.
   double lower(const CutterProfile& profile, std::span<const model::Vec3> points,

@@ -153,11 +153,14 @@ TEST_CASE("bounds of turning moves over a cell hold at its places and all times"
     std::array<double, 16> values{};
     body.values(profile, cell, values);
     const double upper = *std::max_element(values.begin(), values.end());
-    CAPTURE(n, lower, upper, control_radius(cell, centre));
+    const model::Box3 box = control_box(cell);
+    const double at_once = body.bound(profile, box.centre(), box.size() / 2);
+    CAPTURE(n, lower, upper, at_once, control_radius(cell, centre));
     for (int k = 0; k < 40; ++k) {
       const Vec3 s = k < 16 ? points[k] : hull_place(dice, cell);
       const double d = body.least(profile, s).distance.value;
       REQUIRE(d > lower - 1e-9);
+      REQUIRE(d > at_once);
       REQUIRE(d < upper + 1e-9);
       if (k < 16) REQUIRE(d < values[k] + 1e-9);
       REQUIRE(move.distance(profile, dice.from(0, 1), s) > lower - 1e-9);

@@ -244,8 +244,12 @@ bool CellBounder::surely_outside(const Bezier& cell, double margin_mm,
       lower = std::max(lower, corner_lower(cell, centre, body, distance.gradient));
     if (lower >= margin_mm) return true;
     const bool by_edge = sharp(body, radius);
-    const bool unsure = by_edge || space_.mesh_of(body) || space_.turns(body);
-    missed_by_mm_ = unsure ? 0 : margin_mm - lower;
+    const bool unsure = by_edge || space_.mesh_of(body);
+    missed_by_mm_ = unsure ? 0 : margin_mm - lower, in_the_way_ = body;
+    // Of a turning body nothing better is looked for where the middle itself is too near.
+    if (space_.turns(body))
+      if (const double here = space_.distance(body, centre).value; here < margin_mm)
+        missed_by_mm_ = margin_mm - here;
     return by_edge && mixed_lower(cell, centre, body) >= margin_mm;
   };
   if (first && !clear(*first)) return false;

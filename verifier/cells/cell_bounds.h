@@ -54,6 +54,8 @@ class CellBounder {
   /// By how much the body in the way of the last such proof misses the margin, where it is smooth
   /// over the cell: a cell moved by clearly less stays unproven. Nothing of one with a sharp edge.
   double missed_by_mm() const { return missed_by_mm_; }
+  /// That body, of a proof that failed.
+  BodyRef in_the_way() const { return in_the_way_; }
   /// Proof that what swept comes no nearer than `margin_mm`, and `margin_per_mm` more for each mm
   /// along it, to what lies between the cell and the cell moved by `prism`. Raw stock does not
   /// count.
@@ -91,6 +93,7 @@ class CellBounder {
   std::vector<model::Vec3> corners_;
   double sway_mm_ = 0;
   double missed_by_mm_ = 0;
+  BodyRef in_the_way_;
   std::vector<BodyRef> near_;
   std::vector<Scored> scored_;
   std::vector<CellValues> values_;

@@ -14,6 +14,8 @@ using model::Vec3;
 
 /// Faces that meet in a corner.
 constexpr int kMostFaces = 3;
+/// As far as a cell is moved beside itself at most.
+constexpr double kReach_mm = kMostFaces * kBeside_mm;
 /// The control points at the corners of a cell.
 constexpr std::array kCorners = {0, 3, 12, 15};
 /// Deeper in a body than this, no face of it is beside a corner.
@@ -152,9 +154,34 @@ bool RunBounds::stands(const OffsetCell& cell, double t_mm) {
     if (bounder_.surely_outside(cell.moved(t_mm), margin, at.body)) return true;
     // What misses by more than a cell is moved beside itself misses there as well.
     constexpr double kTooFar_mm = (kMostFaces + 1) * kBeside_mm;
-    if (bounder_.missed_by_mm() > kTooFar_mm) return false;
+    const double missed_mm = bounder_.missed_by_mm();
+    if (missed_mm > kTooFar_mm) return false;
+    const Vec3 middle = cell.moved_middle(t_mm);
+    const BodyRef body = bounder_.in_the_way();
+    if (missed_mm > 0 && missed_mm > gain_beside_mm(cell, {body, space_.distance(body, middle)},
+                                                    control_radius(cell.shape, cell.middle)))
+      return false;
+  } else if (margin - at.distance.value > gain_beside_mm(cell, at, 0)) {
+    return false;
   }
   return stands_beside(cell, t_mm, kAlong);
+}
+
+/// Whether a body was swept by a cutter that bends little over what a cell is moved beside itself.
+bool RunBounds::is_round(BodyRef body) const {
+  constexpr double kRound_mm = 20 * kReach_mm;
+  return !space_.is_stock(body) && space_.rounding_mm(body) >= kRound_mm;
+}
+
+/// By how much what is proven of the distance to a body may grow where a cell of that radius is
+/// moved beside itself, as stands_beside() does: by what the gradient has across the normal, and by
+/// the bend of what has that rounding. Infinite of what has a sharp edge.
+double RunBounds::gain_beside_mm(const OffsetCell& cell, const Nearest& at,
+                                 double radius_mm) const {
+  if (!is_round(at.body)) return std::numeric_limits<double>::infinity();
+  const Vec3& g = at.distance.gradient;
+  const double across = length(g - cell.normal * dot(g, cell.normal));
+  return kReach_mm * (across + (kReach_mm + 2 * radius_mm) / space_.rounding_mm(at.body));
 }
 
 /// Whether the cell moved by t stands where it is moved across its normals as well, away from the

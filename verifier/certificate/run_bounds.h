@@ -72,6 +72,8 @@ class RunBounds {
   double margin_mm(const OffsetCell& cell, double t_mm) const;
   bool is_beside(const OffsetCell& cell, const Nearest& at) const;
   bool is_wedge_beside(const OffsetCell& cell, double length_mm);
+  bool is_round(BodyRef body) const;
+  double gain_beside_mm(const OffsetCell& cell, const Nearest& at, double radius_mm) const;
   bool stands_beside(const OffsetCell& cell, double t_mm, double along);
   bool is_deep(const Bezier& cell, BodyRef body) const;
   Nearest lowest_corner(const Bezier& cell, BodyRef hint);

@@ -13,6 +13,9 @@ namespace {
 using model::Box3;
 using model::Vec3;
 
+/// Half diagonal of a box over which a plane is as good as anything.
+constexpr double kSmall_mm = 0.3;
+
 /// How far a place is from a box about zero.
 double beside_box_mm(const Vec3& half, const Vec3& p) {
   return length(Vec3{std::max(0.0, std::abs(p.x) - half.x), std::max(0.0, std::abs(p.y) - half.y),
@@ -55,7 +58,7 @@ double AxisCone::standing_bound(const CutterProfile& profile, const Vec3& room, 
   const ProfileDistance d = closed_distance(profile, rho, height);
   const Vec3 gradient = out * (rho > 0 ? d.by_rho / rho : 0) + axis_ * d.by_height;
   const double by_plane = d.value - reach_of(gradient, room);
-  if (by_plane > enough_mm) return by_plane;
+  if (by_plane > enough_mm || length_squared(room) < kSmall_mm * kSmall_mm) return by_plane;
   const double up = reach_of(axis_, room), least = rho > 0 ? rho - reach_of(out, room) / rho : 0;
   const double open = open_distance(profile, std::max(0.0, least), height + up).value;
   return std::max({by_plane, open, height - up - profile.top_mm});

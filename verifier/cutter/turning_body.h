@@ -29,6 +29,11 @@ class TurningBody {
   model::Vec3 tip(double t) const { return from_ + delta_ * t; }
   model::Vec3 axis(double t) const;
   double turn_rad() const { return turn_rad_; }
+  /// So short and turned by so little that bound() loses next to nothing.
+  bool is_short() const {
+    constexpr double kShort_mm = 0.5, kLittle_rad = 0.05;
+    return core_speed_mm_ < kShort_mm && turn_rad_ < kLittle_rad;
+  }
   /// Of the profile's core, about which it is looked at: the centre of a ball. And a box round
   /// where it is at all times.
   model::Vec3 core(double t) const { return tip(t) + axis(t) * up_mm_; }

@@ -1,17 +1,25 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::verifier {
 
-/// Passes that are not near, of which searches close to each other need not ask again: from a place
-/// that was `clear_mm` away from all of a pass, no place is nearer to it than that less the way
-/// between. Whoever searches keeps it, for one space and one thread; it changes no answer.
+/// What searches close to each other need not ask again: passes that are not near, since from a
+/// place that was `clear_mm` away from all of a pass, no place is nearer to it than that less the
+/// way between; and the body that was nearest last, with which the next search begins. Whoever
+/// searches keeps it, for one space and one thread; it changes no answer.
 class FarPasses {
  public:
+  /// A body by its pass and its number there.
+  struct Body {
+    std::uint32_t pass = 0, index = 0;
+  };
+  const std::optional<Body>& last_nearest() const { return last_; }
+  void learn_nearest(Body body) { last_ = body; }
   /// How much further than asked a pass is looked for: the cells that searches begin with are as
   /// wide.
   static constexpr double kFurther_mm = 0.3;
@@ -29,6 +37,7 @@ class FarPasses {
     bool known = false;
   };
   std::vector<Room> rooms_;
+  std::optional<Body> last_;
 };
 
 }  // namespace limitgauge::verifier

@@ -12,6 +12,8 @@ using model::Box3;
 using model::Vec3;
 
 constexpr std::uint32_t kLeafBodies = 6;
+/// Of turning ones, whose own bounds take longer than those of nodes.
+constexpr std::uint32_t kLeafTurning = 3;
 /// How much more heights count than places in plan where moves are divided: of a flat as wide as a
 /// node's box it is the height that tells which moves are near.
 constexpr double kHeightsOfFlat = 4;
@@ -38,7 +40,7 @@ model::BoxTree tip_tree(const CutterProfile& profile, const std::vector<SweptBod
 model::BoxTree core_tree(const std::vector<TurningBody>& bodies) {
   std::vector<Box3> cores(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) cores[i] = bodies[i].cores();
-  return model::box_tree(cores, kLeafBodies);
+  return model::box_tree(cores, kLeafTurning);
 }
 
 }  // namespace

@@ -220,6 +220,8 @@ void RemovedSpace::nearest_if_near(std::uint32_t pass, const Vec3& p, Nearest& b
 Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint, FarPasses* far) const {
   const auto outside = static_cast<std::uint32_t>(passes_.size());
   Nearest best{{outside + 1, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
+  if (!hint && far && far->last_nearest())
+    hint = BodyRef{far->last_nearest()->pass, far->last_nearest()->index};
   if (hint) best = {*hint, distance(*hint, p)};
   if (!mesh_) nearest_of_stock(p, best);
   // The last pass is most often the nearest: begin with it, so that the others are cut off early.
@@ -229,6 +231,7 @@ Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint, FarPas
   if (mesh_ && !is_stock(best.body)) nearest_of_stock(p, best);
   // Of a turning body all of it is known.
   if (!is_stock(best.body) && !turns(best.body)) best.distance = distance(best.body, p);
+  if (far) far->learn_nearest({best.body.pass, best.body.index});
   return best;
 }
 

@@ -160,7 +160,7 @@ void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& cand
   const Nearest nearest = space_.nearest(centre, hint, far_.get());
   if (nearest.distance.value > limit_mm + radius) return;
   const double upper = upper_of(cell, centre, nearest.body);
-  space_.within(centre, std::min(upper, limit_mm) + radius, candidates);
+  space_.within(centre, std::min(upper, limit_mm) + radius, candidates, far_.get());
 }
 
 double CellBounder::improve_upper(const Bezier& cell, double upper, double low_enough) {
@@ -308,7 +308,7 @@ bool CellBounder::surely_inside(const Bezier& cell, double margin_mm, BodyRef fi
   const double room = -margin_mm - lowest;
   near_.clear();
   space_.within(centre, std::min(radius + sway_mm_ - margin_mm, lowest + room / kLeastWeight),
-                near_);
+                near_, far_.get());
   if (near_.size() < 2) return false;
   scored_.clear();
   for (const BodyRef body : near_)

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/geometry/vec3.h"
+#include "verifier/cutter/body_ref.h"
+#include "verifier/cutter/near_leaves.h"
 
 namespace limitgauge::verifier {
 
-/// Passes that are not near, of which searches close to each other need not ask again: from a place
+/// What searches close to each other need not ask again. Of passes that are not near: from a place
 /// that was `clear_mm` away from all of a pass, no place is nearer to it than that less the way
 /// between. Whoever searches keeps it, for one space and one thread; it changes no answer.
 class FarPasses {
@@ -21,6 +24,10 @@ class FarPasses {
   void learn(std::uint32_t pass, const model::Vec3& p, double clear_mm);
   /// Whether it pays to look further than asked: not beside a pass that was found to be near.
   bool pays(std::uint32_t pass, const model::Vec3& p) const;
+  /// What is known of a pass that is near, in its own frame.
+  NearLeaves& near(std::uint32_t pass);
+
+  std::optional<BodyRef> last;  ///< the nearest body of the last question that asked for it
 
  private:
   struct Room {
@@ -29,6 +36,7 @@ class FarPasses {
     bool known = false;
   };
   std::vector<Room> rooms_;
+  std::vector<NearLeaves> near_;
 };
 
 }  // namespace limitgauge::verifier

@@ -15,13 +15,6 @@ using model::Vec3;
 
 namespace {
 
-/// A stack on the heap of the thread, kept between queries: a tree over millions of moves is deep.
-std::vector<std::uint32_t>& query_stack() {
-  thread_local std::vector<std::uint32_t> stack;
-  stack.clear();
-  return stack;
-}
-
 /// Steps to where a ray meets one body: far more than a tangent that touches takes.
 constexpr int kMostSteps = 400;
 
@@ -60,6 +53,9 @@ double first_meeting_by_steps(Distance&& distance, Clear&& clear, const Vec3& ra
   }
   return std::min(t, limit_mm);
 }
+
+/// Meetings that are further away are looked for from the root.
+constexpr double kNearMeeting_mm = 0.1;
 
 /// Of a turning body the exact distance only where it is near: afar a step that is a little shorter
 /// than it might be costs less.
@@ -156,34 +152,51 @@ void RemovedSpace::add_sweep(const Sweep& sweep) {
   chord_error_mm_ = std::max(chord_error_mm_, sweep.path->chord_error_mm);
 }
 
-void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best) const {
+/// Bodies at the same distance but for rounding are all looked at: which of them is named must not
+/// depend on where the search began.
+void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best,
+                              FarPasses* far) const {
   const PassBodies& bodies = *passes_[pass];
   const Vec3 p = passes_[pass].place(at - shift_);
+  const auto beyond = [&] { return best.distance.value + kSameDistance_mm; };
+  const auto bound = [&](const model::BoxNode& node) { return bodies.bound(node, p, beyond()); };
+  if (const auto* leaves = near_leaves(pass, p, beyond(), far)) {
+    for (const std::uint32_t leaf : *leaves)
+      if (const model::BoxNode& node = bodies.nodes()[leaf]; bound(node) <= beyond())
+        offer_leaf(pass, node, p, best);
+    return;
+  }
   model::nearest_first(
-      bodies.nodes(),
-      [&](const model::BoxNode& node) {
-        return bodies.bound(node, p, best.distance.value + kSameDistance_mm);
-      },
-      // Bodies at the same distance but for rounding are all looked at: which of them is named must
-      // not depend on where the search began.
-      [&](double bound) { return bound > best.distance.value + kSameDistance_mm; },
-      [&](const model::BoxNode& leaf) {
-        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const BodyRef body{pass, bodies.move_at(k)};
-          const double beyond = best.distance.value + kSameDistance_mm;
-          const auto offer = [&](const BodyDistance& d) {
-            // Among equals the first move is the one named.
-            if (d.value < best.distance.value ||
-                (d.value == best.distance.value && body < best.body))
-              best = {body, d};
-          };
-          if (!bodies.turn()) {
-            offer({bodies.value_at(k, p, beyond), {}, 0});
-          } else if (body != best.body) {
-            if (const auto d = bodies.distance_up_to(k, p, beyond)) offer(passes_[pass].back(*d));
-          }
-        }
-      });
+      bodies.nodes(), bound, [&](double at_least) { return at_least > beyond(); },
+      [&](const model::BoxNode& leaf) { offer_leaf(pass, leaf, p, best); });
+}
+
+/// Leaves that hold all of a pass within a limit of p, in its own frame, where they are known.
+const std::vector<std::uint32_t>* RemovedSpace::near_leaves(std::uint32_t pass, const Vec3& p,
+                                                            double limit_mm, FarPasses* far) const {
+  const PassBodies& bodies = *passes_[pass];
+  if (!far || bodies.turn() || !std::isfinite(limit_mm)) return nullptr;
+  return far->near(pass).around(bodies, p, limit_mm);
+}
+
+/// Takes the nearest of a leaf's bodies where it is nearer; among equals the first move is the one
+/// named.
+void RemovedSpace::offer_leaf(std::uint32_t pass, const model::BoxNode& leaf, const Vec3& p,
+                              Nearest& best) const {
+  const PassBodies& bodies = *passes_[pass];
+  for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+    const BodyRef body{pass, bodies.move_at(k)};
+    const double beyond = best.distance.value + kSameDistance_mm;
+    const auto offer = [&](const BodyDistance& d) {
+      if (d.value < best.distance.value || (d.value == best.distance.value && body < best.body))
+        best = {body, d};
+    };
+    if (!bodies.turn()) {
+      offer({bodies.value_at(k, p, beyond), {}, 0});
+    } else if (body != best.body) {
+      if (const auto d = bodies.distance_up_to(k, p, beyond)) offer(passes_[pass].back(*d));
+    }
+  }
 }
 
 /// The same, and what is seen of the room up to the pass. It is looked for further away than it
@@ -192,7 +205,7 @@ void RemovedSpace::nearest_if_near(std::uint32_t pass, const Vec3& p, Nearest& b
                                    FarPasses& far) const {
   if (far.bound(pass, p) > best.distance.value + kSameDistance_mm) return;
   if (!std::isfinite(best.distance.value) || best.body.pass == pass || !far.pays(pass, p))
-    return nearest_in(pass, p, best);
+    return nearest_in(pass, p, best, &far);
   Nearest own{{pass + 1, 0}, {best.distance.value + FarPasses::kFurther_mm, {}, 0}};
   nearest_in(pass, p, own);
   far.learn(pass, p, own.distance.value);
@@ -224,7 +237,7 @@ std::optional<Nearest> RemovedSpace::nearest_swept(const Vec3& p) const {
 }
 
 void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3& along,
-                                const EndRule& rule, Meeting& first) const {
+                                const EndRule& rule, Meeting& first, FarPasses* far) const {
   constexpr int kLooks = 4;
   const Vec3 p = passes_[pass].place(from - shift_);
   const Vec3 ray = passes_[pass].direction(along);
@@ -243,29 +256,35 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3
   const auto start_of = [&](const model::BoxNode& node) {
     return clear_up_to([&](const Vec3& at) { return bodies.bound(node, at, near); });
   };
-  model::nearest_first(
-      bodies.nodes(), start_of, [&](double start) { return start >= first.t_mm; },
-      [&](const model::BoxNode& leaf) {
-        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const auto distance = [&](double t) {
-            BodyDistance d = distance_from_afar(bodies, k, p + ray * t, near);
-            d.value -= chord_error_mm_;
-            return d;
-          };
-          const auto clear = [&](double a, double b) {
-            const std::array ends{p + ray * a, p + ray * b};
-            return bodies.lower_at(k, ends, p + ray * ((a + b) / 2), near) >= near;
-          };
-          const auto by_steps = [&] {
-            const double start =
-                clear_up_to([&](const Vec3& at) { return bodies.bound_at(k, at, near); });
-            return first_meeting_by_steps(distance, clear, ray, start, first.t_mm, rule);
-          };
-          const double t =
-              bodies.turn() ? by_steps() : first_meeting(distance, ray, true, first.t_mm, rule);
-          if (t < first.t_mm) first = {t, BodyRef{pass, bodies.move_at(k)}};
-        }
-      });
+  const auto look = [&](const model::BoxNode& leaf) {
+    for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+      const auto distance = [&](double t) {
+        BodyDistance d = distance_from_afar(bodies, k, p + ray * t, near);
+        d.value -= chord_error_mm_;
+        return d;
+      };
+      const auto clear = [&](double a, double b) {
+        const std::array ends{p + ray * a, p + ray * b};
+        return bodies.lower_at(k, ends, p + ray * ((a + b) / 2), near) >= near;
+      };
+      const auto by_steps = [&] {
+        const double start =
+            clear_up_to([&](const Vec3& at) { return bodies.bound_at(k, at, near); });
+        return first_meeting_by_steps(distance, clear, ray, start, first.t_mm, rule);
+      };
+      const double t =
+          bodies.turn() ? by_steps() : first_meeting(distance, ray, true, first.t_mm, rule);
+      if (t < first.t_mm) first = {t, BodyRef{pass, bodies.move_at(k)}};
+    }
+  };
+  // What is met before then is no further away than that.
+  const auto* leaves =
+      first.t_mm <= kNearMeeting_mm ? near_leaves(pass, p, near + first.t_mm, far) : nullptr;
+  if (!leaves)
+    return model::nearest_first(
+        bodies.nodes(), start_of, [&](double start) { return start >= first.t_mm; }, look);
+  for (const std::uint32_t leaf : *leaves)
+    if (const model::BoxNode& node = bodies.nodes()[leaf]; start_of(node) < first.t_mm) look(node);
 }
 
 void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndRule& rule,
@@ -284,13 +303,30 @@ void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndR
   }
 }
 
+/// No later than the nearest body is met, if that is a convex one: the search then looks no
+/// further. It finds that body itself, unless another comes first.
+void RemovedSpace::look_no_further(const Vec3& p, const Vec3& ray, const EndRule& rule,
+                                   Meeting& first, FarPasses& far) const {
+  const BodyRef body = nearest(p, far.last, &far).body;
+  far.last = body;
+  if (is_stock(body) || turns(body)) return;
+  const auto at = [&](double t) {
+    BodyDistance d = distance(body, p + ray * t);
+    d.value -= chord_error_mm_;
+    return d;
+  };
+  const double met = first_meeting(at, ray, true, first.t_mm, rule);
+  if (met < first.t_mm) first = {std::nextafter(met, std::numeric_limits<double>::infinity()), {}};
+}
+
 RemovedSpace::Meeting RemovedSpace::first_met(const Vec3& p, const Vec3& ray, double limit_mm,
-                                              const EndRule& rule, const FarPasses* far) const {
+                                              const EndRule& rule, FarPasses* far) const {
   Meeting first{limit_mm, {}};
   if (!mesh_) first_met_of_stock(p, ray, rule, first);
+  if (far && !mesh_) look_no_further(p, ray, rule, first, *far);
   const double near = chord_error_mm_ + std::max(rule.beside_mm, rule.skin_mm);
   for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;)
-    if (!far || far->bound(k, p) - first.t_mm <= near) first_met_in(k, p, ray, rule, first);
+    if (!far || far->bound(k, p) - first.t_mm <= near) first_met_in(k, p, ray, rule, first, far);
   if (mesh_) first_met_of_stock(p, ray, rule, first);
   return first;
 }
@@ -317,33 +353,30 @@ void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
   }
 }
 
-/// Calls `take(place of the body)` for all bodies of a pass in nodes that are `near`.
+/// Calls `take(place of the body)` for all bodies of a pass in nodes that are `near`, or in those
+/// of the leaves given that are.
 template <class Near, class Take>
-void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) const {
-  const PassBodies& bodies = *passes_[pass];
-  if (bodies.nodes().empty()) return;
-  auto& stack = query_stack();
-  stack.assign(1, 0);
-  while (!stack.empty()) {
-    const std::uint32_t at = stack.back();
-    stack.pop_back();
-    const model::BoxNode& node = bodies.nodes()[at];
-    if (!near(node)) continue;
-    if (node.count == 0) {
-      stack.push_back(node.right);
-      stack.push_back(at + 1);
-      continue;
-    }
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) take(k);
-  }
+void RemovedSpace::visit_near(const PassBodies& bodies, const std::vector<std::uint32_t>* leaves,
+                              Near&& near, Take&& take) const {
+  const auto is_near = [&](std::uint32_t node) { return near(bodies.nodes()[node]); };
+  const auto take_all = [&](std::uint32_t node) {
+    const model::BoxNode& leaf = bodies.nodes()[node];
+    for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) take(k);
+    return true;
+  };
+  if (!leaves) return bodies.visit_leaves(is_near, take_all);
+  for (const std::uint32_t leaf : *leaves)
+    if (is_near(leaf)) take_all(leaf);
 }
 
-void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>& out) const {
+void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>& out,
+                          FarPasses* far) const {
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
     const PassBodies& bodies = *passes_[pass];
+    if (far && far->bound(pass, at) > limit_mm) continue;
     const Vec3 p = passes_[pass].place(at - shift_);
     visit_near(
-        pass,
+        bodies, near_leaves(pass, p, limit_mm, far),
         [&](const model::BoxNode& node) { return bodies.bound(node, p, limit_mm) <= limit_mm; },
         [&](std::uint32_t k) {
           if (bodies.value_at(k, p, limit_mm) <= limit_mm) out.push_back({pass, bodies.move_at(k)});
@@ -353,14 +386,15 @@ void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>&
 }
 
 void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>& out,
-                          const FarPasses* far) const {
+                          FarPasses* far) const {
   const Vec3 at = box.centre(), radii = box.size() / 2;
+  const double all_mm = limit_mm + length(radii);
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
-    if (far && far->bound(pass, at) - length(radii) > limit_mm) continue;
+    if (far && far->bound(pass, at) > all_mm) continue;
     const PassBodies& bodies = *passes_[pass];
     const Vec3 centre = passes_[pass].place(at - shift_), half = passes_[pass].half(radii);
     visit_near(
-        pass,
+        bodies, near_leaves(pass, centre, all_mm, far),
         [&](const model::BoxNode& node) {
           return bodies.bound(node, centre, limit_mm, half) <= limit_mm;
         },
@@ -369,7 +403,7 @@ void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>
             out.push_back({pass, bodies.move_at(k)});
         });
   }
-  stock_within(at, limit_mm + length(radii), out);
+  stock_within(at, all_mm, out);
 }
 
 void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {

@@ -1,0 +1,73 @@
+#include "verifier/cutter/near_leaves.h"
+
+#include "verifier/tolerance.h"
+
+namespace limitgauge::verifier {
+namespace {
+
+using model::Vec3;
+
+/// More leaves than this are no shorter than the way down from the root.
+constexpr std::size_t kMostLeaves = 96;
+
+}  // namespace
+
+bool NearLeaves::Ring::covers(const Vec3& p, double limit) const {
+  return known && limit + distance(p, at) + kDistanceRounding_mm <= limit_mm;
+}
+
+/// Whether there are too many, for all that was seen.
+bool NearLeaves::Ring::is_crowded(const Vec3& p, double limit) const {
+  return too_many && distance(p, at) <= further_mm / 2 && limit >= limit_mm - 2 * further_mm;
+}
+
+/// Whether the last question was so near that the next one may be too.
+bool NearLeaves::Ring::pays(const Vec3& p) {
+  const bool near = missed && distance(p, missed_at) <= further_mm / 2;
+  missed_at = p, missed = true;
+  return near;
+}
+
+/// False where there are too many.
+bool NearLeaves::fill(Ring& ring, const Ring* wider, const PassBodies& bodies, const Vec3& p,
+                      double limit_mm) {
+  ring.at = p, ring.limit_mm = limit_mm + ring.further_mm;
+  ring.leaves.clear();
+  const auto near = [&](std::uint32_t node) {
+    return bodies.bound(bodies.nodes()[node], p, ring.limit_mm) <= ring.limit_mm;
+  };
+  const auto add = [&](std::uint32_t leaf) {
+    if (ring.leaves.size() < kMostLeaves) return ring.leaves.push_back(leaf);
+    ring.too_many = true;
+  };
+  ring.too_many = false;
+  if (wider) {
+    for (const std::uint32_t leaf : wider->leaves)
+      if (near(leaf)) add(leaf);
+  } else {
+    bodies.visit_leaves(near, [&](std::uint32_t leaf) {
+      add(leaf);
+      return !ring.too_many;
+    });
+  }
+  ring.known = !ring.too_many;
+  return ring.known;
+}
+
+const std::vector<std::uint32_t>* NearLeaves::around(const PassBodies& bodies, const Vec3& p,
+                                                     double limit_mm) {
+  const Ring* found = nullptr;
+  if (rings_.back().covers(p, limit_mm)) return &rings_.back().leaves;
+  for (Ring& ring : rings_) {
+    if (!ring.covers(p, limit_mm)) {
+      if (ring.is_crowded(p, limit_mm) || !ring.pays(p)) break;
+      // A list of the wider one serves only where it holds all that the narrow one looks for.
+      const Ring* wider = found && found->covers(p, limit_mm + ring.further_mm) ? found : nullptr;
+      if (!fill(ring, wider, bodies, p, limit_mm)) break;
+    }
+    found = &ring;
+  }
+  return found ? &found->leaves : nullptr;
+}
+
+}  // namespace limitgauge::verifier

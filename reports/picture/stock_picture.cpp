@@ -99,6 +99,11 @@ struct Lights {
   }
 };
 
+/// On a closed surface something else hides it. Rows of the screen go down.
+bool is_turned_away(const std::array<ScreenPoint, 3>& t) {
+  return (t[1].x - t[0].x) * (t[2].y - t[0].y) >= (t[2].x - t[0].x) * (t[1].y - t[0].y);
+}
+
 /// What is nearest in the rows of `depth`: all that is seen is lit, once.
 Image lit(const simulator::StockMesh& mesh, const std::vector<Small>& points,
           const std::vector<Small>& normals, const Lights& lights, DepthBuffer& depth) {
@@ -108,12 +113,12 @@ Image lit(const simulator::StockMesh& mesh, const std::vector<Small>& points,
     return ScreenPoint{points[k].x, points[k].y, points[k].z};
   };
   for (const auto& t : mesh.triangles)
-    depth.fill_triangle(
-        {corner(t[0]), corner(t[1]), corner(t[2])}, [&](std::size_t i, const auto& w) {
-          const Vec3 n =
-              normals[t[0]].vec() * w[0] + normals[t[1]].vec() * w[1] + normals[t[2]].vec() * w[2];
-          seen[i] = {n.x, n.y, n.z};
-        });
+    if (const std::array at{corner(t[0]), corner(t[1]), corner(t[2])}; !is_turned_away(at))
+      depth.fill_triangle(at, [&](std::size_t i, const auto& w) {
+        const Vec3 n =
+            normals[t[0]].vec() * w[0] + normals[t[1]].vec() * w[1] + normals[t[2]].vec() * w[2];
+        seen[i] = {n.x, n.y, n.z};
+      });
   for (std::size_t i = 0; i < seen.size(); ++i)
     if (!depth.is_empty(i)) image.pixels()[i] = lights.on(seen[i].vec());
   return image;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "model/base/memory.h"
 #include "reports/picture/marker.h"
 #include "reports/picture/raster.h"
 #include "reports/tolerance.h"
@@ -52,7 +53,9 @@ struct Small {
 
 /// Area-weighted normals at the vertices: what the stock's facets stand for.
 std::vector<Small> vertex_normals(const simulator::StockMesh& mesh) {
-  std::vector<Small> normals(mesh.vertices.size());
+  std::vector<Small> normals;
+  model::reserve_large(normals, mesh.vertices.size());
+  normals.resize(mesh.vertices.size());
   for (const auto& t : mesh.triangles) {
     const Vec3& a = mesh.vertices[t[0]];
     const Vec3 n = model::cross(mesh.vertices[t[1]] - a, mesh.vertices[t[2]] - a);
@@ -66,7 +69,7 @@ std::vector<Small> vertex_normals(const simulator::StockMesh& mesh) {
 
 std::vector<Small> screen_points(const simulator::StockMesh& mesh, const View& view) {
   std::vector<Small> points;
-  points.reserve(mesh.vertices.size());
+  model::reserve_large(points, mesh.vertices.size());
   for (const Vec3& vertex : mesh.vertices) {
     const ScreenPoint p = view.project(vertex);
     points.push_back({p.x, p.y, p.z});

@@ -1,5 +1,7 @@
 #include "verifier/cutter/near_leaves.h"
 
+#include <algorithm>
+
 #include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
@@ -51,13 +53,28 @@ bool NearLeaves::fill(Ring& ring, const Ring* wider, const PassBodies& bodies, c
     });
   }
   ring.known = !ring.too_many;
+  if (ring.known && &ring == &rings_.back()) add_bodies(ring, bodies);
   return ring.known;
 }
 
-const std::vector<std::uint32_t>* NearLeaves::around(const PassBodies& bodies, const Vec3& p,
-                                                     double limit_mm) {
+void NearLeaves::add_bodies(Ring& ring, const PassBodies& bodies) {
+  ring.bodies.clear();
+  for (const std::uint32_t node : ring.leaves) {
+    const model::BoxNode& leaf = bodies.nodes()[node];
+    for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+      const double d = bodies.value_at(k, ring.at);
+      if (d <= ring.limit_mm) ring.bodies.push_back({d, k});
+    }
+  }
+  std::sort(ring.bodies.begin(), ring.bodies.end(), [](const Body& a, const Body& b) {
+    return a.distance_mm != b.distance_mm ? a.distance_mm < b.distance_mm : a.place < b.place;
+  });
+}
+
+const NearLeaves::Ring* NearLeaves::around(const PassBodies& bodies, const Vec3& p,
+                                           double limit_mm) {
   const Ring* found = nullptr;
-  if (rings_.back().covers(p, limit_mm)) return &rings_.back().leaves;
+  if (rings_.back().covers(p, limit_mm)) return &rings_.back();
   for (Ring& ring : rings_) {
     if (!ring.covers(p, limit_mm)) {
       if (ring.is_crowded(p, limit_mm) || !ring.pays(p)) break;
@@ -67,7 +84,7 @@ const std::vector<std::uint32_t>* NearLeaves::around(const PassBodies& bodies, c
     }
     found = &ring;
   }
-  return found ? &found->leaves : nullptr;
+  return found;
 }
 
 }  // namespace limitgauge::verifier

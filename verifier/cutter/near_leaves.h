@@ -8,24 +8,23 @@
 
 namespace limitgauge::verifier {
 
-/// The leaves of one pass's tree that lie near a place: a search whose questions are close to each
-/// other need not go down from the root for each. d changes by no more than the way gone, so that
-/// what lies within a limit of a place lies within that limit and the way of another. Whoever
-/// searches keeps it, for one pass and one thread; it changes no answer.
+/// What of one pass lies near a place: a search whose questions are close to each other need not go
+/// down from the root of the tree for each. d changes by no more than the way gone, so that what
+/// lies within a limit of a place lies within that limit and the way of another. Whoever searches
+/// keeps it, for one pass and one thread; it changes no answer.
 class NearLeaves {
  public:
-  /// Leaves that hold all bodies with d(p) ≤ limit_mm, in the order of the tree; nothing where it
-  /// is as well to begin at the root. Not for passes that turn their tool.
-  const std::vector<std::uint32_t>* around(const PassBodies& bodies, const model::Vec3& p,
-                                           double limit_mm);
-
- private:
-  /// What lies within `limit_mm` of a place; how much further than asked that was looked for.
+  struct Body {
+    double distance_mm = 0;  ///< from the ring's middle
+    std::uint32_t place = 0;
+  };
+  /// All bodies within `limit_mm` of a place.
   struct Ring {
-    double further_mm = 0;
+    double further_mm = 0;  ///< how much further than asked was looked
     model::Vec3 at = {};
     double limit_mm = 0;
-    std::vector<std::uint32_t> leaves = {};
+    std::vector<std::uint32_t> leaves = {};  ///< that hold them, in the order of the tree
+    std::vector<Body> bodies = {};           ///< of the narrow ring, the nearest first
     bool known = false, too_many = false;
     model::Vec3 missed_at = {};  ///< where it was asked in vain last
     bool missed = false;
@@ -35,11 +34,17 @@ class NearLeaves {
     bool pays(const model::Vec3& p);
   };
 
+  /// A ring that holds all bodies with d(p) ≤ limit_mm; nothing where it is as well to begin at the
+  /// root. Not for passes that turn their tool.
+  const Ring* around(const PassBodies& bodies, const model::Vec3& p, double limit_mm);
+
+ private:
   bool fill(Ring& ring, const Ring* wider, const PassBodies& bodies, const model::Vec3& p,
             double limit_mm);
+  void add_bodies(Ring& ring, const PassBodies& bodies);
 
-  /// The wider one first. A finish pass has some ten leaves within the narrow one.
-  std::array<Ring, 2> rings_ = {Ring{0.25}, Ring{0.03}};
+  /// The wider one first.
+  std::array<Ring, 2> rings_ = {Ring{0.25}, Ring{0.05}};
 };
 
 }  // namespace limitgauge::verifier

@@ -159,43 +159,58 @@ void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best,
   const PassBodies& bodies = *passes_[pass];
   const Vec3 p = passes_[pass].place(at - shift_);
   const auto beyond = [&] { return best.distance.value + kSameDistance_mm; };
-  const auto bound = [&](const model::BoxNode& node) { return bodies.bound(node, p, beyond()); };
-  if (const auto* leaves = near_leaves(pass, p, beyond(), far)) {
-    for (const std::uint32_t leaf : *leaves)
-      if (const model::BoxNode& node = bodies.nodes()[leaf]; bound(node) <= beyond())
-        offer_leaf(pass, node, p, best);
-    return;
-  }
+  if (const auto* ring = near_ring(pass, p, beyond(), far)) return offer_ring(pass, *ring, p, best);
   model::nearest_first(
-      bodies.nodes(), bound, [&](double at_least) { return at_least > beyond(); },
-      [&](const model::BoxNode& leaf) { offer_leaf(pass, leaf, p, best); });
+      bodies.nodes(), [&](const model::BoxNode& node) { return bodies.bound(node, p, beyond()); },
+      [&](double bound) { return bound > beyond(); },
+      [&](const model::BoxNode& leaf) {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+          offer_body(pass, k, p, best);
+      });
 }
 
-/// Leaves that hold all of a pass within a limit of p, in its own frame, where they are known.
-const std::vector<std::uint32_t>* RemovedSpace::near_leaves(std::uint32_t pass, const Vec3& p,
-                                                            double limit_mm, FarPasses* far) const {
+/// What of a pass lies within a limit of p, in its own frame, where that is known.
+const NearLeaves::Ring* RemovedSpace::near_ring(std::uint32_t pass, const Vec3& p, double limit_mm,
+                                                FarPasses* far) const {
   const PassBodies& bodies = *passes_[pass];
   if (!far || bodies.turn() || !std::isfinite(limit_mm)) return nullptr;
   return far->near(pass).around(bodies, p, limit_mm);
 }
 
-/// Takes the nearest of a leaf's bodies where it is nearer; among equals the first move is the one
-/// named.
-void RemovedSpace::offer_leaf(std::uint32_t pass, const model::BoxNode& leaf, const Vec3& p,
+/// The same as by the tree. Where the bodies are known, those further from the ring's middle than
+/// the way from there are further from p.
+void RemovedSpace::offer_ring(std::uint32_t pass, const NearLeaves::Ring& ring, const Vec3& p,
+                              Nearest& best) const {
+  const auto beyond = [&] { return best.distance.value + kSameDistance_mm; };
+  const double way = model::distance(p, ring.at) + kDistanceRounding_mm;
+  for (const NearLeaves::Body& body : ring.bodies) {
+    if (body.distance_mm - way > beyond()) return;
+    offer_body(pass, body.place, p, best);
+  }
+  if (!ring.bodies.empty()) return;
+  const PassBodies& bodies = *passes_[pass];
+  for (const std::uint32_t at : ring.leaves) {
+    const model::BoxNode& leaf = bodies.nodes()[at];
+    if (bodies.bound(leaf, p, beyond()) > beyond()) continue;
+    for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+      offer_body(pass, k, p, best);
+  }
+}
+
+/// Takes a body where it is nearer; among equals the first move is the one named.
+void RemovedSpace::offer_body(std::uint32_t pass, std::uint32_t place, const Vec3& p,
                               Nearest& best) const {
   const PassBodies& bodies = *passes_[pass];
-  for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-    const BodyRef body{pass, bodies.move_at(k)};
-    const double beyond = best.distance.value + kSameDistance_mm;
-    const auto offer = [&](const BodyDistance& d) {
-      if (d.value < best.distance.value || (d.value == best.distance.value && body < best.body))
-        best = {body, d};
-    };
-    if (!bodies.turn()) {
-      offer({bodies.value_at(k, p, beyond), {}, 0});
-    } else if (body != best.body) {
-      if (const auto d = bodies.distance_up_to(k, p, beyond)) offer(passes_[pass].back(*d));
-    }
+  const BodyRef body{pass, bodies.move_at(place)};
+  const double beyond = best.distance.value + kSameDistance_mm;
+  const auto offer = [&](const BodyDistance& d) {
+    if (d.value < best.distance.value || (d.value == best.distance.value && body < best.body))
+      best = {body, d};
+  };
+  if (!bodies.turn()) {
+    offer({bodies.value_at(place, p, beyond), {}, 0});
+  } else if (body != best.body) {
+    if (const auto d = bodies.distance_up_to(place, p, beyond)) offer(passes_[pass].back(*d));
   }
 }
 
@@ -278,12 +293,12 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3
     }
   };
   // What is met before then is no further away than that.
-  const auto* leaves =
-      first.t_mm <= kNearMeeting_mm ? near_leaves(pass, p, near + first.t_mm, far) : nullptr;
-  if (!leaves)
+  const auto* ring =
+      first.t_mm <= kNearMeeting_mm ? near_ring(pass, p, near + first.t_mm, far) : nullptr;
+  if (!ring)
     return model::nearest_first(
         bodies.nodes(), start_of, [&](double start) { return start >= first.t_mm; }, look);
-  for (const std::uint32_t leaf : *leaves)
+  for (const std::uint32_t leaf : ring->leaves)
     if (const model::BoxNode& node = bodies.nodes()[leaf]; start_of(node) < first.t_mm) look(node);
 }
 
@@ -356,16 +371,16 @@ void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
 /// Calls `take(place of the body)` for all bodies of a pass in nodes that are `near`, or in those
 /// of the leaves given that are.
 template <class Near, class Take>
-void RemovedSpace::visit_near(const PassBodies& bodies, const std::vector<std::uint32_t>* leaves,
-                              Near&& near, Take&& take) const {
+void RemovedSpace::visit_near(const PassBodies& bodies, const NearLeaves::Ring* ring, Near&& near,
+                              Take&& take) const {
   const auto is_near = [&](std::uint32_t node) { return near(bodies.nodes()[node]); };
   const auto take_all = [&](std::uint32_t node) {
     const model::BoxNode& leaf = bodies.nodes()[node];
     for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) take(k);
     return true;
   };
-  if (!leaves) return bodies.visit_leaves(is_near, take_all);
-  for (const std::uint32_t leaf : *leaves)
+  if (!ring) return bodies.visit_leaves(is_near, take_all);
+  for (const std::uint32_t leaf : ring->leaves)
     if (is_near(leaf)) take_all(leaf);
 }
 
@@ -376,7 +391,7 @@ void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>&
     if (far && far->bound(pass, at) > limit_mm) continue;
     const Vec3 p = passes_[pass].place(at - shift_);
     visit_near(
-        bodies, near_leaves(pass, p, limit_mm, far),
+        bodies, near_ring(pass, p, limit_mm, far),
         [&](const model::BoxNode& node) { return bodies.bound(node, p, limit_mm) <= limit_mm; },
         [&](std::uint32_t k) {
           if (bodies.value_at(k, p, limit_mm) <= limit_mm) out.push_back({pass, bodies.move_at(k)});
@@ -394,7 +409,7 @@ void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>
     const PassBodies& bodies = *passes_[pass];
     const Vec3 centre = passes_[pass].place(at - shift_), half = passes_[pass].half(radii);
     visit_near(
-        bodies, near_leaves(pass, centre, all_mm, far),
+        bodies, near_ring(pass, centre, all_mm, far),
         [&](const model::BoxNode& node) {
           return bodies.bound(node, centre, limit_mm, half) <= limit_mm;
         },

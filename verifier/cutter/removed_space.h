@@ -149,14 +149,16 @@ class RemovedSpace {
 
   void add_sweep(const Sweep& sweep);
   template <class Near, class Take>
-  void visit_near(const PassBodies& bodies, const std::vector<std::uint32_t>* leaves, Near&& near,
+  void visit_near(const PassBodies& bodies, const NearLeaves::Ring* ring, Near&& near,
                   Take&& take) const;
   void stock_within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
   void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best,
                   FarPasses* far = nullptr) const;
-  const std::vector<std::uint32_t>* near_leaves(std::uint32_t pass, const model::Vec3& p,
-                                                double limit_mm, FarPasses* far) const;
-  void offer_leaf(std::uint32_t pass, const model::BoxNode& leaf, const model::Vec3& p,
+  const NearLeaves::Ring* near_ring(std::uint32_t pass, const model::Vec3& p, double limit_mm,
+                                    FarPasses* far) const;
+  void offer_ring(std::uint32_t pass, const NearLeaves::Ring& ring, const model::Vec3& p,
+                  Nearest& best) const;
+  void offer_body(std::uint32_t pass, std::uint32_t place, const model::Vec3& p,
                   Nearest& best) const;
   void nearest_if_near(std::uint32_t pass, const model::Vec3& p, Nearest& best,
                        FarPasses& far) const;

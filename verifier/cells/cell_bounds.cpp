@@ -23,14 +23,7 @@ constexpr std::size_t kMixed = 24;
 
 /// Extremes of the plane value + g·(P_k − m) over the control points.
 model::Interval plane_range(const Bezier& cell, const Vec3& m, const BodyDistance& d) {
-  const double base = d.value - dot(d.gradient, m);
-  model::Interval range = model::Interval::none();
-  for (int k = 0; k < 16; ++k) {
-    const double at =
-        base + d.gradient.x * cell.x[k] + d.gradient.y * cell.y[k] + d.gradient.z * cell.z[k];
-    range.add(at);
-  }
-  return range;
+  return control_range(cell, d.value - dot(d.gradient, m), d.gradient);
 }
 
 std::array<Vec3, 16> controls(const Bezier& cell) {

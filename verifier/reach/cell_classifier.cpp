@@ -129,13 +129,10 @@ bool CellClassifier::clears(const CellContact& c, const std::optional<ClearedRec
       reachability_.contact_mm())
     return true;
   const double base = d.value - dot(d.gradient, centre);
-  double least = 1e300, along = -1e300;
-  for (int k = 0; k < 16; ++k) {
-    const Vec3 p = other.cell->shape.control(k);
-    least = std::min(least, dot(d.gradient, p));
-    along = std::max(along, dot(c.normal(), p));
-  }
+  const Bezier& shape = other.cell->shape;
+  const double least = control_range(shape, 0, d.gradient).low;
   if (base + least - c.largest_shift(d.gradient) >= limit_) return true;
+  const double along = control_range(shape, 0, c.normal()).high;
   if (c.over_contact_plane(along, apart) <= reachability_.contact_mm()) return true;
   if (radius < c.radius() / 2) return false;
   auto& parts = CellHalves::halves_of(other);

@@ -11,6 +11,8 @@ using model::Vec3;
 
 /// More leaves than this are no shorter than the way down from the root.
 constexpr std::size_t kMostLeaves = 96;
+/// Questions that a ring answers by its leaves, before its bodies are worked out.
+constexpr int kAskedBefore = 1;
 
 }  // namespace
 
@@ -34,7 +36,7 @@ bool NearLeaves::Ring::pays(const Vec3& p) {
 bool NearLeaves::fill(Ring& ring, const Ring* wider, const PassBodies& bodies, const Vec3& p,
                       double limit_mm) {
   ring.at = p, ring.limit_mm = limit_mm + ring.further_mm;
-  ring.leaves.clear();
+  ring.leaves.clear(), ring.bodies.clear(), ring.asked = 0;
   const auto near = [&](std::uint32_t node) {
     return bodies.bound(bodies.nodes()[node], p, ring.limit_mm) <= ring.limit_mm;
   };
@@ -53,12 +55,17 @@ bool NearLeaves::fill(Ring& ring, const Ring* wider, const PassBodies& bodies, c
     });
   }
   ring.known = !ring.too_many;
-  if (ring.known && &ring == &rings_.back()) add_bodies(ring, bodies);
   return ring.known;
 }
 
+std::span<const NearLeaves::Body> NearLeaves::bodies_in(const Ring& ring,
+                                                        const PassBodies& bodies) {
+  Ring& narrow = rings_.back();
+  if (&ring == &narrow && ++narrow.asked == kAskedBefore + 1) add_bodies(narrow, bodies);
+  return ring.bodies;
+}
+
 void NearLeaves::add_bodies(Ring& ring, const PassBodies& bodies) {
-  ring.bodies.clear();
   for (const std::uint32_t node : ring.leaves) {
     const model::BoxNode& leaf = bodies.nodes()[node];
     for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {

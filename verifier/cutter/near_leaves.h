@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "verifier/cutter/pass_bodies.h"
@@ -24,7 +25,8 @@ class NearLeaves {
     model::Vec3 at = {};
     double limit_mm = 0;
     std::vector<std::uint32_t> leaves = {};  ///< that hold them, in the order of the tree
-    std::vector<Body> bodies = {};           ///< of the narrow ring, the nearest first
+    std::vector<Body> bodies = {};           ///< the nearest first, once they are known
+    int asked = 0;                           ///< for its bodies, since it was filled
     bool known = false, too_many = false;
     model::Vec3 missed_at = {};  ///< where it was asked in vain last
     bool missed = false;
@@ -37,11 +39,14 @@ class NearLeaves {
   /// A ring that holds all bodies with d(p) ≤ limit_mm; nothing where it is as well to begin at the
   /// root. Not for passes that turn their tool.
   const Ring* around(const PassBodies& bodies, const model::Vec3& p, double limit_mm);
+  /// Bodies of the ring that `around` gave; none where they are not worth working out: of the wide
+  /// one, or when they are asked for the first time.
+  std::span<const Body> bodies_in(const Ring& ring, const PassBodies& bodies);
 
  private:
   bool fill(Ring& ring, const Ring* wider, const PassBodies& bodies, const model::Vec3& p,
             double limit_mm);
-  void add_bodies(Ring& ring, const PassBodies& bodies);
+  static void add_bodies(Ring& ring, const PassBodies& bodies);
 
   /// The wider one first.
   std::array<Ring, 2> rings_ = {Ring{0.25}, Ring{0.05}};

@@ -96,7 +96,8 @@ void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best,
   const PassBodies& bodies = *passes_[pass];
   const Vec3 p = passes_[pass].place(at - shift_);
   const auto beyond = [&] { return best.distance.value + kSameDistance_mm; };
-  if (const auto* ring = near_ring(pass, p, beyond(), far)) return offer_ring(pass, *ring, p, best);
+  if (const auto* ring = near_ring(pass, p, beyond(), far))
+    return offer_ring(pass, *ring, p, best, *far);
   model::nearest_first(
       bodies.nodes(), [&](const model::BoxNode& node) { return bodies.bound(node, p, beyond()); },
       [&](double bound) { return bound > beyond(); },
@@ -117,15 +118,16 @@ const NearLeaves::Ring* RemovedSpace::near_ring(std::uint32_t pass, const Vec3& 
 /// The same as by the tree. Where the bodies are known, those further from the ring's middle than
 /// the way from there are further from p.
 void RemovedSpace::offer_ring(std::uint32_t pass, const NearLeaves::Ring& ring, const Vec3& p,
-                              Nearest& best) const {
+                              Nearest& best, FarPasses& far) const {
+  const PassBodies& bodies = *passes_[pass];
   const auto beyond = [&] { return best.distance.value + kSameDistance_mm; };
   const double way = model::distance(p, ring.at) + kDistanceRounding_mm;
-  for (const NearLeaves::Body& body : ring.bodies) {
+  const auto known = far.near(pass).bodies_in(ring, bodies);
+  for (const NearLeaves::Body& body : known) {
     if (body.distance_mm - way > beyond()) return;
     offer_body(pass, body.place, p, best);
   }
-  if (!ring.bodies.empty()) return;
-  const PassBodies& bodies = *passes_[pass];
+  if (!known.empty()) return;
   for (const std::uint32_t at : ring.leaves) {
     const model::BoxNode& leaf = bodies.nodes()[at];
     if (bodies.bound(leaf, p, beyond()) > beyond()) continue;
@@ -226,19 +228,38 @@ void RemovedSpace::visit_near(const PassBodies& bodies, const NearLeaves::Ring* 
     if (is_near(leaf)) take_all(leaf);
 }
 
+/// In the order of the tree, whichever way they are found.
+void RemovedSpace::within_pass(std::uint32_t pass, const Vec3& p, double limit_mm,
+                               std::vector<BodyRef>& out, FarPasses* far) const {
+  const PassBodies& bodies = *passes_[pass];
+  const auto take = [&](std::uint32_t k) {
+    if (bodies.value_at(k, p, limit_mm) <= limit_mm) out.push_back({pass, bodies.move_at(k)});
+  };
+  const auto* ring = near_ring(pass, p, limit_mm, far);
+  const auto known =
+      ring ? far->near(pass).bodies_in(*ring, bodies) : std::span<const NearLeaves::Body>{};
+  if (known.empty())
+    return visit_near(
+        bodies, ring,
+        [&](const model::BoxNode& node) { return bodies.bound(node, p, limit_mm) <= limit_mm; },
+        take);
+  const std::size_t first = out.size();
+  const double way = model::distance(p, ring->at) + kDistanceRounding_mm;
+  for (const NearLeaves::Body& body : known) {
+    if (body.distance_mm - way > limit_mm) break;
+    take(body.place);
+  }
+  std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+            [&](const BodyRef& a, const BodyRef& b) {
+              return bodies.place_of(a.index) < bodies.place_of(b.index);
+            });
+}
+
 void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>& out,
                           FarPasses* far) const {
-  for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
-    const PassBodies& bodies = *passes_[pass];
-    if (far && far->bound(pass, at) > limit_mm) continue;
-    const Vec3 p = passes_[pass].place(at - shift_);
-    visit_near(
-        bodies, near_ring(pass, p, limit_mm, far),
-        [&](const model::BoxNode& node) { return bodies.bound(node, p, limit_mm) <= limit_mm; },
-        [&](std::uint32_t k) {
-          if (bodies.value_at(k, p, limit_mm) <= limit_mm) out.push_back({pass, bodies.move_at(k)});
-        });
-  }
+  for (std::uint32_t pass = 0; pass < passes_.size(); ++pass)
+    if (!far || far->bound(pass, at) <= limit_mm)
+      within_pass(pass, passes_[pass].place(at - shift_), limit_mm, out, far);
   stock_within(at, limit_mm, out);
 }
 

@@ -157,7 +157,9 @@ class RemovedSpace {
   const NearLeaves::Ring* near_ring(std::uint32_t pass, const model::Vec3& p, double limit_mm,
                                     FarPasses* far) const;
   void offer_ring(std::uint32_t pass, const NearLeaves::Ring& ring, const model::Vec3& p,
-                  Nearest& best) const;
+                  Nearest& best, FarPasses& far) const;
+  void within_pass(std::uint32_t pass, const model::Vec3& p, double limit_mm,
+                   std::vector<BodyRef>& out, FarPasses* far) const;
   void offer_body(std::uint32_t pass, std::uint32_t place, const model::Vec3& p,
                   Nearest& best) const;
   void nearest_if_near(std::uint32_t pass, const model::Vec3& p, Nearest& best,

@@ -36,6 +36,13 @@ void spare_addresses();
 /// out 2 MiB at a time where it would 4 KiB. A hint; what the array holds stays.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
+/// Of an empty vector that is about to grow to `count` elements: room for them in large pages.
+template <class Vector>
+void reserve_large(Vector& vector, std::size_t count) {
+  vector.reserve(count);
+  prefer_large_pages(vector.data(), count * sizeof(typename Vector::value_type));
+}
+
 /// From now on the peak counts anew, where the kernel lets us say so.
 void reset_process_peak();
 /// Most memory that this process had in use since then; 0 where the kernel does not say.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "model/base/memory.h"
 #include "reports/picture/marker.h"
 #include "reports/picture/raster.h"
 #include "reports/tolerance.h"
@@ -52,7 +53,9 @@ struct Small {
 
 /// Area-weighted normals at the vertices: what the stock's facets stand for.
 std::vector<Small> vertex_normals(const simulator::StockMesh& mesh) {
-  std::vector<Small> normals(mesh.vertices.size());
+  std::vector<Small> normals;
+  model::reserve_large(normals, mesh.vertices.size());
+  normals.resize(mesh.vertices.size());
   for (const auto& t : mesh.triangles) {
     const Vec3& a = mesh.vertices[t[0]];
     const Vec3 n = model::cross(mesh.vertices[t[1]] - a, mesh.vertices[t[2]] - a);
@@ -66,7 +69,7 @@ std::vector<Small> vertex_normals(const simulator::StockMesh& mesh) {
 
 std::vector<Small> screen_points(const simulator::StockMesh& mesh, const View& view) {
   std::vector<Small> points;
-  points.reserve(mesh.vertices.size());
+  model::reserve_large(points, mesh.vertices.size());
   for (const Vec3& vertex : mesh.vertices) {
     const ScreenPoint p = view.project(vertex);
     points.push_back({p.x, p.y, p.z});
@@ -99,6 +102,11 @@ struct Lights {
   }
 };
 
+/// On a closed surface something else hides it. Rows of the screen go down.
+bool is_turned_away(const std::array<ScreenPoint, 3>& t) {
+  return (t[1].x - t[0].x) * (t[2].y - t[0].y) >= (t[2].x - t[0].x) * (t[1].y - t[0].y);
+}
+
 /// What is nearest in the rows of `depth`: all that is seen is lit, once.
 Image lit(const simulator::StockMesh& mesh, const std::vector<Small>& points,
           const std::vector<Small>& normals, const Lights& lights, DepthBuffer& depth) {
@@ -108,12 +116,12 @@ Image lit(const simulator::StockMesh& mesh, const std::vector<Small>& points,
     return ScreenPoint{points[k].x, points[k].y, points[k].z};
   };
   for (const auto& t : mesh.triangles)
-    depth.fill_triangle(
-        {corner(t[0]), corner(t[1]), corner(t[2])}, [&](std::size_t i, const auto& w) {
-          const Vec3 n =
-              normals[t[0]].vec() * w[0] + normals[t[1]].vec() * w[1] + normals[t[2]].vec() * w[2];
-          seen[i] = {n.x, n.y, n.z};
-        });
+    if (const std::array at{corner(t[0]), corner(t[1]), corner(t[2])}; !is_turned_away(at))
+      depth.fill_triangle(at, [&](std::size_t i, const auto& w) {
+        const Vec3 n =
+            normals[t[0]].vec() * w[0] + normals[t[1]].vec() * w[1] + normals[t[2]].vec() * w[2];
+        seen[i] = {n.x, n.y, n.z};
+      });
   for (std::size_t i = 0; i < seen.size(); ++i)
     if (!depth.is_empty(i)) image.pixels()[i] = lights.on(seen[i].vec());
   return image;

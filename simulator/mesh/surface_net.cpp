@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "model/base/chunks.h"
+#include "model/base/memory.h"
 #include "simulator/mesh/net_cells.h"
 
 namespace limitgauge::simulator {
@@ -255,6 +256,7 @@ TriangleMesh surface_net(const NetSource& source, const Lattice& lattice, const 
                          const model::RunControl& control) {
   const NetCells cells(source, control);
   TriangleMesh mesh;
+  model::reserve_large(mesh.vertices, cells.vertices());
   mesh.vertices.resize(cells.vertices());
   std::atomic<std::size_t> done = 0;
   const std::size_t chunks = model::chunk_count(source.leaves(), kChunk);
@@ -268,7 +270,7 @@ TriangleMesh surface_net(const NetSource& source, const Lattice& lattice, const 
     }
     control.report(static_cast<double>(++done) / static_cast<double>(chunks));
   });
-  mesh.triangles.reserve(2 * cells.crossed_edges());
+  model::reserve_large(mesh.triangles, 2 * cells.crossed_edges());
   add_triangles(source, cells, mesh, control);
   return mesh;
 }

@@ -226,11 +226,21 @@ StockMesh StockModel::cut_part_of(const StockMesh& mesh, const RunControl& contr
   model::parallel_chunks(on_raw.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) on_raw[i] = is_raw(mesh.vertices[i]);
   });
+  std::vector<char> kept(mesh.triangles.size());
+  model::parallel_chunks(kept.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& t = mesh.triangles[i];
+      kept[i] = !on_raw[t[0]] || !on_raw[t[1]] || !on_raw[t[2]] ||
+                !is_raw((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3);
+    }
+  });
   StockMesh cut;
+  model::reserve_large(cut.triangles,
+                       static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1)));
   std::vector<std::uint32_t> place(mesh.vertices.size(), kLeftOut);
-  for (std::array<std::uint32_t, 3> t : mesh.triangles) {
-    const Vec3 middle = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
-    if (on_raw[t[0]] && on_raw[t[1]] && on_raw[t[2]] && is_raw(middle)) continue;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (!kept[i]) continue;
+    std::array<std::uint32_t, 3> t = mesh.triangles[i];
     for (std::uint32_t& v : t) {
       if (place[v] == kLeftOut) {
         place[v] = static_cast<std::uint32_t>(cut.vertices.size());

@@ -23,14 +23,7 @@ constexpr std::size_t kMixed = 24;
 
 /// Extremes of the plane value + g·(P_k − m) over the control points.
 model::Interval plane_range(const Bezier& cell, const Vec3& m, const BodyDistance& d) {
-  const double base = d.value - dot(d.gradient, m);
-  model::Interval range = model::Interval::none();
-  for (int k = 0; k < 16; ++k) {
-    const double at =
-        base + d.gradient.x * cell.x[k] + d.gradient.y * cell.y[k] + d.gradient.z * cell.z[k];
-    range.add(at);
-  }
-  return range;
+  return control_range(cell, d.value - dot(d.gradient, m), d.gradient);
 }
 
 std::array<Vec3, 16> controls(const Bezier& cell) {
@@ -160,7 +153,7 @@ void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& cand
   const Nearest nearest = space_.nearest(centre, hint, far_.get());
   if (nearest.distance.value > limit_mm + radius) return;
   const double upper = upper_of(cell, centre, nearest.body);
-  space_.within(centre, std::min(upper, limit_mm) + radius, candidates);
+  space_.within(centre, std::min(upper, limit_mm) + radius, candidates, far_.get());
 }
 
 double CellBounder::improve_upper(const Bezier& cell, double upper, double low_enough) {
@@ -312,7 +305,7 @@ bool CellBounder::surely_inside(const Bezier& cell, double margin_mm, BodyRef fi
   const double room = -margin_mm - lowest;
   near_.clear();
   space_.within(centre, std::min(radius + sway_mm_ - margin_mm, lowest + room / kLeastWeight),
-                near_);
+                near_, far_.get());
   if (near_.size() < 2) return false;
   scored_.clear();
   for (const BodyRef body : near_)

@@ -126,10 +126,11 @@ class Search {
     constexpr std::size_t kChunk = 256;
     model::parallel_chunks(open_.size(), kChunk, control_, [&](std::size_t begin, std::size_t end) {
       std::optional<BodyRef> hint;
+      FarPasses far;
       for (std::size_t i = begin; i < end; ++i) {
         const Bezier shape = cells_.cell_of(open_[i].cell).shape;
         const Vec3 m = middle(shape);
-        const Nearest nearest = given_.nearest(m, hint);
+        const Nearest nearest = given_.nearest(m, hint, &far);
         hint = nearest.body;
         open_[i].upper = nearest.distance.value + control_radius(shape, m);
       }

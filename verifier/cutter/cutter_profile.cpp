@@ -24,6 +24,11 @@ ProfileDistance from_edge(const CutterProfile& profile, double beyond, double h)
 ProfileDistance wedge_distance(const CutterProfile& profile, double slope, double rho_mm,
                                double height_mm) {
   const double h = height_mm - profile.core_mm, beyond = rho_mm - profile.flat_mm;
+  if (slope == 0 && profile.rise == 0) {
+    if (h < 0 && beyond > 0) return from_edge(profile, beyond, h);
+    if (beyond >= -h) return {beyond - profile.rounding_mm, 1, -slope};
+    return {-h - profile.rounding_mm, 0, -1};
+  }
   const double steep = length_at(slope), shallow = length_at(profile.rise);
   if (profile.is_pointed()) {
     const double over_tip = height_mm - profile.tip_mm();

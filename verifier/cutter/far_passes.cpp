@@ -19,6 +19,11 @@ void FarPasses::learn(std::uint32_t pass, const Vec3& p, double clear_mm) {
   rooms_[pass] = {p, clear_mm, true};
 }
 
+NearLeaves& FarPasses::near(std::uint32_t pass) {
+  if (pass >= near_.size()) near_.resize(pass + 1);
+  return near_[pass];
+}
+
 bool FarPasses::pays(std::uint32_t pass, const Vec3& p) const {
   if (pass >= rooms_.size() || !rooms_[pass].known) return true;
   const Room& room = rooms_[pass];

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "model/geometry/vec3.h"
+#include "verifier/cutter/body_ref.h"
+#include "verifier/cutter/near_leaves.h"
 
 namespace limitgauge::verifier {
 
@@ -14,12 +16,6 @@ namespace limitgauge::verifier {
 /// searches keeps it, for one space and one thread; it changes no answer.
 class FarPasses {
  public:
-  /// A body by its pass and its number there.
-  struct Body {
-    std::uint32_t pass = 0, index = 0;
-  };
-  const std::optional<Body>& last_nearest() const { return last_; }
-  void learn_nearest(Body body) { last_ = body; }
   /// How much further than asked a pass is looked for: the cells that searches begin with are as
   /// wide.
   static constexpr double kFurther_mm = 0.3;
@@ -29,6 +25,10 @@ class FarPasses {
   void learn(std::uint32_t pass, const model::Vec3& p, double clear_mm);
   /// Whether it pays to look further than asked: not beside a pass that was found to be near.
   bool pays(std::uint32_t pass, const model::Vec3& p) const;
+  /// What is known of a pass that is near, in its own frame.
+  NearLeaves& near(std::uint32_t pass);
+
+  std::optional<BodyRef> last;  ///< the body that was nearest last
 
  private:
   struct Room {
@@ -37,7 +37,7 @@ class FarPasses {
     bool known = false;
   };
   std::vector<Room> rooms_;
-  std::optional<Body> last_;
+  std::vector<NearLeaves> near_;
 };
 
 }  // namespace limitgauge::verifier

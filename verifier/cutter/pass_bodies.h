@@ -40,6 +40,11 @@ class PassBodies {
   double bound_at(std::uint32_t place, const model::Vec3& p, double limit_mm,
                   const model::Vec3& half = {}) const;
 
+  /// Calls `take(leaf)` for the leaves in nodes that are all `near(node)`, in the order of the
+  /// tree, until it says false; both by the node's number.
+  template <class Near, class Take>
+  void visit_leaves(Near&& near, Take&& take) const;
+
   /// Where d is above `beyond_mm` it may be any value that is so too.
   double value_at(std::uint32_t place, const model::Vec3& p,
                   double beyond_mm = std::numeric_limits<double>::infinity()) const;
@@ -69,5 +74,24 @@ class PassBodies {
   std::vector<AxisCone> own_cones_;    ///< of each of them, by place
   std::vector<model::Box3> own_cores_;
 };
+
+template <class Near, class Take>
+void PassBodies::visit_leaves(Near&& near, Take&& take) const {
+  // On the heap of the thread, kept between queries: a tree over millions of moves is deep.
+  thread_local std::vector<std::uint32_t> stack;
+  stack.clear();
+  if (!nodes_.empty()) stack.push_back(0);
+  while (!stack.empty()) {
+    const std::uint32_t at = stack.back();
+    stack.pop_back();
+    if (!near(at)) continue;
+    if (nodes_[at].count == 0) {
+      stack.push_back(nodes_[at].right);
+      stack.push_back(at + 1);
+    } else if (!take(at)) {
+      return;
+    }
+  }
+}
 
 }  // namespace limitgauge::verifier

@@ -13,89 +13,6 @@ namespace limitgauge::verifier {
 using model::Box3;
 using model::Vec3;
 
-namespace {
-
-/// A stack on the heap of the thread, kept between queries: a tree over millions of moves is deep.
-std::vector<std::uint32_t>& query_stack() {
-  thread_local std::vector<std::uint32_t> stack;
-  stack.clear();
-  return stack;
-}
-
-/// Steps to where a ray meets one body: far more than a tangent that touches takes.
-constexpr int kMostSteps = 400;
-
-/// The first t in [0, limit_mm) at which the ray meets a body whose distance, less its error, is
-/// `distance(t)`; the limit where there is none. A convex one lies above its planes, whose zeros
-/// come before its own; of others a step is no longer than the place is far.
-template <class Distance>
-double first_meeting(Distance&& distance, const Vec3& ray, bool is_convex, double limit_mm,
-                     const EndRule& rule) {
-  double t = 0;
-  for (int step = 0; step < kMostSteps && t < limit_mm; ++step) {
-    const BodyDistance d = distance(t);
-    if (rule.is_met(d.value, d.gradient, ray)) return t;
-    const double closing = is_convex ? -dot(d.gradient, ray) : 1;
-    if (closing <= 0) return limit_mm;
-    const double wanted = d.value > rule.beside_mm + kDistanceRounding_mm ? rule.beside_mm : 0;
-    t += std::max(d.value - d.slack_mm - wanted, kDistanceRounding_mm / 2) / closing;
-  }
-  return std::min(t, limit_mm);
-}
-
-/// The same of one whose distance is not convex, where `clear(from, to)` proves that it is not met
-/// between: in steps that grow while that is proven, and no longer than the place is far where not.
-template <class Distance, class Clear>
-double first_meeting_by_steps(Distance&& distance, Clear&& clear, const Vec3& ray, double from_mm,
-                              double limit_mm, const EndRule& rule) {
-  constexpr double kShort_mm = 1e-2;  // to be done with in one step
-  double t = from_mm, step = 0;
-  for (int n = 0; n < kMostSteps && t < limit_mm; ++n) {
-    const BodyDistance d = distance(t);
-    if (rule.is_met(d.value, d.gradient, ray)) return t;
-    const double wanted = d.value > rule.beside_mm + kDistanceRounding_mm ? rule.beside_mm : 0;
-    const double sure = std::max(d.value - d.slack_mm - wanted, kDistanceRounding_mm / 2);
-    step = std::max(2 * step, std::min(limit_mm - t, kShort_mm));
-    while (step > sure && !clear(t, t + step)) step /= 4;
-    step = std::max(step, sure);
-    t += step;
-  }
-  return std::min(t, limit_mm);
-}
-
-/// The first t in [0, limit_mm] up to which steps are proven to meet nothing, `room(t)` being how
-/// far from t that is: a few of them, which is what bounds are good for.
-template <class Room>
-double clear_up_to(Room&& room, double limit_mm) {
-  constexpr int kSteps = 4;
-  double t = 0;
-  for (int k = 0; k < kSteps && t < limit_mm; ++k) {
-    const double step = room(t);
-    if (step <= 0) break;
-    t += step;
-  }
-  return t;
-}
-
-/// Of a turning body the exact distance only where it is near: afar a step that is a little shorter
-/// than it might be costs less.
-BodyDistance distance_from_afar(const PassBodies& bodies, std::uint32_t place, const Vec3& p,
-                                double near_mm) {
-  constexpr double kAfar_mm = 1e-3, kRoughly_mm = 1e-4;
-  if (bodies.turn()) {
-    const BodyDistance d = bodies.distance_at(place, p, kRoughly_mm);
-    if (d.value - d.slack_mm > near_mm + kAfar_mm) return d;
-  }
-  return bodies.distance_at(place, p);
-}
-
-}  // namespace
-
-bool EndRule::is_met(double distance_mm, const Vec3& gradient, const Vec3& ray) const {
-  if (distance_mm <= skin_mm) return true;
-  return distance_mm <= beside_mm + kDistanceRounding_mm && std::abs(dot(gradient, ray)) <= along;
-}
-
 RemovedSpace::RemovedSpace(const model::Stock& stock, std::span<const Pass> passes)
     : faces_(StockFaces::of(stock)) {
   if (const auto* mesh = std::get_if<model::MeshStock>(&stock)) {
@@ -173,34 +90,68 @@ void RemovedSpace::add_sweep(const Sweep& sweep) {
   chord_error_mm_ = std::max(chord_error_mm_, sweep.path->chord_error_mm);
 }
 
-void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best) const {
+/// Bodies at the same distance but for rounding are all looked at: which of them is named must not
+/// depend on where the search began.
+void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best,
+                              FarPasses* far) const {
   const PassBodies& bodies = *passes_[pass];
   const Vec3 p = passes_[pass].place(at - shift_);
+  const auto beyond = [&] { return best.distance.value + kSameDistance_mm; };
+  if (const auto* ring = near_ring(pass, p, beyond(), far))
+    return offer_ring(pass, *ring, p, best, *far);
   model::nearest_first(
-      bodies.nodes(),
-      [&](const model::BoxNode& node) {
-        return bodies.bound(node, p, best.distance.value + kSameDistance_mm);
-      },
-      // Bodies at the same distance but for rounding are all looked at: which of them is named must
-      // not depend on where the search began.
-      [&](double bound) { return bound > best.distance.value + kSameDistance_mm; },
+      bodies.nodes(), [&](const model::BoxNode& node) { return bodies.bound(node, p, beyond()); },
+      [&](double bound) { return bound > beyond(); },
       [&](const model::BoxNode& leaf) {
-        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const BodyRef body{pass, bodies.move_at(k)};
-          const double beyond = best.distance.value + kSameDistance_mm;
-          const auto offer = [&](const BodyDistance& d) {
-            // Among equals the first move is the one named.
-            if (d.value < best.distance.value ||
-                (d.value == best.distance.value && body < best.body))
-              best = {body, d};
-          };
-          if (!bodies.turn()) {
-            offer({bodies.value_at(k, p, beyond), {}, 0});
-          } else if (body != best.body) {
-            if (const auto d = bodies.distance_up_to(k, p, beyond)) offer(passes_[pass].back(*d));
-          }
-        }
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+          offer_body(pass, k, p, best);
       });
+}
+
+/// What of a pass lies within a limit of p, in its own frame, where that is known.
+const NearLeaves::Ring* RemovedSpace::near_ring(std::uint32_t pass, const Vec3& p, double limit_mm,
+                                                FarPasses* far) const {
+  const PassBodies& bodies = *passes_[pass];
+  if (!far || bodies.turn() || !std::isfinite(limit_mm)) return nullptr;
+  return far->near(pass).around(bodies, p, limit_mm);
+}
+
+/// The same as by the tree. Where the bodies are known, those further from the ring's middle than
+/// the way from there are further from p.
+void RemovedSpace::offer_ring(std::uint32_t pass, const NearLeaves::Ring& ring, const Vec3& p,
+                              Nearest& best, FarPasses& far) const {
+  const PassBodies& bodies = *passes_[pass];
+  const auto beyond = [&] { return best.distance.value + kSameDistance_mm; };
+  const double way = model::distance(p, ring.at) + kDistanceRounding_mm;
+  const auto known = far.near(pass).bodies_in(ring, bodies);
+  for (const NearLeaves::Body& body : known) {
+    if (body.distance_mm - way > beyond()) return;
+    offer_body(pass, body.place, p, best);
+  }
+  if (!known.empty()) return;
+  for (const std::uint32_t at : ring.leaves) {
+    const model::BoxNode& leaf = bodies.nodes()[at];
+    if (bodies.bound(leaf, p, beyond()) > beyond()) continue;
+    for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+      offer_body(pass, k, p, best);
+  }
+}
+
+/// Takes a body where it is nearer; among equals the first move is the one named.
+void RemovedSpace::offer_body(std::uint32_t pass, std::uint32_t place, const Vec3& p,
+                              Nearest& best) const {
+  const PassBodies& bodies = *passes_[pass];
+  const BodyRef body{pass, bodies.move_at(place)};
+  const double beyond = best.distance.value + kSameDistance_mm;
+  const auto offer = [&](const BodyDistance& d) {
+    if (d.value < best.distance.value || (d.value == best.distance.value && body < best.body))
+      best = {body, d};
+  };
+  if (!bodies.turn()) {
+    offer({bodies.value_at(place, p, beyond), {}, 0});
+  } else if (body != best.body) {
+    if (const auto d = bodies.distance_up_to(place, p, beyond)) offer(passes_[pass].back(*d));
+  }
 }
 
 /// The same, and what is seen of the room up to the pass. It is looked for further away than it
@@ -209,7 +160,7 @@ void RemovedSpace::nearest_if_near(std::uint32_t pass, const Vec3& p, Nearest& b
                                    FarPasses& far) const {
   if (far.bound(pass, p) > best.distance.value + kSameDistance_mm) return;
   if (!std::isfinite(best.distance.value) || best.body.pass == pass || !far.pays(pass, p))
-    return nearest_in(pass, p, best);
+    return nearest_in(pass, p, best, &far);
   Nearest own{{pass + 1, 0}, {best.distance.value + FarPasses::kFurther_mm, {}, 0}};
   nearest_in(pass, p, own);
   far.learn(pass, p, own.distance.value);
@@ -220,8 +171,7 @@ void RemovedSpace::nearest_if_near(std::uint32_t pass, const Vec3& p, Nearest& b
 Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint, FarPasses* far) const {
   const auto outside = static_cast<std::uint32_t>(passes_.size());
   Nearest best{{outside + 1, 0}, {std::numeric_limits<double>::infinity(), {}, 0}};
-  if (!hint && far && far->last_nearest())
-    hint = BodyRef{far->last_nearest()->pass, far->last_nearest()->index};
+  if (!hint && far) hint = far->last;
   if (hint) best = {*hint, distance(*hint, p)};
   if (!mesh_) nearest_of_stock(p, best);
   // The last pass is most often the nearest: begin with it, so that the others are cut off early.
@@ -231,7 +181,7 @@ Nearest RemovedSpace::nearest(const Vec3& p, std::optional<BodyRef> hint, FarPas
   if (mesh_ && !is_stock(best.body)) nearest_of_stock(p, best);
   // Of a turning body all of it is known.
   if (!is_stock(best.body) && !turns(best.body)) best.distance = distance(best.body, p);
-  if (far) far->learn_nearest({best.body.pass, best.body.index});
+  if (far) far->last = best.body;
   return best;
 }
 
@@ -241,88 +191,6 @@ std::optional<Nearest> RemovedSpace::nearest_swept(const Vec3& p) const {
   if (!std::isfinite(best.distance.value)) return std::nullopt;
   if (!turns(best.body)) best.distance = distance(best.body, p);
   return best;
-}
-
-/// Where a ray of a pass's own frame meets the body at `place`, before `limit_mm`.
-double RemovedSpace::meeting_with(const PassBodies& bodies, std::uint32_t place, const Vec3& p,
-                                  const Vec3& ray, double limit_mm, const EndRule& rule) const {
-  const double near = near_mm(rule) + kDistanceRounding_mm;
-  const auto distance = [&](double t) {
-    BodyDistance d = distance_from_afar(bodies, place, p + ray * t, near);
-    d.value -= chord_error_mm_;
-    return d;
-  };
-  if (!bodies.turn()) return first_meeting(distance, ray, true, limit_mm, rule);
-  const auto clear = [&](double a, double b) {
-    const std::array ends{p + ray * a, p + ray * b};
-    return bodies.lower_at(place, ends, p + ray * ((a + b) / 2), near) >= near;
-  };
-  const double start = clear_up_to(
-      [&](double t) { return bodies.bound_at(place, p + ray * t, near) - near; }, limit_mm);
-  return first_meeting_by_steps(distance, clear, ray, start, limit_mm, rule);
-}
-
-void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3& along,
-                                const EndRule& rule, Meeting& first) const {
-  const Vec3 p = passes_[pass].place(from - shift_);
-  const Vec3 ray = passes_[pass].direction(along);
-  const PassBodies& bodies = *passes_[pass];
-  const double near = near_mm(rule) + kDistanceRounding_mm;
-  model::nearest_first(
-      bodies.nodes(),
-      [&](const model::BoxNode& node) {
-        return clear_up_to([&](double t) { return bodies.bound(node, p + ray * t, near) - near; },
-                           first.t_mm);
-      },
-      [&](double start) { return start >= first.t_mm; },
-      [&](const model::BoxNode& leaf) {
-        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const BodyRef body{pass, bodies.move_at(k)};
-          if (body == first.body) continue;
-          const double t = meeting_with(bodies, k, p, ray, first.t_mm, rule);
-          if (t < first.t_mm) first = {t, body};
-        }
-      });
-}
-
-/// The body that is nearest where the ray begins is most often the one that it meets, and what it
-/// leaves to be looked through is short.
-void RemovedSpace::first_met_of_nearest(const Vec3& p, const Vec3& ray, const EndRule& rule,
-                                        Meeting& first, FarPasses* far) const {
-  const BodyRef body = nearest(p, {}, far).body;
-  if (is_stock(body)) return;
-  const PlacedPass& pass = passes_[body.pass];
-  const double t = meeting_with(*pass, pass->place_of(body.index), pass.place(p - shift_),
-                                pass.direction(ray), first.t_mm, rule);
-  if (t < first.t_mm) first = {t, body};
-}
-
-void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndRule& rule,
-                                      Meeting& first) const {
-  const auto outside = static_cast<std::uint32_t>(passes_.size());
-  for (std::uint32_t face = 0; face < (mesh_ ? 1 : stock_faces()); ++face) {
-    const BodyRef body{outside, face};
-    const auto distance = [&](double t) {
-      BodyDistance d = this->distance(body, p + ray * t);
-      d.value -= chord_error_mm_;
-      return d;
-    };
-    const bool is_convex = !mesh_ && !is_concave(body);
-    const double t = first_meeting(distance, ray, is_convex, first.t_mm, rule);
-    if (t < first.t_mm) first = {t, body};
-  }
-}
-
-RemovedSpace::Meeting RemovedSpace::first_met(const Vec3& p, const Vec3& ray, double limit_mm,
-                                              const EndRule& rule, FarPasses* far) const {
-  Meeting first{limit_mm, {}};
-  if (!mesh_) first_met_of_stock(p, ray, rule, first);
-  if (turns_) first_met_of_nearest(p, ray, rule, first, far);
-  const double near = near_mm(rule);
-  for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;)
-    if (!far || far->bound(k, p) - first.t_mm <= near) first_met_in(k, p, ray, rule, first);
-  if (mesh_) first_met_of_stock(p, ray, rule, first);
-  return first;
 }
 
 double RemovedSpace::stock_distance_mm(const Vec3& p) const {
@@ -347,50 +215,67 @@ void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
   }
 }
 
-/// Calls `take(place of the body)` for all bodies of a pass in nodes that are `near`.
+/// Calls `take(place of the body)` for all bodies of a pass in nodes that are `near`, or in those
+/// of the leaves given that are.
 template <class Near, class Take>
-void RemovedSpace::visit_near(std::uint32_t pass, Near&& near, Take&& take) const {
-  const PassBodies& bodies = *passes_[pass];
-  if (bodies.nodes().empty()) return;
-  auto& stack = query_stack();
-  stack.assign(1, 0);
-  while (!stack.empty()) {
-    const std::uint32_t at = stack.back();
-    stack.pop_back();
-    const model::BoxNode& node = bodies.nodes()[at];
-    if (!near(node)) continue;
-    if (node.count == 0) {
-      stack.push_back(node.right);
-      stack.push_back(at + 1);
-      continue;
-    }
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) take(k);
-  }
+void RemovedSpace::visit_near(const PassBodies& bodies, const NearLeaves::Ring* ring, Near&& near,
+                              Take&& take) const {
+  const auto is_near = [&](std::uint32_t node) { return near(bodies.nodes()[node]); };
+  const auto take_all = [&](std::uint32_t node) {
+    const model::BoxNode& leaf = bodies.nodes()[node];
+    for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) take(k);
+    return true;
+  };
+  if (!ring) return bodies.visit_leaves(is_near, take_all);
+  for (const std::uint32_t leaf : ring->leaves)
+    if (is_near(leaf)) take_all(leaf);
 }
 
-void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>& out) const {
-  for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
-    const PassBodies& bodies = *passes_[pass];
-    const Vec3 p = passes_[pass].place(at - shift_);
-    visit_near(
-        pass,
+/// In the order of the tree, whichever way they are found.
+void RemovedSpace::within_pass(std::uint32_t pass, const Vec3& p, double limit_mm,
+                               std::vector<BodyRef>& out, FarPasses* far) const {
+  const PassBodies& bodies = *passes_[pass];
+  const auto take = [&](std::uint32_t k) {
+    if (bodies.value_at(k, p, limit_mm) <= limit_mm) out.push_back({pass, bodies.move_at(k)});
+  };
+  const auto* ring = near_ring(pass, p, limit_mm, far);
+  const auto known =
+      ring ? far->near(pass).bodies_in(*ring, bodies) : std::span<const NearLeaves::Body>{};
+  if (known.empty())
+    return visit_near(
+        bodies, ring,
         [&](const model::BoxNode& node) { return bodies.bound(node, p, limit_mm) <= limit_mm; },
-        [&](std::uint32_t k) {
-          if (bodies.value_at(k, p, limit_mm) <= limit_mm) out.push_back({pass, bodies.move_at(k)});
-        });
+        take);
+  const std::size_t first = out.size();
+  const double way = model::distance(p, ring->at) + kDistanceRounding_mm;
+  for (const NearLeaves::Body& body : known) {
+    if (body.distance_mm - way > limit_mm) break;
+    take(body.place);
   }
+  std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+            [&](const BodyRef& a, const BodyRef& b) {
+              return bodies.place_of(a.index) < bodies.place_of(b.index);
+            });
+}
+
+void RemovedSpace::within(const Vec3& at, double limit_mm, std::vector<BodyRef>& out,
+                          FarPasses* far) const {
+  for (std::uint32_t pass = 0; pass < passes_.size(); ++pass)
+    if (!far || far->bound(pass, at) <= limit_mm)
+      within_pass(pass, passes_[pass].place(at - shift_), limit_mm, out, far);
   stock_within(at, limit_mm, out);
 }
 
 void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>& out,
-                          const FarPasses* far) const {
+                          FarPasses* far) const {
   const Vec3 at = box.centre(), radii = box.size() / 2;
+  const double all_mm = limit_mm + length(radii);
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
-    if (far && far->bound(pass, at) - length(radii) > limit_mm) continue;
+    if (far && far->bound(pass, at) > all_mm) continue;
     const PassBodies& bodies = *passes_[pass];
     const Vec3 centre = passes_[pass].place(at - shift_), half = passes_[pass].half(radii);
     visit_near(
-        pass,
+        bodies, near_ring(pass, centre, all_mm, far),
         [&](const model::BoxNode& node) {
           return bodies.bound(node, centre, limit_mm, half) <= limit_mm;
         },
@@ -399,7 +284,7 @@ void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>
             out.push_back({pass, bodies.move_at(k)});
         });
   }
-  stock_within(at, limit_mm + length(radii), out);
+  stock_within(at, all_mm, out);
 }
 
 void RemovedSpace::stock_within(const Vec3& p, double limit_mm, std::vector<BodyRef>& out) const {

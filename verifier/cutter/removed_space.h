@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <compare>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "model/geometry/pose.h"
 #include "model/part/stock.h"
+#include "verifier/cutter/body_ref.h"
 #include "verifier/cutter/far_passes.h"
 #include "verifier/cutter/mesh_outside.h"
 #include "verifier/cutter/pass_bodies.h"
@@ -26,13 +26,6 @@ struct Sweep {
   std::shared_ptr<const model::Toolpath> path;
   model::Pose pose = {};  ///< how the path's frame lies in the frame of the space
   std::shared_ptr<const model::ToolAxes> axes = {};  ///< as those of a pass
-};
-
-/// One of the bodies whose union is the removed space: a move of a pass, or what lies outside one
-/// face of the raw stock (which counts as the pass after the last), or outside all of a mesh.
-struct BodyRef {
-  std::uint32_t pass = 0, index = 0;
-  friend auto operator<=>(const BodyRef&, const BodyRef&) = default;
 };
 
 /// δ at a point: the signed distance to the nearest removed body, and that body.
@@ -79,12 +72,13 @@ class RemovedSpace {
   /// The same of what was swept alone; none where nothing was.
   std::optional<Nearest> nearest_swept(const model::Vec3& p) const;
   /// All bodies with d(p) ≤ limit_mm, in a fixed order, appended to `out`.
-  void within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
+  void within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out,
+              FarPasses* far = nullptr) const;
 
   /// All bodies that may come within `limit_mm` of a point of `box`, in a fixed order, appended to
   /// `out`.
   void within(const model::Box3& box, double limit_mm, std::vector<BodyRef>& out,
-              const FarPasses* far = nullptr) const;
+              FarPasses* far = nullptr) const;
 
   /// The first t in [0, limit_mm] at which p + t·ray, a unit vector, meets a body by the rule, and
   /// the body; the limit where none does. All before it is material.
@@ -155,9 +149,19 @@ class RemovedSpace {
 
   void add_sweep(const Sweep& sweep);
   template <class Near, class Take>
-  void visit_near(std::uint32_t pass, Near&& near, Take&& take) const;
+  void visit_near(const PassBodies& bodies, const NearLeaves::Ring* ring, Near&& near,
+                  Take&& take) const;
   void stock_within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
-  void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best) const;
+  void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best,
+                  FarPasses* far = nullptr) const;
+  const NearLeaves::Ring* near_ring(std::uint32_t pass, const model::Vec3& p, double limit_mm,
+                                    FarPasses* far) const;
+  void offer_ring(std::uint32_t pass, const NearLeaves::Ring& ring, const model::Vec3& p,
+                  Nearest& best, FarPasses& far) const;
+  void within_pass(std::uint32_t pass, const model::Vec3& p, double limit_mm,
+                   std::vector<BodyRef>& out, FarPasses* far) const;
+  void offer_body(std::uint32_t pass, std::uint32_t place, const model::Vec3& p,
+                  Nearest& best) const;
   void nearest_if_near(std::uint32_t pass, const model::Vec3& p, Nearest& best,
                        FarPasses& far) const;
   void nearest_of_stock(const model::Vec3& p, Nearest& best) const;
@@ -170,7 +174,9 @@ class RemovedSpace {
   void first_met_of_nearest(const model::Vec3& p, const model::Vec3& ray, const EndRule& rule,
                             Meeting& first, FarPasses* far) const;
   void first_met_in(std::uint32_t pass, const model::Vec3& from, const model::Vec3& along,
-                    const EndRule& rule, Meeting& first) const;
+                    const EndRule& rule, Meeting& first, FarPasses* far) const;
+  void look_no_further(const model::Vec3& p, const model::Vec3& ray, const EndRule& rule,
+                       Meeting& first, FarPasses& far) const;
   void first_met_of_stock(const model::Vec3& p, const model::Vec3& ray, const EndRule& rule,
                           Meeting& first) const;
   /// Half spaces and the side of a bar; a mesh has none.

@@ -219,7 +219,7 @@ double box_bound(const CutterProfile& profile, const model::Box3& tips, const Ve
     return std::max(open, p.z - (tips.high.z + profile.top_mm));
   }
   // The endless cutter holds the body and only widens upwards: its lowest tip reaches furthest.
-  const double open = open_distance(profile, std::sqrt(dx * dx + dy * dy), p.z - tips.low.z).value;
+  const double open = open_value(profile, std::sqrt(dx * dx + dy * dy), p.z - tips.low.z);
   return std::max(open, p.z - (tips.high.z + profile.top_mm));
 }
 

@@ -42,12 +42,13 @@ double reach_of(const Vec3& way, const Vec3& half) {
 TiltedBox::TiltedBox(std::span<const SweptBody> bodies) : normal_(normal_of(bodies)) {
   const double level = std::hypot(normal_.x, normal_.y);
   side_ = level > 0 ? Vec3{-normal_.y / level, normal_.x / level, 0} : Vec3{1, 0, 0};
-  const Vec3 third = cross(normal_, side_);
+  third_ = cross(normal_, side_);
+  level_ = {level, std::hypot(side_.x, side_.y), std::hypot(third_.x, third_.y)};
   model::Box3 box;
   lowest_z_ = std::numeric_limits<double>::infinity();
   for (const SweptBody& body : bodies)
     for (const Vec3& tip : {body.from, body.to}) {
-      box.add(Vec3{dot(normal_, tip), dot(side_, tip), dot(third, tip)});
+      box.add(Vec3{dot(normal_, tip), dot(side_, tip), dot(third_, tip)});
       lowest_z_ = std::min(lowest_z_, tip.z);
     }
   low_ = box.low, high_ = box.high;
@@ -63,17 +64,16 @@ bool TiltedBox::serves(const CutterProfile& profile) {
 double TiltedBox::bound(const CutterProfile& profile, const Vec3& p, const Vec3& half) const {
   const Vec3 q{p.x, p.y, p.z - profile.core_mm};
   if (q.z + half.z > lowest_z_) return -std::numeric_limits<double>::infinity();
-  const Vec3 third = cross(normal_, side_);
   double square = 0;
-  const auto add = [&](const Vec3& axis, double low, double high) {
+  const auto add = [&](const Vec3& axis, double level, double low, double high) {
     const double at = dot(axis, q);
     double gap = std::max(low - at, at - high) - reach_of(axis, half);
-    if (profile.flat_mm > 0) gap -= profile.flat_mm * std::hypot(axis.x, axis.y);
+    if (profile.flat_mm > 0) gap -= profile.flat_mm * level;
     if (gap > 0) square += gap * gap;
   };
-  add(normal_, low_.x, high_.x);
-  add(side_, low_.y, high_.y);
-  add(third, low_.z, high_.z);
+  add(normal_, level_.x, low_.x, high_.x);
+  add(side_, level_.y, low_.y, high_.y);
+  add(third_, level_.z, low_.z, high_.z);
   return std::sqrt(square) - profile.rounding_mm - kDistanceRounding_mm;
 }
 

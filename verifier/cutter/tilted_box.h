@@ -32,8 +32,9 @@ class TiltedBox {
                const model::Vec3& half = {}) const;
 
  private:
-  model::Vec3 normal_, side_;  ///< of the sheet, upwards; a level one along it
-  model::Vec3 low_, high_;     ///< along normal, side and their cross product
+  model::Vec3 normal_, side_, third_;  ///< of the sheet, upwards; a level one along it; across both
+  model::Vec3 level_;                  ///< length of each of them in plan
+  model::Vec3 low_, high_;             ///< along each of them
   double lowest_z_ = -1e300;
 };
 

@@ -41,7 +41,7 @@ struct CheckedRun {
 
 /// δ > 0 in material. Half way, nearer to both ends, and at the end itself.
 CheckedRun checked(const RemovedSpace& removed, const Vec3& from, const Vec3& along,
-                   const StockProbe::Run& run, std::optional<BodyRef>& hint) {
+                   const StockProbe::Run& run, std::optional<BodyRef>& hint, FarPasses& far) {
   CheckedRun out{from, along, run.length_mm, false};
   const double side = run.material ? 1 : -1;
   // A short run has no room for more than its middle says.
@@ -50,7 +50,7 @@ CheckedRun checked(const RemovedSpace& removed, const Vec3& from, const Vec3& al
   const std::size_t parts = run.length_mm < kShort_mm ? 1 : std::size(kParts);
   for (std::size_t k = 0; k < parts; ++k) {
     const Vec3 p = from + along * (kParts[k] * run.length_mm);
-    const Nearest nearest = removed.nearest(p, hint);
+    const Nearest nearest = removed.nearest(p, hint, &far);
     hint = nearest.body;
     const double delta = nearest.distance.value;
     if (side * delta < -kAgreement_mm)
@@ -60,7 +60,7 @@ CheckedRun checked(const RemovedSpace& removed, const Vec3& from, const Vec3& al
   }
   if (!run.ends) return out;
   const Vec3 end = from + along * run.length_mm;
-  const Nearest nearest = removed.nearest(end, hint);
+  const Nearest nearest = removed.nearest(end, hint, &far);
   if (std::abs(nearest.distance.value) > run.error_mm + kAgreement_mm)
     disagree(end, "distance of the simulated stock's surface from the cut surface",
              nearest.distance.value, fine_length_text(run.error_mm));
@@ -149,7 +149,7 @@ bool has_many_normals(const SurfaceFeatures& features, const SurfacePlace& place
 }
 
 RayReading reading_of(const RayScene& scene, const Vec3& point, const Vec3& normal,
-                      double allowance_mm, std::optional<BodyRef>& hint) {
+                      double allowance_mm, std::optional<BodyRef>& hint, FarPasses& far) {
   const Vec3 start = point + normal * allowance_mm;
   if (scene.raw.nearest(start).distance.value < -kAgreement_mm) return {};
   // Most runs are short, and of the others the start's side decides on the way.
@@ -157,12 +157,12 @@ RayReading reading_of(const RayScene& scene, const Vec3& point, const Vec3& norm
   StockProbe::Run run = scene.probe.run(start, normal, std::min(kLook_mm, scene.limit_mm));
   if (run.material && !run.ends) run = scene.probe.run(start, normal, scene.limit_mm);
   if (run.material) {
-    const CheckedRun way = checked(scene.removed, start, normal, run, hint);
+    const CheckedRun way = checked(scene.removed, start, normal, run, hint, far);
     return {outwards_mm(scene, way), 0, run.error_mm};
   }
   run = scene.probe.run(start, -normal, scene.limit_mm);
   if (run.material) return {};  // the start is on the cut surface, on either side of it
-  const CheckedRun way = checked(scene.removed, start, -normal, run, hint);
+  const CheckedRun way = checked(scene.removed, start, -normal, run, hint, far);
   const double gouge = ends_at_finer(scene, way) ? 0 : inwards_mm(scene, way, point, allowance_mm);
   return {0, gouge, run.error_mm};
 }
@@ -172,7 +172,8 @@ RayReading reading_of(const RayScene& scene, const Vec3& point, const Vec3& norm
 RayReading read_ray(const RayScene& scene, const Vec3& point, const Vec3& normal,
                     double allowance_mm) {
   std::optional<BodyRef> hint;
-  return reading_of(scene, point, normal, allowance_mm, hint);
+  FarPasses far;
+  return reading_of(scene, point, normal, allowance_mm, hint, far);
 }
 
 RayFigures read_rays(const RayScene& scene, const DeviationField& field, const RayRequest& request,
@@ -185,9 +186,10 @@ RayFigures read_rays(const RayScene& scene, const DeviationField& field, const R
   constexpr std::size_t kChunk = 256;
   model::parallel_chunks(read.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
     std::optional<BodyRef> hint;
+    FarPasses far;
     for (std::size_t i = begin; i < end; ++i) {
       const DeviationField::Sample& s = field.samples[i * stride];
-      read[i] = reading_of(scene, s.place.point, s.normal, request.allowance_mm, hint);
+      read[i] = reading_of(scene, s.place.point, s.normal, request.allowance_mm, hint, far);
     }
   });
   Longest gouge, uncut;

@@ -25,9 +25,12 @@ CellClassifier::CellClassifier(const SurfaceCells& cells, const Reachability& re
     : cells_(cells),
       reachability_(reachability),
       limit_(reachability.allowance_mm() - reachability.contact_mm()),
-      local_(cells.cells(), reachability.allowance_mm(), reachability.contact_mm()) {}
+      local_(cells.cells(), reachability.allowance_mm(), reachability.contact_mm()) {
+  middles_.reserve(cells.cells().size());
+  for (const SurfaceCell& cell : cells.cells()) middles_.push_back(middle(cell.shape));
+}
 
-Reach CellClassifier::decide(OpenCell& open, const SurfaceCell& cell) const {
+Reach CellClassifier::decide(OpenCell& open, const SurfaceCell& cell, CellHalves& parts) const {
   const auto contact = CellContact::of(offset_cell(cell.shape, {}), reachability_.profile(),
                                        reachability_.allowance_mm());
   if (!contact) return Reach::undecided;
@@ -35,8 +38,8 @@ Reach CellClassifier::decide(OpenCell& open, const SurfaceCell& cell) const {
   if (endless && contact->too_steep()) return Reach::unreachable;
   if (endless && open.witness && bars_all(*open.witness, *contact)) return Reach::unreachable;
   open.level = contact->level() && reachability_.profile().flat_mm > 0;
-  if (open.level) return decide_level(cell, *contact);
-  if (contact->touchable() && prove(open, cell, *contact)) return Reach::reachable;
+  if (open.level) return decide_level(cell, *contact, parts);
+  if (contact->touchable() && prove(open, cell, *contact, parts)) return Reach::reachable;
   // Where all else of S is cleared, only what is left of it can be cut into: its middles have
   // been looked at.
   if (open.cleared && !contact->turning() && !open.witness) return Reach::undecided;
@@ -44,7 +47,8 @@ Reach CellClassifier::decide(OpenCell& open, const SurfaceCell& cell) const {
 }
 
 /// On a level spot the flat may stand anywhere over the point: one place suffices.
-Reach CellClassifier::decide_level(const SurfaceCell& cell, const CellContact& contact) const {
+Reach CellClassifier::decide_level(const SurfaceCell& cell, const CellContact& contact,
+                                   CellHalves& parts) const {
   // What is cleared about a level spot does not depend on where the flat stands over it.
   const auto cleared = local_.clear(cell, contact.displaced({}));
   for (int k = -1; k < kLevelDirections; ++k) {
@@ -52,35 +56,35 @@ Reach CellClassifier::decide_level(const SurfaceCell& cell, const CellContact& c
     const double out = k < 0 ? 0 : reachability_.profile().flat_mm;
     OpenCell alone;
     const Vec3 aside{out * std::cos(angle), out * std::sin(angle), 0};
-    if (prove_beyond(alone, cleared, contact.displaced(aside))) return Reach::reachable;
+    if (prove_beyond(alone, cleared, contact.displaced(aside), parts)) return Reach::reachable;
   }
   return reachability_.surely_unreachable(contact.offset()) ? Reach::unreachable : Reach::undecided;
 }
 
-bool CellClassifier::prove(OpenCell& open, const SurfaceCell& cell,
-                           const CellContact& contact) const {
-  if (!open.cleared) return prove_beyond(open, local_.clear(cell, contact), contact);
+bool CellClassifier::prove(OpenCell& open, const SurfaceCell& cell, const CellContact& contact,
+                           CellHalves& parts) const {
+  if (!open.cleared) return prove_beyond(open, local_.clear(cell, contact), contact, parts);
   std::erase_if(open.pending, [&](std::uint32_t k) {
-    return clears(contact, open.cleared, cells_.cells()[k], open.witness);
+    return clears(contact, open.cleared, parts.whole(k), open.witness);
   });
   return open.pending.empty();
 }
 
 /// Of all that is not cleared; what is left of it is kept.
 bool CellClassifier::prove_beyond(OpenCell& open, const std::optional<ClearedRect>& cleared,
-                                  const CellContact& contact) const {
+                                  const CellContact& contact, CellHalves& parts) const {
   // A level spot may have nothing bent beside it, and then bounds on the distance do.
   if (!cleared && !contact.level()) return false;
   std::vector<std::uint32_t> pending;
-  if (!search(contact, cleared, pending, open.witness)) return false;
+  if (!search(contact, cleared, pending, open.witness, parts)) return false;
   open.cleared = cleared, open.pending = std::move(pending);
   return open.pending.empty();
 }
 
 /// Gathers all cells of S that are not proven to stay clear; false when there are too many.
 bool CellClassifier::search(const CellContact& c, const std::optional<ClearedRect>& cleared,
-                            std::vector<std::uint32_t>& pending,
-                            std::optional<Vec3>& witness) const {
+                            std::vector<std::uint32_t>& pending, std::optional<Vec3>& witness,
+                            CellHalves& parts) const {
   bool cut = false;
   model::nearest_first(
       cells_.nodes(),
@@ -91,8 +95,7 @@ bool CellClassifier::search(const CellContact& c, const std::optional<ClearedRec
       [&](const model::BoxNode& leaf) {
         if (below_contact_plane(c, leaf.box)) return;
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const SurfaceCell& other = cells_.cells()[k];
-          if (clears(c, cleared, other, witness)) continue;
+          if (clears(c, cleared, parts.whole(k), witness)) continue;
           pending.push_back(k);
           cut = witness.has_value() || pending.size() > kMostPending;
           if (cut) return;
@@ -111,31 +114,28 @@ bool CellClassifier::below_contact_plane(const CellContact& c, const model::Box3
 /// Whether the cutter stays clear of a cell of S wherever it touches the cell under test. What
 /// holds of a ball round it needs no look at its sixteen control points.
 bool CellClassifier::clears(const CellContact& c, const std::optional<ClearedRect>& cleared,
-                            const SurfaceCell& other, std::optional<Vec3>& witness) const {
-  if (cleared && local_.holds(*cleared, other)) return true;
-  const Vec3 centre = middle(other.shape);
+                            CellHalves::Part& other, std::optional<Vec3>& witness) const {
+  if (cleared && local_.holds(*cleared, *other.cell)) return true;
+  const Vec3& centre = other.middle;
   const BodyDistance d = standing_distance(c.profile(), c.tip(), centre);
   if (d.value < limit_ && !c.turning()) {
     witness = centre;
     return false;
   }
-  const double radius = control_radius(other.shape, centre);
+  const double radius = other.radius_mm;
   if (d.value - radius - c.stray() - kDistanceRounding_mm >= limit_) return true;
   const double apart = distance(centre, c.middle()) + radius;
   if (c.over_contact_plane(dot(c.normal(), centre) + radius + kDistanceRounding_mm, apart) <=
       reachability_.contact_mm())
     return true;
   const double base = d.value - dot(d.gradient, centre);
-  double least = 1e300, along = -1e300;
-  for (int k = 0; k < 16; ++k) {
-    const Vec3 p = other.shape.control(k);
-    least = std::min(least, dot(d.gradient, p));
-    along = std::max(along, dot(c.normal(), p));
-  }
+  const Bezier& shape = other.cell->shape;
+  const double least = control_range(shape, 0, d.gradient).low;
   if (base + least - c.largest_shift(d.gradient) >= limit_) return true;
+  const double along = control_range(shape, 0, c.normal()).high;
   if (c.over_contact_plane(along, apart) <= reachability_.contact_mm()) return true;
   if (radius < c.radius() / 2) return false;
-  const auto parts = halved(other);
+  auto& parts = CellHalves::halves_of(other);
   return clears(c, cleared, parts[0], witness) && clears(c, cleared, parts[1], witness);
 }
 
@@ -151,7 +151,7 @@ std::optional<Vec3> CellClassifier::deepest_middle(const Vec3& tip) const {
       [&](double bound) { return bound >= best; },
       [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          const Vec3 p = middle(cells_.cells()[k].shape);
+          const Vec3& p = middles_[k];
           const double d = standing_distance(profile, tip, p).value;
           if (d < best) best = d, found = p;
         }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "verifier/cells/cell_halves.h"
 #include "verifier/reach/cell_contact.h"
 #include "verifier/reach/local_contact.h"
 #include "verifier/reach/reach.h"
@@ -28,19 +29,22 @@ class CellClassifier {
  public:
   CellClassifier(const SurfaceCells& cells, const Reachability& reachability);
 
-  /// Proves the cell to be one or the other, or adds to what is known of it.
-  Reach decide(OpenCell& open, const SurfaceCell& cell) const;
+  /// Proves the cell to be one or the other, or adds to what is known of it. `parts` are kept from
+  /// one neighbouring cell to the next, and change no answer.
+  Reach decide(OpenCell& open, const SurfaceCell& cell, CellHalves& parts) const;
 
  private:
-  Reach decide_level(const SurfaceCell& cell, const CellContact& contact) const;
-  bool prove(OpenCell& open, const SurfaceCell& cell, const CellContact& contact) const;
+  Reach decide_level(const SurfaceCell& cell, const CellContact& contact, CellHalves& parts) const;
+  bool prove(OpenCell& open, const SurfaceCell& cell, const CellContact& contact,
+             CellHalves& parts) const;
   bool prove_beyond(OpenCell& open, const std::optional<ClearedRect>& cleared,
-                    const CellContact& contact) const;
+                    const CellContact& contact, CellHalves& parts) const;
   bool search(const CellContact& c, const std::optional<ClearedRect>& cleared,
-              std::vector<std::uint32_t>& pending, std::optional<model::Vec3>& witness) const;
+              std::vector<std::uint32_t>& pending, std::optional<model::Vec3>& witness,
+              CellHalves& parts) const;
   bool below_contact_plane(const CellContact& c, const model::Box3& box) const;
   bool clears(const CellContact& c, const std::optional<ClearedRect>& cleared,
-              const SurfaceCell& other, std::optional<model::Vec3>& witness) const;
+              CellHalves::Part& other, std::optional<model::Vec3>& witness) const;
   std::optional<model::Vec3> deepest_middle(const model::Vec3& tip) const;
   bool bars_all(const model::Vec3& q, const CellContact& contact) const;
   bool refute(OpenCell& open, const SurfaceCell& cell, const CellContact& contact) const;
@@ -49,6 +53,7 @@ class CellClassifier {
   const Reachability& reachability_;
   double limit_;
   LocalContact local_;
+  std::vector<model::Vec3> middles_;  ///< of all cells
 };
 
 }  // namespace limitgauge::verifier

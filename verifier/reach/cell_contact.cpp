@@ -51,9 +51,7 @@ std::optional<CellContact> CellContact::of(const OffsetCell& cell, const CutterP
   }
   c.turn_by_alpha_ = {std::sin(c.alpha_), 1 - std::cos(c.alpha_)};
   c.turn_by_beta_ = {std::sin(c.beta_), 1 - std::cos(c.beta_)};
-  c.lowest_along_ = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 16; ++k)
-    c.lowest_along_ = std::min(c.lowest_along_, dot(cell.shape.control(k), n));
+  c.lowest_along_ = control_range(cell.shape, 0, n).low;
   return c;
 }
 
@@ -67,10 +65,7 @@ CellContact CellContact::displaced(const Vec3& shift) const {
 }
 
 double CellContact::largest_shift(const Vec3& g) const {
-  double linear = -1e300;
-  for (int k = 0; k < 16; ++k)
-    linear =
-        std::max(linear, g.x * cell_.shape.x[k] + g.y * cell_.shape.y[k] + g.z * cell_.shape.z[k]);
+  const double linear = control_range(cell_.shape, 0, g).high;
   const double by_normal = dot(g, normal());
   const double across = length(g - normal() * by_normal);
   double shift = linear - dot(g, middle());

@@ -88,7 +88,7 @@ double part_bound_mm(const StandingPart& part, const Vec3& tip, const model::Box
   const double dx = std::max({box.low.x - tip.x, 0.0, tip.x - box.high.x});
   const double dy = std::max({box.low.y - tip.y, 0.0, tip.y - box.high.y});
   const double base = tip.z + part.lift_mm;
-  const double open = open_distance(part.profile, std::hypot(dx, dy), box.high.z - base).value;
+  const double open = open_value(part.profile, std::sqrt(dx * dx + dy * dy), box.high.z - base);
   return part.endless ? open : std::max(open, box.low.z - base - part.profile.top_mm);
 }
 

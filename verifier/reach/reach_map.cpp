@@ -60,8 +60,8 @@ std::vector<ReachMap::Entry> joined(Entries first, Entries second) {
 using Decided = ReachDecision;
 
 Decided decide(const CellClassifier& classifier, OpenCell& open, const SurfaceCell& cell,
-               const ReachOptions& options, bool last) {
-  Decided decided{classifier.decide(open, cell)};
+               CellHalves& parts, const ReachOptions& options, bool last) {
+  Decided decided{classifier.decide(open, cell, parts)};
   const double smallest =
       open.level ? kCoarserOnLevel * options.smallest_radius_mm : options.smallest_radius_mm;
   decided.halve = decided.reach == Reach::undecided && !last &&
@@ -125,13 +125,14 @@ Entries classify_cells(OpenCells level, const Reachability& reachability,
     seen += level.size();
     const bool last = seen > options.largest_cell_count;
     std::vector<Decided> decided(level.size());
-    constexpr std::size_t kChunk = 64;
+    constexpr std::size_t kChunk = 256;
     model::parallel_chunks(level.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+      CellHalves parts(own);
       for (std::size_t i = begin; i < end; ++i) {
         const auto known = recorded(shared, depth, level[i], own, last);
-        decided[i] = known
-                         ? *known
-                         : decide(classifier, level[i], own.cell_of(level[i].cell), options, last);
+        decided[i] =
+            known ? *known
+                  : decide(classifier, level[i], own.cell_of(level[i].cell), parts, options, last);
       }
     });
     if (shared.with.record)

@@ -226,13 +226,36 @@ model::Box3 control_box(const Bezier& b) {
   return box;
 }
 
+namespace {
+
+/// Four columns of control points at a time, which share registers: the least and the greatest of
+/// numbers do not depend on their order.
+constexpr int kLanes = 4;
+using Lanes = std::array<double, kLanes>;
+
+}  // namespace
+
+model::Interval control_range(const Bezier& b, double base, const Vec3& g) {
+  Lanes low, high;
+  for (int row = 0; row < 16; row += kLanes)
+    for (int k = 0; k < kLanes; ++k) {
+      const double at = base + g.x * b.x[row + k] + g.y * b.y[row + k] + g.z * b.z[row + k];
+      low[k] = row == 0 ? at : std::min(low[k], at);
+      high[k] = row == 0 ? at : std::max(high[k], at);
+    }
+  return {std::min(std::min(low[0], low[1]), std::min(low[2], low[3])),
+          std::max(std::max(high[0], high[1]), std::max(high[2], high[3]))};
+}
+
 double control_radius(const Bezier& b, const Vec3& centre) {
-  double squared = 0;
-  for (int k = 0; k < 16; ++k) {
-    const double dx = b.x[k] - centre.x, dy = b.y[k] - centre.y, dz = b.z[k] - centre.z;
-    squared = std::max(squared, dx * dx + dy * dy + dz * dz);
-  }
-  return std::sqrt(squared);
+  Lanes squared{};
+  for (int row = 0; row < 16; row += kLanes)
+    for (int k = 0; k < kLanes; ++k) {
+      const double dx = b.x[row + k] - centre.x, dy = b.y[row + k] - centre.y,
+                   dz = b.z[row + k] - centre.z;
+      squared[k] = std::max(squared[k], dx * dx + dy * dy + dz * dz);
+    }
+  return std::sqrt(std::max(std::max(squared[0], squared[1]), std::max(squared[2], squared[3])));
 }
 
 }  // namespace limitgauge::verifier

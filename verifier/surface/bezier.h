@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "model/geometry/interval.h"
 #include "model/geometry/pose.h"
 #include "model/geometry/vec3.h"
 
@@ -59,6 +60,8 @@ model::Box3 control_box(const Bezier& b);
 Bezier shifted(Bezier b, const model::Vec3& by);
 /// The patch as another frame has it.
 Bezier turned(Bezier b, const model::Pose& pose);
+/// Least and greatest base + g·P over the control points.
+model::Interval control_range(const Bezier& b, double base, const model::Vec3& g);
 /// Greatest distance from `centre` to a control point: every point of the patch is within it.
 double control_radius(const Bezier& b, const model::Vec3& centre);
 

@@ -1,5 +1,6 @@
 #include "verifier/surface/bezier.h"
 
+#include <algorithm>
 #include <random>
 
 #include "tests/support/catch.h"
@@ -44,6 +45,22 @@ TEST_CASE("derivatives agree with differences", "[unit]") {
       CHECK(distance(j.duv, (jet(b, u, v + h).du - jet(b, u, v - h).du) / (2 * h)) < 1e-6);
       CHECK(distance(j.dvv, (jet(b, u, v + h).dv - jet(b, u, v - h).dv) / (2 * h)) < 1e-6);
     }
+}
+
+TEST_CASE("a plane's range over the control points is that of them one by one", "[property]") {
+  for (unsigned seed = 40; seed < 60; ++seed) {
+    const Bezier b = random_patch(seed), slopes = random_patch(seed + 100);
+    const model::Vec3 g = slopes.control(5);
+    model::Interval range = model::Interval::none();
+    double radius = 0;
+    for (int k = 0; k < 16; ++k) {
+      range.add(0.3 + g.x * b.x[k] + g.y * b.y[k] + g.z * b.z[k]);
+      radius = std::max(radius, distance(b.control(k), g));
+    }
+    CHECK(control_range(b, 0.3, g).low == range.low);
+    CHECK(control_range(b, 0.3, g).high == range.high);
+    CHECK(control_radius(b, g) == radius);
+  }
 }
 
 TEST_CASE("the hull holds the patch", "[property]") {

@@ -108,8 +108,8 @@ BodyDistance TurningBody::standing(const CutterProfile& profile, const Vec3& p, 
   return {d.value, out * (rho > 0 ? d.by_rho / rho : 0) + up * d.by_height, 0};
 }
 
-TurningBody::Look TurningBody::look(const CutterProfile& profile, const Vec3& p, double t) const {
-  Look out{t, standing(profile, p, t), 0, 0};
+TurnLook TurningBody::look(const CutterProfile& profile, const Vec3& p, double t) const {
+  TurnLook out{t, standing(profile, p, t), 0, 0};
   out.slope = -dot(out.here.gradient, delta_ + cross(spin_rad_, p - tip(t)));
   if (profile.is_ball()) out.over_core_mm = dot(p - tip(t), axis(t)) - up_mm_;
   return out;
@@ -118,7 +118,7 @@ TurningBody::Look TurningBody::look(const CutterProfile& profile, const Vec3& p,
 /// Where to look next in a stretch: where the slope would vanish were it linear, or by turns where
 /// the tangents meet, which finds a kink. Where the least is near one end, on the other side of it,
 /// so far away that the rest is most often done with.
-double TurningBody::next_look(const Stretch& s, bool by_tangents) {
+double TurningBody::next_look(const TurnStretch& s, bool by_tangents) {
   const double width = s.b.t - s.a.t, steepest = std::max(std::abs(s.a.slope), std::abs(s.b.slope));
   const bool falls = s.a.slope<-kLevelShare * steepest, rises = s.b.slope> kLevelShare * steepest;
   if (falls && rises) {
@@ -127,8 +127,8 @@ double TurningBody::next_look(const Stretch& s, bool by_tangents) {
     const double t = s.a.t + (by_tangents ? meet : -s.a.slope * width / bends);
     if (t > s.a.t && t < s.b.t) return t;
   }
-  return falls ? s.b.t - Stretch::kNearEnd * width
-               : s.a.t + (rises ? Stretch::kNearEnd : 0.5) * width;
+  return falls ? s.b.t - TurnStretch::kNearEnd * width
+               : s.a.t + (rises ? TurnStretch::kNearEnd : 0.5) * width;
 }
 
 /// Where on the chord of the core's way a place is nearest to it.
@@ -180,7 +180,7 @@ std::optional<TurningBody::Least> TurningBody::least_of_ball(const CutterProfile
 
 double TurningBody::bound(const CutterProfile& profile, const Vec3& p, const Vec3& half) const {
   const double radius = length(half);
-  const Look at = look(profile, p, 0.5);
+  const TurnLook at = look(profile, p, 0.5);
   return at.here.value - reach_of(at.here.gradient, half) -
          (std::abs(at.slope) + turn_rad_ * radius) / 2 - bend_mm(distance(p, core_) + radius) / 8 -
          kDistanceRounding_mm;
@@ -192,8 +192,8 @@ TurningBody::Least TurningBody::least(const CutterProfile& profile, const Vec3& 
   if (const auto by_core = least_of_ball(profile, p, bend, beyond_mm, precision_mm))
     return *by_core;
   double dropped = std::numeric_limits<double>::infinity();
-  StretchHeap heap;
-  const auto add = [&](const Look& a, const Look& b) {
+  TurnStretches heap;
+  const auto add = [&](const TurnLook& a, const TurnLook& b) {
     const double width = b.t - a.t;
     // Below the core of a ball at all times, it is the way to its centre that counts.
     const bool by_core = profile.is_whole_ball() &&
@@ -205,17 +205,17 @@ TurningBody::Least TurningBody::least(const CutterProfile& profile, const Vec3& 
     else
       heap.push({a, b, bound});
   };
-  const Look begin = look(profile, p, 0), end = look(profile, p, 1);
-  Look best = end.here.value < begin.here.value ? end : begin;
+  const TurnLook begin = look(profile, p, 0), end = look(profile, p, 1);
+  TurnLook best = end.here.value < begin.here.value ? end : begin;
   add(begin, end);
   for (int n = 0; n < kMostLooks && heap.lowest() < best.here.value - precision_mm; ++n) {
-    const Stretch s = heap.pop();
+    const TurnStretch s = heap.pop();
     const double t = next_look(s, n % 2 == 1);
     if (!(t > s.a.t && t < s.b.t)) {  // no number between its ends
       heap.push({s.a, s.b, std::min(s.a.here.value, s.b.here.value)});
       continue;
     }
-    const Look here = look(profile, p, t);
+    const TurnLook here = look(profile, p, t);
     if (here.here.value < best.here.value) best = here;
     add(s.a, here), add(here, s.b);
   }

@@ -12,6 +12,9 @@
 
 namespace limitgauge::verifier {
 
+struct TurnLook;
+struct TurnStretch;
+
 /// The space swept by a profile along one move that turns its axis as it goes: the tip straight and
 /// evenly, the axis evenly along a great circle (model::ToolAxes). Its distance
 ///
@@ -61,9 +64,6 @@ class TurningBody {
   void values(const CutterProfile& profile, const Bezier& cell, std::array<double, 16>& out) const;
 
  private:
-  struct Look;
-  struct Stretch;
-  class StretchHeap;
   struct Around;
   struct LowerSearch;
 
@@ -73,8 +73,8 @@ class TurningBody {
   std::optional<Least> least_of_ball(const CutterProfile& profile, const model::Vec3& p,
                                      double bend, double beyond_mm, double precision_mm) const;
   BodyDistance standing(const CutterProfile& profile, const model::Vec3& p, double t) const;
-  Look look(const CutterProfile& profile, const model::Vec3& p, double t) const;
-  static double next_look(const Stretch& stretch, bool by_tangents);
+  TurnLook look(const CutterProfile& profile, const model::Vec3& p, double t) const;
+  static double next_look(const TurnStretch& stretch, bool by_tangents);
   /// A direction that turns with the tool, `by` of the move later.
   model::Vec3 turned(const model::Vec3& v, double by) const;
   /// No less than the second derivative by t of where the tool has a place that is so far from the

@@ -64,14 +64,14 @@ struct TurningBody::LowerSearch {
     double at = 0, other = 0;  ///< constants of the gradients below
     Vec3 at_gradient, other_gradient;
   };
-  Plane plane(const Look& own, const Look& far) const {
+  Plane plane(const TurnLook& own, const TurnLook& far) const {
     const Vec3 turned = body.turned(own.here.gradient, far.t - own.t);
     return {own.here.value - dot(own.here.gradient, middle),
             own.here.value - dot(own.here.gradient, middle - body.tip(own.t)) -
                 dot(turned, body.tip(far.t)),
             own.here.gradient, turned};
   }
-  double bound(const Look& a, const Look& b) const {
+  double bound(const TurnLook& a, const TurnLook& b) const {
     const Plane by_a = plane(a, b), by_b = plane(b, a);
     double weight = a.slope >= 0 ? 1 : 0;  // of a
     if (a.slope < 0 && b.slope > 0) weight = b.slope / (b.slope - a.slope);
@@ -89,7 +89,7 @@ struct TurningBody::LowerSearch {
            bend * width * width / 8;
   }
   /// What the plane at one time leaves then.
-  double at_once(const Look& look) const {
+  double at_once(const TurnLook& look) const {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec3& p : points) least = std::min(least, dot(look.here.gradient, p - middle));
     return look.here.value + least;
@@ -108,22 +108,22 @@ double TurningBody::lower(const CutterProfile& profile, std::span<const Vec3> po
   const double value = at.distance.value - at.distance.slack_mm, coarse = value - radius;
   if (coarse >= enough_mm || (std::isfinite(enough_mm) && value < enough_mm)) return coarse;
   LowerSearch search{*this, profile, points, middle, bend};
-  StretchHeap heap;
-  const auto add = [&](const Look& a, const Look& b) {
+  TurnStretches heap;
+  const auto add = [&](const TurnLook& a, const TurnLook& b) {
     if (b.t > a.t) heap.push({a, b, search.bound(a, b)});
   };
-  const Look lowest = look(profile, middle, at.t);
+  const TurnLook lowest = look(profile, middle, at.t);
   add(look(profile, middle, 0), lowest), add(lowest, look(profile, middle, 1));
   const double at_once = search.at_once(lowest);
   const double goal = std::min(
       enough_mm, at_once - std::max(kShareOfSize * (lowest.here.value - at_once), kAlongTurn_mm));
   for (int n = 0; n < kMostBoundLooks && heap.lowest() < goal; ++n) {
-    const Stretch s = heap.pop();
+    const TurnStretch s = heap.pop();
     const double width = s.b.t - s.a.t;
-    const double share = s.a.t == at.t   ? Stretch::kNearEnd
-                         : s.b.t == at.t ? 1 - Stretch::kNearEnd
+    const double share = s.a.t == at.t   ? TurnStretch::kNearEnd
+                         : s.b.t == at.t ? 1 - TurnStretch::kNearEnd
                                          : 0.5;
-    const Look here = look(profile, middle, s.a.t + share * width);
+    const TurnLook here = look(profile, middle, s.a.t + share * width);
     add(s.a, here), add(here, s.b);
   }
   return std::max({by_chord, coarse, heap.lowest()});

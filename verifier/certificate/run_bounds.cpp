@@ -181,7 +181,8 @@ double RunBounds::gain_beside_mm(const OffsetCell& cell, const Nearest& at,
   if (!is_round(at.body)) return std::numeric_limits<double>::infinity();
   const Vec3& g = at.distance.gradient;
   const double across = length(g - cell.normal * dot(g, cell.normal));
-  return kReach_mm * (across + (kReach_mm + 2 * radius_mm) / space_.rounding_mm(at.body));
+  const double wide = radius_mm + length(space_.sway());
+  return kReach_mm * (across + (kReach_mm + 2 * wide) / space_.rounding_mm(at.body));
 }
 
 /// Whether the cell moved by t stands where it is moved across its normals as well, away from the

@@ -212,6 +212,9 @@ std::optional<RotaryCode> rotary_code(Control control, int tenths) {
   switch (tenths) {
     case 434:
       return control == Control::fanuc ? std::optional(kTipCentred) : std::nullopt;
+    case 435:
+      return control == Control::fanuc ? std::optional(RotaryCode{GGroup::length_offset, tenths})
+                                       : std::nullopt;
     case 531:
       return has_plane ? std::optional(RotaryCode{GGroup::non_modal, tenths}) : std::nullopt;
     case 682:

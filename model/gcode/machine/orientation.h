@@ -10,7 +10,8 @@ namespace limitgauge::model::gcode {
 struct Orientation {
   std::optional<Kinematics> machine;  ///< empty: no axis of it turns
   RotaryAngles angles_deg{};
-  bool tool_centred = false;       ///< G43.4, G234, M428
+  bool tool_centred = false;       ///< G43.4, G43.5, G234, M428
+  bool by_vector = false;          ///< G43.5: I, J and K are the tool's axis
   bool dynamic_offset = false;     ///< G254
   std::optional<Pose> plane;       ///< of G68.2: from it to the active work frame
   bool control_is_assumed = true;  ///< nobody said whether places are joints or the tip's

@@ -60,9 +60,9 @@ bool Interpreter::execute(const Statement& statement) {
   list_auxiliaries(statement, program_, motions_so_far());
   if (statement.block().words.empty()) return true;
   if (!saved_.leave_calls()) SavedStates::fail(statement, statement.block().words.front());
-  const std::optional<int> motion =
-      motion_of(statement, state_.modal.motion, state_.modal.beside_cycles);
-  check_word_use(statement, motion);
+  const std::optional<int> motion = motion_of(
+      statement, state_.modal.motion, state_.modal.beside_cycles, state_.orientation.by_vector);
+  check_word_use(statement, motion, state_.orientation.by_vector);
   check_turn(statement, motion);
   set_spindle_mode(statement);
   set_feed(statement, state_);

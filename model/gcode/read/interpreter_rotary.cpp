@@ -12,15 +12,17 @@
 
 namespace limitgauge::model::gcode {
 
-/// Whether a rotary word of the block says more than where its axis stands already.
+/// Whether a word of the block that turns the tool says more than how it stands already.
 bool Interpreter::turns(const Statement& statement) const {
-  return (statement.letters() & kRotaryLetters) != 0 &&
+  return turning_word(statement, state_) != nullptr &&
          rotary_end(statement, state_) != state_.orientation.angles_deg;
 }
 
 void Interpreter::check_turn(const Statement& statement, std::optional<int> motion) const {
-  if ((statement.letters() & kRotaryLetters) == 0) return;
-  const Word& word = *statement.first_of({'A', 'B', 'C'});
+  check_tool_vector(statement, state_, motion && is_arc(*motion));
+  const Word* const turning = turning_word(statement, state_);
+  if (!turning) return;
+  const Word& word = *turning;
   // G68.2 takes the axis words of a place, which rotary ones are not.
   const bool is_taken = axes_are_taken(statement) && statement.g(GGroup::working_plane) != 682;
   if (!motion && !is_taken)

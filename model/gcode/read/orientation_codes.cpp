@@ -22,9 +22,37 @@ void refuse_while(const Statement& statement, const Word& word, bool active, con
   if (active) statement.fail(word, in_quotes(word.text) + " while " + mode, expected);
 }
 
+/// Where I, J and K put the tool, of the active work frame; left out, each is 0 (Fanuc A-79348EN).
+RotaryAngles vector_end(const Statement& statement, const MachineState& state) {
+  const Orientation& orientation = state.orientation;
+  const Word& word = *statement.first_of({'I', 'J', 'K'});
+  const Vec3 named{angle_word(statement, 'I'), angle_word(statement, 'J'),
+                   angle_word(statement, 'K')};
+  const Vec3 way = state.frame.to_machine(named) - state.frame.to_machine({});
+  constexpr double kLeast = 1e-6, kMost = 1e9;
+  if (!(length(way) > kLeast && length(way) < kMost))
+    statement.fail(word, "I, J and K are no direction", "the tool's axis, from the tip up");
+  const Vec3 axis = normalized(way);
+  const auto angles = orientation.machine->angles_for(axis, orientation.angles_deg);
+  if (!angles)
+    statement.fail(word,
+                   "no angles of the rotary axes within their limits put the tool along (" +
+                       six_digits(axis.x) + ", " + six_digits(axis.y) + ", " + six_digits(axis.z) +
+                       ") of the workpiece",
+                   "an axis that the machine reaches");
+  return *angles;
+}
+
 }  // namespace
 
+const Word* turning_word(const Statement& statement, const MachineState& state) {
+  if (const Word* rotary = statement.first_of({'A', 'B', 'C'})) return rotary;
+  return state.orientation.by_vector ? statement.first_of({'I', 'J', 'K'}) : nullptr;
+}
+
 RotaryAngles rotary_end(const Statement& statement, const MachineState& state) {
+  if (state.orientation.by_vector && statement.first_of({'I', 'J', 'K'}))
+    return vector_end(statement, state);
   RotaryAngles end = state.orientation.angles_deg;
   for (const char letter : {'A', 'B', 'C'}) {
     const Word* const word = statement.word(letter);
@@ -49,7 +77,7 @@ void require_length(const Statement& statement, const Word& word, const MachineS
 void leave_tool_centre(const Statement& statement, MachineState& state) {
   Orientation& orientation = state.orientation;
   if (!orientation.tool_centred || statement.rules().control == Control::linuxcnc) return;
-  state.keeping_tool([&] { orientation.tool_centred = false; });
+  state.keeping_tool([&] { orientation.tool_centred = orientation.by_vector = false; });
 }
 
 void enter_tool_centre(const Statement& statement, MachineState& state, Assumptions& assumed) {
@@ -66,6 +94,28 @@ void enter_tool_centre(const Statement& statement, MachineState& state, Assumpti
                                       " is taken to count in the workpiece as it lies with the "
                                       "rotary axes at 0 (a control's parameter may say otherwise)");
   orientation.frame_is_told = true;
+  orientation.by_vector = statement.g(GGroup::length_offset) == 435;
+  if (orientation.by_vector)
+    assumed.add(statement.line(),
+                "I, J and K under G43.5 are taken to turn the axes, of the ways within their "
+                "limits the nearest, evenly while the tip goes straight");
+}
+
+void check_tool_vector(const Statement& statement, const MachineState& state, bool on_arc) {
+  if (!state.orientation.by_vector) return;
+  if (const Word* rotary = statement.first_of({'A', 'B', 'C'}))
+    statement.fail(*rotary, in_quotes(rotary->text) + " while I, J and K turn the tool (G43.5)",
+                   "I, J and K, or G43.4 in place of G43.5");
+  const Word* const centre = statement.first_of({'I', 'J', 'K'});
+  if (centre && statement.g_word(GGroup::length_offset))
+    statement.fail(*centre, in_quotes(centre->text) + " beside a length offset",
+                   "a block of its own behind it");
+  if (centre && on_arc)
+    statement.fail(*centre,
+                   in_quotes(centre->text) +
+                       " of an arc while I, J and K are the tool's axis "
+                       "(G43.5)",
+                   "R for the arc's radius");
 }
 
 void switch_kinematics(const Statement& statement, MachineState& state) {

@@ -8,14 +8,18 @@
 
 namespace limitgauge::model::gcode {
 
-/// Where the rotary words of the block lead, G90 or G91. Throws InputError for an angle that no
-/// control counts.
+/// The word of the block that turns the tool: A, B or C, under G43.5 I, J or K; or nothing.
+const Word* turning_word(const Statement& statement, const MachineState& state);
+/// Where such words of the block lead, G90 or G91. Throws InputError for an angle that no control
+/// counts, and for a direction that no angles within the limits put the tool along.
 RotaryAngles rotary_end(const Statement& statement, const MachineState& state);
 
 /// G49 ends what G43.4 began, where the control has it; before the length offset is let go.
 void leave_tool_centre(const Statement& statement, MachineState& state);
-/// G43.4 and G234, once their length offset is in use.
+/// G43.4, G43.5 and G234, once their length offset is in use.
 void enter_tool_centre(const Statement& statement, MachineState& state, Assumptions& assumed);
+/// Throws InputError at rotary words, and at an arc's centre, while I, J and K are the tool's axis.
+void check_tool_vector(const Statement& statement, const MachineState& state, bool on_arc);
 /// LinuxCNC's M428 (kinematics: places are the tip's) and M429 (identity: they are joints).
 void switch_kinematics(const Statement& statement, MachineState& state);
 /// G68.2 X Y Z I J K, a tilted working plane by Euler's angles about Z, X and Z again as they go

@@ -182,9 +182,10 @@ void set_length_offset(const Statement& statement, MachineState& state, Assumpti
     return use_modal_offset(statement, state, assumed);
   if (!code) return;
   forbid_compensation(statement, *statement.g_word(GGroup::length_offset), state);
-  state.modal.length_offset = *code == 434 ? 430 : *code;
-  if (*code == 490 || *code == 434) leave_tool_centre(statement, state);
-  if (*code == 434) {
+  const bool centres = *code == 434 || *code == 435;
+  state.modal.length_offset = centres ? 430 : *code;
+  if (*code == 490 || centres) leave_tool_centre(statement, state);
+  if (centres) {
     use_offset(statement, state, assumed);
     return enter_tool_centre(statement, state, assumed);
   }

@@ -14,6 +14,10 @@ constexpr std::uint32_t kFreeLetters = letter_bits("ABCFGMSTXYZ@^");
 constexpr std::uint32_t kCentreLetters = letter_bits("IJK");
 constexpr int kCancelCycle = 800;  // G80, in tenths
 
+bool is_straight(int motion) {
+  return motion == 0 || motion == 10;
+}
+
 /// Codes of group 0 that take the axis words for themselves.
 bool takes_axes(int non_modal) {
   return non_modal == 100 || non_modal == 280 || non_modal == 300 || non_modal == 520 ||
@@ -42,8 +46,8 @@ struct User {
 /// Which codes of a block there are, as far as words beside them matter.
 class Users {
  public:
-  Users(const Statement& statement, std::optional<int> motion)
-      : statement_(statement), motion_(motion.value_or(-1)) {}
+  Users(const Statement& statement, std::optional<int> motion, bool by_vector)
+      : statement_(statement), motion_(motion.value_or(-1)), by_vector_(by_vector) {}
 
   void check(const Word& word) const;
 
@@ -64,6 +68,7 @@ class Users {
   bool modal() const { return statement_.rules().modal_offset_words; }
   bool cycle(char letter) const { return cycle_takes(motion_, letter); }
   User arcs() const { return {arc(), "an arc"}; }
+  User vector() const { return {by_vector_ && is_straight(motion_), "the tool's axis"}; }
   User plane() const { return {states_plane(statement_), "G68.2"}; }
   User setting() const { return {non_modal(100), "G10"}; }
   User blending() const { return {g(GGroup::path_control, 640), "G64"}; }
@@ -76,6 +81,7 @@ class Users {
 
   const Statement& statement_;
   int motion_;
+  bool by_vector_;
 };
 
 std::array<User, 6> Users::users_of_p() const {
@@ -110,10 +116,10 @@ std::array<User, 6> Users::users_of(char letter) const {
       return {User{g(GGroup::length_offset, 430) || g(GGroup::length_offset, 432), "G43"}};
     case 'I':
     case 'J':
-      return {arcs(), User{cycle(letter), "G87"}, setting(), plane()};
+      return {arcs(), User{cycle(letter), "G87"}, setting(), plane(), vector()};
     case 'K':
       return {arcs(), User{cycle(letter), "G87"}, plane(),
-              User{any_cycle() && statement_.rules().repeats_by_k, "a canned cycle"}};
+              User{any_cycle() && statement_.rules().repeats_by_k, "a canned cycle"}, vector()};
     case 'L':
       return {User{cycle('L'), "a canned cycle"}, setting(), input()};
     case 'P':
@@ -137,7 +143,7 @@ const char* all_users_of(char letter) {
     case 'I':
     case 'J':
     case 'K':
-      return "G2, G3 or G87";
+      return "G2, G3, G87 or G43.5 before it";
     case 'L':
       return "G10, M66 or a canned cycle";
     case 'P':
@@ -255,7 +261,7 @@ bool axes_are_taken(const Statement& statement) {
 }
 
 std::optional<int> motion_of(const Statement& statement, std::optional<int> modal_motion,
-                             std::optional<int> beside_cycles) {
+                             std::optional<int> beside_cycles, bool by_vector) {
   if (statement.is_polar()) check_polar(statement, modal_motion);
   if (const auto code = statement.g(GGroup::motion))
     return stated_motion(statement, *code, beside_cycles);
@@ -273,14 +279,16 @@ std::optional<int> motion_of(const Statement& statement, std::optional<int> moda
     return modal_motion;
   }
   const bool centres = (statement.letters() & kCentreLetters) != 0;
-  return centres && modal_motion && is_arc(*modal_motion) ? modal_motion : std::nullopt;
+  const bool use_centres =
+      modal_motion && (is_arc(*modal_motion) || (by_vector && is_straight(*modal_motion)));
+  return centres && use_centres ? modal_motion : std::nullopt;
 }
 
-void check_word_use(const Statement& statement, std::optional<int> motion) {
+void check_word_use(const Statement& statement, std::optional<int> motion, bool by_vector) {
   check_dwell(statement, motion);
   if ((statement.letters() & letter_bit('M')) != 0) check_auxiliaries(statement);
   if ((statement.letters() & ~kFreeLetters) == 0) return;
-  const Users users(statement, motion);
+  const Users users(statement, motion, by_vector);
   for (const Word& word : statement.block().words) {
     if ((letter_bit(word.letter) & kFreeLetters) == 0 && !statement.is_set_aside(word))
       users.check(word);

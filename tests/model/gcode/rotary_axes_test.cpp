@@ -80,6 +80,29 @@ TEST_CASE("with tool-centre control places are the tip's in the workpiece", "[un
         kStandRounding_mm);
 }
 
+TEST_CASE("under G43.5 I, J and K are the tool's axis", "[unit][gcode]") {
+  const std::string begin = kBegin + "G43.5 H1\nG1 F100 X1 Y2 Z3\n";
+  for (const MachineSetup& machine : {trunnion(), swivel_head()}) {
+    const Vec3 axis = normalized(Vec3{0.3, -0.4, 1});
+    // Of any length; what is left out is 0.
+    check_tool(stand_at_end(begin + "X4 I0.6 J-0.8 K2.\n", machine), {14, 22, -27}, axis);
+    check_tool(stand_at_end(begin + "I0.6 J-0.8 K2.\n", machine), {11, 22, -27}, axis);
+    check_tool(stand_at_end(begin + "G0 Y5 J-0.5 K.5\n", machine), {11, 25, -27},
+               normalized(Vec3{0, -1, 1}));
+    // All left out: as it stands; and behind G49 they are no longer read.
+    check_tool(stand_at_end(begin + "X4 I.3 J-.4 K1.\nX5\n", machine), {15, 22, -27}, axis);
+  }
+  // The same turn as by the angles themselves, the nearest of the ways.
+  const Program by_vector = read_text(begin + "X4 J1. K1.\n", trunnion());
+  const Program by_angles = read_text(kBegin + "G43.4 H1\nG1 F100 X1 Y2 Z3\nX4 A45\n", trunnion());
+  REQUIRE(by_vector.turns.size() == 1);
+  REQUIRE(by_angles.turns.size() == 1);
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(std::abs(by_vector.turns[0].turn.to_deg[i] - by_angles.turns[0].turn.to_deg[i]) < 1e-9);
+  CHECK(distance(by_vector.turns[0].turn.to_mm, by_angles.turns[0].turn.to_mm) < 1e-9);
+  CHECK(assumes(by_vector, "line 3: I, J and K under G43.5 are taken to turn the axes"));
+}
+
 TEST_CASE("the ends of all modes leave the tool where it stands", "[unit][gcode]") {
   for (const char* modes :
        {"G43.4 H1\nG0 X1 Y2 Z3\nG49\n", "G68.2 X1 Y2 Z3 I10 J20 K30\nG0 X1 Y2 Z3\nG69\n"}) {
@@ -221,8 +244,16 @@ TEST_CASE("what is not carried out with rotary axes is said at its word", "[unit
   CHECK(holds(error("G68.2 J30\nG0 X1 A30\n"), "beside X, Y or Z while a working plane"));
   CHECK(holds(error("G92 A5\n"), "an offset of a rotary axis"));
   CHECK(holds(error("G254\nG0 A5\n", Control::haas), "G255 before it"));
-  for (const char* code : {"G43.4 H1\n", "G68.2 J30\n", "G53.1\n"})
+  for (const char* code : {"G43.4 H1\n", "G43.5 H1\n", "G68.2 J30\n", "G53.1\n"})
     CHECK(holds(error(code, Control::haas), "is Fanuc's, and Haas has"));
+  CHECK(holds(error("G43.5 H1\nG1 F9 X1 A30\n"), "G43.4 in place of G43.5"));
+  CHECK(holds(error("G43.5 H1\nG2 F9 X1 I1\n"), "R for the arc's radius"));
+  CHECK(holds(error("G43.5 H1\nG1 F9 I0 J0 K0\n"), "are no direction"));
+  CHECK(holds(error("G43.5 H1\nG1 F9 K-1\n"), "no angles of the rotary axes within their"));
+  CHECK(holds(error("G43.5 H1 I0 K1\n"), "beside no code that uses it"));
+  CHECK(holds(error("G43.5 H1 Q5\n"), "beside no code that uses it"));
+  CHECK(holds(error("G43.5 H1\nG49 G1 F9 X1 K1\n"), "a block of its own behind it"));
+  CHECK(holds(error("G1 F9 X1 K1\n"), "G43.5 before it"));
   CHECK(holds(error("G12.1 P1\n", Control::linuxcnc), "M428 and M429"));
   CHECK(holds(error("G12.1\n", Control::fanuc), "polar coordinate interpolation"));
   CHECK(holds(error("M430\n", Control::linuxcnc), "M430 switches to kinematics"));

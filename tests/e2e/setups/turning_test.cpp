@@ -31,9 +31,9 @@ json finish_of(const Scratch& scratch) {
   return json::parse(read_text(scratch / "out/result.json"))["stages"][0];
 }
 
-void passes(const std::string& name) {
+void passes(const std::string& name, const std::string& form = "") {
   const Scratch scratch;
-  post(scratch, name, "");
+  post(scratch, name, form);
   const Outcome outcome = run(scratch, name);
   INFO(outcome.errors);
   CHECK(outcome.exit_code == 0);
@@ -67,6 +67,10 @@ void fails_at_its_line(const std::string& name, int place) {
 }  // namespace
 
 // The blade, and its twin: docs/five-axis.md, whose commands and what they print are a test.
+
+TEST_CASE("a blade whose program has the tool's axis in place of angles", "[e2e][setups]") {
+  passes("blade", " --as vectors");
+}
 
 TEST_CASE("a bowl with an undercut that only a leaning tool reaches, and one axis wrong",
           "[e2e][setups]") {

@@ -143,7 +143,7 @@ const char* all_users_of(char letter) {
     case 'I':
     case 'J':
     case 'K':
-      return "G2, G3, G87 or G43.5 before it";
+      return "G2, G3 or G87";
     case 'L':
       return "G10, M66 or a canned cycle";
     case 'P':

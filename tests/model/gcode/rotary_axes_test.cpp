@@ -253,7 +253,7 @@ TEST_CASE("what is not carried out with rotary axes is said at its word", "[unit
   CHECK(holds(error("G43.5 H1 I0 K1\n"), "beside no code that uses it"));
   CHECK(holds(error("G43.5 H1 Q5\n"), "beside no code that uses it"));
   CHECK(holds(error("G43.5 H1\nG49 G1 F9 X1 K1\n"), "a block of its own behind it"));
-  CHECK(holds(error("G1 F9 X1 K1\n"), "G43.5 before it"));
+  CHECK(holds(error("G1 F9 X1 K1\n"), "beside no code that uses it"));
   CHECK(holds(error("G12.1 P1\n", Control::linuxcnc), "M428 and M429"));
   CHECK(holds(error("G12.1\n", Control::fanuc), "polar coordinate interpolation"));
   CHECK(holds(error("M430\n", Control::linuxcnc), "M430 switches to kinematics"));

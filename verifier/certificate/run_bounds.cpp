@@ -149,14 +149,14 @@ bool RunBounds::is_gone_deepest(const OffsetCell& cell, BodyRef body, double fro
 /// Whether the cell moved by t stands, all of it, or what is beside it by next to nothing.
 bool RunBounds::stands(const OffsetCell& cell, double t_mm) {
   const double margin = margin_mm(cell, t_mm) + kSkin_mm;
-  const Nearest& at = look(cell.moved_middle(t_mm));
+  const Vec3 middle = cell.moved_middle(t_mm);
+  const Nearest& at = look(middle);
   if (at.distance.value >= margin) {
     if (bounder_.surely_outside(cell.moved(t_mm), margin, at.body)) return true;
     // What misses by more than a cell is moved beside itself misses there as well.
     constexpr double kTooFar_mm = (kMostFaces + 1) * kBeside_mm;
     const double missed_mm = bounder_.missed_by_mm();
     if (missed_mm > kTooFar_mm) return false;
-    const Vec3 middle = cell.moved_middle(t_mm);
     const BodyRef body = bounder_.in_the_way();
     if (missed_mm > 0 && missed_mm > gain_beside_mm(cell, {body, space_.distance(body, middle)},
                                                     control_radius(cell.shape, cell.middle)))

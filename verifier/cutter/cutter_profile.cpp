@@ -9,11 +9,6 @@
 namespace limitgauge::verifier {
 namespace {
 
-/// Length of a line that goes so far aside for each of 1 along; most profiles' go straight.
-double length_at(double slope) {
-  return slope == 0 ? 1 : std::sqrt(1 + slope * slope);
-}
-
 /// Distance to the core's edge.
 ProfileDistance from_edge(const CutterProfile& profile, double beyond, double h) {
   const double edge = std::sqrt(beyond * beyond + h * h);
@@ -29,7 +24,8 @@ ProfileDistance wedge_distance(const CutterProfile& profile, double slope, doubl
     if (beyond >= -h) return {beyond - profile.rounding_mm, 1, -slope};
     return {-h - profile.rounding_mm, 0, -1};
   }
-  const double steep = length_at(slope), shallow = length_at(profile.rise);
+  const double steep = std::sqrt(1 + slope * slope);
+  const double shallow = std::sqrt(1 + profile.rise * profile.rise);
   if (profile.is_pointed()) {
     const double over_tip = height_mm - profile.tip_mm();
     if (rho_mm + over_tip * profile.rise < 0) {

@@ -86,12 +86,12 @@ double PassBodies::bound_at(std::uint32_t place, const Vec3& p, double limit_mm,
                             const Vec3& half) const {
   if (turn()) {
     const TurningBody& body = turning_[place];
-    const bool by_look = !profile_.is_whole_ball();
-    const double at_once =
-        by_look ? body.bound(profile_, p, half) : -std::numeric_limits<double>::infinity();
-    if (at_once > limit_mm || (by_look && body.is_short())) return at_once;
-    return std::max(
-        at_once, own_cones_[place].bound(profile_, size_mm_, own_cores_[place], p, half, limit_mm));
+    const auto by_cone = [&] {
+      return own_cones_[place].bound(profile_, size_mm_, own_cores_[place], p, half, limit_mm);
+    };
+    if (profile_.is_whole_ball()) return by_cone();
+    const double by_look = body.bound(profile_, p, half);
+    return by_look > limit_mm || body.is_short() ? by_look : std::max(by_look, by_cone());
   }
   const Box3 tips = tips_of(upright_[place]);
   return box_bound(profile_, {tips.low - half, tips.high + half}, p);

@@ -175,8 +175,6 @@ class RemovedSpace {
                             Meeting& first, FarPasses* far) const;
   void first_met_in(std::uint32_t pass, const model::Vec3& from, const model::Vec3& along,
                     const EndRule& rule, Meeting& first, FarPasses* far) const;
-  void look_no_further(const model::Vec3& p, const model::Vec3& ray, const EndRule& rule,
-                       Meeting& first, FarPasses& far) const;
   void first_met_of_stock(const model::Vec3& p, const model::Vec3& ray, const EndRule& rule,
                           Meeting& first) const;
   /// Half spaces and the side of a bar; a mesh has none.

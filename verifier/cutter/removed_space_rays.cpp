@@ -138,7 +138,8 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3
 }
 
 /// The body that is nearest where the ray begins is most often the one that it meets, and what it
-/// leaves to be looked through is short.
+/// leaves to be looked through is short. An upright one is found once more, which takes little, so
+/// that among equals the one that is named does not depend on where the search began.
 void RemovedSpace::first_met_of_nearest(const Vec3& p, const Vec3& ray, const EndRule& rule,
                                         Meeting& first, FarPasses* far) const {
   const BodyRef body = nearest(p, {}, far).body;
@@ -146,7 +147,11 @@ void RemovedSpace::first_met_of_nearest(const Vec3& p, const Vec3& ray, const En
   const PlacedPass& pass = passes_[body.pass];
   const double t = meeting_with(*pass, pass->place_of(body.index), pass.place(p - shift_),
                                 pass.direction(ray), first.t_mm, rule);
-  if (t < first.t_mm) first = {t, body};
+  if (!(t < first.t_mm)) return;
+  if (pass->turn())
+    first = {t, body};
+  else
+    first = {std::nextafter(t, std::numeric_limits<double>::infinity()), {}};
 }
 
 void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndRule& rule,
@@ -165,29 +170,12 @@ void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndR
   }
 }
 
-/// Where all are convex: no later than the nearest body is met. The search then looks no
-/// further. It finds that body itself, unless another comes first.
-void RemovedSpace::look_no_further(const Vec3& p, const Vec3& ray, const EndRule& rule,
-                                   Meeting& first, FarPasses& far) const {
-  const BodyRef body = nearest(p, {}, &far).body;
-  if (is_stock(body)) return;
-  const auto at = [&](double t) {
-    BodyDistance d = distance(body, p + ray * t);
-    d.value -= chord_error_mm_;
-    return d;
-  };
-  const double met = first_meeting(at, ray, true, first.t_mm, rule);
-  if (met < first.t_mm) first = {std::nextafter(met, std::numeric_limits<double>::infinity()), {}};
-}
-
 RemovedSpace::Meeting RemovedSpace::first_met(const Vec3& p, const Vec3& ray, double limit_mm,
                                               const EndRule& rule, FarPasses* far) const {
   Meeting first{limit_mm, {}};
   if (!mesh_) first_met_of_stock(p, ray, rule, first);
-  if (turns_)
-    first_met_of_nearest(p, ray, rule, first, far);
-  else if (far && !mesh_)
-    look_no_further(p, ray, rule, first, *far);
+  // Beside a mesh the search for the nearest body takes longer than it saves, but of turning ones.
+  if (turns_ || (far && !mesh_)) first_met_of_nearest(p, ray, rule, first, far);
   const double near = near_mm(rule);
   for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;)
     if (!far || far->bound(k, p) - first.t_mm <= near) first_met_in(k, p, ray, rule, first, far);

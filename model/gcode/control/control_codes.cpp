@@ -205,13 +205,11 @@ const CodeRule* g_rule(Control control, int tenths) {
 }
 
 std::optional<RotaryCode> rotary_code(Control control, int tenths) {
-  constexpr RotaryCode kTipCentred{GGroup::length_offset, 434};
   // Fanuc's words, and those that LinuxCNC's remapping configurations took over from it; Haas has
   // others for the same (96-8210: G234, G254, G268).
   const bool has_plane = control == Control::fanuc || control == Control::linuxcnc;
   switch (tenths) {
     case 434:
-      return control == Control::fanuc ? std::optional(kTipCentred) : std::nullopt;
     case 435:
       return control == Control::fanuc ? std::optional(RotaryCode{GGroup::length_offset, tenths})
                                        : std::nullopt;
@@ -221,7 +219,8 @@ std::optional<RotaryCode> rotary_code(Control control, int tenths) {
     case 690:
       return has_plane ? std::optional(RotaryCode{GGroup::working_plane, tenths}) : std::nullopt;
     case 2340:
-      return control == Control::haas ? std::optional(kTipCentred) : std::nullopt;
+      return control == Control::haas ? std::optional(RotaryCode{GGroup::length_offset, 434})
+                                      : std::nullopt;
     case 2540:
     case 2550:
       return control == Control::haas ? std::optional(RotaryCode{GGroup::dynamic_offset, tenths})

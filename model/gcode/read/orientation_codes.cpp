@@ -22,9 +22,24 @@ void refuse_while(const Statement& statement, const Word& word, bool active, con
   if (active) statement.fail(word, in_quotes(word.text) + " while " + mode, expected);
 }
 
+/// The angles, of the ways within the limits the nearest, that put the tool along `axis` of the
+/// workpiece, which is `named` in the message where there are none.
+RotaryAngles angles_along(const Statement& statement, const Word& word, const MachineState& state,
+                          const Vec3& axis, const char* named, const char* expected) {
+  const Orientation& orientation = state.orientation;
+  const auto angles = orientation.machine->angles_for(axis, orientation.angles_deg);
+  if (!angles)
+    statement.fail(word,
+                   std::string("no angles of the rotary axes within their limits put the tool "
+                               "along ") +
+                       named + "(" + six_digits(axis.x) + ", " + six_digits(axis.y) + ", " +
+                       six_digits(axis.z) + ") of the workpiece",
+                   expected);
+  return *angles;
+}
+
 /// Where I, J and K put the tool, of the active work frame; left out, each is 0 (Fanuc A-79348EN).
 RotaryAngles vector_end(const Statement& statement, const MachineState& state) {
-  const Orientation& orientation = state.orientation;
   const Word& word = *statement.first_of({'I', 'J', 'K'});
   const Vec3 named{angle_word(statement, 'I'), angle_word(statement, 'J'),
                    angle_word(statement, 'K')};
@@ -32,15 +47,8 @@ RotaryAngles vector_end(const Statement& statement, const MachineState& state) {
   constexpr double kLeast = 1e-6, kMost = 1e9;
   if (!(length(way) > kLeast && length(way) < kMost))
     statement.fail(word, "I, J and K are no direction", "the tool's axis, from the tip up");
-  const Vec3 axis = normalized(way);
-  const auto angles = orientation.machine->angles_for(axis, orientation.angles_deg);
-  if (!angles)
-    statement.fail(word,
-                   "no angles of the rotary axes within their limits put the tool along (" +
-                       six_digits(axis.x) + ", " + six_digits(axis.y) + ", " + six_digits(axis.z) +
-                       ") of the workpiece",
-                   "an axis that the machine reaches");
-  return *angles;
+  return angles_along(statement, word, state, normalized(way), "",
+                      "an axis that the machine reaches");
 }
 
 }  // namespace
@@ -187,18 +195,12 @@ RotaryAngles plane_angles(const Statement& statement, const MachineState& state,
     statement.fail(word, "G53.1 beside axis words", "a block of its own");
   require_length(statement, word, state);
   const Vec3 axis = state.motion_frame().plane.direction({0, 0, 1});
-  const auto angles = orientation.machine->angles_for(axis, orientation.angles_deg);
-  if (!angles)
-    statement.fail(word,
-                   "no angles of the rotary axes within their limits put the tool along Z of the "
-                   "tilted plane, (" +
-                       six_digits(axis.x) + ", " + six_digits(axis.y) + ", " + six_digits(axis.z) +
-                       ") of the workpiece",
-                   "a plane that the machine reaches");
+  const RotaryAngles angles = angles_along(statement, word, state, axis, "Z of the tilted plane, ",
+                                           "a plane that the machine reaches");
   assumed.add(statement.line(), "G53.1 is taken to turn to " +
-                                    orientation.machine->to_text(*angles, " ") +
+                                    orientation.machine->to_text(angles, " ") +
                                     ", of the ways within the limits the nearest");
-  return *angles;
+  return angles;
 }
 
 void check_frame_is_free(const Statement& statement, const Word& word, const MachineState& state) {

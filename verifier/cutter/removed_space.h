@@ -11,10 +11,10 @@
 #include "model/part/stock.h"
 #include "verifier/cutter/body_ref.h"
 #include "verifier/cutter/far_passes.h"
-#include "verifier/cutter/mesh_outside.h"
 #include "verifier/cutter/pass_bodies.h"
-#include "verifier/cutter/stock_faces.h"
 #include "verifier/gate/verify.h"
+#include "verifier/stock/mesh_outside.h"
+#include "verifier/stock/stock_faces.h"
 
 namespace limitgauge::verifier {
 

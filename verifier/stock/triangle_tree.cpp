@@ -1,4 +1,4 @@
-#include "verifier/cutter/triangle_tree.h"
+#include "verifier/stock/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>

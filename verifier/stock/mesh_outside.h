@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "verifier/cutter/mesh_side.h"
 #include "verifier/cutter/swept_body.h"
+#include "verifier/stock/mesh_side.h"
 #include "verifier/surface/bezier.h"
 
 namespace limitgauge::verifier {

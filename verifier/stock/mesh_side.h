@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "verifier/cutter/triangle_tree.h"
+#include "verifier/stock/triangle_tree.h"
 
 namespace limitgauge::verifier {
 

@@ -1,4 +1,4 @@
-#include "verifier/cutter/mesh_outside.h"
+#include "verifier/stock/mesh_outside.h"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "verifier/cutter/stock_faces.h"
+#include "verifier/stock/stock_faces.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "verifier/cutter/mesh_side.h"
+#include "verifier/stock/mesh_side.h"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>

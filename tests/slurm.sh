@@ -45,13 +45,34 @@ trap stop_all EXIT
 trap 'exit 130' INT TERM
 fail() { echo "FAILED: $*"; exit 1; }
 
+# Slurm's commands give up after MessageTimeout; on a busy machine the next try is answered.
+asked() { for _ in 1 2 3 4; do "$@" 2>/dev/null && return; sleep 0.5; done; "$@"; }
+queue() { asked squeue --noheader "$@"; }
+# Tries `$2...` until it holds, for `$1` seconds by the clock: on a busy machine a look takes long too.
+within() {
+  local last=$((SECONDS + $1))
+  shift
+  until "$@"; do
+    [ $SECONDS -lt $last ] || return 1
+    sleep 0.05
+  done
+}
+
 # ---- a cluster of one node
+# Ports below those that the system gives to whoever asks for any (32768 and up): nobody gets them meanwhile.
 read -r controller_port node_port < <(python3 - <<'PYTHON'
-import socket
-sockets = [socket.socket() for _ in range(2)]
-for s in sockets:
-    s.bind(('127.0.0.1', 0))
-print(*(s.getsockname()[1] for s in sockets))
+import random, socket
+free = []
+while len(free) < 2:
+    port = random.randrange(20000, 32000)
+    with socket.socket() as s:
+        try:
+            s.bind(('', port))
+        except OSError:
+            continue
+    if port not in free:
+        free.append(port)
+print(*free)
 PYTHON
 )
 host=$(hostname -s)
@@ -76,7 +97,7 @@ SelectTypeParameters=CR_Core
 MpiDefault=none
 ReturnToService=2
 SlurmdTimeout=15
-MessageTimeout=2
+MessageTimeout=5
 SlurmdParameters=config_overrides
 SchedulerParameters=sched_interval=1,batch_sched_delay=0,bf_interval=1
 StateSaveLocation=$folder/state
@@ -99,17 +120,13 @@ munged --foreground --force --socket="$folder/munge.socket" --key-file="$folder/
   --pid-file="$folder/munged.pid" --seed-file="$folder/munge.seed" \
   --log-file="$folder/munged.log" > "$folder/munged.out.log" 2>&1 &
 daemons+=($!)
-for _ in $(seq 100); do [ -S "$folder/munge.socket" ] && break; sleep 0.1; done
-[ -S "$folder/munge.socket" ] || fail "munge does not start"
+within 60 test -S "$folder/munge.socket" || fail "munge does not start"
 slurmctld -D > "$folder/slurmctld.out.log" 2>&1 &
 daemons+=($!)
 slurmd -D > "$folder/slurmd.out.log" 2>&1 &
 daemons+=($!)
-for _ in $(seq 200); do
-  [ "$(timeout 5 sinfo --noheader --format=%T 2>/dev/null)" = idle ] && break
-  sleep 0.1
-done
-[ "$(sinfo --noheader --format=%T)" = idle ] || fail "the cluster does not come up"
+is_idle() { [ "$(timeout 10 sinfo --noheader --format=%T 2>/dev/null)" = idle ]; }
+within 90 is_idle || fail "the cluster does not come up"
 say "$(slurmd -V): $(sinfo --noheader --format='%D node, %c processors, %T')," \
   "arrays of at most $(scontrol show config | awk '/^MaxArraySize/ { print $3 }') tasks"
 
@@ -147,17 +164,17 @@ python3 same.py run-local run-slurm || fail "the shared run has other figures"
   fail "two stages are not 18 pieces: $(find cache-run/result -type f | wc -l)"
 [ -z "$(ls cache-run/slurm)" ] || fail "the shared run's work folder was left"
 
+# The first task at work, which is `task` then.
+sees_task() {
+  task=$(queue --array --states=RUNNING --format=%i | head -n 1)
+  [ -n "$task" ]
+}
 # A node's task is killed at its work, and then the whole run; the next one takes up what is there.
 start_run() {
   "$program" run "$fixtures/jobs/quick-dome.toml" --no-pictures "${quick[@]}" -o "$1" \
     --engine slurm --cache "cache-$1" --jobs 3 > "$1.txt" 2> "$1.err" &
   study=$!
-  for _ in $(seq 300); do
-    task=$(squeue --noheader --array --states=RUNNING --format=%i | head -n 1)
-    [ -z "$task" ] || return 0
-    sleep 0.05
-  done
-  fail "no task was seen at work: $(cat "$1.err")"
+  within 60 sees_task || fail "no task was seen at work: $(cat "$1.err")"
 }
 start_run run-killed
 scancel --signal=KILL --full "$task"
@@ -173,7 +190,7 @@ code=0
 wait "$study" || code=$?
 study=
 [ $code = 4 ] || fail "the interrupted run ended with exit code $code"
-[ -z "$(squeue --noheader --states=PENDING,RUNNING)" ] || fail "jobs of a run were left in the queue"
+[ -z "$(queue --states=PENDING,RUNNING)" ] || fail "jobs of a run were left in the queue"
 [ ! -e run-stopped ] || fail "an output folder was left"
 code=0
 PATH=/nowhere run_job -o no --engine slurm --cache cache-no 2> no.err || code=$?
@@ -211,16 +228,9 @@ say "local: $(head -n 1 local.txt)"
 "$program" study study.toml "${quick[@]}" -o slurm --cache cache-slurm --engine slurm --jobs 2 \
   > slurm.txt 2> slurm.err &
 study=$!
+kills_task() { sees_task && scancel --signal=KILL --full "$task" 2>/dev/null; }
 killed=
-for _ in $(seq 300); do
-  task=$(squeue --noheader --array --states=RUNNING --format=%i | head -n 1)
-  if [ -n "$task" ] && scancel --signal=KILL --full "$task" 2>/dev/null; then
-    killed=$task
-    break
-  fi
-  kill -0 "$study" 2>/dev/null || break
-  sleep 0.05
-done
+within 60 kills_task && killed=$task
 [ -n "$killed" ] || fail "no task was seen at work: $(cat slurm.err)"
 say "killed task $killed"
 code=0
@@ -290,16 +300,13 @@ PATH=/nowhere run_study -o no --cache cache-no --engine slurm 2> no.err || code=
 "$program" study study.toml "${quick[@]}" -o stopped --cache cache-stopped --engine slurm --jobs 1 \
   2> stopped.err &
 study=$!
-for _ in $(seq 200); do
-  [ -z "$(squeue --noheader --states=RUNNING)" ] || break
-  sleep 0.05
-done
+within 60 sees_task || fail "no task was seen at work: $(cat stopped.err)"
 kill -TERM "$study"
 code=0
 wait "$study" || code=$?
 study=
 [ $code = 4 ] || fail "the interrupted study ended with exit code $code"
-[ -z "$(squeue --noheader --states=PENDING,RUNNING)" ] || fail "jobs were left in the queue"
+[ -z "$(queue --states=PENDING,RUNNING)" ] || fail "jobs were left in the queue"
 [ ! -e stopped ] || fail "an output folder was left"
 say "interrupted: $(cat stopped.err)"
 
@@ -308,18 +315,14 @@ start_study() {
   "$program" study study.toml "${quick[@]}" -o "$1" --cache "cache-$1" --engine slurm "${@:2}" \
     2> "$1.err" > "$1.txt" &
   study=$!
-  for _ in $(seq 200); do
-    [ -z "$(squeue --noheader --states=RUNNING)" ] || return 0
-    sleep 0.05
-  done
-  fail "no task was seen at work: $(cat "$1.err")"
+  within 60 sees_task || fail "no task was seen at work: $(cat "$1.err")"
 }
 start_study killed --jobs 1
-left=$(squeue --noheader --format=%j | head -n 1)
+left=$(queue --format=%j | head -n 1)
 kill -KILL "$study"
 wait "$study" 2>/dev/null || true
 study=
-[ -n "$(squeue --noheader --name="$left")" ] || fail "the killed study has left no job"
+[ -n "$(queue --name="$left")" ] || fail "the killed study has left no job"
 scontrol update PartitionName=cases State=DOWN
 code=0
 run_study -o down --cache cache-killed --engine slurm --slurm-patience 0.05 \
@@ -328,7 +331,7 @@ scontrol update PartitionName=cases State=UP
 say "down: exit code $code, $(head -n 1 down.err)"
 grep -q "jobs $left of a study that was killed were cancelled" down.err ||
   fail "the killed study's jobs are not told of: $(cat down.err)"
-[ -z "$(squeue --noheader --states=PENDING,RUNNING)" ] || fail "jobs were left in the queue"
+[ -z "$(queue --states=PENDING,RUNNING)" ] || fail "jobs were left in the queue"
 [ ! -e "cache-killed/slurm/$left" ] || fail "the killed study's folder was left"
 grep -q 'has not come back for 0.05 min (pending: PartitionDown)' down/study.csv ||
   fail "the partition is not told of: $(cat down/study.csv)"
@@ -337,18 +340,16 @@ grep -q 'has not come back for 0.05 min (pending: PartitionDown)' down/study.csv
 start_study silent --jobs 1 --slurm-patience 0.05
 # The node's daemon, and the task at work; the pattern does not match itself.
 at_work() { grep -las -- "$folder/[c]ache-silent/slurm/.*tasks" /proc/[0-9]*/cmdline; }
-for _ in $(seq 200); do
-  [ -z "$(at_work)" ] || break
-  sleep 0.05
-done
+is_at_work() { [ -n "$(at_work)" ]; }
+within 60 is_at_work || fail "the task has no process: $(cat silent.err)"
 pids=("${daemons[2]}")
 for file in $(at_work); do
   file=${file#/proc/}
   pids+=("${file%%/*}")
 done
 kill -STOP "${pids[@]}"
-for _ in $(seq 900); do kill -0 "$study" 2>/dev/null || break; sleep 0.1; done
-kill -0 "$study" 2>/dev/null && fail "a study waits for a node that hangs: $(cat silent.err; squeue; sinfo)"
+has_ended() { ! kill -0 "$study" 2>/dev/null; }
+within 120 has_ended || fail "a study waits for a node that hangs: $(cat silent.err; squeue; sinfo)"
 code=0
 wait "$study" || code=$?
 study=

@@ -1,9 +1,9 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <thread>
 
 #include "tests/e2e/program.h"
 #include "tests/e2e/running_program.h"
@@ -127,12 +127,13 @@ TEST_CASE("Ctrl-C and SIGTERM end a command that looks at nothing", "[e2e][ends]
     REQUIRE(mkfifo((scratch / pipe).c_str(), 0600) == 0);
     REQUIRE(open((scratch / pipe).c_str(), O_RDWR | O_CLOEXEC) >= 0);
   }
+  const auto is_pipe = [](const std::string& word) { return word.rfind("waits", 0) == 0; };
   for (const std::vector<std::string>& command : {std::vector<std::string>{"inspect", "waits.ngc"},
                                                   {"inspect", "waits.obj"},
                                                   {"run", "waits.toml", "-o", "out"}}) {
     CAPTURE(command);
     RunningProgram program(scratch, command);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+    REQUIRE(program.opens(scratch / *std::find_if(command.begin(), command.end(), is_pipe)));
     const auto told = Clock::now();
     CHECK(program.end(signal) == 4);
     CHECK(Clock::now() - told < kMost);

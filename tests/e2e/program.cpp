@@ -74,6 +74,27 @@ void set_limits(const Conditions& conditions) {
   _exit(127);
 }
 
+bool catches(const fs::path& process, int signal) {
+  std::ifstream status(process / "status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("SigCgt:", 0) == 0)
+      return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
+  return false;
+}
+
+/// Waits until the process is the program and catches interrupts, for half a minute at most: a
+/// signal before that ends it as it would any.
+void wait_until_it_catches(pid_t child) {
+  const fs::path process = "/proc/" + std::to_string(child);
+  std::error_code gone;
+  for (int i = 0; i < 3000; ++i) {
+    if (fs::read_symlink(process / "exe", gone) == fs::canonical(LIMITGAUGE_PROGRAM) &&
+        catches(process, SIGINT))
+      return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
 void wait_for(pid_t child, Outcome& outcome) {
   int status = 0;
   rusage used{};
@@ -112,6 +133,7 @@ Outcome limitgauge(const Scratch& folder, const std::vector<std::string>& argume
   if (child < 0) throw std::runtime_error("fork failed");
   if (child == 0) become_program(folder.path(), arguments, conditions, log);
   if (conditions.interrupt_after) {
+    wait_until_it_catches(child);
     std::this_thread::sleep_for(*conditions.interrupt_after);
     kill(child, SIGINT);
   }

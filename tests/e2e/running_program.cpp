@@ -6,9 +6,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 namespace limitgauge::e2e {
+
+namespace fs = std::filesystem;
 
 RunningProgram::RunningProgram(const Scratch& folder, const std::vector<std::string>& arguments,
                                const std::function<void()>& in_child) {
@@ -45,6 +49,24 @@ std::string RunningProgram::line() {
   std::string text;
   for (char c = 0; ::read(out_, &c, 1) == 1 && c != '\n';) text += c;
   return text;
+}
+
+bool RunningProgram::opens(const fs::path& file) const {
+  const fs::path process = "/proc/" + std::to_string(child_);
+  const auto leads_to = [](const fs::path& link, const fs::path& target) {
+    std::error_code gone;
+    return fs::read_symlink(link, gone) == fs::canonical(target);
+  };
+  for (int i = 0; i < 3000; ++i) {
+    std::error_code gone;
+    // Before it is the program it has what this process has open.
+    if (leads_to(process / "exe", LIMITGAUGE_PROGRAM))
+      for (fs::directory_iterator entry(process / "fd", gone), end; entry != end;
+           entry.increment(gone))
+        if (leads_to(entry->path(), file)) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
 }
 
 int RunningProgram::end(int signal) {

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ class RunningProgram {
   /// The next line of its standard output; waits for it.
   std::string line();
   pid_t id() const { return child_; }
+  /// Waits until it has `file` open, for half a minute at most: whether it has.
+  bool opens(const std::filesystem::path& file) const;
   /// Sends the signal and waits: the exit code, or minus the signal that ended it.
   int end(int signal);
 

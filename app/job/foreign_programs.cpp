@@ -69,6 +69,7 @@ class GroupReader {
   void make_path(std::size_t index, model::PathOptions options, ForeignPath& foreign) const;
   void require_near(const model::Vec3& tip_mm, std::uint32_t line) const;
   void list_assumed(ForeignPath& foreign, std::size_t index) const;
+  std::vector<model::TravelBreach> beyond_travel(std::size_t index) const;
   const JobStage& stage(std::size_t index) const { return job_.stages[group_[index]]; }
 
   const Job& job_;
@@ -214,6 +215,17 @@ void GroupReader::make_path(std::size_t index, model::PathOptions options,
   foreign.path = std::make_shared<const model::Toolpath>(std::move(path));
 }
 
+std::vector<model::TravelBreach> GroupReader::beyond_travel(std::size_t index) const {
+  const JobStage& asked = stage(index);
+  if (!job_.travel_mm || !asked.piece) return {};
+  const model::SteadyRange& range = asked.piece->range;
+  return model::beyond_travel(
+      program_,
+      {*job_.machine.kinematics, *job_.travel_mm, pose_of(options_.machine_in_part),
+       options_.start_mm.value(), asked.tool_length_mm.value_or(0)},
+      range.turns.empty() ? range.first : range.turns.front().motion, range.last);
+}
+
 ForeignPath GroupReader::path_of(std::size_t index) const {
   model::PathOptions options = options_;
   options.chord_error_mm = settings_.chord_error_mm[group_[index]];
@@ -234,6 +246,7 @@ ForeignPath GroupReader::path_of(std::size_t index) const {
   for (const model::IgnoredWord& word : program_.ignored)
     foreign.ignored_words.push_back(std::to_string(word.line) + ": " + word.word);
   list_assumed(foreign, index);
+  foreign.beyond_travel = beyond_travel(index);
   if (!program_.has_end)
     foreign.unended = stage(index).program_as_stated + " " + missing_end_words(program_);
   foreign.start = start_told();

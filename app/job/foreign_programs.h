@@ -8,6 +8,7 @@
 #include "app/job/job.h"
 #include "app/job/program_parts.h"
 #include "app/job/settings.h"
+#include "model/gcode/turning/axis_travel.h"
 #include "model/part/fixture.h"
 
 namespace limitgauge::app {
@@ -20,6 +21,9 @@ struct ForeignPath {
   std::vector<std::string> ignored_words;       ///< "line: word" that moves nothing
   std::vector<std::string> assumed;             ///< what the reader took for granted
   std::shared_ptr<const std::string> text;      ///< the whole program
+  /// Motions of a machine with rotary axes, those that turn them included, that take X, Y or Z
+  /// beyond the job's travel, where the stage is a stretch of its program.
+  std::vector<model::TravelBreach> beyond_travel;
   std::string unended;  ///< what is to be said of a program without an end; else empty
 };
 

@@ -63,15 +63,6 @@ void check_count(const TomlTable& machine, const model::Kinematics& kinematics) 
                           least == 2 ? "two [[machine.axis]], the head's first" : kAxisExpected);
 }
 
-/// The limits of a tip are those of the axes only while the spindle stands upright.
-void refuse_travel(const TomlTable& machine, const model::Kinematics& kinematics) {
-  if (!machine.has("travel") || !kinematics.has_head()) return;
-  throw model::InputError(machine.place("travel"),
-                          "\"travel\" is of the tip, which says nothing of the axes of a machine "
-                          "whose head turns",
-                          "a machine without travel limits, or kinematics = \"table-table\"");
-}
-
 }  // namespace
 
 void read_kinematics(const TomlTable& machine, Job& job) {
@@ -90,7 +81,6 @@ void read_kinematics(const TomlTable& machine, Job& job) {
                             kAxisExpected);
   kinematics.axes = read_axes(machine);
   check_count(machine, kinematics);
-  refuse_travel(machine, kinematics);
   job.machine.kinematics = std::move(kinematics);
   if (machine.has("tool_centred"))
     job.machine.starts_tool_centred = machine.boolean("tool_centred");

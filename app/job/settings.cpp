@@ -51,6 +51,12 @@ std::string frame_words(const Job& job) {
          " degrees; no alignment is made";
 }
 
+std::string travel_words(const Job& job) {
+  if (!job.travel_mm) return "travel limits: none stated, none checked";
+  return std::string("travel limits: as the job states them, for the tool tip in the job's frame") +
+         (job.machine.kinematics ? ", which X, Y and Z show of a tool that stands upright" : "");
+}
+
 void state_lean(const JobStage& stage, const std::string& chords, std::vector<std::string>& said) {
   const std::string head = "stage " + stage.name + ": ";
   said.push_back(head +
@@ -226,8 +232,7 @@ std::vector<std::string> assumptions(const Job& job, const Settings& settings) {
           model::shortest(1e3 * settings.contact_tolerance_mm) + " µm" +
           (job.contact_tolerance_mm ? "" : " (not stated)") +
           " fail nothing; those of a tenth of that and more are listed",
-      job.travel_mm ? "travel limits: as the job states them, for the tool tip in the job's frame"
-                    : "travel limits: none stated, none checked",
+      travel_words(job),
       near_miss_mm(job) > 0
           ? "near misses: rapids, shanks and holders within " + model::shortest(near_miss_mm(job)) +
                 " mm of stock or fixtures are listed and do not fail a stage" +

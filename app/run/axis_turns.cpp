@@ -16,15 +16,22 @@ using model::Kinematics;
 using model::Pose;
 using model::TurningMotion;
 
+/// To the frame of the stage's setup, in which the tool stands upright but for one that turns as it
+/// cuts: of that the part lies there as it does with all axes at zero.
+Pose workpiece_in_setup(const Job& at_setup, const JobStage& stage) {
+  const Pose placed = pose_of(machine_in_setup_frame(at_setup));
+  if (stage.piece->turns_while_cutting()) return placed;
+  return placed * at_setup.machine.kinematics->upright(stage.piece->range.angles_deg);
+}
+
 /// Poses of a tool, in the frame of a stage's setup, during the turns that lead to it.
 class TurnPoses {
  public:
   TurnPoses(const Job& at_setup, const JobStage& stage, const TurningMotion& turn)
       : machine_(at_setup.machine.kinematics.value()),
         angles_deg_(stage.piece->range.angles_deg),
-        turn_(turn) {
-    const Pose placed = pose_of(machine_in_setup_frame(at_setup));
-    from_workpiece_ = placed * machine_.upright(angles_deg_);
+        turn_(turn),
+        from_workpiece_(workpiece_in_setup(at_setup, stage)) {
     from_machine_ = from_workpiece_ * machine_.table(angles_deg_).inverse();
   }
 
@@ -40,7 +47,7 @@ class TurnPoses {
       return from_machine_ * carried(mount, angles_deg_) * carried(mount, now).inverse() *
              machine_.table(now) * turn_.tool_at(machine_, t);
     };
-    return simulator::TurningPose::even(at, machine_tip_speed_mm(), turn_.turn_rad());
+    return simulator::TurningPose::even(at, turn_.machine_tip_speed_mm(machine_), turn_.turn_rad());
   }
 
   /// Of a body that goes with the tool, which moves as `tool` says, in the other's place.
@@ -68,20 +75,6 @@ class TurnPoses {
     return mount.kind == FixtureMount::Kind::axis ? machine_.carried_by(mount.axis, angles_deg)
                                                   : Pose{};
   }
-  /// Of the tip as the machine sees it, or what only some tables carry: on top of its speed in the
-  /// workpiece, the tables take it with them. From the axes it is never farther than they are from
-  /// where it is half-way, it is from there, and they are from each other.
-  double machine_tip_speed_mm() const {
-    constexpr double kHalfWay = 0.5;
-    const double speed_mm = turn_.tip_speed_mm(machine_);
-    const model::Vec3 tip = turn_.tool_at(machine_, kHalfWay).shift_mm;
-    double arm_mm = 0, between_mm = 0;
-    for (const model::RotaryAxis& axis : machine_.axes) {
-      arm_mm = std::max(arm_mm, distance(tip, axis.point_mm));
-      between_mm = std::max(between_mm, distance(axis.point_mm, machine_.axes.front().point_mm));
-    }
-    return speed_mm + turn_.turn_rad() * (arm_mm + speed_mm * kHalfWay + between_mm);
-  }
 
   Kinematics machine_;
   model::RotaryAngles angles_deg_;
@@ -107,7 +100,7 @@ simulator::TurningTool turning_tool(const Job& at_setup, const JobStage& stage,
   return motion;
 }
 
-void look_at_limits(const Job& job, const model::AxisTurn& turn,
+void look_at_limits(const Job& job, const JobStage& stage, const model::AxisTurn& turn,
                     std::vector<simulator::Finding>& findings) {
   constexpr double kRounding_deg = 1e-9;
   for (const model::RotaryAxis& axis : job.machine.kinematics->axes) {
@@ -117,7 +110,8 @@ void look_at_limits(const Job& job, const model::AxisTurn& turn,
     simulator::Finding finding;
     finding.kind = simulator::FindingKind::beyond_travel;
     finding.line = turn.line;
-    finding.point = turn.turn.tool_at(*job.machine.kinematics, 1).shift_mm;
+    finding.point = workpiece_in_setup(job, stage)
+                        .point(turn.turn.tool_at(*job.machine.kinematics, 1).shift_mm);
     finding.part = name(simulator::ToolPart::cutter);
     finding.against = std::string(1, axis.word) + (below ? "- (" : "+ (") +
                       model::six_digits(at_deg) + " of " +
@@ -127,6 +121,26 @@ void look_at_limits(const Job& job, const model::AxisTurn& turn,
 }
 
 }  // namespace
+
+std::vector<simulator::Finding> travel_findings(const ForeignPath& program,
+                                                const model::Toolpath& path) {
+  constexpr const char* kBelow[] = {"x-", "y-", "z-"};
+  constexpr const char* kAbove[] = {"x+", "y+", "z+"};
+  std::vector<simulator::Finding> findings;
+  std::size_t next = 0;
+  for (const model::TravelBreach& breach : program.beyond_travel) {
+    // Of the motion's moves the first; a turn that leads to the path has none.
+    std::size_t move = next;
+    while (move < path.moves.size() && path.moves[move].line != breach.line) ++move;
+    const bool found = move < path.moves.size();
+    if (found) next = move;
+    findings.push_back({simulator::FindingKind::beyond_travel, next, breach.line,
+                        found ? path.moves[move].to : path.start, breach.depth_mm,
+                        name(simulator::ToolPart::cutter),
+                        (breach.above ? kAbove : kBelow)[breach.axis]});
+  }
+  return findings;
+}
 
 std::vector<simulator::CarriedBody> carried_bodies(const Job& at_setup, const JobStage& stage,
                                                    std::span<const model::Fixture> bodies) {
@@ -151,11 +165,12 @@ std::vector<simulator::Finding> turn_findings(const Job& at_setup, const JobStag
   std::vector<simulator::Finding> findings;
   if (!stage.piece) return findings;
   // These are moves of the stage's own path.
-  for (const model::AxisTurn& turn : stage.piece->turning) look_at_limits(at_setup, turn, findings);
+  for (const model::AxisTurn& turn : stage.piece->turning)
+    look_at_limits(at_setup, stage, turn, findings);
   if (stage.piece->range.turns.empty()) return findings;
   const simulator::TurnCheck check(stock, stage.cutter, limits);
   for (const model::AxisTurn& turn : stage.piece->range.turns) {
-    look_at_limits(at_setup, turn, findings);
+    look_at_limits(at_setup, stage, turn, findings);
     if (turn.parked) continue;
     const TurnPoses poses(at_setup, stage, turn.turn);
     std::vector<simulator::Finding> met =

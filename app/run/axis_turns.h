@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "app/job/foreign_programs.h"
 #include "app/job/job.h"
 #include "model/base/run_control.h"
 #include "simulator/process/process_check.h"
@@ -19,6 +20,11 @@ std::vector<simulator::Finding> turn_findings(const Job& at_setup, const JobStag
                                               const simulator::StockModel& stock,
                                               const simulator::ProcessLimits& limits,
                                               const model::RunControl& control);
+
+/// Of a stage that is a stretch of its program, whose path is `path`: the motions that take the
+/// machine's X, Y or Z beyond the job's travel (beyond_travel), in the order of its moves.
+std::vector<simulator::Finding> travel_findings(const ForeignPath& program,
+                                                const model::Toolpath& path);
 
 /// The job's bodies that go with the tool (`bodies`, in the job's order) as they stand in the
 /// view's setup during the moves of a stage.

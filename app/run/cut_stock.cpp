@@ -108,6 +108,19 @@ model::Pose to_part(const Job& job) {
 
 }  // namespace
 
+namespace {
+
+/// Of a stage that is no stretch of its program they are among the others of its moves.
+std::vector<simulator::Finding> travel_of(const Job& job, const RunInputs& inputs,
+                                          const JobStage& asked, const model::Toolpath& path) {
+  const auto stage = std::ranges::find(job.stages, asked.name, &JobStage::name);
+  if (!asked.piece || stage == job.stages.end()) return {};
+  return travel_findings(*inputs.programs[static_cast<std::size_t>(stage - job.stages.begin())],
+                         path);
+}
+
+}  // namespace
+
 std::vector<simulator::Finding> process_findings(const Job& job, const RunInputs& inputs,
                                                  const JobStage& asked,
                                                  const simulator::StockModel& stock,
@@ -116,13 +129,16 @@ std::vector<simulator::Finding> process_findings(const Job& job, const RunInputs
   simulator::ProcessLimits limits;
   limits.tolerance_mm = inputs.settings.contact_tolerance_mm;
   limits.near_miss_mm = near_miss_mm(job);
-  limits.travel_mm = job.travel_mm;
+  // Of a stretch its program's motions are held against it, by where the axes stand.
+  if (!asked.piece) limits.travel_mm = job.travel_mm;
   limits.fixtures = inputs.fixtures;
   limits.carried = carried_bodies(job, asked, inputs.carried);
   const auto control = watch.control(asked.name + ": checking the process");
   std::vector<simulator::Finding> found = turn_findings(job, asked, stock, limits, control);
   const auto moves = check_process(stock, pass, limits, control);
-  found.insert(found.end(), moves.begin(), moves.end());
+  const auto beyond = travel_of(job, inputs, asked, *pass.path);
+  std::ranges::merge(moves, beyond, std::back_inserter(found), {}, &simulator::Finding::move,
+                     &simulator::Finding::move);
   return found;
 }
 

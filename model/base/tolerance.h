@@ -22,6 +22,10 @@ inline constexpr double kLeastFeed_mm_min = 1e-6;
 /// No feed rate is beyond this, as no coordinate is. mm/min.
 inline constexpr double kLargestFeed_mm_min = 1e9;
 
+/// Between the ends of a motion that bends, X, Y or Z may be beyond a limit of travel by so much
+/// without being named: limits are set in tenths of a millimetre.
+inline constexpr double kTravelLook_mm = 0.01;
+
 /// What is this little beyond the axis is taken to be on it: rounding of a cutter's given figures.
 inline constexpr double kOnAxisMm = 1e-9;
 /// Stated e and f of a cutter may be this far from what its other figures make of them: figures are

@@ -180,4 +180,18 @@ double TurningMotion::tip_speed_mm(const Kinematics& machine) const {
   return JointSpeed(machine, *this).tip_mm();
 }
 
+/// From the axes the tip is never farther than they are from where it is half-way, it is from
+/// there, and they are from each other.
+double TurningMotion::machine_tip_speed_mm(const Kinematics& machine) const {
+  constexpr double kHalfWay = 0.5;
+  const double speed_mm = tip_speed_mm(machine);
+  const Vec3 tip = tool_at(machine, kHalfWay).shift_mm;
+  double arm_mm = 0, between_mm = 0;
+  for (const RotaryAxis& axis : machine.axes) {
+    arm_mm = std::max(arm_mm, distance(tip, axis.point_mm));
+    between_mm = std::max(between_mm, distance(axis.point_mm, machine.axes.front().point_mm));
+  }
+  return speed_mm + turn_rad() * (arm_mm + speed_mm * kHalfWay + between_mm);
+}
+
 }  // namespace limitgauge::model

@@ -43,6 +43,9 @@ struct TurningMotion {
   /// turns there; by t.
   double tip_speed_mm(const Kinematics& machine) const;
   double turn_rad() const;
+  /// Of the tip as the machine sees it, or what only some tables carry: on top of its speed in the
+  /// workpiece, the tables take it with them.
+  double machine_tip_speed_mm(const Kinematics& machine) const;
 };
 
 }  // namespace limitgauge::model

@@ -158,4 +158,28 @@ TEST_CASE("an axis beyond its limits fails at its line", "[e2e][setups]") {
   CHECK(finding["against"] == "C- (-400 of -360 degrees)");
 }
 
+TEST_CASE("a head that leans takes X beyond its travel, at its line", "[e2e][setups]") {
+  const Scratch scratch;
+  const auto outcome = [&](const std::string& high_mm) {
+    return limitgauge(scratch,
+                      {"run", machine_job("tilting-head"), "-o", "out", "--force", "--no-pictures",
+                       "--quiet", "--set", "machine.travel.x=[-20," + high_mm + "]"})
+        .exit_code;
+  };
+  // With its tool of 80 mm the head leans 33 degrees about an axis 150 mm above the gauge point:
+  // X stands 125.3 mm beside the tip, which itself goes no farther than 16.5.
+  REQUIRE(outcome("100") == 1);
+  const json stage = stage_of(result_of(scratch, "out"), "rough");
+  CHECK(stage["verdict"] == "fail");
+  const json& finding = stage["simulation"]["findings"][0];
+  CHECK(finding["kind"] == "beyond_travel");
+  CHECK(finding["against"] == "x+");
+  CHECK(finding["line"] == 272);
+  CHECK(finding["x"].get<double>() == Approx(16.5));
+  const double depth_mm = finding["depth_mm"];
+  CHECK(depth_mm > 30);
+  CHECK(outcome(std::to_string(100 + depth_mm + 0.001)) == 0);
+  CHECK(outcome(std::to_string(100 + depth_mm - 0.001)) == 1);
+}
+
 }  // namespace limitgauge::e2e

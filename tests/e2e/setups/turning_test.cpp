@@ -1,5 +1,6 @@
 // Programs whose tool turns as it cuts, made by fixtures/turning/post.py, whose surfaces and
 // kinematics are its own: of each kind one that is right, and its twin with one rotary word wrong.
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -82,6 +83,23 @@ TEST_CASE("a deep cavity that a short tool reaches leaning, and with one B word 
           "[e2e][setups]") {
   if (tests::thorough()) passes("cavity");
   fails_at_its_line("cavity", 100);
+}
+
+TEST_CASE("a head that turns as it cuts is held against X, Y and Z", "[e2e][turning]") {
+  const Scratch scratch;
+  post(scratch, "cavity", "");
+  REQUIRE(limitgauge(scratch, {"run", "cavity.toml", "-o", "out", "--no-pictures", "--quiet",
+                               "--set", "machine.travel.x=[-102, 1000]"})
+              .exit_code == 1);
+  const json finish = finish_of(scratch);
+  REQUIRE_FALSE(finish["simulation"]["findings"].empty());
+  const json& finding = finish["simulation"]["findings"][0];
+  CHECK(finding["kind"] == "beyond_travel");
+  CHECK(finding["against"] == "x-");
+  CHECK(finding["line"] == 9);
+  // The tip stands at -10.35375; the axis that tilts by 20 degrees is 270 mm above it.
+  CHECK(finding["depth_mm"].get<double>() ==
+        Approx(10.35375 + 270 * std::sin(20 * M_PI / 180) - 102).margin(1e-6));
 }
 
 }  // namespace limitgauge::e2e

@@ -22,7 +22,7 @@ void require_turning_tool(const Job& job, const JobStage& stage) {
                         "[tolerances]: figures over tolerances are proven for tools that stand "
                         "upright",
                         "a job without [tolerances]");
-  if (job.travel_mm && !stage.piece)
+  if (job.travel_mm && !stage.piece && !stage.plan)
     refuse_beside_turns(stage,
                         "\"travel\": where the machine's axes stand is not known of a path in the "
                         "part's frame",

@@ -129,8 +129,9 @@ std::vector<simulator::Finding> process_findings(const Job& job, const RunInputs
   simulator::ProcessLimits limits;
   limits.tolerance_mm = inputs.settings.contact_tolerance_mm;
   limits.near_miss_mm = near_miss_mm(job);
-  // Of a stretch its program's motions are held against it, by where the axes stand.
-  if (!asked.piece) limits.travel_mm = job.travel_mm;
+  // Of a stretch its program's motions are held against it, by where the axes stand; of a planned
+  // tool that leans they were when it was posted.
+  if (!asked.piece && !pass.axes) limits.travel_mm = job.travel_mm;
   limits.fixtures = inputs.fixtures;
   limits.carried = carried_bodies(job, asked, inputs.carried);
   const auto control = watch.control(asked.name + ": checking the process");

@@ -11,8 +11,10 @@
 #include "model/base/output_file.h"
 #include "model/gcode/cl_data.h"
 #include "model/gcode/program_path.h"
+#include "model/gcode/turning/axis_travel.h"
 #include "model/gcode/turning/turning_path.h"
 #include "model/gcode/turning/turning_program.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {
@@ -87,6 +89,25 @@ model::RotaryPath posted(const Job& job, std::size_t stage,
                       asked.cutter.radius_mm(), bend_mm, job.post.decimals});
 }
 
+/// Throws std::invalid_argument for a motion that takes X, Y or Z beyond the job's travel.
+void require_travel(const Job& job, const JobStage& asked, const model::Program& program,
+                    const model::PathOptions& options) {
+  if (!job.travel_mm) return;
+  const std::vector<model::TravelBreach> beyond = beyond_travel(program,
+                                                                {*job.machine.kinematics,
+                                                                 *job.travel_mm,
+                                                                 pose_of(options.machine_in_part),
+                                                                 {},
+                                                                 asked.tool_length_mm.value_or(0)},
+                                                                options.first, options.last);
+  if (beyond.empty()) return;
+  const model::TravelBreach& worst =
+      *std::ranges::max_element(beyond, {}, &model::TravelBreach::depth_mm);
+  throw std::invalid_argument("line " + std::to_string(worst.line) + " of its program takes " +
+                              "XYZ"[worst.axis] + (worst.above ? " above" : " below") +
+                              " its travel by " + model::six_digits(worst.depth_mm) + " mm");
+}
+
 /// As a program of somebody else's, from where its path begins.
 model::TurningPath read_turning(const Job& job, std::size_t stage, const std::string& text,
                                 std::uint32_t first_line, double chord_error_mm) {
@@ -101,6 +122,7 @@ model::TurningPath read_turning(const Job& job, std::size_t stage, const std::st
   options.kinematics = job.machine.kinematics;
   options.reach_mm = reach_mm(asked.cutter);
   options.first = static_cast<std::size_t>(first - program.motions.begin());
+  require_travel(job, asked, program, options);
   return to_turning_path(program, options);
 }
 

@@ -99,6 +99,8 @@ TEST_CASE("rows that cannot lean are one error with its place", "[e2e][setups]")
   CHECK_THAT(refusal({"stage.finish.strategy=steep_shallow"}),
              ContainsSubstring("\"tilt\" changes nothing"));
   CHECK_THAT(refusal({"stage.finish.tilt=61"}), ContainsSubstring("-60 to 60"));
+  CHECK_THAT(refusal({"stage.finish.tilt=-20", "machine.travel.y=[-20, 20]"}),
+             ContainsSubstring("of its program takes Y"));
 }
 
 }  // namespace limitgauge::e2e

@@ -39,11 +39,14 @@ stop_all() {
     wait "${daemons[i]}" 2>/dev/null || true
   done
   rm -rf "$folder"
+  # Last, so that it is among what is left of a long log.
+  [ -z "$reason" ] || echo "$reason"
   exit $code
 }
 trap stop_all EXIT
 trap 'exit 130' INT TERM
-fail() { echo "FAILED: $*"; exit 1; }
+reason=
+fail() { reason="FAILED: $*"; exit 1; }
 
 # Slurm's commands give up after MessageTimeout; on a busy machine the next try is answered.
 asked() { for _ in 1 2 3 4; do "$@" 2>/dev/null && return; sleep 0.5; done; "$@"; }

@@ -23,6 +23,7 @@ folder=$(mktemp -d /tmp/limitgauge-slurm-XXXXXX)
 chmod 711 "$folder"
 daemons=()
 study=
+reason=
 stop_all() {
   local code=$?
   trap - EXIT INT TERM
@@ -45,7 +46,6 @@ stop_all() {
 }
 trap stop_all EXIT
 trap 'exit 130' INT TERM
-reason=
 fail() { reason="FAILED: $*"; exit 1; }
 
 # Slurm's commands give up after MessageTimeout; on a busy machine the next try is answered.

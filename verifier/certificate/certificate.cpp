@@ -53,8 +53,8 @@ void see_longest(const CertificateTask& task, const std::vector<double>& looks,
   }
 }
 
-/// Searches some cells, each from what was found before. Neighbours, which cells with numbers near
-/// to each other are, one after the other: they ask about the same moves.
+/// Searches some cells, each from what was found before. Neighbours, whose numbers are near to each
+/// other, one after the other, as many for any number of threads: they ask about the same moves.
 std::vector<CellOutcome> search_batch(const CertificateTask& task,
                                       std::span<const std::size_t> cells, const CellOutcome& before,
                                       const model::RunControl& control) {

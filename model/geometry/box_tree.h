@@ -59,21 +59,28 @@ std::vector<std::pair<std::size_t, std::size_t>> element_ranges(const std::vecto
 /// Halves by the middle of the elements until no leaf has more than `leaf_size`.
 BoxTree box_tree(const std::vector<Box3>& boxes, std::uint32_t leaf_size);
 
-/// Walks a tree of boxes, the nearer child first, the left one of two equally near. `bound(node)`
-/// is a lower bound of what a node holds; `beyond(bound)` says that nothing so far away is of
-/// interest, and is asked again when a node's turn comes, since the search may have closed in;
-/// `visit(leaf)` looks at a leaf. Not to be called from within its own `visit` for the same kind of
-/// search: the stack is kept between calls.
+/// Walks what lies beneath some nodes of a tree of boxes, the nearer first, the left one of two
+/// equally near. `bound(node)` is a lower bound of what a node holds; `beyond(bound)` says that
+/// nothing so far away is of interest, and is asked again when a node's turn comes, since the
+/// search may have closed in; `visit(leaf)` looks at a leaf. Not to be called from within its own
+/// `visit` for the same kind of search: the stack is kept between calls. No node lies beneath
+/// another one of them.
 template <class Bound, class Beyond, class Visit>
-void nearest_first(const std::vector<BoxNode>& nodes, Bound&& bound, Beyond&& beyond,
-                   Visit&& visit) {
+void nearest_first(const std::vector<BoxNode>& nodes, std::span<const std::uint32_t> roots,
+                   Bound&& bound, Beyond&& beyond, Visit&& visit) {
   struct Entry {
     std::uint32_t node;
     double bound;
   };
   thread_local std::vector<Entry> stack;
   stack.clear();
-  if (!nodes.empty()) stack.push_back({0, bound(nodes[0])});
+  for (const std::uint32_t root : roots) {
+    const Entry entry{root, bound(nodes[root])};
+    if (!beyond(entry.bound)) stack.push_back(entry);
+  }
+  std::sort(stack.begin(), stack.end(), [](const Entry& a, const Entry& b) {
+    return a.bound != b.bound ? a.bound > b.bound : a.node > b.node;
+  });
   while (!stack.empty()) {
     const Entry at = stack.back();
     stack.pop_back();
@@ -86,9 +93,17 @@ void nearest_first(const std::vector<BoxNode>& nodes, Bound&& bound, Beyond&& be
     const Entry left{at.node + 1, bound(nodes[at.node + 1])};
     const Entry right{node.right, bound(nodes[node.right])};
     const bool left_first = left.bound <= right.bound;
-    stack.push_back(left_first ? right : left);
-    stack.push_back(left_first ? left : right);
+    for (const Entry& entry : {left_first ? right : left, left_first ? left : right})
+      if (!beyond(entry.bound)) stack.push_back(entry);
   }
+}
+
+/// The same of all of it.
+template <class Bound, class Beyond, class Visit>
+void nearest_first(const std::vector<BoxNode>& nodes, Bound&& bound, Beyond&& beyond,
+                   Visit&& visit) {
+  constexpr std::uint32_t kRoot = 0;
+  nearest_first(nodes, std::span(&kRoot, nodes.empty() ? 0 : 1), bound, beyond, visit);
 }
 
 }  // namespace limitgauge::model

@@ -76,10 +76,10 @@ std::array<RidgeCell, 2> halves_of(const RidgeCell& cell, const Vec3&, const Off
 class CellSearch {
  public:
   CellSearch(const CertificateTask& task, const CellOutcome& before,
-             const model::RunControl& control)
+             const model::RunControl& control, const std::shared_ptr<FarPasses>& far)
       : task_(task),
         control_(control),
-        bounds_(task.cells, task.space, task.side, task.request.allowance_mm, task.draws),
+        bounds_(task.cells, task.space, task.side, task.request.allowance_mm, task.draws, far),
         may_split_(before.cells < task.request.largest_cell_count && !is_open(before)) {
     out_.low = before.low, out_.high = before.high;
   }
@@ -310,9 +310,9 @@ double CertificateTask::goal(double low_mm) const {
 }
 
 CellOutcome search_cell(const CertificateTask& task, std::size_t index, const CellOutcome& before,
-                        const model::RunControl& control) {
+                        const model::RunControl& control, const std::shared_ptr<FarPasses>& far) {
   return task.with_cell(
-      index, [&](const auto& cell) { return CellSearch(task, before, control).run(cell); });
+      index, [&](const auto& cell) { return CellSearch(task, before, control, far).run(cell); });
 }
 
 }  // namespace limitgauge::verifier

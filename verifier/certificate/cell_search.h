@@ -118,8 +118,9 @@ inline CellMiddle middle_of(const RidgeCell& cell) {
 }
 
 /// Depth-first refinement of cell `index` of the task, from what the batches `before` it have
-/// found.
+/// found. `far` is kept from one neighbouring cell to the next: which bodies that are not near a
+/// proof looks at all the same may hang on it, and so how many cells it takes.
 CellOutcome search_cell(const CertificateTask& task, std::size_t index, const CellOutcome& before,
-                        const model::RunControl& control);
+                        const model::RunControl& control, const std::shared_ptr<FarPasses>& far);
 
 }  // namespace limitgauge::verifier

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <numeric>
+#include <span>
 
 #include "model/base/chunks.h"
 #include "verifier/certificate/run_bounds.h"
@@ -50,6 +53,27 @@ void see_longest(const CertificateTask& task, const std::vector<double>& looks,
   }
 }
 
+/// Searches some cells, each from what was found before. Neighbours, whose numbers are near to each
+/// other, one after the other, as many for any number of threads: they ask about the same moves.
+std::vector<CellOutcome> search_batch(const CertificateTask& task,
+                                      std::span<const std::size_t> cells, const CellOutcome& before,
+                                      const model::RunControl& control) {
+  constexpr std::size_t kMostNeighbours = 32, kLeastChunks = 64;
+  std::vector<std::size_t> places(cells.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::sort(places.begin(), places.end(),
+            [&](std::size_t a, std::size_t b) { return cells[a] < cells[b]; });
+  std::vector<CellOutcome> found(cells.size());
+  const std::size_t chunk =
+      std::clamp<std::size_t>(cells.size() / kLeastChunks, 1, kMostNeighbours);
+  model::parallel_chunks(places.size(), chunk, control, [&](std::size_t begin, std::size_t end) {
+    const auto far = std::make_shared<FarPasses>();
+    for (std::size_t i = begin; i < end; ++i)
+      found[places[i]] = search_cell(task, cells[places[i]], before, control, far);
+  });
+  return found;
+}
+
 /// Whether what is left need not be looked at.
 bool is_decided(const CertificateTask& task, const CellOutcome& found) {
   return task.request.decides_only && task.settled(found.low);
@@ -80,10 +104,7 @@ Certificate certify(const SurfaceCells& cells, const RemovedSpace& space, Side s
     control.check();
     control.report(static_cast<double>(at) / static_cast<double>(order.size()));
     const std::size_t count = std::min(batch, order.size() - at);
-    std::vector<CellOutcome> found(count);
-    model::parallel_for(count, control.threads, [&](std::size_t k) {
-      found[k] = search_cell(task, order[at + k], sum, control);
-    });
+    const auto found = search_batch(task, std::span(order).subspan(at, count), sum, control);
     for (const CellOutcome& o : found) sum.merge(o);
   }
   if (is_decided(task, sum)) sum.cover(std::numeric_limits<double>::infinity());

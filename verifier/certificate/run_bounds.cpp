@@ -44,11 +44,11 @@ OffsetCell beside(OffsetCell cell, const Vec3& way) {
 }  // namespace
 
 RunBounds::RunBounds(const SurfaceCells& cells, const RemovedSpace& space, Side side,
-                     double allowance_mm, const Draws* draws)
+                     double allowance_mm, const Draws* draws, std::shared_ptr<FarPasses> far)
     : cells_(cells),
       space_(space),
       draws_(draws),
-      far_(std::make_shared<FarPasses>()),
+      far_(far ? std::move(far) : std::make_shared<FarPasses>()),
       tracer_(cells, space, far_),
       bounder_(space, far_),
       side_(side),

@@ -36,9 +36,10 @@ struct Draws {
 class RunBounds {
  public:
   /// Runs at single points are those in `draws` where it is given, the longest over the corners and
-  /// the middle of its shifts.
+  /// the middle of its shifts. `far` is what other searches of the same space, thread and
+  /// neighbourhood have kept.
   RunBounds(const SurfaceCells& cells, const RemovedSpace& space, Side side, double allowance_mm,
-            const Draws* draws = nullptr);
+            const Draws* draws = nullptr, std::shared_ptr<FarPasses> far = nullptr);
 
   /// Longer than any run can be: no gate allows it.
   double longest_mm() const { return longest_mm_; }

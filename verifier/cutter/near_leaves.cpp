@@ -11,6 +11,9 @@ using model::Vec3;
 
 /// More leaves than this are no shorter than the way down from the root.
 constexpr std::size_t kMostLeaves = 96;
+/// Subtrees that searches begin with have about as many leaves, and there are no more of them.
+constexpr std::uint32_t kRootLeaves = 8;
+constexpr std::size_t kMostRoots = 64;
 /// Questions that a ring answers by its leaves, before its bodies are worked out.
 constexpr int kAskedBefore = 1;
 
@@ -49,13 +52,39 @@ bool NearLeaves::fill(Ring& ring, const Ring* wider, const PassBodies& bodies, c
     for (const std::uint32_t leaf : wider->leaves)
       if (near(leaf)) add(leaf);
   } else {
-    bodies.visit_leaves(near, [&](std::uint32_t leaf) {
+    bodies.visit_leaves(roots_near(bodies, p, ring.limit_mm), near, [&](std::uint32_t leaf) {
       add(leaf);
       return !ring.too_many;
     });
   }
   ring.known = !ring.too_many;
   return ring.known;
+}
+
+void NearLeaves::fill_roots(const PassBodies& bodies, const Vec3& p, double limit_mm) {
+  roots_.at = p, roots_.limit_mm = limit_mm + roots_.further_mm;
+  roots_.leaves.clear(), roots_.too_many = false;
+  bodies.visit_nodes(
+      bodies.root(), kRootLeaves,
+      [&](std::uint32_t node) {
+        return bodies.bound(bodies.nodes()[node], p, roots_.limit_mm) <= roots_.limit_mm;
+      },
+      [&](std::uint32_t node) {
+        roots_.too_many = roots_.leaves.size() == kMostRoots;
+        if (!roots_.too_many) roots_.leaves.push_back(node);
+        return !roots_.too_many;
+      });
+  roots_.known = !roots_.too_many;
+}
+
+std::span<const std::uint32_t> NearLeaves::roots_near(const PassBodies& bodies, const Vec3& p,
+                                                      double limit_mm) {
+  if (roots_.covers(p, limit_mm)) return roots_.leaves;
+  if (!roots_.is_crowded(p, limit_mm) && roots_.pays(p)) {
+    fill_roots(bodies, p, limit_mm);
+    if (roots_.known) return roots_.leaves;
+  }
+  return bodies.root();
 }
 
 std::span<const NearLeaves::Body> NearLeaves::bodies_in(const Ring& ring,

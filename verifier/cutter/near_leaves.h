@@ -36,6 +36,10 @@ class NearLeaves {
     bool pays(const model::Vec3& p);
   };
 
+  /// Nodes beneath which all bodies with d(p) ≤ limit_mm lie, in the order of the tree: the root,
+  /// or what a search begins with that need not go down from there. Not for passes that turn.
+  std::span<const std::uint32_t> roots_near(const PassBodies& bodies, const model::Vec3& p,
+                                            double limit_mm);
   /// A ring that holds all bodies with d(p) ≤ limit_mm; nothing where it is as well to begin at the
   /// root. Not for passes that turn their tool.
   const Ring* around(const PassBodies& bodies, const model::Vec3& p, double limit_mm);
@@ -46,8 +50,10 @@ class NearLeaves {
  private:
   bool fill(Ring& ring, const Ring* wider, const PassBodies& bodies, const model::Vec3& p,
             double limit_mm);
+  void fill_roots(const PassBodies& bodies, const model::Vec3& p, double limit_mm);
   static void add_bodies(Ring& ring, const PassBodies& bodies);
 
+  Ring roots_{1.0};  ///< as wide as all of them: subtrees in place of leaves
   /// The wider one first.
   std::array<Ring, 2> rings_ = {Ring{0.25}, Ring{0.05}};
 };

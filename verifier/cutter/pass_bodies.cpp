@@ -77,9 +77,27 @@ double PassBodies::bound(const model::BoxNode& node, const Vec3& p, double limit
   const auto at = static_cast<std::size_t>(&node - nodes_.data());
   if (turn()) return cones_[at].bound(profile_, size_mm_, node.box, p, half, limit_mm);
   // As from p to tips that may be as much further apart.
-  const double by_box = box_bound(profile_, {node.box.low - half, node.box.high + half}, p);
+  const Box3 tips{node.box.low - half, node.box.high + half};
+  if (profile_.is_ball()) return ball_bound(at, tips, p, limit_mm, half);
+  const double by_box = box_bound(profile_, tips, p);
   if (by_box > limit_mm || tilted_.empty()) return by_box;
   return std::max(by_box, tilted_[at].bound(profile_, p, half));
+}
+
+/// By squares, of which most are beyond the limit: one root is worked out, and of few nodes.
+double PassBodies::ball_bound(std::size_t node, const Box3& tips, const Vec3& p, double limit_mm,
+                              const Vec3& half) const {
+  constexpr double kBeyond = std::numeric_limits<double>::infinity();
+  const double reach = limit_mm + profile_.rounding_mm + kDistanceRounding_mm;
+  const double over = p.z - (tips.high.z + profile_.top_mm);
+  if (reach < 0 || over > limit_mm) return kBeyond;
+  double square = square_from_cores(profile_, tips, p);
+  if (square > reach * reach) return kBeyond;
+  if (!tilted_.empty() && tilted_[node].is_above(profile_, p, half)) {
+    square = std::max(square, tilted_[node].square(profile_, p, half));
+    if (square > reach * reach) return kBeyond;
+  }
+  return std::max(std::sqrt(square) - profile_.rounding_mm - kDistanceRounding_mm, over);
 }
 
 double PassBodies::bound_at(std::uint32_t place, const Vec3& p, double limit_mm,

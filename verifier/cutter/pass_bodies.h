@@ -33,17 +33,25 @@ class PassBodies {
   bool turn() const { return !turning_.empty(); }
 
   /// A lower bound of d over a node's bodies and all points no further from p along each axis than
-  /// `half`: the dearer one where the cheaper is not beyond `limit_mm`.
+  /// `half`: the dearer one where the cheaper is not beyond `limit_mm`. Beyond that it may be any.
   double bound(const model::BoxNode& node, const model::Vec3& p, double limit_mm,
                const model::Vec3& half = {}) const;
   /// The same of the body at a place.
   double bound_at(std::uint32_t place, const model::Vec3& p, double limit_mm,
                   const model::Vec3& half = {}) const;
 
-  /// Calls `take(leaf)` for the leaves in nodes that are all `near(node)`, in the order of the
-  /// tree, until it says false; both by the node's number.
+  /// The whole tree, as what a search begins with.
+  std::span<const std::uint32_t> root() const { return std::span(&kRoot, nodes_.empty() ? 0 : 1); }
+  /// Calls `take(leaf)` for the leaves beneath `roots` in nodes that are all `near(node)`, in the
+  /// order of the tree, until it says false; both by the node's number.
   template <class Near, class Take>
-  void visit_leaves(Near&& near, Take&& take) const;
+  void visit_leaves(std::span<const std::uint32_t> roots, Near&& near, Take&& take) const {
+    visit_nodes(roots, 1, near, take);
+  }
+  /// The same of the first nodes on the way down with no more than about `most_leaves`.
+  template <class Near, class Take>
+  void visit_nodes(std::span<const std::uint32_t> roots, std::uint32_t most_leaves, Near&& near,
+                   Take&& take) const;
 
   /// Where d is above `beyond_mm` it may be any value that is so too.
   double value_at(std::uint32_t place, const model::Vec3& p,
@@ -61,7 +69,15 @@ class PassBodies {
                   const model::Vec3& middle, double enough_mm) const;
 
  private:
+  static constexpr std::uint32_t kRoot = 0;
+
   void take_order(model::BoxTree tree);
+  double ball_bound(std::size_t node, const model::Box3& tips, const model::Vec3& p,
+                    double limit_mm, const model::Vec3& half) const;
+  bool has_leaves(std::uint32_t node, std::uint32_t most) const {
+    // The left half lies between the node and the right one, an inner node for each leaf but one.
+    return nodes_[node].count > 0 || nodes_[node].right - node <= most;
+  }
 
   CutterProfile profile_;
   std::vector<SweptBody> upright_;
@@ -76,16 +92,16 @@ class PassBodies {
 };
 
 template <class Near, class Take>
-void PassBodies::visit_leaves(Near&& near, Take&& take) const {
+void PassBodies::visit_nodes(std::span<const std::uint32_t> roots, std::uint32_t most_leaves,
+                             Near&& near, Take&& take) const {
   // On the heap of the thread, kept between queries: a tree over millions of moves is deep.
   thread_local std::vector<std::uint32_t> stack;
-  stack.clear();
-  if (!nodes_.empty()) stack.push_back(0);
+  stack.assign(roots.rbegin(), roots.rend());
   while (!stack.empty()) {
     const std::uint32_t at = stack.back();
     stack.pop_back();
     if (!near(at)) continue;
-    if (nodes_[at].count == 0) {
+    if (!has_leaves(at, most_leaves)) {
       stack.push_back(nodes_[at].right);
       stack.push_back(at + 1);
     } else if (!take(at)) {

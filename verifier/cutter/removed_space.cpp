@@ -94,18 +94,34 @@ void RemovedSpace::add_sweep(const Sweep& sweep) {
 /// depend on where the search began.
 void RemovedSpace::nearest_in(std::uint32_t pass, const Vec3& at, Nearest& best,
                               FarPasses* far) const {
-  const PassBodies& bodies = *passes_[pass];
   const Vec3 p = passes_[pass].place(at - shift_);
   const auto beyond = [&] { return best.distance.value + kSameDistance_mm; };
   if (const auto* ring = near_ring(pass, p, beyond(), far))
     return offer_ring(pass, *ring, p, best, *far);
+  nearest_by_tree(pass, p, best, far);
+}
+
+/// The same without the leaves that are known to be near.
+void RemovedSpace::nearest_by_tree(std::uint32_t pass, const Vec3& p, Nearest& best,
+                                   FarPasses* far) const {
+  const PassBodies& bodies = *passes_[pass];
+  const auto beyond = [&] { return best.distance.value + kSameDistance_mm; };
   model::nearest_first(
-      bodies.nodes(), [&](const model::BoxNode& node) { return bodies.bound(node, p, beyond()); },
+      bodies.nodes(), roots_near(pass, p, beyond(), far),
+      [&](const model::BoxNode& node) { return bodies.bound(node, p, beyond()); },
       [&](double bound) { return bound > beyond(); },
       [&](const model::BoxNode& leaf) {
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
           offer_body(pass, k, p, best);
       });
+}
+
+/// What a search for all of a pass within a limit of p, in its own frame, begins with.
+std::span<const std::uint32_t> RemovedSpace::roots_near(std::uint32_t pass, const Vec3& p,
+                                                        double limit_mm, FarPasses* far) const {
+  const PassBodies& bodies = *passes_[pass];
+  if (!far || bodies.turn() || !std::isfinite(limit_mm)) return bodies.root();
+  return far->near(pass).roots_near(bodies, p, limit_mm);
 }
 
 /// What of a pass lies within a limit of p, in its own frame, where that is known.
@@ -162,7 +178,7 @@ void RemovedSpace::nearest_if_near(std::uint32_t pass, const Vec3& p, Nearest& b
   if (!std::isfinite(best.distance.value) || best.body.pass == pass || !far.pays(pass, p))
     return nearest_in(pass, p, best, &far);
   Nearest own{{pass + 1, 0}, {best.distance.value + FarPasses::kFurther_mm, {}, 0}};
-  nearest_in(pass, p, own);
+  nearest_by_tree(pass, passes_[pass].place(p - shift_), own, &far);
   far.learn(pass, p, own.distance.value);
   const bool first = own.distance.value == best.distance.value && own.body < best.body;
   if (own.body.pass == pass && (own.distance.value < best.distance.value || first)) best = own;
@@ -218,7 +234,8 @@ void RemovedSpace::nearest_of_stock(const Vec3& p, Nearest& best) const {
 /// Calls `take(place of the body)` for all bodies of a pass in nodes that are `near`, or in those
 /// of the leaves given that are.
 template <class Near, class Take>
-void RemovedSpace::visit_near(const PassBodies& bodies, const NearLeaves::Ring* ring, Near&& near,
+void RemovedSpace::visit_near(const PassBodies& bodies, const NearLeaves::Ring* ring,
+                              std::span<const std::uint32_t> roots, Near&& near,
                               Take&& take) const {
   const auto is_near = [&](std::uint32_t node) { return near(bodies.nodes()[node]); };
   const auto take_all = [&](std::uint32_t node) {
@@ -226,7 +243,7 @@ void RemovedSpace::visit_near(const PassBodies& bodies, const NearLeaves::Ring* 
     for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) take(k);
     return true;
   };
-  if (!ring) return bodies.visit_leaves(is_near, take_all);
+  if (!ring) return bodies.visit_leaves(roots, is_near, take_all);
   for (const std::uint32_t leaf : ring->leaves)
     if (is_near(leaf)) take_all(leaf);
 }
@@ -243,7 +260,7 @@ void RemovedSpace::within_pass(std::uint32_t pass, const Vec3& p, double limit_m
       ring ? far->near(pass).bodies_in(*ring, bodies) : std::span<const NearLeaves::Body>{};
   if (known.empty())
     return visit_near(
-        bodies, ring,
+        bodies, ring, roots_near(pass, p, limit_mm, ring ? nullptr : far),
         [&](const model::BoxNode& node) { return bodies.bound(node, p, limit_mm) <= limit_mm; },
         take);
   const std::size_t first = out.size();
@@ -274,8 +291,9 @@ void RemovedSpace::within(const Box3& box, double limit_mm, std::vector<BodyRef>
     if (far && far->bound(pass, at) > all_mm) continue;
     const PassBodies& bodies = *passes_[pass];
     const Vec3 centre = passes_[pass].place(at - shift_), half = passes_[pass].half(radii);
+    const auto* ring = near_ring(pass, centre, all_mm, far);
     visit_near(
-        bodies, near_ring(pass, centre, all_mm, far),
+        bodies, ring, roots_near(pass, centre, all_mm, ring ? nullptr : far),
         [&](const model::BoxNode& node) {
           return bodies.bound(node, centre, limit_mm, half) <= limit_mm;
         },

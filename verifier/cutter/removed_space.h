@@ -149,11 +149,15 @@ class RemovedSpace {
 
   void add_sweep(const Sweep& sweep);
   template <class Near, class Take>
-  void visit_near(const PassBodies& bodies, const NearLeaves::Ring* ring, Near&& near,
-                  Take&& take) const;
+  void visit_near(const PassBodies& bodies, const NearLeaves::Ring* ring,
+                  std::span<const std::uint32_t> roots, Near&& near, Take&& take) const;
   void stock_within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out) const;
   void nearest_in(std::uint32_t pass, const model::Vec3& p, Nearest& best,
                   FarPasses* far = nullptr) const;
+  void nearest_by_tree(std::uint32_t pass, const model::Vec3& p, Nearest& best,
+                       FarPasses* far) const;
+  std::span<const std::uint32_t> roots_near(std::uint32_t pass, const model::Vec3& p,
+                                            double limit_mm, FarPasses* far) const;
   const NearLeaves::Ring* near_ring(std::uint32_t pass, const model::Vec3& p, double limit_mm,
                                     FarPasses* far) const;
   void offer_ring(std::uint32_t pass, const NearLeaves::Ring& ring, const model::Vec3& p,

@@ -68,8 +68,8 @@ double clear_up_to(Room&& room, double limit_mm) {
   return t;
 }
 
-/// Meetings that are further away are looked for from the root.
-constexpr double kNearMeeting_mm = 0.1;
+/// Meetings that are further away are looked for among what is near, or from the root.
+constexpr double kNearMeeting_mm = 0.1, kNearRoots_mm = 0.5;
 
 /// Of a turning body the exact distance only where it is near: afar a step that is a little shorter
 /// than it might be costs less.
@@ -116,8 +116,13 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3
   const PassBodies& bodies = *passes_[pass];
   const double near = near_mm(rule) + kDistanceRounding_mm;
   const auto start_of = [&](const model::BoxNode& node) {
-    return clear_up_to([&](double t) { return bodies.bound(node, p + ray * t, near) - near; },
-                       first.t_mm);
+    return clear_up_to(
+        [&](double t) {
+          // What is further away than the rest of the ray need not be known better.
+          const double limit = bodies.turn() ? near : near + first.t_mm - t;
+          return bodies.bound(node, p + ray * t, limit) - near;
+        },
+        first.t_mm);
   };
   const auto look = [&](const model::BoxNode& leaf) {
     for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
@@ -132,7 +137,9 @@ void RemovedSpace::first_met_in(std::uint32_t pass, const Vec3& from, const Vec3
       first.t_mm <= kNearMeeting_mm ? near_ring(pass, p, near + first.t_mm, far) : nullptr;
   if (!ring)
     return model::nearest_first(
-        bodies.nodes(), start_of, [&](double start) { return start >= first.t_mm; }, look);
+        bodies.nodes(),
+        roots_near(pass, p, near + first.t_mm, first.t_mm <= kNearRoots_mm ? far : nullptr),
+        start_of, [&](double start) { return start >= first.t_mm; }, look);
   for (const std::uint32_t leaf : ring->leaves)
     if (const model::BoxNode& node = bodies.nodes()[leaf]; start_of(node) < first.t_mm) look(node);
 }

@@ -211,13 +211,12 @@ void body_values(const CutterProfile& profile, const SweptBody& body, const Bezi
 }
 
 double box_bound(const CutterProfile& profile, const model::Box3& tips, const Vec3& p) {
-  const double dx = std::max({tips.low.x - p.x, 0.0, p.x - tips.high.x});
-  const double dy = std::max({tips.low.y - p.y, 0.0, p.y - tips.high.y});
   if (profile.is_ball()) {
-    const double dz = std::max(0.0, tips.low.z + profile.rounding_mm - p.z);
-    const double open = std::sqrt(dx * dx + dy * dy + dz * dz) - profile.rounding_mm;
+    const double open = std::sqrt(square_from_cores(profile, tips, p)) - profile.rounding_mm;
     return std::max(open, p.z - (tips.high.z + profile.top_mm));
   }
+  const double dx = std::max({tips.low.x - p.x, 0.0, p.x - tips.high.x});
+  const double dy = std::max({tips.low.y - p.y, 0.0, p.y - tips.high.y});
   // The endless cutter holds the body and only widens upwards: its lowest tip reaches furthest.
   const double open = open_value(profile, std::sqrt(dx * dx + dy * dy), p.z - tips.low.z);
   return std::max(open, p.z - (tips.high.z + profile.top_mm));

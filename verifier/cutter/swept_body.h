@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "verifier/cutter/cutter_profile.h"
@@ -43,6 +44,14 @@ double body_value(const CutterProfile& profile, const SweptBody& body, const mod
 /// body_value at the sixteen control points of `cell`.
 void body_values(const CutterProfile& profile, const SweptBody& body, const Bezier& cell,
                  std::array<double, 16>& out);
+/// Of a ball: the square of the distance from p to all its cores may be, its tips in `tips`.
+inline double square_from_cores(const CutterProfile& ball, const model::Box3& tips,
+                                const model::Vec3& p) {
+  const double dx = std::max({tips.low.x - p.x, 0.0, p.x - tips.high.x});
+  const double dy = std::max({tips.low.y - p.y, 0.0, p.y - tips.high.y});
+  const double dz = std::max(0.0, tips.low.z + ball.rounding_mm - p.z);
+  return dx * dx + dy * dy + dz * dz;
+}
 /// A lower bound of d(p) over all moves whose tips stay in `tips`.
 double box_bound(const CutterProfile& profile, const model::Box3& tips, const model::Vec3& p);
 

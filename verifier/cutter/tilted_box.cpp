@@ -62,8 +62,12 @@ bool TiltedBox::serves(const CutterProfile& profile) {
 /// below all of these the nearest is on the discs themselves, which reach over the sides of the
 /// tips' box by what they measure that way.
 double TiltedBox::bound(const CutterProfile& profile, const Vec3& p, const Vec3& half) const {
+  if (!is_above(profile, p, half)) return -std::numeric_limits<double>::infinity();
+  return std::sqrt(square(profile, p, half)) - profile.rounding_mm - kDistanceRounding_mm;
+}
+
+double TiltedBox::square(const CutterProfile& profile, const Vec3& p, const Vec3& half) const {
   const Vec3 q{p.x, p.y, p.z - profile.core_mm};
-  if (q.z + half.z > lowest_z_) return -std::numeric_limits<double>::infinity();
   double square = 0;
   const auto add = [&](const Vec3& axis, double level, double low, double high) {
     const double at = dot(axis, q);
@@ -74,7 +78,7 @@ double TiltedBox::bound(const CutterProfile& profile, const Vec3& p, const Vec3&
   add(normal_, level_.x, low_.x, high_.x);
   add(side_, level_.y, low_.y, high_.y);
   add(third_, level_.z, low_.z, high_.z);
-  return std::sqrt(square) - profile.rounding_mm - kDistanceRounding_mm;
+  return square;
 }
 
 std::vector<TiltedBox> tilted_boxes(const std::vector<model::BoxNode>& nodes,

@@ -31,6 +31,13 @@ class TiltedBox {
   double bound(const CutterProfile& profile, const model::Vec3& p,
                const model::Vec3& half = {}) const;
 
+  /// Whether all cores are above all of those points, so that it says something.
+  bool is_above(const CutterProfile& profile, const model::Vec3& p, const model::Vec3& half) const {
+    return p.z - profile.core_mm + half.z <= lowest_z_;
+  }
+  /// Where it does, the square of how far the cores are, but for rounding.
+  double square(const CutterProfile& profile, const model::Vec3& p, const model::Vec3& half) const;
+
  private:
   model::Vec3 normal_, side_, third_;  ///< of the sheet, upwards; a level one along it; across both
   model::Vec3 level_;                  ///< length of each of them in plan

@@ -128,15 +128,33 @@ bool CellClassifier::clears(const CellContact& c, const std::optional<ClearedRec
   if (c.over_contact_plane(dot(c.normal(), centre) + radius + kDistanceRounding_mm, apart) <=
       reachability_.contact_mm())
     return true;
-  const double base = d.value - dot(d.gradient, centre);
-  const Bezier& shape = other.cell->shape;
-  const double least = control_range(shape, 0, d.gradient).low;
-  if (base + least - c.largest_shift(d.gradient) >= limit_) return true;
-  const double along = control_range(shape, 0, c.normal()).high;
-  if (c.over_contact_plane(along, apart) <= reachability_.contact_mm()) return true;
+  if (clears_by_distance(c, other, d) || clears_by_plane(c, other, apart)) return true;
   if (radius < c.radius() / 2) return false;
   auto& parts = CellHalves::halves_of(other);
   return clears(c, cleared, parts[0], witness) && clears(c, cleared, parts[1], witness);
+}
+
+/// By the supporting plane of the distance `d` at the other cell's middle. The middle is in the
+/// hull of the control points, whose ranges are looked at where they decide.
+bool CellClassifier::clears_by_distance(const CellContact& c, const CellHalves::Part& other,
+                                        const BodyDistance& d) const {
+  const double turning = c.turning_shift(d.gradient);
+  if (d.value - turning + kDistanceRounding_mm < limit_) return false;
+  const double base = d.value - dot(d.gradient, other.middle);
+  const double least = base + control_range(other.cell->shape, 0, d.gradient).low;
+  if (least - turning + kDistanceRounding_mm < limit_) return false;
+  if (least - turning - c.radius() - kDistanceRounding_mm >= limit_) return true;
+  return least - c.largest_shift(d.gradient) >= limit_;
+}
+
+/// By the contact plane, over points no further than `apart` from the middle of the contact.
+bool CellClassifier::clears_by_plane(const CellContact& c, const CellHalves::Part& other,
+                                     double apart) const {
+  const auto below = [&](double along) {
+    return c.over_contact_plane(along, apart) <= reachability_.contact_mm();
+  };
+  if (!below(dot(c.normal(), other.middle) - kDistanceRounding_mm)) return false;
+  return below(control_range(other.cell->shape, 0, c.normal()).high);
 }
 
 /// The middle of a cell of S that the cutter cuts into deepest: what is shallower than the

@@ -45,6 +45,9 @@ class CellClassifier {
   bool below_contact_plane(const CellContact& c, const model::Box3& box) const;
   bool clears(const CellContact& c, const std::optional<ClearedRect>& cleared,
               CellHalves::Part& other, std::optional<model::Vec3>& witness) const;
+  bool clears_by_distance(const CellContact& c, const CellHalves::Part& other,
+                          const BodyDistance& d) const;
+  bool clears_by_plane(const CellContact& c, const CellHalves::Part& other, double apart) const;
   std::optional<model::Vec3> deepest_middle(const model::Vec3& tip) const;
   bool bars_all(const model::Vec3& q, const CellContact& contact) const;
   bool refute(OpenCell& open, const SurfaceCell& cell, const CellContact& contact) const;

@@ -65,11 +65,14 @@ CellContact CellContact::displaced(const Vec3& shift) const {
 }
 
 double CellContact::largest_shift(const Vec3& g) const {
-  const double linear = control_range(cell_.shape, 0, g).high;
+  return control_range(cell_.shape, 0, g).high - dot(g, middle()) + turning_shift(g);
+}
+
+double CellContact::turning_shift(const Vec3& g) const {
   const double by_normal = dot(g, normal());
   const double across = length(g - normal() * by_normal);
-  double shift = linear - dot(g, middle());
-  shift += reach_ * (turn_by_alpha_.x * across + turn_by_alpha_.y * std::max(0.0, -by_normal));
+  double shift =
+      reach_ * (turn_by_alpha_.x * across + turn_by_alpha_.y * std::max(0.0, -by_normal));
   if (flat_ > 0) {
     const double aside = std::abs(g.y * direction_.x - g.x * direction_.y);
     const double back = std::max(0.0, -dot(g, direction_));

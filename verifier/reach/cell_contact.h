@@ -49,6 +49,8 @@ class CellContact {
 
   /// Greatest g·(T(s) − T₀).
   double largest_shift(const model::Vec3& g) const;
+  /// Of it what normals turn that way take: the rest is from 0 to radius() for a unit vector g.
+  double turning_shift(const model::Vec3& g) const;
   /// Greatest n(s)·(q − s) over the cell and over all q with n₀·q ≤ `along` within `apart` of the
   /// middle. The contact plane bounds the cutter: d(q − T(s)) ≥ a − n(s)·(q − s).
   double over_contact_plane(double along, double apart) const;

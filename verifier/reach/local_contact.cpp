@@ -92,27 +92,25 @@ struct LocalContact::Frame {
 
 namespace {
 
-/// Clearances that hold for all w = q − s of length up to `far`, rising by up to `rise`; any of
-/// them suffices. k is the curvature of the circle in which the cutter's rounding touches, R′ its
-/// rounding with the allowance, and within the angle `free` of the contact the section is round.
-std::vector<Clearance> clearances(const CellContact& c, double reach, double far, double rise) {
-  std::vector<Clearance> out;
+/// Whether one of the clearances that hold for all w = q − s of length up to `far`, rising by up to
+/// `rise`, `serves`; any of them suffices. k is the curvature of the circle in which the cutter's
+/// rounding touches, R′ its rounding with the allowance, and within the angle `free` of the contact
+/// the section is round.
+template <class Serves>
+bool any_clearance(const CellContact& c, double reach, double far, double rise, Serves&& serves) {
   const double top = std::min(c.tilt() + c.alpha(), std::numbers::pi / 2),
                low = std::max(0.0, c.tilt() - c.alpha());
   if (c.profile().flat_mm <= 0 && reach > 0 && rise <= reach * std::cos(top))
-    out.push_back({1 / reach, 1 / reach, 0});
-  if (c.turning() || c.level()) {
-    out.push_back({0, 0, 0});
-    return out;
-  }
+    if (serves(Clearance{1 / reach, 1 / reach, 0})) return true;
+  if (c.turning() || c.level()) return serves(Clearance{0, 0, 0});
   // No point of the cutter near the contact lies further from its axis; a straight wall ends it.
   double furthest = c.profile().flat_mm + reach * std::sin(top) + far;
   if (c.profile().slope == 0) furthest = std::min(furthest, c.profile().flat_mm + reach);
   const double k = 1 / furthest;
   const double across = std::sin(low) * k, turn = c.beta() + c.alpha();
-  out.push_back({0, across, c.beta()});
+  if (serves(Clearance{0, across, c.beta()})) return true;
   const double free = std::min(low, std::numbers::pi / 2 - std::atan(c.profile().slope) - top);
-  if (free <= 0 || c.profile().flat_mm <= 0) return out;
+  if (free <= 0 || c.profile().flat_mm <= 0) return false;
   const double y = far + k * far * far / 2;
   double bend = reach > 0 ? 1 / reach : 1e300;
   if (y > reach * std::sin(free))
@@ -122,10 +120,10 @@ std::vector<Clearance> clearances(const CellContact& c, double reach, double far
                              0.21,  0.25, 0.3,  0.35, 0.42, 0.5,  0.6,  0.7, 0.85, 1.0}) {
     const double meridian = share * bend / 2, rest = across - meridian * 2 * k * k * far * far / 4;
     if (rest < 0) continue;
-    out.push_back({meridian, rest, turn});
-    out.push_back({std::min(meridian, rest), std::min(meridian, rest), 0});
+    const double both = std::min(meridian, rest);
+    if (serves(Clearance{meridian, rest, turn}) || serves(Clearance{both, both, 0})) return true;
   }
-  return out;
+  return false;
 }
 
 bool positive(const Interval& uu, const Interval& uv, const Interval& vv) {
@@ -231,16 +229,16 @@ bool LocalContact::proven(const ParameterRect& area, const ParameterRect& own,
   // What may be cut into, less what the turn of a normal on a wall takes.
   const double slack = contact_mm_ - kContactTurn_rad * far;
   if (slack < 0) return false;
-  for (const Clearance& c : clearances(contact, reach, far, rise)) {
+  const auto serves = [&](const Clearance& c) {
     const Interval ut = s.ut.widened(c.turn * s.u), ub = s.ub.widened(c.turn * s.u),
                    vt = s.vt.widened(c.turn * s.v), vb = s.vb.widened(c.turn * s.v);
     const Interval uu = c.along * square(ut) + c.across * square(ub) + (-1.0) * s.uu,
                    uv = c.along * (ut * vt) + c.across * (ub * vb) + (-1.0) * s.uv,
                    vv = c.along * square(vt) + c.across * square(vb) + (-1.0) * s.vv;
     const double on_u = slack / (x * x), on_v = slack / (y * y);
-    if (positive(uu + Interval{on_u, on_u}, uv, vv + Interval{on_v, on_v})) return true;
-  }
-  return false;
+    return positive(uu + Interval{on_u, on_u}, uv, vv + Interval{on_v, on_v});
+  };
+  return any_clearance(contact, reach, far, rise, serves);
 }
 
 std::optional<ClearedRect> LocalContact::clear(const SurfaceCell& cell,

@@ -68,12 +68,6 @@ std::optional<bool> any_below(const StandingPart& part, const Bezier& cell, cons
 
 }  // namespace
 
-double standing_bound(const CutterProfile& profile, const Vec3& tip, const model::Box3& box) {
-  const double dx = std::max({box.low.x - tip.x, 0.0, tip.x - box.high.x});
-  const double dy = std::max({box.low.y - tip.y, 0.0, tip.y - box.high.y});
-  return open_value(profile, std::sqrt(dx * dx + dy * dy), box.high.z - tip.z);
-}
-
 Reachability::Reachability(const SurfaceCells& cells, const CutterProfile& profile,
                            double allowance_mm, double contact_mm)
     : cells_(&cells),

@@ -93,6 +93,11 @@ class Reachability {
 
 /// A lower bound of the signed distance from the points of `box` to the endless cutter standing at
 /// `tip`.
-double standing_bound(const CutterProfile& profile, const model::Vec3& tip, const model::Box3& box);
+inline double standing_bound(const CutterProfile& profile, const model::Vec3& tip,
+                             const model::Box3& box) {
+  const double dx = std::max({box.low.x - tip.x, 0.0, tip.x - box.high.x});
+  const double dy = std::max({box.low.y - tip.y, 0.0, tip.y - box.high.y});
+  return open_value(profile, std::sqrt(dx * dx + dy * dy), box.high.z - tip.z);
+}
 
 }  // namespace limitgauge::verifier

@@ -1,5 +1,7 @@
 #include "verifier/surface/bezier.h"
 
+#include "verifier/surface/lanes.h"
+
 namespace limitgauge::verifier {
 namespace {
 
@@ -220,42 +222,63 @@ Bezier shifted(Bezier b, const Vec3& by) {
   return b;
 }
 
-model::Box3 control_box(const Bezier& b) {
-  model::Box3 box;
-  for (int k = 0; k < 16; ++k) box.add(b.control(k));
-  return box;
-}
-
 namespace {
 
-/// Four columns of control points at a time, which share registers: the least and the greatest of
-/// numbers do not depend on their order.
-constexpr int kLanes = 4;
-using Lanes = std::array<double, kLanes>;
+/// Of four columns of control points at a time, by halves: the least and the greatest of numbers do
+/// not depend on their order.
+struct Columns {
+  Lanes left, right;
+
+  double least() const {
+    return std::min(std::min(left[0], left[1]), std::min(right[0], right[1]));
+  }
+  double greatest() const {
+    return std::max(std::max(left[0], left[1]), std::max(right[0], right[1]));
+  }
+};
+
+/// Of `at(k)`, a pair of numbers of the control points from k on.
+template <class At>
+Columns least_of_columns(At&& at) {
+  Columns out{at(0), at(2)};
+  for (int row = 4; row < 16; row += 4)
+    out = {lesser(out.left, at(row)), lesser(out.right, at(row + 2))};
+  return out;
+}
+template <class At>
+Columns greatest_of_columns(At&& at) {
+  Columns out{at(0), at(2)};
+  for (int row = 4; row < 16; row += 4)
+    out = {greater(out.left, at(row)), greater(out.right, at(row + 2))};
+  return out;
+}
 
 }  // namespace
 
+model::Box3 control_box(const Bezier& b) {
+  const auto least = [](const std::array<double, 16>& c) {
+    return least_of_columns([&](int k) { return lanes_at(c, k); }).least();
+  };
+  const auto greatest = [](const std::array<double, 16>& c) {
+    return greatest_of_columns([&](int k) { return lanes_at(c, k); }).greatest();
+  };
+  return {{least(b.x), least(b.y), least(b.z)}, {greatest(b.x), greatest(b.y), greatest(b.z)}};
+}
+
 model::Interval control_range(const Bezier& b, double base, const Vec3& g) {
-  Lanes low, high;
-  for (int row = 0; row < 16; row += kLanes)
-    for (int k = 0; k < kLanes; ++k) {
-      const double at = base + g.x * b.x[row + k] + g.y * b.y[row + k] + g.z * b.z[row + k];
-      low[k] = row == 0 ? at : std::min(low[k], at);
-      high[k] = row == 0 ? at : std::max(high[k], at);
-    }
-  return {std::min(std::min(low[0], low[1]), std::min(low[2], low[3])),
-          std::max(std::max(high[0], high[1]), std::max(high[2], high[3]))};
+  std::array<double, 16> values;
+  for (int k = 0; k < 16; ++k) values[k] = base + g.x * b.x[k] + g.y * b.y[k] + g.z * b.z[k];
+  const auto at = [&](int k) { return lanes_at(values, k); };
+  return {least_of_columns(at).least(), greatest_of_columns(at).greatest()};
 }
 
 double control_radius(const Bezier& b, const Vec3& centre) {
-  Lanes squared{};
-  for (int row = 0; row < 16; row += kLanes)
-    for (int k = 0; k < kLanes; ++k) {
-      const double dx = b.x[row + k] - centre.x, dy = b.y[row + k] - centre.y,
-                   dz = b.z[row + k] - centre.z;
-      squared[k] = std::max(squared[k], dx * dx + dy * dy + dz * dz);
-    }
-  return std::sqrt(std::max(std::max(squared[0], squared[1]), std::max(squared[2], squared[3])));
+  std::array<double, 16> squared;
+  for (int k = 0; k < 16; ++k) {
+    const double dx = b.x[k] - centre.x, dy = b.y[k] - centre.y, dz = b.z[k] - centre.z;
+    squared[k] = dx * dx + dy * dy + dz * dz;
+  }
+  return std::sqrt(greatest_of_columns([&](int k) { return lanes_at(squared, k); }).greatest());
 }
 
 }  // namespace limitgauge::verifier

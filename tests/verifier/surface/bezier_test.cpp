@@ -60,6 +60,10 @@ TEST_CASE("a plane's range over the control points is that of them one by one", 
     CHECK(control_range(b, 0.3, g).low == range.low);
     CHECK(control_range(b, 0.3, g).high == range.high);
     CHECK(control_radius(b, g) == radius);
+    model::Box3 box;
+    for (int k = 0; k < 16; ++k) box.add(b.control(k));
+    CHECK(control_box(b).low == box.low);
+    CHECK(control_box(b).high == box.high);
   }
 }
 

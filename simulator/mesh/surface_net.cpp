@@ -118,21 +118,29 @@ void place_cell(const NetCells::Cell& cell, const LeafPatch& patch, const Index3
     vertices[cell.first_vertex + c] = placer.place(at, {crossings[c].data(), count[c]});
 }
 
-// The cells of a leaf, cube by cube of four and of two cells.
-Index3 cell_in_cubes(int n) {
+// Of a leaf, cube by cube of four and of two cells: the n-th.
+constexpr Index3 cell_in_cubes(int n) {
   const auto bits = [n](int low) {
     return (n >> (low + 6) & 1) << 2 | (n >> (low + 3) & 1) << 1 | (n >> low & 1);
   };
   return {bits(2), bits(1), bits(0)};
 }
 
+// All of them: leaf by leaf they are gone through for the few that the surface passes through.
+constexpr std::array<Index3, kLeafCells> cells_in_cubes() {
+  std::array<Index3, kLeafCells> cells{};
+  for (int n = 0; n < kLeafCells; ++n) cells[static_cast<std::size_t>(n)] = cell_in_cubes(n);
+  return cells;
+}
+constexpr std::array<Index3, kLeafCells> kCellsInCubes = cells_in_cubes();
+
 void place_leaf(const NetLeaf& leaf, const LeafPatch& patch, const Index3& corner,
                 const Lattice& lattice, NetPlacer& placer, std::vector<Vec3>& vertices) {
-  for (int n = 0; n < kLeafCells; ++n) {
-    const Index3 c = cell_in_cubes(n);
+  for (const Index3& c : kCellsInCubes) {
     const int at = leaf_place(c[0], c[1], c[2]);
+    if (leaf.signs[at] == 0 || leaf.signs[at] == 255) continue;
     const NetCells::Cell cell{leaf.signs[at], leaf.first_vertex + leaf.vertex[at]};
-    if (cell.cycles().count > 0) place_cell(cell, patch, c, corner, lattice, placer, vertices);
+    place_cell(cell, patch, c, corner, lattice, placer, vertices);
   }
 }
 

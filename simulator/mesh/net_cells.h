@@ -50,6 +50,8 @@ class NetCells {
   };
   std::uint32_t vertices() const { return vertices_; }
   std::size_t crossed_edges() const { return crossed_; }
+  /// That the surface passes through.
+  std::size_t leaves() const { return at_.size(); }
   /// Null where the surface does not pass through the leaf.
   const NetLeaf* leaf(std::size_t i) const { return leaves_[i].get(); }
 

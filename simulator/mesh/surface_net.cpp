@@ -139,7 +139,7 @@ void place_leaf(const NetLeaf& leaf, const LeafPatch& patch, const Index3& corne
   for (const Index3& c : kCellsInCubes) {
     const int at = leaf_place(c[0], c[1], c[2]);
     if (leaf.signs[at] == 0 || leaf.signs[at] == 255) continue;
-    const NetCells::Cell cell{leaf.signs[at], leaf.first_vertex + leaf.vertex[at]};
+    const NetCells::Cell cell{leaf.signs[at], leaf.vertex(at)};
     place_cell(cell, patch, c, corner, lattice, placer, vertices);
   }
 }

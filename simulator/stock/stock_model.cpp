@@ -235,6 +235,8 @@ StockMesh StockModel::cut_part_of(const StockMesh& mesh, const RunControl& contr
   StockMesh cut;
   model::reserve_large(cut.triangles,
                        static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1)));
+  // More than are taken, of which the rest is never touched: growing would hold them twice.
+  model::reserve_large(cut.vertices, mesh.vertices.size());
   std::vector<std::uint32_t> place(mesh.vertices.size(), kLeftOut);
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (!kept[i]) continue;

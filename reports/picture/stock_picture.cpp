@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <vector>
 
 #include "model/base/memory.h"
 #include "reports/picture/marker.h"
@@ -107,23 +109,66 @@ bool is_turned_away(const std::array<ScreenPoint, 3>& t) {
   return (t[1].x - t[0].x) * (t[2].y - t[0].y) >= (t[2].x - t[0].x) * (t[1].y - t[0].y);
 }
 
+/// Triangles that follow each other lie near each other: most bunches of them reach few rows.
+constexpr std::size_t kBunch = 4096;
+struct Bunch {
+  std::size_t begin = 0, end = 0;
+  float top, bottom;  ///< rows of the screen
+
+  bool reaches(const DepthBuffer& depth) const {
+    const int first = depth.first_row();
+    return bottom >= static_cast<float>(first) && top <= static_cast<float>(first + depth.height());
+  }
+};
+
+std::vector<Bunch> bunches_of(const simulator::StockMesh& mesh, const std::vector<Small>& points) {
+  std::vector<Bunch> bunches;
+  for (std::size_t begin = 0; begin < mesh.triangles.size(); begin += kBunch) {
+    Bunch bunch{begin, std::min(begin + kBunch, mesh.triangles.size()),
+                std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
+    for (std::size_t i = begin; i < bunch.end; ++i)
+      for (const std::uint32_t corner : mesh.triangles[i]) {
+        bunch.top = std::min(bunch.top, points[corner].y);
+        bunch.bottom = std::max(bunch.bottom, points[corner].y);
+      }
+    bunches.push_back(bunch);
+  }
+  return bunches;
+}
+
+/// What the picture is drawn from.
+struct Scene {
+  const simulator::StockMesh& mesh;
+  std::vector<Small> points, normals;
+  std::vector<Bunch> bunches;
+  Lights lights;
+};
+
+/// Those triangles of a bunch that are nearest in the rows of `depth`, as normals.
+void fill(const Scene& scene, const Bunch& bunch, DepthBuffer& depth, std::vector<Small>& seen) {
+  const auto corner = [&](std::uint32_t k) {
+    return ScreenPoint{scene.points[k].x, scene.points[k].y, scene.points[k].z};
+  };
+  for (std::size_t n = bunch.begin; n < bunch.end; ++n) {
+    const auto& t = scene.mesh.triangles[n];
+    const std::array at{corner(t[0]), corner(t[1]), corner(t[2])};
+    if (is_turned_away(at)) continue;
+    depth.fill_triangle(at, [&](std::size_t i, const auto& w) {
+      const auto normal = [&](int k) { return scene.normals[t[k]].vec() * w[k]; };
+      const Vec3 sum = normal(0) + normal(1) + normal(2);
+      seen[i] = {sum.x, sum.y, sum.z};
+    });
+  }
+}
+
 /// What is nearest in the rows of `depth`: all that is seen is lit, once.
-Image lit(const simulator::StockMesh& mesh, const std::vector<Small>& points,
-          const std::vector<Small>& normals, const Lights& lights, DepthBuffer& depth) {
+Image lit(const Scene& scene, DepthBuffer& depth) {
   Image image(depth.width(), depth.height());
   std::vector<Small> seen(image.pixels().size());
-  const auto corner = [&](std::uint32_t k) {
-    return ScreenPoint{points[k].x, points[k].y, points[k].z};
-  };
-  for (const auto& t : mesh.triangles)
-    if (const std::array at{corner(t[0]), corner(t[1]), corner(t[2])}; !is_turned_away(at))
-      depth.fill_triangle(at, [&](std::size_t i, const auto& w) {
-        const Vec3 n =
-            normals[t[0]].vec() * w[0] + normals[t[1]].vec() * w[1] + normals[t[2]].vec() * w[2];
-        seen[i] = {n.x, n.y, n.z};
-      });
+  for (const Bunch& bunch : scene.bunches)
+    if (bunch.reaches(depth)) fill(scene, bunch, depth, seen);
   for (std::size_t i = 0; i < seen.size(); ++i)
-    if (!depth.is_empty(i)) image.pixels()[i] = lights.on(seen[i].vec());
+    if (!depth.is_empty(i)) image.pixels()[i] = scene.lights.on(seen[i].vec());
   return image;
 }
 
@@ -134,12 +179,12 @@ Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width,
   View view;
   const int fine_width = largest_width * kOversampling;
   const int fine_height = fit(view, mesh, fine_width) / 2 * 2;
-  const std::vector<Small> normals = vertex_normals(mesh), points = screen_points(mesh, view);
-  const Lights lights(view);
+  Scene scene{mesh, screen_points(mesh, view), vertex_normals(mesh), {}, Lights(view)};
+  scene.bunches = bunches_of(mesh, scene.points);
   Image image(fine_width / kOversampling, std::max(fine_height / kOversampling, 1));
   by_rows(image.height() * kOversampling, [&](int first_row, int rows) {
     DepthBuffer depth(fine_width, rows, first_row);
-    image.put_rows(lit(mesh, points, normals, lights, depth).halved(), first_row / kOversampling);
+    image.put_rows(lit(scene, depth).halved(), first_row / kOversampling);
   });
   // An axis of a part that was turned may lead down.
   const double room = from_part.turns() ? 2.0 * kMargin : 0;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "model/base/chunks.h"
+#include "model/base/memory.h"
 #include "model/base/output_file.h"
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/perspective_picture.h"
@@ -130,14 +131,21 @@ StageFiles write_stage_files(const StageResult& stage, const std::filesystem::pa
     surface = ran.stock->surface(options.control);
     files.surface = {surface.mesh.vertices.size(), surface.mesh.triangles.size(), surface.voxel_mm,
                      surface.unmoved};
+    // The mesh's cells, and below what a picture took, would lie beside the file of the mesh, with
+    // which a run is at its peak.
+    model::return_freed_memory();
   }
   std::vector<Job> jobs;
   // The one that takes most room, and the others after each other.
   if (options.pictures) {
-    jobs.push_back([&] { pictures.perspective_png = perspective_png(stage); });
+    jobs.push_back([&] {
+      pictures.perspective_png = perspective_png(stage);
+      model::return_freed_memory();
+    });
     jobs.push_back([&] {
       pictures.deviation_png = deviation_png(stage);
       if (ran.stock) pictures.stock_png = stock_png(surface.mesh, stage);
+      model::return_freed_memory();
     });
   }
   if (ran.stock) {

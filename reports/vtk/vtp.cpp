@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "model/base/error.h"
+#include "model/base/memory.h"
 #include "reports/run/report.h"
 #include "reports/vtk/vtk_support.h"
 #include "reports/vtk/vtp_file.h"
@@ -21,6 +22,7 @@ void require_32_bit(std::size_t corners, const std::filesystem::path& file) {
 template <typename Cells>
 std::vector<std::int32_t> corners_of(const Cells& cells) {
   std::vector<std::int32_t> corners;
+  if (!cells.empty()) model::reserve_large(corners, cells.size() * cells.front().size());
   for (const auto& cell : cells)
     for (const std::uint32_t corner : cell) corners.push_back(static_cast<std::int32_t>(corner));
   return corners;
@@ -43,6 +45,15 @@ std::span<const T> view(const std::vector<T>& values) {
 template <typename T>
 void push(std::vector<T>& xyz, const model::Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) xyz.push_back(static_cast<T>(p[axis]));
+}
+
+/// Of each item of `items`, as x, y, z.
+template <typename T, typename Items, typename Pick>
+std::vector<T> places(const Items& items, Pick pick) {
+  std::vector<T> xyz;
+  model::reserve_large(xyz, 3 * items.size());
+  for (const auto& item : items) push(xyz, pick(item));
+  return xyz;
 }
 
 std::vector<double> tips_of(const model::Toolpath& path) {
@@ -122,14 +133,11 @@ void write_deviation_vtp(const verifier::DeviationField& field, const std::files
   using Sample = verifier::DeviationField::Sample;
   const auto& samples = field.samples;
   require_32_bit(4 * field.quads.size(), file);
-  std::vector<double> xyz;
-  std::vector<float> normals;
-  for (const Sample& s : samples) push(xyz, s.place.point), push(normals, s.normal);
   const auto add = [&]<typename T>(VtpFile& vtp, const char* name, T, auto pick) {
     vtp.add_point_data(name, view(column<T>(samples, pick)));
   };
   VtpFile vtp;
-  vtp.set_points(view(xyz));
+  vtp.set_points(view(places<double>(samples, [](const Sample& s) { return s.place.point; })));
   vtp.set_polygons(corners_of(field.quads), 4);
   add(vtp, "deviation_mm", 0.f, [](const Sample& s) { return s.deviation_mm; });
   add(vtp, "uncut_mm", 0.f, [](const Sample& s) { return std::max(s.deviation_mm, 0.f); });
@@ -139,7 +147,7 @@ void write_deviation_vtp(const verifier::DeviationField& field, const std::files
   add(vtp, "u", 0., [](const Sample& s) { return s.place.u; });
   add(vtp, "v", 0., [](const Sample& s) { return s.place.v; });
   add(vtp, "line", std::uint32_t{}, [](const Sample& s) { return s.line; });
-  vtp.set_normals("normal", view(normals));
+  vtp.set_normals("normal", view(places<float>(samples, [](const Sample& s) { return s.normal; })));
   vtp.colour_points_by("deviation_mm");
   vtp.set_facts(facts);
   vtp.write(file);
@@ -148,11 +156,8 @@ void write_deviation_vtp(const verifier::DeviationField& field, const std::files
 void write_stock_vtp(const simulator::StockMesh& mesh, const std::filesystem::path& file,
                      std::span<const Fact> facts) {
   require_32_bit(3 * mesh.triangles.size(), file);
-  std::vector<float> xyz;
-  xyz.reserve(3 * mesh.vertices.size());
-  for (const model::Vec3& p : mesh.vertices) push(xyz, p);
   VtpFile vtp;
-  vtp.set_points(view(xyz));
+  vtp.set_points(view(places<float>(mesh.vertices, [](const model::Vec3& p) { return p; })));
   vtp.set_polygons(corners_of(mesh.triangles), 3);
   vtp.set_facts(facts);
   vtp.write(file);

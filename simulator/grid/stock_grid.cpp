@@ -208,9 +208,11 @@ model::TriangleMesh StockGrid::mesh(const MakePlacer& placers, const RunControl&
   return surface_net(source, impl_->lattice, placers, control);
 }
 
-NetSize StockGrid::mesh_size(const RunControl& control) const {
-  return surface_net_size(LeafSource(impl_->grid->tree(), impl_->box, impl_->lattice.voxel_mm),
-                          control);
+std::variant<model::TriangleMesh, NetSize> StockGrid::mesh_within(double most_bytes,
+                                                                  const MakePlacer& placers,
+                                                                  const RunControl& control) const {
+  const LeafSource source(impl_->grid->tree(), impl_->box, impl_->lattice.voxel_mm);
+  return surface_net_within(most_bytes, source, impl_->lattice, placers, control);
 }
 
 void StockGrid::write(const std::filesystem::path& file, const model::Pose& pose) const {

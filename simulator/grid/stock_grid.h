@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "model/base/run_control.h"
@@ -77,7 +78,10 @@ class StockGrid {
   /// The surface between voxels inside and others, its vertices where `placers` puts them; see
   /// surface_net. Only for a grid of a whole stock.
   model::TriangleMesh mesh(const MakePlacer& placers, const model::RunControl& control) const;
-  NetSize mesh_size(const model::RunControl& control) const;
+  /// The same, or how much it would take where that is more than `most_bytes`.
+  std::variant<model::TriangleMesh, NetSize> mesh_within(double most_bytes,
+                                                         const MakePlacer& placers,
+                                                         const model::RunControl& control) const;
   /// Throws ResourceError when the file cannot be written.
   void write(const std::filesystem::path& file, const model::Pose& pose) const;
 

@@ -88,6 +88,21 @@ bool negative_neighbours(const Accessor& tree, const Leaf& leaf, const float* va
   return true;
 }
 
+/// The values of a leaf, or the one that a tile has everywhere, row by row along z.
+struct LeafRows {
+  const float* values;
+  float everywhere;
+
+  /// The first `n` of a row: with a count that the compiler knows, one load and one store.
+  template <int n>
+  void copy(int x, int y, float* to) const {
+    if (values)
+      std::copy_n(values + leaf_place(x, y, 0), n, to);
+    else
+      std::fill_n(to, n, everywhere);
+  }
+};
+
 }  // namespace
 
 std::vector<const Leaf*> ordered_leaves(const Tree& tree, const IndexBox& box) {
@@ -107,19 +122,12 @@ void fill_patch(const Tree& tree, const Leaf& leaf, LeafPatch& patch) {
     const int dx = k >> 2 & 1, dy = k >> 1 & 1, dz = k & 1;
     const Coord at = leaf.origin().offsetBy(dx * kLeafEdge, dy * kLeafEdge, dz * kLeafEdge);
     const Leaf* part = k == 0 ? &leaf : tree.probeConstLeaf(at);
-    const float* values = part ? part->buffer().data() : nullptr;
-    const float everywhere = part ? 0.0F : tree.getValue(at);
-    const auto places = [](int beyond) {
-      return beyond ? std::pair(kLeafEdge, kPatchEdge) : std::pair(0, kLeafEdge);
-    };
-    const auto [x0, x1] = places(dx);
-    const auto [y0, y1] = places(dy);
-    const auto [z0, z1] = places(dz);
-    for (int x = x0; x < x1; ++x)
-      for (int y = y0; y < y1; ++y)
-        for (int z = z0; z < z1; ++z)
-          patch[patch_place(x, y, z)] =
-              values ? values[leaf_place(x - x0, y - y0, z - z0)] : everywhere;
+    const LeafRows from{part ? part->buffer().data() : nullptr, part ? 0.0F : tree.getValue(at)};
+    float* to = &patch[patch_place(dx * kLeafEdge, dy * kLeafEdge, dz * kLeafEdge)];
+    for (int x = 0; x < (dx ? 1 : kLeafEdge); ++x)
+      for (int y = 0; y < (dy ? 1 : kLeafEdge); ++y)
+        dz ? from.copy<1>(x, y, to + patch_place(x, y, 0))
+           : from.copy<kLeafEdge>(x, y, to + patch_place(x, y, 0));
   }
 }
 

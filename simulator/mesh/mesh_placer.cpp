@@ -26,6 +26,7 @@ struct Face {
 };
 
 double sine_between(const Face& a, const Face& b) {
+  if (a.maker == b.maker && a.normal == b.normal) return 0;
   return a.maker == b.maker ? length(cross(a.normal, b.normal))
                             : length(cross(a.in_middle, b.in_middle));
 }
@@ -67,19 +68,21 @@ class ExactPlacer : public NetPlacer {
   }
 
  private:
-  std::vector<Face> faces_about(const Index3& cell, std::span<const Vec3> crossings,
-                                const Vec3& middle) {
-    std::vector<Face> faces;
+  // They are good until the next cell's.
+  std::span<const Face> faces_about(const Index3& cell, std::span<const Vec3> crossings,
+                                    const Vec3& middle) {
+    std::size_t count = 0;
     for (const Vec3& p : crossings) {
       const MaterialSample& s = sample(cell, p, middle);
       hint_ = s.maker;
       const Face face{s.maker, s.gradient, s.gradient};
-      const bool known = std::any_of(faces.begin(), faces.end(), [&](const Face& f) {
+      const bool known = std::any_of(faces_.begin(), faces_.begin() + count, [&](const Face& f) {
         return f.maker == face.maker && !sharp(f, face);
       });
-      if (!known && faces.size() < kMostFaces) faces.push_back(face);
+      if (!known && count < kMostFaces) faces_[count++] = face;
     }
-    if (faces.size() > 1)
+    const std::span<Face> faces = std::span(faces_).first(count);
+    if (count > 1)
       for (Face& f : faces) f.in_middle = material_.sample_of(f.maker, middle).gradient;
     return faces;
   }
@@ -134,7 +137,8 @@ class ExactPlacer : public NetPlacer {
   }
 
   std::optional<Vec3> sharp_place(const Index3& cell, const Vec3& middle,
-                                  const std::vector<Face>& faces) {
+                                  std::span<const Face> faces) {
+    if (faces.size() < 2) return std::nullopt;
     double widest = 0;
     std::vector<Face> meeting;
     for (std::size_t i = 0; i < faces.size(); ++i)
@@ -206,6 +210,7 @@ class ExactPlacer : public NetPlacer {
   const Lattice& lattice_;
   std::atomic<std::size_t>& unmoved_;
   SurfaceMaker hint_;
+  std::array<Face, kMostFaces> faces_;
   struct Known {
     Vec3 at{std::nan(""), 0, 0};
     MaterialSample sample;

@@ -26,7 +26,6 @@ Columns columns_of(const LeafPatch& patch) {
 void add_cell(NetLeaf& leaf, int at, unsigned signs) {
   const unsigned low = signs & 1;
   leaf.signs[at] = static_cast<std::uint8_t>(signs);
-  leaf.vertex[at] = static_cast<std::uint16_t>(leaf.vertices);
   leaf.vertices += cell_cycles()[signs].count;
   leaf.crossed += ((signs >> 4 & 1) != low) + ((signs >> 2 & 1) != low) + ((signs >> 1 & 1) != low);
 }
@@ -40,12 +39,21 @@ NetLeaf net_leaf(const LeafPatch& patch) {
     for (int y = 0; y < kLeafEdge; ++y) {
       const unsigned a = columns[x][y], b = columns[x][y + 1];
       const unsigned c = columns[x + 1][y], d = columns[x + 1][y + 1];
+      leaf.row_vertex[leaf_place(x, y, 0) / kLeafEdge] = static_cast<std::uint16_t>(leaf.vertices);
       if ((a | b | c | d) == 0 || (a & b & c & d) == kAllStand) continue;
       for (int z = 0; z < kLeafEdge; ++z)
         add_cell(leaf, leaf_place(x, y, z),
                  (a >> z & 3) | (b >> z & 3) << 2 | (c >> z & 3) << 4 | (d >> z & 3) << 6);
     }
   return leaf;
+}
+
+std::uint32_t NetLeaf::vertex(int at) const {
+  std::uint32_t vertex = first_vertex + row_vertex[at / kLeafEdge];
+  const auto& cycles = cell_cycles();
+  for (int before = at - at % kLeafEdge; before < at; ++before)
+    vertex += cycles[signs[before]].count;
+  return vertex;
 }
 
 std::size_t NetCells::Hash::operator()(const Index3& i) const {
@@ -98,7 +106,7 @@ NetCells::Cell NetCells::Around::cell(const Index3& at) const {
   if (!leaf) throw std::logic_error("a surface cell outside the leaves");
   const auto in_leaf = [](int v) { return v & (kLeafEdge - 1); };
   const int place = leaf_place(in_leaf(at[0]), in_leaf(at[1]), in_leaf(at[2]));
-  return {leaf->signs[place], leaf->first_vertex + leaf->vertex[place]};
+  return {leaf->signs[place], leaf->vertex(place)};
 }
 
 }  // namespace limitgauge::simulator

@@ -17,10 +17,15 @@ inline constexpr int kLeafCells = kLeafEdge * kLeafEdge * kLeafEdge;
 /// The cells of one leaf that the surface passes through.
 struct NetLeaf {
   std::array<std::uint8_t, kLeafCells> signs{};
-  std::array<std::uint16_t, kLeafCells> vertex{};  ///< first one of a cell, from the leaf's first
+  /// First vertex of each row of cells along z, from the leaf's first: those of its cells follow
+  /// from the signs, and tens of thousands of leaves are held.
+  std::array<std::uint16_t, kLeafCells / kLeafEdge> row_vertex{};
   std::uint32_t first_vertex = 0;
   std::uint32_t vertices = 0;
   std::uint32_t crossed = 0;  ///< lattice edges upwards from the cells' lowest corners
+
+  /// First one of the cell at a leaf_place.
+  std::uint32_t vertex(int at) const;
 };
 
 /// The cells of a leaf, its first vertex being 0.
@@ -50,6 +55,8 @@ class NetCells {
   };
   std::uint32_t vertices() const { return vertices_; }
   std::size_t crossed_edges() const { return crossed_; }
+  /// That the surface passes through.
+  std::size_t leaves() const { return at_.size(); }
   /// Null where the surface does not pass through the leaf.
   const NetLeaf* leaf(std::size_t i) const { return leaves_[i].get(); }
 

@@ -118,21 +118,29 @@ void place_cell(const NetCells::Cell& cell, const LeafPatch& patch, const Index3
     vertices[cell.first_vertex + c] = placer.place(at, {crossings[c].data(), count[c]});
 }
 
-// The cells of a leaf, cube by cube of four and of two cells.
-Index3 cell_in_cubes(int n) {
+// Of a leaf, cube by cube of four and of two cells: the n-th.
+constexpr Index3 cell_in_cubes(int n) {
   const auto bits = [n](int low) {
     return (n >> (low + 6) & 1) << 2 | (n >> (low + 3) & 1) << 1 | (n >> low & 1);
   };
   return {bits(2), bits(1), bits(0)};
 }
 
+// All of them: leaf by leaf they are gone through for the few that the surface passes through.
+constexpr std::array<Index3, kLeafCells> cells_in_cubes() {
+  std::array<Index3, kLeafCells> cells{};
+  for (int n = 0; n < kLeafCells; ++n) cells[static_cast<std::size_t>(n)] = cell_in_cubes(n);
+  return cells;
+}
+constexpr std::array<Index3, kLeafCells> kCellsInCubes = cells_in_cubes();
+
 void place_leaf(const NetLeaf& leaf, const LeafPatch& patch, const Index3& corner,
                 const Lattice& lattice, NetPlacer& placer, std::vector<Vec3>& vertices) {
-  for (int n = 0; n < kLeafCells; ++n) {
-    const Index3 c = cell_in_cubes(n);
+  for (const Index3& c : kCellsInCubes) {
     const int at = leaf_place(c[0], c[1], c[2]);
-    const NetCells::Cell cell{leaf.signs[at], leaf.first_vertex + leaf.vertex[at]};
-    if (cell.cycles().count > 0) place_cell(cell, patch, c, corner, lattice, placer, vertices);
+    if (leaf.signs[at] == 0 || leaf.signs[at] == 255) continue;
+    const NetCells::Cell cell{leaf.signs[at], leaf.vertex(at)};
+    place_cell(cell, patch, c, corner, lattice, placer, vertices);
   }
 }
 
@@ -230,31 +238,8 @@ void add_triangles(const NetSource& source, const NetCells& cells, TriangleMesh&
     quads.add(e, ring_about(NetCells::Around(cells, leaf_corner(e.low)), e));
 }
 
-}  // namespace
-
-double NetSize::bytes() const {
-  constexpr double kLeafOverhead = 64;  // its place in the table
-  return static_cast<double>(vertices) * sizeof(Vec3) +
-         static_cast<double>(triangles) * sizeof(Triangle) +
-         static_cast<double>(leaves) * (sizeof(NetLeaf) + kLeafOverhead);
-}
-
-NetSize surface_net_size(const NetSource& source, const model::RunControl& control) {
-  std::atomic<std::size_t> vertices = 0, edges = 0, leaves = 0;
-  model::parallel_chunks(source.leaves(), kChunk, control, [&](std::size_t begin, std::size_t end) {
-    LeafPatch patch;
-    for (std::size_t i = begin; i < end; ++i) {
-      source.values(i, patch);
-      const NetLeaf leaf = net_leaf(patch);
-      vertices += leaf.vertices, edges += leaf.crossed, leaves += leaf.vertices > 0;
-    }
-  });
-  return {vertices, 2 * edges, leaves};
-}
-
-TriangleMesh surface_net(const NetSource& source, const Lattice& lattice, const MakePlacer& placers,
-                         const model::RunControl& control) {
-  const NetCells cells(source, control);
+TriangleMesh net_of(const NetCells& cells, const NetSource& source, const Lattice& lattice,
+                    const MakePlacer& placers, const model::RunControl& control) {
   TriangleMesh mesh;
   model::reserve_large(mesh.vertices, cells.vertices());
   mesh.vertices.resize(cells.vertices());
@@ -273,6 +258,51 @@ TriangleMesh surface_net(const NetSource& source, const Lattice& lattice, const 
   model::reserve_large(mesh.triangles, 2 * cells.crossed_edges());
   add_triangles(source, cells, mesh, control);
   return mesh;
+}
+
+double bytes_of_leaves(std::size_t leaves) {
+  constexpr double kLeafOverhead = 64;  // its place in the table
+  return static_cast<double>(leaves) * (sizeof(NetLeaf) + kLeafOverhead);
+}
+
+}  // namespace
+
+double NetSize::bytes() const {
+  return static_cast<double>(vertices) * sizeof(Vec3) +
+         static_cast<double>(triangles) * sizeof(Triangle) + bytes_of_leaves(leaves);
+}
+
+NetSize surface_net_size(const NetSource& source, const model::RunControl& control) {
+  std::atomic<std::size_t> vertices = 0, edges = 0, leaves = 0;
+  model::parallel_chunks(source.leaves(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+    LeafPatch patch;
+    for (std::size_t i = begin; i < end; ++i) {
+      source.values(i, patch);
+      const NetLeaf leaf = net_leaf(patch);
+      vertices += leaf.vertices, edges += leaf.crossed, leaves += leaf.vertices > 0;
+    }
+  });
+  return {vertices, 2 * edges, leaves};
+}
+
+TriangleMesh surface_net(const NetSource& source, const Lattice& lattice, const MakePlacer& placers,
+                         const model::RunControl& control) {
+  return net_of(NetCells(source, control), source, lattice, placers, control);
+}
+
+std::variant<TriangleMesh, NetSize> surface_net_within(double most_bytes, const NetSource& source,
+                                                       const Lattice& lattice,
+                                                       const MakePlacer& placers,
+                                                       const model::RunControl& control) {
+  // Where the cells might be too much already they are counted before they are held.
+  if (bytes_of_leaves(source.leaves()) > most_bytes) {
+    const NetSize size = surface_net_size(source, control);
+    if (size.bytes() > most_bytes) return size;
+  }
+  const NetCells cells(source, control);
+  const NetSize size{cells.vertices(), 2 * cells.crossed_edges(), cells.leaves()};
+  if (size.bytes() > most_bytes) return size;
+  return net_of(cells, source, lattice, placers, control);
 }
 
 }  // namespace limitgauge::simulator

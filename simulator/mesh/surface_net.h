@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "model/base/run_control.h"
@@ -42,5 +43,12 @@ NetSize surface_net_size(const NetSource& source, const model::RunControl& contr
 /// that no other edge joins them.
 model::TriangleMesh surface_net(const NetSource& source, const Lattice& lattice,
                                 const MakePlacer& placers, const model::RunControl& control);
+/// The same, or how much it would take where that is more than `most_bytes`: the cells that say so
+/// are those that the net is made of.
+std::variant<model::TriangleMesh, NetSize> surface_net_within(double most_bytes,
+                                                              const NetSource& source,
+                                                              const Lattice& lattice,
+                                                              const MakePlacer& placers,
+                                                              const model::RunControl& control);
 
 }  // namespace limitgauge::simulator

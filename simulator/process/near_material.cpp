@@ -32,18 +32,27 @@ NearMaterial::NearMaterial(const Material& material, const Lattice& lattice,
   }
 }
 
+bool NearMaterial::Level::holds(const Index3& cell) const {
+  const int within = ~(cubes.edge - 1);
+  return ready && corner[0] == (cell[0] & within) && corner[1] == (cell[1] & within) &&
+         corner[2] == (cell[2] & within);
+}
+
 void NearMaterial::turn_to(const Index3& cell) {
+  // The cubes about it hold the cell then too.
+  if (levels_[last_].holds(cell)) return;
   const Level* wider = nullptr;
-  for (Level& level : levels_) {
-    Index3 corner;
-    for (int a = 0; a < 3; ++a) corner[a] = cell[a] & ~(level.cubes.edge - 1);
-    if (!level.ready || level.corner != corner) {
-      level.corner = corner;
+  for (last_ = 0;; ++last_) {
+    Level& level = levels_[last_];
+    if (!level.holds(cell)) {
+      for (int a = 0; a < 3; ++a) level.corner[a] = cell[a] & ~(level.cubes.edge - 1);
       prepare(level, wider);
       // What hangs on this one is of another place.
-      for (Level* below = &level + 1; below != levels_.data() + levels_.size(); ++below)
-        below->ready = false;
+      for (std::size_t below = last_ + 1; below < levels_.size(); ++below)
+        levels_[below].ready = false;
     }
+    // Most of a stock's surface is raw: nothing is to be handed down there.
+    if (level.only_raw || last_ + 1 == levels_.size()) return;
     wider = &level;
   }
 }
@@ -64,17 +73,20 @@ void NearMaterial::prepare(Level& level, const Level* wider) {
                                : moves.gather(pass, level.cube, reach - value);
     value = std::max(value, -least);
   }
+  level.only_raw = std::all_of(level.moves.begin(), level.moves.end(),
+                               [](const NearMoves& moves) { return moves.empty(); });
   level.ready = true;
 }
 
 MaterialSample NearMaterial::sample(const Vec3& p, SurfaceMaker guess) const {
-  for (std::size_t k = levels_.size(); k-- > 0;)
+  for (std::size_t k = last_ + 1; k-- > 0;)
     if (levels_[k].ready && levels_[k].cube.contains(p)) return sample_in(levels_[k], p, guess);
   return material_.sample(p, guess);
 }
 
 MaterialSample NearMaterial::sample_in(const Level& level, const Vec3& p,
                                        SurfaceMaker guess) const {
+  if (level.only_raw) return material_.sample_of({}, p);
   MaterialSample best;
   best.value = -std::numeric_limits<double>::infinity();
   // The raw stock's distance changes by no more than the way.

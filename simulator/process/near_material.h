@@ -43,6 +43,8 @@ class NearMaterial {
     Cube cube{};
     RawSample raw{};                 // in its middle
     std::vector<NearMoves> moves{};  // by pass
+    bool only_raw = false;           // no move of any pass matters in the cube
+    bool holds(const Index3& cell) const;
   };
   void prepare(Level& level, const Level* wider);
   MaterialSample sample_in(const Level& level, const model::Vec3& p, SurfaceMaker guess) const;
@@ -50,6 +52,7 @@ class NearMaterial {
   const Material& material_;
   Lattice lattice_;
   std::vector<Level> levels_;
+  std::size_t last_ = 0;  // of levels_, the smallest that is of the place turned to
 };
 
 }  // namespace limitgauge::simulator

@@ -195,24 +195,22 @@ void StockModel::visit_surface_points(const model::Box3& region,
 }
 
 StockSurface StockModel::surface(const RunControl& control) const {
-  std::optional<StockGrid> coarse;
+  const StockGrid& grid = state_->grid;
+  const Material& material = state_->material;
   const double left =
       static_cast<double>(state_->memory_limit_bytes) - static_cast<double>(memory_bytes());
-  const double mesh_bytes = state_->grid.mesh_size(control).bytes();
-  // Both the mesh and its grid go with the inverse square of the voxel.
-  const double both = mesh_bytes + static_cast<double>(state_->grid.memory_bytes());
-  if (mesh_bytes > left) {
-    const int times = std::clamp(static_cast<int>(std::ceil(std::sqrt(both / std::max(left, 1.0)))),
-                                 2, kCoarsestMesh);
-    coarse = whole_grid(state_->material, coarser(state_->grid.lattice(), times), control);
-  }
-  const StockGrid& grid = coarse ? *coarse : state_->grid;
   std::atomic<std::size_t> unmoved = 0;
-  StockSurface surface;
-  surface.voxel_mm = grid.lattice().voxel_mm;
-  surface.mesh = grid.mesh(exact_placers(state_->material, grid.lattice(), unmoved), control);
-  surface.unmoved = unmoved;
-  return surface;
+  auto net = grid.mesh_within(left, exact_placers(material, grid.lattice(), unmoved), control);
+  if (auto* mesh = std::get_if<model::TriangleMesh>(&net))
+    return {std::move(*mesh), grid.lattice().voxel_mm, unmoved};
+  // Both the mesh and its grid go with the inverse square of the voxel.
+  const double both = std::get<NetSize>(net).bytes() + static_cast<double>(grid.memory_bytes());
+  const int times = std::clamp(static_cast<int>(std::ceil(std::sqrt(both / std::max(left, 1.0)))),
+                               2, kCoarsestMesh);
+  const Lattice wider = coarser(grid.lattice(), times);
+  const StockGrid coarse = whole_grid(material, wider, control);
+  StockMesh mesh = coarse.mesh(exact_placers(material, wider, unmoved), control);
+  return {std::move(mesh), wider.voxel_mm, unmoved};
 }
 
 StockMesh StockModel::cut_part_of(const StockMesh& mesh, const RunControl& control) const {
@@ -237,6 +235,8 @@ StockMesh StockModel::cut_part_of(const StockMesh& mesh, const RunControl& contr
   StockMesh cut;
   model::reserve_large(cut.triangles,
                        static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1)));
+  // More than are taken, of which the rest is never touched: growing would hold them twice.
+  model::reserve_large(cut.vertices, mesh.vertices.size());
   std::vector<std::uint32_t> place(mesh.vertices.size(), kLeftOut);
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (!kept[i]) continue;

@@ -10,11 +10,6 @@ namespace {
 
 using model::radians;
 
-MeridianSample from_point(double x, double z) {
-  const double r = std::sqrt(x * x + z * z);
-  return {r, x / r, z / r};
-}
-
 }  // namespace
 
 CutterProfile::CutterProfile(const model::Cutter& cutter) {
@@ -46,7 +41,7 @@ void CutterProfile::finish() {
   outer_corner_z_ = std::min(corner_z_, corner_);
 }
 
-MeridianSample CutterProfile::sample(double rho, double z) const {
+MeridianSample CutterProfile::any_sample(double rho, double z) const {
   const double beside = rho - top_radius_, over = z - length_;
   // Beyond the rim of the top, between the normals of side and top.
   if (beside > 0 && beside * sin_ + over * cos_ > 0) return from_point(beside, over);

@@ -25,7 +25,9 @@ class CutterProfile {
   CutterProfile(double radius_mm, double length_mm);
 
   /// Exact signed distance at radius `rho` >= 0 and height `z`, with a (sub)gradient.
-  MeridianSample sample(double rho, double z) const;
+  MeridianSample sample(double rho, double z) const {
+    return is_flat() ? flat_sample(rho, z) : any_sample(rho, z);
+  }
   /// Radius of a ball that lies inside the profile and touches it where `sample` was taken from
   /// (0 where there is none). With it the distance at p + δ is at most
   /// distance + g·δ + |δ|² / (2 (distance + radius)).
@@ -66,11 +68,18 @@ class CutterProfile {
 
  private:
   void finish();
+  MeridianSample any_sample(double rho, double z) const;
+  MeridianSample flat_sample(double rho, double z) const;
   /// Outward distance from the line of the side, and from that of the bottom.
   double beyond_side(double rho, double z) const {
     return (rho - disc_) * cos_ - (z - corner_z_) * sin_ - corner_;
   }
   double below_bottom(double rho, double z) const { return rho * bottom_sin_ - z * bottom_cos_; }
+
+  static MeridianSample from_point(double x, double z) {
+    const double r = std::sqrt(x * x + z * z);
+    return {r, x / r, z / r};
+  }
 
   double disc_ = 0, corner_ = 0, corner_z_ = 0, length_ = 0;
   double sin_ = 0, cos_ = 1;                ///< of the side's angle from the axis
@@ -79,5 +88,17 @@ class CutterProfile {
   double top_radius_ = 0, largest_radius_ = 0;
   double outer_disc_ = 0, outer_corner_z_ = 0;
 };
+
+// What any_sample comes to, to the last bit, where neither sine nor arc has anything to add: tens
+// of millions of moves of a rough stage are asked.
+inline MeridianSample CutterProfile::flat_sample(double rho, double z) const {
+  const double beside = rho - disc_, over = z - length_;
+  if (beside > 0 && over > 0) return from_point(beside, over);
+  if (beside > 0 && z < 0) return from_point(beside, z);
+  const double below = 0.0 - z;
+  const MeridianSample s =
+      below >= beside ? MeridianSample{below, 0, -1} : MeridianSample{beside, 1, -sin_};
+  return over > s.distance ? MeridianSample{over, 0, 1} : s;
+}
 
 }  // namespace limitgauge::simulator

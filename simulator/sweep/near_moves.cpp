@@ -48,12 +48,11 @@ double NearMoves::gather_own(const SweepTree& pass, const HeldCube& cube, double
 double NearMoves::narrow(const SweepIndex& index, const NearMoves& wider, const Cube& asked,
                          double limit) {
   if (wider.too_many_) return gather(index, asked, limit);
-  const SweepTree& pass = index.own();
-  const HeldCube cube = index.to_own(asked);
-  kept_.clear();
-  moves_.assign(pass, kept_);
+  moves_.slot.clear();
   too_many_ = false;
   if (wider.empty()) return kFar;
+  const SweepTree& pass = index.own();
+  const HeldCube cube = index.to_own(asked);
   below_tops_ = lies_below_tops(pass, wider.moves_, cube);
   const double least =
       below_tops_ ? keep_balls(pass, wider.moves_, cube) : keep_others(pass, wider.moves_, cube);

@@ -125,7 +125,8 @@ Entries classify_cells(OpenCells level, const Reachability& reachability,
     seen += level.size();
     const bool last = seen > options.largest_cell_count;
     std::vector<Decided> decided(level.size());
-    constexpr std::size_t kChunk = 1024;
+    // The halves that are kept go with it: four times as many took 70 MB more, and no less time.
+    constexpr std::size_t kChunk = 256;
     model::parallel_chunks(level.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
       CellHalves parts(own);
       for (std::size_t i = begin; i < end; ++i) {

@@ -86,11 +86,8 @@ bool catches(const fs::path& process, int signal) {
 /// signal before that ends it as it would any.
 void wait_until_it_catches(pid_t child) {
   const fs::path process = "/proc/" + std::to_string(child);
-  std::error_code gone;
   for (int i = 0; i < 3000; ++i) {
-    if (fs::read_symlink(process / "exe", gone) == fs::canonical(LIMITGAUGE_PROGRAM) &&
-        catches(process, SIGINT))
-      return;
+    if (is_program(process) && catches(process, SIGINT)) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 }
@@ -104,6 +101,11 @@ void wait_for(pid_t child, Outcome& outcome) {
 }
 
 }  // namespace
+
+bool is_program(const fs::path& process) {
+  std::error_code gone;
+  return fs::read_symlink(process / "exe", gone) == fs::canonical(LIMITGAUGE_PROGRAM);
+}
 
 Scratch::Scratch() {
   std::string name = (fs::temp_directory_path() / "limitgauge-e2e-XXXXXX").string();

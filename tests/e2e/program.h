@@ -31,6 +31,9 @@ struct Outcome {
   double peak_bytes = 0;  ///< most memory that it had in use
 };
 
+/// Whether the process, by its folder under /proc, has become the program.
+bool is_program(const std::filesystem::path& process);
+
 struct Conditions {
   std::optional<std::chrono::milliseconds> interrupt_after;  ///< SIGINT then
   std::optional<std::size_t> largest_file_bytes;             ///< stands in for a full disk

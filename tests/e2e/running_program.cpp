@@ -52,18 +52,14 @@ std::string RunningProgram::line() {
 }
 
 bool RunningProgram::opens(const fs::path& file) const {
-  const fs::path process = "/proc/" + std::to_string(child_);
-  const auto leads_to = [](const fs::path& link, const fs::path& target) {
-    std::error_code gone;
-    return fs::read_symlink(link, gone) == fs::canonical(target);
-  };
+  const fs::path process = "/proc/" + std::to_string(child_), target = fs::canonical(file);
   for (int i = 0; i < 3000; ++i) {
     std::error_code gone;
     // Before it is the program it has what this process has open.
-    if (leads_to(process / "exe", LIMITGAUGE_PROGRAM))
+    if (is_program(process))
       for (fs::directory_iterator entry(process / "fd", gone), end; entry != end;
            entry.increment(gone))
-        if (leads_to(entry->path(), file)) return true;
+        if (fs::read_symlink(entry->path(), gone) == target) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return false;

@@ -237,30 +237,32 @@ struct Columns {
   }
 };
 
-/// Of `at(k)`, a pair of numbers of the control points from k on.
+/// The columns of `at(k)`, a pair of numbers of the control points from k on, each brought down to
+/// one number by `pick`.
 template <class At>
-Columns least_of_columns(At&& at) {
+Columns columns_of(At&& at, Lanes (*pick)(Lanes, Lanes)) {
   Columns out{at(0), at(2)};
   for (int row = 4; row < 16; row += 4)
-    out = {lesser(out.left, at(row)), lesser(out.right, at(row + 2))};
+    out = {pick(out.left, at(row)), pick(out.right, at(row + 2))};
   return out;
 }
 template <class At>
-Columns greatest_of_columns(At&& at) {
-  Columns out{at(0), at(2)};
-  for (int row = 4; row < 16; row += 4)
-    out = {greater(out.left, at(row)), greater(out.right, at(row + 2))};
-  return out;
+double least_of(At&& at) {
+  return columns_of(at, lesser).least();
+}
+template <class At>
+double greatest_of(At&& at) {
+  return columns_of(at, greater).greatest();
 }
 
 }  // namespace
 
 model::Box3 control_box(const Bezier& b) {
   const auto least = [](const std::array<double, 16>& c) {
-    return least_of_columns([&](int k) { return lanes_at(c, k); }).least();
+    return least_of([&](int k) { return lanes_at(c, k); });
   };
   const auto greatest = [](const std::array<double, 16>& c) {
-    return greatest_of_columns([&](int k) { return lanes_at(c, k); }).greatest();
+    return greatest_of([&](int k) { return lanes_at(c, k); });
   };
   return {{least(b.x), least(b.y), least(b.z)}, {greatest(b.x), greatest(b.y), greatest(b.z)}};
 }
@@ -269,7 +271,7 @@ model::Interval control_range(const Bezier& b, double base, const Vec3& g) {
   std::array<double, 16> values;
   for (int k = 0; k < 16; ++k) values[k] = base + g.x * b.x[k] + g.y * b.y[k] + g.z * b.z[k];
   const auto at = [&](int k) { return lanes_at(values, k); };
-  return {least_of_columns(at).least(), greatest_of_columns(at).greatest()};
+  return {least_of(at), greatest_of(at)};
 }
 
 double control_radius(const Bezier& b, const Vec3& centre) {
@@ -278,7 +280,7 @@ double control_radius(const Bezier& b, const Vec3& centre) {
     const double dx = b.x[k] - centre.x, dy = b.y[k] - centre.y, dz = b.z[k] - centre.z;
     squared[k] = dx * dx + dy * dy + dz * dz;
   }
-  return std::sqrt(greatest_of_columns([&](int k) { return lanes_at(squared, k); }).greatest());
+  return std::sqrt(greatest_of([&](int k) { return lanes_at(squared, k); }));
 }
 
 }  // namespace limitgauge::verifier

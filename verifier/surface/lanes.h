@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstring>
 
 namespace limitgauge::verifier {
@@ -9,11 +9,7 @@ namespace limitgauge::verifier {
 /// Two numbers that are worked out at once, as every x86-64 can: GCC 12 leaves loops over control
 /// points that look for a least or a greatest one by one. Each is rounded as if it were alone.
 using Lanes = double __attribute__((vector_size(16)));
-inline constexpr int kLanes = 2;
 
-inline Lanes lanes_of(double x) {
-  return Lanes{x, x};
-}
 /// Two neighbours of a list, from `k` on.
 template <std::size_t kCount>
 Lanes lanes_at(const std::array<double, kCount>& list, int k) {

@@ -80,7 +80,6 @@ TEST_CASE("a holder that leans into the block is found where it does", "[unit][t
 
 TEST_CASE("a rapid that turns into the block is found, a feed move is not", "[unit][turning]") {
   const TurnedMove dive{{0, 0, 5}, {2, 0, -2}, {0, 0, 1}, {0.6, 0, 0.8}};
-  const TurnedMove back{{2, 0, -2}, {2, 0, 8}, {0.6, 0, 0.8}, {0.6, 0, 0.8}};
   CHECK_FALSE(any(of(with_axes(shanked(), {dive}), limits()), FindingKind::rapid_through_stock));
   const auto found = of(rapids(with_axes(shanked(), {dive})), limits());
   REQUIRE(any(found, FindingKind::rapid_through_stock));

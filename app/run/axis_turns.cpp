@@ -124,8 +124,6 @@ void look_at_limits(const Job& job, const JobStage& stage, const model::AxisTurn
 
 std::vector<simulator::Finding> travel_findings(const ForeignPath& program,
                                                 const model::Toolpath& path) {
-  constexpr const char* kBelow[] = {"x-", "y-", "z-"};
-  constexpr const char* kAbove[] = {"x+", "y+", "z+"};
   std::vector<simulator::Finding> findings;
   std::size_t next = 0;
   for (const model::TravelBreach& breach : program.beyond_travel) {
@@ -137,7 +135,7 @@ std::vector<simulator::Finding> travel_findings(const ForeignPath& program,
     findings.push_back({simulator::FindingKind::beyond_travel, next, breach.line,
                         found ? path.moves[move].to : path.start, breach.depth_mm,
                         name(simulator::ToolPart::cutter),
-                        (breach.above ? kAbove : kBelow)[breach.axis]});
+                        simulator::travel_limit_name(breach.axis, breach.above)});
   }
   return findings;
 }

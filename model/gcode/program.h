@@ -116,6 +116,9 @@ struct Program {
   bool has_end = true;          ///< by M2, M30, '%' or, in CL data, FINI
   bool ends_in_line = true;     ///< false: the file's last line has no end
   bool starts_spindle = false;  ///< M3 or M4 somewhere; without, the spindle is taken to turn
+
+  /// The turn that motion `motion` is; nothing where no axis turns.
+  const AxisTurn* turn_of(std::size_t motion) const;
 };
 
 /// What is to be said of a program without an end.

@@ -53,6 +53,11 @@ Pose Kinematics::head(const RotaryAngles& angles_deg) const {
   return pose;
 }
 
+Vec3 Kinematics::tip_aside_mm(const RotaryAngles& angles_deg, double tool_length_mm) const {
+  const Vec3 tool{0, 0, -tool_length_mm};
+  return head(angles_deg).point(tool) - tool;
+}
+
 Pose Kinematics::head_carrying(char word, const RotaryAngles& angles_deg) const {
   Pose pose;
   for (std::size_t i = 0; i < axes.size(); ++i) {

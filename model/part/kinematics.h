@@ -61,6 +61,9 @@ struct Kinematics {
   Pose table(const RotaryAngles& angles_deg) const;
   /// H: of a place that moves with the tool, seen from the gauge point, as it is at zero.
   Pose head(const RotaryAngles& angles_deg) const;
+  /// How far the heads take the tip of a tool from where it hangs at zero: H (0, 0, -L) less
+  /// (0, 0, -L), in the machine's frame.
+  Vec3 tip_aside_mm(const RotaryAngles& angles_deg, double tool_length_mm) const;
   /// How far the turns of the axes that carry `word` and of itself move something that is mounted
   /// on it: the machine's frame at zero to the machine's frame. For nothing: what stands still.
   Pose carried_by(std::optional<char> word, const RotaryAngles& angles_deg) const;

@@ -29,10 +29,8 @@ Pose MotionFrame::in_workpiece(const Kinematics& machine, const RotaryAngles& an
                ? plane
                : shift(machine.stand({}, angles_deg, 0).axis * length_error_mm) * plane;
   const Pose from_machine = machine.table(angles_deg).inverse();
-  if (control == TipControl::joints) {
-    const Vec3 tool{0, 0, -tool_length_mm};
-    return from_machine * shift(machine.head(angles_deg).point(tool) - tool);
-  }
+  if (control == TipControl::joints)
+    return from_machine * shift(machine.tip_aside_mm(angles_deg, tool_length_mm));
   return shift(work_zero_mm) * rotation_alone(from_machine) * shift(Vec3{} - work_zero_mm);
 }
 
@@ -128,7 +126,7 @@ double JointSpeed::tables_mm() const {
   if (first == machine_.axes.size()) return 0;
   Vec3 a = motion_.from_mm, b = motion_.to_mm;
   if (first > 0 && heads_stand()) {
-    const Vec3 aside = machine_.head(motion_.from_deg).point(tool_) - tool_;
+    const Vec3 aside = machine_.tip_aside_mm(motion_.from_deg, motion_.frame.tool_length_mm);
     a += aside, b += aside;
   }
   const RotaryAxis& outer = machine_.axes[first];

@@ -19,6 +19,10 @@ void extend(FindingGroup& group, const Finding& f) {
 
 }  // namespace
 
+std::string travel_limit_name(int axis, bool above) {
+  return {static_cast<char>('x' + axis), above ? '+' : '-'};
+}
+
 const char* name(FindingKind kind) {
   switch (kind) {
     case FindingKind::rapid_through_stock:

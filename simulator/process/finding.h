@@ -31,6 +31,10 @@ inline bool fails(FindingKind kind) {
   return kind != FindingKind::near_miss && kind != FindingKind::slight_contact;
 }
 
+/// The limit of X, Y or Z (`axis` 0, 1, 2) that something is beyond, as findings name it: "x-",
+/// "z+".
+std::string travel_limit_name(int axis, bool above);
+
 /// One finding: the worst place of one kind and part on one move.
 struct Finding {
   FindingKind kind = FindingKind::rapid_through_stock;
@@ -42,7 +46,7 @@ struct Finding {
   /// into. Of a near miss: minus the distance that is left.
   double depth_mm = 0;
   std::string part;     ///< "cutter", "shank", "holder", or a carried body's name
-  std::string against;  ///< "stock", the fixture's name, or the axis of a travel limit ("x-", "z+")
+  std::string against;  ///< "stock", the fixture's name, or travel_limit_name()
 };
 
 /// What is wrong in the same way over a stretch of the path.

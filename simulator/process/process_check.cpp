@@ -43,14 +43,12 @@ void look_at_travel(const Box3& travel, const Toolpath& path, std::size_t i,
                     std::vector<Finding>& findings) {
   const Vec3& to = path.moves[i].to;
   if (travel.contains(to)) return;
-  constexpr const char* kBelow[] = {"x-", "y-", "z-"};
-  constexpr const char* kAbove[] = {"x+", "y+", "z+"};
   Finding f{FindingKind::beyond_travel, i, path.moves[i].line, to, 0, name(ToolPart::cutter), ""};
   for (int a = 0; a < 3; ++a) {
     if (travel.low[a] - to[a] > f.depth_mm)
-      f.depth_mm = travel.low[a] - to[a], f.against = kBelow[a];
+      f.depth_mm = travel.low[a] - to[a], f.against = travel_limit_name(a, false);
     if (to[a] - travel.high[a] > f.depth_mm)
-      f.depth_mm = to[a] - travel.high[a], f.against = kAbove[a];
+      f.depth_mm = to[a] - travel.high[a], f.against = travel_limit_name(a, true);
   }
   findings.push_back(f);
 }

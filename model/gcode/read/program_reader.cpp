@@ -77,6 +77,11 @@ Program read_program(std::string_view text, const std::string& name, const Machi
   return program;
 }
 
+const AxisTurn* Program::turn_of(std::size_t motion) const {
+  const auto found = std::ranges::lower_bound(turns, motion, {}, &AxisTurn::motion);
+  return found != turns.end() && found->motion == motion ? &*found : nullptr;
+}
+
 std::string missing_end_words(const Program& program) {
   return std::string("ends without M2, M30 or '%'") +
          (program.ends_in_line ? "" : ", and its last line without a line end") +

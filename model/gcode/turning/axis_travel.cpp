@@ -36,16 +36,12 @@ struct Overrun {
 class TravelWalk {
  public:
   TravelWalk(const Program& program, const AxisTravel& travel)
-      : program_(program),
-        travel_(travel),
-        tool_{0, 0, -travel.tool_length_mm},
-        at_mm_(travel.start_mm) {}
+      : program_(program), travel_(travel), at_mm_(travel.start_mm) {}
 
   std::vector<TravelBreach> beyond(std::size_t first, std::size_t last);
 
  private:
   void enter_frame_of(std::size_t motion);
-  const AxisTurn* turn_of(std::size_t motion);
   void look(const Motion& motion);
   void look_at_arc(const Motion& arc);
   void look_at_turn(const AxisTurn& turn, const Motion& motion);
@@ -59,8 +55,7 @@ class TravelWalk {
 
   const Program& program_;
   const AxisTravel& travel_;
-  Vec3 tool_;
-  std::size_t next_frame_ = 0, next_turn_ = 0;
+  std::size_t next_frame_ = 0;
   RotaryAngles angles_deg_{};
   Pose frame_;     ///< from what motions name to the workpiece
   Vec3 at_mm_;     ///< in it
@@ -78,16 +73,9 @@ void TravelWalk::enter_frame_of(std::size_t motion) {
   }
 }
 
-const AxisTurn* TravelWalk::turn_of(std::size_t motion) {
-  const std::vector<AxisTurn>& turns = program_.turns;
-  while (next_turn_ < turns.size() && turns[next_turn_].motion < motion) ++next_turn_;
-  return next_turn_ < turns.size() && turns[next_turn_].motion == motion ? &turns[next_turn_]
-                                                                         : nullptr;
-}
-
 Overrun TravelWalk::overrun(const Vec3& tip_mm, const RotaryAngles& angles_deg,
                             const Known& which) const {
-  const Vec3 aside_mm = travel_.machine.head(angles_deg).point(tool_) - tool_;
+  const Vec3 aside_mm = travel_.machine.tip_aside_mm(angles_deg, travel_.tool_length_mm);
   const Vec3 at_mm =
       travel_.limits_from_machine.point(travel_.machine.table(angles_deg).point(tip_mm) - aside_mm);
   Overrun worst;
@@ -172,7 +160,7 @@ std::vector<TravelBreach> TravelWalk::beyond(std::size_t first, std::size_t last
     const Motion& motion = program_.motions[i];
     worst_ = {};
     enter_frame_of(i);
-    if (const AxisTurn* turn = turn_of(i)) {
+    if (const AxisTurn* turn = program_.turn_of(i)) {
       look_at_turn(*turn, motion);
       angles_deg_ = turn->turn.to_deg;
       frame_ = turn->turn.frame.in_workpiece(travel_.machine, angles_deg_);

@@ -17,17 +17,6 @@ constexpr Vec3 kSpindle{0, 0, 1};
 /// Within rounding of places turned back and forth.
 constexpr double kSamePlace_mm = 1e-9;
 
-const AxisTurn* turn_of_motion(const Program& program, std::size_t motion) {
-  const auto found = std::ranges::lower_bound(program.turns, motion, {}, &AxisTurn::motion);
-  return found != program.turns.end() && found->motion == motion ? &*found : nullptr;
-}
-
-/// How far a head takes the tip from where its joints would have it.
-Vec3 aside_mm(const Kinematics& machine, const MotionFrame& frame, const RotaryAngles& angles_deg) {
-  const Vec3 tool{0, 0, -frame.tool_length_mm};
-  return machine.head(angles_deg).point(tool) - tool;
-}
-
 float tip_feed(double way_mm, double minutes, float stated_mm_min) {
   if (way_mm == 0 || minutes == 0) return stated_mm_min;
   return static_cast<float>(std::clamp(way_mm / minutes, kLeastFeed_mm_min, kLargestFeed_mm_min));
@@ -107,7 +96,7 @@ void TurningPathMaker::enter_frame_of(std::size_t motion) {
 void TurningPathMaker::begin(std::size_t first) {
   at_mm_ = first == 0 ? options_.start_mm.value() : program_.motions[first - 1].to;
   parked_ = false;
-  if (const AxisTurn* turn = first > 0 ? turn_of_motion(program_, first - 1) : nullptr) {
+  if (const AxisTurn* turn = first > 0 ? program_.turn_of(first - 1) : nullptr) {
     stand(turn->turn.to_deg);
     frame_ = turn->turn.frame.in_workpiece(machine_, angles_deg_);
     at_mm_ = turn->turn.to_mm;
@@ -218,8 +207,9 @@ void TurningPathMaker::swing(const AxisTurn& turn, const Motion& motion) {
   to_mm.z = from_mm.z;
   TurningMotion swung = turn.turn;
   swung.frame = {TipControl::joints, turn.turn.frame.tool_length_mm, {}, {}};
-  swung.from_mm = from_mm - aside_mm(machine_, swung.frame, swung.from_deg);
-  swung.to_mm = to_mm - aside_mm(machine_, swung.frame, swung.to_deg);
+  const double length_mm = swung.frame.tool_length_mm;
+  swung.from_mm = from_mm - machine_.tip_aside_mm(swung.from_deg, length_mm);
+  swung.to_mm = to_mm - machine_.tip_aside_mm(swung.to_deg, length_mm);
   Motion rapid = motion;
   rapid.kind = MotionKind::rapid;
   note_error(add_turn({rapid, swung, 0, options_.chord_error_mm}));
@@ -270,7 +260,7 @@ TurningPath TurningPathMaker::make() {
   begin(first);
   for (std::size_t i = first; i < last; ++i) {
     enter_frame_of(i);
-    const AxisTurn* turned = turn_of_motion(program_, i);
+    const AxisTurn* turned = program_.turn_of(i);
     if (turned) {
       turn(*turned, program_.motions[i]);
     } else {

@@ -36,7 +36,7 @@ RunScale scale_of(const Job& job, const RunInputs& inputs,
 
 /// What the process takes at its peak, in bytes: the one forecast, of `run`, `verify` and a study's
 /// workers. Measured figures; within a factor of 1.5 of the peak over the fixtures and over a
-/// million moves (tests/e2e/memory_test.cpp).
+/// million moves (tests/e2e/memory/memory_test.cpp).
 double forecast_bytes(const RunScale& scale);
 
 /// What of the run's limit the stock model may take, its moves included. Throws ResourceError where

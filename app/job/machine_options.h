@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/part/machine_setup.h"
+#include "model/machine/machine_setup.h"
 
 namespace limitgauge::app {
 

@@ -7,7 +7,7 @@
 
 #include "app/job/setup_frame.h"
 #include "model/text/number_text.h"
-#include "simulator/process/turn_check.h"
+#include "simulator/process/turning/turn_check.h"
 
 namespace limitgauge::app {
 namespace {

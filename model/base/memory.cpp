@@ -23,8 +23,8 @@ constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 constexpr double kMiB = 1024.0 * 1024.0;
 
 /// Of what is available. Forecasts are as a rule a tenth too high, and at most half too low
-/// (tests/e2e/memory_test.cpp): a run forecast to take all of its limit then takes six fifths of
-/// what was there, and one that is a quarter too low just fits.
+/// (tests/e2e/memory/memory_test.cpp): a run forecast to take all of its limit then takes six
+/// fifths of what was there, and one that is a quarter too low just fits.
 constexpr double kShareOfAvailable = 0.8;
 
 /// Of address space, that threads reserve and hardly use: the stacks of ten, 8 MiB each. Heaps of

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "model/gcode/dialect.h"
-#include "model/part/machine_setup.h"
+#include "model/machine/machine_setup.h"
+#include "model/machine/turning_motion.h"
 #include "model/part/toolpath.h"
-#include "model/part/turning_motion.h"
 
 namespace limitgauge::model {
 

@@ -9,8 +9,8 @@
 
 #include "engine/strategy/stage_path.h"
 #include "model/gcode/program_path.h"
+#include "model/machine/machine_setup.h"
 #include "model/part/cage.h"
-#include "model/part/machine_setup.h"
 #include "model/part/setup.h"
 #include "model/part/tolerances.h"
 #include "reports/page/path_view.h"

@@ -8,7 +8,7 @@
 #include "simulator/process/finding.h"
 #include "simulator/process/process_limits.h"
 #include "simulator/process/tool_bodies.h"
-#include "simulator/process/turn_search.h"
+#include "simulator/process/turning/turn_search.h"
 #include "simulator/stock/stock_model.h"
 #include "simulator/sweep/move_runs.h"
 

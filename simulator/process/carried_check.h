@@ -5,7 +5,7 @@
 
 #include "simulator/process/finding.h"
 #include "simulator/process/process_limits.h"
-#include "simulator/process/turn_meeting.h"
+#include "simulator/process/turning/turn_meeting.h"
 #include "simulator/stock/stock_model.h"
 
 namespace limitgauge::simulator {

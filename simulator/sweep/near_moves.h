@@ -7,7 +7,7 @@
 #include "simulator/sweep/cube.h"
 #include "simulator/sweep/move_batch.h"
 #include "simulator/sweep/sweep_index.h"
-#include "simulator/sweep/turning_rivals.h"
+#include "simulator/sweep/turning/turning_rivals.h"
 
 namespace limitgauge::simulator {
 

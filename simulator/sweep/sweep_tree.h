@@ -10,7 +10,7 @@
 #include "model/part/toolpath.h"
 #include "simulator/sweep/sweep_order.h"
 #include "simulator/sweep/swept_distance.h"
-#include "simulator/sweep/turning_moves.h"
+#include "simulator/sweep/turning/turning_moves.h"
 
 namespace limitgauge::simulator {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "tests/defects/sampled_surface.h"
+#include "tests/defects/surfaces/sampled_surface.h"
 
 namespace limitgauge::tests::defects {
 

@@ -18,7 +18,7 @@
 #include "tests/defects/orientations/lying_suite.h"
 #include "tests/defects/orientations/lying_table.h"
 #include "tests/defects/scenes.h"
-#include "tests/defects/surfaces.h"
+#include "tests/defects/surfaces/surfaces.h"
 #include "tests/defects/table.h"
 #include "tests/defects/triples.h"
 #include "tests/support/folders.h"

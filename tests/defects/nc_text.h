@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/part/toolpath.h"
-#include "tests/defects/raster.h"
+#include "tests/defects/surfaces/raster.h"
 
 namespace limitgauge::tests::defects {
 

@@ -9,7 +9,7 @@
 #include "simulator/stock/material.h"
 #include "tests/defects/crossings.h"
 #include "tests/defects/reach_oracle.h"
-#include "tests/defects/sharp_places.h"
+#include "tests/defects/surfaces/sharp_places.h"
 
 namespace limitgauge::tests::defects {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "simulator/sweep/cutter_profile.h"
-#include "tests/defects/sampled_surface.h"
+#include "tests/defects/surfaces/sampled_surface.h"
 
 namespace limitgauge::tests::defects {
 

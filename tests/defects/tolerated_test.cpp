@@ -5,8 +5,8 @@
 #include <random>
 
 #include "tests/defects/oracle.h"
-#include "tests/defects/raster.h"
-#include "tests/defects/surfaces.h"
+#include "tests/defects/surfaces/raster.h"
+#include "tests/defects/surfaces/surfaces.h"
 #include "tests/support/catch.h"
 #include "tests/support/effort.h"
 #include "tests/support/folders.h"

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "tests/e2e/forecast.h"
+#include "tests/e2e/memory/forecast.h"
 #include "tests/e2e/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/effort.h"

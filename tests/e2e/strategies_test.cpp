@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "tests/e2e/forecast.h"
+#include "tests/e2e/memory/forecast.h"
 #include "tests/e2e/program.h"
 #include "tests/support/catch.h"
 

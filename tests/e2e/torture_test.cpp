@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tests/e2e/forecast.h"
+#include "tests/e2e/memory/forecast.h"
 #include "tests/e2e/program.h"
 #include "tests/support/catch.h"
 

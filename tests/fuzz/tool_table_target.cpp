@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "model/part/machine_setup.h"
+#include "model/machine/machine_setup.h"
 #include "tests/fuzz/reading.h"
 
 using namespace limitgauge;

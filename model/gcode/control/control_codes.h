@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "model/gcode/text/codes.h"
-#include "model/part/control.h"
+#include "model/machine/control.h"
 
 namespace limitgauge::model::gcode {
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "model/part/control.h"
+#include "model/machine/control.h"
 
 namespace limitgauge::model::gcode {
 

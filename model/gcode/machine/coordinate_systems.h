@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/geometry/vec3.h"
-#include "model/part/machine_setup.h"
+#include "model/machine/machine_setup.h"
 
 namespace limitgauge::model::gcode {
 

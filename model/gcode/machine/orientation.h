@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "model/part/turning_motion.h"
+#include "model/machine/turning_motion.h"
 
 namespace limitgauge::model::gcode {
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <optional>
 
-#include "model/part/machine_setup.h"
+#include "model/machine/machine_setup.h"
 
 namespace limitgauge::model::gcode {
 

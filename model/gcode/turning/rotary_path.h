@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/part/kinematics.h"
+#include "model/machine/kinematics.h"
 #include "model/part/toolpath.h"
 
 namespace limitgauge::model {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/part/turning_motion.h"
+#include "model/machine/turning_motion.h"
 
 namespace limitgauge::model {
 

@@ -5,7 +5,7 @@
 
 #include "model/gcode/program.h"
 #include "model/gcode/turning/rotary_path.h"
-#include "model/part/control.h"
+#include "model/machine/control.h"
 
 namespace limitgauge::model {
 

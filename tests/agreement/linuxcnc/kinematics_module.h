@@ -3,7 +3,7 @@
 #include <array>
 #include <filesystem>
 
-#include "model/part/kinematics.h"
+#include "model/machine/kinematics.h"
 
 namespace limitgauge::linuxcnc {
 

@@ -3,7 +3,7 @@
 #include <random>
 #include <vector>
 
-#include "model/part/kinematics.h"
+#include "model/machine/kinematics.h"
 
 namespace limitgauge::linuxcnc {
 

@@ -9,7 +9,7 @@
 #include "model/part/stock.h"
 #include "tests/defects/orientations/machine.h"
 #include "tests/defects/orientations/stated_setup.h"
-#include "tests/defects/sampled_surface.h"
+#include "tests/defects/surfaces/sampled_surface.h"
 #include "verifier/gate/deviation.h"
 
 namespace limitgauge::tests::defects {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/defects/surfaces.h"
+#include "tests/defects/surfaces/surfaces.h"
 #include "tests/support/cages.h"
 #include "tests/support/folders.h"
 

@@ -8,7 +8,7 @@
 
 #include "model/base/angle.h"
 #include "model/base/run_control.h"
-#include "simulator/process/turn_check.h"
+#include "simulator/process/turning/turn_check.h"
 #include "tests/support/catch.h"
 
 namespace limitgauge::simulator {

@@ -5,7 +5,7 @@
 
 #include "model/part/stock.h"
 #include "model/part/toolpath.h"
-#include "simulator/sweep/turning_move.h"
+#include "simulator/sweep/turning/turning_move.h"
 #include "tests/simulator/sweep/profile_oracle.h"
 
 namespace limitgauge::simulator::test {

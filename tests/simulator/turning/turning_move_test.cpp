@@ -1,6 +1,6 @@
 // The distance to a move that turns its tool, held against many poses of a cutter that is described
 // a second time, and the bounds that go by it.
-#include "simulator/sweep/turning_move.h"
+#include "simulator/sweep/turning/turning_move.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/part/turning_motion.h"
-#include "tests/model/part/kinematics_machines.h"
+#include "model/machine/turning_motion.h"
+#include "tests/model/machine/kinematics_machines.h"
 
 namespace limitgauge::model::test {
 

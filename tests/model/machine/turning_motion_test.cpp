@@ -52,7 +52,7 @@ double turn_between_rad(const Pose& a, const Pose& b) {
   return 2 * std::asin(std::min(1.0, std::sqrt(sum / 8)));
 }
 
-const TipControl kControls[] = {TipControl::joints, TipControl::tool_centre,
+const TipControl kTipControls[] = {TipControl::joints, TipControl::tool_centre,
                                 TipControl::dynamic_offset};
 
 void check_speeds(const Kinematics& machine, const TurningMotion& motion, int steps) {
@@ -97,7 +97,7 @@ TEST_CASE("a motion's ends and what is between stand where matrices put them", "
   std::mt19937_64 random(31);
   for (int n = 0; n < 3000; ++n) {
     const Kinematics machine = random_machine(random);
-    const TurningMotion motion = random_motion(random, kControls[n % 3]);
+    const TurningMotion motion = random_motion(random, kTipControls[n % 3]);
     for (const double t : {0.0, 0.3, 1.0}) {
       const RotaryAngles angles = motion.angles_at(t);
       const Pose tool = motion.tool_at(machine, t);
@@ -116,7 +116,7 @@ TEST_CASE("neither tip nor tool goes faster than the bounds of its motion", "[pr
   std::mt19937_64 random(32);
   for (int n = 0; n < 3000; ++n) {
     const Kinematics machine = random_machine(random);
-    check_speeds(machine, random_motion(random, kControls[n % 3]), 40);
+    check_speeds(machine, random_motion(random, kTipControls[n % 3]), 40);
   }
 }
 

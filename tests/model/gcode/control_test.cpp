@@ -9,6 +9,7 @@
 #include "tests/support/temporary_folder.h"
 
 using namespace limitgauge::model;
+using limitgauge::model::test::read_text;
 using limitgauge::tests::message_of;
 
 namespace {

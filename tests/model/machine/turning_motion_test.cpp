@@ -53,7 +53,7 @@ double turn_between_rad(const Pose& a, const Pose& b) {
 }
 
 const TipControl kTipControls[] = {TipControl::joints, TipControl::tool_centre,
-                                TipControl::dynamic_offset};
+                                   TipControl::dynamic_offset};
 
 void check_speeds(const Kinematics& machine, const TurningMotion& motion, int steps) {
   const double tip_mm = motion.tip_speed_mm(machine) / steps, turn = motion.turn_rad() / steps;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/picture/quad_bunches.h"
 #include "reports/picture/raster.h"
 #include "reports/tolerance.h"
 
@@ -16,12 +17,13 @@ constexpr Rgba kBorder{20, 24, 30, 70};
 constexpr int kOversampling = 2;
 constexpr int kHatchPeriod = 14;  ///< oversampled pixels
 
-/// What the uppermost surface holds at each pixel of some rows.
+/// What the uppermost surface holds at each pixel of some rows, where there is one. The same memory
+/// is for all of them.
 struct MapLayers {
-  MapLayers(int width, int height, int first_row)
-      : depth(width, height, first_row),
-        deviation_mm(std::size_t(width) * height, 0.f),
-        reachable(std::size_t(width) * height, 0.f) {}
+  explicit MapLayers(int width)
+      : depth(width, kRowsAtOnce),
+        deviation_mm(std::size_t(width) * kRowsAtOnce),
+        reachable(std::size_t(width) * kRowsAtOnce) {}
   DepthBuffer depth;
   std::vector<float> deviation_mm, reachable;
 };
@@ -38,7 +40,7 @@ std::vector<ScreenPoint> screen_points(const verifier::DeviationField& field,
 }
 
 void fill_layers(MapLayers& layers, const verifier::DeviationField& field,
-                 const std::vector<ScreenPoint>& points) {
+                 const std::vector<ScreenPoint>& points, const QuadBunches& bunches) {
   const auto fill = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const Sample &sa = field.samples[a], &sb = field.samples[b], &sc = field.samples[c];
     layers.depth.fill_triangle(
@@ -49,19 +51,23 @@ void fill_layers(MapLayers& layers, const verifier::DeviationField& field,
               static_cast<float>(w[0] * sa.reachable + w[1] * sb.reachable + w[2] * sc.reachable);
         });
   };
-  for (const auto& q : field.quads) fill(q[0], q[1], q[2]), fill(q[0], q[2], q[3]);
+  bunches.each(layers.depth,
+               [&](const auto& q) { fill(q[0], q[1], q[2]), fill(q[0], q[2], q[3]); });
 }
 
-/// The colours of the rows.
-Image coloured(const MapLayers& layers, const DeviationScale& scale, std::size_t first_row) {
-  Image image(layers.depth.width(), layers.depth.height());
-  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-    if (layers.depth.is_empty(i)) continue;
-    const std::size_t x = i % image.width(), y = first_row + i / image.width();
-    image.pixels()[i] =
-        layers.reachable[i] < 0.5f ? hatch_colour(x, y) : scale.colour(layers.deviation_mm[i]);
+/// Puts the colours of the rows into `image`.
+void colour_rows(const MapLayers& layers, const DeviationScale& scale, Image& image) {
+  const std::size_t width = image.width(), pixels = width * layers.depth.height();
+  for (std::size_t i = 0; i < pixels; ++i) {
+    Rgba& pixel = image.pixels()[i];
+    if (layers.depth.is_empty(i)) {
+      pixel = {0, 0, 0, 0};
+    } else if (layers.reachable[i] < 0.5f) {
+      pixel = hatch_colour(i % width, layers.depth.first_row() + i / width);
+    } else {
+      pixel = scale.colour(layers.deviation_mm[i]);
+    }
   }
-  return image;
 }
 
 /// Borders are met from both patches: collect them as coverage first, then blend once.
@@ -118,11 +124,14 @@ Image draw_map(const verifier::DeviationField& field, const DeviationScale& scal
   MapFrame fine = frame;
   fine.pixels_per_mm *= kOversampling, fine.width *= kOversampling, fine.height *= kOversampling;
   const std::vector<ScreenPoint> points = screen_points(field, fine);
-  Image out(frame.width, frame.height);
+  const QuadBunches bunches(field, points);
+  MapLayers layers(fine.width);
+  Image colours(fine.width, kRowsAtOnce), out(frame.width, frame.height);
   by_rows(fine.height, [&](int first_row, int rows) {
-    MapLayers layers(fine.width, rows, first_row);
-    fill_layers(layers, field, points);
-    out.put_rows(coloured(layers, scale, first_row).halved(), first_row / kOversampling);
+    layers.depth.restart(first_row, rows);
+    fill_layers(layers, field, points, bunches);
+    colour_rows(layers, scale, colours);
+    out.put_halved(colours, rows, first_row / kOversampling);
   });
   draw_borders(out, field, frame);
   return out;

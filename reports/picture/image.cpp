@@ -58,10 +58,6 @@ void Image::draw(const Image& other, int x0, int y0) {
     for (int x = 0; x < other.width(); ++x) blend(x0 + x, y0 + y, other.at(x, y), 1);
 }
 
-void Image::put_rows(const Image& rows, int y) {
-  std::copy(rows.pixels_.begin(), rows.pixels_.end(), pixels_.begin() + std::ptrdiff_t(y) * width_);
-}
-
 void Image::fill(int x0, int y0, int width, int height, const Rgba& colour) {
   for (int y = std::max(y0, 0); y < std::min(y0 + height, height_); ++y)
     for (int x = std::max(x0, 0); x < std::min(x0 + width, width_); ++x) at(x, y) = colour;
@@ -69,11 +65,16 @@ void Image::fill(int x0, int y0, int width, int height, const Rgba& colour) {
 
 Image Image::halved() const {
   Image out(width_ / 2, height_ / 2);
-  for (int y = 0; y < out.height(); ++y)
-    for (int x = 0; x < out.width(); ++x)
-      out.at(x, y) = mean(at(2 * x, 2 * y), at(2 * x + 1, 2 * y), at(2 * x, 2 * y + 1),
-                          at(2 * x + 1, 2 * y + 1));
+  out.put_halved(*this, height_, 0);
   return out;
+}
+
+void Image::put_halved(const Image& fine, int rows, int y0) {
+  for (int y = 0; y < rows / 2; ++y) {
+    const Rgba *upper = &fine.at(0, 2 * y), *lower = &fine.at(0, 2 * y + 1);
+    for (int x = 0; x < width_; ++x, upper += 2, lower += 2)
+      at(x, y0 + y) = mean(upper[0], upper[1], lower[0], lower[1]);
+  }
 }
 
 }  // namespace limitgauge::reports

@@ -29,11 +29,12 @@ class Image {
   void blend(int x, int y, const Rgba& colour, double coverage);
   /// Puts `other` over this picture, its upper left corner at (x, y).
   void draw(const Image& other, int x, int y);
-  /// Puts `rows`, as wide as this picture, in place of what is there from row `y` on.
-  void put_rows(const Image& rows, int y);
   void fill(int x, int y, int width, int height, const Rgba& colour);
   /// The picture at half the size, each pixel the mean of four.
   Image halved() const;
+  /// Puts the first `rows` rows of `fine`, twice as wide as this picture, in place of what is there
+  /// from row `y` on, at half the size.
+  void put_halved(const Image& fine, int rows, int y);
 
  private:
   int width_, height_;

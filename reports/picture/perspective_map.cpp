@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reports/picture/deviation_map.h"
+#include "reports/picture/quad_bunches.h"
 
 namespace limitgauge::reports {
 namespace {
@@ -16,7 +17,8 @@ constexpr Rgba kBorder{20, 24, 30, 90}, kBack{120, 124, 130};
 /// Colours must stay those of the bar: light takes a fifth of them at most.
 constexpr double kDarkest = 0.8;
 
-/// What the nearest surface holds at each pixel.
+/// What the nearest surface holds at each pixel, where there is one. The same memory is for all
+/// rows.
 struct Layers {
   explicit Layers(std::size_t pixels) : deviation_mm(pixels), reachable(pixels), light(pixels) {}
   std::vector<float> deviation_mm, reachable;
@@ -48,7 +50,7 @@ std::vector<ScreenPoint> screen_points(const verifier::DeviationField& field,
 
 template <typename Paint>
 void fill_quads(DepthBuffer& depth, const verifier::DeviationField& field,
-                const std::vector<ScreenPoint>& points, Paint&& paint) {
+                const std::vector<ScreenPoint>& points, const QuadBunches& bunches, Paint&& paint) {
   const auto fill = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const std::array<ScreenPoint, 3> corners{points[a], points[b], points[c]};
     depth.fill_triangle(corners, [&](std::size_t pixel, const auto& on_screen) {
@@ -56,13 +58,14 @@ void fill_quads(DepthBuffer& depth, const verifier::DeviationField& field,
             in_space(on_screen, corners));
     });
   };
-  for (const auto& q : field.quads) fill(q[0], q[1], q[2]), fill(q[0], q[2], q[3]);
+  bunches.each(depth, [&](const auto& q) { fill(q[0], q[1], q[2]), fill(q[0], q[2], q[3]); });
 }
 
 void fill_layers(DepthBuffer& depth, Layers& layers, const verifier::DeviationField& field,
-                 const std::vector<ScreenPoint>& points, const PerspectiveView& view) {
+                 const std::vector<ScreenPoint>& points, const QuadBunches& bunches,
+                 const PerspectiveView& view) {
   const Lamp lamp(view);
-  fill_quads(depth, field, points,
+  fill_quads(depth, field, points, bunches,
              [&](std::size_t i, const Sample& a, const Sample& b, const Sample& c, const auto& w) {
                layers.deviation_mm[i] = static_cast<float>(
                    w[0] * a.deviation_mm + w[1] * b.deviation_mm + w[2] * c.deviation_mm);
@@ -115,10 +118,11 @@ class BorderMask {
             is_border_[std::size_t(y + dy) * width_ + x + dx] = true;
     }
   }
-  void draw(Image& rows, int first_row) const {
-    for (int y = 0; y < rows.height(); ++y)
+  /// On the first `rows` rows of `image`, which are those of the screen from `first_row` on.
+  void draw(Image& image, int first_row, int rows) const {
+    for (int y = 0; y < rows; ++y)
       for (int x = 0; x < width_; ++x)
-        if (is_border_[std::size_t(first_row + y) * width_ + x]) rows.blend(x, y, kBorder, 1);
+        if (is_border_[std::size_t(first_row + y) * width_ + x]) image.blend(x, y, kBorder, 1);
   }
 
  private:
@@ -126,17 +130,20 @@ class BorderMask {
   std::vector<bool> is_border_;
 };
 
-/// The colours of the rows of `depth`, in the light.
-Image coloured(const DepthBuffer& depth, const Layers& layers, const DeviationScale& scale) {
-  Image image(depth.width(), depth.height());
-  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-    if (depth.is_empty(i)) continue;
-    const std::size_t x = i % depth.width(), y = depth.first_row() + i / depth.width();
-    const Rgba colour =
-        layers.reachable[i] < 0.5f ? hatch_colour(x, y) : scale.colour(layers.deviation_mm[i]);
+/// Puts the colours of the rows of `depth` into `image`, in the light.
+void colour_lit_rows(const DepthBuffer& depth, const Layers& layers, const DeviationScale& scale,
+                     Image& image) {
+  const std::size_t width = depth.width(), pixels = width * depth.height();
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (depth.is_empty(i)) {
+      image.pixels()[i] = {0, 0, 0, 0};
+      continue;
+    }
+    const Rgba colour = layers.reachable[i] < 0.5f
+                            ? hatch_colour(i % width, depth.first_row() + i / width)
+                            : scale.colour(layers.deviation_mm[i]);
     image.pixels()[i] = shaded(colour, layers.light[i]);
   }
-  return image;
 }
 
 }  // namespace
@@ -151,7 +158,8 @@ bool is_in_sight(const ScreenPoint& p, const DepthBuffer& depth) {
 
 DepthBuffer perspective_depth(const verifier::DeviationField& field, const PerspectiveView& view) {
   DepthBuffer depth(view.width(), view.height());
-  fill_quads(depth, field, screen_points(field, view), [](auto&&...) {});
+  const std::vector<ScreenPoint> points = screen_points(field, view);
+  fill_quads(depth, field, points, QuadBunches(field, points), [](auto&&...) {});
   return depth;
 }
 
@@ -160,17 +168,19 @@ PerspectiveMap draw_perspective_map(const verifier::DeviationField& field,
   const PerspectiveView fine = view.scaled(kOversampling);
   const std::vector<ScreenPoint> points = screen_points(field, fine);
   const std::vector<ScreenPoint> borders = border_points(field, points, fine);
+  const QuadBunches bunches(field, points);
   BorderMask mask(fine.width(), fine.height());
-  DepthBuffer depth(fine.width(), fine.height());
+  DepthBuffer depth(fine.width(), fine.height()), part(fine.width(), kRowsAtOnce);
+  Layers layers(std::size_t(fine.width()) * kRowsAtOnce);
+  Image colours(fine.width(), kRowsAtOnce);
   Image image(fine.width() / kOversampling, fine.height() / kOversampling);
   by_rows(fine.height() / kOversampling * kOversampling, [&](int first_row, int rows) {
-    DepthBuffer part(fine.width(), rows, first_row);
-    Layers layers(std::size_t(fine.width()) * rows);
-    fill_layers(part, layers, field, points, fine);
+    part.restart(first_row, rows);
+    fill_layers(part, layers, field, points, bunches, fine);
     mask.mark(borders, part);
-    Image colours = coloured(part, layers, scale);
-    mask.draw(colours, first_row);
-    image.put_rows(colours.halved(), first_row / kOversampling);
+    colour_lit_rows(part, layers, scale, colours);
+    mask.draw(colours, first_row, rows);
+    image.put_halved(colours, rows, first_row / kOversampling);
     depth.put(part);
   });
   return {std::move(image), std::move(depth), kOversampling};

@@ -23,6 +23,11 @@ class DepthBuffer {
         height_(height),
         first_row_(first_row),
         depth_(std::size_t(width) * height, -std::numeric_limits<float>::infinity()) {}
+  /// Begins anew with `height` rows from `first_row` on, in the same memory.
+  void restart(int first_row, int height) {
+    first_row_ = first_row, height_ = height;
+    depth_.assign(std::size_t(width_) * height, -std::numeric_limits<float>::infinity());
+  }
   int width() const { return width_; }
   int height() const { return height_; }
   int first_row() const { return first_row_; }
@@ -52,12 +57,15 @@ class DepthBuffer {
   std::vector<float> depth_;
 };
 
+/// How many rows of a picture are drawn at a time. Even: two of them become one that is shown.
+inline constexpr int kRowsAtOnce = 256;
+
 /// Calls `draw(first_row, rows)` for some rows of a picture after the other, so that not all of it
 /// is held many times as fine as it is shown.
 template <typename Draw>
 void by_rows(int height, Draw&& draw) {
-  constexpr int kRows = 256;  // even: two of them become one that is shown
-  for (int row = 0; row < height; row += kRows) draw(row, std::min(kRows, height - row));
+  for (int row = 0; row < height; row += kRowsAtOnce)
+    draw(row, std::min(kRowsAtOnce, height - row));
 }
 
 /// Barycentric coordinates on the screen as those in space, of a triangle in perspective whose z

@@ -161,15 +161,14 @@ void fill(const Scene& scene, const Bunch& bunch, DepthBuffer& depth, std::vecto
   }
 }
 
-/// What is nearest in the rows of `depth`: all that is seen is lit, once.
-Image lit(const Scene& scene, DepthBuffer& depth) {
-  Image image(depth.width(), depth.height());
-  std::vector<Small> seen(image.pixels().size());
+/// Puts what is nearest in the rows of `depth` into `image`: all that is seen is lit, once. `seen`
+/// is room for the normals of as many pixels.
+void light_rows(const Scene& scene, DepthBuffer& depth, std::vector<Small>& seen, Image& image) {
   for (const Bunch& bunch : scene.bunches)
     if (bunch.reaches(depth)) fill(scene, bunch, depth, seen);
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    if (!depth.is_empty(i)) image.pixels()[i] = scene.lights.on(seen[i].vec());
-  return image;
+  const std::size_t pixels = std::size_t(depth.width()) * depth.height();
+  for (std::size_t i = 0; i < pixels; ++i)
+    image.pixels()[i] = depth.is_empty(i) ? Rgba{0, 0, 0, 0} : scene.lights.on(seen[i].vec());
 }
 
 }  // namespace
@@ -182,9 +181,13 @@ Image draw_stock_picture(const simulator::StockMesh& mesh, int largest_width,
   Scene scene{mesh, screen_points(mesh, view), vertex_normals(mesh), {}, Lights(view)};
   scene.bunches = bunches_of(mesh, scene.points);
   Image image(fine_width / kOversampling, std::max(fine_height / kOversampling, 1));
+  DepthBuffer depth(fine_width, kRowsAtOnce);
+  std::vector<Small> seen(std::size_t(fine_width) * kRowsAtOnce);
+  Image lit(fine_width, kRowsAtOnce);
   by_rows(image.height() * kOversampling, [&](int first_row, int rows) {
-    DepthBuffer depth(fine_width, rows, first_row);
-    image.put_rows(lit(scene, depth).halved(), first_row / kOversampling);
+    depth.restart(first_row, rows);
+    light_rows(scene, depth, seen, lit);
+    image.put_halved(lit, rows, first_row / kOversampling);
   });
   // An axis of a part that was turned may lead down.
   const double room = from_part.turns() ? 2.0 * kMargin : 0;

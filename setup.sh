@@ -16,13 +16,13 @@ build=(
   libeigen3-dev
   # another evaluator of the limit surface, the witness of every run
   libosd-dev
-  # reports: JSON, XML, pictures, text; VTK files
-  nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev libvtk9-dev
+  # reports: JSON, XML, pictures, text; VTK files, compressed by libdeflate
+  nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libfmt-dev libvtk9-dev libdeflate-dev
   # the report's script, bundled from reports/web at build time; a node that came with npm brings both
   nodejs
   # command line and job files; checksums of what was read
   libcli11-dev libtomlplusplus-dev libssl-dev
-  # histories; the search of a study, found by pkg-config
+  # histories; the search of a study, found by pkg-config as libdeflate is
   libsqlite3-dev libnlopt-cxx-dev pkgconf
 )
 command -v npm >/dev/null || build+=(npm)

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "model/base/error.h"
+#include "reports/vtk/zlib_blocks.h"
 
 namespace limitgauge::reports {
 namespace {
@@ -40,9 +41,9 @@ void write_xml(vtkXMLWriter& writer, const std::filesystem::path& file) {
   writer.SetFileName(file.c_str());
   writer.SetByteOrderToLittleEndian();
   writer.SetHeaderTypeToUInt64();
-  // Level 1: toolpaths and meshes are large, and a level more saves a few percent for twice the
-  // time. Blocks of 256 KiB: eight times VTK's own, fewer calls and a little smaller.
-  writer.SetCompressionLevel(1);
+  // Blocks of 256 KiB: eight times VTK's own, fewer calls and a little smaller.
+  const vtkNew<ZlibBlocks> blocks;
+  writer.SetCompressor(blocks);
   writer.SetBlockSize(std::size_t{1} << 18);
   const bool is_written = writer.Write() != 0;
   if (is_written && writer.GetErrorCode() == vtkErrorCode::NoError) return;

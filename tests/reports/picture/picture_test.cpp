@@ -1,4 +1,5 @@
 #include <png.h>
+#include <algorithm>
 #include <random>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "reports/picture/deviation_map.h"
 #include "reports/picture/lettering.h"
 #include "reports/picture/png.h"
+#include "reports/picture/quad_bunches.h"
 #include "reports/picture/raster.h"
 #include "reports/picture/stock_picture.h"
 #include "tests/reports/sample_result.h"
@@ -178,12 +180,12 @@ TEST_CASE("a picture that is drawn some rows at a time is the one that is drawn 
       depth.fill_triangle(triangles[k], [&](std::size_t i, const auto& w) { seen[i] = {k, w[0]}; });
     return seen;
   };
-  DepthBuffer whole(kWidth, kHeight), joined(kWidth, kHeight);
+  DepthBuffer whole(kWidth, kHeight), joined(kWidth, kHeight), part(kWidth, kRowsAtOnce);
   const Seen at_once = draw(whole);
   Seen by_parts;
   int parts = 0;
   by_rows(kHeight, [&](int first_row, int rows) {
-    DepthBuffer part(kWidth, rows, first_row);
+    part.restart(first_row, rows);
     const Seen seen = draw(part);
     by_parts.insert(by_parts.end(), seen.begin(), seen.end());
     joined.put(part);
@@ -194,6 +196,36 @@ TEST_CASE("a picture that is drawn some rows at a time is the one that is drawn 
   CHECK(parts == 3);
   CHECK(by_parts == at_once);
   for (std::size_t i = 0; i < at_once.size(); ++i) REQUIRE(joined.nearest(i) == whole.nearest(i));
+}
+
+TEST_CASE("quads are found by the rows that they reach, all of them and in their order",
+          "[property][picture]") {
+  constexpr std::size_t kQuads = 3000;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> beside(-20, 20);
+  verifier::DeviationField field;
+  std::vector<ScreenPoint> points;
+  for (std::uint32_t k = 0; k < kQuads; ++k) {
+    field.quads.push_back({4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 3});
+    for (int corner = 0; corner < 4; ++corner)
+      points.push_back({beside(random), 0.2 * k + beside(random), 1});
+  }
+  const QuadBunches bunches(field, points);
+  std::size_t visited = 0;
+  by_rows(620, [&](int first_row, int rows) {
+    std::vector<std::uint32_t> met;
+    bunches.each(DepthBuffer(40, rows, first_row), [&](const auto& q) { met.push_back(q[0]); });
+    visited += met.size();
+    CHECK(std::is_sorted(met.begin(), met.end()));
+    const std::set<std::uint32_t> all(met.begin(), met.end());
+    for (const auto& q : field.quads) {
+      bool reaches = false;
+      for (const auto corner : q)
+        reaches |= points[corner].y >= first_row && points[corner].y <= first_row + rows;
+      if (reaches) REQUIRE(all.contains(q[0]));
+    }
+  });
+  CHECK(visited < 2 * kQuads);
 }
 
 TEST_CASE("the scale is centred on zero and jumps at the limits", "[unit][picture]") {

@@ -274,6 +274,28 @@ TEST_CASE("VTK reads a stock surface back", "[unit][vtk]") {
   CHECK(mesh->GetPoint(3)[2] == 2.5);
 }
 
+TEST_CASE("a file names the compressor that every reader knows, and is compressed", "[unit][vtk]") {
+  const tests::TemporaryFolder folder;
+  simulator::StockMesh mesh;
+  for (std::uint32_t k = 0; k < 300000; ++k)
+    mesh.vertices.push_back({0.1 * k, 0.25 * (k % 7), 1.0 * (k / 1000)});
+  for (std::uint32_t k = 0; k + 2 < 300000; ++k) mesh.triangles.push_back({k, k + 1, k + 2});
+  const auto file = folder.path() / "stock.vtp";
+  write_stock_vtp(mesh, file);
+  const auto read = read_back(file);
+  REQUIRE(read->GetNumberOfPoints() == 300000);
+  for (const vtkIdType k : {0, 1, 65536, 299999}) {
+    CHECK(read->GetPoint(k)[0] == Approx(0.1 * static_cast<double>(k)));
+    CHECK(read->GetPoint(k)[2] == static_cast<double>(k / 1000));
+  }
+  std::ifstream in(file, std::ios::binary);
+  std::string head(1000, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  CHECK(head.find("compressor=\"vtkZLibDataCompressor\"") != std::string::npos);
+  // Plain, the points and the corners alone are 7.2 MB.
+  CHECK(std::filesystem::file_size(file) < 3'600'000);
+}
+
 TEST_CASE("empty data makes a file that VTK reads", "[unit][vtk]") {
   const tests::TemporaryFolder folder;
   write_toolpath_vtp({}, folder.path() / "a.vtp");

@@ -8,7 +8,7 @@
 namespace limitgauge::reports {
 namespace {
 
-/// Of meshes as small as zlib's own lowest level makes them, in less than half of its time. A level
+/// Of meshes as small as zlib's own lowest level makes them, in about half of its time. A level
 /// less is larger by a sixth, levels more are no smaller.
 constexpr int kLevel = 2;
 

@@ -11,7 +11,7 @@ struct libdeflate_compressor;
 namespace limitgauge::reports {
 
 /// VTK's zlib blocks as libdeflate makes them: the same format, which every reader of VTK's files
-/// knows by the name of the class that this one is derived from, in less than half of zlib's time.
+/// knows by the name of the class that this one is derived from, in about half of zlib's time.
 class ZlibBlocks : public vtkZLibDataCompressor {
  public:
   /// As VTK makes its objects. Throws std::bad_alloc.

@@ -1,17 +1,11 @@
 // Where the browser cannot draw in 3D the page says so and keeps all else.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { openBrowser, withReport } from './support/browser.mjs';
+import { noContext, openBrowser, withReport } from './support/browser.mjs';
 import { misfits } from './support/layout.mjs';
 import { part } from './support/view.mjs';
 
-/** In the page, before its script: no canvas gives a WebGL context; then, asking for one is an error. */
-const noContext = () => {
-  const given = HTMLCanvasElement.prototype.getContext;
-  HTMLCanvasElement.prototype.getContext = function (kind, ...others) {
-    return kind.startsWith('webgl') ? null : given.call(this, kind, ...others);
-  };
-};
+/** In the page, before its script: asking for a WebGL context is an error. */
 const contextThrows = () => {
   const given = HTMLCanvasElement.prototype.getContext;
   HTMLCanvasElement.prototype.getContext = function (kind, ...others) {

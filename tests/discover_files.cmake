@@ -15,6 +15,6 @@ set(text)
 foreach(file ${files})
   set(name "[==[${NAME}: ${LABEL} tests of ${file}]==]")
   string(APPEND text "add_test(${name} [==[${EXECUTABLE}]==] --filenames-as-tags [==[[#${file}]${SPEC}]==])\n"
-    "set_tests_properties(${name} PROPERTIES LABELS ${LABEL} TIMEOUT 600)\n")
+    "set_tests_properties(${name} PROPERTIES LABELS ${LABEL} TIMEOUT 1200)\n")
 endforeach()
 file(WRITE ${OUT} "${text}")

@@ -18,6 +18,9 @@ using std::numbers::pi;
 /// Cells of S a cell may still have to be held against, before it is halved without remembering.
 constexpr std::size_t kMostPending = 64;
 constexpr int kLevelDirections = 16;
+/// Parts of one cell of S that are looked at for one contact: a contact of a nanometre, beside an
+/// irregular vertex, would have it cut into a hundred thousand in vain. Most take some dozens.
+constexpr int kMostParts = 1000;
 
 }  // namespace
 
@@ -65,7 +68,7 @@ bool CellClassifier::prove(OpenCell& open, const SurfaceCell& cell, const CellCo
                            CellHalves& parts) const {
   if (!open.cleared) return prove_beyond(open, local_.clear(cell, contact), contact, parts);
   std::erase_if(open.pending, [&](std::uint32_t k) {
-    return clears(contact, open.cleared, parts.whole(k), open.witness);
+    return clears_cell(contact, open.cleared, k, parts, open.witness);
   });
   return open.pending.empty();
 }
@@ -89,13 +92,13 @@ bool CellClassifier::search(const CellContact& c, const std::optional<ClearedRec
   model::nearest_first(
       cells_.nodes(),
       [&](const model::BoxNode& node) {
-        return standing_bound(c.profile(), c.tip(), node.box) - c.stray();
+        const double bound = standing_bound(c.profile(), c.tip(), node.box) - c.stray();
+        return bound < limit_ && below_contact_plane(c, node.box) ? limit_ : bound;
       },
       [&](double bound) { return cut || bound >= limit_; },
       [&](const model::BoxNode& leaf) {
-        if (below_contact_plane(c, leaf.box)) return;
         for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-          if (clears(c, cleared, parts.whole(k), witness)) continue;
+          if (clears_cell(c, cleared, k, parts, witness)) continue;
           pending.push_back(k);
           cut = witness.has_value() || pending.size() > kMostPending;
           if (cut) return;
@@ -111,15 +114,24 @@ bool CellClassifier::below_contact_plane(const CellContact& c, const model::Box3
          reachability_.contact_mm();
 }
 
-/// Whether the cutter stays clear of a cell of S wherever it touches the cell under test. What
-/// holds of a ball round it needs no look at its sixteen control points.
+/// Whether the cutter stays clear of a cell of S wherever it touches the cell under test.
+bool CellClassifier::clears_cell(const CellContact& c, const std::optional<ClearedRect>& cleared,
+                                 std::uint32_t index, CellHalves& parts,
+                                 std::optional<Vec3>& witness) const {
+  Looks looks{parts, witness, kMostParts};
+  return clears(c, cleared, parts.whole(index), looks);
+}
+
+/// The same of a part of it. What holds of a ball round it needs no look at its sixteen control
+/// points.
 bool CellClassifier::clears(const CellContact& c, const std::optional<ClearedRect>& cleared,
-                            CellHalves::Part& other, std::optional<Vec3>& witness) const {
+                            CellHalves::Part& other, Looks& looks) const {
+  if (--looks.left < 0) return false;
   if (cleared && local_.holds(*cleared, *other.cell)) return true;
   const Vec3& centre = other.middle;
   const BodyDistance d = standing_distance(c.profile(), c.tip(), centre);
   if (d.value < limit_ && !c.turning()) {
-    witness = centre;
+    looks.witness = centre;
     return false;
   }
   const double radius = other.radius_mm;
@@ -130,8 +142,14 @@ bool CellClassifier::clears(const CellContact& c, const std::optional<ClearedRec
     return true;
   if (clears_by_distance(c, other, d) || clears_by_plane(c, other, apart)) return true;
   if (radius < c.radius() / 2) return false;
-  auto& parts = CellHalves::halves_of(other);
-  return clears(c, cleared, parts[0], witness) && clears(c, cleared, parts[1], witness);
+  auto& halves = looks.parts.halves_of(other);
+  // What failed for a neighbour first: it is the likeliest to fail again.
+  for (const bool second : {other.second_first, !other.second_first}) {
+    if (clears(c, cleared, halves[second], looks)) continue;
+    other.second_first = second;
+    return false;
+  }
+  return true;
 }
 
 /// By the supporting plane of the distance `d` at the other cell's middle. The middle is in the

@@ -43,8 +43,17 @@ class CellClassifier {
               std::vector<std::uint32_t>& pending, std::optional<model::Vec3>& witness,
               CellHalves& parts) const;
   bool below_contact_plane(const CellContact& c, const model::Box3& box) const;
+  /// What the looks at one cell of S share.
+  struct Looks {
+    CellHalves& parts;
+    std::optional<model::Vec3>& witness;
+    int left = 0;  ///< how many more parts of it may be looked at
+  };
+  bool clears_cell(const CellContact& c, const std::optional<ClearedRect>& cleared,
+                   std::uint32_t index, CellHalves& parts,
+                   std::optional<model::Vec3>& witness) const;
   bool clears(const CellContact& c, const std::optional<ClearedRect>& cleared,
-              CellHalves::Part& other, std::optional<model::Vec3>& witness) const;
+              CellHalves::Part& other, Looks& looks) const;
   bool clears_by_distance(const CellContact& c, const CellHalves::Part& other,
                           const BodyDistance& d) const;
   bool clears_by_plane(const CellContact& c, const CellHalves::Part& other, double apart) const;

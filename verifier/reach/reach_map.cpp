@@ -1,6 +1,8 @@
 #include "verifier/reach/reach_map.h"
 
 #include <deque>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 
 #include "model/base/chunks.h"
@@ -112,12 +114,38 @@ std::optional<Decided> recorded(const Shared& shared, std::uint32_t depth, OpenC
   return decided;
 }
 
+/// Halves of cells for as many threads as there are, whose memory goes from one part of a search to
+/// the next.
+class SharedHalves {
+ public:
+  explicit SharedHalves(const SurfaceCells& cells) : cells_(cells) {}
+
+  std::unique_ptr<CellHalves> take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return std::make_unique<CellHalves>(cells_);
+    std::unique_ptr<CellHalves> out = std::move(idle_.back());
+    idle_.pop_back();
+    return out;
+  }
+  void give_back(std::unique_ptr<CellHalves> halves) {
+    halves->forget();
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(halves));
+  }
+
+ private:
+  const SurfaceCells& cells_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<CellHalves>> idle_;
+};
+
 /// Halves cells until each is proven for one cutter, or the effort is spent.
 Entries classify_cells(OpenCells level, const Reachability& reachability,
                        const ReachOptions& options, const Shared& shared,
                        const model::RunControl& control) {
   const SurfaceCells& own = reachability.cells();
   const CellClassifier classifier(own, reachability);
+  SharedHalves halves(own);
   Entries done;
   std::size_t seen = shared.elsewhere;
   std::uint32_t depth = 0;
@@ -128,13 +156,14 @@ Entries classify_cells(OpenCells level, const Reachability& reachability,
     // The halves that are kept go with it: four times as many took 70 MB more, and no less time.
     constexpr std::size_t kChunk = 256;
     model::parallel_chunks(level.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
-      CellHalves parts(own);
+      std::unique_ptr<CellHalves> parts = halves.take();
       for (std::size_t i = begin; i < end; ++i) {
         const auto known = recorded(shared, depth, level[i], own, last);
         decided[i] =
             known ? *known
-                  : decide(classifier, level[i], own.cell_of(level[i].cell), parts, options, last);
+                  : decide(classifier, level[i], own.cell_of(level[i].cell), *parts, options, last);
       }
+      halves.give_back(std::move(parts));
     });
     if (shared.with.record)
       for (std::size_t i = 0; i < level.size(); ++i)

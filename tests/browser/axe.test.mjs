@@ -1,4 +1,5 @@
-// axe-core finds nothing on any page: wide in light, narrow in dark, with all that is folded unfolded.
+// axe-core finds nothing on any page, wide in light and narrow in dark with all that is folded unfolded, and finds
+// what is wrong.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { violations } from './support/axe.mjs';
@@ -36,3 +37,22 @@ for (const [name, file] of [...reports, ['compared', 'compare.html'], ...studies
         assert.deepEqual(await violations(page), [], `${width} px, ${colorScheme}`);
       }
     }));
+
+/** Of the visible cells of tables, the last of a row that looks as the row before it. */
+function fadeOne() {
+  const seen = (cell) => cell.checkVisibility() && cell.textContent.trim();
+  const rows = [...document.querySelectorAll('tbody tr')].filter((row) => [...row.cells].some(seen));
+  const like = rows.filter((row) => row.previousElementSibling?.className === row.className);
+  const cell = [...like.at(-1).cells].filter(seen).at(-1);
+  cell.style.color = '#888';
+  cell.style.backgroundColor = '#999';
+}
+
+test('words of too little contrast are found, in a row like those before it too', () =>
+  withReport(browser, 'passed', { bypassCSP: true, reducedMotion: 'reduce' }, async (page) => {
+    await unfold(page);
+    await page.evaluate(fadeOne);
+    const found = await violations(page);
+    assert.equal(found.length, 1, found.join('\n'));
+    assert.match(found[0], /^color-contrast: .*#888888, background color: #999999/s);
+  }));

@@ -29,7 +29,8 @@ int others(CellHalves& halves, CellHalves::Part& part, const SurfaceCell& cell, 
 
 }  // namespace
 
-TEST_CASE("kept halves are those of the cell, before and after all were let go of") {
+TEST_CASE("kept halves are those of the cell, before and after all were let go of",
+          "[unit][cells]") {
   const ReferenceSurface surface(star_cage(5, 4));
   const SurfaceCells cells(surface.tree(), 0.8);
   CellHalves halves(cells);

@@ -1,3 +1,4 @@
+import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { given } from './pages.mjs';
@@ -49,4 +50,18 @@ export async function violations(page) {
     return found.violations.flatMap(({ id, nodes }) =>
       nodes.map(({ html, failureSummary }) => `${id}: ${html.slice(0, 120)}: ${failureSummary}`));
   });
+}
+
+/**
+ * That axe objects to nothing, wide in light and narrow in dark. One page for both: opening it takes longer than to
+ * look at it.
+ * @param before what is to be done with the page each time, ahead of axe
+ */
+export async function findsNothing(page, before = async () => {}) {
+  for (const [width, colorScheme] of [[1280, 'light'], [400, 'dark']]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.emulateMedia({ colorScheme });
+    await before(page);
+    assert.deepEqual(await violations(page), [], `${width} px, ${colorScheme}`);
+  }
 }

@@ -31,7 +31,8 @@ TEST_CASE("what is no file is said, and nothing waits for it", "[unit][text_file
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
   const auto begin = std::chrono::steady_clock::now();
   CHECK_THAT(refusal_to_read(pipe), ContainsSubstring("error: nobody writes into this pipe"));
-  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(1));
+  // Without end, if it were waited for.
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));
   CHECK_THROWS_AS(require_file(pipe), InputError);
 }
 

@@ -22,6 +22,10 @@ using LoadClock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
+/// On a busy machine as well; a client who asks for nothing is waited for longer (kLongestAsking,
+/// 15 s).
+constexpr seconds kPromptly{10};
+
 /// One connection of a client who need not be in a hurry.
 class Client {
  public:
@@ -106,12 +110,12 @@ TEST_CASE("200 slow clients hold up neither others nor the end", "[e2e][view]") 
     for (const Client& client : slow) client.send("x");
     const auto began = LoadClock::now();
     CHECK(answered_at_once(viewer, 1) == 1);
-    CHECK(LoadClock::now() - began < seconds(2));
+    CHECK(LoadClock::now() - began < kPromptly);
   }
   CHECK(answered_at_once(viewer, 250) == 250);
   const auto began = LoadClock::now();
   CHECK(viewer.end(SIGTERM) == 0);
-  CHECK(LoadClock::now() - began < seconds(2));
+  CHECK(LoadClock::now() - began < kPromptly);
 }
 
 TEST_CASE("500 connections at once are answered, without a thread for each", "[e2e][view]") {
@@ -137,7 +141,7 @@ TEST_CASE("view gets along with few file descriptors", "[e2e][view]") {
     add_slow(silent, viewer, 200);
     const auto began = LoadClock::now();
     CHECK(answered_at_once(viewer, 1) == 1);
-    CHECK(LoadClock::now() - began < seconds(6));
+    CHECK(LoadClock::now() - began < kPromptly);
     // Whoever waits before the door costs nothing.
     add_slow(silent, viewer, 200);
     const double before_s = cost_of(viewer.id()).first;
@@ -159,7 +163,7 @@ TEST_CASE("view ends at once while it starts", "[e2e][view]") {
     const int code = program.end(SIGTERM);
     // Before the program has looked at its signals, they are the system's.
     CHECK((code == 0 || code == -SIGTERM));
-    CHECK(LoadClock::now() - began < seconds(2));
+    CHECK(LoadClock::now() - began < kPromptly);
   }
 }
 

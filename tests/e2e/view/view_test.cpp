@@ -89,7 +89,8 @@ TEST_CASE("a waiting browser does not hold view back when it shall end", "[e2e][
   const auto began = std::chrono::steady_clock::now();
   CHECK(viewer.end(SIGINT) == 0);
   half.join();
-  CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(2));
+  // The one who asks would be waited for 15 s.
+  CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(10));
 }
 
 TEST_CASE("a port can be chosen and is not shared", "[e2e][view]") {

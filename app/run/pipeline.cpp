@@ -352,13 +352,15 @@ void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::pa
   }
 }
 
-void write_report(const reports::RunResult& result, const std::filesystem::path& folder) {
+void write_report(const reports::RunResult& result, const std::filesystem::path& folder,
+                  unsigned threads) {
   using Writer = void (*)(const reports::RunResult&, std::ostream&);
   const auto write = [&](const char* file, Writer writer) {
     model::write_file(folder / file, [&](std::ostream& out) { writer(result, out); });
   };
   within_memory([&] {
-    write("report.html", reports::write_html);
+    model::write_file(folder / "report.html",
+                      [&](std::ostream& out) { reports::write_html(result, out, threads); });
     write("junit.xml", reports::write_junit);
     write("findings.sarif", reports::write_sarif);
     write("findings.csv", reports::write_findings_csv);

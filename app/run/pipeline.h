@@ -35,6 +35,7 @@ void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::pa
               const RunOptions& options);
 
 /// result.json, junit.xml and report.html into `folder`. Throws ResourceError.
-void write_report(const reports::RunResult& result, const std::filesystem::path& folder);
+void write_report(const reports::RunResult& result, const std::filesystem::path& folder,
+                  unsigned threads);
 
 }  // namespace limitgauge::app

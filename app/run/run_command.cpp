@@ -162,7 +162,7 @@ ExitCode run_and_report(const Job& job, const std::filesystem::path& output,
     work_in(folder, [&] {
       result = run_job(job, inputs, folder.working(), options);
       progress.phase({"writing the report"});
-      write_report(result, folder.working());
+      write_report(result, folder.working(), options.threads);
     });
   });
   print(result, folder, history, common, console);

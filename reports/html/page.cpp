@@ -1,5 +1,9 @@
 #include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
 
+#include "model/base/run_control.h"
 #include "reports/html/job/job_sections.h"
 #include "reports/html/markup.h"
 #include "reports/html/masthead.h"
@@ -34,13 +38,30 @@ constexpr const char* kStockView =
     "can be turned needs a script, which is switched off here. Each stage below has it as a "
     "picture.</p></noscript>\n<div data-view=\"\"></div></section>\n";
 
+/// What takes time, side by side: the sections of all stages, with their maps, then the script.
+std::vector<std::string> large_parts(const RunResult& result, unsigned threads) {
+  const std::size_t stages = result.stages.size();
+  std::vector<std::string> parts(stages + 1);
+  model::parallel_for(parts.size(), threads, [&](std::size_t i) {
+    if (i < stages) {
+      parts[i] = stage_section(result, i);
+      return;
+    }
+    std::ostringstream script;
+    page::write_page_script(result, script);
+    parts[i] = std::move(script).str();
+  });
+  return parts;
+}
+
 }  // namespace
 
-void write_html(const RunResult& result, std::ostream& out) {
+void write_html(const RunResult& result, std::ostream& out, unsigned threads) {
+  const std::vector<std::string> parts = large_parts(result, threads);
   out << head(result) << masthead(result) << contents(result)
       << "<main id=\"figures\" tabindex=\"-1\">\n"
       << stage_table(result) << (result.surface ? kView : kStockView);
-  for (std::size_t i = 0; i < result.stages.size(); ++i) out << stage_section(result, i);
+  for (std::size_t i = 0; i < result.stages.size(); ++i) out << parts[i];
   if (result.surface) out << surface_section(*result.surface);
   out << engine_section(result) << setups_section(result) << tools_section(result)
       << inputs_section(result) << decision_section(result.surface.has_value())
@@ -48,8 +69,7 @@ void write_html(const RunResult& result, std::ostream& out) {
       << "</main>\n<footer><p>All lengths in mm or µm as stated. The same figures, digit for "
          "digit, are in "
          "result.json beside this page.</p></footer>\n</div>\n";
-  page::write_page_script(result, out);
-  out << "</body></html>\n";
+  out << parts.back() << "</body></html>\n";
 }
 
 }  // namespace limitgauge::reports

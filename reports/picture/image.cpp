@@ -5,10 +5,6 @@
 namespace limitgauge::reports {
 namespace {
 
-std::uint8_t channel(double value) {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
-}
-
 /// The mean of four pixels, each colour weighed by its alpha.
 Rgba mean(const Rgba& p, const Rgba& q, const Rgba& r, const Rgba& s) {
   if (p.a == 255 && q.a == 255 && r.a == 255 && s.a == 255) {
@@ -28,11 +24,6 @@ Rgba mean(const Rgba& p, const Rgba& q, const Rgba& r, const Rgba& s) {
 }
 
 }  // namespace
-
-Rgba mixed(const Rgba& from, const Rgba& to, double t) {
-  const auto mix = [t](double a, double b) { return channel(a + (b - a) * t); };
-  return {mix(from.r, to.r), mix(from.g, to.g), mix(from.b, to.b), mix(from.a, to.a)};
-}
 
 Image::Image(int width, int height, Rgba fill)
     : width_(width), height_(height), pixels_(std::size_t(width) * height, fill) {}

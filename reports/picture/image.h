@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -10,8 +11,15 @@ struct Rgba {
   std::uint8_t r = 0, g = 0, b = 0, a = 255;
   friend constexpr bool operator==(const Rgba&, const Rgba&) = default;
 };
-/// `t` = 0 gives `from`, 1 gives `to`.
-Rgba mixed(const Rgba& from, const Rgba& to, double t);
+/// The channel's value nearest to `value`.
+inline std::uint8_t channel(double value) {
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
+}
+/// `t` = 0 gives `from`, 1 gives `to`. Asked for millions of pixels.
+inline Rgba mixed(const Rgba& from, const Rgba& to, double t) {
+  const auto mix = [t](double a, double b) { return channel(a + (b - a) * t); };
+  return {mix(from.r, to.r), mix(from.g, to.g), mix(from.b, to.b), mix(from.a, to.a)};
+}
 
 /// A picture, row by row from the top; a new one is transparent.
 class Image {

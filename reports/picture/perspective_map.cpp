@@ -164,13 +164,15 @@ DepthBuffer perspective_depth(const verifier::DeviationField& field, const Persp
 }
 
 PerspectiveMap draw_perspective_map(const verifier::DeviationField& field,
-                                    const DeviationScale& scale, const PerspectiveView& view) {
+                                    const DeviationScale& scale, const PerspectiveView& view,
+                                    std::span<const Vec3> places) {
   const PerspectiveView fine = view.scaled(kOversampling);
   const std::vector<ScreenPoint> points = screen_points(field, fine);
   const std::vector<ScreenPoint> borders = border_points(field, points, fine);
   const QuadBunches bunches(field, points);
   BorderMask mask(fine.width(), fine.height());
-  DepthBuffer depth(fine.width(), fine.height()), part(fine.width(), kRowsAtOnce);
+  DepthBuffer part(fine.width(), kRowsAtOnce);
+  std::vector<bool> in_sight(places.size());
   Layers layers(std::size_t(fine.width()) * kRowsAtOnce);
   Image colours(fine.width(), kRowsAtOnce);
   Image image(fine.width() / kOversampling, fine.height() / kOversampling);
@@ -178,12 +180,13 @@ PerspectiveMap draw_perspective_map(const verifier::DeviationField& field,
     part.restart(first_row, rows);
     fill_layers(part, layers, field, points, bunches, fine);
     mask.mark(borders, part);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (is_in_sight(fine.project(places[i]), part)) in_sight[i] = true;
     colour_lit_rows(part, layers, scale, colours);
     mask.draw(colours, first_row, rows);
     image.put_halved(colours, rows, first_row / kOversampling);
-    depth.put(part);
   });
-  return {std::move(image), std::move(depth), kOversampling};
+  return {std::move(image), std::move(in_sight)};
 }
 
 }  // namespace limitgauge::reports

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "reports/picture/deviation_scale.h"
 #include "reports/picture/image.h"
 #include "reports/picture/perspective_view.h"
@@ -9,15 +12,16 @@ namespace limitgauge::reports {
 /// Whether nothing of `depth` is nearer than `p`.
 bool is_in_sight(const ScreenPoint& p, const DepthBuffer& depth);
 
-/// A perspective error map on a transparent ground, and what is nearest at each of its pixels.
+/// A perspective error map on a transparent ground.
 struct PerspectiveMap {
   Image image;
-  DepthBuffer depth;  ///< of the finer picture that `image` is the mean of
-  int finer = 1;      ///< how much finer
+  std::vector<bool> in_sight;  ///< of the places that were asked for: none outside the picture
 };
-/// Colours by `scale`, lit; unreachable surface hatched, patch borders as fine lines.
+/// Colours by `scale`, lit; unreachable surface hatched, patch borders as fine lines. Says which of
+/// `places` nothing hides.
 PerspectiveMap draw_perspective_map(const verifier::DeviationField& field,
-                                    const DeviationScale& scale, const PerspectiveView& view);
+                                    const DeviationScale& scale, const PerspectiveView& view,
+                                    std::span<const model::Vec3> places = {});
 /// Only what is nearest: quick, to see what would be in sight.
 DepthBuffer perspective_depth(const verifier::DeviationField& field, const PerspectiveView& view);
 

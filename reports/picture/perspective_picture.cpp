@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "reports/picture/colour_bar.h"
 #include "reports/picture/deviation_map.h"
@@ -78,7 +79,6 @@ void draw_header(Image& image, const StageResult& stage) {
 
 void draw_marks(Image& image, const std::vector<Mark>& marks, const PerspectiveView& view,
                 const PerspectiveMap& map, double foot) {
-  const PerspectiveView fine = view.scaled(map.finer);
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const verifier::Finding& f = marks[i].finding;
     const ScreenPoint p = view.project(f.place.point);
@@ -91,7 +91,7 @@ void draw_marks(Image& image, const std::vector<Mark>& marks, const PerspectiveV
     note += f.line > 0
                 ? ", stage " + std::to_string(f.stage + 1) + " line " + std::to_string(f.line)
                 : std::string(", raw stock");
-    if (!is_in_sight(fine.project(f.place.point), map.depth)) note += " (behind)";
+    if (!map.in_sight[i]) note += " (behind)";
     draw_text(image, note, {kMargin + 4.0, foot + 36.0 * double(i)}, kText);
   }
 }
@@ -114,7 +114,9 @@ Image draw_perspective_picture(const StageResult& stage) {
   const DeviationScale scale = DeviationScale::for_gate(d, stage.limits);
   const std::vector<Mark> marks = marks_of(d);
   const PerspectiveView view = best_view(d.field, marks);
-  const PerspectiveMap map = draw_perspective_map(d.field, scale, view);
+  std::vector<model::Vec3> places;
+  for (const Mark& mark : marks) places.push_back(mark.finding.place.point);
+  const PerspectiveMap map = draw_perspective_map(d.field, scale, view, places);
   const int body = std::max(view.height(), kLeastHeight);
   Image image(kMapWidth + 2 * kMargin + kLegendWidth, body + 2 * kMargin + kHeader + kFooter,
               kWhite);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <unordered_map>
 #include <vector>
@@ -122,11 +123,10 @@ std::string encoded(const Image& image, png_uint_32 format, png_uint_32 flags, c
   png.flags = flags;
   png.colormap_entries = static_cast<png_uint_32>(palette.size());
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
-  std::string bytes(size, '\0');
-  if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels, 0, palette.data()))
-    fail(png);
-  bytes.resize(size);
-  return bytes;
+  // Most of what a picture may take is never touched.
+  const auto room = std::make_unique_for_overwrite<char[]>(size);
+  if (!png_image_write_to_memory(&png, room.get(), &size, 0, pixels, 0, palette.data())) fail(png);
+  return {room.get(), size};
 }
 
 }  // namespace

@@ -37,11 +37,6 @@ class DepthBuffer {
     if (x < 0 || y < 0 || x >= width_ || y >= height_) return std::nullopt;
     return std::size_t(y) * width_ + x;
   }
-  /// Takes over rows that were filled apart.
-  void put(const DepthBuffer& rows) {
-    std::copy(rows.depth_.begin(), rows.depth_.end(),
-              depth_.begin() + std::ptrdiff_t(rows.first_row_ - first_row_) * width_);
-  }
   bool is_empty(std::size_t pixel) const { return std::isinf(depth_[pixel]); }
   /// z of what is nearest there.
   double nearest(std::size_t pixel) const { return depth_[pixel]; }
@@ -57,8 +52,9 @@ class DepthBuffer {
   std::vector<float> depth_;
 };
 
-/// How many rows of a picture are drawn at a time. Even: two of them become one that is shown.
-inline constexpr int kRowsAtOnce = 256;
+/// How many rows of a picture are drawn at a time: what they hold stays in a processor's cache.
+/// Even, since two of them become one that is shown.
+inline constexpr int kRowsAtOnce = 64;
 
 /// Calls `draw(first_row, rows)` for some rows of a picture after the other, so that not all of it
 /// is held many times as fine as it is shown.

@@ -27,7 +27,8 @@ void write_sarif(const RunResult& result, std::ostream& out);
 /// formula has an apostrophe before it.
 void write_findings_csv(const RunResult& result, std::ostream& out);
 /// One self-contained page that works offline, with the pictures that the stages hold.
-void write_html(const RunResult& result, std::ostream& out);
+/// The same bytes for any number of threads.
+void write_html(const RunResult& result, std::ostream& out, unsigned threads = 1);
 /// The JSON Schema of result.json, as shipped.
 const std::string& result_schema();
 

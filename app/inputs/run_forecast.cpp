@@ -25,9 +25,9 @@ constexpr double kCellBytes = 1000, kVertexCellBytes = 4000;
 /// Of a facet of a mesh: three cells, normals between it and its neighbours, samples, each but for
 /// the piece itself.
 constexpr double kFacetBytes = 9500;
-/// Files and pages of a stage; its pictures are drawn some rows at a time, two of them side by
+/// Files and pages of a stage; its pictures are drawn few rows at a time, two of them side by
 /// side.
-constexpr double kFilesBytes = 20 * kMib, kPicturesBytes = 48 * kMib;
+constexpr double kFilesBytes = 20 * kMib, kPicturesBytes = 12 * kMib;
 
 /// Of a move: itself, in the sweep's tree (simulator/sweep/sweep_tree.h), and what it removed.
 constexpr double kMoveBytes = 32, kTreeBytes = 144, kRemovalBytes = 32;

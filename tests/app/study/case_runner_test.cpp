@@ -167,7 +167,7 @@ class Cases {
     RunOptions options;
     options.created = "2026-01-01T00:00:00Z";
     write_report(run_job(job, load_inputs(job, {model::memory_limit_bytes()}), out.path(), options),
-                 out.path());
+                 out.path(), options.threads);
     return model::read_text_file(out.path() / "result.json");
   }
 

@@ -73,7 +73,7 @@ std::vector<surface::Grid> BallSections::all_grids(const surface::PatchModel& mo
   std::vector<surface::Grid> grids = std::move(offset.grids);
   grids.insert(grids.end(), std::make_move_iterator(offset.corners.begin()),
                std::make_move_iterator(offset.corners.end()));
-  const surface::Rim rim = surface::find_rim(model, surface::sample_offset(model, 0, mesh_error));
+  const surface::Rim rim = surface::find_rim(surface::OffsetSampler(model, mesh_error));
   const double rim_error = kRimShare * request.cut.tolerance_mm;
   for (const auto& line : rim.lines)
     grids.push_back(surface::rolling_tube(line, reach_, rim_error));

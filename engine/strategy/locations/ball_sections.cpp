@@ -101,7 +101,7 @@ BallSections::BallSections(const surface::PatchModel& model, const StageRequest&
       PieceList(
           {std::move(sampler), std::move(rim), frame, reach_, kRimShare * request.cut.tolerance_mm})
           .take();
-  // What stays is asked for all planes.
+  // Where all are within the bound they stay, and are measured as they are made.
   if (surface::points_of(pieces) > most_points) surface::measure_ranges(pieces, kAcross, control);
   sections_.emplace(std::move(pieces), kAcross, most_points, control);
 }

@@ -32,43 +32,44 @@ void keep_only(std::span<const std::size_t> wanted, std::vector<std::optional<Gr
     if (!std::binary_search(wanted.begin(), wanted.end(), g)) held[g].reset();
 }
 
-/// The sections of the planes of one strip.
-class StripTrace {
- public:
-  StripTrace(std::span<const std::optional<GridSection>> held, std::span<const std::size_t> pieces,
-             std::span<const double> values)
-      : held_(held), pieces_(pieces), values_(values), starts_(pieces.size()) {}
-
-  void run(const model::RunControl& control, const SectionStrips::Take& take) {
-    model::parallel_chunks(pieces_.size(), 1, control, [&](std::size_t i, std::size_t) {
-      starts_[i] = held_[pieces_[i]]->starts(values_);
-    });
-    model::parallel_chunks(values_.size(), planes_a_chunk(values_.size(), control.threads), control,
-                           [&](std::size_t begin, std::size_t end) {
-                             auto found = chains(begin, end);
-                             for (std::size_t k = begin; k < end; ++k) take(k, found[k - begin]);
-                           });
-  }
-
- private:
-  /// The chains of planes [begin, end) of the strip: grid by grid, so that neighbours go through
-  /// the same memory.
-  std::vector<std::vector<SectionChain>> chains(std::size_t begin, std::size_t end) const {
-    std::vector<std::vector<SectionChain>> found(end - begin);
-    SectionScratch scratch;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (starts_[i].empty()) continue;
-      for (std::size_t k = begin; k < end; ++k)
-        held_[pieces_[i]]->trace(starts_[i], k, values_[k], scratch, found[k - begin]);
-    }
-    return found;
-  }
-
-  std::span<const std::optional<GridSection>> held_;
-  std::span<const std::size_t> pieces_;
-  std::span<const double> values_;
-  std::vector<SectionStarts> starts_;
+/// A grid of a strip and the planes [first, last) of the strip that may meet it.
+struct MetPiece {
+  const GridSection* section = nullptr;
+  std::size_t first = 0, last = 0;
+  SectionStarts starts = {};  ///< of these planes
 };
+
+/// The chains of planes [begin, end) of a strip: grid by grid, so that neighbours go through the
+/// same memory.
+std::vector<std::vector<SectionChain>> chains_of(std::span<const MetPiece> pieces,
+                                                 std::span<const double> values, std::size_t begin,
+                                                 std::size_t end) {
+  std::vector<std::vector<SectionChain>> found(end - begin);
+  SectionScratch scratch;
+  for (const MetPiece& piece : pieces) {
+    if (piece.starts.empty()) continue;
+    for (std::size_t k = std::max(begin, piece.first); k < std::min(end, piece.last); ++k)
+      piece.section->trace(piece.starts, k - piece.first, values[k], scratch, found[k - begin]);
+  }
+  return found;
+}
+
+/// The sections of the planes of one strip of a family.
+void trace_strip(std::vector<MetPiece> pieces, const SectionStrips::Strip& strip,
+                 std::span<const double> family, const model::RunControl& control,
+                 const SectionStrips::Take& take) {
+  const std::span<const double> values = family.subspan(strip.first, strip.last - strip.first);
+  model::parallel_chunks(pieces.size(), 1, control, [&](std::size_t i, std::size_t) {
+    MetPiece& piece = pieces[i];
+    piece.starts = piece.section->starts(values.subspan(piece.first, piece.last - piece.first));
+  });
+  const std::size_t chunk = planes_a_chunk(values.size(), control.threads);
+  model::parallel_chunks(values.size(), chunk, control, [&](std::size_t begin, std::size_t end) {
+    auto found = chains_of(pieces, values, begin, end);
+    for (std::size_t k = begin; k < end; ++k) take(strip.first + k, found[k - begin]);
+    control.report(static_cast<double>(strip.first + end) / static_cast<double>(family.size()));
+  });
+}
 
 }  // namespace
 
@@ -98,6 +99,10 @@ SectionStrips::SectionStrips(std::vector<SectionPiece> pieces, int axis, std::si
   std::iota(all.begin(), all.end(), std::size_t{0});
   kept_.resize(pieces_.size());
   make(all, control, kept_);
+  for (std::size_t g = 0; g < pieces_.size(); ++g) {
+    pieces_[g].low = kept_[g]->low();
+    pieces_[g].high = kept_[g]->high();
+  }
 }
 
 void SectionStrips::make(std::span<const std::size_t> wanted, const model::RunControl& control,
@@ -127,26 +132,37 @@ std::vector<std::size_t> SectionStrips::pieces_in(const Strip& strip,
   return found;
 }
 
+SectionStrips::Loads SectionStrips::loads(std::span<const double> values) const {
+  std::vector<std::size_t> ended(values.size() + 1);
+  Loads found{std::vector<std::size_t>(values.size() + 1), {}};
+  const std::vector<Planes> met = meeting(values);
+  for (std::size_t g = 0; g < met.size(); ++g) {
+    found.begun[met[g].first] += pieces_[g].points;
+    ended[met[g].last] += pieces_[g].points;
+  }
+  std::size_t here = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    here += found.begun[k];
+    here -= ended[k];
+    found.met.push_back(here);
+  }
+  return found;
+}
+
 std::vector<SectionStrips::Strip> SectionStrips::strips(std::span<const double> values) const {
   if (values.empty()) return {};
   if (!kept_.empty()) return {{0, values.size(), points_of(pieces_)}};
-  // By planes: points of the pieces that begin to be met there, and of those met no more.
-  std::vector<std::size_t> begun(values.size() + 1), ended(values.size() + 1);
-  const std::vector<Planes> met = meeting(values);
-  for (std::size_t g = 0; g < met.size(); ++g) {
-    begun[met[g].first] += pieces_[g].points;
-    ended[met[g].last] += pieces_[g].points;
-  }
+  const Loads load = loads(values);
+  // What the worst plane takes by itself is held once in any case.
+  const std::size_t most =
+      std::max(most_points_, *std::max_element(load.met.begin(), load.met.end()));
   std::vector<Strip> found;
-  std::size_t here = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    here += begun[k];
-    here -= ended[k];
-    if (!found.empty() && found.back().points + begun[k] <= most_points_) {
+    if (!found.empty() && found.back().points + load.begun[k] <= most) {
       found.back().last = k + 1;
-      found.back().points += begun[k];
+      found.back().points += load.begun[k];
     } else {
-      found.push_back({k, k + 1, here});
+      found.push_back({k, k + 1, load.met[k]});
     }
   }
   return found;
@@ -166,11 +182,11 @@ std::size_t SectionStrips::trace(std::span<const double> values, const model::Ru
     }
     const Held& held = kept_.empty() ? made : kept_;
     most = std::max(most, points_held(held));
-    StripTrace planes(held, wanted, values.subspan(strip.first, strip.last - strip.first));
-    planes.run(control, [&](std::size_t k, std::vector<SectionChain>& chains) {
-      take(strip.first + k, chains);
-      control.report(static_cast<double>(strip.first + k + 1) / static_cast<double>(values.size()));
-    });
+    std::vector<MetPiece> pieces;
+    for (const std::size_t g : wanted)
+      pieces.push_back({&*held[g], std::max(met[g].first, strip.first) - strip.first,
+                        std::min(met[g].last, strip.last) - strip.first});
+    trace_strip(std::move(pieces), strip, values, control, take);
   }
   return most;
 }

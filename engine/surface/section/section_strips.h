@@ -43,8 +43,8 @@ class SectionStrips {
   /// thread; the chains may be taken.
   using Take = std::function<void(std::size_t plane, std::vector<SectionChain>& chains)>;
 
-  /// At most `most_points` are held at a time, but for planes that meet more by themselves. Where
-  /// all pieces are within that they are made here and stay.
+  /// At most `most_points` are held at a time, or as many as the plane that meets most needs by
+  /// itself. Where all pieces are within `most_points` they are made here and stay.
   SectionStrips(std::vector<SectionPiece> pieces, int axis, std::size_t most_points,
                 const model::RunControl& control);
 
@@ -55,13 +55,18 @@ class SectionStrips {
                     const Take& take) const;
 
  private:
-  /// Grids as far as they are made, one a piece.
+  /// Grids as far as they are made, a place for each piece.
   using Held = std::vector<std::optional<GridSection>>;
   /// Planes [first, last) of a family, those that meet a piece.
   struct Planes {
     std::size_t first = 0, last = 0;
     bool meet(const Strip& strip) const { return first < strip.last && last > strip.first; }
   };
+  /// By planes, points of the pieces that are met there and not before, and of all met there.
+  struct Loads {
+    std::vector<std::size_t> begun, met;
+  };
+  Loads loads(std::span<const double> values) const;
   std::vector<Planes> meeting(std::span<const double> values) const;
   std::vector<std::size_t> pieces_in(const Strip& strip, std::span<const Planes> met) const;
   void make(std::span<const std::size_t> wanted, const model::RunControl& control,

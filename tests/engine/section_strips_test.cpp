@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <memory>
 
 #include "tests/engine/lift_probe.h"
 #include "tests/support/catch.h"

@@ -154,6 +154,8 @@ TEST_CASE("a plane meets a grid that lies below it and reaches it", "[unit][sect
   CHECK(met(-1 + 1e-12) == 25);
   CHECK(met(1) == 25);
   CHECK(met(1 + 1e-12) == 0);
+  // Between two planes it is not made.
+  CHECK(strips.strips(std::vector{-2.0, 2.0}).front().points == 0);
 }
 
 TEST_CASE("a range that is too narrow loses chains", "[unit][section]") {

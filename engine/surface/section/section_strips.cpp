@@ -137,6 +137,7 @@ SectionStrips::Loads SectionStrips::loads(std::span<const double> values) const 
   Loads found{std::vector<std::size_t>(values.size() + 1), {}};
   const std::vector<Planes> met = meeting(values);
   for (std::size_t g = 0; g < met.size(); ++g) {
+    if (met[g].none()) continue;
     found.begun[met[g].first] += pieces_[g].points;
     ended[met[g].last] += pieces_[g].points;
   }

@@ -60,7 +60,10 @@ class SectionStrips {
   /// Planes [first, last) of a family, those that meet a piece.
   struct Planes {
     std::size_t first = 0, last = 0;
-    bool meet(const Strip& strip) const { return first < strip.last && last > strip.first; }
+    bool none() const { return first == last; }
+    bool meet(const Strip& strip) const {
+      return !none() && first < strip.last && last > strip.first;
+    }
   };
   /// By planes, points of the pieces that are met there and not before, and of all met there.
   struct Loads {

@@ -17,9 +17,9 @@ namespace limitgauge::engine::strategy {
 
 /// Share of a stage's tolerance by which leaving out points may move a row.
 inline constexpr double kRowReductionShare = 0.2;
-/// Points of the grids that are held at a time while rows are cut: 24 bytes each and a tenth more
-/// for their trees, so 13 MB, which is less than most finish models take. Strips of fewer points
-/// make grids along their borders more often.
+/// Points of the grids that are held at a time while rows are cut: 24 bytes each, so 13 MB, as much
+/// as the finish model of a plate of 10,000 faces. Parts within it are sampled once; a grid of
+/// others is made twice, whatever the bound, and smaller strips give threads less to do at a time.
 inline constexpr std::size_t kMostStripPoints = std::size_t{1} << 19;
 
 /// All that a ball's centre must stay above, ready to be cut by drive planes: the surface moved out
@@ -30,8 +30,8 @@ inline constexpr std::size_t kMostStripPoints = std::size_t{1} << 19;
 /// (`reduction_mm`): nothing of that cuts into the surface. Facets of rims lie outside what they
 /// stand for, by a tenth of the tolerance at most.
 ///
-/// Grids are made strip by strip (surface::SectionStrips), `most_points` at a time; where all have
-/// no more they are made once and stay. Paths do not depend on it.
+/// Grids are made strip by strip, `most_points` at a time or as many as one plane needs; where all
+/// have no more they are made once and stay (surface::SectionStrips). Paths do not depend on it.
 class BallSections {
  public:
   /// `model` must outlive this.

@@ -339,6 +339,7 @@ void plan_job(const Job& job, const RunInputs& inputs, const std::filesystem::pa
     const std::string& name = job.stages[i].name;
     options.watch.phase({name + ": planning", i + 1, job.stages.size()});
     const StageToCut ready = planned_stage(setups, i, options);
+    model::return_freed_memory();
     model::make_folder(folder / name);
     write_program_files(ready, folder / name);
     const model::Pose to_part = job.setups[setups.setup_of(i)].setup.from_part.inverse();

@@ -21,22 +21,16 @@ struct RimEdge {
   bool used = false;
 };
 
-std::vector<Vec3> side_points(const Grid& grid, int side) {
-  const int cells = grid.columns - 1;
-  std::vector<Vec3> points;
-  for (int t = 0; t <= cells; ++t) points.push_back(grid.points[side_index(side, t, cells)]);
-  return points;
-}
-
-std::vector<RimEdge> rim_edges(const PatchModel& model, const OffsetModel& mesh) {
+std::vector<RimEdge> rim_edges(const OffsetSampler& sampler) {
   std::vector<RimEdge> edges;
+  const PatchModel& model = sampler.model();
   const OuterMesh& outer = model.outer();
   for (Index h = 0; h < outer.half_edge_count(); ++h) {
     if (!model.has_patch(h)) continue;
     const bool border = model.ends_at(h);
     if (!border && !(model.creased_at(h) && h < outer.twin[h])) continue;
     edges.push_back({outer.origin[h], outer.target(h),
-                     side_points(mesh.grids[model.patch_at(h)], model.side_at(h)), false});
+                     sampler.side(model.patch_at(h), model.side_at(h), 0), false});
   }
   return edges;
 }
@@ -89,13 +83,13 @@ class LineBuilder {
   std::map<Index, std::vector<std::size_t>> at_;
 };
 
-void add_cones(const PatchModel& model, const OffsetModel& mesh, std::vector<Vec3>& points) {
+void add_cones(const PatchModel& model, std::vector<Vec3>& points) {
   const OuterMesh& outer = model.outer();
   for (Index h = 0; h < outer.half_edge_count(); ++h) {
     const Index v = outer.origin[h];
     if (!model.has_patch(h) || !is_infinite(outer.vertex_sharpness[v])) continue;
-    const Grid& grid = mesh.grids[model.patch_at(h)];
-    points.push_back(grid.points[side_index(model.side_at(h), 0, grid.columns - 1)]);
+    const LimitPatch& limit = model.patches()[model.patch_at(h)].limit;
+    points.push_back(limit.points[limit.side_index(model.side_at(h), 0)]);
   }
 }
 
@@ -141,14 +135,23 @@ int half_turn_steps(double radius_mm, double error_mm) {
   return std::max(8, static_cast<int>(std::ceil(std::numbers::pi / (2 * half))));
 }
 
+/// Steps over half a turn, and over the quarter from the rim of a ball's upper half to its top.
+struct BallSteps {
+  int half_turn = 0, quarter = 0;
+};
+BallSteps ball_steps(double radius_mm, double error_mm) {
+  const int half_turn = half_turn_steps(radius_mm, error_mm / 2);
+  return {half_turn, (half_turn + 1) / 2};
+}
+
 }  // namespace
 
-Rim find_rim(const PatchModel& model, const OffsetModel& limit_mesh) {
+Rim find_rim(const OffsetSampler& sampler) {
   Rim rim;
-  add_cones(model, limit_mesh, rim.points);
-  for (const ModelPatch& patch : model.patches())
+  add_cones(sampler.model(), rim.points);
+  for (const ModelPatch& patch : sampler.model().patches())
     rim.points.insert(rim.points.end(), patch.specks.begin(), patch.specks.end());
-  for (const std::vector<Vec3>& line : LineBuilder(rim_edges(model, limit_mesh)).lines())
+  for (const std::vector<Vec3>& line : LineBuilder(rim_edges(sampler)).lines())
     for (std::vector<Vec3>& piece : smooth_pieces(line)) {
       if (!smooth_loop(piece)) rim.points.insert(rim.points.end(), {piece.front(), piece.back()});
       rim.lines.push_back(std::move(piece));
@@ -161,9 +164,14 @@ Rim find_rim(const PatchModel& model, const OffsetModel& limit_mesh) {
   return rim;
 }
 
+std::size_t rolling_tube_points(std::size_t line_points, double radius_mm, double error_mm) {
+  return (static_cast<std::size_t>(half_turn_steps(radius_mm, error_mm)) + 1) * line_points;
+}
+
 Grid rolling_tube(const std::vector<Vec3>& line, double radius_mm, double error_mm) {
   const int steps = half_turn_steps(radius_mm, error_mm);
   Grid grid{steps + 1, static_cast<int>(line.size()), {}};
+  grid.points.reserve(rolling_tube_points(line.size(), radius_mm, error_mm));
   const double half_step = std::numbers::pi / (2 * steps);
   Vec3 level{1, 0, 0};
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -184,12 +192,18 @@ Grid rolling_tube(const std::vector<Vec3>& line, double radius_mm, double error_
   return grid;
 }
 
+std::size_t rolling_ball_points(double radius_mm, double error_mm) {
+  const BallSteps steps = ball_steps(radius_mm, error_mm);
+  return (2 * static_cast<std::size_t>(steps.half_turn) + 1) *
+         (static_cast<std::size_t>(steps.quarter) + 1);
+}
+
 Grid rolling_ball(const Vec3& point, double radius_mm, double error_mm) {
-  const int steps = half_turn_steps(radius_mm, error_mm / 2);
-  const int quarter = (steps + 1) / 2;
+  const auto [steps, quarter] = ball_steps(radius_mm, error_mm);
   const double around = std::numbers::pi / steps, rise = std::numbers::pi / 2 / quarter;
   const double r = radius_mm / (std::cos(around / 2) * std::cos(rise / 2));
   Grid grid{2 * steps + 1, quarter + 1, {}};
+  grid.points.reserve(rolling_ball_points(radius_mm, error_mm));
   for (int v = 0; v <= quarter; ++v)
     for (int u = 0; u <= 2 * steps; ++u) {
       const double a = u % (2 * steps) * around, b = v * rise;

@@ -25,17 +25,14 @@ Lines lines_of(const DriveRows& rows) {
 }
 
 /// A level square of two triangles.
-LimitLocations level_square(const StageRequest& request, double half) {
+LimitLocations level_square(const engine::surface::FinishModel& square, const StageRequest& request,
+                            double half) {
   const engine::surface::Grid grid = test::grid_of(2, 2, [=](int u, int v) {
     return Vec3{half * (2 * u - 1), half * (2 * v - 1), 0};
   });
   const model::Box3 part{{-half, -half, 0}, {half, half, 0}};
-  engine::surface::OffsetModel mesh;
-  mesh.grids = {grid};
-  mesh.depths = {0};
-  mesh.intervals = {1};
   const CutterLocations surface({grid}, request.cutter, 0);
-  return {surface, mesh, part, 0, -request.cutter.corner_radius_mm};
+  return {surface, {square.patches(), 0.01}, part, 0, -request.cutter.corner_radius_mm};
 }
 
 void check_gouges(const std::tuple<std::string, std::string>& what) {
@@ -90,7 +87,8 @@ TEST_CASE("sampled rows of a ball leave cusps only", "[property][sampled_rows]")
 TEST_CASE("rows over a level square reach one radius beyond it", "[unit][sampled_rows]") {
   StageRequest request = test::finish_request({{-10, -10, 0}, {10, 10, 0}}, "flat:D=4");
   request.cut.angle_deg = GENERATE(0.0, 90.0, 180.0, 270.0);
-  const LimitLocations limit = level_square(request, 10);
+  const engine::surface::FinishModel square(test::bilinear_cage(2, 10, 0, 0, 0), {0.01, 0, 8}, {});
+  const LimitLocations limit = level_square(square, request, 10);
   const DriveRows made = make_sampled_rows(limit, request, {});
   // 20 mm and a radius at either side, a plane every half millimetre.
   REQUIRE(made.rows.size() == 48);

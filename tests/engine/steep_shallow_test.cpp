@@ -304,7 +304,7 @@ TEST_CASE("gaps are bridged where nothing else cuts, and where they are short",
 
 TEST_CASE("the boundary pass follows the rim of an open surface", "[unit][boundary_pass]") {
   const test::Setup setup("plane", "ball:D=6");
-  const auto passes = boundary_passes(setup.finish.patches(), setup.limit, setup.request, {});
+  const auto passes = boundary_passes(setup.limit, setup.request, {});
   REQUIRE(passes.size() == 1);
   CHECK(passes[0].closed);
   // The square's outline, at the height of a ball over the plane.
@@ -324,7 +324,7 @@ TEST_CASE("the boundary pass follows the rim of an open surface", "[unit][bounda
 
 TEST_CASE("the boundary pass of a closed part goes around its outline", "[unit][boundary_pass]") {
   const test::Setup setup("torus", "ball:D=4");
-  const auto passes = boundary_passes(setup.finish.patches(), setup.limit, setup.request, {});
+  const auto passes = boundary_passes(setup.limit, setup.request, {});
   // Around the ring, and in its hole.
   REQUIRE(passes.size() == 2);
   const model::Box3 part = setup.finish.patches().bounding_box();

@@ -11,6 +11,8 @@
 
 namespace limitgauge::test {
 
+using model::Vec3;
+
 inline model::Cage part_named(const std::string& name) {
   if (name == "plane") return bilinear_cage(2, 10, 0.2, -0.1, 0);
   if (name == "dome") return paraboloid_cage(4, 5, -0.03);

@@ -66,16 +66,15 @@ class ContourPlanner {
 
   void build_maps(StagePath& stage) {
     const double mesh_error = kMeshShare * request_.cut.tolerance_mm;
-    const surface::OffsetModel mesh = surface::sample_offset(model_, 0, mesh_error);
-    set_intervals(stage, mesh.intervals);
+    const surface::OffsetSampler sampler(model_, mesh_error);
+    set_intervals(stage, sampler.intervals());
     constexpr double kOutside = 1, kCoarseAcross = 12;
     const double p = pixel();
-    const double kept = request_.allowance_mm + mesh_error + std::max(0.0, mesh.excess_mm);
+    const double kept = request_.allowance_mm + mesh_error + sampler.excess_mm(0);
     const int factor = std::max(1, static_cast<int>(loops_.cut_radius_mm / kCoarseAcross / p));
     discs_ = disc_stack(request_.cutter, kept, 2 * p);
     coarse_discs_ = disc_stack(request_.cutter, kept, 2 * p * factor);
-    map_ = make_height_map(cover(stock_.grown(2 * widest_ + kept + kOutside + 2 * p), p),
-                           surface::pieces(mesh));
+    map_ = make_height_map(cover(stock_.grown(2 * widest_ + kept + kOutside + 2 * p), p), sampler);
     coarse_ = coarsened(map_, factor);
   }
 

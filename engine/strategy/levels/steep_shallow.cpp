@@ -161,8 +161,7 @@ StagePath plan_steep_shallow(const surface::FinishModel& model, const StageReque
   set_intervals(stage, std::move(made.sampling_intervals));
   std::vector<std::vector<CutPass>> groups = std::move(made.levels);
   groups.push_back(std::move(made.rows));
-  if (request.cut.boundary_pass)
-    groups.push_back(boundary_passes(model.patches(), limit, request, control));
+  if (request.cut.boundary_pass) groups.push_back(boundary_passes(limit, request, control));
   stage.path = link_passes(groups, limit.surface, request, control);
   return stage;
 }

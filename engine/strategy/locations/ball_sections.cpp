@@ -1,27 +1,22 @@
 #include "engine/strategy/locations/ball_sections.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
-#include <optional>
+#include <memory>
 #include <utility>
 
 #include "engine/surface/offset_model.h"
 #include "engine/surface/rim.h"
 #include "engine/tolerance.h"
-#include "model/base/chunks.h"
 
 namespace limitgauge::engine::strategy {
 namespace {
 
 using model::Vec3;
-using Curves = std::vector<std::vector<PlanePoint>>;
 
 constexpr double kMeshShare = 0.25, kRimShare = 0.1;
 /// Across the rows, in the drive frame.
 constexpr int kAcross = 1;
-/// Drive planes cut by one thread at a time: neighbours go through the same memory.
-constexpr std::size_t kPlanesAChunk = 16;
 
 std::vector<PlanePoint> in_plane(const surface::SectionChain& chain) {
   std::vector<PlanePoint> curve;
@@ -31,21 +26,84 @@ std::vector<PlanePoint> in_plane(const surface::SectionChain& chain) {
   return curve;
 }
 
+/// What the grids of a stage are made of.
+struct GridSource {
+  surface::OffsetSampler sampler;
+  surface::Rim rim;
+  DriveFrame frame;
+  double reach_mm = 0, rim_error_mm = 0;
+
+  surface::Grid turned(surface::Grid grid) const {
+    for (Vec3& p : grid.points) p = frame.to_drive(p);
+    return grid;
+  }
+  surface::Grid patch(int p) const { return turned(sampler.grid(p, reach_mm)); }
+  surface::Grid corner(int p, int c) const { return turned(sampler.corner(p, c, reach_mm)); }
+  surface::Grid tube(std::size_t line) const {
+    return turned(surface::rolling_tube(rim.lines[line], reach_mm, rim_error_mm));
+  }
+  surface::Grid ball(std::size_t point) const {
+    return turned(surface::rolling_ball(rim.points[point], reach_mm, rim_error_mm));
+  }
+};
+
+/// Patches, their corners, tubes along the rim and balls at its points.
+class PieceList {
+ public:
+  explicit PieceList(GridSource source)
+      : from_(std::make_shared<const GridSource>(std::move(source))) {}
+
+  std::vector<surface::SectionPiece> take() {
+    add_patches();
+    add_rim();
+    return std::move(pieces_);
+  }
+
+ private:
+  void add(std::size_t points, std::function<surface::Grid()> make) {
+    pieces_.push_back({points, std::move(make)});
+  }
+  void add_patches() {
+    const surface::OffsetSampler& sampler = from_->sampler;
+    for (int p = 0; p < sampler.patches(); ++p)
+      add(sampler.grid_points(p), [from = from_, p] { return from->patch(p); });
+    for (int p = 0; p < sampler.patches(); ++p)
+      for (int c = 0; c < sampler.corners(p, from_->reach_mm); ++c)
+        add(sampler.corner_points(p, c), [from = from_, p, c] { return from->corner(p, c); });
+  }
+  void add_rim() {
+    const double reach = from_->reach_mm, error = from_->rim_error_mm;
+    for (std::size_t i = 0; i < from_->rim.lines.size(); ++i)
+      add(surface::rolling_tube_points(from_->rim.lines[i].size(), reach, error),
+          [from = from_, i] { return from->tube(i); });
+    for (std::size_t i = 0; i < from_->rim.points.size(); ++i)
+      add(surface::rolling_ball_points(reach, error), [from = from_, i] { return from->ball(i); });
+  }
+
+  std::shared_ptr<const GridSource> from_;
+  std::vector<surface::SectionPiece> pieces_;
+};
+
 }  // namespace
 
 BallSections::BallSections(const surface::PatchModel& model, const StageRequest& request,
                            const DriveFrame& frame, double reduction_mm,
-                           const model::RunControl& control)
+                           const model::RunControl& control, std::size_t most_points)
     : reach_(request.cutter.radius_mm() + request.allowance_mm) {
   measure(model, frame);
-  std::vector<surface::Grid> grids = all_grids(model, request, reduction_mm);
-  std::vector<std::optional<surface::GridSection>> built(grids.size());
-  model::parallel_chunks(grids.size(), 1, control, [&](std::size_t g, std::size_t) {
-    for (Vec3& p : grids[g].points) p = frame.to_drive(p);
-    built[g].emplace(std::move(grids[g]), kAcross);
-  });
-  sections_.reserve(built.size());
-  for (auto& section : built) sections_.push_back(std::move(*section));
+  const double mesh_error = kMeshShare * request.cut.tolerance_mm;
+  surface::OffsetSampler sampler(model, mesh_error);
+  reach_ += mesh_error + reduction_mm;
+  reach_ += sampler.excess_mm(reach_);
+  intervals_ = sampler.intervals();
+  surface::Rim rim = surface::find_rim(sampler);
+  std::vector<surface::SectionPiece> pieces =
+      PieceList(
+          {std::move(sampler), std::move(rim), frame, reach_, kRimShare * request.cut.tolerance_mm})
+          .take();
+  // Where all are within the bound they stay, and are measured as they are made.
+  if (surface::points_of(pieces) > most_points) surface::measure_ranges(pieces, kAcross, control);
+  sections_.emplace(std::move(pieces), kAcross, most_points, control);
 }
 
 void BallSections::measure(const surface::PatchModel& model, const DriveFrame& frame) {
@@ -59,53 +117,24 @@ void BallSections::measure(const surface::PatchModel& model, const DriveFrame& f
     }
 }
 
-std::vector<surface::Grid> BallSections::all_grids(const surface::PatchModel& model,
-                                                   const StageRequest& request,
-                                                   double reduction_mm) {
-  const double mesh_error = kMeshShare * request.cut.tolerance_mm;
-  reach_ += mesh_error + reduction_mm;
-  surface::OffsetModel offset = surface::sample_offset(model, reach_, mesh_error);
-  if (offset.excess_mm > 0) {
-    reach_ += offset.excess_mm;
-    offset = surface::sample_offset(model, reach_, mesh_error);
-  }
-  intervals_ = std::move(offset.intervals);
-  std::vector<surface::Grid> grids = std::move(offset.grids);
-  grids.insert(grids.end(), std::make_move_iterator(offset.corners.begin()),
-               std::make_move_iterator(offset.corners.end()));
-  const surface::Rim rim = surface::find_rim(model, surface::sample_offset(model, 0, mesh_error));
-  const double rim_error = kRimShare * request.cut.tolerance_mm;
-  for (const auto& line : rim.lines)
-    grids.push_back(surface::rolling_tube(line, reach_, rim_error));
-  for (const Vec3& point : rim.points)
-    grids.push_back(surface::rolling_ball(point, reach_, rim_error));
-  return grids;
+std::size_t BallSections::each_envelope(std::span<const double> across_mm,
+                                        const model::RunControl& control, const Take& take) const {
+  return sections_->trace(across_mm, control,
+                          [&](std::size_t plane, std::vector<surface::SectionChain>& chains) {
+                            std::vector<std::vector<PlanePoint>> curves;
+                            curves.reserve(chains.size());
+                            for (const surface::SectionChain& chain : chains)
+                              curves.push_back(in_plane(chain));
+                            chains.clear();
+                            take(plane, upper_envelope(curves, kSamePlace_mm));
+                          });
 }
 
 std::vector<Envelope> BallSections::envelopes(std::span<const double> across_mm,
                                               const model::RunControl& control) const {
-  std::vector<surface::SectionStarts> starts(sections_.size());
-  model::parallel_chunks(sections_.size(), 1, control, [&](std::size_t g, std::size_t) {
-    starts[g] = sections_[g].starts(across_mm);
-  });
   std::vector<Envelope> found(across_mm.size());
-  model::parallel_chunks(
-      across_mm.size(), kPlanesAChunk, control, [&](std::size_t begin, std::size_t end) {
-        surface::SectionScratch scratch;
-        std::vector<Curves> rows(end - begin);
-        std::vector<surface::SectionChain> chains;
-        for (std::size_t g = 0; g < sections_.size(); ++g) {
-          if (starts[g].empty()) continue;
-          for (std::size_t k = begin; k < end; ++k) {
-            chains.clear();
-            sections_[g].trace(starts[g], k, across_mm[k], scratch, chains);
-            for (const auto& chain : chains) rows[k - begin].push_back(in_plane(chain));
-          }
-        }
-        for (std::size_t k = begin; k < end; ++k)
-          found[k] = upper_envelope(rows[k - begin], kSamePlace_mm);
-        control.report(static_cast<double>(end) / static_cast<double>(across_mm.size()));
-      });
+  each_envelope(across_mm, control,
+                [&](std::size_t plane, Envelope envelope) { found[plane] = std::move(envelope); });
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -85,6 +86,7 @@ class LocationTreeBuilder {
   void build() {
     for (std::size_t g = 0; g < tree_.grids_.size(); ++g) add_root(static_cast<int>(g));
     if (roots_.empty()) return;
+    reserve();
     tree_.nodes_.emplace_back();
     std::vector<int> order(roots_.size());
     std::iota(order.begin(), order.end(), 0);
@@ -104,6 +106,37 @@ class LocationTreeBuilder {
     for_points(grid, root.cells, [&](const Vec3& p) { root.box.add(p); });
     tree_.box_.add(root.box);
     roots_.push_back(root);
+  }
+
+  struct Size {
+    std::size_t nodes = 0, leaves = 0;
+  };
+  /// Of the tree over the cells of a grid.
+  static Size size_of(const LocationLeaf& cells) {
+    const std::vector<LocationLeaf> parts = quarters(cells);
+    if (parts.size() == 1) return {1, 1};
+    Size size{1, 0};
+    for (const LocationLeaf& part : parts) {
+      const Size of_part = size_of(part);
+      size.nodes += of_part.nodes;
+      size.leaves += of_part.leaves;
+    }
+    return size;
+  }
+
+  /// Arrays that grow as they are filled would be there twice each time they do.
+  void reserve() {
+    std::map<std::pair<int, int>, Size> known;
+    Size size;
+    for (const Root& root : roots_) {
+      const auto [at, is_new] = known.try_emplace({root.cells.u_end, root.cells.v_end});
+      if (is_new) at->second = size_of(root.cells);
+      size.nodes += at->second.nodes;
+      size.leaves += at->second.leaves;
+    }
+    // A node above has two children at least.
+    tree_.nodes_.reserve(size.nodes + roots_.size());
+    tree_.leaves_.reserve(size.leaves);
   }
 
   int add_children(int node, int count) {

@@ -81,7 +81,7 @@ ContactReach contact_reach(const surface::PatchModel& model, const LimitLocation
   Marker marker(limit, request, nodes);
   const auto& patches = model.patches();
   for (std::size_t p = 0; p < patches.size(); ++p)
-    marker.add(patches[p].limit, limit.mesh.depths[p]);
+    marker.add(patches[p].limit, limit.sampler.depths()[p]);
   return marker.take();
 }
 

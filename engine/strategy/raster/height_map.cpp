@@ -87,15 +87,16 @@ Raster cover(const model::Box3& box, double pixel_mm) {
           static_cast<int>(std::ceil(size.y / pixel_mm)) + 1};
 }
 
-HeightMap make_height_map(const Raster& raster, const std::vector<surface::Grid>& grids) {
+HeightMap make_height_map(const Raster& raster, const surface::OffsetSampler& sampler) {
   HeightMap map{raster, std::vector<float>(raster.size(), -std::numeric_limits<float>::infinity())};
-  for (const surface::Grid& grid : grids)
+  surface::for_each_piece(sampler, 0, [&](const surface::Grid& grid) {
     for (int v = 0; v + 1 < grid.rows; ++v)
       for (int u = 0; u + 1 < grid.columns; ++u) {
         const Vec3 &a = grid.at(u, v), &c = grid.at(u + 1, v + 1);
         raise(map, FlatTriangle(raster, a, grid.at(u + 1, v), c));
         raise(map, FlatTriangle(raster, a, c, grid.at(u, v + 1)));
       }
+  });
   return map;
 }
 

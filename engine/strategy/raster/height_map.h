@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/surface/section/section_chain.h"
+#include "engine/surface/offset_model.h"
 #include "model/geometry/vec3.h"
 
 namespace limitgauge::engine::strategy {
@@ -27,7 +27,8 @@ struct HeightMap {
   Raster raster;
   std::vector<float> z;
 };
-HeightMap make_height_map(const Raster& raster, const std::vector<surface::Grid>& grids);
+/// The surface is the limit mesh as it is sampled.
+HeightMap make_height_map(const Raster& raster, const surface::OffsetSampler& sampler);
 /// The same with `factor` times larger pixels: the highest of the pixels that each one holds.
 HeightMap coarsened(const HeightMap& map, int factor);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "engine/strategy/locations/ball_sections.h"
 #include "model/base/chunks.h"
@@ -12,8 +11,6 @@ namespace limitgauge::engine::strategy {
 namespace {
 
 constexpr double kNothingUnder = -std::numeric_limits<double>::infinity();
-/// Rows of a raster whose envelopes are held at a time.
-constexpr std::size_t kRowsAStrip = 128;
 
 Raster nodes_over(const model::Box3& window, double spacing_mm) {
   constexpr double kMostNodes = 4e6;
@@ -69,14 +66,10 @@ TipRaster make_ball_raster(const surface::PatchModel& model, const StageRequest&
   const BallSections sections(model, request, DriveFrame(0), 0, control);
   std::vector<double> across;
   for (int j = 0; j < raster.rows; ++j) across.push_back(raster.y(j));
-  for (std::size_t first = 0; first < across.size(); first += kRowsAStrip) {
-    const std::size_t count = std::min(kRowsAStrip, across.size() - first);
-    const std::vector<Envelope> strip =
-        sections.envelopes(std::span(across).subspan(first, count), control);
-    for (std::size_t k = 0; k < count; ++k)
-      fill_row(strip[k], raster, request.cutter.radius_mm(),
-               &tips.z[(first + k) * static_cast<std::size_t>(raster.columns)]);
-  }
+  sections.each_envelope(across, control, [&](std::size_t row, const Envelope& envelope) {
+    fill_row(envelope, raster, request.cutter.radius_mm(),
+             &tips.z[row * static_cast<std::size_t>(raster.columns)]);
+  });
   return tips;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -20,7 +21,7 @@ namespace {
 /// Distances are taken this much smaller than the cusps tried ask for, so that few rows need
 /// halving afterwards.
 constexpr double kPrudence = 0.97;
-constexpr std::size_t kPairsAChunk = 8;
+constexpr std::size_t kPairsAChunk = 8, kCentresAChunk = 16;
 
 std::vector<double> with_middles(const std::vector<double>& rows) {
   std::vector<double> all;
@@ -132,8 +133,6 @@ std::vector<CentreRow> scallop_rows(const BallSections& sections, const CutOptio
 
 namespace {
 
-constexpr std::size_t kBallRowsAChunk = 16;
-
 /// The run, nowhere lower than `floor`.
 std::vector<PlanePoint> raised(const std::vector<PlanePoint>& run, double floor) {
   std::vector<PlanePoint> line;
@@ -148,12 +147,6 @@ std::vector<PlanePoint> raised(const std::vector<PlanePoint>& run, double floor)
   return line;
 }
 
-std::vector<CentreRow> centre_rows(const BallSections& sections, const CutOptions& cut,
-                                   const model::RunControl& control) {
-  if (cut.scallop_mm) return scallop_rows(sections, cut, control);
-  return rows_at(sections, even_rows(sections, cut.step_mm), control);
-}
-
 DriveRow tip_row(const CentreRow& row, const StageRequest& request, const DriveFrame& frame,
                  double reduction_mm) {
   const double radius = request.cutter.radius_mm();
@@ -166,22 +159,47 @@ DriveRow tip_row(const CentreRow& row, const StageRequest& request, const DriveF
   return tips;
 }
 
+using Reduce = std::function<DriveRow(const CentreRow&)>;
+
+/// Rows are reduced as soon as they are cut: few envelopes are held whole.
+std::vector<DriveRow> even_tips(const BallSections& sections, const CutOptions& cut,
+                                const model::RunControl& control, const Reduce& reduced) {
+  const std::vector<double> across = even_rows(sections, cut.step_mm);
+  std::vector<DriveRow> rows(across.size());
+  sections.each_envelope(across, control, [&](std::size_t plane, Envelope envelope) {
+    rows[plane] = reduced({across[plane], std::move(envelope)});
+  });
+  return rows;
+}
+
+/// Cusps are measured between rows as they are cut, so all envelopes are held until the last row
+/// has its place.
+std::vector<DriveRow> scallop_tips(const BallSections& sections, const CutOptions& cut,
+                                   const model::RunControl& control, const Reduce& reduced) {
+  const std::vector<CentreRow> centres = scallop_rows(sections, cut, control);
+  std::vector<DriveRow> rows(centres.size());
+  model::parallel_chunks(rows.size(), kCentresAChunk, control, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i) rows[i] = reduced(centres[i]);
+  });
+  return rows;
+}
+
 }  // namespace
 
 DriveRows make_ball_rows(const surface::PatchModel& model, const StageRequest& request,
-                         const model::RunControl& control, const RowShares& shares) {
+                         const model::RunControl& control, const RowShares& shares,
+                         std::size_t most_points) {
   const DriveFrame frame(request.cut.angle_deg);
   const double reduction_mm = shares.reduction * request.cut.tolerance_mm;
   const double bow_mm = shares.bow * request.cut.tolerance_mm;
-  const BallSections sections(model, request, frame, reduction_mm + bow_mm, control);
-  const std::vector<CentreRow> rows = centre_rows(sections, request.cut, control);
-  DriveRows result{std::vector<DriveRow>(rows.size()), sections.sampling_intervals()};
-  model::parallel_chunks(rows.size(), kBallRowsAChunk, control,
-                         [&](std::size_t begin, std::size_t end) {
-                           for (std::size_t i = begin; i < end; ++i)
-                             result.rows[i] = tip_row(rows[i], request, frame, reduction_mm);
-                         });
-  return result;
+  const BallSections sections(model, request, frame, reduction_mm + bow_mm, control, most_points);
+  const auto reduced = [&](const CentreRow& row) {
+    return tip_row(row, request, frame, reduction_mm);
+  };
+  std::vector<DriveRow> rows = request.cut.scallop_mm
+                                   ? scallop_tips(sections, request.cut, control, reduced)
+                                   : even_tips(sections, request.cut, control, reduced);
+  return {std::move(rows), sections.sampling_intervals()};
 }
 
 namespace {

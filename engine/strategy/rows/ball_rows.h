@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "engine/strategy/locations/ball_sections.h"
@@ -60,8 +61,10 @@ struct RowShares {
 /// finer than t / 4 it leaves more, by what that lacks.
 ///
 /// `shares`: what leaving out points may move a row by, another share than a fifth; and what the
-/// centre may be moved by afterwards, which it keeps away from the surface too.
+/// centre may be moved by afterwards, which it keeps away from the surface too. `most_points`
+/// bounds the memory of the sections (BallSections) and changes nothing of the rows.
 DriveRows make_ball_rows(const surface::PatchModel& model, const StageRequest& request,
-                         const model::RunControl& control, const RowShares& shares = {});
+                         const model::RunControl& control, const RowShares& shares = {},
+                         std::size_t most_points = kMostStripPoints);
 
 }  // namespace limitgauge::engine::strategy

@@ -21,16 +21,12 @@ struct LessPoint {
 };
 
 /// The sides of patches at which the surface ends; it lies on their left.
-std::vector<Line> boundary_sides(const surface::PatchModel& model,
-                                 const surface::OffsetModel& mesh) {
+std::vector<Line> boundary_sides(const surface::OffsetSampler& sampler) {
+  const surface::PatchModel& model = sampler.model();
   std::vector<Line> sides;
   for (surface::Index h = 0; h < model.outer().half_edge_count(); ++h) {
     if (!model.has_patch(h) || !model.ends_at(h)) continue;
-    const surface::Grid& grid = mesh.grids[static_cast<std::size_t>(model.patch_at(h))];
-    Line side;
-    for (int t = 0; t < grid.columns; ++t)
-      side.push_back(grid.points[surface::side_index(model.side_at(h), t, grid.columns - 1)]);
-    sides.push_back(std::move(side));
+    sides.push_back(sampler.side(model.patch_at(h), model.side_at(h), 0));
   }
   return sides;
 }
@@ -71,9 +67,8 @@ std::vector<CutPass> outline_passes(const LimitLocations& limit, const StageRequ
 
 }  // namespace
 
-std::vector<Line> boundary_lines(const surface::PatchModel& model,
-                                 const surface::OffsetModel& mesh) {
-  std::vector<Line> sides = boundary_sides(model, mesh);
+std::vector<Line> boundary_lines(const surface::OffsetSampler& sampler) {
+  std::vector<Line> sides = boundary_sides(sampler);
   std::multimap<Vec3, std::size_t, LessPoint> starts;
   for (std::size_t i = 0; i < sides.size(); ++i) starts.emplace(sides[i].front(), i);
   std::vector<Line> lines;
@@ -92,10 +87,9 @@ std::vector<Line> boundary_lines(const surface::PatchModel& model,
   return lines;
 }
 
-std::vector<CutPass> boundary_passes(const surface::PatchModel& model, const LimitLocations& limit,
-                                     const StageRequest& request,
+std::vector<CutPass> boundary_passes(const LimitLocations& limit, const StageRequest& request,
                                      const model::RunControl& control) {
-  const std::vector<Line> lines = boundary_lines(model, limit.mesh);
+  const std::vector<Line> lines = boundary_lines(limit.sampler);
   return lines.empty() ? outline_passes(limit, request, control)
                        : rim_passes(lines, limit, request);
 }

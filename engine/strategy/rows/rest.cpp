@@ -86,7 +86,7 @@ StagePath plan_rest(const surface::FinishModel& model, const StageRequest& reque
   if (request.regions.empty()) {
     const model::Box3 stock = model::bounding_box(request.stock);
     stage.path.start = {stock.low.x, stock.low.y, clear_height_mm(limit.surface, request)};
-    set_intervals(stage, limit.mesh.intervals);
+    set_intervals(stage, limit.sampler.intervals());
     return stage;
   }
   SteepShallowPasses made = steep_shallow_passes(model.patches(), limit, request, control);

@@ -35,8 +35,9 @@ class Placer {
  private:
   void measure() {
     model::Box3 box;  // in rows' coordinates
-    for (const surface::Grid& grid : limit_.mesh.grids)
-      for (const Vec3& p : grid.points) box.add(places_.frame.to_drive(p));
+    const surface::OffsetSampler& sampler = limit_.sampler;
+    for (int patch = 0; patch < sampler.patches(); ++patch)
+      for (const Vec3& p : sampler.grid(patch, 0).points) box.add(places_.frame.to_drive(p));
     box = box.grown(request_.cutter.radius_mm() + limit_.kept_mm);
     places_.along_low = box.low.x;
     places_.along_high = box.high.x;

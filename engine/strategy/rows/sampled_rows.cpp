@@ -48,7 +48,7 @@ DriveRows make_sampled_rows(const LimitLocations& limit, const StageRequest& req
   const RowPlaces places = place_rows(limit, request, control);
   const TrackRule rule = track_rule(limit, request);
   DriveRows made;
-  made.sampling_intervals = limit.mesh.intervals;
+  made.sampling_intervals = limit.sampler.intervals();
   made.rows.resize(places.across.size());
   model::parallel_chunks(
       made.rows.size(), kRowsAChunk, control, [&](std::size_t begin, std::size_t end) {

@@ -60,7 +60,7 @@ void end_at_rims(const LimitLocations& limit, const StageRequest& request, Drive
   narrow.corner_radius_mm *= axis.z;
   narrow.flute_length_mm = std::max(narrow.flute_length_mm, narrow.diameter_mm);
   narrow.shank.clear(), narrow.holder.clear();
-  const CutterLocations under(surface::pieces(limit.mesh), narrow, 0);
+  const CutterLocations under(surface::pieces(limit.sampler, 0), narrow, 0);
   for (DriveRow& row : rows.rows) keep_over(under, row);
 }
 
@@ -69,17 +69,18 @@ void end_at_rims(const LimitLocations& limit, const StageRequest& request, Drive
 StagePath plan_zigzag(const surface::FinishModel& model, const StageRequest& request,
                       const model::RunControl& control) {
   const bool ball = request.cutter.type == model::CutterType::ball;
-  const LimitLocations limit = limit_locations(model.patches(), request);
   const RowShares shares = request.cut.lean ? kLeaningShares : RowShares();
-  DriveRows made = ball ? make_ball_rows(model.patches(), request, control, shares)
-                        : make_sampled_rows(limit, request, control);
+  DriveRows made;
+  // Before there are cutter locations, which rows of a ball do not need: both take memory.
+  if (ball) made = make_ball_rows(model.patches(), request, control, shares);
+  const LimitLocations limit = limit_locations(model.patches(), request);
+  if (!ball) made = make_sampled_rows(limit, request, control);
   if (request.cut.lean) end_at_rims(limit, request, made);
   StagePath stage;
   stage.planes = static_cast<int>(made.rows.size());
   set_intervals(stage, std::move(made.sampling_intervals));
   std::vector<std::vector<CutPass>> groups = row_groups(std::move(made.rows), request);
-  if (request.cut.boundary_pass)
-    groups.push_back(boundary_passes(model.patches(), limit, request, control));
+  if (request.cut.boundary_pass) groups.push_back(boundary_passes(limit, request, control));
   stage.path = link_passes(groups, limit.surface, request, control);
   return stage;
 }

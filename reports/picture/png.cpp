@@ -147,20 +147,34 @@ std::string png_bytes(const Image& image) {
 
 namespace {
 
-/// The colours of a picture and how often each occurs, in their order.
+/// The colours of a picture and how often each occurs, in their order. Pixels of one colour stand
+/// beside each other: runs of them are far fewer.
 std::vector<Entry> colours_of(const Image& image) {
-  std::vector<std::uint32_t> keys;
-  keys.reserve(image.pixels().size());
-  for (const Rgba& c : image.pixels()) keys.push_back(key_of(channels(c)));
-  std::sort(keys.begin(), keys.end());
-  std::vector<Entry> entries;
-  for (std::size_t i = 0; i < keys.size();) {
-    const auto next = std::upper_bound(keys.begin() + std::ptrdiff_t(i), keys.end(), keys[i]);
-    const auto end = static_cast<std::size_t>(next - keys.begin());
-    entries.push_back({channels_of(keys[i]), end - i, 0});
-    i = end;
+  std::unordered_map<std::uint32_t, std::size_t> counts;
+  const std::vector<Rgba>& pixels = image.pixels();
+  for (std::size_t i = 0; i < pixels.size();) {
+    const std::size_t first = i;
+    while (i < pixels.size() && pixels[i] == pixels[first]) ++i;
+    counts[key_of(channels(pixels[first]))] += i - first;
   }
+  std::vector<Entry> entries;
+  entries.reserve(counts.size());
+  for (const auto& [key, count] : counts) entries.push_back({channels_of(key), count, 0});
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& a, const Entry& b) { return a.colour < b.colour; });
   return entries;
+}
+
+/// Of each pixel, its colour's place in the palette.
+std::vector<std::uint8_t> indices_of(const Image& image, const std::vector<Entry>& entries) {
+  std::unordered_map<std::uint32_t, std::uint8_t> index;
+  for (const Entry& e : entries) index.emplace(key_of(e.colour), e.index);
+  const std::vector<Rgba>& pixels = image.pixels();
+  std::vector<std::uint8_t> indices(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    indices[i] = i > 0 && pixels[i] == pixels[i - 1] ? indices[i - 1]
+                                                     : index.at(key_of(channels(pixels[i])));
+  return indices;
 }
 
 }  // namespace
@@ -170,11 +184,7 @@ std::string palette_png(const Image& image) {
   std::vector<Channels> palette;
   for (const Bin& bin : bins_of(entries))
     palette.push_back(settle(entries, bin, static_cast<std::uint8_t>(palette.size())));
-  std::unordered_map<std::uint32_t, std::uint8_t> index;
-  for (const Entry& e : entries) index.emplace(key_of(e.colour), e.index);
-  std::vector<std::uint8_t> pixels;
-  pixels.reserve(image.pixels().size());
-  for (const Rgba& c : image.pixels()) pixels.push_back(index.at(key_of(channels(c))));
+  const std::vector<std::uint8_t> pixels = indices_of(image, entries);
   return encoded(image, PNG_FORMAT_RGBA_COLORMAP, 0, pixels.data(), palette);
 }
 

@@ -39,7 +39,7 @@ class QuadBunches {
   }
 
  private:
-  static constexpr std::size_t kQuads = 512;
+  static constexpr std::size_t kQuads = 128;
   struct Bunch {
     std::size_t begin = 0, end = 0;
     double top = std::numeric_limits<double>::infinity();

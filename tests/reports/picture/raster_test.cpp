@@ -113,5 +113,6 @@ TEST_CASE("quads are found by the rows that they reach, all of them and in their
       if (reaches) REQUIRE(all.contains(q[0]));
     }
   });
-  CHECK(visited < 2 * kQuads);
+  // A quad of 40 rows reaches 1.6 parts of 64 rows on average; most of the others are passed over.
+  CHECK(visited < 3 * kQuads);
 }

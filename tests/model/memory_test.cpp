@@ -14,12 +14,6 @@
 namespace limitgauge::model {
 namespace {
 
-std::size_t address_space_bytes() {
-  std::size_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-}
-
 /// Files of a kernel that is asked instead of the machine's.
 class Kernel {
  public:
@@ -109,6 +103,12 @@ TEST_CASE("a run may take four fifths of what is available", "[unit][memory]") {
 
 // The address sanitizer ends the program itself where a thread's memory cannot be had.
 #ifndef __SANITIZE_ADDRESS__
+std::size_t address_space_bytes() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
 TEST_CASE("threads that cannot be started end the work with the reason", "[unit][memory]") {
   // Room for eight stacks of 8 MiB: the ninth thread ended the program.
   rlimit before{};

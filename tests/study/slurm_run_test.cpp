@@ -194,7 +194,7 @@ TEST_CASE("a study whose Slurm hangs is stopped all the same, and its jobs later
   Study study(slurm);
   const auto began = std::chrono::steady_clock::now();
   CHECK(study.run(1, milliseconds(1000)).empty());
-  // Two seconds of them on an idle machine; what hangs would not end.
+  // Within two seconds of being told to on an idle machine; squeue hangs for a hundred.
   CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(10));
   CHECK(study.interrupted);
   CHECK(was_cancelled(slurm, study.options.name));

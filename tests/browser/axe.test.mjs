@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { findsNothing, violations } from './support/axe.mjs';
-import { openBrowser, withReport } from './support/browser.mjs';
+import { openBrowser, seeFigures, withReport } from './support/browser.mjs';
 
 const browser = await openBrowser();
 
@@ -19,11 +19,7 @@ async function unfold(page) {
     const path = document.querySelector('[data-testid="view-path"]');
     if (path && !path.checked) path.click();
   });
-  const height = await page.evaluate(() => document.documentElement.scrollHeight);
-  for (let y = 0; y < height; y += 800) {
-    await page.evaluate((top) => scrollTo(0, top), y);
-    await page.waitForTimeout(30);
-  }
+  await seeFigures(page);
 }
 
 for (const [name, file] of [...reports, ['compared', 'compare.html'], ...studies, ...histories])

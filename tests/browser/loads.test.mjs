@@ -2,19 +2,15 @@
 // is to read: what passed and what is looked up is folded.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { openBrowser, withReport } from './support/browser.mjs';
+import { openBrowser, seeFigures, withReport } from './support/browser.mjs';
 import { resultOf } from './support/pages.mjs';
 
 const browser = await openBrowser();
 
 /** Height of the page with all charts drawn, px. */
 async function heightOf(page) {
-  const height = () => page.evaluate(() => document.documentElement.scrollHeight);
-  for (let y = 0; y < (await height()); y += 800) {
-    await page.evaluate((top) => scrollTo(0, top), y);
-    await page.waitForTimeout(60);
-  }
-  return height();
+  await seeFigures(page);
+  return page.evaluate(() => document.documentElement.scrollHeight);
 }
 
 const words = { pass: 'Passed', fail: 'Failed', indeterminate: 'Undecided' };

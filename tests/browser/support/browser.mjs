@@ -89,3 +89,18 @@ export async function whenReady(page) {
     for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
   });
 }
+
+/**
+ * Has everything drawn that is drawn when it comes into sight: goes from figure to figure, and stays with each that was
+ * out of sight until it was on the screen. To scroll through all of a page takes ten times as long.
+ */
+export async function seeFigures(page) {
+  await page.evaluate(async () => {
+    for (const figure of document.querySelectorAll('figure, .chart-plot')) {
+      const { top, bottom, height } = figure.getBoundingClientRect();
+      if (height > 0 && top >= 0 && bottom <= innerHeight) continue;
+      figure.scrollIntoView({ block: 'center', behavior: 'instant' });
+      for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+    }
+  });
+}

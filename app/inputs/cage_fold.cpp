@@ -28,7 +28,7 @@ std::vector<Index> numbers_of_places(const model::Cage& cage) {
 
 /// From the least number on: whichever corner a face is written from.
 Corners from_least(Corners corners) {
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   return corners;
 }
 

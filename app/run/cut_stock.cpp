@@ -21,7 +21,7 @@ constexpr std::size_t kComparedLines = 4000;
 
 /// What each move took.
 void follow_removal(const JobStage& asked, const simulator::Pass& pass, CutStock& stock,
-                    const StageWatch& watch, reports::StageResult::Ran& ran) {
+                    const StageWatch& watch, reports::StageRun& ran) {
   simulator::DexelStock::Cut after =
       stock.lines.cut(pass, watch.control(asked.name + ": following the removal"));
   stock.lines = std::move(after.stock);
@@ -65,7 +65,7 @@ void require_agreement(const std::string& when, const model::Pose& to_part,
 
 /// Cuts the level set, with its volume before and after.
 void cut_level_set(const JobStage& asked, const simulator::Pass& pass, CutStock& now,
-                   const StageWatch& watch, reports::StageResult::Ran& ran) {
+                   const StageWatch& watch, reports::StageRun& ran) {
   const auto control = [&](const char* what) { return watch.control(asked.name + what); };
   say_forecast(asked, now.stock.forecast(pass, control(": forecasting")), watch);
   if (now.volume_is_older) now.volume_mm3 = now.stock.volume_mm3(control(": adding up"));
@@ -79,7 +79,7 @@ void cut_level_set(const JobStage& asked, const simulator::Pass& pass, CutStock&
 /// No lines are cut by a tool that turns as it goes: they are taken from the level set, which an
 /// evaluator of poses is held against.
 void follow_turning(const JobStage& asked, const Settings& settings, const simulator::Pass& pass,
-                    CutStock& now, const StageWatch& watch, reports::StageResult::Ran& ran) {
+                    CutStock& now, const StageWatch& watch, reports::StageRun& ran) {
   const auto control = watch.control(asked.name + ": comparing the models");
   simulator::DexelStock after = dexels_from(now.stock, settings.line_spacing_mm, control);
   ran.agreement =
@@ -89,14 +89,14 @@ void follow_turning(const JobStage& asked, const Settings& settings, const simul
 }
 
 /// What is said of the stock after a stage.
-void fill_in(const CutStock& now, reports::StageResult::Ran& ran) {
+void fill_in(const CutStock& now, reports::StageRun& ran) {
   ran.voxel_mm = now.stock.voxel_mm();
   ran.tiles = now.stock.tiles();
   ran.stock = now.stock;
 }
 
 void compare(const JobStage& asked, const CutStock& now, const StageWatch& watch,
-             reports::StageResult::Ran& ran) {
+             reports::StageRun& ran) {
   const auto control = watch.control(asked.name + ": comparing the models");
   ran.agreement = compare_stocks(now.lines, now.stock, kComparedLines, control, now.volume_mm3);
 }
@@ -176,7 +176,7 @@ CutStock turned_over(const Job& job, const Settings& settings, const CutStock& b
 }
 
 CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
-                   const StageWatch& watch, reports::StageResult::Ran& ran) {
+                   const StageWatch& watch, reports::StageRun& ran) {
   const simulator::Pass pass{asked.cutter, ran.path, {}, false, ran.axes};
   const auto control = [&](const char* what) { return watch.control(asked.name + what); };
   CutStock now = std::move(before);
@@ -198,7 +198,7 @@ CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& aske
 }
 
 bool passes_by(const Job& job, const RunInputs& inputs, const JobStage& asked,
-               const CutStock& stock, const StageWatch& watch, reports::StageResult::Ran& ran) {
+               const CutStock& stock, const StageWatch& watch, reports::StageRun& ran) {
   if (!only_positions(asked)) return false;
   // What stands is part of the block: what meets nothing of the block meets nothing.
   const Settings& settings = inputs.settings;

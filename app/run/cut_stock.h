@@ -57,13 +57,13 @@ CutStock turned_over(const Job& job, const Settings& settings, const CutStock& b
 /// that nobody shares is cut where it stands. Throws InstrumentDisagreement where the two stock
 /// models contradict each other, ResourceError, Interrupted.
 CutStock cut_stage(const Job& job, const RunInputs& inputs, const JobStage& asked, CutStock before,
-                   const StageWatch& watch, reports::StageResult::Ran& ran);
+                   const StageWatch& watch, reports::StageRun& ran);
 
 /// Of a stretch that only positions and comes near nothing of the block that all is cut from: its
 /// process, with `stock` left as it lies, in whatever setup's frame. `job` and `inputs` are the
 /// view of the stretch's own setup. False, and nothing filled in, where it may meet something: then
 /// the stock has to be turned and cut. Throws as cut_stage() does.
 bool passes_by(const Job& job, const RunInputs& inputs, const JobStage& asked,
-               const CutStock& stock, const StageWatch& watch, reports::StageResult::Ran& ran);
+               const CutStock& stock, const StageWatch& watch, reports::StageRun& ran);
 
 }  // namespace limitgauge::app

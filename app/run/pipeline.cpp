@@ -50,10 +50,10 @@ class Bench {
   void say_forecast();
   void run_stage(std::size_t index, reports::StageResult& stage);
   StageToCut planned(std::size_t index);
-  void make_path(std::size_t index, reports::StageResult::Ran& ran);
-  bool stays(std::size_t index, reports::StageResult::Ran& ran) const;
-  void cut(std::size_t index, reports::StageResult::Ran& ran);
-  void measure(std::size_t index, reports::StageResult::Ran& ran);
+  void make_path(std::size_t index, reports::StageRun& ran);
+  bool stays(std::size_t index, reports::StageRun& ran) const;
+  void cut(std::size_t index, reports::StageRun& ran);
+  void measure(std::size_t index, reports::StageRun& ran);
   std::vector<std::string> names_up_to(std::size_t index) const;
   void write_files(std::size_t index, reports::StageResult& stage) const;
   void hand_over(const reports::RunResult& result) const;
@@ -99,7 +99,7 @@ StageToCut Bench::planned(std::size_t index) {
                                         control(asked.name + ": planning"), asks);
 }
 
-void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
+void Bench::make_path(std::size_t index, reports::StageRun& ran) {
   const JobStage& asked = job_.stages[index];
   const model::Stopwatch watch;
   StageToCut ready = planned(index);
@@ -131,13 +131,13 @@ void Bench::make_path(std::size_t index, reports::StageResult::Ran& ran) {
 /// Where a stretch that only positions passes the stock by, the stock stays as it lay: most
 /// programs go home between two orientations. Not without a design, whose page shows it in each
 /// stretch.
-bool Bench::stays(std::size_t index, reports::StageResult::Ran& ran) const {
+bool Bench::stays(std::size_t index, reports::StageRun& ran) const {
   return setups_.inputs_at(index).design &&
          passes_by(setups_.job_at(index), setups_.inputs_at(index), job_.stages[index], *stock_,
                    watch(), ran);
 }
 
-void Bench::cut(std::size_t index, reports::StageResult::Ran& ran) {
+void Bench::cut(std::size_t index, reports::StageRun& ran) {
   const model::Stopwatch stopwatch;
   passed_by_ = stays(index, ran);
   if (!passed_by_) {
@@ -172,7 +172,7 @@ std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Fi
   return faults;
 }
 
-void Bench::measure(std::size_t index, reports::StageResult::Ran& ran) {
+void Bench::measure(std::size_t index, reports::StageRun& ran) {
   const JobStage& asked = job_.stages[index];
   setups_.add(ran.path, ran.axes);
   const RunInputs& inputs = setups_.inputs_at(index);
@@ -209,7 +209,7 @@ void Bench::write_files(std::size_t index, reports::StageResult& stage) const {
 void Bench::run_stage(std::size_t index, reports::StageResult& stage) {
   const model::Stopwatch watch;
   stage_ = index + 1;
-  reports::StageResult::Ran& ran = stage.ran.emplace();
+  reports::StageRun& ran = stage.ran.emplace();
   make_path(index, ran);
   model::return_freed_memory();
   cut(index, ran);

@@ -152,7 +152,7 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
 void take_up(const RecordedStage& recorded, reports::StageResult& stage) {
   stage.recorded = recorded.json;
   stage.decision.verdict = recorded.verdict;
-  reports::StageResult::Ran& ran = stage.ran.emplace();
+  reports::StageRun& ran = stage.ran.emplace();
   ran.path = recorded.path;
   ran.axes = recorded.axes;
   ran.program_text = recorded.program_text;
@@ -163,7 +163,7 @@ void take_up(const RecordedStage& recorded, reports::StageResult& stage) {
 std::vector<RecordedStage> recorded_stages(const reports::RunResult& result) {
   std::vector<RecordedStage> stages;
   for (std::size_t i = 0; i < result.stages.size() && result.stages[i].ran; ++i) {
-    const reports::StageResult::Ran& ran = *result.stages[i].ran;
+    const reports::StageRun& ran = *result.stages[i].ran;
     stages.push_back({std::make_shared<const std::string>(reports::recorded_stage(result, i)),
                       ran.path, ran.program_text, ran.sampling_interval_min,
                       ran.sampling_interval_max, result.stages[i].decision.verdict, ran.axes});

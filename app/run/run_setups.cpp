@@ -33,7 +33,7 @@ std::optional<engine::surface::ModelFigures> RunSetups::figures() const {
   return std::nullopt;
 }
 
-void to_part_frame(reports::StageResult::Ran& ran, const model::Pose& to_part) {
+void to_part_frame(reports::StageRun& ran, const model::Pose& to_part) {
   if (to_part == model::Pose{}) return;
   for (simulator::Finding& finding : ran.process) finding.point = to_part.point(finding.point);
   if (ran.deviation) verifier::turn(*ran.deviation, to_part);

@@ -49,6 +49,6 @@ class RunSetups {
 };
 
 /// What was found in a setup's frame, as it lies in the part's.
-void to_part_frame(reports::StageResult::Ran& ran, const model::Pose& to_part);
+void to_part_frame(reports::StageRun& ran, const model::Pose& to_part);
 
 }  // namespace limitgauge::app

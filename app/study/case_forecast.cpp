@@ -34,7 +34,11 @@ struct CaseForecast::Known {
 };
 
 CaseForecast::CaseForecast(std::size_t memory_limit_bytes, const std::atomic<bool>* stop)
-    : known_(std::make_unique<Known>(memory_limit_bytes, stop)) {}
+    : known_(std::make_unique<Known>()) {
+  known_->memory_limit_bytes = memory_limit_bytes;
+  known_->stop = stop;
+}
+
 CaseForecast::~CaseForecast() = default;
 CaseForecast::CaseForecast(CaseForecast&&) noexcept = default;
 CaseForecast& CaseForecast::operator=(CaseForecast&&) noexcept = default;

@@ -24,10 +24,10 @@ Json surface_part(const SurfaceResult& s);
 Json stage_part(const RunResult& result, std::size_t index);
 
 /// The path of a stage: "toolpath".
-Json toolpath_part(const StageResult::Ran& r);
+Json toolpath_part(const StageRun& r);
 
 /// The cut of a stage and what was found in the process: "simulation".
-Json simulation_part(const StageResult::Ran& r);
+Json simulation_part(const StageRun& r);
 
 /// What was measured of a stage: "deviation".
 Json deviation_part(const RunResult& result, const verifier::StageDeviation& d,

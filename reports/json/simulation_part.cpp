@@ -85,7 +85,7 @@ Json agreement_part(const simulator::StockAgreement& a) {
 
 }  // namespace
 
-Json simulation_part(const StageResult::Ran& r) {
+Json simulation_part(const StageRun& r) {
   Json out = {{"voxel_mm", finite("simulation.voxel_mm", r.voxel_mm)},
               {"removed_volume_mm3", finite("simulation.removed_volume_mm3", r.removed_volume_mm3)},
               {"tiles", r.tiles},

@@ -52,7 +52,7 @@ Json recorded_part(const RunResult& result, std::size_t index) {
   return out;
 }
 
-Json lean_part(const StageResult::Ran::Lean& lean) {
+Json lean_part(const StageRun::Lean& lean) {
   return {{"from", lean.from_surface ? "surface" : "vertical"},
           {"lead_deg", finite("lean.lead_deg", lean.lead_deg)},
           {"tilt_deg", finite("lean.tilt_deg", lean.tilt_deg)}};
@@ -96,7 +96,7 @@ Json stage_part(const RunResult& result, std::size_t index) {
   return out;
 }
 
-Json toolpath_part(const StageResult::Ran& r) {
+Json toolpath_part(const StageRun& r) {
   return {
       {"moves", r.path ? r.path->moves.size() : 0},
       {"planes", r.planes},

@@ -124,7 +124,7 @@ Json point_json(const model::Vec3& p) {
   return {p.x, p.y, p.z};
 }
 
-Json findings_data(const StageResult::Ran& ran, const MeshDesign* mesh) {
+Json findings_data(const StageRun& ran, const MeshDesign* mesh) {
   const std::vector<simulator::FindingGroup> groups = worst_first(ran.process);
   Json out = {{"process", process_list(groups)}, {"process_total", groups.size()}};
   if (!ran.deviation) return out;

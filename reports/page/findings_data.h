@@ -10,7 +10,7 @@ inline constexpr std::size_t kMostFindings = 500;
 
 /// "gouges", "uncuts" and "process" of a stage that ran, numbered as the page's tables number them,
 /// each with its total ("gouges_total", ...).
-Json findings_data(const StageResult::Ran& ran, const MeshDesign* mesh = nullptr);
+Json findings_data(const StageRun& ran, const MeshDesign* mesh = nullptr);
 
 /// "text" of stage `index`: the lines of its program around those that findings of any stage name.
 Json text_data(const RunResult& result, std::size_t index, Blob& blob);

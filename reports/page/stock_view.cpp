@@ -45,7 +45,8 @@ StockView::Maker maker_at(const simulator::Material& material, const Vec3& p,
   if (found.pass == 0 || found.pass > passes.size()) return {};
   const std::uint32_t move = material.passes()[found.pass - 1]->own().move(found.slot).index;
   const auto& moves = passes[found.pass - 1].path->moves;
-  return {found.pass, move, move < moves.size() ? moves[move].line : 0};
+  return {found.pass, move,
+          move < moves.size() ? static_cast<std::uint32_t>(moves[move].line) : 0U};
 }
 
 /// Where a way through `p` from `reach_mm` before to `reach_mm` behind it meets the surface first,

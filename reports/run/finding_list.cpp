@@ -92,7 +92,7 @@ std::string words_of(const simulator::FindingGroup& g) {
 }
 
 ListedFinding listed(const simulator::FindingGroup& g, std::size_t i, std::size_t stage,
-                     const StageResult::Ran& ran) {
+                     const StageRun& ran) {
   ListedFinding out;
   out.id = "P" + std::to_string(i + 1);
   out.kind = simulator::name(g.kind);

@@ -119,7 +119,7 @@ GateFigure count_figure(const char* what, std::size_t count) {
 }
 
 /// A pass of a program that cuts nothing is no praise.
-std::vector<std::string> cut_notes(const StageResult::Ran& ran) {
+std::vector<std::string> cut_notes(const StageRun& ran) {
   if (ran.removal.totals.volume_mm3 > 0) return {};
   return {"nothing was cut: no move came to the stock; are stock, program and tool in one frame?"};
 }

@@ -82,7 +82,7 @@ std::vector<simulator::FindingGroup> worst_first(std::span<const simulator::Find
 std::vector<NamedLine> named_lines(const RunResult& result, std::size_t index, std::size_t most) {
   std::vector<NamedLine> named;
   if (!result.stages[index].ran) return named;
-  const StageResult::Ran& ran = *result.stages[index].ran;
+  const StageRun& ran = *result.stages[index].ran;
   if (ran.deviation) {
     if (const auto& robust = ran.deviation->robust) {
       add_tolerated(robust->gouge, "GT", named);

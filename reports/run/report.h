@@ -46,9 +46,9 @@ struct StageFileOptions {
 /// What writing a stage's files gives to its result.
 struct StageFiles {
   StagePictures pictures;                      ///< for StageResult::pictures
-  std::optional<StockSurfaceFigures> surface;  ///< for StageResult::Ran::surface
-  std::optional<page::PathView> path_view;     ///< for StageResult::Ran::path_view
-  std::optional<page::StockView> stock_view;   ///< for StageResult::Ran::stock_view
+  std::optional<StockSurfaceFigures> surface;  ///< for StageRun::surface
+  std::optional<page::PathView> path_view;     ///< for StageRun::path_view
+  std::optional<page::StockView> stock_view;   ///< for StageRun::stock_view
 };
 /// Writes NAME/toolpath.vtp, stock.vdb, stock.vtp, deviation.vtp and the pictures deviation.png,
 /// perspective.png and stock.png of a stage that ran into `folder`/NAME. Needs no display. Throws

@@ -67,6 +67,43 @@ struct SurfaceResult {
   std::size_t cell_bytes_counted = 0, cell_bytes_allocated = 0;
 };
 
+/// What a stage that was run has left.
+struct StageRun {
+  std::shared_ptr<const model::Toolpath> path;
+  std::shared_ptr<const model::ToolAxes> axes;  ///< of a path that turns its tool; else null
+  /// How a planned tool leans along its rows: a tilt that was left to the program too.
+  struct Lean {
+    double lead_deg = 0, tilt_deg = 0;
+    bool from_surface = false;
+  };
+  std::optional<Lean> lean;
+  int planes = 0;
+  int sampling_interval_min = 1, sampling_interval_max = 1;
+  std::vector<int> sampling_intervals;  ///< one a patch
+  double cut_length_mm = 0, rapid_length_mm = 0, machining_time_s = 0;
+  double plan_seconds = 0;
+  std::size_t path_memory_bytes = 0;
+  std::shared_ptr<const std::string> program_text;  ///< what stands in toolpath.ngc
+  std::vector<std::string> ignored_words;  ///< "line: word" of auxiliaries in a foreign program
+
+  double voxel_mm = 0, removed_volume_mm3 = 0, simulation_seconds = 0;
+  std::size_t tiles = 0;  ///< that the stock was worked out in; 0: as one whole
+  std::size_t peak_memory_bytes = 0;
+  std::optional<StockSurfaceFigures> surface;  ///< once the stage's files are written
+  std::optional<simulator::StockModel> stock;  ///< let go once its files are written
+  /// How the frame that `stock` lies in lies in the part's: that of the stage's setup, or of one
+  /// before it where a stage passed the stock by.
+  model::Pose stock_to_part;
+  std::vector<simulator::Finding> process;    ///< in the order of moves
+  simulator::StockAgreement agreement;        ///< of the two stock models
+  simulator::Removal removal;                 ///< its moves are let go with the stock
+  std::optional<page::PathView> path_view;    ///< once the stage's files are written
+  std::optional<page::StockView> stock_view;  ///< likewise, of a run without a design
+
+  /// Empty where nothing is measured against a design.
+  std::optional<verifier::StageDeviation> deviation;
+};
+
 /// One stage as asked for and as it came out. A stage that was not run has only its request part.
 struct StageResult {
   std::string name, tool;
@@ -89,42 +126,7 @@ struct StageResult {
   verifier::GateLimits limits;
   verifier::GateDecision decision;
 
-  struct Ran {
-    std::shared_ptr<const model::Toolpath> path;
-    std::shared_ptr<const model::ToolAxes> axes;  ///< of a path that turns its tool; else null
-    /// How a planned tool leans along its rows: a tilt that was left to the program too.
-    struct Lean {
-      double lead_deg = 0, tilt_deg = 0;
-      bool from_surface = false;
-    };
-    std::optional<Lean> lean;
-    int planes = 0;
-    int sampling_interval_min = 1, sampling_interval_max = 1;
-    std::vector<int> sampling_intervals;  ///< one a patch
-    double cut_length_mm = 0, rapid_length_mm = 0, machining_time_s = 0;
-    double plan_seconds = 0;
-    std::size_t path_memory_bytes = 0;
-    std::shared_ptr<const std::string> program_text;  ///< what stands in toolpath.ngc
-    std::vector<std::string> ignored_words;  ///< "line: word" of auxiliaries in a foreign program
-
-    double voxel_mm = 0, removed_volume_mm3 = 0, simulation_seconds = 0;
-    std::size_t tiles = 0;  ///< that the stock was worked out in; 0: as one whole
-    std::size_t peak_memory_bytes = 0;
-    std::optional<StockSurfaceFigures> surface;  ///< once the stage's files are written
-    std::optional<simulator::StockModel> stock;  ///< let go once its files are written
-    /// How the frame that `stock` lies in lies in the part's: that of the stage's setup, or of one
-    /// before it where a stage passed the stock by.
-    model::Pose stock_to_part;
-    std::vector<simulator::Finding> process;    ///< in the order of moves
-    simulator::StockAgreement agreement;        ///< of the two stock models
-    simulator::Removal removal;                 ///< its moves are let go with the stock
-    std::optional<page::PathView> path_view;    ///< once the stage's files are written
-    std::optional<page::StockView> stock_view;  ///< likewise, of a run without a design
-
-    /// Empty where nothing is measured against a design.
-    std::optional<verifier::StageDeviation> deviation;
-  };
-  std::optional<Ran> ran;
+  std::optional<StageRun> ran;
   std::optional<StagePictures> pictures;  ///< empty: a page without pictures
   double seconds = 0;
   /// recorded_stage() of an earlier run whose stage this is. `ran` then has the path, its program

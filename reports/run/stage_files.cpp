@@ -85,7 +85,7 @@ struct PlacedSurface {
   model::Pose to_part;
 };
 
-void write_surface(const StageResult::Ran& ran, const PlacedSurface& surface,
+void write_surface(const StageRun& ran, const PlacedSurface& surface,
                    const std::filesystem::path& file, const StageFileOptions& options,
                    std::span<const Fact> facts) {
   const auto write = [&](const simulator::StockMesh& mesh) {
@@ -99,13 +99,12 @@ void write_surface(const StageResult::Ran& ran, const PlacedSurface& surface,
 }
 
 /// The path where the files and the page have it: in the part's frame.
-std::shared_ptr<const model::Toolpath> path_of(const StageResult::Ran& ran,
-                                               const model::Pose& to_part) {
+std::shared_ptr<const model::Toolpath> path_of(const StageRun& ran, const model::Pose& to_part) {
   if (to_part == model::Pose{}) return ran.path;
   return std::make_shared<const model::Toolpath>(turned(*ran.path, to_part));
 }
 
-std::optional<model::ToolAxes> axes_of(const StageResult::Ran& ran, const model::Pose& to_part) {
+std::optional<model::ToolAxes> axes_of(const StageRun& ran, const model::Pose& to_part) {
   return ran.axes ? std::optional(turned(*ran.axes, to_part)) : std::nullopt;
 }
 
@@ -119,7 +118,7 @@ page::StockView placed(page::StockView view, const model::Pose& to_part) {
 StageFiles write_stage_files(const StageResult& stage, const std::filesystem::path& folder,
                              const StageFileOptions& options) {
   if (!stage.ran) return {};
-  const StageResult::Ran& ran = *stage.ran;
+  const StageRun& ran = *stage.ran;
   const std::filesystem::path into = folder / plain_name(stage.name);
   model::make_folder(into);
   const std::vector<Fact> facts = stage_facts(stage);

@@ -29,7 +29,7 @@ std::uint64_t key_of(const Index3& at) {
 }
 
 Vec3 corner_step(int k) {
-  return Vec3(k >> 2 & 1, k >> 1 & 1, k & 1);
+  return {k & 4 ? 1.0 : 0.0, k & 2 ? 1.0 : 0.0, k & 1 ? 1.0 : 0.0};
 }
 
 // The share of a cube that is inside the exact material.
@@ -76,7 +76,8 @@ class ExactShare {
     for (int x = 0, n = 0; x < 3; ++x)
       for (int y = 0; y < 3; ++y)
         for (int z = 0; z < 3; ++z, ++n)
-          if (x == 1 || y == 1 || z == 1) at[n] = value(low + Vec3(x, y, z) * (edge / 2));
+          if (x == 1 || y == 1 || z == 1)
+            at[n] = value(low + Vec3{1.0 * x, 1.0 * y, 1.0 * z} * (edge / 2));
     for (int k = 0; k < 8; ++k) at[place(k, k)] = values[k];
     return at;
   }

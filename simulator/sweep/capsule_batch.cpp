@@ -204,7 +204,7 @@ void CapsuleNarrowing::lose_at_corners(const MoveBatch& batch,
   std::fill(margin_.begin(), margin_.begin() + static_cast<std::ptrdiff_t>(n), -kNever);
   std::array<std::size_t, 8> met;
   for (std::size_t k = 0; k < met.size(); ++k) {
-    tangents_at(f, n, Vec3(k & 4 ? 1 : -1, k & 2 ? 1 : -1, k & 1 ? 1 : -1) * half_edge_,
+    tangents_at(f, n, Vec3{k & 4 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 1 ? 1.0 : -1.0} * half_edge_,
                 tangent_.data());
     met[k] = place_of(least_of(tangent_.data(), n), tangent_.data(), n);
     if (std::find(met.begin(), met.begin() + k, met[k]) != met.begin() + k) continue;

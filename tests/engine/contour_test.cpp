@@ -119,9 +119,10 @@ TEST_CASE("a contour leaves nothing that the tip can reach", "[slow][contour]") 
   REQUIRE(levels.size() >= 2);
   int looked_at = 0;
   double farthest = 0;
-  for (const auto& [z, cuts] : levels)
+  for (const auto& [level, cuts] : levels)
     for (double x = stock.low.x; x <= stock.high.x; x += 1.23)
       for (double y = stock.low.y; y <= stock.high.y; y += 1.23) {
+        const double z = level;
         const Vec3 tip{x, y, z};
         const bool clear = std::all_of(p.surface.begin(), p.surface.end(), [&](const Vec3& s) {
           if (s.z < z - kept || std::abs(s.x - x) > sight || std::abs(s.y - y) > sight) return true;

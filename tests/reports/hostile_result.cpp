@@ -26,7 +26,7 @@ void spoil_findings(std::vector<verifier::Finding>& findings) {
   for (verifier::Finding& f : findings) f.body += kAttribute;
 }
 
-void spoil_measured(StageResult::Ran& ran) {
+void spoil_measured(StageRun& ran) {
   ran.program_text = std::make_shared<const std::string>(hostile_program(*ran.program_text));
   ran.ignored_words = {"7: " + kScript, "8: " + kAttribute};
   for (simulator::Finding& f : ran.process) f.part += kScript, f.against += kAttribute;

@@ -192,7 +192,7 @@ StageResult make_stage(const StageForm& form, std::size_t index, int n) {
   if (form.type == model::CutterType::ball) stage.cutter.corner_radius_mm = form.diameter_mm / 2;
   stage.allowance_mm = form.allowance_mm, stage.step_mm = form.step_mm, stage.tolerance_mm = 0.01;
   stage.limits = form.limits;
-  StageResult::Ran ran;
+  StageRun ran;
   ran.path = zigzag(form.step_mm * 8);
   ran.planes = static_cast<int>(87.2 / form.step_mm);
   ran.sampling_interval_min = 1, ran.sampling_interval_max = 4;

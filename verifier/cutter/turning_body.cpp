@@ -146,7 +146,7 @@ std::optional<TurningBody::Least> TurningBody::least_of_ball(const CutterProfile
                                                              const Vec3& p, double bend,
                                                              double beyond_mm,
                                                              double precision_mm) const {
-  constexpr int kMostSteps = 8;
+  constexpr int kMostNewtonSteps = 8;
   const Vec3 from = p - core_from_;
   if (!profile.is_whole_ball() ||
       std::max(dot(from, axis_), dot(from - core_chord_, end_axis_)) >= -bend / 8)
@@ -158,7 +158,7 @@ std::optional<TurningBody::Least> TurningBody::least_of_ball(const CutterProfile
   const double farthest = to_chord + length(core_chord_) + core_bend_mm_ / 8;
   const double bends = least_speed_mm_ * least_speed_mm_ - farthest * core_bend_mm_;
   if (!(bends > 0)) return std::nullopt;
-  for (int n = 0; n < kMostSteps; ++n) {
+  for (int n = 0; n < kMostNewtonSteps; ++n) {
     const SineCosine at = sine_cosine(turn_rad_ * t);
     const Vec3 up = axis_ * at.cosine + side_ * at.sine,
                aside = side_ * at.cosine - axis_ * at.sine;

@@ -103,9 +103,9 @@ std::vector<Piece> SurfaceTree::pieces_of(int patch) const {
 }
 
 std::span<const Speck> SurfaceTree::specks_of(int patch) const {
-  const auto [begin, end] = std::ranges::equal_range(parts_.specks, patch, {},
-                                                     [](const Speck& s) { return s.square.patch; });
-  return {begin, end};
+  const auto patch_of = [](const Speck& s) { return s.square.patch; };
+  return {std::ranges::lower_bound(parts_.specks, patch, {}, patch_of),
+          std::ranges::upper_bound(parts_.specks, patch, {}, patch_of)};
 }
 
 std::vector<Piece> SurfaceTree::pieces_beyond(int patch, double omitted_mm) const {

@@ -73,8 +73,8 @@ void TriangleMarch::add_crossing(const Vec3& below, const Vec3& above,
   const double low = below.*coordinate_;
   const double t = (plane_.value - low) / (above.*coordinate_ - low);
   Vec3& p =
-      points.emplace_back(below.x + (above.x - below.x) * t, below.y + (above.y - below.y) * t,
-                          below.z + (above.z - below.z) * t);
+      points.emplace_back(Vec3{below.x + (above.x - below.x) * t, below.y + (above.y - below.y) * t,
+                               below.z + (above.z - below.z) * t});
   p.*coordinate_ = plane_.value;
 }
 

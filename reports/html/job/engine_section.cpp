@@ -63,7 +63,7 @@ std::string model_table(const RunResult& result) {
                rows);
 }
 
-Cells path_row(const StageResult& stage, const StageResult::Ran& r) {
+Cells path_row(const StageResult& stage, const StageRun& r) {
   return {escape_markup(stage.name),
           grouped(std::uint64_t(std::max(r.planes, 0))),
           span_text(r.sampling_interval_min, r.sampling_interval_max),

@@ -46,12 +46,12 @@ std::string deviation_terms(const StageResult& stage) {
 }
 
 /// What the table of toolpaths does not say.
-std::string path_terms(const StageResult::Ran& r) {
+std::string path_terms(const StageRun& r) {
   return "<h3>Toolpath</h3>" + terms({{"Cutting length", travel(r.cut_length_mm)},
                                       {"Rapid length", travel(r.rapid_length_mm)}});
 }
 
-std::string simulation_terms(const StageResult::Ran& r) {
+std::string simulation_terms(const StageRun& r) {
   std::vector<Term> list = {{"Voxel", stated_length(r.voxel_mm)}};
   // Without a design it stands in the table of stages.
   if (r.deviation)
@@ -69,7 +69,7 @@ const char* concerned(const verifier::UncertaintyTerm& t) {
 }  // namespace
 
 std::string figures_part(const StageResult& stage) {
-  const StageResult::Ran& ran = *stage.ran;
+  const StageRun& ran = *stage.ran;
   const std::string deviation =
       ran.deviation ? "<div>" + deviation_terms(stage) + "</div>" : std::string();
   return "<div class=\"figures\">" + deviation + "<div>" + path_terms(ran) + simulation_terms(ran) +

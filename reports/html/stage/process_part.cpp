@@ -63,7 +63,7 @@ std::string process_charts(std::size_t stage) {
   return fmt::format("<div data-chart=\"process\" data-stage=\"{}\"></div>\n", stage);
 }
 
-std::string process_table(const StageResult::Ran& ran, std::size_t stage) {
+std::string process_table(const StageRun& ran, std::size_t stage) {
   const std::vector<simulator::Finding>& findings = ran.process;
   if (findings.empty()) return "<p class=\"note\">The process has no fault and no near miss.</p>\n";
   const std::vector<simulator::FindingGroup> groups = worst_first(findings);
@@ -89,7 +89,7 @@ std::string process_table(const StageResult::Ran& ran, std::size_t stage) {
   return out;
 }
 
-std::string removal_terms(const StageResult::Ran& ran) {
+std::string removal_terms(const StageRun& ran) {
   const simulator::RemovalTotals& t = ran.removal.totals;
   return "<h3>Removal</h3>" +
          terms({{"Largest removal rate", three_digits(t.largest_rate_mm3_min / 1000) + " cm³/min"},

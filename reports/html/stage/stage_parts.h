@@ -44,13 +44,13 @@ std::string findings_part(const RunResult& result, std::size_t index);
 inline constexpr std::size_t kMostGroups = 20;
 /// Faults and near misses of the process, runs of moves with the same one as a row; a sentence
 /// where there is none.
-std::string process_table(const StageResult::Ran& ran, std::size_t stage);
+std::string process_table(const StageRun& ran, std::size_t stage);
 /// Where the page's script puts charts over the program: removal rate, feed, engagement.
 std::string process_charts(std::size_t stage);
 /// How deep, or how far apart for a near miss: "≥ 0.84 mm".
 std::string process_depth(const simulator::Finding& finding);
 /// What was removed and how: rates, engagement, air cutting.
-std::string removal_terms(const StageResult::Ran& ran);
+std::string removal_terms(const StageRun& ran);
 
 /// The program text around every line that the findings of stage `index` name, the lines marked
 /// with the findings' numbers; empty where there is none.

@@ -48,7 +48,7 @@ std::string plates(const StageResult& stage, std::size_t index) {
 /// What a reader of a stage that passed need not see: all of it is folded then.
 std::string measured_part(const RunResult& result, std::size_t index) {
   const StageResult& stage = result.stages[index];
-  const StageResult::Ran& ran = *stage.ran;
+  const StageRun& ran = *stage.ran;
   std::string out = plates(stage, index);
   if (ran.deviation) out += "<h3>Gouges and leftovers</h3>\n" + findings_part(result, index);
   out += "<h3>Process</h3>\n" + process_table(ran, index) + process_charts(index);

@@ -27,7 +27,7 @@ bool keeps_to(const Vec3& a, const Vec3& b, const Vec3& c, double speed, double 
 }
 
 bool keeps_to_bounds(const TurningPose& pose, const std::array<Pose, 3>& three) {
-  const auto& [a, b, c] = three;
+  const Pose &a = three[0], &b = three[1], &c = three[2];
   if (!keeps_to(a.shift_mm, b.shift_mm, c.shift_mm, pose.tip_speed_mm, pose.tip_bend_mm))
     return false;
   return std::all_of(kUnits.begin(), kUnits.end(), [&](const Vec3& unit) {

@@ -24,7 +24,7 @@ void TurningRivals::keep(const SweepTree& pass, const MoveBatch& moves, const Ba
                          std::vector<std::uint32_t>& kept) {
   middle_ = middle, half_diagonal_ = half_diagonal_mm;
   for (std::size_t k = 0; k < corners_.size(); ++k)
-    corners_[k] = Vec3(k & 4 ? 1 : -1, k & 2 ? 1 : -1, k & 1 ? 1 : -1) * half_edge_mm;
+    corners_[k] = Vec3{k & 4 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 1 ? 1.0 : -1.0} * half_edge_mm;
   const auto& d = samples.distance;
   kept.resize(d.size());
   std::iota(kept.begin(), kept.end(), 0U);

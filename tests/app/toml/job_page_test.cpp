@@ -52,10 +52,11 @@ void visit_tables(const toml::table& table, const Path& path, const std::string&
                   const Visit& visit) {
   visit(table, path, prefix);
   for (auto&& [key, node] : table) {
-    const std::string below = dotted(prefix, std::string(key.str())) + ".";
+    const std::string name(key.str());
+    const std::string below = dotted(prefix, name) + ".";
     const auto enter = [&](const toml::node& entry, std::optional<std::size_t> index) {
       Path inner = path;
-      inner.push_back({std::string(key.str()), index});
+      inner.push_back({name, index});
       if (const toml::table* one = entry.as_table()) visit_tables(*one, inner, below, visit);
     };
     const toml::array* list = node.as_array();

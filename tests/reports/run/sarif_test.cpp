@@ -38,7 +38,7 @@ std::set<std::string> prints(const RunResult& result, const std::string& key) {
 
 /// The program of the second stage with `count` lines before all others, as its findings see it.
 RunResult shifted(RunResult result, std::uint32_t count) {
-  StageResult::Ran& ran = *result.stages[1].ran;
+  StageRun& ran = *result.stages[1].ran;
   ran.program_text =
       std::make_shared<const std::string>(std::string(count, '\n') + *ran.program_text);
   for (auto* findings : {&ran.deviation->gouges, &ran.deviation->uncuts})

@@ -135,7 +135,7 @@ TEST_CASE("a ball's net holds the ball's volume", "[property][surface_net]") {
   Field field(4);
   const double r = 12.3;
   fill(field, [&](int x, int y, int z) {
-    return static_cast<float>(length(Vec3(x, y, z) - Vec3{16, 15.7, 16.2}) - r);
+    return static_cast<float>(length(Vec3{1.0 * x, 1.0 * y, 1.0 * z} - Vec3{16, 15.7, 16.2}) - r);
   });
   const auto mesh = net(field);
   CHECK(simulator::test::faults(mesh).none());

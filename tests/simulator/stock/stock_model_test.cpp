@@ -142,7 +142,7 @@ TEST_CASE("band voxels agree with the exact level set", "[property][stock_model]
     for (int i = 0; i <= 100; ++i)
       for (int j = 0; j <= 66; ++j)
         for (int k = 0; k <= 28; ++k) {
-          const Vec3 p = Vec3{-15, -10, -8} + Vec3(i, j, k) * voxel;
+          const Vec3 p = Vec3{-15, -10, -8} + Vec3{1.0 * i, 1.0 * j, 1.0 * k} * voxel;
           const double exact = std::clamp(stock.exact_value(p), -stock.band_mm(), stock.band_mm());
           inside_band += std::abs(exact) < stock.band_mm();
           worst = std::max(worst, std::abs(stock.value(p) - exact));

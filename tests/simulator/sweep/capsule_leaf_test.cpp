@@ -73,7 +73,7 @@ std::optional<double> worst_error(Leaves& leaves, double voxel) {
   found.distances(band, *values);
   double worst = 0;
   for (int n = 0; n < static_cast<int>(LeafVoxels::kCount); ++n) {
-    const Vec3 at = Vec3(n / 64, n / 8 % 8, n % 8) - Vec3{3.5, 3.5, 3.5};
+    const Vec3 at = Vec3{1.0 * (n / 64), 1.0 * (n / 8 % 8), 1.0 * (n % 8)} - Vec3{3.5, 3.5, 3.5};
     const double exact = exact_at(index, slots, leaf.middle + at * voxel);
     const double value = static_cast<double>((*values)[static_cast<std::size_t>(n)]);
     worst = std::max(worst, std::abs(value - std::clamp(exact, -band, band)) / voxel);

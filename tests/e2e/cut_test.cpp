@@ -257,9 +257,7 @@ voxel = 0.25
 
 TEST_CASE("a cut and a verified result are not compared", "[e2e][cut]") {
   const Scratch scratch;
-  REQUIRE(
-      limitgauge(scratch, {"run", fixture("jobs/quick-dome.toml"), "-o", "run", "--no-pictures"})
-          .exit_code == 0);
+  REQUIRE(limitgauge(scratch, run_coarse_job("run")).exit_code == 0);
   write_text(scratch / "p.ngc", kClean);
   REQUIRE(limitgauge(scratch, cut("p.ngc", "cut")).exit_code == 0);
   const Outcome outcome = limitgauge(scratch, {"compare", "run", "cut"});

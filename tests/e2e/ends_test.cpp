@@ -25,10 +25,8 @@ Conditions with(Out out) {
 TEST_CASE("standard output that fails is an error, and nothing else is lost", "[e2e][ends]") {
   const Out out = GENERATE(Out::full, Out::pipe_nobody_reads, Out::closed);
   const Scratch scratch;
-  const Outcome run = limitgauge(scratch,
-                                 {"run", fixture("jobs/quick-dome.toml"), "-o", "out",
-                                  "--no-pictures", "--history", "runs.sqlite"},
-                                 with(out));
+  const Outcome run =
+      limitgauge(scratch, run_coarse_job("out", {"--history", "runs.sqlite"}), with(out));
   CHECK(run.exit_code == 4);
   CHECK_THAT(run.errors, ContainsSubstring("standard output cannot be written: "));
   CHECK(scratch.entries() == std::vector<std::string>{"out", "runs.sqlite"});
@@ -36,11 +34,7 @@ TEST_CASE("standard output that fails is an error, and nothing else is lost", "[
   const Outcome history = limitgauge(scratch, {"history", "runs.sqlite", "-o", "listing"});
   CHECK_THAT(history.out, ContainsSubstring("quick-dome: 1 run"));
   // Nobody who is told nothing misses anything.
-  CHECK(limitgauge(
-            scratch,
-            {"run", fixture("jobs/quick-dome.toml"), "-o", "quiet", "--no-pictures", "--quiet"},
-            with(out))
-            .exit_code == 0);
+  CHECK(limitgauge(scratch, run_coarse_job("quiet", {"--quiet"}), with(out)).exit_code == 0);
 }
 
 TEST_CASE("what every command prints is missed where it is lost", "[e2e][ends]") {

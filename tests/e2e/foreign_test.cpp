@@ -153,6 +153,8 @@ TEST_CASE("CL data and G-code of the same motions have the same verdict", "[e2e]
                                         program,
                                         "-o",
                                         "out" + start + program,
+                                        "--set",
+                                        "verification.resolution=0.02",
                                         "--no-pictures"};
       if (!start.empty()) words.push_back("--start=" + start);
       const Outcome outcome = limitgauge(scratch, words);

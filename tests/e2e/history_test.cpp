@@ -10,14 +10,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 namespace {
 
-std::vector<std::string> dome(const std::string& output,
-                              const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words = {"run", fixture("jobs/quick-dome.toml"), "-o", output,
-                                    "--no-pictures"};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
-
 /// What differs from run to run without any history.
 void strip(json& value) {
   for (const char* key : {"created", "seconds", "peak_memory_bytes"})
@@ -34,9 +26,10 @@ json result_of(const fs::path& folder) {
 
 TEST_CASE("a history holds the runs and changes nothing of their results", "[e2e][history]") {
   const Scratch scratch;
-  REQUIRE(limitgauge(scratch, dome("plain")).exit_code == 0);
+  REQUIRE(limitgauge(scratch, run_coarse_job("plain")).exit_code == 0);
   const Outcome kept = limitgauge(
-      scratch, dome("kept", {"--history", "runs.sqlite", "--label", "a", "--commit", "0123abcd"}));
+      scratch,
+      run_coarse_job("kept", {"--history", "runs.sqlite", "--label", "a", "--commit", "0123abcd"}));
   CHECK(kept.exit_code == 0);
   CHECK_THAT(kept.out, ContainsSubstring("history: runs.sqlite, run 1\n"));
   CHECK(scratch.entries() == std::vector<std::string>{"kept", "plain", "runs.sqlite"});
@@ -49,8 +42,8 @@ TEST_CASE("a history holds the runs and changes nothing of their results", "[e2e
                            "finish/deviation.vtp", "finish/stock.vtp", "rough/toolpath.vtp"})
     CHECK(read_text(scratch / "kept" / name) == read_text(scratch / "plain" / name));
   // A run that fails its gate is one of the history, too.
-  CHECK(limitgauge(scratch, dome("fails", {"--history", "runs.sqlite", "--set",
-                                           "stage.rough.gate.uncut=0.1", "--quiet"}))
+  CHECK(limitgauge(scratch, run_coarse_job("fails", {"--history", "runs.sqlite", "--set",
+                                                     "stage.rough.gate.uncut=0.1", "--quiet"}))
             .exit_code == 1);
   REQUIRE(limitgauge(scratch, {"history", "runs.sqlite", "-o", "list"}).exit_code == 0);
   const json job = json::parse(read_text(scratch / "list/history.json"))["jobs"][0];
@@ -69,11 +62,13 @@ TEST_CASE("a history holds the runs and changes nothing of their results", "[e2e
 
 TEST_CASE("a history that is damaged is said before anything is done", "[e2e][history]") {
   const Scratch scratch;
-  REQUIRE(limitgauge(scratch, dome("first", {"--history", "runs.sqlite"})).exit_code == 0);
+  REQUIRE(limitgauge(scratch, run_coarse_job("first", {"--history", "runs.sqlite"})).exit_code ==
+          0);
   const std::string whole = read_text(scratch / "runs.sqlite");
   write_text(scratch / "runs.sqlite",
              whole.substr(0, whole.size() - 4096) + std::string(4096, 'x'));
-  const Outcome outcome = limitgauge(scratch, dome("second", {"--history", "runs.sqlite"}));
+  const Outcome outcome =
+      limitgauge(scratch, run_coarse_job("second", {"--history", "runs.sqlite"}));
   CHECK(outcome.exit_code == 3);
   CHECK(outcome.out.empty());
   CHECK_THAT(outcome.errors, ContainsSubstring("runs.sqlite: error: this history is damaged"));
@@ -82,7 +77,7 @@ TEST_CASE("a history that is damaged is said before anything is done", "[e2e][hi
 
 TEST_CASE("a history that breaks while a run goes on loses no result", "[e2e][history]") {
   const Scratch scratch;
-  RunningProgram program(scratch, dome("out", {"--history", "runs.sqlite"}));
+  RunningProgram program(scratch, run_coarse_job("out", {"--history", "runs.sqlite"}));
   // The working folder is made after the history was seen to be in order.
   while (scratch.entries().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   write_text(scratch / "runs.sqlite", "no longer what it was");

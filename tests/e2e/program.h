@@ -48,6 +48,13 @@ struct Conditions {
 Outcome limitgauge(const Scratch& folder, const std::vector<std::string>& arguments,
                    const Conditions& conditions = {});
 
+/// Options that make the quick job a coarser one, which takes less than a second and passes: for
+/// what becomes of a run, whatever its figures.
+std::vector<std::string> coarse_settings();
+/// `run` of the quick job with these, without pictures.
+std::vector<std::string> run_coarse_job(const std::string& output,
+                                        const std::vector<std::string>& more = {});
+
 std::string read_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);
 /// A file below fixtures/.

@@ -112,8 +112,8 @@ TEST_CASE("a stage that fails its gate stops the job with a report", "[e2e][run]
 
 TEST_CASE("with --json the bytes of result.json and nothing else are printed", "[e2e][run]") {
   const Scratch scratch;
-  const Outcome run = limitgauge(
-      scratch, {"run", kDome, "-o", "out", "--no-pictures", "--json", "--history", "runs.sqlite"});
+  const Outcome run =
+      limitgauge(scratch, run_coarse_job("out", {"--json", "--history", "runs.sqlite"}));
   INFO(run.errors);
   REQUIRE(run.exit_code == 0);
   CHECK(run.out == read_text(scratch / "out/result.json"));
@@ -133,8 +133,7 @@ TEST_CASE("a finished folder is overwritten only with --force", "[e2e][run]") {
   CHECK(refused.exit_code == 3);
   CHECK_THAT(refused.errors, ContainsSubstring("--force"));
   CHECK_FALSE(fs::exists(scratch / "out/result.json"));
-  CHECK(limitgauge(scratch, {"run", kDome, "-o", "out", "--force", "--no-pictures"}).exit_code ==
-        0);
+  CHECK(limitgauge(scratch, run_coarse_job("out", {"--force"})).exit_code == 0);
   CHECK(result_in(scratch / "out")["verdict"] == "pass");
   CHECK(scratch.entries() == std::vector<std::string>{"out"});
   // Not what is the user's.

@@ -130,7 +130,8 @@ TEST_CASE("verify takes a mesh and a .vdb, and refuses broken ones", "[e2e][stoc
     return limitgauge(
         scratch, {"verify", "--cage", fixture("cages/quick-dome.obj"), "--stock", stock, "--tool",
                   "flat:D=6,L=20,shank=6:30", "--program", "plan/rough/toolpath.ngc", "--allowance",
-                  "0.3", "--voxel", "0.5", "-o", "out", "--no-pictures", "--force"});
+                  "0.3", "--voxel", "0.5", "--set", "verification.resolution=0.02", "-o", "out",
+                  "--no-pictures", "--force"});
   };
   CHECK(verify("mesh:block.stl").exit_code == 0);
   CHECK(verify("vdb:out/program/stock.vdb").exit_code == 0);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 namespace {
 
-/// A grid over the finishing pass of the quick job, of a coarser kind that takes less of a second.
+/// A grid over the finishing pass of the quick job.
 std::string study_of(const std::string& steps, const std::string& tolerances = "0.01, 0.02") {
   return "name = \"grid\"\njob = \"" + fixture("jobs/quick-dome.toml") +
          "\"\n[[vary]]\nkey = \"stage.finish.step\"\nvalues = [" + steps +
@@ -25,11 +25,8 @@ std::string study_of(const std::string& steps, const std::string& tolerances = "
 std::vector<std::string> arguments(const std::string& output,
                                    const std::vector<std::string>& more = {}) {
   std::vector<std::string> all = {"study", "study.toml", "-o", output, "--cache", "cache"};
-  for (const char* setting :
-       {"stage.rough.step=1", "stage.rough.gate.uncut=2", "stage.finish.gate.uncut=0.2",
-        "simulation.voxel=0.5", "verification.resolution=0.02"})
-    all.insert(all.end(), {"--set", setting});
-  all.insert(all.end(), more.begin(), more.end());
+  for (const auto& options : {coarse_settings(), more})
+    all.insert(all.end(), options.begin(), options.end());
   return all;
 }
 

@@ -13,11 +13,13 @@ namespace limitgauge::e2e {
 using nlohmann::json;
 namespace {
 
-/// Places twice as far apart as a finish has them, and gates four times as wide: a quarter of the
-/// time.
-std::string post(const Scratch& scratch, const std::string& name, const std::string& wrong) {
-  const ShellOutcome outcome = bash("python3 '" + fixture("turning/post.py") + "' " + name + " '" +
-                                    scratch.path().string() + "' --every 2" + wrong);
+/// Places `every` times as far apart as a finish has them, and gates wider by its square: in less
+/// time by that.
+std::string post(const Scratch& scratch, const std::string& name, int every,
+                 const std::string& options) {
+  const ShellOutcome outcome =
+      bash("python3 '" + fixture("turning/post.py") + "' " + name + " '" + scratch.path().string() +
+           "' --every " + std::to_string(every) + options);
   INFO(outcome.out);
   REQUIRE(outcome.exit_code == 0);
   return outcome.out;
@@ -34,7 +36,7 @@ json finish_of(const Scratch& scratch) {
 
 void passes(const std::string& name, const std::string& form = "") {
   const Scratch scratch;
-  post(scratch, name, form);
+  post(scratch, name, 2, form);
   const Outcome outcome = run(scratch, name);
   INFO(outcome.errors);
   CHECK(outcome.exit_code == 0);
@@ -49,7 +51,7 @@ void passes(const std::string& name, const std::string& form = "") {
 /// this one that is what is found, within a tenth.
 void fails_at_its_line(const std::string& name, int place) {
   const Scratch scratch;
-  std::istringstream said(post(scratch, name, " --wrong " + std::to_string(place)));
+  std::istringstream said(post(scratch, name, 4, " --wrong " + std::to_string(place)));
   int line = 0;
   double depth_mm = 0;
   REQUIRE(said >> line >> depth_mm);
@@ -76,18 +78,18 @@ TEST_CASE("a blade whose program has the tool's axis in place of angles", "[e2e]
 TEST_CASE("a bowl with an undercut that only a leaning tool reaches, and one axis wrong",
           "[e2e][setups]") {
   if (tests::thorough()) passes("bowl");
-  fails_at_its_line("bowl", 100);
+  fails_at_its_line("bowl", 50);
 }
 
 TEST_CASE("a deep cavity that a short tool reaches leaning, and with one B word wrong",
           "[e2e][setups]") {
   if (tests::thorough()) passes("cavity");
-  fails_at_its_line("cavity", 100);
+  fails_at_its_line("cavity", 50);
 }
 
 TEST_CASE("a head that turns as it cuts is held against X, Y and Z", "[e2e][turning]") {
   const Scratch scratch;
-  post(scratch, "cavity", "");
+  post(scratch, "cavity", 2, "");
   // Where the axes go does not depend on part and stock.
   std::string job = read_text(scratch / "cavity.toml");
   const auto replace = [&](const std::string& from, const std::string& to) {

@@ -146,22 +146,19 @@ Outcome limitgauge(const Scratch& folder, const std::vector<std::string>& argume
   return outcome;
 }
 
-std::vector<std::string> coarse_settings() {
-  std::vector<std::string> words;
+std::vector<std::string> coarsely(std::vector<std::string> command,
+                                  const std::vector<std::string>& more) {
   for (const char* setting :
        {"stage.rough.step=1", "stage.rough.gate.uncut=2", "stage.finish.gate.uncut=0.2",
         "simulation.voxel=0.5", "verification.resolution=0.02"})
-    words.insert(words.end(), {"--set", setting});
-  return words;
+    command.insert(command.end(), {"--set", setting});
+  command.insert(command.end(), more.begin(), more.end());
+  return command;
 }
 
 std::vector<std::string> run_coarse_job(const std::string& output,
                                         const std::vector<std::string>& more) {
-  std::vector<std::string> words = {"run", fixture("jobs/quick-dome.toml"), "-o", output,
-                                    "--no-pictures"};
-  for (const auto& options : {coarse_settings(), more})
-    words.insert(words.end(), options.begin(), options.end());
-  return words;
+  return coarsely({"run", fixture("jobs/quick-dome.toml"), "-o", output, "--no-pictures"}, more);
 }
 
 std::string read_text(const fs::path& file) {

@@ -48,10 +48,11 @@ struct Conditions {
 Outcome limitgauge(const Scratch& folder, const std::vector<std::string>& arguments,
                    const Conditions& conditions = {});
 
-/// Options that make the quick job a coarser one, which takes less than a second and passes: for
-/// what becomes of a run, whatever its figures.
-std::vector<std::string> coarse_settings();
-/// `run` of the quick job with these, without pictures.
+/// A command with the quick job and the settings that make it a coarser one, which takes less than
+/// a second and passes: for what becomes of a run, whatever its figures.
+std::vector<std::string> coarsely(std::vector<std::string> command,
+                                  const std::vector<std::string>& more = {});
+/// `run` of it, without pictures.
 std::vector<std::string> run_coarse_job(const std::string& output,
                                         const std::vector<std::string>& more = {});
 

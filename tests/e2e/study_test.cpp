@@ -24,10 +24,7 @@ std::string study_of(const std::string& steps, const std::string& tolerances = "
 
 std::vector<std::string> arguments(const std::string& output,
                                    const std::vector<std::string>& more = {}) {
-  std::vector<std::string> all = {"study", "study.toml", "-o", output, "--cache", "cache"};
-  for (const auto& options : {coarse_settings(), more})
-    all.insert(all.end(), options.begin(), options.end());
-  return all;
+  return coarsely({"study", "study.toml", "-o", output, "--cache", "cache"}, more);
 }
 
 json study_in(const fs::path& folder) {

@@ -123,11 +123,10 @@ TEST_CASE("whatever address space a run has, it ends with a reason", "[slow][mem
     const Scratch scratch;
     Conditions conditions;
     conditions.most_memory_bytes = mib << 20;
-    std::vector<std::string> words = {
-        "run", fixture("jobs/quick-dome.toml"), "--quiet", "-o", "out", "--threads", "8"};
-    const std::vector<std::string> coarse = coarse_settings();
-    words.insert(words.end(), coarse.begin(), coarse.end());
-    const Outcome outcome = limitgauge(scratch, words, conditions);
+    const Outcome outcome = limitgauge(scratch,
+                                       coarsely({"run", fixture("jobs/quick-dome.toml"), "--quiet",
+                                                 "-o", "out", "--threads", "8"}),
+                                       conditions);
     INFO(mib << " MiB: " << outcome.exit_code << " " << outcome.out << outcome.errors);
     CHECK((outcome.exit_code == 0 || outcome.exit_code == 4));
     CHECK((outcome.exit_code == 0 || !outcome.errors.empty()));

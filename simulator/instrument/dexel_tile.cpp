@@ -71,10 +71,10 @@ void lower_tops(const double* __restrict low, double least_upper, const PatchPla
       const double v = across + k * across_x;
       const bool hit = to < before - kDexelRounding_mm;
       const bool plain = (least_upper >= before) & (to > bottom[line + k] + kDexelRounding_mm);
-      const bool cut = hit & plain, unclear = hit & !plain;
-      const double after = cut ? to : kInfinity, taken = cut ? before - to : 0.0;
-      const double v_low = cut ? v : kInfinity, v_high = cut ? v : -kInfinity;
-      const double left = unclear ? 1.0 : 0.0;
+      const double after = (hit & plain) ? to : kInfinity,
+                   taken = (hit & plain) ? before - to : 0.0;
+      const double v_low = (hit & plain) ? v : kInfinity, v_high = (hit & plain) ? v : -kInfinity;
+      const double left = (hit & !plain) ? 1.0 : 0.0;
       top[line + k] = std::min(before, after);
       sum.unclear[k] += left;
       sum.length[k] += taken;

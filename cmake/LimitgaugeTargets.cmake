@@ -11,7 +11,10 @@ target_compile_options(limitgauge_options INTERFACE
   # GCC 13 and 14 take a reference into an argument for one into a temporary beside it (GCC bug 107532).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-dangling-reference>
   # The same input gives the same bytes wherever it is built: no fused multiply-add.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Nothing here asks errno or the flags of the floating-point unit what became of a root: the same bits, and a
+  # square root or a floor is an instruction instead of a call or a branch round one.
+  -fno-math-errno -fno-trapping-math)
 if(LIMITGAUGE_WERROR)
   # A target may ask to be told only: -Wno-error of its own would come before this one.
   target_compile_options(limitgauge_options INTERFACE

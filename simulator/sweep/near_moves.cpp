@@ -54,28 +54,33 @@ double NearMoves::narrow(const SweepIndex& index, const NearMoves& wider, const 
   const SweepTree& pass = index.own();
   const HeldCube cube = index.to_own(asked);
   below_tops_ = lies_below_tops(pass, wider.moves_, cube);
-  const double least =
-      below_tops_ ? keep_balls(pass, wider.moves_, cube) : keep_others(pass, wider.moves_, cube);
+  const double least = below_tops_ ? keep_balls(pass, wider.moves_, cube, limit)
+                                   : keep_others(pass, wider.moves_, cube, limit);
   if (least > limit) return kFar;
   moves_.take(wider.moves_, kept_);
   last_.reset();
   return least;
 }
 
-double NearMoves::keep_balls(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
-  const double least = capsules_.nearest(from, cube.middle, cube.half_edge_mm);
-  capsules_.keep(from, kept_);
-  return std::sqrt(least) - pass.profile().corner_radius();
+double NearMoves::keep_balls(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
+                             double limit) {
+  const double squared = capsules_.nearest(from, cube.middle, cube.half_edge_mm);
+  const double least = std::sqrt(squared) - pass.profile().corner_radius();
+  if (least <= limit) capsules_.keep(from, kept_);
+  return least;
 }
 
-// A move that is farther than the nearest one by a diagonal cannot matter and is not worked out.
-void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
+// A move that is farther than the limit, or than the nearest one by a diagonal, cannot matter and
+// is not worked out.
+void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
+                       double limit) {
   const std::size_t n = from.size();
   samples_.resize(n);
   double least = kFar;
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t slot = from.slot[i];
-    const double most = least + 2 * cube.half_diagonal_mm + 2 * kDistanceRounding_mm;
+    const double most =
+        std::min(limit, least + 2 * cube.half_diagonal_mm) + 2 * kDistanceRounding_mm;
     const bool far = pass.cannot_be_below(slot, cube.middle, most);
     const SweptSample s =
         far ? SweptSample{kFar, {}, 0} : pass.distance_below(slot, cube.middle, most);
@@ -104,12 +109,15 @@ std::size_t NearMoves::straightest(const SweepTree& pass, const MoveBatch& from,
 
 // d is convex: move i stays above its tangent, the nearest one below a paraboloid. Of turning moves
 // it is not.
-double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube) {
-  sample(pass, from, cube);
+double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
+                              double limit) {
+  sample(pass, from, cube, limit);
+  const double least = *std::min_element(samples_.distance.begin(), samples_.distance.end());
+  if (least > limit) return least;
   if (pass.turns()) {
     rivals_.keep(pass, from, samples_, cube.middle, cube.half_edge_mm, cube.half_diagonal_mm,
                  kept_);
-    return *std::min_element(samples_.distance.begin(), samples_.distance.end());
+    return least;
   }
   double bend = 0;
   const std::size_t j = straightest(pass, from, cube, bend);
@@ -123,7 +131,7 @@ double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, cons
     if (i == j || (!twin && behind <= most + kDistanceRounding_mm))
       kept_.push_back(static_cast<std::uint32_t>(i));
   }
-  return samples_.distance[j];
+  return least;
 }
 
 std::optional<NearestMove> NearMoves::nearest(const SweepIndex& pass, const Vec3& p,

@@ -32,9 +32,13 @@ class NearMoves {
   double gather_own(const SweepTree& pass, const HeldCube& cube, double limit);
   std::optional<NearestMove> nearest_own(const SweepTree& pass, const model::Vec3& p,
                                          double bound) const;
-  double keep_balls(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube);
-  double keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube);
-  void sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube);
+  // Into kept_, where the nearest one's distance at the middle, which they give, is within the
+  // limit.
+  double keep_balls(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
+                    double limit);
+  double keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
+                     double limit);
+  void sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube, double limit);
   std::size_t straightest(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
                           double& bend) const;
 

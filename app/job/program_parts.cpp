@@ -86,6 +86,36 @@ Start start_of(const Program& program, const std::vector<ToolChange>& changes,
   return {};
 }
 
+/// The line of the first of the motions [first, last) that is no rapid.
+std::optional<std::uint32_t> first_fed(const Program& program, std::size_t first,
+                                       std::size_t last) {
+  for (std::size_t i = first; i < last; ++i)
+    if (program.motions[i].kind != model::MotionKind::rapid) return program.motions[i].line;
+  return std::nullopt;
+}
+
+/// What is fed while no tool is in the spindle, or one that nothing names, is no stage's cut.
+void require_tools(const Program& program, const std::vector<ToolChange>& loaded,
+                   const std::string& file) {
+  const std::vector<ToolChange>& changes = program.tool_changes;
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    if (changes[k].tool != 0) continue;
+    const bool is_last = k + 1 == changes.size();
+    const std::size_t end = is_last ? program.motions.size() : changes[k + 1].motion;
+    if (const auto line = first_fed(program, changes[k].motion, end))
+      fail(file, *line,
+           "a feed with no tool in the spindle, out of which T0 took it in line " +
+               std::to_string(changes[k].line),
+           "a tool that is loaded before");
+  }
+  if (loaded.empty()) return;
+  if (const auto line = first_fed(program, 0, loaded.front().motion))
+    fail(file, *line,
+         "a feed before the first tool is loaded, " + tool_word(loaded.front().tool) + " in line " +
+             std::to_string(loaded.front().line),
+         "a tool that is loaded before");
+}
+
 /// One tool cuts in a part, and where tools have numbers it is the stage's.
 void check_tools(const std::vector<ToolChange>& changes, const std::string& file,
                  const JobStage& stage, const MotionRange& range) {
@@ -134,6 +164,7 @@ std::vector<ToolChange> loadings(const Program& program) {
 std::vector<MotionRange> assign_parts(const Program& program, const std::string& file,
                                       std::span<const JobStage* const> stages) {
   const std::vector<ToolChange> changes = loadings(program);
+  require_tools(program, changes, file);
   std::vector<MotionRange> ranges;
   if (stages.size() > 1) {
     for (const JobStage* stage : stages)

@@ -87,6 +87,35 @@ TEST_CASE("a tool that is taken out or never moves makes no part", "[unit][progr
   CHECK(assigned(program, {stage_with("a", {}, 3)})[0].last == 6);
 }
 
+TEST_CASE("a feed needs a tool that the program has loaded", "[unit][program]") {
+  model::Program program = three_loadings();
+  const std::vector<JobStage> stages = {stage_with("a", section(1)), stage_with("b", section(2)),
+                                        stage_with("c", section(3))};
+  const auto feed = [&](std::size_t motion, std::uint32_t line) {
+    program.motions[motion].kind = model::MotionKind::feed;
+    program.motions[motion].line = line;
+  };
+  feed(6, 33);
+  CHECK(assigned(program, stages).size() == 3);
+  program.tool_changes.insert(program.tool_changes.begin() + 2, {31, 5, 0});
+  CHECK(error_of(program, stages) ==
+        "all.ngc:33: error: a feed with no tool in the spindle, out of which T0 took it in line "
+        "31; expected a tool that is loaded before");
+  // Rapids may go home without one, and a tool that comes back cuts.
+  program.tool_changes[2].motion = 7;
+  CHECK(assigned(program, stages).size() == 3);
+
+  program = three_loadings();
+  program.tool_changes.front().motion = 2;
+  CHECK(assigned(program, stages).size() == 3);
+  feed(1, 5);
+  CHECK(error_of(program, stages) ==
+        "all.ngc:5: error: a feed before the first tool is loaded, T1 in line 2; expected a tool "
+        "that is loaded before");
+  program.tool_changes.clear();
+  CHECK(assigned(program, {stage_with("a", {}, 3)}).size() == 1);
+}
+
 TEST_CASE("parts that do not fit are refused with the program's line", "[unit][program]") {
   const model::Program program = three_loadings();
   CHECK(error_of(program, {stage_with("a", {})}) ==

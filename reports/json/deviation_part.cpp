@@ -111,6 +111,10 @@ Json deviation_part(const RunResult& result, const verifier::StageDeviation& d,
       {"uncuts", findings(result, d.uncuts)},
       {"missing_stocks", findings(result, d.missing_stock)},
       {"uncertainty", budget_part(d.budget)}};
+  if (d.missing_allowance)
+    out["missing_allowance"] = {
+        {"depth_mm", finite("missing_allowance.depth_mm", d.missing_allowance->depth_mm)},
+        {"at", point("missing_allowance.at", d.missing_allowance->place.point)}};
   if (d.robust) out["robust"] = robust_part(result, *d.robust, limits);
   return out;
 }

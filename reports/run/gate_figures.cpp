@@ -198,6 +198,9 @@ std::vector<std::string> stage_notes(const StageResult& stage) {
   if (d.missing_stock_mm.low > 0)
     out.push_back("missing stock " + length_figure("", d.missing_stock_mm, false, 0).measured +
                   ": so deep the surface lies outside the raw stock");
+  if (d.missing_allowance)
+    out.push_back("missing allowance " + measured_length(d.missing_allowance->depth_mm) +
+                  ": so much of what is to be left lies outside the raw stock");
   return out;
 }
 

@@ -146,6 +146,14 @@ struct StageDeviation {
   std::vector<BodyFigure> bodies;
   /// How deep S lies outside the raw stock, which no program line is to blame for.
   Interval missing_stock_mm;
+  /// Where the raw stock ends below the allowance surface, so that nothing can be left there: the
+  /// longest run from s + a·n inwards, no further than S, outside the raw stock. By the field's
+  /// samples: it may be deeper between them. None where they are all covered.
+  struct MissingAllowance {
+    double depth_mm = 0;
+    SurfacePlace place;
+  };
+  std::optional<MissingAllowance> missing_allowance;
   double coverage = 0;  ///< share of the reachable area within both gate limits
   double mean_mm = 0, rms_mm = 0, p01_mm = 0, p50_mm = 0, p99_mm = 0;
   double voxel_gouge_mm = 0, voxel_uncut_mm = 0;  ///< the voxel instrument's readings

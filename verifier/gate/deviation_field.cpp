@@ -5,6 +5,8 @@
 
 #include "model/base/chunks.h"
 #include "verifier/certificate/run_bounds.h"
+#include "verifier/certificate/run_tracer.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
 namespace {
@@ -148,6 +150,25 @@ void measure_samples(DeviationField& field, std::vector<ReachQuery::Touch>& touc
       if (touch) touches[i] = *touch;
     }
   });
+}
+
+std::optional<StageDeviation::MissingAllowance> missing_allowance(
+    const DeviationField& field, const SurfaceCells& cells, const RemovedSpace& raw,
+    double allowance_mm, const model::RunControl& control) {
+  std::vector<double> depth_mm(field.samples.size());
+  model::parallel_chunks(depth_mm.size(), kFieldChunk, control, [&](std::size_t i, std::size_t to) {
+    const RunTracer tracer(cells, raw, std::make_shared<FarPasses>());
+    for (; i < to && allowance_mm > 0; ++i) {
+      const DeviationField::Sample& s = field.samples[i];
+      if (!(length_squared(s.normal) > 0)) continue;
+      depth_mm[i] =
+          tracer.removed(s.place.point, s.normal, allowance_mm, allowance_mm, 0, true).length_mm;
+    }
+  });
+  const auto deepest = std::max_element(depth_mm.begin(), depth_mm.end());
+  if (deepest == depth_mm.end() || !(*deepest > kAgreement_mm)) return std::nullopt;
+  return StageDeviation::MissingAllowance{*deepest,
+                                          field.samples[deepest - depth_mm.begin()].place};
 }
 
 namespace {

@@ -39,6 +39,13 @@ void measure_samples(DeviationField& field, std::vector<ReachQuery::Touch>& touc
                      const Spaces& spaces, const ReachQuery& reach, std::span<const Pass> passes,
                      double allowance_mm, const model::RunControl& control);
 
+/// The deepest sample whose allowance surface lies outside the raw stock; the first of equal ones.
+std::optional<StageDeviation::MissingAllowance> missing_allowance(const DeviationField& field,
+                                                                  const SurfaceCells& cells,
+                                                                  const RemovedSpace& raw,
+                                                                  double allowance_mm,
+                                                                  const model::RunControl& control);
+
 /// Fills in the area-weighted figures of `out` from its field: areas, coverage, mean, rms,
 /// percentiles and histogram of deviation − allowance over the reachable samples.
 void summarize_field(StageDeviation& out, const GateLimits& limits);

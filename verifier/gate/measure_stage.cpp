@@ -263,6 +263,8 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
       workers ? gathered_field(out.field, second.all(StagePiece::Kind::field), passes)
               : measure_field(out.field, scene.cells, spaces, reach, passes, check.allowance_mm,
                               control);
+  out.missing_allowance =
+      missing_allowance(out.field, scene.cells, scene.raw, check.allowance_mm, control);
   out.phases.field_s = laps.lap();
   out.unavoidable_uncut_mm =
       unavoidable_of_all(measured, proven, scene.by, out.field, touches, control);

@@ -145,6 +145,29 @@ TEST_CASE("raw stock that does not cover the part is no program's gouge", "[unit
   CHECK(!d.missing_stock.empty());
 }
 
+TEST_CASE("an allowance that the raw stock has no room for is said", "[unit][definition2]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  const auto block = block_between({-6, -6, -6}, {6, 6, 0.5});
+  const std::vector<Pass> passes = {
+      pass_of(ball_cutter(3), moves_through({{-9, -9, 20}, {9, 9, 20}}))};
+  StageCheck check;
+  check.resolution_mm = 0.01;
+  check.field_spacing_mm = 1;
+  const auto missing = [&](double allowance_mm) {
+    check.allowance_mm = allowance_mm;
+    return measure_stage(plane, block, passes, nullptr, check, {1, nullptr, {}}).missing_allowance;
+  };
+  CHECK_FALSE(missing(0));
+  CHECK_FALSE(missing(0.4));
+  CHECK_FALSE(missing(0.5));
+  REQUIRE(missing(2));
+  CHECK(missing(2)->depth_mm == Approx(1.5).margin(1e-9));
+  // Where the stock does not even cover S, no more is missing of the allowance than there is of it.
+  const auto low = block_between({-6, -6, -6}, {6, 6, -0.3});
+  CHECK(measure_stage(plane, low, passes, nullptr, check, {1, nullptr, {}})
+            .missing_allowance->depth_mm == Approx(2).margin(1e-9));
+}
+
 TEST_CASE("a bent part beside its block, that the path just touches, is proven clear in few cells",
           "[unit][definition2]") {
   // z = -0.04 x²; the block lies to the right of it. Below S nothing stands and nothing was swept,

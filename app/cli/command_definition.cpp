@@ -58,11 +58,11 @@ CLI::Option* CommandDefinition::hint(CLI::Option* option, const std::string& val
 }
 
 CLI::Option* CommandDefinition::file(CLI::Option* option, const std::string& extension) {
-  return hint(option, "FILE", {ValueHint::Kind::file, extension, {}});
+  return hint(option->check(not_empty()), "FILE", {ValueHint::Kind::file, extension, {}});
 }
 
 CLI::Option* CommandDefinition::folder(CLI::Option* option) {
-  return hint(option, "DIR", {ValueHint::Kind::folder, {}, {}});
+  return hint(option->check(not_empty()), "DIR", {ValueHint::Kind::folder, {}, {}});
 }
 
 void CommandDefinition::add_common(CLI::App& sub) {
@@ -145,11 +145,12 @@ void CommandDefinition::add_inputs(CLI::App& sub, CutCommand& command) {
                       "vdb:FILE (stock of an earlier run)"),
        "STOCK", {ValueHint::Kind::text, {}, {"box:", "mesh:", "vdb:"}})
       ->required();
-  hint(sub.add_option("--tool", command.tools,
-                      "ball:D=6 | flat:D=8 | bull:D=8,r=1 | taper:D=1,r=0.5,angle=5 | "
-                      "drill:D=6,angle=118 | apt:D=10,r=1,a=5,b=-10; with L= flute length, ramp= "
-                      "steepest descent, shank=D:L, holder=D:L from the tip up; "
-                      "N=... for each T number of a program with several"),
+  hint(sub.add_option(
+           "--tool", command.tools,
+           "ball:D=6 | flat:D=8 | bull:D=8,r=1 | taper:D=1,r=0.5,angle=5 | "
+           "drill:D=6,angle=118 | apt:D=10,r=1,a=5,b=-10,L=9; with L= flute length, ramp= "
+           "steepest descent, shank=D:L, holder=D:L from the tip up; "
+           "N=... for each T number of a program with several"),
        "TOOL",
        {ValueHint::Kind::text,
         {},

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <string_view>
 
 #include "app/cli/command_definition.h"
@@ -20,14 +21,34 @@ CLI::Validator short_name() {
       "");
 }
 
+int number_at(std::string_view text, std::size_t at, std::size_t digits) {
+  int value = 0;
+  for (const char c : text.substr(at, digits)) value = 10 * value + (c - '0');
+  return value;
+}
+
+/// Of a text in the form of a date: whether there is such a day, and such a time of day.
+bool occurs(std::string_view text) {
+  const std::chrono::year_month_day day{
+      std::chrono::year{number_at(text, 0, 4)},
+      std::chrono::month{static_cast<unsigned>(number_at(text, 5, 2))},
+      std::chrono::day{static_cast<unsigned>(number_at(text, 8, 2))}};
+  const bool has_minutes = text.size() > 10, has_seconds = text.size() > 16;
+  return day.ok() &&
+         (!has_minutes || (number_at(text, 11, 2) < 24 && number_at(text, 14, 2) < 60)) &&
+         (!has_seconds || number_at(text, 17, 2) < 60);
+}
+
 /// "2026-11-22", or with the time of day in UTC: the beginning of what a history holds.
 bool is_date(std::string_view text) {
   constexpr std::string_view kForm = "0000-00-00T00:00:00Z";
   const bool whole =
       text.size() == 10 || text.size() == 16 || text.size() == 19 || text.size() == kForm.size();
-  return whole && std::equal(text.begin(), text.end(), kForm.begin(), [](char c, char form) {
-           return form == '0' ? c >= '0' && c <= '9' : c == form;
-         });
+  const bool has_form =
+      whole && std::equal(text.begin(), text.end(), kForm.begin(), [](char c, char form) {
+        return form == '0' ? c >= '0' && c <= '9' : c == form;
+      });
+  return has_form && occurs(text);
 }
 
 CLI::Validator date() {

@@ -32,6 +32,13 @@ std::string words_of(const std::error_code& code) {
          code.message();
 }
 
+/// What a library knows of no file is the program's own to say.
+std::string with_prefix(const std::string& words) {
+  const bool has_one =
+      words.starts_with("limitgauge: ") || words.find("error: ") < words.find('\n');
+  return has_one ? words : "limitgauge: error: " + words;
+}
+
 template <class Kind>
 bool is(const std::exception& error) {
   return dynamic_cast<const Kind*>(&error) != nullptr;
@@ -72,7 +79,8 @@ std::string kind_of(const std::exception& error) {
 
 std::string message_of(const std::exception& error) {
   if (is<UsageError>(error)) return std::string("limitgauge: error: ") + error.what();
-  if (is<model::InputError>(error) || is<model::ResourceError>(error)) return error.what();
+  if (is<model::InputError>(error)) return error.what();
+  if (is<model::ResourceError>(error)) return with_prefix(error.what());
   if (is<model::Interrupted>(error)) return "limitgauge: interrupted; nothing was kept";
   if (is<std::bad_alloc>(error)) return "limitgauge: error: out of memory";
   if (const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))

@@ -10,6 +10,11 @@
 
 namespace limitgauge::app {
 
+CLI::Validator not_empty() {
+  return CLI::Validator(
+      [](const std::string& text) { return text.empty() ? "is empty; expected a name" : ""; }, "");
+}
+
 CLI::Validator number_above_zero(bool or_zero) {
   return CLI::Validator(
       [or_zero](const std::string& text) -> std::string {

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "app/job/job_parts.h"
 #include "app/job/job_reader.h"
 #include "app/run/gate_limits.h"
@@ -111,12 +115,20 @@ void read_part(const TomlTable& stage, JobStage& result) {
                             "T" + std::to_string(*result.tool_number) + ", or another tool");
 }
 
+/// What stands beside the stages' folders in a folder of results.
+constexpr std::array<std::string_view, 8> kBesideStages = {
+    "result.json", "report.html",     "findings.csv", "findings.sarif",
+    "junit.xml",   "manifest.sha256", "stages.vtm",   "INCOMPLETE.txt"};
+
 std::string read_name(const TomlTable& stage, const std::vector<JobStage>& before) {
   const std::string name = stage.text("name");
   if (!is_plain_name(name)) {
     throw model::InputError(stage.place("name"), "\"" + name + "\" cannot name a folder",
                             "letters, digits, '.', '_', '-'");
   }
+  if (std::find(kBesideStages.begin(), kBesideStages.end(), name) != kBesideStages.end())
+    throw model::InputError(stage.place("name"), "\"" + name + "\" is a file of the results",
+                            "a name for the stage's folder beside it");
   for (const JobStage& other : before) {
     if (other.name != name) continue;
     throw model::InputError(stage.place("name"), "a second stage \"" + name + "\"",

@@ -1,8 +1,10 @@
 #include "app/output/manifest.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <map>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -20,6 +22,11 @@ constexpr std::size_t kChecksumDigits = 64;
 constexpr std::size_t kManyFiles = 100;
 /// Between checksum and name, as sha256sum writes it.
 constexpr const char* kGap = "  ";
+/// Of these each command leaves one at least, wherever in its folder. Others call a list of their
+/// own files manifest.sha256, too.
+constexpr std::array<std::string_view, 7> kOurs = {"result.json",   "compare.json", "history.json",
+                                                   "probe.json",    "study.json",   "toolpath.ngc",
+                                                   "INCOMPLETE.txt"};
 
 using Sums = std::map<std::string, std::string>;  // by path within the folder
 
@@ -43,13 +50,20 @@ fs::file_type type_of(const fs::path& path) {
   return fs::symlink_status(path, error).type();
 }
 
+bool names_ours(const Sums& sums) {
+  return std::any_of(sums.begin(), sums.end(), [](const auto& sum) {
+    return std::find(kOurs.begin(), kOurs.end(), fs::path(sum.first).filename()) != kOurs.end();
+  });
+}
+
+/// None where the list is somebody else's: it proves nothing.
 Sums stated_sums(const fs::path& folder) {
   Sums sums;
   std::ifstream in(folder / kManifestFile, std::ios::binary);
   for (std::string line; std::getline(in, line);)
     if (line.size() > kChecksumDigits + 2)
       sums[line.substr(kChecksumDigits + 2)] = line.substr(0, kChecksumDigits);
-  return sums;
+  return names_ours(sums) ? sums : Sums{};
 }
 
 bool is_ours(const fs::path& folder, const fs::path& entry, const Sums& sums) {

@@ -281,4 +281,10 @@ std::filesystem::path result_file(const std::filesystem::path& stated) {
                           "result.json, or the folder of a finished run");
 }
 
+void require_no_result(const fs::path& target) {
+  std::error_code ignored;
+  if (fs::exists(target / "result.json", ignored))
+    refuse(target, "that is the result's own folder", "another one (-o)");
+}
+
 }  // namespace limitgauge::app

@@ -67,4 +67,8 @@ class OutputFolder {
 /// without one; whether the file can be read is its reader's business.
 std::filesystem::path result_file(const std::filesystem::path& stated);
 
+/// Throws InputError where `target` holds a run's results: what speaks of them must not take their
+/// place, whatever is forced.
+void require_no_result(const std::filesystem::path& target);
+
 }  // namespace limitgauge::app

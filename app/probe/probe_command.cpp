@@ -21,16 +21,6 @@ fs::path output_of(const ProbeCommand& command) {
   return fs::path("limitgauge-out") / (command.points.stem().string() + "-probe");
 }
 
-/// --force would otherwise put the page in the place of what it speaks of.
-void require_elsewhere(const ProbeCommand& command, const fs::path& output) {
-  std::error_code ignored;
-  const bool is_folder = fs::is_directory(command.result, ignored);
-  const fs::path folder = is_folder ? command.result : command.result.parent_path();
-  if (fs::equivalent(folder.empty() ? fs::path(".") : folder, output, ignored))
-    throw UsageError("-o " + output.string() +
-                     ": that is the result's own folder; expected another one");
-}
-
 /// Points of which one text is read and summed: a pipe is read once only.
 struct PointsRead {
   model::MeasuredPoints points;
@@ -95,7 +85,7 @@ void print(const probe::ProbeResult& result, const OutputFolder& folder,
 
 ExitCode execute(const ProbeCommand& command, const CommonOptions& common, const Console& console) {
   const fs::path output = output_of(command);
-  require_elsewhere(command, output);
+  require_no_result(output);
   OutputFolder folder(output, common.force);
   const probe::ProbeResult result = measured(command, common, console);
   write_files(result, folder, {common.threads, console.stop});

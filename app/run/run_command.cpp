@@ -182,7 +182,7 @@ void check_engine(const EngineOptions& engine) {
   if (engine.engine == "slurm") return;
   if (engine.jobs > 0 || !engine.slurm_options.empty() || !engine.cache.empty())
     throw UsageError(
-        "limitgauge: error: --jobs, --cache and --slurm-option say how work is shared out; "
+        "--jobs, --cache and --slurm-option say how work is shared out; "
         "expected "
         "--engine slurm beside them");
 }

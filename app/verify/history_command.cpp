@@ -97,6 +97,7 @@ ExitCode execute(const HistoryCommand& command, const CommonOptions& common,
     say_empty(command, console);
     return ExitCode::pass;
   }
+  require_no_result(folder_of(command));
   OutputFolder folder(folder_of(command), common.force);
   folder.fill([&] { write_files(overview, folder.working()); });
   if (common.quiet) return ExitCode::pass;

@@ -2,9 +2,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <ostream>
+#include <string>
+#include <string_view>
 
 #include "app/cli/commands.h"
 #include "app/inputs/mesh_target.h"
@@ -156,9 +159,10 @@ void print_cage(std::ostream& out, const model::Cage& cage, const ReferenceSurfa
       << "problems               " << problems_of(cage) << std::endl;
 }
 
+constexpr std::string_view kSampleColumns = "face,u,v,x,y,z,nx,ny,nz";
+
 void write_samples(std::ostream& out, const ReferenceSurface& surface, int samples) {
-  out << "face,u,v,x,y,z,nx,ny,nz\n"
-      << std::setprecision(std::numeric_limits<double>::max_digits10);
+  out << kSampleColumns << '\n' << std::setprecision(std::numeric_limits<double>::max_digits10);
   const double last = samples - 1;
   for (int patch = 0; patch < surface.patch_count(); ++patch) {
     if (!surface.has_surface(patch)) continue;
@@ -171,6 +175,13 @@ void write_samples(std::ostream& out, const ReferenceSurface& surface, int sampl
       }
     }
   }
+}
+
+/// Nothing else is overwritten: --csv has no --force.
+bool begins_with_header(const std::filesystem::path& csv) {
+  std::string line;
+  return std::getline(std::ifstream(csv, std::ios::binary), line) ? line == kSampleColumns
+                                                                  : line.empty();
 }
 
 void require_writable(const std::filesystem::path& csv) {
@@ -187,6 +198,9 @@ void require_writable(const std::filesystem::path& csv) {
     refuse("cannot be written: " + failure.message(), "another name");
   if (std::filesystem::is_directory(there))
     refuse("this is a folder", "a file, or a name that is free");
+  if (there.type() == std::filesystem::file_type::regular && !begins_with_header(csv))
+    refuse("this file holds something else than samples, which would be lost",
+           "a name that is free, or samples written before");
 }
 
 void print_mesh(std::ostream& out, const JobSurface& read) {
@@ -211,10 +225,15 @@ void print_mesh(std::ostream& out, const JobSurface& read) {
       << std::endl;
 }
 
-/// By its name; an OBJ is taken for a cage.
-bool is_mesh_file(const std::filesystem::path& file) {
+std::string extension_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+/// By its name; an OBJ is taken for a cage.
+bool is_mesh_file(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
   return extension == ".stl" || extension == ".ply";
 }
 
@@ -251,7 +270,7 @@ ExitCode execute(const InspectCommand& command, const CommonOptions& common,
     inspect_mesh(command, common, console);
     return ExitCode::pass;
   }
-  if (command.file.extension() != ".obj") {
+  if (extension_of(command.file) != ".obj") {
     if (command.samples > 0) {
       throw UsageError("--samples is for cages; expected a file .obj");
     }

@@ -204,7 +204,7 @@ void SlurmRun::look() {
   std::optional<std::vector<QueuedTask>> queue = commands_.queue(why);
   if (!queue) {
     if (Clock::now() - heard_ < kMostSilence) return;
-    throw model::ResourceError("limitgauge: Slurm does not answer any more: " + why);
+    throw model::ResourceError("limitgauge: error: Slurm does not answer any more: " + why);
   }
   heard_ = Clock::now();
   std::map<std::string, std::vector<const QueuedTask*>> queued;

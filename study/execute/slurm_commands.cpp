@@ -68,7 +68,7 @@ std::size_t most_tasks_of_cluster(const ProgramPatience& patience) {
   const Printed printed = run_program({"scontrol", "show", "config"}, patience);
   if (patience.stop != nullptr && *patience.stop) throw model::Interrupted();
   if (printed.exit_code != 0)
-    throw model::ResourceError("limitgauge: Slurm does not answer: " + words_of(printed));
+    throw model::ResourceError("limitgauge: error: Slurm does not answer: " + words_of(printed));
   const std::string stated = value_of(printed.out, "MaxArraySize");
   const std::size_t most =
       stated.empty() ? kUsualMostTasks : std::strtoul(stated.c_str(), nullptr, 10);

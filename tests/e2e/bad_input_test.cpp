@@ -20,6 +20,7 @@ const std::string kQuad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][bad_input]") {
   const Scratch scratch;
   write_text(scratch / "typo.toml", job_with("tolerance = 0.05", "tolernace = 0.05"));
+  write_text(scratch / "named.toml", job_with("name = \"rough\"", "name = \"report.html\""));
   write_text(scratch / "rest.toml", job_with("\"contour\"", "\"rest\""));
   write_text(scratch / "no_cage.toml", job_with("quick-dome.obj", "no-such.obj"));
   write_text(scratch / "no_toml.toml", "name = \n");
@@ -72,6 +73,14 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
       {{"inspect", "index.obj"}, "index.obj:5:"},
       {{"inspect", "bad.ngc", "--moves"}, "bad.ngc:3:1"},
       {{"inspect", "quad.obj", "--samples", "3", "--csv", "no/such/folder.csv"}, "folder"},
+      {{"inspect", "quad.obj", "--samples", "3", "--csv", "quad.obj"},
+       "something else than samples"},
+      {{"inspect", "quad.obj", "--samples", "3", "--csv", "typo.toml"},
+       "something else than samples"},
+      {{"run", "typo.toml", "-o", ""}, "is empty"},
+      {{"run", "typo.toml", "--history", ""}, "is empty"},
+      {{"plan", "named.toml"}, "\"report.html\" is a file of the results"},
+      {{"run", "named.toml", "--jobs", "2"}, "limitgauge: error: --jobs"},
       {{"rnu", "a.toml"}, "'run'"},
       {{}, "error"},
   };

@@ -63,6 +63,12 @@ TEST_CASE("inspect writes reference points and normals", "[e2e][inspect]") {
   CHECK(apex);
   CHECK(rows.front()[0] == 0);
   CHECK(rows.back()[0] == 11);
+  // Samples take the place of samples, and a cage is one whatever the case of its name.
+  write_text(scratch / "DOME.OBJ", read_text(fixture("cages/quick-dome.obj")));
+  const Outcome again =
+      limitgauge(scratch, {"inspect", "DOME.OBJ", "--samples", "2", "--csv", "points.csv"});
+  CHECK(again.exit_code == 0);
+  CHECK(table_of(read_text(scratch / "points.csv")).size() == 12 * 2 * 2);
 }
 
 // TURNS as LinuxCNC's canonical arcs count them: 1 is counter-clockwise up to one full circle.

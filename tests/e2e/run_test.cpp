@@ -37,6 +37,13 @@ TEST_CASE("the quick job passes and leaves the files of the contract", "[e2e][ru
                            "findings.csv", "stages.vtm"}) {
     CHECK(fs::file_size(folder / file) > 70);
   }
+  // A stage's folder of that name could not be made, after all the work.
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    const std::string file = entry.path().filename();
+    CHECK_THAT(limitgauge(scratch, {"plan", kDome, "--set", "stage.rough.name=" + file}).errors,
+               ContainsSubstring("\"" + file + "\" is a file of the results"));
+  }
   for (const char* stage : {"rough", "finish"}) {
     for (const char* file : {"toolpath.ngc", "toolpath.vtp", "stock.vdb", "stock.vtp",
                              "deviation.vtp", "deviation.png", "perspective.png", "stock.png"}) {

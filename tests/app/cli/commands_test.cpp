@@ -44,6 +44,9 @@ TEST_CASE("bad usage is exit code 3, lack of memory 4", "[unit]") {
   CHECK(say_of(UsageError("what is this")).code == ExitCode::bad_input);
   CHECK(say_of(std::bad_alloc()).code == ExitCode::resources);
   CHECK(say_of(model::ResourceError("disk full")).code == ExitCode::resources);
+  CHECK(say_of(model::ResourceError("disk full")).text == "limitgauge: error: disk full\n");
+  CHECK(say_of(model::ResourceError("a.vdb: error: disk full")).text ==
+        "a.vdb: error: disk full\n");
 }
 
 }  // namespace limitgauge::app

@@ -102,7 +102,9 @@ TEST_CASE("names that a history does not have are refused with the nearest", "[u
   CHECK_THAT(refused("--metric", "uncut"), ContainsSubstring("\"uncut_mm\""));
   CHECK_THAT(refused("--stage", "finnish"), ContainsSubstring("\"finish\""));
   CHECK_THAT(refused("--job", "prat"), ContainsSubstring("\"part\""));
-  CHECK_THAT(refused("--since", "yesterday"), ContainsSubstring("no date like 2026-11-22"));
+  for (const char* none :
+       {"yesterday", "2026-13-45", "2026-02-29", "2026-11-22T24:00", "2026-11-22T10:00:60Z"})
+    CHECK_THAT(refused("--since", none), ContainsSubstring("no date like 2026-11-22"));
   CHECK_THAT(refused("--last", "0"), ContainsSubstring("--last"));
   CHECK_FALSE(fs::exists(at.out));
 }

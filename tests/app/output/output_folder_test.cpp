@@ -234,6 +234,30 @@ TEST_CASE("somebody else's folder is never overwritten", "[unit][output]") {
   CHECK(fs::exists(scratch.path() / "thesis.tex"));
 }
 
+TEST_CASE("a list of somebody's own checksums proves nothing to be ours", "[unit][output]") {
+  const tests::TemporaryFolder scratch;
+  put(scratch.path() / "thesis.tex", "years of work");
+  // As `sha256sum thesis.tex > manifest.sha256` has it.
+  seal(scratch.path());
+  CHECK_THROWS_WITH(OutputFolder(scratch.path(), true), ContainsSubstring("thesis.tex"));
+  CHECK_FALSE(remove_ours(scratch.path()));
+  CHECK(fs::exists(scratch.path() / "thesis.tex"));
+  // Beside results of ours it is one of them.
+  put(scratch.path() / "result.json", "{}");
+  fs::remove(scratch.path() / "manifest.sha256");
+  seal(scratch.path());
+  CHECK_NOTHROW(OutputFolder(scratch.path(), true));
+}
+
+TEST_CASE("what speaks of results does not take their place", "[unit][output]") {
+  const tests::TemporaryFolder scratch;
+  CHECK_NOTHROW(require_no_result(scratch.path() / "nowhere"));
+  CHECK_NOTHROW(require_no_result(scratch.path()));
+  put(scratch.path() / "result.json", "{}");
+  CHECK_THROWS_WITH(require_no_result(scratch.path()),
+                    ContainsSubstring("the result's own folder"));
+}
+
 TEST_CASE("what was finished is kept under a name that says so", "[unit][output]") {
   const tests::TemporaryFolder scratch;
   OutputFolder folder(scratch.path() / "job", false);

@@ -179,8 +179,10 @@ start_run() {
   study=$!
   within 60 sees_task || fail "no task was seen at work: $(cat "$1.err")"
 }
+# One that has ended since it was seen cannot be killed: the next one then.
+kills_task() { sees_task && scancel --signal=KILL --full "$task" 2>/dev/null; }
 start_run run-killed
-scancel --signal=KILL --full "$task"
+within 60 kills_task || fail "no task was killed at its work: $(cat run-killed.err)"
 code=0
 wait "$study" || code=$?
 study=
@@ -231,7 +233,6 @@ say "local: $(head -n 1 local.txt)"
 "$program" study study.toml "${quick[@]}" -o slurm --cache cache-slurm --engine slurm --jobs 2 \
   > slurm.txt 2> slurm.err &
 study=$!
-kills_task() { sees_task && scancel --signal=KILL --full "$task" 2>/dev/null; }
 killed=
 within 60 kills_task && killed=$task
 [ -n "$killed" ] || fail "no task was seen at work: $(cat slurm.err)"

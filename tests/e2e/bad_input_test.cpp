@@ -80,7 +80,7 @@ TEST_CASE("bad input is refused with exit code 3 and nothing written", "[e2e][ba
       {{"run", "typo.toml", "-o", ""}, "is empty"},
       {{"run", "typo.toml", "--history", ""}, "is empty"},
       {{"plan", "named.toml"}, "\"report.html\" is a file of the results"},
-      {{"run", "named.toml", "--jobs", "2"}, "limitgauge: error: --jobs"},
+      {{"run", fixture("jobs/quick-dome.toml"), "--jobs", "2"}, "limitgauge: error: --jobs"},
       {{"rnu", "a.toml"}, "'run'"},
       {{}, "error"},
   };

@@ -284,7 +284,7 @@ std::filesystem::path result_file(const std::filesystem::path& stated) {
 void require_no_result(const fs::path& target) {
   std::error_code ignored;
   if (fs::exists(target / "result.json", ignored))
-    refuse(target, "that is the result's own folder", "another one (-o)");
+    refuse(target, "that is the result's own folder, and it would be lost", "another one (-o)");
 }
 
 }  // namespace limitgauge::app

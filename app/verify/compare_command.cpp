@@ -70,8 +70,10 @@ ExitCode execute(const CompareCommand& command, const CommonOptions& common,
                  const Console& console) {
   const compare::Options options = options_of(command);
   std::optional<OutputFolder> folder;
-  if (!command.output.empty())
-    require_no_result(command.output), folder.emplace(command.output, common.force);
+  if (!command.output.empty()) {
+    require_no_result(command.output);
+    folder.emplace(command.output, common.force);
+  }
   const reports::record::RunRecord base = read_result(command.base), now = read_result(command.now);
   compare::Comparison comparison = compare::compare_runs(base, now, options);
   compare::name_runs(comparison, base, command.base, now, command.now);

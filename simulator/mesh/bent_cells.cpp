@@ -17,10 +17,6 @@ constexpr std::size_t kSample = 4096, kChunk = 64;
 // Of the edge: above what curvature makes of a surface whose radius is ten voxels.
 constexpr double kBent = 0.0125;
 constexpr int kHalvings = 3;
-// Down to the cell by itself, which may be asked at a thousand places; its corners are a rounding
-// from the cube's.
-constexpr std::array<NearCubes, 5> kAboutParts{
-    {{32, 1.0}, {8, 0.75}, {4, 0.5}, {2, 0.25}, {1, 1e-6}}};
 
 // Scrambles without loss (the finaliser of SplitMix64), so that places next to each other are in
 // the sample or not as if by chance.
@@ -40,7 +36,7 @@ Vec3 corner_step(int k) {
 class ExactShare {
  public:
   ExactShare(const Material& material, const Lattice& lattice)
-      : material_(material, lattice, kAboutParts), lattice_(lattice) {}
+      : material_(material, lattice), lattice_(lattice) {}
 
   double of(const Index3& cell) {
     material_.turn_to(cell);

@@ -72,8 +72,8 @@ double NearMoves::keep_balls(const SweepTree& pass, const MoveBatch& from, const
 
 // A move that is farther than the limit, or than the nearest one by a diagonal, cannot matter and
 // is not worked out.
-void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
-                       double limit) {
+double NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
+                         double limit) {
   const std::size_t n = from.size();
   samples_.resize(n);
   double least = kFar;
@@ -87,6 +87,7 @@ void NearMoves::sample(const SweepTree& pass, const MoveBatch& from, const HeldC
     least = std::min(least, s.distance);
     samples_.set(i, s, pass, slot, cube.middle, cube.half_diagonal_mm);
   }
+  return least;
 }
 
 // Of the nearest moves, often several on a flat floor, the one whose distance bends least.
@@ -111,8 +112,7 @@ std::size_t NearMoves::straightest(const SweepTree& pass, const MoveBatch& from,
 // it is not.
 double NearMoves::keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
                               double limit) {
-  sample(pass, from, cube, limit);
-  const double least = *std::min_element(samples_.distance.begin(), samples_.distance.end());
+  const double least = sample(pass, from, cube, limit);
   if (least > limit) return least;
   if (pass.turns()) {
     rivals_.keep(pass, from, samples_, cube.middle, cube.half_edge_mm, cube.half_diagonal_mm,

@@ -38,7 +38,8 @@ class NearMoves {
                     double limit);
   double keep_others(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
                      double limit);
-  void sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube, double limit);
+  // Into samples_; gives the least distance.
+  double sample(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube, double limit);
   std::size_t straightest(const SweepTree& pass, const MoveBatch& from, const HeldCube& cube,
                           double& bend) const;
 

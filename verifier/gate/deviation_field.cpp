@@ -155,10 +155,11 @@ void measure_samples(DeviationField& field, std::vector<ReachQuery::Touch>& touc
 std::optional<StageDeviation::MissingAllowance> missing_allowance(
     const DeviationField& field, const SurfaceCells& cells, const RemovedSpace& raw,
     double allowance_mm, const model::RunControl& control) {
+  if (!(allowance_mm > 0)) return std::nullopt;
   std::vector<double> depth_mm(field.samples.size());
   model::parallel_chunks(depth_mm.size(), kFieldChunk, control, [&](std::size_t i, std::size_t to) {
     const RunTracer tracer(cells, raw, std::make_shared<FarPasses>());
-    for (; i < to && allowance_mm > 0; ++i) {
+    for (; i < to; ++i) {
       const DeviationField::Sample& s = field.samples[i];
       if (!(length_squared(s.normal) > 0)) continue;
       depth_mm[i] =

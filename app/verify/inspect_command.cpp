@@ -13,6 +13,7 @@
 #include "app/inputs/mesh_target.h"
 #include "app/inputs/run_inputs.h"
 #include "app/inputs/surface_witness.h"
+#include "model/base/absolute_path.h"
 #include "model/base/error.h"
 #include "model/base/output_file.h"
 #include "model/gcode/program.h"
@@ -177,11 +178,11 @@ void write_samples(std::ostream& out, const ReferenceSurface& surface, int sampl
   }
 }
 
-/// Nothing else is overwritten: --csv has no --force.
+/// Nothing else is overwritten, but for an empty file: --csv has no --force.
 bool begins_with_header(const std::filesystem::path& csv) {
+  std::ifstream in(csv, std::ios::binary);
   std::string line;
-  return std::getline(std::ifstream(csv, std::ios::binary), line) ? line == kSampleColumns
-                                                                  : line.empty();
+  return !std::getline(in, line) || line == kSampleColumns;
 }
 
 void require_writable(const std::filesystem::path& csv) {
@@ -225,15 +226,9 @@ void print_mesh(std::ostream& out, const JobSurface& read) {
       << std::endl;
 }
 
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 /// By its name; an OBJ is taken for a cage.
 bool is_mesh_file(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
+  const std::string extension = model::lower_extension(file);
   return extension == ".stl" || extension == ".ply";
 }
 
@@ -270,7 +265,7 @@ ExitCode execute(const InspectCommand& command, const CommonOptions& common,
     inspect_mesh(command, common, console);
     return ExitCode::pass;
   }
-  if (extension_of(command.file) != ".obj") {
+  if (model::lower_extension(command.file) != ".obj") {
     if (command.samples > 0) {
       throw UsageError("--samples is for cages; expected a file .obj");
     }

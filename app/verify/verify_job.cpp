@@ -1,7 +1,6 @@
 #include "app/verify/verify_job.h"
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 #include <stdexcept>
 
@@ -13,6 +12,7 @@
 #include "app/job/program_parts.h"
 #include "app/run/gate_limits.h"
 #include "app/verify/tolerance_option.h"
+#include "model/base/absolute_path.h"
 #include "model/base/error.h"
 #include "model/base/text_file.h"
 
@@ -178,9 +178,7 @@ std::vector<JobStage> stages_by_tool(const CutCommand& command, const Job& job,
 
 /// The name of a file's format where it is one that holds no cage.
 const char* other_than_cage(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = model::lower_extension(file);
   if (extension == ".stl") return "STL: triangles";
   if (extension == ".ply") return "PLY: a mesh of facets";
   return extension == ".step" || extension == ".stp" ? "STEP: faces and curves" : nullptr;

@@ -24,9 +24,9 @@ constexpr std::size_t kManyFiles = 100;
 constexpr const char* kGap = "  ";
 /// Of these each command leaves one at least, wherever in its folder. Others call a list of their
 /// own files manifest.sha256, too.
-constexpr std::array<std::string_view, 7> kOurs = {"result.json",   "compare.json", "history.json",
-                                                   "probe.json",    "study.json",   "toolpath.ngc",
-                                                   "INCOMPLETE.txt"};
+constexpr std::array<std::string_view, 7> kOurs = {"result.json",  "compare.json", "history.json",
+                                                   "probe.json",   "study.json",   "toolpath.ngc",
+                                                   kIncompleteFile};
 
 using Sums = std::map<std::string, std::string>;  // by path within the folder
 

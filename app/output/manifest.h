@@ -9,6 +9,8 @@ namespace limitgauge::app {
 /// What a folder of results says of itself: the SHA-256 of each of its files, a line a file, as
 /// `sha256sum --check` reads it. It proves, file by file, what may be deleted as ours.
 inline constexpr const char* kManifestFile = "manifest.sha256";
+/// In a folder of results that is not whole: why.
+inline constexpr const char* kIncompleteFile = "INCOMPLETE.txt";
 
 /// Writes the manifest of all that is in `folder`, and has the disk hold it with all of that.
 /// Throws ResourceError.

@@ -16,7 +16,6 @@ namespace limitgauge::app {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kNote = "INCOMPLETE.txt";
 /// Folders that are kept beside each other under one name and a number.
 constexpr int kMostKept = 99;
 /// Others may remove the empty folders above in the very moment in which we are to use them.
@@ -264,7 +263,7 @@ fs::path OutputFolder::keep_as(const std::string& kind, bool replacing) noexcept
 fs::path OutputFolder::keep_incomplete(const std::string& note) {
   lock_->leave();
   try {
-    model::write_file(working_ / kNote, note + "\n");
+    model::write_file(working_ / kIncompleteFile, note + "\n");
     seal(working_);
   } catch (const std::exception&) {
     // A full disk: what is there is kept all the same, and nothing proves it ours.

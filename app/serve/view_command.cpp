@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "app/output/manifest.h"
 #include "app/serve/report_server.h"
 #include "model/base/absolute_path.h"
 #include "model/base/error.h"
@@ -27,7 +28,7 @@ fs::path finished_folder(const fs::path& stated) {
   };
   if (!fs::exists(folder, ignored)) throw wrong("this does not exist");
   if (!fs::is_directory(folder, ignored)) throw wrong("this is no folder");
-  if (fs::exists(folder / "INCOMPLETE.txt", ignored))
+  if (fs::exists(folder / kIncompleteFile, ignored))
     throw wrong("the run in this folder did not come to its end and has no report");
   for (const char* file : {"report.html", "result.json"})
     if (!fs::is_regular_file(folder / file, ignored))

@@ -6,6 +6,7 @@
 #include "app/cli/command_definition.h"
 #include "app/cli/option_checks.h"
 #include "history/entry.h"
+#include "model/text/number_text.h"
 
 namespace limitgauge::app {
 namespace {
@@ -21,22 +22,17 @@ CLI::Validator short_name() {
       "");
 }
 
-int number_at(std::string_view text, std::size_t at, std::size_t digits) {
-  int value = 0;
-  for (const char c : text.substr(at, digits)) value = 10 * value + (c - '0');
-  return value;
-}
-
 /// Of a text in the form of a date: whether there is such a day, and such a time of day.
 bool occurs(std::string_view text) {
-  const std::chrono::year_month_day day{
-      std::chrono::year{number_at(text, 0, 4)},
-      std::chrono::month{static_cast<unsigned>(number_at(text, 5, 2))},
-      std::chrono::day{static_cast<unsigned>(number_at(text, 8, 2))}};
+  const auto number_at = [&](std::size_t at, std::size_t digits) {
+    return model::parse_whole<int>(text.substr(at, digits)).value();
+  };
+  const std::chrono::year_month_day day{std::chrono::year{number_at(0, 4)},
+                                        std::chrono::month{static_cast<unsigned>(number_at(5, 2))},
+                                        std::chrono::day{static_cast<unsigned>(number_at(8, 2))}};
   const bool has_minutes = text.size() > 10, has_seconds = text.size() > 16;
-  return day.ok() &&
-         (!has_minutes || (number_at(text, 11, 2) < 24 && number_at(text, 14, 2) < 60)) &&
-         (!has_seconds || number_at(text, 17, 2) < 60);
+  return day.ok() && (!has_minutes || (number_at(11, 2) < 24 && number_at(14, 2) < 60)) &&
+         (!has_seconds || number_at(17, 2) < 60);
 }
 
 /// "2026-11-22", or with the time of day in UTC: the beginning of what a history holds.

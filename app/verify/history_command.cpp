@@ -97,8 +97,9 @@ ExitCode execute(const HistoryCommand& command, const CommonOptions& common,
     say_empty(command, console);
     return ExitCode::pass;
   }
-  require_no_result(folder_of(command));
-  OutputFolder folder(folder_of(command), common.force);
+  const fs::path output = folder_of(command);
+  require_no_result(output);
+  OutputFolder folder(output, common.force);
   folder.fill([&] { write_files(overview, folder.working()); });
   if (common.quiet) return ExitCode::pass;
   console.out << history_report::history_table(overview, console.colour);

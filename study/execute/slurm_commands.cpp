@@ -73,7 +73,7 @@ std::size_t most_tasks_of_cluster(const ProgramPatience& patience) {
   const std::size_t most =
       stated.empty() ? kUsualMostTasks : std::strtoul(stated.c_str(), nullptr, 10);
   if (most < 2)
-    throw model::ResourceError("limitgauge: this Slurm takes no job arrays (MaxArraySize " +
+    throw model::ResourceError("limitgauge: error: this Slurm takes no job arrays (MaxArraySize " +
                                stated + ")");
   // One above the largest number that a task may have.
   return most;
@@ -106,7 +106,7 @@ std::string SlurmCommands::submit(const fs::path& script, std::size_t tasks,
   // "NUMBER", or "NUMBER;CLUSTER".
   const std::string job = printed.out.substr(0, printed.out.find_first_not_of("0123456789"));
   if (printed.exit_code == 0 && !job.empty()) return job;
-  throw model::ResourceError("limitgauge: Slurm refuses the job: " + words_of(printed));
+  throw model::ResourceError("limitgauge: error: Slurm refuses the job: " + words_of(printed));
 }
 
 std::vector<QueuedTask> tasks_of_queue(const std::string& printed) {

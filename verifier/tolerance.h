@@ -66,6 +66,14 @@ inline constexpr double kCancels = 1e-6;
 /// size, are one: a hundred times what evaluation rounds by.
 inline constexpr double kSameEdge = 1e-11;
 
+/// What the straight pieces that stand for a path's arcs keep to: a hundredth of what counts as met
+/// beside a wall (kWedge_mm), so that a wall which an arc runs along, or rolls round the end of, is
+/// told from one that is cut; far below what a verdict shows.
+inline constexpr double kArcPiece_mm = 1e-6;
+/// No path has more pieces of arcs than that: some 50 MB, and as long to search as a path of as
+/// many moves. Beyond it they are wider.
+inline constexpr double kMostArcPieces = 500'000;
+
 /// Sine of the angle between tangents below which they span no plane: a hundred times the rounding
 /// of their evaluation.
 inline constexpr double kParallel = 1e-11;

@@ -6,6 +6,7 @@
 #include "model/base/error.h"
 #include "model/base/memory.h"
 #include "verifier/cells/surface_cells.h"
+#include "verifier/cutter/chord_pieces.h"
 
 namespace limitgauge::app {
 namespace {
@@ -62,6 +63,12 @@ double followed_bodies(const model::Cutter& cutter, double stock_height_mm) {
       base_mm += part.length_mm;
     }
   return bodies;
+}
+
+/// The pieces that the verifier makes of a program's moves.
+double followed_pieces(const std::optional<ForeignPath>& program, double moves) {
+  if (!program || program->axes) return moves;
+  return static_cast<double>(verifier::ChordPieces(*program->path).count());
 }
 
 double stock_share(const RunTerms& terms) {
@@ -123,7 +130,7 @@ RunScale scale_of(const Job& job, const verifier::ReferenceSurface* surface,
     const double moves = programs[i] ? static_cast<double>(programs[i]->path->moves.size())
                                      : expected_moves(stage, surface->area_mm2());
     scale.moves += moves;
-    scale.swept += moves * followed_bodies(stage.cutter, height_mm);
+    scale.swept += followed_pieces(programs[i], moves) * followed_bodies(stage.cutter, height_mm);
     scale.largest_moves = std::max(scale.largest_moves, moves);
     if (!programs[i]) scale.text_bytes += moves * kTextBytes;
     // Stages that take parts of one program hold one text.

@@ -106,7 +106,10 @@ void state_stage(const Job& job, const Settings& settings, std::size_t index,
   }
   if (!stage.plan) {
     const bool turns = stage.piece && stage.piece->turns_while_cutting();
-    said.push_back(head + "arcs as chords within " + chords);
+    said.push_back(head + "arcs as chords within " + chords +
+                   (job.design && !turns ? "; certified figures are of finer ones, whose error "
+                                           "stands in the uncertainty budget"
+                                         : ""));
     if (turns)
       said.push_back(
           head +

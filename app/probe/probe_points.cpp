@@ -18,8 +18,9 @@ constexpr std::size_t kProbedChunk = 64;
 std::optional<reports::probe::NearestMove> nearest_move(const ResultStock& stock,
                                                         verifier::BodyRef body) {
   if (stock.removed.is_stock(body)) return std::nullopt;
-  const model::Move& move = stock.passes[body.pass].path->moves[body.index];
-  return reports::probe::NearestMove{body.pass, body.index, move.line,
+  const std::uint32_t index = stock.removed.move_of(body);
+  const model::Move& move = stock.passes[body.pass].path->moves[index];
+  return reports::probe::NearestMove{body.pass, index, move.line,
                                      move.kind == model::MoveKind::rapid};
 }
 

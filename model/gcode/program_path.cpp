@@ -6,7 +6,7 @@
 
 #include "model/base/angle.h"
 #include "model/base/error.h"
-#include "model/gcode/arc_chords.h"
+#include "model/gcode/motion_arc.h"
 #include "model/text/number_text.h"
 
 namespace limitgauge::model {
@@ -103,7 +103,7 @@ void PathMaker::add_move(const Motion& motion, const Vec3& part_mm, bool rapid) 
 }
 
 void PathMaker::add_arc(const Motion& arc) {
-  const ArcSweep sweep(arc, at_mm_);
+  const Arc sweep = arc_of(arc, at_mm_);
   const double chords = sweep.chords_within(options_.chord_error_mm);
   const auto count = static_cast<std::size_t>(chords);
   if (static_cast<double>(path_.moves.size()) + chords > options_.most_moves)
@@ -112,6 +112,9 @@ void PathMaker::add_arc(const Motion& arc) {
                         " million moves at a chord error of " + shortest(options_.chord_error_mm) +
                         " mm; a wider verification.resolution needs fewer");
   path_.chord_error_mm = std::max(path_.chord_error_mm, sweep.error_mm(chords));
+  path_.arcs.push_back({turned(sweep, pose_ ? *pose_ : pose_of(options_.machine_in_part)),
+                        static_cast<std::uint32_t>(path_.moves.size()),
+                        static_cast<std::uint32_t>(count)});
   for (std::size_t i = 1; i < count; ++i)
     add_move(arc, placed(sweep.point_at(static_cast<double>(i) / chords)), false);
   add_move(arc, placed(arc.to), false);

@@ -45,10 +45,19 @@ ToolAxes turned(const ToolAxes& axes, const Pose& pose) {
   return out;
 }
 
+Arc turned(const Arc& arc, const Pose& pose) {
+  Arc out = arc;
+  out.centre = pose.point(arc.centre);
+  out.axis1 = pose.direction(arc.axis1), out.axis2 = pose.direction(arc.axis2);
+  out.rise_mm = pose.direction(arc.rise_mm);
+  return out;
+}
+
 Toolpath turned(const Toolpath& path, const Pose& pose) {
   Toolpath out = path;
   out.start = pose.point(path.start);
   for (Move& move : out.moves) move.to = pose.point(move.to);
+  for (ArcMoves& arc : out.arcs) arc.arc = turned(arc.arc, pose);
   return out;
 }
 

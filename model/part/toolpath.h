@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/geometry/arc.h"
 #include "model/geometry/pose.h"
 #include "model/part/cutter.h"
 
@@ -33,11 +34,21 @@ struct Move {
 };
 static_assert(sizeof(Move) == 32);
 
+/// A programmed arc and the moves that stand for it: equal chords, [first_move, first_move +
+/// chords).
+struct ArcMoves {
+  Arc arc;
+  std::uint32_t first_move = 0, chords = 0;
+};
+
 /// What one cutter does in one stage: straight moves from `start`.
 struct Toolpath {
   Vec3 start;  ///< where the tip is before the first move
   std::vector<Move> moves;
   double chord_error_mm = 0;  ///< largest distance between a programmed arc and its chords
+  /// In the order of their moves: all arcs that chords stand for, or none where they are not known,
+  /// as of a path that was read back.
+  std::vector<ArcMoves> arcs = {};
 };
 
 /// Where move `i` of `path` begins.
@@ -65,6 +76,7 @@ void require_axes(const Toolpath& path, const ToolAxes& axes);
 
 /// Every place moved by `pose`; feeds, lines and kinds stay.
 Toolpath turned(const Toolpath& path, const Pose& pose);
+Arc turned(const Arc& arc, const Pose& pose);
 ToolAxes turned(const ToolAxes& axes, const Pose& pose);
 
 /// One pass of one cutter over the part. The cutter stands along +Z of the frame that its path is

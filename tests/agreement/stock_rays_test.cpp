@@ -1,7 +1,12 @@
 // The simulator's stock and the verifier's distances, held against each other by rays: neither
 // knows the other.
 #include "verifier/gate/stock_rays.h"
+#include <string>
+#include <string_view>
+
 #include "app/run/stock_probe.h"
+#include "model/gcode/program.h"
+#include "model/gcode/program_path.h"
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
 #include "tests/support/rasters.h"
@@ -64,6 +69,37 @@ TEST_CASE("fins thinner than any voxel read their height", "[unit][rays]") {
     const verifier::RayFigures d = read(plane, block, {flat_cutter(2), shared(path)}, 0.5);
     CHECK(d.uncut_mm == Approx(5).margin(1e-6));
     CHECK(d.gouge_mm == Approx(0).margin(1e-6));
+  }
+}
+
+TEST_CASE("rays agree where the stock is cut by wider chords of arcs than the certificate has",
+          "[unit][rays]") {
+  // A flat of D4 along the walls of a cube, rolling round its corners, flush or this far off.
+  constexpr double kChords_mm = 0.05;
+  const verifier::ReferenceSurface cube(scaled(sharp_cube(true), 5));
+  const model::Box3 box = cube.bounding_box();
+  const model::Stock block = model::BoxStock{box.low - model::Vec3{1, 1, 1}, box.size() * 1.3};
+  for (const double off_mm : {0.0, 0.03, -0.03}) {
+    const double near = 2 + off_mm;
+    const auto number = [](double value) { return std::to_string(value) + " "; };
+    const std::string roll = number(near);
+    const std::string left = number(box.low.x), right = number(box.high.x);
+    const std::string low = number(box.low.y), high = number(box.high.y);
+    const std::string program = "G0 X" + number(box.low.x - near) + "Y" + low + "Z" +
+                                number(box.low.z + 2) + "\nF500 G1 Y" + high + "\nG2 X" + left +
+                                "Y" + number(box.high.y + near) + "I" + roll + "J0\nG1 X" + right +
+                                "\nG2 X" + number(box.high.x + near) + "Y" + high + "I0 J-" + roll +
+                                "\nG1 Y" + low + "\n";
+    const verifier::Pass pass{
+        flat_cutter(2),
+        shared(to_toolpath(model::read_program(std::string_view(program), "cube"), kChords_mm))};
+    REQUIRE(pass.path->arcs.size() == 2);
+    REQUIRE(pass.path->chord_error_mm > kChords_mm / 10);
+    const verifier::RayFigures d = read(cube, block, pass, 0.5);
+    CHECK(d.rays > 1000);
+    // Off the walls nothing is cut, and what chords cut is not told as a gouge of theirs.
+    if (off_mm >= 0) CHECK(d.gouge_mm <= kChords_mm);
+    if (off_mm < 0) CHECK(d.gouge_mm > -off_mm - 1e-3);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "model/geometry/box_tree.h"
 #include "verifier/tolerance.h"
@@ -60,7 +61,7 @@ BodyDistance RemovedSpace::PlacedPass::back(BodyDistance own) const {
 
 namespace {
 
-std::shared_ptr<const PassBodies> bodies_of(const Sweep& sweep) {
+std::shared_ptr<const PassBodies> bodies_of(const Sweep& sweep, const ChordPieces& pieces) {
   const model::Toolpath& path = *sweep.path;
   if (sweep.axes) {
     model::require_axes(path, *sweep.axes);
@@ -71,23 +72,20 @@ std::shared_ptr<const PassBodies> bodies_of(const Sweep& sweep) {
                           model::axis_from(*sweep.axes, i), sweep.axes->to[i], sweep.lift_mm);
     return std::make_shared<const PassBodies>(sweep.profile, bodies);
   }
-  const Vec3 lift{0, 0, sweep.lift_mm};
-  std::vector<SweptBody> bodies;
-  bodies.reserve(path.moves.size());
-  for (std::size_t i = 0; i < path.moves.size(); ++i)
-    bodies.emplace_back(model::move_from(path, i) + lift, path.moves[i].to + lift);
-  return std::make_shared<const PassBodies>(sweep.profile, bodies);
+  return std::make_shared<const PassBodies>(sweep.profile, pieces.bodies(path, sweep.lift_mm));
 }
 
 }  // namespace
 
 void RemovedSpace::add_sweep(const Sweep& sweep) {
-  PlacedPass placed{bodies_of(sweep)};
+  auto pieces = std::make_shared<const ChordPieces>(*sweep.path);
+  chord_error_mm_ = std::max(chord_error_mm_, pieces->error_mm());
+  from_moves_mm_ = std::max(from_moves_mm_, pieces->from_moves_mm());
+  PlacedPass placed{bodies_of(sweep, *pieces), std::move(pieces)};
   placed.turned = sweep.pose != model::Pose{};
   if (placed.turned) placed.to_own = sweep.pose.inverse();
   turns_ = turns_ || placed->turn();
   passes_.push_back(std::move(placed));
-  chord_error_mm_ = std::max(chord_error_mm_, sweep.path->chord_error_mm);
 }
 
 /// Bodies at the same distance but for rounding are all looked at: which of them is named must not
@@ -339,6 +337,11 @@ void RemovedSpace::values(BodyRef body, const Bezier& cell, std::array<double, 1
   }
   if (mesh_) return mesh_->values(cell, out);
   for (int k = 0; k < 16; ++k) out[k] = faces_->distance(body.index, cell.control(k)).value;
+}
+
+std::uint32_t RemovedSpace::move_of(BodyRef body) const {
+  const PlacedPass& pass = passes_[body.pass];
+  return pass.pieces ? pass.pieces->move_of(body.index) : body.index;
 }
 
 bool RemovedSpace::is_concave(BodyRef body) const {

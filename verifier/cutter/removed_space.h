@@ -10,6 +10,7 @@
 #include "model/geometry/pose.h"
 #include "model/part/stock.h"
 #include "verifier/cutter/body_ref.h"
+#include "verifier/cutter/chord_pieces.h"
 #include "verifier/cutter/far_passes.h"
 #include "verifier/cutter/pass_bodies.h"
 #include "verifier/gate/verify.h"
@@ -117,9 +118,14 @@ class RemovedSpace {
   /// Least distance to what lies outside the raw stock, its sign as that of δ; infinite where the
   /// stock is endless.
   double stock_distance_mm(const model::Vec3& p) const;
-  /// Largest distance between a programmed arc and the chords that stand for it, over all passes;
+  /// Largest distance between a programmed arc and the pieces that stand for it, over all passes;
   /// and what else tips may be off by, each move for itself.
   double chord_error_mm() const { return chord_error_mm_; }
+  /// How far what was swept may lie from what the paths' own moves sweep, whose chords stand wider
+  /// of their arcs: a stock that was cut by those is as much off.
+  double from_moves_mm() const { return from_moves_mm_; }
+  /// Of a body that is no stock: the move of its path.
+  std::uint32_t move_of(BodyRef body) const;
   /// Half widths, in plan, of the rectangle that all that was swept may be shifted in, as one.
   const model::Vec3& sway() const { return sway_; }
   /// By how much a shift may change a body's distance at a place, along the body's plane there.
@@ -136,6 +142,7 @@ class RemovedSpace {
   /// is exact but for rounding, which kDistanceRounding_mm covers.
   struct PlacedPass {
     std::shared_ptr<const PassBodies> bodies;
+    std::shared_ptr<const ChordPieces> pieces = {};  ///< null: its bodies are no path's
     model::Pose to_own = {};
     bool turned = false;
 
@@ -189,7 +196,7 @@ class RemovedSpace {
   std::shared_ptr<const MeshOutside> mesh_;
   std::vector<PlacedPass> passes_;  ///< spaces may have their bodies in common
   bool turns_ = false;              ///< one of them, its tool
-  double chord_error_mm_ = 0;
+  double chord_error_mm_ = 0, from_moves_mm_ = 0;
   model::Vec3 shift_, sway_;
 };
 

@@ -142,7 +142,7 @@ void measure_samples(DeviationField& field, std::vector<ReachQuery::Touch>& touc
       s.deviation_mm = static_cast<float>(run_at(s, uncut, gouge));
       s.raw_stock = spaces.cut.is_stock(nearest.body);
       if (!s.raw_stock) {
-        s.stage = nearest.body.pass, s.move = nearest.body.index;
+        s.stage = nearest.body.pass, s.move = spaces.cut.move_of(nearest.body);
         s.line = passes[s.stage].path->moves[s.move].line;
       }
       const auto touch = reach.touch(s.place, s.normal);

@@ -52,7 +52,7 @@ class Clusters {
 };
 
 void name_move(Finding& f, BodyRef body, std::span<const Pass> passes,
-               std::span<const AssemblySweep> parts) {
+               std::span<const AssemblySweep> parts, const RemovedSpace& space) {
   const std::size_t swept = passes.size() + parts.size();
   f.raw_stock = body.pass >= swept;
   f.stage = f.move = f.line = 0;
@@ -63,7 +63,7 @@ void name_move(Finding& f, BodyRef body, std::span<const Pass> passes,
     f.stage = parts[body.pass - passes.size()].stage;
     f.body = parts[body.pass - passes.size()].body;
   }
-  f.move = body.index;
+  f.move = space.move_of(body);
   f.line = passes[f.stage].path->moves[f.move].line;
 }
 
@@ -79,7 +79,8 @@ std::vector<NearPass> passes_around(const Vec3& p, const RemovedSpace& space,
   std::vector<NearPass> out;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyRef body = bodies[i];
-    const NearPass here{body.pass, body.index, passes[body.pass].path->moves[body.index].line,
+    const std::uint32_t move = space.move_of(body);
+    const NearPass here{body.pass, move, passes[body.pass].path->moves[move].line,
                         space.distance(body, p).value};
     const bool goes_on =
         i > 0 && bodies[i - 1].pass == body.pass && bodies[i - 1].index + 1 == body.index;
@@ -108,7 +109,8 @@ void keep_deepest(std::vector<Finding>& findings) {
 
 std::vector<Finding> gather_findings(const Exceedance& found, const std::optional<Witness>& witness,
                                      std::span<const Pass> passes,
-                                     std::span<const AssemblySweep> parts) {
+                                     std::span<const AssemblySweep> parts,
+                                     const RemovedSpace& space) {
   std::vector<Spot> spots = found.spots;
   if (witness) spots.push_back({witness->place, witness->depth_mm, 0, 0, witness->body});
   Clusters clusters(spots);
@@ -120,7 +122,7 @@ std::vector<Finding> gather_findings(const Exceedance& found, const std::optiona
     f.extent_mm.add(spot.place.point);
     if (spot.depth_mm <= f.depth_mm) continue;
     f.place = spot.place, f.depth_mm = spot.depth_mm;
-    name_move(f, spot.body, passes, parts);
+    name_move(f, spot.body, passes, parts, space);
   }
   std::vector<Finding> findings;
   for (auto& [root, finding] : by_root) findings.push_back(std::move(finding));

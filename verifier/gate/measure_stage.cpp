@@ -42,6 +42,8 @@ std::vector<UncertaintyTerm> budget_of(const RemovedSpace& space, const StageChe
       {"width of the certified interval asked for", check.resolution_mm, true},
       {"contact tolerance of reachability", kContact_mm, true},
       {"faces along a normal that count as met by it", kBeside_mm, true},
+      {"arcs stood for by wider chords in the simulated stock", probe ? space.from_moves_mm() : 0,
+       false},
       {"rays into the stock: end of a run", rays.largest_error_mm, false},
       {"rays into the stock: between samples the certificate alone sees",
        probe ? check.field_spacing_mm : 0, false},
@@ -84,7 +86,7 @@ std::vector<Finding> findings_of(const Measured& m, const RemovedSpace& space, S
   const bool of_stock = side == Side::missing_stock;
   std::vector<Finding> findings =
       gather_findings(found, certificate.witness, of_stock ? std::span<const Pass>{} : m.passes,
-                      of_stock ? std::span<const AssemblySweep>{} : m.parts);
+                      of_stock ? std::span<const AssemblySweep>{} : m.parts, space);
   keep_deepest(findings);
   return findings;
 }

@@ -39,11 +39,42 @@ struct CheckedRun {
   bool grazes = false;  ///< keeps to the cut surface itself, whose two sides are both there
 };
 
+/// The simulated stock is cut by the paths' own moves.
+double agreement_of(const RemovedSpace& removed) {
+  return kAgreement_mm + removed.from_moves_mm();
+}
+
+/// How much of a run is more than the chords of arcs are off: the end of one that goes along a wall
+/// which an arc runs along is not.
+double sure_mm(const RemovedSpace& removed, const CheckedRun& run, double side, FarPasses& far) {
+  constexpr int kMostSteps = 200;
+  const double unsure_mm = agreement_of(removed);
+  const double least_step_mm = std::max(unsure_mm, run.length_mm / kMostSteps);
+  double t = run.length_mm;
+  while (t > 0) {
+    const Nearest nearest = removed.nearest(run.from + run.along * t, {}, &far);
+    const double sure = side * nearest.distance.value - unsure_mm;
+    if (sure > 0) return std::min(run.length_mm, t + least_step_mm);
+    t -= least_step_mm;
+  }
+  return 0;
+}
+
+/// A run that is no longer than the chords of arcs are off counts as it is.
+CheckedRun surely(const RemovedSpace& removed, CheckedRun run, double side, FarPasses& far) {
+  if (run.length_mm <= removed.from_moves_mm())
+    run.grazes = false;
+  else if (!run.grazes)
+    run.length_mm = sure_mm(removed, run, side, far);
+  return run;
+}
+
 /// δ > 0 in material. Half way, nearer to both ends, and at the end itself.
 CheckedRun checked(const RemovedSpace& removed, const Vec3& from, const Vec3& along,
                    const StockProbe::Run& run, std::optional<BodyRef>& hint, FarPasses& far) {
   CheckedRun out{from, along, run.length_mm, false};
   const double side = run.material ? 1 : -1;
+  const double agreement_mm = agreement_of(removed);
   // A short run has no room for more than its middle says.
   constexpr double kShort_mm = 0.02;
   constexpr double kParts[] = {0.5, 0.125, 0.875};
@@ -53,17 +84,18 @@ CheckedRun checked(const RemovedSpace& removed, const Vec3& from, const Vec3& al
     const Nearest nearest = removed.nearest(p, hint, &far);
     hint = nearest.body;
     const double delta = nearest.distance.value;
-    if (side * delta < -kAgreement_mm)
+    if (side * delta < -agreement_mm)
       disagree(p, "distance from what was removed", delta,
                run.material ? "material" : "no material");
-    if (k == 0) out.grazes = std::abs(delta) <= kAgreement_mm;
+    if (k == 0) out.grazes = std::abs(delta) <= agreement_mm;
   }
   if (!run.ends) return out;
   const Vec3 end = from + along * run.length_mm;
   const Nearest nearest = removed.nearest(end, hint, &far);
-  if (std::abs(nearest.distance.value) > run.error_mm + kAgreement_mm)
+  if (std::abs(nearest.distance.value) > run.error_mm + agreement_mm)
     disagree(end, "distance of the simulated stock's surface from the cut surface",
              nearest.distance.value, fine_length_text(run.error_mm));
+  if (removed.from_moves_mm() > 0) out = surely(removed, out, side, far);
   return out;
 }
 

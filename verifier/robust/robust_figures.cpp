@@ -108,7 +108,7 @@ void name_move(const RobustScene& scene, const ToleranceBox& box, const BodyRef&
   if (out.raw_stock) return;
   out.stage = body.pass < passes ? body.pass : parts[body.pass - passes].stage;
   if (body.pass >= passes) out.body = parts[body.pass - passes].body;
-  out.move = body.index;
+  out.move = ChordPieces(*scene.passes[out.stage].path).move_of(body.index);
   out.line = scene.passes[out.stage].path->moves[out.move].line;
 }
 

@@ -147,6 +147,7 @@ std::vector<Pass> ToleranceBox::passes_at(const ToleranceValues& values) const {
     model::Toolpath path = *pass.path;
     path.start += shift;
     for (model::Move& move : path.moves) move.to += shift;
+    for (model::ArcMoves& arc : path.arcs) arc.arc.centre += shift;
     out.push_back(
         {model::varied(pass.cutter, by), std::make_shared<const model::Toolpath>(std::move(path))});
   }

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "model/base/tolerance.h"
-#include "model/gcode/arc_chords.h"
+#include "model/gcode/motion_arc.h"
 #include "model/gcode/turning/turn_bend.h"
 
 namespace limitgauge::model {
@@ -94,7 +94,7 @@ Overrun TravelWalk::overrun_at(const TurningMotion& turn, double t, const Known&
 }
 
 void TravelWalk::look_at_arc(const Motion& arc) {
-  const ArcSweep sweep(arc, at_mm_);
+  const Arc sweep = arc_of(arc, at_mm_);
   const double chords = sweep.chords_within(kTravelLook_mm);
   for (double i = 0; i < chords; ++i)
     note(overrun(frame_.point(sweep.point_at(i / chords)), angles_deg_, {}));
@@ -137,7 +137,7 @@ void TravelWalk::look_at_turn(const AxisTurn& turn, const Motion& motion) {
   Known which = known(motion, turn.turn.to_deg);
   which.height = which.height && !turn.parked;
   if (motion.kind != MotionKind::arc || turn.parked) return look_along(turn.turn, which);
-  const ArcSweep sweep(motion, turn.turn.from_mm);
+  const Arc sweep = arc_of(motion, turn.turn.from_mm);
   const double chords = sweep.chords_within(kTravelLook_mm);
   Vec3 from_mm = turn.turn.from_mm;
   for (double i = 1; i <= chords; ++i) {

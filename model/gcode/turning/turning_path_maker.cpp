@@ -6,7 +6,7 @@
 
 #include "model/base/error.h"
 #include "model/base/tolerance.h"
-#include "model/gcode/arc_chords.h"
+#include "model/gcode/motion_arc.h"
 #include "model/gcode/turning/turn_bend.h"
 #include "model/text/number_text.h"
 
@@ -149,7 +149,7 @@ void TurningPathMaker::add_move(const Motion& motion, const Vec3& part_mm, const
 }
 
 void TurningPathMaker::add_arc(const Motion& arc) {
-  const ArcSweep sweep(arc, at_mm_);
+  const Arc sweep = arc_of(arc, at_mm_);
   const double chords = sweep.chords_within(options_.chord_error_mm);
   require_room(chords, arc.line);
   note_error(sweep.error_mm(chords));
@@ -219,7 +219,7 @@ void TurningPathMaker::swing(const AxisTurn& turn, const Motion& motion) {
 /// both are carried alike.
 void TurningPathMaker::turn_arc(const AxisTurn& turn, const Motion& arc) {
   const double half_mm = options_.chord_error_mm / 2;
-  const ArcSweep sweep(arc, turn.turn.from_mm);
+  const Arc sweep = arc_of(arc, turn.turn.from_mm);
   double chords = sweep.chords_within(half_mm);
   while (chords < options_.most_moves && sweep.even_error_mm(chords) > half_mm) ++chords;
   require_room(chords, arc.line);

@@ -6,7 +6,7 @@
 
 #include "model/base/angle.h"
 #include "model/base/tolerance.h"
-#include "model/gcode/arc_chords.h"
+#include "model/gcode/motion_arc.h"
 #include "tests/model/gcode/read_text.h"
 #include "tests/model/gcode/turning/turning_machines.h"
 #include "tests/support/catch.h"
@@ -156,11 +156,11 @@ class Shown {
       const auto before = std::ranges::find(program_.turns, i - 1, &AxisTurn::motion);
       const Vec3 from =
           before == program_.turns.end() ? program_.motions[i - 1].to : before->turn.to_mm;
-      const Vec3 named = arc ? ArcSweep(motion, from).point_at(t) : from + (motion.to - from) * t;
+      const Vec3 named = arc ? arc_of(motion, from).point_at(t) : from + (motion.to - from) * t;
       return axes_at(frame.in_workpiece(machine_, angles_deg).point(named), angles_deg);
     }
     TurningMotion at = turn->turn;
-    if (arc) at.from_mm = at.to_mm = ArcSweep(motion, turn->turn.from_mm).point_at(t);
+    if (arc) at.from_mm = at.to_mm = arc_of(motion, turn->turn.from_mm).point_at(t);
     return axes_at(at.tool_at(machine_, t).shift_mm, at.angles_at(t));
   }
   Vec3 axes_at(const Vec3& tip_mm, const RotaryAngles& angles_deg) const {

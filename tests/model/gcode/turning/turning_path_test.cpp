@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "model/gcode/arc_chords.h"
+#include "model/gcode/motion_arc.h"
 #include "tests/model/gcode/read_text.h"
 #include "tests/model/gcode/turning/turning_machines.h"
 #include "tests/model/gcode/turning/turning_poses.h"
@@ -20,7 +20,7 @@ Pose tool_in_part(const Program& program, const PathOptions& options, const Axis
   TurningMotion at = turn.turn;
   const Motion& motion = program.motions[turn.motion];
   if (motion.kind == MotionKind::arc)
-    at.from_mm = at.to_mm = ArcSweep(motion, turn.turn.from_mm).point_at(t);
+    at.from_mm = at.to_mm = arc_of(motion, turn.turn.from_mm).point_at(t);
   return pose_of(options.machine_in_part) * at.tool_at(*options.kinematics, t);
 }
 

@@ -1,22 +1,17 @@
 #pragma once
 
-#include <array>
-
-#include "model/gcode/program.h"
+#include "model/geometry/vec3.h"
 
 namespace limitgauge::model {
 
-/// An arc from its start in cylinder coordinates about its centre; the radius may drift a little
-/// along it, as the reader's tolerance allows.
-struct ArcSweep {
-  std::array<int, 3> axes{};
-  double centre1 = 0, centre2 = 0;
-  double angle = 0, swept = 0;  ///< radians, signed: positive is counter-clockwise
+/// An arc in cylinder coordinates about its centre, which may climb along its axis as a helix does;
+/// the radius may drift a little along it, as the reader of a program's arcs allows.
+struct Arc {
+  Vec3 centre;                  ///< at the height of its start
+  Vec3 axis1, axis2;            ///< unit vectors of its plane; angles count from the first
+  Vec3 rise_mm;                 ///< from the height of its start to that of its end
+  double angle = 0, swept = 0;  ///< radians, signed: positive goes from axis1 to axis2
   double radius_mm = 0, radius_growth_mm = 0;
-  double height_mm = 0, rise_mm = 0;
-
-  /// `arc` from `start`. One that ends within 1e-6 radians beyond its start is a full turn.
-  ArcSweep(const Motion& arc, const Vec3& start);
 
   Vec3 point_at(double fraction) const;
   /// Largest distance between the arc and `chords` equal chords. Exact for a circle and a helix

@@ -27,6 +27,14 @@ bool over_each_other(const Vec3& a, const Vec3& b, double slack_mm) {
   return level_distance(a, b) <= slack_mm;
 }
 
+/// Where the moves end whose flutes have been wherever a part above them gets to on move `i` before
+/// it does. Level or down, the flutes are never again as high as such a part is, so that all they
+/// sweep there they sweep first. On the way up they come to its places after it, and had not been
+/// as high before.
+std::size_t cut_before_shank(std::size_t i, const SweptMove& tip) {
+  return tip.delta.z > 0 ? i : i + 1;
+}
+
 }  // namespace
 
 StockCheck::StockCheck(const StockModel& before, const Pass& pass, const ToolBodies& bodies,
@@ -104,13 +112,12 @@ void StockCheck::look_above_flutes(std::size_t i, const SweptMove& tip,
 void StockCheck::look_over_flutes(std::size_t i, const SweptMove& tip,
                                   std::vector<Finding>& findings) const {
   for (const ToolBody& body : bodies_.over_flutes)
-    look_for(FindingKind::below_flutes, body, i, tip, i + 1, findings);
+    look_for(FindingKind::below_flutes, body, i, tip, cut_before_shank(i, tip), findings);
 }
 
 void StockCheck::look_at_wide_part(const ToolBody& body, std::size_t i, const SweptMove& tip,
                                    std::vector<Finding>& findings) const {
-  // What the move's own flutes sweep is gone before its shank gets there.
-  const std::size_t end = i + 1;
+  const std::size_t end = cut_before_shank(i, tip);
   const bool wider = body.profile.largest_radius() > bodies_.top_radius_mm + limits_.tolerance_mm;
   if (wider && limits_.near_miss_mm > 0) {
     const SweptMove own = body.of_tip(tip);

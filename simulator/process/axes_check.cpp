@@ -153,9 +153,15 @@ void AxesCheck::look_at_rapid(const Turning& m, std::vector<Finding>& findings) 
             static_cast<double>(arrives) / kTimesBeside, findings);
 }
 
-// What the move's own flutes sweep is gone before its shank gets there.
+// Where the tool goes up its own axis, as it stands at either end, a part above the flutes gets
+// to places before them; else what they sweep is gone before it does.
+bool AxesCheck::rises(std::size_t i) const {
+  const Vec3 way = path_.moves[i].to - move_from(path_, i);
+  return dot(way, axis_from(*pass_.axes, i)) > 0 || dot(way, pass_.axes->to[i]) > 0;
+}
+
 void AxesCheck::look_above_flutes(const Turning& m, std::vector<Finding>& findings) const {
-  const std::size_t end = m.move + 1;
+  const std::size_t end = rises(m.move) ? m.move : m.move + 1;
   for (const ToolBody& body : bodies_.over_flutes)
     look_for(FindingKind::below_flutes, m, body, 0, end, findings);
   for (const ToolBody& body : bodies_.above) {

@@ -50,6 +50,7 @@ class AxesCheck {
   void look_above_flutes(const Turning& m, std::vector<Finding>& findings) const;
   void look_at_fixtures(const Turning& m, std::vector<Finding>& findings) const;
   bool descends_too_steeply(std::size_t i) const;
+  bool rises(std::size_t i) const;
   Finding finding(FindingKind kind, const Turning& m, const model::Vec3& point, double depth_mm,
                   const ToolBody& body, std::size_t solid) const;
 

@@ -92,7 +92,9 @@ void CarriedCheck::look_at(const Suspect& suspect, const SweepIndex* cut_by,
   const TurningPose pose = along_move(from, move.to, from_tip);
   TurnSearch search{&things_[suspect.thing].solid, &solid, &pose};
   const bool is_stock = suspect.thing == 0;
-  if (is_stock) search.pass = cut_by, search.end = static_cast<std::uint32_t>(suspect.move + 1);
+  // On the way up the move's own flutes come to places above them after the body does.
+  const std::size_t cut = move.to.z > from.z ? suspect.move : suspect.move + 1;
+  if (is_stock) search.pass = cut_by, search.end = static_cast<std::uint32_t>(cut);
   TurnMeeting met = contact_during(search, tolerance_mm_, control);
   if (met.touch == Touch::none && near_miss_mm_ > 0)
     met = gap_during(search, near_miss_mm_, tolerance_mm_, control);

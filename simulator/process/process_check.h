@@ -19,7 +19,8 @@ namespace limitgauge::simulator {
 /// stock at the start of the straight line of rapids that a rapid is part of (rapid_through_stock,
 /// near_miss), or of the series of neighbouring moves with the spindle at rest (spindle_stopped),
 /// without a feed rate (feed_missing), or down too steeply (steep_descent). What is above the
-/// flutes is judged after the move's own flutes have cut.
+/// flutes is judged after the move's own flutes have cut, but on the way up, where they come to a
+/// place after it, before they have; depths there are those in what stood before the move.
 ///
 /// - rapid_through_stock: a rapid's flutes in material. A rapid straight up from where the move
 ///   before ended is none where the flutes end above all material.
@@ -32,7 +33,7 @@ namespace limitgauge::simulator {
 ///   1/√2 of it where the diameter changes), to a fraction of the tolerance; of a part wholly
 ///   inside the fixture, how deep its middle is in the part plus the least distance from the part
 ///   to the fixture's surface. Named is the part that is at the place.
-/// A carried body in the stock, after the move's own flutes have cut, is a holder_in_stock, and one
+/// A carried body in the stock, by the same rule, is a holder_in_stock, and one
 /// in a fixture a fixture_touched; its name stands for the part.
 ///
 /// - spindle_stopped: a move with the spindle at rest whose flutes meet material.

@@ -75,6 +75,37 @@ TEST_CASE("a shank in a wall is as deep in slices, and as holder parts, as in on
   }
 }
 
+TEST_CASE("a shank that rises into a wall before its flutes is found in one move as in many",
+          "[unit][assembly]") {
+  // D4 with flutes of 2 mm, from beside the block up and into its wall: its own flutes get there
+  // later. When u of the move is gone the shank's lower edge is 5u − 0.2 behind the wall and 5 − 7u
+  // below the block's top: as deep in the one as in the other at u = 5.2/12. That is the depth in
+  // the material as it was before; as it is by then the flutes have been below, and nothing is
+  // deeper than half of 5 − 7u, which at u = 2.7/8.5 is as deep as it is behind the wall.
+  constexpr double kBefore = 5 * 5.2 / 12 - 0.2, kThen = 5 * 2.7 / 8.5 - 0.2;
+  model::Cutter c = flat4(2);
+  for (const bool has_shank : {true, false}) {
+    c.shank.clear();
+    if (has_shank) c.shank = {{4, 40}};
+    const auto kind = has_shank ? FindingKind::shank_in_stock : FindingKind::below_flutes;
+    const auto one = PathBuilder({-17.2, 0, -7}).feed({-12.2, 0, 0}).pass(c);
+    for (const int pieces : {1, 2, 7, 100}) {
+      CAPTURE(has_shank, pieces);
+      const double depth = deepest(check(block(), split(one, pieces)), kind);
+      CHECK(depth <= kBefore + 1e-9);
+      CHECK(depth >= (pieces == 1 ? kBefore : kThen) - 2 * kTolerance);
+    }
+    // A tool that could turn goes the same way.
+    simulator::Pass held = one;
+    auto axes = std::make_shared<model::ToolAxes>();
+    axes->to = {{0, 0, 1}};
+    held.axes = axes;
+    const double depth = deepest(check(block(), held), kind);
+    CHECK(depth <= kBefore + 1e-9);
+    CHECK(depth >= kBefore - 2 * kTolerance);
+  }
+}
+
 TEST_CASE("the voxel decides nothing about contacts", "[unit][assembly]") {
   for (const double voxel : {0.05, 0.1, 0.25, 0.5}) {
     CAPTURE(voxel);

@@ -118,6 +118,24 @@ TEST_CASE("what the flutes have cut is in no spindle's way", "[unit][turn]") {
         1);  // the nose is 42.4 mm from corner to corner
 }
 
+TEST_CASE("a spindle that rises into the stock before its flutes is found in one move as in many",
+          "[unit][turn]") {
+  const Vec3 from{-150, 0, -90}, to{0, 0, 10};
+  const auto depth = [](const std::vector<Finding>& met) {
+    double most = 0;
+    for (const Finding& f : met) most = std::max(most, f.depth_mm);
+    return most;
+  };
+  std::vector<Vec3> many;
+  for (int k = 1; k <= 50; ++k) many.push_back(from + (to - from) * (k / 50.0));
+  const double once =
+      depth(spindle_findings(feeds(from, {to}, carried_cutter(42)), carrying(kNose)));
+  const double often =
+      depth(spindle_findings(feeds(from, many, carried_cutter(42)), carrying(kNose)));
+  CHECK(often > 1);
+  CHECK(once >= often - 2 * kTolerance_mm);
+}
+
 TEST_CASE("a spindle that touches a clamp is found, and which", "[unit][turn]") {
   ProcessLimits limits = carrying(kNose);
   limits.fixtures.push_back(box_body("left", {{-90, -10, 0}, {-70, 10, 30}}));

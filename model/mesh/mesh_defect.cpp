@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <vector>
 
 #include "model/base/tolerance.h"
+#include "model/mesh/mesh_shells.h"
 #include "model/text/number_text.h"
 
 namespace limitgauge::model {
@@ -113,89 +113,19 @@ std::optional<MeshDefect> closing_defect(const TriangleMesh& mesh) {
   return edge_defect(mesh, low_of_worst, worst, worst_end);
 }
 
-/// Triangles that hang together by their vertices.
-struct Shell {
-  std::size_t first_triangle = 0;
-  Box3 box;
-  double volume_mm3 = 0;
-};
-
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t of(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = of(a), b = of(b);
-    (a < b ? parent_[b] : parent_[a]) = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-std::vector<Shell> shells_of(const TriangleMesh& mesh) {
-  Groups groups(mesh.vertices.size());
-  for (const Triangle& t : mesh.triangles) groups.join(t[0], t[1]), groups.join(t[0], t[2]);
-  constexpr std::uint32_t kNone = UINT32_MAX;
-  std::vector<std::uint32_t> shell_of(mesh.vertices.size(), kNone);
-  std::vector<Shell> shells;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle& t = mesh.triangles[i];
-    std::uint32_t& shell = shell_of[groups.of(t[0])];
-    if (shell == kNone) {
-      shell = static_cast<std::uint32_t>(shells.size());
-      shells.push_back({i, {}, 0});
-    }
-    Shell& s = shells[shell];
-    for (const std::uint32_t v : t) s.box.add(mesh.vertices[v]);
-    const Vec3& o = mesh.vertices[mesh.triangles[s.first_triangle][0]];
-    s.volume_mm3 +=
-        dot(mesh.vertices[t[0]] - o, cross(mesh.vertices[t[1]] - o, mesh.vertices[t[2]] - o)) / 6;
-  }
-  return shells;
-}
-
-/// Bodies, largest first: what a cavity lies in is found at once in all but contrived meshes.
-std::vector<Shell> bodies_of(const std::vector<Shell>& shells) {
-  std::vector<Shell> bodies;
-  for (const Shell& s : shells)
-    if (s.volume_mm3 > 0) bodies.push_back(s);
-  std::ranges::stable_sort(bodies, std::ranges::greater{}, &Shell::volume_mm3);
-  return bodies;
-}
-
-bool lies_in_one(const Shell& cavity, const std::vector<Shell>& bodies) {
-  for (const Shell& body : bodies) {
-    if (body.volume_mm3 < -cavity.volume_mm3) return false;
-    if (body.box.contains(cavity.box.low) && body.box.contains(cavity.box.high)) return true;
-  }
-  return false;
-}
-
-bool encloses_nothing(const Shell& s) {
-  const double d = length(s.box.size());
-  return !(std::abs(s.volume_mm3) > kLeastVolumeShare * d * d * d);
-}
-
 std::optional<MeshDefect> volume_defect(const TriangleMesh& mesh) {
-  const std::vector<Shell> shells = shells_of(mesh);
-  for (const Shell& s : shells)
-    if (encloses_nothing(s))
+  const MeshShells all = shells_of(mesh);
+  for (const Shell& s : all.shells)
+    if (!s.encloses_volume())
       return MeshDefect{s.first_triangle, "the shell of this triangle encloses no volume",
                         "a mesh that bounds a solid"};
   constexpr const char* kTurn =
       "triangles that go around counter-clockwise seen from outside (turn them: flip the normals)";
-  const std::vector<Shell> bodies = bodies_of(shells);
-  if (bodies.empty()) return MeshDefect{{}, "the mesh is inside out", kTurn};
-  for (const Shell& s : shells)
-    if (s.volume_mm3 < 0 && !lies_in_one(s, bodies))
-      return MeshDefect{s.first_triangle,
-                        "the shell of this triangle is inside out and no cavity of another", kTurn};
+  if (std::ranges::none_of(all.shells, [](const Shell& s) { return s.volume_mm3 > 0; }))
+    return MeshDefect{{}, "the mesh is inside out", kTurn};
+  if (const auto shell = inside_out_shell(mesh, all))
+    return MeshDefect{all.shells[*shell].first_triangle,
+                      "the shell of this triangle is inside out and no cavity of another", kTurn};
   return std::nullopt;
 }
 

@@ -19,7 +19,7 @@ struct MeshDefect {
 /// of vertices that exist, are finite and within kFarthestCoordinate_mm; every edge is passed as
 /// often one way as the other (closed and oriented; more than two triangles may meet at an edge, as
 /// where two solids touch); each connected shell encloses a volume, and one that encloses a
-/// negative volume (a cavity) lies in the box of one that does not.
+/// negative volume (a cavity) lies in one that does not (mesh_shells.h).
 std::optional<MeshDefect> find_defect(const TriangleMesh& mesh);
 
 }  // namespace limitgauge::model

@@ -10,6 +10,7 @@
 
 #include "model/base/error.h"
 #include "model/base/text_file.h"
+#include "model/mesh/mesh_shells.h"
 #include "model/mesh/obj_lexer.h"
 #include "model/part/cage_tags.h"
 #include "model/text/message_text.h"
@@ -22,6 +23,34 @@ constexpr std::array<std::string_view, 10> kWithoutMeaning = {
     "vt", "vn", "vp", "g", "o", "s", "mg", "usemtl", "mtllib", "usemap"};
 constexpr std::array<std::string_view, 9> kStatements = {"v", "f", "t",      "vt",    "vn",
                                                          "g", "s", "usemtl", "mtllib"};
+
+/// The faces of a cage as triangles about their middles, without those that are holes.
+struct FannedCage {
+  TriangleMesh mesh;
+  std::vector<Index> face_of;  ///< of each triangle
+};
+
+FannedCage fanned(const Cage& cage) {
+  FannedCage out;
+  out.mesh.vertices = cage.vertices;
+  std::vector<bool> is_hole(static_cast<std::size_t>(cage.face_count()));
+  for (const Index f : cage.holes) is_hole[static_cast<std::size_t>(f)] = true;
+  for (Index f = 0; f < cage.face_count(); ++f) {
+    if (is_hole[static_cast<std::size_t>(f)]) continue;
+    const auto face = cage.face(f);
+    Vec3 sum;
+    for (const Index v : face) sum += cage.vertices[v];
+    const auto middle = static_cast<std::uint32_t>(out.mesh.vertices.size());
+    out.mesh.vertices.push_back(sum / static_cast<double>(face.size()));
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      out.mesh.triangles.push_back({static_cast<std::uint32_t>(face[k]),
+                                    static_cast<std::uint32_t>(face[(k + 1) % face.size()]),
+                                    middle});
+      out.face_of.push_back(f);
+    }
+  }
+  return out;
+}
 
 class ObjReader {
  public:
@@ -37,6 +66,7 @@ class ObjReader {
     check_manifold();
     if (!cage_.ends_in_line && ends_in_face_) check_last_face();
     tags_.apply(cage_);
+    check_bodies();
     return std::move(cage_);
   }
 
@@ -134,6 +164,17 @@ class ObjReader {
     if (defects.empty()) return;
     fail(face_places_[defects.front().face], describe(defects.front()),
          "a two-manifold cage whose faces all turn the same way");
+  }
+
+  /// What a body that is inside out needs cut is what others need to stand.
+  void check_bodies() {
+    const FannedCage fans = fanned(cage_);
+    const MeshShells all = shells_of(fans.mesh);
+    if (const auto shell = inside_out_shell(fans.mesh, all))
+      fail(face_places_[fans.face_of[all.shells[*shell].first_triangle]],
+           "this face is of a closed body that is inside out and no cavity of another: its normals "
+           "point into the material",
+           "corners that go round counter-clockwise seen from outside");
   }
 
   /// Some programs end no last line, so that its lack alone says little; with a face that looks cut

@@ -5,6 +5,7 @@
 #include "model/base/coordinate_limit.h"
 #include "model/base/tolerance.h"
 #include "model/mesh/mesh_reader.h"
+#include "model/mesh/mesh_shells.h"
 
 namespace limitgauge::model {
 namespace {
@@ -79,6 +80,22 @@ void require_unfolded(const TriangleSoup& soup, const MeshReading& read) {
                      "triangles that do not lie on each other");
 }
 
+/// What a body that is inside out needs cut is what others need to stand.
+void require_outside_out(const TriangleSoup& soup, const MeshReading& read) {
+  constexpr const char* kTurned =
+      "triangles whose corners go round counter-clockwise seen from outside";
+  const MeshShells all = shells_of(read.mesh);
+  const auto shell = inside_out_shell(read.mesh, all);
+  if (!shell) return;
+  if (all.shells.size() == 1)
+    throw InputError({soup.file}, "the mesh is inside out: its normals point into the material",
+                     kTurned);
+  fail_at_triangle(soup, read.numbers[all.shells[*shell].first_triangle],
+                   "its body is inside out and no cavity of another: its normals point into the "
+                   "material",
+                   kTurned);
+}
+
 }  // namespace
 
 Cage faceted_cage(const TriangleMesh& mesh) {
@@ -112,9 +129,7 @@ TargetMesh target_mesh(const TriangleSoup& soup) {
   Cage cage = faceted_cage(read.mesh);
   require_manifold(soup, read, cage);
   require_unfolded(soup, read);
-  if (!is_open(cage) && volume_mm3(read.mesh) < 0)
-    throw InputError({soup.file}, "the mesh is inside out: its normals point into the material",
-                     "triangles whose corners go round counter-clockwise seen from outside");
+  require_outside_out(soup, read);
   return {std::move(read.mesh), std::move(cage), std::move(read.numbers), read.dropped_triangles};
 }
 

@@ -28,6 +28,35 @@ TEST_CASE("meshes that bound a solid", "[unit][mesh]") {
   CHECK(wrong(two) == "nothing");
 }
 
+TEST_CASE("a cavity lies in a body, not only in its box", "[unit][mesh]") {
+  // An L: a block and a post on it that share a whole face's outline are one solid here, by
+  // overlapping. In the notch beside the post there is air.
+  TriangleMesh in_notch = block_between({0, 0, 0}, {10, 10, 2});
+  append_mesh(in_notch, block_between({0, 0, 0}, {2, 10, 10}));
+  TriangleMesh in_body = in_notch;
+  append_mesh(in_notch, inside_out(block_between({5, 5, 5}, {7, 7, 7})));
+  append_mesh(in_body, inside_out(block_between({5, 5, 0.5}, {7, 7, 1.5})));
+  CHECK(wrong(in_body) == "nothing");
+  // That box holds it, but no solid does: the ring of a frame about its opening.
+  TriangleMesh frame = hollow_block(10, 9);
+  CHECK(wrong(frame) == "nothing");
+  TriangleMesh in_hollow = frame;
+  append_mesh(in_hollow, block_between({-1, -1, -1}, {1, 1, 1}));
+  CHECK(wrong(in_hollow) == "nothing");
+  const TriangleMesh sphere = sphere_mesh({0, 0, 0}, 5, 12, 17);
+  TriangleMesh in_corner = sphere;
+  append_mesh(in_corner, inside_out(block_between({4, 4, 4}, {4.5, 4.5, 4.5})));
+  CHECK(wrong(in_corner) == "the shell of this triangle is inside out and no cavity of another");
+  CHECK(find_defect(in_corner)->triangle == sphere.triangles.size());
+  TriangleMesh through = sphere;
+  append_mesh(through, inside_out(block_between({-1, -1, 3}, {1, 1, 9})));
+  CHECK(wrong(through) == "the shell of this triangle is inside out and no cavity of another");
+  TriangleMesh well_inside = sphere;
+  append_mesh(well_inside, inside_out(sphere_mesh({1, 0, 0}, 3, 9, 8)));
+  CHECK(wrong(well_inside) == "nothing");
+  CHECK(wrong(in_notch) == "the shell of this triangle is inside out and no cavity of another");
+}
+
 TEST_CASE("cubes that share an edge, which four triangles then have", "[unit][mesh]") {
   // The second cube's low edge along Z is the first one's high edge.
   TriangleMesh two = kCube;

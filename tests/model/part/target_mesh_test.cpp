@@ -84,6 +84,25 @@ TEST_CASE("a mesh that cannot be a design is refused with its triangle and place
   CHECK(has(refused(TriangleMesh{}), "no triangle"));
 }
 
+TEST_CASE("of several bodies each has its inside within", "[unit]") {
+  const TriangleMesh block = tests::block_between({0, 0, 0}, {4, 4, 4});
+  const auto with = [&](const TriangleMesh& other) {
+    TriangleMesh both = block;
+    tests::append_mesh(both, other);
+    return both;
+  };
+  const TriangleMesh apart = tests::block_between({6, 0, 0}, {8, 2, 2});
+  const TriangleMesh within = tests::block_between({1, 1, 1}, {2, 2, 2});
+  CHECK(target_mesh(soup_of(with(apart))).mesh.triangles.size() == 24);
+  CHECK(has(refused(with(tests::inside_out(apart))), "triangle 13: its body is inside out"));
+  CHECK(target_mesh(soup_of(with(tests::inside_out(within)))).mesh.triangles.size() == 24);
+  // A sheet has no inside, whatever else is there; what is beside it has one.
+  TriangleMesh sheet = two_triangles();
+  CHECK(target_mesh(soup_of(tests::inside_out(sheet))).mesh.triangles.size() == 2);
+  tests::append_mesh(sheet, tests::inside_out(apart));
+  CHECK(has(refused(sheet), "triangle 3: its body is inside out"));
+}
+
 TEST_CASE("two triangles back to back are refused", "[unit]") {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

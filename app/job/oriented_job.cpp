@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
+#include <string>
 
 #include "app/job/foreign_programs.h"
 #include "app/job/program_parts.h"
@@ -67,7 +69,8 @@ class Orienter {
   void take_apart(std::size_t setup);
   std::vector<Stretch> pieces_of(const StagePrograms& read, std::size_t index) const;
   void put_pieces(const StagePrograms& read);
-  void require_turned_back() const;
+  void take_up_axes();
+  [[noreturn]] static void refuse_left(const JobStage& before, const JobStage& stage, char axis);
   void refuse_tolerances(const JobStage& stage) const;
   void add_pieces(const JobStage& stage, const std::vector<Stretch>& stretches,
                   std::vector<JobStage>& stages);
@@ -96,12 +99,45 @@ bool is_steady(const std::vector<Stretch>& ranges) {
          ranges.front().range.angles_deg == RotaryAngles{};
 }
 
-/// Whether it begins by turning its axes.
-bool turns_at_first(const std::vector<Stretch>& ranges) {
-  if (ranges.empty()) return false;
-  const model::SteadyRange& first = ranges.front().range;
-  return is_turning(ranges) ? ranges.front().turning.front().motion == first.first
-                            : !first.turns.empty();
+/// The turns that a stage begins with, before anything else moves.
+std::span<model::AxisTurn> first_turns(std::vector<Stretch>& ranges) {
+  if (ranges.empty()) return {};
+  Stretch& first = ranges.front();
+  if (!is_turning(ranges)) return first.range.turns;
+  std::size_t count = 0;
+  while (count < first.turning.size() && first.turning[count].motion == first.range.first + count)
+    ++count;
+  return std::span(first.turning).first(count);
+}
+
+bool is_turned(double angle_deg) {
+  return std::remainder(angle_deg, 360) != 0;
+}
+
+/// The first axis that stands turned at `left_deg` and that no word of the turns says where to
+/// turn; nothing where all are said. One that is said to turn to 0 is thought to be there already,
+/// and with the tip under control nobody knows where it is.
+std::optional<char> unnamed_axis(const RotaryAngles& left_deg,
+                                 std::span<const model::AxisTurn> turns) {
+  for (std::size_t axis = 0; axis < left_deg.size(); ++axis)
+    if (is_turned(left_deg[axis]) && std::ranges::none_of(turns, [&](const model::AxisTurn& turn) {
+          return turn.named[axis] && turn.turn.frame.control == model::TipControl::joints;
+        }))
+      return static_cast<char>('A' + axis);
+  return std::nullopt;
+}
+
+/// Turns of a program that is read as if all axes stood at 0 go from where they were left: each
+/// until a word says where to.
+void begin_at(const RotaryAngles& left_deg, std::span<model::AxisTurn> turns) {
+  std::array<bool, 3> named{};
+  for (model::AxisTurn& turn : turns)
+    for (std::size_t axis = 0; axis < left_deg.size(); ++axis) {
+      if (named[axis]) continue;
+      turn.turn.from_deg[axis] = left_deg[axis];
+      named[axis] = turn.named[axis];
+      if (!named[axis]) turn.turn.to_deg[axis] = left_deg[axis];
+    }
 }
 
 /// Where one stage of a program turns an axis, the others take stretches of it too: which motions
@@ -122,26 +158,31 @@ void Orienter::put_pieces(const StagePrograms& read) {
 }
 
 /// A program that is begun after another one finds the axes where that left them, and is read as if
-/// they stood at 0.
-void Orienter::require_turned_back() const {
-  const JobStage* before = nullptr;  // left an axis turned
+/// they stood at 0: those that were left turned it has to name before it moves.
+void Orienter::take_up_axes() {
+  const JobStage* before = nullptr;
+  RotaryAngles left_deg{};
   for (std::size_t i = 0; i < job_.stages.size(); ++i) {
     const JobStage& stage = job_.stages[i];
-    const std::vector<Stretch>& pieces = pieces_[i];
-    const bool goes_on = before && !stage.part.whole() && same_program(*before, stage);
-    if (before && !goes_on && !turns_at_first(pieces))
-      throw model::InputError(
-          {before->program.string(), 0, 0},
-          "the program of stage \"" + before->name +
-              "\" ends with a rotary axis turned, and stage \"" + stage.name +
-              "\" begins as if all stood at 0",
-          "a program that turns its axes back before it ends, or a next one that turns them before "
-          "it moves");
-    const auto is_turned = [](double angle_deg) { return std::remainder(angle_deg, 360) != 0; };
-    before = nullptr;
-    if (!pieces.empty() && std::ranges::any_of(pieces.back().range.angles_deg, is_turned))
-      before = &stage;
+    std::vector<Stretch>& pieces = pieces_[i];
+    if (before && (stage.part.whole() || !same_program(*before, stage))) {
+      const std::span<model::AxisTurn> turns = first_turns(pieces);
+      if (const auto axis = unnamed_axis(left_deg, turns)) refuse_left(*before, stage, *axis);
+      begin_at(left_deg, turns);
+    }
+    before = &stage;
+    left_deg = pieces.empty() ? RotaryAngles{} : pieces.back().range.angles_deg;
   }
+}
+
+void Orienter::refuse_left(const JobStage& before, const JobStage& stage, char axis) {
+  throw model::InputError(
+      {before.program.string(), 0, 0},
+      std::string("the program of stage \"") + before.name + "\" ends with " + axis +
+          " turned, and stage \"" + stage.name + "\" begins as if it stood at 0",
+      std::string("a program that turns its axes back before it ends, or a next one that names an "
+                  "angle of ") +
+          axis + ", other than 0 and with G90, before it moves");
 }
 
 void Orienter::refuse_tolerances(const JobStage& stage) const {
@@ -237,7 +278,7 @@ Job Orienter::oriented() {
   for (std::size_t k = 0, stated = job_.setups.size(); k < stated; ++k) take_apart(k);
   const auto whole = [](const auto& ranges) { return ranges.empty(); };
   if (std::all_of(pieces_.begin(), pieces_.end(), whole)) return std::move(job_);
-  require_turned_back();
+  take_up_axes();
   const auto stays_in_setup = [&](const auto& ranges) {
     return whole(ranges) || is_turning(ranges);
   };

@@ -204,8 +204,12 @@ bool passes_by(const Job& job, const RunInputs& inputs, const JobStage& asked,
   const Settings& settings = inputs.settings;
   const simulator::StockModel block(job.stock, settings.voxel_mm, settings.stock_limit_bytes,
                                     watch.control(asked.name + ": checking the process"));
-  auto found = process_findings(job, inputs, asked, block,
-                                {asked.cutter, ran.path, {}, false, ran.axes}, watch);
+  const simulator::Pass pass{asked.cutter, ran.path, {}, false, ran.axes};
+  constexpr double kClear_mm = 0.01;
+  if (!keeps_clear(block, pass, std::max(kClear_mm, near_miss_mm(job)),
+                   watch.control(asked.name + ": checking the process")))
+    return false;
+  auto found = process_findings(job, inputs, asked, block, pass, watch);
   if (std::any_of(found.begin(), found.end(), may_be_of_stock)) return false;
   ran.process = std::move(found);
   ran.removal.moves.resize(ran.path->moves.size());

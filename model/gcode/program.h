@@ -86,6 +86,8 @@ struct AxisTurn {
   bool parked = false;  ///< Z stands above everything
   TurningMotion turn;   ///< of an arc, from its start straight to its end
   double minutes = 0;   ///< that it takes, of a feed; 0: nothing says
+  /// A, B and C: by a word that says where to, wherever the axis stood before.
+  std::array<bool, 3> named{};
 };
 
 /// A comment that stands before motion `motion`: a name for what follows, perhaps.

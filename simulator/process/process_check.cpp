@@ -11,7 +11,9 @@
 #include "simulator/instrument/stock_check.h"
 #include "simulator/process/axes_check.h"
 #include "simulator/process/carried_check.h"
+#include "simulator/process/clearance_map.h"
 #include "simulator/process/fixture_check.h"
+#include "simulator/process/gap_search.h"
 #include "simulator/process/tool_bodies.h"
 #include "simulator/stock/material.h"
 #include "simulator/sweep/sweep_index.h"
@@ -161,6 +163,25 @@ std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
   };
   return with_carried(each_move(path, limits, look, control),
                       CarriedCheck(before, pass, limits).findings(control));
+}
+
+bool keeps_clear(const StockModel& stock, const Pass& pass, double clearance_mm,
+                 const model::RunControl& control) {
+  if (pass.axes) return false;
+  const Toolpath& path = *pass.path;
+  const CutterProfile flutes(pass.cutter);
+  const ClearanceMap map(stock.grid().column_tops());
+  const MaterialAtMove material{&stock.material()};
+  std::atomic<bool> clear{true};
+  model::parallel_chunks(
+      path.moves.size(), kChunk, control, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && clear; ++i) {
+          const SweptMove move(move_from(path, i), path.moves[i].to, static_cast<std::uint32_t>(i));
+          if (map.clears(flutes, move, clearance_mm)) continue;
+          if (least_gap(material, flutes, move, 2 * clearance_mm, clearance_mm, {})) clear = false;
+        }
+      });
+  return clear;
 }
 
 }  // namespace limitgauge::simulator

@@ -68,4 +68,11 @@ namespace limitgauge::simulator {
 std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
                                    const ProcessLimits& limits, const model::RunControl& control);
 
+/// Whether the flutes of an upright pass are nowhere within `clearance_mm` of `stock`, uncut as it
+/// is: no place of it is taken, not even what counts as no contact. False says nothing where they
+/// are no more than twice as far away, and of a pass that turns its tool as it goes. Throws
+/// Interrupted.
+bool keeps_clear(const StockModel& stock, const Pass& pass, double clearance_mm,
+                 const model::RunControl& control);
+
 }  // namespace limitgauge::simulator

@@ -72,6 +72,7 @@ class Interpreter {
   void check_turn(const Statement& statement, std::optional<int> motion) const;
   void note_frame();
   bool keeps_height(double z_mm) const;
+  void note_named(const Statement& statement);
   void list_turn(const Statement& statement, const Motion& motion, const TurningMotion& turn);
   void turn(const Statement& statement, int code);
   double minutes_of(const Statement& statement, const Motion& motion, double way_mm,

@@ -109,6 +109,14 @@ double Interpreter::minutes_of(const Statement& statement, const Motion& motion,
   return std::sqrt(squares) * state_.modal.unit_mm / feed_mm_min;
 }
 
+/// What the last turn's words say wherever the axes stood before it.
+void Interpreter::note_named(const Statement& statement) {
+  if (state_.modal.incremental || state_.orientation.by_vector) return;
+  for (const char letter : {'A', 'B', 'C'})
+    if (statement.word(letter))
+      program_.turns.back().named[static_cast<std::size_t>(letter - 'A')] = true;
+}
+
 /// G0 to G3 with a rotary word that turns: what X, Y and Z name goes evenly with the angles.
 void Interpreter::turn(const Statement& statement, int code) {
   if (state_.orientation.plane)
@@ -127,6 +135,7 @@ void Interpreter::turn(const Statement& statement, int code) {
   list_turn(statement, program_.motions.back(), turn);
   program_.turns.back().minutes =
       minutes_of(statement, motion, motion_length_mm(motion, from_mm), turn);
+  note_named(statement);
 }
 
 /// The rotary axes alone, while X, Y and Z stand still on the machine whatever the control counts.

@@ -135,12 +135,47 @@ TEST_CASE("a program that ends with an axis turned is followed by none that says
     return folder.error(shared_stage("one", one, "") + shared_stage("two", two, ""));
   };
   CHECK_THAT(after("left.nc", "plain.nc"),
-             Catch::Contains("left.nc: error: the program of stage \"one\" ends with a rotary axis "
-                             "turned, and stage \"two\" begins as if all stood at 0"));
-  CHECK_THAT(after("left.nc", "left.nc"), Catch::Contains("begins as if all stood at 0"));
+             Catch::Contains("left.nc: error: the program of stage \"one\" ends with C turned, and "
+                             "stage \"two\" begins as if it stood at 0"));
+  CHECK_THAT(after("left.nc", "left.nc"), Catch::Contains("begins as if it stood at 0"));
   CHECK(after("left.nc", "first.nc").empty());
+  const auto begun = [&](const std::string& name, const std::string& turn) {
+    folder.write(name, "G21 G90 G94\nT1 M6\nS8000 M3\n" + turn + "G43 H1\nG0 Z20.\n" + kSharedCut +
+                           kSharedEnd);
+    return after("left.nc", name);
+  };
+  CHECK(begun("other.nc", "G0 C90.\n").empty());
+  CHECK_THAT(begun("by.nc", "G91 G0 C90.\nG90\n"), Catch::Contains("begins as if it stood at 0"));
+  CHECK_THAT(begun("home.nc", "G0 C0.\n"), Catch::Contains("begins as if it stood at 0"));
+  CHECK_THAT(begun("late.nc", "G0 X1.\nG0 C90.\n"), Catch::Contains("begins as if it stood at 0"));
+  // What turns is checked on its way from where it was left.
+  const Job job =
+      folder.job(shared_stage("one", "left.nc", "") + shared_stage("two", "other.nc", ""));
+  const auto& turns = job.stages.back().piece->range.turns;
+  REQUIRE(turns.size() == 1);
+  CHECK(turns[0].turn.from_deg == model::RotaryAngles{0, 0, 180});
+  CHECK(turns[0].turn.to_deg == model::RotaryAngles{0, 0, 90});
   CHECK(after("whole.nc", "plain.nc").empty());
   CHECK(after("plain.nc", "left.nc").empty());
+}
+
+TEST_CASE("each axis that was left turned is named by the program that comes next", "[unit][job]") {
+  const SharedFolder folder;
+  folder.write("left.nc", kSharedBegin + "G0 A30.\n" + kSharedCut + kSharedEnd);
+  const std::string second =
+      "[[machine.axis]]\nword = \"A\"\ndirection = [1, 0, 0]\npoint = [0, 0, -50]\nlimits = [-120, "
+      "120]\n";
+  const auto begun = [&](const std::string& turn) {
+    folder.write("next.nc", "G21 G90 G94\nT1 M6\nS8000 M3\n" + turn + "G43 H1\nG0 Z20.\n" +
+                                kSharedCut + kSharedEnd);
+    return folder.error(second + shared_stage("one", "left.nc", "") +
+                        shared_stage("two", "next.nc", ""));
+  };
+  // The other axis says nothing of it.
+  CHECK_THAT(begun("G0 C90.\n"), Catch::Contains("ends with A turned"));
+  CHECK_THAT(begun("G0 C90.\nG91 G0 A10.\nG90\n"), Catch::Contains("ends with A turned"));
+  CHECK(begun("G0 C90.\nG0 A10.\n").empty());
+  CHECK(begun("G0 A10. C90.\n").empty());
 }
 
 TEST_CASE("a program that never cuts answers for every way in which its tool stood",

@@ -15,7 +15,8 @@ inline verifier::StageCheck stage_check(const Job& job, const RunInputs& inputs,
   check.resolution_mm = inputs.settings.resolution_mm[index];
   check.tolerances = job.tolerances;
   check.finds_margin = job.finds_margin;
-  check.finer_passes = finer_stages(job, index);
+  for (const std::size_t i : finer_stages(job, index))
+    check.finer_passes.push_back({i, job.stages[i].allowance_mm, job.stages[i].limits.gouge_mm});
   return check;
 }
 

@@ -5,6 +5,7 @@
 #include "model/base/memory.h"
 #include "verifier/certificate/unavoidable.h"
 #include "verifier/gate/findings.h"
+#include "verifier/gate/finer_passes.h"
 #include "verifier/gate/stage_pieces.h"
 #include "verifier/gate/stage_scene.h"
 #include "verifier/gate/stock_rays.h"
@@ -245,9 +246,11 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
     return workers ? certificate_of_bytes(round.all(kind).front())
                    : certificate_of(scene, kind, &reach, control);
   };
-  const Certificates certificates{certificate(first, StagePiece::Kind::gouge),
-                                  certificate(second, StagePiece::Kind::uncut),
-                                  certificate(first, StagePiece::Kind::missing_stock)};
+  Certificates certificates{certificate(first, StagePiece::Kind::gouge),
+                            certificate(second, StagePiece::Kind::uncut),
+                            certificate(first, StagePiece::Kind::missing_stock)};
+  const std::vector<Finding> below =
+      gouge_below_finer(scene, passes, raw_stock, check, certificates.gouge, control);
   out.resolution_mm = check.resolution_mm;
   out.gouge_mm = certificates.gouge.figure_mm;
   out.uncut_mm = certificates.uncut.figure_mm;
@@ -280,6 +283,8 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   out.phases.rays_s = laps.lap();
 
   find_places(out, measured, scene.raw, certificates, control);
+  out.gouges.insert(out.gouges.end(), below.begin(), below.end());
+  keep_deepest(out.gouges);
   out.phases.findings_s = laps.lap();
   if (check.tolerances) {
     const RobustScene robust{scene.cells, scene.raw,     passes,          reach,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/base/angle.h"
+#include "verifier/gate/finer_passes.h"
 #include "verifier/surface/surface_tree.h"
 #include "verifier/tolerance.h"
 
@@ -105,19 +106,6 @@ std::vector<StandingCutter> distinct_cutters(std::span<const Pass> passes) {
       cutter.to_own = upright_from(way) * to_pass;
       add();
     }
-  }
-  return out;
-}
-
-/// Passes as they gouge: of those that are left out no move, so that all keep their places.
-std::vector<Pass> gouging(std::span<const Pass> passes, std::span<const std::size_t> left_out) {
-  std::vector<Pass> out(passes.begin(), passes.end());
-  for (const std::size_t k : left_out) {
-    model::Toolpath none;
-    none.start = out[k].path->start;
-    none.start.z = std::numeric_limits<double>::max();
-    out[k].axes.reset();
-    out[k].path = std::make_shared<const model::Toolpath>(std::move(none));
   }
   return out;
 }

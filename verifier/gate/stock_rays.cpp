@@ -143,8 +143,8 @@ double inwards_mm(const RayScene& scene, const CheckedRun& run, const Vec3& poin
 bool ends_at_finer(const RayScene& scene, const CheckedRun& run) {
   if (scene.finer_passes.empty()) return false;
   const auto body = scene.removed.nearest(run.from + run.along * run.length_mm).body;
-  return std::find(scene.finer_passes.begin(), scene.finer_passes.end(), body.pass) !=
-         scene.finer_passes.end();
+  return std::ranges::any_of(scene.finer_passes,
+                             [&](const FinerPass& finer) { return finer.pass == body.pass; });
 }
 
 /// The figure of all rays, with the place of the longest run.

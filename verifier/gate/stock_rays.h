@@ -34,7 +34,7 @@ struct RayScene {
   const StockProbe& probe;
   double limit_mm = 0;  ///< no run is followed further
   /// Passes whose cuts are held against the certificate and are no gouge (StageCheck).
-  std::span<const std::size_t> finer_passes = {};
+  std::span<const FinerPass> finer_passes = {};
 };
 
 /// From s + a·n: outwards where there is material, else inwards. Ends where S is crossed again.

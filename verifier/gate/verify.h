@@ -44,6 +44,13 @@ class StockProbe {
   }
 };
 
+/// A pass of another setup that had less to leave than the stage that is measured, and was judged
+/// by that.
+struct FinerPass {
+  std::size_t pass = 0;
+  double allowance_mm = 0, gouge_limit_mm = 0;
+};
+
 /// What a stage is measured for.
 struct StageCheck {
   double allowance_mm = 0;
@@ -54,9 +61,8 @@ struct StageCheck {
   /// What is not known of tools and zero; none: they are taken as stated.
   std::optional<model::Tolerances> tolerances;
   bool finds_margin = true;  ///< how far the tolerances could grow, beside what they lead to
-  /// Passes of other setups, by their index, that had less to leave than this stage and were judged
-  /// by that: what they took is gone, but no gouge of this stage.
-  std::vector<std::size_t> finer_passes = {};
+  /// What they took is gone, but no gouge of this stage.
+  std::vector<FinerPass> finer_passes = {};
 };
 
 /// Resolution "auto": a tenth of the tightest gate limit, 1 µm where nothing is limited.

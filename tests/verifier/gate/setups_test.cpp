@@ -215,13 +215,47 @@ TEST_CASE("a stage that leaves more does not answer for a finer one of another s
   check.limits.has_gouge = true, check.limits.gouge_mm = 0.05;
   const model::Stock there = turned(block, over);
   CHECK(measure_stage(seen, there, passes, nullptr, check, {2}).gouge_mm.low > 0.19);
-  check.finer_passes = {0};
+  check.finer_passes = {{0, 0, 0.05}};
   const StageDeviation own = measure_stage(seen, there, passes, nullptr, check, {2});
   CHECK(own.gouge_mm.high <= check.resolution_mm);
   CHECK(own.gouges.empty());
   // What the stage itself takes too much of is its own: through the plane by 0.3 mm.
   passes[1].path = level(-0.3);
   CHECK(measure_stage(seen, there, passes, nullptr, check, {2}).gouge_mm.low > 0.19);
+}
+
+TEST_CASE("a cut below what a finer stage of another setup left is the stage's gouge", "[unit]") {
+  // Finished to z = 0; then a flute that ends 0.2 mm over the plane cuts 0.3 mm under it, in a
+  // stage that was to leave 1 mm. Without the finer pass its own cut would begin under standing
+  // material.
+  const ReferenceSurface plane(plane_cage(8, 0, 0));
+  const model::Stock block = model::BoxStock{{-12, -12, -20}, {24, 24, 40}};
+  const auto level = [](double z) { return shared(rows([=](double, double) { return z; })); };
+  const model::Cutter low = model::parse_cutter("flat:D=4,L=0.5");
+  StageCheck check = check_of(1);
+  check.limits.has_gouge = true, check.limits.gouge_mm = 0.05;
+  check.finer_passes = {{0, 0, 0.02}};
+  const auto gouge = [&](double finished, double cut) {
+    // From beside the block, so that nothing is cut from above.
+    model::Toolpath beside = rows([=](double, double) { return cut; });
+    beside.start = {-20, -8, cut};
+    const std::vector<Pass> passes = {{kBall, level(finished)}, {low, shared(beside)}};
+    return measure_stage(plane, block, passes, nullptr, check, {2});
+  };
+  const StageDeviation deep = gouge(0, -0.3);
+  CHECK(deep.gouge_mm.low == Approx(1.3).margin(check.resolution_mm));
+  CHECK(deep.gouge_mm.high >= 1.3);
+  REQUIRE(!deep.gouges.empty());
+  CHECK(deep.gouges.front().stage == 1);
+  CHECK(deep.gouges.front().depth_mm == Approx(deep.gouge_mm.low).margin(1e-6));
+  // What the finer pass may do itself is none of it.
+  CHECK(gouge(-0.015, -0.01).gouge_mm.high <= check.resolution_mm);
+  CHECK(gouge(-0.015, 5).gouge_mm.high <= check.resolution_mm);
+  // Of two finer ones each leaves its own.
+  check.finer_passes = {{0, 0.5, 0.02}, {1, 0, 0.02}};
+  const std::vector<Pass> three = {{kBall, level(0.5)}, {kBall, level(0)}, {low, level(5)}};
+  CHECK(measure_stage(plane, block, three, nullptr, check, {2}).gouge_mm.high <=
+        check.resolution_mm);
 }
 
 TEST_CASE("cutters that stood otherwise give the same figures for any number of threads",

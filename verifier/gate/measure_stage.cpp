@@ -250,7 +250,8 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
                             certificate(second, StagePiece::Kind::uncut),
                             certificate(first, StagePiece::Kind::missing_stock)};
   const std::vector<Finding> below =
-      gouge_below_finer(scene, passes, raw_stock, check, certificates.gouge, control);
+      gouge_below_finer({scene.cells, passes, scene.parts, raw_stock, scene.request},
+                        check.finer_passes, certificates.gouge, control);
   out.resolution_mm = check.resolution_mm;
   out.gouge_mm = certificates.gouge.figure_mm;
   out.uncut_mm = certificates.uncut.figure_mm;

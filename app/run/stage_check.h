@@ -9,8 +9,8 @@
 
 namespace limitgauge::app {
 
-/// How far samples of the deviation lie apart: a map, whose figures the certificate does not rest on.
-/// On a surface of more than 1250 cm² as far as two million samples cover it: 500 MB, by what a
+/// How far samples of the deviation lie apart: a map, whose figures the certificate does not rest
+/// on. On a surface of more than 1250 cm² as far as two million samples cover it: 500 MB, by what a
 /// sample takes with all that is made of it.
 inline double field_spacing_mm(double area_mm2) {
   constexpr double kFinest_mm = 0.25, kMostSamples = 2e6;

@@ -19,6 +19,10 @@ using model::Vec3;
 
 constexpr std::size_t kTurningLinesAtOnce = 16;
 constexpr int kMostTens = 6;
+/// Between two poses a depth is off a straight line by no more than this, where it is smooth.
+constexpr double kBend_mm = 1e-4;
+/// Poses of a move at most: of a quarter of a turn about a place 250 mm away.
+constexpr int kMostPoses = 1024;
 
 /// One move, its axis between its ends by sines (the great circle's own formula).
 struct PosedMove {
@@ -71,13 +75,21 @@ bool section(const DepthAt& depth, double a, double b) {
   return at_s >= 0 || at_t >= 0;
 }
 
+/// Poses between which no place of the tool leaves the straight line by more than kBend_mm.
+int poses_of(double angle_rad, double way_mm, double reach_mm) {
+  const double bend_mm = angle_rad * (angle_rad * reach_mm + 2 * way_mm);
+  const double poses = std::ceil(std::sqrt(bend_mm / (8 * kBend_mm)));
+  return static_cast<int>(std::clamp<double>(poses, kPosesOfMove, kMostPoses));
+}
+
 /// What a move's flutes keep within at all times: so far from their axis half-way.
 struct PosedReach {
   PosedReach(const PosedMove& m, const DexelProfile& profile)
       : tip((m.from + m.to) * 0.5),
         axis(m.axis(0.5)),
         length_mm(profile.length()),
-        about_mm(profile.largest_radius() + distance(m.from, m.to) / 2 + length_mm * m.angle / 2) {}
+        about_mm(profile.largest_radius() + distance(m.from, m.to) / 2 + length_mm * m.angle / 2),
+        poses(poses_of(m.angle, distance(m.from, m.to), profile.largest_radius() + length_mm)) {}
   bool holds(const Vec3& p) const {
     const Vec3 q = p - tip;
     const double up = std::clamp(dot(q, axis), 0.0, length_mm);
@@ -86,6 +98,7 @@ struct PosedReach {
 
   Vec3 tip, axis;
   double length_mm, about_mm;
+  int poses;  ///< that the move is looked at in
 };
 
 class PosedCutter {
@@ -99,12 +112,12 @@ class PosedCutter {
   bool comes_to(const Vec3& place) const {
     const Vec3 p = pose_.point_back(place);
     for (std::size_t i = 0; i < moves_.size(); ++i)
-      if (reaches_[i].holds(p) && holds(moves_[i], p)) return true;
+      if (reaches_[i].holds(p) && holds(moves_[i], p, reaches_[i].poses)) return true;
     return false;
   }
 
  private:
-  bool holds(const PosedMove& m, const Vec3& p) const;
+  bool holds(const PosedMove& m, const Vec3& p, int last) const;
 
   DexelProfile profile_;
   model::Pose pose_;
@@ -112,24 +125,22 @@ class PosedCutter {
   std::vector<PosedReach> reaches_;  // of each
 };
 
-bool PosedCutter::holds(const PosedMove& m, const Vec3& p) const {
+bool PosedCutter::holds(const PosedMove& m, const Vec3& p, int last) const {
   const auto at = [&](double t) { return within(profile_, m, p, t); };
-  constexpr int kLast = kPosesOfMove;
-  std::array<double, kLast + 1> depth;
-  for (int k = 0; k <= kLast; ++k)
-    if ((depth[k] = at(static_cast<double>(k) / kLast)) >= 0) return true;
-  for (int k = 0; k <= kLast; ++k) {
+  std::array<double, kMostPoses + 1> depth;
+  for (int k = 0; k <= last; ++k)
+    if ((depth[k] = at(static_cast<double>(k) / last)) >= 0) return true;
+  for (int k = 0; k <= last; ++k) {
     const auto fall = [&](int from, int to) {
-      return from >= 0 && from <= kLast && to >= 0 && to <= kLast ? depth[from] - depth[to] : 0.0;
+      return from >= 0 && from <= last && to >= 0 && to <= last ? depth[from] - depth[to] : 0.0;
     };
     if (fall(k, k - 1) < 0 || fall(k, k + 1) < 0) continue;
     // All but concave: between two poses it gains no more than it falls by over the step before or
     // behind them, with room for a bend.
-    constexpr double kBend_mm = 1e-4;
     const double steepest =
         std::max({fall(k, k - 1), fall(k, k + 1), fall(k - 1, k - 2), fall(k + 1, k + 2)});
     if (depth[k] + 2 * steepest + kBend_mm < 0) continue;
-    if (section(at, std::max(0.0, k - 1.0) / kLast, std::min(1.0 * kLast, k + 1.0) / kLast))
+    if (section(at, std::max(0.0, k - 1.0) / last, std::min(1.0 * last, k + 1.0) / last))
       return true;
   }
   return false;

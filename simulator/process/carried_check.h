@@ -15,8 +15,8 @@ namespace limitgauge::simulator {
 ///
 /// Most bodies are far from everything: of many moves at once it is shown that the body, its tip in
 /// the middle of all of theirs, keeps farther away than they reach from there. What is left is
-/// looked through move by move, against the stock after the move's own flutes have cut, or before where
-/// the move goes up.
+/// looked through move by move, against the stock after the move's own flutes have cut, or before
+/// where the move goes up.
 class CarriedCheck {
  public:
   /// Throws std::invalid_argument for a mesh that bounds no solid.

@@ -53,8 +53,7 @@ class Clusters {
 
 void name_move(Finding& f, BodyRef body, std::span<const Pass> passes,
                std::span<const AssemblySweep> parts, const RemovedSpace& space) {
-  const std::size_t swept = passes.size() + parts.size();
-  f.raw_stock = body.pass >= swept;
+  f.raw_stock = space.is_stock(body);
   f.stage = f.move = f.line = 0;
   f.body = "cutter";
   if (f.raw_stock) return;

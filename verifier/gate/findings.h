@@ -12,7 +12,7 @@ inline constexpr std::size_t kMostFindings = 200;
 inline constexpr double kTogether_mm = 0.4;
 
 /// Gathers spots, and the certificate's witness, into findings, deepest first. `parts` are the
-/// sweeps that `space`, whose bodies the spots name, holds after the passes.
+/// sweeps that `space`, whose bodies the spots name, may hold after the passes.
 std::vector<Finding> gather_findings(const Exceedance& found, const std::optional<Witness>& witness,
                                      std::span<const Pass> passes,
                                      std::span<const AssemblySweep> parts,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/run/stage_check.h"
 #include "tests/app/job_text.h"
 #include "tests/support/catch.h"
 
@@ -22,6 +23,13 @@ TEST_CASE("voxel auto follows the tightest gate within its bounds", "[unit][sett
   // 300 × 300 × 80 mm have 276,000 mm² of surface: five million voxels of 0.235 mm.
   job.stock = model::BoxStock{{0, 0, 0}, {300, 300, 80}};
   CHECK(automatic_voxel_mm(job) == Approx(0.24));
+}
+
+TEST_CASE("samples of the deviation lie further apart on large parts", "[unit][settings]") {
+  CHECK(field_spacing_mm(5000) == 0.25);
+  CHECK(field_spacing_mm(125'000) == 0.25);
+  // 3 m square: two millions of 2.12 mm square.
+  CHECK(field_spacing_mm(9e6) == Approx(2.13));
 }
 
 TEST_CASE("the floor lets a ball roll over the lowest edge", "[unit][settings]") {

@@ -50,6 +50,37 @@ TEST_CASE("many poses agree with the level set of turning moves", "[slow][turnin
   }
 }
 
+TEST_CASE("moves that turn by tens of degrees agree", "[property][turning]") {
+  // In and out of the block by turns of up to 60 degrees in one move.
+  model::Toolpath path;
+  path.start = {3.0367, 3.6024, 40};
+  auto axes = std::make_shared<model::ToolAxes>();
+  axes->start = model::normalized(Vec3{-0.528159474, -0.625942457, 0.573797534});
+  const auto go = [&](const Vec3& to, const Vec3& axis) {
+    path.moves.emplace_back(to, 500.0F, 1U, model::MoveKind::feed);
+    axes->to.push_back(model::normalized(axis));
+  };
+  go({3.0367, 3.6024, 1.0703}, axes->start);
+  go({4.0121, 3.7103, 1.1457}, {-0.782153372, -0.010087321, 0.623004293});
+  go({4.0775, -0.7639, 0.6777}, {-0.782153372, -0.010087321, 0.623004293});
+  go({-3.2328, -3.2641, 0.0951}, {0.020614767, 0.168246148, 0.985529434});
+  go({-3.2328, -3.2641, 40}, {0.020614767, 0.168246148, 0.985529434});
+  const Pass pass{model::parse_cutter("flat:D=3,L=5"),
+                  std::make_shared<const model::Toolpath>(path),
+                  {},
+                  false,
+                  axes};
+  const model::Stock block = model::BoxStock{{-6, -6, -3}, {12, 12, 3.3}};
+  constexpr double kFine_mm = 0.1;
+  const DexelStock before(block, kFine_mm);
+  const StockModel after = StockModel(block, 0.4, std::size_t{1} << 30).cut(pass, {2});
+  const DexelStock lines = dexels_from(after, kFine_mm, {2});
+  const auto found = compare_turning(before, lines, after, pass, 4000, {2});
+  CHECK(found.worst_end_mm == 0);
+  CHECK(found.worst_side_mm == 0);
+  CHECK(found.ends > 4000);
+}
+
 TEST_CASE("a stock that was cut with a wrong axis or a wrong tip does not agree",
           "[property][turning]") {
   const Pass pass = turning_pass(turning_cutters()[1], 4, 20);

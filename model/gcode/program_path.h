@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "model/gcode/program.h"
+#include "model/geometry/arc.h"
 #include "model/part/toolpath.h"
 
 namespace limitgauge::model {
@@ -66,6 +67,10 @@ struct SteadyRange {
 /// The ranges that [first, last) of `program` falls into, in order. The last one may hold no motion
 /// where the program ends with turns.
 std::vector<SteadyRange> steady_ranges(const Program& program, std::size_t first, std::size_t last);
+
+/// What the arc `motion` goes along from `start`, in the frame of the program. One that ends within
+/// 1e-6 radians beyond its start is a full turn.
+Arc arc_of(const Motion& motion, const Vec3& start);
 
 /// Straight moves in the part's frame for motions of `program`, arcs as chords of at most a quarter
 /// turn whose ends lie on the arc and which stay within `chord_error_mm` of it; the largest error

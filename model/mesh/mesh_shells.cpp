@@ -35,8 +35,8 @@ class Groups {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Marks the shells that have an edge of one triangle.
-void find_open(const TriangleMesh& mesh, MeshShells& all) {
+/// Whether each shell has an edge of one triangle.
+std::vector<bool> open_shells(const TriangleMesh& mesh, const MeshShells& all) {
   struct Use {
     std::uint32_t low, high, triangle;
     auto operator<=>(const Use&) const = default;
@@ -49,12 +49,14 @@ void find_open(const TriangleMesh& mesh, MeshShells& all) {
       if (low != high) uses.push_back({low, high, i});
     }
   std::sort(uses.begin(), uses.end());
+  std::vector<bool> open(all.shells.size());
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
     while (end < uses.size() && uses[end].low == uses[begin].low &&
            uses[end].high == uses[begin].high)
       ++end;
-    if (end == begin + 1) all.shells[all.of_triangle[uses[begin].triangle]].is_open = true;
+    if (end == begin + 1) open[all.of_triangle[uses[begin].triangle]] = true;
   }
+  return open;
 }
 
 Vec3 middle_of(const TriangleMesh& mesh, std::size_t t) {
@@ -182,7 +184,7 @@ MeshShells shells_of(const TriangleMesh& mesh) {
     std::uint32_t& shell = shell_of[groups.of(t[0])];
     if (shell == kNone) {
       shell = static_cast<std::uint32_t>(all.shells.size());
-      all.shells.push_back({i, {}, 0, false});
+      all.shells.push_back({i, {}, 0});
     }
     all.of_triangle.push_back(shell);
     Shell& s = all.shells[shell];
@@ -191,19 +193,19 @@ MeshShells shells_of(const TriangleMesh& mesh) {
     s.volume_mm3 +=
         dot(mesh.vertices[t[0]] - o, cross(mesh.vertices[t[1]] - o, mesh.vertices[t[2]] - o)) / 6;
   }
-  find_open(mesh, all);
   return all;
 }
 
 std::optional<std::uint32_t> inside_out_shell(const TriangleMesh& mesh, const MeshShells& of) {
-  std::optional<ShellRays> rays;
+  const auto may_be = [](const Shell& s) { return s.volume_mm3 < 0 && s.encloses_volume(); };
+  // Most meshes have none, and are not looked at more closely.
+  if (std::ranges::none_of(of.shells, may_be)) return std::nullopt;
+  const std::vector<bool> is_open = open_shells(mesh, of);
   const ShellTriangles triangles(of);
-  for (std::uint32_t k = 0; k < of.shells.size(); ++k) {
-    const Shell& s = of.shells[k];
-    if (s.is_open || !s.encloses_volume() || s.volume_mm3 > 0) continue;
-    if (!rays) rays.emplace(mesh, of);
-    if (!is_cavity(mesh, triangles.some_of(k), *rays)) return k;
-  }
+  const ShellRays rays(mesh, of);
+  for (std::uint32_t k = 0; k < of.shells.size(); ++k)
+    if (may_be(of.shells[k]) && !is_open[k] && !is_cavity(mesh, triangles.some_of(k), rays))
+      return k;
   return std::nullopt;
 }
 

@@ -15,7 +15,6 @@ struct Shell {
   std::size_t first_triangle = 0;
   Box3 box;
   double volume_mm3 = 0;  ///< enclosed by a closed one; negative where it is inside out
-  bool is_open = false;   ///< an edge has one triangle only
 
   /// More than rounding makes of one that lies flat.
   bool encloses_volume() const;

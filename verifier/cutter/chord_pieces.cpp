@@ -37,7 +37,7 @@ ChordPieces::ChordPieces(const model::Toolpath& path) : stretches_(1), count_(pa
   }
   const double limit_mm = limit_mm_of(path);
   for (const model::ArcMoves& arc : path.arcs) add_arc(arc, limit_mm);
-  if (from_moves_mm_ > 0) from_moves_mm_ = path.chord_error_mm + error_mm_;
+  if (stretches_.size() > 1) from_moves_mm_ = path.chord_error_mm + error_mm_;
 }
 
 void ChordPieces::add_arc(const model::ArcMoves& arc, double limit_mm) {
@@ -51,7 +51,6 @@ void ChordPieces::add_arc(const model::ArcMoves& arc, double limit_mm) {
   stretches_.push_back({first, arc.first_move, each});
   stretches_.push_back({first + each * arc.chords, arc.first_move + arc.chords, 1});
   count_ += std::size_t{arc.chords} * (each - 1);
-  from_moves_mm_ = error_mm_;
 }
 
 std::uint32_t ChordPieces::move_of(std::uint32_t piece) const {

@@ -144,12 +144,10 @@ std::vector<Pass> ToleranceBox::passes_at(const ToleranceValues& values) const {
   for (const Pass& pass : passes_) {
     const model::CutterOffset by = offset_of(values, pass.cutter.id);
     const Vec3 shift = shift_at(values) - Vec3{0, 0, by.length_mm};
-    model::Toolpath path = *pass.path;
-    path.start += shift;
-    for (model::Move& move : path.moves) move.to += shift;
-    for (model::ArcMoves& arc : path.arcs) arc.arc.centre += shift;
-    out.push_back(
-        {model::varied(pass.cutter, by), std::make_shared<const model::Toolpath>(std::move(path))});
+    model::Pose shifted;
+    shifted.shift_mm = shift;
+    out.push_back({model::varied(pass.cutter, by),
+                   std::make_shared<const model::Toolpath>(turned(*pass.path, shifted))});
   }
   return out;
 }

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "model/base/tolerance.h"
-#include "model/gcode/motion_arc.h"
+#include "model/gcode/program_path.h"
 #include "model/gcode/turning/turn_bend.h"
 
 namespace limitgauge::model {

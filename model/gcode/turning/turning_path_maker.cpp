@@ -6,7 +6,7 @@
 
 #include "model/base/error.h"
 #include "model/base/tolerance.h"
-#include "model/gcode/motion_arc.h"
+#include "model/gcode/program_path.h"
 #include "model/gcode/turning/turn_bend.h"
 #include "model/text/number_text.h"
 

@@ -6,7 +6,7 @@
 
 #include "model/base/angle.h"
 #include "model/base/tolerance.h"
-#include "model/gcode/motion_arc.h"
+#include "model/gcode/program_path.h"
 #include "tests/model/gcode/read_text.h"
 #include "tests/model/gcode/turning/turning_machines.h"
 #include "tests/support/catch.h"

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "model/gcode/motion_arc.h"
+#include "model/gcode/program_path.h"
 #include "tests/model/gcode/read_text.h"
 #include "tests/model/gcode/turning/turning_machines.h"
 #include "tests/model/gcode/turning/turning_poses.h"

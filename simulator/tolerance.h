@@ -50,6 +50,10 @@ inline constexpr double kSinglePrecision_voxels = 1e-5;
 inline constexpr double kTakenOver_mm = 5e-7;
 /// A level set read from a file has axes along the frame's within this share of a voxel.
 inline constexpr double kStraightAxes = 1e-12;
+/// The most voxels by which its values may change from one node to the next across its surface:
+/// distances change by one; what was drawn out a little by whoever wrote it stays below this, a
+/// band of one voxel or more whose inside is empty does not.
+inline constexpr double kSteepestLevelSet = 1.75;
 
 // Meshes.
 

@@ -52,9 +52,11 @@ StockFile load_mesh_stock(const std::filesystem::path& file, const std::string& 
 StockFile load_vdb_stock(const std::filesystem::path& file, const std::string& as_stated) {
   simulator::VdbStock read = simulator::read_vdb_stock(file);
   StockFile loaded;
-  loaded.assumptions.push_back(
-      "stock " + as_stated + ": taken as the triangle mesh of its zero set at a voxel of " +
-      model::shortest(read.voxel_mm) + " mm; nothing is known of what cut it");
+  loaded.assumptions.push_back("stock " + as_stated +
+                               ": taken as the triangle mesh of its zero set at a voxel of " +
+                               model::shortest(read.voxel_mm) +
+                               " mm; nothing is known of what cut it, nor of fins and slots "
+                               "thinner than that, which such a file may lack");
   loaded.stock = stock_of(std::move(read.mesh), as_stated, read.voxel_mm);
   return near_stock(file, std::move(loaded));
 }

@@ -1,6 +1,8 @@
 #include "reports/compare/run_comparison.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "model/text/number_text.h"
@@ -100,10 +102,54 @@ std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifi
   return out;
 }
 
+namespace {
+
+/// The limits of the process along one axis, one at each end.
+void compare_travel(const std::optional<model::Box3>& base, const std::optional<model::Box3>& now,
+                    const Options& options, std::vector<Remark>& out) {
+  constexpr const char* kAxes[] = {"X", "Y", "Z"};
+  const auto text = [](double mm) { return model::shortest(mm) + " mm"; };
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool is_high : {false, true}) {
+      const auto end = [&](const std::optional<model::Box3>& travel) {
+        constexpr double kNone = std::numeric_limits<double>::infinity();
+        if (!travel) return is_high ? kNone : -kNone;
+        return is_high ? travel->high[axis] : travel->low[axis];
+      };
+      const double was = end(base), is = end(now);
+      const std::string what =
+          std::string("travel along ") + kAxes[axis] + (is_high ? " upwards" : " downwards");
+      const Limit limit{what.c_str(), std::isfinite(was), std::isfinite(is), was, is, is_high,
+                        text};
+      if (std::optional<Remark> remark = compare_limit(limit, options))
+        out.push_back(std::move(*remark));
+    }
+}
+
+}  // namespace
+
+std::vector<Remark> compare_process_limits(const std::optional<record::ProcessLimits>& base,
+                                           const std::optional<record::ProcessLimits>& now,
+                                           const Options& options) {
+  std::vector<Remark> out;
+  // A result of an earlier version does not say them.
+  if (!base || !now) return out;
+  const Limit contact{"contacts", true, true, base->contact_tolerance_mm, now->contact_tolerance_mm,
+                      true};
+  if (std::optional<Remark> remark = compare_limit(contact, options))
+    out.push_back(std::move(*remark));
+  name_change(out, "near_miss", "distance of a near miss", stated_length(base->near_miss_mm),
+              stated_length(now->near_miss_mm));
+  compare_travel(base->travel_mm, now->travel_mm, options, out);
+  return out;
+}
+
 std::vector<Remark> compare_settings(const record::StageRecord& base,
                                      const record::StageRecord& now) {
   std::vector<Remark> out;
   name_change(out, "tool", "tool", base.tool, now.tool);
+  if (!base.cutter.empty() && !now.cutter.empty())
+    name_change(out, "cutter", "cutter", base.cutter, now.cutter);
   const auto way = [](const record::StageRecord& stage) {
     return stage.program.empty() ? stage.strategy : "program " + stage.program;
   };

@@ -173,6 +173,7 @@ Comparison compare_runs(const RunRecord& base, const RunRecord& now, const Optio
           compare_verdicts("the run's verdict", base.verdict, now.verdict))
     out.remarks.push_back(std::move(*remark));
   add(out.remarks, compare_heads(base, now));
+  add(out.remarks, compare_process_limits(base.process_limits, now.process_limits, options));
   const std::optional<Remark> box = compare_tolerances(base.tolerances, now.tolerances, options);
   if (box) out.remarks.push_back(*box);
   const RunContext run{kReachShare * std::max(base.diagonal_mm, now.diagonal_mm), !box, options};

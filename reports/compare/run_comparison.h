@@ -46,6 +46,11 @@ std::optional<Remark> compare_verdicts(const std::string& what, verifier::Verdic
 /// figures then do.
 std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifier::GateLimits& now,
                                   const Options& options);
+/// Limits of the process, the same for all stages, that were loosened or taken away: as of gates.
+/// Nothing where one of the results does not say them.
+std::vector<Remark> compare_process_limits(const std::optional<record::ProcessLimits>& base,
+                                           const std::optional<record::ProcessLimits>& now,
+                                           const Options& options);
 /// Tolerances taken away or narrowed count as worse, as limits that are loosened: what the gate
 /// judges gives way. Nothing where both runs have the same, or none.
 std::optional<Remark> compare_tolerances(const std::optional<model::Tolerances>& base,
@@ -55,7 +60,7 @@ std::optional<Remark> compare_tolerances(const std::optional<model::Tolerances>&
 /// they are shown and not judged.
 void leave_other_questions(const record::StageRecord& base, const record::StageRecord& now,
                            bool same_tolerances, std::vector<FigureChange>& figures);
-/// Tool, strategy, allowance and the like: named, for they explain.
+/// Tool, cutter, strategy, allowance and the like: named, for they explain.
 std::vector<Remark> compare_settings(const record::StageRecord& base,
                                      const record::StageRecord& now);
 /// Resolutions asked for, reached or not, and findings that are not all listed.

@@ -26,6 +26,9 @@ Json stage_part(const RunResult& result, std::size_t index);
 /// The path of a stage: "toolpath".
 Json toolpath_part(const StageRun& r);
 
+/// What the processes were checked by: "process_limits".
+Json process_limits_part(const record::ProcessLimits& limits);
+
 /// The cut of a stage and what was found in the process: "simulation".
 Json simulation_part(const StageRun& r);
 

@@ -1,5 +1,7 @@
 #include "reports/json/result_parts.h"
 
+#include <cmath>
+
 #include "reports/run/process.h"
 #include "reports/text/text.h"
 
@@ -55,6 +57,16 @@ Json process_findings(const std::vector<simulator::Finding>& all) {
   return out;
 }
 
+/// Null for an axis without limits.
+Json travel_part(const model::Box3& travel) {
+  Json out = Json::array();
+  for (int axis = 0; axis < 3; ++axis)
+    out.push_back(std::isfinite(travel.low[axis]) && std::isfinite(travel.high[axis])
+                      ? Json::array({travel.low[axis], travel.high[axis]})
+                      : Json());
+  return out;
+}
+
 Json removal_part(const simulator::RemovalTotals& t) {
   return {{"volume_mm3", finite("removal.volume_mm3", t.volume_mm3)},
           {"largest_rate_mm3_min", finite("removal.rate", t.largest_rate_mm3_min)},
@@ -84,6 +96,12 @@ Json agreement_part(const simulator::StockAgreement& a) {
 }
 
 }  // namespace
+
+Json process_limits_part(const record::ProcessLimits& limits) {
+  return {{"contact_tolerance_mm", finite("process_limits", limits.contact_tolerance_mm)},
+          {"near_miss_mm", finite("process_limits", limits.near_miss_mm)},
+          {"travel_mm", limits.travel_mm ? travel_part(*limits.travel_mm) : Json()}};
+}
 
 Json simulation_part(const StageRun& r) {
   Json out = {{"voxel_mm", finite("simulation.voxel_mm", r.voxel_mm)},

@@ -156,6 +156,8 @@ StageRecord read_stage(const JsonValue& stage, const StageContext& run) {
   StageRecord out;
   out.name = stage["name"].text();
   out.tool = stage["tool"].text();
+  if (const std::optional<JsonValue> cutter = stage.find("cutter"))
+    if (const std::optional<JsonValue> text = cutter->find("text")) out.cutter = text->text();
   read_setup(stage, run.has_design, out);
   out.verdict = read_verdict(stage["verdict"]);
   for (const JsonValue& reason : stage["reasons"].items()) out.reasons.push_back(reason.text());
@@ -166,6 +168,26 @@ StageRecord read_stage(const JsonValue& stage, const StageContext& run) {
 namespace {
 
 constexpr const char* kSchema = "limitgauge.result/";
+
+/// An axis without limits has none.
+std::optional<model::Box3> read_travel(const JsonValue& travel) {
+  if (travel.is_null()) return std::nullopt;
+  model::Box3 out;
+  const std::vector<JsonValue> ends = travel.items();
+  if (ends.size() != 3) travel.refuse("has not three entries", "a range or null for each axis");
+  for (int axis = 0; axis < 3; ++axis) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const verifier::Interval range =
+        ends[axis].is_null() ? verifier::Interval{-kNone, kNone} : ends[axis].range();
+    out.low[axis] = range.low, out.high[axis] = range.high;
+  }
+  return out;
+}
+
+ProcessLimits read_process_limits(const JsonValue& limits) {
+  return {limits["contact_tolerance_mm"].length(), limits["near_miss_mm"].length(),
+          read_travel(limits["travel_mm"])};
+}
 
 int read_schema(const JsonValue& root) {
   const std::string known = std::string(kSchema) + "1 or " + kSchema + "2";
@@ -234,6 +256,8 @@ RunRecord read_result_json(std::istream& in, const std::string& shown) {
     out.stages.push_back(read_stage(stage, {out.schema, surface.has_value(), texts}));
   if (const std::optional<JsonValue> tolerances = root.find("tolerances"))
     out.tolerances = read_tolerances(*tolerances);
+  if (const std::optional<JsonValue> limits = root.find("process_limits"))
+    out.process_limits = read_process_limits(*limits);
   if (!surface) out.diagonal_mm = stock_diagonal_mm(root["stock"]);
   return out;
 }

@@ -7,6 +7,7 @@
 
 #include "model/geometry/vec3.h"
 #include "model/part/tolerances.h"
+#include "reports/record/process_limits.h"
 #include "verifier/gate/deviation.h"
 
 /// Results as they are read back from result.json: the one way in which compare, history and study
@@ -98,6 +99,7 @@ verifier::Interval unreachable_figure(const DeviationMeasures& measures, bool is
 
 struct StageRecord {
   std::string name, tool;
+  std::string cutter;                  ///< all its figures, as `--tool` takes them; or empty
   std::string strategy, program;       ///< one of them
   std::optional<double> allowance_mm;  ///< empty for a run without a design
   double step_mm = 0, tolerance_mm = 0;
@@ -124,6 +126,7 @@ struct RunRecord {
   /// Of the limit surface's box; of the raw stock's for a run without a design.
   double diagonal_mm = 0;
   std::optional<model::Tolerances> tolerances;  ///< where the run states some
+  std::optional<ProcessLimits> process_limits;  ///< where the result says them
   std::vector<StageRecord> stages;
 };
 

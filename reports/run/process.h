@@ -10,18 +10,13 @@
 namespace limitgauge::reports {
 
 /// In the order of result.json.
-inline constexpr std::array kFindingKinds = {simulator::FindingKind::rapid_through_stock,
-                                             simulator::FindingKind::shank_in_stock,
-                                             simulator::FindingKind::holder_in_stock,
-                                             simulator::FindingKind::fixture_touched,
-                                             simulator::FindingKind::spindle_stopped,
-                                             simulator::FindingKind::feed_missing,
-                                             simulator::FindingKind::below_flutes,
-                                             simulator::FindingKind::steep_descent,
-                                             simulator::FindingKind::cut_while_turning,
-                                             simulator::FindingKind::beyond_travel,
-                                             simulator::FindingKind::slight_contact,
-                                             simulator::FindingKind::near_miss};
+inline constexpr std::array kFindingKinds = {
+    simulator::FindingKind::rapid_through_stock, simulator::FindingKind::shank_in_stock,
+    simulator::FindingKind::holder_in_stock,     simulator::FindingKind::fixture_touched,
+    simulator::FindingKind::spindle_stopped,     simulator::FindingKind::feed_missing,
+    simulator::FindingKind::below_flutes,        simulator::FindingKind::steep_descent,
+    simulator::FindingKind::cut_while_turning,   simulator::FindingKind::beyond_travel,
+    simulator::FindingKind::slight_contact,      simulator::FindingKind::near_miss};
 
 /// Findings of `kinds`.
 std::size_t count(std::span<const simulator::Finding> findings,

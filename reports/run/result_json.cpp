@@ -24,6 +24,7 @@ void write_result_json(const RunResult& result, std::ostream& out) {
   for (std::size_t i = 0; i < result.stages.size(); ++i)
     root["stages"].push_back(json::stage_part(result, i));
   root["assumptions"] = json::texts(result.assumptions);
+  root["process_limits"] = json::process_limits_part(result.process_limits);
   out << root.dump(1) << '\n';
 }
 

@@ -15,6 +15,7 @@
 #include "model/part/tolerances.h"
 #include "reports/page/path_view.h"
 #include "reports/page/stock_view.h"
+#include "reports/record/process_limits.h"
 #include "reports/run/published.h"
 #include "simulator/instrument/dexel_agreement.h"
 #include "simulator/instrument/dexel_stock.h"
@@ -160,6 +161,7 @@ struct RunResult {
   std::optional<model::ProgramStart> program_start;  ///< where a stage is a program
   /// What is not known of tools and zero; empty: they are taken as stated.
   std::optional<model::Tolerances> tolerances;
+  record::ProcessLimits process_limits;
   std::vector<model::Setup> setups;  ///< as the job states them; empty: the part is never turned
   std::vector<StageResult> stages;
   std::vector<std::string>

@@ -184,6 +184,25 @@ void require_memory(std::size_t cells, std::size_t limit_bytes) {
                              " MiB; a coarser voxel in the run that wrote it would do");
 }
 
+// A distance changes by a voxel from node to node at most. Where it leaps across the surface, what
+// lies inside of the band was never filled (the file is a hollow shell) or the numbers are no
+// distances.
+void require_distances(const std::array<double, 8>& f, const Coord& low, const Lattice& lattice) {
+  for (int k = 0; k < 8; ++k)
+    for (const int next : {k | 1, k | 2, k | 4}) {
+      const double leap_mm = std::abs(f[next] - f[k]);
+      if ((f[k] <= 0) == (f[next] <= 0) || leap_mm <= kSteepestLevelSet * lattice.voxel_mm)
+        continue;
+      const model::Vec3 at =
+          lattice.origin_mm + model::Vec3(low.x(), low.y(), low.z()) * lattice.voxel_mm;
+      refuse("from one node to the next, " + model::shortest(lattice.voxel_mm) +
+                 " mm on, values change by " + model::shortest(leap_mm) + " mm, at " +
+                 model::shortest(at.x) + ", " + model::shortest(at.y) + ", " +
+                 model::shortest(at.z) + " mm",
+             "signed distances in mm, negative all through the inside");
+    }
+}
+
 model::TriangleMesh zero_set(const openvdb::FloatGrid& grid, const Lattice& lattice,
                              std::size_t limit_bytes) {
   require_numbers(grid.tree());
@@ -191,7 +210,11 @@ model::TriangleMesh zero_set(const openvdb::FloatGrid& grid, const Lattice& latt
   Accessor tree(grid.tree());
   std::array<double, 8> f{};
   std::size_t count = 0;
-  cells.each([&](const Coord& low) { count += read_corners(tree, low, f); });
+  cells.each([&](const Coord& low) {
+    if (!read_corners(tree, low, f)) return;
+    require_distances(f, low, lattice);
+    ++count;
+  });
   require_memory(count, limit_bytes);
   model::TriangleSoup soup;
   cells.each([&](const Coord& low) {

@@ -65,8 +65,8 @@ int rank(const std::string& part) {
   return part == name(ToolPart::cutter) ? 0 : part == name(ToolPart::shank) ? 1 : 2;
 }
 
-// Of one move: near misses and slight contacts of what is touched are left out, and of each kind
-// and part the worst is kept, of equal ones the first.
+// Of one move: near misses and slight contacts of what is touched are left out, and of each kind,
+// part and body that is met the worst is kept, of equal ones the first.
 void tidy(std::vector<Finding>& findings) {
   if (findings.size() < 2) return;
   const auto leave_out = [&](FindingKind kind, const auto& counts) {
@@ -82,14 +82,15 @@ void tidy(std::vector<Finding>& findings) {
     return is_contact(kind) || kind == FindingKind::slight_contact;
   });
   leave_out(FindingKind::slight_contact, is_contact);
-  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
-    return std::tuple(a.kind, rank(a.part), -a.depth_mm) <
-           std::tuple(b.kind, rank(b.part), -b.depth_mm);
-  });
-  const auto same = [](const Finding& a, const Finding& b) {
-    return a.kind == b.kind && a.part == b.part;
-  };
-  findings.erase(std::unique(findings.begin(), findings.end(), same), findings.end());
+  std::ranges::stable_sort(
+      findings, {}, [](const Finding& f) { return std::tuple(f.kind, rank(f.part), -f.depth_mm); });
+  std::vector<Finding> worst;
+  for (Finding& f : findings)
+    if (std::ranges::none_of(worst, [&](const Finding& w) {
+          return std::tie(w.kind, w.part, w.against) == std::tie(f.kind, f.part, f.against);
+        }))
+      worst.push_back(std::move(f));
+  findings = std::move(worst);
 }
 
 std::vector<Finding> joined(std::vector<std::vector<Finding>> chunks) {

@@ -9,10 +9,10 @@
 namespace limitgauge::simulator {
 
 /// Checks `pass` against the stock as it stands at each move: `before` is the stock at the start of
-/// the stage. Findings are in the order of moves, then of kinds, then of parts; one a move, kind
-/// and part, for its worst place; those of carried bodies follow, one a body and thing. The same
-/// for any number of threads. Throws std::invalid_argument for limits, a cutter or a path that
-/// cannot be, and for a pass of another setup, Interrupted.
+/// the stage. Findings are in the order of moves, then of kinds, then of parts; one a move, kind,
+/// part and thing that is met, for its worst place, the worst first; those of carried bodies
+/// follow, one a body and thing. The same for any number of threads. Throws std::invalid_argument
+/// for limits, a cutter or a path that cannot be, and for a pass of another setup, Interrupted.
 ///
 /// What stands at a move is `before` less all that the moves before it swept. So that a program
 /// cannot hide a crash by having it in small pieces, the flutes' contacts are judged against the

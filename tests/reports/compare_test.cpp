@@ -14,7 +14,6 @@ using namespace limitgauge::reports;
 using namespace limitgauge::reports::compare;
 using record::RunRecord;
 using verifier::Interval;
-using verifier::Verdict;
 
 namespace {
 
@@ -171,31 +170,6 @@ TEST_CASE("What is not asked for is shown and not judged", "[unit][compare]") {
   CHECK(compare_runs(sample_run(), worse, {{}, {"uncut_mm"}, {}}).worse == 1);
 }
 
-TEST_CASE("Verdicts, gates and stages that give way are regressions", "[unit][compare]") {
-  const auto worse = [](auto change) {
-    RunRecord now = sample_run();
-    change(now);
-    const Comparison there = compare_runs(sample_run(), now, {});
-    CHECK(there.worse == compare_runs(now, sample_run(), {}).better);
-    return there.worse;
-  };
-  CHECK(worse([](RunRecord& r) { r.stages[0].limits.uncut_mm = 0.02; }) == 1);
-  CHECK(worse([](RunRecord& r) { r.stages[0].limits.has_gouge = false; }) == 1);
-  CHECK(worse([](RunRecord& r) { r.stages[0].limits.coverage = 0.98; }) == 1);
-  CHECK(worse([](RunRecord& r) { r.stages[0].limits.uncut_mm = 0.005; }) == 0);
-  CHECK(worse([](RunRecord& r) { r.verdict = r.stages[0].verdict = Verdict::indeterminate; }) == 2);
-  CHECK(worse([](RunRecord& r) { r.verdict = r.stages[0].verdict = Verdict::fail; }) == 2);
-  CHECK(worse([](RunRecord& r) { r.stages[0].measures->process = {{"near_miss", 3}}; }) == 0);
-  CHECK(worse([](RunRecord& r) { r.stages[0].measures->process = {{"feed_missing", 3}}; }) == 1);
-  RunRecord other = sample_run();
-  other.stages[0].name = "other";
-  const Comparison renamed = compare_runs(sample_run(), other, {});
-  CHECK(renamed.worse == 1);
-  REQUIRE(renamed.stages.size() == 2);
-  other.job = "another";
-  CHECK_THROWS_AS(compare_runs(sample_run(), other, {}), model::InputError);
-}
-
 TEST_CASE("Results of two schemas are not held against each other", "[unit][compare]") {
   RunRecord old = sample_run();
   old.schema = 1;
@@ -209,22 +183,6 @@ TEST_CASE("Results of two schemas are not held against each other", "[unit][comp
       CHECK_THAT(error.what(), ContainsSubstring("again with this limitgauge"));
     }
   }
-}
-
-TEST_CASE("Limits of what is out of reach count as any other", "[unit][compare]") {
-  const auto limited = [](bool is_share, double limit) {
-    RunRecord run = sample_run();
-    verifier::GateLimits& limits = run.stages[0].limits;
-    limits.has_unreachable = limits.has_unavoidable = true;
-    limits.unreachable_is_share = is_share;
-    limits.unreachable = limit, limits.unavoidable_mm = 0.3;
-    return run;
-  };
-  CHECK(compare_runs(sample_run(), limited(true, 0.1), {}).better == 2);
-  CHECK(compare_runs(limited(true, 0.1), limited(true, 0.2), {}).worse == 1);
-  const Comparison other = compare_runs(limited(true, 0.1), limited(false, 10), {});
-  CHECK(other.worse == 1);
-  CHECK(other.better == 1);
 }
 
 TEST_CASE("What is out of reach is told in every comparison", "[unit][compare]") {

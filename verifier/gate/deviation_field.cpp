@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/base/chunks.h"
 #include "verifier/certificate/run_bounds.h"
@@ -207,9 +208,12 @@ Histogram histogram(const std::vector<Weighted>& sorted, double total) {
   return h;
 }
 
+/// A sample is a run to a place known within a skin, kept as a float: one on a limit is within it.
 bool within(double deviation_mm, const GateLimits& limits) {
-  return (!limits.has_gouge || -deviation_mm <= limits.gouge_mm) &&
-         (!limits.has_uncut || deviation_mm <= limits.uncut_mm);
+  const double rounding_mm =
+      kFieldRounding_mm + std::numeric_limits<float>::epsilon() * std::abs(deviation_mm);
+  return (!limits.has_gouge || -deviation_mm <= limits.gouge_mm + rounding_mm) &&
+         (!limits.has_uncut || deviation_mm <= limits.uncut_mm + rounding_mm);
 }
 
 }  // namespace

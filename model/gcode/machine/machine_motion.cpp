@@ -53,9 +53,18 @@ bool moves(const Statement& statement, int axis) {
   return !statement.has_axes() || statement.word(kAxes[axis]);
 }
 
-/// Whether a stored position leads anywhere in the active frame.
-bool is_usable(const MachineState& state, const ReferencePoint& point, int axis) {
-  return point.known[axis] && (point.from_program || is_stated(state, axis));
+/// Whether a stored position leads anywhere in the active frame. Throws where the machine states
+/// one and nothing says what that is in the frame.
+bool leads_somewhere(const Statement& statement, const MachineState& state,
+                     const ReferencePoint& point, int axis) {
+  if (!point.known[axis]) return false;
+  if (point.from_program || is_stated(state, axis)) return true;
+  const std::string code(code_of(statement).text);
+  statement.fail(code_of(statement),
+                 code + " leads " + kAxes[axis] +
+                     " to a reference point that is stated, while nothing states where " +
+                     state.systems.name() + " lies on the machine",
+                 kOffsetRemedy);
 }
 
 void check_astray(const Statement& statement, const MachineState& state) {
@@ -105,16 +114,15 @@ Vec3 reference_end(const Statement& statement, MachineState& state, Assumptions&
   Vec3 tip_mm = point.at_mm;
   if (point.from_program) {
     tip_mm.z -= state.tools.true_length().value_or(0);
-  } else if (is_usable(state, point, 2) && moves(statement, 2)) {
+  } else if (moves(statement, 2) && leads_somewhere(statement, state, point, 2)) {
     tip_mm.z = tip_z(statement, state, tip_mm.z, assumed);
   }
   const Vec3 stored_mm = state.frame.to_work(tip_mm);
   Vec3 end_mm = state.position_mm;
   for (int axis = 0; axis < 3; ++axis) {
     if (!moves(statement, axis)) continue;
-    const bool usable = is_usable(state, point, axis);
-    state.adrift[axis] = !usable;
-    if (!usable) continue;
+    state.adrift[axis] = !leads_somewhere(statement, state, point, axis);
+    if (state.adrift[axis]) continue;
     end_mm[axis] = stored_mm[axis];
     state.known[axis] = true;
   }

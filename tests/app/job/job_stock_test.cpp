@@ -83,7 +83,8 @@ TEST_CASE("stock from an earlier run", "[unit][job][stock]") {
   CHECK(volume_mm3(*stock.mesh) == Approx(24).epsilon(1e-6));
   CHECK(says(job,
              "stock stock.vdb: taken as the triangle mesh of its zero set at a voxel of 0.25 mm; "
-             "nothing is known of what cut it"));
+             "nothing is known of what cut it, nor of fins and slots thinner than that, which such "
+             "a file may lack"));
 }
 
 TEST_CASE("stock files that are wrong", "[unit][job][stock]") {

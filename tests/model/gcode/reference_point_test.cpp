@@ -51,10 +51,18 @@ TEST_CASE("a place that nothing states parks Z, and X and Y above it", "[unit][g
   CHECK(assumes(program, "line 2: G28 is taken to lead Z above everything"));
 }
 
-TEST_CASE("a stated home means nothing while the work offset is not stated", "[unit][gcode]") {
+TEST_CASE("a stated home is an error while the work offset is not stated", "[unit][gcode]") {
   MachineSetup machine;
   machine.home_mm = Vec3{10, 20, 0};
-  CHECK(states(kStart + "G91 G28 Z0\n", machine) == "..z");
+  const auto error = [&](const std::string& text) { return error_of(kStart + text, machine); };
+  CHECK(error("G91 G28 Z0\n").starts_with("2:5: error: G28 leads Z to a reference point that is"));
+  CHECK(error("G28 Z30\n").ends_with("in the job, or --work-offset)"));
+  CHECK(error("G28 X0\n").starts_with("2:1: error: G28 leads X to a reference point"));
+  // Of G30 nothing is stated; and what the program stored is known in its own frame.
+  CHECK(states(kStart + "G91 G30 Z0\n", machine) == "..z");
+  CHECK(states(kStart + "G28.1\nG91 G28 Z0\n", machine) == "...");
+  machine.work_offsets[0] = WorkOffset{{0, 0, -100}, 0};
+  CHECK(states(kStart + "G91 G28 Z0\n", machine) == "...");
 }
 
 TEST_CASE("what would need an unstated place is an error", "[unit][gcode]") {

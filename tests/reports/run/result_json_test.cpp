@@ -179,8 +179,8 @@ TEST_CASE("the same result gives the same bytes, in the contract's order", "[uni
   CHECK(text == json_text_of(sample_result(Outcome::indeterminate)));
   CHECK(keys_of(Json::parse(text)) ==
         std::vector<std::string>{"schema", "job", "version", "created", "threads", "verdict",
-                                 "inputs", "stock", "surface", "programs", "stages",
-                                 "assumptions"});
+                                 "inputs", "stock", "surface", "programs", "stages", "assumptions",
+                                 "process_limits"});
 }
 
 TEST_CASE("names from files stay text", "[unit][json]") {

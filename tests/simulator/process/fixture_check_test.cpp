@@ -168,6 +168,17 @@ TEST_CASE("near misses of fixtures have the distance that is left", "[unit][fixt
   CHECK(both[1].kind == FindingKind::near_miss);
   CHECK(both[1].against == "rail");
   CHECK(both[1].depth_mm == Approx(-0.25).margin(kTolerance / 8));
+  // Each that is touched on a move is named, and each that is missed, the worst first.
+  limits.fixtures.push_back(fixture("stop", box_mesh({{4.5, 1, -5}, {8, 1.5, 5}})));
+  limits.fixtures.push_back(fixture("pin", box_mesh({{-30, -3, -5}, {30, -2.4, 5}})));
+  const auto all = check_in_air(pass(3.5), limits);
+  REQUIRE(all.size() == 4);
+  CHECK(all[0].against == "stop");
+  CHECK(all[1].against == "clamp");
+  CHECK(all[0].depth_mm > all[1].depth_mm);
+  CHECK(all[2].against == "rail");
+  CHECK(all[3].against == "pin");
+  CHECK(all[3].kind == FindingKind::near_miss);
 }
 
 TEST_CASE("the least distance over a triangle agrees with dense sampling", "[property][fixture]") {

@@ -194,7 +194,19 @@ TEST_CASE("a .vdb that is no stock is refused", "[unit][mesh][vdb]") {
   auto torn = ball();
   torn->tree().addTile(1, {2, 12, 6}, torn->background(), false);
   torn->tree().addTile(1, torn->tree().cbeginLeaf()->origin(), -torn->background(), false);
-  CHECK_THAT(refusal({torn}), ContainsSubstring("bounds no solid (its band is torn)"));
+  CHECK_THAT(refusal({torn}), ContainsSubstring("from one node to the next, 0.5 mm on, values "));
+}
+
+TEST_CASE("a .vdb whose inside was left empty is refused: it is a shell", "[unit][mesh][vdb]") {
+  auto hollow = ball();
+  const float outside = hollow->background();
+  for (auto off = hollow->beginValueOff(); off; ++off) off.setValue(outside);
+  CHECK_THAT(refusal({hollow}), ContainsSubstring("expected signed distances in mm, negative all "
+                                                  "through the inside"));
+  // Distances that were drawn out by half still are some.
+  auto drawn_out = ball();
+  for (auto on = drawn_out->beginValueOn(); on; ++on) on.setValue(1.5F * *on);
+  CHECK(refusal({drawn_out}) == "no error");
 }
 
 TEST_CASE("a .vdb whose mesh would not fit is refused beforehand", "[unit][mesh][vdb]") {

@@ -145,6 +145,23 @@ TEST_CASE("a limit within the width asked for is decided all the same", "[unit]"
   }
 }
 
+TEST_CASE("a surface that lies on the limit throughout is covered", "[unit]") {
+  const ReferenceSurface plane(plane_cage(5, 0, 0));
+  // 0.05 as a float is above 0.05, 0.03 below.
+  for (const double left : {0.05, 0.03, -0.05}) {
+    const Pass pass{flat_cutter(4), shared(raster(10, 1, 5, [&](double, double) { return left; }))};
+    StageCheck check;
+    check.resolution_mm = 0.005;
+    check.field_spacing_mm = 1;
+    for (const double off : {0.0, 1e-4}) {
+      check.limits = {true, true, false, 0.05 - off, std::max(left, 0.0) - off, 0};
+      const auto d = measure_stage(plane, kBlock, {&pass, 1}, nullptr, check, {2});
+      CAPTURE(left, off);
+      CHECK(d.coverage == (off == 0 ? 1 : 0));
+    }
+  }
+}
+
 TEST_CASE("the error of an arc's chords is part of the interval", "[unit]") {
   const ReferenceSurface plane(plane_cage(5, 0, 0));
   model::Toolpath path = raster(10, 0.1, 5, [](double, double) { return -0.01; });

@@ -1,0 +1,81 @@
+#include <cmath>
+
+#include "model/base/error.h"
+#include "reports/compare/run_comparison.h"
+#include "tests/reports/compare_support.h"
+#include "tests/support/catch.h"
+
+using namespace limitgauge;
+using namespace limitgauge::reports;
+using namespace limitgauge::reports::compare;
+using record::RunRecord;
+using verifier::Verdict;
+
+TEST_CASE("Verdicts, gates and stages that give way are regressions", "[unit][compare]") {
+  const auto worse = [](auto change) {
+    RunRecord now = sample_run();
+    change(now);
+    const Comparison there = compare_runs(sample_run(), now, {});
+    CHECK(there.worse == compare_runs(now, sample_run(), {}).better);
+    return there.worse;
+  };
+  CHECK(worse([](RunRecord& r) { r.stages[0].limits.uncut_mm = 0.02; }) == 1);
+  CHECK(worse([](RunRecord& r) { r.stages[0].limits.has_gouge = false; }) == 1);
+  CHECK(worse([](RunRecord& r) { r.stages[0].limits.coverage = 0.98; }) == 1);
+  CHECK(worse([](RunRecord& r) { r.stages[0].limits.uncut_mm = 0.005; }) == 0);
+  CHECK(worse([](RunRecord& r) { r.verdict = r.stages[0].verdict = Verdict::indeterminate; }) == 2);
+  CHECK(worse([](RunRecord& r) { r.verdict = r.stages[0].verdict = Verdict::fail; }) == 2);
+  CHECK(worse([](RunRecord& r) { r.stages[0].measures->process = {{"near_miss", 3}}; }) == 0);
+  CHECK(worse([](RunRecord& r) { r.stages[0].measures->process = {{"feed_missing", 3}}; }) == 1);
+  RunRecord other = sample_run();
+  other.stages[0].name = "other";
+  const Comparison renamed = compare_runs(sample_run(), other, {});
+  CHECK(renamed.worse == 1);
+  REQUIRE(renamed.stages.size() == 2);
+  other.job = "another";
+  CHECK_THROWS_AS(compare_runs(sample_run(), other, {}), model::InputError);
+}
+
+TEST_CASE("Limits of what is out of reach count as any other", "[unit][compare]") {
+  const auto limited = [](bool is_share, double limit) {
+    RunRecord run = sample_run();
+    verifier::GateLimits& limits = run.stages[0].limits;
+    limits.has_unreachable = limits.has_unavoidable = true;
+    limits.unreachable_is_share = is_share;
+    limits.unreachable = limit, limits.unavoidable_mm = 0.3;
+    return run;
+  };
+  CHECK(compare_runs(sample_run(), limited(true, 0.1), {}).better == 2);
+  CHECK(compare_runs(limited(true, 0.1), limited(true, 0.2), {}).worse == 1);
+  const Comparison other = compare_runs(limited(true, 0.1), limited(false, 10), {});
+  CHECK(other.worse == 1);
+  CHECK(other.better == 1);
+}
+
+TEST_CASE("Limits of the process count as any other", "[unit][compare]") {
+  record::RunRecord base = sample_run();
+  base.process_limits = {0.01, 0.5, model::Box3{{-10, -10, -5}, {10, 10, 90}}};
+  const auto judged = [&](const auto& change) {
+    record::RunRecord now = base;
+    change(*now.process_limits);
+    const Comparison there = compare_runs(base, now, {}), back = compare_runs(now, base, {});
+    CHECK(there.worse == back.better);
+    CHECK(there.better == back.worse);
+    return static_cast<int>(there.worse) - static_cast<int>(there.better);
+  };
+  using Limits = record::ProcessLimits;
+  CHECK(judged([](Limits&) {}) == 0);
+  CHECK(judged([](Limits& now) { now.contact_tolerance_mm = 5; }) == 1);
+  CHECK(judged([](Limits& now) { now.travel_mm->high.x = 11; }) == 1);
+  CHECK(judged([](Limits& now) { now.travel_mm->low.y = -11; }) == 1);
+  CHECK(judged([](Limits& now) { now.travel_mm->high.z = INFINITY; }) == 1);
+  CHECK(judged([](Limits& now) { now.travel_mm.reset(); }) == 6);
+  CHECK(judged([](Limits& now) { now.near_miss_mm = 0; }) == 0);
+  record::RunRecord now = base;
+  now.process_limits->contact_tolerance_mm = 5;
+  CHECK(compare_runs(base, now, {}).remarks.at(0).text ==
+        "limit of contacts loosened from 10 µm to 5 mm");
+  // An earlier version's result does not say them.
+  now.process_limits.reset();
+  CHECK(compare_runs(base, now, {}).judgement() == Judgement::same);
+}

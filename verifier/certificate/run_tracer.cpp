@@ -47,8 +47,14 @@ double RunTracer::exit_of(BodyRef body, const Vec3& p, const Vec3& along, double
     return -space_.distance(body, p + along * at).value - space_.chord_error_mm();
   };
   double inside = t, here = depth(t);
-  if (space_.is_stock(body) || space_.turns(body)) {
-    // Not all of these are convex, so by steps that are no longer than the place is deep.
+  if (const MeshOutside* mesh = space_.mesh_of(body)) {
+    const double least = kSkin_mm / 2;
+    if (here <= least) return std::min(inside, limit_mm);
+    return inside + mesh->same_side_up_to(p + along * inside, along, limit_mm - inside,
+                                          space_.chord_error_mm() + least);
+  }
+  if (space_.is_concave(body) || space_.turns(body)) {
+    // These are not convex, so by steps that are no longer than the place is deep.
     for (int step = 0; step < kMostSteps && here > kSkin_mm / 2 && inside < limit_mm; ++step)
       inside += here, here = depth(inside);
     return std::min(inside, limit_mm);

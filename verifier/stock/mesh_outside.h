@@ -33,6 +33,14 @@ class MeshOutside {
   /// The same where it is not above `limit_mm`: fast for points deeper in the mesh than that.
   std::optional<BodyDistance> distance_up_to(const model::Vec3& p, double limit_mm) const;
 
+  /// The first t in [0, limit_mm] at which p + t·ray, a unit vector, comes within `within_mm` > 0
+  /// of the mesh: up to there it stays on the side of it that p is on. The limit where it never
+  /// does.
+  double same_side_up_to(const model::Vec3& p, const model::Vec3& ray, double limit_mm,
+                         double within_mm) const {
+    return tree_->first_near(p, ray, limit_mm, within_mm);
+  }
+
   /// Bounds of d on `cell`, by what it is at its middle.
   double lower(const Bezier& cell, const model::Vec3& middle, const BodyDistance& d) const;
   double upper(const Bezier& cell, const model::Vec3& middle, const BodyDistance& d) const;

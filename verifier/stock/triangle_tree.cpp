@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "model/geometry/box_tree.h"
@@ -82,6 +83,57 @@ std::optional<TriangleTree::Foot> TriangleTree::nearest(const Vec3& p, double wi
       });
   if (best) best->distance_mm = std::sqrt(squared);
   return best;
+}
+
+namespace {
+
+/// Where a ray enters a box; infinite where it passes by.
+double entry_mm(const Box3& box, const Vec3& p, const Vec3& ray) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  double in = 0, out = kNever;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (ray[axis] == 0) {
+      if (p[axis] < box.low[axis] || p[axis] > box.high[axis]) return kNever;
+      continue;
+    }
+    const double a = (box.low[axis] - p[axis]) / ray[axis],
+                 b = (box.high[axis] - p[axis]) / ray[axis];
+    in = std::max(in, std::min(a, b)), out = std::min(out, std::max(a, b));
+  }
+  return in <= out ? in : kNever;
+}
+
+/// The same as first_near() of one triangle. Its distance is convex along the ray, so that the zero
+/// of a tangent comes before its own.
+double first_near_triangle(const Triangle& t, const Vec3& p, const Vec3& ray, double limit_mm,
+                           double within_mm) {
+  constexpr int kMostSteps = 100;
+  double at = 0;
+  for (int step = 0; step < kMostSteps && at < limit_mm; ++step) {
+    const Vec3 x = p + ray * at, from = x - nearest_on_triangle(t, x);
+    const double distance = length(from);
+    if (distance <= within_mm) return at;
+    const double closing = -dot(from, ray) / distance;
+    if (closing <= 0) return limit_mm;
+    at += std::max(distance - within_mm, kDistanceRounding_mm / 2) / closing;
+  }
+  return std::min(at, limit_mm);
+}
+
+}  // namespace
+
+double TriangleTree::first_near(const Vec3& p, const Vec3& ray, double limit_mm,
+                                double within_mm) const {
+  double first = limit_mm;
+  const double margin = within_mm + kDistanceRounding_mm;
+  model::nearest_first(
+      nodes_, [&](const model::BoxNode& node) { return entry_mm(node.box.grown(margin), p, ray); },
+      [&](double entry) { return entry >= first; },
+      [&](const model::BoxNode& leaf) {
+        for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+          first = first_near_triangle(triangles_[k], p, ray, first, within_mm);
+      });
+  return first;
 }
 
 }  // namespace limitgauge::verifier

@@ -33,6 +33,11 @@ class TriangleTree {
   std::optional<Foot> nearest(const model::Vec3& p,
                               double within_mm = std::numeric_limits<double>::infinity()) const;
 
+  /// The first t in [0, limit_mm] at which p + t·ray, a unit vector, comes within `within_mm` > 0
+  /// of the mesh; the limit where it never does.
+  double first_near(const model::Vec3& p, const model::Vec3& ray, double limit_mm,
+                    double within_mm) const;
+
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<model::BoxNode>& nodes() const { return nodes_; }
   const model::Box3& box() const { return nodes_.front().box; }

@@ -133,6 +133,42 @@ TEST_CASE("the distance to a mesh agrees with a look at every triangle", "[prope
   }
 }
 
+TEST_CASE("a ray stays on its side of a mesh up to where it comes near, and no shorter",
+          "[property]") {
+  Dice dice;
+  int met = 0, passed = 0, along_faces = 0;
+  for (const TriangleMesh& solid :
+       {box_mesh({-3, -3, -3}, {6, 6, 6}), wavy_block(12), prism_mesh({1, 1, -2}, 4, 5, 40)}) {
+    const MeshOutside mesh(solid);
+    for (int n = 0; n < 600; ++n) {
+      Vec3 p = dice.point(9), ray = normalized(dice.point(1));
+      // Beside a face and along it too, which it stays beside for long.
+      if (n % 3 == 0) p.x = 3 + dice.between(0, 1e-3), ray = normalized(Vec3{1e-4, ray.y, ray.z});
+      const double within = n % 2 == 0 ? 5e-7 : 0.05, limit = dice.between(1, 20);
+      const double start = std::abs(mesh.distance(p).value);
+      const double t = mesh.same_side_up_to(p, ray, limit, within);
+      REQUIRE(t >= 0);
+      REQUIRE(t <= limit);
+      if (start <= within) {
+        CHECK(t == 0);
+        continue;
+      }
+      const bool inside = mesh.distance(p).value > 0;
+      for (int k = 0; k < 200; ++k) {
+        const BodyDistance d = mesh.distance(p + ray * (t * k / 200));
+        CHECK((d.value > 0) == inside);
+        CHECK(std::abs(d.value) > within - 1e-9);
+      }
+      along_faces += n % 3 == 0 && t > 100 * start;
+      t < limit ? ++met : ++passed;
+      if (t < limit) CHECK(std::abs(mesh.distance(p + ray * t).value) <= within + 1e-9);
+    }
+  }
+  CHECK(met > 300);
+  CHECK(passed > 300);
+  CHECK(along_faces > 5);
+}
+
 TEST_CASE("no point of a cell is beyond the bounds of its distance to a mesh", "[slow]") {
   Dice dice;
   for (const TriangleMesh& solid :

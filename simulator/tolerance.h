@@ -48,7 +48,8 @@ inline constexpr double kLeastFeature_mm = 1e-7;
 inline constexpr double kSinglePrecision_voxels = 1e-5;
 /// How far from the surface an end of dexels may lie that were taken from a level set.
 inline constexpr double kTakenOver_mm = 5e-7;
-/// A level set read from a file has axes along the frame's within this share of a voxel.
+/// A level set read from a file has axes at right angles, as long as each other, within this share
+/// of a voxel.
 inline constexpr double kStraightAxes = 1e-12;
 /// The most voxels by which its values may change from one node to the next across its surface:
 /// distances change by one; what was drawn out a little by whoever wrote it stays below this, a

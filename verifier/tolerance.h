@@ -144,9 +144,6 @@ inline constexpr double kFacing = 1e-3;
 inline constexpr double kSkin_mm = 1e-6;
 /// By how much a run looks past such a skin or slit.
 inline constexpr double kStepOver_mm = 4 * kSkin_mm;
-/// What a sample of the deviation may be off by, but for the rounding of a float, mm: a run is known
-/// within the skins at its ends.
-inline constexpr double kFieldRounding_mm = 2 * kStepOver_mm;
 /// What lies this near beside a normal, behind a face that runs along it, counts as met by it: a
 /// wall cut flush with an edge of S, or half a micrometre off, is no gouge as deep as the wall is
 /// high, nor is a film of that width beside an upright wall a leftover of its height. Fins and

@@ -5,13 +5,16 @@
 #include <openvdb/openvdb.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "model/base/error.h"
+#include "model/geometry/pose.h"
 #include "model/mesh/mesh_soup.h"
 #include "model/text/message_text.h"
 #include "model/text/number_text.h"
@@ -42,21 +45,32 @@ std::string name_of_stock(openvdb::io::File& file) {
   refuse("the file has " + std::to_string(names.size()) + " grids", "one, or one named \"stock\"");
 }
 
-// The lattice of a transform that only scales evenly and moves.
-Lattice lattice_of(const openvdb::math::Transform& transform) {
-  constexpr const char* kExpected = "cubic voxels along the axes";
+// Where a grid's nodes lie: those of a lattice, turned and moved. A run whose setups turn the part
+// writes such grids, in the part's frame.
+struct GridPlace {
+  Lattice lattice;
+  model::Pose pose;
+};
+
+// Of a transform that scales evenly, turns and moves.
+GridPlace place_of(const openvdb::math::Transform& transform) {
+  constexpr const char* kExpected = "cubic voxels, turned and moved at most";
   if (!transform.isLinear()) refuse("the grid's transform is not linear", kExpected);
   const openvdb::Mat4d m = transform.baseMap()->getAffineMap()->getMat4();
-  const double voxel = m(0, 0);
+  const double voxel = length(model::Vec3{m(0, 0), m(0, 1), m(0, 2)});
   if (!(voxel > 0) || !std::isfinite(voxel))
     refuse("the grid's voxel is " + model::shortest(voxel) + " mm", kExpected);
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c)
-      if (!(std::abs(m(r, c) - (r == c ? voxel : 0)) <= kStraightAxes * voxel))
-        refuse("the grid is rotated, sheared or unevenly scaled", kExpected);
-  const Lattice lattice{{m(3, 0), m(3, 1), m(3, 2)}, voxel};
-  if (!is_finite(lattice.origin_mm)) refuse("the grid has no finite place", kExpected);
-  return lattice;
+  const model::Vec3 origin{m(3, 0), m(3, 1), m(3, 2)};
+  if (!is_finite(origin)) refuse("the grid has no finite place", kExpected);
+  std::array<model::Vec3, 3> rows;
+  for (int c = 0; c < 3; ++c) rows[c] = model::Vec3{m(0, c), m(1, c), m(2, c)} / voxel;
+  try {
+    GridPlace place{{origin, voxel}, model::rotation_of(rows, kStraightAxes)};
+    if (place.pose.turns()) place.lattice.origin_mm = {}, place.pose.shift_mm = origin;
+    return place;
+  } catch (const std::invalid_argument&) {
+    refuse("the grid is mirrored, sheared or unevenly scaled", kExpected);
+  }
 }
 
 void require_level_set(const openvdb::GridBase& grid) {
@@ -187,14 +201,14 @@ void require_memory(std::size_t cells, std::size_t limit_bytes) {
 // A distance changes by a voxel from node to node at most. Where it leaps across the surface, what
 // lies inside of the band was never filled (the file is a hollow shell) or the numbers are no
 // distances.
-void require_distances(const std::array<double, 8>& f, const Coord& low, const Lattice& lattice) {
+void require_distances(const std::array<double, 8>& f, const Coord& low, const GridPlace& place) {
+  const Lattice& lattice = place.lattice;
   for (int k = 0; k < 8; ++k)
     for (const int next : {k | 1, k | 2, k | 4}) {
       const double leap_mm = std::abs(f[next] - f[k]);
       if ((f[k] <= 0) == (f[next] <= 0) || leap_mm <= kSteepestLevelSet * lattice.voxel_mm)
         continue;
-      const model::Vec3 at =
-          lattice.origin_mm + model::Vec3(low.x(), low.y(), low.z()) * lattice.voxel_mm;
+      const model::Vec3 at = place.pose.point(lattice.point({low.x(), low.y(), low.z()}));
       refuse("from one node to the next, " + model::shortest(lattice.voxel_mm) +
                  " mm on, values change by " + model::shortest(leap_mm) + " mm, at " +
                  model::shortest(at.x) + ", " + model::shortest(at.y) + ", " +
@@ -203,7 +217,7 @@ void require_distances(const std::array<double, 8>& f, const Coord& low, const L
     }
 }
 
-model::TriangleMesh zero_set(const openvdb::FloatGrid& grid, const Lattice& lattice,
+model::TriangleMesh zero_set(const openvdb::FloatGrid& grid, const GridPlace& place,
                              std::size_t limit_bytes) {
   require_numbers(grid.tree());
   const Cells cells(grid.tree());
@@ -212,15 +226,19 @@ model::TriangleMesh zero_set(const openvdb::FloatGrid& grid, const Lattice& latt
   std::size_t count = 0;
   cells.each([&](const Coord& low) {
     if (!read_corners(tree, low, f)) return;
-    require_distances(f, low, lattice);
+    require_distances(f, low, place);
     ++count;
   });
   require_memory(count, limit_bytes);
   model::TriangleSoup soup;
   cells.each([&](const Coord& low) {
-    if (read_corners(tree, low, f)) add_zero_surface(f, {low.x(), low.y(), low.z()}, lattice, soup);
+    if (read_corners(tree, low, f))
+      add_zero_surface(f, {low.x(), low.y(), low.z()}, place.lattice, soup);
   });
-  return joined(soup).mesh;
+  model::TriangleMesh mesh = joined(soup).mesh;
+  if (place.pose.turns())
+    for (model::Vec3& v : mesh.vertices) v = place.pose.point(v);
+  return mesh;
 }
 
 }  // namespace
@@ -234,8 +252,8 @@ VdbReading::VdbReading(const std::filesystem::path& path)
 
 VdbStock VdbReading::stock(std::size_t memory_limit_bytes) const {
   const openvdb::FloatGrid& grid = *grid_->grid;
-  const Lattice lattice = lattice_of(grid.transform());
-  return {zero_set(grid, lattice, memory_limit_bytes), lattice.voxel_mm};
+  const GridPlace place = place_of(grid.transform());
+  return {zero_set(grid, place, memory_limit_bytes), place.lattice.voxel_mm};
 }
 
 std::string vdb_answer_about(const std::filesystem::path& path, std::size_t memory_limit_bytes,

@@ -17,9 +17,9 @@ inline constexpr std::size_t kVdbMemoryLimit = std::size_t{4} << 30;
 
 /// The closed triangle mesh of the zero set of a level set, as tetrahedra.h has it; where faces
 /// of the stock meet, it cuts the edge off by less than a voxel. The file holds one grid, or one
-/// named "stock": single precision, a level set, cubic voxels along the axes, millimetres. Throws
-/// InputError for everything else that OpenVDB can tell, ResourceError where the mesh would need
-/// more than `memory_limit_bytes`.
+/// named "stock": single precision, a level set, cubic voxels, turned and moved at most,
+/// millimetres. Throws InputError for everything else that OpenVDB can tell, ResourceError where
+/// the mesh would need more than `memory_limit_bytes`.
 VdbStock read_vdb_stock(const std::filesystem::path& path,
                         std::size_t memory_limit_bytes = kVdbMemoryLimit);
 

@@ -208,10 +208,10 @@ Histogram histogram(const std::vector<Weighted>& sorted, double total) {
   return h;
 }
 
-/// A sample is a run to a place known within a skin, kept as a float: one on a limit is within it.
+/// A sample is a distance kept as a float: one that is on a limit but for rounding is within it.
 bool within(double deviation_mm, const GateLimits& limits) {
   const double rounding_mm =
-      kFieldRounding_mm + std::numeric_limits<float>::epsilon() * std::abs(deviation_mm);
+      kDistanceRounding_mm + std::numeric_limits<float>::epsilon() * std::abs(deviation_mm);
   return (!limits.has_gouge || -deviation_mm <= limits.gouge_mm + rounding_mm) &&
          (!limits.has_uncut || deviation_mm <= limits.uncut_mm + rounding_mm);
 }

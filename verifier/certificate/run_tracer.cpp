@@ -48,10 +48,9 @@ double RunTracer::exit_of(BodyRef body, const Vec3& p, const Vec3& along, double
   };
   double inside = t, here = depth(t);
   if (const MeshOutside* mesh = space_.mesh_of(body)) {
-    const double least = kSkin_mm / 2;
-    if (here <= least) return std::min(inside, limit_mm);
+    if (here <= kSkin_mm / 2) return std::min(inside, limit_mm);
     return inside + mesh->same_side_up_to(p + along * inside, along, limit_mm - inside,
-                                          space_.chord_error_mm() + least);
+                                          space_.chord_error_mm() + kDistanceRounding_mm);
   }
   if (space_.is_concave(body) || space_.turns(body)) {
     // These are not convex, so by steps that are no longer than the place is deep.

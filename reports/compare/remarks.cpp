@@ -39,20 +39,20 @@ std::string stated_area(double mm2) {
   return model::shortest(mm2) + " mm²";
 }
 
-std::optional<Remark> compare_limit(const Limit& limit, const Options& options) {
+void compare_limit(const Limit& limit, const Options& options, std::vector<Remark>& out) {
   const std::string what = std::string("limit of ") + limit.what + " ";
   const auto remark = [&](Judgement judgement, const std::string& text) {
-    return Remark{"gate", if_judged(options, "gate", judgement), what + text};
+    out.push_back({"gate", if_judged(options, "gate", judgement), what + text});
   };
   if (limit.has_base && !limit.has_now)
     return remark(Judgement::worse, "taken away: it was " + limit.text(limit.base));
   if (!limit.has_base && limit.has_now)
     return remark(Judgement::better, "set: " + limit.text(limit.now));
-  if (!limit.has_base || limit.base == limit.now) return std::nullopt;
+  if (!limit.has_base || limit.base == limit.now) return;
   const bool is_looser = (limit.now > limit.base) == limit.more_is_looser;
-  return remark(is_looser ? Judgement::worse : Judgement::better,
-                std::string(is_looser ? "loosened" : "tightened") + " from " +
-                    limit.text(limit.base) + " to " + limit.text(limit.now));
+  remark(is_looser ? Judgement::worse : Judgement::better,
+         std::string(is_looser ? "loosened" : "tightened") + " from " + limit.text(limit.base) +
+             " to " + limit.text(limit.now));
 }
 
 void name_change(std::vector<Remark>& out, const std::string& id, const std::string& what,
@@ -97,8 +97,7 @@ std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifi
               true, stated_area},
         Limit{"unavoidable uncut", base.has_unavoidable, now.has_unavoidable, base.unavoidable_mm,
               now.unavoidable_mm, true}})
-    if (std::optional<Remark> remark = compare_limit(limit, options))
-      out.push_back(std::move(*remark));
+    compare_limit(limit, options, out);
   return out;
 }
 
@@ -119,10 +118,8 @@ void compare_travel(const std::optional<model::Box3>& base, const std::optional<
       const double was = end(base), is = end(now);
       const std::string what =
           std::string("travel along ") + kAxes[axis] + (is_high ? " upwards" : " downwards");
-      const Limit limit{what.c_str(), std::isfinite(was), std::isfinite(is), was, is, is_high,
-                        text};
-      if (std::optional<Remark> remark = compare_limit(limit, options))
-        out.push_back(std::move(*remark));
+      compare_limit({what.c_str(), std::isfinite(was), std::isfinite(is), was, is, is_high, text},
+                    options, out);
     }
 }
 
@@ -134,10 +131,9 @@ std::vector<Remark> compare_process_limits(const std::optional<record::ProcessLi
   std::vector<Remark> out;
   // A result of an earlier version does not say them.
   if (!base || !now) return out;
-  const Limit contact{"contacts", true, true, base->contact_tolerance_mm, now->contact_tolerance_mm,
-                      true};
-  if (std::optional<Remark> remark = compare_limit(contact, options))
-    out.push_back(std::move(*remark));
+  compare_limit(
+      {"contacts", true, true, base->contact_tolerance_mm, now->contact_tolerance_mm, true},
+      options, out);
   name_change(out, "near_miss", "distance of a near miss", stated_length(base->near_miss_mm),
               stated_length(now->near_miss_mm));
   compare_travel(base->travel_mm, now->travel_mm, options, out);

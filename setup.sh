@@ -38,7 +38,7 @@ tests=(
   # fuzz tests: clang of either release (14, 19) with its fuzzer's and sanitizers' runtimes
   clang libclang-rt-dev
   # tests of the report in a real browser
-  chromium
+  chromium-headless-shell
   # tests of studies as job arrays: a cluster of one node
   slurm-wlm munge
 )

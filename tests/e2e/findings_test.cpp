@@ -7,8 +7,8 @@ namespace limitgauge::e2e {
 namespace {
 
 nlohmann::json run(const Scratch& scratch, const std::string& job, int expected_exit) {
-  const Outcome outcome =
-      limitgauge(scratch, {"run", fixture("findings/" + job + ".toml"), "-o", job, "--quiet"});
+  const Outcome outcome = limitgauge(scratch, {"run", fixture("findings/" + job + ".toml"), "-o",
+                                               job, "--quiet", "--no-pictures"});
   INFO(job << ": " << outcome.errors << outcome.out);
   REQUIRE(outcome.exit_code == expected_exit);
   return nlohmann::json::parse(read_text(scratch / (job + "/result.json")))["stages"][0];

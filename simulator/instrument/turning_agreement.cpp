@@ -23,6 +23,10 @@ constexpr int kMostTens = 6;
 constexpr double kBend_mm = 1e-4;
 /// Poses of a move at most: of a quarter of a turn about a place 250 mm away.
 constexpr int kMostPoses = 1024;
+/// How near to the pose that holds a place deepest is looked for: a hundredth of kAgreement_mm,
+/// since a sharp edge that goes past holds what is so little inside for twice that way and no
+/// longer, however long the move is.
+constexpr double kPose_mm = 1e-8;
 
 /// One move, its axis between its ends by sines (the great circle's own formula).
 struct PosedMove {
@@ -55,15 +59,14 @@ double within(const DexelProfile& profile, const PosedMove& m, const Vec3& p, do
                    -profile.minus_upper().height(at) - height - beyond});
 }
 
-/// Golden section for a place where `depth` is not below 0: to a millionth of a move, at which
-/// what is left of a smooth greatest depth is far below rounding.
+/// Golden section for a place where `depth` is not below 0, between a and b of a move on which
+/// nothing goes further than `way_mm`: to kPose_mm.
 template <class DepthAt>
-bool section(const DepthAt& depth, double a, double b) {
+bool section(const DepthAt& depth, double a, double b, double way_mm) {
   constexpr double kGolden = 0.6180339887498949;
-  constexpr int kSections = 26;
   double s = b - kGolden * (b - a), t = a + kGolden * (b - a);
   double at_s = depth(s), at_t = depth(t);
-  for (int n = 0; n < kSections && at_s < 0 && at_t < 0; ++n) {
+  while ((b - a) * way_mm > kPose_mm && at_s < 0 && at_t < 0) {
     if (at_s > at_t) {
       b = t, t = s, at_t = at_s;
       at_s = depth(s = b - kGolden * (b - a));
@@ -89,6 +92,7 @@ struct PosedReach {
         axis(m.axis(0.5)),
         length_mm(profile.length()),
         about_mm(profile.largest_radius() + distance(m.from, m.to) / 2 + length_mm * m.angle / 2),
+        way_mm(distance(m.from, m.to) + m.angle * (profile.largest_radius() + length_mm)),
         poses(poses_of(m.angle, distance(m.from, m.to), profile.largest_radius() + length_mm)) {}
   bool holds(const Vec3& p) const {
     const Vec3 q = p - tip;
@@ -98,7 +102,8 @@ struct PosedReach {
 
   Vec3 tip, axis;
   double length_mm, about_mm;
-  int poses;  ///< that the move is looked at in
+  double way_mm;  ///< of any place of it at most
+  int poses;      ///< that the move is looked at in
 };
 
 class PosedCutter {
@@ -112,12 +117,12 @@ class PosedCutter {
   bool comes_to(const Vec3& place) const {
     const Vec3 p = pose_.point_back(place);
     for (std::size_t i = 0; i < moves_.size(); ++i)
-      if (reaches_[i].holds(p) && holds(moves_[i], p, reaches_[i].poses)) return true;
+      if (reaches_[i].holds(p) && holds(moves_[i], reaches_[i], p)) return true;
     return false;
   }
 
  private:
-  bool holds(const PosedMove& m, const Vec3& p, int last) const;
+  bool holds(const PosedMove& m, const PosedReach& reach, const Vec3& p) const;
 
   DexelProfile profile_;
   model::Pose pose_;
@@ -125,7 +130,8 @@ class PosedCutter {
   std::vector<PosedReach> reaches_;  // of each
 };
 
-bool PosedCutter::holds(const PosedMove& m, const Vec3& p, int last) const {
+bool PosedCutter::holds(const PosedMove& m, const PosedReach& reach, const Vec3& p) const {
+  const int last = reach.poses;
   const auto at = [&](double t) { return within(profile_, m, p, t); };
   std::array<double, kMostPoses + 1> depth;
   for (int k = 0; k <= last; ++k)
@@ -140,7 +146,8 @@ bool PosedCutter::holds(const PosedMove& m, const Vec3& p, int last) const {
     const double steepest =
         std::max({fall(k, k - 1), fall(k, k + 1), fall(k - 1, k - 2), fall(k + 1, k + 2)});
     if (depth[k] + 2 * steepest + kBend_mm < 0) continue;
-    if (section(at, std::max(0.0, k - 1.0) / last, std::min(1.0 * last, k + 1.0) / last))
+    if (section(at, std::max(0.0, k - 1.0) / last, std::min(1.0 * last, k + 1.0) / last,
+                reach.way_mm))
       return true;
   }
   return false;

@@ -100,9 +100,18 @@ CellValues CellBounder::values_of(const Bezier& cell, BodyRef body) const {
   return out;
 }
 
-/// A lower bound on a cell, by a plane of that slope, for every shift.
-double CellBounder::swayed(BodyRef body, double lower, const Vec3& gradient) const {
-  return space_.is_stock(body) ? lower : lower - space_.swayed_by_mm(gradient);
+/// The same of the body shrunk by its error.
+CellValues CellBounder::shrunk_values_of(const Bezier& cell, BodyRef body) const {
+  CellValues out = values_of(cell, body);
+  if (const double error = space_.error_mm(body); error != 0)
+    for (double& value : out) value += error;
+  return out;
+}
+
+/// A lower bound on a cell, by a plane of that slope, for every shift and error.
+double CellBounder::lowered(BodyRef body, double lower, const Vec3& gradient) const {
+  if (space_.is_stock(body)) return lower;
+  return lower - space_.swayed_by_mm(gradient) - space_.error_mm(body);
 }
 
 /// The same by the plane where the cell's middle lies deepest in the body, but for its bend.
@@ -112,7 +121,7 @@ double CellBounder::corner_lower(const Bezier& cell, const Vec3& middle, BodyRef
                     std::copysign(space_.sway().y, gradient.y), 0};
   const BodyDistance d = space_.distance(body, middle - corner);
   return plane_range(cell, middle, d).low - d.slack_mm + dot(d.gradient, corner) -
-         space_.swayed_by_mm(d.gradient);
+         space_.swayed_by_mm(d.gradient) - space_.error_mm(body);
 }
 
 /// A lower bound that is `enough_mm` need not be better.
@@ -122,13 +131,16 @@ CellBounder::Scored CellBounder::score(const Bezier& cell, const Vec3& middle, B
   // that is asked of it then.
   const bool turns = space_.turns(body);
   if (!turns || !std::isfinite(enough_mm)) distance = space_.distance(body, middle);
-  if (turns)
-    return {body, distance.value, space_.lower(body, controls(cell), middle, enough_mm), 0};
+  if (turns) {
+    const double error = space_.error_mm(body);
+    const double lower = space_.lower(body, controls(cell), middle, enough_mm + error);
+    return {body, distance.value, lower - error, 0};
+  }
   if (const MeshOutside* mesh = space_.mesh_of(body))
     return {body, distance.value, mesh->lower(cell, middle, distance), 0};
   if (!space_.is_concave(body)) {
     const double plane = plane_range(cell, middle, distance).low - distance.slack_mm;
-    return {body, distance.value, swayed(body, plane, distance.gradient), 0};
+    return {body, distance.value, lowered(body, plane, distance.gradient), 0};
   }
   return {body, distance.value, least(values_of(cell, body)),
           plane_range(cell, middle, distance).high};
@@ -141,7 +153,7 @@ double CellBounder::upper_of(const Bezier& cell, const Vec3& middle, BodyRef bod
     BodyDistance distance;
     return score(cell, middle, body, distance).upper;
   }
-  return largest(values_of(cell, body));
+  return largest(shrunk_values_of(cell, body));
 }
 
 void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& candidates,
@@ -164,7 +176,8 @@ double CellBounder::improve_upper(const Bezier& cell, double upper, double low_e
                     });
   values_.clear();
   for (std::size_t i = 0; i < count; ++i)
-    if (!space_.is_concave(scored_[i].body)) values_.push_back(values_of(cell, scored_[i].body));
+    if (!space_.is_concave(scored_[i].body))
+      values_.push_back(shrunk_values_of(cell, scored_[i].body));
   if (values_.size() < 2) return upper;
   const auto first =
       std::min_element(values_.begin(), values_.end(),
@@ -216,7 +229,7 @@ double CellBounder::mixed_lower(const Bezier& cell, const Vec3& middle, BodyRef 
           return a.at[worst] < b.at[worst];
         }));
   }
-  return -largest(mean) - slack_mm;
+  return -largest(mean) - slack_mm - space_.error_mm(body);
 }
 
 bool CellBounder::sharp(BodyRef body, double radius_mm) const {
@@ -241,13 +254,15 @@ bool CellBounder::surely_outside(const Bezier& cell, double margin_mm,
     missed_by_mm_ = unsure ? 0 : margin_mm - lower, in_the_way_ = body;
     // Of a turning body nothing better is looked for where the middle itself is too near.
     if (space_.turns(body))
-      if (const double here = space_.distance(body, centre).value; here < margin_mm)
+      if (const double here = space_.distance(body, centre).value - space_.error_mm(body);
+          here < margin_mm)
         missed_by_mm_ = margin_mm - here;
     return by_edge && mixed_lower(cell, centre, body) >= margin_mm;
   };
   if (first && !clear(*first)) return false;
   near_.clear();
-  space_.within(control_box(cell), margin_mm + sway_mm_, near_, far_.get());
+  space_.within(control_box(cell), margin_mm + sway_mm_ + space_.chord_error_mm(), near_,
+                far_.get());
   return std::all_of(near_.begin(), near_.end(), clear);
 }
 
@@ -272,7 +287,8 @@ bool CellBounder::turning_unswept(const Bezier& cell, const Vec3& prism, double 
                                   BodyRef body) const {
   std::array<Vec3, 32> ends;
   for (int k = 0; k < 16; ++k) ends[k] = cell.control(k), ends[16 + k] = cell.control(k) + prism;
-  return space_.lower(body, ends, middle(cell) + prism / 2, margin_mm) >= margin_mm;
+  const double wanted = margin_mm + space_.error_mm(body);
+  return space_.lower(body, ends, middle(cell) + prism / 2, wanted) >= wanted;
 }
 
 bool CellBounder::piece_unswept(const Bezier& cell, const Vec3& prism, double margin_mm) {
@@ -281,7 +297,7 @@ bool CellBounder::piece_unswept(const Bezier& cell, const Vec3& prism, double ma
   const model::Box3 end{box.low + prism, box.high + prism};
   box.add(end.low), box.add(end.high);
   near_.clear();
-  space_.within(box, margin_mm + sway_mm_, near_, far_.get());
+  space_.within(box, margin_mm + sway_mm_ + space_.chord_error_mm(), near_, far_.get());
   return std::all_of(near_.begin(), near_.end(), [&](BodyRef body) {
     if (space_.is_stock(body)) return true;
     if (space_.turns(body)) return turning_unswept(cell, prism, margin_mm, body);
@@ -289,7 +305,7 @@ bool CellBounder::piece_unswept(const Bezier& cell, const Vec3& prism, double ma
     // Convex hull of both ends: the plane is least at a control point of one of them.
     const double along = std::min(0.0, dot(d.gradient, prism));
     const double lower = plane_range(cell, centre, d).low + along - d.slack_mm;
-    return swayed(body, lower, d.gradient) >= margin_mm;
+    return lowered(body, lower, d.gradient) >= margin_mm;
   });
 }
 
@@ -297,7 +313,10 @@ bool CellBounder::surely_inside(const Bezier& cell, double margin_mm, BodyRef fi
   const Vec3 centre = middle(cell);
   const double radius = control_radius(cell, centre);
   const double precision = turning_precision_mm(radius);
-  const double lowest = space_.distance(first, centre, precision).value;
+  const auto shrunk = [&](BodyRef body) {
+    return space_.distance(body, centre, precision).value + space_.error_mm(body);
+  };
+  const double lowest = shrunk(first);
   if (lowest > -margin_mm) return false;
   if (upper_of(cell, centre, first) <= -margin_mm) return true;
   // A mean that gives a body a tenth or more is low enough at the middle only if that body is.
@@ -309,8 +328,7 @@ bool CellBounder::surely_inside(const Bezier& cell, double margin_mm, BodyRef fi
   if (near_.size() < 2) return false;
   scored_.clear();
   for (const BodyRef body : near_)
-    if (!space_.is_concave(body))
-      scored_.push_back({body, space_.distance(body, centre, precision).value});
+    if (!space_.is_concave(body)) scored_.push_back({body, shrunk(body)});
   return improve_upper(cell, std::numeric_limits<double>::infinity(), -margin_mm) <= -margin_mm;
 }
 

@@ -27,8 +27,9 @@ struct CellValues {
   const double* end() const { return at.data() + count; }
 };
 
-/// Bounds of δ = min over i of d_i on a Bézier cell with control points P_k and middle m, and for
-/// every shift of what was swept that the space may sway by.
+/// Bounds of δ = min over i of d_i on a Bézier cell with control points P_k and middle m, for every
+/// shift of what was swept that the space may sway by, and for bodies that are each grown or shrunk
+/// by as much as their error.
 /// Formulas and proofs: CERTIFICATE.md, sections 3 and 10. A body whose term exceeds the upper
 /// bound is nearest nowhere in the cell and is dropped, for this cell and all its parts. The
 /// outside of a mesh has bounds of its own (MeshOutside).
@@ -77,7 +78,8 @@ class CellBounder {
   bool turning_unswept(const Bezier& cell, const model::Vec3& prism, double margin_mm,
                        BodyRef body) const;
   CellValues values_of(const Bezier& cell, BodyRef body) const;
-  double swayed(BodyRef body, double lower, const model::Vec3& gradient) const;
+  CellValues shrunk_values_of(const Bezier& cell, BodyRef body) const;
+  double lowered(BodyRef body, double lower, const model::Vec3& gradient) const;
   double corner_lower(const Bezier& cell, const model::Vec3& middle, BodyRef body,
                       const model::Vec3& gradient) const;
   double upper_of(const Bezier& cell, const model::Vec3& middle, BodyRef body);

@@ -101,9 +101,10 @@ bool RunBounds::is_wedge_beside(const OffsetCell& cell, double length_mm) {
          });
 }
 
-/// By how much a place has to be beyond a face for all of a cell moved by t to be beyond it.
+/// By how much a place has to be beyond a face, and its error, for all of a cell moved by t to be
+/// beyond it.
 double RunBounds::margin_mm(const OffsetCell& cell, double t_mm) const {
-  return std::abs(t_mm) * cell.remainder + space_.chord_error_mm();
+  return std::abs(t_mm) * cell.remainder;
 }
 
 /// Whether a face runs along the cell's normals, so near beside the place that what is on its other
@@ -121,7 +122,8 @@ bool RunBounds::is_gone(const OffsetCell& cell, double t_mm) {
 /// The same by one body, and those about it.
 bool RunBounds::is_gone(const OffsetCell& cell, double t_mm, const Nearest& at) {
   const double margin = margin_mm(cell, t_mm) - kSkin_mm;
-  if (at.distance.value <= -margin && bounder_.surely_inside(cell.moved(t_mm), margin, at.body))
+  if (at.distance.value + space_.error_mm(at.body) <= -margin &&
+      bounder_.surely_inside(cell.moved(t_mm), margin, at.body))
     return true;
   return is_beside(cell, at) &&
          bounder_.surely_inside(shifted(cell.moved(t_mm), at.distance.gradient * -kBeside_mm),
@@ -151,7 +153,8 @@ bool RunBounds::stands(const OffsetCell& cell, double t_mm) {
   const double margin = margin_mm(cell, t_mm) + kSkin_mm;
   const Vec3 middle = cell.moved_middle(t_mm);
   const Nearest& at = look(middle);
-  if (at.distance.value >= margin) {
+  const double clear = at.distance.value - space_.error_mm(at.body);
+  if (clear >= margin) {
     if (bounder_.surely_outside(cell.moved(t_mm), margin, at.body)) return true;
     // What misses by more than a cell is moved beside itself misses there as well.
     constexpr double kTooFar_mm = (kMostFaces + 1) * kBeside_mm;
@@ -161,7 +164,7 @@ bool RunBounds::stands(const OffsetCell& cell, double t_mm) {
     if (missed_mm > 0 && missed_mm > gain_beside_mm(cell, {body, space_.distance(body, middle)},
                                                     control_radius(cell.shape, cell.middle)))
       return false;
-  } else if (margin - at.distance.value > gain_beside_mm(cell, at, 0)) {
+  } else if (margin - clear > gain_beside_mm(cell, at, 0)) {
     return false;
   }
   return stands_beside(cell, t_mm, kAlong);
@@ -255,7 +258,7 @@ bool RunBounds::surely_unswept(const OffsetCell& cell, double length_mm) {
 bool RunBounds::ends_within(const OffsetCell& cell, double length_mm) {
   const double t = side_ == Side::uncut ? allowance_mm_ + length_mm : allowance_mm_ - length_mm;
   const Nearest at = look(cell.moved_middle(t));
-  const double error = space_.chord_error_mm() + space_.swayed_by_mm(at);
+  const double error = space_.error_mm(at.body) + space_.swayed_by_mm(at);
   return side_ == Side::uncut ? at.distance.value <= -error : at.distance.value >= error;
 }
 

@@ -29,8 +29,8 @@ TracedRun RunTracer::material(const Vec3& s, const Vec3& n, double allowance_mm,
     if (!met.body) break;
     // A slit thinner than a skin, as between a cut and material that touches its edge, ends no run.
     const double past = run.length_mm + kStepOver_mm;
-    const BodyDistance next = space_.nearest(from + n * past, met.body, far_.get()).distance;
-    if (kEnds.is_met(next.value - space_.chord_error_mm(), next.gradient, n)) break;
+    const auto [body, next] = space_.nearest_grown(from + n * past, met.body, far_.get());
+    if (kEnds.is_met(next.value - space_.error_mm(body), next.gradient, n)) break;
     run.length_mm = std::min(past, limit_mm);
   }
   if (run.length_mm <= least_mm) return run;
@@ -44,7 +44,7 @@ TracedRun RunTracer::material(const Vec3& s, const Vec3& n, double allowance_mm,
 double RunTracer::exit_of(BodyRef body, const Vec3& p, const Vec3& along, double t,
                           double limit_mm) const {
   const auto depth = [&](double at) {
-    return -space_.distance(body, p + along * at).value - space_.chord_error_mm();
+    return -space_.distance(body, p + along * at).value - space_.error_mm(body);
   };
   double inside = t, here = depth(t);
   if (const MeshOutside* mesh = space_.mesh_of(body)) {
@@ -106,14 +106,15 @@ double RunTracer::walk_removed(const Vec3& p, const Vec3& along, double limit_mm
   double t = 0;
   std::optional<BodyRef> hint;
   for (int step = 0; step < kMostSteps && t < limit_mm; ++step) {
-    Nearest nearest = space_.nearest(p + along * t, hint, far_.get());
+    Nearest nearest = space_.nearest_shrunk(p + along * t, hint, far_.get());
     hint = nearest.body;
-    const double sure = -kSkin_mm - space_.chord_error_mm();
-    if (nearest.distance.value >= sure) {
+    const auto may_stand = [&] {
+      return nearest.distance.value >= -kSkin_mm - space_.error_mm(nearest.body);
+    };
+    if (may_stand()) {
       // Two bodies that meet face to face leave no film between them.
-      nearest = space_.nearest(p + along * (t + kStepOver_mm), hint, far_.get());
-      if (nearest.distance.value >= sure || is_wedge(p + along * (t + kStepOver_mm / 2), along))
-        break;
+      nearest = space_.nearest_shrunk(p + along * (t + kStepOver_mm), hint, far_.get());
+      if (may_stand() || is_wedge(p + along * (t + kStepOver_mm / 2), along)) break;
       t += kStepOver_mm;
     }
     const double end = std::min(exit_of(nearest.body, p, along, t, limit_mm),

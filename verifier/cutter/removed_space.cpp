@@ -207,6 +207,24 @@ std::optional<Nearest> RemovedSpace::nearest_swept(const Vec3& p) const {
   return best;
 }
 
+Nearest RemovedSpace::nearest_grown(const Vec3& p, std::optional<BodyRef> hint,
+                                    FarPasses* far) const {
+  const Nearest at = nearest(p, hint, far);
+  if (chord_error_mm_ == 0 || !is_stock(at.body)) return at;
+  const auto swept = nearest_swept(p);
+  return swept && swept->distance.value - chord_error_mm_ < at.distance.value ? *swept : at;
+}
+
+Nearest RemovedSpace::nearest_shrunk(const Vec3& p, std::optional<BodyRef> hint,
+                                     FarPasses* far) const {
+  Nearest at = nearest(p, hint, far);
+  if (chord_error_mm_ == 0 || is_stock(at.body)) return at;
+  Nearest shrunk = at;
+  shrunk.distance.value += chord_error_mm_;
+  nearest_of_stock(p, shrunk);
+  return is_stock(shrunk.body) ? shrunk : at;
+}
+
 double RemovedSpace::stock_distance_mm(const Vec3& p) const {
   Nearest best{{static_cast<std::uint32_t>(passes_.size()) + 1, 0},
                {std::numeric_limits<double>::infinity(), {}, 0}};

@@ -62,9 +62,10 @@ class RemovedSpace {
   /// This space where all that was swept lies `by` further; the raw stock stays. Bodies are not
   /// held twice.
   RemovedSpace shifted(const model::Vec3& by) const;
-  /// This space as one of which `sway()` and a part of `chord_error_mm()` are not known: proofs on
-  /// cells (CellBounder) hold for all of it, distances at places are those of its middle. Throws
-  /// std::invalid_argument for a sway out of plan, and where a pass turns its tool as it goes.
+  /// This space as one of which `sway()` and a part of `error_mm()` of what was swept are not
+  /// known: proofs on cells (CellBounder) hold for all of it, distances at places are those of its
+  /// middle. Throws std::invalid_argument for a sway out of plan, and where a pass turns its tool
+  /// as it goes.
   RemovedSpace swaying(const model::Vec3& half_mm, double error_mm) const;
 
   /// The nearest body; among equals the first. A `hint`, any body, saves time where it is near.
@@ -72,6 +73,12 @@ class RemovedSpace {
                   FarPasses* far = nullptr) const;
   /// The same of what was swept alone; none where nothing was.
   std::optional<Nearest> nearest_swept(const model::Vec3& p) const;
+  /// The same where each body is grown, or shrunk, by its `error_mm()`: another one may be nearest
+  /// then. The distance is that to the body as it is.
+  Nearest nearest_grown(const model::Vec3& p, std::optional<BodyRef> hint = {},
+                        FarPasses* far = nullptr) const;
+  Nearest nearest_shrunk(const model::Vec3& p, std::optional<BodyRef> hint = {},
+                         FarPasses* far = nullptr) const;
   /// All bodies with d(p) ≤ limit_mm, in a fixed order, appended to `out`.
   void within(const model::Vec3& p, double limit_mm, std::vector<BodyRef>& out,
               FarPasses* far = nullptr) const;
@@ -121,6 +128,9 @@ class RemovedSpace {
   /// Largest distance between a programmed arc and the pieces that stand for it, over all passes;
   /// and what else tips may be off by, each move for itself.
   double chord_error_mm() const { return chord_error_mm_; }
+  /// By how much a body as it is may lie within or beyond that of its distance: chord_error_mm() of
+  /// what was swept. The raw stock lies where it is said to.
+  double error_mm(BodyRef body) const { return is_stock(body) ? 0 : chord_error_mm_; }
   /// How far what was swept may lie from what the paths' own moves sweep, whose chords stand wider
   /// of their arcs: a stock that was cut by those is as much off.
   double from_moves_mm() const { return from_moves_mm_; }

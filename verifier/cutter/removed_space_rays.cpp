@@ -166,11 +166,7 @@ void RemovedSpace::first_met_of_stock(const Vec3& p, const Vec3& ray, const EndR
   const auto outside = static_cast<std::uint32_t>(passes_.size());
   for (std::uint32_t face = 0; face < (mesh_ ? 1 : stock_faces()); ++face) {
     const BodyRef body{outside, face};
-    const auto distance = [&](double t) {
-      BodyDistance d = this->distance(body, p + ray * t);
-      d.value -= chord_error_mm_;
-      return d;
-    };
+    const auto distance = [&](double t) { return this->distance(body, p + ray * t); };
     const bool is_convex = !mesh_ && !is_concave(body);
     const double t = first_meeting(distance, ray, is_convex, first.t_mm, rule);
     if (t < first.t_mm) first = {t, body};

@@ -95,6 +95,38 @@ TEST_CASE("the nearest body is that of all bodies one by one", "[property][remov
   }
 }
 
+TEST_CASE("the nearest of grown and of shrunk bodies is that of all bodies one by one",
+          "[property][removed]") {
+  Slopes slopes;
+  std::vector<Pass> passes = passes_of(slopes);
+  for (Pass& pass : passes) {
+    auto path = std::make_shared<model::Toolpath>(*pass.path);
+    path->chord_error_mm = 0.5;
+    pass.path = path;
+  }
+  // Its faces run through what was swept.
+  const RemovedSpace space(model::BoxStock{{1, 1, -20}, {9, 9, 60}}, passes);
+  int differ = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const Vec3 p = slopes.point();
+    const double stock = space.stock_distance_mm(p);
+    double grown = stock, shrunk = stock;
+    for (std::uint32_t pass = 0; pass < passes.size(); ++pass)
+      for (std::uint32_t k = 0; k < passes[pass].path->moves.size(); ++k) {
+        const double d = space.distance({pass, k}, p).value;
+        grown = std::min(grown, d - 0.5), shrunk = std::min(shrunk, d + 0.5);
+      }
+    const Nearest at = space.nearest(p), most = space.nearest_grown(p),
+                  least = space.nearest_shrunk(p);
+    CHECK(most.distance.value - space.error_mm(most.body) ==
+          Approx(grown).margin(kSameDistance_mm));
+    CHECK(least.distance.value + space.error_mm(least.body) ==
+          Approx(shrunk).margin(kSameDistance_mm));
+    differ += at.body != most.body || at.body != least.body;
+  }
+  CHECK(differ > 0);
+}
+
 TEST_CASE("what is known of far passes and of near bodies changes no answer",
           "[property][removed]") {
   Slopes slopes;

@@ -104,6 +104,41 @@ double next_time(const TurnStretch& s, std::size_t step) {
   return t > s.a.t && t < s.b.t ? t : s.a.t + width / 2;
 }
 
+/// The stretches of a move and a heap of them by their bounds: about a tip that stands still as its
+/// tool turns the distance is the same all along, and thousands are looked at.
+struct TurnStretches {
+  struct Rank {
+    double bound;
+    std::size_t stretch;
+    bool operator<(const Rank& o) const { return bound > o.bound; }
+  };
+
+  void clear() { all.clear(), ranks.clear(); }
+  const TurnStretch& lowest() const { return all[ranks.front().stretch]; }
+  void add(const TurnStretch& s) {
+    all.push_back(s);
+    rank(all.size() - 1);
+  }
+  /// Two in place of the lowest.
+  void split(const TurnStretch& first, const TurnStretch& second) {
+    const std::size_t low = ranks.front().stretch;
+    std::pop_heap(ranks.begin(), ranks.end());
+    ranks.pop_back();
+    all[low] = first;
+    rank(low);
+    add(second);
+  }
+
+  std::vector<TurnStretch> all;
+  std::vector<Rank> ranks;
+
+ private:
+  void rank(std::size_t stretch) {
+    ranks.push_back({all[stretch].bound, stretch});
+    std::push_heap(ranks.begin(), ranks.end());
+  }
+};
+
 /// Best first over the stretches of a move.
 class TurnSearchAlong {
  public:
@@ -115,20 +150,14 @@ class TurnSearchAlong {
   std::optional<SweptSample> least(double bound, double within);
 
  private:
-  void add(const TurnLook& a, const TurnLook& b) {
+  TurnStretch between(const TurnLook& a, const TurnLook& b) const {
     const double bend = bends_.between(a, b);
-    stretches_.push_back({a, b, bend, bound_between(a, b, bend)});
-  }
-  std::size_t lowest() const {
-    std::size_t low = 0;
-    for (std::size_t k = 1; k < stretches_.size(); ++k)
-      if (stretches_[k].bound < stretches_[low].bound) low = k;
-    return low;
+    return {a, b, bend, bound_between(a, b, bend)};
   }
   SweptSample settled() const;
   /// Of one search at a time in a thread.
-  static std::vector<TurnStretch>& room() {
-    thread_local std::vector<TurnStretch> kept;
+  static TurnStretches& room() {
+    thread_local TurnStretches kept;
     return kept;
   }
 
@@ -137,25 +166,22 @@ class TurnSearchAlong {
   const Vec3& p_;
   TurnBends bends_;
   TurnLook best_;
-  std::vector<TurnStretch>& stretches_;
+  TurnStretches& stretches_;
 };
 
 std::optional<SweptSample> TurnSearchAlong::least(double bound, double within) {
   const TurnLook begin = look_at(profile_, move_, p_, 0), end = look_at(profile_, move_, p_, 1);
   best_ = end.value < begin.value ? end : begin;
-  add(begin, end);
-  for (std::size_t step = 0; stretches_.size() < kMostAlongTurn; ++step) {
-    const std::size_t low = lowest();
-    const TurnStretch s = stretches_[low];
+  stretches_.add(between(begin, end));
+  for (std::size_t step = 0; stretches_.all.size() < kMostAlongTurn; ++step) {
+    const TurnStretch s = stretches_.lowest();
     if (s.bound >= bound) return std::nullopt;
     if (best_.value - s.bound <= within) break;
     const double t = next_time(s, step);
     if (!(t > s.a.t && t < s.b.t)) break;  // no number lies between
     const TurnLook here = look_at(profile_, move_, p_, t);
     if (here.value < best_.value) best_ = here;
-    stretches_[low] = stretches_.back();
-    stretches_.pop_back();
-    add(s.a, here), add(here, s.b);
+    stretches_.split(between(s.a, here), between(here, s.b));
   }
   return best_.value < bound ? std::optional(settled()) : std::nullopt;
 }
@@ -166,7 +192,7 @@ SweptSample TurnSearchAlong::settled() const {
   const double before = std::max(0.0, best_.slope) * best_.t,
                after = std::max(0.0, -best_.slope) * (1 - best_.t);
   SweptSample out{best_.value, best_.gradient, best_.t, before + after};
-  for (const TurnStretch& s : stretches_) {
+  for (const TurnStretch& s : stretches_.all) {
     const TurnLook &a = s.a, &b = s.b;
     if ((a.t != best_.t && b.t != best_.t) || !(a.slope < 0 && b.slope > 0)) continue;
     const double share = b.slope / (b.slope - a.slope);

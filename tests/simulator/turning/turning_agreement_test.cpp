@@ -2,6 +2,7 @@
 #include "simulator/instrument/turning_agreement.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "simulator/instrument/dexels_from.h"
 #include "simulator/instrument/turning_removal.h"
@@ -79,6 +80,33 @@ TEST_CASE("moves that turn by tens of degrees agree", "[property][turning]") {
   CHECK(found.worst_end_mm == 0);
   CHECK(found.worst_side_mm == 0);
   CHECK(found.ends > 4000);
+}
+
+TEST_CASE("sharp edges that lean agree on straight moves far longer than they are",
+          "[property][turning]") {
+  // A place a nanometre inside of what the edge cuts is held for two micrometres of the way.
+  const double lean = GENERATE(5.0, 20.0, 30.0) * std::numbers::pi / 180;
+  const std::string cutter = GENERATE("flat:D=6,L=12", "drill:D=6,angle=118,L=12");
+  const Vec3 axis{-std::sin(lean), 0, std::cos(lean)};
+  model::Toolpath path;
+  path.start = {-60, 0.3, 0.05};
+  auto axes = std::make_shared<model::ToolAxes>();
+  axes->start = axis;
+  path.moves.emplace_back(Vec3{20, 0.3, 0.05}, 500.0F, 1U, model::MoveKind::feed);
+  axes->to.push_back(axis);
+  path.moves.emplace_back(Vec3{30, 0.3, 0.05}, 500.0F, 2U, model::MoveKind::feed);
+  axes->to.push_back(model::normalized(axis + Vec3{0.0175, 0, 0}));
+  const Pass pass{
+      model::parse_cutter(cutter), std::make_shared<const model::Toolpath>(path), {}, false, axes};
+  const model::Stock block = model::BoxStock{{-10, -4, -4}, {20, 8, 6}};
+  const DexelStock before(block, kApart_mm);
+  const StockModel after = StockModel(block, 0.4, std::size_t{1} << 30).cut(pass, {2});
+  const DexelStock lines = dexels_from(after, kApart_mm, {2});
+  const auto found = compare_turning(before, lines, after, pass, 640, {2});
+  CAPTURE(cutter, lean, found.worst_at.x, found.worst_at.y, found.worst_at.z);
+  CHECK(found.worst_end_mm == 0);
+  CHECK(found.worst_side_mm == 0);
+  CHECK(found.ends > 640);
 }
 
 TEST_CASE("a stock that was cut with a wrong axis or a wrong tip does not agree",

@@ -195,6 +195,8 @@ struct Job {
   bool finds_margin = true;  ///< how far the tolerances could grow
   std::vector<JobFixture> fixtures;
   std::optional<reports::PublishedFigures> published;
+  /// Keys that the command line sets, `key=value`, in its order.
+  std::vector<std::string> overrides;
   /// What the job was read from and is named nowhere else here: job file, stock, tool table.
   std::vector<JobFile> sources;
   std::vector<PartLength> part_lengths;  ///< as far as they are stated

@@ -186,6 +186,7 @@ Job read_job(const std::filesystem::path& file, std::span<const std::string> ove
   Job job =
       read_job_text(model::read_text_file(file), file.string(), file.parent_path(), overrides);
   job.sources.push_back({JobFile::Role::job, file, file.string()});
+  job.overrides.assign(overrides.begin(), overrides.end());
   return oriented(std::move(job));
 }
 

@@ -132,6 +132,7 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
   result.threads = options.threads;
   result.raw_stock = job.stock;
   result.tolerances = job.tolerances;
+  result.overrides = job.overrides;
   result.process_limits = {inputs.settings.contact_tolerance_mm, near_miss_mm(job), job.travel_mm};
   result.assumptions = assumptions(job, inputs.settings);
   add_design(job, inputs, result);

@@ -32,7 +32,8 @@ class CaseRunner {
   CaseRunner& operator=(CaseRunner&&) noexcept;
 
   /// The text of result.json that `limitgauge run` of this job would write, but for times, memory,
-  /// and the figures of files that are not written. Puts no result into the store. Throws
+  /// `overrides`, which other ways of saying the same case do not have, and the figures of files
+  /// that are not written. Puts no result into the store. Throws
   /// InputError, ResourceError, Interrupted, verifier::InstrumentDisagreement.
   std::string run(const std::filesystem::path& job, std::span<const std::string> overrides);
 

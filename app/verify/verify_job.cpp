@@ -328,6 +328,7 @@ void read_stage(const toml::table& table, const std::string& command, bool has_d
 
 void apply_verify_overrides(Job& job, std::span<const std::string> overrides) {
   if (overrides.empty()) return;
+  job.overrides.assign(overrides.begin(), overrides.end());
   toml::table table = nameable(job);
   apply_overrides(table, overrides);
   const TomlTable root(table, "the job", {}, kJobKeys);

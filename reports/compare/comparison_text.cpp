@@ -165,7 +165,7 @@ std::string summary(const Comparison& comparison) {
     case Judgement::better:
       return "better: " + counted(comparison.better, "improvement", "improvements");
     default:
-      return "same: nothing changed beyond the noise floor";
+      return "same: no figure changed beyond the noise floor";
   }
 }
 

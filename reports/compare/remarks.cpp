@@ -264,6 +264,42 @@ std::vector<Remark> compare_inputs(const std::vector<InputRecord>& base,
   return out;
 }
 
+/// Whether a design is the same one but for rounding.
+bool is_same(const record::DesignExtent& a, const record::DesignExtent& b) {
+  constexpr double kPlace_mm = 1e-9, kArea = 1e-9;  // of doubles written out whole
+  return model::distance(a.box_mm.low, b.box_mm.low) <= kPlace_mm &&
+         model::distance(a.box_mm.high, b.box_mm.high) <= kPlace_mm &&
+         std::abs(a.area_mm2 - b.area_mm2) <= kArea * std::max(a.area_mm2, b.area_mm2);
+}
+
+std::string overrides_text(const std::vector<std::string>& overrides) {
+  std::string text;
+  for (const std::string& override : overrides) text += (text.empty() ? "" : ", ") + override;
+  return text.empty() ? "nothing" : text;
+}
+
+/// What was measured and how, as far as no file shows it.
+std::vector<Remark> compare_asked(const record::RunRecord& base, const record::RunRecord& now) {
+  std::vector<Remark> out;
+  name_change(out, "overrides", "set on the command line", overrides_text(base.overrides),
+              overrides_text(now.overrides));
+  const auto name = [&out](const std::string& id, const std::string& text) {
+    out.push_back({id, Judgement::not_judged, text});
+  };
+  if (base.design && now.design && !is_same(*base.design, *now.design))
+    name("surface", "the design has another box or area" + consequence("cage"));
+  const auto differ = [](const std::string& was, const std::string& is) {
+    return !was.empty() && !is.empty() && was != is;
+  };
+  if (differ(base.stock, now.stock))
+    name("stock", "what is stated of the raw stock has changed" + consequence("stock"));
+  if (differ(base.programs, now.programs))
+    name("programs",
+         "what programs were told of zero, offsets, start, control or tools has changed");
+  if (base.setups != now.setups) name("setups", "how the setups stand has changed");
+  return out;
+}
+
 /// Names of `run` that `other` has, too, in their order.
 std::vector<std::string> shared_names(const record::RunRecord& run,
                                       const record::RunRecord& other) {
@@ -287,6 +323,7 @@ std::vector<Remark> compare_heads(const record::RunRecord& base, const record::R
   if (base.version != now.version)
     name("version", "Limitgauge was " + base.version + ", is " + now.version);
   for (Remark& remark : compare_inputs(base.inputs, now.inputs)) out.push_back(std::move(remark));
+  for (Remark& remark : compare_asked(base, now)) out.push_back(std::move(remark));
   if (shared_names(base, now) != shared_names(now, base))
     name("order", "the stages follow each other in another order");
   return out;

@@ -209,6 +209,10 @@ std::string JsonValue::text() const {
   return json_->get<std::string>();
 }
 
+std::string JsonValue::json() const {
+  return json_->dump();
+}
+
 verifier::Interval JsonValue::interval() const {
   const verifier::Interval out{(*this)["low"].length(), (*this)["high"].length()};
   if (out.low > out.high) refuse("has its low above its high", "an interval");

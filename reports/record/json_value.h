@@ -39,6 +39,7 @@ class JsonValue {
   std::uint64_t count(std::uint64_t largest = std::uint64_t{1} << 53) const;
   bool flag() const;
   std::string text() const;
+  std::string json() const;  ///< whatever it is, on one line, its names in alphabetical order
   verifier::Interval interval() const;  ///< of an object with low and high
   verifier::Interval range() const;     ///< of a list of two, which may lie below zero
   model::Vec3 point() const;            ///< of a list of three

@@ -225,6 +225,18 @@ void read_surface(const JsonValue& surface, RunRecord& out) {
   if (corners.size() != 2)
     surface["bbox_mm"].refuse("has not two corners", "lower and upper corner");
   out.diagonal_mm = model::distance(corners[0].point(), corners[1].point());
+  if (const std::optional<JsonValue> area = surface.find("area_mm2"))
+    out.design = {{corners[0].point(), corners[1].point()}, area->length()};
+}
+
+void read_asked(const JsonValue& root, RunRecord& out) {
+  for (const JsonValue& override : root.items("overrides"))
+    out.overrides.push_back(override.text());
+  const auto json = [&root](const char* key) {
+    const std::optional<JsonValue> part = root.find(key);
+    return part ? part->json() : std::string();
+  };
+  out.stock = json("stock"), out.programs = json("programs"), out.setups = json("setups");
 }
 
 double stock_diagonal_mm(const JsonValue& stock) {
@@ -250,6 +262,7 @@ RunRecord read_result_json(std::istream& in, const std::string& shown) {
   out.inputs = read_inputs(root);
   const std::optional<JsonValue> surface = root.find("surface");
   if (surface) read_surface(*surface, out);
+  read_asked(root, out);
   const std::vector<JsonValue> stages = root["stages"].items();
   const LineTexts texts = line_texts(stages);
   for (const JsonValue& stage : stages)

@@ -113,6 +113,12 @@ struct InputRecord {
   std::string role, file, sha256;
 };
 
+/// Of a design as it was measured, its transform done.
+struct DesignExtent {
+  model::Box3 box_mm;
+  double area_mm2 = 0;
+};
+
 struct RunRecord {
   /// Of result.json. In 1 gouge and uncut are distances to the nearest removed space or material,
   /// in 2 runs along the normal: figures of the two cannot be held against each other.
@@ -122,7 +128,12 @@ struct RunRecord {
   unsigned threads = 1;
   verifier::Verdict verdict = verifier::Verdict::not_run;
   std::vector<InputRecord> inputs;
-  std::optional<std::string> cage;  ///< as the job states it; empty for a run without a design
+  std::vector<std::string> overrides;  ///< of the job's keys, by the command line
+  std::optional<std::string> cage;     ///< as the job states it; empty for a run without a design
+  std::optional<DesignExtent> design;  ///< likewise
+  /// What a result says of the raw stock, of what programs were told, and of setups, on one line of
+  /// JSON each; or empty.
+  std::string stock, programs, setups;
   /// Of the limit surface's box; of the raw stock's for a run without a design.
   double diagonal_mm = 0;
   std::optional<model::Tolerances> tolerances;  ///< where the run states some

@@ -25,6 +25,7 @@ void write_result_json(const RunResult& result, std::ostream& out) {
     root["stages"].push_back(json::stage_part(result, i));
   root["assumptions"] = json::texts(result.assumptions);
   root["process_limits"] = json::process_limits_part(result.process_limits);
+  if (!result.overrides.empty()) root["overrides"] = json::texts(result.overrides);
   out << root.dump(1) << '\n';
 }
 

@@ -152,6 +152,7 @@ struct RunResult {
   std::string label;    ///< what the user calls this run; or empty
   std::string created;  ///< ISO 8601, UTC
   std::string version;
+  std::vector<std::string> overrides;  ///< of the job's keys, by the command line: `key=value`
   unsigned threads = 1;
   verifier::Verdict verdict = verifier::Verdict::not_run;
   model::Stock raw_stock;

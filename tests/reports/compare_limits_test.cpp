@@ -79,3 +79,40 @@ TEST_CASE("Limits of the process count as any other", "[unit][compare]") {
   now.process_limits.reset();
   CHECK(compare_runs(base, now, {}).judgement() == Judgement::same);
 }
+
+TEST_CASE("What was asked is named where no file shows it", "[unit][compare]") {
+  record::RunRecord base = sample_run();
+  base.design = {{{-5, -5, 0}, {5, 5, 1}}, 100};
+  base.stock = "{\"shape\":\"box\"}", base.programs = "{\"tools\":[]}";
+  const auto named = [&](const auto& change) {
+    record::RunRecord now = base;
+    change(now);
+    const Comparison there = compare_runs(base, now, {});
+    CHECK(there.worse == 0);
+    std::string ids;
+    for (const Remark& remark : there.remarks) ids += remark.id + ": " + remark.text + "\n";
+    return ids;
+  };
+  CHECK(named([](RunRecord&) {}) == "");
+  // Rounding of what is written out whole.
+  CHECK(named([](RunRecord& r) { r.design->area_mm2 += 1e-12; }) == "");
+  CHECK(named([](RunRecord& r) { r.design->box_mm.high.x = 2.5; }) ==
+        "surface: the design has another box or area: the figures are those of another surface\n");
+  CHECK(named([](RunRecord& r) { r.design->area_mm2 = 25; }) ==
+        "surface: the design has another box or area: the figures are those of another surface\n");
+  CHECK(named([](RunRecord& r) {
+          r.overrides = {"fixture.clamp.translate=[400,0,0]", "a=1"};
+        }) ==
+        "overrides: set on the command line was nothing, is fixture.clamp.translate=[400,0,0], "
+        "a=1\n");
+  CHECK(named([](RunRecord& r) { r.stock = "{\"shape\":\"cylinder\"}"; }) ==
+        "stock: what is stated of the raw stock has changed: the figures are those of another "
+        "stock\n");
+  CHECK(
+      named([](RunRecord& r) { r.programs = "{\"tools\":[1]}"; }) ==
+      "programs: what programs were told of zero, offsets, start, control or tools has changed\n");
+  CHECK(named([](RunRecord& r) { r.setups = "[]"; }) ==
+        "setups: how the setups stand has changed\n");
+  // A result of an earlier version may say less.
+  CHECK(named([](RunRecord& r) { r.design.reset(), r.stock.clear(), r.programs.clear(); }) == "");
+}

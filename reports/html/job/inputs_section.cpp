@@ -87,6 +87,8 @@ std::string stock_text(const model::Stock& stock) {
 
 std::string inputs_section(const RunResult& result) {
   std::vector<Term> list = {{"Threads", std::to_string(result.threads)}};
+  for (const std::string& override : result.overrides)
+    list.push_back({"Set on the command line", "<code>" + escape_markup(override) + "</code>"});
   add_machine(result, list);
   return "<section id=\"inputs\"><h2>Job and inputs</h2>\n" +
          fold("more", "What the job stated and every file that was read",

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "reports/record/record_reader.h"
 #include "reports/run/report.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
@@ -181,6 +182,15 @@ TEST_CASE("the same result gives the same bytes, in the contract's order", "[uni
         std::vector<std::string>{"schema", "job", "version", "created", "threads", "verdict",
                                  "inputs", "stock", "surface", "programs", "stages", "assumptions",
                                  "process_limits"});
+}
+
+TEST_CASE("what the command line set is kept as it was said", "[unit][json]") {
+  RunResult result = sample_result(Outcome::passed);
+  CHECK_FALSE(json_of(result).contains("overrides"));
+  result.overrides = {"surface.transform.scale=0.5", "stage.finish.step=0.2"};
+  CHECK(json_of(result)["overrides"] == Json(result.overrides));
+  std::istringstream in(json_text_of(result));
+  CHECK(record::read_result_json(in, "result.json").overrides == result.overrides);
 }
 
 TEST_CASE("names from files stay text", "[unit][json]") {

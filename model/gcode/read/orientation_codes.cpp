@@ -88,6 +88,11 @@ void leave_tool_centre(const Statement& statement, MachineState& state) {
   state.keeping_tool([&] { orientation.tool_centred = orientation.by_vector = false; });
 }
 
+void forbid_in_tool_centre(const Statement& statement, const MachineState& state) {
+  refuse_while(statement, *statement.g_word(GGroup::length_offset), state.orientation.tool_centred,
+               "places are the tip's (G43.4, G234)", "G49 before it");
+}
+
 void enter_tool_centre(const Statement& statement, MachineState& state, Assumptions& assumed) {
   Orientation& orientation = state.orientation;
   const Word& word = *statement.g_word(GGroup::length_offset);

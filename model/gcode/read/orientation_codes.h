@@ -16,6 +16,9 @@ RotaryAngles rotary_end(const Statement& statement, const MachineState& state);
 
 /// G49 ends what G43.4 began, where the control has it; before the length offset is let go.
 void leave_tool_centre(const Statement& statement, MachineState& state);
+/// Throws InputError for another code of the same group, as G43, while places are the tip's: what a
+/// control then makes of them no manual that was at hand says.
+void forbid_in_tool_centre(const Statement& statement, const MachineState& state);
 /// G43.4, G43.5 and G234, once their length offset is in use.
 void enter_tool_centre(const Statement& statement, MachineState& state, Assumptions& assumed);
 /// Throws InputError at rotary words, and at an arc's centre, while I, J and K are the tool's axis.

@@ -184,7 +184,10 @@ void set_length_offset(const Statement& statement, MachineState& state, Assumpti
   forbid_compensation(statement, *statement.g_word(GGroup::length_offset), state);
   const bool centres = *code == 434 || *code == 435;
   state.modal.length_offset = centres ? 430 : *code;
-  if (*code == 490 || centres) leave_tool_centre(statement, state);
+  if (*code == 490 || centres)
+    leave_tool_centre(statement, state);
+  else if (rules.modal_offset_words)
+    forbid_in_tool_centre(statement, state);
   if (centres) {
     use_offset(statement, state, assumed);
     return enter_tool_centre(statement, state, assumed);

@@ -246,6 +246,7 @@ TEST_CASE("what is not carried out with rotary axes is said at its word", "[unit
   CHECK(holds(error("G254\nG0 A5\n", Control::haas), "G255 before it"));
   for (const char* code : {"G43.4 H1\n", "G43.5 H1\n", "G68.2 J30\n", "G53.1\n"})
     CHECK(holds(error(code, Control::haas), "is Fanuc's, and Haas has"));
+  CHECK(holds(error("G43.4 H1\nG0 A30\nG43 H1\n"), "G49 before it"));
   CHECK(holds(error("G43.5 H1\nG1 F9 X1 A30\n"), "G43.4 in place of G43.5"));
   CHECK(holds(error("G43.5 H1\nG2 F9 X1 I1\n"), "R for the arc's radius"));
   CHECK(holds(error("G43.5 H1\nG1 F9 I0 J0 K0\n"), "are no direction"));

@@ -178,7 +178,7 @@ def try_service(name, service, program, source, folder):
     check(len(posts) == 1, f'{name}: one comment is posted', said)
     body = posts[0]['body'] if posts else ''
     check(body.startswith('<!-- limitgauge -->\n### Limitgauge: plate'), f'{name}: the comment is marked', body)
-    check('same: nothing changed' in body, f'{name}: the comment says that nothing changed', body)
+    check('same: no figure changed' in body, f'{name}: the comment says that no figure changed', body)
     check(posts and not service.is_update(posts[0]), f'{name}: the first comment is a new one', said)
 
     # Within the gates, but worse: 5 µm of 10.

@@ -67,7 +67,64 @@ void fails_at_its_line(const std::string& name, int place) {
     if (gouge["depth_mm"] > 0.1) CHECK(std::abs(gouge["line"].get<int>() - line) <= 1);
 }
 
+/// A plate whose rim is flush with its block, and a row of a flat that leans by 5 degrees before it
+/// turns: its heel goes in by 3 sin 5° - 0.05 mm.
+constexpr double kHeel_mm = 0.2114672;
+void write_heel(const Scratch& scratch) {
+  write_text(scratch / "plate.obj",
+             "v -10 -2 0\nv 10 -2 0\nv 10 2 0\nv -10 2 0\nf 1 2 3\nf 1 3 4\n");
+  write_text(scratch / "heel.nc",
+             "G21 G90 G94 G17 G40 G49\nT1 M6\nS8000 M3\nG43 H1\nG0 Z100\nG0 B5 C0\nG43.4 H1\n"
+             "G0 X-20 Y0.3 Z30\nG1 Z0.05 F600\nG1 X20\nG1 X30 B6\nG0 Z60\nG49\nM5\nM30\n");
+  write_text(scratch / "heel.toml", R"(name = "heel"
+surface = { mesh = "plate.obj" }
+stock = { shape = "box", size = [20, 8, 6], corner = [-10, -4, -4] }
+simulation = { voxel = 0.25 }
+[machine]
+kinematics = "table-table"
+control = "fanuc"
+work_offsets = { G54 = [0, 0, 0] }
+[[machine.axis]]
+word = "B"
+direction = [0, 1, 0]
+point = [0, 0, -50]
+limits = [-100, 100]
+[[machine.axis]]
+word = "C"
+direction = [0, 0, 1]
+point = [0, 0, 0]
+limits = [-360, 360]
+[[tool]]
+id = "flat6"
+number = 1
+type = "flat"
+diameter = 6
+flute_length = 12
+[[stage]]
+name = "row"
+tool = "flat6"
+program = "heel.nc"
+gate = { gouge = 1, uncut = 1 }
+)");
+}
+
 }  // namespace
+
+TEST_CASE("the error of a program's chords is none of the block's faces", "[e2e][setups]") {
+  // Measured as the chords allow, not as deep as the block is.
+  const Scratch scratch;
+  write_heel(scratch);
+  const Outcome outcome = run(scratch, "heel");
+  INFO(outcome.errors);
+  CHECK(outcome.exit_code == 0);
+  const json row = finish_of(scratch);
+  const double error_mm = row["toolpath"]["chord_error_mm"];
+  REQUIRE(error_mm > 0);
+  const json& gouge = row["deviation"]["gouge_mm"];
+  CHECK(gouge["low"] <= kHeel_mm);
+  CHECK(gouge["high"] >= kHeel_mm);
+  CHECK(gouge["high"].get<double>() - gouge["low"].get<double>() < 0.1);  // the limit's tenth
+}
 
 // The blade, and its twin: docs/five-axis.md, whose commands and what they print are a test.
 

@@ -176,26 +176,4 @@ TEST_CASE("the error of an arc's chords is part of the interval", "[unit]") {
   CHECK(chords->bound_mm == 0.002);
 }
 
-TEST_CASE("the error of an arc's chords is none of the block's faces", "[unit]") {
-  // The rim is flush with the block, whose faces run down along the normals there.
-  const ReferenceSurface plane(plane_cage(0.5, 0, 0));
-  const double reach = plane.bounding_box().high.x;
-  const model::Stock flush = model::BoxStock{{-reach, -reach, -6}, {2 * reach, 2 * reach, 8}};
-  model::Toolpath path = raster(2, 0.1, 5, [](double, double) { return 0.0; });
-  const double path_error = 0.01;
-  path.chord_error_mm = path_error;
-  const Pass pass{ball_cutter(3), shared(std::move(path))};
-  StageCheck check;
-  check.resolution_mm = 0.02;
-  check.field_spacing_mm = 1;
-  const auto d = measure_stage(plane, flush, {&pass, 1}, nullptr, check, {2});
-  // Nothing is gouged and cusps are below a micrometre: what is left is the error to both sides,
-  // and a width.
-  const double widest = 2 * path_error + check.resolution_mm;
-  CHECK(d.gouge_mm.low == 0);
-  CHECK(d.gouge_mm.high >= path_error);
-  CHECK(d.gouge_mm.high <= widest);
-  CHECK(d.uncut_mm.high <= widest);
-}
-
 }  // namespace limitgauge::verifier

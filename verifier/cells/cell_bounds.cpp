@@ -160,8 +160,10 @@ void CellBounder::find_candidates(const Bezier& cell, std::vector<BodyRef>& cand
                                   std::optional<BodyRef> hint, double limit_mm) {
   const Vec3 centre = middle(cell);
   candidates.clear();
-  // d_i changes by at most the radius within the cell.
-  const double radius = control_radius(cell, centre) + kDistanceRounding_mm;
+  // d_i changes by at most the radius within the cell; and a body that is grown may be nearer than
+  // one of the stock, which is not.
+  const double radius =
+      control_radius(cell, centre) + kDistanceRounding_mm + space_.chord_error_mm();
   const Nearest nearest = space_.nearest(centre, hint, far_.get());
   if (nearest.distance.value > limit_mm + radius) return;
   const double upper = upper_of(cell, centre, nearest.body);

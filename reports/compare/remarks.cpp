@@ -55,17 +55,21 @@ void compare_limit(const Limit& limit, const Options& options, std::vector<Remar
              " to " + limit.text(limit.now));
 }
 
+/// What explains a change, and is not judged.
+void name(std::vector<Remark>& out, const std::string& id, const std::string& text) {
+  out.push_back({id, Judgement::not_judged, text});
+}
+
 void name_change(std::vector<Remark>& out, const std::string& id, const std::string& what,
                  const std::string& base, const std::string& now) {
-  if (base != now)
-    out.push_back({id, Judgement::not_judged, what + " was " + base + ", is " + now});
+  if (base != now) name(out, id, what + " was " + base + ", is " + now);
 }
 
 void name_lack(std::vector<Remark>& out, const std::string& id, const std::string& what, bool base,
                bool now) {
   if (!base && !now) return;
   const char* who = base && now ? " (both runs)" : base ? " (base run)" : " (new run)";
-  out.push_back({id, Judgement::not_judged, what + who});
+  name(out, id, what + who);
 }
 
 std::string moves_text(std::size_t count) {
@@ -246,12 +250,9 @@ std::string consequence(const std::string& role) {
   return role == "stock" ? ": the figures are those of another stock" : "";
 }
 
-std::vector<Remark> compare_inputs(const std::vector<InputRecord>& base,
-                                   const std::vector<InputRecord>& now) {
-  std::vector<Remark> out;
-  const auto add = [&out](const std::string& text) {
-    out.push_back({"input", Judgement::not_judged, text});
-  };
+void compare_inputs(const std::vector<InputRecord>& base, const std::vector<InputRecord>& now,
+                    std::vector<Remark>& out) {
+  const auto add = [&out](const std::string& text) { name(out, "input", text); };
   for (const InputRecord& input : now) {
     const InputRecord* was = find_input(base, input);
     if (!was)
@@ -261,7 +262,6 @@ std::vector<Remark> compare_inputs(const std::vector<InputRecord>& base,
   }
   for (const InputRecord& input : base)
     if (!find_input(now, input)) add(input.role + " " + input.file + " is read no more");
-  return out;
 }
 
 /// Whether a design is the same one but for rounding.
@@ -272,32 +272,25 @@ bool is_same(const record::DesignExtent& a, const record::DesignExtent& b) {
          std::abs(a.area_mm2 - b.area_mm2) <= kArea * std::max(a.area_mm2, b.area_mm2);
 }
 
-std::string overrides_text(const std::vector<std::string>& overrides) {
-  std::string text;
-  for (const std::string& override : overrides) text += (text.empty() ? "" : ", ") + override;
-  return text.empty() ? "nothing" : text;
-}
-
 /// What was measured and how, as far as no file shows it.
-std::vector<Remark> compare_asked(const record::RunRecord& base, const record::RunRecord& now) {
-  std::vector<Remark> out;
-  name_change(out, "overrides", "set on the command line", overrides_text(base.overrides),
-              overrides_text(now.overrides));
-  const auto name = [&out](const std::string& id, const std::string& text) {
-    out.push_back({id, Judgement::not_judged, text});
+void compare_asked(const record::RunRecord& base, const record::RunRecord& now,
+                   std::vector<Remark>& out) {
+  const auto stated = [](const std::vector<std::string>& overrides) {
+    return overrides.empty() ? "nothing" : joined(overrides, ", ");
   };
+  name_change(out, "overrides", "set on the command line", stated(base.overrides),
+              stated(now.overrides));
   if (base.design && now.design && !is_same(*base.design, *now.design))
-    name("surface", "the design has another box or area" + consequence("cage"));
+    name(out, "surface", "the design has another box or area" + consequence("cage"));
   const auto differ = [](const std::string& was, const std::string& is) {
     return !was.empty() && !is.empty() && was != is;
   };
   if (differ(base.stock, now.stock))
-    name("stock", "what is stated of the raw stock has changed" + consequence("stock"));
+    name(out, "stock", "what is stated of the raw stock has changed" + consequence("stock"));
   if (differ(base.programs, now.programs))
-    name("programs",
+    name(out, "programs",
          "what programs were told of zero, offsets, start, control or tools has changed");
-  if (base.setups != now.setups) name("setups", "how the setups stand has changed");
-  return out;
+  if (base.setups != now.setups) name(out, "setups", "how the setups stand has changed");
 }
 
 /// Names of `run` that `other` has, too, in their order.
@@ -315,17 +308,14 @@ std::vector<std::string> shared_names(const record::RunRecord& run,
 
 std::vector<Remark> compare_heads(const record::RunRecord& base, const record::RunRecord& now) {
   std::vector<Remark> out;
-  const auto name = [&out](const std::string& id, const std::string& text) {
-    out.push_back({id, Judgement::not_judged, text});
-  };
   if (base.job != now.job)
-    name("job", "these are results of two jobs: " + base.job + " and " + now.job);
+    name(out, "job", "these are results of two jobs: " + base.job + " and " + now.job);
   if (base.version != now.version)
-    name("version", "Limitgauge was " + base.version + ", is " + now.version);
-  for (Remark& remark : compare_inputs(base.inputs, now.inputs)) out.push_back(std::move(remark));
-  for (Remark& remark : compare_asked(base, now)) out.push_back(std::move(remark));
+    name(out, "version", "Limitgauge was " + base.version + ", is " + now.version);
+  compare_inputs(base.inputs, now.inputs, out);
+  compare_asked(base, now, out);
   if (shared_names(base, now) != shared_names(now, base))
-    name("order", "the stages follow each other in another order");
+    name(out, "order", "the stages follow each other in another order");
   return out;
 }
 

@@ -224,9 +224,10 @@ void read_surface(const JsonValue& surface, RunRecord& out) {
   const std::vector<JsonValue> corners = surface["bbox_mm"].items();
   if (corners.size() != 2)
     surface["bbox_mm"].refuse("has not two corners", "lower and upper corner");
-  out.diagonal_mm = model::distance(corners[0].point(), corners[1].point());
+  const model::Box3 box{corners[0].point(), corners[1].point()};
+  out.diagonal_mm = model::distance(box.low, box.high);
   if (const std::optional<JsonValue> area = surface.find("area_mm2"))
-    out.design = {{corners[0].point(), corners[1].point()}, area->length()};
+    out.design = {box, area->length()};
 }
 
 void read_asked(const JsonValue& root, RunRecord& out) {

@@ -1,6 +1,7 @@
 #include "simulator/stock/stock_layout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -17,7 +18,8 @@ namespace {
 // A tree of its own takes a root's eight children at most, where the lattice's zero is in it.
 constexpr double kTreeBytes = 8 * 280e3;
 constexpr int kCoarsest = 64;
-constexpr int kMostTries = 60;
+// Of a voxel that was too fine: to 3e10 times as much, and to within a twentieth of the finest.
+constexpr int kMostDoublings = 35, kHalvings = 4;
 constexpr double kMostNodes = 4e6;
 
 using Columns = std::map<std::pair<int, int>, double>;  // bytes by block column, x before y
@@ -87,12 +89,13 @@ std::optional<std::vector<IndexBox>> divide(const GridForecast& forecast, const 
   return tiles;
 }
 
-// The finest multiple of the voxel whose whole grid fits into `most`.
+// The finest multiple of the voxel whose whole grid fits into `most`, of all up to eight, and a
+// quarter apart from there on.
 std::optional<int> coarsening(const Material& material, const Lattice& lattice,
                               const GridForecast& fine, double most,
                               const model::RunControl& control) {
   // A grid's memory goes with the inverse square of its voxel, more slowly where it is small.
-  for (int n = 2; n <= kCoarsest; ++n) {
+  for (int n = 2; n <= kCoarsest; n += std::max(1, n / 4)) {
     if (fine.bytes / (n * n) > most) continue;
     const Lattice coarse{lattice.origin_mm, n * lattice.voxel_mm};
     if (forecast_grid(material, coarse, control).bytes <= most) return n;
@@ -127,6 +130,23 @@ std::optional<StockLayout> layout_within(const Material& material, const Lattice
   return layout;
 }
 
+// Of two digits, and within a twentieth of the finest that `fits` where coarser ones do too: it is
+// doubled until it does, and what lies between is halved.
+template <class Fits>
+std::optional<double> voxel_that_fits(double too_fine, Fits fits) {
+  double voxel = two_digits_up(2 * too_fine);
+  for (int i = 0; !fits(voxel); ++i, voxel = two_digits_up(2 * voxel)) {
+    if (i == kMostDoublings) return std::nullopt;
+    too_fine = voxel;
+  }
+  for (int i = 0; i < kHalvings; ++i) {
+    const double between = two_digits_up(std::sqrt(too_fine * voxel));
+    if (between >= voxel) break;
+    (fits(between) ? voxel : too_fine) = between;
+  }
+  return voxel;
+}
+
 [[noreturn]] void refuse(const Material& material, const Lattice& lattice, double limit,
                          const model::RunControl& control) {
   const double moves = pass_bytes(material);
@@ -136,14 +156,12 @@ std::optional<StockLayout> layout_within(const Material& material, const Lattice
   const std::string needed = "the stock does not fit into memory at a voxel of " +
                              model::six_digits(lattice.voxel_mm) + " mm, not even in tiles; " +
                              allowed;
-  double voxel = lattice.voxel_mm;
-  while (too_fine(material, {lattice.origin_mm, 1.2 * voxel})) voxel *= 1.2;
-  for (int i = 0; i < kMostTries; ++i) {
-    voxel = two_digits_up(voxel * 1.2);
-    if (layout_within(material, {lattice.origin_mm, voxel}, limit, control))
-      throw model::ResourceError(needed + "; a voxel of " + model::six_digits(voxel) +
-                                 " mm would do");
-  }
+  const auto fits = [&](double voxel) {
+    return layout_within(material, {lattice.origin_mm, voxel}, limit, control).has_value();
+  };
+  if (const auto voxel = voxel_that_fits(lattice.voxel_mm, fits))
+    throw model::ResourceError(needed + "; a voxel of " + model::six_digits(*voxel) +
+                               " mm would do");
   throw model::ResourceError(needed + "; fewer moves or more memory would do");
 }
 

@@ -232,7 +232,7 @@ TEST_CASE("the page lists the files that were read with their checksums", "[unit
 }
 
 TEST_CASE("a page without pictures has none, and the same result gives the same page",
-          "[unit][html]") {
+          "[unit][html][slow]") {
   const RunResult result = sample_result(Outcome::passed, 5);
   CHECK_FALSE(contains(page_of(result), "<img"));
   const std::string page = page_of(result, true);

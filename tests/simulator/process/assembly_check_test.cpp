@@ -107,7 +107,7 @@ TEST_CASE("a shank that rises into a wall before its flutes is found in one move
 }
 
 TEST_CASE("the voxel decides nothing about contacts", "[unit][assembly]") {
-  for (const double voxel : {0.05, 0.1, 0.25, 0.5}) {
+  for (const double voxel : {0.08, 0.15, 0.25, 0.5}) {
     CAPTURE(voxel);
     const auto found = check(slotted(voxel), along(with_shank(slices(40, 3.8, 3.8))));
     REQUIRE(found.size() == 1);

@@ -169,7 +169,7 @@ TEST_CASE("an allowance that the raw stock has no room for is said", "[unit][def
 }
 
 TEST_CASE("a bent part beside its block, that the path just touches, is proven clear in few cells",
-          "[unit][definition2]") {
+          "[unit][definition2][slow]") {
   // z = -0.04 x²; the block lies to the right of it. Below S nothing stands and nothing was swept,
   // all the way, while the ball passes at S itself: that takes margins that grow with the way only.
   const double bend = 0.04, half = 6, radius = 3;

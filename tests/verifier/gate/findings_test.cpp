@@ -96,7 +96,7 @@ TEST_CASE("a leftover names the passes on both sides of it", "[unit]") {
   CHECK(std::max(sides[0], sides[1]) == Approx(1.2));
 }
 
-TEST_CASE("findings do not depend on the number of threads", "[unit]") {
+TEST_CASE("findings do not depend on the number of threads", "[unit][slow]") {
   const ReferenceSurface plane(plane_cage(5, 0, 0));
   const Pass pass{ball_cutter(kRadius), shared(sunk_rows({-3, 0.4}, 0.01))};
   StageCheck check;

@@ -95,7 +95,7 @@ bool same_entry(const ReachMap::Entry& a, const ReachMap::Entry& b) {
 
 }  // namespace
 
-TEST_CASE("a stage that is measured in pieces has the figures of one that is not", "[unit]") {
+TEST_CASE("a stage that is measured in pieces has the figures of one that is not", "[unit][slow]") {
   const Bowl bowl;
   const StageDeviation whole =
       measure_stage(bowl.surface, kPieceBlock, bowl.passes, nullptr, bowl.check, {2});

@@ -128,7 +128,8 @@ TEST_CASE("without a width a range is a measured value", "[unit]") {
   CHECK(d.robust->gouge.figure_mm.high == Approx(0.02).margin(kWidth_mm));
 }
 
-TEST_CASE("figures over tolerances and margins are the same for any number of threads", "[unit]") {
+TEST_CASE("figures over tolerances and margins are the same for any number of threads",
+          "[unit][slow]") {
   const ReferenceSurface bowl(paraboloid_cage(3, 0.08));
   const std::vector<Pass> passes{
       {ball_cutter(2), shared(raster(3, 0.5, 0.5, [](double x, double y) {

@@ -31,7 +31,7 @@ TEST_CASE("building the exact surface stops when told to", "[unit]") {
                     model::Interrupted);
 }
 
-TEST_CASE("the exact surface is the same for any number of threads", "[unit]") {
+TEST_CASE("the exact surface is the same for any number of threads", "[unit][slow]") {
   // More faces than one thread takes at once, and irregular vertices among them.
   constexpr int kStars = 40;
   model::Cage cage;

@@ -22,6 +22,9 @@ bool lacks_feed(const Move& m) {
   return m.kind == MoveKind::feed && !(m.feed_mm_min > 0);
 }
 
+// Of what fails nothing a search takes fewer looks.
+constexpr std::size_t kMostSlightContactLooks = kMostContactLooks / 20;
+
 /// Within `slack_mm`: a program whose tool leans rounds what is upright to it.
 bool over_each_other(const Vec3& a, const Vec3& b, double slack_mm) {
   return level_distance(a, b) <= slack_mm;
@@ -46,12 +49,13 @@ StockCheck::StockCheck(const StockModel& before, const Pass& pass, const ToolBod
       limits_(limits),
       map_(before.grid().column_tops()),
       lines_(straight_runs(path_)),
+      rapids_(series_of(path_.moves.size(),
+                        [&](std::size_t i) { return path_.moves[i].kind == MoveKind::rapid; })),
       at_rest_(series_of(path_.moves.size(),
                          [&](std::size_t i) { return path_.moves[i].spindle_stopped; })),
       without_feed_(
           series_of(path_.moves.size(), [&](std::size_t i) { return lacks_feed(path_.moves[i]); })),
-      descents_(
-          series_of(path_.moves.size(), [&](std::size_t i) { return descends_too_steeply(i); })) {}
+      descents_(descents()) {}
 
 void StockCheck::look_at(std::size_t move, std::vector<Finding>& findings) const {
   const SweptMove tip(move_from(path_, move), path_.moves[move].to,
@@ -65,9 +69,7 @@ void StockCheck::look_at_cutter(std::size_t i, const SweptMove& tip,
   const Move& m = path_.moves[i];
   const bool rapid = m.kind == MoveKind::rapid, leaves = rapid && backs_out(i);
   const ToolBody& flutes = bodies_.flutes;
-  if (rapid && !leaves &&
-      !look_for(FindingKind::rapid_through_stock, flutes, i, tip, lines_.begin(i), findings))
-    look_at_rapids_gap(i, tip, findings);
+  if (rapid && !leaves) look_at_rapid(i, tip, findings);
   if (m.spindle_stopped && !leaves)
     look_for(FindingKind::spindle_stopped, flutes, i, tip, at_rest_.begin(i), findings);
   if (lacks_feed(m)) {
@@ -80,18 +82,60 @@ void StockCheck::look_at_cutter(std::size_t i, const SweptMove& tip,
     look_for(FindingKind::steep_descent, flutes, i, tip, descents_.begin(i), findings);
 }
 
+void StockCheck::look_at_rapid(std::size_t i, const SweptMove& tip,
+                               std::vector<Finding>& findings) const {
+  const std::size_t known = findings.size();
+  if (!look_for(FindingKind::rapid_through_stock, bodies_.flutes, i, tip, rapids_.begin(i),
+                findings))
+    return look_at_rapids_gap(i, tip, findings);
+  if (!goes_deeper(i, tip, findings.back().depth_mm)) findings.resize(known);
+}
+
+// Whether a rapid that meets what stood before its series is more than a way through what the
+// series has taken: it takes something itself, or is deeper than the move before it, by more than
+// depths are known. The first move of a series that meets anything is one or the other.
+bool StockCheck::goes_deeper(std::size_t i, const SweptMove& tip, double depth_mm) const {
+  const std::size_t series = rapids_.begin(i), line = lines_.begin(i);
+  if (line <= series) return true;
+  const CutterProfile& flutes = bodies_.flutes.profile;
+  const auto own = deepest_contact(material_at(line), flutes, tip, limits_.slightest_mm(),
+                                   kMostSlightContactLooks / 10);
+  if (own.contact) return true;
+  const SweptMove before(move_from(path_, i - 1), path_.moves[i - 1].to,
+                         static_cast<std::uint32_t>(i - 1));
+  const auto known = contact_of_flutes(before, series);
+  return !known || known->depth_mm + limits_.tolerance_mm < depth_mm;
+}
+
+// Straight down, a part no wider than the flutes' top meets nothing but what it already stood in
+// where the move before ended: below that the top has been wherever it comes to. Straight up again
+// it goes back, and above where it came from nothing stands as high as it is.
+bool StockCheck::follows_flutes(const ToolBody& body, std::size_t i, const SweptMove& tip) const {
+  if (i == 0 || !tip.vertical() || body.profile.largest_radius() > bodies_.top_radius_mm)
+    return false;
+  if (tip.delta.z <= 0) return true;
+  const Vec3 &from = move_from(path_, i - 1), &down = path_.moves[i - 1].to;
+  const bool goes_back =
+      path_.moves[i].to.z <= from.z || from.z + bodies_.flutes.profile.length() >= map_.highest();
+  return goes_back && over_each_other(from, down, 0) && from.z >= down.z;
+}
+
 bool StockCheck::look_for(FindingKind kind, const ToolBody& body, std::size_t i,
                           const SweptMove& tip, std::size_t end,
                           std::vector<Finding>& findings) const {
   const SweptMove own = body.of_tip(tip);
   if (map_.clears(body.profile, own)) return false;
   const MaterialAtMove material = material_at(end);
-  if (const auto c = deepest_contact(material, body.profile, own, limits_.tolerance_mm)) {
-    findings.push_back(finding(kind, i, c->point, c->depth_mm, body.part));
+  const ContactAnswer sure = deepest_contact(material, body.profile, own, limits_.tolerance_mm);
+  if (sure.contact || !sure.proven) {
+    const Contact c = sure.contact.value_or(Contact{tip.start, 0});
+    findings.push_back(finding(kind, i, c.point, c.depth_mm, body.part));
     return true;
   }
   // The first look is only sure of what is half as deep again as the tolerance.
-  const auto c = deepest_contact(material, body.profile, own, limits_.slightest_mm());
+  const auto c =
+      deepest_contact(material, body.profile, own, limits_.slightest_mm(), kMostSlightContactLooks)
+          .contact;
   if (!c) return false;
   const bool counts = c->depth_mm > limits_.tolerance_mm;
   findings.push_back(
@@ -106,13 +150,15 @@ void StockCheck::look_above_flutes(std::size_t i, const SweptMove& tip,
   if (lowest + bodies_.flutes.profile.length() - limits_.near_miss_mm >= map_.highest()) return;
   look_over_flutes(i, tip, findings);
   for (const ToolBody& body : bodies_.above)
-    if (bodies_.is_wide(body)) look_at_wide_part(body, i, tip, findings);
+    if (bodies_.is_wide(body) && !follows_flutes(body, i, tip))
+      look_at_wide_part(body, i, tip, findings);
 }
 
 void StockCheck::look_over_flutes(std::size_t i, const SweptMove& tip,
                                   std::vector<Finding>& findings) const {
   for (const ToolBody& body : bodies_.over_flutes)
-    look_for(FindingKind::below_flutes, body, i, tip, cut_before_shank(i, tip), findings);
+    if (!follows_flutes(body, i, tip))
+      look_for(FindingKind::below_flutes, body, i, tip, cut_before_shank(i, tip), findings);
 }
 
 void StockCheck::look_at_wide_part(const ToolBody& body, std::size_t i, const SweptMove& tip,
@@ -151,7 +197,7 @@ std::optional<Contact> StockCheck::contact(const ToolBody& body, const SweptMove
                                            std::size_t end) const {
   const SweptMove own = body.of_tip(tip);
   if (map_.clears(body.profile, own)) return std::nullopt;
-  return deepest_contact(material_at(end), body.profile, own, limits_.tolerance_mm);
+  return deepest_contact(material_at(end), body.profile, own, limits_.tolerance_mm).contact;
 }
 
 std::optional<Contact> StockCheck::contact_of_flutes(const SweptMove& tip, std::size_t end) const {
@@ -163,6 +209,21 @@ bool StockCheck::descends_too_steeply(std::size_t i) const {
   if (steepest >= 90 || path_.moves[i].kind != MoveKind::feed) return false;
   // Of the whole straight line: rounding would hide the slope of its pieces.
   return is_steep(move_from(path_, lines_.begin(i)), path_.moves[lines_.end(i) - 1].to, steepest);
+}
+
+// As long as the way from where one began is too steep as well: stairs are a descent of their own.
+MoveRuns StockCheck::descents() const {
+  bool within = false;
+  Vec3 from;
+  return MoveRuns(path_.moves.size(), [&](std::size_t i) {
+    const Move& m = path_.moves[i];
+    if (within && m.kind == MoveKind::feed &&
+        is_steep(from, m.to, pass_.cutter.steepest_descent_deg))
+      return false;
+    within = descends_too_steeply(i);
+    from = move_from(path_, i);
+    return within;
+  });
 }
 
 // Straight up from where the move before the line ended: the flutes stood there, and all that they

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/base/angle.h"
+#include "simulator/process/turning/trailing_contact.h"
 #include "simulator/tolerance.h"
 
 namespace limitgauge::simulator {
@@ -83,19 +84,39 @@ Finding AxesCheck::finding(FindingKind kind, const Turning& m, const Vec3& point
           depth_mm, name(body.part), solids_[solid].name};
 }
 
-// The first look is only sure of what is half as deep again as its tolerance; given up, it is a
-// finding.
 bool AxesCheck::look_for(FindingKind kind, const Turning& m, const ToolBody& body,
                          std::size_t solid, std::size_t end, std::vector<Finding>& findings) const {
-  const TurnSearch s = search(m, body, solid, end);
+  return look_by(
+      [&](double tolerance) {
+        return deepest_turn_contact(search(m, body, solid, end), tolerance, m.control);
+      },
+      {kind, m, body, solid}, findings);
+}
+
+bool AxesCheck::look_for_part(FindingKind kind, const Turning& m, const ToolBody& body,
+                              std::vector<Finding>& findings) const {
+  if (!(m.pose.turn_rad > 0))
+    return look_for(kind, m, body, 0, rises(m.move) ? m.move : m.move + 1, findings);
+  return look_by(
+      [&](double tolerance) {
+        return trailing_contact(search(m, body, 0, m.move), {&pass_, m.move}, tolerance, m.control);
+      },
+      {kind, m, body, 0}, findings);
+}
+
+// The first look is only sure of what is half as deep again as its tolerance; given up, it is a
+// finding.
+template <class Look>
+bool AxesCheck::look_by(const Look& look, const Looked& what,
+                        std::vector<Finding>& findings) const {
   for (const double tolerance : {limits_.tolerance_mm, limits_.slightest_mm()}) {
-    const TurnAnswer found = deepest_turn_contact(s, tolerance, m.control);
+    const TurnAnswer found = look(tolerance);
     if (!found.place && found.proven) continue;
     if (!found.place && tolerance < limits_.tolerance_mm) return false;
-    const TurnPlace place = found.place.value_or(TurnPlace{0, m.pose.at(0).shift_mm, 0});
+    const TurnPlace place = found.place.value_or(TurnPlace{0, what.m.pose.at(0).shift_mm, 0});
     const bool counts = !found.proven || place.mm > limits_.tolerance_mm;
-    findings.push_back(finding(counts ? kind : FindingKind::slight_contact, m, place.point,
-                               place.mm, body, solid));
+    findings.push_back(finding(counts ? what.kind : FindingKind::slight_contact, what.m,
+                               place.point, place.mm, what.body, what.solid));
     return true;
   }
   return false;
@@ -153,8 +174,8 @@ void AxesCheck::look_at_rapid(const Turning& m, std::vector<Finding>& findings) 
             static_cast<double>(arrives) / kTimesBeside, findings);
 }
 
-// Where the tool goes up its own axis, as it stands at either end, a part above the flutes gets
-// to places before them; else what they sweep is gone before it does.
+// Where a tool that does not turn goes up its own axis, a part above the flutes gets to places
+// before them; else what they sweep is gone before it does.
 bool AxesCheck::rises(std::size_t i) const {
   const Vec3 way = path_.moves[i].to - move_from(path_, i);
   return dot(way, axis_from(*pass_.axes, i)) > 0 || dot(way, pass_.axes->to[i]) > 0;
@@ -163,13 +184,12 @@ bool AxesCheck::rises(std::size_t i) const {
 void AxesCheck::look_above_flutes(const Turning& m, std::vector<Finding>& findings) const {
   const std::size_t end = rises(m.move) ? m.move : m.move + 1;
   for (const ToolBody& body : bodies_.over_flutes)
-    look_for(FindingKind::below_flutes, m, body, 0, end, findings);
+    look_for_part(FindingKind::below_flutes, m, body, findings);
   for (const ToolBody& body : bodies_.above) {
     if (!bodies_.is_wide(body)) continue;
     const bool shank = body.part == ToolPart::shank;
-    const bool touches =
-        look_for(shank ? FindingKind::shank_in_stock : FindingKind::holder_in_stock, m, body, 0,
-                 end, findings);
+    const bool touches = look_for_part(
+        shank ? FindingKind::shank_in_stock : FindingKind::holder_in_stock, m, body, findings);
     if (!touches && body.profile.largest_radius() > bodies_.top_radius_mm + limits_.tolerance_mm)
       look_near(m, body, 0, end, 0, 1, findings);
   }

@@ -39,10 +39,23 @@ class AxesCheck {
     const model::RunControl& control;
   };
 
+  struct Looked {
+    FindingKind kind;
+    const Turning& m;
+    const ToolBody& body;
+    std::size_t solid = 0;
+  };
+
   TurnSearch search(const Turning& m, const ToolBody& body, std::size_t solid,
                     std::size_t end) const;
   bool look_for(FindingKind kind, const Turning& m, const ToolBody& body, std::size_t solid,
                 std::size_t end, std::vector<Finding>& findings) const;
+  /// Of a part above the flutes, against what stands when it gets there.
+  bool look_for_part(FindingKind kind, const Turning& m, const ToolBody& body,
+                     std::vector<Finding>& findings) const;
+  /// `look(tolerance)` gives the answer of a search.
+  template <class Look>
+  bool look_by(const Look& look, const Looked& what, std::vector<Finding>& findings) const;
   void look_near(const Turning& m, const ToolBody& body, std::size_t solid, std::size_t end,
                  double from, double to, std::vector<Finding>& findings) const;
   void look_at_cutter(const Turning& m, std::vector<Finding>& findings) const;

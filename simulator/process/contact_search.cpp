@@ -20,27 +20,33 @@ struct LessBound {
 class ContactSearch {
  public:
   ContactSearch(const MaterialAtMove& material, const CutterProfile& body, const SweptMove& move,
-                double tolerance)
-      : material_(material), body_(body), move_(move), tolerance_(tolerance) {}
+                double tolerance, std::size_t most_looks)
+      : material_(material),
+        body_(body),
+        move_(move),
+        tolerance_(tolerance),
+        most_looks_(most_looks) {}
 
-  std::optional<Contact> run(const Box3& where) {
-    if (where.empty()) return std::nullopt;
+  ContactAnswer run(const Box3& where) {
+    if (where.empty()) return {};
     look_at({where.centre(), where.size() * 0.5, 0, {}});
     int refinements = 0;
     while (!queue_.empty()) {
       const Block block = queue_.top();
       queue_.pop();
       if (block.bound <= enough()) break;
-      if (best_ && ++refinements > kMostContactRefinements) break;
+      if (best_ ? ++refinements > kMostContactRefinements : looks_ > most_looks_)
+        return {best_, best_.has_value()};
       for (const Block& half : halves(block)) look_at(half);
     }
-    return best_;
+    return {best_};
   }
 
  private:
   double enough() const { return best_ ? best_->depth_mm + tolerance_ : tolerance_; }
 
   void look_at(Block block) {
+    ++looks_;
     const double reach = length(block.half);
     const SweptSample s = swept_distance(body_, move_, block.middle);
     if (s.distance > reach) return;
@@ -93,16 +99,17 @@ class ContactSearch {
   const CutterProfile& body_;
   const SweptMove& move_;
   double tolerance_;
+  std::size_t most_looks_, looks_ = 0;
   std::optional<Contact> best_;
   std::priority_queue<Block, std::vector<Block>, LessBound> queue_;
 };
 
 }  // namespace
 
-std::optional<Contact> deepest_contact(const MaterialAtMove& material, const CutterProfile& body,
-                                       const SweptMove& move, double tolerance_mm) {
+ContactAnswer deepest_contact(const MaterialAtMove& material, const CutterProfile& body,
+                              const SweptMove& move, double tolerance_mm, std::size_t most_looks) {
   const Box3 where = common(swept_box(body, move), bounding_box(material.before->raw()));
-  return ContactSearch(material, body, move, tolerance_mm).run(where);
+  return ContactSearch(material, body, move, tolerance_mm, most_looks).run(where);
 }
 
 }  // namespace limitgauge::simulator

@@ -16,14 +16,19 @@ namespace limitgauge::simulator {
 ///
 /// What stands at a move is `before` less all that the moves before it swept. So that a program
 /// cannot hide a crash by having it in small pieces, the flutes' contacts are judged against the
-/// stock at the start of the straight line of rapids that a rapid is part of (rapid_through_stock,
-/// near_miss), or of the series of neighbouring moves with the spindle at rest (spindle_stopped),
-/// without a feed rate (feed_missing), or down too steeply (steep_descent). What is above the
-/// flutes is judged after the move's own flutes have cut, but on the way up, where they come to a
-/// place after it, before they have; depths there are those in what stood before the move.
+/// stock at the start of the series of neighbouring rapids that a rapid is part of
+/// (rapid_through_stock; near_miss: of the straight line), of neighbouring moves with the spindle
+/// at rest (spindle_stopped) or without a feed rate (feed_missing), or of the feed moves over which
+/// the way is down too steeply all in all (steep_descent). What is above the flutes is judged after
+/// the move's own flutes have cut, but on the way up, where they come to a place after it, before
+/// they have; depths there are those in what stood before the move. A contact deeper than one and a
+/// half tolerances is never missed: where a search is given up it is a finding of depth 0 where the
+/// move begins.
 ///
-/// - rapid_through_stock: a rapid's flutes in material. A rapid straight up from where the move
-///   before ended is none where the flutes end above all material.
+/// - rapid_through_stock: a rapid's flutes in material. One whose own line takes nothing of it is
+///   none where the rapid before it was as deep, within a tolerance: it goes where that series has
+///   gone. A rapid straight up from where the move before ended is none where the flutes end above
+///   all material.
 /// - shank_in_stock, holder_in_stock: a part as wide as the flutes' top or wider in material.
 /// - below_flutes: material stands above the flutes' top within their radius there, at a height
 ///   where the stated assembly is narrower or ends. A narrower part that meets material is found by
@@ -59,12 +64,14 @@ namespace limitgauge::simulator {
 ///
 /// Of a pass that turns its tool as it goes all of this is told by the searches of turns
 /// (turn_search.h), against the stock as it stands at each move as above, and with these
-/// differences. Straight lines of rapids are series of neighbouring rapids, and steep_descent is
-/// judged by a move's own two axes. A rapid that backs out has no rule of its own: what was cut
-/// holds it. fixture_touched and slight contacts have the depth at which a part's place lies in the
-/// fixture. Near misses of rapids' flutes do not count from the series' first move's start until
-/// they are farther away, nor so before its last move's end. A contact deeper than one and a half
-/// tolerances is never missed: where a search is given up it is a finding of depth 0 at the tip.
+/// differences. What is above the flutes of a move that turns is judged against what stands when it
+/// gets to a place (trailing_contact.h), but for near misses. Straight lines of rapids are series
+/// of neighbouring rapids, and steep_descent is judged by a move's own two axes. A rapid that backs
+/// out has no rule of its own: what was cut holds it. fixture_touched and slight contacts have the
+/// depth at which a part's place lies in the fixture. Near misses of rapids' flutes do not count
+/// from the series' first move's start until they are farther away, nor so before its last move's
+/// end. A contact deeper than one and a half tolerances is never missed: where a search is given up
+/// it is a finding of depth 0 at the tip.
 std::vector<Finding> check_process(const StockModel& before, const Pass& pass,
                                    const ProcessLimits& limits, const model::RunControl& control);
 

@@ -87,9 +87,11 @@ bool CutterProfile::flat_below(double rho, double z, double reach) const {
          -z - reach >= z + reach - length_;
 }
 
-bool CutterProfile::upright_between(double z_low, double z_high) const {
-  return sin_ == 0 && z_low >= side_z_ - kDistanceRounding_mm &&
-         z_high <= length_ + kDistanceRounding_mm;
+bool CutterProfile::upright_between(double z_low, double z_high, double below_mm,
+                                    double above_mm) const {
+  const double widest_from = sin_ == 0 ? side_z_ : length_;
+  return sin_ >= 0 && z_low >= widest_from - below_mm - kDistanceRounding_mm &&
+         z_high <= length_ + above_mm + kDistanceRounding_mm;
 }
 
 // The hull of its tip, the rim of its top, and the arc, of which the ends, or the place whose

@@ -34,8 +34,10 @@ class CutterProfile {
   double inscribed_radius(double rho, double z) const;
   /// True where the distance is −z for every point within `reach` of (rho, z): over a level bottom.
   bool flat_below(double rho, double z, double reach) const;
-  /// True where the profile is a plain cylinder at all heights from `z_low` to `z_high`.
-  bool upright_between(double z_low, double z_high) const;
+  /// True where what the profile sweeps is a plain cylinder of the largest radius at all heights
+  /// from `z_low` to `z_high`, the profile going down by `below_mm` and up by `above_mm` from here.
+  /// A side that leans outwards has that radius at its top alone.
+  bool upright_between(double z_low, double z_high, double below_mm, double above_mm) const;
   /// A lower bound of the distance for every radius >= rho and every height in [z_low, z_high].
   double lower_bound(double rho, double z_low, double z_high) const {
     // The cutter stands inside a wider one without taper and with its corner lower, whose distance

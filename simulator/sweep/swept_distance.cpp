@@ -175,7 +175,12 @@ double outside_bound(const CutterProfile& profile, const SweptMove& move, const 
   const Vec3 q = p - (move.start + move.delta * at.t);
   const double rho = std::sqrt(q.x * q.x + q.y * q.y),
                level = std::sqrt(half.x * half.x + half.y * half.y);
-  if (!profile.upright_between(q.z - half.z, q.z + half.z) || rho <= 0) return general;
+  // A move straight up or down goes on doing what it does at t, as far as it leads.
+  const double from = move.vertical() ? -at.t * move.delta.z : 0,
+               to = move.vertical() ? (1 - at.t) * move.delta.z : 0;
+  const double below = std::max(-from, -to), above = std::max(from, to);
+  if (!profile.upright_between(q.z - half.z, q.z + half.z, below, above) || rho <= 0)
+    return general;
   // At those heights the cutter is a cylinder, and the level distance to its axis bends by 1/ρ.
   const Vec3 outward{q.x / rho, q.y / rho, 0};
   const double turned = length(half) * distance(outward, at.gradient);

@@ -95,6 +95,25 @@ TEST_CASE("the stock is judged as it is when the rapid comes", "[unit][process]"
   CHECK(count(check(block(), twice), FindingKind::rapid_through_stock) == 1);
 }
 
+TEST_CASE("a rapid's way through a block is as deep in small bent steps", "[unit][process]") {
+  // Into a side of the block along an arc of 30 mm, in steps shallower than the tolerance.
+  const auto along = [](int steps) {
+    PathBuilder path({-17.5, 0, -3});
+    for (int i = 1; i <= 2 * steps; ++i) {
+      const double angle = 0.12 * std::min(i, 2 * steps - i) / steps;
+      path.rapid({30 * std::sin(angle) - 17.5, 30 * std::cos(angle) - 30, -3});
+    }
+    return path.pass(flat4());
+  };
+  const auto coarse = check(block(), along(10)), fine = check(block(), along(400));
+  const double deep = worst(coarse, FindingKind::rapid_through_stock);
+  CHECK(deep > 2.9);
+  CHECK(worst(fine, FindingKind::rapid_through_stock) == Approx(deep).margin(2 * kTolerance));
+  // The way back goes through what was taken on the way there, and is none.
+  CHECK(of_kind(coarse, FindingKind::rapid_through_stock).back().move < 10);
+  CHECK(of_kind(fine, FindingKind::rapid_through_stock).back().move < 400);
+}
+
 TEST_CASE("rapids through air and along surfaces are no findings", "[unit][process]") {
   const auto c = GENERATE(flat4(), ball4(), cutter(CutterType::taper, 2, 20, 0.5, 8));
   const double near_miss = GENERATE(0.0, 0.5);
@@ -185,6 +204,19 @@ TEST_CASE("material above the flutes within the cutter's radius", "[unit][proces
   CHECK(check(block(), levels).empty());
 }
 
+TEST_CASE("a taper that plunges deeper than its flutes meets nothing with them",
+          "[unit][process]") {
+  // What is above the flutes slides along the hole's wall, which their top's rim has made.
+  auto c = cutter(CutterType::taper, 3, 3, 0, 8);
+  const Pass hole = PathBuilder({0, 0, 5}).feed({0, 0, -5}).rapid({0, 0, 5}).pass(c);
+  CHECK(check(block(), hole).empty());
+  CHECK(check(block(), split(hole, 7)).empty());
+  // A shank that is wider than the top by 0.2 mm stands in the wall.
+  c.shank = {{2 * simulator::CutterProfile(c).largest_radius() + 0.4, 20}};
+  const auto wider = check(block(), PathBuilder({0, 0, 5}).feed({0, 0, -5}).pass(c));
+  CHECK(worst(wider, FindingKind::shank_in_stock) == Approx(0.2).margin(kTolerance));
+}
+
 TEST_CASE("a part above the flutes as wide as they are speaks for itself", "[unit][process]") {
   auto c = flat4(5);
   c.shank = {{4, 20}};
@@ -228,6 +260,24 @@ TEST_CASE("a holder that dips into the stock", "[unit][process]") {
   REQUIRE(all.size() == 1);
   CHECK(all[0].kind == FindingKind::holder_in_stock);
   CHECK(all[0].depth_mm == Approx(0.75).margin(kTolerance));
+}
+
+TEST_CASE("stairs are as steep as the way down them", "[unit][process]") {
+  auto c = flat4();
+  c.steepest_descent_deg = 5;
+  // Every step is shallower than the tolerance and has a micrometre of level way.
+  const auto stairs = [&](double step_mm, double level_mm) {
+    PathBuilder path({0, 0, 0.005});
+    for (int i = 1; i * step_mm < 1; ++i) {
+      path.feed({i % 2 ? 0.0 : level_mm, 0, 0.005 - i * step_mm});
+      path.feed({i % 2 ? level_mm : 0.0, 0, 0.005 - i * step_mm});
+    }
+    return path.pass(c);
+  };
+  CHECK(worst(check(block(), stairs(0.0095, 0.001)), FindingKind::steep_descent) ==
+        Approx(1).margin(0.03));
+  // Layers of it are none: each is cut level over more than the descent would take at 5 degrees.
+  CHECK(count(check(block(), stairs(0.0095, 0.5)), FindingKind::steep_descent) == 0);
 }
 
 TEST_CASE("a descent steeper than the cutter can", "[unit][process]") {

@@ -141,3 +141,46 @@ TEST_CASE("what earlier moves of the pass have cut is gone for later ones", "[un
   pass.path = std::make_shared<const model::Toolpath>(path);
   CHECK_FALSE(any(of(pass, limits()), FindingKind::rapid_through_stock));
 }
+
+TEST_CASE("a shank is in what its own flutes come to only later", "[unit][turning]") {
+  // The axis swings across the way, so that a place above the flutes is below their top a while
+  // later. Said in one move as in many; the flutes of one move had always been there before.
+  model::Cutter c = model::parse_cutter("flat:D=6,L=6");
+  c.shank.push_back({6, 30});
+  const auto swing = [&](int pieces) {
+    const double half = 0.25;
+    const auto axis = [&](int k) {
+      const double lean = half * (1 - 2.0 * k / pieces);
+      return Vec3{0, -std::sin(lean), std::cos(lean)};
+    };
+    const auto tip = [&](int k) { return Vec3{4.0 * k / pieces - 2, 0, 0}; };
+    std::vector<TurnedMove> moves;
+    for (int k = 0; k < pieces; ++k) moves.push_back({tip(k), tip(k + 1), axis(k), axis(k + 1)});
+    return with_axes(c, moves);
+  };
+  const StockModel bit{model::BoxStock{{1.6, 0.6, 5.5}, {0.8, 0.8, 0.8}}, 0.1,
+                       std::size_t{1} << 30};
+  simulator::ProcessLimits l = limits();
+  l.tolerance_mm = 0.01;
+  const auto deepest = [&](int pieces) {
+    double most = -1;
+    for (const Finding& f : check_process(bit, swing(pieces), l, {2}))
+      if (f.kind == FindingKind::shank_in_stock) most = std::max(most, f.depth_mm);
+    return most;
+  };
+  const double many = deepest(32);
+  CHECK(many > 0.1);
+  CHECK(deepest(1) > 0.5 * many);
+  CHECK(deepest(1) < many + 0.01);
+  CHECK(deepest(4) > 0.5 * many);
+}
+
+TEST_CASE("a shank that follows its flutes into what they have cut meets nothing",
+          "[unit][turning]") {
+  // Down its own axis, which turns a little on the way: the flutes were there before.
+  model::Cutter c = model::parse_cutter("flat:D=6,L=6");
+  c.shank.push_back({5.9, 30});
+  const TurnedMove dive{{0, 0, 1}, {0, 0, -9}, {0, 0, 1}, {std::sin(0.002), 0, std::cos(0.002)}};
+  simulator::ProcessLimits l = limits();
+  CHECK_FALSE(any(of(with_axes(c, {dive}), l), FindingKind::shank_in_stock));
+}

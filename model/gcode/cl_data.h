@@ -22,7 +22,8 @@ struct ClData {
   std::optional<SevenFigures> cutter;
   std::string cutter_as_stated;  ///< "CUTTER/6,3"; empty without one
   std::uint32_t cutter_line = 0;
-  std::optional<int> tool;  ///< of LOADTL
+  bool units_are_stated = false;  ///< by UNITS; without it lengths are millimetres
+  std::optional<int> tool;        ///< of LOADTL
   std::uint32_t tool_line = 0;
   std::vector<IgnoredWord> ignored;  ///< SPINDL and COOLNT
   /// FROM: where the tip stands before the first motion. Without it nothing is said of that.
@@ -81,7 +82,7 @@ bool is_cl_data(std::string_view text, const std::string& name);
 /// of their business: they are of the tip. The tool stands at FROM before the first motion,
 /// unless `machine` states its start: then a FROM elsewhere is listed as not acted on. Without FROM
 /// its axis is that of the first motion from the start on. What CUTTER says is listed as assumed,
-/// and how a tool turns.
+/// how a tool turns, and millimetres without UNITS.
 Program to_program(const ClData& data, const std::string& name, const MachineSetup& machine);
 
 }  // namespace limitgauge::model

@@ -81,6 +81,7 @@ void ClReader::set_units(const ClStatement& statement) {
   if (word.text != "MM" && word.text != "INCHES")
     lexer_.fail(word, "unknown unit " + in_quotes(word.text), "MM or INCHES");
   unit_mm_ = word.text == "MM" ? 1 : kInchMm;
+  data_.units_are_stated = true;
 }
 
 void ClReader::set_cutter(const ClStatement& statement) {

@@ -85,6 +85,9 @@ Program to_program(const ClData& data, const std::string& name, const MachineSet
   program.name = std::filesystem::path(name).stem().string();
   program.ignored = data.ignored;
   if (data.tool) program.tool_changes.push_back({data.tool_line, 0, *data.tool});
+  if (!data.units_are_stated && !data.moves.empty())
+    program.assumed.push_back(at_line(data.moves.front().line) +
+                              "lengths are taken to be in millimetres: nothing says UNITS");
   if (data.cutter)
     program.assumed.push_back("line " + std::to_string(data.cutter_line) + ": " +
                               data.cutter_as_stated +

@@ -26,6 +26,7 @@ struct ModalState {
   ArcPlane plane = ArcPlane::xy;
   double unit_mm = 1;
   bool incremental = false, centre_absolute = false;
+  bool units_are_stated = false, distance_is_stated = false;  ///< by a word of their groups
   bool return_to_r = true;        ///< G99
   bool return_is_stated = false;  ///< by G98 or G99
   int compensation = 400;         ///< G40, G41 or G42, in tenths

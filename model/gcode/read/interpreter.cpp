@@ -1,6 +1,7 @@
 #include "model/gcode/read/interpreter.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "model/gcode/machine/feed.h"
 #include "model/gcode/machine/machine_motion.h"
@@ -93,6 +94,7 @@ void Interpreter::carry_out_g(const Statement& statement, std::optional<int> mot
   set_tip_control(statement);
   if (statement.g_word(GGroup::coordinate_system)) select_system(statement, state_, assumed_);
   set_late_modes(statement);
+  note_taken_modes(statement);
   carry_out_non_modal(statement);
   if (statement.g_word(GGroup::axis_offset)) apply_axis_offsets(statement, state_);
   if (statement.g(GGroup::motion)) cancel_cycle(statement);
@@ -168,17 +170,34 @@ void Interpreter::set_units(const Statement& statement) {
     assumed_.add(statement.line(), unit_mm == 1 ? "the units change to millimetres here"
                                                 : "the units change to inches here");
   state_.modal.unit_mm = unit_mm;
+  state_.modal.units_are_stated = true;
   compensation_.use_inches(*code == 200);
 }
 
 void Interpreter::set_late_modes(const Statement& statement) {
   ModalState& modal = state_.modal;
-  if (const auto code = statement.g(GGroup::distance)) modal.incremental = *code == 910;
+  if (const auto code = statement.g(GGroup::distance)) {
+    modal.incremental = *code == 910;
+    modal.distance_is_stated = true;
+  }
   if (const auto code = statement.g(GGroup::arc_distance)) modal.centre_absolute = *code == 901;
   if (const auto code = statement.g(GGroup::return_level)) {
     modal.return_to_r = *code == 990;
     modal.return_is_stated = true;
   }
+}
+
+/// A control keeps the modes that it was left in, or has its own: what words mean before the
+/// program says so is taken.
+void Interpreter::note_taken_modes(const Statement& statement) {
+  ModalState& modal = state_.modal;
+  if (!statement.has_axes() || statement.g(GGroup::non_modal) == 100) return;
+  if (!std::exchange(modal.units_are_stated, true))
+    assumed_.add(statement.line(),
+                 "lengths are taken to be in millimetres: nothing before says which unit");
+  if (!std::exchange(modal.distance_is_stated, true))
+    assumed_.add(statement.line(),
+                 "places are taken to be absolute (G90): nothing before says G90 or G91");
 }
 
 void Interpreter::carry_out_non_modal(const Statement& statement) {

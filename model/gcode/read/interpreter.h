@@ -59,6 +59,7 @@ class Interpreter {
   void set_plane(const Statement& statement);
   void set_units(const Statement& statement);
   void set_late_modes(const Statement& statement);
+  void note_taken_modes(const Statement& statement);
   void carry_out_non_modal(const Statement& statement);
   void go_home(const Statement& statement);
   void move_home(const Statement& statement);

@@ -67,7 +67,7 @@ TEST_CASE("a slot cut before Y is named is cut where the program starts", "[unit
 }
 
 TEST_CASE("the start of programs is the job's, in their own frame", "[unit][program]") {
-  const std::string program = "G91\nG1 X5 F500\n";
+  const std::string program = "G21 G91\nG1 X5 F500\n";
   const Bench stated({program},
                      "[machine]\nstart = [1, 2, 30]\nwork_offsets = { G54 = [100, 50, 7] }\n"
                      "[program_frame]\noffset = [-4, 0, 1]\nrotate_z = 90");
@@ -123,7 +123,7 @@ TEST_CASE("the first GOTO of CL data is a motion from where programs start", "[u
 }
 
 TEST_CASE("FROM says where CL data start, unless the job does", "[unit][program]") {
-  const std::string program = "FROM/3,4,12\nRAPID\nGOTO/5,4,12\nFINI\n";
+  const std::string program = "UNITS/MM\nFROM/3,4,12\nRAPID\nGOTO/5,4,12\nFINI\n";
   const ForeignPath path = *Bench({program}).load().front();
   CHECK(!path.start.assumed);
   CHECK(path.start.at_mm == model::Vec3{3, 4, 12});
@@ -131,7 +131,7 @@ TEST_CASE("FROM says where CL data start, unless the job does", "[unit][program]
   const ForeignPath stated = *Bench({program}, "[machine]\nstart = [1, 2, 30]").load().front();
   CHECK(stated.start.at_mm == model::Vec3{1, 2, 30});
   CHECK(stated.path->start == model::Vec3{1, 2, 30});
-  CHECK(says(stated, "line 1: FROM/3,4,12 is not acted on"));
+  CHECK(says(stated, "line 2: FROM/3,4,12 is not acted on"));
   const ForeignPath same = *Bench({program}, "[machine]\nstart = [3, 4, 12]").load().front();
   CHECK(same.assumed.empty());
 }

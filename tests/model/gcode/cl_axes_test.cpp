@@ -77,7 +77,7 @@ TEST_CASE("tool axes go with the frame of G54 and with the part's", "[unit][cl]"
 
 TEST_CASE("CL data whose tool stands upright throughout have no axes", "[unit][cl]") {
   const std::string upright =
-      "MULTAX/ON\nFROM/0,0,9,0,0,1\nFEDRAT/10\nGOTO/1,2,3,0,0,0.9995\n"
+      "UNITS/MM\nMULTAX/ON\nFROM/0,0,9,0,0,1\nFEDRAT/10\nGOTO/1,2,3,0,0,0.9995\n"
       "MULTAX/OFF\nGOTO/1,2,4\nFINI\n";
   const Program program = cl_program(upright);
   CHECK_FALSE(program.axes.has_value());

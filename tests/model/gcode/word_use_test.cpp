@@ -84,7 +84,23 @@ TEST_CASE("comments alone in their line name what follows", "[unit][gcode]") {
   CHECK(read_text("(" + std::string(500, 'x') + ")\n").comments[0].text.size() == 200);
 }
 
+TEST_CASE("modes that a program never says are listed where they first matter", "[unit][gcode]") {
+  const std::string units =
+      "lengths are taken to be in millimetres: nothing before says which unit";
+  const std::string places =
+      "places are taken to be absolute (G90): nothing before says G90 or G91";
+  const auto assumed = [](const char* text) { return read_text(text).assumed; };
+  using Listed = std::vector<std::string>;
+  CHECK(assumed("S100 M3\nG0 X1\nX2\n") == Listed{"line 2: " + units, "line 2: " + places});
+  CHECK(assumed("G90\nG0 X1\n") == Listed{"line 2: " + units});
+  CHECK(assumed("G20\nG0 X1\n") == Listed{"line 2: " + places});
+  CHECK(assumed("G0 G21 G91 X1\n").empty());
+  // Only what comes before the motion says what it means.
+  CHECK(assumed("G21\nG0 X1\nG90 X2\n") == Listed{"line 2: " + places});
+  CHECK(assumed("G21\nM3 S100\nM30\n").empty());
+}
+
 TEST_CASE("assumptions are listed once", "[unit][gcode]") {
-  const Program program = read_text("T1 M6\nG43 H1\nG0 Z1\nG49\nG43 H1\nZ1\n");
+  const Program program = read_text("G21 G90\nT1 M6\nG43 H1\nG0 Z1\nG49\nG43 H1\nZ1\n");
   CHECK(program.assumed.size() == 1);
 }

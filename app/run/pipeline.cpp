@@ -163,7 +163,7 @@ std::vector<verifier::ProcessFault> process_faults(std::span<const simulator::Fi
   std::vector<verifier::ProcessFault> faults;
   for (const simulator::FindingKind kind : reports::kFindingKinds) {
     if (!fails(kind)) continue;
-    verifier::ProcessFault fault{reports::description(kind), reports::count(findings, {kind})};
+    verifier::ProcessFault fault{reports::description(kind), reports::moves_with(findings, kind)};
     for (const simulator::Finding& f : findings)
       if (f.kind == kind && (!fault.worst || f.depth_mm > fault.worst->depth_mm))
         fault.worst = {f.point, f.line, f.depth_mm};

@@ -14,6 +14,17 @@ std::size_t count(std::span<const Finding> findings, std::initializer_list<Findi
       }));
 }
 
+std::size_t moves_with(std::span<const Finding> findings, FindingKind kind) {
+  std::size_t moves = 0;
+  const Finding* last = nullptr;
+  for (const Finding& f : findings) {
+    if (f.kind != kind) continue;
+    if (!last || last->move != f.move) ++moves;
+    last = &f;
+  }
+  return moves;
+}
+
 std::size_t faults(std::span<const Finding> findings) {
   return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
                                                 [](const Finding& f) { return fails(f.kind); }));

@@ -21,6 +21,9 @@ inline constexpr std::array kFindingKinds = {
 /// Findings of `kinds`.
 std::size_t count(std::span<const simulator::Finding> findings,
                   std::initializer_list<simulator::FindingKind> kinds);
+/// Moves that have a finding of `kind`: one that touches two clamps is one. Findings are in the order
+/// of moves.
+std::size_t moves_with(std::span<const simulator::Finding> findings, simulator::FindingKind kind);
 /// Findings that fail a stage.
 std::size_t faults(std::span<const simulator::Finding> findings);
 /// The kinds that result.json lists as holder collisions.

@@ -55,7 +55,9 @@ StockCheck::StockCheck(const StockModel& before, const Pass& pass, const ToolBod
                          [&](std::size_t i) { return path_.moves[i].spindle_stopped; })),
       without_feed_(
           series_of(path_.moves.size(), [&](std::size_t i) { return lacks_feed(path_.moves[i]); })),
-      descents_(descents()) {}
+      descents_(
+          series_of(path_.moves.size(), [&](std::size_t i) { return descends_too_steeply(i); })),
+      stairs_(stairs()) {}
 
 void StockCheck::look_at(std::size_t move, std::vector<Finding>& findings) const {
   const SweptMove tip(move_from(path_, move), path_.moves[move].to,
@@ -78,8 +80,33 @@ void StockCheck::look_at_cutter(std::size_t i, const SweptMove& tip,
     findings.push_back(
         finding(FindingKind::feed_missing, i, c.point, c.depth_mm, ToolPart::cutter));
   }
-  if (descends_too_steeply(i))
-    look_for(FindingKind::steep_descent, flutes, i, tip, descents_.begin(i), findings);
+  if (descends_too_steeply(i)) look_at_descent(i, tip, findings);
+}
+
+// A step that is too slight alone counts with those before it: where their depths add up to more
+// than the tolerance, and so does what stood before the first of the stairs.
+void StockCheck::look_at_descent(std::size_t i, const SweptMove& tip,
+                                 std::vector<Finding>& findings) const {
+  constexpr int kMostSteps = 10;  // so many of the slightest make a tolerance
+  const FindingKind kind = FindingKind::steep_descent;
+  const std::size_t known = findings.size(), first = stairs_.begin(i);
+  if (look_for(kind, bodies_.flutes, i, tip, descents_.begin(i), findings)) return;
+  if (findings.size() == known) return;
+  double sum_mm = findings.back().depth_mm;
+  for (std::size_t k = i, steps = 1;
+       sum_mm <= limits_.tolerance_mm && k > first && steps < kMostSteps; --k)
+    if (descends_too_steeply(k - 1)) ++steps, sum_mm += slight_depth_mm(k - 1);
+  if (sum_mm <= limits_.tolerance_mm) return;
+  if (const auto c = contact_of_flutes(tip, first))
+    findings.back() = finding(kind, i, c->point, c->depth_mm, ToolPart::cutter);
+}
+
+double StockCheck::slight_depth_mm(std::size_t i) const {
+  const SweptMove tip(move_from(path_, i), path_.moves[i].to, static_cast<std::uint32_t>(i));
+  const auto c = deepest_contact(material_at(descents_.begin(i)), bodies_.flutes.profile, tip,
+                                 limits_.slightest_mm(), kMostSlightContactLooks)
+                     .contact;
+  return c ? c->depth_mm : 0;
 }
 
 void StockCheck::look_at_rapid(std::size_t i, const SweptMove& tip,
@@ -211,18 +238,22 @@ bool StockCheck::descends_too_steeply(std::size_t i) const {
   return is_steep(move_from(path_, lines_.begin(i)), path_.moves[lines_.end(i) - 1].to, steepest);
 }
 
-// As long as the way from where one began is too steep as well: stairs are a descent of their own.
-MoveRuns StockCheck::descents() const {
+// Descents that are no more than the cutter's width of level way apart, as long as the way from
+// where the first began is too steep as well.
+MoveRuns StockCheck::stairs() const {
+  const double width_mm = 2 * bodies_.flutes.profile.largest_radius();
   bool within = false;
   Vec3 from;
+  double level_mm = 0;  // since the last of them
   return MoveRuns(path_.moves.size(), [&](std::size_t i) {
-    const Move& m = path_.moves[i];
-    if (within && m.kind == MoveKind::feed &&
-        is_steep(from, m.to, pass_.cutter.steepest_descent_deg))
-      return false;
-    within = descends_too_steeply(i);
-    from = move_from(path_, i);
-    return within;
+    const Vec3 &start = move_from(path_, i), &to = path_.moves[i].to;
+    const bool steep = descends_too_steeply(i);
+    level_mm = steep ? 0 : level_mm + level_distance(start, to);
+    within = within && path_.moves[i].kind == MoveKind::feed && level_mm <= width_mm &&
+             is_steep(from, to, pass_.cutter.steepest_descent_deg);
+    if (within || !steep) return false;
+    within = true, from = start;
+    return true;
   });
 }
 

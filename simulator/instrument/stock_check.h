@@ -38,6 +38,8 @@ class StockCheck {
   void look_at_cutter(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
   void look_at_rapid(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
   bool goes_deeper(std::size_t i, const SweptMove& tip, double depth_mm) const;
+  void look_at_descent(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
+  double slight_depth_mm(std::size_t i) const;
   void look_above_flutes(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
   void look_over_flutes(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
   void look_at_wide_part(const ToolBody& body, std::size_t i, const SweptMove& tip,
@@ -52,7 +54,7 @@ class StockCheck {
                 std::size_t end, std::vector<Finding>& findings) const;
   bool follows_flutes(const ToolBody& body, std::size_t i, const SweptMove& tip) const;
   bool descends_too_steeply(std::size_t i) const;
-  MoveRuns descents() const;
+  MoveRuns stairs() const;
   bool backs_out(std::size_t i) const;
   bool keeps_to_its_hole(std::size_t i) const;
   std::vector<SweptMove> feeds_beside(std::size_t i) const;
@@ -67,7 +69,7 @@ class StockCheck {
   const ToolBodies& bodies_;
   StockLimits limits_;
   ClearanceMap map_;
-  MoveRuns lines_, rapids_, at_rest_, without_feed_, descents_;
+  MoveRuns lines_, rapids_, at_rest_, without_feed_, descents_, stairs_;
   // Most paths are cleared without it, and it is the largest thing here.
   mutable std::once_flag indexed_;
   mutable std::unique_ptr<const SweepIndex> sweep_;

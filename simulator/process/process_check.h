@@ -18,12 +18,11 @@ namespace limitgauge::simulator {
 /// cannot hide a crash by having it in small pieces, the flutes' contacts are judged against the
 /// stock at the start of the series of neighbouring rapids that a rapid is part of
 /// (rapid_through_stock; near_miss: of the straight line), of neighbouring moves with the spindle
-/// at rest (spindle_stopped) or without a feed rate (feed_missing), or of the feed moves over which
-/// the way is down too steeply all in all (steep_descent). What is above the flutes is judged after
-/// the move's own flutes have cut, but on the way up, where they come to a place after it, before
-/// they have; depths there are those in what stood before the move. A contact deeper than one and a
-/// half tolerances is never missed: where a search is given up it is a finding of depth 0 where the
-/// move begins.
+/// at rest (spindle_stopped), without a feed rate (feed_missing), or down too steeply
+/// (steep_descent). What is above the flutes is judged after the move's own flutes have cut, but on
+/// the way up, where they come to a place after it, before they have; depths there are those in
+/// what stood before the move. A contact deeper than one and a half tolerances is never missed:
+/// where a search is given up it is a finding of depth 0 where the move begins.
 ///
 /// - rapid_through_stock: a rapid's flutes in material. One whose own line takes nothing of it is
 ///   none where the rapid before it was as deep, within a tolerance: it goes where that series has
@@ -46,7 +45,10 @@ namespace limitgauge::simulator {
 ///   placed where the move begins.
 /// - steep_descent: a feed move on a straight line that goes down more steeply than
 ///   Cutter::steepest_descent_deg, by more than the rounding of coordinates (1 µm), and meets
-///   material.
+///   material. Also one that only slightly does, as one of stairs: descents with no more than the
+///   cutter's width of level way between them, over which the way is too steep all in all, where
+///   the depths of the last ten add up to more than the tolerance, and so does the move's own in
+///   what stood before the stairs.
 /// - beyond_travel: the tip ends beyond a limit; `against` is the one by which it is farthest out.
 /// - slight_contact: a contact with stock or fixture of a kind above that is shallower than the
 ///   tolerance but not than a tenth of it, below which a body only slides along.

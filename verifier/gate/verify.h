@@ -90,7 +90,7 @@ class InstrumentDisagreement : public std::runtime_error {
 /// the surface does not show.
 struct ProcessFault {
   std::string what;
-  std::size_t count = 0;
+  std::size_t count = 0;  ///< of moves
   struct Place {
     model::Vec3 point;
     std::uint32_t line = 0;  ///< of the program; 0: of none

@@ -181,7 +181,7 @@ class TurningLine {
     double below = low;
     for (const Interval& m : after) {
       middle(below, m.low, false);
-      end(m.low), end(m.high);
+      end(m.low, {0, 0, -1}), end(m.high, {0, 0, 1});
       middle(m.low, m.high, true);
       below = m.high;
     }
@@ -202,7 +202,9 @@ class TurningLine {
     if ((stood(z) && !cutter_.comes_to(p)) == material) return;
     figures_.note(figures_.worst_side, std::abs(material_.sample(p).value), p);
   }
-  void end(double z) {
+  /// Where an edge of the cutter has left the surface the gradient may be that of a face along it:
+  /// any place no farther away shows which side is near, and on the line one is.
+  void end(double z, const Vec3& leaves) {
     const Vec3 p = place(z);
     const MaterialSample s = material_.sample(p);
     const bool of_pass = s.maker.pass == material_.passes().size();
@@ -210,8 +212,9 @@ class TurningLine {
     ++figures_.ends;
     double away = kAgreement_mm;
     for (int k = 0; k < kMostTens; ++k, away *= 10) {
-      const bool inner = !cutter_.comes_to(p - out * away);
-      const bool outer = !of_pass || cutter_.comes_to(p + out * away);
+      const bool inner = !cutter_.comes_to(p - out * away) || !cutter_.comes_to(p - leaves * away);
+      const bool outer =
+          !of_pass || cutter_.comes_to(p + out * away) || cutter_.comes_to(p + leaves * away);
       if (inner && outer) break;
       figures_.note(figures_.worst_end, 2 * away, p);
     }

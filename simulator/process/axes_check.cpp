@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/base/angle.h"
 #include "simulator/process/turning/trailing_contact.h"
@@ -93,13 +94,54 @@ bool AxesCheck::look_for(FindingKind kind, const Turning& m, const ToolBody& bod
       {kind, m, body, solid}, findings);
 }
 
+/// No place of the block is farther from a tip of the move than this.
+double AxesCheck::reach_into_stock(std::size_t i) const {
+  const model::Box3 box = bounding_box(solids_.front().solid.raw());
+  const auto from = [&](const Vec3& tip) {
+    return distance(tip, box.centre()) + length(box.size()) / 2;
+  };
+  return std::max(from(move_from(path_, i)), from(path_.moves[i].to));
+}
+
+/// How far a move down its own axis goes aside within `reach_mm` of its tip; infinite of another.
+double AxesCheck::aside_mm(std::size_t i, double reach_mm) const {
+  const Vec3 &axis = axis_from(*pass_.axes, i), &axis_to = pass_.axes->to[i];
+  const Vec3 way = path_.moves[i].to - move_from(path_, i);
+  const double down = -dot(way, axis);
+  if (down < 0) return std::numeric_limits<double>::infinity();
+  const double turn_rad = std::atan2(length(cross(axis, axis_to)), dot(axis, axis_to));
+  return length(way + axis * down) + turn_rad * reach_mm;
+}
+
+// Down its own axis a part no wider than the flutes' top meets nothing but what it already stood in
+// before, but for as much as it goes aside, and no contact grows by more than that. Counted from
+// the last move that was looked at in full.
+bool AxesCheck::follows_flutes(const Turning& m, const ToolBody& body, double within_mm) const {
+  constexpr std::size_t kMostMoves = 1000;
+  if (body.profile.largest_radius() > bodies_.top_radius_mm || m.move == 0) return false;
+  double sum_mm = 0;
+  std::size_t i = m.move;
+  for (; i > 0 && m.move - i < kMostMoves; --i) {
+    const double reach = std::min(body.base_mm + body.profile.length(), reach_into_stock(i));
+    const double aside = aside_mm(i, reach);
+    if (aside > within_mm && i < m.move) return true;
+    sum_mm += aside;
+    if (sum_mm > within_mm) return false;
+  }
+  return i == 0;  // the first move is looked at in full
+}
+
 bool AxesCheck::look_for_part(FindingKind kind, const Turning& m, const ToolBody& body,
                               std::vector<Finding>& findings) const {
-  if (!(m.pose.turn_rad > 0))
-    return look_for(kind, m, body, 0, rises(m.move) ? m.move : m.move + 1, findings);
+  const bool turns = m.pose.turn_rad > 0;
+  const std::size_t end = turns || rises(m.move) ? m.move : m.move + 1;
   return look_by(
-      [&](double tolerance) {
-        return trailing_contact(search(m, body, 0, m.move), {&pass_, m.move}, tolerance, m.control);
+      [&](double tolerance) -> TurnAnswer {
+        if (follows_flutes(m, body, tolerance / 2)) return {};
+        TurnSearch s = search(m, body, 0, end);
+        if (tolerance < limits_.tolerance_mm) s.most_looks /= 10;
+        return turns ? trailing_contact(s, {&pass_, m.move}, tolerance, m.control)
+                     : deepest_turn_contact(s, tolerance, m.control);
       },
       {kind, m, body, 0}, findings);
 }

@@ -192,10 +192,15 @@ void Interpreter::set_late_modes(const Statement& statement) {
 void Interpreter::note_taken_modes(const Statement& statement) {
   ModalState& modal = state_.modal;
   if (!statement.has_axes() || statement.g(GGroup::non_modal) == 100) return;
-  if (!std::exchange(modal.units_are_stated, true))
+  // Zero has no unit, and places on the machine are absolute.
+  const bool has_length = std::any_of(kAxes.begin(), kAxes.end(), [&](char axis) {
+    const Word* const word = statement.word(axis);
+    return word && word->value != 0;
+  });
+  if (has_length && !std::exchange(modal.units_are_stated, true))
     assumed_.add(statement.line(),
                  "lengths are taken to be in millimetres: nothing before says which unit");
-  if (!std::exchange(modal.distance_is_stated, true))
+  if (statement.g(GGroup::non_modal) != 530 && !std::exchange(modal.distance_is_stated, true))
     assumed_.add(statement.line(),
                  "places are taken to be absolute (G90): nothing before says G90 or G91");
 }

@@ -1,5 +1,6 @@
 #include "simulator/process/turning/trailing_contact.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -9,8 +10,6 @@ namespace {
 using model::Pass;
 using model::Toolpath;
 
-// Some seconds. A part that comes after the flutes by a millimetre takes a stretch for each.
-constexpr std::size_t kMostStretches = 4000;
 // At one time there is little to look through.
 constexpr std::size_t kWitnessLooks = 10'000;
 
@@ -30,10 +29,11 @@ class TrailingContact {
         speed_mm_(length(motion_.delta) +
                   motion_.turn_rad * farthest_from_tip_mm(CutterProfile(pass_.cutter))),
         tolerance_mm_(tolerance_mm),
-        control_(control) {}
+        control_(control),
+        looks_left_(search.most_looks) {}
 
   TurnAnswer during(double from, double to) {
-    if (++stretches_ > kMostStretches) return {{}, 0, false};
+    if (looks_left_ == 0) return {{}, 0, false};
     const TurnAnswer early = contact(from, to, from, search_.most_looks, tolerance_mm_);
     if (!early.place && early.proven) return early;
     // Where it would be deepest it mostly is in what stands just then.
@@ -54,13 +54,15 @@ class TrailingContact {
  private:
   // Against what stands when the flutes have come to time `cut`.
   TurnAnswer contact(double from, double to, double cut, std::size_t most_looks,
-                     double tolerance_mm) const {
+                     double tolerance_mm) {
     TurnSearch stretch = search_;
-    stretch.from = from, stretch.to = to, stretch.most_looks = most_looks;
-    if (cut == 0) return deepest_turn_contact(stretch, tolerance_mm, control_);
-    const Material left = search_.solid->after(std::make_shared<const SweepIndex>(until(cut)));
+    stretch.from = from, stretch.to = to, stretch.most_looks = std::min(most_looks, looks_left_);
+    const auto flutes = cut > 0 ? std::make_shared<const SweepIndex>(until(cut)) : nullptr;
+    const Material left = flutes ? search_.solid->after(flutes) : *search_.solid;
     stretch.solid = &left;
-    return deepest_turn_contact(stretch, tolerance_mm, control_);
+    const TurnAnswer answer = deepest_turn_contact(stretch, tolerance_mm, control_);
+    looks_left_ -= std::min(looks_left_, answer.looks);
+    return answer;
   }
 
   Pass until(double t) const {
@@ -87,7 +89,7 @@ class TrailingContact {
   double speed_mm_;  // no place of the flutes is faster, by t
   double tolerance_mm_;
   const model::RunControl& control_;
-  std::size_t stretches_ = 0;
+  std::size_t looks_left_;  // of all stretches
 };
 
 }  // namespace

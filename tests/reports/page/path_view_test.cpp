@@ -82,7 +82,7 @@ TEST_CASE("a path that fits is drawn move by move", "[unit][page]") {
 
 TEST_CASE("a path that does not fit is joined within the stated distance", "[unit][page]") {
   const model::Toolpath path = wave(12, 2000);
-  for (const std::size_t most : {20'000, 2000, 300}) {
+  for (const std::size_t most : {8000, 2000, 300}) {
     const PathView view = path_view(path, {}, {5000, 777, most});
     INFO(most);
     CHECK(view.segments.size() <= most);

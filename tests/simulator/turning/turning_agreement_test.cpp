@@ -109,6 +109,31 @@ TEST_CASE("sharp edges that lean agree on straight moves far longer than they ar
   CHECK(found.ends > 640);
 }
 
+TEST_CASE("a flat whose axis swings across its way agrees where its edge leaves the floor",
+          "[property][turning]") {
+  // The floor is what the edge leaves behind it: just above, the level set's nearest face is the
+  // cutter's side, along which no way leads into the material.
+  const double swing = GENERATE(8.0, 13.0, 20.0) * std::numbers::pi / 180;
+  const Vec3 from{0, std::sin(swing), std::cos(swing)}, to{0, -from.y, from.z};
+  model::Toolpath path;
+  path.start = {-40, 0, -2.2};
+  path.moves.emplace_back(Vec3{40, 0, -2.2}, 500.0F, 1U, model::MoveKind::feed);
+  const Pass pass{model::parse_cutter("flat:D=6,L=5"),
+                  std::make_shared<const model::Toolpath>(path),
+                  {},
+                  false,
+                  std::make_shared<const model::ToolAxes>(model::ToolAxes{from, {to}})};
+  const model::Stock block = model::BoxStock{{-15, -10, -5}, {30, 20, 5}};
+  const DexelStock before(block, kApart_mm);
+  const StockModel after = StockModel(block, 0.5, std::size_t{1} << 30).cut(pass, {2});
+  const DexelStock lines = dexels_from(after, kApart_mm, {2});
+  const auto found = compare_turning(before, lines, after, pass, 1500, {2});
+  CAPTURE(swing, found.worst_at.x, found.worst_at.y, found.worst_at.z);
+  CHECK(found.worst_end_mm <= simulator::kAgreement_mm);
+  CHECK(found.worst_side_mm <= simulator::kAgreement_mm);
+  CHECK(found.ends > 1500);
+}
+
 TEST_CASE("a stock that was cut with a wrong axis or a wrong tip does not agree",
           "[property][turning]") {
   const Pass pass = turning_pass(turning_cutters()[1], 4, 20);

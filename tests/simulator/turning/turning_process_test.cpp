@@ -184,3 +184,22 @@ TEST_CASE("a shank that follows its flutes into what they have cut meets nothing
   simulator::ProcessLimits l = limits();
   CHECK_FALSE(any(of(with_axes(c, {dive}), l), FindingKind::shank_in_stock));
 }
+
+TEST_CASE("a shank as wide as its flutes follows them down a leaning axis, but for rounding",
+          "[unit][turning]") {
+  model::Cutter c = model::parse_cutter("flat:D=3,L=3");
+  c.shank.push_back({3, 60});
+  const double lean = 0.35;
+  const auto along = [&](double mm) { return Vec3{std::sin(lean), 0, std::cos(lean)} * mm; };
+  const auto dive = [&](double off_rad) {
+    const Vec3 end{std::sin(lean + off_rad), 0, std::cos(lean + off_rad)};
+    return with_axes(
+        c, {{along(60), along(2), along(1), along(1)}, {along(2), along(-6), along(1), end}});
+  };
+  simulator::ProcessLimits l = limits();
+  l.tolerance_mm = 0.01;
+  CHECK_FALSE(any(of(dive(0), l), FindingKind::shank_in_stock));
+  CHECK_FALSE(any(of(dive(1e-5), l), FindingKind::shank_in_stock));
+  // A tenth of a radian is no rounding.
+  CHECK(any(of(dive(0.1), l), FindingKind::shank_in_stock));
+}

@@ -16,9 +16,9 @@ struct TurningCut {
 
 /// As deepest_turn_contact, of a part above the flutes of `cut`, against what stands when the part
 /// gets there: `search` is one of the solid before the move. What the flutes come to only later is
-/// met. The move is halved in time until what its flutes sweep within a stretch decides nothing, so
-/// that what is deeper than 1.5 tolerances is never missed. All stretches together take no more
-/// than the search's looks. Throws Interrupted.
+/// met (simulator/PROOFS.md, P13). The move is halved in time until what its flutes sweep within a
+/// stretch decides nothing, so that what is deeper than 1.5 tolerances is never missed. All
+/// stretches together take no more than the search's looks. Throws Interrupted.
 TurnAnswer trailing_contact(const TurnSearch& search, const TurningCut& cut, double tolerance_mm,
                             const model::RunControl& control);
 

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "reports/run/process.h"
 #include "reports/run/report.h"
 #include "tests/reports/sample_result.h"
 #include "tests/support/catch.h"
@@ -118,4 +119,15 @@ TEST_CASE("the table of findings has a row for each, and no formula", "[unit][fi
 TEST_CASE("the table holds every finding", "[unit][findings]") {
   const std::string text = csv_of(gouged(std::vector<double>(1500, 2.0), 2, 0.1));
   CHECK(std::count(text.begin(), text.end(), '\n') == 1501);
+}
+
+TEST_CASE("a move that touches two clamps is one move with two faults", "[unit]") {
+  using simulator::FindingKind;
+  const auto touched = [](std::size_t move, const char* clamp) {
+    return simulator::Finding{FindingKind::fixture_touched, move, 0, {}, 1, "shank", clamp};
+  };
+  const std::vector<simulator::Finding> all{touched(3, "a"), touched(3, "b"), touched(4, "b")};
+  CHECK(moves_with(all, FindingKind::fixture_touched) == 2);
+  CHECK(moves_with(all, FindingKind::near_miss) == 0);
+  CHECK(faults(all) == 3);
 }

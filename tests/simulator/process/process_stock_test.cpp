@@ -268,14 +268,14 @@ TEST_CASE("stairs are as steep as the way down them", "[unit][process]") {
   // Every step is shallower than the tolerance and has a micrometre of level way.
   const auto stairs = [&](double step_mm, double level_mm) {
     PathBuilder path({0, 0, 0.005});
-    for (int i = 1; i * step_mm < 0.4; ++i) {
+    for (int i = 1; i * step_mm < 0.15; ++i) {
       path.feed({i % 2 ? 0.0 : level_mm, 0, 0.005 - i * step_mm});
       path.feed({i % 2 ? level_mm : 0.0, 0, 0.005 - i * step_mm});
     }
     return path.pass(c);
   };
   CHECK(worst(check(block(), stairs(0.0095, 0.001)), FindingKind::steep_descent) ==
-        Approx(0.4).margin(0.03));
+        Approx(0.15).margin(0.03));
   // Layers of it are none: each is cut level over more than the descent would take at 5 degrees.
   CHECK(count(check(block(), stairs(0.0095, 0.5)), FindingKind::steep_descent) == 0);
 }

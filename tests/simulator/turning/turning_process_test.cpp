@@ -176,7 +176,7 @@ TEST_CASE("a shank is in what its own flutes come to only later", "[unit][turnin
 }
 
 TEST_CASE("a shank that follows its flutes into what they have cut meets nothing",
-          "[unit][turning]") {
+          "[unit][turning][slow]") {
   // Down its own axis, which turns a little on the way: the flutes were there before.
   model::Cutter c = model::parse_cutter("flat:D=6,L=6");
   c.shank.push_back({5.9, 30});

@@ -60,10 +60,13 @@ StockCheck::StockCheck(const StockModel& before, const Pass& pass, const ToolBod
       stairs_(stairs()) {}
 
 void StockCheck::look_at(std::size_t move, std::vector<Finding>& findings) const {
-  const SweptMove tip(move_from(path_, move), path_.moves[move].to,
-                      static_cast<std::uint32_t>(move));
-  look_at_cutter(move, tip, findings);
-  look_above_flutes(move, tip, findings);
+  const SweptMove own = tip(move);
+  look_at_cutter(move, own, findings);
+  look_above_flutes(move, own, findings);
+}
+
+SweptMove StockCheck::tip(std::size_t i) const {
+  return {move_from(path_, i), path_.moves[i].to, static_cast<std::uint32_t>(i)};
 }
 
 void StockCheck::look_at_cutter(std::size_t i, const SweptMove& tip,
@@ -102,8 +105,7 @@ void StockCheck::look_at_descent(std::size_t i, const SweptMove& tip,
 }
 
 double StockCheck::slight_depth_mm(std::size_t i) const {
-  const SweptMove tip(move_from(path_, i), path_.moves[i].to, static_cast<std::uint32_t>(i));
-  const auto c = deepest_contact(material_at(descents_.begin(i)), bodies_.flutes.profile, tip,
+  const auto c = deepest_contact(material_at(descents_.begin(i)), bodies_.flutes.profile, tip(i),
                                  limits_.slightest_mm(), kMostSlightContactLooks)
                      .contact;
   return c ? c->depth_mm : 0;
@@ -115,22 +117,20 @@ void StockCheck::look_at_rapid(std::size_t i, const SweptMove& tip,
   if (!look_for(FindingKind::rapid_through_stock, bodies_.flutes, i, tip, rapids_.begin(i),
                 findings))
     return look_at_rapids_gap(i, tip, findings);
-  if (!goes_deeper(i, tip, findings.back().depth_mm)) findings.resize(known);
+  if (!goes_deeper(i, findings.back().depth_mm)) findings.resize(known);
 }
 
 // Whether a rapid that meets what stood before its series is more than a way through what the
 // series has taken: it takes something itself, or is deeper than the move before it, by more than
 // depths are known. The first move of a series that meets anything is one or the other.
-bool StockCheck::goes_deeper(std::size_t i, const SweptMove& tip, double depth_mm) const {
+bool StockCheck::goes_deeper(std::size_t i, double depth_mm) const {
   const std::size_t series = rapids_.begin(i), line = lines_.begin(i);
   if (line <= series) return true;
   const CutterProfile& flutes = bodies_.flutes.profile;
-  const auto own = deepest_contact(material_at(line), flutes, tip, limits_.slightest_mm(),
+  const auto own = deepest_contact(material_at(line), flutes, tip(i), limits_.slightest_mm(),
                                    kMostSlightContactLooks / 10);
   if (own.contact) return true;
-  const SweptMove before(move_from(path_, i - 1), path_.moves[i - 1].to,
-                         static_cast<std::uint32_t>(i - 1));
-  const auto known = contact_of_flutes(before, series);
+  const auto known = contact_of_flutes(tip(i - 1), series);
   return !known || known->depth_mm + limits_.tolerance_mm < depth_mm;
 }
 

@@ -37,7 +37,7 @@ class StockCheck {
  private:
   void look_at_cutter(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
   void look_at_rapid(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
-  bool goes_deeper(std::size_t i, const SweptMove& tip, double depth_mm) const;
+  bool goes_deeper(std::size_t i, double depth_mm) const;
   void look_at_descent(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
   double slight_depth_mm(std::size_t i) const;
   void look_above_flutes(std::size_t i, const SweptMove& tip, std::vector<Finding>& findings) const;
@@ -58,6 +58,7 @@ class StockCheck {
   bool backs_out(std::size_t i) const;
   bool keeps_to_its_hole(std::size_t i) const;
   std::vector<SweptMove> feeds_beside(std::size_t i) const;
+  SweptMove tip(std::size_t i) const;
   SweptMove run_of(std::size_t i) const;
   MaterialAtMove material_at(std::size_t end) const;
   Finding finding(FindingKind kind, std::size_t i, const model::Vec3& point, double depth,

@@ -34,7 +34,7 @@ class TrailingContact {
 
   TurnAnswer during(double from, double to) {
     if (looks_left_ == 0) return {{}, 0, false};
-    const TurnAnswer early = contact(from, to, from, search_.most_looks, tolerance_mm_);
+    const TurnAnswer early = contact(from, to, from, looks_left_, tolerance_mm_);
     if (!early.place && early.proven) return early;
     // Where it would be deepest it mostly is in what stands just then.
     if (early.place) {
@@ -44,7 +44,7 @@ class TrailingContact {
     }
     if ((to - from) * speed_mm_ <= tolerance_mm_ / 4) {
       // The flutes take off no more than that: 1.5 of these and it are 1.5 tolerances.
-      return contact(from, to, to, search_.most_looks, 5 * tolerance_mm_ / 6);
+      return contact(from, to, to, looks_left_, 5 * tolerance_mm_ / 6);
     }
     const double half = (from + to) / 2;
     const TurnAnswer first = during(from, half);

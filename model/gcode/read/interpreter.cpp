@@ -15,12 +15,6 @@
 #include "model/gcode/text/word_use.h"
 
 namespace limitgauge::model::gcode {
-namespace {
-
-constexpr double kLargestSpeed = 1e9;
-
-}  // namespace
-
 Interpreter::Interpreter(Program& program, const MachineSetup& machine, const Lexer& lexer,
                          Parameters& parameters, std::size_t most_motions)
     : program_(program),
@@ -106,50 +100,6 @@ bool Interpreter::stop(const Statement& statement) {
   if (!code) return true;
   compensation_.flush();
   return *code != 2 && *code != 30;
-}
-
-void Interpreter::set_spindle_mode(const Statement& statement) {
-  const auto code = statement.g(GGroup::spindle_mode);
-  if (!code) return;
-  if (*code == 960 && !statement.word('S'))
-    statement.fail(*statement.g_word(GGroup::spindle_mode), "G96 without its surface speed", "S");
-  state_.spindle.constant_surface = *code == 960;
-}
-
-void Interpreter::set_speed(const Statement& statement) {
-  const Word* const s = statement.word('S');
-  if (!s) return;
-  if (!(s->value >= 0)) statement.fail(*s, "a negative spindle speed", "0 or more");
-  if (!(s->value <= kLargestSpeed))
-    statement.fail(*s, "a spindle speed beyond any machine", "at most 1e9");
-  state_.spindle.rpm = s->value;
-}
-
-/// A tool change stops the spindle, and comes before M3 of the same block. A program without M3 and
-/// M4 leaves the spindle to the operator; one that starts it somewhere had it at rest before.
-void Interpreter::turn_spindle(const Statement& statement) {
-  Spindle& spindle = state_.spindle;
-  if (statement.m(MGroup::tool_change) == 6 && spindle.on) {
-    if (*spindle.on) spindle.changed_line = statement.line();
-    spindle.on = false;
-  }
-  const auto code = statement.m(MGroup::spindle);
-  if (!code) return;
-  if (!spindle.on) motions_before_spindle_ = motions_so_far();
-  spindle.on = *code == 3 || *code == 4;
-  spindle.changed_line = 0;
-  spindle.clockwise = *code == 3;
-  if (!*spindle.on || program_.starts_spindle) return;
-  program_.starts_spindle = true;
-  const std::size_t out = std::min(motions_before_spindle_, program_.motions.size());
-  for (std::size_t i = 0; i < out; ++i) program_.motions[i].spindle_stopped = true;
-}
-
-void Interpreter::set_coolant(const Statement& statement) {
-  const int code = statement.m(MGroup::coolant).value_or(0);
-  if (code == 7) state_.coolant.mist = true;
-  if (code == 8) state_.coolant.flood = true;
-  if (code == 9) state_.coolant = {};
 }
 
 void Interpreter::set_plane(const Statement& statement) {
@@ -284,13 +234,6 @@ void Interpreter::move_straight(const Statement& statement, int code) {
   in_joints_if(statement.g(GGroup::non_modal) == 530, carry_out);
 }
 
-SpindleState Interpreter::spindle_state() const {
-  const Spindle& spindle = state_.spindle;
-  if (!spindle.on) return SpindleState::unknown;
-  if (!*spindle.on) return SpindleState::stopped;
-  return spindle.clockwise ? SpindleState::clockwise : SpindleState::counter_clockwise;
-}
-
 void Interpreter::cycle(const Statement& statement, int code) {
   check_system(statement, state_);
   check_tip(statement, state_);
@@ -335,9 +278,7 @@ void Interpreter::send(std::uint32_t line, Motion& motion) {
   motion.line = line;
   const Spindle& spindle = state_.spindle;
   if (spindle.on && (!*spindle.on || spindle.rpm == 0)) motion.spindle_stopped = true;
-  if (motion.spindle_stopped && motion.kind != MotionKind::rapid && spindle.changed_line != 0)
-    assumed_.add(line, "feeds with the spindle at rest: the M6 of line " +
-                           std::to_string(spindle.changed_line) + " has stopped it");
+  if (motion.kind != MotionKind::rapid) note_spindle(motion);
   motion.position_known = state_.known[0] && state_.known[1] && state_.known[2];
   motion.height_known = state_.known[2];
   state_.has_moved = true;

@@ -68,6 +68,7 @@ class Interpreter {
   void cycle(const Statement& statement, int code);
   void tap(const Statement& statement, int code);
   SpindleState spindle_state() const;
+  void note_spindle(const Motion& motion);
 
   bool turns(const Statement& statement) const;
   void check_turn(const Statement& statement, std::optional<int> motion) const;
@@ -120,7 +121,9 @@ class Interpreter {
   std::size_t most_motions_;
   std::size_t motions_before_spindle_ = 0;
   bool doubts_lengths_ = false;  ///< lengths without a point are still to be told of
-  bool plain_ = false;           ///< blocks of axis words alone may go by move_plainly
+  bool lack_of_speed_is_told_ = false;
+  bool left_hand_is_told_ = false;
+  bool plain_ = false;  ///< blocks of axis words alone may go by move_plainly
 };
 
 }  // namespace limitgauge::model::gcode

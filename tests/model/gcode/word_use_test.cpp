@@ -100,6 +100,24 @@ TEST_CASE("modes that a program never says are listed where they first matter", 
   CHECK(assumed("G21\nM3 S100\nM30\n").empty());
 }
 
+TEST_CASE("what feeds take of a spindle that is not said in full is listed", "[unit][gcode]") {
+  const std::string speed = "the spindle is taken to turn: nothing before says how fast (S)";
+  const std::string left =
+      "the cutter is taken to be one that cuts counter-clockwise: M4 turns the spindle";
+  const auto assumed = [](const std::string& text) {
+    return read_text("G21 G90\n" + text).assumed;
+  };
+  using Listed = std::vector<std::string>;
+  CHECK(assumed("M3\nG0 X1\nG1 X2 F100\nX3\n") == Listed{"line 4: " + speed});
+  CHECK(assumed("M3\nG1 X2 F100 S500\nX3\n").empty());
+  CHECK(assumed("M4 S500\nG0 X1\nG1 X2 F100\nX3\n") == Listed{"line 4: " + left});
+  CHECK(assumed("M4\nG1 X2 F100\nM3\nX3\n") == Listed{"line 3: " + speed, "line 3: " + left});
+  // Said nowhere, it is the operator's; at rest, it is a finding where material is met.
+  CHECK(assumed("G1 X2 F100\n").empty());
+  CHECK(assumed("M3 S0\nG1 X2 F100\n").empty());
+  CHECK(assumed("M4 S500 F100\nG0 X0 Y0 Z1\nG98 G74 Z-1 R1\nG80\n").empty());
+}
+
 TEST_CASE("assumptions are listed once", "[unit][gcode]") {
   const Program program = read_text("G21 G90\nT1 M6\nG43 H1\nG0 Z1\nG49\nG43 H1\nZ1\n");
   CHECK(program.assumed.size() == 1);

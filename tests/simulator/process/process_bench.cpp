@@ -43,6 +43,16 @@ std::vector<Finding> of_kind(const std::vector<Finding>& all, FindingKind kind) 
   return some;
 }
 
+std::size_t count_of(const std::vector<Finding>& all, FindingKind kind) {
+  return of_kind(all, kind).size();
+}
+
+double worst_of(const std::vector<Finding>& all, FindingKind kind) {
+  double depth = -1;
+  for (const Finding& f : of_kind(all, kind)) depth = std::max(depth, f.depth_mm);
+  return depth;
+}
+
 Pass split(const Pass& pass, int pieces) {
   return changed(pass, [&](model::Toolpath& path) {
     const model::Toolpath whole = path;
@@ -67,6 +77,10 @@ model::Cutter flat4(double flutes) {
 
 model::Cutter ball4() {
   return cutter(CutterType::ball, 4, 20);
+}
+
+Pass slot(const model::Cutter& c, double depth) {
+  return PathBuilder({-20, 0, -depth}).feed({20, 0, -depth}).pass(c);
 }
 
 ProcessLimits plain_limits(double near_miss_mm) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ model::TriangleMesh tetrahedron(const std::array<model::Vec3, 4>& corners);
 model::Fixture fixture(const std::string& name, const model::TriangleMesh& mesh);
 
 std::vector<Finding> of_kind(const std::vector<Finding>& all, FindingKind kind);
+std::size_t count_of(const std::vector<Finding>& all, FindingKind kind);
+/// The greatest depth in mm of a kind, −1 where there is none.
+double worst_of(const std::vector<Finding>& all, FindingKind kind);
 
 /// The pass with its path changed by `change(path)`.
 template <class Change>
@@ -31,6 +35,8 @@ Pass split(const Pass& pass, int pieces);
 StockModel block();
 model::Cutter flat4(double flutes = 20);
 model::Cutter ball4();
+/// A slot along x through block() whose floor is `depth` mm below the top, entered from the side.
+Pass slot(const model::Cutter& c, double depth);
 
 /// Findings at a tolerance of 0.01 mm.
 inline constexpr double kTolerance = 0.01;

@@ -329,13 +329,16 @@ TEST_CASE("what cannot be is refused", "[unit][stock_model]") {
     reason = error.what();
   }
   CHECK_THAT(reason, ContainsSubstring("a voxel of "));
-  CHECK_THROWS_AS(StockModel(BoxStock{{0, 0, 0}, {90, 80, 30}}, 1e-9, 64 << 20),
-                  model::ResourceError);
   CHECK_THROWS_AS(block(0.5).write_vdb("/nonexistent-folder/stock.vdb"), model::ResourceError);
   const auto c = cutter(CutterType::ball, 4, 20);
   CHECK_THROWS_AS(block(0.5).cut({c, nullptr}, {1}), std::invalid_argument);
   const Pass bad = PathBuilder({0, 0, 0}).feed({0, 0, std::nan("")}).pass(c);
   CHECK_THROWS_AS(block(0.5).cut(bad, {1}), std::invalid_argument);
+}
+
+TEST_CASE("voxels too fine to be counted are refused", "[slow][stock_model]") {
+  CHECK_THROWS_AS(StockModel(BoxStock{{0, 0, 0}, {90, 80, 30}}, 1e-9, 64 << 20),
+                  model::ResourceError);
 }
 
 TEST_CASE("cutting stops when asked to", "[unit][stock_model]") {

@@ -1,0 +1,92 @@
+#include "simulator/sweep/cutter_profile.h"
+#include "tests/simulator/process/process_bench.h"
+#include "tests/support/catch.h"
+
+namespace {
+
+using namespace limitgauge;
+using namespace limitgauge::simulator::test;
+using model::CutterType;
+using simulator::FindingKind;
+using simulator::Pass;
+
+}  // namespace
+
+TEST_CASE("material above the flutes within the cutter's radius", "[unit][process]") {
+  const auto c = flat4(5);
+  CHECK(check(block(), slot(c, 4.99)).empty());
+  const auto all = check(block(), slot(c, 7));
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].kind == FindingKind::below_flutes);
+  CHECK(all[0].part == "cutter");
+  // A ledge 2 mm high over the slot: its middle is 1 mm from top and bottom.
+  CHECK(all[0].depth_mm == Approx(1).margin(kTolerance));
+  CHECK(all[0].point.z == Approx(-1).margin(2 * kTolerance));
+  // In two levels nothing stands above the flutes.
+  const Pass levels = PathBuilder({-20, 0, -4})
+                          .feed({20, 0, -4})
+                          .rapid({20, 0, 5})
+                          .rapid({-20, 0, 5})
+                          .rapid({-20, 0, -7})
+                          .feed({20, 0, -7})
+                          .pass(c);
+  CHECK(check(block(), levels).empty());
+}
+
+TEST_CASE("a taper that plunges deeper than its flutes meets nothing with them",
+          "[unit][process]") {
+  // What is above the flutes slides along the hole's wall, which their top's rim has made.
+  auto c = cutter(CutterType::taper, 3, 3, 0, 8);
+  const Pass hole = PathBuilder({0, 0, 5}).feed({0, 0, -5}).rapid({0, 0, 5}).pass(c);
+  CHECK(check(block(), hole).empty());
+  CHECK(check(block(), split(hole, 7)).empty());
+  // A shank that is wider than the top by 0.2 mm stands in the wall.
+  c.shank = {{2 * simulator::CutterProfile(c).largest_radius() + 0.4, 20}};
+  const auto wider = check(block(), PathBuilder({0, 0, 5}).feed({0, 0, -5}).pass(c));
+  CHECK(worst_of(wider, FindingKind::shank_in_stock) == Approx(0.2).margin(kTolerance));
+}
+
+TEST_CASE("a part above the flutes as wide as they are speaks for itself", "[unit][process]") {
+  auto c = flat4(5);
+  c.shank = {{4, 20}};
+  auto all = check(block(), slot(c, 7));
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].kind == FindingKind::shank_in_stock);
+  // A neck: material stands above the flutes, whether the neck meets it or not.
+  c.shank = {{3, 20}};
+  all = check(block(), slot(c, 7));
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].kind == FindingKind::below_flutes);
+  // A neck, then a holder that is too low as well.
+  c.shank = {{3, 1}};
+  c.holder = {{10, 20}};
+  all = check(block(), slot(c, 7));
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].kind == FindingKind::holder_in_stock);
+  CHECK(all[1].kind == FindingKind::below_flutes);
+}
+
+TEST_CASE("a shank wider than its slot", "[unit][process]") {
+  auto c = flat4(3);
+  c.shank = {{6, 20}};
+  const auto all = check(block(), PathBuilder({-20, 0, -6}).feed({0, 0, -6}).pass(c));
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].kind == FindingKind::shank_in_stock);
+  CHECK(all[0].part == "shank");
+  // On the shank's side at radius 3 the depth is the smaller of −z and the distance to the slot's
+  // rim at radius 2, z = −3: both are 5/3 at z = −5/3.
+  CHECK(all[0].depth_mm == Approx(5.0 / 3).margin(kTolerance));
+  CHECK(all[0].point.z == Approx(-5.0 / 3).margin(0.05));
+  c.shank = {{4, 20}};
+  CHECK(check(block(), PathBuilder({0, 0, 2}).feed({0, 0, -2.9}).rapid({0, 0, 5}).pass(c)).empty());
+}
+
+TEST_CASE("a holder that dips into the stock", "[unit][process]") {
+  auto c = flat4(7);
+  c.holder = {{10, 4}, {14, 10}};
+  CHECK(check(block(), slot(c, 6.99)).empty());
+  const auto all = check(block(), slot(c, 7.75));
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].kind == FindingKind::holder_in_stock);
+  CHECK(all[0].depth_mm == Approx(0.75).margin(kTolerance));
+}

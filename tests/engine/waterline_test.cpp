@@ -165,7 +165,7 @@ TEST_CASE("a level at a plateau meets only what rises above it", "[unit][waterli
 }
 
 TEST_CASE("a curve beside a plateau takes few looks, however uneven heights are",
-          "[unit][waterline]") {
+          "[slow][waterline]") {
   // A hill of 3 mm on a plateau that is level, or level but for `uneven`; heights of the raster are
   // off by up to a hundredth of a millimetre. The curve runs a fraction of what heights are exact
   // to (1e-6 mm) above the plateau, or within its unevenness: there is no telling which side a

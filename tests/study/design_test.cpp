@@ -202,7 +202,7 @@ TEST_CASE("plans that make no cases, or too many, are refused", "[unit][design]"
   CHECK(case_count(beyond) == static_cast<std::size_t>(-1));
 }
 
-TEST_CASE("the largest study is designed at once", "[unit][design]") {
+TEST_CASE("the largest study is designed at once", "[property][design]") {
   for (const Method method : {Method::random, Method::latin_hypercube}) {
     const Plan plan =
         plan_of(method, {ranged("a", {0.1, 0.4}), words("b", {"x", "y"})}, kMostCases, 1);

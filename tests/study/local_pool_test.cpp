@@ -194,7 +194,7 @@ TEST_CASE("cases wait for memory, by what others took", "[unit][study]") {
   CHECK(most_at_once(5000, 100) > 2);
 }
 
-TEST_CASE("ten thousand cases go through a pool", "[unit][study]") {
+TEST_CASE("ten thousand cases go through a pool", "[property][study]") {
   const tests::TemporaryFolder folder;
   LocalPoolOptions options = shell_pool(folder.path(), "say done 10 ''");
   options.workers = 2;

@@ -194,7 +194,7 @@ void check_reuse(const Cases& cases, const Overrides& overrides, std::size_t sta
 
 }  // namespace
 
-TEST_CASE("a case goes on from the stages that another one ran", "[unit][study]") {
+TEST_CASE("a case goes on from the stages that another one ran", "[slow][study]") {
   check_reuse(Cases(job_of(std::string(kRough) + kRest)), {"stage.rest.step=0.5"}, 1);
 }
 
@@ -220,7 +220,7 @@ TEST_CASE("a stage that does not pass ends every case that begins with it", "[un
   check_reuse(cases, {"stage.rest.step=0.5"}, 1);
 }
 
-TEST_CASE("a stage that differs is run again, and all that follow", "[unit][study]") {
+TEST_CASE("a stage that differs is run again, and all that follow", "[slow][study]") {
   const Cases cases(job_of(kPrograms));
   CaseRunner runner = cases.runner();
   runner.run(cases.file(), {});
@@ -229,7 +229,7 @@ TEST_CASE("a stage that differs is run again, and all that follow", "[unit][stud
   CHECK(runner.last_reuse().stages == 0);
 }
 
-TEST_CASE("stages that the store does not give back whole are run again", "[unit][study]") {
+TEST_CASE("stages that the store does not give back whole are run again", "[slow][study]") {
   const Cases cases(job_of(kPrograms));
   const std::string expected = stripped(cases.runner().run(cases.file(), {}));
   const std::vector<std::string> keys = case_keys(cases.file(), {}).prefixes;

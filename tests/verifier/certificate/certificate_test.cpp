@@ -31,7 +31,7 @@ double scallop(double radius, double step) {
 
 }  // namespace
 
-TEST_CASE("a ball raster on a plane leaves the closed-form scallop", "[unit]") {
+TEST_CASE("a ball raster on a plane leaves the closed-form scallop", "[slow]") {
   const ReferenceSurface plane(plane_cage(5, 0, 0));
   for (const auto& [radius, step] : {std::pair{3.0, 0.25}, {3.0, 0.1}, {1.0, 0.2}, {5.0, 1.0}}) {
     const auto d = measure(plane, ball_cutter(radius),

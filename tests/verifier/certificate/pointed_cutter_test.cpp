@@ -49,7 +49,7 @@ double tip_rows(double a, double beta, double step) {
 
 }  // namespace
 
-TEST_CASE("rows of sharp tips on planes leave what formulas say", "[unit]") {
+TEST_CASE("rows of sharp tips on planes leave what formulas say", "[slow]") {
   for (const double slope : {0.0, 0.3}) {
     const ReferenceSurface plane(plane_cage(2, slope, 0));
     for (const char* text : {"drill:D=6,angle=118,L=60", "apt:D=8,r=1,a=31,b=5,L=60"}) {

@@ -99,7 +99,7 @@ TEST_CASE("what stays above the part is clear of it, exactly", "[unit]") {
   CHECK(d.bodies.front().body == "cutter");
 }
 
-TEST_CASE("a holder over a hill that the flutes avoid", "[unit]") {
+TEST_CASE("a holder over a hill that the flutes avoid", "[slow]") {
   // The tip is 10 mm out and the holder, of radius 15, reaches over the top of the hill.
   const ReferenceSurface hill(paraboloid_cage(12, -0.0125));
   model::Cutter cutter{"stub", model::CutterType::ball, 2, 1, 0, 1.5, {}, {{30, 5}}};

@@ -68,7 +68,7 @@ TEST_CASE("every gouge is one finding with its area, extent and program line", "
   CHECK(rows[2] == Approx(3.6).margin(half));
 }
 
-TEST_CASE("nothing is listed that the gate allows, but the deepest place", "[unit]") {
+TEST_CASE("nothing is listed that the gate allows, but the deepest place", "[slow]") {
   const StageDeviation d = measure(sunk_rows({1}, 0.002), {true, false, false, 0.004, 0, 0});
   REQUIRE(d.gouges.size() == 1);
   CHECK(d.gouges.front().area_mm2 == 0);

@@ -182,7 +182,7 @@ TEST_CASE("what one setup cannot reach is reached from another", "[unit][slow]")
   CHECK(two.reachable_mm2 > 0.9 * area);
 }
 
-TEST_CASE("how a tool stands while it only positions is no way to reach", "[unit]") {
+TEST_CASE("how a tool stands while it only positions is no way to reach", "[slow]") {
   // The plane seen from below, which nothing touches that stands in this frame.
   Pose over = model::turn_about({1, 0, 0}, 180);
   const ReferenceSurface seen(turned(plane_cage(8, 0, 0), over));

@@ -51,7 +51,8 @@ TEST_CASE("packages hold the program and the libraries, and say what they need",
   const fs::path cpack = fs::path(LIMITGAUGE_CMAKE).parent_path() / "cpack";
   const ShellOutcome packed =
       bash("cd '" + scratch.path().string() + "' && '" + cpack.string() +
-           "' -G DEB --config '" LIMITGAUGE_BUILD "/CPackConfig.cmake' -B . && mkdir both && " +
+           "' -G DEB -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip --config '" LIMITGAUGE_BUILD
+           "/CPackConfig.cmake' -B . && mkdir both && " +
            "for package in *.deb; do dpkg-deb -x $package both; dpkg-deb -f $package; done");
   INFO(packed.out);
   REQUIRE(packed.exit_code == 0);

@@ -144,7 +144,8 @@ Exceedance find_exceedance(const SurfaceCells& cells, const RemovedSpace& space,
   // Each chunk has its own share of the effort, so that the result does not depend on their order;
   // exceedances are local, so the shares add up to more than the whole.
   constexpr std::size_t kLeastShare = 20'000;
-  const std::size_t share = std::max(kLeastShare, 4 * request.largest_cell_count / (chunks + 1));
+  const std::size_t most = request.largest_cell_count;
+  const std::size_t share = std::max(std::min(kLeastShare, most), 4 * most / (chunks + 1));
   model::parallel_chunks(count, kSpotChunk, control, [&](std::size_t begin, std::size_t end) {
     SpotSearch search(cells, space, reach, request, share, control);
     for (std::size_t i = begin; i < end; ++i) {

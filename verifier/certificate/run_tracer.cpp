@@ -131,15 +131,17 @@ template <class Visit>
 void RunTracer::visit_swept(const Vec3& p, const Vec3& along, double from, double to,
                             Visit&& visit) const {
   for (int step = 0; step < kMostSteps && from < to; ++step) {
-    const auto at = space_.nearest_swept(p + along * from);
-    if (!at) return;
-    const double room = at->distance.value + space_.chord_error_mm();
+    const auto met = space_.first_met_swept(p + along * from, along, to - from, far_.get());
+    if (!met.body) return;
+    from += met.t_mm;
+    const double room =
+        space_.distance(*met.body, p + along * from).value + space_.chord_error_mm();
     if (room > 0) {
       from += std::max(room, kStepOver_mm);
       continue;
     }
-    const double end = exit_of(at->body, p, along, from, to);
-    visit(at->body, end);
+    const double end = exit_of(*met.body, p, along, from, to);
+    visit(*met.body, end);
     from = end + kStepOver_mm;
   }
 }
@@ -156,16 +158,25 @@ TracedRun RunTracer::removed(const Vec3& s, const Vec3& n, double allowance_mm, 
     });
     return run;
   };
-  TracedRun run = run_within(limit_mm);
-  if (run.length_mm <= least_mm) return run;
   // t counts from s, inwards.
-  const double to = run.length_mm - allowance_mm;
-  const double crossing = next_crossing_mm(cells_, s, n, Way::inwards, -allowance_mm, to);
-  if (crossing >= to) return run;
-  // What a body swept beyond the crossing says nothing of the way there.
-  const double ended = crossing + allowance_mm;
-  run = run_within(ended);
-  run.meets_surface = run.length_mm >= ended;
+  const auto crossing_before = [&](double to) {
+    return next_crossing_mm(cells_, s, n, Way::inwards, -allowance_mm, to);
+  };
+  // Beside the raw stock nothing else may end the run: S is looked for first.
+  const bool is_beside = space_.stock_distance_mm(s + n * allowance_mm) < 0;
+  double crossing = limit_mm - allowance_mm;
+  if (is_beside) crossing = crossing_before(crossing);
+  TracedRun run = run_within(crossing + allowance_mm);
+  if (run.length_mm <= least_mm) return run;
+  if (!is_beside) {
+    const double to = run.length_mm - allowance_mm;
+    crossing = crossing_before(to);
+    if (crossing >= to) return run;
+    // What a body swept beyond the crossing says nothing of the way there.
+    run = run_within(crossing + allowance_mm);
+  }
+  run.meets_surface =
+      crossing + allowance_mm < limit_mm && run.length_mm >= crossing + allowance_mm;
   return run;
 }
 

@@ -96,6 +96,9 @@ class RemovedSpace {
   };
   Meeting first_met(const model::Vec3& p, const model::Vec3& ray, double limit_mm,
                     const EndRule& rule, FarPasses* far = nullptr) const;
+  /// The same of what was swept alone, met where its distance is no more than error_mm().
+  Meeting first_met_swept(const model::Vec3& p, const model::Vec3& ray, double limit_mm,
+                          FarPasses* far = nullptr) const;
 
   /// Of a move that turns its tool, no further above d than `precision_mm`, as its slack says.
   BodyDistance distance(BodyRef body, const model::Vec3& p,

@@ -186,4 +186,12 @@ RemovedSpace::Meeting RemovedSpace::first_met(const Vec3& p, const Vec3& ray, do
   return first;
 }
 
+RemovedSpace::Meeting RemovedSpace::first_met_swept(const Vec3& p, const Vec3& ray, double limit_mm,
+                                                    FarPasses* far) const {
+  Meeting first{limit_mm, {}};
+  for (auto k = static_cast<std::uint32_t>(passes_.size()); k-- > 0;)
+    first_met_in(k, p, ray, {}, first, far);
+  return first;
+}
+
 }  // namespace limitgauge::verifier

@@ -70,6 +70,9 @@ RayFigures ask_stock(const ReferenceSurface& surface, const model::Stock& raw_st
   return read_rays(scene, field, request, control);
 }
 
+/// Cells of a group of them that are looked at for places beyond the threshold where none is known.
+constexpr std::size_t kCellsOfDoubt = 2000;
+
 /// Findings on one side of one space; searched for only where something may exceed the threshold.
 std::vector<Finding> findings_of(const Measured& m, const RemovedSpace& space, Side side,
                                  double threshold_mm, const Certificate& certificate,
@@ -81,6 +84,9 @@ std::vector<Finding> findings_of(const Measured& m, const RemovedSpace& space, S
     request.allowance_mm = m.check.allowance_mm;
     request.threshold_mm = threshold_mm;
     request.slack_mm = m.check.resolution_mm;
+    // None is known where what is certified could not be narrowed: past a block that does not cover
+    // the part, most often.
+    if (!(certificate.figure_mm.low > threshold_mm)) request.largest_cell_count = kCellsOfDoubt;
     found = find_exceedance(m.cells, space, &m.reach, request, control);
   }
   complete = complete && found.complete;
@@ -242,13 +248,16 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   if (workers)
     second.ask({StagePiece::Kind::field, StagePiece::Kind::uncut},
                entries_to_bytes(proven.entries()));
-  const auto certificate = [&](PieceRound& round, StagePiece::Kind kind) {
-    return workers ? certificate_of_bytes(round.all(kind).front())
-                   : certificate_of(scene, kind, &reach, control);
+  const auto of_round = [](PieceRound& round, StagePiece::Kind kind) {
+    return certificate_of_bytes(round.all(kind).front());
   };
-  Certificates certificates{certificate(first, StagePiece::Kind::gouge),
-                            certificate(second, StagePiece::Kind::uncut),
-                            certificate(first, StagePiece::Kind::missing_stock)};
+  Certificates certificates;
+  certificates.missing =
+      workers ? of_round(first, StagePiece::Kind::missing_stock) : missing_stock_of(scene, control);
+  certificates.gouge = workers ? of_round(first, StagePiece::Kind::gouge)
+                               : gouge_of(scene, certificates.missing, control);
+  certificates.uncut =
+      workers ? of_round(second, StagePiece::Kind::uncut) : uncut_of(scene, reach, control);
   const std::vector<Finding> below =
       gouge_below_finer({scene.cells, passes, scene.parts, raw_stock, scene.request},
                         check.finer_passes, certificates.gouge, control);

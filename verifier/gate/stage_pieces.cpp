@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 
 #include "model/base/chunks.h"
@@ -16,6 +17,9 @@ namespace {
 constexpr std::array<const char*, 5> kKinds = {"reach", "gouge", "missing_stock", "uncut", "field"};
 constexpr std::string_view kFieldBegin = "limitgauge samples 1\n";
 constexpr std::string_view kCertificateBegin = "limitgauge certificate 1\n";
+/// Cells that are looked at for gouges of a part that its raw stock does not cover: some hundred of
+/// each that no proof closes.
+constexpr std::size_t kCellsOnceUncovered = 30'000;
 /// Bytes of a sample at least.
 constexpr std::size_t kSampleBytes = 13;
 
@@ -134,14 +138,15 @@ std::string do_piece(const ReferenceSurface& surface, const model::Stock& raw_st
                      std::string_view reach, const model::RunControl& control) {
   const StageScene scene(surface, raw_stock, passes, check);
   if (piece.kind == StagePiece::Kind::reach) return reach_part(scene, piece, control);
-  if (piece.kind == StagePiece::Kind::gouge || piece.kind == StagePiece::Kind::missing_stock)
-    return to_bytes(certificate_of(scene, piece.kind, nullptr, control));
+  if (piece.kind == StagePiece::Kind::missing_stock)
+    return to_bytes(missing_stock_of(scene, control));
+  if (piece.kind == StagePiece::Kind::gouge)
+    return to_bytes(gouge_of(scene, missing_stock_of(scene, control), control));
   auto entries = entries_of_bytes(reach);
   if (!entries) refuse("reach map");
   const ReachMap proven(scene.cells, std::move(*entries));
   const ReachQuery query(scene.by.searches, proven);
-  if (piece.kind == StagePiece::Kind::uncut)
-    return to_bytes(certificate_of(scene, piece.kind, &query, control));
+  if (piece.kind == StagePiece::Kind::uncut) return to_bytes(uncut_of(scene, query, control));
   return field_part(scene, surface, check, passes, piece, query, control);
 }
 
@@ -225,13 +230,23 @@ Certificate certificate_of_bytes(std::string_view bytes) {
   return c;
 }
 
-Certificate certificate_of(const StageScene& scene, StagePiece::Kind kind, const ReachQuery* reach,
-                           const model::RunControl& control) {
-  if (kind == StagePiece::Kind::uncut)
-    return certify(scene.cells, scene.cut, Side::uncut, reach, scene.request, control);
-  if (kind == StagePiece::Kind::missing_stock)
-    return certify(scene.cells, scene.raw, Side::missing_stock, nullptr, scene.request, control);
-  return certify(scene.cells, scene.spaces().swept, Side::gouge, nullptr, scene.request, control);
+Certificate missing_stock_of(const StageScene& scene, const model::RunControl& control) {
+  return certify(scene.cells, scene.raw, Side::missing_stock, nullptr, scene.request, control);
+}
+
+Certificate uncut_of(const StageScene& scene, const ReachQuery& reach,
+                     const model::RunControl& control) {
+  return certify(scene.cells, scene.cut, Side::uncut, &reach, scene.request, control);
+}
+
+Certificate gouge_of(const StageScene& scene, const Certificate& missing,
+                     const model::RunControl& control) {
+  CertificateRequest request = scene.request;
+  if (missing.figure_mm.low > std::max(request.resolution_mm, std::isfinite(request.gouge_limit_mm)
+                                                                  ? request.gouge_limit_mm
+                                                                  : 0.0))
+    request.largest_cell_count = std::min(request.largest_cell_count, kCellsOnceUncovered);
+  return certify(scene.cells, scene.spaces().swept, Side::gouge, nullptr, request, control);
 }
 
 }  // namespace limitgauge::verifier

@@ -76,8 +76,14 @@ std::vector<ReachQuery::Touch> gathered_field(DeviationField& field,
                                               const std::vector<std::string>& parts,
                                               std::span<const Pass> passes);
 Certificate certificate_of_bytes(std::string_view bytes);
-/// One of the three, worked out here.
-Certificate certificate_of(const StageScene& scene, StagePiece::Kind kind, const ReachQuery* reach,
-                           const model::RunControl& control);
+/// The three certificates, worked out here.
+Certificate missing_stock_of(const StageScene& scene, const model::RunControl& control);
+Certificate uncut_of(const StageScene& scene, const ReachQuery& reach,
+                     const model::RunControl& control);
+/// Where the raw stock is proven not to cover the part the stage fails for that. What gouges there
+/// are is looked for with less effort: past the block nothing but S ends a run, and no proof tells
+/// what was swept right before S from what was swept behind it, however small a cell is.
+Certificate gouge_of(const StageScene& scene, const Certificate& missing,
+                     const model::RunControl& control);
 
 }  // namespace limitgauge::verifier

@@ -193,4 +193,34 @@ TEST_CASE("a bent part beside its block, that the path just touches, is proven c
   CHECK(d.cells < 400'000);
 }
 
+TEST_CASE("a block a little too low for its part is said in few cells", "[unit][definition2]") {
+  // Over the block the walls' normals lead through air to the wall behind, where the tool was too.
+  const ReferenceSurface boss(drawn_outline({{-10, -5}, {-10, 3}, {10, 3}, {10, -5}}, 8));
+  const double over_mm = GENERATE(0.02, 0.005);
+  const auto block = block_between({-15, -4, -5}, {15, 4, 3 - over_mm});
+  const std::vector<Pass> passes = {pass_of(flat_cutter(4), moves_through({{-20, -2, 9},
+                                                                           {-20, -2, 3},
+                                                                           {20, -2, 3},
+                                                                           {20, 2, 3},
+                                                                           {-20, 2, 3},
+                                                                           {-20, 2, 9},
+                                                                           {-14, -9, 9},
+                                                                           {-14, -9, -4},
+                                                                           {-14, 9, -4},
+                                                                           {14, 9, -4},
+                                                                           {14, -9, -4},
+                                                                           {14, -9, 9}}))};
+  const Judged judged = judge(boss, block, passes, gouge_gate(0.01));
+  const StageDeviation& d = judged.deviation;
+  CHECK(judged.decision.verdict == Verdict::fail);
+  CHECK(d.missing_stock_mm.low <= 20);
+  CHECK(d.missing_stock_mm.high >= 20);
+  CHECK(d.missing_stock_mm.low > 19.9);
+  REQUIRE(!d.missing_stock.empty());
+  CHECK(d.missing_stock.front().place.point.z >= 3 - over_mm - 1e-6);
+  CHECK(d.gouge_mm.low == 0);
+  // Ten thousand; without an end to the search in the strips there are half a million.
+  CHECK(d.cells < 60'000);
+}
+
 }  // namespace limitgauge::verifier

@@ -76,8 +76,10 @@ bool CellClassifier::prove(OpenCell& open, const SurfaceCell& cell, const CellCo
 /// Of all that is not cleared; what is left of it is kept.
 bool CellClassifier::prove_beyond(OpenCell& open, const std::optional<ClearedRect>& cleared,
                                   const CellContact& contact, CellHalves& parts) const {
-  // A level spot may have nothing bent beside it, and then bounds on the distance do.
-  if (!cleared && !contact.level()) return false;
+  // Where nothing is bent, the contact plane does: on an upright wall the cutter's straight side
+  // leaves the curvature's proof no room, and facets of a mesh are bent by rounding alone.
+  if (!cleared && !contact.level() && !contact.clears_itself(reachability_.contact_mm()))
+    return false;
   std::vector<std::uint32_t> pending;
   if (!search(contact, cleared, pending, open.witness, parts)) return false;
   open.cleared = cleared, open.pending = std::move(pending);

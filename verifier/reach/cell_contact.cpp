@@ -86,4 +86,8 @@ double CellContact::over_contact_plane(double along_normal, double apart) const 
   return (rise > 0 ? rise : rise * (1 - turn_by_alpha_.y)) + turn_by_alpha_.x * (apart + radius_);
 }
 
+bool CellContact::clears_itself(double tolerance_mm) const {
+  return over_contact_plane(control_range(cell_.shape, 0, normal()).high, radius_) <= tolerance_mm;
+}
+
 }  // namespace limitgauge::verifier

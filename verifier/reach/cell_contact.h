@@ -54,6 +54,9 @@ class CellContact {
   /// Greatest n(s)·(q − s) over the cell and over all q with n₀·q ≤ `along` within `apart` of the
   /// middle. The contact plane bounds the cutter: d(q − T(s)) ≥ a − n(s)·(q − s).
   double over_contact_plane(double along, double apart) const;
+  /// Whether the cell keeps to all its own contact planes, within `tolerance_mm`: what touches a
+  /// point of it does not cut into the others.
+  bool clears_itself(double tolerance_mm) const;
 
  private:
   CellContact(const OffsetCell& cell, const CutterProfile& profile)

@@ -131,6 +131,25 @@ TEST_CASE("facets: a mesh and the cage that is sharp everywhere agree within the
   }
 }
 
+TEST_CASE("facets: an upright wall is in reach of what runs along it, all of it",
+          "[unit][facets][reach]") {
+  // The cutter's straight side touches it over its height, and the facets are bent by rounding
+  // alone.
+  const double lean = GENERATE(0.0, 1.7e-4);
+  const ReferenceSurface wall(
+      TriangleMesh{{{-10, -10 - lean, -5}, {10, -10 - lean, -5}, {10, -10, 5}, {-10, -10, 5}},
+                   {{0, 1, 2}, {0, 2, 3}}});
+  const auto cutter = GENERATE(flat_cutter(4), ball_cutter(4),
+                               model::Cutter{"bull", model::CutterType::bull, 8, 1, 0, 30, {}, {}});
+  const std::vector<Pass> passes = {
+      pass_of(cutter, moves_through({{-20, -14.0, 20}, {-20, -14, -10}, {20, -14, -10}}))};
+  const StageDeviation d = measured(wall, block_between({-15, -15, -5}, {15, 15, 7}), passes, 0.01);
+  CAPTURE(lean, d.proven_reach.reachable_mm2, d.proven_reach.undecided_mm2);
+  CHECK(d.proven_reach.reachable_mm2 == Approx(200).margin(0.5));
+  CHECK(d.proven_reach.undecided_mm2 <= 0.5);
+  CHECK(d.uncut_mm.high <= 0.01);
+}
+
 TEST_CASE("facets: a mesh that is no two-manifold is refused", "[unit][facets]") {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};

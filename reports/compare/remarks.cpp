@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "model/base/error.h"
+#include "model/part/cutter.h"
 #include "model/text/number_text.h"
 #include "reports/compare/comparison_text.h"
 #include "reports/text/text.h"
@@ -144,12 +146,38 @@ std::vector<Remark> compare_process_limits(const std::optional<record::ProcessLi
   return out;
 }
 
+namespace {
+
+/// How steeply a cutter may go down, in degrees; none where nothing limits it, or the text is
+/// another version's.
+std::optional<double> steepest_descent_of(const std::string& cutter) {
+  try {
+    const double deg = model::parse_cutter(cutter).steepest_descent_deg;
+    return deg < 90 ? std::optional(deg) : std::nullopt;
+  } catch (const model::InputError&) {
+    return std::nullopt;
+  }
+}
+
+void compare_descent(const std::string& base, const std::string& now, const Options& options,
+                     std::vector<Remark>& out) {
+  const auto text = [](double deg) { return model::shortest(deg) + "°"; };
+  const std::optional<double> was = steepest_descent_of(base), is = steepest_descent_of(now);
+  compare_limit({"the descent", was.has_value(), is.has_value(), was.value_or(90), is.value_or(90),
+                 true, text},
+                options, out);
+}
+
+}  // namespace
+
 std::vector<Remark> compare_settings(const record::StageRecord& base,
-                                     const record::StageRecord& now) {
+                                     const record::StageRecord& now, const Options& options) {
   std::vector<Remark> out;
   name_change(out, "tool", "tool", base.tool, now.tool);
-  if (!base.cutter.empty() && !now.cutter.empty())
+  if (!base.cutter.empty() && !now.cutter.empty()) {
     name_change(out, "cutter", "cutter", base.cutter, now.cutter);
+    compare_descent(base.cutter, now.cutter, options, out);
+  }
   const auto way = [](const record::StageRecord& stage) {
     return stage.program.empty() ? stage.strategy : "program " + stage.program;
   };

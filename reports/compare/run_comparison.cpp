@@ -72,7 +72,7 @@ void compare_stages(const StageRecord& base, const StageRecord& now, const RunCo
   if (std::optional<Remark> remark = compare_verdicts("verdict", base.verdict, now.verdict))
     out.remarks.push_back(std::move(*remark));
   add(out.remarks, compare_gates(base.limits, now.limits, options));
-  add(out.remarks, compare_settings(base, now));
+  add(out.remarks, compare_settings(base, now, options));
   if (!base.measures || !now.measures) return;
   if (base.measures->deviation && now.measures->deviation)
     compare_deviations(*base.measures->deviation, *now.measures->deviation, out);

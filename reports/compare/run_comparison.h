@@ -60,9 +60,10 @@ std::optional<Remark> compare_tolerances(const std::optional<model::Tolerances>&
 /// they are shown and not judged.
 void leave_other_questions(const record::StageRecord& base, const record::StageRecord& now,
                            bool same_tolerances, std::vector<FigureChange>& figures);
-/// Tool, cutter, strategy, allowance and the like: named, for they explain.
+/// Tool, cutter, strategy, allowance and the like: named, for they explain. How steeply a cutter
+/// may go down is a limit.
 std::vector<Remark> compare_settings(const record::StageRecord& base,
-                                     const record::StageRecord& now);
+                                     const record::StageRecord& now, const Options& options);
 /// Resolutions asked for, reached or not, and findings that are not all listed.
 std::vector<Remark> compare_certificates(const record::DeviationMeasures& base,
                                          const record::DeviationMeasures& now);

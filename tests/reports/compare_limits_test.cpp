@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "model/base/error.h"
 #include "reports/compare/run_comparison.h"
@@ -78,6 +79,24 @@ TEST_CASE("Limits of the process count as any other", "[unit][compare]") {
   // An earlier version's result does not say them.
   now.process_limits.reset();
   CHECK(compare_runs(base, now, {}).judgement() == Judgement::same);
+}
+
+TEST_CASE("How steeply a tool may go down is a limit of its stage", "[unit][compare]") {
+  const auto run_with = [](const char* cutter) {
+    RunRecord run = sample_run();
+    run.stages[0].cutter = cutter;
+    return run;
+  };
+  const RunRecord steep = run_with("flat:D=8,L=20"), ramp = run_with("flat:D=8,L=20,ramp=5"),
+                  loose = run_with("flat:D=8,L=20,ramp=30");
+  for (const auto& [base, now] : {std::pair(ramp, steep), std::pair(ramp, loose)}) {
+    CHECK(compare_runs(base, now, {}).worse == 1);
+    CHECK(compare_runs(now, base, {}).better == 1);
+    CHECK(compare_runs(now, base, {}).worse == 0);
+  }
+  // Another cutter is named, not judged; what another version wrote may not be read.
+  CHECK(compare_runs(ramp, run_with("flat:D=6,L=20,ramp=5"), {}).worse == 0);
+  CHECK(compare_runs(run_with("of tomorrow"), steep, {}).worse == 0);
 }
 
 TEST_CASE("What was asked is named where no file shows it", "[unit][compare]") {

@@ -40,6 +40,10 @@ inline double turning_precision_mm(double radius_mm) {
   return std::max(kAlongTurn_mm, kShare * radius_mm * std::min(1.0, radius_mm));
 }
 
+/// Share of itself to which a figure is narrowed that is proven to be beyond its limit: its verdict
+/// is settled. What compares two of them knows no more.
+inline constexpr double kSettledShare = 0.05;
+
 // The limit surface.
 
 /// What lies within it of an irregular vertex is stood for by the vertex. A function that changes

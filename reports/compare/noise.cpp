@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reports/tolerance.h"
+#include "verifier/tolerance.h"
 
 namespace limitgauge::reports::compare {
 namespace {
@@ -88,6 +89,16 @@ Judgement judge_margin(const Interval& base, const Interval& now, double floor) 
 
 }  // namespace
 
+namespace {
+
+/// Beyond the resolution an interval may be wide where its figure is beyond its limit: up to a
+/// share of it. What is wider was not narrowed as was asked for, and shows.
+double settled_width_mm(const Interval& figure) {
+  return std::min(figure.width(), verifier::kSettledShare * figure.low + kSameLength_mm);
+}
+
+}  // namespace
+
 /// The truth of either run may lie anywhere in its interval, so bounds alone say little: a change
 /// is one where the intervals do not meet, or where the upper end, which is what a run promises,
 /// moved by more than an interval may be wide. An unchanged truth cannot do either, as long as both
@@ -98,11 +109,11 @@ Judgement judge_figure(const Metric& metric, const Interval& base, const Interva
     return Judgement::not_judged;
   const double floor = noise_floor(metric, record::promised(metric, base), fineness);
   if (is_margin(metric)) return judge_margin(base, now, floor);
-  if (metric.source == Source::certified) {
-    if (wholly_above(now, base)) return Judgement::worse;
-    if (wholly_above(base, now)) return Judgement::better;
-  }
-  return by_floor(badness(metric, now.high) - badness(metric, base.high), floor);
+  const double harm = badness(metric, now.high) - badness(metric, base.high);
+  if (metric.source != Source::certified) return by_floor(harm, floor);
+  if (wholly_above(now, base)) return Judgement::worse;
+  if (wholly_above(base, now)) return Judgement::better;
+  return by_floor(harm, std::max({floor, settled_width_mm(base), settled_width_mm(now)}));
 }
 
 }  // namespace limitgauge::reports::compare

@@ -27,7 +27,7 @@ constexpr double kShare = 0.95;
 /// How wide an interval may be whose low end is known so far.
 double wanted_width_mm(const CertificateRequest& request, double low_mm, double limit_mm,
                        double errors_mm) {
-  constexpr double kSettledShare = 0.05, kFinestShare = 0.01;
+  constexpr double kFinestShare = 0.01;
   const double asked = request.resolution_mm;
   if (low_mm > limit_mm + errors_mm) return std::max(asked, kSettledShare * low_mm);
   const double room = limit_mm - errors_mm - low_mm;

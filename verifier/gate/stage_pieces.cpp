@@ -17,9 +17,10 @@ namespace {
 constexpr std::array<const char*, 5> kKinds = {"reach", "gouge", "missing_stock", "uncut", "field"};
 constexpr std::string_view kFieldBegin = "limitgauge samples 1\n";
 constexpr std::string_view kCertificateBegin = "limitgauge certificate 1\n";
-/// Cells that are looked at for gouges of a part that its raw stock does not cover: some hundred of
-/// each that no proof closes.
-constexpr std::size_t kCellsOnceUncovered = 30'000;
+/// Cells that are looked at for gouges of a part that its raw stock does not cover: where that
+/// fails the stage some hundred of each that no proof closes, and where nothing is limited enough
+/// for a part whose path is clear of it all along.
+constexpr std::size_t kCellsOnceFailed = 30'000, kCellsOnceUncovered = 500'000;
 /// Bytes of a sample at least.
 constexpr std::size_t kSampleBytes = 13;
 
@@ -242,10 +243,10 @@ Certificate uncut_of(const StageScene& scene, const ReachQuery& reach,
 Certificate gouge_of(const StageScene& scene, const Certificate& missing,
                      const model::RunControl& control) {
   CertificateRequest request = scene.request;
-  if (missing.figure_mm.low > std::max(request.resolution_mm, std::isfinite(request.gouge_limit_mm)
-                                                                  ? request.gouge_limit_mm
-                                                                  : 0.0))
-    request.largest_cell_count = std::min(request.largest_cell_count, kCellsOnceUncovered);
+  const bool is_limited = std::isfinite(request.gouge_limit_mm);
+  if (missing.figure_mm.low > (is_limited ? request.gouge_limit_mm : request.resolution_mm))
+    request.largest_cell_count =
+        std::min(request.largest_cell_count, is_limited ? kCellsOnceFailed : kCellsOnceUncovered);
   return certify(scene.cells, scene.spaces().swept, Side::gouge, nullptr, request, control);
 }
 

@@ -99,6 +99,21 @@ TEST_CASE("How steeply a tool may go down is a limit of its stage", "[unit][comp
   CHECK(compare_runs(run_with("of tomorrow"), steep, {}).worse == 0);
 }
 
+TEST_CASE("A figure beyond its limit is known to a twentieth of itself", "[unit][compare]") {
+  const auto gouged = [](double low_mm, double high_mm) {
+    RunRecord run = sample_run();
+    run.stages[0].measures->deviation->gouge_mm = {low_mm, high_mm};
+    return run;
+  };
+  // A limit ten times as wide has the same cut narrowed further.
+  const RunRecord tight = gouged(0.0499, 0.0524), loose = gouged(0.0499, 0.051);
+  CHECK(compare_runs(tight, loose, {}).better == 0);
+  CHECK(compare_runs(loose, tight, {}).worse == 0);
+  // What is wider than that was not narrowed, and what lies apart is another.
+  CHECK(compare_runs(tight, gouged(0.0499, 0.08), {}).worse == 1);
+  CHECK(compare_runs(tight, gouged(0.06, 0.063), {}).worse == 1);
+}
+
 TEST_CASE("What was asked is named where no file shows it", "[unit][compare]") {
   record::RunRecord base = sample_run();
   base.design = {{{-5, -5, 0}, {5, 5, 1}}, 100};

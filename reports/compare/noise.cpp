@@ -87,10 +87,6 @@ Judgement judge_margin(const Interval& base, const Interval& now, double floor) 
   return Judgement::same;
 }
 
-}  // namespace
-
-namespace {
-
 /// Beyond the resolution an interval may be wide where its figure is beyond its limit: up to a
 /// share of it. What is wider was not narrowed as was asked for, and shows.
 double settled_width_mm(const Interval& figure) {

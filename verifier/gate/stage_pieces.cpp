@@ -141,6 +141,7 @@ std::string do_piece(const ReferenceSurface& surface, const model::Stock& raw_st
   if (piece.kind == StagePiece::Kind::reach) return reach_part(scene, piece, control);
   if (piece.kind == StagePiece::Kind::missing_stock)
     return to_bytes(missing_stock_of(scene, control));
+  // Pieces do not wait for each other, so what is missing is found out here as well.
   if (piece.kind == StagePiece::Kind::gouge)
     return to_bytes(gouge_of(scene, missing_stock_of(scene, control), control));
   auto entries = entries_of_bytes(reach);

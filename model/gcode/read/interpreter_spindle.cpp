@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/gcode/cycles/canned_cycle_parameters.h"
 #include "model/gcode/read/interpreter.h"
 
 namespace limitgauge::model::gcode {

@@ -18,10 +18,6 @@ bool is_steep(const Vec3& from, const Vec3& to, double steepest_deg) {
   return from.z - to.z > most + kDropRounding_mm;
 }
 
-bool lacks_feed(const Move& m) {
-  return m.kind == MoveKind::feed && !(m.feed_mm_min > 0);
-}
-
 // Of what fails nothing a search takes fewer looks.
 constexpr std::size_t kMostSlightContactLooks = kMostContactLooks / 20;
 
@@ -49,12 +45,7 @@ StockCheck::StockCheck(const StockModel& before, const Pass& pass, const ToolBod
       limits_(limits),
       map_(before.grid().column_tops()),
       lines_(straight_runs(path_)),
-      rapids_(series_of(path_.moves.size(),
-                        [&](std::size_t i) { return path_.moves[i].kind == MoveKind::rapid; })),
-      at_rest_(series_of(path_.moves.size(),
-                         [&](std::size_t i) { return path_.moves[i].spindle_stopped; })),
-      without_feed_(
-          series_of(path_.moves.size(), [&](std::size_t i) { return lacks_feed(path_.moves[i]); })),
+      idle_(path_),
       descents_(
           series_of(path_.moves.size(), [&](std::size_t i) { return descends_too_steeply(i); })),
       stairs_(stairs()) {}
@@ -76,10 +67,11 @@ void StockCheck::look_at_cutter(std::size_t i, const SweptMove& tip,
   const ToolBody& flutes = bodies_.flutes;
   if (rapid && !leaves) look_at_rapid(i, tip, findings);
   if (m.spindle_stopped && !leaves)
-    look_for(FindingKind::spindle_stopped, flutes, i, tip, at_rest_.begin(i), findings);
+    look_for(FindingKind::spindle_stopped, flutes, i, tip, idle_.spindle_stopped.begin(i),
+             findings);
   if (lacks_feed(m)) {
     const Contact c =
-        contact_of_flutes(tip, without_feed_.begin(i)).value_or(Contact{tip.start, 0});
+        contact_of_flutes(tip, idle_.without_feed.begin(i)).value_or(Contact{tip.start, 0});
     findings.push_back(
         finding(FindingKind::feed_missing, i, c.point, c.depth_mm, ToolPart::cutter));
   }
@@ -114,7 +106,7 @@ double StockCheck::slight_depth_mm(std::size_t i) const {
 void StockCheck::look_at_rapid(std::size_t i, const SweptMove& tip,
                                std::vector<Finding>& findings) const {
   const std::size_t known = findings.size();
-  if (!look_for(FindingKind::rapid_through_stock, bodies_.flutes, i, tip, rapids_.begin(i),
+  if (!look_for(FindingKind::rapid_through_stock, bodies_.flutes, i, tip, idle_.rapids.begin(i),
                 findings))
     return look_at_rapids_gap(i, tip, findings);
   if (!goes_deeper(i, findings.back().depth_mm)) findings.resize(known);
@@ -124,7 +116,7 @@ void StockCheck::look_at_rapid(std::size_t i, const SweptMove& tip,
 // series has taken: it takes something itself, or is deeper than the move before it, by more than
 // depths are known. The first move of a series that meets anything is one or the other.
 bool StockCheck::goes_deeper(std::size_t i, double depth_mm) const {
-  const std::size_t series = rapids_.begin(i), line = lines_.begin(i);
+  const std::size_t series = idle_.rapids.begin(i), line = lines_.begin(i);
   if (line <= series) return true;
   const CutterProfile& flutes = bodies_.flutes.profile;
   const auto own = deepest_contact(material_at(line), flutes, tip(i), limits_.slightest_mm(),

@@ -70,7 +70,9 @@ class StockCheck {
   const ToolBodies& bodies_;
   StockLimits limits_;
   ClearanceMap map_;
-  MoveRuns lines_, rapids_, at_rest_, without_feed_, descents_, stairs_;
+  MoveRuns lines_;
+  IdleSeries idle_;
+  MoveRuns descents_, stairs_;
   // Most paths are cleared without it, and it is the largest thing here.
   mutable std::once_flag indexed_;
   mutable std::unique_ptr<const SweepIndex> sweep_;

@@ -39,10 +39,6 @@ double farthest_material(const StockModel& before, const model::Toolpath& path) 
   return most + length(box.size()) / 2;
 }
 
-bool lacks_a_feed(const Move& m) {
-  return m.kind == MoveKind::feed && !(m.feed_mm_min > 0);
-}
-
 }  // namespace
 
 AxesCheck::AxesCheck(const StockModel& before, const Pass& pass, const ProcessLimits& limits,
@@ -52,12 +48,7 @@ AxesCheck::AxesCheck(const StockModel& before, const Pass& pass, const ProcessLi
       limits_{limits.tolerance_mm, limits.near_miss_mm},
       bodies_(pass.cutter, farthest_material(before, path_)),
       sweep_(pass, control),
-      rapids_(series_of(path_.moves.size(),
-                        [&](std::size_t i) { return path_.moves[i].kind == MoveKind::rapid; })),
-      at_rest_(series_of(path_.moves.size(),
-                         [&](std::size_t i) { return path_.moves[i].spindle_stopped; })),
-      without_feed_(series_of(path_.moves.size(),
-                              [&](std::size_t i) { return lacks_a_feed(path_.moves[i]); })) {
+      idle_(path_) {
   solids_.push_back({"stock", before.material(), true});
   for (const model::Fixture& fixture : limits.fixtures)
     solids_.push_back(
@@ -180,9 +171,10 @@ void AxesCheck::look_at_cutter(const Turning& m, std::vector<Finding>& findings)
   const ToolBody& flutes = bodies_.flutes;
   if (move.kind == MoveKind::rapid) look_at_rapid(m, findings);
   if (move.spindle_stopped)
-    look_for(FindingKind::spindle_stopped, m, flutes, 0, at_rest_.begin(m.move), findings);
-  if (lacks_a_feed(move)) {
-    const TurnSearch s = search(m, flutes, 0, without_feed_.begin(m.move));
+    look_for(FindingKind::spindle_stopped, m, flutes, 0, idle_.spindle_stopped.begin(m.move),
+             findings);
+  if (lacks_feed(move)) {
+    const TurnSearch s = search(m, flutes, 0, idle_.without_feed.begin(m.move));
     const TurnPlace at = deepest_turn_contact(s, limits_.tolerance_mm, m.control)
                              .place.value_or(TurnPlace{0, m.pose.at(0).shift_mm, 0});
     findings.push_back(finding(FindingKind::feed_missing, m, at.point, at.mm, flutes, 0));
@@ -194,7 +186,7 @@ void AxesCheck::look_at_cutter(const Turning& m, std::vector<Finding>& findings)
 // The flutes leave from where a feed move ended and arrive where one begins: until they have been
 // farther away than a near miss is, they are beside what they cut.
 void AxesCheck::look_at_rapid(const Turning& m, std::vector<Finding>& findings) const {
-  const std::size_t begin = rapids_.begin(m.move), end = rapids_.end(m.move);
+  const std::size_t begin = idle_.rapids.begin(m.move), end = idle_.rapids.end(m.move);
   const ToolBody& flutes = bodies_.flutes;
   if (look_for(FindingKind::rapid_through_stock, m, flutes, 0, begin, findings) ||
       !(limits_.near_miss_mm > 0))

@@ -76,7 +76,7 @@ class AxesCheck {
   std::vector<Solid> solids_;  // the stock, then the fixtures
   ToolBodies bodies_;
   SweepIndex sweep_;
-  MoveRuns rapids_, at_rest_, without_feed_;
+  IdleSeries idle_;
 };
 
 }  // namespace limitgauge::simulator

@@ -39,4 +39,17 @@ MoveRuns straight_runs(const model::Toolpath& path) {
   });
 }
 
+bool lacks_feed(const model::Move& move) {
+  return move.kind == model::MoveKind::feed && !(move.feed_mm_min > 0);
+}
+
+IdleSeries::IdleSeries(const model::Toolpath& path)
+    : rapids(
+          series_of(path.moves.size(),
+                    [&](std::size_t i) { return path.moves[i].kind == model::MoveKind::rapid; })),
+      spindle_stopped(series_of(path.moves.size(),
+                                [&](std::size_t i) { return path.moves[i].spindle_stopped; })),
+      without_feed(
+          series_of(path.moves.size(), [&](std::size_t i) { return lacks_feed(path.moves[i]); })) {}
+
 }  // namespace limitgauge::simulator

@@ -43,4 +43,14 @@ MoveRuns series_of(std::size_t moves, const Offends& offends) {
   });
 }
 
+/// A feed move for which the program gave no feed.
+bool lacks_feed(const model::Move& move);
+
+/// Neighbouring moves that may not touch material, each series for one reason.
+struct IdleSeries {
+  explicit IdleSeries(const model::Toolpath& path);
+
+  MoveRuns rapids, spindle_stopped, without_feed;
+};
+
 }  // namespace limitgauge::simulator

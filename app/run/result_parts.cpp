@@ -120,6 +120,40 @@ void join_sampling(const std::vector<reports::StageResult>& stages,
   }
 }
 
+/// The word of `axis` in [[fixture]]; none for what lies with the part.
+std::optional<std::string> mount_word(const FixtureMount& mount) {
+  switch (mount.kind) {
+    case FixtureMount::Kind::part:
+      return std::nullopt;
+    case FixtureMount::Kind::machine:
+      return "none";
+    case FixtureMount::Kind::spindle:
+      return "spindle";
+    default:
+      return std::string(1, *mount.axis);
+  }
+}
+
+std::vector<reports::record::CheckedFixture> checked_fixtures(const Job& job) {
+  std::vector<reports::record::CheckedFixture> out;
+  for (const JobFixture& f : job.fixtures) {
+    std::optional<std::string> setup;
+    if (f.setup && has_setups(job)) setup = job.setups[*f.setup].setup.name;
+    out.push_back({f.name, f.file_as_stated, f.translate_mm, setup, mount_word(f.mount)});
+  }
+  return out;
+}
+
+std::vector<reports::record::RotaryAxis> rotary_axes(const Job& job) {
+  std::vector<reports::record::RotaryAxis> out;
+  if (!job.machine.kinematics) return out;
+  const auto& axes = job.machine.kinematics->axes;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    out.push_back({std::string(1, axes[i].word), job.machine.kinematics->is_head(i),
+                   axes[i].direction, axes[i].point_mm, axes[i].low_deg, axes[i].high_deg});
+  return out;
+}
+
 }  // namespace
 
 reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
@@ -133,7 +167,8 @@ reports::RunResult result_as_asked(const Job& job, const RunInputs& inputs,
   result.raw_stock = job.stock;
   result.tolerances = job.tolerances;
   result.overrides = job.overrides;
-  result.process_limits = {inputs.settings.contact_tolerance_mm, near_miss_mm(job), job.travel_mm};
+  result.process_limits = {inputs.settings.contact_tolerance_mm, near_miss_mm(job), job.travel_mm,
+                           checked_fixtures(job), rotary_axes(job)};
   result.assumptions = assumptions(job, inputs.settings);
   add_design(job, inputs, result);
   add_start(inputs, result);

@@ -2,12 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
-#include "model/base/error.h"
-#include "model/part/cutter.h"
-#include "model/text/number_text.h"
 #include "reports/compare/comparison_text.h"
 #include "reports/text/text.h"
 
@@ -29,42 +25,9 @@ int rank(Verdict verdict) {
   }
 }
 
-struct Limit {
-  const char* what;
-  bool has_base, has_now;
-  double base, now;
-  bool more_is_looser;
-  std::string (*text)(double) = stated_length;
-};
-
-std::string stated_area(double mm2) {
-  return model::shortest(mm2) + " mm²";
-}
-
-void compare_limit(const Limit& limit, const Options& options, std::vector<Remark>& out) {
-  const std::string what = std::string("limit of ") + limit.what + " ";
-  const auto remark = [&](Judgement judgement, const std::string& text) {
-    out.push_back({"gate", if_judged(options, "gate", judgement), what + text});
-  };
-  if (limit.has_base && !limit.has_now)
-    return remark(Judgement::worse, "taken away: it was " + limit.text(limit.base));
-  if (!limit.has_base && limit.has_now)
-    return remark(Judgement::better, "set: " + limit.text(limit.now));
-  if (!limit.has_base || limit.base == limit.now) return;
-  const bool is_looser = (limit.now > limit.base) == limit.more_is_looser;
-  remark(is_looser ? Judgement::worse : Judgement::better,
-         std::string(is_looser ? "loosened" : "tightened") + " from " + limit.text(limit.base) +
-             " to " + limit.text(limit.now));
-}
-
 /// What explains a change, and is not judged.
 void name(std::vector<Remark>& out, const std::string& id, const std::string& text) {
   out.push_back({id, Judgement::not_judged, text});
-}
-
-void name_change(std::vector<Remark>& out, const std::string& id, const std::string& what,
-                 const std::string& base, const std::string& now) {
-  if (base != now) name(out, id, what + " was " + base + ", is " + now);
 }
 
 void name_lack(std::vector<Remark>& out, const std::string& id, const std::string& what, bool base,
@@ -80,95 +43,16 @@ std::string moves_text(std::size_t count) {
 
 }  // namespace
 
+void name_change(std::vector<Remark>& out, const std::string& id, const std::string& what,
+                 const std::string& base, const std::string& now) {
+  if (base != now) name(out, id, what + " was " + base + ", is " + now);
+}
+
 std::optional<Remark> compare_verdicts(const std::string& what, Verdict base, Verdict now) {
   if (base == now) return std::nullopt;
   return Remark{"verdict", rank(now) > rank(base) ? Judgement::worse : Judgement::better,
                 what + " was " + verdict_text(base) + ", is " + verdict_text(now)};
 }
-
-std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifier::GateLimits& now,
-                                  const Options& options) {
-  std::vector<Remark> out;
-  for (const Limit& limit :
-       {Limit{"gouge", base.has_gouge, now.has_gouge, base.gouge_mm, now.gouge_mm, true},
-        Limit{"uncut", base.has_uncut, now.has_uncut, base.uncut_mm, now.uncut_mm, true},
-        Limit{"coverage", base.has_coverage, now.has_coverage, base.coverage, now.coverage, false,
-              percent_text},
-        // A share and an area cannot be compared: one is taken away and the other set.
-        Limit{"the unreachable share", base.has_unreachable && base.unreachable_is_share,
-              now.has_unreachable && now.unreachable_is_share, base.unreachable, now.unreachable,
-              true, percent_text},
-        Limit{"the unreachable area", base.has_unreachable && !base.unreachable_is_share,
-              now.has_unreachable && !now.unreachable_is_share, base.unreachable, now.unreachable,
-              true, stated_area},
-        Limit{"unavoidable uncut", base.has_unavoidable, now.has_unavoidable, base.unavoidable_mm,
-              now.unavoidable_mm, true}})
-    compare_limit(limit, options, out);
-  return out;
-}
-
-namespace {
-
-/// The limits of the process along one axis, one at each end.
-void compare_travel(const std::optional<model::Box3>& base, const std::optional<model::Box3>& now,
-                    const Options& options, std::vector<Remark>& out) {
-  constexpr const char* kAxes[] = {"X", "Y", "Z"};
-  const auto text = [](double mm) { return model::shortest(mm) + " mm"; };
-  for (int axis = 0; axis < 3; ++axis)
-    for (const bool is_high : {false, true}) {
-      const auto end = [&](const std::optional<model::Box3>& travel) {
-        constexpr double kNone = std::numeric_limits<double>::infinity();
-        if (!travel) return is_high ? kNone : -kNone;
-        return is_high ? travel->high[axis] : travel->low[axis];
-      };
-      const double was = end(base), is = end(now);
-      const std::string what =
-          std::string("travel along ") + kAxes[axis] + (is_high ? " upwards" : " downwards");
-      compare_limit({what.c_str(), std::isfinite(was), std::isfinite(is), was, is, is_high, text},
-                    options, out);
-    }
-}
-
-}  // namespace
-
-std::vector<Remark> compare_process_limits(const std::optional<record::ProcessLimits>& base,
-                                           const std::optional<record::ProcessLimits>& now,
-                                           const Options& options) {
-  std::vector<Remark> out;
-  // A result of an earlier version does not say them.
-  if (!base || !now) return out;
-  compare_limit(
-      {"contacts", true, true, base->contact_tolerance_mm, now->contact_tolerance_mm, true},
-      options, out);
-  name_change(out, "near_miss", "distance of a near miss", stated_length(base->near_miss_mm),
-              stated_length(now->near_miss_mm));
-  compare_travel(base->travel_mm, now->travel_mm, options, out);
-  return out;
-}
-
-namespace {
-
-/// How steeply a cutter may go down, in degrees; none where nothing limits it, or the text is
-/// another version's.
-std::optional<double> steepest_descent_of(const std::string& cutter) {
-  try {
-    const double deg = model::parse_cutter(cutter).steepest_descent_deg;
-    return deg < 90 ? std::optional(deg) : std::nullopt;
-  } catch (const model::InputError&) {
-    return std::nullopt;
-  }
-}
-
-void compare_descent(const std::string& base, const std::string& now, const Options& options,
-                     std::vector<Remark>& out) {
-  const auto text = [](double deg) { return model::shortest(deg) + "°"; };
-  const std::optional<double> was = steepest_descent_of(base), is = steepest_descent_of(now);
-  compare_limit({"the descent", was.has_value(), is.has_value(), was.value_or(90), is.value_or(90),
-                 true, text},
-                options, out);
-}
-
-}  // namespace
 
 std::vector<Remark> compare_settings(const record::StageRecord& base,
                                      const record::StageRecord& now, const Options& options) {
@@ -176,7 +60,8 @@ std::vector<Remark> compare_settings(const record::StageRecord& base,
   name_change(out, "tool", "tool", base.tool, now.tool);
   if (!base.cutter.empty() && !now.cutter.empty()) {
     name_change(out, "cutter", "cutter", base.cutter, now.cutter);
-    compare_descent(base.cutter, now.cutter, options, out);
+    for (Remark& remark : compare_descents(base.cutter, now.cutter, options))
+      out.push_back(std::move(remark));
   }
   const auto way = [](const record::StageRecord& stage) {
     return stage.program.empty() ? stage.strategy : "program " + stage.program;

@@ -38,6 +38,11 @@ struct RunContext {
 void compare_findings(const record::StageRecord& base, const record::StageRecord& now,
                       const RunContext& run, StageComparison& out);
 
+/// What explains a change and is not judged: `what` was `base`, is `now`; nothing where both are
+/// alike.
+void name_change(std::vector<Remark>& out, const std::string& id, const std::string& what,
+                 const std::string& base, const std::string& now);
+
 /// "fail" after "pass": what became worse comes later in the order pass, indeterminate, fail, not
 /// run. Nothing where both are alike.
 std::optional<Remark> compare_verdicts(const std::string& what, verifier::Verdict base,
@@ -46,11 +51,15 @@ std::optional<Remark> compare_verdicts(const std::string& what, verifier::Verdic
 /// figures then do.
 std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifier::GateLimits& now,
                                   const Options& options);
-/// Limits of the process, the same for all stages, that were loosened or taken away: as of gates.
-/// Nothing where one of the results does not say them.
+/// Limits of the process, the same for all stages, that were loosened or taken away: as of gates; a
+/// fixture is one. Nothing of what one of the results does not say.
 std::vector<Remark> compare_process_limits(const std::optional<record::ProcessLimits>& base,
                                            const std::optional<record::ProcessLimits>& now,
                                            const Options& options);
+/// How steeply cutters, by their texts, may go down: as of gates. A text that cannot be read, as
+/// one of another version, states no limit.
+std::vector<Remark> compare_descents(const std::string& base, const std::string& now,
+                                     const Options& options);
 /// Tolerances taken away or narrowed count as worse, as limits that are loosened: what the gate
 /// judges gives way. Nothing where both runs have the same, or none.
 std::optional<Remark> compare_tolerances(const std::optional<model::Tolerances>& base,

@@ -95,12 +95,41 @@ Json agreement_part(const simulator::StockAgreement& a) {
       {"volume_error_mm3", finite("agreement.error", a.dexel_error_mm3 + a.level_set_error_mm3)}};
 }
 
+Json fixture_part(const record::CheckedFixture& f) {
+  Json out = {{"name", clean_text(f.name)},
+              {"file", clean_text(f.file)},
+              {"translate_mm", point("fixture.translate_mm", f.translate_mm)}};
+  if (f.setup) out["setup"] = clean_text(*f.setup);
+  if (f.axis) out["axis"] = *f.axis;
+  return out;
+}
+
+/// Null for an end without a limit.
+Json rotary_axis_part(const record::RotaryAxis& a) {
+  const auto end = [](double deg) { return std::isfinite(deg) ? Json(deg) : Json(); };
+  return {{"word", a.word},
+          {"carries", a.is_head ? "tool" : "part"},
+          {"direction", point("rotary_axis.direction", a.direction)},
+          {"point_mm", point("rotary_axis.point_mm", a.point_mm)},
+          {"range_deg", Json::array({end(a.low_deg), end(a.high_deg)})}};
+}
+
+template <class All, class Part>
+Json parts_of(const All& all, const Part& part) {
+  Json out = Json::array();
+  for (const auto& one : all) out.push_back(part(one));
+  return out;
+}
+
 }  // namespace
 
 Json process_limits_part(const record::ProcessLimits& limits) {
-  return {{"contact_tolerance_mm", finite("process_limits", limits.contact_tolerance_mm)},
-          {"near_miss_mm", finite("process_limits", limits.near_miss_mm)},
-          {"travel_mm", limits.travel_mm ? travel_part(*limits.travel_mm) : Json()}};
+  Json out = {{"contact_tolerance_mm", finite("process_limits", limits.contact_tolerance_mm)},
+              {"near_miss_mm", finite("process_limits", limits.near_miss_mm)},
+              {"travel_mm", limits.travel_mm ? travel_part(*limits.travel_mm) : Json()}};
+  if (limits.fixtures) out["fixtures"] = parts_of(*limits.fixtures, fixture_part);
+  if (limits.rotary_axes) out["rotary_axes"] = parts_of(*limits.rotary_axes, rotary_axis_part);
+  return out;
 }
 
 Json simulation_part(const StageRun& r) {

@@ -184,9 +184,47 @@ std::optional<model::Box3> read_travel(const JsonValue& travel) {
   return out;
 }
 
+CheckedFixture read_fixture(const JsonValue& f) {
+  CheckedFixture out{f["name"].text(), f["file"].text(), f["translate_mm"].point(), {}, {}};
+  if (const auto setup = f.find("setup")) out.setup = setup->text();
+  if (const auto axis = f.find("axis")) out.axis = axis->text();
+  return out;
+}
+
+RotaryAxis read_rotary_axis(const JsonValue& a) {
+  RotaryAxis out;
+  out.word = a["word"].text();
+  const JsonValue carries = a["carries"];
+  out.is_head = carries.text() == "tool";
+  if (!out.is_head && carries.text() != "part")
+    carries.refuse("is another one", "\"tool\" or \"part\"");
+  out.direction = a["direction"].point();
+  out.point_mm = a["point_mm"].point();
+  const std::vector<JsonValue> ends = a["range_deg"].items();
+  if (ends.size() != 2)
+    a["range_deg"].refuse("has not two entries", "a number or null for each end");
+  if (!ends[0].is_null()) out.low_deg = ends[0].number();
+  if (!ends[1].is_null()) out.high_deg = ends[1].number();
+  return out;
+}
+
+template <class Read>
+auto read_all(const JsonValue& list, const Read& read) {
+  std::vector<decltype(read(list))> out;
+  for (const JsonValue& one : list.items()) out.push_back(read(one));
+  return out;
+}
+
 ProcessLimits read_process_limits(const JsonValue& limits) {
-  return {limits["contact_tolerance_mm"].length(), limits["near_miss_mm"].length(),
-          read_travel(limits["travel_mm"])};
+  ProcessLimits out;
+  out.contact_tolerance_mm = limits["contact_tolerance_mm"].length();
+  out.near_miss_mm = limits["near_miss_mm"].length();
+  out.travel_mm = read_travel(limits["travel_mm"]);
+  if (const auto fixtures = limits.find("fixtures"))
+    out.fixtures = read_all(*fixtures, read_fixture);
+  if (const auto axes = limits.find("rotary_axes"))
+    out.rotary_axes = read_all(*axes, read_rotary_axis);
+  return out;
 }
 
 int read_schema(const JsonValue& root) {

@@ -81,6 +81,54 @@ TEST_CASE("Limits of the process count as any other", "[unit][compare]") {
   CHECK(compare_runs(base, now, {}).judgement() == Judgement::same);
 }
 
+TEST_CASE("A fixture that is looked at no more is a limit taken away", "[unit][compare]") {
+  RunRecord base = sample_run(), now;
+  base.process_limits.emplace();
+  base.process_limits->fixtures = {{"vise", "vise.stl", {0, 0, -5}, {}, {}}};
+  const auto compared = [&](const std::vector<record::CheckedFixture>& fixtures) {
+    now = base;
+    now.process_limits->fixtures = fixtures;
+    return compare_runs(base, now, {});
+  };
+  CHECK(compared({}).worse == 1);
+  CHECK(compare_runs(now, base, {}).better == 1);
+  CHECK(compared(*base.process_limits->fixtures).remarks.empty());
+  // In another place it is neither more nor less to run into.
+  const Comparison moved = compared({{"vise", "vise.stl", {0, 0, -40}, "second", "A"}});
+  CHECK(moved.judgement() == Judgement::same);
+  CHECK(moved.remarks.at(0).text ==
+        "fixture vise was at 0, 0, -5 mm, is at 0, 0, -40 mm in setup second with axis A");
+  CHECK(compared({{"vise", "other.stl", {0, 0, -5}, {}, {}}}).remarks.at(0).text ==
+        "fixture vise was vise.stl, is other.stl");
+  // An earlier version's result does not say them.
+  now = base;
+  now.process_limits->fixtures.reset();
+  CHECK(compare_runs(base, now, {}).judgement() == Judgement::same);
+}
+
+TEST_CASE("The range of a rotary axis is a limit at each end", "[unit][compare]") {
+  RunRecord base = sample_run();
+  base.process_limits.emplace();
+  base.process_limits->rotary_axes = {{"A", false, {1, 0, 0}, {0, 0, -50}, -30, 120}};
+  const auto judged = [&](const auto& change) {
+    RunRecord now = base;
+    change(now.process_limits->rotary_axes->at(0));
+    const Comparison there = compare_runs(base, now, {}), back = compare_runs(now, base, {});
+    CHECK(there.worse == back.better);
+    return static_cast<int>(there.worse) - static_cast<int>(there.better);
+  };
+  using Axis = record::RotaryAxis;
+  CHECK(judged([](Axis&) {}) == 0);
+  CHECK(judged([](Axis& a) { a.low_deg = -40; }) == 1);
+  CHECK(judged([](Axis& a) { a.low_deg = -20; }) == -1);
+  CHECK(judged([](Axis& a) { a.high_deg = INFINITY; }) == 1);
+  CHECK(judged([](Axis& a) { a.point_mm.z = -51; }) == 0);
+  RunRecord now = base;
+  now.process_limits->rotary_axes->at(0).point_mm.z = -51;
+  CHECK(compare_runs(base, now, {}).remarks.at(0).text ==
+        "how the machine's rotary axes lie has changed");
+}
+
 TEST_CASE("How steeply a tool may go down is a limit of its stage", "[unit][compare]") {
   const auto run_with = [](const char* cutter) {
     RunRecord run = sample_run();

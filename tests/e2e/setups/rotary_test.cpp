@@ -143,6 +143,17 @@ TEST_CASE("bodies of the head are held against the stock as the axes have them",
   const json& hit = failed["simulation"]["holder_collisions"][0];
   CHECK(hit["part"] == "plate");
   CHECK(hit["line"] > 0);
+  // What was looked at is said, as the job has it.
+  const json& looked_at = result["process_limits"];
+  REQUIRE(looked_at["fixtures"].size() == 1);
+  CHECK(looked_at["fixtures"][0] ==
+        json{{"name", "plate"}, {"file", "plate.obj"}, {"translate_mm", {0, 0, 0}}, {"axis", "B"}});
+  REQUIRE(looked_at["rotary_axes"].size() == 2);
+  CHECK(looked_at["rotary_axes"][1] == json{{"word", "B"},
+                                            {"carries", "tool"},
+                                            {"direction", {0, 1, 0}},
+                                            {"point_mm", {0, 0.5, 180}},
+                                            {"range_deg", {-360, 360}}});
 }
 
 TEST_CASE("an axis beyond its limits fails at its line", "[e2e][setups]") {

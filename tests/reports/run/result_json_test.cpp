@@ -193,6 +193,33 @@ TEST_CASE("what the command line set is kept as it was said", "[unit][json]") {
   CHECK(record::read_result_json(in, "result.json").overrides == result.overrides);
 }
 
+TEST_CASE("fixtures and rotary axes are read as they are written", "[unit][json][schema]") {
+  RunResult result = sample_result(Outcome::passed, 3);
+  const auto limits_of = [&result] {
+    std::istringstream in(json_text_of(result));
+    return record::read_result_json(in, "result.json").process_limits.value();
+  };
+  CHECK_FALSE(limits_of().fixtures.has_value());
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  record::ProcessLimits& stated = result.process_limits;
+  stated.fixtures = {{"vise", "a/vise.stl", {1, 2.5, -3}, {}, {}},
+                     {"table", "table.stl", {}, "second", "none"}};
+  stated.rotary_axes = {{"B", true, {0, 1, 0}, {0, 0, 150}, -kNone, 110},
+                        {"C", false, {0, 0, 1}, {10, 20, 0}, -360, kNone}};
+  const record::ProcessLimits read = limits_of();
+  CHECK(read.fixtures == stated.fixtures);
+  REQUIRE(read.rotary_axes->size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const record::RotaryAxis &was = (*stated.rotary_axes)[i], &is = (*read.rotary_axes)[i];
+    CHECK(is.word == was.word);
+    CHECK(is.lies_as(was));
+    CHECK(is.low_deg == was.low_deg);
+    CHECK(is.high_deg == was.high_deg);
+  }
+  const Json schema = Json::parse(result_schema());
+  require_described(schema, schema, json_of(result), "");
+}
+
 TEST_CASE("names from files stay text", "[unit][json]") {
   RunResult result = sample_result(Outcome::passed);
   result.job = "a \"job\"\\ <script>\x02\xFF";

@@ -23,7 +23,8 @@ constexpr ControlRules iso_rules(Control control, std::string_view title) {
   rules.whole_lengths_doubtful = true;
   rules.separate_cycle_group = rules.motion_beside_reference = rules.begins_in_g98 = true;
   rules.dwell_is_optional = rules.whole_peck = rules.tap_turns_spindle = true;
-  rules.fanuc_offsets = true;
+  rules.fanuc_offsets = rules.fanuc_cycles = true;
+  rules.compensation = CompensationStyle::fanuc;
   return rules;
 }
 
@@ -31,6 +32,7 @@ constexpr ControlRules fanuc_rules() {
   ControlRules rules = iso_rules(Control::fanuc, "Fanuc");
   rules.repeats_by_k = rules.rapid_in_machine_frame = rules.program_names = true;
   rules.dwell_letters = "PX";
+  rules.compensation_as_set = "start-up and cancel of type A, parameter 5003";
   rules.extended_systems = 300;
   return rules;
 }
@@ -39,6 +41,7 @@ constexpr ControlRules haas_rules() {
   ControlRules rules = iso_rules(Control::haas, "Haas");
   rules.local_subprograms = rules.begins_in_g0 = true;
   rules.extended_systems = 99;
+  rules.compensation_as_set = "entry and exit of type A, setting 43, corners as Fanuc's";
   return rules;
 }
 
@@ -67,6 +70,8 @@ constexpr ControlRules siemens_rules() {
   rules.r_parameters = rules.idle_centre_words = rules.rotary_zero = rules.length_by_d = true;
   rules.idle_percent = rules.turns_by_p = true;
   rules.dwell_letters = "FS";
+  rules.compensation = CompensationStyle::siemens;
+  rules.compensation_as_set = "NORM and G450, as the control starts";
   return rules;
 }
 

@@ -6,6 +6,17 @@
 
 namespace limitgauge::model::gcode {
 
+/// How cutter compensation begins and goes round corners.
+enum class CompensationStyle {
+  linuxcnc,  ///< an entry ends beside its own line, bends by up to 0.05 radians are left as they
+             ///< are
+  /// The entry ends beside the start of the motion behind it, square to that, however they meet
+  /// (start-up of type A). Outer corners are lines: to where the paths beside the contour meet; of
+  /// a turn by more than 90 degrees to the radius beyond either end, and across.
+  fanuc,
+  siemens  ///< the entry as fanuc's (NORM); outer corners are arcs (G450)
+};
+
 /// What a control takes beyond RS274/NGC as LinuxCNC documents it, or instead of it: the one home
 /// of such differences, beside its codes (control_codes.h). Sources: LinuxCNC 2.9, "G-Code";
 /// Fanuc B-63684EN and B-64304EN, operator's manuals (series 16i/18i and 0i-D); Haas, mill
@@ -53,8 +64,14 @@ struct ControlRules {
   bool dwell_is_optional = false;  ///< of canned cycles that dwell; P in the others as well
   bool whole_peck = false;         ///< Q0 drills to the bottom in one
   bool tap_turns_spindle = false;  ///< G74 and G84 start it themselves
-  bool fanuc_offsets = false;      ///< G10 L2 P0, L10 to L13, L20; G91 adds
-  int extended_systems = 0;        ///< of G54.1 P or G154 P
+  /// Of canned cycles: Z and R are what G90 or G91 of their own block makes of them, whatever comes
+  /// later, and the tool goes across at the level where it stands, then to R.
+  bool fanuc_cycles = false;
+  bool fanuc_offsets = false;  ///< G10 L2 P0, L10 to L13, L20; G91 adds
+  int extended_systems = 0;    ///< of G54.1 P or G154 P
+
+  CompensationStyle compensation = CompensationStyle::linuxcnc;
+  std::string_view compensation_as_set = {};  ///< what is assumed of its settings, for messages
 };
 
 const ControlRules& rules_of(Control control);

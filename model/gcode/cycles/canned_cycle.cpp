@@ -81,7 +81,7 @@ CycleMotions CannedCycles::moves(const Statement& statement, const CycleContext&
   if (code_ != context.code) words_ = {};
   code_ = context.code;
   unit_mm_ = context.unit_mm;
-  words_.take(statement, code_, axis_along_tool(context.plane));
+  words_.take(statement, code_, axis_along_tool(context.plane), context.incremental);
   words_.check(statement, code_, axis_along_tool(context.plane));
   const int along = axes_of(context.plane)[2];
   if (!initial_level_mm_) initial_level_mm_ = context.position_mm[along];
@@ -123,6 +123,7 @@ CycleGeometry CannedCycles::geometry(const Statement& statement,
   cycle.plane = context.plane;
   cycle.start_mm = context.position_mm;
   cycle.feeds_to_r = statement.rules().separate_cycle_group;
+  cycle.goes_across_as_it_stands = statement.rules().fanuc_cycles;
   cycle.holes = holes_of(statement, static_cast<int>(kMostMoves));
   add_places(statement, context, cycle);
   add_levels(statement, context, cycle);
@@ -142,15 +143,15 @@ void CannedCycles::add_places(const Statement& statement, const CycleContext& co
     (context.incremental ? cycle.step_mm : cycle.hole_mm)[i] = word->value * context.unit_mm;
     cycle.stated[axes[i]] = !context.incremental;
   }
-  cycle.stated[axes[2]] = !context.incremental;
+  cycle.stated[axes[2]] = !words_.r_is_step && !words_.bottom_is_step;
 }
 
 /// LinuxCNC counts R from the initial level, even where the tool stands elsewhere by now.
 void CannedCycles::add_levels(const Statement& statement, const CycleContext& context,
                               CycleGeometry& cycle) const {
   const double unit_mm = context.unit_mm, initial_mm = *initial_level_mm_;
-  cycle.r_mm = *words_.r * unit_mm + (context.incremental ? initial_mm : 0);
-  cycle.bottom_mm = *words_.bottom * unit_mm + (context.incremental ? cycle.r_mm : 0);
+  cycle.r_mm = *words_.r * unit_mm + (words_.r_is_step ? initial_mm : 0);
+  cycle.bottom_mm = *words_.bottom * unit_mm + (words_.bottom_is_step ? cycle.r_mm : 0);
   const char depth = axis_along_tool(context.plane);
   check_level(statement, 'R', cycle.r_mm);
   check_level(statement, depth, cycle.bottom_mm);
@@ -158,7 +159,7 @@ void CannedCycles::add_levels(const Statement& statement, const CycleContext& co
     statement.fail(word_or_blamed(statement, statement.word('R') ? 'R' : depth),
                    std::string("R lies below the bottom of the hole, ") + depth,
                    "R at or above it");
-  cycle.lifts_first = initial_mm < cycle.r_mm;
+  cycle.lifts_first = initial_mm < cycle.r_mm && !cycle.goes_across_as_it_stands;
   cycle.return_mm = context.return_to_r || cycle.lifts_first ? cycle.r_mm : initial_mm;
 }
 
@@ -177,8 +178,8 @@ void CannedCycles::add_pecks(const Statement& statement, const CycleContext& con
                              CycleGeometry& cycle) const {
   if (cycle.cycle != Cycle::chip_breaking && cycle.cycle != Cycle::pecking) return;
   const double unit_mm = context.unit_mm, q = *words_.q;
-  const double r = *words_.r + (context.incremental ? *initial_level_mm_ / unit_mm : 0);
-  const double bottom = *words_.bottom + (context.incremental ? r : 0);
+  const double r = *words_.r + (words_.r_is_step ? *initial_level_mm_ / unit_mm : 0);
+  const double bottom = *words_.bottom + (words_.bottom_is_step ? r : 0);
   if (q == 0) return;  // one peck
   for (double level = r - q; level > bottom; level -= q) {
     if (cycle.pecks_mm.size() >= kMostMoves)

@@ -36,7 +36,8 @@ struct CycleMotions {
 
 /// The words of a run of cycles that stay from block to block (R, Q, P, I, J, K and the axis along
 /// the tool), the level that the run began at, and the motions they stand for: G73, G74, G81 to G89
-/// as LinuxCNC carries them out, in all three planes, absolute and incremental, repeated by L.
+/// as LinuxCNC carries them out, in all three planes, absolute and incremental, repeated by L; of
+/// Fanuc and Haas Z, R and the way to them are theirs (ControlRules::fanuc_cycles).
 /// See linuxcnc.org/docs/2.9/html/gcode/g-code.html, "Canned Cycles". The order and number of
 /// motions, those without length included, is LinuxCNC's. G74 and G84 feed both ways (a floating
 /// chuck) and are refused outside G17, where LinuxCNC moves other axes than it documents; so is a

@@ -63,7 +63,10 @@ const std::optional<double>& CycleParameters::of(char letter) const {
   return letter == 'J' ? j : k;
 }
 
-void CycleParameters::take(const Statement& statement, int code, char along) {
+void CycleParameters::take(const Statement& statement, int code, char along, bool incremental) {
+  const bool rereads = !statement.rules().fanuc_cycles;
+  if (rereads || statement.word('R')) r_is_step = incremental;
+  if (rereads || statement.word(along)) bottom_is_step = incremental;
   const auto read = [&](std::optional<double>& slot, char letter) {
     if (const Word* word = statement.word(letter)) slot = word->value;
   };

@@ -18,9 +18,12 @@ bool cycle_takes(int code, char letter);
 struct CycleParameters {
   std::optional<double> r, q, p, i, j, k;
   std::optional<double> bottom;  ///< of the axis along the tool
+  bool r_is_step = false;        ///< from the initial level
+  bool bottom_is_step = false;   ///< from R
 
-  /// Takes what stands in the block; `along` is the letter of the axis along the tool.
-  void take(const Statement& statement, int code, char along);
+  /// Takes what stands in the block, of G91 or not; `along` is the letter of the axis along the
+  /// tool. LinuxCNC reads R and the bottom of earlier blocks by this block's mode as well.
+  void take(const Statement& statement, int code, char along, bool incremental);
   /// Throws InputError for words that cycle `code` needs and that neither this block nor one before
   /// it gave, and for those that cannot be.
   void check(const Statement& statement, int code, char along) const;

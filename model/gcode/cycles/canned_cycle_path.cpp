@@ -53,6 +53,12 @@ class Writer {
   /// From the second hole on the tool is taken to stand at the return level. So it is for the first
   /// one unless it stands above R, which makes a slant of a rapid after G99 gave way to G98.
   void approach(bool first_hole) {
+    if (geometry_.goes_across_as_it_stands) {
+      const double level_mm = first_hole ? geometry_.start_mm[axes_[2]] : geometry_.return_mm;
+      rapid_to_found_level(level_mm);
+      if (level_mm != geometry_.r_mm) rapid(geometry_.r_mm);
+      return;
+    }
     const double level_mm = geometry_.lifts_first ? geometry_.r_mm : geometry_.start_mm[axes_[2]];
     const bool from_found_level = first_hole && level_mm > geometry_.r_mm;
     const double across_mm = from_found_level ? level_mm : geometry_.return_mm;

@@ -40,8 +40,10 @@ struct CycleGeometry {
   ArcPlane plane = ArcPlane::xy;
   Vec3 start_mm;
   bool lifts_first = false;  ///< to `r_mm` before it moves across
-  Vec2 hole_mm{};            ///< before the first step
-  Vec2 step_mm{};            ///< made before each hole
+  bool goes_across_as_it_stands =
+      false;       ///< at whatever level, and to `r_mm` then, as Fanuc and Haas
+  Vec2 hole_mm{};  ///< before the first step
+  Vec2 step_mm{};  ///< made before each hole
   int holes = 1;
   double r_mm = 0, bottom_mm = 0;
   double return_mm = 0;          ///< where each hole ends

@@ -13,26 +13,26 @@ CutterCompensation::CutterCompensation(Out out, Place place)
     : place_(place), queue_(std::move(out), std::move(place)) {}
 
 void CutterCompensation::begin(CompensationSide side, double radius_mm, ArcPlane plane,
-                               const Vec3& position_mm) {
+                               const Vec3& position_mm, CompensationStyle style) {
   if (plane == ArcPlane::yz) throw std::invalid_argument("cutter compensation in G19");
   if (active()) throw std::logic_error("cutter compensation begins while it is on");
   side_ = (side == CompensationSide::left) == (radius_mm >= 0) ? 1 : -1;
   radius_mm_ = std::abs(radius_mm);
   frame_ = PlaneFrame(plane);
+  style_ = style;
   programmed_mm_ = position_mm;
   stage_ = Stage::entering;
 }
 
 void CutterCompensation::end() {
-  if (stage_ == Stage::following) {
-    flush();
-    just_left_ = true;
-  }
+  flush();
+  if (stage_ == Stage::following) just_left_ = true;
   stage_ = Stage::off;
 }
 
 void CutterCompensation::flush() {
-  if (stage_ != Stage::following) return;
+  if (stage_ != Stage::following && stage_ != Stage::entered) return;
+  stage_ = Stage::following;
   queue_.release_at(frame_, beside_mm_);
   queue_.release();
 }
@@ -45,8 +45,7 @@ void CutterCompensation::move(const Motion& motion) {
   if (!active() || radius_mm_ == 0) {
     queue_.pass(motion);
   } else if (stage_ == Stage::entering) {
-    is_arc ? enter_arc(motion) : enter_straight(motion);
-    stage_ = Stage::following;
+    enter(motion);
   } else {
     is_arc ? follow_arc(motion) : follow_straight(motion);
   }
@@ -58,21 +57,7 @@ void CutterCompensation::follow_straight(const Motion& motion) {
   if (way == Vec2{}) return push_straight(motion, way, beside_mm_);
   const Vec2 after = unit(way);
   const Vec2 offset = side_ * radius_mm_ * quarter_turn(after);
-  // Back along the end of an arc that the tool went round outside of: by LinuxCNC it stays above
-  // instead of going round the end.
-  const bool over_arc = !queue_.empty() && queue_.leading_arc() && !inside(*queue_.leading_arc());
-  switch (corner_of(direction(), after, side_, over_arc)) {
-    case Corner::smooth:
-      queue_.release();
-      queue_.starts_at(beside_mm_);
-      break;
-    case Corner::outer:
-      queue_.release_at(frame_, beside_mm_);
-      round_corner(motion, end_mm() + offset);
-      break;
-    case Corner::inner:
-      queue_.release_at(frame_, corner_before_line(motion, after));
-  }
+  go_to_corner(corner_to(motion, after), motion, after, end_mm() + offset);
   beside_mm_ = frame_.flat(motion.to) + offset;
   push_straight(motion, after, beside_mm_);
 }
@@ -82,20 +67,66 @@ void CutterCompensation::follow_arc(const Motion& motion) {
   check_width(motion, length(centre - end));
   const double inwards = inside(motion) ? radius_mm_ : -radius_mm_;
   const Vec2 after = tangent_at_start(motion);
-  switch (corner_of(direction(), after, side_, !inside(motion))) {
-    case Corner::smooth:
-      queue_.release();
-      queue_.starts_at(beside_mm_);
-      break;
-    case Corner::outer:
-      queue_.release();
-      round_corner(motion, end_mm() + inwards * unit(centre - end_mm()));
-      break;
-    case Corner::inner:
-      queue_.release_at(frame_, corner_before_arc(motion));
-  }
+  go_to_corner(corner_to(motion, after), motion, after,
+               end_mm() + inwards * unit(centre - end_mm()));
   beside_mm_ = end + inwards * unit(centre - end);
   push_arc(motion, beside_mm_, sweep_of(end_mm(), end, centre, motion.turns));
+}
+
+/// Back along the end of an arc that the tool went round outside of: by LinuxCNC it stays above
+/// instead of going round the end.
+Corner CutterCompensation::corner_to(const Motion& motion, Vec2 after) const {
+  const bool is_arc = motion.kind == MotionKind::arc;
+  const bool after_arc = !queue_.empty() && queue_.leading_arc();
+  const bool over_arc = is_arc ? !inside(motion) : after_arc && !inside(*queue_.leading_arc());
+  const double smooth_rad = style_ == CompensationStyle::linuxcnc ? kSmooth_rad
+                            : is_arc || after_arc                 ? kTangentArc_rad
+                                                                  : kStraightOn_rad;
+  return corner_of(direction(), after, side_, over_arc, smooth_rad);
+}
+
+void CutterCompensation::go_to_corner(Corner corner, const Motion& motion, Vec2 after, Vec2 to) {
+  if (stage_ == Stage::entered) {
+    stage_ = Stage::following;
+    queue_.release_at(frame_, to);
+    return queue_.starts_at(to);
+  }
+  switch (corner) {
+    case Corner::smooth:
+      queue_.release();
+      return queue_.starts_at(beside_mm_);
+    case Corner::outer:
+      if (style_ == CompensationStyle::fanuc) return cut_corner(motion, after, to);
+      if (motion.kind == MotionKind::arc)
+        queue_.release();
+      else
+        queue_.release_at(frame_, beside_mm_);
+      return round_corner(motion, to);
+    case Corner::inner:
+      queue_.release_at(frame_, corner_before(motion, after));
+  }
+}
+
+void CutterCompensation::pass_straight(Motion motion, Vec2 to) {
+  if (motion.kind == MotionKind::arc) {
+    motion.kind = MotionKind::feed;
+    motion.centre1 = motion.centre2 = motion.turns = 0;
+  }
+  motion.to = frame_.lifted(to, programmed_mm_);
+  queue_.pass(motion);
+}
+
+/// A path that is straight itself goes on to the corner; an arc ends beside its end.
+void CutterCompensation::cut_corner(const Motion& motion, Vec2 after, Vec2 to) {
+  const auto [first, second] = outer_corner(direction(), after, beside_mm_, to, radius_mm_);
+  const bool goes_on = !queue_.empty() && !queue_.leading_arc();
+  queue_.release_at(frame_, goes_on ? first : beside_mm_);
+  queue_.release();
+  if (!goes_on) pass_straight(motion, first);
+  if (second != first) pass_straight(motion, second);
+  const bool is_arc = motion.kind == MotionKind::arc;
+  if (is_arc) pass_straight(motion, to);
+  queue_.starts_at(is_arc ? to : second);
 }
 
 /// Round the corner that the contour has come to, at its height; a rapid cannot and goes straight.
@@ -160,21 +191,35 @@ void CutterCompensation::check_width(const Motion& arc, double arc_radius_mm) co
          "an arc wider than the cutter");
 }
 
+void CutterCompensation::enter(const Motion& motion) {
+  const bool is_arc = motion.kind == MotionKind::arc;
+  if (style_ != CompensationStyle::linuxcnc) {
+    if (is_arc)
+      fail(motion, "an arc as the entry into cutter compensation", "a straight move that enters");
+    // Nothing is beside anything yet.
+    if (frame_.flat(motion.to) == end_mm()) return queue_.pass(motion);
+    stage_ = Stage::entered;
+    return enter_straight(motion);
+  }
+  stage_ = Stage::following;
+  check_entry(motion);
+  is_arc ? enter_arc(motion) : enter_straight(motion);
+}
+
 /// To the side of its end. LinuxCNC keeps no direction for the check of what was cut short: the
 /// entry is longer than the radius, and its end may be pulled back to any place beside it.
 void CutterCompensation::enter_straight(const Motion& motion) {
-  check_entry(motion);
   const Vec2 end = frame_.flat(motion.to);
   const Vec2 normal = side_ * quarter_turn(unit(end - end_mm()));
   queue_.starts_at(end_mm());
   beside_mm_ = end + radius_mm_ * normal;
-  push_straight(motion, normal, beside_mm_);
+  // Of an entry whose end the next motion says nothing is too short.
+  push_straight(motion, style_ != CompensationStyle::linuxcnc ? Vec2{} : normal, beside_mm_);
 }
 
 /// From where the tool is to the side of the programmed end, tangent to the programmed arc there:
 /// the centre moves along the radius at the end until both ends are equally far from it.
 void CutterCompensation::enter_arc(const Motion& motion) {
-  check_entry(motion);
   const Vec2 start = end_mm(), end = frame_.flat(motion.to);
   const Vec2 programmed_centre = {motion.centre1, motion.centre2};
   check_width(motion, length(programmed_centre - start));
@@ -207,6 +252,11 @@ OffsetArc path_of(const Motion& arc, const PlaneFrame& frame, bool tool_inside) 
 constexpr const char* kWiderCorner = "a corner that the cutter fits into";
 
 }  // namespace
+
+Vec2 CutterCompensation::corner_before(const Motion& motion, Vec2 after) const {
+  return motion.kind == MotionKind::arc ? corner_before_arc(motion)
+                                        : corner_before_line(motion, after);
+}
 
 Vec2 CutterCompensation::corner_before_line(const Motion& line, Vec2 after) const {
   const std::optional<Motion>& arc = queue_.leading_arc();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "model/base/error.h"
+#include "model/gcode/control/control_rules.h"
 #include "model/gcode/cycles/cutter_compensation_queue.h"
 #include "model/gcode/program.h"
 
@@ -16,9 +17,10 @@ enum class CompensationSide { left, right };  ///< G41, G42
 /// beside its programmed end, an arc gets another radius and ends there too. Outer corners are
 /// rounded by an arc of the cutter's radius about the contour's corner (a rapid cuts it straight),
 /// inner corners cut short where the offsets meet; a change of direction by less than 0.05 radians
-/// is taken as smooth and left as it is. After G40 the next motion, which must be straight, goes to
-/// its programmed end. Motions come in and go out in the active work frame; those put in at a
-/// corner carry line, feed rate and flags of the motion behind it.
+/// is taken as smooth and left as it is. CompensationStyle says what others do instead. After G40
+/// the next motion, which must be straight, goes to its programmed end. Motions come in and go out
+/// in the active work frame; those put in at a corner carry line, feed rate and flags of the motion
+/// behind it.
 ///
 /// Throws InputError at a motion's line where the contour cannot be followed: an entry no longer
 /// than the radius, an arc no wider than the cutter inside it, an inner corner that the cutter does
@@ -41,7 +43,8 @@ class CutterCompensation {
   /// G41 or G42; the next motion is the entry. `radius_mm` may be negative: the other side.
   /// `position_mm` is where the tool is. Throws std::invalid_argument for G19, which LinuxCNC
   /// refuses, and std::logic_error while active.
-  void begin(CompensationSide side, double radius_mm, ArcPlane plane, const Vec3& position_mm);
+  void begin(CompensationSide side, double radius_mm, ArcPlane plane, const Vec3& position_mm,
+             CompensationStyle style = CompensationStyle::linuxcnc);
   /// G40: what waits is let out; the next move leaves the contour.
   void end();
   /// A programmed motion; while no compensation is on it goes straight through. Arcs lie in the
@@ -58,13 +61,21 @@ class CutterCompensation {
   void use_inches(bool inches) { queue_.use_inches(inches); }
 
  private:
-  enum class Stage { off, entering, following };
+  /// Of `entered` the end of the entry waits for the motion behind it.
+  enum class Stage { off, entering, entered, following };
 
+  void enter(const Motion& motion);
   void enter_straight(const Motion& motion);
   void enter_arc(const Motion& motion);
   void follow_straight(const Motion& motion);
   void follow_arc(const Motion& motion);
+  /// Between the paths beside two motions; `to` is where the second one's begins.
+  void go_to_corner(Corner corner, const Motion& motion, Vec2 after, Vec2 to);
   void round_corner(const Motion& motion, Vec2 to);
+  void cut_corner(const Motion& motion, Vec2 after, Vec2 to);
+  void pass_straight(Motion motion, Vec2 to);
+  Corner corner_to(const Motion& motion, Vec2 after) const;
+  Vec2 corner_before(const Motion& motion, Vec2 after) const;
   Vec2 corner_before_line(const Motion& line, Vec2 direction) const;
   Vec2 corner_before_arc(const Motion& arc) const;
   Vec2 corner_of_arcs(const Motion& before, const Motion& arc) const;
@@ -89,6 +100,7 @@ class CutterCompensation {
   double side_ = 1;  // 1: the tool is left of the contour, -1: right
   double radius_mm_ = 0;
   PlaneFrame frame_;
+  CompensationStyle style_ = CompensationStyle::linuxcnc;
   Vec3 programmed_mm_;  // end of the contour so far; the tool's place while entering
   Vec2 beside_mm_;      // where the tool ends beside it, if nothing cuts it short
 };

@@ -16,13 +16,23 @@ double sweep_of(Vec2 from, Vec2 to, Vec2 centre, double turns) {
   return sweep + (turns + 1) * full;
 }
 
-Corner corner_of(Vec2 before, Vec2 after, double side, bool reversal_is_inner) {
+Corner corner_of(Vec2 before, Vec2 after, double side, bool reversal_is_inner, double smooth_rad) {
   // Away from the tool is positive.
   const double turn = -side * std::atan2(cross(before, after), dot(before, after));
   if (std::abs(turn) >= std::numbers::pi - kSmooth_rad)
     return reversal_is_inner ? Corner::inner : Corner::outer;
-  if (std::abs(turn) <= kSmooth_rad) return Corner::smooth;
+  if (std::abs(turn) <= smooth_rad) return Corner::smooth;
   return turn > 0 ? Corner::outer : Corner::inner;
+}
+
+std::pair<Vec2, Vec2> outer_corner(Vec2 before, Vec2 after, Vec2 beside, Vec2 to,
+                                   double radius_mm) {
+  const double cosine = dot(before, after);
+  if (cosine < 0) return {beside + radius_mm * before, to - radius_mm * after};
+  // Half the turn's tangent, as of an inner corner.
+  const double tangent = std::abs(cross(before, after)) / (1 + cosine);
+  const Vec2 met = beside + radius_mm * tangent * before;
+  return {met, met};
 }
 
 Vec2 meet_lines(Vec2 before, Vec2 after, Vec2 beside, double radius_mm) {

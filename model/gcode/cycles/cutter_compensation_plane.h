@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "model/gcode/program.h"
 #include "model/geometry/vec2.h"
@@ -46,9 +47,14 @@ double sweep_of(Vec2 from, Vec2 to, Vec2 centre, double turns);
 enum class Corner { smooth, outer, inner };
 
 /// What a contour that comes along `before` and goes on along `after` (unit directions) is for a
-/// tool on `side` of it (1: left, -1: right), by LinuxCNC's 0.05 radians. A reversal within them is
-/// an outer corner unless `reversal_is_inner`.
-Corner corner_of(Vec2 before, Vec2 after, double side, bool reversal_is_inner);
+/// tool on `side` of it (1: left, -1: right); a bend by `smooth_rad` or less is none. A reversal
+/// within LinuxCNC's 0.05 radians is an outer corner unless `reversal_is_inner`.
+Corner corner_of(Vec2 before, Vec2 after, double side, bool reversal_is_inner, double smooth_rad);
+
+/// Straight corners outside: where the path along `before` ends and the one along `after` begins,
+/// one place unless the contour turns by more than 90 degrees. The paths beside the contour would
+/// end and begin at `beside` and `to`.
+std::pair<Vec2, Vec2> outer_corner(Vec2 before, Vec2 after, Vec2 beside, Vec2 to, double radius_mm);
 
 /// Where two straight paths meet that run beside their lines at `radius_mm`: `beside` is where the
 /// first one ends uncut, over the corner.

@@ -83,7 +83,7 @@ void Interpreter::carry_out_g(const Statement& statement, std::optional<int> mot
   set_plane(statement);
   set_units(statement);
   take_offset_numbers(statement, state_);
-  set_radius_offset(statement, state_, compensation_);
+  set_radius_offset(statement, state_, compensation_, assumed_);
   set_length_offset(statement, state_, assumed_);
   set_tip_control(statement);
   if (statement.g_word(GGroup::coordinate_system)) select_system(statement, state_, assumed_);

@@ -265,7 +265,7 @@ double diameter_of(const Statement& statement, const Word& code, const MachineSt
 }
 
 void begin(const Statement& statement, const Word& code, int tenths, MachineState& state,
-           CutterCompensation& compensation) {
+           CutterCompensation& compensation, Assumptions& assumed) {
   forbid_compensation(statement, code, state);
   if (state.modal.plane == ArcPlane::yz)
     statement.fail(code, "cutter compensation in G19", "G17 or G18");
@@ -274,9 +274,13 @@ void begin(const Statement& statement, const Word& code, int tenths, MachineStat
                    "a motion of each axis to a coordinate first");
   const double diameter_mm = diameter_of(statement, code, state, tenths % 10 == 1);
   const bool left = tenths / 10 == 41;
+  const ControlRules& rules = statement.rules();
+  if (!rules.compensation_as_set.empty())
+    assumed.add(statement.line(),
+                "cutter compensation with " + std::string(rules.compensation_as_set));
   compensation.use_inches(state.modal.unit_mm != 1);
   compensation.begin(left ? CompensationSide::left : CompensationSide::right, diameter_mm / 2,
-                     state.modal.plane, state.position_mm);
+                     state.modal.plane, state.position_mm, rules.compensation);
   // LinuxCNC turns a negative radius over to the other side.
   state.modal.compensation = left == (diameter_mm >= 0) ? 410 : 420;
 }
@@ -284,11 +288,11 @@ void begin(const Statement& statement, const Word& code, int tenths, MachineStat
 }  // namespace
 
 void set_radius_offset(const Statement& statement, MachineState& state,
-                       CutterCompensation& compensation) {
+                       CutterCompensation& compensation, Assumptions& assumed) {
   const auto tenths = statement.g(GGroup::radius_offset);
   if (!tenths) return;
   const Word& code = *statement.g_word(GGroup::radius_offset);
-  if (*tenths != 400) return begin(statement, code, *tenths, state, compensation);
+  if (*tenths != 400) return begin(statement, code, *tenths, state, compensation, assumed);
   compensation.end();
   state.modal.compensation = 400;
 }

@@ -24,8 +24,9 @@ bool restore_length_offset(MachineState& state, int code);
 void check_tip(const Statement& statement, const MachineState& state);
 
 /// G40, G41, G42, G41.1 and G42.1. Without D or with D0 the diameter is that of the tool in the
-/// spindle, as in LinuxCNC. Throws InputError where that is not stated.
+/// spindle, as in LinuxCNC. What a control's settings decide goes among `assumed`. Throws
+/// InputError where the diameter is not stated.
 void set_radius_offset(const Statement& statement, MachineState& state,
-                       CutterCompensation& compensation);
+                       CutterCompensation& compensation, Assumptions& assumed);
 
 }  // namespace limitgauge::model::gcode

@@ -22,8 +22,9 @@ class CompensatedContour {
     point[axes[2]] = height;
     return point;
   }
-  void begin(gcode::CompensationSide side, double radius_mm, const Vec3& position_mm) {
-    compensation_.begin(side, radius_mm, plane_, position_mm);
+  void begin(gcode::CompensationSide side, double radius_mm, const Vec3& position_mm,
+             gcode::CompensationStyle style = gcode::CompensationStyle::linuxcnc) {
+    compensation_.begin(side, radius_mm, plane_, position_mm, style);
   }
   void line(double first, double second, double height = 0) {
     add({.kind = MotionKind::feed, .to = point(first, second, height)});

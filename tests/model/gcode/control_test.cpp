@@ -75,6 +75,69 @@ TEST_CASE("one word, two controls, two meanings", "[unit][program]") {
   CHECK(read_text("G0 X[FIX[-1.5]]\n", of(Control::haas)).motions.back().to.x == -1);
 }
 
+TEST_CASE("a contour is entered and its corners are cut as the control does", "[unit][program]") {
+  const auto path_of = [](Control control) {
+    const std::string offset = control == Control::fanuc  ? "G10 L12 P1 R5.\n"
+                               : control == Control::haas ? "G10 L12 P1 R10.\n"
+                                                          : "";
+    const std::string side = offset.empty() ? "G41.1 D10 " : "G41 D1 ";
+    const Program program = read_text("G21 G90 G17 G94 G40 F500.\nG0 X-20. Y0. Z0.\n" + offset +
+                                          "G1 " + side + "X0. Y0.\nY30.\nX30.\nG40 X40.\n",
+                                      of(control));
+    std::string text;
+    for (const Motion& m : program.motions)
+      text +=
+          (m.kind == MotionKind::arc ? " arc " : " ") + shortest(m.to.x) + "," + shortest(m.to.y);
+    return text;
+  };
+  CHECK(path_of(Control::linuxcnc) == " -20,0 -5,5 -5,30 arc 0,35 30,35 40,30");
+  for (const Control control : {Control::fanuc, Control::haas})
+    CHECK(path_of(control) == " -20,0 -5,0 -5,35 30,35 40,30");
+}
+
+TEST_CASE("levels of cycles stay what they were stated as on Fanuc and Haas", "[unit][program]") {
+  const auto bottoms_of = [](Control control, const std::string& text) {
+    std::string bottoms;
+    for (const Motion& m : read_text(text, of(control)).motions)
+      if (m.kind == MotionKind::feed) bottoms += " " + shortest(m.to.x) + "," + shortest(m.to.z);
+    return bottoms;
+  };
+  // A row of holes: G91 is for X alone.
+  const std::string row = "G21 G90 G17 G94 F9.\nG0 X0. Y0. Z10.\nG98 G81 X5. Z-3. R1.\nG91 X5.";
+  CHECK(bottoms_of(Control::fanuc, row + " K2\n") == " 5,-3 10,-3 15,-3");
+  CHECK(bottoms_of(Control::haas, row + " L2\n") == " 5,-3 10,-3 15,-3");
+  CHECK(bottoms_of(Control::linuxcnc, row + " L2\n") == " 5,-3 10,8 15,8");
+  // Stated in G91 they are steps, whatever comes later; a new R takes a depth below it along.
+  const std::string steps =
+      "G21 G90 G17 G94 F9.\nG0 X0. Y0. Z10.\nG99 G91 G81 X5. Z-3. R-9.\nG90 X7.\nG91 X1. R-8.\n";
+  CHECK(bottoms_of(Control::fanuc, steps) == " 5,-2 7,-2 8,-1");
+  const std::string pecks =
+      "G21 G90 G17 G94 F9.\nG0 X0. Y0. Z10.\nG98 G83 X5. Z-3. R1. Q2.\nG91 X5.\n";
+  CHECK(bottoms_of(Control::haas, pecks) == " 5,-1 5,-3 10,-1 10,-3");
+}
+
+TEST_CASE("the way across to a hole is at the level where the tool stands on Fanuc and Haas",
+          "[unit][program]") {
+  const auto path_of = [](Control control, const std::string& cycle) {
+    std::string text;
+    for (const Motion& m :
+         read_text("G21 G90 G17 G94 F9.\nG0 X0. Y0. Z-4.\n" + cycle, of(control)).motions)
+      text += " " + shortest(m.to.x) + "," + shortest(m.to.z);
+    return text;
+  };
+  const std::string two = "G99 G81 X10. Z-5. R2.\nX20.\n";
+  CHECK(path_of(Control::linuxcnc, two) == " 0,-4 0,2 10,2 10,-5 10,2 10,2 20,2 20,-5 20,2");
+  for (const Control control : {Control::fanuc, Control::haas}) {
+    CHECK(path_of(control, two) == " 0,-4 10,-4 10,2 10,-5 10,2 20,2 20,-5 20,2");
+    // G98 goes back to where the run began, below R too.
+    CHECK(path_of(control, "G98 G81 X10. Z-5. R2.\nX20.\n") ==
+          " 0,-4 10,-4 10,2 10,-5 10,-4 20,-4 20,2 20,-5 20,-4");
+    // From G99 to G98 it goes across first, not aslant.
+    CHECK(path_of(control, "G0 Z9.\nG99 G81 X10. Z-5. R2.\nG98 X20.\n") ==
+          " 0,-4 0,9 10,9 10,2 10,-5 10,2 20,2 20,-5 20,9");
+  }
+}
+
 TEST_CASE("a refusal names the controls that would read the program", "[unit][program]") {
   CHECK_THAT(offer_of("G187 P1\nG0 X1.\n", Control::linuxcnc),
              ContainsSubstring("; --control haas would read it, and so would fanuc"));
@@ -97,6 +160,7 @@ TEST_CASE("what a control's parameters decide is listed as assumed", "[unit][pro
   CHECK(says(read_text("G99 G73 X0. Z-9. R1. Q2. F9\n", of(Control::haas)), "0.254 mm"));
   CHECK(says(read_text("G10 L12 P1 R3.\n", of(Control::fanuc)), "state radii"));
   CHECK(says(read_text("G10 L12 P1 R3.\n", of(Control::haas)), "state diameters"));
+  CHECK(says(read_text("G10 L12 P1 R3.\nG0 X0. Y0. Z0.\nG41 D1\n", of(Control::fanuc)), "type A"));
   CHECK(says(read_text("#1=#0\nG0 X#1 Y1.\n", of(Control::haas)), "is left out"));
   CHECK(says(read_text("G0 X\xE2\x88\x92"
                        "1\n"),

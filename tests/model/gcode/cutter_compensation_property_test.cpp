@@ -163,10 +163,11 @@ Point before(const Contour& contour, double length) {
 }
 
 /// The path beside the contour without its entry.
-Contour compensated_path(const Contour& contour, CompensationSide side, double r) {
+Contour compensated_path(const Contour& contour, CompensationSide side, double r,
+                         CompensationStyle style = CompensationStyle::linuxcnc) {
   CompensatedContour compensated;
   const Point start = before(contour, 3 * r);
-  compensated.begin(side, r, {start[0], start[1], 0});
+  compensated.begin(side, r, {start[0], start[1], 0}, style);
   compensated.line(contour[0].from[0], contour[0].from[1]);
   cut(compensated, contour);
   Contour path = path_of(compensated.motions(), start);
@@ -203,6 +204,62 @@ TEST_CASE("the cutter touches the contour everywhere along its path and enters i
     CHECK(on_side);
   }
   CHECK(arcs > 1000);
+}
+
+TEST_CASE(
+    "with straight corners the cutter enters the contour nowhere and leaves it at corners only",
+    "[property][compensation]") {
+  std::mt19937 random(20261130);
+  int contours = 0, farther = 0;
+  while (contours < 200) {
+    const double r = std::uniform_real_distribution<double>(0.2, 1.5)(random);
+    const Contour contour = random_contour(random);
+    if (!has_room(contour, r)) continue;
+    ++contours;
+    const CompensationSide side =
+        random() % 2 == 0 ? CompensationSide::left : CompensationSide::right;
+    const Contour path = compensated_path(contour, side, r, CompensationStyle::fanuc);
+    bool on_side = true, beside_corners = true;
+    double nearest = r, farthest = r;
+    for (const Piece& piece : path) {
+      for (int k = 0; k <= 16; ++k) {
+        const Point p = piece.at(k / 16.0);
+        const double apart_mm = distance_to(contour, p);
+        nearest = std::min(nearest, apart_mm);
+        farthest = std::max(farthest, apart_mm);
+        on_side &= is_inside(contour, p) == (side == CompensationSide::left);
+        if (apart_mm < r + 1e-9) continue;
+        ++farther;
+        double corner = 1e300;
+        for (const Piece& other : contour) corner = std::min(corner, apart(p, other.to));
+        beside_corners &= corner < 1.5 * r;
+      }
+    }
+    CHECK(on_side);
+    CHECK(beside_corners);
+    CHECK(nearest > r - 1e-9);
+    CHECK(farthest < std::sqrt(2.0) * r + 1e-9);
+    // Where it ends up at all corners is where the arcs go round them.
+    for (const Piece& piece : contour) CHECK(distance_to(path, piece.at(0.5)) < r + 1e-9);
+  }
+  CHECK(farther > 1000);
+}
+
+TEST_CASE("arcs go round outer corners alike whatever the entry", "[property][compensation]") {
+  std::mt19937 random(17);
+  for (int contours = 0; contours < 100;) {
+    const Contour contour = random_contour(random);
+    if (!has_room(contour, 1)) continue;
+    ++contours;
+    const Contour path = compensated_path(contour, CompensationSide::right, 1);
+    const Contour other =
+        compensated_path(contour, CompensationSide::right, 1, CompensationStyle::siemens);
+    REQUIRE(path.size() == other.size());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      CHECK(apart(path[i].to, other[i].to) < 1e-9);
+      CHECK(path[i].sweep == Approx(other[i].sweep).margin(1e-9));
+    }
+  }
 }
 
 TEST_CASE("the cutter touches every point of the contour but those in inner corners",

@@ -58,6 +58,105 @@ TEST_CASE("a square cut outside has a quarter round at each corner", "[unit][com
   CHECK_FALSE(contour.compensation().active());
 }
 
+TEST_CASE("Fanuc enters beside what comes next and goes round corners by lines",
+          "[unit][compensation]") {
+  CompensatedContour contour;
+  contour.begin(CompensationSide::left, 3, {-20, 0, 0}, CompensationStyle::fanuc);
+  contour.line(0, 0);
+  contour.line(0, 0, -5);
+  contour.line(0, 20, -5);
+  contour.line(20, 20, -5);
+  // Back at 45 degrees to the way it came: 3 mm beyond either end, and across.
+  contour.line(10, 10, -5);
+  contour.compensation().end();
+  contour.line(40, 0, -5);
+  const auto& moves = contour.motions();
+  REQUIRE(moves.size() == 7);
+  check_line(moves[0], {-3, 0, 0}, 1);
+  check_line(moves[1], {-3, 0, -5}, 2);
+  check_line(moves[2], {-3, 23, -5}, 3);
+  check_line(moves[3], {23, 23, -5}, 4);
+  const double s = 3 / std::sqrt(2.0);
+  check_line(moves[4], {20 + 2 * s, 20, -5}, 5);
+  check_line(moves[5], {10 + s, 10 - s, -5}, 5);
+  check_line(moves[6], {40, 0, -5}, 6);
+}
+
+TEST_CASE("Fanuc's lines lead to arcs and away from them", "[unit][compensation]") {
+  CompensatedContour contour;
+  contour.begin(CompensationSide::left, 2, {-20, 10, 0}, CompensationStyle::fanuc);
+  // Entered outside of the corner: square to what comes next as well.
+  contour.line(0, 0);
+  contour.line(10, 0);
+  // Inside along a half circle that begins downwards and ends upwards.
+  contour.arc(18, 0, 14, 0, 1);
+  contour.line(30, 0);
+  contour.compensation().end();
+  contour.line(40, 0);
+  const auto& moves = contour.motions();
+  REQUIRE(moves.size() == 7);
+  check_line(moves[0], {0, 2, 0}, 1);
+  check_line(moves[1], {12, 2, 0}, 2);
+  check_line(moves[2], {12, 0, 0}, 3);
+  check_arc(moves[3], {16, 0, 0}, 14, 0, 1, 3);
+  check_line(moves[4], {16, 2, 0}, 4);
+  check_line(moves[5], {30, 2, 0}, 4);
+  check_line(moves[6], {40, 0, 0}, 5);
+}
+
+TEST_CASE("slight bends are corners too where they are exact", "[unit][compensation]") {
+  CompensatedContour contour;
+  contour.begin(CompensationSide::left, 10, {-20, 0, 0}, CompensationStyle::fanuc);
+  contour.line(0, 0);
+  contour.line(10, 0);
+  contour.line(20, -0.2);
+  contour.line(30, 0);
+  contour.line(40, 0);
+  contour.compensation().end();
+  contour.line(50, 0);
+  const auto& moves = contour.motions();
+  const double half = std::atan2(0.2, 10) / 2;
+  REQUIRE(moves.size() == 6);
+  check_line(moves[1], {10 + 10 * std::tan(half), 10, 0}, 2);
+  check_line(moves[2], {20, -0.2 + 10 / std::cos(2 * half), 0}, 3);
+  check_line(moves[3], {30 - 10 * std::tan(half), 10, 0}, 4);
+}
+
+TEST_CASE("Siemens enters beside what comes next and goes round corners by arcs",
+          "[unit][compensation]") {
+  CompensatedContour contour;
+  contour.begin(CompensationSide::left, 3, {-20, 0, 0}, CompensationStyle::siemens);
+  contour.line(0, 0);
+  contour.line(0, 20);
+  contour.line(20, 20);
+  contour.compensation().end();
+  contour.line(40, 0);
+  const auto& moves = contour.motions();
+  REQUIRE(moves.size() == 5);
+  check_line(moves[0], {-3, 0, 0}, 1);
+  check_line(moves[1], {-3, 20, 0}, 2);
+  check_arc(moves[2], {0, 23, 0}, 0, 20, -1, 3);
+  check_line(moves[3], {20, 23, 0}, 3);
+}
+
+TEST_CASE("an entry that is square to what comes next may be short, and is straight",
+          "[unit][compensation]") {
+  for (const auto style : {CompensationStyle::fanuc, CompensationStyle::siemens}) {
+    CompensatedContour contour;
+    contour.begin(CompensationSide::left, 3, {-1, 0, 0}, style);
+    contour.line(-1, 0, -2);  // no way in the plane: it enters nothing
+    contour.line(0, 0, -2);
+    contour.line(0, 20, -2);
+    contour.compensation().end();
+    REQUIRE(contour.motions().size() == 3);
+    check_line(contour.motions()[0], {-1, 0, -2}, 1);
+    check_line(contour.motions()[1], {-3, 0, -2}, 2);
+    CompensatedContour arc;
+    arc.begin(CompensationSide::left, 3, {-10, 0, 0}, style);
+    CHECK_THROWS_WITH(arc.arc(0, 10, 0, 0, -1), ContainsSubstring("an arc as the entry"));
+  }
+}
+
 TEST_CASE("an inner corner is cut short where the offsets meet", "[unit][compensation]") {
   CompensatedContour contour;
   contour.begin(CompensationSide::left, 2, {-10, 0, 0});

@@ -55,7 +55,11 @@ struct LowSearch {
     if (least_by_plane(d, centre, cell) >= enough() ||
         control_radius(cell, centre) < kSmallestCell_mm)
       return;
-    for (const Bezier& half : halved(cell)) descend(half);
+    // Along an upright wall a cutter is equally near all the way up: only across it is anything
+    // narrowed.
+    const Change change = change_of(cell, d.gradient);
+    if (change.most() < kDistanceRounding_mm) return;
+    for (const Bezier& half : change.u >= change.v ? split_u(cell) : split_v(cell)) descend(half);
   }
 };
 

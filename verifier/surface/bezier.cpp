@@ -189,6 +189,21 @@ std::array<Bezier, 2> halved(const Bezier& b) {
   return longer_in_u(b) ? split_u(b) : split_v(b);
 }
 
+Change change_of(const Bezier& b, const Vec3& gradient) {
+  std::array<double, 16> value;
+  for (int k = 0; k < 16; ++k)
+    value[k] = gradient.x * b.x[k] + gradient.y * b.y[k] + gradient.z * b.z[k];
+  const auto range = [&](int first, int step) {
+    const auto [low, high] = std::minmax(
+        {value[first], value[first + step], value[first + 2 * step], value[first + 3 * step]});
+    return high - low;
+  };
+  Change out;
+  for (int j = 0; j < 4; ++j)
+    out.u = std::max(out.u, range(4 * j, 1)), out.v = std::max(out.v, range(j, 4));
+  return out;
+}
+
 Bezier restrict(const Bezier& b, double u0, double u1, double v0, double v1) {
   return between<4>(between<1>(b, u0, u1), v0, v1);
 }

@@ -49,6 +49,14 @@ double extent_u(const Bezier& b);
 double extent_v(const Bezier& b);
 /// The halves of the longer way, by longer_in_u.
 std::array<Bezier, 2> halved(const Bezier& b);
+/// By how much at most a linear function of this gradient changes from one control point to another
+/// of a row along u, and of one along v: a bound on what halving along them can narrow.
+struct Change {
+  double u = 0, v = 0;
+
+  double most() const { return u > v ? u : v; }
+};
+Change change_of(const Bezier& b, const model::Vec3& gradient);
 /// The part of `b` over [u0, u1] × [v0, v1], reparametrised to [0, 1]².
 Bezier restrict(const Bezier& b, double u0, double u1, double v0, double v1);
 /// Area by Gauss-Legendre quadrature, five points a side: exact to rounding where the patch is

@@ -112,6 +112,16 @@ model::Vec3 point_of(const std::string& option, const std::string& text) {
   return near_point(option, text, numbers_of(option, text, text, 3, 3));
 }
 
+std::string stated_option(const MachineOptions& options) {
+  if (!options.control.empty()) return "--control";
+  if (!options.subprograms.empty()) return "--subprograms";
+  if (!options.work_offsets.empty()) return "--work-offset";
+  if (!options.home.empty()) return "--home";
+  if (!options.second_home.empty()) return "--second-home";
+  if (!options.start.empty()) return "--start";
+  return options.tool_table.empty() ? "" : "--tool-table";
+}
+
 std::string control_names() {
   std::string names;
   for (const model::Control control : model::kControls) {

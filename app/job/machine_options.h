@@ -18,6 +18,8 @@ struct MachineOptions {
   std::filesystem::path subprograms;      ///< a folder; empty: none
 };
 
+/// The first option that is stated, as `--control`; empty where none is.
+std::string stated_option(const MachineOptions& options);
 /// `linuxcnc, fanuc, haas, mach3, grbl or siemens`.
 std::string control_names();
 /// Three numbers as `X,Y,Z`. Throws UsageError that names `option`.

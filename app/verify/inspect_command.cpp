@@ -254,14 +254,19 @@ void inspect_cage(const InspectCommand& command, const CommonOptions& common,
   if (!common.quiet) print_cage(console.out, read.cage, read.surface, read.witness);
 }
 
+/// Throws UsageError for an option that a cage or a mesh has no use for.
+void require_no_program_options(const InspectCommand& command) {
+  const std::string option = command.moves ? "--moves" : stated_option(command.machine);
+  if (!option.empty()) throw UsageError(option + " is for programs; expected a file of G-code");
+}
+
 }  // namespace
 
 ExitCode execute(const InspectCommand& command, const CommonOptions& common,
                  const Console& console) {
   if (is_mesh_file(command.file)) {
-    if (command.samples > 0 || command.moves)
-      throw UsageError(command.moves ? "--moves is for programs; expected a file of G-code"
-                                     : "--samples is for cages; expected a file .obj");
+    require_no_program_options(command);
+    if (command.samples > 0) throw UsageError("--samples is for cages; expected a file .obj");
     inspect_mesh(command, common, console);
     return ExitCode::pass;
   }
@@ -272,7 +277,7 @@ ExitCode execute(const InspectCommand& command, const CommonOptions& common,
     inspect_program(command, common, console);
     return ExitCode::pass;
   }
-  if (command.moves) throw UsageError("--moves is for programs; expected a file of G-code");
+  require_no_program_options(command);
   inspect_cage(command, common, console);
   return ExitCode::pass;
 }

@@ -176,6 +176,16 @@ std::vector<JobStage> stages_by_tool(const CutCommand& command, const Job& job,
   return stages;
 }
 
+/// Of several tools, those that the program loads nowhere.
+void say_idle_tools(const std::vector<JobTool>& tools, Job& job) {
+  if (tools.size() == 1) return;
+  for (const JobTool& tool : tools)
+    if (std::none_of(job.stages.begin(), job.stages.end(),
+                     [&](const JobStage& stage) { return stage.tool_number == tool.number; }))
+      job.defaulted.push_back("T" + std::to_string(*tool.number) +
+                              ", which --tool states, is loaded nowhere: nothing is cut with it");
+}
+
 /// The name of a file's format where it is one that holds no cage.
 const char* other_than_cage(const std::filesystem::path& file) {
   const std::string extension = model::lower_extension(file);
@@ -246,6 +256,7 @@ Job job_of(const CutCommand& command) {
   job.program_frame.rotate_z_deg = command.program_rotation_deg;
   job.stages = tools.size() == 1 ? std::vector{stage_of(command, tools.front())}
                                  : stages_by_tool(command, job, tools);
+  say_idle_tools(tools, job);
   return job;
 }
 

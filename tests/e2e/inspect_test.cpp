@@ -87,6 +87,27 @@ TEST_CASE("inspect of an empty file is an error", "[e2e][inspect]") {
              ContainsSubstring("blank.ngc: error: the file is empty; expected a program"));
 }
 
+TEST_CASE("inspect refuses what a cage has no use for", "[e2e][inspect]") {
+  const Scratch scratch;
+  write_text(scratch / "a.tbl", "T1 P1 D6\n");
+  write_text(scratch / "a.stl", "solid\nendsolid\n");
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--moves"},
+                                                  {"--control", "fanuc"},
+                                                  {"--work-offset", "G54=1,2,3"},
+                                                  {"--home", "0,0,0"},
+                                                  {"--second-home", "0,0,0"},
+                                                  {"--start", "0,0,0"},
+                                                  {"--tool-table", "a.tbl"},
+                                                  {"--subprograms", "."}})
+    for (const std::string& file : {fixture("cages/quick-dome.obj"), std::string("a.stl")}) {
+      std::vector<std::string> arguments = {"inspect", file};
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      const Outcome outcome = limitgauge(scratch, arguments);
+      CHECK(outcome.exit_code == 3);
+      CHECK_THAT(outcome.errors, ContainsSubstring(options[0] + " is for programs"));
+    }
+}
+
 TEST_CASE("inspect lists canonical moves", "[e2e][inspect]") {
   const Scratch scratch;
   write_text(scratch / "a.ngc",

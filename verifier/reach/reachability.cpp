@@ -82,14 +82,17 @@ Reachability::Reachability(const SurfaceCells& cells, const model::Cutter& cutte
   double base = cutter.flute_length_mm;
   std::vector<StandingPart> parts = parts_;
   parts.front().endless = false;
+  bool is_wider = false;
   for (const auto* list : {&cutter.shank, &cutter.holder})
     for (const model::CylinderPart& part : *list) {
       const double radius = part.diameter_mm / 2;
-      neck_ = neck_ || radius < profile_.top_radius_mm();
+      // What is wider than the flutes, and all above it, keeps no place from being in reach.
+      is_wider = is_wider || radius > profile_.top_radius_mm();
+      neck_ = neck_ || (!is_wider && radius < profile_.top_radius_mm());
       const double height = base + part.length_mm - profile_.top_mm;
       narrower_above_ =
           narrower_above_ || radius < profile_.top_radius_mm() + profile_.endless_slope() * height;
-      parts.push_back({CutterProfile(part), base, false});
+      if (!is_wider) parts.push_back({CutterProfile(part), base, false});
       base += part.length_mm;
     }
   // What goes on above the last part is as wide as it.

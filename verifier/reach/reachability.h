@@ -14,7 +14,8 @@ namespace limitgauge::verifier {
 /// Which points of S a cutter can touch, at distance `allowance`, without coming closer than that
 /// to S anywhere. Where nothing narrower than the flutes is stated above them the wall counts as
 /// going up without end; a neck is judged as it is stated, so that the flutes may stand under a
-/// ledge. Other shanks, and holders, are judged as collisions. Contact on a point with normal n:
+/// ledge, and goes up without end. What is wider than the flutes is judged as collisions. Contact
+/// on a point with normal n:
 ///   tip = s + (rounding + a)·n + flat·n_xy/|n_xy| − core·z,
 /// and no contact where n points further down than the wall allows (n_z < sin of the taper), but
 /// for flutes over which there is a neck, whose top can touch from below. Where the bottom rises

@@ -137,6 +137,9 @@ bool Lexer::next(Block& block) {
   if (found != Percent::none) check_percent();
   if (found == Percent::closing) next_ = before, ended_by_percent_ = true;
   if (found == Percent::none) read_line(block);
+  // Macro B knows blocks that set variables, and others.
+  if (rules_.macro_b && !block.settings.empty() && !block.words.empty())
+    block.notes.emplace_back("variables that are set beside words are set after these are read");
   return found != Percent::closing;
 }
 

@@ -119,6 +119,20 @@ TEST_CASE("cut takes a job's keys but those of a design", "[unit][cli][cut]") {
   CHECK_THAT(refused("tool=1"), ContainsSubstring("cut takes \"tool\""));
 }
 
+TEST_CASE("a tool that the program loads nowhere is said", "[unit][cli][cut]") {
+  CutCommand command = plate_cut();
+  command.tools = {"1=flat:D=8,L=80", "2=flat:D=6,L=60"};
+  const auto idle = [](const Job& job) {
+    return std::count_if(job.defaulted.begin(), job.defaulted.end(), [](const std::string& said) {
+      return said == "T7, which --tool states, is loaded nowhere: nothing is cut with it";
+    });
+  };
+  CHECK(idle(job_of(command)) == 0);
+  command.tools.push_back("7=ball:D=6,L=20");
+  CHECK(idle(job_of(command)) == 1);
+  CHECK(job_of(command).stages.size() == 2);
+}
+
 TEST_CASE("verify says what --cage takes where it gets something else", "[unit][cli][cut]") {
   VerifyCommand command;
   static_cast<CutCommand&>(command) = plate_cut();

@@ -161,6 +161,9 @@ TEST_CASE("what a control's parameters decide is listed as assumed", "[unit][pro
   CHECK(says(read_text("G10 L12 P1 R3.\n", of(Control::fanuc)), "state radii"));
   CHECK(says(read_text("G10 L12 P1 R3.\n", of(Control::haas)), "state diameters"));
   CHECK(says(read_text("G10 L12 P1 R3.\nG0 X0. Y0. Z0.\nG41 D1\n", of(Control::fanuc)), "type A"));
+  CHECK(
+      says(read_text("#1=2\n#1=3 G0 X#1\n", of(Control::fanuc)), "variables that are set beside"));
+  CHECK(!says(read_text("#1=2\nN5 #1=3\nG0 X#1\n", of(Control::fanuc)), "variables that are"));
   CHECK(says(read_text("#1=#0\nG0 X#1 Y1.\n", of(Control::haas)), "is left out"));
   CHECK(says(read_text("G0 X\xE2\x88\x92"
                        "1\n"),

@@ -128,6 +128,14 @@ TEST_CASE("a cutter with a neck reaches under a ledge, one without does not",
       judge(ledge, block, {milled, pass_of(t_slot, nothing())}, uncut_gate(0.05));
   CHECK(with_neck.decision.verdict == Verdict::fail);
   CHECK(with_neck.deviation.uncut_mm.low > 0.05);
+  // A holder that the ledge keeps out keeps nothing out of reach.
+  model::Cutter held = t_slot;
+  held.shank = {{2, 1.5}}, held.holder = {{12, 20}};
+  const Judged with_holder =
+      judge(ledge, block, {milled, pass_of(held, nothing())}, uncut_gate(0.05));
+  CHECK(with_holder.decision.verdict == Verdict::fail);
+  CHECK(with_holder.deviation.proven_reach.unreachable_mm2 ==
+        with_neck.deviation.proven_reach.unreachable_mm2);
   const Judged without = judge(ledge, block, {milled}, uncut_gate(0.05));
   CHECK(without.decision.verdict == Verdict::pass);
 }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/cli/usage_error.h"
 #include "app/job/settings.h"
 #include "app/verify/verify_job.h"

@@ -61,7 +61,7 @@ inline constexpr double kSmooth_rad = 0.05;
 
 /// The same where a control's corners are exact: of two lines only what rounding makes of no bend,
 /// and beside an arc what places with three decimals make of a tangent one, radians. Where paths
-/// beside circles that touch would meet is not known; left as it is, such a bend moves the cutter's
+/// beside circles that touch would meet is not known; what is no corner then moves the cutter's
 /// edge by at most 5e-5 of its radius.
 inline constexpr double kStraightOn_rad = 1e-9;
 inline constexpr double kTangentArc_rad = 0.01;

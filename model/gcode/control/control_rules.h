@@ -65,7 +65,8 @@ struct ControlRules {
   bool whole_peck = false;         ///< Q0 drills to the bottom in one
   bool tap_turns_spindle = false;  ///< G74 and G84 start it themselves
   /// Of canned cycles: Z and R are what G90 or G91 of their own block makes of them, whatever comes
-  /// later, and the tool goes across at the level where it stands, then to R.
+  /// later, another cycle of the run too, and the tool goes across at the level where it stands,
+  /// then to R.
   bool fanuc_cycles = false;
   bool fanuc_offsets = false;  ///< G10 L2 P0, L10 to L13, L20; G91 adds
   int extended_systems = 0;    ///< of G54.1 P or G154 P

@@ -78,7 +78,7 @@ void CannedCycles::forget() {
 
 CycleMotions CannedCycles::moves(const Statement& statement, const CycleContext& context) {
   check_state(statement, context);
-  if (code_ != context.code) words_ = {};
+  if (code_ != context.code && !statement.rules().fanuc_cycles) words_ = {};
   code_ = context.code;
   unit_mm_ = context.unit_mm;
   words_.take(statement, code_, axis_along_tool(context.plane), context.incremental);

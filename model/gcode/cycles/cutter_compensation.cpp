@@ -79,10 +79,10 @@ Corner CutterCompensation::corner_to(const Motion& motion, Vec2 after) const {
   const bool is_arc = motion.kind == MotionKind::arc;
   const bool after_arc = !queue_.empty() && queue_.leading_arc();
   const bool over_arc = is_arc ? !inside(motion) : after_arc && !inside(*queue_.leading_arc());
-  const double smooth_rad = style_ == CompensationStyle::linuxcnc ? kSmooth_rad
-                            : is_arc || after_arc                 ? kTangentArc_rad
-                                                                  : kStraightOn_rad;
-  return corner_of(direction(), after, side_, over_arc, smooth_rad);
+  if (style_ == CompensationStyle::linuxcnc)
+    return corner_of(direction(), after, side_, {kSmooth_rad, kSmooth_rad, over_arc});
+  const double smooth_rad = is_arc || after_arc ? kTangentArc_rad : kStraightOn_rad;
+  return corner_of(direction(), after, side_, {smooth_rad, kStraightOn_rad, over_arc});
 }
 
 void CutterCompensation::go_to_corner(Corner corner, const Motion& motion, Vec2 after, Vec2 to) {
@@ -94,7 +94,12 @@ void CutterCompensation::go_to_corner(Corner corner, const Motion& motion, Vec2 
   switch (corner) {
     case Corner::smooth:
       queue_.release();
-      return queue_.starts_at(beside_mm_);
+      // From beside the end of the motion before an arc might be one that turns almost wholly, or
+      // hardly, and not the one that is programmed. LinuxCNC starts it there.
+      if (style_ == CompensationStyle::linuxcnc || motion.kind != MotionKind::arc)
+        return queue_.starts_at(beside_mm_);
+      if (to != beside_mm_) pass_straight(motion, to);
+      return queue_.starts_at(to);
     case Corner::outer:
       if (style_ == CompensationStyle::fanuc) return cut_corner(motion, after, to);
       if (motion.kind == MotionKind::arc)

@@ -16,12 +16,12 @@ double sweep_of(Vec2 from, Vec2 to, Vec2 centre, double turns) {
   return sweep + (turns + 1) * full;
 }
 
-Corner corner_of(Vec2 before, Vec2 after, double side, bool reversal_is_inner, double smooth_rad) {
+Corner corner_of(Vec2 before, Vec2 after, double side, const CornerRule& rule) {
   // Away from the tool is positive.
   const double turn = -side * std::atan2(cross(before, after), dot(before, after));
-  if (std::abs(turn) >= std::numbers::pi - kSmooth_rad)
-    return reversal_is_inner ? Corner::inner : Corner::outer;
-  if (std::abs(turn) <= smooth_rad) return Corner::smooth;
+  if (std::abs(turn) >= std::numbers::pi - rule.reversal_rad)
+    return rule.reversal_is_inner ? Corner::inner : Corner::outer;
+  if (std::abs(turn) <= rule.smooth_rad) return Corner::smooth;
   return turn > 0 ? Corner::outer : Corner::inner;
 }
 

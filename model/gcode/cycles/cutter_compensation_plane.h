@@ -46,10 +46,16 @@ double sweep_of(Vec2 from, Vec2 to, Vec2 centre, double turns);
 
 enum class Corner { smooth, outer, inner };
 
+/// Which bends are no corner, and what a contour that goes back along itself comes to.
+struct CornerRule {
+  double smooth_rad = 0;    ///< a bend by this or less is none
+  double reversal_rad = 0;  ///< a reversal within it is outer, unless:
+  bool reversal_is_inner = false;
+};
+
 /// What a contour that comes along `before` and goes on along `after` (unit directions) is for a
-/// tool on `side` of it (1: left, -1: right); a bend by `smooth_rad` or less is none. A reversal
-/// within LinuxCNC's 0.05 radians is an outer corner unless `reversal_is_inner`.
-Corner corner_of(Vec2 before, Vec2 after, double side, bool reversal_is_inner, double smooth_rad);
+/// tool on `side` of it (1: left, -1: right).
+Corner corner_of(Vec2 before, Vec2 after, double side, const CornerRule& rule);
 
 /// Straight corners outside: where the path along `before` ends and the one along `after` begins,
 /// one place unless the contour turns by more than 90 degrees. The paths beside the contour would

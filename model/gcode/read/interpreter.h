@@ -47,6 +47,7 @@ class Interpreter {
   void note_doubtful_lengths(const Statement& statement);
   void cancel_cycle(const Statement& statement);
   void note_return_level(const Statement& statement);
+  void note_hole_axis(const Statement& statement);
   void note_pecks(const Statement& statement, int code);
   void move_plainly(const Statement& statement);
   void carry_out_m(const Statement& statement);

@@ -52,6 +52,7 @@ void Interpreter::cancel_cycle(const Statement& statement) {
 /// A cycle; a tap turns the spindle by itself where the control is Fanuc's or like it.
 void Interpreter::tap(const Statement& statement, int code) {
   note_return_level(statement);
+  note_hole_axis(statement);
   note_pecks(statement, code);
   if (!statement.rules().tap_turns_spindle || (code != 740 && code != 840))
     return cycle(statement, code);
@@ -72,6 +73,13 @@ void Interpreter::note_pecks(const Statement& statement, int code) {
                  "G73 and G83 are taken to withdraw by LinuxCNC's 0.254 mm "
                  "between pecks, which a parameter of the control says");
   }
+}
+
+void Interpreter::note_hole_axis(const Statement& statement) {
+  if (statement.rules().control != Control::fanuc || state_.modal.plane == ArcPlane::xy) return;
+  assumed_.add(
+      statement.line(),
+      "canned cycles are taken to drill across the plane of G18 and G19 (parameter 5101#0)");
 }
 
 /// Where the tool goes between holes is a parameter's to say until G98 or G99 does.

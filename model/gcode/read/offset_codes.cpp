@@ -230,6 +230,7 @@ void set_fanuc_tool_data(const Statement& statement, MachineState& state, int ki
   const double value_mm = length_of(statement, r, state);
   if (kind == 10) return tools.set_offset(*number, value_mm);
   if (kind == 11) return tools.set_length_wear(*number, value_mm);
+  forbid_compensation(statement, p, state);
   const bool by_diameter = statement.rules().control == Control::haas;
   assumed.add(statement.line(), by_diameter
                                     ? "G10 L12 and L13 state diameters (Haas's setting 40)"

@@ -169,8 +169,12 @@ void take_offset_numbers(const Statement& statement, MachineState& state) {
   if (!statement.rules().modal_offset_words) return;
   if (const Word* h = statement.word('H'))
     state.modal.length_number = tool_number(statement, *h, "length offset");
-  if (const Word* d = statement.word('D'))
-    state.modal.diameter_number = tool_number(statement, *d, "cutter offset");
+  const Word* const d = statement.word('D');
+  if (!d) return;
+  const int number = tool_number(statement, *d, "cutter offset");
+  if (number != state.modal.diameter_number && !statement.g(GGroup::radius_offset))
+    forbid_compensation(statement, *d, state);
+  state.modal.diameter_number = number;
 }
 
 void set_length_offset(const Statement& statement, MachineState& state, Assumptions& assumed) {

@@ -114,6 +114,10 @@ TEST_CASE("levels of cycles stay what they were stated as on Fanuc and Haas", "[
   const std::string pecks =
       "G21 G90 G17 G94 F9.\nG0 X0. Y0. Z10.\nG98 G83 X5. Z-3. R1. Q2.\nG91 X5.\n";
   CHECK(bottoms_of(Control::haas, pecks) == " 5,-1 5,-3 10,-1 10,-3");
+  // Another cycle of the run goes on with them.
+  const std::string two =
+      "G21 G90 G17 G94 F9.\nG0 X0. Y0. Z10.\nG98 G81 X5. Z-3. R1.\nG82 X10. P500\n";
+  CHECK(bottoms_of(Control::haas, two) == " 5,-3 10,-3");
 }
 
 TEST_CASE("the way across to a hole is at the level where the tool stands on Fanuc and Haas",
@@ -136,6 +140,58 @@ TEST_CASE("the way across to a hole is at the level where the tool stands on Fan
     CHECK(path_of(control, "G0 Z9.\nG99 G81 X10. Z-5. R2.\nG98 X20.\n") ==
           " 0,-4 0,9 10,9 10,2 10,-5 10,2 20,2 20,-5 20,9");
   }
+}
+
+TEST_CASE("a full circle behind a tangent arc stays one", "[unit][program]") {
+  // As post-processors round it: a bend of 1e-4 between lead-in and circle.
+  const std::string pocket =
+      "G21 G90 G17 G94 G40 F500.\nG0 X0. Y0. Z0.\nG10 L12 P1 R5.\nG1 G41 D1 X-9.004 Y0.421\n"
+      "G3 X-7.412 Y-10.065 I6.039 J-4.447\nG3 I7.412 J10.065\nG3 X3.074 Y-8.473 I4.447 J6.039\n"
+      "G1 G40 X0. Y0.\n";
+  int circles = 0;
+  Vec3 from;
+  for (const Motion& m : read_text(pocket, of(Control::fanuc)).motions) {
+    if (m.kind == MotionKind::arc) {
+      const double radius = std::hypot(from.x - m.centre1, from.y - m.centre2);
+      CHECK(std::abs(std::hypot(m.to.x - m.centre1, m.to.y - m.centre2) - radius) < 2e-3);
+      circles += distance(m.to, from) < 1e-9 && std::abs(radius - 7.5) < 1e-3;
+    }
+    from = m.to;
+  }
+  CHECK(circles == 1);
+  // A short arc is none.
+  const std::string chain =
+      "G21 G90 G17 G94 G40 F500.\nG0 X0. Y0. Z0.\nG10 L12 P1 R5.\nG1 G41 D1 X7.978 Y1.525\n"
+      "X8.082 Y1.573\nG3 X8.155 Y1.608 I-2.328 J4.983\nG1 G40 X20. Y0.\n";
+  int arcs = 0;
+  for (const Motion& m : read_text(chain, of(Control::fanuc)).motions) {
+    if (m.kind == MotionKind::arc) {
+      ++arcs;
+      CHECK(distance(m.to, from) < 0.02);
+      const double turn =
+          (from.x - m.centre1) * (m.to.y - m.centre2) - (from.y - m.centre2) * (m.to.x - m.centre1);
+      CHECK(turn * m.turns > 0);
+    }
+    from = m.to;
+  }
+  CHECK(arcs == 1);
+}
+
+TEST_CASE("another offset while compensation is on is refused", "[unit][program]") {
+  const auto said = [](const std::string& line) {
+    return message_of<InputError>([&] {
+      read_text(
+          "G21 G90 G17 G94 F9.\nG10 L12 P1 R5.\nG10 L12 P2 R2.\nG0 X0. Y0. Z0.\n"
+          "G1 G41 D1 X20.\n" +
+              line + "G40 X50.\n",
+          of(Control::fanuc));
+      throw InputError({"p.nc", 1, 1}, "nothing");
+    });
+  };
+  CHECK_THAT(said("X30. D2\n"), ContainsSubstring("'D2' while cutter compensation is on"));
+  CHECK_THAT(said("X30. D0\n"), ContainsSubstring("'D0' while cutter compensation is on"));
+  CHECK_THAT(said("G10 L12 P1 R4.\n"), ContainsSubstring("while cutter compensation is on"));
+  CHECK_THAT(said("X30. D1\n"), ContainsSubstring("nothing"));
 }
 
 TEST_CASE("a refusal names the controls that would read the program", "[unit][program]") {
@@ -164,6 +220,7 @@ TEST_CASE("what a control's parameters decide is listed as assumed", "[unit][pro
   CHECK(
       says(read_text("#1=2\n#1=3 G0 X#1\n", of(Control::fanuc)), "variables that are set beside"));
   CHECK(!says(read_text("#1=2\nN5 #1=3\nG0 X#1\n", of(Control::fanuc)), "variables that are"));
+  CHECK(says(read_text("G18 G99 G81 X0. Y-1. R1. F9\n", of(Control::fanuc)), "5101#0"));
   CHECK(says(read_text("#1=#0\nG0 X#1 Y1.\n", of(Control::haas)), "is left out"));
   CHECK(says(read_text("G0 X\xE2\x88\x92"
                        "1\n"),

@@ -104,6 +104,25 @@ TEST_CASE("Fanuc's lines lead to arcs and away from them", "[unit][compensation]
   check_line(moves[6], {40, 0, 0}, 5);
 }
 
+TEST_CASE("a wedge that is almost closed has no way round its tip inside", "[unit][compensation]") {
+  CompensatedContour contour;
+  contour.begin(CompensationSide::left, 2, {-20, 0, 0}, CompensationStyle::fanuc);
+  contour.line(0, 0);
+  contour.line(100, 0);
+  // 2.2 degrees between the sides: the paths meet 103 mm before the tip.
+  CHECK_THROWS_WITH(contour.line(0, 3.9), ContainsSubstring("too short for the cutter"));
+  CompensatedContour room;
+  room.begin(CompensationSide::left, 2, {-20, 0, 0}, CompensationStyle::fanuc);
+  room.line(0, 0);
+  room.line(100, 0);
+  room.line(0, 4.2);
+  room.compensation().end();
+  REQUIRE(room.motions().size() == 3);
+  const double angle = std::atan2(4.2, 100);
+  // A tangent of a small angle loses two digits.
+  CHECK(distance(room.motions()[1].to, {100 - 2 / std::tan(angle / 2), 2, 0}) < 1e-10);
+}
+
 TEST_CASE("slight bends are corners too where they are exact", "[unit][compensation]") {
   CompensatedContour contour;
   contour.begin(CompensationSide::left, 10, {-20, 0, 0}, CompensationStyle::fanuc);

@@ -8,6 +8,8 @@
 namespace limitgauge::verifier {
 namespace {
 
+using model::Vec3;
+
 Bezier random_patch(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> part(-5, 5);
@@ -31,6 +33,28 @@ TEST_CASE("parts of a patch are the patch over a smaller square", "[unit]") {
       CHECK(distance(point(lower, s, t), point(b, s, t / 2)) < 1e-13);
       CHECK(distance(point(upper, s, t), point(b, s, 0.5 + t / 2)) < 1e-13);
     }
+}
+
+TEST_CASE("what a linear function changes by along u and along v", "[unit]") {
+  // A wall 8 mm long and 3 mm high, u along it.
+  Bezier wall;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) wall.set(4 * j + i, {8 * i / 3.0, 0, 3 * j / 3.0});
+  const Change level = change_of(wall, {0.5, 2, 0}), up = change_of(wall, {0, 1, -1});
+  CHECK(level.u == Approx(4));
+  CHECK(level.v == 0);
+  CHECK(up.u == 0);
+  CHECK(up.v == Approx(3));
+  CHECK(level.most() == level.u);
+  // It bounds how far values lie apart, and halves with the patch where that is straight.
+  CHECK(change_of(split_u(wall)[0], {0.5, 2, 0}).u == Approx(2));
+  const Bezier b = random_patch(9);
+  const Vec3 gradient{0.3, -0.5, 0.8};
+  const Change change = change_of(b, gradient);
+  for (double u = 0; u <= 1; u += 0.125)
+    for (double v = 0; v <= 1; v += 0.125)
+      CHECK(std::abs(dot(gradient, point(b, u, v) - point(b, 1 - u, 1 - v))) <=
+            change.u + change.v + 1e-12);
 }
 
 TEST_CASE("derivatives agree with differences", "[unit]") {

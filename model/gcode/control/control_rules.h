@@ -11,8 +11,9 @@ enum class CompensationStyle {
   linuxcnc,  ///< an entry ends beside its own line, bends by up to 0.05 radians are left as they
              ///< are
   /// The entry ends beside the start of the motion behind it, square to that, however they meet
-  /// (start-up of type A). Outer corners are lines: to where the paths beside the contour meet; of
-  /// a turn by more than 90 degrees to the radius beyond either end, and across.
+  /// (start-up of type A). G40 takes effect with the next move in the plane. Outer corners are
+  /// lines: to where the paths beside the contour meet; of a turn by more than 90 degrees to the
+  /// radius beyond either end, and across.
   fanuc,
   siemens  ///< the entry as fanuc's (NORM); outer corners are arcs (G450)
 };

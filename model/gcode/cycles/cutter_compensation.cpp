@@ -41,6 +41,10 @@ void CutterCompensation::move(const Motion& motion) {
   const bool is_arc = motion.kind == MotionKind::arc;
   if (is_arc && just_left_)
     fail(motion, "an arc right after cutter compensation", "a straight move after G40");
+  const bool is_named = std::exchange(place_is_named_, false);
+  if (just_left_ && style_ != CompensationStyle::linuxcnc && !is_named &&
+      frame_.flat(motion.to) == end_mm())
+    return pass_beside(motion);
   just_left_ = false;
   if (!active() || radius_mm_ == 0) {
     queue_.pass(motion);
@@ -50,6 +54,13 @@ void CutterCompensation::move(const Motion& motion) {
     is_arc ? follow_arc(motion) : follow_straight(motion);
   }
   programmed_mm_ = motion.to;
+}
+
+/// No way in the plane after G40: the tool stays beside the contour.
+void CutterCompensation::pass_beside(Motion motion) {
+  programmed_mm_ = motion.to;
+  motion.to = frame_.lifted(beside_mm_, motion.to);
+  queue_.pass(motion);
 }
 
 void CutterCompensation::follow_straight(const Motion& motion) {

@@ -47,6 +47,9 @@ class CutterCompensation {
              CompensationStyle style = CompensationStyle::linuxcnc);
   /// G40: what waits is let out; the next move leaves the contour.
   void end();
+  /// The next motion's block names a place in the plane: after G40 it leaves the contour, be that
+  /// the contour's own end.
+  void name_place() { place_is_named_ = true; }
   /// A programmed motion; while no compensation is on it goes straight through. Arcs lie in the
   /// plane of begin().
   void move(const Motion& motion);
@@ -64,6 +67,7 @@ class CutterCompensation {
   /// Of `entered` the end of the entry waits for the motion behind it.
   enum class Stage { off, entering, entered, following };
 
+  void pass_beside(Motion motion);
   void enter(const Motion& motion);
   void enter_straight(const Motion& motion);
   void enter_arc(const Motion& motion);
@@ -96,7 +100,7 @@ class CutterCompensation {
   Place place_;
   CompensationQueue queue_;
   Stage stage_ = Stage::off;
-  bool just_left_ = false;
+  bool just_left_ = false, place_is_named_ = false;
   double side_ = 1;  // 1: the tool is left of the contour, -1: right
   double radius_mm_ = 0;
   PlaneFrame frame_;

@@ -177,6 +177,17 @@ TEST_CASE("a full circle behind a tangent arc stays one", "[unit][program]") {
   CHECK(arcs == 1);
 }
 
+TEST_CASE("a hole at the contour's end is drilled there after G40", "[unit][program]") {
+  const std::string contour =
+      "G21 G90 G17 G94 G40 F9.\nG10 L12 P1 R3.\nG0 X0. Y0. Z0.\nG1 G41 D1 X9.\nX20.\nG40\nG0 Z9.\n";
+  const auto last = [&](const std::string& block) {
+    return read_text(contour + block, of(Control::fanuc)).motions.back().to;
+  };
+  CHECK(last("") == Vec3{20, 3, 9});
+  CHECK(last("G98 G81 X20. Y0. Z-3. R1.\n") == Vec3{20, 0, 9});
+  CHECK(last("Y0.\n") == Vec3{20, 0, 9});
+}
+
 TEST_CASE("another offset while compensation is on is refused", "[unit][program]") {
   const auto said = [](const std::string& line) {
     return message_of<InputError>([&] {
@@ -220,6 +231,10 @@ TEST_CASE("what a control's parameters decide is listed as assumed", "[unit][pro
   CHECK(
       says(read_text("#1=2\n#1=3 G0 X#1\n", of(Control::fanuc)), "variables that are set beside"));
   CHECK(!says(read_text("#1=2\nN5 #1=3\nG0 X#1\n", of(Control::fanuc)), "variables that are"));
+  const std::string contour =
+      "G21 G90 G17 G40 F9.\nG10 L12 P1 R3.\nG0 X0. Y0. Z0.\nG1 G41 D1 X9.\nX20.\n";
+  CHECK(says(read_text(contour + "G40\nG0 Z9.\nX30.\n", of(Control::haas)), "G40 takes effect"));
+  CHECK(!says(read_text(contour + "G40 X30.\n", of(Control::haas)), "G40 takes effect"));
   CHECK(says(read_text("G18 G99 G81 X0. Y-1. R1. F9\n", of(Control::fanuc)), "5101#0"));
   CHECK(says(read_text("#1=#0\nG0 X#1 Y1.\n", of(Control::haas)), "is left out"));
   CHECK(says(read_text("G0 X\xE2\x88\x92"

@@ -158,6 +158,41 @@ TEST_CASE("Siemens enters beside what comes next and goes round corners by arcs"
   check_line(moves[3], {20, 23, 0}, 3);
 }
 
+TEST_CASE("after G40 the tool stays beside the contour until it moves in the plane",
+          "[unit][compensation]") {
+  const auto cut = [](CompensationStyle style) {
+    CompensatedContour contour;
+    contour.begin(CompensationSide::left, 3, {-20, 0, 0}, style);
+    contour.line(0, 0);
+    contour.line(0, 20);
+    contour.compensation().end();
+    contour.rapid(0, 20, 9);
+    CHECK(contour.compensation().idle() == (style == CompensationStyle::linuxcnc));
+    contour.rapid(0, 20, 10);
+    contour.rapid(5, 20, 10);
+    CHECK(contour.compensation().idle());
+    REQUIRE(contour.motions().size() == 5);
+    return contour.motions();
+  };
+  for (const auto style : {CompensationStyle::fanuc, CompensationStyle::siemens}) {
+    const auto moves = cut(style);
+    check_point(moves[2].to, {-3, 20, 9});
+    check_point(moves[3].to, {-3, 20, 10});
+    check_point(moves[4].to, {5, 20, 10});
+  }
+  check_point(cut(CompensationStyle::linuxcnc)[2].to, {0, 20, 9});
+  // A place that is named is gone to, the contour's end too.
+  CompensatedContour contour;
+  contour.begin(CompensationSide::left, 3, {-20, 0, 0}, CompensationStyle::fanuc);
+  contour.line(0, 0);
+  contour.line(0, 20);
+  contour.compensation().end();
+  contour.compensation().name_place();
+  contour.line(0, 20);
+  check_point(contour.motions().back().to, {0, 20, 0});
+  CHECK(contour.compensation().idle());
+}
+
 TEST_CASE("an entry that is square to what comes next may be short, and is straight",
           "[unit][compensation]") {
   for (const auto style : {CompensationStyle::fanuc, CompensationStyle::siemens}) {

@@ -66,24 +66,34 @@ std::vector<Remark> compare_gates(const verifier::GateLimits& base, const verifi
 
 namespace {
 
-/// The limits of the process along one axis, one at each end.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+/// A range has a limit at each end, none where that is infinite.
+void compare_range(const std::string& what, const Range& base, const Range& now,
+                   std::string (*text)(double), const Options& options, std::vector<Remark>& out) {
+  const auto end = [&](const char* side, double was, double is, bool is_high) {
+    const std::string named = what + side;
+    compare_limit({named.c_str(), std::isfinite(was), std::isfinite(is), was, is, is_high, text},
+                  options, out);
+  };
+  end(" downwards", base.low, now.low, false);
+  end(" upwards", base.high, now.high, true);
+}
+
 void compare_travel(const std::optional<model::Box3>& base, const std::optional<model::Box3>& now,
                     const Options& options, std::vector<Remark>& out) {
   constexpr const char* kAxes[] = {"X", "Y", "Z"};
   const auto text = [](double mm) { return model::shortest(mm) + " mm"; };
-  for (int axis = 0; axis < 3; ++axis)
-    for (const bool is_high : {false, true}) {
-      const auto end = [&](const std::optional<model::Box3>& travel) {
-        constexpr double kNone = std::numeric_limits<double>::infinity();
-        if (!travel) return is_high ? kNone : -kNone;
-        return is_high ? travel->high[axis] : travel->low[axis];
-      };
-      const double was = end(base), is = end(now);
-      const std::string what =
-          std::string("travel along ") + kAxes[axis] + (is_high ? " upwards" : " downwards");
-      compare_limit({what.c_str(), std::isfinite(was), std::isfinite(is), was, is, is_high, text},
-                    options, out);
-    }
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto range = [axis](const std::optional<model::Box3>& travel) {
+      return travel ? Range{travel->low[axis], travel->high[axis]} : Range{};
+    };
+    compare_range(std::string("travel along ") + kAxes[axis], range(base), range(now), text,
+                  options, out);
+  }
 }
 
 std::string place_text(const record::CheckedFixture& f) {
@@ -135,13 +145,8 @@ void compare_rotary_axes(const record::ProcessLimits& base, const record::Proces
         find_in(base.rotary_axes, [&](const record::RotaryAxis& a) { return a.word == axis.word; });
     is_other = is_other || !was || !was->lies_as(axis);
     if (!was) continue;
-    const auto end = [&](const char* side, double then, double is, bool is_high) {
-      const std::string what = "axis " + axis.word + side;
-      compare_limit({what.c_str(), std::isfinite(then), std::isfinite(is), then, is, is_high, text},
-                    options, out);
-    };
-    end(" downwards", was->low_deg, axis.low_deg, false);
-    end(" upwards", was->high_deg, axis.high_deg, true);
+    compare_range("axis " + axis.word, {was->low_deg, was->high_deg}, {axis.low_deg, axis.high_deg},
+                  text, options, out);
   }
   if (is_other)
     out.push_back(

@@ -68,7 +68,7 @@ void CutterCompensation::follow_straight(const Motion& motion) {
   if (way == Vec2{}) return push_straight(motion, way, beside_mm_);
   const Vec2 after = unit(way);
   const Vec2 offset = side_ * radius_mm_ * quarter_turn(after);
-  go_to_corner(corner_to(motion, after), motion, after, end_mm() + offset);
+  go_to_corner(motion, after, end_mm() + offset);
   beside_mm_ = frame_.flat(motion.to) + offset;
   push_straight(motion, after, beside_mm_);
 }
@@ -78,8 +78,7 @@ void CutterCompensation::follow_arc(const Motion& motion) {
   check_width(motion, length(centre - end));
   const double inwards = inside(motion) ? radius_mm_ : -radius_mm_;
   const Vec2 after = tangent_at_start(motion);
-  go_to_corner(corner_to(motion, after), motion, after,
-               end_mm() + inwards * unit(centre - end_mm()));
+  go_to_corner(motion, after, end_mm() + inwards * unit(centre - end_mm()));
   beside_mm_ = end + inwards * unit(centre - end);
   push_arc(motion, beside_mm_, sweep_of(end_mm(), end, centre, motion.turns));
 }
@@ -96,13 +95,13 @@ Corner CutterCompensation::corner_to(const Motion& motion, Vec2 after) const {
   return corner_of(direction(), after, side_, {smooth_rad, kStraightOn_rad, over_arc});
 }
 
-void CutterCompensation::go_to_corner(Corner corner, const Motion& motion, Vec2 after, Vec2 to) {
+void CutterCompensation::go_to_corner(const Motion& motion, Vec2 after, Vec2 to) {
   if (stage_ == Stage::entered) {
     stage_ = Stage::following;
     queue_.release_at(frame_, to);
     return queue_.starts_at(to);
   }
-  switch (corner) {
+  switch (corner_to(motion, after)) {
     case Corner::smooth:
       queue_.release();
       // From beside the end of the motion before an arc might be one that turns almost wholly, or

@@ -74,7 +74,7 @@ class CutterCompensation {
   void follow_straight(const Motion& motion);
   void follow_arc(const Motion& motion);
   /// Between the paths beside two motions; `to` is where the second one's begins.
-  void go_to_corner(Corner corner, const Motion& motion, Vec2 after, Vec2 to);
+  void go_to_corner(const Motion& motion, Vec2 after, Vec2 to);
   void round_corner(const Motion& motion, Vec2 to);
   void cut_corner(const Motion& motion, Vec2 after, Vec2 to);
   void pass_straight(Motion motion, Vec2 to);

@@ -101,6 +101,11 @@ void MachineState::stay_at(const Frame& before) {
   adrift[0] = adrift[1] = adrift[0] || adrift[1];
 }
 
+bool names_place(const Statement& statement, ArcPlane plane) {
+  const auto [first, second, along] = axes_of(plane);
+  return statement.word("XYZ"[first]) || statement.word("XYZ"[second]);
+}
+
 void forbid_compensation(const Statement& statement, const Word& word, const MachineState& state) {
   if (!state.is_compensated()) return;
   statement.fail(word,

@@ -27,11 +27,11 @@ struct ModalState {
   double unit_mm = 1;
   bool incremental = false, centre_absolute = false;
   bool units_are_stated = false, distance_is_stated = false;  ///< by a word of their groups
-  bool return_to_r = true;        ///< G99
-  bool return_is_stated = false;  ///< by G98 or G99
-  int compensation = 400;         ///< G40, G41 or G42, in tenths
-  int length_offset = 490;        ///< G43, G43.1, G43.2 or G49, in tenths
-  std::optional<int> motion;      ///< G code in tenths
+  bool return_to_r = true;                                    ///< G99
+  bool return_is_stated = false;                              ///< by G98 or G99
+  int compensation = 400;                                     ///< G40, G41 or G42, in tenths
+  int length_offset = 490;    ///< G43, G43.1, G43.2 or G49, in tenths
+  std::optional<int> motion;  ///< G code in tenths
   /// G0 to G3, where canned cycles are a group beside them and come back to it.
   std::optional<int> beside_cycles;
   bool motion_is_taken = false;                       ///< G0 of a control that begins in it
@@ -122,6 +122,8 @@ struct MachineState {
   void stand_at(const Vec3& tip_mm, const MotionFrame& before);
 };
 
+/// Whether the block names a coordinate in the plane.
+bool names_place(const Statement& statement, ArcPlane plane);
 /// Throws InputError at `word` while cutter compensation is on.
 void forbid_compensation(const Statement& statement, const Word& word, const MachineState& state);
 

@@ -270,8 +270,8 @@ void Interpreter::check_count(const Statement& statement) const {
 /// `motion` is in the active work frame.
 void Interpreter::emit(const Statement& statement, Motion motion) {
   check_count(statement);
-  const auto [first, second, along] = axes_of(state_.modal.plane);
-  if (statement.word("XYZ"[first]) || statement.word("XYZ"[second])) compensation_.name_place();
+  if (!compensation_.idle() && names_place(statement, state_.modal.plane))
+    compensation_.name_place();
   send(statement.line(), motion);
 }
 

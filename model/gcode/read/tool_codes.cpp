@@ -298,9 +298,8 @@ void set_radius_offset(const Statement& statement, MachineState& state,
   const Word& code = *statement.g_word(GGroup::radius_offset);
   const ControlRules& rules = statement.rules();
   if (*tenths != 400) return begin(statement, code, *tenths, state, compensation, assumed);
-  const auto [first, second, along] = axes_of(state.modal.plane);
-  const bool moves = statement.word("XYZ"[first]) || statement.word("XYZ"[second]);
-  if (compensation.active() && !moves && rules.compensation != CompensationStyle::linuxcnc)
+  if (compensation.active() && !names_place(statement, state.modal.plane) &&
+      rules.compensation != CompensationStyle::linuxcnc)
     assumed.add(statement.line(), "G40 takes effect with the next move in its plane");
   compensation.end();
   state.modal.compensation = 400;

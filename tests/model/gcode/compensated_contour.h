@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/gcode/cycles/cutter_compensation.h"
+#include "tests/support/catch.h"
 
 namespace limitgauge::model::test {
 
@@ -60,5 +61,28 @@ class CompensatedContour {
         return SourcePlace{"contour.ngc", static_cast<int>(line), 1};
       }};
 };
+
+/// Coordinates here are below 100 mm and come from a handful of operations.
+inline constexpr double kRounding = 1e-12;
+
+inline void check_point(const Vec3& point, const Vec3& expected) {
+  CAPTURE(point.x, point.y, point.z, expected.x, expected.y, expected.z);
+  CHECK(distance(point, expected) < kRounding);
+}
+
+inline void check_line(const Motion& motion, const Vec3& to, std::uint32_t line) {
+  CHECK(motion.kind == MotionKind::feed);
+  CHECK(motion.line == line);
+  check_point(motion.to, to);
+}
+
+inline void check_arc(const Motion& motion, const Vec3& to, double c1, double c2, double turns,
+                      std::uint32_t line) {
+  CHECK(motion.kind == MotionKind::arc);
+  CHECK(motion.line == line);
+  CHECK(motion.turns == turns);
+  check_point(motion.to, to);
+  check_point({motion.centre1, motion.centre2, 0}, {c1, c2, 0});
+}
 
 }  // namespace limitgauge::model::test

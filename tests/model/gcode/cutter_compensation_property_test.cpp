@@ -175,19 +175,25 @@ Contour compensated_path(const Contour& contour, CompensationSide side, double r
   return path;
 }
 
-}  // namespace
-
-TEST_CASE("the cutter touches the contour everywhere along its path and enters it nowhere",
-          "[property][compensation]") {
-  std::mt19937 random(20240607);
-  int contours = 0, arcs = 0;
-  while (contours < 300) {
+/// Looks at random contours in which a cutter of the radius has room, and at a side of each.
+template <class Look>
+void look_at_contours(unsigned seed, int count, const Look& look) {
+  std::mt19937 random(seed);
+  for (int contours = 0; contours < count;) {
     const double r = std::uniform_real_distribution<double>(0.2, 1.5)(random);
     const Contour contour = random_contour(random);
     if (!has_room(contour, r)) continue;
     ++contours;
-    const CompensationSide side =
-        random() % 2 == 0 ? CompensationSide::left : CompensationSide::right;
+    look(contour, r, random() % 2 == 0 ? CompensationSide::left : CompensationSide::right);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the cutter touches the contour everywhere along its path and enters it nowhere",
+          "[property][compensation]") {
+  int arcs = 0;
+  look_at_contours(20240607, 300, [&](const Contour& contour, double r, CompensationSide side) {
     // Double precision at 100 mm leaves 1e-12 mm; corners of 0.06 radians lose three digits.
     const double tolerance_mm = 1e-9;
     double worst = 0;
@@ -202,22 +208,15 @@ TEST_CASE("the cutter touches the contour everywhere along its path and enters i
     }
     CHECK(worst < tolerance_mm);
     CHECK(on_side);
-  }
+  });
   CHECK(arcs > 1000);
 }
 
 TEST_CASE(
     "with straight corners the cutter enters the contour nowhere and leaves it at corners only",
     "[property][compensation]") {
-  std::mt19937 random(20261130);
-  int contours = 0, farther = 0;
-  while (contours < 200) {
-    const double r = std::uniform_real_distribution<double>(0.2, 1.5)(random);
-    const Contour contour = random_contour(random);
-    if (!has_room(contour, r)) continue;
-    ++contours;
-    const CompensationSide side =
-        random() % 2 == 0 ? CompensationSide::left : CompensationSide::right;
+  int farther = 0;
+  look_at_contours(20261130, 200, [&](const Contour& contour, double r, CompensationSide side) {
     const Contour path = compensated_path(contour, side, r, CompensationStyle::fanuc);
     bool on_side = true, beside_corners = true;
     double nearest = r, farthest = r;
@@ -241,7 +240,7 @@ TEST_CASE(
     CHECK(farthest < std::sqrt(2.0) * r + 1e-9);
     // Where it ends up at all corners is where the arcs go round them.
     for (const Piece& piece : contour) CHECK(distance_to(path, piece.at(0.5)) < r + 1e-9);
-  }
+  });
   CHECK(farther > 1000);
 }
 

@@ -20,11 +20,13 @@ constexpr double kProcessBytes = 60 * kMib;
 /// Parts of cells that the verifier divides: their number is bounded, and goes by how the surface
 /// bends and not by any figure of the job. 1 to 50 MiB on the fixtures.
 constexpr double kCellsBytes = 10 * kMib;
-/// Of a cell that the surface is cut into to begin with, and of one about an irregular vertex,
-/// where cells grow smaller down to rounding: each with what a search for closest points needs.
-/// The latter is between what the fixtures take: nothing beside the rest for a dodecahedron's
-/// vertices, 18 kB for the one vertex of valence twelve.
-constexpr double kCellBytes = 1000, kVertexCellBytes = 3000;
+/// Of a cell that the surface is cut into to begin with, with what a search for closest points
+/// needs.
+constexpr double kCellBytes = 1000;
+/// Of one about an irregular vertex, where cells grow smaller down to rounding, for each face about
+/// it beyond the third: the more there are, the more cells are divided. 1000 to 3000 about wavy
+/// stars of valences 6 to 16, hardly any about a dodecahedron's vertices.
+constexpr double kVertexCellBytes = 1500;
 /// Of a facet of a mesh: three cells, normals between it and its neighbours, samples, each but for
 /// the piece itself.
 constexpr double kFacetBytes = 9500;
@@ -92,7 +94,7 @@ double surface_bytes(const verifier::ReferenceSurface& surface) {
   const double radius_mm = verifier::first_cell_radius_mm(surface.tree());
   return static_cast<double>(surface.memory_bytes()) + kFacetBytes * facets +
          kCellBytes * surface.area_mm2() / (radius_mm * radius_mm) +
-         kVertexCellBytes * static_cast<double>(surface.tree().pieces_about_vertices());
+         kVertexCellBytes * static_cast<double>(surface.tree().bent_pieces_about_vertices());
 }
 
 double writing_bytes(const RunScale& scale) {

@@ -119,10 +119,12 @@ std::vector<Piece> SurfaceTree::pieces_beyond(int patch, double omitted_mm) cons
   return pieces;
 }
 
-std::size_t SurfaceTree::pieces_about_vertices() const {
+std::size_t SurfaceTree::bent_pieces_about_vertices() const {
   std::size_t count = 0;
-  for (const PlacedChain& placed : parts_.chains)
-    count += 3 * static_cast<std::size_t>(placed.chain.levels);
+  for (const PlacedChain& placed : parts_.chains) {
+    const std::size_t valence = placed.chain.step->valence();
+    if (valence > 3) count += 3 * static_cast<std::size_t>(placed.chain.levels) * (valence - 3);
+  }
   return count;
 }
 

@@ -66,8 +66,10 @@ class SurfaceTree {
   const SurfaceFeatures& features() const { return features_; }
   const SharpLines& sharp_lines() const { return sharp_lines_; }
   std::size_t memory_bytes() const;
-  /// How many pieces pieces_of() works out about irregular vertices, of all patches.
-  std::size_t pieces_about_vertices() const;
+  /// How many pieces pieces_of() works out about irregular vertices, of all patches, each as often
+  /// as more than three faces meet at its vertex: about three the curvature tends to nothing, and
+  /// the more there are, the faster it grows.
+  std::size_t bent_pieces_about_vertices() const;
 
  private:
   friend class SurfaceTreeBuilder;

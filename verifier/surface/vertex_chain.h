@@ -20,6 +20,8 @@ class ChainStep {
   static std::shared_ptr<const ChainStep> of(const Neighbourhood& n, int corner);
 
   int corner() const { return corner_; }
+  /// Faces about the irregular vertex.
+  std::size_t valence() const { return star_of(net_, net_.corner(0, corner_)).wedges.size(); }
   /// Faces and sharpness of all levels, without points.
   const Neighbourhood& net() const { return net_; }
   /// All points of the next level.

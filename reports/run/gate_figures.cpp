@@ -73,7 +73,10 @@ GateFigure unreachable_figure(const verifier::StageDeviation& d, const verifier:
                        : model::shortest(l.unreachable) + " mm²";
   }
   // Whatever the limit: what no cutter touches at all is no part of the work.
-  if (nothing_in_reach(d)) figure.standing = Standing::beyond;
+  const verifier::Verdict any = judge_any_reach(d);
+  if (any == verifier::Verdict::fail) figure.standing = Standing::beyond;
+  if (any == verifier::Verdict::indeterminate && figure.standing != Standing::beyond)
+    figure.standing = Standing::undecided;
   return figure;
 }
 

@@ -138,9 +138,11 @@ void Decision::judge_unreachable() {
 }
 
 void Decision::judge_reach() {
-  if (nothing_in_reach(d_))
-    add("no cutter used so far can reach any of the surface", Verdict::fail,
-        out_of_reach_text(d_.field, stages_));
+  if (const Verdict any = judge_any_reach(d_); any != Verdict::pass)
+    add(any == Verdict::fail ? "no cutter used so far can reach any of the surface"
+                             : "none of the surface is proven to be in reach of a cutter used so "
+                               "far: indeterminate",
+        any, out_of_reach_text(d_.field, stages_));
   if (limits_.has_unreachable) judge_unreachable();
   if (limits_.has_unavoidable)
     judge_length("unavoidable uncut", but_for(d_.unavoidable_uncut_mm, kNoLength_mm),
@@ -258,8 +260,11 @@ Interval unreachable_area_mm2(const StageDeviation& d) {
   return but_for({reach.unreachable_mm2, reach.unreachable_mm2 + reach.undecided_mm2}, kNoArea_mm2);
 }
 
-bool nothing_in_reach(const StageDeviation& d) {
-  return d.surface_area_mm2 > 0 && d.proven_reach.reachable_mm2 <= 0 && d.reachable_area_mm2 <= 0;
+Verdict judge_any_reach(const StageDeviation& d) {
+  const StageDeviation::ProvenReach& reach = d.proven_reach;
+  if (d.surface_area_mm2 <= 0 || reach.reachable_mm2 > kNoArea_mm2) return Verdict::pass;
+  const bool may_be = d.reachable_area_mm2 > 0 && reach.undecided_mm2 > kNoArea_mm2;
+  return may_be ? Verdict::indeterminate : Verdict::fail;
 }
 
 GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,

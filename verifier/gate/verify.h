@@ -111,8 +111,10 @@ double whole_area_mm2(const StageDeviation& deviation);
 /// Proven out of reach, and with what is undecided: what the gate `unreachable` judges. What is no
 /// more than rounding is none.
 Interval unreachable_area_mm2(const StageDeviation& deviation);
-/// Neither a proof nor a sample puts any of S in reach.
-bool nothing_in_reach(const StageDeviation& deviation);
+/// Whether any of S is in reach: it passes where some is proven to be, fails where nothing is, and
+/// is indeterminate where samples alone say so (they count what is touched along the end of an open
+/// sheet from beside it, which is no area).
+Verdict judge_any_reach(const StageDeviation& deviation);
 
 /// The gate's decision rule: pass when every `high` is within its limit, fail when some `low` is
 /// beyond it, indeterminate between; a figure without a limit cannot fail. Missing raw stock is

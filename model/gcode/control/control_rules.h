@@ -58,7 +58,7 @@ struct ControlRules {
   // Codes.
   bool separate_cycle_group = false;     ///< G80 goes back to G0 to G3 before the cycle
   bool motion_beside_reference = false;  ///< G0 G28 Z0
-  bool rapid_in_machine_frame = false;   ///< G53 is a rapid under G1 too
+  bool rapid_in_machine_frame = false;   ///< G53 is a rapid under G1 or beside it, too
   bool begins_in_g0 = false;
   bool begins_in_g98 = false;
   bool repeats_by_k = false;       ///< K of a canned cycle

@@ -209,7 +209,12 @@ void Interpreter::move(const Statement& statement, int code) {
   const bool passes =
       statement.g(GGroup::non_modal) == 530 && statement.rules().rapid_in_machine_frame;
   if (state_.modal.motion != code && !is_canned_cycle(code)) cycles_.forget();
-  if (!passes) state_.modal.motion = code;
+  // Where G53 is a rapid of its own, what stays is the motion that stands beside it, if any.
+  const auto stated = statement.g(GGroup::motion);
+  if (!passes)
+    state_.modal.motion = code;
+  else if (stated == 0 || stated == 10)
+    state_.modal.motion = *stated;
   if (state_.modal.motion_is_taken && !statement.g_word(GGroup::motion))
     assumed_.add(statement.line(),
                  "the control is taken to have begun in G0: nothing before this motion says which");

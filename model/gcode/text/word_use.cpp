@@ -253,6 +253,11 @@ std::optional<int> stated_motion(const Statement& statement, int code,
   return code;
 }
 
+bool is_rapid_in_machine_frame(const Statement& statement) {
+  return statement.g(GGroup::non_modal) == 530 && statement.rules().rapid_in_machine_frame &&
+         (statement.has_axes() || statement.has_rotary());
+}
+
 }  // namespace
 
 bool axes_are_taken(const Statement& statement) {
@@ -263,12 +268,11 @@ bool axes_are_taken(const Statement& statement) {
 std::optional<int> motion_of(const Statement& statement, std::optional<int> modal_motion,
                              std::optional<int> beside_cycles, bool by_vector) {
   if (statement.is_polar()) check_polar(statement, modal_motion);
-  if (const auto code = statement.g(GGroup::motion))
-    return stated_motion(statement, *code, beside_cycles);
+  const auto stated = statement.g(GGroup::motion);
+  const bool leaves_straight = !stated || is_straight(*stated) || *stated == kCancelCycle;
+  if (leaves_straight && is_rapid_in_machine_frame(statement)) return 0;
+  if (stated) return stated_motion(statement, *stated, beside_cycles);
   if (axes_are_taken(statement)) return std::nullopt;
-  const bool in_machine_frame = statement.g(GGroup::non_modal) == 530;
-  if (in_machine_frame && statement.has_axes() && statement.rules().rapid_in_machine_frame)
-    return 0;
   // As LinuxCNC, a rotary word that turns nothing is a motion of no length.
   const bool stays = statement.has_rotary() && (modal_motion == 0 || modal_motion == 10);
   const bool turns = (statement.letters() & kRotaryLetters) != 0;

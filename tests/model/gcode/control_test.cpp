@@ -55,6 +55,26 @@ TEST_CASE("codes that Fanuc and Haas share with RS274/NGC have no rule of their 
     CHECK(m_rule(Control::haas, number) == nullptr);
 }
 
+TEST_CASE("G53 is a rapid on Fanuc whatever stands beside it, and what stands there stays",
+          "[unit][program]") {
+  // Kinds of the motions that follow the first feed: r a rapid, f a feed.
+  const auto kinds = [](Control control, const std::string& text) {
+    std::string out;
+    for (const Motion& m :
+         read_text("G21 G90 G94\nG0 Z5.\nG1 Z1. F100.\n" + text, of(control)).motions)
+      out += m.kind == MotionKind::rapid ? 'r' : 'f';
+    return out.substr(2);
+  };
+  for (const std::string beside : {"", "G1 ", "G0 "})
+    CHECK(kinds(Control::fanuc, "G53 " + beside + "X1.\n") == "r");
+  CHECK(kinds(Control::fanuc, "G53 X1.\nX2.\n") == "rf");
+  CHECK(kinds(Control::fanuc, "G53 G0 X1.\nX2.\n") == "rr");
+  CHECK(kinds(Control::fanuc, "G0 Z2.\nG53 G1 X1.\nX2.\n") == "rrf");
+  CHECK(kinds(Control::fanuc, "G81 Z0. R2.\nG80 G53 X1.\nX2.\n").ends_with("rf"));
+  CHECK(kinds(Control::haas, "G53 G1 X1.\n") == "f");
+  CHECK(kinds(Control::linuxcnc, "G53 X1.\n") == "f");
+}
+
 TEST_CASE("one word, two controls, two meanings", "[unit][program]") {
   // G10 L20 states an origin on Fanuc, and where the tool stands on LinuxCNC.
   const std::string text = "G21 G90\nG0 X5. Y0. Z0.\nG10 L20 P1 X1.\nG54.1 P1\nG0 X0.\n";

@@ -211,7 +211,12 @@ TEST_CASE("nothing in reach fails by name, gates or not", "[unit]") {
   CHECK(decide(reach(0, 0, 100), {}).verdict == Verdict::fail);
   StageDeviation sampled = reach(0, 0, 100);
   sampled.reachable_area_mm2 = 1;
-  CHECK(decide(sampled, {}).verdict == Verdict::pass);
+  const GateDecision by_samples = decide(sampled, {});
+  CHECK(by_samples.verdict == Verdict::indeterminate);
+  CHECK_THAT(all(by_samples), ContainsSubstring("none of the surface is proven to be in reach"));
+  StageDeviation refuted = reach(0, 100, 0);
+  refuted.reachable_area_mm2 = 1;
+  CHECK(decide(refuted, {}).verdict == Verdict::fail);
   CHECK(decide(reach(1, 99, 0), {}).verdict == Verdict::pass);
 }
 

@@ -49,7 +49,9 @@ Reach CellClassifier::decide(OpenCell& open, const SurfaceCell& cell, CellHalves
   return refute(open, cell, *contact) ? Reach::unreachable : Reach::undecided;
 }
 
-/// On a level spot the flat may stand anywhere over the point: one place suffices.
+/// On a level spot the flat may stand anywhere over the point: one place suffices, which is carried
+/// along with the points of the cell or, as in a slot hardly wider than the cutter, stays where it
+/// is.
 Reach CellClassifier::decide_level(const SurfaceCell& cell, const CellContact& contact,
                                    CellHalves& parts) const {
   // What is cleared about a level spot does not depend on where the flat stands over it.
@@ -60,6 +62,7 @@ Reach CellClassifier::decide_level(const SurfaceCell& cell, const CellContact& c
     OpenCell alone;
     const Vec3 aside{out * std::cos(angle), out * std::sin(angle), 0};
     if (prove_beyond(alone, cleared, contact.displaced(aside), parts)) return Reach::reachable;
+    if (k < 0 && reachability_.tip_over_all(cell.shape)) return Reach::reachable;
   }
   return reachability_.surely_unreachable(contact.offset()) ? Reach::unreachable : Reach::undecided;
 }

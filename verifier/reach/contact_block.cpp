@@ -222,7 +222,7 @@ double ContactBlock::barred_mm(const ContactRegion& spot, const Search& search) 
 /// Of positions all over the region, or on its outer arc, that which the known obstacles bar least;
 /// between two walls there may be one such place only, which is closed in on along the arc.
 ContactRegion ContactBlock::least_barred(const ContactRegion& g, const Search& search) const {
-  constexpr int kRound = 24, kRings = 2, kSteps = 24;
+  constexpr int kRound = 24, kRings = 2, kSteps = 48;
   ContactRegion best = g;
   double most = -std::numeric_limits<double>::infinity();
   const auto value = [&](double r, double angle, double z) {

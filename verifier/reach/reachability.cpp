@@ -174,6 +174,25 @@ std::optional<Vec3> Reachability::touching_tip(const Vec3& p, const Vec3& n) con
   return std::nullopt;
 }
 
+std::optional<Vec3> Reachability::tip_over_all(const Bezier& level) const {
+  const model::Interval heights = control_range(level, 0, {0, 0, 1});
+  const double apart = heights.high - heights.low;
+  if (apart > contact_mm_ / 4 || profile_.is_pointed() || profile_.undercuts()) return std::nullopt;
+  const Vec3 centre = middle(level);
+  double radius = 0;
+  for (int k = 0; k < 16; ++k)
+    radius = std::max(radius, std::hypot(level.x[k] - centre.x, level.y[k] - centre.y));
+  const double out = profile_.flat_mm - radius - kDistanceRounding_mm;
+  if (out <= 0) return std::nullopt;
+  // What stands on the higher points stands above this by no more than `apart`.
+  ContactRegion over;
+  over.r1 = out, over.angle0 = -pi, over.angle1 = pi;
+  over.cores.fill({centre.x, centre.y, heights.low + allowance_mm_});
+  const double limit = allowance_mm_ - contact_mm_ + apart;
+  const auto tip = ContactBlock(*cells_, parts_, limit).free_tip(over);
+  return tip && comes_below(parts_, *tip, limit) == Below::none ? tip : std::nullopt;
+}
+
 /// With the wall of the flutes at several heights, or with their top.
 std::vector<Vec3> Reachability::necked_choices(const Vec3& p, const Vec3& n) const {
   constexpr int kHeights = 8;

@@ -33,6 +33,9 @@ class Reachability {
 
   /// A gouge-free tip position that touches the surface at `p` with normal `n`, if one was proven.
   std::optional<model::Vec3> touching_tip(const model::Vec3& p, const model::Vec3& n) const;
+  /// A position, if one was proven to be free of gouges, whose flat stands on every point of a
+  /// level cell: each is under it, and their heights are one but for rounding.
+  std::optional<model::Vec3> tip_over_all(const Bezier& level) const;
   /// Where the tip is that touches the surface at `p` with normal `n`, whatever it cuts into
   /// elsewhere. Empty where the wall leans too far, and where S is level under a flat, which can
   /// touch it from any side, or as steep as a rising bottom, which can touch it all along.

@@ -43,6 +43,12 @@ struct CutterProfile {
   double largest_radius_mm() const;
   /// Slope of the side of the endless cutter: upright instead of inwards.
   double endless_slope() const { return slope > 0 ? slope : 0; }
+  /// Greatest g·x over the endless cutter with its tip at the origin, for a unit vector g that has
+  /// `level` in plan and `up` upwards, turned down as far as the side has a plane: up is no more
+  /// than −level·slope. Of a bottom that does not rise and a flat of no less than nothing.
+  double extent_mm(double level, double up) const {
+    return flat_mm * level + core_mm * up + rounding_mm;
+  }
 };
 
 /// Signed distance and its derivative at one point of the (ρ, height over tip) half plane.

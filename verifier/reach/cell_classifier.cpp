@@ -145,7 +145,9 @@ bool CellClassifier::clears(const CellContact& c, const std::optional<ClearedRec
   if (c.over_contact_plane(dot(c.normal(), centre) + radius + kDistanceRounding_mm, apart) <=
       reachability_.contact_mm())
     return true;
-  if (clears_by_distance(c, other, d) || clears_by_plane(c, other, apart)) return true;
+  if (clears_by_distance(c, other, d) || clears_by_plane(c, other, apart) ||
+      clears_by_its_plane(c, other))
+    return true;
   if (radius < c.radius() / 2) return false;
   auto& halves = looks.parts.halves_of(other);
   // What failed for a neighbour first: it is the likeliest to fail again.
@@ -178,6 +180,24 @@ bool CellClassifier::clears_by_plane(const CellContact& c, const CellHalves::Par
   };
   if (!below(dot(c.normal(), other.middle) - kDistanceRounding_mm)) return false;
   return below(control_range(other.cell->shape, 0, c.normal()).high);
+}
+
+/// By the cutter's supporting plane that is parallel to the other cell: beside a wall the one at
+/// its middle is turned against it, and serves for a small part of it only. d(q − T) ≥ g·(q − T) −
+/// the cutter's extent along g, for any unit vector g.
+bool CellClassifier::clears_by_its_plane(const CellContact& c,
+                                         const CellHalves::Part& other) const {
+  const CutterProfile& profile = c.profile();
+  if (profile.flat_mm < 0 || profile.is_pointed() || profile.undercuts()) return false;
+  const Vec3 n = middle_normal(*other.cell);
+  const double level = std::hypot(n.x, n.y);
+  // The side's own plane is as near as the cutter has one where a wall leans further over.
+  const double up = std::min(-n.z, -level * profile.slope), length = std::hypot(level, up);
+  if (!(length > 0)) return false;
+  const Vec3 g{-n.x / length, -n.y / length, up / length};
+  const double base = dot(g, c.tip()) + profile.extent_mm(level / length, up / length);
+  const double least = control_range(other.cell->shape, 0, g).low - base - kDistanceRounding_mm;
+  return least >= limit_ && least - c.largest_shift(g) >= limit_;
 }
 
 /// The middle of a cell of S that the cutter cuts into deepest: what is shallower than the

@@ -57,6 +57,7 @@ class CellClassifier {
   bool clears_by_distance(const CellContact& c, const CellHalves::Part& other,
                           const BodyDistance& d) const;
   bool clears_by_plane(const CellContact& c, const CellHalves::Part& other, double apart) const;
+  bool clears_by_its_plane(const CellContact& c, const CellHalves::Part& other) const;
   std::optional<model::Vec3> deepest_middle(const model::Vec3& tip) const;
   bool bars_all(const model::Vec3& q, const CellContact& contact) const;
   bool refute(OpenCell& open, const SurfaceCell& cell, const CellContact& contact) const;

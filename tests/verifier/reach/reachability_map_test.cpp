@@ -1,5 +1,6 @@
 #include "tests/support/cages.h"
 #include "tests/support/catch.h"
+#include "tests/support/part_cages.h"
 #include "tests/support/rasters.h"
 #include "verifier/reach/reach_map.h"
 #include "verifier/surface/reference_surface.h"
@@ -77,6 +78,31 @@ TEST_CASE("the underside of a closed surface is out of reach, to half its area",
   CHECK(map.unreachable_area_mm2() > 0.9 * half);
   CHECK(map.at(0, 0.5, 0.5) == Reach::unreachable);
   CHECK(map.at(1, 0.5, 0.5) == Reach::reachable);
+}
+
+TEST_CASE("a slot as wide as its flat is in reach, and one that is narrower is not", "[property]") {
+  const double kContact = 1e-4, kDeep = 5;
+  // Wider than the cutter by nothing, by what a sliding fit has, and by a tenth.
+  for (const double wider : {0.0, 0.02, 0.1}) {
+    CAPTURE(wider);
+    const double half = 3 + wider / 2;
+    const ReferenceSurface slot(
+        drawn_outline({{-half, 0}, {-half, -kDeep}, {half, -kDeep}, {half, 0}}, 10));
+    const SurfaceCells cells(slot.tree(), 1);
+    const Reachability reach(cells, CutterProfile(flat_cutter(3)), 0, kContact);
+    const ReachMap map = classify_reach(cells, reach, {0.1, 20'000}, {2});
+    CHECK(map.unreachable_area_mm2() == 0);
+    // Floor whose chord of the cutter is shorter than a cell stays open, and cells at the rims.
+    CHECK(map.undecided_area_mm2() < 0.06 * slot.area_mm2());
+  }
+  const double half = 3 - 4 * kContact;
+  const ReferenceSurface slot(
+      drawn_outline({{-half, 0}, {-half, -kDeep}, {half, -kDeep}, {half, 0}}, 10));
+  const SurfaceCells cells(slot.tree(), 1);
+  const Reachability reach(cells, CutterProfile(flat_cutter(3)), 0, kContact);
+  // From the ends it reaches a radius in.
+  CHECK(classify_reach(cells, reach, {0.1, 20'000}, {2}).reachable_area_mm2() <
+        0.25 * slot.area_mm2());
 }
 
 TEST_CASE("reach maps agree with single contacts and do not depend on threads", "[slow]") {

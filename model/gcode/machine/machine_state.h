@@ -35,6 +35,7 @@ struct ModalState {
   /// G0 to G3, where canned cycles are a group beside them and come back to it.
   std::optional<int> beside_cycles;
   bool motion_is_taken = false;                       ///< G0 of a control that begins in it
+  bool edge_is_taken = false;                         ///< D1 of a tool that came without a D
   std::optional<int> length_number, diameter_number;  ///< H and D, where they stay
   FeedMode feed_mode = FeedMode::per_minute;
   double feed_mm = 0;  ///< by minute or by revolution; 0: none

@@ -219,6 +219,9 @@ void Interpreter::move(const Statement& statement, int code) {
     assumed_.add(statement.line(),
                  "the control is taken to have begun in G0: nothing before this motion says which");
   state_.modal.motion_is_taken = false;
+  if (std::exchange(state_.modal.edge_is_taken, false))
+    assumed_.add(statement.line(),
+                 "D1 is taken to be in effect since the change of the tool: no D says another");
   if (statement.g(GGroup::non_modal) == 530 && code != 0 && code != 10)
     statement.fail(*statement.g_word(GGroup::non_modal), "G53 beside a motion that is not straight",
                    "G0 or G1");

@@ -28,8 +28,7 @@ std::string loaded_name(const MachineState& state) {
 void use_stated(const Statement& statement, MachineState& state, double offset_mm,
                 Assumptions& assumed) {
   if (state.tools.is_full() && !state.tools.true_length())
-    statement.fail(*statement.g_word(GGroup::length_offset), "more than 1000 tools",
-                   "LinuxCNC's limit");
+    statement.fail(statement.blamed(), "more than 1000 tools", "LinuxCNC's limit");
   bool taken = false;
   state.keeping_tip([&] { taken = state.tools.use_offset(offset_mm); });
   if (taken)
@@ -82,6 +81,7 @@ void use_modal_offset(const Statement& statement, MachineState& state, Assumptio
 void use_edge(const Statement& statement, const Word& d, MachineState& state,
               Assumptions& assumed) {
   const int edge = tool_number(statement, d, "cutting edge");
+  state.modal.edge_is_taken = false;
   if (edge == 0) return state.keeping_tip([&] { state.tools.clear_offset(); });
   const auto loaded = state.tools.loaded();
   const auto entry_mm = loaded ? state.tools.offset_of(*loaded) : std::nullopt;
@@ -143,6 +143,19 @@ void select_tool(const Statement& statement, MachineState& state) {
     state.selected_tool = tool_number(statement, *t, "tool number");
 }
 
+namespace {
+
+/// Siemens's D1, which is in effect behind a change as the controls come (MD 20270), unless the
+/// program says another.
+void take_first_edge(MachineState& state, int tool) {
+  const auto entry_mm = state.tools.offset_of(tool);
+  if (!entry_mm) return;
+  state.keeping_tip([&] { state.tools.use_offset(*entry_mm); });
+  state.modal.edge_is_taken = true;
+}
+
+}  // namespace
+
 void change_tool(const Statement& statement, MachineState& state, Program& program) {
   const auto code = statement.m(MGroup::tool_change);
   if (!code) return;
@@ -160,9 +173,13 @@ void change_tool(const Statement& statement, MachineState& state, Program& progr
     statement.fail(word, "more than a million tool changes", "fewer");
   if (state.tools.loaded() != tool)
     program.tool_changes.push_back({statement.line(), program.motions.size(), *tool});
-  if (state.keeps_tip_at_change()) return state.keeping_tip([&] { state.tools.load(*tool); });
-  state.tools.load(*tool);
-  state.refresh();
+  if (state.keeps_tip_at_change()) {
+    state.keeping_tip([&] { state.tools.load(*tool); });
+  } else {
+    state.tools.load(*tool);
+    state.refresh();
+  }
+  if (statement.rules().length_by_d) take_first_edge(state, *tool);
 }
 
 void take_offset_numbers(const Statement& statement, MachineState& state) {

@@ -75,6 +75,26 @@ TEST_CASE("G53 is a rapid on Fanuc whatever stands beside it, and what stands th
   CHECK(kinds(Control::linuxcnc, "G53 X1.\n") == "f");
 }
 
+TEST_CASE("Siemens's D1 is in effect behind a change of the tool, and it is said",
+          "[unit][program]") {
+  MachineSetup machine = of(Control::siemens);
+  machine.tools = {{1, 80, std::nullopt}, {2, 50, std::nullopt}};
+  const auto read = [&](const std::string& text) {
+    return read_text("G71 G90 G94\nT1 M6\n" + text, machine);
+  };
+  const std::string note = "D1 is taken to be in effect";
+  const Program silent = read("G0 X0 Y0 Z5\nT2 M6\nG0 X0 Y0 Z5\n");
+  CHECK(silent.motions.back().to == Vec3{0, 0, 5});
+  CHECK(says(silent, note));
+  for (const std::string said : {"D1\nG0 Z5\n", "D1 G0 Z5\n", "G0 D1 Z5\n"}) {
+    CHECK(read(said).motions.back().to.z == 5);
+    CHECK(!says(read(said), note));
+  }
+  // Without an offset the spindle's nose is where the program says.
+  CHECK(read("D0\nG0 Z100\n").motions.back().to.z == 20);
+  CHECK(!says(read("D0\nG0 Z100\n"), note));
+}
+
 TEST_CASE("one word, two controls, two meanings", "[unit][program]") {
   // G10 L20 states an origin on Fanuc, and where the tool stands on LinuxCNC.
   const std::string text = "G21 G90\nG0 X5. Y0. Z0.\nG10 L20 P1 X1.\nG54.1 P1\nG0 X0.\n";

@@ -52,6 +52,7 @@ struct ControlRules {
   bool rotary_zero = false;              ///< A0, B0, C0 of an axis that stays
   bool modal_offset_words = false;       ///< D and H stay until the next; H0 and D0 are no offset
   bool length_by_d = false;              ///< D takes the tool's length
+  bool length_in_machine_frame = false;  ///< which stays in effect beside G53
   bool whole_lengths_doubtful = false;   ///< X10 may be 10 mm or 10 increments: a parameter says
   std::string_view dwell_letters = "P";  ///< of G4
 

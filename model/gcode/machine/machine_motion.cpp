@@ -20,6 +20,18 @@ double tip_z(const Statement& statement, const MachineState& state, double spind
   return spindle_z_mm - length_mm.value_or(0);
 }
 
+/// Z of the tip for Z of the machine in a block of G53: that of the spindle, or where the control
+/// keeps the length of the tool in force, of what the program calls the tip.
+double tip_z_of_g53(const Statement& statement, const MachineState& state, double z_mm,
+                    Assumptions& assumed) {
+  if (!statement.rules().length_in_machine_frame || !state.tools.has_offset_in_use())
+    return tip_z(statement, state, z_mm, assumed);
+  assumed.add(statement.line(),
+              "the tool's length is taken to stay in effect in a block of G53, G153 or SUPA; a "
+              "control may be set to leave it out there");
+  return z_mm + state.tools.shift_mm();
+}
+
 /// Whether machine coordinates of `axis` mean anything in the active frame. Turned, both X and Y
 /// need both.
 bool is_stated(const MachineState& state, int axis) {
@@ -98,7 +110,7 @@ Vec3 machine_end(const Statement& statement, MachineState& state, bool rapid,
     const Word* const word = statement.word(kAxes[axis]);
     if (!word) continue;
     const double to_mm = length_of(statement, *word, state);
-    tip_mm[axis] = axis == 2 ? tip_z(statement, state, to_mm, assumed) : to_mm;
+    tip_mm[axis] = axis == 2 ? tip_z_of_g53(statement, state, to_mm, assumed) : to_mm;
     state.known[axis] = true;
     state.adrift[axis] = false;
   }

@@ -95,6 +95,22 @@ TEST_CASE("Siemens's D1 is in effect behind a change of the tool, and it is said
   CHECK(!says(read("D0\nG0 Z100\n"), note));
 }
 
+TEST_CASE("Siemens's length stays in effect beside SUPA, unless D0 takes it out",
+          "[unit][program]") {
+  MachineSetup machine = of(Control::siemens);
+  machine.tools = {{1, 80, std::nullopt}};
+  const auto read = [&](const std::string& text) {
+    return read_text("G71 G90 G94 G54\nT1 M6\nD1\n" + text, machine);
+  };
+  for (const std::string code : {"SUPA", "G53", "G153"}) {
+    const Program kept = read(code + " G0 Z-100\n"), left = read("G0 " + code + " Z-100 D0\n");
+    CHECK(kept.motions.back().to.z == -100);
+    CHECK(says(kept, "the tool's length is taken to stay in effect"));
+    CHECK(left.motions.back().to.z == -180);
+    CHECK(!says(left, "the tool's length is taken to stay in effect"));
+  }
+}
+
 TEST_CASE("one word, two controls, two meanings", "[unit][program]") {
   // G10 L20 states an origin on Fanuc, and where the tool stands on LinuxCNC.
   const std::string text = "G21 G90\nG0 X5. Y0. Z0.\nG10 L20 P1 X1.\nG54.1 P1\nG0 X0.\n";

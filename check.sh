@@ -13,10 +13,16 @@ if [ "${1:-}" = --full ]; then
   sanitized='unit|property'
   shift
 fi
-./setup.sh all
 jobs=$(nproc)
 
 common=(-DLIMITGAUGE_WERROR=ON -DLIMITGAUGE_TESTS=ON -DLIMITGAUGE_BENCHMARKS=ON -DLIMITGAUGE_UNITY=ON "$@")
+
+# The program is compiled while what only the tests need is fetched and unpacked.
+./setup.sh build
+./setup.sh test & fetching=$!
+cmake --preset release "${common[@]}" -DLIMITGAUGE_TESTS=OFF -DLIMITGAUGE_BENCHMARKS=OFF >/dev/null
+cmake --build --preset release
+wait "$fetching"
 
 cmake --preset release "${common[@]}" >/dev/null
 cmake --build --preset release
@@ -31,8 +37,8 @@ cmake --build --preset sanitize --target "${parts[@]/#/test_}"
 ctest --test-dir build/sanitize -L "$sanitized" -LE slow -R "^($(IFS='|'; echo "${parts[*]}")):" \
   --output-on-failure -j "$jobs"
 
-FUZZ_JOBS=$jobs tests/fuzz/run.sh 10
+FUZZ_JOBS=$jobs tests/fuzz/run.sh 6
 
 # Other moments every time: the seed is printed. How soon a command ends is no question for a machine that
 # others are busy on.
-tests/torture.sh 1 --patience 30
+tests/torture.sh 0.5 --patience 30

@@ -27,6 +27,9 @@ export async function openBrowser(options = softwareGraphics) {
   return browser;
 }
 
+/** Of the screen to one of the page's: what is laid out is the same, and a quarter as much is drawn. */
+const screenScale = 0.5;
+
 /** All that a page which minds its own business never does, as it happens: a list of sentences. */
 function watch(page, address) {
   const faults = [];
@@ -56,7 +59,7 @@ function watch(page, address) {
  */
 export async function withReport(browser, name, options, use) {
   const { width = 1280, height = 900, early, view = true, file, ...others } = options;
-  const context = await browser.newContext({ viewport: { width, height }, ...others });
+  const context = await browser.newContext({ viewport: { width, height }, deviceScaleFactor: screenScale, ...others });
   try {
     // Nothing here is timed: a machine that does three things at once may take its time.
     context.setDefaultTimeout(60_000);

@@ -91,7 +91,7 @@ TEST_CASE("the jobs of planted findings take what they were forecast to take", "
 }
 
 TEST_CASE("the jobs of hard shapes take what they were forecast to take", "[slow][memory]") {
-  run_folder_as_forecast("torture", tests::by_effort(9, 1));
+  run_folder_as_forecast("torture", tests::by_effort(13, 1));
 }
 
 TEST_CASE("long programs take what they were forecast to take", "[slow][memory]") {

@@ -106,7 +106,7 @@ TEST_CASE("long programs take what they were forecast to take", "[slow][memory]"
 TEST_CASE("a run that the process's limit leaves no room for is refused", "[e2e][memory]") {
   const Scratch scratch;
   Conditions conditions;
-  conditions.most_memory_bytes = std::size_t{420} << 20;
+  conditions.most_memory_bytes = std::size_t{390} << 20;
   const Outcome outcome = limitgauge(
       scratch,
       {"run", fixture("jobs/quick-dome.toml"), "--set", "simulation.voxel=0.01", "-o", "out"},

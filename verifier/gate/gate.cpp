@@ -263,8 +263,11 @@ Interval unreachable_area_mm2(const StageDeviation& d) {
 Verdict judge_any_reach(const StageDeviation& d) {
   const StageDeviation::ProvenReach& reach = d.proven_reach;
   if (d.surface_area_mm2 <= 0 || reach.reachable_mm2 > kNoArea_mm2) return Verdict::pass;
-  const bool may_be = d.reachable_area_mm2 > 0 && reach.undecided_mm2 > kNoArea_mm2;
-  return may_be ? Verdict::indeterminate : Verdict::fail;
+  const bool sampled = d.reachable_area_mm2 > 0;
+  // Without areas by proof there are the samples alone.
+  if (reach.unreachable_mm2 + reach.undecided_mm2 <= kNoArea_mm2)
+    return sampled ? Verdict::pass : Verdict::fail;
+  return sampled && reach.undecided_mm2 > kNoArea_mm2 ? Verdict::indeterminate : Verdict::fail;
 }
 
 GateDecision decide(const StageDeviation& deviation, const GateLimits& limits,

@@ -179,10 +179,7 @@ std::optional<Vec3> Reachability::tip_over_all(const Bezier& level) const {
   const double apart = heights.high - heights.low;
   if (apart > contact_mm_ / 4 || profile_.is_pointed() || profile_.undercuts()) return std::nullopt;
   const Vec3 centre = middle(level);
-  double radius = 0;
-  for (int k = 0; k < 16; ++k)
-    radius = std::max(radius, std::hypot(level.x[k] - centre.x, level.y[k] - centre.y));
-  const double out = profile_.flat_mm - radius - kDistanceRounding_mm;
+  const double out = profile_.flat_mm - control_radius(level, centre) - kDistanceRounding_mm;
   if (out <= 0) return std::nullopt;
   // What stands on the higher points stands above this by no more than `apart`.
   ContactRegion over;

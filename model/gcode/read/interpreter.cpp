@@ -206,8 +206,7 @@ void Interpreter::move_home(const Statement& statement) {
 }
 
 void Interpreter::move(const Statement& statement, int code) {
-  const bool passes =
-      statement.g(GGroup::non_modal) == 530 && statement.rules().rapid_in_machine_frame;
+  const bool passes = is_rapid_in_machine_frame(statement);
   if (state_.modal.motion != code && !is_canned_cycle(code)) cycles_.forget();
   // Where G53 is a rapid of its own, what stays is the motion that stands beside it, if any.
   const auto stated = statement.g(GGroup::motion);

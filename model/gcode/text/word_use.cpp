@@ -253,12 +253,12 @@ std::optional<int> stated_motion(const Statement& statement, int code,
   return code;
 }
 
+}  // namespace
+
 bool is_rapid_in_machine_frame(const Statement& statement) {
   return statement.g(GGroup::non_modal) == 530 && statement.rules().rapid_in_machine_frame &&
          (statement.has_axes() || statement.has_rotary());
 }
-
-}  // namespace
 
 bool axes_are_taken(const Statement& statement) {
   const auto code = statement.g(GGroup::non_modal);

@@ -17,6 +17,8 @@ std::optional<int> motion_of(const Statement& statement, std::optional<int> moda
                              bool by_vector = false);
 /// Whether axis words of the block are those of a code of group 0, as G28's.
 bool axes_are_taken(const Statement& statement);
+/// Whether the block is a G53 that the control carries out as a rapid, whatever motion is in force.
+bool is_rapid_in_machine_frame(const Statement& statement);
 
 /// Throws InputError at a word that no code of the block uses, that two of them would use, or that
 /// a code of the block lacks.

@@ -328,12 +328,21 @@ std::vector<std::optional<ForeignPath>> load_programs(const Job& job, const Sett
   for (const Group& group : groups) readers.emplace_back(job, settings, group);
   const double above_all_mm = above_everything_mm(job, fixtures, part, readers);
   std::vector<std::optional<ForeignPath>> programs(job.stages.size());
+  // What an earlier program leaves, in words, and its file.
+  std::string left, left_by;
   // Motions take twice what moves do: those of a program are let go once its paths are there.
   for (; !readers.empty(); readers.pop_front()) {
     GroupReader& reader = readers.front();
     reader.place({above_all_mm, box_around(job, fixtures, part), start_of(job, above_all_mm)});
-    for (std::size_t i = 0; i < reader.group().size(); ++i)
-      programs[reader.group()[i]] = reader.path_of(i);
+    const std::string& file = job.stages[reader.group()[0]].program_as_stated;
+    for (std::size_t i = 0; i < reader.group().size(); ++i) {
+      auto& foreign = programs[reader.group()[i]] = reader.path_of(i);
+      if (!left.empty() && left_by != file)
+        foreign->assumed.push_back(
+            file + " begins with the job's work and tool offsets, not with those that " + left);
+    }
+    if (const std::uint32_t line = reader.program().offsets_left)
+      left = file + " ends with (line " + std::to_string(line) + ")", left_by = file;
   }
   return programs;
 }

@@ -115,6 +115,9 @@ struct Program {
   /// What G92 or G10 L20 say of where the tip stood before the first line, in the frame of G54, of
   /// axes that nothing had stated or programmed until then.
   std::array<std::optional<double>, 3> start_said_mm;
+  /// The last line that set a work offset, a shift of G92 or G52 or a tool's offset, where the
+  /// program ends with others than it began with; 0: it ends with those.
+  std::uint32_t offsets_left = 0;
   bool has_end = true;          ///< by M2, M30, '%' or, in CL data, FINI
   bool ends_in_line = true;     ///< false: the file's last line has no end
   bool starts_spindle = false;  ///< M3 or M4 somewhere; without, the spindle is taken to turn

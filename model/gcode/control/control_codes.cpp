@@ -13,6 +13,9 @@ constexpr CodeRule aside(int first, int last, std::string_view letters = "") {
 constexpr CodeRule same(int tenths, int other) {
   return {tenths, tenths, CodeUse::same_as, {}, {}, other};
 }
+constexpr CodeRule frames(int first, int last) {
+  return {first, last, CodeUse::work_frame, {}, {}, 0};
+}
 constexpr CodeRule refused(int first, int last, std::string_view wrong, std::string_view expected) {
   return {first, last, CodeUse::refused, wrong, expected, 0};
 }
@@ -31,8 +34,9 @@ constexpr std::string_view kNotRead = "a code of this control";
 /// carried out (B-63684EN, "List of G codes"; Haas 96-8210, "G-Codes").
 constexpr std::array kIsoG = {
     refused(21, 29, "it interpolates along another curve", kLines),
-    aside(50, 50, "P"),   // G05 P10000: high-speed machining
-    aside(51, 51, "QR"),  // G05.1 Q1: look-ahead contour control
+    aside(50, 50, "P"),  // G05 P10000: high-speed machining
+    aside(51, 51,
+          "QRXYZ"),  // G05.1 Q1: look-ahead contour control; beside Q2 the axes that it smooths
     refused(52, 59, "it interpolates along another curve", kLines),
     refused(60, 63, "it interpolates along another curve", kLines),
     aside(80, 80, "P"),  // look-ahead
@@ -57,7 +61,7 @@ constexpr std::array kIsoG = {
     refused(431, 439, kOriented, "G43 H"),
     refused(470, 470, "engraved text is the control's own", kLines),
     aside(491, 491),
-    aside(500, 501),  // scaling and mirroring off
+    aside(500, 501, "XYZ"),  // scaling and mirroring off, of these axes
     refused(510, 511, kTurned, kOff),
     refused(591, 599, "it is no code of this control", "G54 to G59, G54.1 P"),
     refused(600, 600, "it approaches from one side by what a parameter says", kLines),
@@ -91,7 +95,8 @@ constexpr std::array kIsoG = {
 constexpr std::array kHaasG = {
     refused(434, 435, "it is Fanuc's, and Haas has another word for it", "G234 H"),
     refused(531, 531, "it is Fanuc's, and Haas has another word for it", "A, B or C themselves"),
-    refused(682, 689, "it is Fanuc's, and Haas has other words for it", "G254")};
+    refused(682, 689, "it is Fanuc's, and Haas has other words for it", "G254"),
+    frames(1100, 1290)};  // the older words for G154 P1 to P20 (96-8210, "G110-G129")
 
 constexpr std::array kIsoM = {
     aside(10, 11),       // clamps of rotary axes

@@ -11,8 +11,9 @@ namespace limitgauge::model::gcode {
 
 /// What a control makes of a code, where that is not what RS274/NGC makes of it.
 enum class CodeUse : std::uint8_t {
-  set_aside,  ///< a setting or the end of one: it moves nothing, and is listed as ignored
-  same_as,    ///< another code by another number
+  set_aside,   ///< a setting or the end of one: it moves nothing, and is listed as ignored
+  same_as,     ///< another code by another number
+  work_frame,  ///< G54.1 P of a number that follows from the code's, G110's being 1
   refused
 };
 

@@ -20,7 +20,7 @@ constexpr ControlRules iso_rules(Control control, std::string_view title) {
   rules.colon_numbers = rules.numbered_skips = rules.semicolon_ends_block = true;
   rules.trailing_percent = rules.leader = true;
   rules.idle_centre_words = rules.rotary_zero = rules.modal_offset_words = true;
-  rules.whole_lengths_doubtful = true;
+  rules.whole_lengths_doubtful = rules.rounds_calculated = true;
   rules.separate_cycle_group = rules.motion_beside_reference = rules.begins_in_g98 = true;
   rules.dwell_is_optional = rules.whole_peck = rules.tap_turns_spindle = true;
   rules.fanuc_offsets = rules.fanuc_cycles = true;
@@ -32,6 +32,8 @@ constexpr ControlRules fanuc_rules() {
   ControlRules rules = iso_rules(Control::fanuc, "Fanuc");
   rules.repeats_by_k = rules.rapid_in_machine_frame = rules.program_names = true;
   rules.dwell_letters = "PX";
+  rules.length_cancel = LengthCancel::where_z_moves;
+  rules.most_still_blocks = 1;
   rules.compensation_as_set = "start-up and cancel of type A, parameter 5003";
   rules.extended_systems = 300;
   return rules;
@@ -39,7 +41,8 @@ constexpr ControlRules fanuc_rules() {
 
 constexpr ControlRules haas_rules() {
   ControlRules rules = iso_rules(Control::haas, "Haas");
-  rules.local_subprograms = rules.begins_in_g0 = true;
+  rules.local_subprograms = rules.begins_in_g0 = rules.arguments_once = true;
+  rules.length_cancel = LengthCancel::by_return;
   rules.extended_systems = 99;
   rules.compensation_as_set = "entry and exit of type A, setting 43, corners as Fanuc's";
   return rules;

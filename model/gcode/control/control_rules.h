@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "model/machine/control.h"
@@ -18,6 +19,14 @@ enum class CompensationStyle {
   siemens  ///< the entry as fanuc's (NORM); outer corners are arcs (G450)
 };
 
+/// Which codes take the tool's length out of effect until H or G43 says it again, the modal G43
+/// staying.
+enum class LengthCancel {
+  never,
+  where_z_moves,  ///< G28, G30 and G53 that move Z (Fanuc B-63844EN, 14.1.2)
+  by_return       ///< G28 and G30, whatever axes move (Haas 96-8000, "G28")
+};
+
 /// What a control takes beyond RS274/NGC as LinuxCNC documents it, or instead of it: the one home
 /// of such differences, beside its codes (control_codes.h). Sources: LinuxCNC 2.9, "G-Code";
 /// Fanuc B-63684EN and B-64304EN, operator's manuals (series 16i/18i and 0i-D); Haas, mill
@@ -28,11 +37,12 @@ struct ControlRules {
   std::string_view title;  ///< for messages: `Haas`
 
   // Text.
-  bool o_words = false;             ///< LinuxCNC's sub, call, while, if, ...
-  bool expressions = false;         ///< brackets, functions and #parameters
-  bool macro_b = false;             ///< IF, GOTO, WHILE, DO, END, G65, vacant variables
-  bool r_parameters = false;        ///< Siemens's R1=..., X=..., comments by ';' only
-  bool subprograms = false;         ///< M98 and M99
+  bool o_words = false;         ///< LinuxCNC's sub, call, while, if, ...
+  bool expressions = false;     ///< brackets, functions and #parameters
+  bool arguments_once = false;  ///< of G65 L: each run goes on with the variables of the one before
+  bool macro_b = false;         ///< IF, GOTO, WHILE, DO, END, G65, vacant variables
+  bool r_parameters = false;    ///< Siemens's R1=..., X=..., comments by ';' only
+  bool subprograms = false;     ///< M98 and M99
   bool local_subprograms = false;   ///< M97 P calls the block of that number
   bool call_beside_motion = false;  ///< M98 and M99 end a block of other words
   bool repeats_by_q = false;        ///< M98 P Q
@@ -53,7 +63,12 @@ struct ControlRules {
   bool modal_offset_words = false;       ///< D and H stay until the next; H0 and D0 are no offset
   bool length_by_d = false;              ///< D takes the tool's length
   bool length_in_machine_frame = false;  ///< which stays in effect beside G53
-  bool whole_lengths_doubtful = false;   ///< X10 may be 10 mm or 10 increments: a parameter says
+  LengthCancel length_cancel = LengthCancel::never;
+  bool whole_lengths_doubtful = false;  ///< X10 may be 10 mm or 10 increments: a parameter says
+  /// Lengths and angles that variables and expressions give are rounded to the least input
+  /// increment: 0.001 mm, 0.0001 inch, 0.001 degrees (Fanuc B-63684EN, 16.1; Haas, "Address
+  /// Substitution").
+  bool rounds_calculated = false;
   std::string_view dwell_letters = "P";  ///< of G4
 
   // Codes.
@@ -74,6 +89,10 @@ struct ControlRules {
   int extended_systems = 0;    ///< of G54.1 P or G154 P
 
   CompensationStyle compensation = CompensationStyle::linuxcnc;
+  /// Blocks without a motion in the plane that the control reads over to find the next one beside a
+  /// contour: with more it leaves the corner between as it is (Fanuc B-63944EN, 6.6.3: parameter
+  /// 19625 less two, one at least).
+  std::optional<int> most_still_blocks = {};
   std::string_view compensation_as_set = {};  ///< what is assumed of its settings, for messages
 };
 

@@ -38,6 +38,8 @@ class CutterCompensation {
 
   /// From begin() to end(), also with a radius of 0, which lets every motion through as it is.
   bool active() const { return stage_ != Stage::off; }
+  /// The tool is kept beside what is programmed.
+  bool shifts() const { return active() && radius_mm_ != 0; }
   /// Motions need not come through move(): nothing is on, and no rule looks at the next one.
   bool idle() const { return stage_ == Stage::off && !just_left_; }
   /// G41 or G42; the next motion is the entry. `radius_mm` may be negative: the other side.

@@ -53,7 +53,7 @@ bool Flow::take(Block& block) {
 }
 
 /// Carries out what says which block comes next; false for all others.
-bool Flow::is_for_flow(const Block& block) {
+bool Flow::is_for_flow(Block& block) {
   if (block.o_word) {
     carry_out(block);
   } else if (block.macro) {

@@ -156,14 +156,15 @@ class Flow {
                                       Lexer::Bookmark from);
   void begin_loop(const Block& block);
   void end_loop(const Block& block);
-  void call_macro(const Block& block);
+  void call_macro(Block& block);
+  void note_doubtful_arguments(Block& block);
   void call_local(const Block& block);
   bool split_call(Block& block);
   [[noreturn]] void fail_at(const Block& block, const Word& word, const std::string& wrong,
                             const std::string& expected) const;
 
   bool take(Block& block);
-  bool is_for_flow(const Block& block);
+  bool is_for_flow(Block& block);
   void name_main_line(Block& block) const;
   void check_setting(const Block& block, const Setting& setting) const;
   [[noreturn]] void fail(const Block& block, const std::string& wrong,
@@ -181,6 +182,7 @@ class Flow {
   std::optional<Frame> jump_;     // where the first GOTO led
   std::vector<Frame> frames_;
   std::size_t calls_ = 0;
+  bool doubts_arguments_ = true;  // those without a decimal point are still to be told of
   std::size_t blocks_ = 0, bytes_ = 0, idle_blocks_ = 0;
   std::unordered_map<std::string, std::uint32_t> lines_of_labels_;  // "scope#label"
   // LinuxCNC remembers these beyond the loop that they leave.

@@ -112,7 +112,7 @@ void Flow::end_loop(const Block& block) {
 }
 
 /// G65 P: the other words are arguments.
-void Flow::call_macro(const Block& block) {
+void Flow::call_macro(Block& block) {
   const Word *p = nullptr, *l = nullptr;
   Parameters::MacroArguments arguments;
   int sets = 0;
@@ -147,7 +147,24 @@ void Flow::call_macro(const Block& block) {
   frame.arguments = arguments;
   push_call(block, block.words.front().column, frame);
   parameters_.enter_macro(arguments);
+  if (doubts_arguments_) note_doubtful_arguments(block);
   lexer_.go_to(frame.subroutine->body);
+}
+
+/// What Fanuc and Haas take in the least increment of the word's own (B-63684EN, 16.8.1; Haas,
+/// "Integer argument passing") unless they are set otherwise.
+void Flow::note_doubtful_arguments(Block& block) {
+  constexpr std::string_view kInIncrements = "ABCIJKQRUVWXYZ";
+  const auto doubtful = std::find_if(block.words.begin(), block.words.end(), [&](const Word& word) {
+    return kInIncrements.find(word.letter) != std::string_view::npos && word.value != 0 &&
+           word.text.find_first_of(".#[") == std::string_view::npos;
+  });
+  if (doubtful == block.words.end()) return;
+  doubts_arguments_ = false;
+  block.notes.push_back(
+      in_quotes(doubtful->text) +
+      " and other arguments of G65 without a decimal point are taken to be whole numbers; a "
+      "control that is set otherwise counts its increments, thousandths or less");
 }
 
 /// M97 P: the blocks from number P on, to M99.

@@ -141,6 +141,7 @@ void Flow::return_from_program(const Block& block) {
   if (!call->subroutine->is_program)
     lexer_.fail_at(block.line, m99.column, "M99 in subroutine o" + call->subroutine->label,
                    "endsub or return");
+  const Parameters::MacroArguments variables = parameters_.locals();
   Frame frame = pop_call();
   set_returned(std::nullopt);
   --frame.left;
@@ -149,7 +150,8 @@ void Flow::return_from_program(const Block& block) {
   lexer_.go_to(frame.subroutine->body);
   frames_.push_back(frame);
   ++calls_;
-  if (frame.arguments) return parameters_.enter_macro(*frame.arguments);
+  const bool once = lexer_.rules().arguments_once;
+  if (frame.arguments) return parameters_.enter_macro(once ? variables : *frame.arguments);
   parameters_.enter();
 }
 

@@ -1,5 +1,7 @@
 #include "model/gcode/machine/coordinate_systems.h"
 
+#include <algorithm>
+
 #include "model/base/angle.h"
 #include "model/gcode/control/control_rules.h"
 
@@ -40,6 +42,14 @@ CoordinateSystems::CoordinateSystems(const MachineSetup& machine)
 
 Frame CoordinateSystems::frame(std::size_t index) const {
   return {systems_[index].origin_mm, systems_[index].rotation_deg, g92_mm_, 0};
+}
+
+bool CoordinateSystems::lie_as(const CoordinateSystems& other) const {
+  const auto same = [](const CoordinateSystem& a, const CoordinateSystem& b) {
+    return a.origin_mm == b.origin_mm && a.rotation_deg == b.rotation_deg;
+  };
+  return g92_mm_ == other.g92_mm_ && std::equal(systems_.begin(), systems_.end(),
+                                                other.systems_.begin(), other.systems_.end(), same);
 }
 
 void CoordinateSystems::state(std::size_t index, int axis, double origin_mm) {

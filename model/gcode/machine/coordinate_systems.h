@@ -62,6 +62,8 @@ class CoordinateSystems {
   const Vec3& saved_g92_mm() const { return saved_g92_mm_; }
   bool g92_applies() const { return g92_applies_; }
   bool g92_was_set() const { return g92_was_set_; }
+  /// Whether all of them lie where those of `other` do.
+  bool lie_as(const CoordinateSystems& other) const;
   /// Without a length offset.
   Frame frame(std::size_t index) const;
 

@@ -41,9 +41,9 @@ void set_feed(const Statement& statement, MachineState& state) {
   const Word* const f = statement.word('F');
   if (!f) return;
   if (f->value < 0) statement.fail(*f, "a negative feed rate", "0 or more");
-  if (!(f->value * modal.unit_mm <= kLargestCoordinateMm))
+  if (!(f->value * modal.feed_unit_mm <= kLargestCoordinateMm))
     statement.fail(*f, "a feed rate beyond any machine", "at most 1e9 mm/min");
-  if (modal.feed_mode != FeedMode::inverse_time) modal.feed_mm = f->value * modal.unit_mm;
+  if (modal.feed_mode != FeedMode::inverse_time) modal.feed_mm = f->value * modal.feed_unit_mm;
 }
 
 double feed_of(const Statement& statement, const MachineState& state, double length_mm) {

@@ -24,14 +24,17 @@ enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_revolution };
 /// G54 G80 G90 G91.1 G94 G97 G99, no feed rate.
 struct ModalState {
   ArcPlane plane = ArcPlane::xy;
-  double unit_mm = 1;
+  double unit_mm = 1, feed_unit_mm = 1;
   bool incremental = false, centre_absolute = false;
   bool units_are_stated = false, distance_is_stated = false;  ///< by a word of their groups
   bool return_to_r = true;                                    ///< G99
   bool return_is_stated = false;                              ///< by G98 or G99
   int compensation = 400;                                     ///< G40, G41 or G42, in tenths
-  int length_offset = 490;    ///< G43, G43.1, G43.2 or G49, in tenths
-  std::optional<int> motion;  ///< G code in tenths
+  int length_offset = 490;  ///< G43, G43.1, G43.2 or G49, in tenths
+  /// G28, G30 or G53, in tenths, which has taken the tool's length out of effect (LengthCancel).
+  std::optional<int> length_cancelled_by;
+  bool cancelled_length_is_told = false;  ///< a motion along Z came since, and was listed
+  std::optional<int> motion;              ///< G code in tenths
   /// G0 to G3, where canned cycles are a group beside them and come back to it.
   std::optional<int> beside_cycles;
   bool motion_is_taken = false;                       ///< G0 of a control that begins in it

@@ -1,5 +1,7 @@
 #include "model/gcode/machine/tool_table.h"
 
+#include <algorithm>
+
 namespace limitgauge::model::gcode {
 
 ToolTable::ToolTable(const MachineSetup& machine) : loaded_(machine.loaded_tool) {
@@ -32,6 +34,13 @@ std::optional<double> ToolTable::true_length() const {
   if (*loaded_ == 0) return 0.0;
   const Tool* const entry = find(*loaded_);
   return entry ? entry->true_length_mm : std::nullopt;
+}
+
+bool ToolTable::has_entries_of(const ToolTable& other) const {
+  return std::all_of(tools_.begin(), tools_.end(), [&](const auto& entry) {
+    const Tool* const tool = other.find(entry.first);
+    return entry.second.is_as(tool ? *tool : Tool{});
+  });
 }
 
 void ToolTable::clear_offset() {

@@ -29,6 +29,9 @@ class ToolTable {
   void set_diameter_wear(int tool, double wear_mm) { tools_[tool].diameter_wear_mm = wear_mm; }
   void set_diameter(int tool, double diameter_mm) { tools_[tool].diameter_mm = diameter_mm; }
 
+  /// Whether its entries are those of `other`.
+  bool has_entries_of(const ToolTable& other) const;
+
   void clear_offset();  ///< G49
   /// G43 with the tool's own number, its length not stated: programmed heights are the tip's.
   void use_own_length();
@@ -48,6 +51,11 @@ class ToolTable {
   struct Tool {
     std::optional<double> offset_mm, diameter_mm, true_length_mm;
     double length_wear_mm = 0, diameter_wear_mm = 0;
+    /// But for what a tool that nothing stated was taken to measure.
+    bool is_as(const Tool& other) const {
+      return offset_mm == other.offset_mm && diameter_mm == other.diameter_mm &&
+             length_wear_mm == other.length_wear_mm && diameter_wear_mm == other.diameter_wear_mm;
+    }
   };
   struct InUse {
     bool has_unstated_length = false;  ///< of tool `owner`, beside `offset_mm`

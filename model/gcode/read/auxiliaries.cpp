@@ -108,6 +108,19 @@ void list_idle_centre(const Statement& statement, ArcPlane plane, Program& progr
 }
 
 /// Grbl 1.1, "Commands": settings, states and modes; of these $H and $J move the machine.
+namespace {
+
+/// Grbl's settings of directions ($3) and of steps to the millimetre ($100 to $102).
+bool sets_geometry(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos) return false;
+  std::string number(text.substr(1, equals - 1));
+  std::erase(number, ' ');
+  return number == "3" || number == "100" || number == "101" || number == "102";
+}
+
+}  // namespace
+
 void list_dollar(const Statement& statement, Program& program, bool moved, Assumptions& assumed) {
   const Block& block = statement.block();
   const std::string text = cut(block.dollar);
@@ -115,6 +128,12 @@ void list_dollar(const Statement& statement, Program& program, bool moved, Assum
   if (command == 'J' || (command == 'H' && moved))
     statement.fail_line(in_quotes(text) + " moves the machine by itself",
                         "G0 and G1; homing before the first motion");
+  if (command == 'C')
+    statement.fail_line(in_quotes(text) + " is Grbl's check mode, in which nothing is carried out",
+                        "a program without it");
+  if (sets_geometry(text))
+    statement.fail_line(in_quotes(text) + " changes which way or how far the machine's axes move",
+                        "a program without it");
   if (command == 'H')
     assumed.add(statement.line(), "the machine is homed by $H before it comes to its start");
   add_ignored(program, statement.line(), text);

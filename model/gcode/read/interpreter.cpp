@@ -20,6 +20,8 @@ Interpreter::Interpreter(Program& program, const MachineSetup& machine, const Le
     : program_(program),
       assumed_(program.assumed),
       state_(machine),
+      systems_at_start_(state_.systems),
+      tools_at_start_(state_.tools),
       compensation_([this](Motion motion) { put(motion); },
                     [&lexer](std::uint32_t line) { return lexer.place(line, 1); }),
       saved_(state_, compensation_, parameters),
@@ -65,10 +67,19 @@ bool Interpreter::execute(const Statement& statement) {
     list_unused_feed(statement, program_);
   set_speed(statement);
   select_tool(statement, state_);
+  const Vec3 from_mm = state_.position_mm;
   carry_out_m(statement);
   carry_out_g(statement, motion);
+  if (statement.rules().most_still_blocks) watch_still_blocks(statement, from_mm);
   plain_ = may_be_plain();
   return stop(statement);
+}
+
+void Interpreter::finish() {
+  compensation_.flush();
+  const bool as_begun =
+      state_.systems.lie_as(systems_at_start_) && state_.tools.has_entries_of(tools_at_start_);
+  if (!as_begun) program_.offsets_left = offsets_line_;
 }
 
 void Interpreter::carry_out_m(const Statement& statement) {
@@ -111,6 +122,17 @@ void Interpreter::set_plane(const Statement& statement) {
   state_.modal.plane = plane;
 }
 
+namespace {
+
+/// Siemens's G70 and G71 leave feeds in the unit that the control has, and G700 and G710 do not
+/// ("Fundamentals", "Inch or metric").
+bool is_unit_of_lengths_alone(const Statement& statement) {
+  const double code = statement.g_word(GGroup::units)->value;
+  return statement.rules().control == Control::siemens && code < 100;
+}
+
+}  // namespace
+
 void Interpreter::set_units(const Statement& statement) {
   const auto code = statement.g(GGroup::units);
   if (!code) return;
@@ -120,7 +142,12 @@ void Interpreter::set_units(const Statement& statement) {
     assumed_.add(statement.line(), unit_mm == 1 ? "the units change to millimetres here"
                                                 : "the units change to inches here");
   state_.modal.unit_mm = unit_mm;
+  if (!is_unit_of_lengths_alone(statement)) state_.modal.feed_unit_mm = unit_mm;
   state_.modal.units_are_stated = true;
+  if (unit_mm != 1 && is_unit_of_lengths_alone(statement))
+    assumed_.add(
+        statement.line(),
+        "feeds are taken to be in millimetres, as the control is set: G70 leaves them in its unit");
   compensation_.use_inches(*code == 200);
 }
 
@@ -158,6 +185,7 @@ void Interpreter::note_taken_modes(const Statement& statement) {
 void Interpreter::carry_out_non_modal(const Statement& statement) {
   switch (statement.g(GGroup::non_modal).value_or(-1)) {
     case 100:
+      offsets_line_ = statement.line();
       return set_data(statement, state_, program_, assumed_);
     case 280:
     case 300:
@@ -167,6 +195,7 @@ void Interpreter::carry_out_non_modal(const Statement& statement) {
       return store_reference(statement, state_);
     case 520:
     case 920:
+      offsets_line_ = statement.line();
       return set_axis_offsets(statement, state_, program_, assumed_);
     case 531:
       forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state_);
@@ -187,6 +216,7 @@ void Interpreter::go_home(const Statement& statement) {
   check_system(statement, state_);
   in_joints([&] { move_home(statement); });
   turn_home(statement);
+  cancel_length(statement, state_);
 }
 
 void Interpreter::move_home(const Statement& statement) {
@@ -221,6 +251,7 @@ void Interpreter::move(const Statement& statement, int code) {
   if (std::exchange(state_.modal.edge_is_taken, false))
     assumed_.add(statement.line(),
                  "D1 is taken to be in effect since the change of the tool: no D says another");
+  note_cancelled_length(statement, state_, assumed_);
   if (statement.g(GGroup::non_modal) == 530 && code != 0 && code != 10)
     statement.fail(*statement.g_word(GGroup::non_modal), "G53 beside a motion that is not straight",
                    "G0 or G1");
@@ -239,6 +270,7 @@ void Interpreter::move_straight(const Statement& statement, int code) {
     emit(statement, motion);
   };
   in_joints_if(statement.g(GGroup::non_modal) == 530, carry_out);
+  cancel_length(statement, state_);
 }
 
 void Interpreter::cycle(const Statement& statement, int code) {

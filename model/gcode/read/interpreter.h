@@ -26,6 +26,9 @@ class Interpreter {
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;
 
+  /// Rounds what variables and expressions give to what the control's increments can say, where it
+  /// does so.
+  void round_calculated(Block& block);
   /// Returns false when the block ends the program (M2, M30).
   bool execute(const Statement& statement);
   /// Carries out a line of the main program that calls, loops and jumps have nothing to do with.
@@ -34,7 +37,7 @@ class Interpreter {
   /// Whether move_plainly may take the next line.
   bool goes_plainly() const { return plain_; }
   /// At the end of the program: lets out the motions that cutter compensation still holds.
-  void finish() { compensation_.flush(); }
+  void finish();
 
  private:
   void set_system_parameters(Parameters& parameters, const ControlRules& rules);
@@ -52,6 +55,7 @@ class Interpreter {
   void move_plainly(const Statement& statement);
   void carry_out_m(const Statement& statement);
   void carry_out_g(const Statement& statement, std::optional<int> motion);
+  void watch_still_blocks(const Statement& statement, const Vec3& from_mm);
   bool stop(const Statement& statement);
   void set_spindle_mode(const Statement& statement);
   void set_speed(const Statement& statement);
@@ -116,11 +120,16 @@ class Interpreter {
   Program& program_;
   Assumptions assumed_;
   MachineState state_;
+  const CoordinateSystems systems_at_start_;
+  const ToolTable tools_at_start_;
+  std::uint32_t offsets_line_ = 0;  ///< of the last code that set some
   CutterCompensation compensation_;
   SavedStates saved_;
   CannedCycles cycles_;
   std::size_t most_motions_;
   std::size_t motions_before_spindle_ = 0;
+  std::optional<int>
+      still_blocks_;             ///< since the last motion beside a contour; empty: there was none
   bool doubts_lengths_ = false;  ///< lengths without a point are still to be told of
   bool lack_of_speed_is_told_ = false;
   bool left_hand_is_told_ = false;

@@ -1,4 +1,7 @@
 // The interpreter's part for what controls read otherwise than LinuxCNC.
+#include <cmath>
+
+#include "model/base/tolerance.h"
 #include "model/gcode/read/auxiliaries.h"
 #include "model/gcode/read/interpreter.h"
 #include "model/gcode/text/word_use.h"
@@ -32,6 +35,68 @@ void Interpreter::note_doubtful_lengths(const Statement& statement) {
             "millimetres or inches; a control that is set otherwise counts its increments, "
             "thousandths or less");
     return;
+  }
+}
+
+/// After `statement`, before which the tool stood at `from_mm`.
+void Interpreter::watch_still_blocks(const Statement& statement, const Vec3& from_mm) {
+  if (!compensation_.shifts()) return still_blocks_.reset();
+  const auto [first, second, along] = axes_of(state_.modal.plane);
+  const bool moves = state_.position_mm[first] != from_mm[first] ||
+                     state_.position_mm[second] != from_mm[second] ||
+                     statement.first_of({'I', 'J', 'K'}) != nullptr;
+  if (!moves) {
+    if (still_blocks_) ++*still_blocks_;
+    return;
+  }
+  const int still = still_blocks_.value_or(0), most = *statement.rules().most_still_blocks;
+  if (still > most)
+    statement.fail(statement.blamed(),
+                   "a motion under G41 or G42 behind " + std::to_string(still) +
+                       " blocks without one in its plane: how many of them the control reads over "
+                       "is a parameter's "
+                       "to say, and the contour's corner before them is left as it is otherwise",
+                   "one such block at most between two motions beside a contour");
+  still_blocks_ = 0;
+}
+
+namespace {
+
+/// Of the block that a word stands in: G20 and G21 in it count.
+double unit_in(const Block& block, double modal_unit_mm) {
+  for (const Word& word : block.words)
+    if (word.letter == 'G' && (word.value == 20 || word.value == 21))
+      return word.value == 20 ? kInchMm : 1;
+  return modal_unit_mm;
+}
+
+/// Steps of the least input increment (IS-B) in a unit of the word; 0: it is no length and no
+/// angle.
+double steps_in_unit(char letter, bool in_inches) {
+  constexpr double kSteps = 1000, kStepsInch = 10'000;
+  const std::uint32_t bit = letter_bit(letter);
+  if ((bit & kRotaryLetters) != 0) return kSteps;
+  if ((bit & letter_bits("XYZIJKRQ")) == 0) return 0;
+  return in_inches ? kStepsInch : kSteps;
+}
+
+}  // namespace
+
+/// A number that is written out stays as it is. What is whole steps but for the last bits of a sum
+/// is not listed.
+void Interpreter::round_calculated(Block& block) {
+  for (Word& word : block.words) {
+    if (word.text.find_first_of("#[") == std::string_view::npos) continue;
+    const double steps = steps_in_unit(word.letter, unit_in(block, state_.modal.unit_mm) != 1);
+    if (steps == 0) continue;
+    const double rounded = std::round(word.value * steps) / steps;
+    constexpr double kSumOfSteps = 1e-9;
+    if (std::abs(rounded - word.value) > kSumOfSteps)
+      assumed_.add(block.main_line,
+                   "lengths and angles from variables and expressions are rounded to 0.001 mm, "
+                   "0.0001 inch and "
+                   "0.001 degrees, the control's least increments");
+    word.value = rounded;
   }
 }
 

@@ -259,8 +259,10 @@ void select_system(const Statement& statement, MachineState& state, Assumptions&
   check_frame_is_free(statement, *statement.g_word(GGroup::coordinate_system), state);
   const Word& word = *statement.g_word(GGroup::coordinate_system);
   const int code = *statement.g(GGroup::coordinate_system);
-  const auto index = code == 541
-                         ? extended_system_of(statement, word)
+  constexpr int kFirstByCode = 1100;  // Haas's G110: the first beyond G59
+  const auto index = code == 541 ? extended_system_of(statement, word)
+                     : code >= kFirstByCode
+                         ? kWorkOffsets + static_cast<std::size_t>((code - kFirstByCode) / 10)
                          : static_cast<std::size_t>(code <= 590 ? (code - 540) / 10 : code - 585);
   if (state.fresh && index != 0 && !state.systems.system(index).is_set_by_program())
     assumed.add(statement.line(), work_offset_name(index) + " lies at the machine's zero");

@@ -45,6 +45,7 @@ Program read_plain(std::string_view text, const std::string& name, const Machine
   gcode::Block block;
   bool goes_on = true;
   while (goes_on && flow.next(block)) {
+    if (lexer.rules().rounds_calculated) interpreter.round_calculated(block);
     goes_on = interpreter.execute(gcode::Statement(block, lexer));
     if (goes_on && interpreter.goes_plainly() && flow.goes_straight())
       take_plain_lines(lexer, interpreter);

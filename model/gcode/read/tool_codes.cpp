@@ -199,8 +199,9 @@ void set_length_offset(const Statement& statement, MachineState& state, Assumpti
   const Word *const h = statement.word('H'), *const d = statement.word('D');
   const ControlRules& rules = statement.rules();
   if (d && rules.length_by_d) use_edge(statement, *d, state, assumed);
-  if (!code && h && rules.modal_offset_words && state.modal.length_offset == 430)
-    return use_modal_offset(statement, state, assumed);
+  const bool again = !code && h && rules.modal_offset_words && state.modal.length_offset == 430;
+  if (code || again) state.modal.length_cancelled_by.reset();
+  if (again) return use_modal_offset(statement, state, assumed);
   if (!code) return;
   forbid_compensation(statement, *statement.g_word(GGroup::length_offset), state);
   const bool centres = *code == 434 || *code == 435;
@@ -238,8 +239,44 @@ bool restore_length_offset(MachineState& state, int code) {
   return true;
 }
 
+void cancel_length(const Statement& statement, MachineState& state) {
+  const LengthCancel cancel = statement.rules().length_cancel;
+  const auto code = statement.g(GGroup::non_modal);
+  const bool returns = code == 280 || code == 300, in_machine = code == 530;
+  const bool moves_z = statement.word('Z') || (returns && !statement.has_axes());
+  const bool cancels =
+      cancel == LengthCancel::where_z_moves ? (returns || in_machine) && moves_z : returns;
+  if (cancel == LengthCancel::never || !cancels || state.orientation.tool_centred) return;
+  if (!state.tools.has_offset_in_use()) return;
+  state.keeping_tip([&] { state.tools.clear_offset(); });
+  state.modal.length_cancelled_by = code;
+  state.modal.cancelled_length_is_told = false;
+}
+
+namespace {
+
+std::string cancelled_text(const MachineState& state) {
+  return "out of effect since G" + std::to_string(*state.modal.length_cancelled_by / 10);
+}
+
+}  // namespace
+
+void note_cancelled_length(const Statement& statement, MachineState& state, Assumptions& assumed) {
+  const bool told = !state.modal.length_cancelled_by || state.modal.cancelled_length_is_told;
+  if (told || statement.g(GGroup::non_modal) == 530) return;
+  if (!statement.word('Z') && !is_canned_cycle(state.modal.motion.value_or(0))) return;
+  assumed.add(statement.line(), "the tool's length is taken to be " + cancelled_text(state) +
+                                    ": neither G43 nor H says it again");
+  state.modal.cancelled_length_is_told = true;
+}
+
 void check_tip(const Statement& statement, const MachineState& state) {
   if (!state.tools.is_uncertain()) return;
+  if (state.modal.length_cancelled_by)
+    statement.fail(statement.blamed(),
+                   "a feed motion while the length of " + loaded_name(state) + " is " +
+                       cancelled_text(state) + ", and nothing states it",
+                   std::string("G43 or H before it, or ") + kLengths);
   statement.fail(statement.blamed(),
                  "a feed motion under a length offset that is not that of " + loaded_name(state) +
                      ", whose length nothing states",

@@ -19,6 +19,11 @@ void set_length_offset(const Statement& statement, MachineState& state, Assumpti
 /// Takes up a length offset that was saved, as LinuxCNC does: by G49, or by G43 for the tool that
 /// is in the spindle now. False where it was one of G43.1 or G43.2, whose value is not saved.
 bool restore_length_offset(MachineState& state, int code);
+/// Behind a block of G28, G30 or G53: takes the tool's length out of effect where the control does
+/// (LengthCancel). The code, in tenths, and the modal G43 stay.
+void cancel_length(const Statement& statement, MachineState& state);
+/// Of a motion along Z under a length that is out of effect so: lists it once.
+void note_cancelled_length(const Statement& statement, MachineState& state, Assumptions& assumed);
 /// A feed motion needs to know where the tip is: throws InputError where the length offset in use
 /// is not that of the tool in the spindle and their lengths are not stated.
 void check_tip(const Statement& statement, const MachineState& state);

@@ -50,6 +50,8 @@ class Parameters {
   /// A call by G65: its arguments by the variables that they are handed over in; the rest is
   /// vacant.
   void enter_macro(const MacroArguments& arguments);
+  /// The local variables by number as they are.
+  const MacroArguments& locals() const { return frames_.back().numbered; }
   /// A call by M98: 1 to 30 are the caller's own, but no local name is known.
   void enter();
   void leave();

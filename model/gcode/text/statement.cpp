@@ -78,6 +78,10 @@ void Statement::add_g(const Word& word, Index index) {
           lexer_.rotary() != 0 && tenths ? rotary_code(rules().control, *tenths) : std::nullopt)
     return put(g_[static_cast<int>(code->group)], code->tenths, word, index);
   if (const CodeRule* rule = tenths ? g_rule(rules().control, *tenths) : nullptr) {
+    if (rule->use == CodeUse::work_frame) {
+      if (*tenths % 10 != 0) refuse(word, {});
+      return put(g_[static_cast<int>(GGroup::coordinate_system)], *tenths, word, index);
+    }
     if (rule->use != CodeUse::same_as) return add(*rule, word, index);
     tenths = rule->other;
   }

@@ -66,6 +66,19 @@ TEST_CASE("a slot cut before Y is named is cut where the program starts", "[unit
   CHECK(says(path, "line 3: cuts before X, Y and Z have all been named"));
 }
 
+TEST_CASE("offsets that a program leaves are told with the programs after it", "[unit][program]") {
+  const std::string cut = "G21 G90\nG0 X0 Y0 Z20\nG1 X5 F500\n";
+  const std::string left = "begins with the job's work and tool offsets, not with those that";
+  const Bench bench(
+      {cut + "M2\n", cut + "G92 Z15\nM2\n", cut + "M2\n", cut + "G92 Z1\nG92.1\nM2\n"});
+  const auto paths = bench.load();
+  CHECK(!says(*paths[0], left));
+  CHECK(!says(*paths[1], left));
+  CHECK(says(*paths[2], "p1.ngc ends with (line 4)"));
+  CHECK(says(*paths[3], left));
+  CHECK(paths[2]->path->moves.back().to.z == 20);
+}
+
 TEST_CASE("the start of programs is the job's, in their own frame", "[unit][program]") {
   const std::string program = "G21 G91\nG1 X5 F500\n";
   const Bench stated({program},

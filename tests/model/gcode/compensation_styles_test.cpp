@@ -160,3 +160,29 @@ TEST_CASE("an entry that is square to what comes next may be short, and is strai
     CHECK_THROWS_WITH(arc.arc(0, 10, 0, 0, -1), ContainsSubstring("an arc as the entry"));
   }
 }
+
+TEST_CASE("Fanuc's contour behind two blocks without a motion in its plane is refused",
+          "[unit][compensation]") {
+  MachineSetup machine;
+  machine.control = Control::fanuc;
+  machine.assume_fresh_machine = true;
+  machine.tools = {{1, 50, 8}};
+  const std::string start = "G90 G21 G17 G40 T1 M6\nG43 H1 G0 X-26. Y-16. Z5.\nG41 D1 X-10.\n";
+  const auto error = [&](const std::string& text, double diameter_mm = 8) {
+    machine.tools[0].diameter_mm = diameter_mm;
+    return error_of(start + text + "G40 X-26. Y-16.\nM30\n", machine);
+  };
+  CHECK(error("Z2.\nG1 Z-2. F300.\nY10.\n")
+            .find("6:1: error: a motion under G41 or G42 behind 2 blocks") == 0);
+  CHECK(error("G1 Z-2. F300.\nM8\n(a remark)\nS900\nG2 X0. Y0. R20.\n")
+            .find("8:1: error: a motion under G41 or G42 behind 3 blocks") == 0);
+  CHECK(error("G1 Y10. F300.\nM8\nG91 X0.\nG90 X10.\n").find("7:5: error: a motion under") == 0);
+  // One may stand between, and remarks, settings of variables and blocks behind the last motion do
+  // not count.
+  CHECK(error("G1 Z-2. F300.\nY10.\nM8\nX10.\n") == "no error");
+  CHECK(error("G1 Z-2. F300.\n(one)\n(two)\n#100=1\nY10.\n") == "no error");
+  CHECK(error("G1 Z-2. F300.\nY10.\nZ5.\nM9\n") == "no error");
+  CHECK(error("Z2.\nG1 Z-2. F300.\nY10.\n", 0) == "no error");
+  machine.control = Control::haas;
+  CHECK(error("Z2.\nG1 Z-2. F300.\nY10.\n") == "no error");
+}

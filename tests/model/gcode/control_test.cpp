@@ -373,3 +373,58 @@ TEST_CASE("the M6 that stopped the spindle is named", "[unit][program]") {
   CHECK(!says(read_text(start + "T2 M6\nM3\nG1 X3\n"), "spindle at rest"));
   CHECK(!says(read_text(start + "M5\nT2 M6\nG1 X3\n"), "spindle at rest"));
 }
+
+TEST_CASE("what variables and expressions give is rounded to the least increment on Fanuc and Haas",
+          "[unit][program]") {
+  const auto end = [](const std::string& text, Control control) {
+    return read_text("G90 G17 G40\n" + text, of(control)).motions.back().to;
+  };
+  for (const Control control : {Control::fanuc, Control::haas}) {
+    // 30 steps of 10/3 end at 99.99, in inches at 99.999.
+    const std::string steps = "#1=0\nG91\nWHILE[#1 LT 30]DO1\nX[10./3.]\n#1=#1+1\nEND1\n";
+    CHECK(end("G21 G0 X0.\n" + steps, control).x == Approx(99.99).epsilon(1e-9));
+    CHECK(end("G20 G0 X0.\n" + steps, control).x == Approx(99.999 * 25.4).epsilon(1e-9));
+    CHECK(end("#1=1.23456\nG21 G0 X#1 Y-#1 Z1.23456\n", control).x == Approx(1.235).epsilon(1e-9));
+    CHECK(end("#1=1.23456\nG21 G0 X#1 Y-#1 Z1.23456\n", control).y == Approx(-1.235).epsilon(1e-9));
+    CHECK(end("#1=1.23456\nG21 G0 X#1 Y-#1 Z1.23456\n", control).z ==
+          Approx(1.23456).epsilon(1e-9));
+    CHECK(says(read_text("G90 G21 G0 X[10./3.]\n", of(control)), "are rounded to 0.001 mm"));
+    CHECK(!says(read_text("G90 G21 G0 X[0.1+0.2]\n", of(control)), "are rounded to 0.001 mm"));
+  }
+  CHECK(end("G21 G0 X[10/3]\n", Control::linuxcnc).x == Approx(10.0 / 3).epsilon(1e-12));
+}
+
+TEST_CASE("axis words beside codes that only name axes move nothing", "[unit][program]") {
+  for (const Control control : {Control::fanuc, Control::haas})
+    for (const std::string code : {"G05.1 Q2 X0. Y0. Z0.", "G50.1 X7. Y7.", "G50.1 X0"}) {
+      CAPTURE(code);
+      const Program program = read_text("G90 G21 G0 X5. Y6. Z7.\n" + code + "\nX9.\n", of(control));
+      REQUIRE(program.motions.size() == 2);
+      CHECK(program.motions[1].to == Vec3{9, 6, 7});
+      CHECK(!program.ignored.empty());
+    }
+}
+
+TEST_CASE("arguments of G65 without a decimal point are listed", "[unit][program]") {
+  const auto listed = [](const std::string& words) {
+    return says(read_text("G90 G21 G0 X0.\nG65 P2 " + words + "\nM30\nO2\nG0 X1.\nM99\n",
+                          of(Control::fanuc)),
+                "and other arguments of G65 without a decimal point");
+  };
+  CHECK(listed("A6"));
+  CHECK(listed("A6. B7"));
+  CHECK(!listed("A6. B7."));
+  CHECK(!listed("A0 S5 T3 D2"));
+  CHECK(!listed("A[1+1] B[2+3]"));
+}
+
+TEST_CASE("Grbl's check mode and settings of its axes are refused", "[unit][program]") {
+  const auto reads = [](const std::string& line) {
+    return message_of<InputError>(
+        [&] { read_text(line + "\nG21 G90 G0 X1\n", of(Control::grbl)); });
+  };
+  CHECK(reads("$C").find("check mode") != std::string::npos);
+  CHECK(reads("$100=80").find("changes which way or how far") != std::string::npos);
+  CHECK(reads("$3=1").find("changes which way or how far") != std::string::npos);
+  CHECK_NOTHROW(read_text("$X\n$10=1\n$130=200\nG21 G90 G0 X1\n", of(Control::grbl)));
+}

@@ -55,3 +55,17 @@ TEST_CASE("a change of the feed mode forgets the feed rate", "[unit][gcode]") {
   CHECK(last_feed("G93 G1 X1 F5\nG94\nX2\n") == 0.0F);
   CHECK(last_feed("G94 F7 G1 X2\n") == 7.0F);
 }
+
+TEST_CASE("Siemens's G70 leaves feeds in millimetres, G700 does not", "[unit][gcode]") {
+  MachineSetup machine;
+  machine.control = Control::siemens;
+  machine.assume_fresh_machine = true;
+  const auto feed = [&](const std::string& code) {
+    const Program program = read_text(code + " G90\nG0 X0 Y0 Z0\nG1 X1 F100\n", machine);
+    CHECK(program.motions.back().to.x == Approx(25.4));
+    CHECK(assumes(program, "feeds are taken to be in millimetres") == (code == "G70"));
+    return program.motions.back().feed_mm_min;
+  };
+  CHECK(feed("G70") == Approx(100));
+  CHECK(feed("G700") == Approx(2540));
+}

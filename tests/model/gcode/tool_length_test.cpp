@@ -128,3 +128,60 @@ TEST_CASE("compensation forbids changes of frame", "[unit][gcode]") {
   }
   CHECK(error_of(start + "G10 L2 P2 X5 Y0 Z0\nG1 X20\nG40\n", two_tools()) == "no error");
 }
+
+namespace {
+
+/// Two tools, G54 300 mm below the machine's zero, which is its reference point too.
+MachineSetup two_tools_of(Control control) {
+  MachineSetup machine = two_tools();
+  machine.control = control;
+  machine.work_offsets[0] = WorkOffset{{0, 0, -300}, 0};
+  machine.home_mm = Vec3{0, 0, 0};
+  return machine;
+}
+
+/// Behind a tool at Z10 with its length in effect; -300 is G54's.
+double z_behind(const std::string& text, Control control) {
+  return last_z("T1 M6\nG90 G21 G43 H1\nG0 X0 Y0 Z10.\n" + text, two_tools_of(control)) + 300;
+}
+
+}  // namespace
+
+TEST_CASE("the tool's length is out of effect behind G28, G30 and G53 on Fanuc until H or G43",
+          "[unit][gcode]") {
+  for (const std::string code : {"G53 Z0.", "G28 Z20.", "G28", "G28 G91 Z0.\nG90"}) {
+    CAPTURE(code);
+    CHECK(z_behind(code + "\nZ10.\n", Control::fanuc) == -40);
+    CHECK(z_behind(code + "\nH1 Z10.\n", Control::fanuc) == 10);
+    CHECK(z_behind(code + "\nG43 Z10.\n", Control::fanuc) == 10);
+    CHECK(z_behind(code + "\nZ10.\n", Control::linuxcnc) == 10);
+    const Program program =
+        read_text("T1 M6\nG90 G21 G43 H1\nG0 X0 Y0 Z10.\n" + code + "\nX1.\nZ10.\nZ11.\n",
+                  two_tools_of(Control::fanuc));
+    CHECK(assumes(program, "the tool's length is taken to be out of effect since G"));
+  }
+  // Where Z does not move it stays.
+  CHECK(z_behind("G53 X0.\nZ10.\n", Control::fanuc) == 10);
+  CHECK(z_behind("G28 X0.\nZ10.\n", Control::fanuc) == 10);
+  CHECK(!assumes(read_text("T1 M6\nG90 G21 G43 H1\nG0 X0 Y0 Z10.\nG53 Z0.\nX5.\nG43 H1 Z10.\n",
+                           two_tools_of(Control::fanuc)),
+                 "out of effect"));
+}
+
+TEST_CASE("the tool's length is out of effect behind G28 on Haas, and not behind G53",
+          "[unit][gcode]") {
+  CHECK(z_behind("G28 Z20.\nZ10.\n", Control::haas) == -40);
+  CHECK(z_behind("G28 X0.\nZ10.\n", Control::haas) == -40);
+  CHECK(z_behind("G28 Z20.\nG43 H1 Z10.\n", Control::haas) == 10);
+  CHECK(z_behind("G53 Z0.\nZ10.\n", Control::haas) == 10);
+}
+
+TEST_CASE("no feed motion where G28 has taken an unstated length out of effect", "[unit][gcode]") {
+  MachineSetup machine;
+  machine.control = Control::fanuc;
+  const std::string start = "T1 M6\nG90 G21 G43 H1\nG0 X0 Y0 Z10.\nG91 G28 Z0.\nG90\nX0. Y0.\n";
+  CHECK(error_of(start + "Z5.\nG1 Z0. F100.\n", machine)
+            .find("8:1: error: a feed motion while the length of tool 1 is out of effect since "
+                  "G28") == 0);
+  CHECK(error_of(start + "G43 H1 Z5.\nG1 Z0. F100.\n", machine) == "no error");
+}

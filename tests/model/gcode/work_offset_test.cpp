@@ -94,3 +94,37 @@ TEST_CASE("arcs turn with their coordinate system", "[unit][gcode]") {
   CHECK(arc.centre2 == 5);
   CHECK(error_of(start + "G18 G2 X10 I5\n").find("3:5: error: an arc in G18 or G19 under") == 0);
 }
+
+TEST_CASE("Haas's G110 to G129 are the frames of G154 P1 to P20", "[unit][gcode]") {
+  MachineSetup machine;
+  machine.control = Control::haas;
+  machine.work_offsets[0] = WorkOffset{{0, 0, 0}, 0};
+  machine.extended_offsets[1] = WorkOffset{{1, 2, 3}, 0};
+  machine.extended_offsets[4] = WorkOffset{{10, 20, 30}, 0};
+  machine.extended_offsets[20] = WorkOffset{{100, 200, 300}, 0};
+  const std::string start = "G90 G21 G54\nG0 X0 Y0 Z0\n";
+  CHECK(end_of_text(start + "G110 X1. Y1. Z1.\n", machine) == Vec3{2, 3, 4});
+  CHECK(end_of_text(start + "G113 X1. Y1. Z1.\n", machine) == Vec3{11, 21, 31});
+  CHECK(end_of_text(start + "G129 X1. Y1. Z1.\n", machine) == Vec3{101, 201, 301});
+  CHECK(end_of_text(start + "G154 P4 X1. Y1. Z1.\n", machine) == Vec3{11, 21, 31});
+  CHECK(error_of(start + "G111 X1.\n", machine).find("3:6: error: a motion under") == 0);
+  CHECK(error_of(start + "G113.5 X1.\n", machine).find("3:1: error: unknown code") == 0);
+  // Fanuc's G113 ends polar interpolation.
+  machine.control = Control::fanuc;
+  CHECK(end_of_text(start + "G113\nX1. Y1. Z1.\n", machine) == Vec3{1, 1, 1});
+}
+
+TEST_CASE("what a program leaves of offsets is told by the line that set it", "[unit][gcode]") {
+  const auto left = [](const std::string& text) {
+    return read_text("G90 G21\nG0 X0 Y0 Z5\n" + text + "M2\n", fresh_machine()).offsets_left;
+  };
+  CHECK(left("") == 0);
+  CHECK(left("G92 Z1\nX1\n") == 3);
+  CHECK(left("G92 Z1\nX1\nG92.1\n") == 0);
+  CHECK(left("G52 X1\nG52 X0\n") == 0);
+  CHECK(left("G10 L2 P1 X0 Y0 Z0\n") == 0);
+  CHECK(left("X1\nG10 L2 P1 Z1\n") == 4);
+  CHECK(left("G10 L2 P1 Z1\nG10 L2 P1 Z0\n") == 0);
+  CHECK(left("G10 L1 P3 Z20\n") == 3);
+  CHECK(left("G55 X1\n") == 0);
+}

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "model/base/tolerance.h"
+#include "model/gcode/cycles/canned_cycle_parameters.h"
 #include "model/gcode/read/orientation_codes.h"
 #include "model/text/message_text.h"
 #include "model/text/number_text.h"
@@ -214,7 +215,13 @@ void set_length_offset(const Statement& statement, MachineState& state, Assumpti
     use_offset(statement, state, assumed);
     return enter_tool_centre(statement, state, assumed);
   }
-  if (*code == 490) return state.keeping_tip([&] { state.tools.clear_offset(); });
+  if (*code == 490) {
+    if (rules.control == Control::fanuc && !statement.word('Z') && state.tools.has_offset_in_use())
+      assumed.add(statement.line(),
+                  "G49 is taken to move nothing by itself; a control may be set to move Z by the "
+                  "tool's length there (parameter 5006)");
+    return state.keeping_tip([&] { state.tools.clear_offset(); });
+  }
   if (*code == 430) return use_offset(statement, state, assumed);
   if (*code == 431) return use_dynamic(statement, state, assumed);
   add_entry(statement, state);

@@ -192,10 +192,12 @@ std::vector<std::string> stage_notes(const StageResult& stage) {
   if (!stage.ran->deviation) return cut_notes(*stage.ran);
   const verifier::StageDeviation& d = *stage.ran->deviation;
   std::vector<std::string> out = path_notes(stage);
-  // By samples where no part was proven.
+  // By samples where there are no areas by proof.
   verifier::Interval area_mm2 = unreachable_area_mm2(d);
-  if (area_mm2.low <= 0) area_mm2 = {d.unreachable_area_mm2, d.unreachable_area_mm2};
-  if (area_mm2.low > 0)
+  const bool nothing_known = area_mm2.high > 0 && d.proven_reach.reachable_mm2 <= 0;
+  if (area_mm2.high <= 0 && d.proven_reach.reachable_mm2 <= 0)
+    area_mm2 = {d.unreachable_area_mm2, d.unreachable_area_mm2};
+  if (area_mm2.low > 0 || nothing_known)
     out.push_back("unreachable " + reach_text(area_mm2, whole_area_mm2(d)) +
                   ", unavoidable uncut up to " + measured_length(d.unavoidable_uncut_mm.high));
   if (d.missing_stock_mm.low > 0)

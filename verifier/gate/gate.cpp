@@ -62,6 +62,7 @@ class Decision {
   void judge_runs();
   void judge_coverage();
   void judge_reach();
+  std::string nothing_reached_text(Verdict any) const;
   void judge_missing_stock();
   void judge_process(const ProcessFault& fault);
   void tell_reach();
@@ -137,12 +138,18 @@ void Decision::judge_unreachable() {
       verdict, out_of_reach_text(d_.field, stages_));
 }
 
+/// What is said of a stage of which nothing is proven to be in reach, some being out of it.
+std::string Decision::nothing_reached_text(Verdict any) const {
+  if (any == Verdict::indeterminate)
+    return "none of the surface is proven to be in reach of a cutter used so far: indeterminate";
+  return d_.proven_reach.undecided_mm2 > kNoArea_mm2
+             ? "none of the surface is proven or sampled to be in reach of a cutter used so far"
+             : "no cutter used so far can reach any of the surface";
+}
+
 void Decision::judge_reach() {
   if (const Verdict any = judge_any_reach(d_); any != Verdict::pass)
-    add(any == Verdict::fail ? "no cutter used so far can reach any of the surface"
-                             : "none of the surface is proven to be in reach of a cutter used so "
-                               "far: indeterminate",
-        any, out_of_reach_text(d_.field, stages_));
+    add(nothing_reached_text(any), any, out_of_reach_text(d_.field, stages_));
   if (limits_.has_unreachable) judge_unreachable();
   if (limits_.has_unavoidable)
     judge_length("unavoidable uncut", but_for(d_.unavoidable_uncut_mm, kNoLength_mm),
@@ -188,14 +195,15 @@ void Decision::judge_process(const ProcessFault& fault) {
 
 /// Said beside every verdict: what is out of reach is judged by no other figure.
 void Decision::tell_reach() {
-  const double area_mm2 = d_.proven_reach.unreachable_mm2 > 0 ? d_.proven_reach.unreachable_mm2
-                                                              : d_.unreachable_area_mm2;
+  const StageDeviation::ProvenReach& reach = d_.proven_reach;
+  const bool proven =
+      reach.reachable_mm2 + reach.unreachable_mm2 + reach.undecided_mm2 > kNoArea_mm2;
+  const double area_mm2 = proven ? reach.unreachable_mm2 : d_.unreachable_area_mm2;
   const double whole_mm2 = whole_area_mm2(d_);
-  if (!(area_mm2 > 0) || !(whole_mm2 > 0)) return;
+  if (!(area_mm2 + reach.undecided_mm2 > 0) || !(whole_mm2 > 0)) return;
   std::string text =
       "unreachable: " + area_text(area_mm2) + " (" + share_text(area_mm2 / whole_mm2) + ")";
-  if (d_.proven_reach.undecided_mm2 > 0)
-    text += ", undecided " + area_text(d_.proven_reach.undecided_mm2);
+  if (reach.undecided_mm2 > 0) text += ", undecided " + area_text(reach.undecided_mm2);
   out_.reasons.push_back(text + ", unavoidable uncut up to " +
                          length_text(d_.unavoidable_uncut_mm.high));
 }
@@ -267,6 +275,9 @@ Verdict judge_any_reach(const StageDeviation& d) {
   // Without areas by proof there are the samples alone.
   if (reach.unreachable_mm2 + reach.undecided_mm2 <= kNoArea_mm2)
     return sampled ? Verdict::pass : Verdict::fail;
+  // What is undecided is judged as if it were in reach: of drills and of cutters that widen upwards
+  // no reach is known.
+  if (reach.unreachable_mm2 <= kNoArea_mm2) return Verdict::pass;
   return sampled && reach.undecided_mm2 > kNoArea_mm2 ? Verdict::indeterminate : Verdict::fail;
 }
 

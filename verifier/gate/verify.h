@@ -111,9 +111,11 @@ double whole_area_mm2(const StageDeviation& deviation);
 /// Proven out of reach, and with what is undecided: what the gate `unreachable` judges. What is no
 /// more than rounding is none.
 Interval unreachable_area_mm2(const StageDeviation& deviation);
-/// Whether any of S is in reach: it passes where some is proven to be, fails where nothing is, and
-/// is indeterminate where samples alone say so (they count what is touched along the end of an open
-/// sheet from beside it, which is no area).
+/// Whether any of S is in reach. It passes where some is proven to be, and where none is proven to
+/// be out of it: what is undecided is judged as if it were in reach. Where some is proven to be out
+/// of reach, and none in it, it fails, or is indeterminate where samples say otherwise and some is
+/// undecided (they count what is touched along the end of an open sheet from beside it, which is no
+/// area).
 Verdict judge_any_reach(const StageDeviation& deviation);
 
 /// The gate's decision rule: pass when every `high` is within its limit, fail when some `low` is

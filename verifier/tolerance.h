@@ -199,8 +199,6 @@ inline constexpr double kBarred_mm = 1e-7;
 /// What two evaluations of the same swept surface may differ by, beyond the error that a run's end
 /// states: both work in double precision, so this is far above rounding and far below any gate.
 inline constexpr double kAgreement_mm = 1e-6;
-/// A crossing of S is found to this; nearer to the start than that none is looked for.
-inline constexpr double kCrossing_mm = 1e-6;
 
 // What is added up cell by cell: less is rounding, and no area or length.
 

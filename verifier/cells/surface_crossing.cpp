@@ -28,7 +28,7 @@ class Ray {
       const Vec3 p = seen(cell.control(k));
       t.add(p.z), x.add(p.x), y.add(p.y);
     }
-    if (!near_zero(x) || !near_zero(y)) return Interval::none();
+    if (!near_zero(x) || !near_zero(y) || passes_beside(cell)) return Interval::none();
     return t.widened(kDistanceRounding_mm);
   }
   /// A point as the ray sees it: how far to either side, and how far along.
@@ -48,6 +48,16 @@ class Ray {
   }
 
  private:
+  /// Whether the hull lies to one side of the ray as the cell's own normal sees it: a ray along a
+  /// face, however near, would be near to all of its cells otherwise.
+  bool passes_beside(const Bezier& cell) const {
+    const Vec3 normal = unit_normal(cell, 0.5, 0.5), over = normal - along_ * dot(normal, along_);
+    if (!(dot(over, over) > kRises * kRises)) return false;
+    const Vec3 to = normalized(over);
+    Interval s = Interval::none();
+    for (int k = 0; k < 16; ++k) s.add(dot(cell.control(k) - from_, to));
+    return !near_zero(s);
+  }
   static bool near_zero(const Interval& s) {
     return s.low <= kDistanceRounding_mm && s.high >= -kDistanceRounding_mm;
   }

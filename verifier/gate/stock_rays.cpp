@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "model/base/chunks.h"
-#include "verifier/feet/closest_point.h"
+#include "verifier/cells/surface_crossing.h"
 #include "verifier/tolerance.h"
 
 namespace limitgauge::verifier {
@@ -111,22 +111,13 @@ double within_raw_mm(const RemovedSpace& raw, const CheckedRun& run) {
   return std::min(t, run.length_mm);
 }
 
-/// By halves: S has no point nearer to the middle of a piece than half its length, or it is looked
-/// at more closely.
-std::optional<double> crossing_between(const SurfaceCells& cells, const Vec3& from,
-                                       const Vec3& along, double low, double high) {
-  if (high <= kCrossing_mm) return {};
-  const double half = (high - low) / 2, middle = low + half;
-  if (!closest_point(cells, from + along * middle, half - kSamePlace_mm)) return {};
-  if (half <= kCrossing_mm) return middle;
-  if (const auto found = crossing_between(cells, from, along, low, middle)) return found;
-  return crossing_between(cells, from, along, middle, high);
-}
-
 /// Outwards from the allowance surface: no further than to the next crossing of S.
-double outwards_mm(const RayScene& scene, const CheckedRun& run) {
+double outwards_mm(const RayScene& scene, const CheckedRun& run, const Vec3& point,
+                   double allowance_mm) {
   if (run.grazes) return 0;
-  return first_crossing_mm(scene.cells, run.from, run.along, run.length_mm).value_or(run.length_mm);
+  return next_crossing_mm(scene.cells, point, run.along, Way::outwards, allowance_mm,
+                          allowance_mm + run.length_mm) -
+         allowance_mm;
 }
 
 /// Inwards: the crossing at the place itself is not the next one.
@@ -135,8 +126,8 @@ double inwards_mm(const RayScene& scene, const CheckedRun& run, const Vec3& poin
   if (run.grazes) return 0;
   const double length = within_raw_mm(scene.raw, run);
   if (length <= allowance_mm) return length;
-  const auto found = first_crossing_mm(scene.cells, point, run.along, length - allowance_mm);
-  return found ? allowance_mm + *found : length;
+  return allowance_mm +
+         next_crossing_mm(scene.cells, point, -run.along, Way::inwards, 0, length - allowance_mm);
 }
 
 /// Whether the run ends at what a pass cut whose gouges do not count.
@@ -190,7 +181,7 @@ RayReading reading_of(const RayScene& scene, const Vec3& point, const Vec3& norm
   if (run.material && !run.ends) run = scene.probe.run(start, normal, scene.limit_mm);
   if (run.material) {
     const CheckedRun way = checked(scene.removed, start, normal, run, hint, far);
-    return {outwards_mm(scene, way), 0, run.error_mm};
+    return {outwards_mm(scene, way, point, allowance_mm), 0, run.error_mm};
   }
   run = scene.probe.run(start, -normal, scene.limit_mm);
   if (run.material) return {};  // the start is on the cut surface, on either side of it
@@ -237,11 +228,6 @@ RayFigures read_rays(const RayScene& scene, const DeviationField& field, const R
   figures.gouge_mm = gouge.length_mm;
   figures.uncut_mm = uncut.length_mm;
   return figures;
-}
-
-std::optional<double> first_crossing_mm(const SurfaceCells& cells, const Vec3& from,
-                                        const Vec3& along, double within_mm) {
-  return crossing_between(cells, from, along, 0, within_mm);
 }
 
 }  // namespace limitgauge::verifier

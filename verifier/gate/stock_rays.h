@@ -49,11 +49,6 @@ struct RayReading {
 RayReading read_ray(const RayScene& scene, const model::Vec3& point, const model::Vec3& normal,
                     double allowance_mm);
 
-/// Where S is first crossed on the way from `from` along a unit vector, if nearer than `within_mm`;
-/// `from` itself, on S or not, is no crossing. Where S is touched but not crossed counts too.
-std::optional<double> first_crossing_mm(const SurfaceCells& cells, const model::Vec3& from,
-                                        const model::Vec3& along, double within_mm);
-
 /// Reads the samples of `field`. Uncut counts at reachable samples only, so that what stands over a
 /// place out of reach is not charged to its neighbours; gouge only where S has one normal, since
 /// the shortest over the normals of a crease, a corner or a rim counts there. Throws

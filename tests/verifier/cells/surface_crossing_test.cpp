@@ -48,6 +48,33 @@ TEST_CASE("beside an acute edge the other face is met after as much as the tange
   }
 }
 
+TEST_CASE("through a ridge the other flank is met wherever a ray begins", "[unit][definition2]") {
+  const SurfaceCells cells = cells_of(drawn_outline(ridge(), 6));
+  const Vec3 down{-std::sin(30 * kDegree), 0, -std::cos(30 * kDegree)};
+  for (int k = 0; k < 2000; ++k) {
+    // Level, from one flank to the other.
+    const double d = 0.1 + k * 1.0007e-3;
+    const Vec3 s = Vec3{0, 0.3 + k * 1e-4, kHeight_mm} + down * d;
+    CAPTURE(k);
+    CHECK(next_crossing_mm(cells, s, {-1, 0, 0}, Way::inwards, 0, 5) == Approx(d).margin(4e-6));
+  }
+}
+
+TEST_CASE("a ray that keeps close to a face does not meet it", "[unit][definition2]") {
+  const SurfaceCells cells = cells_of(drawn_outline(ridge(), 6));
+  // Along the right flank, level and upwards, and along the floor up to the flank.
+  const Vec3 out{std::cos(30 * kDegree), 0, std::sin(30 * kDegree)},
+      up{-std::sin(30 * kDegree), 0, std::cos(30 * kDegree)};
+  for (const double d : {1e-3, 1e-5, 1e-7}) {
+    CAPTURE(d);
+    const Vec3 s = Vec3{0.6, 0.3, kHeight_mm - 0.6 / std::tan(30 * kDegree)} + out * d;
+    CHECK(next_crossing_mm(cells, s, {0, 1, 0}, Way::outwards, 0, 2) == 2);
+    CHECK(next_crossing_mm(cells, s, up, Way::outwards, 0, 8) == 8);
+    CHECK(next_crossing_mm(cells, {4 - 1e-3, 0.3, d}, {-1, 0, 0}, Way::outwards, 0, 8) ==
+          Approx(4 - 1e-3 - (kHeight_mm - d) * std::tan(30 * kDegree)).margin(4e-6));
+  }
+}
+
 TEST_CASE("on an edge the faces that meet there are no crossing", "[unit][definition2]") {
   const SurfaceCells cells = cells_of(drawn_outline(ridge(), 6));
   for (const double lean : {-50.0, -20.0, 0.0, 35.0}) {

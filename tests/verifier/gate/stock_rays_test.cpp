@@ -145,18 +145,4 @@ TEST_CASE("nothing is read where the raw stock does not cover S", "[unit]") {
   CHECK(r.uncut_mm == 0);
 }
 
-TEST_CASE("the next crossing of S ends a run", "[unit]") {
-  // A slot 1 mm wide and 2 mm deep in S, one face beside the other.
-  const ReferenceSurface slot(
-      profile_cage(40, 2, [](double x) { return std::abs(x) < 0.5 ? -2.0 : 0.0; }));
-  const SurfaceCells cells(slot.tree(), 0.3);
-  const auto up = first_crossing_mm(cells, {0, 0, -1}, {0, 0, -1}, 5);
-  REQUIRE(up);
-  CHECK(*up == Approx(1).margin(0.1));
-  CHECK_FALSE(first_crossing_mm(cells, {0, 0, -1}, {0, 0, 1}, 5));
-  const auto sideways = first_crossing_mm(cells, {0, 0, -1}, {1, 0, 0}, 5);
-  REQUIRE(sideways);
-  CHECK(*sideways == Approx(0.5).margin(0.1));
-}
-
 }  // namespace limitgauge::verifier

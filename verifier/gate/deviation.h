@@ -162,6 +162,12 @@ struct StageDeviation {
   /// Parts of the surface of which all points were proven to be in reach, none was, or neither.
   struct ProvenReach {
     double reachable_mm2 = 0, unreachable_mm2 = 0, undecided_mm2 = 0;
+    /// Whether some cutter used so far has proofs of what it reaches: drills have none, and their
+    /// samples are places that were found to be touched.
+    bool is_mapped = true;
+    /// Whether some cutter used so far has no proof of what it does not reach, so that all of the
+    /// surface is judged: one that widens upwards.
+    bool all_is_judged = false;
   } proven_reach;
   /// What no toolpath with the cutters used so far can remove, certified: `low` for a point of the
   /// surface. Distances to the nearest place that a cutter can take away, not runs.

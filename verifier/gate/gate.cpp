@@ -270,14 +270,12 @@ Interval unreachable_area_mm2(const StageDeviation& d) {
 
 Verdict judge_any_reach(const StageDeviation& d) {
   const StageDeviation::ProvenReach& reach = d.proven_reach;
-  if (d.surface_area_mm2 <= 0 || reach.reachable_mm2 > kNoArea_mm2) return Verdict::pass;
+  if (d.surface_area_mm2 <= 0 || reach.reachable_mm2 > kNoArea_mm2 || reach.all_is_judged)
+    return Verdict::pass;
   const bool sampled = d.reachable_area_mm2 > 0;
+  const double known_mm2 = reach.unreachable_mm2 + reach.undecided_mm2;
   // Without areas by proof there are the samples alone.
-  if (reach.unreachable_mm2 + reach.undecided_mm2 <= kNoArea_mm2)
-    return sampled ? Verdict::pass : Verdict::fail;
-  // What is undecided is judged as if it were in reach: of drills and of cutters that widen upwards
-  // no reach is known.
-  if (reach.unreachable_mm2 <= kNoArea_mm2) return Verdict::pass;
+  if (known_mm2 <= kNoArea_mm2 || !reach.is_mapped) return sampled ? Verdict::pass : Verdict::fail;
   return sampled && reach.undecided_mm2 > kNoArea_mm2 ? Verdict::indeterminate : Verdict::fail;
 }
 

@@ -272,7 +272,8 @@ StageDeviation measure_stage(const ReferenceSurface& surface, const model::Stock
   out.phases.certificate_s = laps.lap();
 
   out.proven_reach = {proven.reachable_area_mm2(), proven.unreachable_area_mm2(),
-                      proven.undecided_area_mm2()};
+                      proven.undecided_area_mm2(), reach.any_is_mapped(),
+                      !reach.may_prove_unreachable() && proven.unreachable_area_mm2() == 0};
   out.field = sample_surface(surface, check.field_spacing_mm);
   const std::vector<ReachQuery::Touch> touches =
       workers ? gathered_field(out.field, second.all(StagePiece::Kind::field), passes)

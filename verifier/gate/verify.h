@@ -111,11 +111,10 @@ double whole_area_mm2(const StageDeviation& deviation);
 /// Proven out of reach, and with what is undecided: what the gate `unreachable` judges. What is no
 /// more than rounding is none.
 Interval unreachable_area_mm2(const StageDeviation& deviation);
-/// Whether any of S is in reach. It passes where some is proven to be, and where none is proven to
-/// be out of it: what is undecided is judged as if it were in reach. Where some is proven to be out
-/// of reach, and none in it, it fails, or is indeterminate where samples say otherwise and some is
-/// undecided (they count what is touched along the end of an open sheet from beside it, which is no
-/// area).
+/// Whether any of S is in reach. It passes where some is proven to be, and where nothing can be
+/// proven to be out of it, for all of S is judged then. Else it fails, or is indeterminate where
+/// samples say otherwise (they count what is touched along the end of an open sheet from beside it,
+/// which is no area); of drills alone, which have no proofs of reach, samples decide.
 Verdict judge_any_reach(const StageDeviation& deviation);
 
 /// The gate's decision rule: pass when every `high` is within its limit, fail when some `low` is

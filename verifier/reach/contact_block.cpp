@@ -80,6 +80,19 @@ std::optional<Vec3> low_point(const SurfaceCells& cells, const StandingPart& par
   return search.found;
 }
 
+/// Narrows [low, high] to where `value` is greatest, if it rises to there and falls behind it.
+template <class Value>
+void close_in(double low, double high, double finest, const Value& value) {
+  constexpr int kSteps = 48;
+  for (int k = 0; k < kSteps && high - low > finest; ++k) {
+    const double third = (high - low) / 3;
+    if (value(low + third) < value(high - third))
+      low += third;
+    else
+      high -= third;
+  }
+}
+
 }  // namespace
 
 /// A point of S nearer than the limit to the cutter at `tip`: any, or nearly the deepest.
@@ -219,10 +232,11 @@ double ContactBlock::barred_mm(const ContactRegion& spot, const Search& search) 
   return out;
 }
 
-/// Of positions all over the region, or on its outer arc, that which the known obstacles bar least;
-/// between two walls there may be one such place only, which is closed in on along the arc.
+/// Of positions all over the region, or on its outer arc, that which the known obstacles bar least.
+/// Between two walls there may be one such place only, which is closed in on along the arc, and one
+/// such height only between a floor and a ceiling.
 ContactRegion ContactBlock::least_barred(const ContactRegion& g, const Search& search) const {
-  constexpr int kRound = 24, kRings = 2, kSteps = 48;
+  constexpr int kRound = 24, kRings = 2, kLevels = 8;
   ContactRegion best = g;
   double most = -std::numeric_limits<double>::infinity();
   const auto value = [&](double r, double angle, double z) {
@@ -240,16 +254,18 @@ ContactRegion ContactBlock::least_barred(const ContactRegion& g, const Search& s
         value(g.r1 + (rings ? (g.r0 - g.r1) * ring / rings : 0), g.angle0 + step * k, z);
     if (g.z0 == g.z1) break;
   }
-  const ContactRegion from = best;
-  double low = std::max(g.angle0, from.angle0 - step),
-         high = std::min(g.angle1, from.angle0 + step);
-  for (int k = 0; k < kSteps && from.r1 * (high - low) > kSmallestCell_mm; ++k) {
-    const double third = (high - low) / 3;
-    if (value(from.r1, low + third, from.z0) < value(from.r1, high - third, from.z0))
-      low += third;
-    else
-      high -= third;
+  if (g.z0 < g.z1) {
+    const double rise = (g.z1 - g.z0) / kLevels;
+    const ContactRegion over = best;
+    const auto at_height = [&](double z) { return value(over.r1, over.angle0, z); };
+    for (int k = 1; k < kLevels; ++k) at_height(g.z0 + rise * k);
+    const double z = best.z0;
+    close_in(std::max(g.z0, z - rise), std::min(g.z1, z + rise), kSmallestCell_mm, at_height);
   }
+  const ContactRegion from = best;
+  close_in(std::max(g.angle0, from.angle0 - step), std::min(g.angle1, from.angle0 + step),
+           from.r1 > 0 ? kSmallestCell_mm / from.r1 : step,
+           [&](double angle) { return value(from.r1, angle, from.z0); });
   return best;
 }
 

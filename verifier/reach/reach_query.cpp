@@ -69,6 +69,16 @@ bool ReachQuery::surely_unreachable(const SurfaceCell& cell, const OffsetCell& o
   return ridge_surely_unreachable(offset, memory);
 }
 
+bool ReachQuery::any_is_mapped() const {
+  return std::any_of(searches_.begin(), searches_.end(),
+                     [](const Reachability& search) { return !search.profile().is_pointed(); });
+}
+
+bool ReachQuery::may_prove_unreachable() const {
+  return std::all_of(searches_.begin(), searches_.end(),
+                     [](const Reachability& search) { return search.may_prove_unreachable(); });
+}
+
 bool ReachQuery::ridge_surely_unreachable(const OffsetCell& cell, ReachMemory* memory) const {
   if (memory) memory->resize(searches_.size());
   for (std::size_t k = 0; k < searches_.size(); ++k)

@@ -34,6 +34,11 @@ class ReachQuery {
                           ReachMemory* memory = nullptr) const;
   bool ridge_surely_unreachable(const OffsetCell& cell, ReachMemory* memory = nullptr) const;
 
+  /// Whether one of the cutters has proofs of what it reaches.
+  bool any_is_mapped() const;
+  /// Whether a cell can be proven to be out of reach at all: each of the cutters has such proofs.
+  bool may_prove_unreachable() const;
+
   std::span<const Reachability> searches() const { return searches_; }
 
  private:

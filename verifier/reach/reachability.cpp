@@ -244,11 +244,15 @@ bool Reachability::surely_unreachable_by_tip(const OffsetCell& cell) const {
   return comes_below(parts_, tip, allowance_mm_ - contact_mm_ - stray) == Below::found;
 }
 
+/// What leans inwards, or has a neck over a side that leans outwards, may touch with its side too.
+bool Reachability::may_prove_unreachable() const {
+  return !among_others_ && profile_.flat_mm >= 0 && !profile_.undercuts() &&
+         !(neck_ && profile_.slope != 0);
+}
+
 bool Reachability::surely_unreachable(const OffsetCell& cell, ContactMemory* memory) const {
-  if (among_others_ || profile_.flat_mm < 0 || !(length(cell.normal) > 0)) return false;
+  if (!may_prove_unreachable() || !(length(cell.normal) > 0)) return false;
   const double tilt = tilt_of(cell), spread = cell.spread_rad;
-  // What leans inwards, or has a neck over a side that leans outwards, may touch with its side too.
-  if (profile_.undercuts() || (neck_ && profile_.slope != 0)) return false;
   if (!neck_ && tilt - spread > pi / 2 - std::asin(slope_sine(profile_))) return true;
   if (narrower_above_ && !neck_) return false;
   if (profile_.is_pointed()) {

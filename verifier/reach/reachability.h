@@ -48,6 +48,9 @@ class Reachability {
   /// Proof that no point of the cell can be touched, with none of the cell's normals. False means
   /// "not proven". What proofs for neighbours met may be kept in a memory, and begins the next.
   bool surely_unreachable(const OffsetCell& cell, ContactMemory* memory = nullptr) const;
+  /// Whether it may be proven of a cell at all: not of a cutter that can touch with its side from
+  /// below.
+  bool may_prove_unreachable() const;
   /// Whether proofs by the endless wall alone say that a place is out of reach: not of a cutter
   /// that has less above its flutes than that.
   bool is_endless() const { return !narrower_above_ && !among_others_; }

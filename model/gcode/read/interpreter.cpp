@@ -142,7 +142,7 @@ void Interpreter::set_units(const Statement& statement) {
     assumed_.add(statement.line(), unit_mm == 1 ? "the units change to millimetres here"
                                                 : "the units change to inches here");
   state_.modal.unit_mm = unit_mm;
-  if (!is_unit_of_lengths_alone(statement)) state_.modal.feed_unit_mm = unit_mm;
+  state_.modal.feed_unit_mm = is_unit_of_lengths_alone(statement) ? 1 : unit_mm;
   state_.modal.units_are_stated = true;
   if (unit_mm != 1 && is_unit_of_lengths_alone(statement))
     assumed_.add(

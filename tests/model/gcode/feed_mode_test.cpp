@@ -68,4 +68,7 @@ TEST_CASE("Siemens's G70 leaves feeds in millimetres, G700 does not", "[unit][gc
   };
   CHECK(feed("G70") == Approx(100));
   CHECK(feed("G700") == Approx(2540));
+  CHECK(read_text("G700 G90\nG0 X0 Y0 Z0\nG1 X1 F100\nG71\nG1 X2 F100\n", machine)
+            .motions.back()
+            .feed_mm_min == Approx(100));
 }

@@ -208,6 +208,7 @@ TEST_CASE("nothing in reach fails by name, gates or not", "[unit]") {
     CHECK_THAT(all(decision), ContainsSubstring("no cutter used so far can reach any of the "
                                                 "surface"));
   }
+  CHECK(decide(reach(0, 0, 100), {}).verdict == Verdict::fail);
   const GateDecision unknown = decide(reach(0, 60, 40), {});
   CHECK(unknown.verdict == Verdict::fail);
   CHECK_THAT(all(unknown), ContainsSubstring("none of the surface is proven or sampled to be in"));
@@ -222,22 +223,24 @@ TEST_CASE("nothing in reach fails by name, gates or not", "[unit]") {
   CHECK(decide(reach(1, 99, 0), {}).verdict == Verdict::pass);
 }
 
-TEST_CASE("a surface of which no reach is known is judged as if it were in reach", "[unit]") {
-  // As under a drill alone, touched by samples or not.
-  for (const double sampled_mm2 : {0.0, 1.0}) {
-    StageDeviation d = with({0, 0.001}, {0, 0.001});
-    d.surface_area_mm2 = 100;
-    d.proven_reach = {0, 0, 100};
-    d.reachable_area_mm2 = sampled_mm2, d.unreachable_area_mm2 = 100 - sampled_mm2;
-    d.coverage = 1;
-    CHECK(decide(d, kLimits).verdict == Verdict::pass);
-    CHECK_THAT(all(decide(d, kLimits)),
-               ContainsSubstring("unreachable: 0 mm² (0 %), undecided 100 mm²"));
-    d.uncut_mm = {0, 5};
-    CHECK(decide(d, kLimits).verdict == Verdict::indeterminate);
-    d.uncut_mm = {5, 5};
-    CHECK(decide(d, kLimits).verdict == Verdict::fail);
-  }
+TEST_CASE(
+    "under cutters without proofs of reach the rest is judged, or samples say what is touched",
+    "[unit]") {
+  StageDeviation d = reach(0, 0, 100);
+  d.uncut_mm = {0, 0.001}, d.gouge_mm = {0, 0.001}, d.coverage = 1;
+  // A cutter that widens upwards: nothing is ever proven to be out of its reach.
+  d.proven_reach.all_is_judged = true;
+  CHECK(decide(d, kLimits).verdict == Verdict::pass);
+  CHECK_THAT(all(decide(d, kLimits)), ContainsSubstring("undecided 100 mm²"));
+  d.uncut_mm = {0, 5};
+  CHECK(decide(d, kLimits).verdict == Verdict::indeterminate);
+  // A drill alone: touched places are found one by one.
+  d = reach(0, 0, 100);
+  d.coverage = 1;
+  d.proven_reach.is_mapped = false;
+  CHECK(decide(d, kLimits).verdict == Verdict::fail);
+  d.reachable_area_mm2 = 1;
+  CHECK(decide(d, kLimits).verdict == Verdict::pass);
 }
 
 TEST_CASE("missing raw stock is held against the gouge limit under its own name", "[unit]") {

@@ -148,6 +148,7 @@ RunInputs load_inputs(const Job& job, const RunTerms& terms, std::optional<JobSu
   Settings settings = choose_settings(job, box, terms.memory_limit_bytes);
   std::vector<model::Fixture> fixtures = load_fixtures(job, false);
   auto programs = load_programs(job, settings, fixtures, box);
+  if (!job.at_setup) tell_offsets_left(programs);
   settings.stock_limit_bytes =
       stock_limit_bytes(scale_of(job, design ? &design->surface : nullptr, programs, terms));
   return {std::move(design),   std::move(settings),      terms,

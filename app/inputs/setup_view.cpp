@@ -100,6 +100,7 @@ RunInputs load_in_setups(const Job& job, const RunTerms& terms, std::optional<Jo
     }
     views.push_back(std::make_shared<SetupView>(SetupView{std::move(at), std::move(inputs)}));
   }
+  tell_offsets_left(all.programs);
   all.settings.stock_limit_bytes =
       stock_limit_bytes(scale_of(job, design ? &design->surface : nullptr, all.programs, terms));
   for (const auto& view : views)

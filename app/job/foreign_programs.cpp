@@ -249,6 +249,8 @@ ForeignPath GroupReader::path_of(std::size_t index) const {
   foreign.beyond_travel = beyond_travel(index);
   if (!program_.has_end)
     foreign.unended = stage(index).program_as_stated + " " + missing_end_words(program_);
+  foreign.file = stage(index).program_as_stated;
+  foreign.offsets_left = program_.offsets_left;
   foreign.start = start_told();
   foreign.text = text_;
   return foreign;
@@ -328,23 +330,26 @@ std::vector<std::optional<ForeignPath>> load_programs(const Job& job, const Sett
   for (const Group& group : groups) readers.emplace_back(job, settings, group);
   const double above_all_mm = above_everything_mm(job, fixtures, part, readers);
   std::vector<std::optional<ForeignPath>> programs(job.stages.size());
-  // What an earlier program leaves, in words, and its file.
-  std::string left, left_by;
   // Motions take twice what moves do: those of a program are let go once its paths are there.
   for (; !readers.empty(); readers.pop_front()) {
     GroupReader& reader = readers.front();
     reader.place({above_all_mm, box_around(job, fixtures, part), start_of(job, above_all_mm)});
-    const std::string& file = job.stages[reader.group()[0]].program_as_stated;
-    for (std::size_t i = 0; i < reader.group().size(); ++i) {
-      auto& foreign = programs[reader.group()[i]] = reader.path_of(i);
-      if (!left.empty() && left_by != file)
-        foreign->assumed.push_back(
-            file + " begins with the job's work and tool offsets, not with those that " + left);
-    }
-    if (const std::uint32_t line = reader.program().offsets_left)
-      left = file + " ends with (line " + std::to_string(line) + ")", left_by = file;
+    for (std::size_t i = 0; i < reader.group().size(); ++i)
+      programs[reader.group()[i]] = reader.path_of(i);
   }
   return programs;
+}
+
+void tell_offsets_left(std::vector<std::optional<ForeignPath>>& programs) {
+  const ForeignPath* leaving = nullptr;
+  for (std::optional<ForeignPath>& program : programs) {
+    if (!program) continue;
+    if (leaving && leaving->file != program->file)
+      program->assumed.push_back(
+          program->file + " begins with the job's work and tool offsets, not with those that " +
+          leaving->file + " ends with (line " + std::to_string(leaving->offsets_left) + ")");
+    if (program->offsets_left != 0) leaving = &*program;
+  }
 }
 
 }  // namespace limitgauge::app

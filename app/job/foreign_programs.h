@@ -24,6 +24,9 @@ struct ForeignPath {
   /// Motions of a machine with rotary axes, those that turn them included, that take X, Y or Z
   /// beyond the job's travel, where the stage is a stretch of its program.
   std::vector<model::TravelBreach> beyond_travel;
+  std::string file;  ///< as the job states it
+  /// The line that left other work or tool offsets than the program began with; 0: none did.
+  std::uint32_t offsets_left = 0;
   std::string unended;  ///< what is to be said of a program without an end; else empty
 };
 
@@ -35,6 +38,9 @@ struct ForeignPath {
 std::vector<std::optional<ForeignPath>> load_programs(const Job& job, const Settings& settings,
                                                       const std::vector<model::Fixture>& fixtures,
                                                       const model::Box3& part);
+/// Lists with each program that begins with the job's offsets though one before it left others; of
+/// a whole job, whose programs stand by stage.
+void tell_offsets_left(std::vector<std::optional<ForeignPath>>& programs);
 /// A program, and which of its motions each of its stages takes.
 struct StagePrograms {
   std::vector<std::size_t> stages;

@@ -101,11 +101,11 @@ namespace {
 
 /// Empty where all is in reach.
 std::string reach_text(const record::DeviationMeasures& m) {
-  const double area_mm2 =
-      m.reach.unreachable_mm2 > 0 ? m.reach.unreachable_mm2 : m.unreachable_area_mm2;
+  // By samples where there are no areas by proof.
+  const double whole_mm2 = m.reach.reachable_mm2 + m.reach.unreachable_mm2 + m.reach.undecided_mm2;
+  const double area_mm2 = whole_mm2 > 0 ? m.reach.unreachable_mm2 : m.unreachable_area_mm2;
   if (!(area_mm2 > 0)) return {};
   std::string text = three_digits(area_mm2) + " mm²";
-  const double whole_mm2 = m.reach.reachable_mm2 + m.reach.unreachable_mm2 + m.reach.undecided_mm2;
   if (whole_mm2 > 0) text += " (" + three_digits(100 * area_mm2 / whole_mm2) + " %)";
   return text + ", unavoidable uncut up to " + measured_length(m.unavoidable_mm.high);
 }

@@ -73,7 +73,7 @@ GateFigure unreachable_figure(const verifier::StageDeviation& d, const verifier:
                        : model::shortest(l.unreachable) + " mm²";
   }
   // Whatever the limit: what no cutter touches at all is no part of the work.
-  const verifier::Verdict any = judge_any_reach(d);
+  const verifier::Verdict any = judge_any_reach(d, l);
   if (any == verifier::Verdict::fail) figure.standing = Standing::beyond;
   if (any == verifier::Verdict::indeterminate && figure.standing != Standing::beyond)
     figure.standing = Standing::undecided;

@@ -23,7 +23,8 @@ std::string beyond_words(const GateFigure& figure, bool nothing_reached) {
 }
 
 void add_figures(const StageResult& stage, std::vector<std::string>& beyond, std::string& open) {
-  const bool nothing_reached = judge_any_reach(*stage.ran->deviation) == verifier::Verdict::fail;
+  const bool nothing_reached =
+      judge_any_reach(*stage.ran->deviation, stage.limits) == verifier::Verdict::fail;
   for (const GateFigure& figure : gate_figures(stage)) {
     if (figure.standing == Standing::undecided) open += (open.empty() ? "" : ", ") + figure.name;
     if (figure.standing != Standing::beyond) continue;

@@ -148,7 +148,7 @@ std::string Decision::nothing_reached_text(Verdict any) const {
 }
 
 void Decision::judge_reach() {
-  if (const Verdict any = judge_any_reach(d_); any != Verdict::pass)
+  if (const Verdict any = judge_any_reach(d_, limits_); any != Verdict::pass)
     add(nothing_reached_text(any), any, out_of_reach_text(d_.field, stages_));
   if (limits_.has_unreachable) judge_unreachable();
   if (limits_.has_unavoidable)
@@ -200,10 +200,10 @@ void Decision::tell_reach() {
       reach.reachable_mm2 + reach.unreachable_mm2 + reach.undecided_mm2 > kNoArea_mm2;
   const double area_mm2 = proven ? reach.unreachable_mm2 : d_.unreachable_area_mm2;
   const double whole_mm2 = whole_area_mm2(d_);
-  if (!(area_mm2 + reach.undecided_mm2 > 0) || !(whole_mm2 > 0)) return;
+  if (!(area_mm2 + reach.undecided_mm2 > kNoArea_mm2) || !(whole_mm2 > 0)) return;
   std::string text =
       "unreachable: " + area_text(area_mm2) + " (" + share_text(area_mm2 / whole_mm2) + ")";
-  if (reach.undecided_mm2 > 0) text += ", undecided " + area_text(reach.undecided_mm2);
+  if (reach.undecided_mm2 > kNoArea_mm2) text += ", undecided " + area_text(reach.undecided_mm2);
   out_.reasons.push_back(text + ", unavoidable uncut up to " +
                          length_text(d_.unavoidable_uncut_mm.high));
 }
@@ -265,14 +265,19 @@ double whole_area_mm2(const StageDeviation& d) {
 
 Interval unreachable_area_mm2(const StageDeviation& d) {
   const StageDeviation::ProvenReach& reach = d.proven_reach;
-  return but_for({reach.unreachable_mm2, reach.unreachable_mm2 + reach.undecided_mm2}, kNoArea_mm2);
+  // The whole is summed otherwise than its parts.
+  const double whole_mm2 = whole_area_mm2(d);
+  return but_for({std::min(reach.unreachable_mm2, whole_mm2),
+                  std::min(reach.unreachable_mm2 + reach.undecided_mm2, whole_mm2)},
+                 kNoArea_mm2);
 }
 
-Verdict judge_any_reach(const StageDeviation& d) {
+Verdict judge_any_reach(const StageDeviation& d, const GateLimits& limits) {
   const StageDeviation::ProvenReach& reach = d.proven_reach;
-  if (d.surface_area_mm2 <= 0 || reach.reachable_mm2 > kNoArea_mm2 || reach.all_is_judged)
-    return Verdict::pass;
+  if (d.surface_area_mm2 <= 0 || reach.reachable_mm2 > kNoArea_mm2) return Verdict::pass;
   const bool sampled = d.reachable_area_mm2 > 0;
+  if (reach.all_is_judged)
+    return sampled || limits.has_uncut ? Verdict::pass : Verdict::indeterminate;
   const double known_mm2 = reach.unreachable_mm2 + reach.undecided_mm2;
   // Without areas by proof there are the samples alone.
   if (known_mm2 <= kNoArea_mm2 || !reach.is_mapped) return sampled ? Verdict::pass : Verdict::fail;

@@ -112,10 +112,11 @@ double whole_area_mm2(const StageDeviation& deviation);
 /// more than rounding is none.
 Interval unreachable_area_mm2(const StageDeviation& deviation);
 /// Whether any of S is in reach. It passes where some is proven to be, and where nothing can be
-/// proven to be out of it, for all of S is judged then. Else it fails, or is indeterminate where
-/// samples say otherwise (they count what is touched along the end of an open sheet from beside it,
-/// which is no area); of drills alone, which have no proofs of reach, samples decide.
-Verdict judge_any_reach(const StageDeviation& deviation);
+/// proven to be out of it and uncut has a limit, for all of S is judged by it then. Else it fails,
+/// or is indeterminate where samples say otherwise (they count what is touched along the end of an
+/// open sheet from beside it, which is no area); of drills alone, which have no proofs of reach,
+/// samples decide.
+Verdict judge_any_reach(const StageDeviation& deviation, const GateLimits& limits);
 
 /// The gate's decision rule: pass when every `high` is within its limit, fail when some `low` is
 /// beyond it, indeterminate between; a figure without a limit cannot fail. Missing raw stock is

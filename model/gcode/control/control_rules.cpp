@@ -20,7 +20,7 @@ constexpr ControlRules iso_rules(Control control, std::string_view title) {
   rules.colon_numbers = rules.numbered_skips = rules.semicolon_ends_block = true;
   rules.trailing_percent = rules.leader = true;
   rules.idle_centre_words = rules.rotary_zero = rules.modal_offset_words = true;
-  rules.whole_lengths_doubtful = rules.rounds_calculated = true;
+  rules.whole_lengths_doubtful = rules.rounds_calculated = rules.length_moves_z = true;
   rules.separate_cycle_group = rules.motion_beside_reference = rules.begins_in_g98 = true;
   rules.dwell_is_optional = rules.whole_peck = rules.tap_turns_spindle = true;
   rules.fanuc_offsets = rules.fanuc_cycles = true;

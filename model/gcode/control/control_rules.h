@@ -64,6 +64,9 @@ struct ControlRules {
   bool length_by_d = false;              ///< D takes the tool's length
   bool length_in_machine_frame = false;  ///< which stays in effect beside G53
   LengthCancel length_cancel = LengthCancel::never;
+  /// A change of the tool's length is made up for by the next motion of Z, in G91 too (Fanuc
+  /// B-63844EN, 14.1.1), where LinuxCNC gives the tool's place another name.
+  bool length_moves_z = false;
   bool whole_lengths_doubtful = false;  ///< X10 may be 10 mm or 10 increments: a parameter says
   /// Lengths and angles that variables and expressions give are rounded to the least input
   /// increment: 0.001 mm, 0.0001 inch, 0.001 degrees (Fanuc B-63684EN, 16.1; Haas, "Address

@@ -33,6 +33,9 @@ struct ModalState {
   int length_offset = 490;  ///< G43, G43.1, G43.2 or G49, in tenths
   /// G28, G30 or G53, in tenths, which has taken the tool's length out of effect (LengthCancel).
   std::optional<int> length_cancelled_by;
+  /// Since G43, G49 or H changed the length in effect no absolute Z has been programmed, on a
+  /// control where the next motion of Z makes up for the change.
+  bool length_is_due = false;
   bool cancelled_length_is_told = false;  ///< a motion along Z came since, and was listed
   std::optional<int> motion;              ///< G code in tenths
   /// G0 to G3, where canned cycles are a group beside them and come back to it.

@@ -110,13 +110,19 @@ void list_idle_centre(const Statement& statement, ArcPlane plane, Program& progr
 /// Grbl 1.1, "Commands": settings, states and modes; of these $H and $J move the machine.
 namespace {
 
-/// Grbl's settings of directions ($3) and of steps to the millimetre ($100 to $102).
+/// Grbl's settings of directions ($3) and of steps to the millimetre ($100 to $102), and what sets
+/// all of them back. Grbl reads a number up to its point.
 bool sets_geometry(std::string_view text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string_view::npos) return false;
-  std::string number(text.substr(1, equals - 1));
-  std::erase(number, ' ');
-  return number == "3" || number == "100" || number == "101" || number == "102";
+  std::string plain;
+  for (const char c : text)
+    if (c != ' ') plain += upper(c);
+  if (plain.starts_with("$RST")) return true;
+  std::size_t at = 1;
+  int number = 0;
+  for (; at < plain.size() && is_digit(plain[at]) && number < 1000; ++at)
+    number = number * 10 + (plain[at] - '0');
+  return at > 1 && plain.find('=') != std::string::npos &&
+         (number == 3 || (number >= 100 && number <= 102));
 }
 
 }  // namespace

@@ -214,6 +214,10 @@ void Interpreter::carry_out_non_modal(const Statement& statement) {
 void Interpreter::go_home(const Statement& statement) {
   forbid_compensation(statement, *statement.g_word(GGroup::non_modal), state_);
   check_system(statement, state_);
+  if (const Word* p = statement.word('P'); p && p->value != 2)
+    statement.fail(
+        *p, in_quotes(p->text) + " beside G30: a third or fourth reference point is stated nowhere",
+        "P2, the second");
   in_joints([&] { move_home(statement); });
   turn_home(statement);
   cancel_length(statement, state_);

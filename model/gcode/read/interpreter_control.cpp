@@ -38,24 +38,26 @@ void Interpreter::note_doubtful_lengths(const Statement& statement) {
   }
 }
 
-/// After `statement`, before which the tool stood at `from_mm`.
+/// After `statement`, before which the tool stood at `from_mm`. A motion that leads nowhere counts
+/// as more blocks than are read over (B-63664EN, "Tool movement in the offset mode"), and so does a
+/// stop, behind which nothing is read ahead.
 void Interpreter::watch_still_blocks(const Statement& statement, const Vec3& from_mm) {
   if (!compensation_.shifts()) return still_blocks_.reset();
   const auto [first, second, along] = axes_of(state_.modal.plane);
   const bool moves = state_.position_mm[first] != from_mm[first] ||
                      state_.position_mm[second] != from_mm[second] ||
                      statement.first_of({'I', 'J', 'K'}) != nullptr;
-  if (!moves) {
-    if (still_blocks_) ++*still_blocks_;
-    return;
-  }
-  const int still = still_blocks_.value_or(0), most = *statement.rules().most_still_blocks;
-  if (still > most)
+  const int most = *statement.rules().most_still_blocks;
+  const bool ends_it = names_place(statement, state_.modal.plane) || statement.m(MGroup::stopping);
+  if (!moves && still_blocks_) *still_blocks_ += ends_it ? most + 1 : 1;
+  if (!moves) return;
+  if (still_blocks_.value_or(0) > most)
     statement.fail(statement.blamed(),
-                   "a motion under G41 or G42 behind " + std::to_string(still) +
-                       " blocks without one in its plane: how many of them the control reads over "
-                       "is a parameter's "
-                       "to say, and the contour's corner before them is left as it is otherwise",
+                   "a motion under G41 or G42 behind more blocks without one in its plane than the "
+                   "control surely reads "
+                   "over (its parameter 19625), or behind a stop or a motion of no length: it "
+                   "leaves the contour's "
+                   "corner before them as it is",
                    "one such block at most between two motions beside a contour");
   still_blocks_ = 0;
 }

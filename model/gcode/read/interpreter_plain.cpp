@@ -18,9 +18,10 @@ bool Interpreter::may_be_plain() const {
   return (state_.modal.motion == 0 || state_.modal.motion == 10) && !state_.modal.motion_is_taken &&
          !state_.modal.edge_is_taken &&
          (!state_.modal.length_cancelled_by || state_.modal.cancelled_length_is_told) &&
-         state_.modal.units_are_stated && state_.modal.distance_is_stated &&
-         state_.modal.feed_mode == FeedMode::per_minute && compensation_.idle() && saved_.empty() &&
-         !state_.is_adrift() && !state_.tools.is_uncertain() && state_.systems.system().is_usable();
+         !state_.modal.length_is_due && state_.modal.units_are_stated &&
+         state_.modal.distance_is_stated && state_.modal.feed_mode == FeedMode::per_minute &&
+         compensation_.idle() && saved_.empty() && !state_.is_adrift() &&
+         !state_.tools.is_uncertain() && state_.systems.system().is_usable();
 }
 
 Motion Interpreter::plain_motion(const Vec3& to_mm) {

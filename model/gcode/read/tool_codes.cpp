@@ -201,7 +201,10 @@ void set_length_offset(const Statement& statement, MachineState& state, Assumpti
   const ControlRules& rules = statement.rules();
   if (d && rules.length_by_d) use_edge(statement, *d, state, assumed);
   const bool again = !code && h && rules.modal_offset_words && state.modal.length_offset == 430;
-  if (code || again) state.modal.length_cancelled_by.reset();
+  if (code || again) {
+    state.modal.length_cancelled_by.reset();
+    state.modal.length_is_due = rules.length_moves_z;
+  }
   if (again) return use_modal_offset(statement, state, assumed);
   if (!code) return;
   forbid_compensation(statement, *statement.g_word(GGroup::length_offset), state);
@@ -250,7 +253,8 @@ void cancel_length(const Statement& statement, MachineState& state) {
   const LengthCancel cancel = statement.rules().length_cancel;
   const auto code = statement.g(GGroup::non_modal);
   const bool returns = code == 280 || code == 300, in_machine = code == 530;
-  const bool moves_z = statement.word('Z') || (returns && !statement.has_axes());
+  const bool moves_z =
+      statement.word('Z') || (returns && !statement.has_axes() && !statement.has_rotary());
   const bool cancels =
       cancel == LengthCancel::where_z_moves ? (returns || in_machine) && moves_z : returns;
   if (cancel == LengthCancel::never || !cancels || state.orientation.tool_centred) return;

@@ -85,14 +85,15 @@ class Users {
 };
 
 std::array<User, 6> Users::users_of_p() const {
-  return {User{non_modal(40), "G4"},
-          setting(),
-          blending(),
-          User{turns() || dwells(), turns() ? "an arc" : "a canned cycle"},
-          User{m(MGroup::overrides, 50, 53) || m(MGroup::input_output, 62, 66) ||
-                   g(GGroup::coordinate_system, 541),
-               "an M code or G54.1"},
-          orienting()};
+  return {
+      User{non_modal(40), "G4"},
+      setting(),
+      blending(),
+      User{turns() || dwells(), turns() ? "an arc" : "a canned cycle"},
+      User{m(MGroup::overrides, 50, 53) || m(MGroup::input_output, 62, 66) ||
+               g(GGroup::coordinate_system, 541) || (non_modal(300) && statement_.rules().macro_b),
+           "an M code, G54.1 or G30"},
+      orienting()};
 }
 
 std::array<User, 6> Users::users_of_q() const {

@@ -71,7 +71,8 @@ TEST_CASE("offsets that a program leaves are told with the programs after it", "
   const std::string left = "begins with the job's work and tool offsets, not with those that";
   const Bench bench(
       {cut + "M2\n", cut + "G92 Z15\nM2\n", cut + "M2\n", cut + "G92 Z1\nG92.1\nM2\n"});
-  const auto paths = bench.load();
+  auto paths = bench.load();
+  tell_offsets_left(paths);
   CHECK(!says(*paths[0], left));
   CHECK(!says(*paths[1], left));
   CHECK(says(*paths[2], "p1.ngc ends with (line 4)"));

@@ -173,10 +173,13 @@ TEST_CASE("Fanuc's contour behind two blocks without a motion in its plane is re
     return error_of(start + text + "G40 X-26. Y-16.\nM30\n", machine);
   };
   CHECK(error("Z2.\nG1 Z-2. F300.\nY10.\n")
-            .find("6:1: error: a motion under G41 or G42 behind 2 blocks") == 0);
+            .find("6:1: error: a motion under G41 or G42 behind more blocks") == 0);
   CHECK(error("G1 Z-2. F300.\nM8\n(a remark)\nS900\nG2 X0. Y0. R20.\n")
-            .find("8:1: error: a motion under G41 or G42 behind 3 blocks") == 0);
+            .find("8:1: error: a motion under G41 or G42 behind more blocks") == 0);
   CHECK(error("G1 Y10. F300.\nM8\nG91 X0.\nG90 X10.\n").find("7:5: error: a motion under") == 0);
+  CHECK(error("G1 Y10. F300.\nG91 X0.\nG90 X10.\n").find("6:5: error: a motion under") == 0);
+  CHECK(error("G1 Y10. F300.\nY10.\nX10.\n").find("6:1: error: a motion under") == 0);
+  CHECK(error("G1 Y10. F300.\nM1\nX10.\n").find("6:1: error: a motion under") == 0);
   // One may stand between, and remarks, settings of variables and blocks behind the last motion do
   // not count.
   CHECK(error("G1 Z-2. F300.\nY10.\nM8\nX10.\n") == "no error");

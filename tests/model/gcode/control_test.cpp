@@ -425,6 +425,9 @@ TEST_CASE("Grbl's check mode and settings of its axes are refused", "[unit][prog
   };
   CHECK(reads("$C").find("check mode") != std::string::npos);
   CHECK(reads("$100=80").find("changes which way or how far") != std::string::npos);
-  CHECK(reads("$3=1").find("changes which way or how far") != std::string::npos);
+  for (const std::string setting : {"$3=1", "$03=1", "$3.0=1", "$102.=80", "$RST=*", "$rst=$"}) {
+    CAPTURE(setting);
+    CHECK(reads(setting).find("changes which way or how far") != std::string::npos);
+  }
   CHECK_NOTHROW(read_text("$X\n$10=1\n$130=200\nG21 G90 G0 X1\n", of(Control::grbl)));
 }

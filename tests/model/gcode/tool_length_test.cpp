@@ -185,3 +185,28 @@ TEST_CASE("no feed motion where G28 has taken an unstated length out of effect",
                   "G28") == 0);
   CHECK(error_of(start + "G43 H1 Z5.\nG1 Z0. F100.\n", machine) == "no error");
 }
+
+TEST_CASE("Z in G91 behind a change of the length is refused where the control adds the change",
+          "[unit][gcode]") {
+  const auto error = [](const std::string& text, Control control) {
+    return error_of("T1 M6\nG90 G21 G0 X0 Y0\n" + text, two_tools_of(control));
+  };
+  for (const Control control : {Control::fanuc, Control::haas}) {
+    CHECK(error("G91 G28 Z0.\nG43 H1 Z-200.\n", control).find("4:8: error: 'Z-200.' in G91") == 0);
+    CHECK(error("G43 H1\nG91 Z-5.\n", control).find("4:5: error: 'Z-5.' in G91") == 0);
+    CHECK(error("G43 H1 Z5.\nG91 Z-5.\nG49\nG28 Z0.\nG90 Z3.\n", control) == "no error");
+  }
+  CHECK(error("G43 H1\nG91 Z-5.\n", Control::linuxcnc) == "no error");
+}
+
+TEST_CASE("G28 of an axis that stays where it is leaves the length in effect", "[unit][gcode]") {
+  CHECK(z_behind("G28 A0.\nZ10.\n", Control::fanuc) == 10);
+  const MachineSetup machine = [] {
+    MachineSetup out = two_tools_of(Control::fanuc);
+    out.second_home_mm = Vec3{0, 0, -10};
+    return out;
+  }();
+  const std::string start = "T1 M6\nG90 G21 G43 H1\nG0 X0 Y0 Z10.\n";
+  CHECK(end_of_text(start + "G91 G30 P2 Z0.\n", machine).z == -60);
+  CHECK(error_of(start + "G91 G30 P3 Z0.\n", machine).find("4:9: error: 'P3' beside G30") == 0);
+}

@@ -232,6 +232,8 @@ TEST_CASE(
   d.proven_reach.all_is_judged = true;
   CHECK(decide(d, kLimits).verdict == Verdict::pass);
   CHECK_THAT(all(decide(d, kLimits)), ContainsSubstring("undecided 100 mm²"));
+  // Without a limit of uncut nothing is judged by it.
+  CHECK(decide(d, {}).verdict == Verdict::indeterminate);
   d.uncut_mm = {0, 5};
   CHECK(decide(d, kLimits).verdict == Verdict::indeterminate);
   // A drill alone: touched places are found one by one.

@@ -34,9 +34,8 @@ constexpr std::string_view kNotRead = "a code of this control";
 /// carried out (B-63684EN, "List of G codes"; Haas 96-8210, "G-Codes").
 constexpr std::array kIsoG = {
     refused(21, 29, "it interpolates along another curve", kLines),
-    aside(50, 50, "P"),  // G05 P10000: high-speed machining
-    aside(51, 51,
-          "QRXYZ"),  // G05.1 Q1: look-ahead contour control; beside Q2 the axes that it smooths
+    aside(50, 50, "P"),      // G05 P10000: high-speed machining
+    aside(51, 51, "QRXYZ"),  // G05.1 Q: look-ahead, smoothing of these axes
     refused(52, 59, "it interpolates along another curve", kLines),
     refused(60, 63, "it interpolates along another curve", kLines),
     aside(80, 80, "P"),  // look-ahead

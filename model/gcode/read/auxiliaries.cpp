@@ -107,7 +107,6 @@ void list_idle_centre(const Statement& statement, ArcPlane plane, Program& progr
     add_ignored(program, statement.line(), plain(*word));
 }
 
-/// Grbl 1.1, "Commands": settings, states and modes; of these $H and $J move the machine.
 namespace {
 
 /// Grbl's settings of directions ($3) and of steps to the millimetre ($100 to $102), and what sets
@@ -127,6 +126,7 @@ bool sets_geometry(std::string_view text) {
 
 }  // namespace
 
+/// Grbl 1.1, "Commands": settings, states and modes; of these $H and $J move the machine.
 void list_dollar(const Statement& statement, Program& program, bool moved, Assumptions& assumed) {
   const Block& block = statement.block();
   const std::string text = cut(block.dollar);

@@ -280,6 +280,7 @@ void Interpreter::move_straight(const Statement& statement, int code) {
 void Interpreter::cycle(const Statement& statement, int code) {
   check_system(statement, state_);
   check_tip(statement, state_);
+  take_due_length(statement, state_);
   if (state_.is_adrift())
     statement.fail(statement.blamed(), "a canned cycle from a place that nothing states",
                    "a motion of each axis to a coordinate first");

@@ -128,8 +128,8 @@ class Interpreter {
   CannedCycles cycles_;
   std::size_t most_motions_;
   std::size_t motions_before_spindle_ = 0;
-  std::optional<int>
-      still_blocks_;             ///< since the last motion beside a contour; empty: there was none
+  /// Blocks since the last motion beside a contour; empty: there was none.
+  std::optional<int> still_blocks_;
   bool doubts_lengths_ = false;  ///< lengths without a point are still to be told of
   bool lack_of_speed_is_told_ = false;
   bool left_hand_is_told_ = false;

@@ -54,10 +54,8 @@ void Interpreter::watch_still_blocks(const Statement& statement, const Vec3& fro
   if (still_blocks_.value_or(0) > most)
     statement.fail(statement.blamed(),
                    "a motion under G41 or G42 behind more blocks without one in its plane than the "
-                   "control surely reads "
-                   "over (its parameter 19625), or behind a stop or a motion of no length: it "
-                   "leaves the contour's "
-                   "corner before them as it is",
+                   "control surely reads over (its parameter 19625), or behind a stop or a motion "
+                   "of no length: it leaves the contour's corner before them as it is",
                    "one such block at most between two motions beside a contour");
   still_blocks_ = 0;
 }
@@ -96,8 +94,7 @@ void Interpreter::round_calculated(Block& block) {
     if (std::abs(rounded - word.value) > kSumOfSteps)
       assumed_.add(block.main_line,
                    "lengths and angles from variables and expressions are rounded to 0.001 mm, "
-                   "0.0001 inch and "
-                   "0.001 degrees, the control's least increments");
+                   "0.0001 inch and 0.001 degrees, the control's least increments");
     word.value = rounded;
   }
 }

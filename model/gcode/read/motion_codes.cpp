@@ -41,18 +41,6 @@ double axis_end(const Statement& statement, const Word& word, MachineState& stat
   return end_mm;
 }
 
-/// Of a motion along Z behind a change of the tool's length, which a control may add to it.
-void take_due_length(const Statement& statement, MachineState& state) {
-  const Word* const z = statement.word('Z');
-  if (!z || !state.modal.length_is_due) return;
-  if (state.modal.incremental)
-    statement.fail(*z,
-                   in_quotes(z->text) +
-                       " in G91 behind a change of the tool's length, which the control adds to it",
-                   "Z in G90 first");
-  state.modal.length_is_due = false;
-}
-
 /// X and Y from a distance to the origin of the work frame (@) and an angle about it (^); one that
 /// is left out stays. In G91 both are added. LinuxCNC, "Polar Coordinates".
 void take_polar(const Statement& statement, MachineState& state, Vec3& end_mm) {
@@ -153,6 +141,17 @@ double arc_length(const Motion& arc, const Vec3& start) {
 }
 
 }  // namespace
+
+void take_due_length(const Statement& statement, MachineState& state) {
+  const Word* const z = statement.word('Z');
+  if (!z || !state.modal.length_is_due) return;
+  if (state.modal.incremental)
+    statement.fail(*z,
+                   in_quotes(z->text) +
+                       " in G91 behind a change of the tool's length, which the control adds to it",
+                   "Z in G90 first");
+  state.modal.length_is_due = false;
+}
 
 Vec3 end_of(const Statement& statement, MachineState& state) {
   check_descent(statement, state);

@@ -194,6 +194,8 @@ TEST_CASE("Z in G91 behind a change of the length is refused where the control a
   for (const Control control : {Control::fanuc, Control::haas}) {
     CHECK(error("G91 G28 Z0.\nG43 H1 Z-200.\n", control).find("4:8: error: 'Z-200.' in G91") == 0);
     CHECK(error("G43 H1\nG91 Z-5.\n", control).find("4:5: error: 'Z-5.' in G91") == 0);
+    CHECK(error("G43 H1\nG91 G81 Z-5. R-3. F100.\n", control).find("4:9: error: 'Z-5.' in G91") ==
+          0);
     CHECK(error("G43 H1 Z5.\nG91 Z-5.\nG49\nG28 Z0.\nG90 Z3.\n", control) == "no error");
   }
   CHECK(error("G43 H1\nG91 Z-5.\n", Control::linuxcnc) == "no error");

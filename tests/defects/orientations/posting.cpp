@@ -142,6 +142,8 @@ class Post {
       line("G49"), line("G43 H1");
     line("G91 G28 Z0");
     line("G90");
+    // There it is out of effect on the other controls.
+    if (believed_.control != "linuxcnc") line("G43 H1");
   }
 
   /// What the program says of the part's place p, and where that truly is in the stretch's frame.

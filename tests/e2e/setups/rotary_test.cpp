@@ -98,7 +98,7 @@ TEST_CASE("a turn that sweeps the tool through the part is a collision, a clear 
   // retract it still stands in the part.
   const std::string retract =
       "G0 X-9.57188 Y-14.53830 Z10.76606\nG0 X-12.99688 Y11.39770 Z10.76606\n";
-  const std::string retreat = "G91 G28 Z0\nG90\n", turn = "G0 A-35 C250";
+  const std::string retreat = "G91 G28 Z0\nG90\nG43 H1\n", turn = "G0 A-35 C250";
   const std::string clear = with_program(scratch, "G255\n" + retreat + turn, "G255\n" + turn);
   CHECK(run(scratch, clear, "clear").exit_code == 0);
   const std::string job =

@@ -106,9 +106,10 @@ class Reader:
 
 
 class Machine:
-    """Fanuc's order of blocks, and straight moves."""
+    """Fanuc's and Haas's order of blocks, and straight moves in millimetres."""
 
-    def __init__(self, text):
+    def __init__(self, text, control):
+        self.control = control
         lines = [re.sub(r"\([^)]*\)|\s", "", line).upper() for line in text.split("\n")]
         self.lines = [re.sub(r"^/\d?", "", line) for line in lines]
         self.shared, self.locals = {}, [{}]
@@ -177,7 +178,11 @@ class Machine:
         while reader.rest():
             letter = reader.rest()[0]
             reader.at += 1
-            found.append((letter, reader.value()))
+            begin, value = reader.at, reader.value()
+            # What is calculated is rounded to the least increment.
+            if letter in "XYZ" and not isinstance(value, Vacant) and re.search(r"[#\[]", line[begin:reader.at]):
+                value = FUNCTIONS["ROUND"](value * 1000) / 1000
+            found.append((letter, value))
         moves = {letter: v for letter, v in found if letter in "XYZ" and not isinstance(v, Vacant)}
         codes = [v for letter, v in found if letter == "M"]
         if ("G", 65) in found:
@@ -208,14 +213,14 @@ class Machine:
             return to
         if 99 in codes:
             begin, to, times, arguments = self.calls.pop()
-            if arguments is not None:
-                self.locals.pop()
+            left = self.locals.pop() if arguments is not None else None
             if "P" in words:
                 return self.block(int(words["P"]), begin)
             if times == 1:
                 return begin + 1
             if arguments is not None:
-                self.locals.append(dict(arguments))
+                # Haas hands arguments over once, and the next run finds what this one left.
+                self.locals.append(left if self.control == "haas" else dict(arguments))
             self.calls.append((begin, to, times - 1, arguments))
             return to
         return at + 1
@@ -252,7 +257,7 @@ def difference(path, command):
     if not MACRO.search(re.sub(r"\([^)]*\)", "", text)):
         return None
     try:
-        own = Machine(text).run()
+        own = Machine(text, path.parent.parent.name).run()
     except NotKnown:
         return None
     printed = printed_moves(command, path)

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/part/cutter.h"
 #include "tests/support/catch.h"
 #include "tests/support/judging.h"
 #include "tests/support/part_cages.h"
@@ -65,6 +66,25 @@ TEST_CASE("where nothing can be reached, nothing passes, by name", "[slow][defin
     CHECK(judged.deviation.reachable_area_mm2 == 0);
     CHECK(judged.deviation.unreachable_area_mm2 == Approx(100).epsilon(1e-3));
   }
+}
+
+TEST_CASE("a stage of a drill alone passes where it touches, and not from behind",
+          "[unit][definition2]") {
+  const model::Cutter drill = model::parse_cutter("drill:D=4,angle=118,L=60");
+  // The tip goes down to the plane, three times; the block ends 1 mm over it, or 5 mm below.
+  model::Toolpath spots = moves_through({{0, 0, 9}});
+  for (const double x : {-2.0, 0.0, 2.0})
+    for (const Vec3& to : {Vec3{x, 0, 9}, {x, 0, 0}, {x, 0, 9}}) feed_to(spots, to);
+  const std::vector<Pass> passes = {pass_of(drill, spots)};
+  const ReferenceSurface plane(plane_cage(5, 0, 0)), behind(flipped(plane_cage(5, 0, 0)));
+  const auto block = block_between({-5, -5, -5}, {5, 5, 1});
+  CHECK(judge(plane, block, passes, gouge_gate(0.05)).decision.verdict == Verdict::pass);
+  CHECK(judge(plane, block, passes, both_gates(0.05, 2)).decision.verdict == Verdict::pass);
+  CHECK(judge(plane, block, passes, both_gates(0.05, 0.05)).decision.verdict == Verdict::fail);
+  for (const GateLimits& limits : {gouge_gate(0.05), both_gates(0.05, 0.05)})
+    CHECK(
+        judge(behind, block_between({-5, -5, -5}, {5, 5, 0.5}), passes, limits).decision.verdict ==
+        Verdict::fail);
 }
 
 TEST_CASE("a second sheet wound the other way is unreachable, and can be gated",

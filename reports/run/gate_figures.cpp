@@ -193,10 +193,11 @@ std::vector<std::string> stage_notes(const StageResult& stage) {
   const verifier::StageDeviation& d = *stage.ran->deviation;
   std::vector<std::string> out = path_notes(stage);
   // By samples where there are no areas by proof.
-  verifier::Interval area_mm2 = unreachable_area_mm2(d);
-  const bool nothing_known = area_mm2.high > 0 && d.proven_reach.reachable_mm2 <= 0;
-  if (area_mm2.high <= 0 && d.proven_reach.reachable_mm2 <= 0)
-    area_mm2 = {d.unreachable_area_mm2, d.unreachable_area_mm2};
+  const bool proven = has_proven_areas(d);
+  const verifier::Interval area_mm2 =
+      proven ? unreachable_area_mm2(d)
+             : verifier::Interval{d.unreachable_area_mm2, d.unreachable_area_mm2};
+  const bool nothing_known = proven && d.proven_reach.reachable_mm2 <= 0;
   if (area_mm2.low > 0 || nothing_known)
     out.push_back("unreachable " + reach_text(area_mm2, whole_area_mm2(d)) +
                   ", unavoidable uncut up to " + measured_length(d.unavoidable_uncut_mm.high));

@@ -80,7 +80,7 @@ class CrossingSearch {
         [&](double bound) { return bound >= first_; },
         [&](const model::BoxNode& leaf) {
           for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
-            descend(cells_.cells()[k].shape);
+            descend(cells_.cells()[k].shape, ray_.within(cells_.cells()[k].shape));
         });
     return first_;
   }
@@ -103,8 +103,8 @@ class CrossingSearch {
   bool is_back(const Bezier& cell) const {
     return dot(unit_normal(cell, 0.5, 0.5), normal_) < kBackToBack;
   }
-  void descend(const Bezier& cell) {
-    const Interval met = ray_.within(cell);
+  /// `met` is where the ray may meet the cell.
+  void descend(const Bezier& cell, const Interval& met) {
     const double start = start_of(met), radius = control_radius(cell, middle(cell));
     if (start >= first_) return;
     const bool near = is_near(met);
@@ -114,9 +114,9 @@ class CrossingSearch {
       return;
     }
     const auto parts = halved(cell);
-    const bool later = start_of(ray_.within(parts[1])) < start_of(ray_.within(parts[0]));
-    descend(parts[later ? 1 : 0]);
-    descend(parts[later ? 0 : 1]);
+    const Interval within[] = {ray_.within(parts[0]), ray_.within(parts[1])};
+    const int first = start_of(within[1]) < start_of(within[0]) ? 1 : 0;
+    for (const int k : {first, 1 - first}) descend(parts[k], within[k]);
   }
 
   static constexpr double kNone = std::numeric_limits<double>::infinity();

@@ -196,9 +196,7 @@ void Decision::judge_process(const ProcessFault& fault) {
 /// Said beside every verdict: what is out of reach is judged by no other figure.
 void Decision::tell_reach() {
   const StageDeviation::ProvenReach& reach = d_.proven_reach;
-  const bool proven =
-      reach.reachable_mm2 + reach.unreachable_mm2 + reach.undecided_mm2 > kNoArea_mm2;
-  const double area_mm2 = proven ? reach.unreachable_mm2 : d_.unreachable_area_mm2;
+  const double area_mm2 = has_proven_areas(d_) ? reach.unreachable_mm2 : d_.unreachable_area_mm2;
   const double whole_mm2 = whole_area_mm2(d_);
   if (!(area_mm2 + reach.undecided_mm2 > kNoArea_mm2) || !(whole_mm2 > 0)) return;
   std::string text =
@@ -263,6 +261,11 @@ double whole_area_mm2(const StageDeviation& d) {
          d.proven_reach.undecided_mm2;
 }
 
+bool has_proven_areas(const StageDeviation& d) {
+  const StageDeviation::ProvenReach& reach = d.proven_reach;
+  return reach.reachable_mm2 + reach.unreachable_mm2 + reach.undecided_mm2 > kNoArea_mm2;
+}
+
 Interval unreachable_area_mm2(const StageDeviation& d) {
   const StageDeviation::ProvenReach& reach = d.proven_reach;
   // The whole is summed otherwise than its parts.
@@ -278,9 +281,7 @@ Verdict judge_any_reach(const StageDeviation& d, const GateLimits& limits) {
   const bool sampled = d.reachable_area_mm2 > 0;
   if (reach.all_is_judged)
     return sampled || limits.has_uncut ? Verdict::pass : Verdict::indeterminate;
-  const double known_mm2 = reach.unreachable_mm2 + reach.undecided_mm2;
-  // Without areas by proof there are the samples alone.
-  if (known_mm2 <= kNoArea_mm2 || !reach.is_mapped) return sampled ? Verdict::pass : Verdict::fail;
+  if (!has_proven_areas(d) || !reach.is_mapped) return sampled ? Verdict::pass : Verdict::fail;
   return sampled && reach.undecided_mm2 > kNoArea_mm2 ? Verdict::indeterminate : Verdict::fail;
 }
 

@@ -108,6 +108,8 @@ Verdict judge_robust(const RobustDeviation& robust, const GateLimits& limits);
 const RobustFigure* least_margin(const RobustDeviation& robust);
 /// Area of S that shares are of.
 double whole_area_mm2(const StageDeviation& deviation);
+/// Whether there are areas by proof; results without them have the samples' alone.
+bool has_proven_areas(const StageDeviation& deviation);
 /// Proven out of reach, and with what is undecided: what the gate `unreachable` judges. What is no
 /// more than rounding is none.
 Interval unreachable_area_mm2(const StageDeviation& deviation);

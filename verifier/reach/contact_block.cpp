@@ -264,7 +264,7 @@ ContactRegion ContactBlock::least_barred(const ContactRegion& g, const Search& s
   }
   const ContactRegion from = best;
   close_in(std::max(g.angle0, from.angle0 - step), std::min(g.angle1, from.angle0 + step),
-           from.r1 > 0 ? kSmallestCell_mm / from.r1 : step,
+           kSmallestCell_mm / from.r1,  // without an arc there is nothing to close in on
            [&](double angle) { return value(from.r1, angle, from.z0); });
   return best;
 }

@@ -156,8 +156,7 @@ void Flow::call_macro(Block& block) {
 void Flow::note_doubtful_arguments(Block& block) {
   constexpr std::string_view kInIncrements = "ABCIJKQRUVWXYZ";
   const auto doubtful = std::find_if(block.words.begin(), block.words.end(), [&](const Word& word) {
-    return kInIncrements.find(word.letter) != std::string_view::npos && word.value != 0 &&
-           word.text.find_first_of(".#[") == std::string_view::npos;
+    return kInIncrements.find(word.letter) != std::string_view::npos && word.lacks_point();
   });
   if (doubtful == block.words.end()) return;
   doubts_arguments_ = false;

@@ -24,9 +24,7 @@ bool Interpreter::listen(const Statement& statement) {
 void Interpreter::note_doubtful_lengths(const Statement& statement) {
   for (const Word& word : statement.block().words) {
     const bool is_length = (letter_bit(word.letter) & letter_bits("XYZIJKRQ")) != 0;
-    if (!is_length || word.value == 0 || statement.is_set_aside(word) ||
-        word.text.find_first_of(".#[") != std::string_view::npos)
-      continue;
+    if (!is_length || !word.lacks_point() || statement.is_set_aside(word)) continue;
     doubts_lengths_ = false;
     assumed_.add(
         statement.line(),
@@ -86,7 +84,7 @@ double steps_in_unit(char letter, bool in_inches) {
 /// is not listed.
 void Interpreter::round_calculated(Block& block) {
   for (Word& word : block.words) {
-    if (word.text.find_first_of("#[") == std::string_view::npos) continue;
+    if (!word.is_calculated()) continue;
     const double steps = steps_in_unit(word.letter, unit_in(block, state_.modal.unit_mm) != 1);
     if (steps == 0) continue;
     const double rounded = std::round(word.value * steps) / steps;

@@ -20,6 +20,13 @@ struct Word {
   double value = 0;
   std::uint32_t column = 0;
   std::string_view text;
+
+  /// By variables or an expression.
+  bool is_calculated() const { return text.find_first_of("#[") != std::string_view::npos; }
+  /// Written out without a decimal point; 0 is the same with and without.
+  bool lacks_point() const {
+    return value != 0 && !is_calculated() && text.find('.') == std::string_view::npos;
+  }
 };
 
 /// A comment as it stands in the program, with its parentheses, or from its semicolon to the last

@@ -21,7 +21,7 @@ void CommandDefinition::add_compare() {
   file(sub.add_option("NEW", compare.now, "result.json to judge, or its folder"), "json")
       ->required();
   folder(sub.add_option("-o,--output", compare.output,
-                        "Folder for compare.html, compare.md and compare.json (default: none)"));
+                        "Folder for compare.html, .md and .json and junit.xml (default: none)"));
   hint(sub.add_option("--time-limit", compare.time_limit_percent,
                       "Machining time that grows by more than this is a regression (default: it "
                       "is shown)"),

@@ -61,6 +61,7 @@ void write_files(const compare::Comparison& comparison, OutputFolder& folder) {
     write("compare.html", compare::write_html);
     write("compare.md", compare::write_markdown);
     write("compare.json", compare::write_json);
+    write("junit.xml", compare::write_junit);
   });
 }
 

@@ -16,5 +16,9 @@ void write_markdown(const Comparison& comparison, std::ostream& out);
 void write_html(const Comparison& comparison, std::ostream& out);
 /// compare.json, schema limitgauge.compare/1.
 void write_json(const Comparison& comparison, std::ostream& out);
+/// junit.xml: a suite for the run and one for each stage, with a case for each figure that is
+/// judged, for each kind of remark and for the findings. One has failed exactly where `judgement`
+/// is worse.
+void write_junit(const Comparison& comparison, std::ostream& out);
 
 }  // namespace limitgauge::reports::compare

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <pugixml.hpp>
 
 #include "model/text/number_text.h"
+#include "reports/junit/test_report.h"
 #include "reports/run/finding_list.h"
 #include "reports/run/gate_figures.h"
 #include "reports/run/process.h"
@@ -11,40 +11,11 @@
 namespace limitgauge::reports {
 namespace {
 
-struct Counts {
-  int tests = 0, failures = 0, errors = 0, skipped = 0;
-  Counts& operator+=(const Counts& b) {
-    tests += b.tests, failures += b.failures, errors += b.errors, skipped += b.skipped;
-    return *this;
-  }
-};
-
-void set(pugi::xml_node node, const char* key, const std::string& value) {
-  node.append_attribute(key).set_value(clean_text(value).c_str());
-}
-
-void set_counts(pugi::xml_node node, const Counts& counts) {
-  node.append_attribute("tests").set_value(counts.tests);
-  node.append_attribute("failures").set_value(counts.failures);
-  node.append_attribute("errors").set_value(counts.errors);
-  node.append_attribute("skipped").set_value(counts.skipped);
-}
-
-std::string clean_lines(std::vector<std::string> lines) {
-  for (std::string& line : lines) line = clean_text(line);
-  return joined(lines, "\n");
-}
-
-void add_outcome(pugi::xml_node test, const char* element, const char* type,
-                 const std::string& message, const std::string& body) {
-  pugi::xml_node node = test.append_child(element);
-  set(node, "message", message);
-  if (type) set(node, "type", type);
-  if (!body.empty()) node.text().set(clean_text(body).c_str());
-}
+using junit::Case;
+using junit::Outcome;
 
 /// What the cases of one stage are made of.
-struct Suite {
+struct Measured {
   const RunResult& result;
   const StageResult& stage;
   std::vector<ListedFinding> findings;
@@ -62,10 +33,10 @@ bool counts_for(const ListedFinding& f, const std::string& figure) {
 }
 
 /// The first that counts is the worst.
-std::string worst_place(const Suite& suite, const std::string& figure) {
-  const auto worst = std::find_if(suite.findings.begin(), suite.findings.end(),
+std::string worst_place(const Measured& m, const std::string& figure) {
+  const auto worst = std::find_if(m.findings.begin(), m.findings.end(),
                                   [&](const ListedFinding& f) { return counts_for(f, figure); });
-  if (worst == suite.findings.end()) return {};
+  if (worst == m.findings.end()) return {};
   const model::Vec3& p = worst->point;
   std::string text = "; worst " + worst->id + " (" + worst->words + ") " +
                      measured_length(worst->depth_mm) + " at (" + fixed(p.x, 3) + ", " +
@@ -73,13 +44,13 @@ std::string worst_place(const Suite& suite, const std::string& figure) {
   if (worst->place) text += ", patch " + std::to_string(worst->place->patch);
   if (worst->line == 0) return text;
   return text + ", line " + std::to_string(worst->line) + " of " +
-         program_file(suite.result.stages[worst->program_stage]);
+         program_file(m.result.stages[worst->program_stage]);
 }
 
-std::string message_for(const GateFigure& figure, const Suite& suite) {
+std::string message_for(const GateFigure& figure, const Measured& m) {
   std::string text = figure.name + " " + figure.measured;
   if (!figure.limit.empty()) text += ", limit " + figure.limit;
-  return clean_text(text + worst_place(suite, figure.name));
+  return text + worst_place(m, figure.name);
 }
 
 /// One measurement gives several figures: its time stands at the first of them.
@@ -89,108 +60,74 @@ double seconds_of(const std::string& figure, const StageResult& stage) {
   return figure == "rapid collisions" ? stage.ran->simulation_seconds : 0;
 }
 
-void add_figure(pugi::xml_node test, const GateFigure& figure, const Suite& suite, Counts& counts) {
-  const std::string reasons = clean_lines(suite.stage.decision.reasons);
+Case case_of(const GateFigure& figure, const Measured& m) {
+  const std::string said = message_for(figure, m);
+  const std::string reasons = joined(m.stage.decision.reasons, "\n");
+  const double seconds = seconds_of(figure.name, m.stage);
   switch (figure.standing) {
     case Standing::within:
-      test.append_child("system-out").text().set(message_for(figure, suite).c_str());
-      break;
+      return {figure.name, Outcome::passed, {}, said, {}, seconds};
     case Standing::beyond:
-      ++counts.failures;
-      add_outcome(test, "failure", "beyond the limit", message_for(figure, suite), reasons);
-      break;
+      return {figure.name, Outcome::failure, "beyond the limit", said, reasons, seconds};
     case Standing::undecided:
-      ++counts.errors;
-      add_outcome(test, "error", "indeterminate", message_for(figure, suite), reasons);
-      break;
+      return {figure.name, Outcome::error, "indeterminate", said, reasons, seconds};
     case Standing::no_limit:
-      ++counts.skipped;
-      add_outcome(test, "skipped", nullptr, "no limit stated: " + message_for(figure, suite), {});
-      break;
+      return {figure.name, Outcome::skipped, {}, "no limit stated: " + said, {}, seconds};
     case Standing::not_run:
-      ++counts.skipped;
-      add_outcome(test, "skipped", nullptr, "not run", reasons);
       break;
   }
+  return {figure.name, Outcome::skipped, {}, "not run", reasons, seconds};
 }
 
-pugi::xml_node add_case(pugi::xml_node suite, const std::string& stage, const std::string& what,
-                        double seconds) {
-  pugi::xml_node test = suite.append_child("testcase");
-  set(test, "classname", "limitgauge." + stage);
-  set(test, "name", what);
-  set(test, "time", fixed(seconds, 3));
-  return test;
+bool has(const std::vector<Case>& cases, Outcome outcome) {
+  return std::any_of(cases.begin(), cases.end(),
+                     [=](const Case& c) { return c.outcome == outcome; });
 }
 
 /// A verdict that no single figure explains must not vanish from CI.
-void add_verdict(pugi::xml_node suite, const StageResult& stage, Counts& counts) {
+void add_verdict(std::vector<Case>& cases, const StageResult& stage) {
   const verifier::Verdict verdict = stage.decision.verdict;
-  const bool fails = verdict == verifier::Verdict::fail && counts.failures == 0;
-  const bool undecided =
-      verdict == verifier::Verdict::indeterminate && counts.failures + counts.errors == 0;
+  const bool fails = verdict == verifier::Verdict::fail && !has(cases, Outcome::failure);
+  const bool undecided = verdict == verifier::Verdict::indeterminate &&
+                         !has(cases, Outcome::failure) && !has(cases, Outcome::error);
   if (!fails && !undecided) return;
-  ++counts.tests;
-  ++(fails ? counts.failures : counts.errors);
-  add_outcome(add_case(suite, stage.name, "verdict", 0), fails ? "failure" : "error",
-              fails ? "beyond the limit" : "indeterminate", verifier::name(verdict),
-              clean_lines(stage.decision.reasons));
+  cases.push_back({"verdict", fails ? Outcome::failure : Outcome::error,
+                   fails ? "beyond the limit" : "indeterminate", verifier::name(verdict),
+                   joined(stage.decision.reasons, "\n")});
 }
 
 /// What the stage was asked for, and where its program is.
-void add_properties(pugi::xml_node suite, const StageResult& stage, const RunResult& result) {
-  pugi::xml_node list = suite.append_child("properties");
-  const auto add = [&](const char* name, const std::string& value) {
-    pugi::xml_node property = list.append_child("property");
-    set(property, "name", name);
-    set(property, "value", value);
-  };
-  add("version", result.version);
-  add("verdict", verifier::name(stage.verdict()));
-  add("tool", stage.tool);
-  add("cutter", model::to_text(stage.cutter));
-  if (!stage.strategy.empty()) add("strategy", stage.strategy);
-  add("program", program_file(stage));
-  if (stage.allowance_mm) add("allowance_mm", model::shortest(*stage.allowance_mm));
+std::vector<junit::Property> properties_of(const StageResult& stage, const RunResult& result) {
+  std::vector<junit::Property> list = {{"version", result.version},
+                                       {"verdict", verifier::name(stage.verdict())},
+                                       {"tool", stage.tool},
+                                       {"cutter", model::to_text(stage.cutter)}};
+  if (!stage.strategy.empty()) list.push_back({"strategy", stage.strategy});
+  list.push_back({"program", program_file(stage)});
+  if (stage.allowance_mm) list.push_back({"allowance_mm", model::shortest(*stage.allowance_mm)});
+  return list;
 }
 
-Counts add_suite(pugi::xml_node root, const RunResult& result, std::size_t index) {
-  const Suite from{result, result.stages[index], list_findings(result, index)};
+junit::Suite suite_of(const RunResult& result, std::size_t index) {
+  const Measured from{result, result.stages[index], list_findings(result, index)};
   const StageResult& stage = from.stage;
-  pugi::xml_node suite = root.append_child("testsuite");
-  set(suite, "name", stage.name);
-  add_properties(suite, stage, result);
-  Counts counts;
-  for (const GateFigure& figure : gate_figures(stage)) {
-    ++counts.tests;
-    add_figure(add_case(suite, stage.name, figure.name, seconds_of(figure.name, stage)), figure,
-               from, counts);
-  }
-  if (stage.ran) add_verdict(suite, stage, counts);
-  set_counts(suite, counts);
-  set(suite, "time", fixed(stage.seconds, 3));
-  set(suite, "timestamp", result.created);
-  return counts;
+  junit::Suite suite{
+      stage.name,    "limitgauge." + stage.name, properties_of(stage, result), {}, stage.seconds,
+      result.created};
+  for (const GateFigure& figure : gate_figures(stage)) suite.cases.push_back(case_of(figure, from));
+  if (stage.ran) add_verdict(suite.cases, stage);
+  return suite;
 }
 
 }  // namespace
 
 void write_junit(const RunResult& result, std::ostream& out) {
-  pugi::xml_document document;
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  set(declaration, "version", "1.0");
-  set(declaration, "encoding", "UTF-8");
-  pugi::xml_node root = document.append_child("testsuites");
-  set(root, "name", result.job);
-  Counts all;
-  double seconds = result.surface ? result.surface->seconds : 0;
+  junit::TestReport report{result.job, {}, result.surface ? result.surface->seconds : 0};
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
-    all += add_suite(root, result, i);
-    seconds += result.stages[i].seconds;
+    report.suites.push_back(suite_of(result, i));
+    report.seconds += result.stages[i].seconds;
   }
-  set_counts(root, all);
-  set(root, "time", fixed(seconds, 3));
-  document.save(out, "  ");
+  junit::write(report, out);
 }
 
 }  // namespace limitgauge::reports

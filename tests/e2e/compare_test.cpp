@@ -150,6 +150,9 @@ TEST_CASE("what got worse turns compare red, and its lines are named", "[e2e][co
   CHECK(figure(step, "uncut_mm")["deepest"]["line"] > 0);
   CHECK(step["stages"][0]["name"] == "finish");
   CHECK_THAT(read_text(scratch / "c-basestep/compare.md"), ContainsSubstring("| finish | uncut |"));
+  CHECK_THAT(read_text(scratch / "c-basestep/junit.xml"),
+             ContainsSubstring("<failure message=\"uncut"));
+  CHECK_THAT(read_text(scratch / "c-basethreads/junit.xml"), !ContainsSubstring("<failure"));
   const Outcome back = compare("step", "base");
   CHECK(back.exit_code == 0);
   CHECK_THAT(back.out, ContainsSubstring("comparison: better"));

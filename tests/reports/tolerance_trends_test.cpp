@@ -3,7 +3,7 @@
 #include "reports/compare/run_comparison.h"
 #include "reports/history/job_history.h"
 #include "reports/history/run_entry.h"
-#include "tests/reports/compare_support.h"
+#include "tests/reports/compare/compare_support.h"
 #include "tests/support/catch.h"
 
 /// What runs over tolerances say against each other, two at a time and along a history.
@@ -73,8 +73,8 @@ TEST_CASE("A margin that shrank is worse, one that grew is better", "[unit][comp
   CHECK(compared("margin", wide, narrow) == Judgement::worse);
   CHECK(compared("margin", narrow, wide) == Judgement::better);
   CHECK(compared("margin", wide, wide) == Judgement::same);
-  CHECK(compare_runs(wide, narrow, {}).judgement() == Judgement::worse);
-  CHECK(compare_runs(wide, wide, {}).judgement() == Judgement::same);
+  CHECK(compare::compare_runs(wide, narrow, {}).judgement() == Judgement::worse);
+  CHECK(compare::compare_runs(wide, wide, {}).judgement() == Judgement::same);
   CHECK(last_cell({wide, narrow}, "margin").judgement == Judgement::worse);
   CHECK(last_cell({narrow, wide}, "margin").judgement == Judgement::better);
   CHECK(last_cell({wide, wide}, "margin").judgement == Judgement::same);
@@ -103,9 +103,10 @@ TEST_CASE("Over other tolerances, neither better nor worse is said", "[unit][com
       CHECK_FALSE(last_cell({from, to}, id, {{"finish"}, {id}}).judgement);
     }
   }
-  REQUIRE(tolerance_remark(compare_runs(base, other, {})));
-  CHECK(tolerance_remark(compare_runs(base, other, {}))->text.find("widened") != std::string::npos);
-  CHECK_FALSE(tolerance_remark(compare_runs(base, base, {})));
+  REQUIRE(tolerance_remark(compare::compare_runs(base, other, {})));
+  CHECK(tolerance_remark(compare::compare_runs(base, other, {}))->text.find("widened") !=
+        std::string::npos);
+  CHECK_FALSE(tolerance_remark(compare::compare_runs(base, base, {})));
   // What is stated was measured alike in both.
   CHECK(compared("uncut_mm", base, other) == Judgement::same);
   CHECK(last_cell({base, other}, "uncut_mm").judgement == Judgement::same);
@@ -135,7 +136,8 @@ TEST_CASE("The place that fails over tolerances is named though none does as sta
   };
   const RunRecord good = with_place(tolerant_run(0.01, 3), 0.008);
   const RunRecord bad = with_place(tolerant_run(0.01, 3), 0.015);
-  const Comparison worse = compare_runs(good, bad, {}), better = compare_runs(bad, good, {});
+  const Comparison worse = compare::compare_runs(good, bad, {}),
+                   better = compare::compare_runs(bad, good, {});
   REQUIRE(worse.stages[0].findings.size() == 1);
   const compare::FindingChange& change = worse.stages[0].findings[0];
   CHECK(change.kind == "robust_uncut");
@@ -144,15 +146,16 @@ TEST_CASE("The place that fails over tolerances is named though none does as sta
   CHECK(change.now->line == 12);
   CHECK(better.stages[0].findings.at(0).judgement == Judgement::better);
   CHECK(compare::figure(worse, "robust_uncut_mm").where->line == 12);
-  CHECK(compare_runs(bad, bad, {}).stages[0].findings.empty());
+  CHECK(compare::compare_runs(bad, bad, {}).stages[0].findings.empty());
   // Over other tolerances the two places are not held against each other.
   const RunRecord other = with_place(tolerant_run(0.02, 3), 0.015);
-  CHECK(compare_runs(good, other, {}).stages[0].findings.empty());
+  CHECK(compare::compare_runs(good, other, {}).stages[0].findings.empty());
 }
 
 TEST_CASE("Tolerances that one run alone has", "[unit][compare][history]") {
   const RunRecord with = tolerant_run(0.01, 3), without = compare::sample_run();
-  const Comparison lost = compare_runs(with, without, {}), set = compare_runs(without, with, {});
+  const Comparison lost = compare::compare_runs(with, without, {}),
+                   set = compare::compare_runs(without, with, {});
   REQUIRE(tolerance_remark(lost));
   CHECK(tolerance_remark(lost)->judgement == Judgement::worse);
   CHECK(tolerance_remark(set)->judgement == Judgement::better);

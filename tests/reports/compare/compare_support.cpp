@@ -1,4 +1,4 @@
-#include "tests/reports/compare_support.h"
+#include "tests/reports/compare/compare_support.h"
 
 #include <stdexcept>
 

@@ -6,7 +6,7 @@
 #include "reports/compare/matching.h"
 #include "reports/compare/report.h"
 #include "reports/compare/run_comparison.h"
-#include "tests/reports/compare_support.h"
+#include "tests/reports/compare/compare_support.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge;

@@ -3,7 +3,7 @@
 
 #include "model/base/error.h"
 #include "reports/compare/run_comparison.h"
-#include "tests/reports/compare_support.h"
+#include "tests/reports/compare/compare_support.h"
 #include "tests/support/catch.h"
 
 using namespace limitgauge;
